@@ -63,7 +63,7 @@ class Donnie(Struct, frozen=True):
     world: ChosenWorld
     """Its name, its scene and, for a world that ships, title, description and task."""
     team: Team
-    """The robots of the world, and who of them is talked to."""
+    """The robots of the world, and which of them the learner talks to."""
     connection: Connection
     """Whether the robot is simulated or real, and changing that."""
     chronicle: Chronicle
@@ -89,7 +89,7 @@ class Donnie(Struct, frozen=True):
 
     @property
     def in_use(self) -> FilesInUse:
-        from donnie_tui.core.program_files import FilesInUse  # for who saves something
+        from donnie_tui.core.program_files import FilesInUse  # needed only to save
 
         return FilesInUse((*self.outlets.written.paths, *files_of(self.world)))
 
@@ -159,7 +159,7 @@ def assemble(
         raise
     donnie.outlets.let_programs_wait()
     if os.environ.get("SSH_CONNECTION"):
-        from donnie_tui.process.disconnection import NetworkWatch  # who came by a network
+        from donnie_tui.process.disconnection import NetworkWatch  # only over SSH
 
         closing.callback(NetworkWatch(donnie.stop_unreachable_robot, os.environ).close)
     loaded()

@@ -56,7 +56,7 @@ class Turns:
             self._appoint()
 
     def has_others(self, seat: Seat) -> bool:
-        """Whether anybody but this one takes part."""
+        """Whether another robot takes part."""
         with self.lock:
             others = [self.holder, *(entry[2] for entry in self.queue)]
             return any(other is not None and other is not seat for other in others)
@@ -138,7 +138,7 @@ class Seat:
             self._gate.release()
 
     def _has_the_turn(self) -> bool:
-        """Whether it is this one's turn; who holds it too early passes it on."""
+        """Whether it is this robot's turn; a robot that holds it too early passes it on."""
         if self.turns.holder is self and self._is_overtaken():
             self.turns.hand_over()
         return self.turns.holder is self

@@ -162,9 +162,9 @@ def colour_of(name: str, red: float, green: float, blue: float, alpha: float = 1
     return Colour(name, red, green, blue, alpha, _family(name.lower(), red, green, blue))
 
 
-def families(told_apart: Iterable[tuple[Colour, ...]]) -> frozenset[str]:
+def families(distinguished: Iterable[tuple[Colour, ...]]) -> frozenset[str]:
     """The language's words for the colours that cameras distinguish; all words if none is set."""
-    cameras = tuple(told_apart)
+    cameras = tuple(distinguished)
     if not all(cameras):
         return frozenset(FAMILIES)
     return frozenset(colour.family for colours in cameras for colour in colours)

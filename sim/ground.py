@@ -174,7 +174,7 @@ class Ground:
 
     def _lay_out(self) -> Layout:
         """Under the lock, before anything has moved."""
-        from sim.layout import Layout  # pymunk: a third of a start, and for those who move only
+        from sim.layout import Layout  # pymunk, a third of a start: loaded at the first movement
 
         self._layout = Layout(self.scene, self._start, self._now, self._groups, self._guards)
         return self._layout

@@ -50,7 +50,7 @@ class Layer:
     def first_hits(
         self, x: float, y: float, ends: Sequence[Point], group: int, category: int, but: frozenset[int]
     ) -> list[Hit[int]]:
-        """What looks from one place to each of ``ends`` meet first, and where on the way.
+        """The parts that rays from one place to each of ``ends`` hit first, and where on the way.
 
         As if the parts ``but`` were not there.
         """

@@ -429,7 +429,7 @@ class Meeting:
 
     def _is_wall(self, root: int) -> bool:
         if root not in self._walls:
-            from sim.picture import is_wall  # who meets nothing needs no picture
+            from sim.picture import is_wall  # loaded at the first obstacle
 
             self._walls[root] = is_wall(self._scene.models[root], self._me)
         return self._walls[root]

@@ -62,7 +62,7 @@ class SimulatedRobot:
         self._clock = Clock(pace, speed, seat)
         self._chance = self._new_chance()
         self._making = threading.Lock()
-        """Held by who makes the vehicle, or has it begin anew."""
+        """Held while the vehicle is made or reset."""
         self._vehicle: Vehicle | None = None
         self._seen: tuple[Spot, int, dict[Bearing, int]] | None = None
         """The last result of ``known_distances``, its pose, and the number of changes in the world then."""

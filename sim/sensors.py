@@ -50,7 +50,7 @@ class Senses(Struct, frozen=True):
         """
         rangers = self.at(bearing)
         if not rangers:
-            raise RobotProblem("no-sensor", bearing=bearing.name.lower().replace("_", " "))
+            raise RobotProblem("no-sensor", bearing=bearing.words)
         readings = [_reading(each, around, spot, chance) for each in rangers]
         near = [reading for reading in readings if reading is not None]
         farthest = max(int(each.maximum * 100 + 0.5) for each in rangers)

@@ -264,14 +264,14 @@ class Vehicle:
 
     @cached_property
     def _pushing(self) -> Pushing:
-        from sim.handling import Pushing  # those who move only
+        from sim.handling import Pushing  # loaded at the first movement
 
         return Pushing(self._ground, self.mover)
 
     @cached_property
     def meeting(self) -> Meeting:
         """What is found at the end of a movement."""
-        from sim.motion import Meeting  # those who move only
+        from sim.motion import Meeting  # loaded at the first movement
 
         return Meeting(self.mover, self._ground.scene, self._root)
 
@@ -294,7 +294,7 @@ class Vehicle:
         self.here = where
 
     def go_to(self, where: Whereabouts) -> None:
-        """Be there for everybody."""
+        """Set the pose, and publish it to the other robots."""
         self.here = where
         if self.mover.around.has_company:
             spot = where.truth

@@ -14,7 +14,7 @@ from sim.robot import SimulatedRobot
 from sim.scene import Scene
 from sim.world import World
 from sim.worldfile import load_text
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 
 def floor(*things: tuple[str, float, float], noise: float = 0.0) -> Scene:
@@ -47,7 +47,7 @@ class Floor:
 
     def run(self, text: str, *, fresh: bool = False, hooked: bool = False, trace: bool = False) -> Outcome:
         run = self.session.start(text, "test.gd", RunOptions(fresh=fresh, hooked=hooked, trace=trace))
-        assert run.wait(PATIENCE), "the program did not end"
+        assert run.wait(TIMEOUT), "the program did not end"
         assert run.outcome is not None
         return run.outcome
 

@@ -31,6 +31,11 @@ class Bearing(Enum):
     BACK_LEFT = 225
     FRONT_LEFT = 315
 
+    @property
+    def words(self) -> str:
+        """Its name in events and problems: ``front right``."""
+        return self.name.lower().replace("_", " ")
+
 
 class StoppedBy(Enum):
     """Why a movement did less than was asked."""

@@ -284,7 +284,7 @@ class SerialRobot:
         epoch = self._link.telemetry.epoch
         sonar = self._sensors.sonar_at(bearing)
         if sonar is None:
-            raise RobotProblem("no-sensor", bearing=bearing.name.lower().replace("_", " "))
+            raise RobotProblem("no-sensor", bearing=bearing.words)
         return to_steps(self._measured(sonar, epoch))
 
     def known_distances(self) -> dict[Bearing, int]:

@@ -72,15 +72,15 @@ def _answer(
 def _lines(port: str, found: IdentifiedDevice, words: Words) -> tuple[str, ...]:
     match found:
         case IdentifiedDevice(DeviceKind.ROBOT, None):
-            told = words("device-robot-unknown", port=port)
+            sentence = words("device-robot-unknown", port=port)
         case IdentifiedDevice(DeviceKind.ROBOT, int(millivolts)):
             low = "-low" if millivolts < LinkConfig().battery_low else ""
-            told = words(f"device-robot{low}", port=port, volts=millivolts / 1000)
+            sentence = words(f"device-robot{low}", port=port, volts=millivolts / 1000)
         case IdentifiedDevice(DeviceKind.BELT):
             return words("device-belt", port=port), words("devices-use-belt", port=port)
         case _:
             return (words(f"device-{found.kind.value}", port=port),)
-    return told, words("devices-use", port=port)
+    return sentence, words("devices-use", port=port)
 
 
 _CODE_OF = {

@@ -62,7 +62,7 @@ _MOST_MISSING = 20
 
 
 class Finding(Struct, frozen=True):
-    """One line. ``code`` names its sentence, and ``code-remedy`` the one behind it if something is wrong."""
+    """One line. ``code`` names its sentence, and ``code-remedy`` the one after it if something is wrong."""
 
     code: str
     values: Mapping[str, object] = field(default_factory=dict)
@@ -225,7 +225,7 @@ def look_at_own_sounds(folder: Path) -> Iterator[Finding]:
 
 
 def look_at_ports(found: Callable[[], tuple[FoundPort, ...]] | None = None) -> Iterator[Finding]:
-    """Which are plugged in and whether we may use them; ``donnie devices`` asks who is there."""
+    """Which ports are plugged in and whether we may use them; ``donnie devices`` identifies the devices."""
     from devices.serial_ports.listing import list_ports
     from devices.serial_ports.port import group_of
 
@@ -275,19 +275,19 @@ def look_at_reset(settings: Settings, reset: Callable[[str, str], object] | None
 
 
 def look_at_settings(settings: Settings, environment: Mapping[str, str]) -> Iterator[Finding]:
-    """Where the file is, and every setting that is not a default, with who won."""
+    """Where the file is, and every setting that is not a default, with its source."""
     path = settings_file(environment)
     yield well("doctor-settings-file" if exists(Path(path)) else "doctor-no-settings-file", path=path)
     for key in KEYS:
         source = settings.source_of(key.name)
         if source is not SettingSource.DEFAULT:
-            told = (
+            value = (
                 environment.get(key.variable, "")
                 if source is SettingSource.ENVIRONMENT
                 else getattr(settings, key.name)
             )
             yield well(
-                f"doctor-setting-{source.value}", key=key.key, variable=key.variable, value=_short(told)
+                f"doctor-setting-{source.value}", key=key.key, variable=key.variable, value=_short(value)
             )
 
 
@@ -314,8 +314,8 @@ def doctor(order: Order) -> int:
 
 
 def _lines(finding: Finding, words: Words) -> tuple[str, ...]:
-    told = words(finding.code, **finding.values)
+    text = words(finding.code, **finding.values)
     if finding.is_well:
-        return (told,)
+        return (text,)
     remedy = words(f"{finding.code}-remedy", **finding.values)
-    return words("doctor-problem", text=told), words("doctor-remedy", text=remedy)
+    return words("doctor-problem", text=text), words("doctor-remedy", text=remedy)

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from donnie_tui.linear.greeting import Greeting
 
 
-class _Luggage(Struct):
+class _CarriedOver(Struct):
     """What goes along from one mode to the other."""
 
     file: str | None
@@ -39,22 +39,22 @@ class _Luggage(Struct):
 
 
 def start(order: Order) -> int:
-    """Stay until the learner leaves for good; the exit code is the front end's."""
+    """Stay until the learner leaves for good; returns its exit code."""
     arguments = order.invocation.arguments
     settings = replace(order.settings, plain=True) if arguments.plain else order.settings
     option = True if arguments.linear else False if arguments.visual else None
     cause = cause_of_linear(option, settings.linear, process_environment(order.environment))
-    along = _Luggage(arguments.file or None, order.greeting)
+    along = _CarriedOver(arguments.file or None, order.greeting)
     while True:
         try:
-            return _see(settings, along) if cause is None else _talk(settings, cause, along)
+            return _run_screen(settings, along) if cause is None else _run_linear(settings, cause, along)
         except SwitchMode as switch:
             cause = None if cause else "word"
             along.file = switch.name or None
             along.text, along.donnie = switch.text, switch.donnie
 
 
-def _see(settings: Settings, along: _Luggage) -> int:
+def _run_screen(settings: Settings, along: _CarriedOver) -> int:
     from donnie_tui.tui.environment import prepare
 
     prepare(settings)
@@ -63,7 +63,7 @@ def _see(settings: Settings, along: _Luggage) -> int:
     return run_full_screen(settings, along.file, text=along.text, donnie=along.donnie)
 
 
-def _talk(settings: Settings, cause: str, along: _Luggage) -> int:
+def _run_linear(settings: Settings, cause: str, along: _CarriedOver) -> int:
     from donnie_tui.linear.app import run_linear
     from donnie_tui.linear.greeting import Greeting
 
@@ -88,7 +88,7 @@ class ProcessEnvironment(Struct, frozen=True):
 
 
 def process_environment(environment: Mapping[str, str]) -> ProcessEnvironment:
-    """Those of this process."""
+    """The environment of this process."""
     stdin, stdout, stderr = map(is_terminal, (sys.stdin, sys.stdout, sys.stderr))
     return ProcessEnvironment(stdin, stdout, environment, stderr)
 

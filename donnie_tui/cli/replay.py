@@ -204,7 +204,7 @@ class _Player:
         return bool(self._written.lost)
 
     def _begin_at(self, seq: int | None, backwards: bool) -> None:
-        """Just before the event of that number; backwards, behind it."""
+        """Just before the event of that number; backwards, just after it."""
         events = self._timeline.events
         if seq is None:
             self._timeline.go_to(len(events) if backwards else 0)

@@ -95,9 +95,9 @@ class ReplayPrompt:
         elif name is None:
             self._answer("replay-unknown-word")
         else:
-            self._doings(output)[name]()
+            self._handlers(output)[name]()
 
-    def _doings(self, output: Output) -> dict[str, Callable[[], None]]:
+    def _handlers(self, output: Output) -> dict[str, Callable[[], None]]:
         return {
             "next": self._next,
             "back": self._back,

@@ -46,7 +46,7 @@ MOST_NAMES = 5
 
 
 def read_programs(arguments: Sequence[str], words: Words) -> tuple[tuple[str | None, RunRequest], ...]:
-    """What was written behind ``donnie run``: the robot's name, None for the first one, and its program.
+    """What was written after ``donnie run``: the robot's name, None for the first one, and its program.
 
     Raises ``Unusable``. A file of exactly that name wins over a robot.
     """
@@ -179,7 +179,7 @@ def _is_regular(path: Path) -> bool:
         return False
 
 
-_GLANCE = 0.5
+_CHECK_INTERVAL = 0.5
 """Seconds between two looks for a signal where waiting can't be interrupted by one."""
 
 _CODE_OF = {
@@ -209,7 +209,7 @@ def _run(order: Order, files: Sequence[str], *, trace: bool) -> int:
         _print_notices(order.settings, donnie, output)
         with_words = order.settings.events != "-"
         donnie.session.hub.subscribe(_printer(donnie, output, with_words=with_words))
-        code = _run_to_the_end(donnie, assigned, output, trace)  # it closes behind itself
+        code = _run_to_the_end(donnie, assigned, output, trace)  # closes the session
         return ExitCode.UNUSABLE if donnie.outlets.written.lost else code
     finally:
         donnie.close()
@@ -260,7 +260,7 @@ def _run_to_the_end(donnie: Donnie, programs: Mapping[str, RunRequest], output: 
 def _await_end(run: Run, stopped: threading.Event, donnie: Donnie) -> None:
     """Wait for the run. A stopped run that can't end, because its output is not read, is left once its
     robot stands."""
-    while not run.wait(_GLANCE):
+    while not run.wait(_CHECK_INTERVAL):
         if stopped.is_set() and not run.wait(LAST_WORDS):
             _leave_at_once(donnie)
 

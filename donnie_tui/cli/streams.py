@@ -151,7 +151,7 @@ _LONGEST_REST = 2.0
 """Seconds that the main thread waits for a rest to begin; it may hold what the stop before it needs."""
 
 _LONGEST_SPEECH = 2400
-"""Moments that the voice may take behind the end: two minutes."""
+"""Moments that the voice may take after the end: two minutes."""
 
 
 @contextmanager
@@ -159,11 +159,11 @@ def stopped_by_signals(stop: Callable[[], None]) -> Iterator[threading.Event]:
     """Any of them, any number of times, sets the event and has ``stop`` called, in another thread."""
     stopped = threading.Event()
 
-    def heed() -> None:
+    def on_signal() -> None:
         stopped.set()
         stop()
 
-    with closing(Deputy()) as deputy, on_signals(lambda: deputy.do(heed)):
+    with closing(Deputy()) as deputy, on_signals(lambda: deputy.do(on_signal)):
         yield stopped
 
 

@@ -99,9 +99,11 @@ def describe_world(order: Order) -> int:
     """In the form that was asked for, in words if none was."""
     arguments, words = order.invocation.arguments, order.words
     world = choose_world(arguments.name or order.settings.world, words, order.settings.world_folders)
-    is_told = not any(getattr(arguments, each) not in (None, False) for each in ("json", "map", "svg", "brf"))
+    is_printed = not any(
+        getattr(arguments, each) not in (None, False) for each in ("json", "map", "svg", "brf")
+    )
     for sentence in _without_world(world, words):
-        (order.output.line if is_told else order.output.complaint)(sentence)
+        (order.output.line if is_printed else order.output.complaint)(sentence)
     if arguments.json:
         order.output.text(_json(world) + "\n")
         return ExitCode.DONE
@@ -109,7 +111,7 @@ def describe_world(order: Order) -> int:
         order.output.line(line)
     if not arguments.report:
         for remark in remarks(world, words):
-            (order.output.line if is_told else order.output.complaint)(remark)
+            (order.output.line if is_printed else order.output.complaint)(remark)
     return ExitCode.DONE
 
 
@@ -144,9 +146,9 @@ def _words(world: ChosenWorld, words: Words) -> tuple[str, ...]:
     from sim.picture import picture
 
     about = world.about(words.language)
-    told = describe(picture(world.scene), world.start(), words, robot=_robot(world), about=about)
+    lines = describe(picture(world.scene), world.start(), words, robot=_robot(world), about=about)
     title = () if about is None else (words("world-title", name=world.name, title=about.title),)
-    return (*title, *told)
+    return (*title, *lines)
 
 
 def _robots(scene: Scene, words: Words) -> tuple[str, ...]:
@@ -154,8 +156,8 @@ def _robots(scene: Scene, words: Words) -> tuple[str, ...]:
     names = scene.robot_names
     if len(names) < 2:
         return ()
-    told = ", ".join(names[:MOST_ROBOTS]) + (", …" if len(names) > MOST_ROBOTS else "")
-    return (words("report-robots", count=len(names), names=told, first=shlex.quote(names[0])),)
+    shown = ", ".join(names[:MOST_ROBOTS]) + (", …" if len(names) > MOST_ROBOTS else "")
+    return (words("report-robots", count=len(names), names=shown, first=shlex.quote(names[0])),)
 
 
 def _robot(world: ChosenWorld) -> str | None:
@@ -164,7 +166,7 @@ def _robot(world: ChosenWorld) -> str | None:
 
 
 def _map(world: ChosenWorld, words: Words) -> tuple[str, ...]:
-    """The floor in letters, every robot as an arrow; then, behind a blank line, what the letters mean."""
+    """The floor in letters, every robot as an arrow; then, after a blank line, what the letters mean."""
     from sim.picture import picture
 
     seen, pose = picture(world.scene), world.start()
@@ -188,10 +190,10 @@ def _legend(world: ChosenWorld, seen: Picture, shown: set[str], words: Words) ->
     robots = list(world.scene.robot_names)
     names = {" ".join(_ARROWS): robots} if robots else {}
     for thing in sorted(seen.things, key=lambda each: each.letter):
-        told = names.setdefault(thing.letter, []) if thing.letter in shown else []
+        listed = names.setdefault(thing.letter, []) if thing.letter in shown else []
         name = name_of(thing, words)
-        if name not in told and len(told) <= MOST_NAMES:
-            told.append(name)
+        if name not in listed and len(listed) <= MOST_NAMES:
+            listed.append(name)
     return (
         *(words(code) for letter, code in _FLOOR.items() if letter in shown),
         *(words("map-legend", letter=letter, name=_bounded(each)) for letter, each in names.items()),

@@ -50,7 +50,7 @@ class Context:
         self.preferences = preferences
         self.screen = screen
         self.tour_page = 1
-        """Where TOUR continues, where it is printed."""
+        """The page where TOUR continues in the linear mode."""
         self.is_urgent = False
         """Whether an answer comes before what a running program has said and is not printed yet."""
         self.runs = RunController(

@@ -31,9 +31,9 @@ HANDLERS: dict[str, Handler] = {}
 
 
 def handles(name: str, /, **given: object) -> Callable[[AnyHandler], AnyHandler]:
-    """Mark the handler of a command, which gets ``given`` besides: one function may handle several commands.
+    """Mark the handler of a command: one function may handle several.
 
-    Raises ``KeyError`` for a name that is not declared.
+    ``given`` are extra arguments of the handler. Raises ``KeyError`` for a name that is not declared.
     """
     module = BY_NAME[name].module
 
@@ -76,7 +76,7 @@ async def _run(ctx: Context, command: Command, argument: str | None) -> None:
 
 
 async def attempt(ctx: Context, task: Awaitable[None]) -> None:
-    """Run what may be given up, or fail at a file; both are answered."""
+    """Run a handler; answer if the learner cancels or a file fails."""
     try:
         await task
     except GivenUp:
@@ -86,14 +86,14 @@ async def attempt(ctx: Context, task: Awaitable[None]) -> None:
 
 
 def _document_error() -> type[DocumentError]:
-    """Called where something was raised: no start needs documents."""
+    """Imported only after an error."""
     from donnie_tui.core.program_files import DocumentError
 
     return DocumentError
 
 
 def is_possible(ctx: Context, command: Command) -> bool:
-    """Whether what runs just now leaves room for the command."""
+    """Whether the command is possible in this run state."""
     return command.when.value >= _NEEDED.get(ctx.runs.state, When.ALWAYS).value
 
 
@@ -108,7 +108,7 @@ async def _asked_for(ctx: Context, command: Command) -> str:
 
 
 def say_in_words(ctx: Context, name: str) -> None:
-    """What is typed in words for something of the screen; where there is nothing, where it is."""
+    """Names the command that says the same in words; without one, says that it is on the screen."""
     command = BY_NAME.get(name)
     if command is None:
         ctx.answer("only-on-screen")

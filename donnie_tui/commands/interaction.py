@@ -46,7 +46,10 @@ class SwitchMode(Exception):
     """Raised by a front end that the learner leaves for the other one, with what that one takes over."""
 
     def __init__(self, text: str, name: str | None, donnie: Donnie | None = None) -> None:
-        """``donnie`` is the session to continue with, its robot where it stands; its taker closes it."""
+        """``donnie`` is the session to continue with, its robot where it stands.
+
+        The front end that takes it over closes it.
+        """
         super().__init__("switch")
         self.text = text
         self.name = name
@@ -217,8 +220,8 @@ class Screen(Protocol):
 
     def repaint(self) -> None: ...
 
-    def robot_moved(self) -> None:
-        """The robot stands elsewhere without having gone there."""
+    def robot_changed(self) -> None:
+        """The robot is another one, or stands elsewhere without having moved there."""
 
     @property
     def is_plain(self) -> bool:

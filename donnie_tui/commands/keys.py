@@ -50,8 +50,8 @@ _SIGNS = {
 }
 
 
-def behind_menu(key: str) -> str:
-    """A key that was pressed, as it is named behind the menu key: a capital is its letter with Shift."""
+def after_menu(key: str) -> str:
+    """A key that was pressed, as it is named after the menu key: a capital is its letter with Shift."""
     return f"shift+{key.lower()}" if len(key) == 1 and key.isupper() else key
 
 
@@ -103,7 +103,7 @@ class KeyTable:
         self.choose(chosen)
 
     def choose(self, chosen: str) -> None:
-        """Those of the choice from now on, and no earlier one."""
+        """Apply a choice to the default keys, and forget the choice before."""
         keys = dict(KEYS)
         for name, key in understood(chosen):
             keys = {other: tuple(each for each in have if each != key) for other, have in keys.items()}

@@ -123,7 +123,7 @@ async def connect(ctx: Context, argument: str) -> None:
     if number:
         await ctx.interaction.background(lambda: _connect_to(ctx, int(number)), slow, is_slow=True)
         if ctx.screen is not None:
-            ctx.screen.robot_moved()
+            ctx.screen.robot_changed()
 
 
 def _connections(ctx: Context) -> list[Option]:

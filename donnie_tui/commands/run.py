@@ -305,4 +305,4 @@ async def reset(ctx: Context, _: str) -> None:
         return
     ctx.answer_of_robot("answer-reset")
     if ctx.screen is not None:
-        ctx.screen.robot_moved()
+        ctx.screen.robot_changed()

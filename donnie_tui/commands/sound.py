@@ -9,7 +9,6 @@ from donnie_tui.commands.dispatch import handles
 from donnie_tui.core.events import Answered, Chimed
 from donnie_tui.core.wording import meant, spelled
 from donnie_tui.settings.parsing import read_percent
-from language.source import fold_name
 
 CUES = (
     *("step-forward", "step-back", "turn-right", "turn-left", "obstacle", "bump", "scan", "found"),
@@ -23,10 +22,9 @@ FOR_READERS = 2.0
 """Seconds for its name where a screen reader says it."""
 LONGEST_NAME = 40
 """Characters of a typed name that an answer repeats."""
-_GLANCE = 0.05
+_CHECK_INTERVAL = 0.05
 _LONGEST_UTTERANCE = 100
-"""Glances."""
-_MOTORS = {"rows", "motors", "fileiras", "motores", "filas"}
+"""Number of checks."""
 
 
 @handles("quiet")
@@ -75,7 +73,7 @@ async def _is_disturbed_until_spoken(ctx: Context, hushed: int) -> bool:
     if not audible.speaks:
         return await is_disturbed(FOR_READERS)
     for _ in range(_LONGEST_UTTERANCE):
-        if await is_disturbed(_GLANCE):
+        if await is_disturbed(_CHECK_INTERVAL):
             return True
         if audible.is_quiet_within(0):
             break
@@ -89,7 +87,7 @@ async def feel(ctx: Context, argument: str) -> None:
     if is_on is not None:
         belt.is_on = is_on
         ctx.answer("belt-words-on" if is_on else "belt-words-off")
-    elif fold_name(argument) in _MOTORS:
+    elif meant(argument, "belt") == "rows":
         ctx.say(*belt.rows())
     else:
         ctx.say(belt.now())

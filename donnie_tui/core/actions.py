@@ -268,8 +268,8 @@ class RobotActions:
         try:
             steps = self._robot.distance(bearing)
         except RobotProblem as problem:
-            raise _refused(problem, bearing=bearing_name(bearing)) from None
-        return self._read("distance", bearing_name(bearing), steps)
+            raise _refused(problem, bearing=bearing.words) from None
+        return self._read("distance", bearing.words, steps)
 
     def position(self, axis: Axis) -> int:
         pose = self._robot.pose()
@@ -313,11 +313,6 @@ class RobotActions:
         if not self._belt.is_on:
             raise ActionRefused(MistakeKind.BELT_OFF)
         self._belt.pulse(bearing)
-
-
-def bearing_name(bearing: Bearing) -> str:
-    """The name of a bearing in events: ``front right``."""
-    return bearing.name.lower().replace("_", " ")
 
 
 def _refused(problem: RobotProblem, **values: str) -> ActionRefused:

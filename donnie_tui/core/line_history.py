@@ -38,7 +38,7 @@ class LineHistory:
         file = self._file
         if file and len(_read(file)) > 2 * KEPT:
             with contextlib.suppress(OSError):
-                from pathlib import Path  # slow to load, and files are long in growing
+                from pathlib import Path  # slow to load, needed only when the file is too long
 
                 shorter = Path(f"{file}.new")
                 shorter.unlink(missing_ok=True)

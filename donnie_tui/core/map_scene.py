@@ -33,7 +33,7 @@ LONGEST_RAY = 100
 Line = tuple[tuple[float, float], ...]
 """Points to the right of the robot and ahead of it, in steps."""
 
-_DEGREES_OF = {each.name.lower().replace("_", " "): each.value for each in Bearing}
+_DEGREES_OF = {each.words: each.value for each in Bearing}
 """As ``read`` events name the directions."""
 
 

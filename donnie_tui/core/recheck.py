@@ -36,7 +36,7 @@ from donnie_tui.core.team import Team
 _GRIPPER_COMMANDS = {each.value: each for each in GripperCommand}
 
 
-class Tone(Protocol):
+class RecordedWording(Protocol):
     """The wording, as far as a recording chose it."""
 
     language: str
@@ -62,13 +62,13 @@ class Verdict(Struct, frozen=True):
     now: Stamped | None = None
 
 
-def recheck(events: Sequence[Stamped], team: Team, tone: Tone) -> Verdict:
+def recheck(events: Sequence[Stamped], team: Team, wording: RecordedWording) -> Verdict:
     """Runs everything again with ``team``, which is at the start of the same world, and compares.
 
     Blocks as long as the programs take. ``team.stop`` ends it from another thread, which counts as a
     difference.
     """
-    checking = _Checking(events, team, tone)
+    checking = _Checking(events, team, wording)
     leave = team.stream.subscribe(checking.on_event)
     try:
         return checking.verdict()
@@ -92,10 +92,10 @@ class _Segment(Struct, frozen=True):
 class _Checking:
     """The position in the recording. The stream's order makes it safe between the programs' threads."""
 
-    def __init__(self, events: Sequence[Stamped], team: Team, tone: Tone) -> None:
+    def __init__(self, events: Sequence[Stamped], team: Team, wording: RecordedWording) -> None:
         self._events = events
         self._team = team
-        self._tone = tone
+        self._wording = wording
         self._at = 0
         self._until = 0
         self._difference: Verdict | None = None
@@ -186,7 +186,7 @@ class _Checking:
             if isinstance(each.event, RunStarted)
         }
         first = next(how for _, how in hows.values() if how is not None)
-        self._tone.language, self._tone.detail = first.language, first.detail
+        self._wording.language, self._wording.detail = first.language, first.detail
         if len(hows) > 1:
             programs = {
                 robot or "": RunRequest(how.text, started.program)
@@ -217,7 +217,7 @@ class _Checking:
         with self._lock:
             if self._difference is not None or self._at >= self._until:
                 return
-            self._skip_what_came_by(stamped)
+            self._skip_uncaused(stamped)
             if self._at < self._until and not _is_same(self._events[self._at], stamped):
                 self._difference = Verdict(Result.DIFFERENT, self._at, stamped)
             self._at += 1
@@ -225,11 +225,11 @@ class _Checking:
         if is_over:
             self._team.stop()
 
-    def _skip_what_came_by(self, stamped: Stamped) -> None:
+    def _skip_uncaused(self, stamped: Stamped) -> None:
         """Skips events that no program caused: the learner asked for the position, or the belt was lost."""
         while (
             self._at < self._until
-            and _came_by(self._events[self._at])
+            and _is_uncaused(self._events[self._at])
             and not _is_same(self._events[self._at], stamped)
         ):
             self._at += 1
@@ -243,7 +243,7 @@ class _Checking:
         self._at += 1
 
 
-def _came_by(stamped: Stamped) -> bool:
+def _is_uncaused(stamped: Stamped) -> bool:
     return isinstance(stamped.event, Announced) and stamped.event.code in ("position", "help", BELT_LINK)
 
 

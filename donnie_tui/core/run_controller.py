@@ -444,7 +444,7 @@ class RunController:
             self._answer_done(record)
 
     def _answer_done(self, record: RunRecord) -> None:
-        """Of a program that nothing else shows the end of."""
+        """Says that the program is done, if no prompt shows it."""
         if record.request.is_whole and not self._has_prompt:
             code = "screen-done"
         elif record.is_silent or record.is_stepped:

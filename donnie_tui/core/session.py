@@ -389,7 +389,7 @@ class Session:
             self._take(make_robot or self._own_robot)
             self._began = None
             self._memory = Memory()
-        if not (is_fresh and pose == self.pose):  # else nothing is another than it was
+        if not (is_fresh and pose == self.pose):  # otherwise nothing has changed
             self.hub.publish(Reset(self.pose))
 
     def _begin_anew(self) -> None:

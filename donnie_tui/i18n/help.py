@@ -128,7 +128,7 @@ def _filled(template: str, words: Wording) -> str:
 
 
 def _spelled(place: str, words: Wording) -> str:
-    """A keyword, a word behind one (``ON``, ``red``), or what a placeholder is called."""
+    """A keyword, the argument of one (``ON``, ``red``), or what a placeholder is called."""
     if place in ("ON", "OFF"):
         return keywords.argument_spelling(place == "ON", words.language)
     if place == "red":

@@ -82,7 +82,7 @@ class _Worlds:
         self._session = session
 
     def visit(self, donnie: Donnie, begin: Callable[[Conversation], int]) -> int:
-        """The exit code. ``begin`` runs the first conversation. Raises as ``run_linear`` does."""
+        """Returns the exit code. ``begin`` runs the first conversation. Raises as ``run_linear`` does."""
         state: ConversationState | None = None
         while True:
             self._console.give_up = donnie.connection.search.give_up

@@ -25,10 +25,10 @@ from donnie_tui.linear.console import Console, Gone, run_in_background
 from donnie_tui.linear.greeting import Greeting, has_rescued
 from donnie_tui.linear.leaving import Leaving
 from donnie_tui.linear.line_editor import EditorEcho, KeyPress
-from donnie_tui.linear.loop import RunLoop, TypedLines
 from donnie_tui.linear.output import BackgroundRobots, Listener, OutputQueue, PacedOutput
 from donnie_tui.linear.prompter import Options, Printer, Prompter, Streams
 from donnie_tui.linear.reader import EditingReader, How, PlainReader, Typed, candidates
+from donnie_tui.linear.typed_lines import RunLoop, TypedLines
 from donnie_tui.settings.folders import UNSAVED, state_path
 
 if TYPE_CHECKING:
@@ -131,7 +131,7 @@ class Conversation:
         self._listener.close()
 
     def begin(self, file: str | None, text: str | None = None, *, offers_to_remember: bool = False) -> int:
-        """Read and answer until something ends it. The exit code.
+        """Read and answer until something ends it. Returns the exit code.
 
         ``offers_to_remember``: the learner came from the full screen and may want to begin here next time.
         """

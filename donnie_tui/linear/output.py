@@ -48,7 +48,7 @@ AFTER_STOP = 5
 MANY_NUMBERS = 4
 """Lines of nothing but digits in a block that need a sentence after them."""
 FEWEST = 2
-"""Lines at once; if not even these are said, the answer is one line over and over."""
+"""Least lines printed at once; if not even these are said, the answer is one line over and over."""
 URGENT = ("link",)
 """Codes of announcements that are printed in the middle of a line that is being typed."""
 _ENDING = (ControlState.STOPPING, ControlState.ENDED)
@@ -255,8 +255,8 @@ class Listener:
         self._queue.put((*before, *lines) if passes else before, remembered, stamped.robot)
 
 
-class Paper(Protocol):
-    """What is printed on."""
+class PrintTarget(Protocol):
+    """The terminal, as far as printing needs it."""
 
     interrupted: bool
 
@@ -273,9 +273,11 @@ class Paper(Protocol):
 class PacedOutput:
     """Prints blocks of lines. ``paced`` is for learners; a pipe needs no rests."""
 
-    def __init__(self, paper: Paper, *, paced: bool, of_numbers: Callable[[int], str] = "{}".format) -> None:
+    def __init__(
+        self, target: PrintTarget, *, paced: bool, of_numbers: Callable[[int], str] = "{}".format
+    ) -> None:
         """``of_numbers`` returns the sentence that says how many numbers those were."""
-        self._paper = paper
+        self._target = target
         self._of_numbers = of_numbers
         self.paced = paced
         """Whether there are rests; may be changed at any time."""
@@ -300,7 +302,7 @@ class PacedOutput:
         while lines:
             self._write(block, "")
             block, lines = self._next_block(lines, prompt)
-            if self._paper.interrupted and not to_the_end:
+            if self._target.interrupted and not to_the_end:
                 return len(block) + len(lines)
         self._write(block, prompt)
         return 0
@@ -313,7 +315,7 @@ class PacedOutput:
         size = self._room
         if (prompt == "" or len(lines) > size) and are_silent(lines[:size]):
             size -= 1  # for the sentence
-        said = self._on_screen.most_said(lines[:size], self._paper.rows())
+        said = self._on_screen.most_said(lines[:size], self._target.rows())
         if said < len(lines[:size]):
             size, self._room = said, 0
         block, rest = lines[:size], lines[size:]
@@ -321,7 +323,7 @@ class PacedOutput:
         return block, rest
 
     def _make_room(self, wanted: bool) -> None:
-        now = self._paper.now()
+        now = self._target.now()
         if now - self._rested_at >= REST:
             self._room = self.block_size
         elif wanted and self._room <= 0:
@@ -329,8 +331,8 @@ class PacedOutput:
             self._room = self.block_size
 
     def _rest(self, until: float) -> None:
-        while not self._paper.interrupted and (left := until - self._paper.now()) > 0:
-            self._paper.wait(left)
+        while not self._target.interrupted and (left := until - self._target.now()) > 0:
+            self._target.wait(left)
 
     def _write(self, block: list[str], prompt: str) -> None:
         if self.paced and prompt == "" and are_silent(block):
@@ -338,15 +340,15 @@ class PacedOutput:
             self._room -= 1
         text = self._held + "".join(f"{line}\n" for line in block) + prompt
         self._held = ""
-        self._on_screen.add(block, prompt, self._paper.rows())
+        self._on_screen.add(block, prompt, self._target.rows())
         if text:
-            self._paper.write(text)
-            self._rested_at = self._paper.now()
+            self._target.write(text)
+            self._rested_at = self._target.now()
 
     @property
     def block_size(self) -> int:
         """Lines that are printed at once."""
-        return max(1, min(self._paper.rows() - 6, LARGEST_BLOCK))
+        return max(1, min(self._target.rows() - 6, LARGEST_BLOCK))
 
 
 def are_silent(lines: list[str]) -> bool:

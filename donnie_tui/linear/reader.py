@@ -166,7 +166,7 @@ class EditingReader:
         """
         if self._console.wait(0, reading=True):
             self._keys += self._decoder.feed(self._console.read())
-        self._heed_interrupting_key()
+        self._take_interrupt_keys()
         keys, start = list(self._keys), 0
         for end, key in enumerate(keys):
             if key.act is Act.ENTER:
@@ -177,7 +177,7 @@ class EditingReader:
                 start = end + 1
         return None
 
-    def _heed_interrupting_key(self) -> None:
+    def _take_interrupt_keys(self) -> None:
         while any(key.act is Act.INTERRUPT for key in self._keys):
             self._console.interrupted |= self._keys.popleft().act is Act.INTERRUPT
 

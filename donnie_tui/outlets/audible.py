@@ -47,7 +47,7 @@ DECIDED_FOR = {
     ChannelReason.SPEECH_DISPATCHER: "voice-by-dispatcher",
     ChannelReason.OWN_VOICE: "voice-own",
 }
-"""What was decided for who did not ask for anything, with the word that changes it."""
+"""Choices that Donnie made without a setting, each with the word that changes it."""
 NOTICE_FOR = {
     ChannelReason.NO_VOICE: "no-voice",
     ChannelReason.NO_SOUND_DEVICE: "no-sound-device",
@@ -117,7 +117,7 @@ class Audible:
         self._own.close()
 
     def speak_only(self, transcript_filter: TranscriptFilter) -> Callable[[], None]:
-        """Say no more of the stream than what is printed of it. The answer ends that."""
+        """Speak only the lines that the filter prints. Returns a function that ends this."""
         self._reporting = transcript_filter
         return self.speak_everything
 
@@ -157,7 +157,7 @@ class Audible:
 
     @property
     def echoes(self) -> bool:
-        """Whether what is typed may be said: by the own voice, and only where no screen reader does."""
+        """Whether what is typed may be said: by the built-in voice, and only where no screen reader does."""
         is_own = self.choice.channel is Channel.TTS and self._facts.screen_reader is None
         return is_own and self._is_on
 
@@ -243,7 +243,7 @@ def wants_cues(settings: Settings, facts: DetectedEnvironment) -> bool:
 
 
 def voice_of(settings: Settings) -> VoiceSettings:
-    """How the own voice sounds."""
+    """How the built-in voice sounds."""
     from devices.ports.audio import VoiceSettings
 
     names = {"rate": "words_per_minute", "pitch": "pitch", "volume": "volume"}

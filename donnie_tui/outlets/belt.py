@@ -56,7 +56,7 @@ class BeltAnnouncer:
         self._say = wording
         self._settings = settings
         self._levels = OFF
-        self._told = ""
+        self._last_words = ""
         team.stream.subscribe(ChosenBelt(lambda: team.chosen.hub.robot, self._on_levels))
 
     def now(self) -> str:
@@ -71,9 +71,9 @@ class BeltAnnouncer:
         """Say repeated pulses of the same pattern once."""
         self._levels = levels
         words = self.now()
-        if self.is_on and words != self._told:
+        if self.is_on and words != self._last_words:
             self._team.chosen.hub.publish(Announced("belt", words))
-        self._told = words
+        self._last_words = words
 
 
 def belt_settings(settings: Settings) -> BeltSettings:

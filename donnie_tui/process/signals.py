@@ -26,12 +26,12 @@ Handler: TypeAlias = Callable[[int, FrameType | None], object]
 
 
 def numbers_of(*names: str) -> tuple[int, ...]:
-    """Those of the signals that there are on this platform."""
+    """The numbers of the signals that this platform has."""
     return tuple(getattr(signal, name) for name in names if hasattr(signal, name))
 
 
 LEAVING = numbers_of("SIGTERM", "SIGHUP", "SIGQUIT")
-"""They want us to leave."""
+"""Signals that end Donnie."""
 
 
 class TakenSignals:
@@ -76,7 +76,7 @@ class WakingSignals(TakenSignals):
         return self._reading
 
     def numbers(self) -> bytes:
-        """Those that came since the last time, and a 0 for each nudge. Never waits."""
+        """The signals since the last call, and a 0 for each nudge. Never waits."""
         try:
             return os.read(self._reading, 4096)
         except BlockingIOError:
@@ -163,5 +163,5 @@ def is_hung_up(number: int) -> bool:
     """Whether that file is a terminal that is gone; a pipe whose writer is done is none."""
     poll = select.poll()
     poll.register(number, 0)
-    is_gone = any(told & select.POLLHUP for _, told in poll.poll(0))
+    is_gone = any(mask & select.POLLHUP for _, mask in poll.poll(0))
     return is_gone and S_ISCHR(os.fstat(number).st_mode)

@@ -62,7 +62,7 @@ def _folder(environment: Mapping[str, str], platform: str, variable: str, defaul
 
 
 MARKER = "tour-was-offered"
-VOICE_MARKER = "voice-was-told"
+VOICE_MARKER = "voice-was-announced"
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

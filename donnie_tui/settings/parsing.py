@@ -121,7 +121,7 @@ def read_free(text: str) -> str:
 
 
 def read_speech(text: str) -> str:
-    """``on`` is the own voice, whatever would be chosen."""
+    """``on`` is the built-in voice, whatever would be chosen."""
     return "tts" if text.strip().lower() == "on" else one_of(SPEECH)(text)
 
 

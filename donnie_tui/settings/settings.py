@@ -163,7 +163,7 @@ class Notice(Struct, frozen=True):
 
 
 class Settings(Struct, frozen=True):
-    """The choices of one start. ``speed`` None is as fast as possible; ``events`` a file or ``-``."""
+    """The settings of one start. ``speed`` None is as fast as possible; ``events`` a file or ``-``."""
 
     world: str = "open_floor"
     world_folders: tuple[str, ...] = ()
@@ -177,12 +177,12 @@ class Settings(Struct, frozen=True):
     speak: str = "here"
     """Where the words of SPEAK are spoken."""
     rate: int = 180
-    """Words a minute of the own voice; speech-dispatcher's only if it was chosen."""
+    """Words a minute of the built-in voice; speech-dispatcher's only if it was chosen."""
     pitch: int = 50
     volume: int = 100
     punctuation: str = "some"
     key_echo: str = "none"
-    """What the own voice says of what is typed."""
+    """What the built-in voice says of what is typed."""
     cues: Mapping[str, int] = field(default_factory=dict)
     """Volumes in percent by the name of a cue; 0 is off."""
     wait_for_speech: bool = False
@@ -261,11 +261,11 @@ def resolve(
     sources: dict[str, SettingSource] = {}
     notices = [_unknown(key) for key in file if key not in BY_KEY]
     for each in KEYS:
-        for source, told_as, given in _given(each, options, environment, file):
+        for source, shown_name, given in _given(each, options, environment, file):
             try:
                 values[each.name] = each.read(given)
             except ValueError:
-                notices.append(_complain(each, source, told_as, given))
+                notices.append(_complain(each, source, shown_name, given))
             else:
                 sources[each.name] = source
                 break
@@ -298,12 +298,12 @@ def _as_text(value: object) -> str:
     return str(value) if isinstance(value, str | int | float) else repr(type(value))
 
 
-def _complain(each: Key, source: SettingSource, told_as: str, given: str) -> Notice:
+def _complain(each: Key, source: SettingSource, shown_name: str, given: str) -> Notice:
     if source is SettingSource.OPTION:
         raise BadOption(each.key, given, each.wanted)
     code = "setting-not-understood" if source is SettingSource.FILE else "variable-not-understood"
     code += "-example" if each.is_example else "-values" if each.has_named_values else ""
-    return Notice(code, {"name": told_as, "value": given[:40], "wanted": each.wanted})
+    return Notice(code, {"name": shown_name, "value": given[:40], "wanted": each.wanted})
 
 
 def _unknown(key: str) -> Notice:

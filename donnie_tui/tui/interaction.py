@@ -298,9 +298,6 @@ class ScreenInteraction:
     def repaint(self) -> None:
         self._app.repaint()
 
-    def robot_moved(self) -> None:
-        self._controller.run_view.robot_changed()
-
     def show_manual(self) -> None:
         self._open_page(self._words("manual-title"), manual(self._words))
 

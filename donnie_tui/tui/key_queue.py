@@ -25,12 +25,12 @@ from textual.timer import Timer
 from donnie_tui.commands.interaction import SLOW
 
 ROUNDS = 3
-"""From the widget up to the application: a key that a binding takes, what it submits, what that posts."""
+"""Passes from the widget up to the application: for the key, for what it submits, for what that posts."""
 LOOK = 0.5
-"""Seconds between two looks at how far the command of a key has come."""
+"""Seconds between two checks of the progress of a key's command."""
 LOOKS = 4
-"""That many looks without a step, and it is done anyway: a widget on the way may have gone. A slow machine
-makes steps, and only one look however long it stands still."""
+"""Checks without progress after which the command runs anyway: a widget on the way may be gone.
+A slow machine makes progress, and a pause counts as one check however long it is."""
 
 KeyCommand: TypeAlias = Callable[[], None]
 T = TypeVar("T")
@@ -107,7 +107,7 @@ class KeyQueue:
             self._app.call_later(self._act, command)
 
     async def _act(self, command: KeyCommand) -> None:
-        """Once: what was done already, because it took too long to come, may still come."""
+        """Runs the command once, even if it arrives again after its timeout."""
         if command is not self._command:
             return
         self._command = None

@@ -13,7 +13,7 @@ from textual.app import App
 from textual.binding import Binding, BindingsMap
 from textual.widgets import Input, TextArea
 
-from donnie_tui.commands.keys import MENU, PALETTE, KeyTable, behind_menu, key_label
+from donnie_tui.commands.keys import MENU, PALETTE, KeyTable, after_menu, key_label
 from donnie_tui.tui.key_queue import Dialogs, KeyQueue
 from donnie_tui.tui.screens.main_screen import MainScreen
 from donnie_tui.tui.session_handle import SessionHandle
@@ -160,7 +160,7 @@ class Keyboard:
         menu = self._menu
         if menu is None or event.key in menu.READING:
             return False
-        name, self._menu = menu.names.get(behind_menu(event.key)), None
+        name, self._menu = menu.names.get(after_menu(event.key)), None
         menu.leave()
         self._queue.do(lambda: self._do_in_turn(name) if name else self._report_no_key(event))
         return True

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from devices.ports.robot import Bearing, Pose
-from donnie_tui.core.actions import bearing_name
 from donnie_tui.core.events import Read
 from donnie_tui.core.run_state import RunState
 from donnie_tui.core.wording import Wording, compass_heading, facing, whole_steps
@@ -90,7 +89,7 @@ def _distances(distances: Mapping[Bearing, int], words: Wording) -> tuple[str, .
     if not distances:
         return ()
     lines = (
-        words("inspector-reading", what=_where(bearing_name(bearing), words), value=distances[bearing])
+        words("inspector-reading", what=_where(bearing.words, words), value=distances[bearing])
         for bearing in sorted(distances, key=lambda each: each.value)
     )
     return (words("inspector-distances"), *lines)

@@ -43,20 +43,20 @@ class SessionHandle:
         return self.controller is not None and self.controller.left_for_linear
 
     def give_up_search(self) -> bool:
-        """Whether a robot was looked for."""
+        """Cancel the search for a robot; True if there was one."""
         controller = self.controller
         search = controller.donnie.connection.search if controller is not None else self._search
         return search is not None and search.give_up()
 
     def halt(self) -> None:
-        """All robots, and the search for one."""
+        """Stop all robots, and cancel the search for one."""
         self.give_up_search()
         if self.controller is not None:
             self.controller.ctx.runs.note_stop()
             self.controller.donnie.team.stop()
 
     def stop_real_robot(self) -> bool:
-        """Whether one drove."""
+        """Stop a real robot; True if it was driving."""
         return self.controller is not None and self.controller.donnie.stop_real_robot()
 
     def point(self, words: str) -> None:

@@ -53,8 +53,8 @@ def fits(console: Console) -> bool:
         whole = LayoutUpdate([[first]], Region(0, 0, 2, 1))
         part = ChopsUpdate([{0: second}], [(0, 0, 2)], [[2]])
         painted = Painted()
-        given = First(whole, painted).render_segments(console)
-        sent = Changes(part, painted).render_segments(console)
+        given = FullRepaint(whole, painted).render_segments(console)
+        sent = ChangedCells(part, painted).render_segments(console)
         return given == whole.render_segments(console) and "c" in sent and "a" not in sent
     except (AttributeError, LookupError, TypeError, ValueError):
         return False
@@ -81,9 +81,9 @@ class Painted:
         ``typing``: where the cursor stands in a text that is typed; letters that come there stay letters.
         """
         if isinstance(update, LayoutUpdate) and not self._knows_something:
-            return cast(RenderableType, First(update, self))
+            return cast(RenderableType, FullRepaint(update, self))
         if isinstance(update, Update):
-            return cast(RenderableType, Changes(update, self, rows=rows, typing=typing))
+            return cast(RenderableType, ChangedCells(update, self, rows=rows, typing=typing))
         if update is not None:
             self.forget()
         return update
@@ -133,8 +133,8 @@ class Painted:
             yield from _pieces_of(x + begin, y, cells[begin:end])
 
 
-class First(CompositorUpdate):
-    """All of the screen, as it is. What Textual asks for is not always written: known is what was."""
+class FullRepaint(CompositorUpdate):
+    """All of the screen, as it is. It is remembered when it is written, as Textual drops some updates."""
 
     def __init__(self, update: LayoutUpdate, painted: Painted) -> None:
         self._update, self._painted = update, painted
@@ -144,8 +144,8 @@ class First(CompositorUpdate):
         return self._update.render_segments(console)
 
 
-class Changes(CompositorUpdate):
-    """Textual's update, less what is there already. A style is said once, whatever wears it."""
+class ChangedCells(CompositorUpdate):
+    """Textual's update, less what is there already. Each style is written once."""
 
     def __init__(
         self, update: Update, painted: Painted, *, rows: bool = False, typing: Offset | None = None
@@ -199,7 +199,7 @@ def _strips_of_parts(update: ChopsUpdate) -> Iterator[tuple[int, int, Strip]]:
 
 
 def _runs(changed: Sequence[int]) -> Iterator[tuple[int, int]]:
-    """Pieces from the first to behind the last, near ones joined."""
+    """Pieces from the first to after the last, near ones joined."""
     begin = 0
     for at in range(len(changed)):
         is_last = at + 1 == len(changed)

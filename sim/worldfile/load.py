@@ -34,14 +34,14 @@ def standing_inside(scene: Scene) -> Iterator[Note]:
     if not scene.robots:
         return
     parts = tuple(part for part in parts_of(scene) if part.solid)
-    told = set[int]()
+    reported = set[int]()
     for index in scene.robots[:MOST]:
         robot, body = scene.models[index], body_of(scene, index)
-        others = (part for part in parts if part.root not in (index, *told))
+        others = (part for part in parts if part.root not in (index, *reported))
         for root in dict.fromkeys(part.root for part in others if _is_in(robot, body, part)):
             details = {"name": robot.spoken_name[:60], "thing": _called(scene.models[root])}
             yield Note(NoteKind.WARNING, "starts-inside", "", 0, 0, details)
-        told.add(index)
+        reported.add(index)
 
 
 def _is_in(robot: Model, body: Body, part: Part) -> bool:

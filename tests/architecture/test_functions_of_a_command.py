@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pexpect
 
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 ROOT = Path(__file__).parents[2]
 MOST = 450
@@ -65,7 +65,7 @@ def test_a_walk_typed_at_the_prompt_runs_through_few_functions(tmp_path: Path) -
         ["-c", PROFILED, str(ROOT), str(report)],
         env=environment,  # type: ignore[arg-type] # pexpect's stubs want os._Environ
         cwd=str(ROOT),
-        timeout=PATIENCE,
+        timeout=TIMEOUT,
     )
     child.expect_exact("(idle)")
     child.send("FW 3\x1b")

@@ -10,7 +10,7 @@ import sys
 import pytest
 
 from tests.conftest import ROOT
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 PACKAGES = ("donnie_tui", "language", "sim", "devices", "worlds")
 
@@ -52,7 +52,7 @@ def test_no_module_loads_a_library_that_it_does_not_own(owned: frozenset[str]) -
         capture_output=True,
         text=True,
         cwd=ROOT,
-        timeout=PATIENCE,
+        timeout=TIMEOUT,
     )
 
     assert (done.stdout, done.stderr) == ("", "")
@@ -78,7 +78,7 @@ def test_every_module_can_be_imported() -> None:
         capture_output=True,
         text=True,
         cwd=ROOT,
-        timeout=PATIENCE,
+        timeout=TIMEOUT,
     )
 
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")

@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 from tests.conftest import ROOT
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 FRONT_END = "import donnie_tui.cli.main, donnie_tui.cli.front_end, donnie_tui.tui.full_screen"
 LINEAR = "from donnie_tui.cli.main import main; main(['--linear', '--speech', 'off', '--sound', 'off'])"
@@ -37,7 +37,7 @@ def loaded_by(code: str, folder: Path, typed: str = "") -> set[str]:
         text=True,
         cwd=ROOT,
         env=environment,
-        timeout=PATIENCE,
+        timeout=TIMEOUT,
         check=True,
     )
     return set(done.stderr.split())

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import ROOT
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 pytestmark = pytest.mark.slow
 
@@ -25,7 +25,7 @@ UNREACHABLE = re.compile("NewConnectionError|NameResolutionError|ConnectTimeout|
 def test_the_changed_cells_alone_are_sent(wanted: str, tmp_path: Path) -> None:
     """``fits`` is among these tests: a version whose updates have another form fails."""
     command = [sys.executable, "-m", "pip", "install", "--no-deps", "--target", str(tmp_path), wanted]
-    installed = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE)
+    installed = subprocess.run(command, capture_output=True, text=True, timeout=TIMEOUT)
     if installed.returncode and UNREACHABLE.search(installed.stderr):
         pytest.skip("PyPI can't be reached")
     assert installed.returncode == 0, installed.stderr
@@ -33,11 +33,11 @@ def test_the_changed_cells_alone_are_sent(wanted: str, tmp_path: Path) -> None:
     environment = {**os.environ, "PYTHONPATH": str(tmp_path)}
     found = subprocess.run(
         [sys.executable, "-c", "import textual; print(textual.__file__)"],
-        capture_output=True, text=True, env=environment, timeout=PATIENCE,
+        capture_output=True, text=True, env=environment, timeout=TIMEOUT,
     )  # fmt: skip
     tests = subprocess.run(
         [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "tests/tui/test_terminal_output.py"],
-        capture_output=True, text=True, cwd=ROOT, env=environment, timeout=PATIENCE,
+        capture_output=True, text=True, cwd=ROOT, env=environment, timeout=TIMEOUT,
     )  # fmt: skip
 
     assert found.stdout.startswith(str(tmp_path))

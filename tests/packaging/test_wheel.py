@@ -10,7 +10,7 @@ import pytest
 
 from language.locales import languages
 from tests.conftest import ROOT
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 pytestmark = pytest.mark.slow
 
@@ -21,7 +21,7 @@ ROOTS = {"donnie_tui", "language", "sim", "devices", "worlds"}
 def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("wheel")
     command = [sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", str(folder), str(ROOT)]
-    subprocess.run(command, check=True, capture_output=True, timeout=PATIENCE)
+    subprocess.run(command, check=True, capture_output=True, timeout=TIMEOUT)
     return next(folder.glob("donnie_tui-*.whl"))
 
 
@@ -51,7 +51,7 @@ def test_the_wheel_has_what_is_compiled_of_each_language_and_not_what_translator
         each.removeprefix(folder) for each in zipfile.ZipFile(wheel).namelist() if each.startswith(folder)
     }
 
-    compiled = ("messages.mo", "start.txt", "keywords.json", "commands.json")
+    compiled = ("messages.mo", "start.txt", "keywords.json", "commands.json", "words.json")
     assert names == {f"compiled/{each}" for each in compiled}
 
 
@@ -77,7 +77,7 @@ def test_what_is_installed_from_the_wheel_runs_a_program(wheel: Path, tmp_path: 
         capture_output=True,
         text=True,
         cwd=tmp_path,
-        timeout=PATIENCE,
+        timeout=TIMEOUT,
     )
 
     assert done.stdout.splitlines() == ["I walked 3 steps forward.", "3"], done.stderr

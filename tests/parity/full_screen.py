@@ -20,7 +20,7 @@ from donnie_tui.tui.app import DonnieApp
 from donnie_tui.tui.screens.dialogs import Chooser, Question
 from donnie_tui.tui.screens.pages import Help
 from tests.parity.outcome import Outcome, Recorder
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 
 class FullScreen:
@@ -71,7 +71,7 @@ class FullScreen:
 
     async def _wait_until_idle(self) -> None:
         """Return once the screen has nothing to do and no program is on its way to a hold or an end."""
-        end = time.monotonic() + PATIENCE
+        end = time.monotonic() + TIMEOUT
         while time.monotonic() < end:
             if self._app.startup.trouble is not None:
                 raise self._app.startup.trouble
@@ -119,7 +119,7 @@ async def full_screen(settings: Settings, text: str, folder: Path) -> AsyncItera
     )
     try:
         async with app.run_test(size=(80, 24)) as pilot:
-            end = time.monotonic() + PATIENCE
+            end = time.monotonic() + TIMEOUT
             while (
                 (app.controller is None or app.startup.is_opening)
                 and app.startup.trouble is None

@@ -24,7 +24,7 @@ from donnie_tui.linear.prompter import Prompter
 from donnie_tui.linear.reader import Typed
 from donnie_tui.settings.settings import Settings
 from tests.parity.outcome import Outcome, Recorder
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 ESCAPE = "\x1b"
 _LONG = 0.2
@@ -171,7 +171,7 @@ class LinearMode:
 
     def _wait_until_idle(self) -> None:
         """Return once the conversation waits for a key and no program is about to hold or to end."""
-        end = time.monotonic() + PATIENCE
+        end = time.monotonic() + TIMEOUT
         while time.monotonic() < end:
             if self._trouble is not None:
                 raise self._trouble
@@ -186,7 +186,7 @@ class LinearMode:
         self._console.leaving = 15
         self._donnie.team.stop()
         self._console.nudge()
-        self._thread.join(PATIENCE)
+        self._thread.join(TIMEOUT)
         self._recorder.close()
         self._talk.close()
         self._donnie.close()

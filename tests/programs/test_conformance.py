@@ -19,7 +19,7 @@ import pytest
 from donnie_tui.bootstrap import assemble
 from donnie_tui.core.session import RunOptions
 from donnie_tui.settings.settings import Settings
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 COMMAND = [sys.executable, "-m", "donnie_tui"]
 
@@ -67,7 +67,7 @@ def _events_of(program: Path, world: str, language: str, folder: Path) -> list[d
     donnie = assemble(settings, terminal=False, out=out)
     try:
         text = program.read_bytes().decode("utf-8-sig")
-        assert donnie.session.start(text, program.name, RunOptions(fresh=True, hooked=False)).wait(PATIENCE)
+        assert donnie.session.start(text, program.name, RunOptions(fresh=True, hooked=False)).wait(TIMEOUT)
     finally:
         donnie.close()
     return [json.loads(line) for line in out.getvalue().split("\n") if line]

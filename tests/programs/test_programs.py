@@ -16,7 +16,7 @@ from donnie_tui.core.events import Event, RunEnded
 from donnie_tui.core.session import RunOptions
 from donnie_tui.core.transcript import lines_of
 from donnie_tui.settings.settings import Settings
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 FOLDER = Path(__file__).parent
 PROGRAMS = sorted(FOLDER.glob("*/*.gd"))
@@ -37,7 +37,7 @@ def output_of(program: Path) -> str:
     try:
         events: list[Event] = []
         donnie.session.hub.subscribe(lambda stamped: events.append(stamped.event))
-        assert donnie.session.start(text, program.name, RunOptions(fresh=True, hooked=False)).wait(PATIENCE)
+        assert donnie.session.start(text, program.name, RunOptions(fresh=True, hooked=False)).wait(TIMEOUT)
         lines = [line for event in events for line in lines_of(event, donnie.words)]
         return "".join(f"{line}\n" for line in (*lines, ending(events[-1])))
     finally:

@@ -19,7 +19,7 @@ from hypothesis.stateful import (
 from language.control import ControlState, ExecutionControl
 from language.diagnostics import Stopped
 from tests.effort import examples
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 WILL_HOLD = {
     ControlState.PAUSING,
@@ -64,7 +64,7 @@ class Program:
     def wait(self) -> None:
         """Wait until the program is idle or held."""
         with self._changed:
-            assert self._changed.wait_for(lambda: self.is_idle or self.is_held, PATIENCE)
+            assert self._changed.wait_for(lambda: self.is_idle or self.is_held, TIMEOUT)
 
     def on_state(self, state: ControlState) -> None:
         with self._changed:
@@ -73,7 +73,7 @@ class Program:
 
     def becomes_idle(self) -> bool:
         with self._changed:
-            return self._changed.wait_for(lambda: self.is_idle, PATIENCE)
+            return self._changed.wait_for(lambda: self.is_idle, TIMEOUT)
 
 
 class ControlMachine(RuleBasedStateMachine):
@@ -231,9 +231,9 @@ def test_a_stop_ends_the_program_after_requests_from_many_threads(
     for thread in threads:
         thread.start()
     for thread in threads:
-        thread.join(PATIENCE)
+        thread.join(TIMEOUT)
     control.stop()
-    program.join(PATIENCE)
+    program.join(TIMEOUT)
 
     assert not any(thread.is_alive() for thread in [*threads, program])
     assert control.state is ControlState.ENDED

@@ -22,7 +22,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROWS, COLUMNS = 24, 80
-PATIENCE = 60.0
+TIMEOUT = 60.0
 SILENCE = 1.5
 """Seconds of silence after which Orca has described the window."""
 
@@ -95,7 +95,7 @@ def xdotool(*words: str) -> bool:
 
 
 def wait_until(is_so: Callable[[], bool]) -> None:
-    end = time.monotonic() + PATIENCE
+    end = time.monotonic() + TIMEOUT
     while not is_so():
         if time.monotonic() > end:
             raise SystemExit("Orca or its terminal did not start")

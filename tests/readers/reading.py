@@ -34,8 +34,8 @@ SILENCE = 0.6
 LONG_SILENCE = 4.0
 """The same for an incomplete answer: on a busy machine a reader may only be late."""
 
-PATIENCE = 20.0
-START_PATIENCE = 90.0
+TIMEOUT = 20.0
+START_TIMEOUT = 90.0
 
 EACH_LINE = {"DONNIE_ENTER": "runs"}
 """Every complete line is a lesson's command, as in a terminal."""
@@ -81,14 +81,14 @@ class Listener:
         self._heard = 0
         command = _COMMANDS[reader](self)
         self.child: pexpect.spawn[bytes] = pexpect.spawn(
-            command[0], command[1:], env=self._environment(), dimensions=(24, 80), timeout=PATIENCE
+            command[0], command[1:], env=self._environment(), dimensions=(24, 80), timeout=TIMEOUT
         )
         self.child.delaybeforesend = None
 
     def take_lesson(self, printed: Sequence[Phase]) -> list[Phase]:
         """The same phases with the spoken or shown text after each command, the greeting first."""
         greeting, *answers = printed
-        self._wait_for_silence(greeting, first=START_PATIENCE)
+        self._wait_for_silence(greeting, first=START_TIMEOUT)
         return [self._with_output(greeting), *map(self._after, answers)]
 
     def close(self) -> None:
@@ -104,7 +104,7 @@ class Listener:
         self._wait_for_silence(echo=len(printed.command))
         self._new_words()  # what a reader says of typing is no answer
         self.child.send(b"\r")
-        self._wait_for_silence(printed, first=PATIENCE)
+        self._wait_for_silence(printed, first=TIMEOUT)
         return self._with_output(printed)
 
     def _with_output(self, printed: Phase) -> Phase:
@@ -116,7 +116,7 @@ class Listener:
         """
         began = last = time.monotonic()
         size, has_come = self._log.stat().st_size, False
-        while time.monotonic() - began < max(first, PATIENCE):
+        while time.monotonic() - began < max(first, TIMEOUT):
             with suppress(pexpect.TIMEOUT):
                 echo -= len(self.child.read_nonblocking(65_536, timeout=0.05))
                 last, has_come = time.monotonic(), True
@@ -310,7 +310,7 @@ def printed_by(
     plain._log = folder / "heard.jsonl"
     program = plain._write_program()
     child: pexpect.spawn[bytes] = pexpect.spawn(
-        str(program), env=plain._environment(), dimensions=(24, 400), timeout=PATIENCE, echo=False
+        str(program), env=plain._environment(), dimensions=(24, 400), timeout=TIMEOUT, echo=False
     )
     answers = []
     for command in ("", *commands):

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Iterator
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 import pytest
@@ -118,7 +118,8 @@ def voices_below(parent: int) -> list[int]:
     found = []
     for each in Path("/proc").glob("[0-9]*"):
         with suppress(OSError):
-            if b"audio_worker" in (each / "cmdline").read_bytes() and parent in ancestors(int(each.name)):
+            is_voice = b"devices.audio.worker" in (each / "cmdline").read_bytes()
+            if is_voice and parent in ancestors(int(each.name)):
                 found.append(int(each.name))
     return found
 
@@ -129,43 +130,43 @@ def ancestors(pid: int) -> Iterator[int]:
         yield pid
 
 
-def has_voice_under(reader: str, folder: Path) -> bool:
-    """Whether Donnie starts a voice while the reader runs, if it may choose."""
-    listener = Listener(reader, folder, (*OPTIONS, *IN_AUTO), WITH_A_DEVICE)
+@contextmanager
+def voices_of(listener: Listener) -> Iterator[list[int]]:
+    """The voice processes that the listener's Donnie starts; one without a device ends soon."""
     found, is_over = list[int](), threading.Event()
 
     def look() -> None:
-        """Looks all the time: a voice without a device ends soon."""
         while not is_over.wait(0.02):
             found.extend(voices_below(listener.child.pid))
 
     looking = threading.Thread(target=look, daemon=True)
     looking.start()
     try:
-        listener.take_lesson([Phase(command, (), ()) for command in ("", "WHERE", "FW 2")])
+        yield found
     finally:
         is_over.set()
         looking.join()
         listener.close()
-    return bool(found)
 
 
 @pytest.mark.parametrize("reader", [pytest.param(each, marks=needs(each)) for each in ("yasr", "fenrir")])
 def test_no_voice_process_starts_under_a_reader(reader: str, tmp_path: Path) -> None:
     """With a screen reader Donnie does not speak."""
-    assert not has_voice_under(reader, tmp_path)
+    listener = Listener(reader, tmp_path, (*OPTIONS, *IN_AUTO), WITH_A_DEVICE)
+    with voices_of(listener) as found:
+        listener.take_lesson([Phase(command, (), ()) for command in ("", "WHERE", "FW 2")])
+
+    assert not found
 
 
 @needs("espeak-ng")
 def test_without_a_reader_the_same_session_has_a_voice_process(tmp_path: Path) -> None:
     """Shows that the test above would see one."""
     listener = Listener("none", tmp_path, (*OPTIONS, *IN_AUTO), {**WITH_A_DEVICE, "DONNIE_READER": "off"})
-    try:
+    with voices_of(listener) as found:
         listener.child.expect("> ")
         listener.child.send(b"WHERE\r")
-        until(lambda: voices_below(listener.child.pid))
-    finally:
-        listener.close()
+        until(lambda: bool(found))
 
 
 def test_the_last_text_on_a_display_counts() -> None:

@@ -11,7 +11,7 @@ from pathlib import Path
 import pexpect
 
 from tests.environment import of_a_process
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 COMMAND = (sys.executable, "-m", "donnie_tui")
 QUIET = ("--speech", "off", "--sound", "off")
@@ -32,7 +32,7 @@ def donnie(
         capture_output=True,
         cwd=folder,
         env=environment(folder, changes),
-        timeout=PATIENCE,
+        timeout=TIMEOUT,
     )
 
 

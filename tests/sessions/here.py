@@ -59,7 +59,7 @@ class Here:
         return done.out
 
     def spoil(self, change: dict[int, bytes | None]) -> None:
-        """Other bytes for some lines (from 1) of the recording, none for None."""
+        """Replace lines of the recording, counted from 1; None deletes one."""
         lines = (self.folder / "a.rec").read_bytes().splitlines(keepends=True)
         kept = [change.get(number, line) for number, line in enumerate(lines, 1)]
         (self.folder / "a.rec").write_bytes(b"".join(line for line in kept if line is not None))

@@ -10,7 +10,7 @@ from pathlib import Path
 import pexpect
 
 from tests.environment import of_a_process
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 ESC, UP, DOWN, LEFT, HOME = "\x1b", "\x1b[A", "\x1b[B", "\x1b[D", "\x1b[H"
 CTRL_C, CTRL_D, CTRL_Z, BACKSPACE = "\x03", "\x04", "\x1a", "\x7f"
@@ -29,7 +29,7 @@ class Learner:
             env=of_a_process(folder, **{"TERM": "xterm", **more}),
             cwd=str(folder),
             dimensions=(24, 80),
-            timeout=PATIENCE,
+            timeout=TIMEOUT,
             echo=True,
         )
         self.child.delaybeforesend = None
@@ -79,10 +79,10 @@ class Learner:
         return re.sub(r"[^\n]\x08(?:\x1b\[K)?", "", text).split("\n")
 
 
-def until(happened: object, patience: float = PATIENCE) -> None:
+def until(happened: object, timeout: float = TIMEOUT) -> None:
     """Wait until ``happened()`` is true, and fail if that takes too long."""
     assert callable(happened)
-    end = time.monotonic() + patience
+    end = time.monotonic() + timeout
     while not happened():
         assert time.monotonic() < end, "it did not happen"
         time.sleep(0.01)

@@ -10,14 +10,14 @@ from pathlib import Path
 from devices.board_simulator.pty import PtyBoard
 from donnie_tui.bootstrap import Donnie, assemble
 from donnie_tui.settings.settings import Settings
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 LONG_WALK = "FW 100\n"
 
 
 def until(is_met: Callable[[], bool]) -> bool:
     """Wait for it, looking often."""
-    ends = time.monotonic() + PATIENCE
+    ends = time.monotonic() + TIMEOUT
     while not is_met() and time.monotonic() < ends:
         time.sleep(0.005)
     return is_met()

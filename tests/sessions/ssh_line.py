@@ -16,8 +16,8 @@ from pathlib import Path
 import pexpect
 
 from tests.conftest import ROOT
-from tests.patience import PATIENCE
 from tests.sessions.command import QUIET
+from tests.timeouts import TIMEOUT
 
 SSHD = "/usr/sbin/sshd"
 _PRIVILEGE_SEPARATION = Path("/run/sshd")
@@ -74,7 +74,7 @@ Host robot
     def refusal(self) -> str:
         """The reason of a refused login, if any: the account that runs the tests may be locked."""
         command = ["ssh", "-F", str(self.folder / "ssh_config"), "-T", "robot", "true"]
-        done = subprocess.run(command, capture_output=True, stdin=subprocess.DEVNULL, timeout=PATIENCE)
+        done = subprocess.run(command, capture_output=True, stdin=subprocess.DEVNULL, timeout=TIMEOUT)
         return done.stderr.decode() if done.returncode else ""
 
     def command(self, *arguments: str, terminal: bool, speech_from: str | None = None) -> list[str]:
@@ -90,7 +90,7 @@ Host robot
         """On a terminal of 80 by 24."""
         program, *rest = self.command(*arguments, terminal=True, speech_from=speech_from)
         environment = {**os.environ, "TERM": "xterm-256color"}
-        return pexpect.spawn(program, rest, env=environment, dimensions=(24, 80), timeout=PATIENCE)
+        return pexpect.spawn(program, rest, env=environment, dimensions=(24, 80), timeout=TIMEOUT)
 
     def donnies(self) -> list[int]:
         """The Donnies at the other end of this connection."""

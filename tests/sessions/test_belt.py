@@ -15,10 +15,10 @@ from devices.board_simulator.pty import PtyBoard
 from devices.serial_ports.port import PortFault, PortProblem
 from donnie_tui.bootstrap import assemble
 from donnie_tui.settings.settings import Settings
-from tests.patience import PATIENCE
 from tests.sessions.command import QUIET, donnie, start
 from tests.sessions.real_robot import program, serial, until
 from tests.sessions.test_double import world as near_world
+from tests.timeouts import TIMEOUT
 
 
 def test_a_missing_belt_is_reported_and_the_run_continues(tmp_path: Path) -> None:
@@ -35,7 +35,7 @@ def test_the_start_does_not_wait_for_a_belt_at_an_address_and_reports_a_missing_
     answers, told = threading.Event(), list[str]()
 
     def no_answer(port: str) -> None:
-        assert answers.wait(PATIENCE)
+        assert answers.wait(TIMEOUT)
         raise PortProblem(port, PortFault.UNUSABLE, "timed out")
 
     monkeypatch.setattr("devices.belt.serial_belt.open_belt_port", no_answer)

@@ -21,9 +21,9 @@ from donnie_tui.cli.streams import Output
 from donnie_tui.i18n.words import Words
 from donnie_tui.robot.connection import robot_config
 from donnie_tui.settings.settings import Settings
-from tests.patience import PATIENCE
 from tests.sessions.command import COMMAND, donnie, environment
 from tests.sessions.real_robot import is_suspended, serial, until
+from tests.timeouts import TIMEOUT
 
 WRONG = {"DONNIE_WHEEL_RADIUS": "0.024", "DONNIE_AXLE_LENGTH": "0.080"}
 """The board's wheels have a radius of 21 mm, its axle 68 mm; the settings believe something else."""
@@ -131,7 +131,7 @@ def test_control_z_in_the_middle_of_a_calibration_stops_the_robot(tmp_path: Path
     assert until(lambda: not robot.board.is_driving)
     process.send_signal(signal.SIGCONT)
 
-    said, _ = process.communicate(b"", timeout=PATIENCE)
+    said, _ = process.communicate(b"", timeout=TIMEOUT)
     assert "Something stopped it. I leave this out." in said.decode().splitlines()
 
 
@@ -143,7 +143,7 @@ def test_a_signal_in_the_middle_of_a_calibration_stops_the_robot(
     process.send_signal(number)
 
     assert until(lambda: not robot.board.is_driving)
-    assert process.wait(PATIENCE) == 130
+    assert process.wait(TIMEOUT) == 130
 
 
 def test_a_cable_pulled_during_the_walk_is_reported_at_once_and_ends_the_calibration(
@@ -152,7 +152,7 @@ def test_a_cable_pulled_during_the_walk_is_reported_at_once_and_ends_the_calibra
     process = calibration(tmp_path, robot)
     robot.unplug()
 
-    assert process.wait(PATIENCE) == 2  # nothing more is typed, and the input has not ended
+    assert process.wait(TIMEOUT) == 2  # nothing more is typed, and the input has not ended
     assert process.stdout is not None
     assert process.stdout.read().decode().splitlines()[2:] == [
         "Robot lost. If it drives, switch it off.",
@@ -164,7 +164,7 @@ def test_control_c_in_the_walk_halts_the_robot_and_says_so(tmp_path: Path, robot
     process = calibration(tmp_path, robot)
     process.send_signal(signal.SIGINT)
 
-    assert process.wait(PATIENCE) == 130
+    assert process.wait(TIMEOUT) == 130
     assert not robot.board.is_driving
     assert process.stdout is not None
     assert process.stdout.read().decode().splitlines()[2:] == ["I stop here. Nothing has changed."]

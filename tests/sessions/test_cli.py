@@ -15,8 +15,8 @@ from donnie_tui.cli.main import main
 from donnie_tui.cli.options import TO_COME
 from donnie_tui.i18n.words import Words
 from tests.conftest import ROOT
-from tests.patience import PATIENCE
 from tests.sessions.command import QUIET, donnie
+from tests.timeouts import TIMEOUT
 
 
 class Printed:
@@ -343,7 +343,7 @@ def test_check_and_help_load_neither_simulator_nor_screen(tmp_path: Path) -> Non
         text=True,
         cwd=tmp_path,
         env={**os.environ, "PYTHONPATH": str(ROOT)},
-        timeout=PATIENCE,
+        timeout=TIMEOUT,
     )
 
     assert done.stdout.strip() == "", done.stderr

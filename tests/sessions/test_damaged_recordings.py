@@ -18,9 +18,9 @@ from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.transcript import printed_lines
 from donnie_tui.i18n.words import Words
 from sim.worldfile import load_world
-from tests.patience import PATIENCE
 from tests.sessions.command import QUIET, donnie, start
 from tests.sessions.here import Here
+from tests.timeouts import TIMEOUT
 
 
 def test_a_damaged_line_is_reported_and_the_rest_is_replayed(here: Here) -> None:
@@ -72,7 +72,7 @@ def test_a_killed_run_is_replayed_to_its_last_event_and_its_missing_end_is_repor
     while running.stdout.readline() != b"1\n":
         pass
     running.kill()
-    running.communicate(timeout=PATIENCE)
+    running.communicate(timeout=TIMEOUT)
 
     lines = (here.folder / "a.rec").read_bytes().count(b"\n")
     missing = f"The end of the recording is missing, from line {lines + 1} on."

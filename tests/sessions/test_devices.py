@@ -17,10 +17,10 @@ from donnie_tui.core.session import RunOptions
 from donnie_tui.robot.connection import Connection
 from donnie_tui.robot.search import Search, Searchable
 from donnie_tui.settings.settings import Settings
-from tests.patience import PATIENCE
 from tests.sessions.command import QUIET, donnie, start
 from tests.sessions.learner import Learner
 from tests.sessions.real_robot import LONG_WALK, assembled, program, serial, until
+from tests.timeouts import TIMEOUT
 
 # --- running
 
@@ -50,7 +50,7 @@ def test_a_lost_connection_ends_the_walk_and_nothing_continues_by_itself(robot: 
     run = donnie.session.start("FW 100 FW 1", "test.gd", RunOptions(hooked=False))
     assert until(lambda: robot.board.is_driving)
     robot.unplug()
-    assert run.wait(PATIENCE)
+    assert run.wait(TIMEOUT)
     robot.plug()
 
     codes = lambda: [each.event.text for each in heard if hasattr(each.event, "text")]  # noqa: E731
@@ -108,7 +108,7 @@ def test_a_program_started_during_the_search_for_a_robot_stops_where_there_is_no
     assert connection.robot == "sim"
 
     run = donnie.session.start("FW 1", "test.gd")
-    assert run.wait(PATIENCE)
+    assert run.wait(TIMEOUT)
     assert donnie.session.pose.y == 1.0
     connection.close()
     donnie.close()
@@ -130,7 +130,7 @@ def test_a_port_has_one_program_at_a_time(tmp_path: Path, robot: PtyBoard) -> No
     assert stop.returncode == 1
     assert "another program has" in stop.stdout.decode()
     first.send_signal(signal.SIGTERM)
-    first.wait(PATIENCE)
+    first.wait(TIMEOUT)
 
 
 # --- devices, and a robot that is not there
@@ -193,7 +193,7 @@ def test_the_pose_of_a_real_robot_begins_where_its_world_says(robot: PtyBoard) -
     try:
         began = donnie.world.start()
         donnie.session.hub.subscribe(heard.append)
-        assert donnie.session.start("FW 0", "test.gd", RunOptions(fresh=True, hooked=False)).wait(PATIENCE)
+        assert donnie.session.start("FW 0", "test.gd", RunOptions(fresh=True, hooked=False)).wait(TIMEOUT)
     finally:
         donnie.close()
 

@@ -28,7 +28,7 @@ from donnie_tui.settings.settings import Settings
 from tests.programs.test_conformance import runner  # noqa: F401 -- a fixture
 from tests.sessions import command
 
-PATIENCE = 300
+TIMEOUT = 300
 STEPS, OF_THE_WAY, READING = 0.25, 0.005, 1
 DEGREES = 1.25
 
@@ -71,7 +71,7 @@ def events(text: str, world: str, robot: str, language: str = "en") -> list[dict
     donnie = assemble(settings, terminal=False, out=out)
     try:
         run = donnie.session.start(text, "test.gd", RunOptions(fresh=True, hooked=False))
-        assert run.wait(PATIENCE)
+        assert run.wait(TIMEOUT)
     finally:
         donnie.close()
     told = [json.loads(line) for line in out.getvalue().split("\n") if line]
@@ -164,7 +164,7 @@ def test_a_program_runs_on_the_simulated_board_under_any_name_of_the_robot(
     )
     with contextlib.closing(donnie):
         (run,) = donnie.team.start_together({"Ana": RunRequest("FW 2", "a.gd")})
-        assert run.wait(PATIENCE)
+        assert run.wait(TIMEOUT)
 
         assert run.outcome is Outcome.COMPLETED
         assert donnie.session.name == "Ana"

@@ -13,9 +13,9 @@ import pytest
 
 from donnie_tui.process.disconnection import keeper_of, masters_of
 from tests.conftest import ROOT
-from tests.patience import PATIENCE
 from tests.sessions.command import COMMAND, QUIET, environment
 from tests.sessions.learner import until
+from tests.timeouts import TIMEOUT
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
 
@@ -110,7 +110,7 @@ def test_the_linear_mode_ends_without_a_fault_when_its_output_is_closed(
         stderr=subprocess.PIPE,
         cwd=tmp_path,
         env=environment(tmp_path),
-        timeout=PATIENCE,
+        timeout=TIMEOUT,
     )
     os.close(writing)
 
@@ -120,6 +120,6 @@ def test_the_linear_mode_ends_without_a_fault_when_its_output_is_closed(
 def test_an_unreadable_process_keeps_no_terminal() -> None:
     """It has just ended, or it is a hidden process of another user."""
     ended = subprocess.Popen([sys.executable, "-c", ""])
-    ended.wait(PATIENCE)
+    ended.wait(TIMEOUT)
 
     assert keeper_of(ended.pid) is None

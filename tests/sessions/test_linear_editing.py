@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from tests.patience import PATIENCE
 from tests.sessions.command import COMMAND, QUIET, donnie, environment
 from tests.sessions.typed_lines import answers_to
+from tests.timeouts import TIMEOUT
 
 
 def test_fix_replaces_a_mistake_by_the_probable_meaning(tmp_path: Path) -> None:
@@ -267,7 +267,7 @@ def test_a_closed_input_is_an_empty_one(tmp_path: Path, closed: str) -> None:
         stdout=subprocess.PIPE,
         cwd=tmp_path,
         env=environment(tmp_path),
-        timeout=PATIENCE,
+        timeout=TIMEOUT,
     )
 
     assert ended.returncode == 0

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from tests.patience import PATIENCE
 from tests.sessions.command import COMMAND, QUIET, donnie, environment
 from tests.sessions.learner import Learner
+from tests.timeouts import TIMEOUT
 
 TYPED = """ROBOTS
 FW 2
@@ -159,7 +159,7 @@ def test_ctrl_c_ends_a_pipe_with_a_robot_held_up_by_an_endless_program(
         b"VAR a\nWHILE 1 > 0 DO\na = a + 1\nEND WHILE\nSTART\nROBOT bob\nFW 1\nRUN\nWHERE\nQUIT\n"
     )
     learner.stdin.close()
-    too_long = threading.Timer(PATIENCE, learner.kill)
+    too_long = threading.Timer(TIMEOUT, learner.kill)
     too_long.start()
     with learner:
         told = iter(learner.stdout.readline, b"")

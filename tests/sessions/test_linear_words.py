@@ -13,9 +13,9 @@ from donnie_tui.commands.declarations import BY_NAME, COMMANDS
 from donnie_tui.commands.lookup import typed_form, word_of
 from donnie_tui.i18n.help import CHAPTERS, chapter_lines
 from donnie_tui.i18n.words import Words
-from tests.patience import PATIENCE
 from tests.sessions.command import end, environment
 from tests.sessions.typed_lines import printed_by, quiet
+from tests.timeouts import TIMEOUT
 
 LANGUAGES = ("en", "pt", "es")
 PROGRAMS = {
@@ -114,7 +114,7 @@ def test_with_the_plain_editor_a_terminal_gets_nothing_but_text(tmp_path: Path) 
         env=environment(tmp_path, {"TERM": "xterm", "DONNIE_EDITOR": "plain"}),
         cwd=str(tmp_path),
         dimensions=(24, 80),
-        timeout=PATIENCE,
+        timeout=TIMEOUT,
     )
     child.delaybeforesend = None
     raw = b""
@@ -145,7 +145,7 @@ def test_a_line_that_wraps_is_read_whole_at_every_width(tmp_path: Path, columns:
         env=environment(tmp_path, {"TERM": "xterm"}),
         cwd=str(tmp_path),
         dimensions=(24, columns),
-        timeout=PATIENCE,
+        timeout=TIMEOUT,
     )
     child.delaybeforesend = None
     long = 'SPEAK "one two three four five six seven eight nine ten eleven twelve thirteen fourteen"'

@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from devices.board_simulator.pty import PtyBoard
-from tests.patience import PATIENCE
 from tests.sessions.command import COMMAND, QUIET, environment, start
 from tests.sessions.real_robot import LONG_WALK, program, serial, until
+from tests.timeouts import TIMEOUT
 
 
 @pytest.mark.parametrize("lost", ["stdout", "stderr"])
@@ -22,7 +22,7 @@ def test_a_run_with_closed_output_stops_its_robot(tmp_path: Path, robot: PtyBoar
     getattr(process, lost).close()
 
     assert until(lambda: not robot.board.is_driving)
-    assert process.wait(PATIENCE) == 130
+    assert process.wait(TIMEOUT) == 130
 
 
 def test_the_linear_mode_with_closed_output_stops_its_robot(tmp_path: Path, robot: PtyBoard) -> None:
@@ -43,4 +43,4 @@ def test_the_linear_mode_with_closed_output_stops_its_robot(tmp_path: Path, robo
     process.stdout.close()
 
     assert until(lambda: not robot.board.is_driving)
-    assert process.wait(PATIENCE) == 129
+    assert process.wait(TIMEOUT) == 129

@@ -7,9 +7,9 @@ import signal
 
 import pytest
 
-from tests.patience import PATIENCE
 from tests.sessions.command import QUIET, donnie, start
 from tests.sessions.here import PROGRAM, Here
+from tests.timeouts import TIMEOUT
 
 
 @pytest.mark.parametrize("world", ["open_floor", "living_room", "two_robots"])
@@ -76,7 +76,7 @@ def test_a_stopped_run_is_compared_up_to_the_stop(here: Here) -> None:
     while running.stdout.readline() != b"1\n":
         pass
     running.send_signal(signal.SIGTERM)
-    running.communicate(timeout=PATIENCE)
+    running.communicate(timeout=TIMEOUT)
 
     told = here.replay("--check")
 

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 
 import pytest
 
-from tests.patience import PATIENCE
 from tests.sessions.command import QUIET, donnie, start
 from tests.sessions.here import PROGRAM, Here
+from tests.timeouts import TIMEOUT
 
 
 def test_a_replay_prints_what_the_run_printed(here: Here) -> None:
@@ -161,7 +161,7 @@ def test_a_replay_at_a_speed_keeps_the_order_and_stops_at_a_signal(here: Here) -
 
     running.send_signal(signal.SIGINT)
 
-    running.communicate(timeout=PATIENCE)
+    running.communicate(timeout=TIMEOUT)
     assert running.returncode == 130
 
 

@@ -12,9 +12,9 @@ from pathlib import Path
 import pexpect
 import pytest
 
-from tests.patience import PATIENCE
 from tests.sessions.command import COMMAND, QUIET, end, environment
 from tests.sessions.learner import Learner
+from tests.timeouts import TIMEOUT
 
 
 @pytest.fixture
@@ -34,7 +34,7 @@ def at_terminal(folder: Path, *arguments: str) -> pexpect.spawn:
         env=environment(folder, {"TERM": "xterm-256color"}),
         cwd=str(folder),
         dimensions=(24, 80),
-        timeout=PATIENCE,
+        timeout=TIMEOUT,
     )
 
 

@@ -14,10 +14,10 @@ from devices.board_simulator.pty import PtyBoard
 from devices.wire.commands import CONFIGURE, STOP
 from donnie_tui.core.events import CueSounded, Outcome, Stamped
 from donnie_tui.core.session import RunOptions
-from tests.patience import PATIENCE
 from tests.sessions.command import COMMAND, QUIET, donnie, environment, start
 from tests.sessions.learner import Learner
 from tests.sessions.real_robot import LONG_WALK, assembled, half_a_frame, is_suspended, program, serial, until
+from tests.timeouts import TIMEOUT
 
 ENDING = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT]
 
@@ -29,7 +29,7 @@ def test_a_signal_stops_the_robot(tmp_path: Path, robot: PtyBoard, number: signa
     process.send_signal(number)
 
     assert until(lambda: not robot.board.is_driving)
-    assert process.wait(PATIENCE) == 130
+    assert process.wait(TIMEOUT) == 130
     assert robot.received.endswith(STOP)
 
 
@@ -44,7 +44,7 @@ def test_a_signal_while_connecting_ends_it_with_a_stop(
     assert until(lambda: bool(robot.received))
     process.send_signal(number)
 
-    assert process.communicate(timeout=PATIENCE) == (b"", b"")
+    assert process.communicate(timeout=TIMEOUT) == (b"", b"")
     assert process.returncode == 130
     assert until(lambda: robot.received.endswith(STOP))
 
@@ -57,7 +57,7 @@ def test_control_z_stops_the_robot_before_the_run_is_suspended(tmp_path: Path, r
     assert until(lambda: not robot.board.is_driving)
     process.send_signal(signal.SIGCONT)
 
-    _, said = process.communicate(timeout=PATIENCE)
+    _, said = process.communicate(timeout=TIMEOUT)
     assert process.returncode == 130
     assert "You left with Ctrl+Z, so I stopped the robot." in said.decode().splitlines()
 
@@ -88,7 +88,7 @@ def test_a_run_stops_a_robot_after_half_a_frame(
     assert until(lambda: STOP + STOP in robot.received)
     process.send_signal(number)
 
-    assert process.wait(PATIENCE) == 130
+    assert process.wait(TIMEOUT) == 130
     assert not robot.board.is_driving
 
 
@@ -140,7 +140,7 @@ def test_a_signal_to_a_front_end_stops_the_robot(
         env=environment(tmp_path, {"TERM": "xterm-256color"}),
         cwd=str(tmp_path),
         dimensions=(24, 80),
-        timeout=PATIENCE,
+        timeout=TIMEOUT,
     )
     drained = threading.Thread(target=front_end.expect, args=(pexpect.EOF,), daemon=True)
     assert until(lambda: CONFIGURE in robot.received)
@@ -151,7 +151,7 @@ def test_a_signal_to_a_front_end_stops_the_robot(
     front_end.kill(number)
 
     assert until(lambda: not robot.board.is_driving)
-    drained.join(PATIENCE)
+    drained.join(TIMEOUT)
     assert robot.received.endswith(STOP)
 
 
@@ -159,7 +159,7 @@ def test_a_killed_program_leaves_a_robot_that_donnie_stop_halts(tmp_path: Path, 
     process = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET)
     assert until(lambda: robot.board.is_driving)
     process.kill()
-    process.wait(PATIENCE)
+    process.wait(TIMEOUT)
     assert robot.board.is_driving
 
     done = donnie(tmp_path, "stop", robot.path)
@@ -179,7 +179,7 @@ def test_a_listener_that_fails_in_the_middle_of_a_walk_stops_the_robot(robot: Pt
         donnie.session.hub.subscribe(fail)
         run = donnie.session.start("FW 100", "test.gd", RunOptions(hooked=False))
         assert until(lambda: robot.board.is_driving)
-        assert run.wait(PATIENCE)
+        assert run.wait(TIMEOUT)
 
         assert run.outcome is Outcome.FAILED
         assert until(lambda: not robot.board.is_driving)

@@ -16,10 +16,10 @@ import pytest
 
 from devices.board_simulator.pty import PtyBoard
 from devices.wire.commands import CONFIGURE, STOP
-from tests.patience import PATIENCE
 from tests.sessions.command import COMMAND, QUIET, environment
 from tests.sessions.learner import Learner
 from tests.sessions.real_robot import half_a_frame, is_suspended, program, serial, until
+from tests.timeouts import TIMEOUT
 
 
 @contextlib.contextmanager
@@ -59,7 +59,7 @@ def test_a_run_with_unread_output_stops_its_robot_and_ends(
         [*COMMAND[1:], "run", program(tmp_path, "FW 300\n"), *serial(robot), *QUIET],
         env=environment(tmp_path),
         cwd=str(tmp_path),
-        timeout=PATIENCE,
+        timeout=TIMEOUT,
     )
     assert until(lambda: robot.board.is_driving)
     with terminal_that_takes_nothing(run):
@@ -117,7 +117,7 @@ def unread_screen(folder: Path, robot: PtyBoard) -> pexpect.spawn:
         env=environment(folder, {"TERM": "xterm-256color"}),
         cwd=str(folder),
         dimensions=(60, 200),
-        timeout=PATIENCE,
+        timeout=TIMEOUT,
     )
     assert until(lambda: CONFIGURE in robot.received)
     screen.expect("onnected")

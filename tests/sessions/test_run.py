@@ -12,9 +12,9 @@ from typing import Any
 import pytest
 
 from tests.floor import Floor
-from tests.patience import PATIENCE
 from tests.sessions.command import QUIET, donnie, start
 from tests.sessions.here import PROGRAM
+from tests.timeouts import TIMEOUT
 
 
 def records(stream: bytes) -> list[dict[str, Any]]:
@@ -133,7 +133,7 @@ def test_a_signal_stops_the_robot_and_the_run_still_ends_in_order(
     seen = [running.stdout.readline() for _ in range(3)]
 
     running.send_signal(number)
-    rest, complaints = running.communicate(timeout=PATIENCE)
+    rest, complaints = running.communicate(timeout=TIMEOUT)
 
     *_, moved, announced, ended = records(b"".join(seen) + rest)
     assert running.returncode == 130
@@ -152,7 +152,7 @@ def test_a_program_that_computes_for_ever_stops_too(tmp_path: Path) -> None:
 
     running.send_signal(signal.SIGINT)
 
-    assert running.communicate(timeout=PATIENCE) == (b"", b"")
+    assert running.communicate(timeout=TIMEOUT) == (b"", b"")
     assert running.returncode == 130
 
 
@@ -166,7 +166,7 @@ def test_a_closed_pipe_ends_the_run_quietly(tmp_path: Path) -> None:
     running.stdout.close()
 
     assert running.stderr.read() == b""
-    assert running.wait(PATIENCE) == 130
+    assert running.wait(TIMEOUT) == 130
 
 
 @pytest.mark.parametrize("option", [("--events", "/dev/full"), ("--sound", "wav:/dev/full")])
@@ -201,7 +201,7 @@ def test_a_signal_ends_a_run_with_unread_output(tmp_path: Path) -> None:
 
     running.send_signal(signal.SIGTERM)
 
-    assert running.wait(PATIENCE) == 130
+    assert running.wait(TIMEOUT) == 130
     running.communicate()
 
 
@@ -291,7 +291,7 @@ def test_a_signal_stops_every_robot(tmp_path: Path) -> None:
     seen = [running.stdout.readline() for _ in range(5)]
 
     running.send_signal(signal.SIGTERM)
-    rest, complaints = running.communicate(timeout=PATIENCE)
+    rest, complaints = running.communicate(timeout=TIMEOUT)
 
     ended = [each for each in records(b"".join(seen) + rest) if each["event"] == "run_ended"]
     assert (running.returncode, complaints) == (130, b"")
@@ -315,7 +315,7 @@ def test_an_unread_pipe_of_events_does_not_delay_the_program(is_read: bool, tmp_
         taking.start()
     ended = donnie(tmp_path, "run", *QUIET, "--events", "events", "a.gd")
     if is_read:
-        taking.join(PATIENCE)
+        taking.join(TIMEOUT)
         assert len([each for each in records(bytes(read)) if each["event"] == "spoke"]) == 4_001
     os.close(end)
 

@@ -15,9 +15,9 @@ import pytest
 
 from devices.board_simulator.pty import PtyBoard
 from devices.wire.commands import STOP
-from tests.patience import PATIENCE
 from tests.sessions.real_robot import LONG_WALK, program, serial, until
 from tests.sessions.ssh_line import MISSING, SshLine
+from tests.timeouts import TIMEOUT
 from tests.unit.ssip.server import Server
 
 pytestmark = [pytest.mark.slow, pytest.mark.skipif(MISSING is not None, reason=f"needs {MISSING}")]
@@ -36,7 +36,7 @@ def line(tmp_path: Path) -> Iterator[SshLine]:
 
 def over_ssh(line: SshLine, *arguments: str, typed: str = "") -> subprocess.CompletedProcess[bytes]:
     command = line.command(*arguments, terminal=False)
-    return subprocess.run(command, input=typed.encode(), capture_output=True, timeout=PATIENCE)
+    return subprocess.run(command, input=typed.encode(), capture_output=True, timeout=TIMEOUT)
 
 
 # --- without a terminal
@@ -75,7 +75,7 @@ def test_the_end_of_ssh_stops_the_robot_of_a_run_without_a_terminal(
 
     assert until(lambda: not robot.board.is_driving)
     assert until(lambda: not line.donnies())
-    ssh.communicate(timeout=PATIENCE)
+    ssh.communicate(timeout=TIMEOUT)
 
 
 # --- at a terminal
@@ -162,7 +162,7 @@ def test_speech_is_forwarded_home(line: SshLine, tmp_path: Path, mode: str) -> N
         learner.send("WHERE\r")
         return learner.expect_exact(["speech-dispatcher is gone. All is in print.", pexpect.TIMEOUT], 1) == 0
 
-    assert any(is_reported() for _ in range(PATIENCE))
+    assert any(is_reported() for _ in range(TIMEOUT))
     for typed in ("AROUND", "QUIT"):
         learner.send(f"{typed}\r")
     learner.expect(pexpect.EOF)

@@ -5,8 +5,8 @@ from __future__ import annotations
 import subprocess
 from pathlib import Path
 
-from tests.patience import PATIENCE
 from tests.sessions.command import COMMAND, QUIET, environment
+from tests.timeouts import TIMEOUT
 
 
 def quiet(language: str, *options: str) -> list[str]:
@@ -23,7 +23,7 @@ def printed_by(folder: Path, language: str, lines: list[str], *options: str) -> 
         capture_output=True,
         cwd=folder,
         env=environment(folder),
-        timeout=PATIENCE,
+        timeout=TIMEOUT,
         check=False,
     )
     assert done.returncode == 0, done.stderr.decode()

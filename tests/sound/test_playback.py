@@ -18,8 +18,8 @@ from devices.audio.cues import seconds_of
 from devices.audio.service import AudioService, AudioSettings
 from devices.ports.audio import AudioNotice, Cue, NoticeCode, Urgency, Utterance
 from tests.conftest import ROOT
-from tests.patience import PATIENCE
 from tests.sessions.learner import BACKSPACE, CTRL_D, Learner
+from tests.timeouts import TIMEOUT
 
 RATE = 22_050
 CHUNK = RATE // 20
@@ -173,7 +173,7 @@ LONG = "one two three four five six seven eight nine ten " * 8
 
 
 def eventually(is_so: Callable[[], bool]) -> bool:
-    end = time.monotonic() + PATIENCE
+    end = time.monotonic() + TIMEOUT
     while not is_so() and time.monotonic() < end:
         time.sleep(0.01)
     return is_so()

@@ -18,10 +18,10 @@ from donnie_tui.bootstrap import assemble  # noqa: E402
 from donnie_tui.core.run_state import RunState  # noqa: E402
 from donnie_tui.settings.settings import Settings  # noqa: E402
 from donnie_tui.tui.app import DonnieApp  # noqa: E402
-from tests.patience import PATIENCE  # noqa: E402
+from tests.timeouts import TIMEOUT  # noqa: E402
 
 Pilot._wait_for_screen.__defaults__ = (
-    float(PATIENCE),
+    float(TIMEOUT),
 )  # Textual's own thirty seconds are few on a busy machine
 
 WAITING = "WHILE 1 == 1 DO\nWAIT 1000\nEND WHILE"
@@ -46,7 +46,7 @@ class ScreenDriver:
         self.place = app.main_screen
 
     async def until(self, condition: Callable[[], Any], what: str = "") -> None:
-        end = time.monotonic() + PATIENCE
+        end = time.monotonic() + TIMEOUT
         while time.monotonic() < end:
             if condition():
                 return

@@ -16,7 +16,7 @@ from pathlib import Path
 
 import pyte
 
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -87,7 +87,7 @@ class Terminal:
         return b""
 
     def until(self, condition: Callable[[], object], what: str) -> None:
-        end = time.monotonic() + PATIENCE
+        end = time.monotonic() + TIMEOUT
         while not condition():
             assert time.monotonic() < end, f"never seen: {what}\n" + "\n".join(self.screen.display)
             self.read(0.2)
@@ -134,7 +134,7 @@ def left_as_found(terminal: Terminal) -> bool:
 
 def falls_silent(donnie: Terminal, seconds: float) -> bool:
     """Wait until nothing was written for so long. False where the program keeps writing."""
-    end = time.monotonic() + PATIENCE
+    end = time.monotonic() + TIMEOUT
     while donnie.read(seconds):
         if time.monotonic() > end:
             return False

@@ -286,9 +286,9 @@ def test_the_help_lists_each_word_once_and_the_palette(language):
     assert any("Ctrl+P" in line for line in lines)
 
 
-@pytest.mark.parametrize("patience", [0.0, 60.0], ids=["halted before the screen answers", "answered"])
-async def test_an_interrupt_from_elsewhere_stops_as_the_key_does(work, monkeypatch, patience):
-    monkeypatch.setattr(shutdown, "ANSWER", patience)
+@pytest.mark.parametrize("timeout", [0.0, 60.0], ids=["halted before the screen answers", "answered"])
+async def test_an_interrupt_from_elsewhere_stops_as_the_key_does(work, monkeypatch, timeout):
+    monkeypatch.setattr(shutdown, "ANSWER", timeout)
     async with work(WAITING, speed=1.0) as desk:
         await desk.press("f5")
         await desk.doing(RunState.RUNNING)

@@ -15,8 +15,8 @@ from typing import Any
 import pyte
 import pytest
 
-from tests.patience import PATIENCE
 from tests.sessions.command import COMMAND, QUIET
+from tests.timeouts import TIMEOUT
 
 aiohttp = pytest.importorskip("aiohttp")
 pytest.importorskip("textual_serve")
@@ -45,13 +45,13 @@ def server(tmp_path):
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
     )
-    end = time.monotonic() + PATIENCE
+    end = time.monotonic() + TIMEOUT
     while socket.socket().connect_ex(("localhost", port)):
         assert time.monotonic() < end and process.poll() is None, "it does not listen"
         time.sleep(0.05)
     yield port
     process.terminate()
-    process.wait(PATIENCE)
+    process.wait(TIMEOUT)
 
 
 @pytest.mark.filterwarnings("ignore::ResourceWarning")
@@ -85,7 +85,7 @@ class Shown:
 async def until_shown(terminal: Any, shown: Shown, text: str) -> None:
     while not shown.has(text):
         try:
-            message = await terminal.receive(timeout=PATIENCE)
+            message = await terminal.receive(timeout=TIMEOUT)
         except TimeoutError:
             pytest.fail(f"never shown: {text}\n{shown}")
         if isinstance(message.data, bytes):
@@ -110,7 +110,7 @@ def browser(server, tmp_path):
     )  # fmt: skip
     yield f"http://localhost:{port}/json"
     process.terminate()
-    process.wait(PATIENCE)
+    process.wait(TIMEOUT)
 
 
 class Page:
@@ -125,7 +125,7 @@ class Page:
         self._calls += 1
         await self._socket.send_json({"id": self._calls, "method": method, "params": values})
         while True:
-            reply = await self._socket.receive_json(timeout=PATIENCE)
+            reply = await self._socket.receive_json(timeout=TIMEOUT)
             self._note(reply)
             if reply.get("id") == self._calls:
                 return reply.get("result", {})
@@ -139,7 +139,7 @@ class Page:
     async def gets(self, text: str) -> None:
         while not self._shown.has(text):
             try:
-                self._note(await self._socket.receive_json(timeout=PATIENCE))
+                self._note(await self._socket.receive_json(timeout=TIMEOUT))
             except TimeoutError:
                 pytest.fail(f"never shown: {text}\n{self._shown}")
 
@@ -165,7 +165,7 @@ class Page:
 
 @asynccontextmanager
 async def page_of(browser: str) -> AsyncIterator[Page]:
-    end = time.monotonic() + PATIENCE
+    end = time.monotonic() + TIMEOUT
     async with aiohttp.ClientSession() as session:
         while True:
             try:

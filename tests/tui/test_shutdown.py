@@ -11,7 +11,7 @@ import pytest
 
 from donnie_tui.tui import shutdown
 from donnie_tui.tui.shutdown import Watchdog
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 
 class Recorder:
@@ -53,7 +53,7 @@ def test_stuck_output_is_reported_repeatedly(monkeypatch, failing):
     line = made(on_stuck=stuck, writer=lambda: SimpleNamespace(_queue=waiting, is_alive=lambda: True))
     line.begin()
     try:
-        assert stuck.enough.wait(PATIENCE)
+        assert stuck.enough.wait(TIMEOUT)
     finally:
         line.end()
 
@@ -71,7 +71,7 @@ def test_a_signal_ends_the_process_whatever_fails(monkeypatch, failing):
     line.begin()
     try:
         signal.raise_signal(signal.SIGTERM)
-        assert part.enough.wait(PATIENCE)
+        assert part.enough.wait(TIMEOUT)
     finally:
         line.end()
 
@@ -88,7 +88,7 @@ def test_the_robot_is_halted_where_the_screen_can_not_be_notified(monkeypatch):
     try:
         signal.raise_signal(signal.SIGINT)
         signal.raise_signal(signal.SIGINT)
-        assert halt.enough.wait(PATIENCE)
+        assert halt.enough.wait(TIMEOUT)
     finally:
         line.end()
 
@@ -127,7 +127,7 @@ def test_control_z_suspends_although_the_main_thread_holds_the_lock_of_the_stop(
     try:
         with held:
             signal.raise_signal(signal.SIGTSTP)
-        assert stopped.wait(PATIENCE)
+        assert stopped.wait(TIMEOUT)
     finally:
         line.end()
 

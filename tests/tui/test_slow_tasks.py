@@ -13,7 +13,7 @@ from donnie_tui.core.recovery import CopyFolder, UnsavedCopy, read_copy
 from donnie_tui.core.workspace import Workspace
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui import startup, timers
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 from tests.tui import conftest
 
 
@@ -39,7 +39,7 @@ def slow_saving(monkeypatch, gate):
     save = Workspace.save
 
     def slowly(self, document, path, text):
-        gate.wait(PATIENCE)
+        gate.wait(TIMEOUT)
         save(self, document, path, text)
 
     monkeypatch.setattr(Workspace, "save", slowly)
@@ -99,7 +99,7 @@ async def test_the_log_is_saved_to_a_slow_disk_in_the_background(work, monkeypat
 
 def _once_open(gate, do):
     def once_open(*given):
-        gate.wait(PATIENCE)
+        gate.wait(TIMEOUT)
         return do(*given)
 
     return once_open
@@ -112,7 +112,7 @@ def _slow_disk(monkeypatch, gate):
     def slowly(done):
         def do(*given):
             came.append(done.__name__)
-            gate.wait(PATIENCE)
+            gate.wait(TIMEOUT)
             return done(*given)
 
         return do
@@ -265,7 +265,7 @@ async def test_a_program_that_changes_during_formatting_is_not_formatted(work, m
     lay_out = program.formatted
 
     def slowly(text, language):
-        gate.wait(PATIENCE)
+        gate.wait(TIMEOUT)
         return lay_out(text, language)
 
     monkeypatch.setattr(program, "formatted", slowly)
@@ -280,7 +280,7 @@ async def test_a_program_that_changes_during_formatting_is_not_formatted(work, m
 
 
 async def test_a_formatting_that_another_word_replaces_is_still_answered(work, monkeypatch, gate, tmp_path):
-    monkeypatch.setattr(program, "formatted", lambda *_: gate.wait(PATIENCE))
+    monkeypatch.setattr(program, "formatted", lambda *_: gate.wait(TIMEOUT))
     async with work("fw 1   tr 90") as desk:
         await desk.type_line("FORMAT")
         await desk.shows("Laying the program out, it takes a while.")
@@ -292,7 +292,7 @@ async def test_a_formatting_that_another_word_replaces_is_still_answered(work, m
 
 async def test_a_report_is_written_to_its_end_whatever_is_asked_meanwhile(work, monkeypatch, gate, tmp_path):
     def slowly(path, text):
-        gate.wait(PATIENCE)
+        gate.wait(TIMEOUT)
         path.write_text(text)
 
     monkeypatch.setattr(files, "write_program", slowly)
@@ -313,7 +313,7 @@ async def test_a_large_world_is_reported_while_it_loads_and_when_it_is_ready(wor
         gate.set()
 
     def slowly(settings, **others):
-        gate.wait(PATIENCE)
+        gate.wait(TIMEOUT)
         return assemble(Settings(world="open_floor", speech="off", sound=False, speed=None), **others)
 
     monkeypatch.setattr(startup.Startup, "_print", report_early)

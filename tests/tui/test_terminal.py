@@ -5,7 +5,7 @@ import signal
 
 import pytest
 
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 from tests.tui.terminal import (
     CTRL_Q,
     CTRL_S,
@@ -81,7 +81,7 @@ def test_a_lost_line_halts_and_keeps_the_text(terminal, tmp_path, controls):
     donnie.shows("Running")
     donnie.hang_up()
 
-    assert donnie.process.wait(PATIENCE) == 128 + signal.SIGHUP
+    assert donnie.process.wait(TIMEOUT) == 128 + signal.SIGHUP
     copies = list((tmp_path / ".local/state/donnie/unsaved").glob("*.gd"))
     assert [each.read_text(encoding="utf-8") for each in copies] == ["FW 1000\n"]
 
@@ -90,7 +90,7 @@ def test_an_idle_screen_ends_when_its_connection_is_lost_without_a_signal(termin
     donnie = terminal(controls=False)
     donnie.hang_up()
 
-    assert donnie.process.wait(PATIENCE) == 128 + signal.SIGHUP
+    assert donnie.process.wait(TIMEOUT) == 128 + signal.SIGHUP
 
 
 def test_ctrl_space_offers_words_and_ctrl_z_takes_back_what_was_chosen(terminal):

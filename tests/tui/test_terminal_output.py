@@ -17,7 +17,7 @@ from textual.strip import Strip
 from donnie_tui import tui
 from donnie_tui.tui import terminal_output
 from donnie_tui.tui.terminal import diff_output
-from donnie_tui.tui.terminal_output import Changes, Painted, fits
+from donnie_tui.tui.terminal_output import ChangedCells, Painted, fits
 
 COLUMNS, ROWS = 30, 4
 CONSOLE = Console(force_terminal=True, color_system="truecolor")
@@ -145,7 +145,7 @@ def written(monkeypatch):
 
     def noted(self, update, **how):
         smaller = less(self, update, **how)
-        if isinstance(smaller, Changes):
+        if isinstance(smaller, ChangedCells):
             updates.append(smaller.render_segments(CONSOLE))
         return smaller
 
@@ -214,7 +214,7 @@ async def test_textuals_own_output_is_sent_where_its_updates_have_another_form(w
         await desk.until(lambda: any(isinstance(each, ChopsUpdate) for each in sent), "Textual's update")
 
     assert diff_output(CONSOLE) is None
-    assert not any(isinstance(each, Changes) for each in sent)
+    assert not any(isinstance(each, ChangedCells) for each in sent)
 
 
 def test_textuals_own_output_is_sent_where_its_updates_have_no_such_name(monkeypatch):

@@ -16,7 +16,7 @@ from sim import compiled_scene
 from sim.compiled_scene import compile_scene, path_of, read_scene
 from sim.worldfile import load_world
 from tests.conftest import ROOT
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 from tests.tools.compile_scenes import parsed
 
 RECOMPILE = "python -m tests.tools.compile_scenes compiles them again"
@@ -127,7 +127,7 @@ def test_a_shipped_world_loads_without_the_parser() -> None:
     )
 
     done = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT, timeout=PATIENCE
+        [sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT, timeout=TIMEOUT
     )
 
     assert done.stdout == "False False\n", done.stderr

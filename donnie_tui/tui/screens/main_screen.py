@@ -236,9 +236,9 @@ class MainScreen(Screen[None]):
             self.hold_nothing()
 
     def _await_answer(self) -> None:
-        """For those who listen a command goes as its answer comes, in one picture: what goes alone, some say.
+        """In the plain layout the command line is cleared in the same repaint as the answer appears.
 
-        What takes longer than a moment is not waited for.
+        Some screen readers speak a lone deletion. What takes longer than a moment is not waited for.
         """
         if self.is_plain and self.log_is_seen and not self.log_rows.begin_answer():
             self.hold_nothing()

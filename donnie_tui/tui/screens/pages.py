@@ -21,7 +21,7 @@ from textual.screen import ModalScreen
 from textual.widgets import Static
 
 from donnie_tui.commands.declarations import BY_NAME
-from donnie_tui.commands.keys import MENU, behind_menu, key_label
+from donnie_tui.commands.keys import MENU, after_menu, key_label
 from donnie_tui.commands.lookup import word_of
 from donnie_tui.core.wording import Wording
 from donnie_tui.tui.widgets.command_line import InputLine
@@ -149,7 +149,7 @@ class KeyMenu(ModalScreen[None]):
         return f"{key_label(key, language)}: {word}: {self._words(f'action-{name}')}"
 
     def leave(self) -> None:
-        """Go, as soon as it is there."""
+        """Close the menu once it is mounted."""
         self.call_later(self.action_leave)
 
     def action_leave(self) -> None:
@@ -176,7 +176,7 @@ class _KeyLine(InputLine):
 
 
 class KeyCapture(ModalScreen[str | None]):
-    """Asks for one key, or one behind the menu key."""
+    """Asks for one key, or one after the menu key."""
 
     AUTO_FOCUS = "#answer"
 
@@ -184,17 +184,17 @@ class KeyCapture(ModalScreen[str | None]):
         self,
         asked: str,
         keys: str,
-        behind: str,
+        asked_after_menu: str,
         accepts: Callable[[str], str | None],
         point: Callable[[str], object],
     ) -> None:
-        """``behind`` is said after the menu key; ``accepts`` answers what is wrong with a key.
+        """``asked_after_menu`` is said after the menu key; ``accepts`` answers what is wrong with a key.
 
         ``point`` says what is asked.
         """
         super().__init__()
         self._point = point
-        self._asked, self._key_words, self._behind = asked, keys, behind
+        self._asked, self._key_words, self._asked_after_menu = asked, keys, asked_after_menu
         self._accepts = accepts
         self._has_menu = False
         self._words = Static(asked, id="asked", markup=False)
@@ -219,9 +219,9 @@ class KeyCapture(ModalScreen[str | None]):
             self.dismiss("")
         elif key == MENU and not self._has_menu:
             self._has_menu = True
-            self._say(self._behind)
+            self._say(self._asked_after_menu)
         else:
-            self._try(f"{MENU} {behind_menu(key)}" if self._has_menu else key)
+            self._try(f"{MENU} {after_menu(key)}" if self._has_menu else key)
 
     def _try(self, key: str) -> None:
         wrong = self._accepts(key)

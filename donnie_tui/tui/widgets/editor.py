@@ -185,7 +185,7 @@ class Editor(TextArea):
             self.breakpoints = followed(self.breakpoints, before, self.document.lines)
 
     def _shift_breakpoints(self, first: int, last: int, added: int) -> None:
-        """Lines behind ``last`` have moved; what is behind ``first`` up to there is gone."""
+        """Lines after ``last`` have moved; what is after ``first`` up to there is gone."""
         if added and self.breakpoints:
             self.breakpoints = shifted(self.breakpoints, first, last, added)
 
@@ -249,7 +249,7 @@ class Editor(TextArea):
         return self.document.end
 
     def update_suggestion(self) -> None:
-        """What would most likely come next, faintly behind the cursor; the right arrow takes it."""
+        """What would most likely come next, faintly after the cursor; the right arrow takes it."""
         self.suggestion = ""
         row, column = self.cursor_location
         if self.complete is None or column < len(self.document.get_line(row)):
@@ -360,7 +360,7 @@ class Editor(TextArea):
         return line + 1, column == 0, is_last
 
     def _with_note(self, strip: Strip, note: LineMistake) -> Strip:
-        """The sentence behind the line, as far as there is room for more than a word of it."""
+        """The sentence after the line, as far as there is room for more than a word of it."""
         used = len(strip.text.rstrip()) + 2
         room = strip.cell_length - used
         if room < LEAST_NOTE or not strip.text.isascii():

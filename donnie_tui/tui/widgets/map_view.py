@@ -246,7 +246,7 @@ class MapView(PaintedRows, can_focus=True):
             self.explore(lambda pointer: pointer.go(scale.cell_of(square)))
 
     def explore(self, change: Callable[[Pointer], object]) -> None:
-        """Move the finger."""
+        """Move the pointer."""
         if self.pointer is None:
             return
         before = self._square

@@ -249,7 +249,7 @@ class TextRows(PaintedRows, can_focus=True):
         return self._rows[self.row] if self._rows else ""
 
     def _forget_oldest(self) -> int:
-        """How many rows that were."""
+        """Drop the oldest lines; return the number of rows."""
         rows = 0
         if len(self._lines) > MOST_LINES:
             lines = max(len(self._lines) - MOST_LINES, MOST_LINES // 10)
@@ -348,12 +348,12 @@ class TextRows(PaintedRows, can_focus=True):
 
     @property
     def _height(self) -> int:
-        """So many rows can be gone through."""
+        """The number of rows that the cursor can visit."""
         return len(self._rows)
 
     @property
     def _painted_rows(self) -> int:
-        """So many, from the oldest on, may be seen."""
+        """The number of rows, from the oldest on, that may be visible."""
         return len(self._rows)
 
     @property

@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import ROOT
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 from tests.unit.audio.test_audio_worker import audio, eventually, group_of, warm
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
@@ -36,7 +36,7 @@ PRINT_AND_WAIT = "print(audio.worker_pid, flush=True); sys.stdin.read()"
 @contextmanager
 def parent_process(then: str) -> Iterator[tuple[subprocess.Popen[bytes], int]]:
     """Another Python that has a worker, and that worker's process id."""
-    command = (sys.executable, "-c", PARENT.format(device="null", timeout=PATIENCE, then=then))
+    command = (sys.executable, "-c", PARENT.format(device="null", timeout=TIMEOUT, then=then))
     with subprocess.Popen(command, cwd=ROOT, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as parent:
         assert parent.stdout is not None
         try:
@@ -59,7 +59,7 @@ def test_a_worker_dies_with_a_parent_that_is_killed(freeze: bool) -> None:
 
 def test_a_parent_that_ends_without_closing_leaves_nothing() -> None:
     with parent_process("print(audio.worker_pid, flush=True)") as (parent, pid):
-        assert parent.wait(PATIENCE) == 0
+        assert parent.wait(TIMEOUT) == 0
 
         assert eventually(lambda: not group_of(pid))
 
@@ -97,7 +97,7 @@ audio.wait_until_quiet(5)
 audio.close()
 """
 
-    assert output_on_a_terminal(PARENT.format(device=device, timeout=PATIENCE, then=say_and_close)) == b""
+    assert output_on_a_terminal(PARENT.format(device=device, timeout=TIMEOUT, then=say_and_close)) == b""
 
 
 def test_a_folder_called_devices_in_the_working_directory_is_not_imported(

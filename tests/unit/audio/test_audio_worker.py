@@ -36,7 +36,7 @@ from devices.ports.audio import (
 )
 from donnie_tui.outlets.audible import spoken_languages
 from tests.conftest import ROOT
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
 
@@ -46,7 +46,7 @@ FAST = VoiceSettings(words_per_minute=450)
 
 def eventually(is_so: Callable[[], bool]) -> bool:
     """Wait for ``is_so``."""
-    end = time.monotonic() + PATIENCE
+    end = time.monotonic() + TIMEOUT
     while not is_so() and time.monotonic() < end:
         time.sleep(0.005)
     return is_so()
@@ -95,7 +95,7 @@ def test_three_sentences_in_three_languages_are_spoken_to_their_end() -> None:
         for language, text in (("en", "One."), ("pt", "Dois."), ("es", "Tres.")):
             say(service, text, language)
 
-        assert service.wait_until_quiet(PATIENCE)
+        assert service.wait_until_quiet(TIMEOUT)
         assert (service.state, notices) == (WorkerState.READY, [])
 
 
@@ -108,7 +108,7 @@ def test_every_cue_is_accepted_and_an_unknown_one_is_ignored() -> None:
         player.silence()
         say(service, "A.")
 
-        assert service.wait_until_quiet(PATIENCE)
+        assert service.wait_until_quiet(TIMEOUT)
         assert (service.worker_pid, notices) == (pid, [])
 
 
@@ -121,7 +121,7 @@ def test_silence_drops_all_sentences_and_keeps_the_worker_ready() -> None:
         assert service.is_quiet
 
         say(service, "B.")
-        assert service.wait_until_quiet(PATIENCE)
+        assert service.wait_until_quiet(TIMEOUT)
 
 
 def test_a_killed_worker_is_replaced_and_its_sentence_is_said() -> None:
@@ -131,7 +131,7 @@ def test_a_killed_worker_is_replaced_and_its_sentence_is_said() -> None:
         os.killpg(pid, signal.SIGKILL)
 
         assert eventually(lambda: service.worker_pid not in (None, pid))
-        assert service.wait_until_quiet(PATIENCE)
+        assert service.wait_until_quiet(TIMEOUT)
         assert (service.state, notices) == (WorkerState.READY, [])
 
 
@@ -183,7 +183,7 @@ def test_a_worker_that_can_not_be_started_is_given_up_and_reported(monkeypatch: 
     with audio() as (service, notices):
         say(service, "Hello.")
 
-        assert service.wait_until_quiet(PATIENCE)
+        assert service.wait_until_quiet(TIMEOUT)
         assert eventually(lambda: notices == [AudioNotice(NoticeCode.AUDIO_GAVE_UP)])
 
 
@@ -191,7 +191,7 @@ def test_a_missing_device_is_reported_once_and_no_process_stays() -> None:
     with audio(device="none") as (service, notices):
         say(service, "Hello.")
 
-        assert service.wait_until_quiet(PATIENCE)
+        assert service.wait_until_quiet(TIMEOUT)
         assert eventually(lambda: service.worker_pid is None)
         assert notices == [AudioNotice(NoticeCode.NO_SOUND_DEVICE)]
 
@@ -264,7 +264,7 @@ def test_a_sentence_is_rendered_to_sound_by_the_voice_of_its_language(bundled: b
         cwd=ROOT,
         capture_output=True,
         text=True,
-        timeout=PATIENCE,
+        timeout=TIMEOUT,
     )
     if "no voice" in done.stderr:
         pytest.skip("needs espeak-ng")
@@ -298,7 +298,7 @@ def test_after_every_kind_of_trouble_the_worker_speaks_again() -> None:
         assert eventually(lambda: service.worker_pid not in (None, frozen))
 
         say(service, "Heard.")
-        assert service.wait_until_quiet(PATIENCE)
+        assert service.wait_until_quiet(TIMEOUT)
         assert (service.state, notices) == (WorkerState.READY, [])
         assert group_of(pid) == group_of(frozen) == set()
 
@@ -326,7 +326,7 @@ print(render(range(300)), resident() - before)
 def test_speaking_makes_the_worker_grow_by_less_than_ten_megabytes_a_thousand_sentences() -> None:
     """Tested with three hundred; ``benchmarks/sound.py`` has the thousand."""
     done = subprocess.run(
-        (sys.executable, "-c", GROWTH), cwd=ROOT, capture_output=True, text=True, timeout=PATIENCE
+        (sys.executable, "-c", GROWTH), cwd=ROOT, capture_output=True, text=True, timeout=TIMEOUT
     )
     if "no voice" in done.stderr:
         pytest.skip("needs espeak-ng")

@@ -12,7 +12,7 @@ import pytest
 
 from devices.audio.cues import SAMPLE_RATE
 from devices.audio.players import CommandPlayer, find_command_player
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="the commands exist on Unix only")
 
@@ -71,7 +71,7 @@ def test_a_sentence_reaches_the_command_as_wav_and_its_end_is_reported(
     ended = threading.Event()
     found().speak(array("h", [1, -2, 3]), on_end=ended.set)
 
-    assert ended.wait(PATIENCE)
+    assert ended.wait(TIMEOUT)
     assert played(tmp_path / "aplay.wav") == (2, SAMPLE_RATE, array("h", [1, 1, -2, -2, 3, 3]))
 
 
@@ -84,7 +84,7 @@ def test_a_silenced_command_is_killed(commands: Path) -> None:
     processes = [sound.process for sound in player._sounds]
     player.silence(speech=True, cues=True)
 
-    assert [process.wait(PATIENCE) for process in processes] == [-9, -9]
+    assert [process.wait(TIMEOUT) for process in processes] == [-9, -9]
     assert not player.is_playing
     assert not ended.is_set()
 
@@ -116,7 +116,7 @@ def test_a_cue_that_waits_is_preceded_by_silence(commands: Path, tmp_path: Path)
     player = found()
     player.cue("bump", array("h", [7, 7]), delay=2 / SAMPLE_RATE)
     for process in [sound.process for sound in player._sounds]:
-        process.wait(PATIENCE)
+        process.wait(TIMEOUT)
 
     assert played(tmp_path / "pw-play.wav")[2] == array("h", [0, 0, 0, 0, 7, 7])
 
@@ -127,7 +127,7 @@ def test_a_command_that_fails_reports_no_end(commands: Path) -> None:
     player = found()
     player.speak(array("h", [1]), on_end=ended.set)
     for thread in [thread for thread in threading.enumerate() if thread.name == "player"]:
-        thread.join(PATIENCE)
+        thread.join(TIMEOUT)
 
     assert not ended.is_set()
     assert not player.is_playing

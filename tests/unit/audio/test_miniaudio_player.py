@@ -15,7 +15,7 @@ from devices.audio.cues import SAMPLE_RATE, render_cue
 from devices.audio.players import NO_DEVICE, NULL_DEVICE, MiniaudioPlayer, open_player
 from devices.audio.worker_state import SILENCE_LIMIT
 from devices.ports.audio import Cue
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 pytest.importorskip("miniaudio", reason="has no wheel for this platform")
 
@@ -45,7 +45,7 @@ class Recorder:
                 later = enumerate(self.blocks[begin:], begin)
                 return [number for number, block in later if any(block) is sounds]
 
-            assert self._more.wait_for(found, PATIENCE)
+            assert self._more.wait_for(found, TIMEOUT)
             return found()[0]
 
 
@@ -76,7 +76,7 @@ def test_a_cue_and_a_sentence_reach_the_device_and_its_end_is_reported(player: M
     player.silence(speech=False, cues=True)
     player.speak(array("h", [1000]) * (SAMPLE_RATE // 100), on_end=ended.set)
 
-    assert ended.wait(PATIENCE)
+    assert ended.wait(TIMEOUT)
     assert any(1000 in block for block in recorder.blocks)
 
 

@@ -12,7 +12,7 @@ import pytest
 from donnie_tui.cli import streams
 from donnie_tui.cli.streams import stopped_by_signals, stopped_by_suspension
 from donnie_tui.linear.console import Console
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 
 class Held:
@@ -23,7 +23,7 @@ class Held:
         self.got: list[bool] = []
 
     def stop(self) -> bool:
-        got = self.lock.acquire(timeout=PATIENCE)
+        got = self.lock.acquire(timeout=TIMEOUT)
         self.got.append(got)
         if got:
             self.lock.release()
@@ -39,7 +39,7 @@ def test_a_stop_gets_the_lock_that_the_interrupted_code_held() -> None:
     held = Held()
     with stopped_by_signals(lambda: _nothing(held.stop())) as stopped:
         held.interrupted_by(signal.SIGINT, signal.SIGTERM, signal.SIGINT)
-        assert stopped.wait(PATIENCE)
+        assert stopped.wait(TIMEOUT)
 
     assert held.got == [True, True, True], "all is done when it is left"
 

@@ -18,7 +18,7 @@ from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.files import Written
 from donnie_tui.settings.settings import Settings
 from tests.floor import Floor
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 FULL = Path("/dev/full")
 
@@ -54,7 +54,7 @@ def test_cues_of_a_run_are_written_into_a_file_the_same_every_time(tmp_path: Pat
         floor, path = Floor(), tmp_path / name
         with ExitStack() as closing:
             Written(Settings(sound=str(path)), floor.session.hub, Words(), closing).sounds()
-            assert floor.session.start("FW 3 TR 90", "a.gd", RunOptions(fresh=True)).wait(PATIENCE)
+            assert floor.session.start("FW 3 TR 90", "a.gd", RunOptions(fresh=True)).wait(TIMEOUT)
         return path.read_bytes()
 
     first = bytes_of("a.wav")
@@ -83,7 +83,7 @@ def test_a_second_run_sounds_after_the_first_and_sound_off_writes_nothing(
     with ExitStack() as closing:
         Written(Settings(sound=str(path)), floor.session.hub, Words(), closing).sounds()
         for program in ("FW 1 WAIT 4", "SOUND OFF FW 1 WAIT 4", "SOUND ON FW 1 WAIT 4"):
-            assert floor.session.start(program, "a.gd", RunOptions(fresh=True)).wait(PATIENCE)
+            assert floor.session.start(program, "a.gd", RunOptions(fresh=True)).wait(TIMEOUT)
 
     heard = {int(each) for each in loud_seconds(path)}
     assert heard == {1, 5, 11, 15}  # a step and an end; nothing; a step and an end

@@ -123,7 +123,7 @@ class ScriptedInteraction:
 
 
 class Script:
-    """A learner who types commands, one after the other."""
+    """Types commands as a learner, one after the other."""
 
     def __init__(self, donnie: Donnie, answers: Iterable[str | None] = ()) -> None:
         self.donnie = donnie

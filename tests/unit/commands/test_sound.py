@@ -17,7 +17,7 @@ from donnie_tui.linear.line_editor import Act, EditorEcho, KeyPress
 from donnie_tui.settings.folders import settings_file
 from donnie_tui.settings.settings import Settings, resolve
 from language.locales import languages
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 from tests.unit.cli.listening import HOME, Listening, listening
 from tests.unit.commands.scripted import Script
 from tests.unit.i18n.sentences import CODES
@@ -229,13 +229,13 @@ def test_programs_wait_for_the_voice_as_soon_as_that_is_set(home: Listening) -> 
     home.audio.wait_until_quiet = lambda seconds: asked.append(seconds) is None  # type: ignore[method-assign]
     Script(home.donnie).type("SET wait on")
     run = home.donnie.session.start("SPEAK 1", "a.gd")
-    assert run.wait(PATIENCE)
+    assert run.wait(TIMEOUT)
     assert asked
 
     Script(home.donnie).type("SET wait off")
     asked.clear()
     run = home.donnie.session.start("SPEAK 1", "a.gd")
-    assert run.wait(PATIENCE)
+    assert run.wait(TIMEOUT)
     assert asked == []
 
 

@@ -14,7 +14,7 @@ from donnie_tui.core.run_controller import RunController
 from donnie_tui.core.runner import RunRequest
 from donnie_tui.settings.settings import Settings
 from language.parser import Parsed
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 
 @pytest.fixture
@@ -51,7 +51,7 @@ def test_a_started_program_is_parsed_once_and_in_its_own_thread(
     runs = RunController(donnie.team, donnie.words, donnie.chronicle, has_prompt=True)
     run = runs.start_in_background(RunRequest(text, "a.gd"))
 
-    assert run.wait(PATIENCE)
+    assert run.wait(TIMEOUT)
     assert len(readers) == 1
     assert readers[0] is not threading.current_thread()
     assert said == told
@@ -62,7 +62,7 @@ def test_a_program_is_parsed_while_another_robot_computes_without_end(donnie: Do
     donnie.team.choose("bob")
     run = donnie.session.start("FWD 1", "b.gd")
 
-    assert run.wait_until_read(PATIENCE)
+    assert run.wait_until_read(TIMEOUT)
     assert run.was_refused
     donnie.team.stop()
-    assert endless.wait(PATIENCE)
+    assert endless.wait(TIMEOUT)

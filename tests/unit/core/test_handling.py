@@ -13,7 +13,7 @@ from donnie_tui.world.loading import ThingWatch
 from sim.world import World
 from sim.worldfile import load_text
 from tests.floor import Floor
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 WORLD = """
 define box model ( size [ 0.05 0.05 0.2 ] gripper_return 1 )
@@ -48,10 +48,10 @@ class Room:
         return timeline
 
     def use(self, gripper_command: GripperCommand) -> None:
-        assert self.session.use_gripper(gripper_command).wait(PATIENCE)
+        assert self.session.use_gripper(gripper_command).wait(TIMEOUT)
 
     def run(self, text: str, *, fresh: bool = False) -> None:
-        assert self.session.start(text, "a.gd", RunOptions(fresh=fresh)).wait(PATIENCE)
+        assert self.session.start(text, "a.gd", RunOptions(fresh=fresh)).wait(TIMEOUT)
 
     @property
     def printed(self) -> list[str]:
@@ -67,7 +67,7 @@ class Room:
 def test_a_missing_gripper_is_reported_and_publishes_no_grip() -> None:
     floor = Floor()
 
-    assert floor.session.use_gripper(GripperCommand.GRIP).wait(PATIENCE)
+    assert floor.session.use_gripper(GripperCommand.GRIP).wait(TIMEOUT)
 
     assert floor.printed == ["I have no gripper."]
     assert isinstance(floor.events[0], RunStarted)
@@ -116,7 +116,7 @@ def test_a_gripper_can_not_be_used_while_a_program_runs() -> None:
     floor.session.stop()
 
     assert refused
-    assert run.wait(PATIENCE)
+    assert run.wait(TIMEOUT)
 
 
 def test_a_fresh_run_puts_everything_back_and_a_timeline_knows_it() -> None:

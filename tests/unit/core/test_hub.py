@@ -7,7 +7,7 @@ import pytest
 
 from donnie_tui.core.events import Answered, CueSounded, Event, Passing, Spoke, Stamped
 from donnie_tui.core.hub import MOST_WAITING, Hub, Stream
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 from tests.unit.core.values import HERE
 
 
@@ -145,7 +145,7 @@ class Blocked:
     def __call__(self, stamped: Stamped) -> None:
         if not self.heard:
             self.hangs.set()
-            assert self._go_on.wait(PATIENCE)
+            assert self._go_on.wait(TIMEOUT)
         self.heard.append(stamped.seq)
 
     def let_go(self) -> None:
@@ -163,14 +163,14 @@ def test_a_listener_that_hangs_holds_no_other_robot() -> None:
     alice, bob = Hub(lambda: 0.0, "alice", stream), Hub(lambda: 0.0, "bob", stream)
     stream.subscribe(blocked)
     first = in_thread(lambda: alice.publish(Spoke("a")))
-    assert blocked.hangs.wait(PATIENCE)
+    assert blocked.hangs.wait(TIMEOUT)
 
     for _ in range(300):
         bob.publish(Spoke("b"))
 
     assert blocked.heard == []
     blocked.let_go()
-    first.join(PATIENCE)
+    first.join(TIMEOUT)
     stream.wait_until_delivered(20)
     assert blocked.heard == list(range(1, 302))
 
@@ -182,11 +182,11 @@ def test_no_thread_delivers_the_events_of_others_without_end() -> None:
     stream.subscribe(lambda _: deliverers.append(threading.get_ident()))
     stream.subscribe(blocked)
     first = in_thread(lambda: alice.publish(Spoke("a")))
-    assert blocked.hangs.wait(PATIENCE)
+    assert blocked.hangs.wait(TIMEOUT)
     bob.publish(Spoke("b"))
     bob.publish(Spoke("b"))
     blocked.let_go()
-    first.join(PATIENCE)
+    first.join(TIMEOUT)
     stream.wait_until_delivered(20)
 
     assert deliverers[0] == first.ident
@@ -209,15 +209,15 @@ class TwoAtOnce(Stream):
             return found
         if threading.current_thread().name == "a":
             self.a_is_through.set()
-            assert self.handed_over.wait(PATIENCE)
+            assert self.handed_over.wait(TIMEOUT)
         elif threading.current_thread().name == "b":
             self.handed_over.set()
-            assert self.may_hand_over.wait(PATIENCE)
+            assert self.may_hand_over.wait(TIMEOUT)
         return found
 
     def _deliver_rest(self) -> None:
         self.beginnings += 1
-        assert self.may_hand_over.wait(PATIENCE)
+        assert self.may_hand_over.wait(TIMEOUT)
         super()._deliver_rest()
 
 
@@ -229,18 +229,18 @@ def test_only_one_thread_continues_to_deliver() -> None:
     def listen(stamped: Stamped) -> None:
         heard.append(stamped.event)
         if stamped.event == Spoke("b"):
-            in_thread(lambda: hub.publish(Spoke("c"))).join(PATIENCE)
+            in_thread(lambda: hub.publish(Spoke("c"))).join(TIMEOUT)
 
     hub.subscribe(listen)
     a = in_thread(lambda: hub.publish(Spoke("a")), "a")
-    assert stream.a_is_through.wait(PATIENCE)
+    assert stream.a_is_through.wait(TIMEOUT)
     b = in_thread(lambda: hub.publish(Spoke("b")), "b")
-    a.join(PATIENCE)
+    a.join(TIMEOUT)
     stream.may_hand_over.set()
-    b.join(PATIENCE)
+    b.join(TIMEOUT)
     for each in threading.enumerate():
         if each.name == "stream":
-            each.join(PATIENCE)
+            each.join(TIMEOUT)
 
     assert stream.beginnings == 1
     assert heard == [Spoke("a"), Spoke("b"), Spoke("c")]
@@ -255,7 +255,7 @@ def test_a_program_that_publishes_too_much_waits_after_its_event_and_delays_no_o
     def gate(robot: str | None) -> None:
         waits.set()
         assert robot == "alice"
-        assert may_go_on.wait(PATIENCE)
+        assert may_go_on.wait(TIMEOUT)
 
     stream.add_gate(gate)
 
@@ -265,13 +265,13 @@ def test_a_program_that_publishes_too_much_waits_after_its_event_and_delays_no_o
         alice.publish(Spoke("more"))
 
     running = in_thread(program)
-    assert waits.wait(PATIENCE)
+    assert waits.wait(TIMEOUT)
     bob.publish(Spoke("b"))
     alice.publish(Answered("Speed 2."))
 
     assert heard == [Spoke("a"), Spoke("b"), Answered("Speed 2.")]
     may_go_on.set()
-    running.join(PATIENCE)
+    running.join(TIMEOUT)
     assert heard[-1] == Spoke("more")
 
 
@@ -285,7 +285,7 @@ def test_an_answer_to_a_program_comes_before_its_next_event(
     hub.subscribe(lambda stamped: heard.append(stamped.event))
     hub.subscribe(lambda stamped: hub.publish(Spoke("answer")) if stamped.event == Spoke("first") else None)
     other = in_thread(lambda: hub.publish(Answered("Speed 2.")))
-    assert blocked.hangs.wait(PATIENCE)
+    assert blocked.hangs.wait(TIMEOUT)
 
     def program() -> None:
         hub.hold_back_here()
@@ -296,8 +296,8 @@ def test_an_answer_to_a_program_comes_before_its_next_event(
     while not hub._stream._waiting:
         threading.Event().wait(0.001)
     blocked.let_go()
-    running.join(PATIENCE)
-    other.join(PATIENCE)
+    running.join(TIMEOUT)
+    other.join(TIMEOUT)
     hub.wait_until_delivered(20)
 
     assert heard == [Answered("Speed 2."), Spoke("first"), Spoke("answer"), Spoke("next")]
@@ -308,7 +308,7 @@ def test_a_listener_that_hangs_forever_slows_a_program_but_does_not_stop_it() ->
     alice, bob = Hub(lambda: 0.0, "alice", stream), Hub(lambda: 0.0, "bob", stream)
     stream.subscribe(blocked)
     in_thread(lambda: alice.publish(Spoke("a")))
-    assert blocked.hangs.wait(PATIENCE)
+    assert blocked.hangs.wait(TIMEOUT)
 
     def program() -> None:
         bob.hold_back_here()
@@ -316,7 +316,7 @@ def test_a_listener_that_hangs_forever_slows_a_program_but_does_not_stop_it() ->
             bob.publish(Spoke("b"))
 
     running = in_thread(program)
-    running.join(PATIENCE)
+    running.join(TIMEOUT)
 
     assert not running.is_alive()
     blocked.let_go()

@@ -13,7 +13,7 @@ from donnie_tui.i18n.words import Words
 from sim.picture import Thing
 from sim.world import World
 from sim.worldfile import load_text
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 ROBOT = 'position( name "pusher" size [ 0.1 0.1 0.1 ] pose [ 0 0 0 90 ] )\n'
 THING = '{kind}( name "{kind}{i}" pose [ 0 {y} 0 0 ] color "{colour}" )\n'
@@ -38,7 +38,7 @@ def push_announcements(
             lines.extend(printed_lines(stamped, words))  # type: ignore[arg-type]
 
     session.hub.subscribe(remember)
-    assert session.start(f"FW {steps}", "a.gd").wait(PATIENCE)
+    assert session.start(f"FW {steps}", "a.gd").wait(TIMEOUT)
     return lines
 
 

@@ -12,7 +12,7 @@ from donnie_tui.core.session import RunOptions
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.i18n.words import Words
 from language.control import ExecutionControl
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 from tests.unit.core.test_team import Hall
 
 
@@ -21,7 +21,7 @@ def recorded(hall: Hall) -> list[Stamped]:
 
 
 def run(hall: Hall, robot: str, text: str, *, fresh: bool = False) -> None:
-    assert hall.team.session(robot).start(text, f"{robot}.gd", RunOptions(fresh=fresh)).wait(PATIENCE)
+    assert hall.team.session(robot).start(text, f"{robot}.gd", RunOptions(fresh=fresh)).wait(TIMEOUT)
 
 
 def test_consecutive_runs_resets_and_questions_give_the_same_again() -> None:
@@ -79,11 +79,11 @@ def test_robots_started_by_hand_at_the_same_time_are_compared_up_to_there() -> N
     hall, begun = Hall(speed=50.0), threading.Event()
     hall.team.stream.subscribe(lambda each: begun.set() if isinstance(each.event, Spoke) else None)
     alice = hall.team.session("alice").start("SPEAK 1 WAIT 1000", "a.gd")
-    assert begun.wait(PATIENCE)
+    assert begun.wait(TIMEOUT)
     bob = hall.team.session("Bob").start("SPEAK 2", "b.gd")
-    assert bob.wait(PATIENCE)
+    assert bob.wait(TIMEOUT)
     hall.team.stop()
-    assert alice.wait(PATIENCE)
+    assert alice.wait(TIMEOUT)
 
     events = recorded(hall)
     verdict = recheck(events, Hall().team, Words())
@@ -115,15 +115,15 @@ def test_a_program_that_kept_its_turn_is_stopped_where_it_was(before: str, other
     count, computes = (len(before.split()) and 1) + 1, threading.Event()
     hall.team.stream.subscribe(lambda _: computes.set() if len(recorded(hall)) >= count else None)
     runs = hall.team.start_together(programs)
-    assert computes.wait(PATIENCE)
+    assert computes.wait(TIMEOUT)
     hall.team.stop()
-    assert all(each.wait(PATIENCE) for each in runs)
+    assert all(each.wait(TIMEOUT) for each in runs)
     events, again = recorded(hall), Hall().team
 
     verdicts = list[Verdict]()
     checking = threading.Thread(target=lambda: verdicts.append(recheck(events, again, Words())), daemon=True)
     checking.start()
-    checking.join(PATIENCE)
+    checking.join(TIMEOUT)
     again.stop()
 
     assert [each.result for each in verdicts] == [Result.STOPPED]

@@ -21,7 +21,7 @@ from language.control import ExecutionControl
 from sim.robot import SimulatedRobot
 from sim.world import World
 from tests.floor import floor
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 ENDLESS = "WHILE 1 == 1 DO\nWAIT 1\nEND WHILE"
 SQUARE = "REPEAT 2 TIMES\nFW 2\nTR 90\nEND REPEAT"
@@ -59,7 +59,7 @@ class Lesson(RunObserver):
 
     def until(self, happened: Callable[[], bool]) -> None:
         """Look again from time to time: not everything that a program does is reported as a change."""
-        end = time.monotonic() + PATIENCE
+        end = time.monotonic() + TIMEOUT
         with self._changed:
             while not happened():
                 assert time.monotonic() < end
@@ -76,7 +76,7 @@ class Lesson(RunObserver):
     def ended(self) -> list[str]:
         """The answers so far, once the run is over and summed up."""
         assert self.run is not None
-        assert self.run.wait(PATIENCE)
+        assert self.run.wait(TIMEOUT)
         self.runs.sum_up(None)
         return self.answers
 
@@ -162,7 +162,7 @@ def test_the_run_is_stopping_until_it_is_summed_up() -> None:
     lesson = Lesson()
     lesson.start("FW 1")
     assert lesson.run is not None
-    assert lesson.run.wait(PATIENCE)
+    assert lesson.run.wait(TIMEOUT)
     assert lesson.runs.state is RunState.STOPPING
     lesson.ended()
 

@@ -22,7 +22,7 @@ from donnie_tui.core.events import (
 from donnie_tui.core.session import Busy, RunOptions
 from donnie_tui.core.timeline import Timeline
 from tests.floor import Floor
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 ENDLESS = "WHILE 1 == 1 DO WAIT 1 END WHILE"
 
@@ -147,7 +147,7 @@ def test_one_program_runs_at_a_time() -> None:
         floor.session.reset()
     floor.session.stop()
 
-    assert run.wait(PATIENCE)
+    assert run.wait(TIMEOUT)
     assert run.outcome is Outcome.STOPPED
 
 
@@ -161,7 +161,7 @@ def test_a_run_that_could_not_begin_blocks_no_other_run() -> None:
         floor.session.start("FW 1", "a.gd", prepare=fail)
 
     run = floor.session.start("FW 1", "a.gd")
-    assert run.wait(PATIENCE)
+    assert run.wait(TIMEOUT)
     assert run.outcome is Outcome.COMPLETED
 
 
@@ -172,10 +172,10 @@ def test_a_stop_in_the_middle_of_a_movement_halts_the_robot_and_ends_the_run(hoo
     floor.session.hub.subscribe(lambda stamped: moving.set() if _is_step(stamped) else None)
     run = floor.session.start("FW 1000", "test.gd", RunOptions(hooked=hooked))
 
-    assert moving.wait(PATIENCE)
+    assert moving.wait(TIMEOUT)
     floor.session.stop()
 
-    assert run.wait(PATIENCE)
+    assert run.wait(TIMEOUT)
     assert run.outcome is Outcome.STOPPED
     assert "I was stopped." in floor.printed[-1]
     assert floor.session.pose.y < 1000
@@ -311,7 +311,7 @@ def test_a_program_that_is_stopped_while_it_is_parsed_does_not_run() -> None:
 
     run = floor.session.start("SPEAK 1", "a.gd", prepare=lambda control: control.stop())
 
-    assert run.wait(PATIENCE)
+    assert run.wait(TIMEOUT)
     assert run.outcome is Outcome.STOPPED
     assert of(Spoke, floor) == []
 

@@ -17,7 +17,7 @@ from donnie_tui.core.transcript import printed_lines
 from donnie_tui.i18n.words import Words
 from sim.world import World
 from sim.worldfile import load_text
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 _SENSORS = "".join(f"sonar( pose [ 0 0 0 {-angle} ] )\n" for angle in (0, 45, -45, 180, 135, -135))
 TWO = f"""
@@ -54,7 +54,7 @@ class Hall:
 
     def run(self, alice: str, bob: str) -> list[Outcome | None]:
         runs = self.team.start_together({"Bob": RunRequest(bob, "b.gd"), "alice": RunRequest(alice, "a.gd")})
-        assert all(run.wait(PATIENCE) for run in runs)
+        assert all(run.wait(TIMEOUT) for run in runs)
         return [run.outcome for run in runs]
 
     @property
@@ -100,7 +100,7 @@ def test_the_others_are_stopped_where_one_robot_can_not_begin(monkeypatch: pytes
     with pytest.raises(RuntimeError):
         hall.run(endless, endless)
 
-    assert begun[0].wait(PATIENCE)
+    assert begun[0].wait(TIMEOUT)
     assert begun[0].outcome is Outcome.STOPPED
     monkeypatch.undo()
     assert hall.run("FW 1", "FW 1") == [Outcome.COMPLETED, Outcome.COMPLETED]
@@ -165,7 +165,7 @@ def test_a_stop_of_the_team_stops_all() -> None:
 
     hall.team.stop()
 
-    assert all(run.wait(PATIENCE) for run in runs)
+    assert all(run.wait(TIMEOUT) for run in runs)
     assert [run.outcome for run in runs] == [Outcome.STOPPED, Outcome.STOPPED]
     assert hall.team.running == ()
 
@@ -177,10 +177,10 @@ def test_one_robot_stops_and_the_other_continues() -> None:
         {"alice": RunRequest(endless, "a"), "Bob": RunRequest("WAIT 500 FW 1", "b")}
     )
 
-    assert bob.wait(PATIENCE)
+    assert bob.wait(TIMEOUT)
     hall.team.session("alice").stop()
 
-    assert alice.wait(PATIENCE)
+    assert alice.wait(TIMEOUT)
     assert (alice.outcome, bob.outcome) == (Outcome.STOPPED, Outcome.COMPLETED)
 
 
@@ -191,10 +191,10 @@ def test_the_others_can_be_stopped_while_a_program_computes_without_end() -> Non
     )
 
     hall.team.session("Bob").stop()
-    assert runs[1].wait(PATIENCE)
+    assert runs[1].wait(TIMEOUT)
 
     hall.team.stop()
-    assert runs[0].wait(PATIENCE)
+    assert runs[0].wait(TIMEOUT)
 
 
 def test_one_busy_robot_prevents_the_start_of_all() -> None:
@@ -207,7 +207,7 @@ def test_one_busy_robot_prevents_the_start_of_all() -> None:
     assert hall.team.session("alice").run is None
     run.control.stop()
     hall.team.session("Bob").stop()
-    assert run.wait(PATIENCE)
+    assert run.wait(TIMEOUT)
     assert hall.run("FW 1", "FW 1") == [Outcome.COMPLETED, Outcome.COMPLETED]
 
 

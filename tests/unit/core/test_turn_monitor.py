@@ -10,7 +10,7 @@ from donnie_tui.core.team import LONGEST_TURN, TurnMonitor
 from donnie_tui.i18n.words import Words
 from sim.world import World
 from sim.worldfile import load_text
-from tests.patience import PATIENCE as LONG_ENOUGH
+from tests.timeouts import TIMEOUT as LONG_ENOUGH
 from tests.unit.core.test_team import TWO, Hall
 
 ENDLESS = "VAR i = 0 WHILE 1 > 0 DO i = i + 1 i = i - 1 END WHILE"

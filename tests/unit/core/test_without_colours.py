@@ -8,7 +8,7 @@ from devices.ports.robot import Pace, Watcher
 from donnie_tui.core.events import Announced, Error, Stamped
 from donnie_tui.core.session import Session, SessionSetup
 from donnie_tui.i18n.words import Words
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 from tests.unit.devices.robots import wall_ahead
 
 
@@ -26,7 +26,7 @@ def announcements(program: str) -> list[str]:
                 heard.append(text)
 
     session.hub.subscribe(remember)
-    session.start(program, "p").wait(PATIENCE)
+    session.start(program, "p").wait(TIMEOUT)
     session.close()
     return heard
 

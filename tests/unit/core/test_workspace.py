@@ -12,7 +12,7 @@ from donnie_tui.core.document import Document
 from donnie_tui.core.program_files import DocumentError, write_program
 from donnie_tui.core.recovery import CopyFolder, read_copy
 from donnie_tui.core.workspace import Workspace
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 
 class Disk:
@@ -25,7 +25,7 @@ class Disk:
 
     def write(self, path: Path, text: str) -> None:
         self.begun.set()
-        assert self.may_continue.wait(PATIENCE)
+        assert self.may_continue.wait(TIMEOUT)
         if self.is_full:
             raise DocumentError("file-unwritable", str(path), "No space left on device")
         self.written.append(text)
@@ -58,7 +58,7 @@ def texts(folder: Path) -> list[str]:
 def wait_for_copies() -> None:
     for thread in threading.enumerate():
         if thread.name == "copies":
-            thread.join(PATIENCE)
+            thread.join(TIMEOUT)
 
 
 def recovered(workspace: Workspace) -> tuple[str, ...]:
@@ -79,7 +79,7 @@ def offered(folder: Path) -> list[str]:
 def test_typing_does_not_wait_for_the_disk_and_the_last_line_is_written(tmp_path: Path, disk: Disk) -> None:
     workspace = workspace_in(tmp_path)
     add_lines(workspace, "FW 1")
-    assert disk.begun.wait(PATIENCE)
+    assert disk.begun.wait(TIMEOUT)
     add_lines(workspace, "FW 2")
     add_lines(workspace, "FW 3")
     assert disk.written == []
@@ -102,7 +102,7 @@ def test_a_program_of_any_length_is_written_down(tmp_path: Path) -> None:
 def test_a_program_that_is_saved_during_the_write_leaves_no_copy(tmp_path: Path, disk: Disk) -> None:
     workspace = workspace_in(tmp_path)
     add_lines(workspace, "FW 1")
-    assert disk.begun.wait(PATIENCE)
+    assert disk.begun.wait(TIMEOUT)
     workspace.document.mark_saved()
     workspace.keep_copies()
     disk.may_continue.set()

@@ -7,14 +7,14 @@ import threading
 import pytest
 
 from devices.notifier import MOST_PENDING, Notifier
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 
 def test_notices_wait_in_order_while_the_listener_hangs() -> None:
     may_return, received = threading.Event(), list[int]()
 
     def listen(number: int) -> None:
-        assert may_return.wait(PATIENCE)
+        assert may_return.wait(TIMEOUT)
         received.append(number)
 
     notifier = Notifier("robot", listen)
@@ -23,7 +23,7 @@ def test_notices_wait_in_order_while_the_listener_hangs() -> None:
     assert received == []
 
     may_return.set()
-    notifier.wait(PATIENCE)
+    notifier.wait(TIMEOUT)
     assert received == [0, 1, 2, 3, 4]
 
 
@@ -32,16 +32,16 @@ def test_for_a_listener_that_hangs_a_limited_number_of_notices_is_kept() -> None
 
     def listen(number: int) -> None:
         has_begun.set()
-        assert may_return.wait(PATIENCE)
+        assert may_return.wait(TIMEOUT)
         received.append(number)
 
     notifier = Notifier("robot", listen)
     notifier.notify(0)
-    assert has_begun.wait(PATIENCE)
+    assert has_begun.wait(TIMEOUT)
     for number in range(1, 2 * MOST_PENDING):
         notifier.notify(number)
     may_return.set()
-    notifier.wait(PATIENCE)
+    notifier.wait(TIMEOUT)
 
     assert received == list(range(MOST_PENDING + 1))
 
@@ -57,7 +57,7 @@ def test_a_listener_that_fails_receives_the_next_notice(caplog: pytest.LogCaptur
     notifier = Notifier("robot", listen)
     notifier.notify(0)
     notifier.notify(1)
-    notifier.wait(PATIENCE)
+    notifier.wait(TIMEOUT)
 
     assert received == [1]
     assert "a listener failed" in caplog.text
@@ -74,6 +74,6 @@ def test_a_listener_may_notify_and_wait_without_waiting_for_itself() -> None:
 
     notifier = Notifier("robot", listen)
     notifier.notify(0)
-    notifier.wait(PATIENCE)
+    notifier.wait(TIMEOUT)
 
     assert received == [0, 1]

@@ -16,7 +16,7 @@ from devices.serial_ports.listing import SameBoard
 from devices.serial_ports.port import PortFault, PortProblem
 from devices.serial_robot.link import SerialLink, open_board_port
 from devices.wire.link_state import LinkConfig
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 from tests.unit.devices.test_port_listing import Plugged
 
 MEGA = (0x2341, 0x0042)
@@ -108,7 +108,7 @@ def test_a_link_is_restored_under_the_new_name_of_its_device(pty_board: PtyBoard
     taken = name_taken_by_another(device)
     pty_board.plug()
 
-    assert restored.wait(PATIENCE)
+    assert restored.wait(TIMEOUT)
     assert os.path.realpath(pty_board.path) != device
     link.close()
     for descriptor in taken:

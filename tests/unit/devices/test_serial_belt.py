@@ -15,7 +15,7 @@ from devices.belt.protocol import MOTORS, OFF, RESYNC, encode_frame
 from devices.belt.serial_belt import BeltNotice, SerialBelt
 from devices.board_simulator.board import SimulatedBelt
 from devices.serial_ports.port import PortFault, PortProblem
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 
 @pytest.fixture(autouse=True)
@@ -59,7 +59,7 @@ class FakePort:
 
     def wait_for(self, is_met: Callable[[], bool]) -> bool:
         with self._changed:
-            return self._changed.wait_for(is_met, PATIENCE)
+            return self._changed.wait_for(is_met, TIMEOUT)
 
 
 class CloggedPort(FakePort):
@@ -113,7 +113,7 @@ class Notices:
 
     def wait_for(self, *wanted: BeltNotice) -> bool:
         with self._changed:
-            return self._changed.wait_for(lambda: self.received == list(wanted), PATIENCE)
+            return self._changed.wait_for(lambda: self.received == list(wanted), TIMEOUT)
 
 
 @pytest.fixture
@@ -261,7 +261,7 @@ class SlowNetwork:
         self.answer = threading.Event()
 
     def __call__(self, address: str) -> FakePort:
-        assert self.answer.wait(PATIENCE)
+        assert self.answer.wait(TIMEOUT)
         if self._port is None:
             raise PortProblem(address, PortFault.UNUSABLE, "timed out")
         return self._port

@@ -22,7 +22,7 @@ from devices.serial_robot.link import SerialLink, open_board_port
 from devices.serial_robot.robot import SerialRobot
 from devices.wire.commands import BAUD, PING, STOP, MotorDrive, head_frame
 from devices.wire.link_state import LinkConfig, LinkState
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 FAR = 1e9
 HALF_A_FRAME = bytes.fromhex("aabb3228")
@@ -58,7 +58,7 @@ class Notices:
     def wait_for(self, *wanted: LinkNotice) -> bool:
         """Wait for one of them."""
         with self._more:
-            return self._more.wait_for(lambda: not {*wanted}.isdisjoint(self.received), PATIENCE)
+            return self._more.wait_for(lambda: not {*wanted}.isdisjoint(self.received), TIMEOUT)
 
 
 class RealPace:
@@ -72,7 +72,7 @@ class RealPace:
 def until(is_so: Callable[[], bool]) -> bool:
     """Wait for it. False if it doesn't become true."""
     never = threading.Event()
-    return any(is_so() or never.wait(0.01) for _ in range(round(PATIENCE / 0.01)))
+    return any(is_so() or never.wait(0.01) for _ in range(round(TIMEOUT / 0.01)))
 
 
 def has_driven(pty_board: PtyBoard) -> bool:
@@ -152,7 +152,7 @@ def test_slow_connecting_is_reported_once_in_the_thread_that_connects(where: str
         link.give_up()
 
     def open_slowly(address: str) -> SerialPort:
-        assert where == "answer" or may_open.wait(PATIENCE)
+        assert where == "answer" or may_open.wait(TIMEOUT)
         return open_board_port(address)
 
     link = SerialLink("loop://", LinkConfig(first_answer=1000.0), open_port=open_slowly, on_slow=on_slow)
@@ -167,7 +167,7 @@ class SlowPort(SerialPort):
     """Opens when a test allows it, as a network address does after some seconds."""
 
     def __init__(self, address: str, may_open: threading.Event) -> None:
-        assert may_open.wait(PATIENCE)
+        assert may_open.wait(TIMEOUT)
         super().__init__(address, BAUD)
         self.last = b""
         self.is_closed = threading.Event()
@@ -195,7 +195,7 @@ def test_a_port_that_opens_after_it_was_given_up_gets_a_stop_and_is_closed() -> 
     assert (caught.value.code, opened) == ("given-up", [])
     may_open.set()
     assert until(lambda: bool(opened))
-    assert opened[0].is_closed.wait(PATIENCE)
+    assert opened[0].is_closed.wait(TIMEOUT)
     assert opened[0].last == STOP
 
 
@@ -308,7 +308,7 @@ class PausingPort(SerialPort):
         self.calls.append(data)
         if data == self.pauses_after:
             self.is_paused.set()
-            assert self.may_continue.wait(PATIENCE)
+            assert self.may_continue.wait(TIMEOUT)
 
 
 def test_a_stop_during_a_burst_of_commands_is_the_next_frame_before_anything_is_read(
@@ -325,7 +325,7 @@ def test_a_stop_during_a_burst_of_commands_is_the_next_frame_before_anything_is_
     port = ports[0]
     port.pauses_after = head_frame(10)
     link.put(head_frame(10))
-    assert port.is_paused.wait(PATIENCE)
+    assert port.is_paused.wait(TIMEOUT)
     for frame in (head_frame(20), PING):
         link.put(frame)
     link.stop()

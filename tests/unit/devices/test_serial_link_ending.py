@@ -18,7 +18,7 @@ from devices.serial_robot.link import SerialLink, open_board_port
 from devices.wire.commands import STOP, MotorDrive, drive_frame
 from devices.wire.link_state import LinkConfig, LinkState
 from tests.conftest import ROOT
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 from tests.unit.devices.test_serial_link import FAR, HALF_A_FRAME, Notices, has_driven, started, until
 
 
@@ -155,7 +155,7 @@ def test_a_program_that_ends_in_the_middle_of_a_drive_stops_the_robot(pty_board:
     assert until(lambda: drive_frame(MotorDrive.FORWARD) in pty_board.received)
     assert program.stdin is not None
     program.stdin.close()  # it may end now
-    assert program.wait(PATIENCE) is not None
+    assert program.wait(TIMEOUT) is not None
 
     assert until(lambda: not pty_board.board.is_driving)
 
@@ -164,7 +164,7 @@ def test_process_killed_the_next_program_stops_the_robot(pty_board: PtyBoard) ->
     program = driver(pty_board, "pass")
     assert has_driven(pty_board)
     program.send_signal(signal.SIGKILL)
-    program.wait(PATIENCE)
+    program.wait(TIMEOUT)
     assert pty_board.board.is_driving
 
     link = SerialLink(pty_board.path)
@@ -179,5 +179,5 @@ def test_a_signal_handler_may_close_the_link_in_the_middle_of_anything(pty_board
     assert has_driven(pty_board)
     program.send_signal(signal.SIGTERM)
 
-    assert program.wait(PATIENCE) == 3
+    assert program.wait(TIMEOUT) == 3
     assert until(lambda: not pty_board.board.is_driving)

@@ -14,7 +14,7 @@ import pytest
 from devices.port_exchange import identify
 from devices.serial_ports.port import GONE, PortFault, PortProblem, SerialPort, group_of, is_same_port
 from donnie_tui.i18n.words import Words
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 from tests.unit.devices.board_ports import BoardPort, opener
 
 
@@ -84,7 +84,7 @@ def test_a_write_to_a_device_that_reads_nothing_times_out() -> None:
         timed_out.set()
 
     threading.Thread(target=write, daemon=True).start()
-    assert timed_out.wait(PATIENCE)
+    assert timed_out.wait(TIMEOUT)
     port.close()
     os.close(theirs)
     os.close(ours)

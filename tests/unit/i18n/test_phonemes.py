@@ -11,7 +11,7 @@ import pytest
 from devices.audio.pronunciation import sign_words, speakable_text
 from donnie_tui.outlets.audible import spoken_languages
 from language.locales import languages
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 from tests.unit.i18n.sentences import all_texts
 from tests.unit.i18n.test_sentences import with_samples
 
@@ -44,7 +44,7 @@ def phonemes(lines: list[str], language: str) -> str:
         capture_output=True,
         text=True,
         check=True,
-        timeout=PATIENCE,
+        timeout=TIMEOUT,
     )
     return done.stdout
 

@@ -35,8 +35,7 @@ def test_a_problem_has_a_sentence(code: str) -> None:
 @pytest.mark.parametrize("bearing", Bearing, ids=lambda each: each.name.lower())
 def test_a_missing_sensor_is_named_by_its_direction(bearing: Bearing) -> None:
     sentences = {
-        sentence_of(language, problem="no-sensor", bearing=bearing.name.lower().replace("_", " "))
-        for language in ("en", "pt", "es")
+        sentence_of(language, problem="no-sensor", bearing=bearing.words) for language in ("en", "pt", "es")
     }
 
     assert len(sentences) == 3

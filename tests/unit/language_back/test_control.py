@@ -9,7 +9,7 @@ import pytest
 
 from language.control import ControlState, ExecutionControl
 from language.diagnostics import Stopped
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 
 class Clock:
@@ -36,7 +36,7 @@ class Sleeper:
         self.slept.append(self.control.sleep(self._seconds))
 
     def is_over(self) -> bool:
-        self._thread.join(PATIENCE)
+        self._thread.join(TIMEOUT)
         return not self._thread.is_alive()
 
 
@@ -83,7 +83,7 @@ def test_a_pause_holds_a_sleep_and_a_stop_ends_the_pause() -> None:
     sleeper = Sleeper(control)
 
     control.pause()
-    assert paused.wait(PATIENCE)
+    assert paused.wait(TIMEOUT)
     control.stop()
 
     assert sleeper.is_over()
@@ -96,11 +96,11 @@ def test_the_time_of_a_pause_does_not_count() -> None:
     paused, resumed = when_in(control, ControlState.PAUSED), when_in(control, ControlState.RUNNING)
     sleeper = Sleeper(control, 100.0)
     control.pause()
-    assert paused.wait(PATIENCE)
+    assert paused.wait(TIMEOUT)
 
     clock.now += 1_000_000
     control.resume()
-    assert resumed.wait(PATIENCE)
+    assert resumed.wait(TIMEOUT)
     control.stop()
 
     assert sleeper.is_over()

@@ -11,7 +11,7 @@ from language.compiler import compile_program
 from language.control import ControlState, ExecutionControl
 from language.diagnostics import Stopped
 from language.runtime import Frame, Memory, Runnable
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 from tests.unit.language_back.interpreter import interpreted_program
 from tests.unit.language_back.recorder import Make, Recorder, fast, hooked, read
 
@@ -191,10 +191,10 @@ def test_another_thread_can_read_the_frames_of_a_running_program(make: Make) -> 
 
     thread = threading.Thread(target=run)
     thread.start()
-    assert begun.wait(PATIENCE)
+    assert begun.wait(TIMEOUT)
     looks = [program.frames() for _ in range(50)]
     control.stop()
-    thread.join(PATIENCE)
+    thread.join(TIMEOUT)
 
     assert not thread.is_alive()
     assert {frames[0].procedure for frames in looks} == {"P"}

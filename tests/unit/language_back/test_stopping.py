@@ -12,7 +12,7 @@ from language.call_stack import Activation, StackReader
 from language.control import ControlState, ExecutionControl
 from language.diagnostics import LanguageError, Stopped
 from language.runtime import Memory
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 from tests.unit.language_back.recorder import BACK_ENDS, Make, Recorder, fast, hooked, read, run
 
 back_ends = pytest.mark.parametrize("make", BACK_ENDS.values(), ids=BACK_ENDS.keys())
@@ -46,9 +46,9 @@ def test_a_stop_ends_an_endless_program(make: Make, endless: str) -> None:
 
     thread = threading.Thread(target=run_program, daemon=True)
     thread.start()
-    assert begun.wait(PATIENCE)
+    assert begun.wait(TIMEOUT)
     control.stop()
-    thread.join(PATIENCE)
+    thread.join(TIMEOUT)
 
     assert not thread.is_alive()
     assert errors == [Stopped]

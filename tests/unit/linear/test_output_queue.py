@@ -3,7 +3,7 @@
 import threading
 
 from donnie_tui.linear.output import OutputQueue
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 
 def silent() -> None:
@@ -65,7 +65,7 @@ def test_a_program_with_too_many_lines_is_held_back_until_they_are_read() -> Non
 
     assert held.is_alive()
     assert queue.take(1) == ["1"]
-    held.join(PATIENCE)
+    held.join(TIMEOUT)
     assert not held.is_alive()
 
 
@@ -86,7 +86,7 @@ def test_a_stopped_program_is_held_back_no_more() -> None:
     queue.put(["1"])
     held = waits(queue, None)
     queue.let_pass()
-    held.join(PATIENCE)
+    held.join(TIMEOUT)
 
     assert not held.is_alive()
 

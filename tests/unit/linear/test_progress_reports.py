@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 
 from donnie_tui.core.events import Outcome
-from donnie_tui.linear.loop import RunLoop
 from donnie_tui.linear.output import OutputQueue
+from donnie_tui.linear.typed_lines import RunLoop
 
 
 class Console:

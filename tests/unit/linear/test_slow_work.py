@@ -17,7 +17,7 @@ from donnie_tui.core.program_files import write_program
 from donnie_tui.linear.console import Gone, run_in_background
 from donnie_tui.linear.conversation import LinearInteraction
 from language.formatter import formatted
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 
 class Console:
@@ -44,10 +44,10 @@ class Console:
         self.time += seconds
         if self.time > self._opens_at:
             self.gate.set()
-            self._is_over.wait(PATIENCE)
+            self._is_over.wait(TIMEOUT)
 
     def wait_at_gate(self) -> bool:
-        return self.gate.wait(PATIENCE)
+        return self.gate.wait(TIMEOUT)
 
 
 @pytest.mark.parametrize(("takes", "expected"), [(0.5, []), (5, [1.0]), (25, [1.0, 11.0, 21.0])])
@@ -115,7 +115,7 @@ class Slowly:
         self._console, self._do = console, do
 
     def __call__(self, *values: Any) -> Any:
-        self._console.gate.wait(PATIENCE)
+        self._console.gate.wait(TIMEOUT)
         return self._do(*values)
 
 

@@ -10,9 +10,9 @@ import pytest
 
 from donnie_tui.core.events import Outcome
 from donnie_tui.core.line_history import LineHistory
-from donnie_tui.linear.loop import RunLoop
 from donnie_tui.linear.output import OutputQueue
 from donnie_tui.linear.reader import EditingReader, How, PlainReader
+from donnie_tui.linear.typed_lines import RunLoop
 
 FOR_EVER = 1e9
 

@@ -7,7 +7,7 @@ from devices.ports.robot import Motion, Pace, Pose
 from sim.robot import SimulatedRobot
 from sim.scene import Scene
 from sim.world import World
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 from tests.unit.sim.floors import Unpaced
 
 Program = Callable[[SimulatedRobot], None]
@@ -35,7 +35,7 @@ class Company:
         for thread in reversed(threads):
             thread.start()
         for thread in threads:
-            thread.join(PATIENCE)
+            thread.join(TIMEOUT)
             assert not thread.is_alive(), "a program did not end"
         if self._faults:
             raise self._faults[0]

@@ -13,7 +13,7 @@ from sim.robot import SimulatedRobot
 from sim.scene import Scene
 from sim.vehicle import Vehicle
 from sim.world import World
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 from tests.unit.sim.floors import BOX_ROBOT, IDEAL, Unpaced, scene
 
 ODOM = 'localization "odom" odom_error [ 0.3 0.3 0.5 ]'
@@ -31,15 +31,15 @@ HALL = (
 @pytest.fixture
 def made(monkeypatch: pytest.MonkeyPatch) -> list[object]:
     """Records the robots for which a vehicle was created."""
-    told: list[object] = []
+    robots: list[object] = []
 
     class Counted(Vehicle):
         def __init__(self, *arguments: object) -> None:
-            told.append(arguments[1])
+            robots.append(arguments[1])
             super().__init__(*arguments)  # type: ignore[arg-type]
 
     monkeypatch.setattr(vehicle, "Vehicle", Counted)
-    return told
+    return robots
 
 
 def test_description_and_pose_need_neither_vehicle_nor_senses(made: list[object]) -> None:
@@ -64,7 +64,7 @@ def test_the_vehicle_is_created_once_however_many_threads_ask_first(made: list[o
     alice, together = world.robot("alice", pace=Unpaced()), threading.Barrier(8)
 
     def ask(what: Callable[[], object]) -> None:
-        together.wait(PATIENCE)
+        together.wait(TIMEOUT)
         what()
 
     asked = (alice.known_distances, world.get_ready, alice.pose, alice.get_ready)
@@ -72,7 +72,7 @@ def test_the_vehicle_is_created_once_however_many_threads_ask_first(made: list[o
     for thread in threads:
         thread.start()
     for thread in threads:
-        thread.join(PATIENCE)
+        thread.join(TIMEOUT)
 
     assert made == [0]
 

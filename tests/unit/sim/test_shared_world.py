@@ -10,7 +10,7 @@ from language.control import ControlState, ExecutionControl
 from sim.robot import SimulatedRobot
 from sim.sensors import Senses
 from sim.world import World
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 from tests.unit.sim.company import Company
 from tests.unit.sim.floors import BOX_ROBOT, IDEAL, Unpaced, scene
 
@@ -171,8 +171,8 @@ def test_an_expected_robot_that_never_starts_holds_the_others_until_it_leaves() 
 
     assert not begun.is_set()
     alice.leave()
-    assert begun.wait(PATIENCE)
-    thread.join(PATIENCE)
+    assert begun.wait(TIMEOUT)
+    thread.join(TIMEOUT)
 
 
 class Switch:
@@ -202,14 +202,14 @@ def test_the_others_can_be_stopped_while_a_program_computes_without_end() -> Non
 
     thread = threading.Thread(target=run)
     thread.start()
-    assert switch.asked.wait(PATIENCE)
+    assert switch.asked.wait(TIMEOUT)
     switch.stopped = True
     bob.halt()
 
-    assert bob_ended.wait(PATIENCE)
+    assert bob_ended.wait(TIMEOUT)
     assert outcome == [StoppedBy.USER]
     alice.leave()
-    thread.join(PATIENCE)
+    thread.join(TIMEOUT)
 
 
 def test_a_newcomer_gets_its_turn_during_another_robots_long_walk() -> None:
@@ -241,7 +241,7 @@ def test_a_newcomer_gets_its_turn_during_another_robots_long_walk() -> None:
     moved = alice.forward(10)
     log.append(f"alice walked {moved.walked} in {alice.time():.2f}")
     alice.leave()
-    threads[0].join(PATIENCE)
+    threads[0].join(TIMEOUT)
 
     assert len(log) == 2
     assert log[0].startswith("bob came at 1.")
@@ -291,16 +291,16 @@ def test_a_paused_program_holds_the_world_and_another_can_still_be_stopped() -> 
     for thread in threads.values():
         thread.start()
     controls["alice"].pause()
-    assert paused.wait(PATIENCE)
+    assert paused.wait(TIMEOUT)
     held_at = robots["bob"].time()
     controls["bob"].stop()
     robots["bob"].halt()
-    threads["bob"].join(PATIENCE)
+    threads["bob"].join(TIMEOUT)
 
     assert ends == {"bob": StoppedBy.USER}
     assert robots["bob"].time() - held_at < 0.1
     controls["alice"].resume()
-    threads["alice"].join(PATIENCE)
+    threads["alice"].join(TIMEOUT)
     assert ends["alice"] is None
 
 

@@ -8,7 +8,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from devices.audio.ssip import SsipAddress
-from tests.patience import PATIENCE
+from tests.timeouts import TIMEOUT
 
 
 class Server:
@@ -36,13 +36,13 @@ class Server:
                     and (not command or command in self.commands)
                     and self.connections >= connections
                 ),
-                PATIENCE,
+                TIMEOUT,
             )
 
     def has_said(self, words: str) -> bool:
         """Wait for a text with these words; False if it never comes."""
         with self.changed:
-            return self.changed.wait_for(lambda: any(words in each for each in self.texts[-9:]), PATIENCE)
+            return self.changed.wait_for(lambda: any(words in each for each in self.texts[-9:]), TIMEOUT)
 
     def end(self, number: int) -> None:
         """Report the end of a message, numbered from 1."""
