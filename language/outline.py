@@ -11,6 +11,7 @@ from collections.abc import Iterator, Sequence
 
 from msgspec import Struct
 
+from language.keywords import WORDS
 from language.lexer import KIND, NAME, Token, lex
 from language.locales import languages, words
 from language.source import fold_name
@@ -97,17 +98,16 @@ def _item(
 
 OPENERS = {KIND[name]: name for name in ("IF", "FOR", "REPEAT", "WHILE", "PROCEDURE")}
 ENDS = {KIND[f"END_{name}"]: name for name in OPENERS.values()}
+SENSOR_WORDS = frozenset(KIND[name] for name in ("DISTANCE", "POS", "COLOR"))
+
+_FIRST_WORDS = frozenset(KIND[each.terminal] for each in WORDS if each.topic == each.terminal)
+SIMPLE = _FIRST_WORDS - OPENERS.keys() - SENSOR_WORDS - {KIND["VAR"]}
+"""The words of commands that open no block."""
 
 _NOT = frozenset(
     fold_name(word) for each in languages() for word in words(each, "keywords", "else", "second")
 )
-_BEGIN_NO_CONDITION = OPENERS.keys() | {
-    KIND[name]
-    for name in (
-        *("SPEAK", "FW", "BW", "TR", "TL", "WAIT", "SCAN", "STATE", "SOUND", "BELT", "VIBRATE"),
-        "VAR",
-    )
-}
+_BEGIN_NO_CONDITION = OPENERS.keys() | SIMPLE | {KIND["VAR"]}
 
 
 def is_split_else(tokens: Sequence[Token], at: int) -> bool:

@@ -110,7 +110,7 @@ class Picture(Struct, frozen=True):
     walls: tuple[tuple[Point, ...], ...] = ()
     """The polygons of the walls, in steps."""
     body: tuple[tuple[Point, ...], ...] = ()
-    """Those of the robot itself, in steps around its middle; it looks along x."""
+    """The polygons of the robot itself, in steps around its middle; it looks along x."""
 
     def at(self, x: float, y: float) -> tuple[int, int] | None:
         """Row and column of a place given in steps, or None outside the grid."""

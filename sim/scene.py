@@ -238,7 +238,7 @@ class Model(Struct, frozen=True):
 
     @property
     def spoken_name(self) -> str:
-        """What a robot is called by those who program it."""
+        """What a robot is called in programs and sentences."""
         return self.alias or self.name
 
     def outlines(self) -> Iterator[tuple[Point, ...]]:

@@ -47,7 +47,7 @@ class Progress:
         self._reported = 0
 
     def reached(self, units: float, pose: Pose) -> None:
-        """So many units are done by now, and the robot is at ``pose``."""
+        """Report the progress up to ``units``; the robot is at ``pose``."""
         while (following := min(self._amount, self._reported + self._every)) > self._reported:
             if whole(units) < following:
                 return

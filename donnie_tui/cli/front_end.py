@@ -88,7 +88,7 @@ class ProcessEnvironment(Struct, frozen=True):
 
 
 def process_environment(environment: Mapping[str, str]) -> ProcessEnvironment:
-    """Those of this process."""
+    """The environment of this process."""
     stdin, stdout, stderr = map(is_terminal, (sys.stdin, sys.stdout, sys.stderr))
     return ProcessEnvironment(stdin, stdout, environment, stderr)
 

@@ -50,7 +50,7 @@ def main(arguments: list[str], greeting: Greeting | None = None) -> int:
     except WrongUsage as wrong:
         complaint = words(wrong.code, what=wrong.what)
     except BadOption as bad:
-        option, value = f"--{bad.key}", bad.value[:40]
+        option, value = f"--{bad.key.replace('_', '-')}", bad.value[:40]
         complaint = words("bad-option", option=option, value=value, wanted=bad.wanted)
     except Unusable as unusable:
         complaint = unusable.sentence

@@ -17,7 +17,7 @@ from msgspec import Struct
 from donnie_tui import __version__
 from donnie_tui.cli.streams import Output
 from donnie_tui.i18n.words import Words
-from donnie_tui.settings.settings import BadOption, Settings, resolve
+from donnie_tui.settings.settings import BY_KEY, BadOption, Settings, resolve
 from language.locales import languages
 
 if TYPE_CHECKING:
@@ -197,7 +197,7 @@ def _split(arguments: list[str]) -> tuple[str, list[str]]:
         elif each == "--" or each.lower() == "-f":
             break
         elif each.startswith("--"):
-            skip = each[2:] in COMMON
+            skip = any(each == BY_KEY[key].option for key in COMMON)
         elif not each.startswith("-") or each == "-":
             if each in COMMANDS:
                 return each, arguments[:index] + arguments[index + 1 :]
@@ -291,7 +291,7 @@ def parser_of(command: str, sentence: Sentences) -> argparse.ArgumentParser:
         arguments.add_argument("--version", action="version", version=__version__, help=version)
     common = parser.add_argument_group(sentence("usage-options"))
     for key, metavar in COMMON.items():
-        common.add_argument(f"--{key}", metavar=metavar, help=sentence(f"option-{key}"))
+        common.add_argument(BY_KEY[key].option, metavar=metavar, help=sentence(f"option-{key}"))
     common.add_argument("-h", "-H", "--help", action="help", help=sentence("option-help"))
     return parser
 

@@ -159,11 +159,11 @@ def stopped_by_signals(stop: Callable[[], None]) -> Iterator[threading.Event]:
     """Any of them, any number of times, sets the event and has ``stop`` called, in another thread."""
     stopped = threading.Event()
 
-    def heed() -> None:
+    def on_signal() -> None:
         stopped.set()
         stop()
 
-    with closing(Deputy()) as deputy, on_signals(lambda: deputy.do(heed)):
+    with closing(Deputy()) as deputy, on_signals(lambda: deputy.do(on_signal)):
         yield stopped
 
 

@@ -103,7 +103,7 @@ class KeyTable:
         self.choose(chosen)
 
     def choose(self, chosen: str) -> None:
-        """Those of the choice from now on, and no earlier one."""
+        """Apply a choice to the default keys, and forget the choice before."""
         keys = dict(KEYS)
         for name, key in understood(chosen):
             keys = {other: tuple(each for each in have if each != key) for other, have in keys.items()}

@@ -275,7 +275,7 @@ class RecentFiles:
         self._file_name = file
 
     def paths(self) -> tuple[Path, ...]:
-        """Those that still exist."""
+        """The paths that still exist."""
         from pathlib import Path
 
         found = []

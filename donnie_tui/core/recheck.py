@@ -62,13 +62,13 @@ class Verdict(Struct, frozen=True):
     now: Stamped | None = None
 
 
-def recheck(events: Sequence[Stamped], team: Team, tone: RecordedWording) -> Verdict:
+def recheck(events: Sequence[Stamped], team: Team, wording: RecordedWording) -> Verdict:
     """Runs everything again with ``team``, which is at the start of the same world, and compares.
 
     Blocks as long as the programs take. ``team.stop`` ends it from another thread, which counts as a
     difference.
     """
-    checking = _Checking(events, team, tone)
+    checking = _Checking(events, team, wording)
     leave = team.stream.subscribe(checking.on_event)
     try:
         return checking.verdict()
@@ -92,10 +92,10 @@ class _Segment(Struct, frozen=True):
 class _Checking:
     """The position in the recording. The stream's order makes it safe between the programs' threads."""
 
-    def __init__(self, events: Sequence[Stamped], team: Team, tone: RecordedWording) -> None:
+    def __init__(self, events: Sequence[Stamped], team: Team, wording: RecordedWording) -> None:
         self._events = events
         self._team = team
-        self._tone = tone
+        self._wording = wording
         self._at = 0
         self._until = 0
         self._difference: Verdict | None = None
@@ -186,7 +186,7 @@ class _Checking:
             if isinstance(each.event, RunStarted)
         }
         first = next(how for _, how in hows.values() if how is not None)
-        self._tone.language, self._tone.detail = first.language, first.detail
+        self._wording.language, self._wording.detail = first.language, first.detail
         if len(hows) > 1:
             programs = {
                 robot or "": RunRequest(how.text, started.program)

@@ -52,7 +52,7 @@ class RunRequest(Struct, frozen=True):
     """Whether it begins at the start of the world with nothing remembered."""
     breakpoints: frozenset[int] = frozenset()
     lines: Sequence[str] = ()
-    """Those of the whole program; where it is empty, those of ``text``."""
+    """The lines of the whole program; if empty, the lines of ``text``."""
 
 
 class Stage(Struct, frozen=True):

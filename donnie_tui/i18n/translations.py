@@ -49,7 +49,7 @@ def main(arguments: list[str]) -> int:
     found = compile_all()
     for mistake in found:
         _print(str(mistake))
-    return 1 if found else 0
+    return 1 if any(map(is_built_in, found)) else 0
 
 
 def _report(chosen: Iterable[str], *, has_details: bool) -> int:
@@ -76,7 +76,7 @@ def _print(line: str) -> None:
 
 def mistakes() -> tuple[Mistake, ...]:
     """Everything that is wrong in the files of all languages."""
-    english = Path(folders()[ENGLISH], SOURCE)
+    english = Path(BUILT_IN, ENGLISH, SOURCE)
     try:
         known = [each.context for each in po.read(english)] if english.exists() else codes(ENGLISH)
     except Mistake as mistake:
@@ -96,7 +96,7 @@ def _mistakes_in(folder: Path, known_codes: frozenset[str]) -> Iterator[Mistake]
                     what = f"{each.context} is not in the English file: msgctxt stays as it is there"
                     yield Mistake(folder / SOURCE, each.line, what)
         for name in TABLES:
-            file, english = folder / f"{name}.toml", Path(folders()[ENGLISH], f"{name}.toml")
+            file, english = folder / f"{name}.toml", Path(BUILT_IN, ENGLISH, f"{name}.toml")
             if file.exists():
                 known = _read_table(english) if english.exists() else table(ENGLISH, name)
                 yield from _wrong_in_table(file, _read_table(file), known)
@@ -105,9 +105,12 @@ def _mistakes_in(folder: Path, known_codes: frozenset[str]) -> Iterator[Mistake]
 
 
 def _shared_ranks() -> Iterator[Mistake]:
-    """Languages with the ``rank`` of another: which one a program is in would depend on their codes."""
+    """Languages with the ``rank`` of another: which one a program is in would depend on their codes.
+
+    The mistake is never the built-in language's where the other one is from outside.
+    """
     owner: dict[object, str] = {}
-    for language in languages():
+    for language in sorted(languages(), key=lambda each: Path(folders()[each]).parent != Path(BUILT_IN)):
         rank = table(language, "keywords").get("rank")
         file = Path(folders()[language], "keywords.toml")
         if rank is not None and owner.setdefault(rank, language) != language and file.exists():
@@ -204,12 +207,28 @@ def is_compiled() -> bool:
 
 
 def compile_all() -> tuple[Mistake, ...]:
-    """Make what Donnie loads of every language; where there are mistakes, only return them."""
+    """Make what Donnie loads of every language. Returns the mistakes.
+
+    A mistake in a built-in folder keeps everything from being compiled. A folder from outside never does:
+    where it has a mistake, only it is left out, and Donnie takes what is right in it and else English.
+    """
     found = mistakes()
-    if not found:
-        for language, folder in folders().items():
-            _compile(language, Path(folder))
+    if any(map(is_built_in, found)):
+        return found
+    wrong = {each.file.parent for each in found}
+    for language, folder in folders().items():
+        if Path(folder) not in wrong:
+            try:
+                _compile(language, Path(folder))
+            except OSError:
+                if Path(folder).parent == Path(BUILT_IN):
+                    raise
     return found
+
+
+def is_built_in(mistake: Mistake) -> bool:
+    """Whether a mistake is in a language that comes with Donnie."""
+    return mistake.file.parent.parent == Path(BUILT_IN)
 
 
 def _compile(language: str, folder: Path) -> None:

@@ -256,7 +256,7 @@ class Listener:
 
 
 class PrintTarget(Protocol):
-    """What is printed on."""
+    """The terminal, as far as printing needs it."""
 
     interrupted: bool
 

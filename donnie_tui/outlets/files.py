@@ -83,7 +83,7 @@ class Written:
 
     def __init__(self, settings: Settings, hub: Hub, words: Words, closing: ExitStack) -> None:
         self.lost: list[str] = []
-        """Those that could not be written to their end."""
+        """The files that could not be written to their end."""
         self.paths: list[str] = []
         """All that are written as it goes."""
         self._settings = settings

@@ -26,7 +26,7 @@ Handler: TypeAlias = Callable[[int, FrameType | None], object]
 
 
 def numbers_of(*names: str) -> tuple[int, ...]:
-    """Those of the signals that there are on this platform."""
+    """The numbers of the signals that this platform has."""
     return tuple(getattr(signal, name) for name in names if hasattr(signal, name))
 
 
@@ -76,7 +76,7 @@ class WakingSignals(TakenSignals):
         return self._reading
 
     def numbers(self) -> bytes:
-        """Those that came since the last time, and a 0 for each nudge. Never waits."""
+        """The signals since the last call, and a 0 for each nudge. Never waits."""
         try:
             return os.read(self._reading, 4096)
         except BlockingIOError:

@@ -86,6 +86,10 @@ class Key(Struct, frozen=True):
         return len(words) > 1 and not any(each.isupper() or any(map(str.isdigit, each)) for each in words)
 
     @property
+    def option(self) -> str:
+        return f"--{self.key.replace('_', '-')}"
+
+    @property
     def variable(self) -> str:
         return f"DONNIE_{self.key.upper()}"
 
@@ -280,7 +284,7 @@ def _given(
     """Where the key is given, strongest first: the source, what it is called there, and the text."""
     given: list[tuple[SettingSource, str, str]] = []
     if each.key in options:
-        given.append((SettingSource.OPTION, f"--{each.key}", options[each.key]))
+        given.append((SettingSource.OPTION, each.option, options[each.key]))
     if environment.get(each.variable):
         given.append((SettingSource.ENVIRONMENT, each.variable, environment[each.variable]))
     if each.key in file:

@@ -186,7 +186,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         return super().check_action(action, parameters)
 
     def _release_keys(self) -> None:
-        """Those that waited. As the application ends there is nothing more that they could be for."""
+        """Handles the keys that waited, unless the application is ending."""
         if self.screen_stack:
             self._keyboard.release()
 

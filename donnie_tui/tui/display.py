@@ -234,10 +234,10 @@ class Display:
             return
         session = self._donnie.session
         robot = robot_sentence(session.hub.robot, self._pose, self._words)
-        doings = state_sentences(self._runs.state, self._donnie.session.speed, self._words)
+        states = state_sentences(self._runs.state, self._donnie.session.speed, self._words)
         focus = self.focus_sentence
-        whole = [f"{focus} {robot} {doing}" for doing in doings]
-        short = [f"{focus} {doings[1]}", *([doings[1], ""] if self._answer else [focus])]
+        whole = [f"{focus} {robot} {state}" for state in states]
+        short = [f"{focus} {states[1]}", *([states[1], ""] if self._answer else [focus])]
         self._place.status.say(*(f" {self._answer} {rest}".replace("  ", " ") for rest in (*whole, *short)))
 
     def acted(self) -> None:

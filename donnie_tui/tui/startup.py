@@ -133,7 +133,7 @@ class Startup:
 
     @property
     def _has_shipped_world(self) -> bool:
-        """Those are ready to be read: no time passes."""
+        """Whether the world is built in: those are compiled, and load at once."""
         import worlds
 
         return self._settings.world in worlds.names()

@@ -67,7 +67,7 @@ _HARMFUL = re.compile(HARMFUL)
 
 
 class TerminalApp(App[int], inherit_bindings=False):
-    """Looks and output; what is shown is up to those who build on it."""
+    """Looks and output; its subclasses decide what is shown."""
 
     def __init__(self, settings: Settings) -> None:
         self._variables_of: dict[str, dict[str, str]] = {}

@@ -189,7 +189,7 @@ def _load(path: str, words: Words, folders: tuple[str, ...]) -> Scene:
 
 
 def _allowed(folders: tuple[str, ...]) -> tuple[Path, ...]:
-    """Those from which a world may include files, besides its own."""
+    """The folders from which a world may include files, besides its own."""
     from pathlib import Path
 
     return tuple(map(Path, (*folders, worlds.SCENES)))

@@ -19,7 +19,7 @@ from itertools import pairwise
 
 from language.diagnostics import MOST_MISTAKES, Diagnostic, MistakeKind
 from language.lexer import DISTANCE, END, FOR, FRAGMENT, NAME, TAKES, Lexed, lex
-from language.outline import ENDS, is_split_else
+from language.outline import ENDS, SENSOR_WORDS, is_split_else
 from language.recovery.blocks import (
     is_misspelt_end,
     read_else,
@@ -40,7 +40,6 @@ from language.recovery.reader import (
     BEGINNERS,
     ELSE,
     SEMICOLON,
-    SENSOR_WORDS,
     VAR,
     TokenReader,
 )

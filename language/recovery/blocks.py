@@ -13,15 +13,13 @@ from itertools import islice
 from language.diagnostics import MistakeKind
 from language.keywords import END_WORDS, all_words, folded_word, spelling
 from language.lexer import END, FRAGMENT, KIND, NAME, NUMBER, Token
-from language.outline import ENDS, OPENERS
+from language.outline import ENDS, OPENERS, SENSOR_WORDS, SIMPLE
 from language.recovery.reader import (
     AFTER_FIRST_NAME,
     BEGINNERS,
     ELSE,
     HEAD_ENDS,
     SEMICOLON,
-    SENSOR_WORDS,
-    SIMPLE,
     VAR,
     OpenBlock,
     TokenReader,

@@ -27,7 +27,7 @@ from language.lexer import (
     span_of,
     without_comments,
 )
-from language.outline import ENDS, OPENERS
+from language.outline import ENDS, OPENERS, SIMPLE
 from language.recovery.automaton import Automaton
 from language.source import Lines
 from language.syntax import DeclaredProcedure
@@ -41,17 +41,6 @@ AFTER_FIRST_NAME = frozenset(KIND[name] for name in ("ASSIGN", "LSQB"))
 """Show that the name before begins a command: an assignment or a call."""
 
 HEAD_ENDS = frozenset(KIND[name] for name in ("THEN", "DO", "TIMES"))
-
-SENSOR_WORDS = frozenset(KIND[name] for name in ("DISTANCE", "POS", "COLOR"))
-
-SIMPLE = frozenset(
-    KIND[name]
-    for name in (
-        *("SPEAK", "FW", "BW", "TR", "TL", "WAIT", "SCAN", "STATE", "HISTORY"),
-        *("SOUND", "BELT", "VIBRATE", "HELP", "QUIT", "RUN"),
-    )
-)
-"""The words of commands that open no block."""
 
 BEGINNERS = SIMPLE | OPENERS.keys() | ENDS.keys() | {ELSE, END}
 """Begin a command or end a block in any place."""

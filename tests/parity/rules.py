@@ -111,11 +111,11 @@ def _is_same_list(line: str, linear: Outcome, screen: Outcome) -> bool:
         return False
     if line.startswith("TYPED"):  # the screen lists the newest first, and the linear mode last
         return {_NUMBER.sub("", each) for each in linear.published} >= set(screen.listed)
-    told = [_NUMBER.sub("", each) for each in linear.published]
+    printed = [_NUMBER.sub("", each) for each in linear.published]
     rows = [_NUMBER.sub("", each) for each in screen.listed]
-    starts = range(len(told) - len(rows) + 1)
-    return any(all(map(_begins_with, rows, told[at : at + len(rows)])) for at in starts)
+    starts = range(len(printed) - len(rows) + 1)
+    return any(all(map(_begins_with, rows, printed[at : at + len(rows)])) for at in starts)
 
 
-def _begins_with(row: str, told: str) -> bool:
-    return row.startswith(told.removesuffix(" You are here.").rstrip("."))
+def _begins_with(row: str, line: str) -> bool:
+    return row.startswith(line.removesuffix(" You are here.").rstrip("."))

@@ -81,4 +81,4 @@ LONG = (
     "SHOW LOG",
     "SET",
 )
-"""More than forty steps, as the accessibility requirements ask of one lesson."""
+"""More than forty commands: ``gate.py`` measures how a reader reads them."""

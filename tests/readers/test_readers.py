@@ -118,9 +118,8 @@ def voices_below(parent: int) -> list[int]:
     found = []
     for each in Path("/proc").glob("[0-9]*"):
         with suppress(OSError):
-            if b"devices.audio.worker" in (each / "cmdline").read_bytes() and parent in ancestors(
-                int(each.name)
-            ):
+            is_voice = b"devices.audio.worker" in (each / "cmdline").read_bytes()
+            if is_voice and parent in ancestors(int(each.name)):
                 found.append(int(each.name))
     return found
 

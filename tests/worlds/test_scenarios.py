@@ -176,6 +176,7 @@ MEASURED = dict(measured())
 @pytest.mark.parametrize("name", worlds.scenarios())
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_every_number_of_a_description_is_measured(name: str, language: str) -> None:
+    assert name in MEASURED, f"add to measured() the numbers of the description of {name}"
     assert numbers(worlds.words.about(name, language).description) == MEASURED[name]
 
 

@@ -33,7 +33,7 @@ class LogRows(TextRows):
         self._page = 0
         """The first row of the page that is being filled."""
         self._paged = 0
-        """So many rows have been on a page."""
+        """The number of rows that have been on a page."""
         self._waiting: Timer | None = None
         """Until the page goes, or something comes onto an empty one."""
 

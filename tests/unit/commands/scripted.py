@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Coroutine, Iterable, Sequence
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from donnie_tui.bootstrap import Donnie, open_workspace
 from donnie_tui.commands.context import Context
@@ -15,6 +15,9 @@ from donnie_tui.commands.preferences import Preferences
 from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.line_history import LineHistory
 from donnie_tui.settings.folders import state_path
+
+if TYPE_CHECKING:
+    from donnie_tui.core.runner import Run
 
 T = TypeVar("T")
 
@@ -80,6 +83,15 @@ class ScriptedInteraction:
     ) -> T:
         del slow, may_be_left, is_slow
         return task()
+
+    async def follow(self, runs: Sequence[tuple[str | None, Run]]) -> bool:
+        del runs
+        return False  # the learner continues at once
+
+    async def finish(self, task: Coroutine[Any, Any, T]) -> T:
+        return await task
+
+    async def finished(self) -> None: ...
 
     async def wait(self, seconds: float) -> bool:
         self.waited.append(seconds)

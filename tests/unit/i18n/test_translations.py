@@ -186,15 +186,36 @@ def test_what_is_edited_after_it_was_compiled_counts(added: Path) -> None:
     assert sentence.text == "Finito."
 
 
-def test_a_mistake_keeps_everything_from_being_compiled(
+def test_a_mistake_in_a_folder_from_outside_is_a_warning(
     added: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     file = added / "messages.po"
     text = re.sub(r"-II\|[^}]*\}", "}", file.read_text("utf-8"), count=1)
     file.write_text(text, encoding="utf-8")
 
-    assert main(["compile"]) == 1
+    assert main(["compile"]) == 0
     assert re.match(rf"{re.escape(str(file))}:\d+: .* has 2 forms and needs 3", capsys.readouterr().out)
+    assert not (added / "compiled").exists()
+
+
+def test_a_language_from_outside_that_is_older_than_english_does_not_stop_a_start(
+    added: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = added / "messages.po"
+    old = '\nmsgctxt "of-an-older-donnie"\nmsgid "Old."\nmsgstr "Vella."\n'
+    file.write_text(file.read_text("utf-8") + old, encoding="utf-8")
+
+    assert main(["compile"]) == 0
+    assert "of-an-older-donnie is not in the English file" in capsys.readouterr().out
+
+
+def test_a_mistake_in_a_built_in_language_keeps_everything_from_being_compiled(
+    added: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    mistake = Mistake(Path(BUILT_IN, "pt", "messages.po"), 1, "this is wrong")
+    monkeypatch.setattr(translations, "mistakes", lambda: (mistake,))
+
+    assert main(["compile"]) == 1
     assert not (added / "compiled").exists()
 
 

@@ -31,15 +31,15 @@ HALL = (
 @pytest.fixture
 def made(monkeypatch: pytest.MonkeyPatch) -> list[object]:
     """Records the robots for which a vehicle was created."""
-    told: list[object] = []
+    robots: list[object] = []
 
     class Counted(Vehicle):
         def __init__(self, *arguments: object) -> None:
-            told.append(arguments[1])
+            robots.append(arguments[1])
             super().__init__(*arguments)  # type: ignore[arg-type]
 
     monkeypatch.setattr(vehicle, "Vehicle", Counted)
-    return told
+    return robots
 
 
 def test_description_and_pose_need_neither_vehicle_nor_senses(made: list[object]) -> None:
