@@ -22,7 +22,7 @@ KEYS = {each.name: each.keys for each in COMMANDS}
 """The keys of each command, as Textual names them; the first one is shown."""
 
 
-_SIGNS = {
+SIGNS = {
     "full_stop": ".",
     "plus": "+",
     "minus": "-",
@@ -66,8 +66,8 @@ def key_label(key: str, language: str) -> str:
 
 def _part_label(part: str, language: str) -> str:
     """As keyboards of that language have it: Brazilian ones keep most English names."""
-    if part in _SIGNS:
-        return _SIGNS[part]
+    if part in SIGNS:
+        return SIGNS[part]
     try:
         return words(language, "words", "keyboard", part)[0]
     except KeyError:

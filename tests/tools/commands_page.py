@@ -1,11 +1,15 @@
-"""Writes ``docs/commands.md`` from the declarations: ``python -m tests.tools.commands_page``."""
+"""Writes ``docs/commands.md`` from the declarations: ``python -m tests.tools.commands_page``.
+
+It prints which keys are free after Ctrl+K, for a new command.
+"""
 
 from __future__ import annotations
 
 from pathlib import Path
+from string import ascii_lowercase, digits
 
 from donnie_tui.commands.declarations import COMMANDS, Command, When
-from donnie_tui.commands.keys import key_label
+from donnie_tui.commands.keys import KEYS, MENU, SIGNS, key_label
 from donnie_tui.commands.lookup import help_of, word_of, words_of
 from donnie_tui.i18n.words import Words
 from language.locales import ENGLISH, languages
@@ -65,5 +69,15 @@ def _entry(command: Command, words: Words) -> list[str]:
     return lines
 
 
+def free_keys() -> tuple[str, ...]:
+    """The keys after the menu key that no command has, as a declaration names them."""
+    taken = {each for keys in KEYS.values() for each in keys}
+    functions = (f"f{number}" for number in range(1, 13))
+    shifted = (f"shift+{letter}" for letter in ascii_lowercase)
+    after_menu = (f"{MENU} {each}" for each in (*ascii_lowercase, *shifted, *digits, *SIGNS, *functions))
+    return tuple(each for each in after_menu if each not in taken)
+
+
 if __name__ == "__main__":
+    print("Free keys:", ", ".join(free_keys()))
     FILE.write_text(document(), encoding="utf-8")
