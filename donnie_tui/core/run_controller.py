@@ -300,10 +300,11 @@ class RunController:
     def stop(self) -> None:
         """Stops the program of the chosen robot. The end of an unattended one is summed up at once."""
         self.require(Request.STOP)
+        record = self._record
+        is_followed = record is not None and record.is_attended and record.is_current  # it may end at once
         self.note_stop()
         self._session.stop()
-        record = self._record
-        if record is None or not (record.is_attended and record.is_current):
+        if not is_followed:
             self._session.wait_for_stop()
             self.observer.after_stop()
             self._answer_stopped(self._session, record)
@@ -316,9 +317,9 @@ class RunController:
         running = self._team.running
         for each in self._records.values():
             each.was_stopped_with_all = each.is_current
+        attended = [each.session for each in self._records.values() if each.is_attended and each.is_current]
         self.note_stop()
         self._team.stop()
-        attended = [each.session for each in self._records.values() if each.is_attended and each.is_current]
         if not any(each in attended for each in running):
             self._team.wait_for_stop()
             self.observer.after_stop()

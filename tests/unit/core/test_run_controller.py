@@ -158,6 +158,22 @@ def test_the_end_of_the_last_step_says_what_ended_the_loop() -> None:
     assert lesson.ended()[-2:] == ["Condition false: 2 equal to 2.", "Done."]
 
 
+def test_a_program_that_ends_while_it_is_stopped_is_answered_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    lesson = in_state(RunState.RUNNING)
+    session, run = lesson.team.session("donnie"), lesson.run
+    stop = session.stop
+
+    def stop_and_wait() -> None:
+        stop()
+        assert run is not None
+        assert run.wait(TIMEOUT)
+
+    monkeypatch.setattr(session, "stop", stop_and_wait)
+    lesson.runs.stop()
+
+    assert [each for each in lesson.ended() if each.startswith("Stopped")] == lesson.answers[-1:]
+
+
 def test_the_run_is_stopping_until_it_is_summed_up() -> None:
     lesson = Lesson()
     lesson.start("FW 1")
