@@ -26,7 +26,7 @@ def profile(frame, event, argument):
         called.add(f"{code.co_filename[len(root) + 1:]} {code.co_qualname}")
 
 def waited(*arguments):
-    # All that is loaded while nobody types is there now: what is typed next finds it.
+    # All that is loaded while the learner does not type is there now.
     global is_idle
     if arguments[3] is None and not is_idle:
         is_idle = True
