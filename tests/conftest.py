@@ -1,5 +1,6 @@
 """Fixtures for every test, and the environment that each test has."""
 
+import gc
 import os
 import signal
 import sys
@@ -32,6 +33,13 @@ def pytest_configure(config: pytest.Config) -> None:
         mistakes = compile_all()
         if mistakes:
             raise pytest.UsageError("\n".join(map(str, mistakes)))
+
+
+def pytest_collection_finish() -> None:
+    """Keep the collector away from thousands of collected tests: a tenth of the processor time of a run."""
+    gc.collect()
+    gc.freeze()
+    gc.set_threshold(20_000, 20, 20)
 
 
 @pytest.fixture(scope="session", autouse=True)

@@ -30,7 +30,7 @@ def test_the_changed_cells_alone_are_sent(wanted: str, tmp_path: Path) -> None:
         pytest.skip("PyPI can't be reached")
     assert installed.returncode == 0, installed.stderr
 
-    environment = {**os.environ, "PYTHONPATH": str(tmp_path)}
+    environment = {**os.environ, "PYTHONPATH": str(tmp_path), "PYTEST_ADDOPTS": ""}
     found = subprocess.run(
         [sys.executable, "-c", "import textual; print(textual.__file__)"],
         capture_output=True, text=True, env=environment, timeout=TIMEOUT,
