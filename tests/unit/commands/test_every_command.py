@@ -51,7 +51,7 @@ def answers_to(donnie: Donnie, line: str) -> list[str]:
     return answers or script.interaction.asked
 
 
-STARTING = ("run", "again", "step", "step_over")
+STARTING = ("run", "start", "again", "step", "step_over")
 """What these start answers, in its own thread."""
 
 
