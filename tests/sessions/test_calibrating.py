@@ -25,6 +25,8 @@ from tests.sessions.command import COMMAND, donnie, environment
 from tests.sessions.real_robot import is_suspended, serial, until
 from tests.timeouts import TIMEOUT
 
+pytestmark = pytest.mark.slow
+
 WRONG = {"DONNIE_WHEEL_RADIUS": "0.024", "DONNIE_AXLE_LENGTH": "0.080"}
 """The board's wheels have a radius of 21 mm, its axle 68 mm; the settings believe something else."""
 CENTIMETRES, TURNED = 100 * 21 / 24, 720 * (21 / 24) * (80 / 68)

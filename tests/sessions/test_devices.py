@@ -22,6 +22,8 @@ from tests.sessions.learner import Learner
 from tests.sessions.real_robot import LONG_WALK, assembled, program, serial, until
 from tests.timeouts import TIMEOUT
 
+pytestmark = pytest.mark.slow
+
 # --- running
 
 

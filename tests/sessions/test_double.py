@@ -28,6 +28,8 @@ from donnie_tui.settings.settings import Settings
 from tests.programs.test_conformance import runner  # noqa: F401 -- a fixture
 from tests.sessions import command
 
+pytestmark = pytest.mark.slow
+
 TIMEOUT = 300
 STEPS, OF_THE_WAY, READING = 0.25, 0.005, 1
 DEGREES = 1.25
@@ -202,7 +204,6 @@ MOVING_IN_A_SHARE = 5
 """At the least."""
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("share", range(SHARES))
 def test_the_corpus_moves_the_simulated_board_as_it_moves_the_simulator(
     share: int,

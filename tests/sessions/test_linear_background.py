@@ -9,6 +9,8 @@ import pytest
 
 from tests.sessions.learner import Learner
 
+pytestmark = pytest.mark.slow
+
 CTRL_C = "\x03"
 TALKER = ("WHILE 1 == 1 DO", "SPEAK 7", "END WHILE", "START")
 A_FEW_BLOCKS = 150

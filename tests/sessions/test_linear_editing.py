@@ -12,6 +12,8 @@ from tests.sessions.command import COMMAND, QUIET, donnie, environment
 from tests.sessions.typed_lines import answers_to
 from tests.timeouts import TIMEOUT
 
+pytestmark = pytest.mark.slow
+
 
 def test_fix_replaces_a_mistake_by_the_probable_meaning(tmp_path: Path) -> None:
     assert answers_to(tmp_path, "FW 1", "TRR 90", "RUN", "FIX", "LIST", "UNDO", "FIX", "FIX")[4:] == [

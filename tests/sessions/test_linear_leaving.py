@@ -9,6 +9,8 @@ import pytest
 
 from tests.sessions.learner import Learner
 
+pytestmark = pytest.mark.slow
+
 CTRL_C, CTRL_D, ESC = "\x03", "\x04", "\x1b"
 FIVE = ("FW 1", "FW 2", "FW 3", "FW 4", "FW 5")
 TEXT = "".join(f"{line}\n" for line in FIVE)

@@ -10,6 +10,8 @@ import pytest
 from tests.sessions.command import QUIET, donnie
 from tests.sessions.learner import Learner
 
+pytestmark = pytest.mark.slow
+
 TAB, SHIFT_TAB = "\t", "\x1b[Z"
 SQUARE = ("REPEAT 2 TIMES", "FW 2", "TR 90", "END REPEAT")
 

@@ -11,6 +11,8 @@ from tests.sessions.command import COMMAND, QUIET, donnie, environment
 from tests.sessions.learner import Learner
 from tests.timeouts import TIMEOUT
 
+pytestmark = pytest.mark.slow
+
 TYPED = """ROBOTS
 FW 2
 

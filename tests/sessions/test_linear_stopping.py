@@ -16,6 +16,8 @@ from tests.sessions.learner import (
     until,
 )
 
+pytestmark = pytest.mark.slow
+
 
 def test_control_c_stops_in_the_middle_of_a_movement(tmp_path: Path) -> None:
     learner = Learner(tmp_path, "--events", "events.jsonl", speed="1")

@@ -17,6 +17,8 @@ from tests.sessions.command import end, environment
 from tests.sessions.typed_lines import printed_by, quiet
 from tests.timeouts import TIMEOUT
 
+pytestmark = pytest.mark.slow
+
 LANGUAGES = ("en", "pt", "es")
 PROGRAMS = {
     "en": "VAR x = 2\nREPEAT 2 TIMES\nFW x\nTR 90\nEND REPEAT\nSCAN\nSPEAK DISTANCE F",

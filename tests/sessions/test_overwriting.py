@@ -10,6 +10,8 @@ import pytest
 from donnie_tui.cli.main import main
 from tests.sessions.command import QUIET, donnie
 
+pytestmark = pytest.mark.slow
+
 WORDS = 'difficulty = "easy"\n[en]\ntitle = "My own"\ndescription = "All of it."\ntask = "Find it."\n'
 WORLD = 'include "donnie.inc"\ninclude "own.inc"\ndonnie( pose [ 0 0 0 90 ] )\n'
 

@@ -19,6 +19,8 @@ from tests.sessions.learner import Learner
 from tests.sessions.real_robot import LONG_WALK, assembled, half_a_frame, is_suspended, program, serial, until
 from tests.timeouts import TIMEOUT
 
+pytestmark = pytest.mark.slow
+
 ENDING = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT]
 
 

@@ -21,6 +21,8 @@ from tests.sessions.learner import Learner
 from tests.sessions.real_robot import half_a_frame, is_suspended, program, serial, until
 from tests.timeouts import TIMEOUT
 
+pytestmark = pytest.mark.slow
+
 
 @contextlib.contextmanager
 def terminal_that_takes_nothing(child: pexpect.spawn) -> Iterator[None]:

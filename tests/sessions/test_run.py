@@ -16,6 +16,8 @@ from tests.sessions.command import QUIET, donnie, start
 from tests.sessions.here import PROGRAM
 from tests.timeouts import TIMEOUT
 
+pytestmark = pytest.mark.slow
+
 
 def records(stream: bytes) -> list[dict[str, Any]]:
     return [json.loads(line) for line in stream.decode().split("\n") if line]

@@ -10,6 +10,8 @@ import worlds.words
 from donnie_tui.cli.main import main
 from tests.conftest import ROOT
 
+pytestmark = pytest.mark.slow
+
 CROWD = """
 define sonar sensor ( range [ 0 3 ] )
 define bot position ( size [ 0.1 0.1 0.1 ] ranger( sonar( ) ) )

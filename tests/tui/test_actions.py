@@ -11,6 +11,8 @@ from language.locales import languages
 from tests.tui.conftest import burst
 from tests.unit.i18n.sentences import CODES
 
+pytestmark = pytest.mark.slow
+
 ARGUMENTS = {
     "run_to": "2",
     "break_": "1",
@@ -69,7 +71,6 @@ async def back_to_the_main_screen(desk) -> None:
         await desk.pilot.pause()
 
 
-@pytest.mark.slow
 async def test_every_word_is_answered_in_the_log_or_by_a_screen(work):
     async with work(PROGRAM, world="living_room") as desk:
         for action in COMMANDS:
@@ -144,7 +145,6 @@ def pressed(key: str) -> str:
     return key.removeprefix("shift+").upper() if key.startswith("shift+") and len(key) == 7 else key
 
 
-@pytest.mark.slow
 async def test_every_action_is_chosen_from_the_palette_by_its_word(work, doing):
     async with work("FW 1") as desk:
         done = doing(desk)

@@ -22,6 +22,8 @@ from donnie_tui.tui.shutdown import FAULT
 from language.locales import languages
 from tests.tui.conftest import WAITING, burst
 
+pytestmark = pytest.mark.slow
+
 COLOURED = re.compile(r"\x1b\[[0-9;]*(?:38|48);2;")
 
 

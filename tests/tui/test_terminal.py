@@ -21,6 +21,8 @@ from tests.tui.terminal import (
     under_the_cursor,
 )
 
+pytestmark = pytest.mark.slow
+
 
 def test_a_procedure_is_typed_run_watched_stopped_and_left(terminal):
     donnie = terminal("--world", "living_room", "--speed", "20")

@@ -6,6 +6,8 @@ import pytest
 
 from tests.tui.terminal import _KITTY, CTRL_Q, ENTER, left_as_found
 
+pytestmark = pytest.mark.slow
+
 KINDS = {"xterm-256color": 256, "linux": 16, "screen": 16, "tmux-256color": 256, "vt100": 16}
 """Kinds of terminal, and how many colours they know at most."""
 

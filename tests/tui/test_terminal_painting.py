@@ -6,6 +6,8 @@ import signal
 import struct
 import termios
 
+import pytest
+
 from tests.tui.terminal import (
     CTRL_Q,
     TAB,
@@ -13,6 +15,8 @@ from tests.tui.terminal import (
     falls_silent,
     under_the_cursor,
 )
+
+pytestmark = pytest.mark.slow
 
 
 def test_the_terminal_s_cursor_is_visible_and_stands_at_the_focus(terminal):

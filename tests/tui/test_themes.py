@@ -8,6 +8,8 @@ from rich.segment import Segment
 from donnie_tui.settings.settings import THEMES
 from donnie_tui.tui import themes
 
+pytestmark = pytest.mark.slow
+
 LEAST_TEXT, LEAST_BORDER = 7.0, 4.5
 BORDERS = set("▔▁▊▎─│┌┐└┘━┃▀▄█▌▐")
 RGB = tuple(name for name in themes.NAMES if name != themes.TERMINAL)
