@@ -1,8 +1,9 @@
-"""A front end without a terminal: answers come from a list, and what is asked is written down."""
+"""A front end without a terminal: answers come from a list, and what is asked and printed is written down."""
 
 from __future__ import annotations
 
 import os
+import threading
 from collections.abc import Callable, Coroutine, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -13,8 +14,13 @@ from donnie_tui.commands.dispatch import perform, take_line
 from donnie_tui.commands.interaction import EnterWorld, Option, SwitchMode, drive
 from donnie_tui.commands.preferences import Preferences
 from donnie_tui.core.answer_log import AnswerLog
+from donnie_tui.core.events import Stamped
 from donnie_tui.core.line_history import LineHistory
+from donnie_tui.core.run_state import RunObserver, RunState
+from donnie_tui.core.runner import RunRequest
+from donnie_tui.core.transcript import printed_lines
 from donnie_tui.settings.folders import state_path
+from tests.timeouts import TIMEOUT
 
 if TYPE_CHECKING:
     from donnie_tui.core.runner import Run
@@ -43,6 +49,7 @@ class ScriptedInteraction:
         self.when_waiting: Callable[[], bool] = lambda: False
         """Whether the learner presses a key meanwhile."""
         self.more: Callable[[], Coroutine[Any, Any, None]] | None = None
+        self.when_robot_changed: Callable[[], None] = lambda: None
 
     def _answer(self) -> str | None:
         return self.answers.pop(0) if self.answers else None
@@ -107,7 +114,8 @@ class ScriptedInteraction:
 
     def before_robot_changes(self) -> None: ...
 
-    def robot_changed(self) -> None: ...
+    def robot_changed(self) -> None:
+        self.when_robot_changed()
 
     async def type_again(self, line: str) -> None:
         self.asked.append(f"> {line}")
@@ -122,7 +130,7 @@ class ScriptedInteraction:
         raise Quit
 
 
-class Script:
+class Script(RunObserver):
     """Types commands as a learner, one after the other."""
 
     def __init__(self, donnie: Donnie, answers: Iterable[str | None] = ()) -> None:
@@ -132,11 +140,53 @@ class Script:
         preferences = Preferences(donnie.outlets.audible.settings, os.environ)
         self.ctx = Context(donnie, self.interaction, workspace, AnswerLog(), LineHistory(), preferences)
         self.interaction.say = self.ctx.say
+        self.printed: list[str] = []
+        """All lines so far."""
+        self._changed = threading.Condition()
+        self.ctx.runs.observer = self
+        self._unsubscribe = donnie.team.stream.subscribe(self._on_event)
+
+    def close(self) -> None:
+        self._unsubscribe()
+        self.ctx.close()
+
+    def _on_event(self, stamped: Stamped) -> None:
+        self.printed += printed_lines(stamped, self.donnie.words)
+
+    def on_change(self) -> None:
+        with self._changed:
+            self._changed.notify_all()
 
     def type(self, line: str) -> bool:
         """Type a line. False if it is GoDonnie."""
-        return drive(take_line(self.ctx, line))
+        is_command = drive(take_line(self.ctx, line))
+        self.donnie.session.hub.wait_until_delivered(TIMEOUT)
+        return is_command
 
     def press(self, name: str) -> None:
         """Press the key of a command."""
         drive(perform(self.ctx, BY_NAME[name], None))
+
+    def run(self, text: str) -> None:
+        """Run GoDonnie where the robot stands."""
+        self.ctx.runs.start(RunRequest(text, is_whole=False))
+
+    def rest(self) -> None:
+        """Wait until the program that was started is held or over."""
+        runs, robot, run = self.ctx.runs, self.donnie.session.hub.robot, self.donnie.session.run
+        with self._changed:
+            assert self._changed.wait_for(lambda: runs.is_held or runs.has_ended(robot), TIMEOUT)
+        if runs.has_ended(robot):
+            assert run is None or run.wait(TIMEOUT)
+            runs.sum_up(robot)
+        self.donnie.session.hub.wait_until_delivered(TIMEOUT)
+
+    def answers_to(self, *lines: str) -> list[str]:
+        """What is printed while lines are typed. GoDonnie runs at once, and each line waits for a program."""
+        before = len(self.printed)
+        for line in lines:
+            if not self.type(line):
+                self.run(line)
+            if self.ctx.runs.state is not RunState.READY:
+                self.rest()
+        return self.printed[before:]

@@ -15,13 +15,6 @@ from donnie_tui.settings.settings import Settings
 from tests.unit.commands.scripted import Quit, Script
 
 
-@pytest.fixture(autouse=True)
-def own_folders(tmp_path, monkeypatch):
-    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
-    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
-    monkeypatch.chdir(tmp_path)
-
-
 @pytest.fixture
 def donnie() -> Iterator[Donnie]:
     made = assemble(Settings(world="living_room", speech="off", sound=False, speed=None), terminal=True)

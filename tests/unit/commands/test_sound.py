@@ -24,8 +24,7 @@ from tests.unit.i18n.sentences import CODES
 
 
 @pytest.fixture
-def home(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[Listening]:
-    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
+def home(monkeypatch: pytest.MonkeyPatch) -> Iterator[Listening]:
     with listening(monkeypatch) as made:
         yield made
 
