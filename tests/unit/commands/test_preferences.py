@@ -63,6 +63,9 @@ def test_every_setting_has_a_label_and_a_sentence(preference):
         *(("progress", "0", "0"), ("progress", str(LONGEST_PROGRESS), str(LONGEST_PROGRESS))),
         *(("free", "f", "f"), ("free", "ponto", "dot"), ("page", "PERGUNTAR", "ask")),
         *(("prompt", "respuesta", "answer"), ("speech", "on", "tts"), ("speech", "não", "off")),
+        *(("speech", "own", "tts"), ("speech", "robô", "robot"), ("speech", "ssip", "ssip")),
+        *(("speech", "no", "off"), ("speak", "ambos", "both"), ("punctuation", "toda", "all")),
+        *(("key_echo", "palavras", "words"), ("completion", "não", "off")),
     ],
 )
 def test_numbers_letters_and_words_of_other_languages_are_understood(key, text, value):

@@ -1,0 +1,198 @@
+"""OPEN, SAVE, NEW, RECOVER, SAVE LOG, REPORT: no text is lost without a question."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from tests.unit.commands.scripted import Script
+
+OpenScript = Callable[..., Script]
+
+UNCHANGED = "Nothing was changed."
+
+
+@pytest.fixture
+def walk(tmp_path: Path) -> Path:
+    path = tmp_path / "walk.gd"
+    path.write_text("FW 1\nTR 90\n", encoding="utf-8")
+    return path
+
+
+# --- opening
+
+
+def test_open_takes_the_name_after_the_word(open_script: OpenScript, walk: Path) -> None:
+    script = open_script()
+
+    assert script.answers_to(f"OPEN {walk}") == ["Opened walk.gd, 2 lines."]
+    assert script.ctx.program.lines == ("FW 1", "TR 90")
+    assert script.ctx.program.path == walk
+
+
+def test_open_asks_for_the_name_and_rejects_a_wrong_one_at_once(open_script: OpenScript, walk: Path) -> None:
+    script = open_script(answers=["none.gd", str(walk)])
+
+    assert script.answers_to("OPEN") == ["Opened walk.gd, 2 lines."]
+    assert script.interaction.asked[1].startswith("There is no file")
+
+
+@pytest.mark.parametrize(
+    "data", [b"\xff\xfe\x00\x01", b"\r\n\r\nFW 1\r\n", 'FALAR "olá"'.encode("cp1252"), b""]
+)
+def test_opening_any_file_gets_an_answer(open_script: OpenScript, tmp_path: Path, data: bytes) -> None:
+    (tmp_path / "odd.gd").write_bytes(data)
+
+    assert any("odd.gd" in line for line in open_script().answers_to("OPEN odd.gd"))
+
+
+# --- saving
+
+
+def test_the_first_save_asks_for_a_name_and_adds_the_suffix(open_script: OpenScript, tmp_path: Path) -> None:
+    script = open_script("FW 2", answers=["first"])
+
+    assert script.answers_to("SAVE") == ["Saved first.gd, 1 line."]
+    assert (tmp_path / "first.gd").read_text(encoding="utf-8") == "FW 2\n"
+
+
+@pytest.mark.parametrize(
+    ("answer", "last", "text"),
+    [("yes", "Saved walk.gd, 1 line.", "FW 2\n"), ("no", UNCHANGED, "FW 1\nTR 90\n")],
+)
+def test_another_file_is_replaced_only_after_a_yes(
+    open_script: OpenScript, walk: Path, answer: str, last: str, text: str
+) -> None:
+    script = open_script("FW 2", answers=[answer])
+
+    assert script.answers_to(f"SAVE {walk}") == [last]
+    assert script.interaction.asked[0].startswith("walk.gd exists. Replace it, y or n?")
+    assert walk.read_text(encoding="utf-8") == text
+
+
+@pytest.mark.parametrize(
+    ("answer", "last", "text"),
+    [("yes", "Saved walk.gd, 2 lines.", "FW 7\nTR 90\n"), ("no", UNCHANGED, "BW 1\n")],
+)
+@pytest.mark.parametrize("typed", ["SAVE", "SAVE walk.gd"])
+def test_a_file_changed_by_another_program_is_replaced_only_after_a_yes(
+    open_script: OpenScript, walk: Path, typed: str, answer: str, last: str, text: str
+) -> None:
+    script = open_script(answers=[answer])
+    script.answers_to("OPEN walk.gd", "CHANGE 1 FW 7")
+    walk.write_text("BW 1\n", encoding="utf-8")
+
+    assert script.answers_to(typed) == [last]
+    assert script.interaction.asked[0].startswith("walk.gd was changed elsewhere.")
+    assert walk.read_text(encoding="utf-8") == text
+
+
+def test_a_folder_that_can_not_be_written_is_reported(open_script: OpenScript) -> None:
+    (answer,) = open_script("FW 2").answers_to("SAVE nowhere/a.gd")
+
+    assert answer.startswith("I can't write")
+
+
+# --- before a text is lost
+
+WORTH_SAVING = ("FW 2",) * 5
+
+
+def test_an_unsaved_program_is_closed_only_after_a_question(open_script: OpenScript, tmp_path: Path) -> None:
+    script = open_script(*WORTH_SAVING, answers=["yes", "kept.gd"])
+
+    assert script.answers_to("NEW") == ["Saved kept.gd, 5 lines.", "A new program."]
+    assert script.ctx.program.lines == ()
+    assert (tmp_path / "kept.gd").read_text(encoding="utf-8") == "FW 2\n" * 5
+
+
+@pytest.mark.parametrize("answers", [[None], ["yes", None]])
+def test_a_missing_answer_keeps_the_program_and_is_reported_once(
+    open_script: OpenScript, answers: list[str | None]
+) -> None:
+    script = open_script(*WORTH_SAVING, answers=answers)
+
+    assert script.answers_to("NEW") == [UNCHANGED]
+    assert script.ctx.program.lines == WORTH_SAVING
+
+
+@pytest.mark.parametrize("typed", ["SAVE", "SAVE AS", "OPEN", "SAVE LOG"])
+def test_a_cancelled_question_reports_once_that_nothing_changed(open_script: OpenScript, typed: str) -> None:
+    script = open_script("FW 1", answers=[None])
+    script.ctx.answers.add_line("I walked 1 step forward.")
+
+    assert script.answers_to(typed) == [UNCHANGED]
+    assert len(script.interaction.asked) == 1
+    assert script.ctx.program.lines == ("FW 1",)
+
+
+# --- recovering
+
+
+@pytest.fixture
+def copies(tmp_path: Path) -> Path:
+    """The folder of the copies that earlier starts left."""
+    folder = tmp_path / "donnie" / "unsaved"
+    folder.mkdir(parents=True)
+    return folder
+
+
+def test_recover_without_a_copy_says_so(open_script: OpenScript) -> None:
+    assert open_script().answers_to("RECOVER") == ["Nothing to recover."]
+
+
+def test_all_programs_of_a_crash_are_restored_one_by_one(open_script: OpenScript, copies: Path) -> None:
+    for name, text, age in (("one", "FW 1\n", 1000), ("two", "FW 2\n", 2000)):
+        copy = copies / f"unsaved-99999999-{name}.gd"
+        copy.write_text(text)
+        os.utime(copy, (age, age))
+    script = open_script()
+
+    assert script.answers_to("RECOVER") == [
+        "Here it is again, 1 line.",
+        "There is one more. RECOVER opens it.",
+    ]
+    for text in ("FW 2", "FW 1", "FW 2"):  # what was given up for the other one comes last
+        assert script.ctx.program.lines == (text,)
+        script.type("RECOVER")
+
+
+@pytest.mark.parametrize("word", ["NEW", "RECOVER"])
+def test_a_program_replaced_by_another_one_is_restored_by_recover(
+    open_script: OpenScript, copies: Path, word: str
+) -> None:
+    (copies / "unsaved-abc.gd").write_text("FW 9", encoding="utf-8")
+    script = open_script()
+    script.answers_to("RECOVER", "CHANGE 1 FW 8", "NEW", "INSERT 1 FW 7", word)
+    script.ctx.workspace.leave_copies()
+    script.ctx.workspace.write_copies()
+
+    assert sorted(each.read_text() for each in copies.iterdir()) == ["FW 7\n", "FW 8\n"]
+
+
+# --- pages
+
+
+def test_a_report_is_written_and_another_file_replaced_only_after_a_question(
+    open_script: OpenScript, tmp_path: Path
+) -> None:
+    script = open_script("FW 1", "FW 2", answers=["no"])
+    assert script.answers_to("REPORT list lines.csv") == ["Wrote lines.csv."]
+    written = (tmp_path / "lines.csv").read_text()
+    assert written.splitlines()[1:3] == ["1,0,FW 1", "2,0,FW 2"]
+
+    assert script.answers_to("REPORT map lines.csv") == [UNCHANGED]
+    assert (tmp_path / "lines.csv").read_text() == written
+
+
+def test_the_log_replaces_a_file_only_after_a_yes(open_script: OpenScript, walk: Path) -> None:
+    script = open_script(answers=["no", "yes"])
+    script.ctx.answers.add_line("I walked 1 step forward.")
+    assert script.answers_to("SAVE LOG walk.gd") == [UNCHANGED]
+    assert walk.read_text(encoding="utf-8") == "FW 1\nTR 90\n"
+
+    script.type("SAVE LOG walk.gd")
+    assert "I walked 1 step forward." in walk.read_text(encoding="utf-8")

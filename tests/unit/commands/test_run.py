@@ -1,0 +1,125 @@
+"""AGAIN, STOP, UNTIL, BREAK, WATCH, SPEED, and GoDonnie that is typed between them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from donnie_tui.core.run_state import RunState
+from tests.unit.commands.scripted import Script
+
+WAITING = ("WHILE 1 == 1 DO", "WAIT 1000", "END WHILE")
+
+OpenScript = Callable[..., Script]
+
+
+# --- running
+
+
+def test_a_program_begins_at_the_start_with_nothing_remembered(open_script: OpenScript) -> None:
+    script = open_script("VAR a = 2", "FW a")
+
+    assert script.answers_to("AGAIN", "AGAIN", "WHERE") == [
+        "I walked 2 steps forward.",
+        "I walked 2 steps forward.",
+        "Position 0, 2. Facing north.",
+    ]
+
+
+def test_typed_godonnie_continues_where_the_robot_stands_with_the_variables(open_script: OpenScript) -> None:
+    assert open_script().answers_to("VAR a = 3 FW 2", "FW a", "WHERE")[1:] == [
+        "I walked 3 steps forward.",
+        "Position 0, 5. Facing north.",
+    ]
+
+
+def test_only_godonnie_without_output_is_answered_with_done(open_script: OpenScript) -> None:
+    script = open_script()
+
+    assert script.answers_to("VAR a = 3") == ["Done."]
+    for typed in ("SPEAK a", "FWD 1", "WATCH a", "a = 4"):
+        answers = script.answers_to(typed)
+        assert answers and "Done." not in answers, typed
+
+
+def test_an_unused_sensor_value_is_a_hint_for_a_program_and_a_typed_command(open_script: OpenScript) -> None:
+    script, hint = open_script("DISTANCE F"), "DISTANCE alone does nothing."
+
+    assert script.answers_to("AGAIN")[0] == hint
+    assert script.answers_to("DISTANCE F")[0] == hint
+    assert hint not in script.answers_to("GRIP")
+
+
+@pytest.mark.parametrize(("typed", "answer"), [("STOP", "Nothing is running."), ("AGAIN", "Nothing to run.")])
+def test_stopping_or_running_nothing_is_answered(open_script: OpenScript, typed: str, answer: str) -> None:
+    assert open_script().answers_to(typed) == [answer]
+
+
+def test_while_a_program_runs_others_and_files_wait_until_it_is_stopped(open_script: OpenScript) -> None:
+    script = open_script(*WAITING, speed=1.0)
+    script.type("AGAIN")
+    for typed in ("AGAIN", "OPEN walk.gd", "RESET"):
+        script.type(typed)
+        assert script.printed[-1] == "A program is running. STOP stops it.", typed
+
+    script.type("STOP")
+    script.rest()
+    assert script.printed[-1].startswith("Stopped")
+    assert script.ctx.runs.state is RunState.READY
+
+
+def test_the_speed_can_be_changed_and_is_reported(open_script: OpenScript) -> None:
+    script = open_script(speed=5.0)
+
+    assert script.answers_to("FASTER", "SLOWER", "SLOWER", "speed max", "SPEED fast") == [
+        "Speed 10.",
+        "Speed 5.",
+        "Speed 2.",
+        "Speed max.",
+        "A speed is a number from 0.1 to 1000, or max.",
+    ]
+    assert script.donnie.session.speed is None
+
+
+# --- holding
+
+
+def test_until_takes_a_line_and_refuses_one_that_is_not_there(open_script: OpenScript) -> None:
+    assert open_script("FW 1", "FW 2").answers_to("UNTIL 9", "UNTIL 2") == [
+        "There is no line 9. The last is 2.",
+        "I walked 1 step forward.",
+        "Line 2: FW 2",
+    ]
+
+
+def test_a_breakpoint_set_while_the_program_is_held_counts(open_script: OpenScript) -> None:
+    script = open_script("FW 1", "SPEAK 2", "FW 1", "SPEAK 4")
+
+    assert script.answers_to("BREAK 2", "AGAIN", "BREAK 4", "CONTINUE") == [
+        "Breakpoint at line 2.",
+        "I walked 1 step forward.",
+        "Line 2: SPEAK 2",
+        "Breakpoint at line 4.",
+        "Continuing.",
+        "2",
+        "I walked 1 step forward.",
+        "Line 4: SPEAK 4",
+    ]
+    assert script.answers_to("CONTINUE") == ["Continuing.", "4"]
+
+
+# --- watching
+
+
+def test_a_watched_variable_is_printed_at_each_change_and_no_other(open_script: OpenScript) -> None:
+    script = open_script("VAR a = 3", "VAR b = 1", "a = a + 1", "FW 1", "a = 7")
+
+    assert script.answers_to("WATCH a", "AGAIN") == [
+        "Watching a.",
+        "a is 3.",
+        "a is 4.",
+        "I walked 1 step forward.",
+        "a is 7.",
+    ]
+    assert script.answers_to("WATCH a", "AGAIN") == ["Not watching a now.", "I walked 1 step forward."]
