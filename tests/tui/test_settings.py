@@ -19,6 +19,10 @@ async def test_the_look_is_chosen_by_word_and_kept(work, tmp_path):
         assert desk.app.theme == "donnie-light"
         assert kept(tmp_path)["theme"] == "light"
 
+        await desk.type_line("SET theme dark")
+        await desk.shows("Look: dark.")
+        assert desk.app.theme == "donnie-dark"
+
 
 async def test_the_language_changes_everything_at_once(work):
     async with work() as desk:
