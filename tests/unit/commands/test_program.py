@@ -1,4 +1,4 @@
-"""LIST, CHANGE, INSERT, DELETE, MOVE, UNDO: the lines of the program, and what is no argument of a command."""
+"""LIST, CHANGE, INSERT, DELETE, MOVE, UNDO: the lines of the program, and wrong arguments of commands."""
 
 from __future__ import annotations
 
