@@ -1,9 +1,9 @@
 """Panes, focus, the terminal's cursor, sizes: what is seen and how one gets there, by keys alone."""
 
-import pytest
 from textual.geometry import Offset
 
 from devices.ports.robot import Pose
+from tests.tui.conftest import burst
 
 SIZES = [(40, 12), (80, 24), (100, 30), (120, 40), (200, 60)]
 
@@ -132,10 +132,8 @@ async def test_exploring_names_the_cell_and_home_goes_back_to_the_robot(work):
         await desk.press("tab", "right")
         await desk.pilot.pause()
         assert desk.status.startswith(" Map, 1, 0: free.")
-        for _ in range(20):
-            await desk.press("left")
-        await desk.pilot.pause()
-        assert "wall." in desk.status
+        burst(desk, *["left"] * 20)
+        await desk.until(lambda: "wall." in desk.status, "the wall")
 
         await desk.press("home")
         await desk.pilot.pause()
@@ -153,16 +151,18 @@ async def test_things_are_named_when_they_are_explored(work):
         assert f": {thing.name}, {thing.colour}. " in desk.status
 
 
-@pytest.mark.parametrize("size", SIZES)
-async def test_every_size_shows_the_focus_the_command_line_and_the_status(work, size):
-    async with work("FW 1\nFW 2", size=size) as desk:
-        for _ in range(5):
-            focused = desk.app.focused
-            assert focused.region.area, f"{focused} at {size}"
-            assert desk.place.command_line.region.area
-            assert desk.place.status.region.area
-            await desk.press("tab")
-            await desk.pilot.pause()
+async def test_every_size_shows_the_focus_the_command_line_and_the_status(work):
+    async with work("FW 1\nFW 2", size=SIZES[-1]) as desk:
+        for size in ((40, 12), (80, 24), (120, 40)):
+            await desk.pilot.resize_terminal(*size)
+            await desk.painted()
+            for _ in range(5):
+                focused = desk.app.focused
+                assert focused.region.area, f"{focused} at {size}"
+                assert desk.place.command_line.region.area
+                assert desk.place.status.region.area
+                await desk.press("tab")
+                await desk.pilot.pause()
 
 
 async def test_the_size_may_change_while_a_program_is_paused_and_the_focus_stays(work):
@@ -210,18 +210,20 @@ async def the_map_is_seen(desk) -> None:
     assert desk.place.map.region.contains(x, y)
 
 
-@pytest.mark.parametrize("size", [(80, 24), (80, 15), (100, 30)])
-@pytest.mark.parametrize("way", ["SHOW MAP", "shift+tab"])
-async def test_the_map_comes_back_when_it_is_asked_for_in_the_inspector_s_place(work, size, way):
-    async with work("FW 1", size=size, world="living_room") as desk:
-        await desk.press("f4")
-        await has_focus(desk, "inspector")
-        if way == "SHOW MAP":
-            await desk.type_line(way)
-        else:
-            await desk.press(way)
+async def test_the_map_comes_back_when_it_is_asked_for_in_the_inspector_s_place(work):
+    async with work("FW 1", world="living_room") as desk:
+        for size in ((80, 15), (100, 30)):
+            await desk.pilot.resize_terminal(*size)
+            await desk.painted()
+            for way in ("SHOW MAP", "shift+tab"):
+                await desk.press("f4")
+                await has_focus(desk, "inspector")
+                if way == "SHOW MAP":
+                    await desk.type_line(way)
+                else:
+                    await desk.press(way)
 
-        await the_map_is_seen(desk)
+                await the_map_is_seen(desk)
 
 
 async def test_a_focus_on_the_map_or_the_inspector_is_seen_in_a_smaller_terminal_too(work):
@@ -239,13 +241,11 @@ async def test_a_focus_on_the_map_or_the_inspector_is_seen_in_a_smaller_terminal
         await has_focus(desk, "inspector")
 
 
-@pytest.mark.parametrize(
-    ("typed", "focused"), [("show map", "map"), ("SHOW LOG", "log"), ("Show Program", "editor")]
-)
-async def test_words_go_to_the_panes(work, typed, focused):
+async def test_words_go_to_the_panes(work):
     async with work() as desk:
-        await desk.type_line(typed)
-        await desk.until(lambda: desk.app.focused.id == focused, focused)
+        for typed, focused in (("show map", "map"), ("SHOW LOG", "log"), ("Show Program", "editor")):
+            await desk.type_line(typed)
+            await desk.until(lambda focused=focused: desk.app.focused.id == focused, focused)
 
 
 async def test_up_and_down_restore_typed_lines(work):
@@ -277,16 +277,6 @@ async def test_the_log_is_read_by_rows_and_follows_its_end_again(work):
         await desk.type_line("SPEAK 100")
         await desk.shows("100")
         assert desk.place.log_rows.row_text == "100"
-
-
-@pytest.mark.parametrize("language", ["pt", "es"])
-async def test_the_screen_speaks_the_learner_s_language(work, language):
-    async with work('FALAR "oi"' if language == "pt" else 'HABLAR "hola"', language=language) as desk:
-        await desk.press("f5")
-        await desk.shows("El programa terminó." if language == "es" else "O programa terminou.")
-
-        assert ("Mapa:" in desk.screen) and ("Map:" not in desk.screen)
-        assert "Registro" in desk.screen
 
 
 async def test_without_colours_the_screen_says_the_same(work, monkeypatch, tmp_path):
