@@ -74,13 +74,8 @@ async def test_each_row_of_a_list_is_said_as_it_is_reached_and_stands_in_no_log(
 
 @pytest.mark.parametrize(
     ("keys", "kind"),
-    [
-        (("f1",), Help),
-        (("ctrl+k",), KeyMenu),
-        (("ctrl+k", "f1"), Help),
-        (("ctrl+k", "0"), Help),
-    ],
-    ids=["help", "menu", "manual", "keys"],
+    [(("f1",), Help), (("ctrl+k",), KeyMenu)],
+    ids=["help", "menu"],
 )
 async def test_each_row_of_the_help_and_of_the_keys_behind_a_key_is_said(work, pointed, keys, kind) -> None:  # type: ignore[no-untyped-def]
     async with work("FW 1") as desk:
@@ -163,56 +158,6 @@ async def test_without_cues_enter_is_silent(work, pointed) -> None:  # type: ign
         await desk.press(*"REPEAT 2", "enter")
         await desk.pilot.pause()
         assert pointed == []
-
-
-async def test_quiet_is_answered_in_the_log(work) -> None:  # type: ignore[no-untyped-def]
-    async with work() as desk:
-        await desk.type_line("QUIET")
-        await desk.shows("Quiet. LAST says it again.")
-
-
-async def test_cues_are_named_one_a_line(work) -> None:  # type: ignore[no-untyped-def]
-    async with work() as desk:
-        await desk.type_line("CUES")
-        await desk.shows("Sounds are off here.")
-        await desk.shows("forward: A step forward.")
-        await desk.shows("close: A block ends.")
-
-
-async def test_what_is_chosen_about_the_voice_counts_at_once(work, tmp_path, monkeypatch) -> None:  # type: ignore[no-untyped-def]
-    """The next sentence has the new values."""
-    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
-    async with work() as desk:
-        change(desk.app.controller.ctx, "rate", "300")
-        await desk.shows("Set rate: 300.")
-        audible: Audible = desk.app.controller.donnie.outlets.audible
-        assert audible.settings.rate == 300
-        change(desk.app.controller.ctx, "wait_for_speech", "on")
-        await desk.shows("Set wait: on.")
-        assert audible.settings.wait_for_speech
-
-
-async def test_each_sound_has_a_volume_of_its_own_that_is_chosen_from_a_list(
-    work, tmp_path, monkeypatch
-) -> None:  # type: ignore[no-untyped-def]
-    """SET cues lists the cues."""
-    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
-    async with work() as desk:
-        audible: Audible = desk.app.controller.donnie.outlets.audible
-        await desk.type_line("SET cue")
-        await desk.until(lambda: "bump: A collision. Volume 100." in desk.screen, "the sounds")
-        await desk.press(*"bump", "enter")
-        await desk.until(lambda: "bump: A collision. Off." in desk.screen, "the volumes")
-        await desk.press(*"off", "enter")
-        await desk.shows("Set cue bump: off.")
-        await desk.press("escape")
-        await desk.until(lambda: desk.app.screen is desk.place, "the main screen")
-        assert audible.settings.cues == {"bump": 0}
-
-        await desk.type_line("SET cue open 40")
-        await desk.shows("Set cue open: 40.")
-        assert audible.settings.cues == {"bump": 0, "block-opened": 40}
-        assert 'cues = "bump 0, block-opened 40"' in (tmp_path / "donnie" / "settings.toml").read_text()
 
 
 async def test_what_is_typed_is_said_by_the_own_voice_where_that_is_chosen(
