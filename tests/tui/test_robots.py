@@ -7,27 +7,6 @@ from donnie_tui.tui.event_queue import RunFinished
 from tests.tui.conftest import WAITING
 
 
-async def test_another_robot_can_be_talked_to_while_the_first_one_runs(work):
-    async with work(WAITING, speed=1.0, world="two_robots") as desk:
-        await desk.press("f5")
-        await desk.doing(RunState.RUNNING)
-
-        await desk.type_line("ROBOT bob")
-        await desk.shows("You talk to bob.")
-        assert desk.app.controller.ctx.runs.state is RunState.READY
-        assert [each.name for each in desk.app.controller.donnie.team.running] == ["alice"]
-
-        await desk.type_line("SPEAK 7")
-        await desk.shows("bob: 7")
-
-        await desk.type_line("ROBOT alice")
-        await desk.shows("You talk to alice.")
-        assert desk.app.controller.ctx.runs.state is RunState.RUNNING
-
-        await desk.type_line("STOP ALL")
-        await desk.doing(RunState.READY)
-
-
 async def test_nothing_is_looked_at_again_and_again_for_a_robot_that_stands(work):
     async with work(WAITING, speed=1.0, world="two_robots") as desk:
         polling = desk.app.controller.run_view.polling
@@ -37,6 +16,10 @@ async def test_nothing_is_looked_at_again_and_again_for_a_robot_that_stands(work
         await desk.type_line("ROBOT bob")
         await desk.shows("You talk to bob.")
         assert not polling.is_on
+        assert desk.app.controller.ctx.runs.state is RunState.READY
+        await desk.type_line("SPEAK 7")
+        await desk.shows("bob: 7")
+        await desk.idle()
 
         await desk.type_line("ROBOT alice")
         await desk.shows("You talk to alice.")
@@ -63,38 +46,6 @@ async def test_an_end_that_comes_once_another_robot_is_talked_to_is_not_that_one
         assert desk.app.controller.ctx.errors.now is None
 
 
-async def test_all_that_were_given_a_program_start_together_and_stop_together(work):
-    async with work(WAITING, speed=1.0, world="two_robots") as desk:
-        await desk.type_line("ROBOT bob")
-        await desk.shows("You talk to bob.")
-
-        await desk.type_line("TOGETHER")
-        team = desk.app.controller.donnie.team
-        await desk.until(lambda: len(team.running) == 2, "both run")
-        await desk.until(
-            lambda: desk.app.controller.ctx.runs.state is RunState.RUNNING, "the chosen one is watched"
-        )
-
-        await desk.type_line("STOP ALL")
-        await desk.until(lambda: not team.running, "nobody runs")
-        await desk.doing(RunState.READY)
-
-
-async def test_a_robot_without_a_gripper_says_so(work):
-    async with work("") as desk:
-        await desk.type_line("GRIP")
-
-        await desk.shows("I have no gripper.")
-
-
-async def test_an_unknown_robot_changes_nothing(work):
-    async with work("", world="two_robots") as desk:
-        await desk.type_line("ROBOT carol")
-
-        await desk.shows("There is no robot carol here. There are alice and bob.")
-        assert desk.app.controller.donnie.session.name == "alice"
-
-
 async def test_ctrl_c_stops_all_robots_the_key_for_stop_the_chosen_one(work):
     async with work(WAITING, speed=1.0, world="two_robots") as desk:
         team = desk.app.controller.donnie.team
@@ -102,30 +53,13 @@ async def test_ctrl_c_stops_all_robots_the_key_for_stop_the_chosen_one(work):
         await desk.shows("You talk to bob.")
         await desk.type_line("TOGETHER")
         await desk.until(lambda: len(team.running) == 2, "both run")
+        await desk.doing(RunState.RUNNING)
 
         await desk.press("f8")
         await desk.until(lambda: [each.name for each in team.running] == ["alice"], "one runs")
 
         await desk.press("ctrl+c")
         await desk.until(lambda: not team.running, "nobody runs")
-
-
-async def test_robot_alone_lists_all_robots_with_their_state_and_enter_chooses_one(work):
-    async with work(WAITING, speed=1.0, world="two_robots") as desk:
-        await desk.press("f5")
-        await desk.doing(RunState.RUNNING)
-        await desk.type_line("ROBOT")
-        await desk.until(lambda: desk.app.screen is not desk.place, "the list")
-        await desk.pilot.pause()
-        rows = [row for row in desk.screen.splitlines() if "alice" in row or "bob" in row]
-        assert len(rows) == 2
-        assert "alice runs" in rows[0]
-        assert "runs" not in rows[1]
-
-        await desk.press("down", "enter")
-        await desk.shows("You talk to bob.")
-        assert desk.app.controller.donnie.session.name == "bob"
-        await desk.type_line("STOP ALL")
 
 
 async def test_the_map_is_that_of_the_robot_that_is_talked_to(work):
@@ -183,36 +117,3 @@ async def test_robots_are_described_and_listed_to_choose_from(work):
         await desk.shows("bob: 0, 30, facing south.")
         await desk.press("down", "enter")
         await desk.shows("You talk to bob.")
-
-
-async def test_connect_lists_the_robots_with_their_state_and_enter_takes_one(work, tmp_path, monkeypatch):
-    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
-    missing = tmp_path / "ttyACM9"
-    async with work() as desk:
-        choices = desk.app.controller.donnie.connection.options()
-        board = type(choices[0])(f"serial:{missing}", f"robot at {missing}")
-        monkeypatch.setattr(
-            desk.app.controller.donnie.connection, "options", lambda: (choices[0], board, choices[-1])
-        )
-        await desk.type_line("CONNECT")
-        await desk.until(lambda: "Robots to connect to" in desk.screen, "the list")
-        await desk.pilot.pause()
-        assert ">1: the simulator, now." in desk.screen
-        assert "not plugged in." in desk.screen.replace("\n ", " ")
-        assert "3: a simulated board, to try without a robot." in desk.screen
-        await desk.press(*"board", "enter")
-        await desk.shows("Robot connected.")
-        assert desk.app.controller.donnie.connection.robot == "double"
-
-        await desk.type_line("CONNECT 1")
-        await desk.shows("I use the simulator.")
-
-
-async def test_a_world_is_listed_with_its_difficulty_what_it_is_and_its_task(work):
-    async with work(size=(120, 40)) as desk:
-        await desk.press("ctrl+k", "o")
-        await desk.until(lambda: desk.app.screen is not desk.place, "the worlds")
-        row = " ".join(next(each for each in desk.app.screen.rows.lines if each.startswith("maze:")).split())
-        assert row.startswith("maze: ")
-        assert ", hard. " in row
-        assert " Task: " in row

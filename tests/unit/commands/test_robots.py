@@ -26,13 +26,14 @@ def stop_all(script: Script) -> None:
 
 def test_another_robot_can_be_talked_to_while_the_first_one_runs(open_script: OpenScript) -> None:
     script = open_script(*WAITING, speed=1.0, world="two_robots")
-    script.type("START")
+    script.type("AGAIN")
     answers = script.answers_to("ROBOT bob", "SPEAK 7")
     assert [line for line in answers if "alice" not in line] == ["You talk to bob.", "bob: 7"]
     assert [each.name for each in script.donnie.team.running] == ["alice"]
 
     script.type("ROBOT alice")
     assert script.donnie.team.running == (script.donnie.session,)
+    assert script.ctx.runs.state is RunState.RUNNING
     stop_all(script)
     assert script.donnie.team.running == ()
 
