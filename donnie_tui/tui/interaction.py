@@ -26,10 +26,10 @@ from donnie_tui.tui.controller import ScreenController
 from donnie_tui.tui.help_pages import help_lines, keys_here, tour_pages
 from donnie_tui.tui.key_queue import Dialogs
 from donnie_tui.tui.normal_screen import PagerError, show_in_pager
+from donnie_tui.tui.run_view import Reminder
 from donnie_tui.tui.screens.main_screen import MainScreen
 from donnie_tui.tui.screens.pages import Help, KeyCapture, Tour
 from donnie_tui.tui.terminal import TerminalApp
-from donnie_tui.tui.timers import Reminder
 
 if TYPE_CHECKING:
     from donnie_tui.core.runner import Run

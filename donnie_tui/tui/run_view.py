@@ -5,21 +5,26 @@ Programs run in their own threads and reach the screen through the event queue; 
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from textual.app import App
 from textual.message import Message
+from textual.timer import Timer
 
 from donnie_tui.commands.context import Context
+from donnie_tui.commands.interaction import SLOW, SLOW_AGAIN
 from donnie_tui.core.run_state import RunObserver, RunState
 from donnie_tui.core.transcript import lines_of
 from donnie_tui.tui.display import Display
 from donnie_tui.tui.event_queue import EventReader, RunBegan, RunFinished
-from donnie_tui.tui.timers import Polling, Reminder
 from donnie_tui.tui.widgets.editor import Editor
 
 if TYPE_CHECKING:
     from donnie_tui.core.timeline import Timeline
+
+SOON, SELDOM = 1 / 5, 1.0
+"""Seconds between two updates of what no event reports: at least, and at most."""
 
 
 class RunStateChanged(Message):
@@ -129,3 +134,55 @@ class RunView(RunObserver):
         elif before is not None:
             before.go_to(len(before))
             self._display.show_past(before)
+
+
+class Reminder:
+    """Reports what takes long, again and again until it is stopped."""
+
+    def __init__(self, app: App[Any], report: Callable[[], None]) -> None:
+        self._timers = (app.set_timer(SLOW, report), app.set_interval(SLOW_AGAIN, report))
+
+    def stop(self) -> None:
+        for each in self._timers:
+            each.stop()
+
+
+class Polling:
+    """Looks again and again at what no event reports: the line that runs, and the variables.
+
+    Each look takes from the program's time. So it comes soon after an event, and in silence more and more
+    seldom.
+    """
+
+    def __init__(self, look: Callable[[], None], later: Callable[[float, Callable[[], None]], Timer]) -> None:
+        """``later`` sets a timer."""
+        self._look, self._later = look, later
+        self._rest = SOON
+        self._timer: Timer | None = None
+
+    @property
+    def is_on(self) -> bool:
+        return self._timer is not None
+
+    def begin(self) -> None:
+        if self._timer is None:
+            self._look_in(SOON)
+
+    def on_event(self) -> None:
+        """Something happened: the next look is soon."""
+        if self._timer is not None and self._rest > SOON:
+            self._timer.stop()
+            self._look_in(SOON)
+
+    def end(self) -> None:
+        if self._timer is not None:
+            self._timer.stop()
+            self._timer = None
+
+    def _look_in(self, seconds: float) -> None:
+        self._rest = seconds
+        self._timer = self._later(seconds, self._poll)
+
+    def _poll(self) -> None:
+        self._look_in(min(2 * self._rest, SELDOM))
+        self._look()

@@ -12,7 +12,7 @@ from donnie_tui.core import recovery
 from donnie_tui.core.recovery import CopyFolder, UnsavedCopy, read_copy
 from donnie_tui.core.workspace import Workspace
 from donnie_tui.settings.settings import Settings
-from donnie_tui.tui import startup, timers
+from donnie_tui.tui import run_view, startup
 from tests.timeouts import TIMEOUT
 from tests.tui import conftest
 
@@ -20,7 +20,7 @@ from tests.tui import conftest
 @pytest.fixture(autouse=True)
 def soon(monkeypatch, tmp_path):
     """What is slow is slow at once."""
-    monkeypatch.setattr(timers, "SLOW", 0.01)
+    monkeypatch.setattr(run_view, "SLOW", 0.01)
     monkeypatch.setattr(startup, "SLOW", 0.01)
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
 

@@ -11,7 +11,7 @@ from textual.widget import Widget
 from textual.widgets.text_area import Selection
 
 from donnie_tui.tui.highlighting import highlights
-from donnie_tui.tui.timers import SELDOM, SOON, Polling
+from donnie_tui.tui.run_view import SELDOM, SOON, Polling
 from donnie_tui.tui.widgets.map_view import MapView
 
 
