@@ -28,18 +28,6 @@ async def test_a_program_holds_at_its_breakpoints(work):
         await desk.shows("The program is done.")
 
 
-async def test_a_breakpoint_set_while_the_program_is_held_counts(work):
-    async with work('FW 1\nSPEAK "two"\nFW 1\nSPEAK "four"') as desk:
-        desk.place.editor.go_to(2)
-        await desk.press("ctrl+b", "f5")
-        await desk.shows('Line 2: SPEAK "two"')
-        desk.place.editor.go_to(4)
-        await desk.press("ctrl+b", "f6")
-        await desk.shows('Line 4: SPEAK "four"')
-        await desk.press("f6")
-        await desk.shows("The program is done.")
-
-
 async def test_a_breakpoint_goes_with_its_line(work):
     async with work("FW 1\nFW 2\nFW 3") as desk:
         desk.place.editor.breakpoints = frozenset({2, 3})
@@ -93,13 +81,3 @@ async def test_each_open_program_has_its_own_breakpoints(work):
         assert desk.place.editor.breakpoints == frozenset()
         workspace.turn_to(workspace.documents[0])
         assert desk.place.editor.breakpoints == {1}
-
-
-async def test_a_program_holds_where_its_breakpoint_has_moved_to(work):
-    async with work("FW 1\nFW 2") as desk:
-        desk.place.editor.go_to(2)
-        await desk.press("ctrl+b")
-        await desk.shows("Breakpoint at line 2.")
-        desk.place.editor.insert("TR 90\n", (0, 0))
-        await desk.press("f5")
-        await desk.shows("Line 3: FW 2")
