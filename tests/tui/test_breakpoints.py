@@ -44,8 +44,7 @@ async def test_a_step_back_shows_the_earlier_place_and_a_run_continues_from_the_
         await desk.shows("The program is done.")
         assert desk.app.controller.display.scene.robot == desk.app.controller.display.scene.cell_at(2, 3)
         for _ in range(8):
-            await desk.press("ctrl+k", "k")
-            await desk.pilot.pause()
+            desk.app.controller.do("step_back")
         await desk.shows("Back: FW 3.")
         assert desk.app.controller.display.scene.robot == desk.app.controller.display.scene.cell_at(0, 0)
         await desk.type_line("FW 1")
