@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import pytest
-
 
 def answers(desk) -> list[str]:  # type: ignore[no-untyped-def]
     """The lines since the last typed line."""
@@ -20,51 +18,29 @@ async def type_and_wait(desk, typed: str) -> None:  # type: ignore[no-untyped-de
     await desk.pilot.pause()
 
 
-@pytest.mark.parametrize(("language", "done"), [("en", "Done."), ("pt", "Feito."), ("es", "Hecho.")])
-async def test_a_command_without_output_is_answered_with_done(work, language, done) -> None:  # type: ignore[no-untyped-def]
-    async with work(language=language) as desk:
+async def test_a_command_without_output_is_answered_with_done_in_the_status_line(work) -> None:  # type: ignore[no-untyped-def]
+    async with work(language="pt") as desk:
         await desk.type_line("VAR a = 3")
-        await desk.until(lambda: answers(desk) == [done], done)
+        await desk.until(lambda: answers(desk) == ["Feito."], "the answer")
         await desk.idle()
         await desk.type_line("a = 5")
-        await desk.until(lambda: desk.log.count(done) == 2, f"{done} again")
+        await desk.until(lambda: desk.log.count("Feito.") == 2, "the answer again")
 
-        assert desk.status.startswith(f" {done}")
+        assert desk.status.startswith(" Feito.")
 
 
-async def test_a_command_with_output_is_not_answered_with_done(work) -> None:  # type: ignore[no-untyped-def]
+async def test_the_status_line_keeps_what_is_wrong_until_the_next_answer(work) -> None:  # type: ignore[no-untyped-def]
     async with work() as desk:
-        for typed in ("VAR a = 3", "SPEAK a", "FWD 1", "WATCH a", "a = 4"):
+        for typed, wrong in (
+            ("xyzzy", "I do not know xyzzy."),
+            ("IF a", "a comparison."),
+            ("xyzzy plugh FWD", "I do not know xyzzy."),
+        ):
             await type_and_wait(desk, typed)
-            assert ("Done." in answers(desk)) is (typed == "VAR a = 3"), typed
 
+            assert desk.status.startswith(f" {answers(desk)[0]}"), desk.log
+            assert wrong in desk.status
 
-async def test_a_program_without_output_ends_with_the_usual_line(work) -> None:  # type: ignore[no-untyped-def]
-    async with work() as desk:
-        await desk.run("VAR a = 3")
-
-        assert "Done." not in desk.log
-
-
-@pytest.mark.parametrize(
-    ("typed", "wrong"),
-    [
-        ("xyzzy", "I do not know xyzzy."),
-        ("IF a", "a comparison."),
-        ("xyzzy plugh FWD", "I do not know xyzzy."),
-    ],
-)
-async def test_the_status_line_keeps_what_is_wrong_and_not_the_line(work, typed, wrong) -> None:  # type: ignore[no-untyped-def]
-    async with work() as desk:
-        await type_and_wait(desk, typed)
-
-        assert desk.status.startswith(f" {answers(desk)[0]}"), desk.log
-        assert wrong in desk.status
-
-
-async def test_an_answer_takes_the_place_of_a_mistake(work) -> None:  # type: ignore[no-untyped-def]
-    async with work() as desk:
-        await type_and_wait(desk, "xyzzy")
         await desk.type_line("VAR a = 3")
         await desk.until(lambda: desk.status.startswith(" Done."), "the answer")
 
@@ -79,16 +55,6 @@ async def test_up_and_down_leave_the_line_that_is_being_typed_where_it_was(work)
         assert desk.place.command_line.value == "VAR a = 3"
         await desk.press("down")
         assert desk.place.command_line.value == "SPEAK"
-
-
-async def test_the_key_of_typed_lists_the_line_typed_last_too(work) -> None:  # type: ignore[no-untyped-def]
-    async with work() as desk:
-        for typed in ("VAR a = 3", "FW 1"):
-            await type_and_wait(desk, typed)
-        await desk.press("ctrl+k", "Y")
-        await desk.until(lambda: desk.app.screen is not desk.place, "the list")
-
-        assert desk.app.screen.rows.lines == ("FW 1", "VAR a = 3")
 
 
 async def test_a_block_begun_at_the_command_line_gets_a_hint(work):
