@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import pytest
 from textual.widgets import Input
 
 
@@ -14,24 +13,15 @@ async def field(desk, proposed):  # type: ignore[no-untyped-def]
     return found
 
 
-async def test_the_first_key_replaces_the_proposed_answer(work) -> None:  # type: ignore[no-untyped-def]
+async def test_the_first_key_replaces_the_proposed_answer_and_moving_in_it_edits_it(work) -> None:  # type: ignore[no-untyped-def]
     async with work() as desk:
-        await desk.type_line("SAVE LOG")
-        answer = await field(desk, "log.txt")
-        await desk.press("m")
-        assert answer.value == "m"
-        await desk.press("y")
-        assert answer.value == "my"
-
-
-@pytest.mark.parametrize(("key", "changed"), [("end", "log.txtx"), ("home", "xlog.txt")])
-async def test_moving_in_the_proposed_answer_edits_it(work, key, changed) -> None:  # type: ignore[no-untyped-def]
-    async with work() as desk:
-        await desk.type_line("SAVE LOG")
-        answer = await field(desk, "log.txt")
-        await desk.press(key, "x")
-
-        assert answer.value == changed
+        for keys, changed in (("my", "my"), (("end", "x"), "log.txtx"), (("home", "x"), "xlog.txt")):
+            await desk.type_line("SAVE LOG")
+            answer = await field(desk, "log.txt")
+            await desk.press(*keys)
+            assert answer.value == changed
+            await desk.press("escape")
+            await desk.until(lambda: desk.app.screen is desk.place, "the main screen")
 
 
 async def test_the_first_key_replaces_a_wrong_answer_too(work) -> None:  # type: ignore[no-untyped-def]
@@ -68,29 +58,15 @@ async def test_enter_alone_means_no_and_recover_restores_the_program(work) -> No
         await desk.until(lambda: desk.place.editor.text == "FW 1", "the program")
 
 
-@pytest.mark.parametrize("typed", ["SAVE", "SAVE AS", "NEW", "OPEN", "QUIT", "SAVE LOG"])
-async def test_a_cancelled_question_reports_that_nothing_changed(work, typed) -> None:  # type: ignore[no-untyped-def]
+async def test_a_cancelled_question_reports_once_that_nothing_changed(work) -> None:  # type: ignore[no-untyped-def]
     async with work("FW 1") as desk:
-        await desk.type_line(typed)
-        await desk.until(lambda: desk.app.screen is not desk.place, "the question")
-        await desk.press("escape")
-        await desk.shows("Nothing was changed.")
+        for count, typed in enumerate(("SAVE", "NEW", "QUIT"), 1):
+            await desk.type_line(typed)
+            await desk.until(lambda: desk.app.screen is not desk.place, "the question")
+            await desk.press("escape")
+            await desk.until(lambda n=count: desk.log.count("Nothing was changed.") == n, typed)
         await desk.type_line("WHERE")
         await desk.shows("Position 0, 0.")
 
         assert desk.place.editor.text == "FW 1"
-        assert desk.log.count("Nothing was changed.") == 1
-
-
-async def test_a_missing_name_for_saving_first_is_reported_once(work) -> None:  # type: ignore[no-untyped-def]
-    async with work("FW 1") as desk:
-        await desk.press("ctrl+n")
-        await desk.answer("yes")
-        await desk.until(lambda: "Which file name?" in desk.screen, "the question for the name")
-        await desk.press("enter")
-        await desk.shows("Nothing was changed.")
-        await desk.type_line("WHERE")
-        await desk.shows("Position 0, 0.")
-
-        assert desk.place.editor.text == "FW 1"
-        assert desk.log.count("Nothing was changed.") == 1
+        assert desk.log.count("Nothing was changed.") == 3
