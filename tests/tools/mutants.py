@@ -1,6 +1,7 @@
 """Which small mistakes do the tests notice? ``make mutants SEED=1 COUNT=150``.
 
-1. Runs the quick tests once and writes down which test runs which line, in child processes too (coverage).
+1. Runs the tests that need no other program once and writes down which test runs which line, in child
+   processes too (coverage).
 2. Draws COUNT mutations at random from all modules of the product.
 3. Makes each of them in a copy of the repository and runs the tests that run its line.
 
@@ -79,16 +80,28 @@ def _options() -> argparse.Namespace:
 
 
 def write_map(*tests: str) -> None:
-    """Runs all quick tests under coverage, or those that are named."""
+    """Runs the tests under coverage, or those that are named."""
     for old in FOLDER.glob("coverage*"):
         old.unlink()
     command = [
-        *_PYTEST, "-m", "not slow", "-n", "auto", "--dist", "worksteal", "-p", "tests.tools.mutants",
+        *_PYTEST, *_LEFT_OUT, "-n", "auto", "--dist", "worksteal", "-p", "tests.tools.mutants",
         "--cov", "--cov-config", str(CONFIG), "--cov-context", "test", "--cov-report", "", *tests,
     ]  # fmt: skip
     environment = {**os.environ, "COVERAGE_FILE": str(DATA), "MUTANTS_MAP": str(PASSED)}
     subprocess.run(command, cwd=ROOT, env=environment, check=False)
 
+
+_LEFT_OUT = (
+    *(
+        "--ignore=tests/readers",
+        "--ignore=tests/sound",
+        "--ignore=tests/packaging",
+        "--ignore=tests/architecture",
+    ),
+    *("--ignore=tests/contract/test_soak.py", "--ignore=tests/sessions/test_ssh.py"),
+    *("--ignore=tests/tui/test_serve.py", "--ignore=tests/unit/i18n/test_phonemes.py"),
+)
+"""Tests with other programs, tests of the source's text, and one that takes long."""
 
 _PYTEST = (sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "--no-header", "--tb=line")
 
