@@ -7,6 +7,7 @@ whole program is known; in the terminal an earlier batch may have declared them.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from typing import assert_never
 
 from msgspec.structs import replace
 
@@ -75,6 +76,8 @@ def _sensor(sensor: syntax.Sensor, language: str) -> tuple[str, str]:
             word, argument = "POS", argument_spelling(axis, language)
         case syntax.ColourSensor(colour=colour):
             word, argument = "COLOR", argument_spelling(colour, language)
+        case _ as never:
+            assert_never(never)
     return word, f"{spelling(word, language)} {argument}"
 
 

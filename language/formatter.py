@@ -20,11 +20,12 @@ from msgspec import Struct
 from language.diagnostics import Diagnostic
 from language.keywords import argument, argument_spelling, languages_of, word
 from language.lexer import (
-    DISTANCE,
     KIND,
     NAME,
     NUMBER,
+    SENSOR_FORMS,
     STRING,
+    TAKES,
     TOPIC,
     Comment,
     Lexed,
@@ -43,13 +44,9 @@ INDENT = "  "
 _ELSE, _DO, _SEMICOLON, _SIGN = (KIND[name] for name in ("ELSE", "DO", "SEMICOLON", "SIGN"))
 _FOR, _LPAR, _LSQB = (KIND[name] for name in ("FOR", "LPAR", "LSQB"))
 _FIRST_KEYWORD = KIND["VAR"]
-_ARGUMENTS = {KIND[name]: name for name in ("DIRECTION", "AXIS", "COLOUR", "SWITCH")}
+_ARGUMENTS = {KIND[name]: name for name in TAKES.values()}
 _GLUED_TO_BEFORE = frozenset(KIND[name] for name in ("RPAR", "RSQB", "COMMA", "COLON", "SEMICOLON"))
-_OPERAND_ENDS = frozenset(KIND[name] for name in ("RPAR", "DIRECTION", "AXIS", "COLOUR")) | {
-    NAME,
-    NUMBER,
-    DISTANCE,
-}
+_OPERAND_ENDS = {NAME, NUMBER, KIND["RPAR"]} | {KIND[form[-1]] for form in SENSOR_FORMS}
 _mark = re.compile(COMMENT_MARK)
 
 

@@ -19,6 +19,7 @@ from msgspec import Struct, field
 
 from language.diagnostics import Diagnostic, MistakeKind
 from language.keywords import (
+    ARGUMENTS,
     END_WORDS,
     FIRST_OF_SEVERAL,
     TERMINAL_OF_WORD,
@@ -29,26 +30,32 @@ from language.keywords import (
 from language.locales import languages
 from language.source import COMMENT_MARK, DASHES, MARK, UNSEEN, column, fold, line_breaks, widthless
 from language.syntax import Span
-from language.tables import TERMINALS
+from language.tables import NONTERMINALS, RULES, TERMINALS
 
 Token: TypeAlias = tuple[int, int, int, int, int, str]
 
 KIND = {name: number for number, name in enumerate(TERMINALS)}
 NAME, NUMBER, STRING, HELP, TOPIC = (KIND[name] for name in ("NAME", "NUMBER", "STRING", "HELP", "TOPIC"))
-FOR, END, FRAGMENT, DISTANCE, POS = (KIND[name] for name in ("FOR", "END", "FRAGMENT", "DISTANCE", "POS"))
+FOR, END, FRAGMENT = (KIND[name] for name in ("FOR", "END", "FRAGMENT"))
 
 MOST_DIGITS = 4300
 """Of a number."""
 
+_forms: list[tuple[str, tuple[str, ...]]] = [(NONTERMINALS[rule], parts) for rule, _, _, parts in RULES]
+
+SENSOR_FORMS = tuple(parts for rule, parts in _forms if rule == "sensor")
+"""Each sensor as its terminals: DISTANCE alone, DISTANCE with DIRECTION, POS with AXIS."""
+SENSORS = frozenset(parts[0] for parts in SENSOR_FORMS)
+NEEDS_NO_ARGUMENT = frozenset(KIND[parts[0]] for parts in SENSOR_FORMS if len(parts) == 1)
+
 TAKES = {
-    DISTANCE: "DIRECTION",
-    POS: "AXIS",
-    KIND["COLOR"]: "COLOUR",
-    KIND["SOUND"]: "SWITCH",
-    KIND["BELT"]: "SWITCH",
-    KIND["VIBRATE"]: "DIRECTION",
+    KIND[parts[0]]: parts[1]
+    for _, parts in _forms
+    if len(parts) == 2 and parts[1] in {each.terminal for each in ARGUMENTS}
 }
 """The keywords that decide what the next word is."""
+
+_MAY_BE_ALONE = frozenset(KIND[parts[0]] for _, parts in _forms if len(parts) == 1 and parts[0] in KIND)
 
 _FIRST_THAT_DECIDES = FOR
 _BLANK, _NEWLINE, _TEXT, _COMMENT, _OPEN, _STRANGE = -1, -2, -3, -4, -5, -6
@@ -262,8 +269,7 @@ class _Lexer:
     def _is_argument(self, taker: int, terminal: str, text: str, end: int) -> bool:
         if argument(terminal, text) is None:
             return False
-        may_be_missing = taker in (DISTANCE, POS)
-        return not (may_be_missing and self._is_target(end))
+        return not (taker in _MAY_BE_ALONE and self._is_target(end))
 
     def _is_pair(self, before: Token, token: Token, text: str) -> bool:
         if (before[5], text) not in _pairs:

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from msgspec import Struct
 
 from language.keywords import WORDS
-from language.lexer import KIND, NAME, Token, lex
+from language.lexer import KIND, NAME, SENSORS, Token, lex
 from language.locales import languages, words
 from language.source import fold_name
 from language.tables import TERMINALS
@@ -98,7 +98,7 @@ def _item(
 
 OPENERS = {KIND[name]: name for name in ("IF", "FOR", "REPEAT", "WHILE", "PROCEDURE")}
 ENDS = {KIND[f"END_{name}"]: name for name in OPENERS.values()}
-SENSOR_WORDS = frozenset(KIND[name] for name in ("DISTANCE", "POS", "COLOR"))
+SENSOR_WORDS = frozenset(KIND[name] for name in SENSORS)
 
 _FIRST_WORDS = frozenset(KIND[each.terminal] for each in WORDS if each.topic == each.terminal)
 SIMPLE = _FIRST_WORDS - OPENERS.keys() - SENSOR_WORDS - {KIND["VAR"]}

@@ -24,15 +24,13 @@ from language.keywords import (
     languages_of,
     spelling,
 )
-from language.lexer import TAKES, language_of, lex
+from language.lexer import SENSORS, TAKES, language_of, lex
 from language.source import fold_name
 from language.syntax import Declare, For, Name, Procedure, Program, walk
 from language.tables import TERMINALS
 
 LONGEST = 40
 """Letters; no word is near to a longer one."""
-
-SENSORS = frozenset(("DISTANCE", "POS", "COLOR"))
 
 _MOST_COMPARED = 300
 """Names that are compared with a wrong one while a program runs."""
@@ -114,7 +112,8 @@ def _nearest_keyword(folded: str, terminals: frozenset[str], language: str) -> S
     if together:
         return together
     terminal_of = _terminals()
-    candidates = [each for each in all_words() if terminal_of[each] in terminals]
+    words = dict.fromkeys((*all_words(language), *all_words()))
+    candidates = [each for each in words if terminal_of[each] in terminals]
     preferred = [each for each in candidates if language in languages_of(each)]
     found = nearest(folded, candidates, preferred)
     return Suggestion(_in_language(found, language), terminal_of[found]) if found else None

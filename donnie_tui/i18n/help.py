@@ -95,7 +95,8 @@ def _list(words: Wording) -> tuple[str, ...]:
 
 
 def _purpose(topic: str, words: Wording) -> str:
-    return words("help-purpose", word=_spelled(topic, words), purpose=words(f"purpose-{topic}"))
+    word, code = _spelled(topic, words), f"purpose-{topic}"
+    return words("help-purpose", word=word, purpose=words(code)) if words.knows(code) else f"{word}."
 
 
 def _entry(topic: str, words: Wording) -> tuple[str, ...]:

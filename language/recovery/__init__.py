@@ -18,7 +18,7 @@ from collections.abc import Mapping
 from itertools import pairwise
 
 from language.diagnostics import MOST_MISTAKES, Diagnostic, MistakeKind
-from language.lexer import DISTANCE, END, FOR, FRAGMENT, NAME, TAKES, Lexed, lex
+from language.lexer import END, FOR, FRAGMENT, NAME, NEEDS_NO_ARGUMENT, TAKES, Lexed, lex
 from language.outline import ENDS, SENSOR_WORDS, is_split_else
 from language.recovery.blocks import (
     is_misspelt_end,
@@ -139,7 +139,7 @@ def _finish(reader: TokenReader) -> None:
     """At the end of the text: report an incomplete command and the missing ENDs."""
     if not reader.automaton.is_between_commands():
         taker = reader.before[0]
-        if taker in TAKES and taker != DISTANCE:
+        if taker in TAKES and taker not in NEEDS_NO_ARGUMENT:
             report_missing_argument(reader)
         else:
             reader.report(MistakeKind.SYNTAX, reader.token, "", reader.automaton.expected())

@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from functools import cache
 
 from language.keywords import canonical_of_terminal
-from language.lexer import KIND
+from language.lexer import KIND, SENSORS
 from language.tables import ACTIONS, END, GOTOS, NONTERMINALS, RULES, START, TERMINALS
 
 _SCAN = KIND["SCAN"]
@@ -18,9 +18,9 @@ _SCAN = KIND["SCAN"]
 
 _NONTERMINAL = {name: number for number, name in enumerate(NONTERMINALS)}
 
-_BEGIN_EXPRESSIONS = frozenset(("NAME", "NUMBER", "SIGN", "LPAR", "DISTANCE", "POS", "COLOR"))
+_BEGIN_EXPRESSIONS = SENSORS | {"NAME", "NUMBER", "SIGN", "LPAR"}
 _CONTINUATIONS = frozenset(("SIGN", "SCALE", "TOPIC", "$END"))
-_CLASSES = {
+CLASSES = {
     "NAME": "name",
     "NUMBER": "number",
     "STRING": "text",
@@ -41,6 +41,7 @@ _CLASSES = {
     "COLON": ":",
     "SEMICOLON": ";",
 }
+"""What ``Diagnostic.expected`` calls each terminal that is no keyword."""
 
 
 class Automaton:
@@ -100,7 +101,7 @@ class Automaton:
             names -= _CONTINUATIONS
         ordered = sorted(names, key=lambda name: KIND[name])
         return tuple(
-            dict.fromkeys(words + [_CLASSES.get(name) or canonical_of_terminal(name) for name in ordered])
+            dict.fromkeys(words + [CLASSES.get(name) or canonical_of_terminal(name) for name in ordered])
         )
 
 

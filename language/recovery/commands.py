@@ -9,8 +9,8 @@ from collections.abc import Sequence
 
 from language.diagnostics import MistakeKind
 from language.keywords import argument, argument_words, is_reserved, spelling
-from language.lexer import DISTANCE, FRAGMENT, KIND, NAME, NUMBER, STRING, TAKES, Token
-from language.recovery.automaton import Automaton
+from language.lexer import FRAGMENT, KIND, NAME, NEEDS_NO_ARGUMENT, NUMBER, SENSORS, STRING, TAKES, Token
+from language.recovery.automaton import CLASSES, Automaton
 from language.recovery.blocks import (
     can_open,
     end_of_head,
@@ -33,7 +33,6 @@ from language.recovery.reader import (
     TokenReader,
 )
 from language.suggestions import (
-    SENSORS,
     Suggestion,
     nearest,
     nearest_keyword,
@@ -47,8 +46,6 @@ _BEFORE_NEW_NAME = frozenset(
 )
 _CALL_PUNCTUATION = (LPAR, *(KIND[name] for name in ("COLON", "COMMA", "RPAR")))
 """May separate the values of a call without brackets."""
-
-_CLASS_OF = {"DIRECTION": "direction", "AXIS": "axis", "COLOUR": "colour", "SWITCH": "on-or-off"}
 
 
 # --- where a command may begin ------------------------------------------------------------------------
@@ -205,7 +202,7 @@ def read_mistake_within(reader: TokenReader) -> None:
         if token[0] in (NAME, NUMBER, STRING):
             _read_bad_argument(reader)
             return
-        if before[0] != DISTANCE:  # read as if the missing word were there
+        if before[0] not in NEEDS_NO_ARGUMENT:  # read as if the missing word were there
             report_missing_argument(reader)
             reader.automaton.feed(KIND[TAKES[before[0]]])
             reader.mark_flaw()
@@ -356,4 +353,4 @@ def _report_argument(reader: TokenReader, token: Token, taker: Token, code: str,
     details: dict[str, str | int] = {"word": TERMINALS[taker[0]]}
     if terminal == "COLOUR" and reader.colours is not None:
         details["wanted"] = ", ".join(sorted(reader.colours))
-    reader.report(MistakeKind.BAD_ARGUMENT, token, code, (_CLASS_OF[terminal],), meant, details)
+    reader.report(MistakeKind.BAD_ARGUMENT, token, code, (CLASSES[terminal],), meant, details)
