@@ -1,14 +1,19 @@
 """Short exchanges with the device at a port: identify it, and stop a robot whose program is gone.
 
+As a program, ``python -m devices.port_exchange PORT``, it is the guard of a robot that was unplugged while it
+drove: it waits a minute for the port to return, stops the robot, and ends.
+
 An exchange is a state machine without I/O: bytes and times in, bytes out. The clock is a parameter, too, so a
 test's port can have its own.
 """
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from enum import Enum
+from threading import Event
 from time import monotonic
 from typing import Protocol
 
@@ -20,6 +25,7 @@ from devices.serial_ports.port import GONE, PortFault, PortProblem, SerialPort, 
 from devices.wire.commands import BAUD as ROBOT_BAUD
 from devices.wire.commands import CONFIGURE, FILLER, STOP
 from devices.wire.reports import ConfigWanted, Decoder, Encoders, Power, Report
+from devices.wire.telemetry import unwrapped
 
 READ_TIMEOUT = 0.02
 """Seconds that one read waits for bytes."""
@@ -53,6 +59,10 @@ def _never() -> bool:
     return False
 
 
+def _pause(seconds: float) -> None:
+    Event().wait(seconds)
+
+
 def _run(
     exchange: Exchange, port: SerialPort, address: str, now: Clock, is_given_up: Callable[[], bool] = _never
 ) -> None:
@@ -70,6 +80,11 @@ def _run(
 
 FIRST_ANSWER = 6.0
 """Seconds within which a robot's board that was just restarted sends something."""
+
+WATCHED = 0.3
+"""Seconds for which the wheels of a board that was not restarted are watched."""
+TURNING = 20
+"""Counts by which a robot moves that drives, or is pushed."""
 
 BATTERY = 2.0
 """Seconds more until it has reported its battery: it does so three times a second once it is configured."""
@@ -93,6 +108,8 @@ class IdentifiedDevice(Struct, frozen=True):
     """The robot's battery, if it reported that."""
     restarted: bool = False
     """Whether opening the port restarted the robot's board."""
+    is_driving: bool = False
+    """Whether its wheels turned meanwhile."""
 
 
 class RobotIdentification:
@@ -108,6 +125,9 @@ class RobotIdentification:
         self.is_robot = False
         self.restarted = False
         self.millivolts: int | None = None
+        self.is_driving = self._had_turned = False
+        self._wheels: tuple[float, Encoders] | None = None
+        """When the wheels were first reported, and where they were."""
 
     def next(self, received: bytes, now: float) -> bytes:
         if self._until is None:
@@ -126,10 +146,23 @@ class RobotIdentification:
         elif isinstance(report, ConfigWanted):
             self.restarted = True
             return CONFIGURE
+        elif isinstance(report, Encoders):
+            self._watch(report, now)
         return b""
 
+    def _watch(self, wheels: Encoders, now: float) -> None:
+        """A single frame may be torn: two in a row must agree."""
+        _, before = self._wheels = self._wheels or (now, wheels)
+        moved = (unwrapped(wheels.right - before.right), unwrapped(wheels.left - before.left))
+        has_turned = max(map(abs, moved)) > TURNING
+        self.is_driving = self.is_driving or (has_turned and self._had_turned)
+        self._had_turned = has_turned
+
     def is_over(self, now: float) -> bool:
-        return self.millivolts is not None or (self._until is not None and now >= self._until)
+        if self._until is not None and now >= self._until:
+            return True
+        is_watched = self.restarted or (self._wheels is not None and now - self._wheels[0] >= WATCHED)
+        return self.millivolts is not None and is_watched
 
 
 class BeltIdentification:
@@ -171,7 +204,7 @@ def identify(
         robot = RobotIdentification()
         _run(robot, port, address, now, is_given_up)
         if robot.is_robot:
-            return IdentifiedDevice(DeviceKind.ROBOT, robot.millivolts, robot.restarted)
+            return IdentifiedDevice(DeviceKind.ROBOT, robot.millivolts, robot.restarted, robot.is_driving)
         with _gone_is_a_problem(address):
             port.set_baud(BELT_BAUD)
         belt = BeltIdentification()
@@ -203,6 +236,8 @@ class HaltOutcome(Enum):
 
     STANDS = "stands"
     """Its wheels were seen to stand, or its board has just restarted."""
+    DRIVES = "drives"
+    """It was sent stops, and its wheels turn all the same."""
     UNCONFIRMED = "unconfirmed"
     """It was sent a stop, and nothing answered."""
     IN_USE = "in-use"
@@ -248,7 +283,10 @@ class EmergencyStop:
         return self._began is not None and (self._stands(now) or now - self._began >= LONGEST)
 
     def outcome(self, now: float) -> HaltOutcome:
-        return HaltOutcome.STANDS if self._stands(now) else HaltOutcome.UNCONFIRMED
+        if self._stands(now):
+            return HaltOutcome.STANDS
+        is_turning = self._still_since is not None and now - self._counted_at < STANDS
+        return HaltOutcome.DRIVES if is_turning else HaltOutcome.UNCONFIRMED
 
     def _flush(self, now: float) -> bytes:
         """Zeros, once a board streams, or has been silent for longer than a start takes."""
@@ -298,9 +336,57 @@ def halt(
         return HaltOutcome.IN_USE
     try:
         outcome = _stop(port, address, now)
-        if outcome is HaltOutcome.UNCONFIRMED and by_force():
+        if outcome in (HaltOutcome.UNCONFIRMED, HaltOutcome.DRIVES) and by_force():
             outcome = _stop(port, address, now)
         return outcome
+    finally:
+        port.close()
+
+
+RETURNS = 60.0
+"""Seconds within which an unplugged robot is waited for."""
+TRIES = 0.5
+"""Seconds between two attempts to open its port."""
+
+
+_MAY_COME = (PortFault.ABSENT, PortFault.FORBIDDEN)
+"""A port that has just been plugged in belongs to the system for a moment."""
+
+
+def halt_when_back(
+    stop: Callable[[], HaltOutcome],
+    *,
+    now: Clock = monotonic,
+    pause: Callable[[float], object] = _pause,
+    on_absent: Callable[[], object] = _never,
+) -> HaltOutcome:
+    """What ``stop`` says once the port is there, within a minute. Raises its last ``PortProblem``.
+
+    ``on_absent`` is called once, if the port is not there at first.
+    """
+    ends, is_reported = now() + RETURNS, False
+    while True:
+        try:
+            return stop()
+        except PortProblem as problem:
+            if problem.fault not in _MAY_COME or now() >= ends:
+                raise
+        if not is_reported:
+            is_reported = True
+            on_absent()
+        pause(TRIES)
+
+
+def guard(address: str, open_port: Callable[..., SerialPort] = open_exchange_port) -> None:
+    """Stop the robot when its port returns. A program that has the port by then stops it itself."""
+    with suppress(PortProblem):
+        halt_when_back(lambda: _halt_alone(address, open_port))
+
+
+def _halt_alone(address: str, open_port: Callable[..., SerialPort]) -> HaltOutcome:
+    port = open_port(address, ROBOT_BAUD)
+    try:
+        return _stop(port, address, monotonic)
     finally:
         port.close()
 
@@ -321,3 +407,7 @@ def _stop_shared_port(address: str, open_port: Callable[..., SerialPort]) -> Non
         raise PortProblem(address, PortFault.BUSY, str(error)) from None
     finally:
         port.close()
+
+
+if __name__ == "__main__":
+    guard(sys.argv[1])

@@ -6,6 +6,7 @@ What is heavy is imported where it is used, so that a command loads no more than
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from contextlib import ExitStack
 from functools import partial
 from typing import TYPE_CHECKING, TextIO
@@ -131,6 +132,13 @@ class Donnie(Struct, frozen=True):
         """Stop a real robot that the learner can't follow, and say so when the connection is back."""
         if self.stop_real_robot():
             self.session.hub.publish(Announced("link", self.words("network-stopped")))
+
+    def code_at_end(self, code: int, report: Callable[[str], object]) -> int:
+        """The exit code once it is closed: 1, and a sentence, if the real robot drives all the same."""
+        if not self.connection.has_run_away:
+            return code
+        report(self.words("link-runaway"))
+        return 1
 
     def close(self) -> None:
         """The robots stop first, whatever else takes its time."""

@@ -12,11 +12,13 @@ from collections import deque
 from dataclasses import dataclass, field
 from enum import Enum, auto
 from random import Random
+from typing import Any
 
 from msgspec import Struct
 
 from devices.belt.protocol import CELLS, COMPLAINTS, DARK, START, motor_cells
 from devices.board_simulator.floor import (
+    CHASSIS_2018,
     AxlePose,
     BumperSwitch,
     Chassis,
@@ -75,16 +77,28 @@ class SimulatedBoard:
         """The servo's angle: 0 is full left."""
         self.is_mute = False
         """A fault: the board does everything, but sends nothing."""
+        self.is_deaf = False
+        """A fault: the board reads nothing that is sent to it, but streams and drives on."""
         self.is_torn = False
         """A fault: the next encoder frame is torn, half of it old and half new. Once."""
         self.is_buzzing = self.vibrates_left = self.vibrates_right = False
         self.resets = 0
+        self.is_newer = False
         self._boot_loader = boot_loader
         self._seconds = 1.0 / passes
         self._bytes_a_pass = max(1, PASSES // passes)
         self.wheels = SimulatedWheels(chassis or Chassis(), self.floor, place or AxlePose(), self._seconds)
         self._passes_due = 0.0
         self._start()
+
+    @classmethod
+    def of_2018(cls, floor: Floor | None = None, **how: Any) -> SimulatedBoard:
+        """One with the newer firmware: other speeds, both encoders count the other way, the head is mirrored,
+        and without an answered ping it stops its motors."""
+        board = cls(floor, CHASSIS_2018, **how)
+        board.wheels.encoders = (-1, -1)
+        board.is_newer = True
+        return board
 
     def reset(self) -> None:
         """Restart, as after its button, its reset wire or a brown-out."""
@@ -99,7 +113,7 @@ class SimulatedBoard:
 
     def receive(self, data: bytes) -> None:
         """Take in bytes from the host."""
-        if self._stage is not _Stage.BOOTING:
+        if self._stage is not _Stage.BOOTING and not self.is_deaf:
             self._unread.extend(data[: BUFFER - len(self._unread)])
 
     def advance(self, seconds: float) -> bytes:
@@ -201,6 +215,8 @@ class SimulatedBoard:
         self._ping_at += PING
         if not self._is_answered and self._blink_at <= 0.0:
             self._blink_at = self._time + BLINK
+            if self.is_newer:
+                self.wheels.drive(bytes(4))
         self._is_answered = False
         out += _PING
 
@@ -208,7 +224,9 @@ class SimulatedBoard:
         """One group of sonars measures; it takes them no time."""
         self._shot_at += SONAR_SHOT
         for sonar in SHOTS[self._shot]:
-            measured = self.floor.centimetres(self.wheels.place, sonar, self.head)
+            measured = self.floor.centimetres(
+                self.wheels.place, sonar, 180 - self.head if self.is_newer else self.head
+            )
             self._ranges[sonar] = NO_ECHO if measured is None else int(measured + 1e-6) & 0xFF
         self._shot = (self._shot + 1) % len(SHOTS)
 

@@ -148,6 +148,10 @@ class Chassis(Struct, frozen=True):
     counts_a_turn: int = 900
 
 
+CHASSIS_2018 = Chassis(walking=(171.0, 171.0), walking_back=(171.0, 171.0), turning=(340.5, 340.5))
+"""With the newer firmware the same frames walk at half the speed, and turn at twice the speed."""
+
+
 class SimulatedWheels:
     """Two wheels, as the firmware drives them."""
 
@@ -161,6 +165,12 @@ class SimulatedWheels:
         """A fault: the wheels don't turn, whatever the motors do."""
         self.is_left_stuck = self.is_right_stuck = False
         """The same fault of one wheel."""
+        self.encoders = (1, 1)
+        """A fault where one is -1: the phases of the right or the left encoder are swapped."""
+        self.motors = (1, 1)
+        """The same for the leads of a motor."""
+        self.strengths = (1.0, 1.0)
+        """A fault where they differ: one wheel is slower than its motor's voltage makes it."""
         self._floor = floor
         self._seconds = seconds
         self._keeps = exp(-seconds / chassis.lag)
@@ -174,13 +184,24 @@ class SimulatedWheels:
         return self._wanted != (0.0, 0.0)
 
     def drive(self, data: bytes) -> None:
-        """Obey the four bytes of a MOTOR frame: a wheel at zero stops both; all other speeds are the same."""
+        """Obey the four bytes of a MOTOR frame: a wheel at zero stops both; all other speeds are the same.
+
+        As a direction the firmware knows 0F and anything else.
+        """
         right, right_speed, left, left_speed = data
         rates = {drive.value[::2]: self._rates(drive) for drive in MotorDrive if drive is not MotorDrive.STOP}
         if right_speed and left_speed:
-            self._wanted = rates.get(bytes((right, left)), self._wanted)
+            senses = bytes(0x0F if sense == 0x0F else 0xF0 for sense in (right, left))
+            self._wanted = self._as_wired(rates[senses])
         else:
             self._wanted = (0.0, 0.0)
+
+    def _as_wired(self, rates: Rates) -> Rates:
+        right, left = (
+            rate * sense * strength
+            for rate, sense, strength in zip(rates, self.motors, self.strengths, strict=True)
+        )
+        return right, left
 
     def reset(self) -> None:
         """The board was reset: its motor pins are off, its counts at zero."""
@@ -196,8 +217,8 @@ class SimulatedWheels:
             return
         right, left = (speed * self._seconds for speed in self._speed)
         right, left = 0.0 if self.is_right_stuck else right, 0.0 if self.is_left_stuck else left
-        self.right += right
-        self.left += left
+        self.right += right * self.encoders[0]
+        self.left += left * self.encoders[1]
         self._move(right * self._metres_a_count, left * self._metres_a_count)
 
     def _next_speed(self, wheel: int) -> float:

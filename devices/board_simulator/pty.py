@@ -33,6 +33,8 @@ class PtyBoard:
         self.board = board
         self.received = bytearray()
         """All bytes that were written to the board, before the wire changed them."""
+        self.has_battery = False
+        """Whether the board runs on while it is unplugged, and is not restarted when it is plugged in."""
         self._wire = wire or NoisyWire()
         self._folder = tempfile.TemporaryDirectory(prefix="donnie-double-")
         self._lock = threading.Lock()
@@ -58,7 +60,7 @@ class PtyBoard:
         self._folder.cleanup()
 
     def plug(self) -> None:
-        """Give the board a port, and power: it restarts."""
+        """Give the board a port; and power, if it has no other, so that it restarts."""
         with self._lock:
             master, slave = os.openpty()
             tty.setraw(slave)
@@ -66,7 +68,8 @@ class PtyBoard:
             self._ends = (master, slave)
             Path(self.path).unlink(missing_ok=True)
             Path(self.path).symlink_to(os.ttyname(slave))
-            self.board.reset()
+            if not self.has_battery:
+                self.board.reset()
 
     def unplug(self) -> None:
         """Remove the port, also for a program that has it open."""
@@ -91,6 +94,8 @@ class PtyBoard:
 
     def _poll(self, seconds: float) -> None:
         if self._ends is None:
+            if self.has_battery:
+                self.board.advance(seconds)
             return
         master = self._ends[0]
         if select.select([master], [], [], 0)[0]:

@@ -12,10 +12,9 @@ from devices.board_simulator.board import QUICK_PASSES, NoisyWire, SimulatedBoar
 from devices.ports.robot import LinkNotice, Pace, Pose, RobotProblem, Watcher
 from devices.serial_robot.config import RobotConfig
 from devices.serial_robot.robot import SerialRobot
-from devices.wire.commands import MotorDrive
+from devices.wire.commands import MotorDrive, Wiring
 from devices.wire.connection import Action, BoardConnection, PortAction, Write
 from devices.wire.link_state import LinkConfig, LinkState
-from devices.wire.outbox import LONGEST_STOP
 from devices.wire.telemetry import Telemetry
 
 POLL = 0.01
@@ -52,7 +51,8 @@ class VirtualLink:
         """Set it to a list to collect the times and bytes of all writes."""
         self._connection = BoardConnection(config or LinkConfig(), on_text)
         self._on_notice = on_notice
-        self._resets_on_open = resets_on_open
+        self.has_reset_wire = resets_on_open
+        """Whether opening the port, and force, restart the board."""
         self._is_open = False
         self._now = 0.0
 
@@ -68,6 +68,14 @@ class VirtualLink:
     def driving_since(self) -> float | None:
         return self._connection.driving_since
 
+    @property
+    def may_drive_on(self) -> bool:
+        return self._connection.may_drive_on
+
+    @property
+    def has_run_away(self) -> bool:
+        return self._connection.has_run_away
+
     def now(self) -> float:
         return self._now
 
@@ -82,6 +90,9 @@ class VirtualLink:
 
     def put(self, frame: bytes) -> None:
         self._connection.put(frame)
+
+    def rewire(self, wiring: Wiring) -> None:
+        self._connection.rewire(wiring, self._now)
 
     def connect(self) -> None:
         if self.state is not LinkState.CLOSED:
@@ -100,6 +111,12 @@ class VirtualLink:
     def give_up(self) -> None:
         """Has no effect: connecting takes no real time."""
 
+    def await_stop(self) -> bool:
+        ends = self._now + self._connection.longest_stop
+        while not self._connection.is_stop_over and self._now < ends:
+            self._poll()
+        return not self.has_run_away
+
     def wait_until_standing(self) -> None:
         """Has no effect: the board does nothing while its time doesn't pass."""
 
@@ -110,9 +127,7 @@ class VirtualLink:
         if self.state is LinkState.CLOSED:
             return
         self.stop()
-        ends = self._now + LONGEST_STOP
-        while not self._connection.is_standing and self._now < ends:
-            self._poll()
+        self.await_stop()
         self._connection.close(self._now)
         self._is_open = False
 
@@ -144,8 +159,9 @@ class VirtualLink:
             case Write(data=data):
                 self._write(data)
             case PortAction.RESET:
-                if self._is_open and self._resets_on_open:
+                if self._is_open and self.has_reset_wire:
                     self.board.reset()
+                self._connection.forced(self._now)
             case PortAction.REOPEN:
                 self._reopen()
 
@@ -170,7 +186,7 @@ class VirtualLink:
 
     def _opened(self) -> None:
         self._is_open = True
-        if self._resets_on_open:
+        if self.has_reset_wire:
             self.board.reset()
         self._connection.opened(self._now)
 
@@ -212,7 +228,14 @@ class SimulatedSerialRobot(SerialRobot):
         self.link = VirtualLink(self.board, on_notice=on_notice)
         self._virtual_pace = VirtualPace(self.link, pace, speed)
         self._first_place = self.board.wheels.place
-        super().__init__(self.link, config, pace=self._virtual_pace, watcher=watcher, start=start)
+        super().__init__(
+            self.link,
+            config,
+            pace=self._virtual_pace,
+            watcher=watcher,
+            start=start,
+            on_notice=on_notice,
+        )
         self.connect()
 
     @property

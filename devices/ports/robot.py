@@ -44,6 +44,10 @@ class StoppedBy(Enum):
     COLLISION = "collision"
     STALL = "stall"
     """A real robot's wheels don't turn although its motors are on."""
+    WRONG_WAY = "wrong-way"
+    """A real robot's wheels count against the sense of the movement: it is wired in another way."""
+    RUNAWAY = "runaway"
+    """A real robot's wheels turn after the end, although all was done to stop them."""
     LINK = "link"
     """The connection to a real robot was lost."""
     USER = "stopped"
@@ -169,6 +173,10 @@ class LinkNotice(Enum):
     RESTARTED = "restarted"
     """The robot's board restarted; it has forgotten its commands, and stands."""
     BATTERY_LOW = "battery-low"
+    RUNAWAY = "runaway"
+    """The wheels turn although all was done to stop them."""
+    PROFILE_2018 = "profile-2018"
+    """The wheels count as with the firmware of 2018; from now on they are taken so."""
 
 
 class Watcher(Protocol):

@@ -11,6 +11,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from devices.ports.robot import STEP, Bearing
+from devices.wire.commands import AS_ORIGINAL, Wiring
 
 _CLOCKWISE_FROM_FRONT_RIGHT = (
     Bearing.FRONT_RIGHT,
@@ -43,12 +44,21 @@ class RobotConfig(Struct, frozen=True):
     """Directions of the bumpers: from the robot's front, positive to the right."""
     farthest: float = 2.0
     """Sonars are unreliable beyond: from 2.56 on, what is far looks near."""
+    diagonal_limit: float = 0.05
+    """A walk forward ends where one of the two sonars at 45 degrees measures less, as in the original."""
+    wiring: Wiring = AS_ORIGINAL
+    finds_profile: bool = True
+    """Whether the first movement may find out that the encoders count as with the firmware of 2018."""
+    head_is_mirrored: bool = False
+    """Whether the head's angle 0 is full right instead of full left."""
     walk_coast: int = 8
     """Counts that the wheels roll on after a stop was sent, walking."""
     turn_coast: int = 5
     """The same, turning."""
     stall: float = 0.5
     """A driven wheel that doesn't count for so long is stuck."""
+    wrong_way: int = 60
+    """Counts that a driven wheel may go back before its movement ends."""
     stop_timeout: float = 1.0
     """How long to wait for the wheels to stand, at most."""
     poll: float = 0.02
@@ -61,6 +71,18 @@ class RobotConfig(Struct, frozen=True):
     def slower(self, factor: float) -> RobotConfig:
         """The same with longer timeouts, for a computer that lets this program wait for its turn."""
         return replace(self, stall=factor * self.stall, stop_timeout=factor * self.stop_timeout)
+
+    def as_of_2018(self) -> RobotConfig:
+        """The same robot with the newer firmware: its encoders count the other way, it walks at half the
+        speed and turns at twice the speed, and the host's angles of the head are mirrored."""
+        return replace(
+            self,
+            wiring=replace(self.wiring, encoders=(-1, -1)),
+            finds_profile=False,
+            head_is_mirrored=True,
+            walk_coast=5,
+            turn_coast=8,
+        )
 
     @property
     def counts_a_step(self) -> float:

@@ -19,10 +19,9 @@ from devices.notifier import Notifier
 from devices.ports.robot import LinkNotice, RobotProblem
 from devices.serial_ports.port import GONE, PortProblem, SerialPort, reason_of
 from devices.serial_ports.reset import AUTOMATIC, BoardReset, reset_of
-from devices.wire.commands import BAUD, STOP, MotorDrive
+from devices.wire.commands import BAUD, STOP, MotorDrive, Wiring
 from devices.wire.connection import BoardConnection, PortAction, Write
 from devices.wire.link_state import LinkConfig, LinkState
-from devices.wire.outbox import LONGEST_STOP
 from devices.wire.telemetry import Telemetry
 
 POLL = 0.01
@@ -76,10 +75,24 @@ class RobotLink(Protocol):
     def give_up(self) -> None:
         """End ``connect`` at once, with the problem ``given-up``. Signal handlers may call it, too."""
 
-    def wait_until_standing(self) -> None:
-        """Wait until the robot stands after a stop, or all was done that can be: some 1.3 seconds at most.
+    @property
+    def may_drive_on(self) -> bool:
+        """Whether the link was lost while the robot drove, and it was not stopped since."""
 
-        Returns at once if the robot stands, and on a link whose time passes only while it is driven.
+    @property
+    def has_run_away(self) -> bool:
+        """Whether the wheels turn although all was done to stop them."""
+
+    def rewire(self, wiring: Wiring) -> None:
+        """See ``BoardConnection.rewire``."""
+
+    def await_stop(self) -> bool:
+        """Wait until the robot stands after a stop, some 2.2 seconds at most. False if its wheels are seen
+        to turn after all was done that can be. Only for the program's thread."""
+
+    def wait_until_standing(self) -> None:
+        """The same for any thread. Returns at once if the robot stands, and on a link whose time passes only
+        while it is driven.
         """
 
     def wait_until_notified(self) -> None:
@@ -148,6 +161,14 @@ class SerialLink:
     def driving_since(self) -> float | None:
         return self._connection.driving_since
 
+    @property
+    def may_drive_on(self) -> bool:
+        return self._connection.may_drive_on
+
+    @property
+    def has_run_away(self) -> bool:
+        return self._connection.has_run_away
+
     def now(self) -> float:
         return time.monotonic()
 
@@ -172,6 +193,10 @@ class SerialLink:
             self._connection.put(frame)
         self._must_wake.set()
 
+    def rewire(self, wiring: Wiring) -> None:
+        with self._lock:
+            self._connection.rewire(wiring, self.now())
+
     def connect(self) -> None:
         """Open the port and wait for the board. On a ``RobotProblem`` the port is closed again."""
         if self._thread is not None:
@@ -185,12 +210,18 @@ class SerialLink:
         """End ``connect`` at once, with the problem ``given-up``; also if it is called before ``connect``."""
         self._is_given_up = True  # the link's thread notifies at every poll
 
+    def await_stop(self) -> bool:
+        self.wait_until_standing()
+        if self.has_run_away:
+            self.wait_until_notified()
+        return not self.has_run_away
+
     def wait_until_standing(self) -> None:
         """Wait until a stop is over: the wheels stand, or all was done that can be."""
-        ends = self.now() + LONGEST_STOP
-        while self.now() < ends:
+        began = self.now()
+        while self.now() < began + self._connection.longest_stop:
             with self._lock:
-                if self._connection.is_standing:
+                if self._connection.is_stop_over:
                     return
             _pause(POLL)
 
@@ -302,6 +333,8 @@ class SerialLink:
                 case PortAction.RESET:
                     if self._port is not None:
                         self._reset.pull(self._port, _pause)
+                    with self._lock:
+                        self._connection.forced(self.now())
                 case PortAction.REOPEN:
                     self._reopen()
         except GONE as error:
@@ -332,9 +365,8 @@ class SerialLink:
 
     def _notify(self) -> None:
         with self._lock:
-            notices = self._connection.take_notices()
-        for notice, reason in notices:
-            self._notifier.notify(notice, reason or self.name)
+            for notice, reason in self._connection.take_notices():
+                self._notifier.notify(notice, reason or self.name)
 
     def _wait(self) -> None:
         with self._lock:

@@ -27,6 +27,9 @@ LACKING = 0.05
 RENEW_BEFORE = 0.5
 """Of a step before its end, when the next one is decided about, so that the wheels need not stop."""
 
+JITTER = 4
+"""Counts that a wheel may go back by its play."""
+
 STILL_AFTER = 0.06
 """Seconds without a count after which a wheel stands."""
 
@@ -69,6 +72,49 @@ class MovementPlan(Struct, frozen=True):
     """Counts by which the previous movement overshot, in the direction of this one."""
 
 
+class WheelProgress:
+    """How far each wheel has come in its own sense of one drive; a wheel that is wired in another way comes
+    nowhere, or back."""
+
+    def __init__(self, drive: MotorDrive, telemetry: Telemetry, config: RobotConfig) -> None:
+        self._senses = _SENSES[drive]
+        self._config = config
+        self._zero = self._best = self._now = self._counted(telemetry)
+        self._best_at = (telemetry.at, telemetry.at)
+        self.is_reversed = False
+        """Whether both wheels went back as one that is wired the other way does, and neither came forward."""
+
+    def is_wrong(self, telemetry: Telemetry, since: float, now: float) -> bool:
+        """Whether a wheel that turns comes nowhere for too long, or back too far. ``since``: when the wheels
+        were last commanded to turn."""
+        counted, at = self._counted(telemetry), telemetry.at
+        best_at = tuple(
+            at if count > best else was
+            for count, best, was in zip(counted, self._best, self._best_at, strict=True)
+        )
+        self._best_at = (best_at[0], best_at[1])
+        self._best = (max(counted[0], self._best[0]), max(counted[1], self._best[1]))
+        back = [best - count for best, count in zip(self._best, counted, strict=True)]
+        is_wrong = max(back) >= self._config.wrong_way or (
+            now - max(since, min(self._best_at)) > self._config.stall and max(back) > JITTER
+        )
+        came = [best - zero for best, zero in zip(self._best, self._zero, strict=True)]
+        self.is_reversed = is_wrong and min(back) >= self._config.wrong_way / 2 and max(came) <= JITTER
+        return is_wrong
+
+    def _counted(self, telemetry: Telemetry) -> tuple[int, int]:
+        return self._senses[0] * telemetry.right, self._senses[1] * telemetry.left
+
+
+_SENSES = {
+    MotorDrive.FORWARD: (1, 1),
+    MotorDrive.BACKWARD: (-1, -1),
+    MotorDrive.LEFT: (1, -1),
+    MotorDrive.RIGHT: (-1, 1),
+}
+"""Of the right and the left wheel."""
+
+
 class RobotMovement:
     """Runs once. Afterwards ``units`` and ``stopped_by`` say what was done."""
 
@@ -80,14 +126,17 @@ class RobotMovement:
         pace: Pace,
         *,
         clearance: Callable[[Telemetry, float], Clearance],
+        is_blocked: Callable[[Telemetry, float], bool],
         bumps: Callable[[Telemetry], bool],
         on_poll: Callable[[Telemetry, float], None],
     ) -> None:
-        """``clearance`` is asked with the units left of what was allowed. ``on_poll`` is called with the
-        units done at each poll."""
+        """``clearance`` is asked before each stride, ``is_blocked`` at each poll, with the units left of what
+        was allowed. ``on_poll`` is called with the units done at each poll."""
         self.stopped_by: StoppedBy | None = None
         self._plan, self._link, self._config, self._pace = plan, link, config, pace
         self._clearance, self._bumps, self._on_poll = clearance, bumps, on_poll
+        self._is_blocked = is_blocked
+        self._progress = WheelProgress(plan.drive, link.telemetry, config)
         self._permit = link.permit()
         self._epoch = link.telemetry.epoch
         self._zero = self._travelled() - plan.carried
@@ -103,6 +152,11 @@ class RobotMovement:
     def units(self) -> float:
         return self.counts / self._plan.unit
 
+    @property
+    def is_reversed(self) -> bool:
+        """Whether it ended because both wheels count the wrong way."""
+        return self.stopped_by is StoppedBy.WRONG_WAY and self._progress.is_reversed
+
     def run(self) -> None:
         """Move until it is done or something ends it. The wheels are off afterwards."""
         try:
@@ -111,6 +165,8 @@ class RobotMovement:
             if not self._is_done():
                 self._link.stop()
         self._wait_until_still()
+        if not self._is_still() and not self._link.await_stop():
+            self.stopped_by = StoppedBy.RUNAWAY
 
     def _move(self) -> StoppedBy | None:
         while True:
@@ -120,6 +176,8 @@ class RobotMovement:
                 return reason
             if self._is_done():
                 return None
+            if self._is_blocked(telemetry, self._allowed - self.units):
+                return StoppedBy.OBSTACLE
             if self._allow_more(telemetry) is Clearance.BLOCKED:
                 return StoppedBy.OBSTACLE
             if not self._drive() and not self._is_lost():
@@ -132,7 +190,9 @@ class RobotMovement:
             return StoppedBy.LINK
         if self._bumps(telemetry):
             return StoppedBy.COLLISION
-        return StoppedBy.STALL if self._is_stuck(telemetry) else None
+        if self._is_stuck(telemetry):
+            return StoppedBy.STALL
+        return StoppedBy.WRONG_WAY if self._runs_wrong(telemetry) else None
 
     def _is_lost(self) -> bool:
         return self._link.state is not LinkState.STREAMING or self._link.telemetry.epoch != self._epoch
@@ -143,6 +203,10 @@ class RobotMovement:
         if since is None:
             return False
         return self._link.now() - max(since, telemetry.both_moved_at) > self._config.stall
+
+    def _runs_wrong(self, telemetry: Telemetry) -> bool:
+        since = self._link.driving_since
+        return since is not None and self._progress.is_wrong(telemetry, since, self._link.now())
 
     def _is_done(self) -> bool:
         return self._allowed >= self._plan.amount and self.counts >= self._counts_until(self._allowed)

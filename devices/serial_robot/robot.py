@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable
 
 from devices.ports.robot import (
     Bearing,
+    LinkNotice,
     Met,
     Motion,
     Pace,
@@ -32,9 +33,16 @@ from devices.serial_robot.movement import (
     WheelOdometry,
     whole,
 )
-from devices.serial_robot.senses import HEAD_AHEAD, BoardSensors, Clearance, scan_angles, sightings, to_steps
+from devices.serial_robot.senses import (
+    BoardSensors,
+    Clearance,
+    head_angle,
+    scan_angles,
+    sightings,
+    to_steps,
+)
 from devices.wire import commands
-from devices.wire.commands import MotorDrive
+from devices.wire.commands import AS_ORIGINAL, MotorDrive
 from devices.wire.link_state import LinkState
 from devices.wire.telemetry import REMEMBERED, Telemetry
 
@@ -43,6 +51,10 @@ SLICE = 0.05
 """Seconds between two checks during a wait."""
 MOST_OVERSHOOT = 100.0
 """Counts that the next walk corrects; with more, the robot was carried somewhere else."""
+WATCHED = 0.6
+"""Steps that must be free at the end of the step that is being walked. A step is only begun if one would be;
+the rest allows for the sonars' resolution."""
+_DIAGONALS = (Bearing.FRONT_RIGHT, Bearing.FRONT_LEFT)
 PASSING_INTERVAL = 0.05
 """Seconds between two poses that are reported for a moving picture."""
 
@@ -59,8 +71,10 @@ class SerialRobot:
         pace: Pace,
         watcher: Watcher | None = None,
         start: Pose | None = None,
+        on_notice: Callable[[LinkNotice, str], None] | None = None,
     ) -> None:
-        """``start``: the pose that it is taken to have when it is connected or reset."""
+        """``start``: the pose that it is taken to have when it is connected or reset. ``on_notice``: as of
+        its link, for what only a movement shows; called in the program's thread."""
         self._link = link
         self._start_pose = start or Pose(0.0, 0.0, 0.0)
         self._config = config or RobotConfig()
@@ -73,6 +87,21 @@ class SerialRobot:
         self._overshoot = 0.0
         self._is_link_lost = False
         self._passing_at = 0.0
+        self._on_notice = on_notice
+        self._has_moved = False
+        """Whether a movement has shown that the wheels count the right way."""
+        if self._config.wiring != AS_ORIGINAL:
+            link.rewire(self._config.wiring)
+
+    @property
+    def may_drive_on(self) -> bool:
+        """Whether the connection was lost while it drove, and it was not stopped since."""
+        return self._link.may_drive_on
+
+    @property
+    def has_run_away(self) -> bool:
+        """Whether its wheels turn although all was done to stop them."""
+        return self._link.has_run_away
 
     @property
     def name(self) -> str:
@@ -147,6 +176,7 @@ class SerialRobot:
         movement = self._movement(
             plan,
             clearance=lambda *_: Clearance.FREE,
+            is_blocked=lambda *_: False,
             bumps=lambda now: any(new and not old for new, old in zip(now.bumpers, already, strict=True)),
             report=report,
         )
@@ -177,6 +207,7 @@ class SerialRobot:
         movement = self._movement(
             MovementPlan(drive, steps, unit, 1, self._config.walk_coast, sense * self._overshoot),
             clearance=lambda now, left: self._sensors.ahead(now, sonar, left + 2.0, sense),
+            is_blocked=lambda now, left: self._is_blocked(now, sonar, left, sense),
             bumps=lambda now: self._sensors.touches(now, bumpers),
             report=report,
         )
@@ -185,8 +216,28 @@ class SerialRobot:
         self._update_heading(movement, 0.0)
         self._overshoot = sense * _overshoot_of(movement, done * unit)
         pressed = [place for place in sorted(bumpers) if self._link.telemetry.bumpers[place]]
-        met = self._met(movement, 0.0 if is_forward else 180.0, pressed)
+        met = self._met(movement, self._side_of_obstacle(is_forward=is_forward), pressed)
         return WalkResult(steps, done, self._end_of(movement), self.pose(), met)
+
+    def _is_blocked(self, now: Telemetry, sonar: int | None, left: float, sense: int) -> bool:
+        """Whether a walk must end in the middle of a step, because something is closer than the step allows.
+
+        A person may step in, and wheels that slip or count wrong come nearer than they count.
+        """
+        if self._sensors.ahead(now, sonar, max(0.0, left) + WATCHED, sense) is Clearance.BLOCKED:
+            return True
+        return sense > 0 and self._close_diagonal(now) is not None
+
+    def _close_diagonal(self, now: Telemetry) -> Bearing | None:
+        limit = self._config.diagonal_limit
+        return next((each for each in _DIAGONALS if self._sensors.is_close(now, each, limit)), None)
+
+    def _side_of_obstacle(self, *, is_forward: bool) -> float:
+        """Degrees from the front, positive to the right."""
+        if not is_forward:
+            return 180.0
+        close = self._close_diagonal(self._link.telemetry)
+        return 0.0 if close is None else (close.value + 180.0) % 360.0 - 180.0
 
     def _met(self, movement: RobotMovement, way: float, touched: Iterable[int]) -> Met | None:
         """What ended the movement, as far as it can be sensed: a sonar or a bumper knows only the side.
@@ -206,6 +257,7 @@ class SerialRobot:
         plan: MovementPlan,
         *,
         clearance: Callable[[Telemetry, float], Clearance],
+        is_blocked: Callable[[Telemetry, float], bool],
         bumps: Callable[[Telemetry], bool],
         report: Progress,
     ) -> RobotMovement:
@@ -215,16 +267,36 @@ class SerialRobot:
             self._report_passing(pose)
 
         return RobotMovement(
-            plan, self._link, self._config, self._pace, clearance=clearance, bumps=bumps, on_poll=on_poll
+            plan,
+            self._link,
+            self._config,
+            self._pace,
+            clearance=clearance,
+            is_blocked=is_blocked,
+            bumps=bumps,
+            on_poll=on_poll,
         )
 
     def _run(self, movement: RobotMovement, report: Progress, asked: int) -> int:
         """The whole steps or degrees that were done: all of them, if nothing ended the movement early."""
         movement.run()
+        if movement.is_reversed and self._config.finds_profile and not self._has_moved:
+            self._take_profile_of_2018()
+        self._has_moved = self._has_moved or movement.counts > self._config.wrong_way
         if movement.stopped_by is None:
             report.reached(asked, self.pose())
             return asked
         return min(asked, whole(movement.units))
+
+    def _take_profile_of_2018(self) -> None:
+        """Both wheels counted backward in the first half step of all: its firmware is the newer one.
+
+        The movement has ended, and is not resumed: reversed motors would look the same.
+        """
+        self._config = self._config.as_of_2018()
+        self._link.rewire(self._config.wiring)
+        if self._on_notice is not None:
+            self._on_notice(LinkNotice.PROFILE_2018, "")
 
     def _update_heading(self, movement: RobotMovement, turned: float) -> None:
         """A movement that did not end as planned may have been turned by something else."""
@@ -303,12 +375,16 @@ class SerialRobot:
             raise RobotProblem("no-camera")
         measurements: list[tuple[int, float | None]] = []
         for degrees in scan_angles(self._config.head_stride):
-            self._link.put(commands.head_frame(HEAD_AHEAD + degrees))
+            self._look(degrees)
             if not self._wait(self._config.head_pause, epoch):
                 break
             measurements.append((degrees, self._measured(sonar, epoch)))
-        self._link.put(commands.head_frame(HEAD_AHEAD))
+        self._look(0)
         return sightings(measurements)
+
+    def _look(self, degrees: int) -> None:
+        angle = head_angle(degrees, is_mirrored=self._config.head_is_mirrored)
+        self._link.put(commands.head_frame(angle))
 
     def _measured(self, sonar: int, epoch: int) -> float | None:
         """Centimetres; waits two refreshes at most for a sonar that has measured nothing yet."""

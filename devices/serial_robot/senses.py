@@ -94,6 +94,14 @@ class BoardSensors:
         moved = sense * counts / self._config.counts_a_step * CENTIMETRES_A_STEP
         return measured - moved + ROUNDED_OFF < needed * CENTIMETRES_A_STEP
 
+    def is_close(self, telemetry: Telemetry, bearing: Bearing, metres: float) -> bool:
+        """Whether all measurements of two refreshes in that direction are below a limit."""
+        sonar = self.sonar_at(bearing)
+        if sonar is None or not _spans_two_refreshes(telemetry.ranges):
+            return False
+        measured = (centimetres(each, sonar, self._config.farthest) for each in telemetry.ranges)
+        return all(each is not None and each < metres * 100 for each in measured)
+
     def touches(self, telemetry: Telemetry, places: Iterable[int]) -> bool:
         return any(telemetry.bumpers[place] for place in places)
 
@@ -105,9 +113,16 @@ def _spans_two_refreshes(samples: Sequence[RangeSample]) -> bool:
 # --- a scan with the sonar on the head
 
 HEAD_AHEAD = 90
-"""The servo's angle for straight ahead; 0 is full left, 180 full right."""
+"""The servo's angle for straight ahead; 0 is full left, 180 full right, unless the head is mirrored."""
 SAME_THING = 10.0
 """Centimetres by which two neighbouring measurements of one thing may differ."""
+
+
+def head_angle(degrees: int, *, is_mirrored: bool = False) -> int:
+    """The servo's angle for a direction from the robot's front, positive to the right. Beyond 90 degrees
+    there is nothing: the head turns as far as it can."""
+    turned = min(HEAD_AHEAD, max(-HEAD_AHEAD, degrees))
+    return HEAD_AHEAD - turned if is_mirrored else HEAD_AHEAD + turned
 
 
 def scan_angles(stride: int) -> range:

@@ -9,6 +9,8 @@ from __future__ import annotations
 import struct
 from enum import Enum
 
+from msgspec import Struct
+
 BAUD = 115200
 
 HEADER = b"\xaa\xbb"
@@ -44,6 +46,18 @@ class MotorDrive(Enum):
     RIGHT = bytes((0xF0, 0x66, 0xF0, 0x66))
 
 
+class Wiring(Struct, frozen=True):
+    """The senses of a robot's wheels, right and left: 1 as the original is wired, -1 for the reverse."""
+
+    motors: tuple[int, int] = (1, 1)
+    encoders: tuple[int, int] = (1, 1)
+
+
+AS_ORIGINAL = Wiring()
+
+_OPPOSITE = {0x0F: 0xF0, 0xF0: 0x0F}
+"""Of each direction byte; a stop has none."""
+
 _REFLECTED_POLYNOMIAL = 0x8C
 
 
@@ -72,12 +86,25 @@ def encode_frame(kind: int, data: bytes) -> bytes:
     return HEADER + bytes((len(body),)) + body + bytes((checksum(body),))
 
 
-def drive_frame(drive: MotorDrive) -> bytes:
-    return _DRIVE_FRAMES[drive]
+def drive_frame(drive: MotorDrive, wiring: Wiring = AS_ORIGINAL) -> bytes:
+    """The same frame each time. The wheels turn in the senses of ``drive``, however they are wired."""
+    return _DRIVE_FRAMES[drive, wiring.motors]
 
 
-_DRIVE_FRAMES = {drive: encode_frame(CommandKind.MOTOR.value, drive.value) for drive in MotorDrive}
-STOP = _DRIVE_FRAMES[MotorDrive.STOP]
+def _drive_frame(drive: MotorDrive, right_sense: int, left_sense: int) -> bytes:
+    right, right_speed, left, left_speed = drive.value
+    right = right if right_sense > 0 else _OPPOSITE.get(right, right)
+    left = left if left_sense > 0 else _OPPOSITE.get(left, left)
+    return encode_frame(CommandKind.MOTOR.value, bytes((right, right_speed, left, left_speed)))
+
+
+_DRIVE_FRAMES = {
+    (drive, (right, left)): _drive_frame(drive, right, left)
+    for drive in MotorDrive
+    for right in (1, -1)
+    for left in (1, -1)
+}
+STOP = drive_frame(MotorDrive.STOP)
 
 CONFIGURE = encode_frame(CommandKind.CONFIG.value, struct.pack(">4f2b", 1.0, 0.0, 0.0, 5.0, 3, -3))
 """The original's own numbers. They don't change how the robot moves; the frame unlocks the board."""

@@ -15,7 +15,7 @@ from typing import TypeAlias, assert_never
 from msgspec import Struct
 
 from devices.ports.robot import LinkNotice
-from devices.wire.commands import PING, MotorDrive
+from devices.wire.commands import PING, MotorDrive, Wiring
 from devices.wire.link_state import LinkConfig, LinkState, LinkTrigger, next_state
 from devices.wire.outbox import Outbox, StopSequence
 from devices.wire.reports import (
@@ -95,12 +95,30 @@ class BoardConnection:
         self._is_greeting = self._is_greeted = False
         self._millivolts: int | None = None
         self._now = 0.0
+        self.may_drive_on = False
+        """Whether the link was lost while the wheels were to turn, and they were not stopped since."""
+        self._is_runaway_reported = False
+
+    @property
+    def has_run_away(self) -> bool:
+        """Whether the wheels turn although all was done that can be."""
+        return self._stopping.has_failed
 
     @property
     def is_standing(self) -> bool:
         """Whether a stop is complete: all its frames were sent, and the wheels were seen to stand."""
         can_not_send = self.state in (LinkState.CLOSED, LinkState.OPENING)
         return self._stopping.is_over and (can_not_send or not self._outbox.has_stops)
+
+    @property
+    def longest_stop(self) -> float:
+        """Seconds to wait for a stop, at most; without a link no longer than on any computer."""
+        return (self._config if self.state is LinkState.STREAMING else LinkConfig()).longest_stop
+
+    @property
+    def is_stop_over(self) -> bool:
+        """Whether the robot stands, or all was done that can be, and no notice waits for its owner."""
+        return not self._notices and (self.is_standing or self._stopping.is_exhausted)
 
     # --- for the owner of the port: what happened to it
 
@@ -142,6 +160,7 @@ class BoardConnection:
             return [PortAction.REOPEN]
         if self._stopping.must_force(now, self._received_at, self._tracker.moved_at):
             done.append(PortAction.RESET)
+        self._report_runaway()
         return done + self._due(now)
 
     def urgent(self, now: float) -> list[Action]:
@@ -171,6 +190,10 @@ class BoardConnection:
         """The notices since the last call, each with its reason or an empty string."""
         notices, self._notices = self._notices, []
         return notices
+
+    def forced(self, now: float) -> None:
+        """The owner has carried out ``PortAction.RESET``, as far as it could."""
+        self._stopping.forced(now)
 
     def close(self, now: float) -> None:
         """The owner closes the port, after all frames were sent."""
@@ -204,6 +227,13 @@ class BoardConnection:
         """Turn the wheels off, and make every permit void."""
         self.permit += 1
         self._end_drive(now)
+
+    def rewire(self, wiring: Wiring, now: float) -> None:
+        """Take the wheels for wired like that from now on. The robot is stopped; its counts begin anew."""
+        self.stop(now)
+        self._outbox.wiring, self._tracker.encoders = wiring, wiring.encoders
+        self._tracker.rebase()
+        self.telemetry = self._tracker.telemetry(self._received_at, self._decoder.bad_frames)
 
     def put(self, frame: bytes) -> None:
         """Queue another frame to be sent when there is time."""
@@ -282,6 +312,7 @@ class BoardConnection:
         elif self._is_loss_reported:
             self._notices.append((LinkNotice.RESTARTED if self._has_restarted else LinkNotice.RESTORED, ""))
         self._was_up, self._is_loss_reported, self._has_restarted = True, False, False
+        self.may_drive_on = False
 
     def _take_power(self, millivolts: int) -> None:
         """Believes two samples that agree; reports a low battery once until it is charged."""
@@ -310,7 +341,14 @@ class BoardConnection:
         self._stopping.begin(now, was_driving=self.driving_since is not None)
         self.driving_since, self._lease_ends = None, inf
 
+    def _report_runaway(self) -> None:
+        """Once for each stop that failed."""
+        if self.has_run_away and not self._is_runaway_reported:
+            self._notices.append((LinkNotice.RUNAWAY, ""))
+        self._is_runaway_reported = self.has_run_away
+
     def _lose(self, trigger: LinkTrigger, now: float, reason: str) -> None:
+        self.may_drive_on = self.may_drive_on or self.driving_since is not None or not self._stopping.is_over
         self.stop(now)
         self._trigger(trigger, now)
         self._tracker.rebase()

@@ -7,6 +7,9 @@ from enum import Enum, auto
 from msgspec import Struct
 from msgspec.structs import replace
 
+FORCE = 0.7
+"""Seconds that a restart by force takes, at most."""
+
 
 class LinkState(Enum):
     """The state of a link."""
@@ -100,6 +103,11 @@ class LinkConfig(Struct, frozen=True):
     """Millivolts below which the battery is low, as in the firmware's own alarm."""
     battery_fine: int = 7400
     """Millivolts from which it is no longer low."""
+
+    @property
+    def longest_stop(self) -> float:
+        """Seconds after which all was done to stop a robot that can be; 2.2 with the defaults."""
+        return 3 * self.runaway + FORCE
 
     def slower(self, factor: float) -> LinkConfig:
         """The same with longer timeouts, for a computer that lets this program wait for its turn."""

@@ -6,7 +6,7 @@ because it drops what doesn't fit, stops included.
 
 A stop can be lost with the half frame before it, and a board that reports nothing may be driving. So
 ``StopSequence`` ends a stop only once the wheels are seen to stand: first stops, then zeros and stops, then
-force.
+force. If they turn even after that, it says so.
 """
 
 from __future__ import annotations
@@ -14,14 +14,11 @@ from __future__ import annotations
 from enum import Enum, auto
 from math import inf
 
-from devices.wire.commands import CONFIGURE, FILLER, STOP, MotorDrive, drive_frame
+from devices.wire.commands import AS_ORIGINAL, CONFIGURE, FILLER, STOP, MotorDrive, drive_frame
 from devices.wire.link_state import LinkConfig
 
 STOPS = 2
 """A stop is sent at least twice, because a frame can be lost."""
-
-LONGEST_STOP = 1.3
-"""Seconds after which all was done that can be: with the default times, a little over twice ``runaway``."""
 
 
 class Outbox:
@@ -29,6 +26,7 @@ class Outbox:
 
     def __init__(self, config: LinkConfig) -> None:
         self._config = config
+        self.wiring = AS_ORIGINAL
         self.clear()
 
     def clear(self) -> None:
@@ -109,7 +107,7 @@ class Outbox:
         if self._stops:
             return STOP
         if now >= self._repeat_at:
-            return drive_frame(self._drive)
+            return drive_frame(self._drive, self.wiring)
         return next(iter(self._waiting.values()), None)
 
     def _fits(self, frame: bytes, now: float) -> bool:
@@ -129,7 +127,7 @@ class Outbox:
         elif frame is STOP and self._stops:
             self._stops, self._is_at_once = self._stops - 1, False
             self._repeat_at = now + self._config.repeat
-        elif frame is drive_frame(self._drive):
+        elif frame is drive_frame(self._drive, self.wiring):
             self._repeat_at = now + self._config.repeat
         else:
             self._waiting.pop(frame[3], None)
@@ -140,6 +138,10 @@ class _Stage(Enum):
     STOP_SENT = auto()
     FLUSHED = auto()
     FORCED = auto()
+    UNKNOWN = auto()
+    """All was done that can be; the board is silent, as one that restarts."""
+    FAILED = auto()
+    """The wheels turn after all was done that can be."""
 
 
 class StopSequence:
@@ -154,6 +156,16 @@ class StopSequence:
     @property
     def is_over(self) -> bool:
         return self._stage is _Stage.STANDING
+
+    @property
+    def has_failed(self) -> bool:
+        """Whether the wheels were seen to turn after every stage. The stops are repeated all the same."""
+        return self._stage is _Stage.FAILED
+
+    @property
+    def is_exhausted(self) -> bool:
+        """Whether all was done that can be, and its effect was waited for."""
+        return self._stage in (_Stage.UNKNOWN, _Stage.FAILED)
 
     def begin(self, now: float, *, was_driving: bool) -> None:
         """Stop. Only a robot that was driving is watched: one that is pushed must not be reset."""
@@ -177,7 +189,11 @@ class StopSequence:
         if now >= self._again_at:
             self._again_at = now + self._config.stop_again
             self._outbox.repeat_soon(now)
-        if self._stage is _Stage.FORCED or now - self._since < self._config.runaway:
+        if self.has_failed or now - self._since < self._config.runaway:
+            return False
+        if self._stage in (_Stage.FORCED, _Stage.UNKNOWN):
+            is_turning = now - moved_at < self._config.still
+            self._stage = _Stage.FAILED if is_turning else _Stage.UNKNOWN
             return False
         self._since = now
         self._outbox.flush()
@@ -185,11 +201,15 @@ class StopSequence:
         self._stage = _Stage.FORCED if self._stage is _Stage.FLUSHED else _Stage.FLUSHED
         return self._stage is _Stage.FORCED
 
+    def forced(self, now: float) -> None:
+        """The restart by force is over; it takes up to half a second."""
+        self._since = now
+
     def next_at(self) -> float | None:
         """When to check again, at the latest."""
         if self.is_over:
             return None
-        runaway = inf if self._stage is _Stage.FORCED else self._since + self._config.runaway
+        runaway = inf if self.is_exhausted else self._since + self._config.runaway
         return min(self._again_at, runaway)
 
     def _stands(self, now: float, received_at: float, moved_at: float) -> bool:

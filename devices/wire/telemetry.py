@@ -10,6 +10,7 @@ from collections import deque
 
 from msgspec import Struct
 
+from devices.wire.commands import AS_ORIGINAL
 from devices.wire.link_state import LinkConfig
 from devices.wire.reports import BUMPERS
 
@@ -75,7 +76,7 @@ class WheelCounter:
         if self._last is None:
             self._last = raw
             return 0
-        moved = _unwrapped(raw - self._last)
+        moved = unwrapped(raw - self._last)
         if abs(moved) > self._jump and not self._is_confirmed(raw):
             self._doubtful = raw
             return 0
@@ -84,10 +85,11 @@ class WheelCounter:
         return moved
 
     def _is_confirmed(self, raw: int) -> bool:
-        return self._doubtful is not None and abs(_unwrapped(raw - self._doubtful)) <= self._jump
+        return self._doubtful is not None and abs(unwrapped(raw - self._doubtful)) <= self._jump
 
 
-def _unwrapped(difference: int) -> int:
+def unwrapped(difference: int) -> int:
+    """The way between two raw counts, however they wrapped."""
     return (difference + 32768) % 65536 - 32768
 
 
@@ -100,6 +102,8 @@ class TelemetryTracker:
         self._ranges: deque[RangeSample] = deque(maxlen=_MOST_REMEMBERED)
         self._last_bumpers = self._bumpers = (False,) * BUMPERS
         self._epoch = 0
+        self.encoders = AS_ORIGINAL.encoders
+        """The senses of the two counts, right and left."""
         self.millivolts: int | None = None
         self.moved_at = 0.0
         self._right_moved_at = self._left_moved_at = 0.0
@@ -122,9 +126,9 @@ class TelemetryTracker:
         self._epoch += 1
 
     def count_wheels(self, right: int, left: int, now: float) -> None:
-        if self._right.count(right):
+        if self._right.count(right * self.encoders[0]):
             self.moved_at = self._right_moved_at = now
-        if self._left.count(left):
+        if self._left.count(left * self.encoders[1]):
             self.moved_at = self._left_moved_at = now
 
     def add_ranges(self, centimetres: tuple[int, ...], now: float) -> None:

@@ -1,7 +1,7 @@
 """``donnie devices`` and ``donnie stop``.
 
-``devices`` lists the serial ports, what answers there, and how to repair those that can't be used. ``stop``
-halts a robot whose program is gone; a service manager can call it too.
+``devices`` lists the serial ports, what answers there, and how to repair those that can't be used. It offers
+to stop a robot that drives. ``stop`` halts a robot whose program is gone; a service manager can call it too.
 """
 
 from __future__ import annotations
@@ -11,13 +11,26 @@ from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from threading import Event
+from time import monotonic
+from typing import Any
 
-from devices.port_exchange import DeviceKind, HaltOutcome, IdentifiedDevice, halt, identify
+from devices.port_exchange import (
+    RETURNS,
+    TRIES,
+    DeviceKind,
+    HaltOutcome,
+    IdentifiedDevice,
+    halt,
+    halt_when_back,
+    identify,
+)
 from devices.serial_ports.listing import FoundPort, list_ports
 from devices.serial_ports.port import PortProblem
 from devices.serial_ports.reset import GpioReset, reset_of
 from devices.wire.link_state import LinkConfig
 from donnie_tui.cli.options import ExitCode, Order
+from donnie_tui.cli.streams import Input
+from donnie_tui.commands.arguments import answered
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.robot.search import find_port, sentences_of
 from donnie_tui.settings.settings import Settings
@@ -30,20 +43,43 @@ def list_devices(
     order: Order,
     found: Callable[[], tuple[FoundPort, ...]] = list_ports,
     asked: Callable[..., IdentifiedDevice] = identify,
+    halted: Callable[..., HaltOutcome] = halt,
 ) -> int:
-    """A line a port. The exit code is 2 if a port that was named can't be used."""
+    """A line a port. The exit code is 2 if a port that was named can't be used, 1 if a robot drives on."""
     named: list[str] = order.invocation.arguments.port
     plugged = () if named else found()
     ports = named or [each.stable for each in plugged if each.is_board]
     if ports:
         order.output.line(order.words("devices-asking", count=len(ports)))
-    problems = list(_describe_all(ports, asked, order))
+    driving: list[str] = []
+
+    def ask(port: str, **how: Any) -> IdentifiedDevice:
+        found = asked(port, **how)
+        if found.is_driving:
+            driving.append(port)
+        return found
+
+    problems = list(_describe_all(ports, ask, order))
     for each in plugged:
         if not each.is_board:
             order.output.line(order.words("device-other", port=each.stable))
     if not (ports or plugged):
         order.output.line(order.words("devices-none"))
-    return ExitCode.UNUSABLE if named and any(problems) else ExitCode.DONE
+    driving_on = [each for each in ports if each in driving and not _is_stopped(each, order, halted)]
+    if named and any(problems):
+        return ExitCode.UNUSABLE
+    return ExitCode.FAILED if driving_on else ExitCode.DONE
+
+
+def _is_stopped(port: str, order: Order, halted: Callable[..., HaltOutcome]) -> bool:
+    """Offer to stop the robot that drives there; without a person, say how to do it."""
+    typed = Input()
+    if typed.is_terminal:
+        order.output.line(order.words("devices-ask-stop", port=port))
+        if answered(typed.line() or ""):
+            return _halt_and_report(port, order, halted) is ExitCode.DONE
+    order.output.line(order.words("devices-stop", port=port))
+    return False
 
 
 def _describe_all(ports: Iterable[str], ask: Callable[..., IdentifiedDevice], order: Order) -> Iterator[bool]:
@@ -71,6 +107,8 @@ def _answer(
 
 def _lines(port: str, found: IdentifiedDevice, words: Words) -> tuple[str, ...]:
     match found:
+        case IdentifiedDevice(DeviceKind.ROBOT, is_driving=True):
+            return (words("device-robot-drives", port=port),)
         case IdentifiedDevice(DeviceKind.ROBOT, None):
             sentence = words("device-robot-unknown", port=port)
         case IdentifiedDevice(DeviceKind.ROBOT, int(millivolts)):
@@ -85,19 +123,61 @@ def _lines(port: str, found: IdentifiedDevice, words: Words) -> tuple[str, ...]:
 
 _CODE_OF = {
     HaltOutcome.STANDS: ExitCode.DONE,
+    HaltOutcome.DRIVES: ExitCode.FAILED,
     HaltOutcome.UNCONFIRMED: ExitCode.FAILED,
     HaltOutcome.IN_USE: ExitCode.FAILED,
 }
 """Only a robot that is known to stand is one that was stopped."""
 
 
-def stop(order: Order, halted: Callable[..., HaltOutcome] = halt) -> int:
-    """Stop it, and say what is known of it."""
-    port = order.invocation.arguments.port or find_port(
-        order.settings, order.words, remedy="remedy-switch-off"
-    )
+def _pause(seconds: float) -> None:
+    Event().wait(seconds)
+
+
+def stop(
+    order: Order,
+    halted: Callable[..., HaltOutcome] = halt,
+    pause: Callable[[float], object] = _pause,
+) -> int:
+    """Stop it, and say what is known of it. ``--wait`` waits for its port."""
+    waits = order.invocation.arguments.wait
+    port = order.invocation.arguments.port or _found(order, pause)
+    return _halt_and_report(port, order, halted, pause=pause if waits else None)
+
+
+def _found(order: Order, pause: Callable[[float], object]) -> str:
+    """Its port; with ``--wait``, once there is one."""
+    ends = monotonic() + RETURNS if order.invocation.arguments.wait else 0.0
+    is_reported = False
+    while True:
+        try:
+            return find_port(order.settings, order.words, remedy="remedy-switch-off")
+        except Unusable:
+            if monotonic() >= ends:
+                raise
+        if not is_reported:
+            order.output.line(order.words("stop-waiting-any"))
+        is_reported = True
+        pause(TRIES)
+
+
+def _halt_and_report(
+    port: str,
+    order: Order,
+    halted: Callable[..., HaltOutcome],
+    *,
+    pause: Callable[[float], object] | None = None,
+) -> ExitCode:
+    """``pause``: where its port is waited for. Raises ``Unusable``."""
+
+    def stop_now() -> HaltOutcome:
+        return halted(port, by_force=lambda: _pull_pin(order.settings, port))
+
+    def report() -> None:
+        order.output.line(order.words("stop-waiting", port=port))
+
     try:
-        outcome = halted(port, by_force=lambda: _pull_pin(order.settings, port))
+        outcome = halt_when_back(stop_now, pause=pause, on_absent=report) if pause else stop_now()
     except PortProblem as problem:
         raise Unusable(" ".join(sentences_of(problem, order.words))) from None
     order.output.line(order.words(f"stop-{outcome.value}", port=port))

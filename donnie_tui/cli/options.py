@@ -39,6 +39,7 @@ class ExitCode(IntEnum):
 COMMON = {
     "world": "NAME_OR_FILE",
     "robot": "sim|serial|serial:PORT|double",
+    "profile": "auto|2016|2018",
     "lang": "|".join(languages()),
     "speed": "N|max",
     "seed": "N",
@@ -109,7 +110,7 @@ OPTIONS: dict[str, tuple[OptionSpec, ...]] = {
     ),
     "doctor": (),
     "devices": (OptionSpec(("port",), "option-ports", "PORT", nargs="*"),),
-    "stop": (_PORT,),
+    "stop": (_PORT, OptionSpec(("--wait",), "option-wait")),
     "calibrate": (),
     "serve": (OptionSpec(("--port",), "option-serve-port", "PORT", default="8000"),),
 }

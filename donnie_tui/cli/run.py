@@ -210,6 +210,7 @@ def _run(order: Order, files: Sequence[str], *, trace: bool) -> int:
         with_words = order.settings.events != "-"
         donnie.session.hub.subscribe(_printer(donnie, output, with_words=with_words))
         code = _run_to_the_end(donnie, assigned, output, trace)  # closes the session
+        code = ExitCode.FAILED if donnie.connection.has_run_away else code
         return ExitCode.UNUSABLE if donnie.outlets.written.lost else code
     finally:
         donnie.close()
@@ -261,7 +262,10 @@ def _await_end(run: Run, stopped: threading.Event, donnie: Donnie) -> None:
     """Wait for the run. A stopped run that can't end, because its output is not read, is left once its
     robot stands."""
     while not run.wait(_CHECK_INTERVAL):
-        if stopped.is_set() and not run.wait(LAST_WORDS):
+        if not stopped.is_set():
+            continue
+        donnie.connection.wait_until_standing()
+        if not run.wait(LAST_WORDS):
             _leave_at_once(donnie)
 
 
@@ -271,7 +275,7 @@ def _leave_at_once(donnie: Donnie) -> None:
         donnie.team.stop()
         donnie.connection.close()
     finally:
-        os._exit(ExitCode.STOPPED)
+        os._exit(ExitCode.FAILED if donnie.connection.has_run_away else ExitCode.STOPPED)
 
 
 def _printer(donnie: Donnie, output: Output, *, with_words: bool) -> Callable[[Stamped], None]:

@@ -147,7 +147,7 @@ class Input:
 _MOMENT = 0.05
 """Seconds within which a signal ends the voice too."""
 
-_LONGEST_REST = 2.0
+_LONGEST_REST = 2.5
 """Seconds that the main thread waits for a rest to begin; it may hold what the stop before it needs."""
 
 _LONGEST_SPEECH = 2400

@@ -239,7 +239,7 @@ class RobotActions:
         self._hub.publish(event)
         self.handling.publish_things()
         self._feel(done.stopped_by, Bearing.FRONT if forward else Bearing.BACK)
-        _refuse_after_lost_link(done.stopped_by)
+        _refuse_after(done.stopped_by)
 
     def _turn(self, degrees: int, command: str, *, right: bool) -> None:
         _refuse_beyond_limit(degrees)
@@ -254,7 +254,7 @@ class RobotActions:
         self.handling.publish_things()
         to_the_right = right == (degrees >= 0)
         self._feel(done.stopped_by, Bearing.FRONT_RIGHT if to_the_right else Bearing.FRONT_LEFT)
-        _refuse_after_lost_link(done.stopped_by)
+        _refuse_after(done.stopped_by)
 
     def _feel(self, stopped_by: StoppedBy | None, ahead: Bearing) -> None:
         """Shows the end of a movement on the belt."""
@@ -320,10 +320,18 @@ def _refused(problem: RobotProblem, **values: str) -> ActionRefused:
     return ActionRefused(MistakeKind.ROBOT, **{**values, **problem.values, "problem": problem.code})
 
 
-def _refuse_after_lost_link(stopped_by: StoppedBy | None) -> None:
-    """Raises an error where a movement lost the connection, also after the last statement."""
-    if stopped_by is StoppedBy.LINK:
-        raise _refused(RobotProblem("link-lost"))
+_FATAL = {
+    StoppedBy.LINK: "link-lost",
+    StoppedBy.WRONG_WAY: "wrong-way",
+    StoppedBy.RUNAWAY: "runaway",
+}
+"""The ends of a movement after which no other one can be right, and the codes of their problems."""
+
+
+def _refuse_after(stopped_by: StoppedBy | None) -> None:
+    """Raises an error where a movement ended for good, also after the last statement."""
+    if stopped_by in _FATAL:
+        raise _refused(RobotProblem(_FATAL[stopped_by]))
 
 
 def _refuse_beyond_limit(amount: int) -> None:

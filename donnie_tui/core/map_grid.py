@@ -292,11 +292,15 @@ def place_in_words(pose: Pose, trail: Trail, wording: Wording, *, is_full: bool)
     return (place, *trail.in_words(1, wording)) if is_full else (place,)
 
 
+_NOT_BLOCKED = (StoppedBy.USER, StoppedBy.LINK, StoppedBy.WRONG_WAY, StoppedBy.RUNAWAY)
+"""What ends a movement although nothing is in the way."""
+
+
 def _move(event: Moved | Turned, wording: Wording) -> str:
     if isinstance(event, Turned):
         return wording("trail-turned", command=event.command, facing=facing(event.pose, wording))
     code = "trail-blocked" if event.stopped_by else "trail-walked"
-    if event.stopped_by in (StoppedBy.USER, StoppedBy.LINK):
+    if event.stopped_by in _NOT_BLOCKED:
         code = "trail-stopped"
     x, y = whole_steps(event.pose.x), whole_steps(event.pose.y)
     return wording(code, command=event.command, done=event.walked, x=x, y=y)

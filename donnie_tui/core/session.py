@@ -42,7 +42,7 @@ class ResettableRobot(Robot, Protocol):
     def reset(self) -> None: ...
 
 
-LONGEST_STOP = 2.0
+LONGEST_STOP = 2.5
 """Seconds that a program may take to end after a stop."""
 
 MakeRobot: TypeAlias = Callable[[Pace, Watcher], ResettableRobot]

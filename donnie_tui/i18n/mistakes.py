@@ -182,6 +182,11 @@ def _hint_for_depth(diagnostic: Diagnostic, words: Wording) -> str | None:
     return words("hint-at-most", limit=limit) if limit else None
 
 
+def _hint_for_robot(diagnostic: Diagnostic, words: Wording) -> str | None:
+    code = f"hint-{diagnostic.details.get('problem', '')}"
+    return words(code) if words.knows(code) else None
+
+
 def _hint_for_variable(diagnostic: Diagnostic, words: Wording) -> str | None:
     if "in_procedure" in diagnostic.details:
         return words("hint-own-variables")
@@ -213,6 +218,7 @@ _HINT_OF: dict[MistakeKind, Callable[[Diagnostic, Wording], str | None]] = {
     ),
     MistakeKind.ALREADY_DECLARED: _hint_for_declared,
     MistakeKind.TOO_DEEP: _hint_for_depth,
+    MistakeKind.ROBOT: _hint_for_robot,
     MistakeKind.RECURSION_LIMIT: lambda each, words: words("hint-call-depth", **_values(each, words)),
     MistakeKind.TERMINAL_ONLY: lambda _, words: words("hint-terminal-only"),
     MistakeKind.BELT_OFF: _hint_for_belt,

@@ -66,25 +66,36 @@ def run_linear(
             greeting.withdraw()
             raise
         offers = cause == "word" and settings.linear is not True
-        worlds = _Worlds(console, greeting, settings, session)
-        return worlds.visit(donnie, lambda each: each.begin(file, text, offers_to_remember=offers))
+        worlds = _Worlds(donnie, console, greeting, settings, session)
+        code = worlds.visit(lambda each: each.begin(file, text, offers_to_remember=offers))
+        session.close()
+        return worlds.donnie.code_at_end(code, lambda sentence: console.write(f"{sentence}\n"))
 
 
 class _Worlds:
     """The worlds that the learner enters, with a conversation in each."""
 
     def __init__(
-        self, console: Console, greeting: Greeting, settings: Settings, session: contextlib.ExitStack
+        self,
+        donnie: Donnie,
+        console: Console,
+        greeting: Greeting,
+        settings: Settings,
+        session: contextlib.ExitStack,
     ) -> None:
-        """``session`` closes the last session in the end, unless it continues in the full screen."""
+        """``donnie`` is the first session. ``session`` closes the last one in the end, unless it continues in
+        the full screen.
+        """
+        self.donnie = donnie
         self._console, self._greeting, self._settings = console, greeting, settings
         self._preferences = Preferences(settings, os.environ)
         self._session = session
 
-    def visit(self, donnie: Donnie, begin: Callable[[Conversation], int]) -> int:
+    def visit(self, begin: Callable[[Conversation], int]) -> int:
         """Returns the exit code. ``begin`` runs the first conversation. Raises as ``run_linear`` does."""
         state: ConversationState | None = None
         while True:
+            donnie = self.donnie
             self._console.give_up = donnie.connection.search.give_up
             self._session.callback(donnie.close)
             conversation = Conversation(donnie, self._console, self._preferences, self._greeting, state)
@@ -92,7 +103,7 @@ class _Worlds:
                 try:
                     return conversation.resume() if state else begin(conversation)
                 except EnterWorld as entered:
-                    donnie = self._enter(donnie, entered.name)
+                    self.donnie = self._enter(donnie, entered.name)
                     state = conversation.state_for_next_world()
                 except SwitchMode:
                     self._session.pop_all()

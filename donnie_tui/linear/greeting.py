@@ -25,6 +25,7 @@ _HARMLESS = ("DONNIE_LANG", "DONNIE_LINEAR", "DONNIE_READER", "DONNIE_TOUR", SEA
 _SWITCH = ("on", "off")
 PLAIN_VALUES = {
     "--lang": tuple(folders()),
+    "--profile": ("auto", "2016", "2018"),
     "--speech": ("auto", "text", "ssip", "tts", "robot", "off"),
     "--sound": _SWITCH,
     "--verbosity": DETAILS,

@@ -235,7 +235,7 @@ class Listener:
         if self._is_typing and not isinstance(event, TRANSIENT):
             self._has_lines = True
             self._console.nudge()
-        if isinstance(event, Announced) and event.code in URGENT:
+        if _is_urgent(event):
             self._console.has_news = True
             self._console.nudge()
 
@@ -252,7 +252,19 @@ class Listener:
         if isinstance(event, Answered) and (event.at_once or self._background.floods):
             self._queue.put_first(lines, is_kept=bool(remembered))
             lines, remembered, passes = (), (), False
+        if _is_urgent(event) and self._is_stopping:  # only the last lines of the program are printed
+            self._queue.put_first(lines)
+            lines = remembered = ()
         self._queue.put((*before, *lines) if passes else before, remembered, stamped.robot)
+
+    @property
+    def _is_stopping(self) -> bool:
+        run = self._donnie.session.run
+        return run is not None and run.control.state in _ENDING
+
+
+def _is_urgent(event: object) -> bool:
+    return isinstance(event, Announced) and event.code in URGENT
 
 
 class PrintTarget(Protocol):

@@ -8,8 +8,10 @@ loaded, only for a real robot.
 from __future__ import annotations
 
 import os
+import sys
 import threading
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from typing import TYPE_CHECKING, Protocol
 
 from msgspec import Struct
@@ -26,10 +28,16 @@ from donnie_tui.settings.settings import Settings
 from donnie_tui.world.loading import ChosenWorld
 
 if TYPE_CHECKING:
+    import subprocess
+
     from devices.serial_robot.config import RobotConfig
     from devices.serial_robot.robot import SerialRobot
     from devices.wire.telemetry import Telemetry
     from donnie_tui.robot.search import Lister, RobotOption
+
+
+AUTOMATIC, NEWER = "auto", "2018"
+"""Of the setting ``profile``."""
 
 
 class Connectable(ResettableRobot, Protocol):
@@ -46,6 +54,14 @@ class Connectable(ResettableRobot, Protocol):
 
     def close(self) -> None: ...
 
+    @property
+    def may_drive_on(self) -> bool:
+        """Whether its connection was lost while it drove, and it was not stopped since."""
+
+    @property
+    def has_run_away(self) -> bool:
+        """Whether its wheels turn although all was done to stop them."""
+
 
 class MeasurableRobot(Connectable, Protocol):
     """A robot whose wheels' counts can be read."""
@@ -55,14 +71,22 @@ class MeasurableRobot(Connectable, Protocol):
 
 
 class _Connected(Struct):
-    """The robot that is connected now, if any."""
+    """The robot that is connected now, if any, and what became of the last one."""
 
+    guard: Callable[[str], object]
     robot: Connectable | None = None
+    port: str = ""
+    """Where it is; empty where it is simulated."""
+    has_run_away: bool = False
 
     def drop(self) -> None:
         robot, self.robot = self.robot, None
-        if robot is not None:
-            robot.close()
+        if robot is None:
+            return
+        robot.close()
+        self.has_run_away = robot.has_run_away
+        if self.port and robot.may_drive_on:
+            self.guard(self.port)
 
 
 class Connection:
@@ -77,9 +101,11 @@ class Connection:
         found: Lister | None = None,
         stable: Callable[[str], str] | None = None,
         search: Search | None = None,
+        guard: Callable[[str], object] | None = None,
     ) -> None:
         """``session``: whose robot it is; it begins with a simulated one.
 
+        ``guard`` stops the robot at a port that is gone, once it is back; None: a process of its own.
         ``found`` lists the ports, ``stable`` gives a port's permanent name; None: those of this machine.
         """
         self.search = search or Search()
@@ -88,7 +114,7 @@ class Connection:
         self._world = world
         self._session = session
         self._found, self._stable = found, stable
-        self._now = _Connected()
+        self._now = _Connected(guard or start_guard)
         self._lock = threading.Lock()
         self.robot = SIMULATED
         """The robot that is there, as ``--robot`` takes it."""
@@ -97,6 +123,12 @@ class Connection:
     def is_real(self) -> bool:
         """Whether something moves outside of this process."""
         return self.robot not in (SIMULATED, DOUBLE)
+
+    @property
+    def has_run_away(self) -> bool:
+        """Whether the robot drives although all was done to stop it; of one that is gone, its end counts."""
+        robot = self._now.robot
+        return self._now.has_run_away if robot is None else robot.has_run_away
 
     @property
     def is_board(self) -> bool:
@@ -137,7 +169,7 @@ class Connection:
                 self.search.end()
 
     def wait_until_standing(self) -> None:
-        """After a stop, before this process rests or ends: until the robot stands, some 1.3 s at most."""
+        """After a stop, before this process rests or ends: until the robot stands, some 2.2 s at most."""
         robot = self._now.robot
         if robot is not None:
             robot.wait_until_standing()
@@ -175,6 +207,7 @@ class Connection:
 
         self._session.change_robot(make_and_keep)
         self._now.robot = made[0]
+        self._now.port = name.partition(":")[2]
         try:
             self.search.connect(made[0])
         except RobotProblem:
@@ -219,7 +252,8 @@ class Connection:
         from donnie_tui.robot.board_floor import SceneFloor, place_of
 
         start = self._world.start()
-        board = SimulatedBoard(
+        make_board = SimulatedBoard.of_2018 if self._settings.profile == NEWER else SimulatedBoard
+        board = make_board(
             SceneFloor(self._world.scene), place=place_of(start), boot_loader=0.0, passes=QUICK_PASSES
         )
         return SimulatedSerialRobot(
@@ -245,6 +279,22 @@ class Connection:
         from donnie_tui.robot.search import sentences_of
 
         return sentences_of(problem, self._words)
+
+
+_GUARDS: list[subprocess.Popen[bytes]] = []
+"""Of this process; they outlive it."""
+
+
+def start_guard(port: str) -> None:
+    """Start a process that stops the robot when it is plugged in again, and ends after a minute."""
+    import subprocess
+
+    command = [sys.executable, "-P", "-m", "devices.port_exchange", port]
+    nothing = subprocess.DEVNULL
+    with suppress(OSError):
+        _GUARDS.append(
+            subprocess.Popen(command, stdin=nothing, stdout=nothing, stderr=nothing, start_new_session=True)
+        )
 
 
 def make_measurable(
@@ -284,7 +334,8 @@ def _serial_robot(
     factor = _timeout_factor(os.environ)
     config = LinkConfig().slower(factor)
     link = SerialLink(port, config, on_notice, open_port=open_port, reset=reset, on_slow=on_slow)
-    return SerialRobot(link, robot_config(settings).slower(factor), pace=pace, watcher=watcher, start=start)
+    robot = robot_config(settings).slower(factor)
+    return SerialRobot(link, robot, pace=pace, watcher=watcher, start=start, on_notice=on_notice)
 
 
 def _timeout_factor(environment: Mapping[str, str]) -> float:
@@ -300,7 +351,7 @@ def robot_config(settings: Settings) -> RobotConfig:
     """A real robot as the settings have it; what is not set is as with the original."""
     from devices.serial_robot.config import RobotConfig
 
-    config = RobotConfig()
+    config = _profiled(RobotConfig(), settings)
     if settings.wheel_radius is not None:
         config = replace(config, wheel_radius=settings.wheel_radius)
     if settings.axle_length is not None:
@@ -311,3 +362,17 @@ def robot_config(settings: Settings) -> RobotConfig:
         front = frozenset(bit for bit, in_front in enumerate(settings.bumpers) if in_front)
         config = replace(config, front_bumpers=front, back_bumpers=frozenset(range(6)) - front)
     return config
+
+
+def _profiled(config: RobotConfig, settings: Settings) -> RobotConfig:
+    """The senses of its wheels and its head: the profile's, but for what is set by itself."""
+    if settings.profile == NEWER:
+        config = config.as_of_2018()
+    is_open = settings.profile == AUTOMATIC and settings.encoders is None
+    wiring = replace(
+        config.wiring,
+        motors=settings.motors or config.wiring.motors,
+        encoders=settings.encoders or config.wiring.encoders,
+    )
+    is_mirrored = config.head_is_mirrored if settings.head is None else settings.head == "right"
+    return replace(config, wiring=wiring, finds_profile=is_open, head_is_mirrored=is_mirrored)

@@ -163,6 +163,7 @@ Columns = Mapping[Bearing, tuple[int, ...]]
 Sonars = tuple[Bearing | None, ...]
 
 _BEARINGS = {each.name.lower().replace("_", "-"): each for each in Bearing}
+_SENSES = {"normal": 1, "reversed": -1}
 _SIDES = {"front": True, "back": False}
 _COLUMNS = range(7)
 _SONARS = _BUMPERS = 6
@@ -178,6 +179,10 @@ STEPS_WANTED = "5 10 20"
 COLUMNS_WANTED = "front 3, front-right 4, back 0 6"
 METRES_WANTED = "0.001-1"
 SONARS_WANTED = "front-right front front-left back-left back back-right"
+PROFILES = ("auto", "2016", "2018")
+"""The firmware of a real robot; ``auto`` is that of 2016 until its wheels count the other way."""
+WHEELS_WANTED = "normal reversed"
+HEADS = ("left", "right")
 RESET_WANTED = "auto, dtr, gpio:22, none"
 BUMPERS_WANTED = "front front front back back back"
 
@@ -228,6 +233,14 @@ def read_bumpers(text: str) -> tuple[bool, ...]:
     if len(words) != _BUMPERS or not set(words) <= set(_SIDES):
         raise ValueError(text)
     return tuple(_SIDES[word] for word in words)
+
+
+def read_wheels(text: str) -> tuple[int, int]:
+    """Of the right and the left wheel whether it is wired as in the original."""
+    right, left = (_SENSES.get(word, 0) for word in text.lower().split())
+    if not (right and left):
+        raise ValueError(text)
+    return right, left
 
 
 def read_reset_line(text: str) -> str:

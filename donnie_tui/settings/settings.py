@@ -18,8 +18,10 @@ from donnie_tui.settings.parsing import (
     BUMPERS_WANTED,
     COLUMNS_WANTED,
     FASTEST,
+    HEADS,
     METRES_WANTED,
     PERCENTS,
+    PROFILES,
     RATES,
     RESET_WANTED,
     ROBOT_WANTED,
@@ -27,6 +29,7 @@ from donnie_tui.settings.parsing import (
     SONARS_WANTED,
     SPEECH,
     STEPS_WANTED,
+    WHEELS_WANTED,
     Columns,
     Sonars,
     Sound,
@@ -53,6 +56,7 @@ from donnie_tui.settings.parsing import (
     read_steps,
     read_switch,
     read_text,
+    read_wheels,
 )
 from language.locales import ENGLISH, language_of_locale, languages
 
@@ -121,6 +125,10 @@ KEYS = (
     Key("axle_length", "axle_length", read_metres, METRES_WANTED),
     Key("sonars", "sonars", read_sonars, SONARS_WANTED, is_example=True),
     Key("bumpers", "bumpers", read_bumpers, BUMPERS_WANTED, is_example=True),
+    Key("profile", "profile", one_of(PROFILES), ", ".join(PROFILES)),
+    Key("motors", "motors", read_wheels, WHEELS_WANTED, is_example=True),
+    Key("encoders", "encoders", read_wheels, WHEELS_WANTED, is_example=True),
+    Key("head", "head", one_of(HEADS), ", ".join(HEADS)),
     Key("reset_line", "reset_line", read_reset_line, RESET_WANTED),
     Key("linear", "linear", read_switch, "on, off"),
     Key("page", "page", one_of(("rest", "ask", "off")), "rest, ask, off"),
@@ -199,6 +207,13 @@ class Settings(Struct, frozen=True):
     axle_length: float | None = None
     sonars: Sonars | None = None
     bumpers: tuple[bool, ...] | None = None
+    profile: str = "auto"
+    """The firmware of a real robot, and with it the senses of its wheels and its head."""
+    motors: tuple[int, int] | None = None
+    """Of the right and the left wheel: 1 as in the original, -1 reversed; None as in the profile."""
+    encoders: tuple[int, int] | None = None
+    head: str | None = None
+    """The side at which the head's angle is 0; None as in the profile."""
     reset_line: str = "auto"
     """What restarts a board by force."""
     linear: bool | None = None

@@ -58,7 +58,8 @@ def _through_worlds(settings: Settings, file: Path | None, text: str | None, don
     from donnie_tui.tui.normal_screen import print_last_lines
 
     print_last_lines(app.main_screen.log_rows.lines)
-    return CRASHED if app.return_code == CRASHED else app.return_value or 0
+    code = CRASHED if app.return_code == CRASHED else app.return_value or 0
+    return app.session.code_at_end(code, print)
 
 
 def _shown(

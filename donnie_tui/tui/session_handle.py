@@ -5,6 +5,7 @@ Keys, signals and faults may come before there is a session. What stops the robo
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from donnie_tui.robot.search import Search
@@ -73,6 +74,11 @@ class SessionHandle:
         """Write the unsaved copies, for the next start."""
         if self.controller is not None:
             self.controller.workspace.write_copies()
+
+    def code_at_end(self, code: int, report: Callable[[str], object]) -> int:
+        """See ``Donnie``; after ``close``."""
+        donnie = self.controller.donnie if self.controller is not None else self.assembled
+        return code if donnie is None else donnie.code_at_end(code, report)
 
     def close(self) -> None:
         """After the screen is gone: nothing is left running."""

@@ -29,9 +29,11 @@ BELT = FoundPort("/dev/ttyACM1", "/dev/serial/by-id/belt", is_board=True)
 OTHER = FoundPort("/dev/ttyS0", "/dev/ttyS0", is_board=False)
 
 
-def order(port: object, settings: Settings | None = None, language: str = "en") -> tuple[Order, io.StringIO]:
+def order(
+    port: object, settings: Settings | None = None, language: str = "en", *, waits: bool = False
+) -> tuple[Order, io.StringIO]:
     out = io.StringIO()
-    invocation = Invocation("devices", {}, Namespace(port=port))
+    invocation = Invocation("devices", {}, Namespace(port=port, wait=waits))
     made = Order(invocation, settings or Settings(), Words(language), Output(out, io.StringIO()), {})
     return made, out
 
@@ -50,6 +52,8 @@ def answers(port: str, **_how: object) -> IdentifiedDevice:
             return IdentifiedDevice(DeviceKind.NOTHING)
         case "forbidden":
             raise PortProblem(port, PortFault.FORBIDDEN, "Permission denied")
+        case "driving":
+            return IdentifiedDevice(DeviceKind.ROBOT, 8000, is_driving=True)
         case "busy":
             raise PortProblem(port, PortFault.BUSY, "busy")
         case _:
@@ -112,6 +116,46 @@ def test_an_unusable_port_is_reported_with_its_remedy(port: str, lines: list[str
     assert out.getvalue().splitlines()[1:] == lines
 
 
+class Person(io.StringIO):
+    """A terminal at which a person types."""
+
+    def isatty(self) -> bool:
+        return True
+
+
+DRIVES = "driving: robot, original firmware. It drives."
+
+
+def test_a_robot_that_drives_is_reported_with_the_command_that_stops_it() -> None:
+    made, out = order(["driving"])
+
+    assert list_devices(made, tuple, answers) == 1
+    assert out.getvalue().splitlines()[1:] == [DRIVES, "Stop it: donnie stop driving"]
+
+
+@pytest.mark.parametrize(
+    ("typed", "code", "last"),
+    [
+        ("yes\n", 0, "The robot stands. Port driving."),
+        ("s\n", 0, "The robot stands. Port driving."),
+        ("no\n", 1, "Stop it: donnie stop driving"),
+        ("", 1, "Stop it: donnie stop driving"),
+    ],
+)
+def test_a_person_is_offered_to_stop_a_robot_that_drives(
+    typed: str, code: int, last: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("sys.stdin", Person(typed))
+    made, out = order(["driving"])
+
+    assert list_devices(made, tuple, answers, lambda *_, **__: HaltOutcome.STANDS) == code
+    assert out.getvalue().splitlines()[1:] == [
+        DRIVES,
+        "Shall I stop the robot at driving? yes or no",
+        last,
+    ]
+
+
 def test_an_unusable_plugged_port_does_not_fail_the_list() -> None:
     made, _ = order([])
 
@@ -145,6 +189,7 @@ def test_no_devices_is_a_sentence(language: str, sentence: str) -> None:
             1,
             "I said stop, but nothing answers at here. Switch the robot off if it drives.",
         ),
+        (HaltOutcome.DRIVES, 1, "I said stop, but the robot at here drives on. Switch it off."),
         (
             HaltOutcome.IN_USE,
             1,
@@ -190,6 +235,23 @@ def test_a_stop_without_a_board_does_not_suggest_the_simulator(
     with pytest.raises(Unusable) as told:
         stop(made, lambda _, **__: HaltOutcome.STANDS)
     assert told.value.sentence == "I find no robot. Is it plugged in? If a robot drives, switch it off."
+
+
+def test_a_stop_for_services_waits_for_the_port_and_says_so_once() -> None:
+    made, out = order("here", waits=True)
+    answers = iter([PortFault.ABSENT, PortFault.ABSENT, HaltOutcome.STANDS])
+
+    def halted(port: str, **_how: object) -> HaltOutcome:
+        answer = next(answers)
+        if isinstance(answer, PortFault):
+            raise PortProblem(port, answer, "gone")
+        return answer
+
+    assert stop(made, halted, lambda _: None) == 0
+    assert out.getvalue().splitlines() == [
+        "I wait for here, a minute at most.",
+        "The robot stands. Port here.",
+    ]
 
 
 def test_a_robot_at_an_unusable_port_can_not_be_stopped() -> None:
@@ -299,6 +361,10 @@ def test_settings_describe_a_robot_and_a_belt() -> None:
         ("reset_line", "gpio:40"),
         ("reset_line", "dtr:1"),
         ("reset_line", "rts"),
+        ("profile", "2017"),
+        ("motors", "normal"),
+        ("encoders", "normal backward"),
+        ("head", "up"),
     ],
 )
 def test_a_text_that_can_not_be_understood_is_an_error_or_a_notice(key: str, value: str) -> None:
@@ -309,6 +375,30 @@ def test_a_text_that_can_not_be_understood_is_an_error_or_a_notice(key: str, val
     assert settings == Settings()
     (notice,) = notices
     told = Words()(notice.code, **notice.values)
-    is_one_of_many = key in ("belt_steps", "belt_columns", "sonars", "bumpers")
+    is_one_of_many = key in ("belt_steps", "belt_columns", "sonars", "bumpers", "motors", "encoders")
     assert told.startswith(f"The setting {key} can't be ")
     assert ("For example: " if is_one_of_many else "It takes ") in told
+
+
+@pytest.mark.parametrize(
+    ("given", "encoders", "motors", "is_mirrored", "is_found_out"),
+    [
+        ({}, (1, 1), (1, 1), False, True),
+        ({"profile": "2016"}, (1, 1), (1, 1), False, False),
+        ({"profile": "2018"}, (-1, -1), (1, 1), True, False),
+        ({"profile": "2018", "encoders": "normal reversed", "head": "left"}, (1, -1), (1, 1), False, False),
+        ({"motors": "reversed normal"}, (1, 1), (-1, 1), False, True),
+        ({"encoders": "reversed reversed", "head": "right"}, (-1, -1), (1, 1), True, False),
+    ],
+)
+def test_a_profile_and_settings_say_how_a_robot_is_wired(
+    given: dict[str, str],
+    encoders: tuple[int, int],
+    motors: tuple[int, int],
+    is_mirrored: bool,
+    is_found_out: bool,
+) -> None:
+    config = robot_config(resolve(given, {}, {})[0])
+
+    assert (config.wiring.encoders, config.wiring.motors) == (encoders, motors)
+    assert (config.head_is_mirrored, config.finds_profile) == (is_mirrored, is_found_out)

@@ -75,12 +75,13 @@ class Real:
         at: Iterable[TimedAction] = (),
         stops_at: float = float("inf"),
         passes: int = 250,
+        board: SimulatedBoard | None = None,
     ) -> None:
         self.notices: list[LinkNotice] = []
         self.watcher = RecordingWatcher()
         self.pace = ScriptedPace(stops_at)
         self.robot = SimulatedSerialRobot(
-            SimulatedBoard(floor, boot_loader=0.0, passes=passes),
+            board or SimulatedBoard(floor, boot_loader=0.0, passes=passes),
             config,
             pace=self.pace,
             watcher=self.watcher,

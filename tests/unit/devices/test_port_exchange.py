@@ -12,6 +12,7 @@ from devices.port_exchange import (
     HaltOutcome,
     IdentifiedDevice,
     halt,
+    halt_when_back,
     identify,
 )
 from devices.serial_ports.port import PortFault, PortProblem
@@ -46,6 +47,26 @@ def test_a_robot_that_is_running_reports_its_battery_and_gets_no_bytes() -> None
     assert identified(port) == IdentifiedDevice(DeviceKind.ROBOT, 8000)
     assert port.written == []
     assert port.is_closed
+
+
+@pytest.mark.parametrize("drive", [MotorDrive.FORWARD, MotorDrive.LEFT])
+def test_a_robot_that_drives_is_identified_as_driving_and_is_not_stopped_by_that(drive: MotorDrive) -> None:
+    board = running(SimulatedBoard(), drive_frame(drive))
+
+    assert identified(BoardPort(board)) == IdentifiedDevice(DeviceKind.ROBOT, 8000, is_driving=True)
+    assert board.is_driving
+
+
+def test_a_torn_count_is_no_drive() -> None:
+    board = running(SimulatedBoard())
+
+    class Torn(BoardPort):
+        def read(self) -> bytes:
+            received = super().read()
+            board.is_torn = True
+            return received
+
+    assert not identified(Torn(board)).is_driving
 
 
 @pytest.mark.parametrize("is_restarted", [True, False])
@@ -168,8 +189,74 @@ def test_a_robot_that_obeys_is_not_stopped_by_force() -> None:
     assert halted(BoardPort(driving()), by_force=pin) is HaltOutcome.STANDS
 
 
-def test_without_force_a_robot_that_ignores_stops_is_not_reported_to_stand() -> None:
-    assert halted(Deaf(driving())) is HaltOutcome.UNCONFIRMED
+def test_without_force_a_robot_that_ignores_stops_is_reported_to_drive() -> None:
+    board = driving()
+    board.is_deaf = True
+
+    assert halted(BoardPort(board)) is HaltOutcome.DRIVES
+    assert board.is_driving
+
+
+# --- a robot whose port is gone
+
+
+class Replugged:
+    """Ports that open from a time on. It is their clock, and each pause lets it run."""
+
+    def __init__(self, port: BoardPort, back_at: float, fault: PortFault = PortFault.ABSENT) -> None:
+        self._port, self._back_at, self._fault = port, back_at, fault
+        self.time = 0.0
+        self.reports = 0
+
+    def now(self) -> float:
+        return self.time
+
+    def pause(self, seconds: float) -> None:
+        self.time += seconds
+
+    def stop(self) -> HaltOutcome:
+        if self.time < self._back_at:
+            raise PortProblem("port", self._fault, "gone")
+        return halted(self._port)
+
+    def report(self) -> None:
+        self.reports += 1
+
+    def halt_when_back(self) -> HaltOutcome:
+        return halt_when_back(self.stop, now=self.now, pause=self.pause, on_absent=self.report)
+
+
+@pytest.mark.parametrize("fault", [PortFault.ABSENT, PortFault.FORBIDDEN])
+def test_a_robot_is_stopped_when_its_port_returns(fault: PortFault) -> None:
+    board = driving()
+    gone = Replugged(BoardPort(board), 40.0, fault)
+
+    assert gone.halt_when_back() is HaltOutcome.STANDS
+    assert not board.is_driving
+    assert gone.reports == 1
+
+
+def test_a_port_that_is_there_is_not_waited_for() -> None:
+    there = Replugged(BoardPort(driving()), 0.0)
+
+    assert there.halt_when_back() is HaltOutcome.STANDS
+    assert (there.time, there.reports) == (0.0, 0)
+
+
+def test_a_port_that_stays_away_is_given_up_after_a_minute() -> None:
+    gone = Replugged(BoardPort(driving()), 90.0)
+
+    with pytest.raises(PortProblem):
+        gone.halt_when_back()
+    assert gone.time == pytest.approx(60, abs=1)
+
+
+def test_a_port_that_another_program_has_is_left_to_it() -> None:
+    busy = Replugged(BoardPort(driving()), 90.0, PortFault.BUSY)
+
+    with pytest.raises(PortProblem):
+        busy.halt_when_back()
+    assert busy.time == 0.0
 
 
 def test_a_board_that_falls_silent_is_not_reported_to_stand() -> None:

@@ -1,0 +1,124 @@
+"""A stop that fails is known and reported: the wheels are watched after everything that can be done."""
+
+from __future__ import annotations
+
+import pytest
+
+from devices.ports.robot import LinkNotice
+from devices.wire.commands import STOP, MotorDrive, Wiring, drive_frame
+from tests.wire.bench import Bench
+
+
+def deaf_while_driving() -> Bench:
+    """Its board has no reset wire."""
+    bench = Bench(resets_on_open=False)
+    bench.drive(0.5)
+    bench.board.is_deaf = True
+    return bench
+
+
+def test_wheels_that_turn_after_every_stage_are_reported_once() -> None:
+    bench = deaf_while_driving()
+
+    bench.link.stop()
+    bench.link.advance(5.0)
+
+    assert bench.board.is_driving
+    assert bench.link.has_run_away
+    assert bench.notices == [LinkNotice.CONNECTED, LinkNotice.RUNAWAY]
+
+
+def test_the_stops_are_repeated_after_that_and_end_when_the_board_obeys() -> None:
+    bench = deaf_while_driving()
+    bench.link.stop()
+    bench.link.advance(3.0)
+
+    bench.board.is_deaf = False
+    bench.link.advance(1.0)
+
+    assert not bench.board.is_driving
+    assert not bench.link.has_run_away
+    asked = bench.link.now()
+    bench.drive(0.3)
+    bench.link.stop()
+    bench.link.advance(1.0)
+    assert STOP in bench.sent_since(asked)
+    assert bench.notices == [LinkNotice.CONNECTED, LinkNotice.RUNAWAY]
+
+
+def test_a_board_that_its_reset_wire_stops_has_not_run_away() -> None:
+    bench = Bench()
+    bench.drive(0.5)
+    bench.link.wire.cut = 1.0
+
+    bench.link.stop()
+    bench.link.advance(1.5)
+
+    assert not bench.board.is_driving
+    assert LinkNotice.RUNAWAY not in bench.notices
+
+
+def test_a_silent_board_has_not_run_away() -> None:
+    bench = Bench(resets_on_open=False)
+    bench.drive(0.5)
+    bench.board.is_mute = True
+
+    bench.link.stop()
+    bench.link.advance(5.0)
+
+    assert not bench.link.has_run_away
+    assert bench.notices == [LinkNotice.CONNECTED, LinkNotice.LOST]
+
+
+@pytest.mark.parametrize("is_deaf", [True, False])
+def test_waiting_for_a_stop_says_whether_the_robot_stands(is_deaf: bool) -> None:
+    bench = Bench(resets_on_open=False)
+    bench.drive(0.5)
+    bench.board.is_deaf = is_deaf
+    bench.link.stop()
+    began = bench.link.now()
+
+    assert bench.link.await_stop() is not is_deaf
+    assert bench.link.now() - began < (2.0 if is_deaf else 0.3)
+
+
+def test_a_connection_lost_in_a_drive_is_known_until_the_board_was_stopped() -> None:
+    bench = Bench(resets_on_open=False)
+    bench.drive(0.5)
+    assert not bench.link.may_drive_on
+
+    bench.link.is_plugged = False
+    bench.link.advance(1.0)
+    assert bench.link.may_drive_on
+
+    bench.link.is_plugged = True
+    bench.link.advance(2.0)
+    assert not bench.link.may_drive_on
+    assert not bench.board.is_driving
+
+
+def test_a_connection_lost_while_the_robot_stands_needs_no_guard() -> None:
+    bench = Bench(resets_on_open=False)
+    bench.link.is_plugged = False
+    bench.link.advance(1.0)
+
+    assert not bench.link.may_drive_on
+
+
+def test_reversed_motors_get_the_other_directions_and_a_stop_stays_a_stop() -> None:
+    """The directions of the frames are those of the firmware: 0F and F0."""
+    reversed_left = Wiring(motors=(1, -1))
+
+    assert drive_frame(MotorDrive.FORWARD, reversed_left)[4:8] == bytes((0x0F, 0x7F, 0x0F, 0x7F))
+    assert drive_frame(MotorDrive.RIGHT, reversed_left)[4:8] == bytes((0xF0, 0x66, 0x0F, 0x66))
+    assert drive_frame(MotorDrive.STOP, Wiring(motors=(-1, -1))) == STOP
+
+
+def test_a_direction_byte_that_is_not_0f_is_the_other_one_as_the_firmware_reads_it() -> None:
+    bench = Bench()
+    bench.board.receive(bytes.fromhex("aabb05280f7f557fdd"))
+    bench.link.advance(0.1)
+
+    right, left = bench.board.wheels.right, bench.board.wheels.left
+    assert right > 0
+    assert left == right
