@@ -279,22 +279,24 @@ class SerialRobot:
 
     def _run(self, movement: RobotMovement, report: Progress, asked: int) -> int:
         """The whole steps or degrees that were done: all of them, if nothing ended the movement early."""
+        began = self.pose()
         movement.run()
         if movement.is_reversed and self._config.finds_profile and not self._has_moved:
-            self._take_profile_of_2018()
+            self._take_profile_of_2018(began)
         self._has_moved = self._has_moved or movement.counts > self._config.wrong_way
         if movement.stopped_by is None:
             report.reached(asked, self.pose())
             return asked
         return min(asked, whole(movement.units))
 
-    def _take_profile_of_2018(self) -> None:
+    def _take_profile_of_2018(self, began: Pose) -> None:
         """Both wheels counted backward in the first half step of all: its firmware is the newer one.
 
         The movement has ended, and is not resumed: reversed motors would look the same.
         """
         self._config = self._config.as_of_2018()
         self._link.rewire(self._config.wiring)
+        self._odometry.begin(self._link.telemetry, _mirrored(self.pose(), began))
         if self._on_notice is not None:
             self._on_notice(LinkNotice.PROFILE_2018, "")
 
@@ -408,6 +410,12 @@ class SerialRobot:
         if self._watcher is not None and self._link.now() - self._passing_at >= PASSING_INTERVAL:
             self._passing_at = self._link.now()
             self._watcher.passing(pose)
+
+
+def _mirrored(pose: Pose, began: Pose) -> Pose:
+    """As far on the other side of ``began``."""
+    heading = (2 * began.heading - pose.heading) % 360.0
+    return Pose(2 * began.x - pose.x, 2 * began.y - pose.y, heading)
 
 
 def _overshoot_of(movement: RobotMovement, counts: float) -> float:

@@ -279,6 +279,7 @@ class BoardConnection:
         if not self._is_greeting:
             self._outbox.flush()
             self._greet()
+            self._stopping.restart(now)
         elif self._is_greeted:  # a frame that comes after the whole greeting was sent answers it
             self._ready(now)
 
@@ -350,6 +351,7 @@ class BoardConnection:
     def _lose(self, trigger: LinkTrigger, now: float, reason: str) -> None:
         self.may_drive_on = self.may_drive_on or self.driving_since is not None or not self._stopping.is_over
         self.stop(now)
+        self._stopping.lost()
         self._trigger(trigger, now)
         self._tracker.rebase()
         self.telemetry = self._tracker.telemetry(self._received_at, self._decoder.bad_frames)

@@ -178,6 +178,16 @@ class StopSequence:
         """The robot drives again, or its board is known to have restarted."""
         self._stage = _Stage.STANDING
 
+    def lost(self) -> None:
+        """Nothing is known of the wheels any more."""
+        if self.has_failed:
+            self._stage = _Stage.UNKNOWN
+
+    def restart(self, now: float) -> None:
+        """The link is back before the wheels were seen to stand: everything that can be done begins anew."""
+        if not self.is_over:
+            self._stage, self._since = _Stage.STOP_SENT, now
+
     def must_force(self, now: float, received_at: float, moved_at: float) -> bool:
         """Check the wheels and repeat what is due. True, once, if the robot must be stopped by force now.
 

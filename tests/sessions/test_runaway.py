@@ -40,7 +40,7 @@ def test_a_run_whose_robot_does_not_stop_says_so_and_fails(tmp_path: Path, robot
     assert [each["state"] for each in published if each["event"] == "link"] == ["connected", "runaway"]
 
 
-def test_a_learner_whose_robot_does_not_stop_reads_and_hears_it(tmp_path: Path, robot: PtyBoard) -> None:
+def test_a_robot_that_does_not_stop_is_reported_to_its_learner(tmp_path: Path, robot: PtyBoard) -> None:
     learner = Learner(tmp_path, *serial(robot), program(tmp_path, LONG_WALK), **SOON)
     learner.sees("Robot connected.")
     learner.sees_prompt()
@@ -81,7 +81,7 @@ def test_a_front_end_that_leaves_a_driving_robot_ends_with_1_and_the_sentence(
     assert front_end.exitstatus == 1
 
 
-def test_a_stop_from_outside_tells_the_truth_about_a_deaf_robot(tmp_path: Path, robot: PtyBoard) -> None:
+def test_a_deaf_robot_is_reported_to_drive_after_a_stop_from_outside(tmp_path: Path, robot: PtyBoard) -> None:
     process = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET)
     assert until(lambda: robot.board.is_driving)
     process.kill()

@@ -97,6 +97,40 @@ def test_a_connection_lost_in_a_drive_is_known_until_the_board_was_stopped() -> 
     assert not bench.board.is_driving
 
 
+@pytest.mark.parametrize("seconds", [0.7, 3.0])
+@pytest.mark.parametrize("is_deaf", [True, False])
+def test_a_robot_that_comes_back_driving_has_run_away_only_if_it_does_not_obey(
+    seconds: float, is_deaf: bool
+) -> None:
+    bench = Bench(resets_on_open=False)
+    bench.drive(0.5)
+    bench.link.is_plugged = False
+    bench.link.advance(seconds)
+    bench.board.is_deaf = is_deaf
+    bench.link.is_plugged = True
+    bench.link.advance(4.0)
+
+    assert bench.board.is_driving is is_deaf
+    assert bench.notices == [
+        LinkNotice.CONNECTED,
+        LinkNotice.LOST,
+        LinkNotice.RESTORED,
+        *([LinkNotice.RUNAWAY] if is_deaf else []),
+    ]
+
+
+def test_a_robot_that_ran_away_and_was_switched_off_has_not_run_away_any_more() -> None:
+    bench = deaf_while_driving()
+    bench.link.stop()
+    bench.link.advance(3.0)
+    assert bench.link.has_run_away
+
+    bench.link.is_plugged = False
+    bench.link.advance(1.0)
+
+    assert not bench.link.has_run_away
+
+
 def test_a_connection_lost_while_the_robot_stands_needs_no_guard() -> None:
     bench = Bench(resets_on_open=False)
     bench.link.is_plugged = False

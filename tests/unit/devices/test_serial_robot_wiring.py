@@ -125,6 +125,7 @@ def test_the_newer_firmware_is_found_out_in_the_first_half_step_and_is_not_drive
     assert abs(real.board.wheels.place.y) < STEP / 2
     assert real.notices[-1] is LinkNotice.PROFILE_2018
     assert real.stands
+    assert real.robot.pose().y == pytest.approx(real.board.wheels.place.y / STEP, abs=0.02)
 
     before = real.board.wheels.place.y
     second = real.robot.forward(3)
