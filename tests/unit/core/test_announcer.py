@@ -142,6 +142,11 @@ def test_any_other_end_of_a_run_has_no_cue_of_success(program: str) -> None:
         (Link("restarted", ""), "The robot restarted. It stands."),
         (Link("battery-low", "7.0 V"), "The robot's battery is low."),
         (Link("restored", ""), "Robot is back."),
+        (Link("runaway", ""), "It does not stop. Switch it off."),
+        (
+            Link("profile-2018", ""),
+            "The wheels count as with the firmware of 2018. I do so from now on. Start again.",
+        ),
     ],
 )
 def test_switches_and_the_connection_to_a_robot_are_announced(event: Event, sentence: str) -> None:
