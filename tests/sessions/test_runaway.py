@@ -16,6 +16,8 @@ from tests.sessions.learner import Learner
 from tests.sessions.real_robot import LONG_WALK, program, serial, until
 from tests.timeouts import TIMEOUT
 
+pytestmark = pytest.mark.slow
+
 SENTENCE = "It does not stop. Switch it off."
 SOON = {"DONNIE_ROBOT_TIMEOUTS": "2"}
 """The wheels are watched for three seconds."""
