@@ -10,7 +10,7 @@ from string import ascii_lowercase, digits
 
 from donnie_tui.commands.declarations import COMMANDS, Command, When
 from donnie_tui.commands.keys import KEYS, MENU, SIGNS, key_label
-from donnie_tui.commands.lookup import help_of, word_of, words_of
+from donnie_tui.commands.lookup import help_of, typed_form, word_of, words_of
 from donnie_tui.i18n.words import Words
 from language.locales import ENGLISH, languages
 
@@ -48,17 +48,20 @@ def document() -> str:
     for module, title in _TITLES.items():
         lines += ["", f"## {title}", ""]
         for command in (each for each in COMMANDS if each.module == module):
-            lines += _entry(command, words)
+            lines += entry(command, words)
     return "\n".join(lines) + "\n"
 
 
-def _entry(command: Command, words: Words) -> list[str]:
+def entry(command: Command, words: Words) -> list[str]:
+    """The lines of one command."""
     labels = dict.fromkeys(key_label(each, ENGLISH) for each in command.keys)
-    keys = ", ".join(f"`{each}`" for each in labels)
+    keys = f" ({', '.join(f'`{each}`' for each in labels)})" if labels else ""
+    example = f", such as {typed_form(command, words)}" if command.argument else ""
     purpose = words(f"action-{command.name}")
     screen = " Full screen only." if command.is_visual else ""
-    lines = [f"- **{word_of(command, ENGLISH)}** ({keys}): {purpose}{screen}{_WHEN[command.when]}"]
-    form = next(iter(help_of(word_of(command, ENGLISH), words)[1:2]), "")
+    word = word_of(command, ENGLISH)
+    lines = [f"- **{word}**{example}{keys}: {purpose}{screen}{_WHEN[command.when]}"]
+    form = next(iter(help_of(word, words)[1:2]), "")
     if command.argument and form:
         lines.append(f"  {form}")
     others = words_of(command.name, ENGLISH)[1:]

@@ -124,10 +124,9 @@ def test_every_action_has_a_purpose_and_is_reached_by_its_word(language):
         assert (found[0].name, found[1]) == (action.name, "")
 
 
-async def test_every_action_is_reached_by_a_key(work, doing):
-    """By all that it has, one after the other, in one burst."""
+async def test_every_key_runs_its_action(work, doing):
+    """One after the other, in one burst. An action may have none: it has a word, and a row of the palette."""
     keys = [(name, key) for name, action in LISTED.items() for key in action.keys]
-    assert {name for name, _ in keys} == set(LISTED)
     async with work("FW 1") as desk:
         done = doing(desk)
         for name, key in keys:
@@ -167,6 +166,8 @@ async def test_an_action_asks_for_a_missing_argument(work, way):
     async with work(PROGRAM) as desk:
         for name, (answer, printed) in ASKED.items():
             before, action = len(desk.log), LISTED[name]
+            if way == "key" and not action.keys:
+                continue
             if way == "palette":
                 burst(desk, "ctrl+p", *letters(word_of(action, "en")), "enter")
             else:

@@ -11,6 +11,7 @@ from donnie_tui.i18n.words import Words
 from language import keywords
 from language.locales import languages
 from language.source import fold_name
+from tests.tools.commands_page import entry
 from tests.unit.i18n.sentences import CODES
 
 WORDS = [
@@ -99,6 +100,14 @@ def test_the_example_of_a_command_can_be_typed(command: Command, language: str) 
 
     assert found is not None
     assert found[0] is command
+
+
+def test_a_command_without_a_key_is_listed_by_its_word() -> None:
+    """Few keys are free. A command has a word and a row in the palette in any case."""
+    words = Words("en")
+
+    assert entry(Command("trail", "world"), words)[0].startswith("- **TRAIL**: ")
+    assert help_line(Command("trail", "world"), words) == f"TRAIL: {words('action-trail')}"
 
 
 def test_the_form_shows_required_and_optional_arguments() -> None:

@@ -165,7 +165,7 @@ def test_no_line_of_a_lesson_is_longer_than_eighty_characters() -> None:
 
 
 def test_every_line_of_a_lesson_at_detail_brief_fits_forty_cells() -> None:
-    lengths = whole_sentences((*LESSON, "use-cases", "devices"), "brief")
+    lengths = whole_sentences((*LESSON, "commands", "devices"), "brief")
 
     assert {text: length for text, length in lengths.items() if length > 40} == {}
 
