@@ -45,6 +45,8 @@ SHOTS = ((1, 4), (2, 5), (6,), (0, 3))
 """The sonars that fire together, one group after the other."""
 NO_ECHO = 141
 BLINK = 0.5
+CRAWL = 0.05
+"""Of its speed, which the newer firmware leaves a robot whose pings are not answered."""
 LOW = 7100
 
 _CONFIG_WANTED = encode_frame(ReportKind.CONFIG_WANTED.value, b"\x2b")
@@ -94,7 +96,7 @@ class SimulatedBoard:
     @classmethod
     def of_2018(cls, floor: Floor | None = None, **how: Any) -> SimulatedBoard:
         """One with the newer firmware: other speeds, both encoders count the other way, the head is mirrored,
-        and without an answered ping it stops its motors."""
+        and it crawls while its pings are not answered."""
         board = cls(floor, CHASSIS_2018, **how)
         board.wheels.encoders = (-1, -1)
         board.is_newer = True
@@ -191,6 +193,7 @@ class SimulatedBoard:
             return
         elif kind == CommandKind.PING.value:
             self._is_answered = True
+            self.wheels.share = 1.0
             self._lamps |= 0b10
         elif kind == CommandKind.MOTOR.value and len(data) == 4:
             self.wheels.drive(data)
@@ -215,8 +218,7 @@ class SimulatedBoard:
         self._ping_at += PING
         if not self._is_answered and self._blink_at <= 0.0:
             self._blink_at = self._time + BLINK
-            if self.is_newer:
-                self.wheels.drive(bytes(4))
+            self.wheels.share = CRAWL if self.is_newer else 1.0
         self._is_answered = False
         out += _PING
 

@@ -171,6 +171,8 @@ class SimulatedWheels:
         """The same for the leads of a motor."""
         self.strengths = (1.0, 1.0)
         """A fault where they differ: one wheel is slower than its motor's voltage makes it."""
+        self.share = 1.0
+        """Of the speed that the motors are commanded."""
         self._floor = floor
         self._seconds = seconds
         self._keeps = exp(-seconds / chassis.lag)
@@ -222,7 +224,7 @@ class SimulatedWheels:
         self._move(right * self._metres_a_count, left * self._metres_a_count)
 
     def _next_speed(self, wheel: int) -> float:
-        wanted = self._wanted[wheel]
+        wanted = self._wanted[wheel] * self.share
         speed = wanted + (self._speed[wheel] - wanted) * self._keeps
         return wanted if abs(speed - wanted) < 1.0 else speed
 

@@ -94,6 +94,10 @@ class SerialRobot:
             link.rewire(self._config.wiring)
 
     @property
+    def port(self) -> str:
+        return self._link.name
+
+    @property
     def may_drive_on(self) -> bool:
         """Whether the connection was lost while it drove, and it was not stopped since."""
         return self._link.may_drive_on

@@ -8,8 +8,8 @@ real robot's.
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable
-from contextlib import closing
+from collections.abc import Callable, Iterator
+from contextlib import closing, contextmanager
 from types import FrameType
 from typing import NoReturn
 
@@ -24,7 +24,7 @@ from donnie_tui.core.program_files import DocumentError
 from donnie_tui.i18n.words import Unusable
 from donnie_tui.process.disconnection import ReaderWatch
 from donnie_tui.process.signals import LEAVING, TakenSignals
-from donnie_tui.robot.connection import MeasurableRobot, make_measurable, robot_config
+from donnie_tui.robot.connection import MeasurableRobot, make_measurable, robot_config, start_guard
 from donnie_tui.robot.search import sentences_of
 from donnie_tui.settings.file import remember
 from donnie_tui.settings.parsing import DOUBLE, SIMULATED
@@ -87,12 +87,23 @@ def _measured(order: Order, made: Callable[..., MeasurableRobot]) -> _Sizes:
 
     robot = made(order.settings, order.words, _Steady(threading.Event()), report)
     with (
+        _guarded(robot),
         TakenSignals(dict.fromkeys(LEAVING, _end)),
         closing(ReaderWatch()),
         closing(robot),
         stopped_by_suspension(lambda: _halted(robot)),
     ):
         return _Calibration(order, robot).talk()
+
+
+@contextmanager
+def _guarded(robot: MeasurableRobot) -> Iterator[None]:
+    """A robot that was lost while it drove is stopped when it is plugged in again."""
+    try:
+        yield
+    finally:
+        if robot.may_drive_on:
+            start_guard(robot.port)
 
 
 def _keep(order: Order, sizes: _Sizes) -> int:

@@ -55,6 +55,9 @@ class Connectable(ResettableRobot, Protocol):
     def close(self) -> None: ...
 
     @property
+    def port(self) -> str: ...
+
+    @property
     def may_drive_on(self) -> bool:
         """Whether its connection was lost while it drove, and it was not stopped since."""
 
@@ -75,8 +78,6 @@ class _Connected(Struct):
 
     guard: Callable[[str], object]
     robot: Connectable | None = None
-    port: str = ""
-    """Where it is; empty where it is simulated."""
     has_run_away: bool = False
 
     def drop(self) -> None:
@@ -85,8 +86,8 @@ class _Connected(Struct):
             return
         robot.close()
         self.has_run_away = robot.has_run_away
-        if self.port and robot.may_drive_on:
-            self.guard(self.port)
+        if robot.may_drive_on:
+            self.guard(robot.port)
 
 
 class Connection:
@@ -207,7 +208,6 @@ class Connection:
 
         self._session.change_robot(make_and_keep)
         self._now.robot = made[0]
-        self._now.port = name.partition(":")[2]
         try:
             self.search.connect(made[0])
         except RobotProblem:

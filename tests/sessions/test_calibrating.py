@@ -162,6 +162,19 @@ def test_a_cable_pulled_during_the_walk_is_reported_at_once_and_ends_the_calibra
     ]
 
 
+def test_a_guard_stops_the_robot_that_is_plugged_in_again_after_its_calibration(
+    tmp_path: Path, robot: PtyBoard
+) -> None:
+    robot.has_battery = True
+    process = calibration(tmp_path, robot)
+    robot.unplug()
+    assert process.wait(TIMEOUT) == 2
+    assert robot.board.is_driving
+    robot.plug()
+
+    assert until(lambda: not robot.board.is_driving)
+
+
 def test_control_c_in_the_walk_halts_the_robot_and_says_so(tmp_path: Path, robot: PtyBoard) -> None:
     process = calibration(tmp_path, robot)
     process.send_signal(signal.SIGINT)

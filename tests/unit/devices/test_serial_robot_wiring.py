@@ -257,3 +257,11 @@ def test_the_place_of_a_robot_is_the_same_with_settings_for_its_wires() -> None:
     real.robot.forward(2)
 
     assert real.robot.pose().y == pytest.approx(2, abs=NEAR)
+
+
+def test_the_newer_firmware_gets_its_pings_answered_and_walks_on() -> None:
+    """Without an answer it crawls after some four seconds."""
+    real = Real(config=RobotConfig().as_of_2018(), board=newer())
+
+    assert real.robot.forward(6).stopped_by is None
+    assert real.robot.time() < 15
