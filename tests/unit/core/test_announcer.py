@@ -145,7 +145,7 @@ def test_any_other_end_of_a_run_has_no_cue_of_success(program: str) -> None:
         (Link("runaway", ""), "It does not stop. Switch it off."),
         (
             Link("profile-2018", ""),
-            "The wheels count as with the firmware of 2018. I do so from now on. Start again.",
+            "The wheels count as with the firmware of 2018. Start again with --profile 2018.",
         ),
     ],
 )
