@@ -58,19 +58,23 @@ class Preference(Struct, frozen=True):
     """Whether it is about voice and cues."""
     has_words: bool = True
     """Whether SET lists it in words."""
+    has_sentence: bool = False
+    """Whether that is a sentence of its own, ``preference-KEY``."""
+    examples: str = ""
+    """Values that have no words."""
 
 
 _LINEAR, _SCREEN = Where.LINEAR, Where.SCREEN
 
 PREFERENCES = (
-    Preference("page", ("rest", "ask", "off"), _LINEAR),
-    Preference("prompt", ("short", "none", "word", "answer"), _LINEAR),
-    Preference("hold", SWITCH, _LINEAR),
-    Preference("editor", ("own", "plain"), _LINEAR),
-    Preference("enter", ("waits", "runs"), _LINEAR),
-    Preference("progress", where=_LINEAR),
-    Preference("clock", SWITCH),
-    Preference("free", where=_LINEAR),
+    Preference("page", ("rest", "ask", "off"), _LINEAR, has_sentence=True),
+    Preference("prompt", ("short", "none", "word", "answer"), _LINEAR, has_sentence=True),
+    Preference("hold", SWITCH, _LINEAR, has_sentence=True),
+    Preference("editor", ("own", "plain"), _LINEAR, has_sentence=True),
+    Preference("enter", ("waits", "runs"), _LINEAR, has_sentence=True),
+    Preference("progress", where=_LINEAR, has_sentence=True, examples="0 10 60"),
+    Preference("clock", SWITCH, has_sentence=True),
+    Preference("free", where=_LINEAR, has_sentence=True, examples="f"),
     Preference("theme", THEMES, _SCREEN, has_words=False),
     Preference("lang", languages(), has_words=False),
     Preference("verbosity", DETAILS, has_words=False),
@@ -93,10 +97,6 @@ PREFERENCES = (
 )
 BY_NAME = {each.key: each for each in PREFERENCES}
 
-_WITH_A_SENTENCE = ("page", "prompt", "hold", "editor", "enter", "progress", "clock", "free")
-"""Settings with a sentence of their own, ``preference-KEY``."""
-_EXAMPLES = {"progress": "0 10 60", "free": "f"}
-"""Values that have no words."""
 _HAVE_WORDS = frozenset(
     each.key for each in PREFERENCES if each.values == SWITCH or (each.has_words and each.numbers is None)
 ) - {"progress"}
@@ -140,7 +140,7 @@ class Preferences:
     def in_words(self, key: str, words: Words) -> str:
         """A sentence with its name and its value."""
         preference, value = BY_NAME[key], self.value(key)
-        if key in _WITH_A_SENTENCE:
+        if preference.has_sentence:
             is_never = key == "progress" and value == "0"
             code = "preference-progress-never" if is_never else f"preference-{key}"
             number = int(value) if key == "progress" else value_word(preference, value, words.language)
@@ -236,11 +236,11 @@ def values_in_words(preference: Preference, words: Words) -> str:
     if preference.numbers is not None:
         least, most = preference.numbers
         return words("preference-numbers", least=least, most=most)
-    if not preference.values and key not in _EXAMPLES:
+    if not preference.values and not preference.examples:
         return words(f"setting-{key}-wanted")
     values = preference.values or (("dot",) if key == "free" else ())
     typed = [value_word(preference, each, words.language) for each in values]
-    return words("preference-options", choices=", ".join([*typed, *filter(None, [_EXAMPLES.get(key)])]))
+    return words("preference-options", choices=", ".join(filter(None, [*typed, preference.examples])))
 
 
 def as_text(value: object) -> str:

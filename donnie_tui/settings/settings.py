@@ -98,6 +98,11 @@ class Key(Struct, frozen=True):
         return f"DONNIE_{self.key.upper()}"
 
 
+def _one_of(key: str, values: tuple[str, ...]) -> Key:
+    """A setting that is one of a few words."""
+    return Key(key, key, one_of(values), ", ".join(values))
+
+
 KEYS = (
     Key("world", "world", read_text, "NAME_OR_FILE"),
     Key("worlds", "world_folders", read_folders, f"FOLDER{os.pathsep}FOLDER"),
@@ -107,15 +112,15 @@ KEYS = (
     Key("seed", "seed", read_seed, "0, 1, 2 ..."),
     Key("speech", "speech", read_speech, ", ".join(SPEECH)),
     Key("sound", "sound", read_sound, SOUND_WANTED),
-    Key("speak", "speak", one_of(SPEAK), ", ".join(SPEAK)),
+    _one_of("speak", SPEAK),
     Key("rate", "rate", read_rate, RATE_WANTED),
     Key("pitch", "pitch", read_percent, PERCENT_WANTED),
     Key("volume", "volume", read_percent, PERCENT_WANTED),
-    Key("punctuation", "punctuation", one_of(PUNCTUATION), ", ".join(PUNCTUATION)),
-    Key("key_echo", "key_echo", one_of(KEY_ECHO), ", ".join(KEY_ECHO)),
+    _one_of("punctuation", PUNCTUATION),
+    _one_of("key_echo", KEY_ECHO),
     Key("cues", "cues", read_cues, CUES_WANTED),
     Key("wait_for_speech", "wait_for_speech", read_switch, "on, off"),
-    Key("verbosity", "verbosity", one_of(DETAILS), ", ".join(DETAILS)),
+    _one_of("verbosity", DETAILS),
     Key("events", "events", read_text, "FILE, -"),
     Key("record", "record", read_text, "FILE"),
     Key("belt", "belt", read_text, "PORT"),
@@ -125,25 +130,25 @@ KEYS = (
     Key("axle_length", "axle_length", read_metres, METRES_WANTED),
     Key("sonars", "sonars", read_sonars, SONARS_WANTED, is_example=True),
     Key("bumpers", "bumpers", read_bumpers, BUMPERS_WANTED, is_example=True),
-    Key("profile", "profile", one_of(PROFILES), ", ".join(PROFILES)),
+    _one_of("profile", PROFILES),
     Key("motors", "motors", read_wheels, WHEELS_WANTED, is_example=True),
     Key("encoders", "encoders", read_wheels, WHEELS_WANTED, is_example=True),
-    Key("head", "head", one_of(HEADS), ", ".join(HEADS)),
+    _one_of("head", HEADS),
     Key("reset_line", "reset_line", read_reset_line, RESET_WANTED),
     Key("linear", "linear", read_switch, "on, off"),
-    Key("page", "page", one_of(("rest", "ask", "off")), "rest, ask, off"),
-    Key("prompt", "prompt", one_of(("short", "none", "word", "answer")), "short, none, word, answer"),
-    Key("hold", "hold", one_of(("off", "on")), "off, on"),
-    Key("editor", "editor", one_of(("own", "plain")), "own, plain"),
-    Key("enter", "enter", one_of(("waits", "runs")), "waits, runs"),
+    _one_of("page", ("rest", "ask", "off")),
+    _one_of("prompt", ("short", "none", "word", "answer")),
+    _one_of("hold", ("off", "on")),
+    _one_of("editor", ("own", "plain")),
+    _one_of("enter", ("waits", "runs")),
     Key("progress", "progress", read_progress, "0-3600"),
-    Key("clock", "clock", one_of(("off", "on")), "off, on"),
+    _one_of("clock", ("off", "on")),
     Key("free", "free", read_free, "dot, a-z"),
     Key("tour", "tour", read_switch, "on, off"),
-    Key("theme", "theme", one_of(THEMES), ", ".join(THEMES)),
+    _one_of("theme", THEMES),
     Key("plain", "plain", read_switch, "on, off"),
     Key("mouse", "mouse", read_switch, "on, off"),
-    Key("motion", "motion", one_of(MOTION), ", ".join(MOTION)),
+    _one_of("motion", MOTION),
     Key("completion", "completion", read_switch, "on, off"),
     Key("keys", "keys", read_line, "ACTION KEY, ACTION KEY"),
 )

@@ -19,9 +19,13 @@ from tests.parity.rules import is_same
 
 
 def _marked(group: Group) -> Any:
-    """The same words while a program runs or is held take a minute more."""
+    """The same words while a program runs or is held take a minute more.
+
+    The id has all the lines, so that ``-k WHERE`` finds those with that word.
+    """
     is_slow = group.name in (RUNNING, HELD)
-    return pytest.param(group, marks=pytest.mark.slow if is_slow else (), id=group.cases[0])
+    name = f"{group.name}: {', '.join(group.lines)}"
+    return pytest.param(group, marks=pytest.mark.slow if is_slow else (), id=name)
 
 
 @pytest.mark.parametrize("group", map(_marked, GROUPS))

@@ -3,23 +3,31 @@
 import io
 import json
 from collections.abc import Mapping
+from pathlib import Path
+from typing import get_args
 
 import pytest
 
-from devices.ports.robot import Pose, StoppedBy
+from devices.ports.robot import Grip, Pose, StoppedBy
+from donnie_tui.core import events
 from donnie_tui.core.events import (
+    TRANSIENT,
     Announced,
     Answered,
     BeltShown,
     CueSounded,
     Error,
     Event,
+    GripperUsed,
     JsonLines,
     Link,
     Moved,
     Outcome,
     Passing,
+    PlacedThing,
     Read,
+    RecordedEvent,
+    Reset,
     RunEnded,
     RunStarted,
     Scanned,
@@ -28,10 +36,12 @@ from donnie_tui.core.events import (
     Spoke,
     Stamped,
     Statement,
+    ThingsMoved,
     Turned,
     Waited,
     as_line,
     as_record,
+    event_name,
 )
 from tests.unit.core.values import HERE
 
@@ -81,6 +91,15 @@ CONTRACT: list[tuple[Event, Mapping[str, object]]] = [
     (Waited(3), {"event": "waited", "seconds": 3}),
     (CueSounded("found", -30.0, 17.0), {"event": "cue", "name": "found", "bearing": -30.0, "steps": 17.0}),
     (BeltShown((0,) * 14), {"event": "belt", "levels": [0] * 14}),
+    (
+        GripperUsed(Grip.GRIPPED, "box", "box", "red"),
+        {"event": "gripper", "outcome": "gripped", "thing": "box"},
+    ),
+    (
+        ThingsMoved((PlacedThing("box", HERE, 7),)),
+        {"event": "things", "places": [{"name": "box", "pose": POSE}]},
+    ),
+    (Reset(HERE), {"event": "reset", "pose": POSE}),
     (SoundSwitched(False), {"event": "sound", "on": False}),
     (Link("lost", "unplugged"), {"event": "link", "state": "lost", "reason": "unplugged"}),
     (
@@ -101,6 +120,24 @@ def test_an_event_has_the_fields_of_the_contract_in_their_order(
     record = as_record(Stamped(4, 1.25, event))
 
     assert list(record.items()) == [("seq", 4), ("t", 1.25), *fields.items()]
+
+
+def test_every_event_is_either_recorded_or_transient() -> None:
+    defined = {each for each in vars(events).values() if _is_kind_of_event(each)}
+
+    assert defined == set(get_args(Event)) == {*get_args(RecordedEvent), *TRANSIENT}
+    assert not set(get_args(RecordedEvent)) & set(TRANSIENT)
+
+
+def _is_kind_of_event(value: object) -> bool:
+    return isinstance(value, type) and issubclass(value, events._Event) and value is not events._Event
+
+
+def test_every_recorded_event_is_in_the_contract_and_described() -> None:
+    document = Path("docs/events.md").read_text(encoding="utf-8")
+
+    assert {type(event) for event, _ in CONTRACT} == set(get_args(RecordedEvent))
+    assert [each for each in get_args(RecordedEvent) if f"\n- `{event_name(each)}`" not in document] == []
 
 
 def test_the_robot_is_named_where_a_world_has_several() -> None:

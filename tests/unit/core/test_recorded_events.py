@@ -37,6 +37,9 @@ from donnie_tui.core.events import (
     as_line,
 )
 from donnie_tui.core.recording import DamagedLineError, stamped_in
+from donnie_tui.core.replay import undone_in_words
+from donnie_tui.core.timeline import Timeline
+from donnie_tui.i18n.words import Words
 from tests.unit.core.values import HERE
 
 HOW = HowStarted("FW 1\n", 1, True, False, False, HERE, "pt", "brief", True, ("alice", "bob"), "")
@@ -75,6 +78,16 @@ def test_an_event_is_rebuilt_from_its_line(event: Event, robot: str | None) -> N
     stamped = Stamped(7, 1.5, event, robot)
 
     assert again(stamped) == stamped
+
+
+@pytest.mark.parametrize("event", EVENTS, ids=lambda event: type(event).__name__)
+def test_an_event_that_is_undone_has_words_of_its_own(event: Event) -> None:
+    words = Words("en")
+
+    undone = undone_in_words([Stamped(7, 1.5, event)], Timeline(()), words)
+
+    assert undone.startswith("Back: ")
+    assert words("undone-something") not in undone
 
 
 def test_the_table_has_every_kind_of_event() -> None:
