@@ -1,4 +1,4 @@
-"""``donnie``: starts the linear mode or the full screen, and changes between them.
+"""``donnie``: starts the linear mode or the full screen, and changes between them; ``donnie serve``.
 
 The mode is decided once, at the start: by the option, then the environment variables, then the settings file,
 then the kind of terminal. The greeting names the cause.
@@ -10,6 +10,7 @@ import shlex
 import sys
 from collections.abc import Mapping
 from importlib.util import find_spec
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
@@ -18,9 +19,9 @@ from msgspec.structs import replace
 from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.streams import is_terminal
 from donnie_tui.commands.interaction import SwitchMode
-from donnie_tui.i18n.words import Unusable
+from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.settings.parsing import read_switch
-from donnie_tui.settings.settings import Settings
+from donnie_tui.settings.settings import BY_KEY, Settings
 
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
@@ -130,29 +131,67 @@ def _by_variable(environment: Mapping[str, str]) -> bool | None:
         return True if wanted else None
 
 
-HOST = "localhost"
-LOWEST_PORT, HIGHEST_PORT = 1, 65535
+# --- in a browser
+
+PORTS = range(1, 65536)
+SESSIONS = range(1, 101)
+IDLE_MINUTES = range(1441)
 
 
 def serve(order: Order) -> int:
-    """Serve until it is stopped. Raises ``Unusable`` without textual-serve, or for an invalid port."""
-    words = order.words
+    """Serve until it is stopped. Raises ``Unusable`` without textual-serve, or for an invalid option."""
+    words, arguments = order.words, order.invocation.arguments
     if find_spec("textual_serve") is None:
-        raise Unusable(words("serve-missing"))
-    port = order.invocation.arguments.port
-    if not port.isdecimal() or not LOWEST_PORT <= int(port[:6]) <= HIGHEST_PORT:
-        raise Unusable(words("serve-bad-port", port=port[:20]))
-    from textual_serve.server import Server
+        raise Unusable(words("serve-missing", command=_installing()))
+    port = _number(words, "serve-bad-port", arguments.port, PORTS)
+    sessions = _number(words, "serve-bad-sessions", arguments.sessions, SESSIONS)
+    idle = _number(words, "serve-bad-idle", arguments.idle, IDLE_MINUTES)
+    import asyncio
 
-    order.output.line(words("serve-address", host=HOST, port=port))
+    from donnie_tui.cli.page_server import LOCALHOST, PageServer, serve_until_signal
+    from donnie_tui.cli.page_session import PageLimits
+
+    address = arguments.listen or LOCALHOST
+    limits = PageLimits(sessions=sessions, idle=60.0 * idle)
+    command = page_command(order.invocation.options)
+    server = PageServer(command, words, order.output.complaint, limits, address=address, port=port)
+
+    def announce() -> None:
+        if server.is_open_to_others:
+            order.output.line(words("serve-open-to-others"))
+        order.output.line(words("serve-address", link=server.link))
+
     try:
-        Server(command(order.invocation.options), host=HOST, port=int(port), title="Donnie").serve()
+        asyncio.run(serve_until_signal(server, announce))
     except OSError as problem:
-        raise Unusable(words("serve-failed", port=port, reason=problem.strerror or str(problem))) from None
+        reason = problem.strerror or str(problem)
+        if arguments.listen:
+            reason = f"{address}: {reason}"
+        raise Unusable(words("serve-failed", port=port, reason=reason)) from None
     return ExitCode.DONE
 
 
-def command(options: dict[str, str]) -> str:
+def _number(words: Words, complaint: str, typed: str, allowed: range) -> int:
+    number = int(typed) if typed.isdecimal() and len(typed) <= _MOST_DIGITS else -1
+    if number not in allowed:
+        raise Unusable(words(complaint, value=typed[:20], least=allowed[0], most=allowed[-1]))
+    return number
+
+
+_MOST_DIGITS = 9
+
+
+def page_command(options: Mapping[str, str]) -> list[str]:
     """What is run for each page: the full screen with the same options."""
-    given = [part for key, value in options.items() for part in (f"--{key}", value)]
-    return shlex.join([sys.executable, "-m", "donnie_tui", "--visual", *given])
+    given = [part for key, value in options.items() for part in (BY_KEY[key].option, value)]
+    return [sys.executable, "-m", "donnie_tui", "--visual", *given]
+
+
+def _installing() -> str:
+    """The command that installs what is missing, here: a checkout is on no index of packages."""
+    root = Path(__file__).resolve().parents[2]
+    wanted = ["--editable", f"{root}[serve]"] if (root / "pyproject.toml").exists() else ["donnie-tui[serve]"]
+    installer = ["uv", "pip", "install", "--python", sys.executable]
+    if find_spec("pip") is not None:
+        installer = [sys.executable, "-m", "pip", "install"]
+    return shlex.join([*installer, *wanted])

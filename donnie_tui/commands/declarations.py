@@ -46,6 +46,8 @@ class Command(Struct, frozen=True, eq=False):
     """Whether it is about the screen alone."""
     in_words: str = ""
     """Of a visual command: the command that says the same in words."""
+    needs_terminal: bool = False
+    """Whether a page in a browser can't do it; it is not offered there."""
 
 
 _HELD, _ALWAYS = When.HELD, When.ALWAYS
@@ -188,7 +190,7 @@ COMMANDS = (
     Command("tour", "help", keys=("ctrl+k shift+t",)),
     Command("help", "help", _ALWAYS, keys=("f1",), argument="topic", is_godonnie=True),
     Command("manual", "help", _ALWAYS, keys=("ctrl+k f1",), argument="topic"),
-    Command("linear", "help", _ALWAYS, keys=("ctrl+k q",)),
+    Command("linear", "help", _ALWAYS, keys=("ctrl+k q",), needs_terminal=True),
     Command("visual", "help", _ALWAYS, keys=("ctrl+k f4",)),
     Command("quit", "help", _ALWAYS, keys=("ctrl+q",), is_godonnie=True),
     Command("zoom_in", "world", _ALWAYS, keys=("ctrl+k plus",), is_visual=True),
@@ -211,7 +213,15 @@ COMMANDS = (
     Command("redraw", "settings", _ALWAYS, keys=("ctrl+k f5",), is_visual=True),
     Command("change_keys", "settings", _ALWAYS, keys=("ctrl+k shift+k",), is_visual=True),
     Command("keys_here", "help", _ALWAYS, keys=("ctrl+k 0",), is_visual=True, in_words="help"),
-    Command("open_log", "read", _ALWAYS, keys=("ctrl+k g",), is_visual=True, in_words="show_log"),
+    Command(
+        "open_log",
+        "read",
+        _ALWAYS,
+        keys=("ctrl+k g",),
+        is_visual=True,
+        in_words="show_log",
+        needs_terminal=True,
+    ),
 )
 
 BY_NAME = {each.name: each for each in COMMANDS}

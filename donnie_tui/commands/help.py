@@ -109,6 +109,8 @@ async def linear(ctx: Context, _: str) -> None:
     """Go on in the linear mode, the robot where it is."""
     if ctx.screen is None:
         ctx.answer("already-linear")
+    elif ctx.screen.is_page:
+        ctx.answer("page-no-linear")
     else:
         await _switch_mode(ctx)
 

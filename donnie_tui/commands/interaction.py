@@ -228,6 +228,10 @@ class Screen(Protocol):
         """Whether it is one column without decoration."""
 
     @property
+    def is_page(self) -> bool:
+        """Whether it is a page in a browser, which has no terminal."""
+
+    @property
     def key_table(self) -> KeyTable: ...
 
     def show_manual(self) -> None: ...

@@ -98,8 +98,9 @@ _LONGEST_KEY = 40
 class KeyTable:
     """The keys of each command; one table for the whole screen, changed in place."""
 
-    def __init__(self, chosen: str = "") -> None:
+    def __init__(self, chosen: str = "", *, has_terminal: bool = True) -> None:
         self._keys: dict[str, tuple[str, ...]] = {}
+        self._has_terminal = has_terminal
         self.choose(chosen)
 
     def choose(self, chosen: str) -> None:
@@ -108,7 +109,11 @@ class KeyTable:
         for name, key in understood(chosen):
             keys = {other: tuple(each for each in have if each != key) for other, have in keys.items()}
             keys[name] = (key, *keys[name])
-        self._keys = keys
+        self._keys = {name: have for name, have in keys.items() if self.offers(name)}
+
+    def offers(self, name: str) -> bool:
+        """Whether a command is possible here; in a browser not all are."""
+        return self._has_terminal or not BY_NAME[name].needs_terminal
 
     @property
     def all(self) -> Mapping[str, tuple[str, ...]]:

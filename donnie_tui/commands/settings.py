@@ -77,7 +77,7 @@ async def set_value(ctx: Context, argument: str) -> None:
     if preference is None:
         ctx.answer("screen-no-setting", name=printable(name[:LONGEST_NAME]))
     elif preference.where is (Where.LINEAR if ctx.screen is not None else Where.SCREEN):
-        ctx.answer("only-in-linear-mode" if ctx.screen is not None else "only-on-screen")
+        ctx.answer(_only_in_other_mode(ctx))
     elif preference.key == "cues":
         await _set_cue(ctx, typed.strip())
     elif typed.strip():
@@ -88,6 +88,12 @@ async def set_value(ctx: Context, argument: str) -> None:
             change(ctx, preference.key, value)
     else:
         await _ask_for_value(ctx, preference)
+
+
+def _only_in_other_mode(ctx: Context) -> str:
+    if ctx.screen is None:
+        return "only-on-screen"
+    return "page-no-linear" if ctx.screen.is_page else "only-in-linear-mode"
 
 
 async def _list(ctx: Context) -> None:
@@ -249,9 +255,11 @@ def _change_cue(ctx: Context, cue: str, percent: int) -> None:
 @handles("change_keys")
 async def change_keys(ctx: Context, _: str) -> None:
     """One command after the other gets another key, until the learner goes back."""
-    words, chosen = ctx.words, _AS_BEFORE
+    assert ctx.screen is not None
+    words, chosen, offers = ctx.words, _AS_BEFORE, ctx.screen.key_table.offers
+    names = [each.name for each in COMMANDS if offers(each.name)]
     while True:
-        rows = [Option(each.name, _key_row(ctx, each.name), each.name == chosen) for each in COMMANDS]
+        rows = [Option(each, _key_row(ctx, each), each == chosen) for each in names]
         has_choices = bool(ctx.preferences.settings.keys)
         first = [Option(_AS_BEFORE, words("keys-as-before"))] if has_choices else []
         answer = await ctx.interaction.choose(words("keys-title"), [*first, *rows])

@@ -21,13 +21,12 @@ from donnie_tui.i18n.first_words import early
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.folders import UNSAVED, state_folder
 from donnie_tui.settings.settings import Settings
-from donnie_tui.tui.environment import is_plain
+from donnie_tui.tui.environment import is_page, is_plain
 from donnie_tui.tui.key_queue import Dialogs
 from donnie_tui.tui.keyboard import STOPS, Keyboard, bindings
 from donnie_tui.tui.screens.main_screen import MainScreen
-from donnie_tui.tui.session_handle import SessionHandle
 from donnie_tui.tui.shutdown import Shutdown
-from donnie_tui.tui.startup import Startup
+from donnie_tui.tui.startup import SessionHandle, Startup
 from donnie_tui.tui.terminal import TerminalApp
 from donnie_tui.tui.widgets.command_line import CommandLine
 from donnie_tui.tui.widgets.editor import Editor
@@ -70,7 +69,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         self.main_screen = MainScreen(
             self.size, plain=is_plain(settings), focus=restored.focus if restored else ""
         )
-        self.key_table = KeyTable()
+        self.key_table = KeyTable(has_terminal=not is_page())
         self._bind(settings.keys)
         self.session = SessionHandle(search)
         self._dialogs = Dialogs(self, self.main_screen, self._release_keys)

@@ -6,7 +6,7 @@ The plain layout is for screen readers: one column, and nothing that a reader wo
 from __future__ import annotations
 
 import os
-from collections.abc import MutableMapping
+from collections.abc import Mapping, MutableMapping
 from functools import cache
 
 from donnie_tui.settings.settings import Settings
@@ -21,6 +21,11 @@ def prepare(settings: Settings, environment: MutableMapping[str, str] = os.envir
     environment.setdefault("TEXTUAL_ANIMATIONS", "none")
     if is_plain(settings) or environment.get("TERM", "").startswith(_WITHOUT_KEY_REPORTS):
         environment.setdefault("TEXTUAL_DISABLE_KITTY_KEY", "1")
+
+
+def is_page(environment: Mapping[str, str] = os.environ) -> bool:
+    """Whether a browser shows the screen: then the driver for pages is named."""
+    return bool(environment.get("TEXTUAL_DRIVER"))
 
 
 def wants_mouse(settings: Settings) -> bool:

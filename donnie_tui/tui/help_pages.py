@@ -37,7 +37,7 @@ def help_text(words: Wording, table: KeyTable) -> tuple[str, ...]:
     """Every command of the screen, the typed word first: it works everywhere; then those of GoDonnie."""
     return (
         words("help-screen-words"),
-        *(help_line(each, words, table.labels(each.name, words.language)) for each in COMMANDS),
+        *(help_line(each, words, table.labels(each.name, words.language)) for each in _offered(table)),
         words("help-palette"),
         words("help-program-words"),
         *_program_lines(words),
@@ -91,7 +91,11 @@ def _focused_part(place: MainScreen) -> str:
 
 def palette(words: Wording, table: KeyTable) -> tuple[Option, ...]:
     """Every command, with its keys."""
-    return tuple(Option(each.name, _palette_row(each, words, table)) for each in COMMANDS)
+    return tuple(Option(each.name, _palette_row(each, words, table)) for each in _offered(table))
+
+
+def _offered(table: KeyTable) -> list[Command]:
+    return [each for each in COMMANDS if table.offers(each.name)]
 
 
 def _palette_row(command: Command, words: Wording, table: KeyTable) -> str:

@@ -23,6 +23,7 @@ from donnie_tui.core.workspace import Workspace
 from donnie_tui.i18n.help import manual
 from donnie_tui.i18n.words import Words
 from donnie_tui.tui.controller import ScreenController
+from donnie_tui.tui.environment import is_page
 from donnie_tui.tui.help_pages import help_lines, keys_here, tour_pages
 from donnie_tui.tui.key_queue import Dialogs
 from donnie_tui.tui.normal_screen import PagerError, show_in_pager
@@ -304,6 +305,10 @@ class ScreenInteraction:
     @property
     def is_plain(self) -> bool:
         return self._place.is_plain
+
+    @property
+    def is_page(self) -> bool:
+        return is_page()
 
     def _open_page(self, title: str, lines: Sequence[str], further: Callable[[], None] | None = None) -> None:
         self._dialogs.open(Help(title, tuple(lines), self._controller.point, further))

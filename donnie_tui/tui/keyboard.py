@@ -16,7 +16,7 @@ from textual.widgets import Input, TextArea
 from donnie_tui.commands.keys import MENU, PALETTE, KeyTable, after_menu, key_label
 from donnie_tui.tui.key_queue import Dialogs, KeyQueue
 from donnie_tui.tui.screens.main_screen import MainScreen
-from donnie_tui.tui.session_handle import SessionHandle
+from donnie_tui.tui.startup import SessionHandle
 
 if TYPE_CHECKING:
     from donnie_tui.i18n.words import Words

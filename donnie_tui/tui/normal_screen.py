@@ -11,6 +11,8 @@ import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from donnie_tui.tui.environment import is_page
+
 LAST_LINES = 20
 """Lines of the log that stay on the normal screen."""
 
@@ -27,7 +29,7 @@ def print_last_lines(lines: Sequence[str]) -> None:
     """The end of the log, where the shell continues: it can be read again there."""
     from language.source import printable
 
-    if os.environ.get("TEXTUAL_DRIVER"):
+    if is_page():
         return  # a browser has no such screen
     try:
         for line in lines[-LAST_LINES:]:

@@ -24,6 +24,7 @@ from typing import Any
 
 from textual.app import App
 
+from donnie_tui.process.disconnection import ReaderWatch
 from donnie_tui.process.signals import (
     LEAVING,
     Deputy,
@@ -34,7 +35,8 @@ from donnie_tui.process.signals import (
     numbers_of,
     suspend,
 )
-from donnie_tui.tui.session_handle import SessionHandle
+from donnie_tui.tui.environment import is_page
+from donnie_tui.tui.startup import SessionHandle
 
 FAULT = "fault.txt"
 """In the folder of the copies: what went wrong at last."""
@@ -59,6 +61,8 @@ class Shutdown:
         self._app, self._session, self._folder = app, session, folder
         self._stop_all, self._repaint = stop_all, repaint
         self._watchdog: Watchdog | None = None
+        self._readers: ReaderWatch | None = None
+        """Of a page: the server may be gone."""
 
     def begin(self) -> None:
         """From now on a signal or a lost connection ends the screen. SIGINT only stops the program."""
@@ -83,9 +87,13 @@ class Shutdown:
         with suppress(ValueError):
             watchdog.begin()
             self._watchdog = watchdog
+            if is_page():
+                self._readers = ReaderWatch()
 
     def end_watchdog(self) -> None:
         """In the main thread, once nothing is written to the screen any more."""
+        if self._readers is not None:
+            self._readers.close()
         if self._watchdog is not None:
             self._watchdog.end()
 

@@ -19,15 +19,91 @@ from donnie_tui.i18n.first_words import early
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.parsing import SERIAL
 from donnie_tui.settings.settings import Settings
+from donnie_tui.tui.environment import is_page
 from donnie_tui.tui.screens.main_screen import MainScreen
-from donnie_tui.tui.session_handle import SessionHandle
 
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
-    from donnie_tui.tui.controller import ScreenState
+    from donnie_tui.tui.controller import ScreenController, ScreenState
 
 _TITLES = ("pane-program-empty", "pane-map-empty", "pane-inspector", "pane-log")
 """Of the panes, before there is a program and a world."""
+
+
+class SessionHandle:
+    """The session as the screen reaches it: empty first, then assembled, then with its controller.
+
+    Keys, signals and faults may come before there is a session. What stops the robots works in any thread.
+    """
+
+    def __init__(self, search: Search | None) -> None:
+        """``search`` gives up the first search for a robot, where there is one."""
+        self._search = search
+        self.assembled: Donnie | None = None
+        """Kept so that ``close`` ends it, too, where the learner leaves before there is a controller."""
+        self.controller: ScreenController | None = None
+        """None until it is loaded."""
+
+    @property
+    def runs(self) -> bool:
+        """Whether any robot has something to stop."""
+        controller = self.controller
+        return controller is not None and (
+            controller.ctx.runs.is_busy or bool(controller.donnie.team.running)
+        )
+
+    @property
+    def next_world(self) -> str:
+        """The world in which the screen is to come back; empty where it is not."""
+        return self.controller.next_world if self.controller is not None else ""
+
+    @property
+    def left_for_linear(self) -> bool:
+        return self.controller is not None and self.controller.left_for_linear
+
+    def give_up_search(self) -> bool:
+        """Cancel the search for a robot; True if there was one."""
+        controller = self.controller
+        search = controller.donnie.connection.search if controller is not None else self._search
+        return search is not None and search.give_up()
+
+    def halt(self) -> None:
+        """Stop all robots, and cancel the search for one."""
+        self.give_up_search()
+        if self.controller is not None:
+            self.controller.ctx.runs.note_stop()
+            self.controller.donnie.team.stop()
+
+    def stop_real_robot(self) -> bool:
+        """Stop a real robot; True if it was driving."""
+        return self.controller is not None and self.controller.donnie.stop_real_robot()
+
+    def point(self, words: str) -> None:
+        """Speak what the learner looks at."""
+        if self.controller is not None:
+            self.controller.point(words)
+
+    def say(self, code: str, **values: object) -> None:
+        """Answer with a sentence of the catalogue."""
+        if self.controller is not None:
+            self.controller.ctx.answer(code, **values)
+
+    def keep_text(self) -> None:
+        """Write the unsaved copies, for the next start."""
+        if self.controller is not None:
+            self.controller.workspace.write_copies()
+
+    def code_at_end(self, code: int, report: Callable[[str], object]) -> int:
+        """See ``Donnie``; after ``close``."""
+        donnie = self.controller.donnie if self.controller is not None else self.assembled
+        return code if donnie is None else donnie.code_at_end(code, report)
+
+    def close(self) -> None:
+        """After the screen is gone: nothing is left running."""
+        if self.controller is not None:
+            self.controller.close()
+        elif self.assembled is not None:
+            self.assembled.close()
 
 
 class Startup:
@@ -80,7 +156,7 @@ class Startup:
         named = (("run", "RUN"), ("help", "HELP"))
         keys = {name: key_table.label(name, language) or word for name, word in named}
         about_keys = early("screen-start-keys", language).format(**keys)
-        self._greeting = (early("screen-start", language), about_keys)
+        self._greeting = (early("screen-start-page" if is_page() else "screen-start", language), about_keys)
         place.log_lines((line, "") for line in self._greeting)
 
     # --- the session

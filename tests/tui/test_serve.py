@@ -2,10 +2,10 @@
 
 import asyncio
 import base64
-import os
 import shutil
 import socket
 import subprocess
+import sys
 import time
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
@@ -15,7 +15,7 @@ from typing import Any
 import pyte
 import pytest
 
-from tests.sessions.command import COMMAND, QUIET
+from tests.sessions.command import COMMAND, QUIET, environment
 from tests.timeouts import TIMEOUT
 
 aiohttp = pytest.importorskip("aiohttp")
@@ -34,35 +34,78 @@ def free_port() -> int:
         return found.getsockname()[1]
 
 
+class Server:
+    """``donnie serve`` in a process and a folder of its own."""
+
+    def __init__(self, folder: Path, *options: str) -> None:
+        self.port, self.folder = free_port(), folder
+        self.address = f"http://localhost:{self.port}"
+        self.process = subprocess.Popen(
+            [*COMMAND, "serve", "--port", str(self.port), *QUIET, "--lang", "en", *options],
+            cwd=ROOT,
+            env=environment(folder),
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        assert self.process.stdout is not None
+        printed = self.process.stdout.readline()
+        self.link = next((word for word in printed.split() if word.startswith("http")), "")
+        assert self.link, printed
+
+    async def session(self) -> Any:
+        """A client with the cookie."""
+        session = aiohttp.ClientSession()
+        async with session.get(self.link) as page:
+            assert page.status == 200
+        return session
+
+    @asynccontextmanager
+    async def page(self, size: str = "width=80&height=24") -> AsyncIterator[Any]:
+        """A page's socket."""
+        async with (
+            await self.session() as session,
+            session.ws_connect(f"{self.address}/ws?{size}", headers={"Origin": self.address}) as terminal,
+        ):
+            yield terminal
+
+    @property
+    def children(self) -> list[int]:
+        """The processes of the pages."""
+        found = Path(f"/proc/{self.process.pid}/task/{self.process.pid}/children")
+        return [int(each) for each in found.read_text().split()]
+
+    @property
+    def copies(self) -> list[str]:
+        """The texts that the next start offers."""
+        return [each.read_text() for each in (self.folder / "state").rglob("unsaved-*.gd")]
+
+    def end(self) -> None:
+        self.process.terminate()
+        self.process.wait(TIMEOUT)
+
+
 @pytest.fixture
 def server(tmp_path):
-    """The port of one that serves."""
-    port = free_port()
-    process = subprocess.Popen(
-        [*COMMAND, "serve", "--port", str(port), *QUIET, "--lang", "en"],
-        cwd=ROOT,
-        env=os.environ | {"HOME": str(tmp_path), "DONNIE_TOUR": "off"},
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-    )
-    end = time.monotonic() + TIMEOUT
-    while socket.socket().connect_ex(("localhost", port)):
-        assert time.monotonic() < end and process.poll() is None, "it does not listen"
-        time.sleep(0.05)
-    yield port
-    process.terminate()
-    process.wait(TIMEOUT)
+    server = Server(tmp_path)
+    yield server
+    server.end()
 
 
 @pytest.mark.filterwarnings("ignore::ResourceWarning")
 async def test_a_page_shows_the_full_screen(server):
-    address = f"http://localhost:{server}"
-    async with aiohttp.ClientSession() as session:
-        async with session.get(address) as page:
-            assert page.status == 200
-            assert "Donnie" in await page.text()
-        async with session.ws_connect(f"{address}/ws?width=80&height=24") as terminal:
-            await until_shown(terminal, Shown(), FIRST_WORDS)
+    async with await server.session() as session, session.get(server.address) as page:
+        assert page.status == 200
+        assert "Donnie" in await page.text()
+    async with server.page() as terminal:
+        await until_shown(terminal, Shown(), FIRST_WORDS)
+
+
+async def until(condition: Any) -> None:
+    end = time.monotonic() + TIMEOUT
+    while not condition():
+        assert time.monotonic() < end, "it never happened"
+        await asyncio.sleep(0.05)
 
 
 class Shown:
@@ -103,7 +146,7 @@ def browser(server, tmp_path):
         [
             str(CHROMIUM), "--headless=new", "--no-sandbox", "--disable-gpu", "--window-size=1000,700",
             f"--remote-debugging-port={port}", f"--user-data-dir={tmp_path / 'browser'}",
-            f"http://localhost:{server}/",
+            server.link,
         ],
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
@@ -120,6 +163,10 @@ class Page:
         self._socket = socket
         self._calls = 0
         self._shown = Shown()
+        self.asked: list[str] = []
+        """The addresses of what the page asked for."""
+        self.complaints: list[str] = []
+        """What the browser complains of, such as a breach of the page's policy."""
 
     async def call(self, method: str, **values: Any) -> dict[str, Any]:
         self._calls += 1
@@ -131,6 +178,12 @@ class Page:
                 return reply.get("result", {})
 
     def _note(self, reply: dict[str, Any]) -> None:
+        if reply.get("method") == "Network.requestWillBeSent":
+            self.asked.append(reply["params"]["request"]["url"])
+        if reply.get("method") == "Network.webSocketCreated":
+            self.asked.append(reply["params"]["url"])
+        if reply.get("method") == "Log.entryAdded":
+            self.complaints.append(reply["params"]["entry"]["text"])
         if reply.get("method") == "Network.webSocketFrameReceived":
             frame = reply["params"]["response"]
             if frame["opcode"] != 1:
@@ -143,8 +196,21 @@ class Page:
             except TimeoutError:
                 pytest.fail(f"never shown: {text}\n{self._shown}")
 
+    async def opened(self) -> None:
+        """The page, from its beginning: the link was exchanged, and what it asks for is written down."""
+        await self.call("Network.enable")
+        await self.call("Log.enable")
+        while not await self.value("document.getElementById('terminal') !== null"):
+            pass
+        await self.call("Page.reload")
+
     async def value(self, expression: str) -> Any:
         return (await self.call("Runtime.evaluate", expression=expression))["result"].get("value")
+
+    async def until_title(self, title: str) -> None:
+        end = time.monotonic() + TIMEOUT
+        while (found := await self.value("document.title")) != title:
+            assert time.monotonic() < end, found
 
     async def type(self, letters: str) -> None:
         """As a keyboard does, into the hidden text field that the page's terminal listens to."""
@@ -183,8 +249,7 @@ async def page_of(browser: str) -> AsyncIterator[Page]:
 @pytest.mark.filterwarnings("ignore::ResourceWarning")
 async def test_a_browser_shows_the_main_screen_and_tab_gives_it_the_keyboard(browser):
     async with page_of(browser) as page:
-        await page.call("Network.enable")
-        await page.call("Page.reload")
+        await page.opened()
         await page.gets(FIRST_WORDS)
         while await page.value("document.activeElement.tagName") != "TEXTAREA":
             await page.press("Tab", 9)
@@ -196,9 +261,8 @@ async def test_a_browser_shows_the_main_screen_and_tab_gives_it_the_keyboard(bro
 async def test_letters_typed_in_a_browser_are_read_and_answered(browser):
     """A page begins without the focus: once it has it, the program has it too."""
     async with page_of(browser) as page:
-        await page.call("Network.enable")
         await page.call("Emulation.setFocusEmulationEnabled", enabled=True)
-        await page.call("Page.reload")
+        await page.opened()
         await page.gets(FIRST_WORDS)
         while await page.value("document.querySelector('.xterm-helper-textarea') === null"):
             pass
@@ -206,14 +270,177 @@ async def test_letters_typed_in_a_browser_are_read_and_answered(browser):
         await page.gets("I do not know fwq.")
 
 
+@pytest.mark.skipif(CHROMIUM is None, reason="needs chromium")
+@pytest.mark.filterwarnings("ignore::ResourceWarning")
+async def test_a_page_asks_this_server_alone_and_keeps_its_policy(browser, server):
+    async with page_of(browser) as page:
+        await page.opened()
+        await page.gets(FIRST_WORDS)
+        assert await page.value("document.fonts.check('16px \"Roboto Mono\"')")
+        assert await page.value("document.title") == "Donnie"
+
+        ours = (server.address, f"ws://localhost:{server.port}/ws", "data:")
+        assert page.asked
+        assert [each for each in page.asked if not each.startswith(ours)] == []
+        assert page.complaints == []
+
+
+FOREIGN_PAGE = """<!DOCTYPE html><title>foreign</title><script>
+const ours = location.hash.slice(1);
+const tries = [
+  new Promise(done => {
+    const socket = new WebSocket(`ws://${ours}/ws?width=80&height=24`);
+    socket.onopen = () => done("open");
+    socket.onerror = () => done("refused");
+  }),
+  fetch(`http://${ours}/`, {mode: "no-cors", credentials: "include"}).then(() => "sent", () => "refused"),
+  fetch(`http://${ours}/`, {credentials: "include"}).then(each => each.text(), () => "refused"),
+  new Promise(done => {
+    const frame = document.createElement("iframe");
+    frame.onload = () => done("loaded");
+    frame.src = `http://${ours}/`;
+    document.documentElement.append(frame);
+  }),
+];
+Promise.all(tries).then(all => { document.title = all.join(" "); });
+</script>"""
+"""Of another port of this machine: for the browser the same site, which gets our cookie."""
+
+
+@pytest.mark.skipif(CHROMIUM is None, reason="needs chromium")
+@pytest.mark.filterwarnings("ignore::ResourceWarning")
+async def test_a_page_of_another_origin_gets_nothing_even_with_our_cookie(browser, server):
+    from aiohttp import web
+
+    async def foreign(_: web.Request) -> web.Response:
+        return web.Response(text=FOREIGN_PAGE, content_type="text/html")
+
+    application, port = web.Application(), free_port()
+    application.router.add_get("/", foreign)
+    runner = web.AppRunner(application)
+    await runner.setup()
+    await web.TCPSite(runner, "localhost", port).start()
+    try:
+        async with page_of(browser) as page:
+            await page.opened()
+            await page.gets(FIRST_WORDS)
+            await page.call("Page.navigate", url=f"http://localhost:{port}/#localhost:{server.port}")
+            await page.until_title("refused sent refused loaded")
+    finally:
+        await runner.cleanup()
+    server.end()
+    log = server.process.stderr.read().splitlines()
+    from_there = f"Refused ADDRESS: it comes from a page of http://localhost:{port}."
+    assert {each.replace("127.0.0.1", "ADDRESS").replace("::1", "ADDRESS") for each in log} == {
+        from_there,
+        "Refused ADDRESS: it comes from another page.",
+    }
+    assert len(log) == 4
+
+
 @pytest.mark.filterwarnings("ignore::ResourceWarning")
 async def test_a_page_that_begins_without_the_focus_takes_letters(server):
-    async with (
-        aiohttp.ClientSession() as session,
-        session.ws_connect(f"http://localhost:{server}/ws?width=80&height=24") as terminal,
-    ):
+    async with server.page() as terminal:
         shown = Shown()
         await until_shown(terminal, shown, FIRST_WORDS)
         for message in (["focus"], ["stdin", "fwq"]):
             await terminal.send_json(message)
         await until_shown(terminal, shown, "I do not know fwq.")
+
+
+async def typed(terminal: Any, shown: Shown, text: str, answer: str) -> None:
+    """A line of the command line, and what is shown then."""
+    await terminal.send_json(["stdin", f"{text}\r"])
+    await until_shown(terminal, shown, answer)
+
+
+PROGRAM = "FW 3 -- not saved"
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
+@pytest.mark.filterwarnings("ignore::ResourceWarning")
+async def test_no_process_shows_the_secret(server):
+    async with server.page() as terminal:
+        await until_shown(terminal, Shown(), FIRST_WORDS)
+        secret, children = server.link.rpartition("/")[2].encode(), server.children
+        assert children
+        for each in (server.process.pid, *children):
+            assert secret not in Path(f"/proc/{each}/cmdline").read_bytes()
+            assert secret not in Path(f"/proc/{each}/environ").read_bytes()
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
+@pytest.mark.parametrize("way", ["closed", "cut", "idle", "server killed"])
+@pytest.mark.filterwarnings("ignore::ResourceWarning")
+async def test_the_text_of_a_page_that_is_gone_is_offered_at_the_next_start(tmp_path, way):
+    options = ("--idle", "1") if way == "idle" else ()
+    server = Server(tmp_path, *options)
+    try:
+        async with server.page() as terminal:
+            shown = Shown()
+            await until_shown(terminal, shown, FIRST_WORDS)
+            await terminal.send_json(["focus"])
+            await terminal.send_json(["stdin", PROGRAM])
+            await until_shown(terminal, shown, PROGRAM)
+            children = server.children
+            if way == "cut":
+                terminal._response.connection.transport.abort()
+            elif way == "server killed":
+                server.process.kill()
+            elif way == "idle":
+                while not terminal.closed:
+                    await terminal.receive(timeout=TIMEOUT)
+        await until(lambda: not any(Path(f"/proc/{each}/exe").exists() for each in children))
+        assert server.copies == [PROGRAM]
+    finally:
+        server.end()
+    again = Server(tmp_path)
+    try:
+        async with again.page() as terminal:
+            await until_shown(terminal, Shown(), "A program was rescued.")
+    finally:
+        again.end()
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
+@pytest.mark.filterwarnings("ignore::ResourceWarning")
+async def test_a_page_that_is_cut_stops_its_robot(tmp_path):
+    server = Server(tmp_path, "--events", str(tmp_path / "events"), "--speed", "1")
+    try:
+        async with server.page() as terminal:
+            shown = Shown()
+            await until_shown(terminal, shown, FIRST_WORDS)
+            await terminal.send_json(["focus"])
+            await terminal.send_json(["stdin", "REPEAT 1000 TIMES TR 1 END REPEAT\x1b[15~"])
+            await until(lambda: '"Turned"' in (tmp_path / "events").read_text())
+            children = server.children
+            terminal._response.connection.transport.abort()
+        await until(lambda: not any(Path(f"/proc/{each}/exe").exists() for each in children))
+        last = (tmp_path / "events").read_text().splitlines()[-1]
+        assert "Finished" in last and "stopped" in last
+    finally:
+        server.end()
+
+
+@pytest.mark.filterwarnings("ignore::ResourceWarning")
+async def test_a_page_does_not_offer_what_needs_a_terminal(server):
+    async with server.page("width=100&height=40") as terminal:
+        shown = Shown()
+        await until_shown(terminal, shown, "Screen reader? In a terminal: donnie --linear")
+        await terminal.send_json(["focus"])
+        await typed(terminal, shown, "LINEAR", "A page has no linear mode.")
+        await terminal.send_json(["stdin", "\x0b"])  # Ctrl+K lists the keys after it
+        await until_shown(terminal, shown, "QUIET")
+        assert not shown.has("LINEAR:")
+        await terminal.send_json(["stdin", "q"])
+        await until_shown(terminal, shown, "Ctrl+K q")
+
+
+@pytest.mark.filterwarnings("ignore::ResourceWarning")
+async def test_a_page_stays_on_the_way_to_another_world(server):
+    async with server.page("width=100&height=40") as terminal:
+        shown = Shown()
+        await until_shown(terminal, shown, FIRST_WORDS)
+        await terminal.send_json(["focus"])
+        await terminal.send_json(["stdin", "\t\t\t"])
+        await typed(terminal, shown, "WORLD maze", "maze")

@@ -1,0 +1,287 @@
+"""One page of ``donnie serve``: passes its keys to a process, and what the process paints to the page.
+
+The process is a full screen with Textual's driver for pages. Both ends are bounded: a page that takes no
+output stops its robot and then counts as gone, and a process that takes no input is ended.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import os
+import signal
+from asyncio.subprocess import PIPE, Process
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+
+import msgspec
+from aiohttp import WSCloseCode, WSMsgType, web
+from msgspec import Struct
+from textual_serve.app_service import AppService
+from textual_serve.download_manager import DownloadManager
+
+from donnie_tui.core.wording import Wording
+
+LONGEST_REASON = 123
+"""Bytes of the reason with which a WebSocket is closed."""
+_LONGEST_PING = 60
+IDLE_CODE, FAILED_CODE = 4000, 4001
+"""Our own codes with which a WebSocket is closed."""
+
+
+class PageLimits(Struct, frozen=True):
+    """What the pages may use. Times are in seconds."""
+
+    sessions: int = 8
+    idle: float = 3600
+    """Without a key for so long, a page ends; 0 is never."""
+    frame: int = 2**20
+    """Bytes of one message from a page."""
+    connections: int = 100
+    """Open at once, with the refused ones."""
+    first_request: float = 10
+    """Until a new connection has shown the cookie or the link."""
+    heartbeat: float = 10
+    """Between two questions whether the page is there; it has half of it to answer."""
+    stalled: float = 2.5
+    """After so long in which a page takes no output its robot stops."""
+    lost: float = 20
+    """After so long more it counts as gone."""
+    end: float = 5
+    """Until a process that should end is killed."""
+
+
+class PageSession(AppService):
+    """The process behind a page, from ``start`` to ``end``."""
+
+    def __init__(
+        self,
+        command: Sequence[str],
+        page: web.WebSocketResponse,
+        words: Wording,
+        limits: PageLimits,
+        abort: Callable[[], object],
+    ) -> None:
+        """``abort`` cuts the connection to the page."""
+        super().__init__(
+            "",
+            write_bytes=page.send_bytes,
+            write_str=page.send_str,
+            close=page.close,  # type: ignore[arg-type] # what it returns is not asked for
+            download_manager=DownloadManager(),
+        )
+        self._arguments, self._page, self._words, self._limits = command, page, words, limits
+        self._abort = abort
+        self.is_ending = False
+        self._is_listening = False
+        """Whether the driver in the process reads: not before it began, nor between two worlds."""
+        self._held: list[bytes] = []
+        """Packets for the driver that begins next."""
+        self._size = (80, 24)
+        self._has_focus = False
+        self._has_painted = False
+        self._complaint = b""
+        """The end of what the process wrote to standard error."""
+        self._last_key = 0.0
+
+    # --- from the beginning to the end
+
+    async def start(self, width: int, height: int) -> None:
+        """Raises ``OSError``. The process has its own group: Ctrl+C at the server is not for it."""
+        self._size = width, height
+        self._process = await asyncio.create_subprocess_exec(
+            *self._arguments,
+            stdin=PIPE,
+            stdout=PIPE,
+            stderr=PIPE,
+            env=self._build_environment(width, height),
+            start_new_session=True,
+        )
+        self._stdin = self._process.stdin
+        self._task = asyncio.create_task(self.run())
+
+    async def talk(self) -> None:
+        """Pass on what the page sends, until it is gone or was closed."""
+        self._last_key = asyncio.get_running_loop().time()
+        idle = asyncio.create_task(self._close_when_idle())
+        try:
+            async for message in self._page:
+                if message.type is WSMsgType.ERROR:
+                    return
+                if message.type is WSMsgType.TEXT:
+                    await self._take(message.data)
+        finally:
+            idle.cancel()
+
+    async def end(self) -> None:
+        """The page is gone: as if a terminal had hung up, the robot stops and the text is kept."""
+        process, task = self._process, self._task
+        self.is_ending = True
+        if process is None or task is None:
+            return
+        self._hang_up()
+        try:
+            await asyncio.wait_for(process.wait(), self._limits.end)
+        except TimeoutError:
+            _kill_group(process)
+            await process.wait()
+        await asyncio.wait({task}, timeout=self._limits.end)
+        task.cancel()
+
+    def _hang_up(self) -> None:
+        _send(self._process, getattr(signal, "SIGHUP", signal.SIGTERM))
+
+    def _lose(self) -> None:
+        """The page takes nothing any more; what waits for it must not go on waiting."""
+        self.is_ending = True
+        self._abort()
+        self._hang_up()
+
+    async def _close_when_idle(self) -> None:
+        loop, idle = asyncio.get_running_loop(), self._limits.idle
+        if not idle:
+            return
+        while (rest := self._last_key + idle - loop.time()) > 0:
+            await asyncio.sleep(rest)
+        await self.close(IDLE_CODE, self._words("serve-idle", minutes=max(1, round(idle / 60))))
+
+    async def close(self, code: int, sentence: str) -> None:
+        """End the page, which shows the sentence."""
+        await self._page.close(code=code, message=as_reason(sentence))
+
+    # --- from the page
+
+    async def _take(self, data: str) -> None:
+        """What can't be understood is ignored."""
+        try:
+            message = msgspec.json.decode(data)
+        except (msgspec.DecodeError, RecursionError):
+            return
+        match message:
+            case ["stdin", str(typed)]:
+                self._last_key = asyncio.get_running_loop().time()
+                await self._pass_on(b"D", typed.encode(errors="replace"))
+            case ["resize", {"width": int(width), "height": int(height)}]:
+                self._size = size_of(width, height)
+                await self._report_size()
+            case ["focus" | "blur" as kind]:
+                self._has_focus = kind == "focus"
+                await self._report(type=kind)
+            case ["ping", str(sent)] if len(sent) < _LONGEST_PING:
+                with suppress(ConnectionError, RuntimeError):
+                    await self._page.send_json(["pong", sent])
+
+    async def _report_size(self) -> None:
+        width, height = self._size
+        await self._report(type="resize", width=width, height=height)
+
+    async def _report(self, **values: object) -> None:
+        await self._pass_on(b"M", json.dumps(values).encode())
+
+    async def _pass_on(self, kind: bytes, payload: bytes) -> None:
+        """To the process. One that takes nothing for long has a page that can't be served."""
+        packet = self.encode_packet(kind, payload)  # type: ignore[arg-type] # D or M
+        if not self._is_listening:
+            if sum(map(len, self._held)) < self._limits.frame:
+                self._held.append(packet)
+            return
+        with suppress(ConnectionError, RuntimeError):
+            self.stdin.write(packet)
+            try:
+                await asyncio.wait_for(self.stdin.drain(), self._limits.lost)
+            except TimeoutError:
+                self._lose()
+
+    # --- from the process
+
+    async def run(self) -> None:
+        """Pass on what the process paints, to its end; then close the page."""
+        process = self._process
+        assert process is not None and process.stdout is not None and process.stderr is not None
+        complaints = asyncio.create_task(self._read_complaints(process.stderr))
+        with suppress(asyncio.IncompleteReadError, ConnectionError, ValueError):
+            await self._read_packets(process.stdout)
+        code = await process.wait()
+        await asyncio.wait({complaints}, timeout=self._limits.end)
+        complaints.cancel()
+        if not self.is_ending:
+            self.is_ending = True
+            has_failed = code and not self._has_painted
+            await self.close(FAILED_CODE if has_failed else WSCloseCode.OK, self._last_line if code else "")
+
+    async def _read_packets(self, output: asyncio.StreamReader) -> None:
+        """Each world has a driver of its own, which writes a line at its beginning."""
+        while not output.at_eof():
+            if not self._is_listening:
+                if await output.readline() == b"__GANGLION__\n":
+                    await self._begin()
+                continue
+            kind = await output.readexactly(1)
+            payload = await output.readexactly(int.from_bytes(await output.readexactly(4), "big"))
+            if kind == b"D":
+                await self.on_data(payload)
+            elif kind == b"M" and json.loads(payload).get("type") == "exit":
+                self._is_listening = False
+
+    async def _begin(self) -> None:
+        """A driver listens. It knows the first size, and begins without the focus."""
+        self._is_listening = True
+        held, self._held = self._held, []
+        if self._has_painted:
+            await self._report_size()
+        if self._has_focus:
+            await self._report(type="focus")
+        for packet in held:
+            self.stdin.write(packet)
+
+    async def on_data(self, payload: bytes) -> None:
+        """To the page. While that takes nothing, the process waits and can't see a key: its robot stops."""
+        self._has_painted = True
+        if self.is_ending:
+            return
+        sending = asyncio.ensure_future(self._page.send_bytes(payload))
+        done, _ = await asyncio.wait({sending}, timeout=self._limits.stalled)
+        if not done:
+            _send(self._process, signal.SIGINT)
+            done, _ = await asyncio.wait({sending}, timeout=self._limits.lost)
+        if not done:
+            sending.cancel()
+            self._lose()
+        elif sending.exception() is not None and not isinstance(
+            sending.exception(), (ConnectionError, RuntimeError)
+        ):
+            sending.result()
+
+    async def _read_complaints(self, errors: asyncio.StreamReader) -> None:
+        while data := await errors.read(4096):
+            self._complaint = (self._complaint + data)[-4096:]
+
+    @property
+    def _last_line(self) -> str:
+        lines = self._complaint.decode(errors="replace").strip().splitlines()
+        return lines[-1] if lines else ""
+
+
+def size_of(width: int, height: int) -> tuple[int, int]:
+    """As a screen may have it."""
+    return min(max(width, 20), 500), min(max(height, 6), 200)
+
+
+def as_reason(sentence: str) -> bytes:
+    """As long as a WebSocket takes it, in whole characters."""
+    return sentence.encode(errors="replace")[:LONGEST_REASON].decode(errors="ignore").encode()
+
+
+def _send(process: Process | None, number: int) -> None:
+    if process is not None and process.returncode is None:
+        with suppress(ProcessLookupError):
+            process.send_signal(number)
+
+
+def _kill_group(process: Process) -> None:
+    """With what it has started itself."""
+    with suppress(ProcessLookupError):
+        if hasattr(signal, "SIGKILL"):
+            os.killpg(process.pid, signal.SIGKILL)
+        else:
+            process.kill()
