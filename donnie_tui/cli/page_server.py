@@ -22,7 +22,6 @@ from importlib.util import find_spec
 from ipaddress import ip_address
 from pathlib import Path
 from string import Template
-from weakref import WeakSet
 
 from aiohttp import WSCloseCode, web
 
@@ -170,7 +169,7 @@ class PageServer:
         self._sessions: set[PageSession] = set()
         self._ended = asyncio.Condition()
         """Notified when a session has ended."""
-        self._unproven: WeakSet[asyncio.BaseProtocol] = WeakSet()
+        self._unproven: set[asyncio.BaseProtocol] = set()
         """Connections on which nothing was let in yet."""
         self._listeners: list[asyncio.Server] = []
 

@@ -29,6 +29,10 @@ IDLE_CODE, FAILED_CODE = 4000, 4001
 """Our own codes with which a WebSocket is closed."""
 
 
+_BEGINNING = b"__GANGLION__\n"
+"""What Textual's driver writes before its first packet."""
+
+
 class PageLimits(Struct, frozen=True):
     """What the pages may use. Times are in seconds."""
 
@@ -210,13 +214,16 @@ class PageSession(AppService):
             await self.close(FAILED_CODE if has_failed else WSCloseCode.OK, self._last_line if code else "")
 
     async def _read_packets(self, output: asyncio.StreamReader) -> None:
-        """Each world has a driver of its own, which writes a line at its beginning."""
-        while not output.at_eof():
-            if not self._is_listening:
-                if await output.readline() == b"__GANGLION__\n":
-                    await self._begin()
+        """Each world has a driver of its own. It begins with a line, and may paint after its end, too."""
+        while await output.readline() != _BEGINNING:
+            if output.at_eof():
+                return
+        await self._begin()
+        while kind := await output.read(1):
+            if kind == _BEGINNING[:1]:
+                await output.readline()
+                await self._begin()
                 continue
-            kind = await output.readexactly(1)
             payload = await output.readexactly(int.from_bytes(await output.readexactly(4), "big"))
             if kind == b"D":
                 await self.on_data(payload)

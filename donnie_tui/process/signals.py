@@ -89,7 +89,10 @@ class WakingSignals(TakenSignals):
 
     def give_back(self) -> None:
         if self._are_taken:
-            signal.set_wakeup_fd(self._fd_before)
+            try:
+                signal.set_wakeup_fd(self._fd_before)
+            except (OSError, ValueError):  # of an event loop that is closed by now
+                signal.set_wakeup_fd(-1)
         super().give_back()
 
     def close(self) -> None:

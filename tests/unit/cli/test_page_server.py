@@ -51,6 +51,8 @@ def begin():
     os.write(1, b"__GANGLION__\\n")
     write(b"D", b"first screen")
 
+print("a warning of a library")
+sys.stdout.flush()
 begin()
 read = sys.stdin.buffer.read
 while head := read(5):
@@ -61,6 +63,7 @@ while head := read(5):
         break
     if payload == b"world":
         write(b"M", json.dumps({"type": "exit"}).encode())
+        write(b"D", b"wiped")
         begin()
     while payload == b"flood":
         write(b"D", b"x" * 65536)

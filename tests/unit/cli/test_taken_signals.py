@@ -67,3 +67,16 @@ def test_another_thread_handles_no_signal() -> None:
 
     assert len(refused) == 1
     assert handled() == before
+
+
+def test_a_wakeup_that_is_closed_by_now_is_forgotten() -> None:
+    """An event loop may have ended first."""
+    outer = WakingSignals({})
+    inner = WakingSignals({})
+    outer.close()
+
+    inner.give_back()
+
+    assert signal.set_wakeup_fd(-1) == -1
+    inner.close()
+    outer.give_back()
