@@ -44,7 +44,7 @@ _LONGEST_QUOTE = 60
 
 
 class Gate:
-    """Knows the secret and the cookie, and what a request of ours looks like."""
+    """Knows the secret and the cookie, and which requests may come in."""
 
     def __init__(self, address: str, port: int) -> None:
         self._address, self._port = address, port
@@ -67,7 +67,7 @@ class Gate:
         return ("", with_port) if self._port == _HTTP else (with_port,)
 
     def objection(self, request: web.BaseRequest) -> tuple[str, str] | None:
-        """Why the request is refused: the code of a sentence, and what it is about; None if it is ours."""
+        """Why the request is refused: the code of a sentence, and what it is about. None if it is let in."""
         host = _only(request, "Host")
         if host.lower() not in self._hosts(request):
             return "serve-refused-host", host
@@ -164,8 +164,8 @@ class PageServer:
     ) -> None:
         """``command`` is run for each page; ``log`` takes a sentence for each refusal."""
         self._command, self._words, self._log, self._limits = command, words, log, limits
-        self._address, self._port = address, port
-        self._gate = Gate(address, port)
+        self._address, self.port = address, port
+        self.gate = Gate(address, port)
         self._sessions: set[PageSession] = set()
         self._ended = asyncio.Condition()
         """Notified when a session has ended."""
@@ -175,11 +175,7 @@ class PageServer:
 
     @property
     def link(self) -> str:
-        return self._gate.link
-
-    @property
-    def gate(self) -> Gate:
-        return self._gate
+        return self.gate.link
 
     @property
     def is_open_to_others(self) -> bool:
@@ -210,7 +206,7 @@ class PageServer:
     async def _listen(self, address: str) -> None:
         """A machine may have one version of the protocol only."""
         try:
-            server = await asyncio.get_running_loop().create_server(self._connect, address, self._port)
+            server = await asyncio.get_running_loop().create_server(self._connect, address, self.port)
         except OSError as problem:
             if self._listeners and problem.errno in (EADDRNOTAVAIL, EAFNOSUPPORT):
                 return
@@ -252,7 +248,7 @@ class PageServer:
     async def _guard(
         self, request: web.Request, handler: Callable[[web.Request], Awaitable[web.StreamResponse]]
     ) -> web.StreamResponse:
-        objection = self._gate.objection(request)
+        objection = self.gate.objection(request)
         if objection is None:
             self._unproven.discard(request.protocol)
             return await handler(request)
@@ -273,7 +269,7 @@ class PageServer:
     async def _give_cookie(self, _: web.Request) -> web.Response:
         """The next page is asked for by this one: a link on a foreign page would not send the cookie."""
         response = self._note("serve-starting", refresh='<meta http-equiv="refresh" content="0; url=/" />')
-        name, cookie = self._gate.cookie_name, self._gate.cookie
+        name, cookie = self.gate.cookie_name, self.gate.cookie
         response.set_cookie(name, cookie, httponly=True, samesite="Strict", path="/")
         return response
 
@@ -390,7 +386,7 @@ class _Refusal(asyncio.Protocol):
 
 
 class _Faults(logging.Handler):
-    """One sentence for each fault that aiohttp logs: its own pages of text are of use to nobody here."""
+    """One sentence for each fault that aiohttp logs, instead of a traceback."""
 
     def __init__(self, report: Callable[[], object]) -> None:
         super().__init__(logging.WARNING)

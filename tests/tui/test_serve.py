@@ -51,9 +51,12 @@ class Server:
             text=True,
         )
         assert self.process.stdout is not None
-        printed = self.process.stdout.readline()
-        self.link = next((word for word in printed.split() if word.startswith("http")), "")
-        assert self.link, printed
+        self.printed: list[str] = []
+        self.link = ""
+        while not self.link:
+            self.printed.append(self.process.stdout.readline())
+            assert self.printed[-1], self.process.stderr.read()  # it ended
+            self.link = next((word for word in self.printed[-1].split() if word.startswith("http")), "")
 
     async def session(self) -> Any:
         """A client with the cookie."""
@@ -404,6 +407,48 @@ async def test_the_text_of_a_page_that_is_gone_is_offered_at_the_next_start(tmp_
         again.end()
 
 
+@pytest.mark.filterwarnings("ignore::ResourceWarning")
+async def test_the_text_of_a_page_that_was_left_alone_is_offered_at_the_next_start(tmp_path, monkeypatch):
+    """The time without a key is long enough for a machine of any speed to show what was typed."""
+    from donnie_tui.cli.page_server import PageServer
+    from donnie_tui.cli.page_session import IDLE_CODE, PageLimits
+    from donnie_tui.i18n.words import Words
+
+    for name, value in environment(tmp_path).items():
+        monkeypatch.setenv(name, value)
+    command, idle, codes, written = [*COMMAND, "--visual", *QUIET], 1.0, list[int](), False
+    while not written:
+        idle *= 2
+        server = PageServer(command, Words("en"), print, PageLimits(idle=idle), port=free_port())
+        await server.start()
+        origin = f"http://localhost:{server.port}"
+        async with aiohttp.ClientSession() as session:
+            await session.get(server.link)
+            async with session.ws_connect(f"{origin}/ws", headers={"Origin": origin}) as terminal:
+                shown, is_typed = Shown(), False
+                async for message in terminal:
+                    shown.feed(message.data)
+                    if shown.has(FIRST_WORDS) and not is_typed:
+                        is_typed = True
+                        await terminal.send_json(["focus"])
+                        await terminal.send_json(["stdin", PROGRAM])
+                    written = written or shown.has(PROGRAM)
+                codes.append(terminal.close_code)
+        await server.close()
+    assert set(codes) == {IDLE_CODE}
+    assert [each.read_text() for each in tmp_path.rglob("unsaved-*.gd")] == [f"{PROGRAM}\n"]
+
+
+async def test_listening_for_other_computers_says_what_that_means(tmp_path):
+    server = Server(tmp_path, "--listen", "0.0.0.0")
+    server.end()
+    assert server.printed[0] == (
+        "Every computer that reaches this address and has the link can work as you: read and write your"
+        " files, and drive your robot. The connection is not encrypted: the network can read the link and"
+        " all that is typed.\n"
+    )
+
+
 @pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
 @pytest.mark.filterwarnings("ignore::ResourceWarning")
 async def test_a_page_that_is_cut_stops_its_robot(tmp_path):
@@ -436,7 +481,7 @@ async def test_a_page_does_not_offer_what_needs_a_terminal(server):
         await until_shown(terminal, shown, "Screen reader? In a terminal: donnie --linear")
         await terminal.send_json(["focus"])
         await terminal.send_json(["stdin", "LINEAR\r"])
-        await until_shown(terminal, shown, "A page has no linear mode.")
+        await until_shown(terminal, shown, "In a terminal only: donnie --linear")
         await terminal.send_json(["stdin", CTRL_K])
         await until_shown(terminal, shown, "WHOLE MAP")
         assert not shown.has("OPEN LOG:")

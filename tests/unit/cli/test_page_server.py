@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import json
+import shlex
 import signal
 import socket
 import sys
@@ -15,7 +16,10 @@ from typing import Any
 
 import pytest
 
+from donnie_tui.cli import front_end
+from donnie_tui.cli.main import main
 from donnie_tui.i18n.words import Words
+from tests.conftest import ROOT
 from tests.timeouts import TIMEOUT
 
 aiohttp = pytest.importorskip("aiohttp")
@@ -503,3 +507,52 @@ async def test_another_world_keeps_the_page_with_its_size_and_focus(
         await until_shown(page, b'M{"type": "focus"}')
         await page.send_json(["stdin", "on"])
         await until_shown(page, b"Don")
+
+
+# --- the command
+
+
+@pytest.mark.parametrize(
+    ("option", "complaint"),
+    [
+        ("--port=0", "0 is no port; a port is a number from 1 to 65535."),
+        ("--port=65536", "65536 is no port; a port is a number from 1 to 65535."),
+        ("--port=x", "x is no port; a port is a number from 1 to 65535."),
+        ("--sessions=0", "0 is no number of pages; 1 to 100 are possible."),
+        ("--sessions=²", "² is no number of pages; 1 to 100 are possible."),
+        ("--idle=-1", "-1 is no number of minutes; 0 to 1440 are possible."),
+        ("--idle=1e9", "1e9 is no number of minutes; 0 to 1440 are possible."),
+    ],
+)
+def test_an_option_that_can_not_be_used_is_reported(
+    capsys: pytest.CaptureFixture[str], option: str, complaint: str
+) -> None:
+    assert main(["serve", option, "--lang", "en"]) == 2
+    assert capsys.readouterr() == ("", f"{complaint}\n")
+
+
+def test_a_port_that_is_taken_is_reported_before_a_link_is_printed(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        port = taken.getsockname()[1]
+        assert main(["serve", f"--port={port}", "--lang", "en"]) == 2
+
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert err.startswith(f"Port {port} can't be used: ")
+
+
+def test_without_textual_serve_a_checkout_names_the_command_that_installs_it_there(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(front_end, "find_spec", lambda name: None if name == "textual_serve" else object())
+    assert main(["serve", "--lang", "en"]) == 2
+
+    sentence, _, command = capsys.readouterr().err.strip().partition(": ")
+    assert sentence == "This needs textual-serve"
+    assert shlex.split(command) == [
+        sys.executable, "-m", "pip", "install", "--editable", f"{ROOT}[serve]",
+    ]  # fmt: skip
