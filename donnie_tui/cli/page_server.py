@@ -330,7 +330,7 @@ class PageServer:
             return not is_full or not any(each.is_ending for each in self._sessions)
 
         with suppress(TimeoutError):
-            async with asyncio.timeout(self._limits.end), self._ended:
+            async with asyncio.timeout(self._limits.lost), self._ended:
                 await self._ended.wait_for(is_clear)
         return len(self._sessions) < self._limits.sessions
 
