@@ -113,10 +113,10 @@ OPTIONS: dict[str, tuple[OptionSpec, ...]] = {
     "stop": (_PORT, OptionSpec(("--wait",), "option-wait")),
     "calibrate": (),
     "serve": (
-        OptionSpec(("--port",), "option-serve-port", "PORT", default="8000"),
+        OptionSpec(("--port",), "option-serve-port", "N", default="8000"),
         OptionSpec(("--listen",), "option-listen", "ADDRESS"),
         OptionSpec(("--sessions",), "option-sessions", "N", default="8"),
-        OptionSpec(("--idle",), "option-idle", "MINUTES", default="60"),
+        OptionSpec(("--idle",), "option-idle", "N", default="60"),
     ),
 }
 """The options of each command; those of the program itself stand under the empty name."""
