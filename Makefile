@@ -4,7 +4,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: run test test-all install dev bench mutants clean
+.PHONY: run test test-all install dev bench fuzz mutants clean
 
 run: install .venv/compiled
 	@$(BIN)/donnie $(ARGS)
@@ -22,6 +22,9 @@ dev: .venv/developed
 mutants: .venv/developed
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --group mutants
 	@$(BIN)/python -m tests.tools.mutants --seed $(or $(SEED),1) --count $(or $(COUNT),150) $(ARGS)
+
+fuzz: .venv/developed
+	@$(BIN)/python -m tests.tools.fuzz --seed $(or $(SEED),1) --count $(or $(COUNT),1000) $(ARGS)
 
 bench: .venv/developed
 	@for each in benchmarks/[a-z]*.py; do echo "== $$each"; $(BIN)/python $$each || exit 1; done

@@ -12,6 +12,7 @@ import re
 from collections.abc import Mapping
 from functools import cache
 from types import MappingProxyType
+from unicodedata import normalize
 
 from msgspec import Struct
 
@@ -263,3 +264,22 @@ def _languages_by_word() -> dict[str, frozenset[str]]:
 def languages_of(text: str) -> frozenset[str]:
     """The languages in which a keyword has this spelling; empty for any other word."""
     return _languages_by_word().get(folded_word(text), frozenset())
+
+
+@cache
+def _written_differently() -> dict[str, dict[str, set[str]]]:
+    """The keywords that languages write with different accents: folded word, spelling, languages."""
+    found: dict[str, dict[str, set[str]]] = {}
+    for each in WORDS:
+        for language, spellings in each.spellings.items():
+            for one in spellings:
+                found.setdefault(folded_word(one), {}).setdefault(one, set()).add(language)
+    return {folded: spellings for folded, spellings in found.items() if len(spellings) > 1}
+
+
+def languages_by_accents(folded: str, typed: str) -> frozenset[str]:
+    """The languages that write a keyword with the accents that were typed, where others write it with others."""
+    spellings = _written_differently().get(folded)
+    if not spellings:
+        return frozenset()
+    return frozenset(spellings.get(" ".join(normalize("NFC", typed).upper().split()), ()))

@@ -13,7 +13,7 @@ from collections import Counter
 from collections.abc import Iterable
 from functools import cache
 from typing import TypeAlias
-from unicodedata import normalize
+from unicodedata import combining, normalize
 
 from msgspec import Struct, field
 
@@ -23,8 +23,8 @@ from language.keywords import (
     END_WORDS,
     FIRST_OF_SEVERAL,
     TERMINAL_OF_WORD,
-    all_words,
     argument,
+    languages_by_accents,
     languages_of,
 )
 from language.locales import languages
@@ -58,6 +58,8 @@ TAKES = {
 _MAY_BE_ALONE = frozenset(KIND[parts[0]] for _, parts in _forms if len(parts) == 1 and parts[0] in KIND)
 
 _FIRST_THAT_DECIDES = FOR
+_OVERLAY = 1
+"""The combining class of strokes through a sign."""
 _BLANK, _NEWLINE, _TEXT, _COMMENT, _OPEN, _STRANGE = -1, -2, -3, -4, -5, -6
 
 _SIGNS = {
@@ -67,6 +69,19 @@ _SIGNS = {
     **dict.fromkeys("*/", "SCALE"),
     **{"(": "LPAR", ")": "RPAR", "[": "LSQB", "]": "RSQB", ",": "COMMA", ":": "COLON", ";": "SEMICOLON"},
 }
+_OPPOSITES = {"=": "<>", "==": "<>", "<": ">=", ">": "<=", "<=": ">", ">=": "<"}
+_WRITTEN_AS = {
+    **dict.fromkeys("\u2264\u2266\u2a7d", "<="),
+    **dict.fromkeys("\u2265\u2267\u2a7e", ">="),
+    **dict.fromkeys("\u00d7\u2715\u00b7\u22c5", "*"),
+    **dict.fromkeys("\u00f7\u2044\u2215", "/"),
+    "\u2261": "==",
+}
+"""Signs of mathematics, and how GoDonnie writes them."""
+
+_MARKED_SIGN = rf"(?:[=<>]=|<>|[=<>+\-*/()\[\],:;]){MARK}+"
+"""A sign with a loose mark is another sign: = with a stroke through it means different."""
+
 _QUOTES = "\u201c\u201d\u201e\u201f"
 _OTHER_STRINGS = rf"|[{_QUOTES}][^{_QUOTES}]*[{_QUOTES}]|\u2018[^\u2019\r\n]*\u2019"
 _WHOLE_COMMENT = COMMENT_MARK + r"[^\r\n]*"
@@ -93,8 +108,9 @@ def _pieces(is_ascii: bool) -> re.Pattern[str]:
     letter = r"\w" if is_ascii else rf"[\w{MARK}]"
     dashes = "--" if is_ascii else f"(?:--|[{DASHES}])"
     others = "" if is_ascii else _OTHER_STRINGS
+    marked = "" if is_ascii else f"{_MARKED_SIGN}|"
     return re.compile(
-        rf" +|{letter}+|\r\n?|\n|==|<>|<=|>=|{dashes}[^\r\n]*"
+        rf" +|{marked}{letter}+|\r\n?|\n|==|<>|<=|>=|{dashes}[^\r\n]*"
         rf"|\"[^\"]*\"|[^\S\r\n]+|'[^'\r\n]*'{others}|.",
         re.DOTALL | (re.ASCII if is_ascii else 0),
     )
@@ -163,19 +179,20 @@ def languages_in(tokens: Iterable[Token], source: str = "") -> frozenset[str]:
 def language_of(tokens: Iterable[Token], source: str = "") -> str:
     """The language of most keywords that do not belong to all languages; English if there are none.
 
-    The accents in ``source``, if given, decide between languages with as many keywords.
+    The accents in ``source``, if given, decide between languages with as many keywords: DISTÂNCIA is
+    Portuguese, DISTANCIA is Spanish. Only words that languages write differently count. So a program whose
+    other words were written anew, such as by the formatter, stays in its language.
     """
     tokens = [token for token in tokens if token[5][:1].isalpha()]
-    words = Counter(token[5] for token in tokens)
-    typed = Counter(normalize("NFC", source[token[1] : token[2]]).upper() for token in tokens)
     votes = {language: [0, 0] for language in languages()}
-    for word, count in words.items():
+    for word, count in Counter(token[5] for token in tokens).items():
         possible = languages_of(word)
         if len(possible) < len(votes):
             for language in possible:
                 votes[language][0] += count
-    for language, vote in votes.items():
-        vote[1] = sum(typed[word] for word in all_words(language))
+    for token in tokens if source else ():
+        for language in languages_by_accents(token[5], source[token[1] : token[2]]):
+            votes[language][1] += 1
     return max(votes, key=votes.__getitem__)
 
 
@@ -298,7 +315,7 @@ class _Lexer:
             self._unreadable_word(piece, start, end)
         else:
             self._flaw(MistakeKind.UNKNOWN_CHARACTER, start, end)
-            if len(piece) > 1:
+            if len(piece) > 1 and not piece.endswith(MARK):
                 self._tokens.append(self._token(STRING, start, end))
 
     def _token(self, kind: int, start: int, end: int) -> Token:
@@ -360,4 +377,21 @@ class _Lexer:
     def _diagnostic(self, kind: MistakeKind, start: int, end: int, line: int, offset: int) -> Diagnostic:
         seen = column(start - offset + 1, start, self._widthless)
         limit = {"limit": MOST_DIGITS} if kind is MistakeKind.NUMBER_TOO_LARGE else {}
-        return Diagnostic(kind, Span(start, end, line, seen), found=self._source[start:end], details=limit)
+        found = self._source[start:end]
+        meant = _sign_meant(found) if kind is MistakeKind.UNKNOWN_CHARACTER else ""
+        return Diagnostic(kind, Span(start, end, line, seen), found=found, meant=meant, details=limit)
+
+
+def _sign_meant(found: str) -> str:
+    """How GoDonnie writes a sign of another alphabet or of mathematics; empty for any other text.
+
+    A stroke through a sign of comparison makes it the opposite.
+    """
+    decomposed = normalize("NFD", found)
+    marks = "".join(filter(combining, decomposed))
+    base = decomposed.removesuffix(marks)
+    plain = _WRITTEN_AS.get(base) or normalize("NFKC", base)
+    if not marks:
+        return plain if plain in _SIGNS else ""
+    is_struck = len(marks) == 1 and combining(marks) == _OVERLAY
+    return _OPPOSITES.get(plain, "") if is_struck else ""

@@ -18,6 +18,9 @@ BUILT_IN = f"{os.path.dirname(os.path.dirname(__file__))}/donnie_tui/i18n/locale
 SEARCH_PATH = "DONNIE_LOCALES"
 """The environment variable with more folders, separated as in PATH."""
 
+LARGEST = 1_000_000
+"""Bytes of one file of a language; the sentences of a language have some 200 000."""
+
 _LAST_RANK = 100
 
 _folders: dict[str, str] = {}
@@ -98,14 +101,21 @@ def _read(language: str, name: str) -> dict[str, object]:
         if compiled is not None:
             import msgspec  # a greeting needs no table
 
-            with open(compiled, "rb") as file:
-                return msgspec.json.decode(file.read(), type=dict[str, object])
+            return msgspec.json.decode(content_of(compiled), type=dict[str, object])
         import tomllib
 
-        with open(f"{folders()[language]}/{name}.toml", "rb") as file:
-            return tomllib.load(file)
-    except (OSError, ValueError):
+        return tomllib.loads(content_of(f"{folders()[language]}/{name}.toml").decode("utf-8"))
+    except (OSError, ValueError, RecursionError):
         return {}
+
+
+def content_of(path: str) -> bytes:
+    """A file of a language. Raises ``OSError``, ``ValueError`` where it is too large."""
+    with open(path, "rb") as file:
+        content = file.read(LARGEST + 1)
+    if len(content) > LARGEST:
+        raise ValueError(f"more than {LARGEST} bytes")
+    return content
 
 
 def words(language: str, name: str, *keys: str) -> tuple[str, ...]:

@@ -1,7 +1,7 @@
 """The learner's text as characters: folding that moves no offset, and places in lines and columns.
 
 ``fold`` returns a text of the same length without case and accents, so an offset in the folded text is an
-offset in the learner's text. Columns count visible characters: a letter with a combining accent is one, a tab
+offset in the learner's text. Only letters lose their marks: ≠ is no =. Columns count visible characters: a letter with a combining accent is one, a tab
 is one, a byte order mark is none. ``printable`` and ``cleaned`` put a blank in the place of each character
 that could control a terminal or can't be encoded, so that columns stay the same.
 """
@@ -66,11 +66,16 @@ def _folded(character: str) -> str:
     if unicodedata.combining(character):
         return MARK
     parts = unicodedata.normalize("NFD", character)
-    letter = parts[0] if all(map(unicodedata.combining, parts[1:])) else character
+    letter = parts[0] if _is_marked_letter(parts) else character
     small = letter.casefold()
     if len(small) != 1:
         small = letter.lower()
     return small if len(small) == 1 else letter
+
+
+def _is_marked_letter(parts: str) -> bool:
+    """Whether a decomposed character is a letter with marks, or one character for which it is another form."""
+    return len(parts) == 1 or (parts[0].isalpha() and all(map(unicodedata.combining, parts[1:])))
 
 
 class Lines:

@@ -191,7 +191,8 @@ class RobotActions:
     def history(self) -> None:
         if self.past.last is None:
             self._sentences.no_history(self._robot.pose())
-        self._sentences.history(takewhile(lambda _: self._may_continue(), self.past.movements))
+        movements = takewhile(lambda _: self._may_continue(), self.past.movements)
+        self._sentences.history(movements, self.past.forgotten)
 
     def announce_pose(self) -> None:
         self._sentences.position(self._robot.pose())

@@ -410,4 +410,16 @@ class JsonLines:
 
 def as_line(stamped: Stamped, *, whole: bool = False) -> str:
     """One line with its newline. Keys keep the order of the contract."""
-    return json.dumps(as_record(stamped, whole=whole), ensure_ascii=False, separators=(",", ":")) + "\n"
+    return json_line(as_record(stamped, whole=whole))
+
+
+_UNSAFE = "[\x7f-\x9f\u061c\u200e\u200f\u2028\u2029\u202a-\u202e\u2066-\u2069]"
+"""What JSON may contain as it is, and what a terminal obeys or what changes the direction of text."""
+
+
+def json_line(record: Mapping[str, object]) -> str:
+    """One line with its newline, with escapes for all that a terminal would obey."""
+    line = json.dumps(record, ensure_ascii=False, separators=(",", ":"))
+    if not line.isprintable():
+        line = re.sub(_UNSAFE, lambda found: f"\\u{ord(found[0]):04x}", line)
+    return line + "\n"

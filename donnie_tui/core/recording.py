@@ -22,7 +22,16 @@ from typing import BinaryIO, TextIO, TypeVar, get_args, overload
 
 from msgspec import Struct, ValidationError, convert, structs
 
-from donnie_tui.core.events import Event, RecordedEvent, Reset, RunEnded, RunStarted, Stamped, event_name
+from donnie_tui.core.events import (
+    Event,
+    RecordedEvent,
+    Reset,
+    RunEnded,
+    RunStarted,
+    Stamped,
+    event_name,
+    json_line,
+)
 
 T = TypeVar("T")
 
@@ -135,8 +144,7 @@ class Header(Struct, frozen=True):
 
     def write(self, out: TextIO) -> None:
         """The first line. Raises ``OSError``."""
-        record = {KEY: FORMAT, **structs.asdict(self)}
-        out.write(json.dumps(record, ensure_ascii=False, separators=(",", ":")) + "\n")
+        out.write(json_line({KEY: FORMAT, **structs.asdict(self)}))
         out.flush()
 
 

@@ -22,6 +22,7 @@ from donnie_tui.core.map_words import floor_in_words
 from donnie_tui.core.program_files import unquoted
 from donnie_tui.core.program_text import ProgramText
 from donnie_tui.core.wording import Wording, meant, shade, specific_name_of
+from language.source import cleaned
 
 if TYPE_CHECKING:
     from sim.picture import Picture
@@ -124,13 +125,18 @@ class Section(Struct, frozen=True):
     rows: Sequence[Sequence[object]] = ()
 
 
+def _shown(text: object) -> str:
+    """For a page: what could be a tag, or hide or turn round other text, is only shown."""
+    return escape(cleaned(str(text)))
+
+
 def as_html(title: str, language: str, sections: Iterable[Section]) -> str:
     """A page of its own: no scripts, no styles, tables with column headings."""
     body = "\n".join(_section(each) for each in sections)
-    head = f'<meta charset="utf-8">\n<title>{escape(title)}</title>'
+    head = f'<meta charset="utf-8">\n<title>{_shown(title)}</title>'
     return (
         f'<!DOCTYPE html>\n<html lang="{language}">\n<head>\n{head}\n</head>\n'
-        f"<body>\n<h1>{escape(title)}</h1>\n{body}\n</body>\n</html>\n"
+        f"<body>\n<h1>{_shown(title)}</h1>\n{body}\n</body>\n</html>\n"
     )
 
 
@@ -144,15 +150,13 @@ def as_csv(sections: Iterable[Section]) -> str:
 
 
 def _section(section: Section) -> str:
-    lines = "\n".join(f"<p>{escape(line)}</p>" for line in section.lines)
-    return f"<h2>{escape(section.heading)}</h2>\n{lines}{_table(section.rows)}"
+    lines = "\n".join(f"<p>{_shown(line)}</p>" for line in section.lines)
+    return f"<h2>{_shown(section.heading)}</h2>\n{lines}{_table(section.rows)}"
 
 
 def _table(rows: Sequence[Sequence[object]]) -> str:
     if not rows:
         return ""
-    head = "".join(f'<th scope="col">{escape(str(cell))}</th>' for cell in rows[0])
-    body = "\n".join(
-        f"<tr>{''.join(f'<td>{escape(str(cell))}</td>' for cell in row)}</tr>" for row in rows[1:]
-    )
+    head = "".join(f'<th scope="col">{_shown(cell)}</th>' for cell in rows[0])
+    body = "\n".join(f"<tr>{''.join(f'<td>{_shown(cell)}</td>' for cell in row)}</tr>" for row in rows[1:])
     return f"<table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{body}\n</tbody>\n</table>"

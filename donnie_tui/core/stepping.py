@@ -40,6 +40,8 @@ from language.syntax import (
 )
 
 MOST_HOLDS = 1000
+MOST_READS = 1000
+"""Readings between two holds that are remembered: no statement has so many."""
 MOST_UNDONE = 5
 """Events that are listed when one step is undone: a procedure that was stepped over has many."""
 
@@ -205,8 +207,9 @@ class StepNarrator:
         self._level = self._calls = 0
 
     def on_read(self, event: Read) -> None:
-        """A sensor was read."""
-        self._reads.append(event.value)
+        """A sensor was read. Only the first ones since a hold belong to the statement there."""
+        if len(self._reads) < MOST_READS:
+            self._reads.append(event.value)
 
     def lose_count(self) -> None:
         """Forgets the numbers of the rounds, as statements run without a hold."""

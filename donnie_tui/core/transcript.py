@@ -54,21 +54,34 @@ class PastMovement(Struct, frozen=True):
     pose: Pose
 
 
-class History:
-    """The movements so far, oldest first."""
+MOST_MOVEMENTS = 10_000
+"""Movements that HISTORY remembers, the newest ones: a lesson has some hundreds, an endless program millions."""
 
-    def __init__(self) -> None:
-        self._movements: list[PastMovement] = []
+
+class History:
+    """The newest movements, oldest first."""
+
+    def __init__(self, most: int = MOST_MOVEMENTS) -> None:
+        self._movements: deque[PastMovement] = deque(maxlen=most)
+        self._last_number = 0
 
     def remember(self, event: Moved | Turned) -> None:
         done = event.walked if isinstance(event, Moved) else event.turned
         crashed = event.stopped_by not in (None, StoppedBy.LINK)
-        number = len(self._movements) + 1
+        self._last_number += 1
         turned = isinstance(event, Turned)
-        self._movements.append(PastMovement(number, event.command, turned, done, crashed, event.pose))
+        self._movements.append(
+            PastMovement(self._last_number, event.command, turned, done, crashed, event.pose)
+        )
 
     def forget(self) -> None:
         self._movements.clear()
+        self._last_number = 0
+
+    @property
+    def forgotten(self) -> int:
+        """How many movements came before those that are remembered."""
+        return self._last_number - len(self._movements)
 
     @property
     def last(self) -> PastMovement | None:
@@ -96,7 +109,10 @@ class SentencePublisher:
         else:
             self._movement("state", last)
 
-    def history(self, movements: Iterable[PastMovement]) -> None:
+    def history(self, movements: Iterable[PastMovement], forgotten: int = 0) -> None:
+        """``forgotten``: how many came before them."""
+        if forgotten:
+            self.announce("history", "history-forgotten", count=forgotten)
         for movement in movements:
             self._movement("history", movement)
 

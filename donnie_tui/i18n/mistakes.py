@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Callable
+from itertools import takewhile
 from pathlib import PurePath
 from typing import TYPE_CHECKING
 
@@ -84,7 +85,9 @@ def _syntax(diagnostic: Diagnostic, words: Wording) -> str:
 
 
 def _unknown_character(diagnostic: Diagnostic, words: Wording) -> str:
-    return words("mistake-unknown-character", sign=_sign(diagnostic.found[:1], words))
+    found = unicodedata.normalize("NFC", diagnostic.found)
+    marks = takewhile(unicodedata.combining, found[1:])
+    return words("mistake-unknown-character", sign=_sign(found[:1] + "".join(marks), words))
 
 
 def _bad_argument(diagnostic: Diagnostic, words: Wording) -> str:
@@ -285,7 +288,7 @@ def _found(diagnostic: Diagnostic, words: Wording) -> str:
 def _sign(sign: str, words: Wording) -> str:
     if sign in CODE_OF_SIGN:
         return words(CODE_OF_SIGN[sign])
-    shown = sign if sign.isprintable() and not unicodedata.combining(sign or " ") else ""
+    shown = sign if sign.isprintable() and not unicodedata.combining(sign[:1] or " ") else ""
     return words("sign-other", sign=shown or f"U+{ord(sign or chr(0)):04X}")
 
 
@@ -406,6 +409,8 @@ def _world_code(error: WorldError, found: str, expected: str) -> str:
     code = error.code.value
     if code == "wrong-count" and not expected:
         return "world-too-many"
+    if code == "too-much" and "what" in error.details:
+        return f"world-too-much-{error.details['what']}"
     if code != "unexpected" or not 0 < len(error.expected) <= 4:
         return f"world-{code}"
     return "world-unexpected-expecting" if found else "world-unexpected-end"

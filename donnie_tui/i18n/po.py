@@ -16,6 +16,8 @@ from pathlib import Path
 from string import Formatter
 from typing import NamedTuple
 
+from language.locales import content_of
+
 _WIDTH = 79
 """Characters of a line, as gettext's own tools break them."""
 _MAGIC = 0x950412DE
@@ -58,10 +60,7 @@ class Entry(NamedTuple):
 
 def read(file: Path) -> tuple[Entry, ...]:
     """The entries of a file, the header first. Raises ``Mistake`` or ``OSError``."""
-    try:
-        lines = file.read_text(encoding="utf-8-sig").splitlines()
-    except UnicodeDecodeError:
-        raise Mistake(file, 1, "this file is not in UTF-8") from None
+    lines = text_of(file).splitlines()
     found: list[Entry] = []
     draft = _Draft(file)
     for number, line in enumerate(map(str.strip, lines), start=1):
@@ -72,6 +71,16 @@ def read(file: Path) -> tuple[Entry, ...]:
     if draft.fields:
         found.append(draft.entry())
     return tuple(found)
+
+
+def text_of(file: Path) -> str:
+    """The text of a file that a translator wrote. Raises ``Mistake`` or ``OSError``."""
+    try:
+        return content_of(str(file)).decode("utf-8-sig")
+    except UnicodeDecodeError:
+        raise Mistake(file, 1, "this file is not in UTF-8") from None
+    except ValueError as problem:
+        raise Mistake(file, 1, f"this file has {problem}") from None
 
 
 class _Draft:

@@ -132,12 +132,11 @@ def ambiguous_keywords() -> Iterator[Mistake]:
 
 
 def _read_table(file: Path) -> dict[str, Any]:
-    try:
-        text = file.read_text(encoding="utf-8-sig")
-    except UnicodeDecodeError:
-        raise Mistake(file, 1, "this file is not in UTF-8") from None
+    text = po.text_of(file)
     try:
         return tomllib.loads(text)
+    except RecursionError:
+        raise Mistake(file, 1, "this file has too many brackets in each other") from None
     except ValueError as problem:
         place = re.search(r"line (\d+)", str(problem))  # else it is the end of the file
         raise Mistake(file, int(place[1]) if place else len(text.splitlines()), str(problem)) from None

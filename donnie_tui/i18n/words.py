@@ -5,13 +5,14 @@ What makes sentences of mistakes, and HELP, is loaded when it is wanted: the fir
 
 from __future__ import annotations
 
+import struct
 from collections.abc import Callable, Mapping
 from functools import cache
 from gettext import GNUTranslations, NullTranslations, c2py
 from io import BytesIO
 from typing import TYPE_CHECKING, NamedTuple
 
-from language.locales import ENGLISH, compiled_file, folders
+from language.locales import ENGLISH, compiled_file, content_of, folders
 
 if TYPE_CHECKING:
     from donnie_tui.core.events import Error
@@ -95,6 +96,9 @@ CODES = "*"
 
 _BEGINNINGS = {"capital": str.upper, "small": str.lower}
 
+_GROUPED = "grouped"
+"""A large number with blanks between its thousands."""
+
 _LAST_FORM = 9
 """No language has so many forms."""
 
@@ -134,7 +138,7 @@ def _translations(language: str) -> NullTranslations:
     """Without a file that can be read a language has no sentences, and speaks English."""
     try:
         found = GNUTranslations(BytesIO(_compiled(language)))
-    except (OSError, ValueError):
+    except (OSError, ValueError, struct.error):  # the last of a compiled file that is cut off
         return _Missing()
     found.add_fallback(_Missing())
     return found
@@ -144,8 +148,7 @@ def _compiled(language: str) -> bytes:
     """The compiled file; while a translator edits the sentences, what would be compiled."""
     file = compiled_file(language, SOURCE, COMPILED)
     if file is not None:
-        with open(file, "rb") as stream:  # noqa: PTH123 -- pathlib is slow to load
-            return stream.read()
+        return content_of(file)
     from pathlib import Path
 
     from donnie_tui.i18n import po
@@ -182,6 +185,8 @@ class _Place:
         if form in _BEGINNINGS:
             text = str(value)
             return _BEGINNINGS[form](text[:1]) + text[1:]
+        if form == _GROUPED:
+            return f"{value:,}".replace(",", " ") if isinstance(value, int) else str(value)
         shown = format(value, form)
         return shown.replace(".", _decimal_sign(self._language)) if isinstance(value, float) else shown
 

@@ -21,12 +21,14 @@ def read_settings(environment: Mapping[str, str]) -> tuple[dict[str, object], tu
     try:
         with open(settings_file(environment), "rb") as file:  # noqa: PTH123 -- pathlib is slow to load
             data = file.read(LARGEST + 1)
+        if len(data) > LARGEST:
+            return {}, (Notice("settings-file-too-large", {"limit": f"{LARGEST:,}".replace(",", " ")}),)
         text = data.decode("utf-8-sig")
     except FileNotFoundError:
         return {}, ()
     except (OSError, ValueError):
         return {}, (Notice("settings-file-unreadable", {}),)
-    return _parsed(text) if len(data) <= LARGEST else ({}, (Notice("settings-file-unreadable", {}),))
+    return _parsed(text)
 
 
 def _parsed(text: str) -> tuple[dict[str, object], tuple[Notice, ...]]:

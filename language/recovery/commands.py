@@ -139,7 +139,7 @@ def read_stray(reader: TokenReader) -> None:
         _read_bad_argument(reader)
         return
     if _is_assigned_to_keyword(reader):
-        _report_reserved(reader, before)
+        _report_assignment(reader)
     elif reader.following[0] == ASSIGN and is_reserved(token[5]):
         _report_reserved(reader, token)
     else:
@@ -214,7 +214,7 @@ def read_mistake_within(reader: TokenReader) -> None:
         reader.automaton.feed(NAME)
         reader.at += 1
     elif _is_assigned_to_keyword(reader):
-        _report_reserved(reader, before)
+        _report_assignment(reader)
         give_up(reader)
     elif token[0] == ASSIGN and reader.automaton.accepts(COMPARATOR):
         _read_equals_sign(reader)
@@ -279,6 +279,13 @@ def _report_end_of_head(reader: TokenReader, details: dict[str, str | int]) -> N
 
 def _report_reserved(reader: TokenReader, token: Token) -> None:
     reader.report(MistakeKind.RESERVED_WORD, token, details={"name": reader.typed(token)})
+
+
+def _report_assignment(reader: TokenReader) -> None:
+    """Report the equals sign of ``FW = 3``: the command itself is right so far."""
+    word = reader.typed(reader.before)
+    expected = reader.automaton.expected()
+    reader.report(MistakeKind.SYNTAX, reader.token, "assigned-keyword", expected, details={"name": word})
 
 
 def _is_assigned_to_keyword(reader: TokenReader) -> bool:

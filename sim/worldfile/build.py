@@ -132,12 +132,13 @@ class Builder:
         if not polygons and shapes.has_default_block(entity.type, walled):
             polygons = (shapes.UNIT,)
         self._points += sum(len(polygon.points) for polygon in polygons)
-        self._bound(entity, self._points, MOST_POLYGON_POINTS)
+        self._bound(entity, "points", self._points, MOST_POLYGON_POINTS)
         return polygons
 
-    def _bound(self, entity: Entity, amount: int, limit: int) -> None:
+    def _bound(self, entity: Entity, what: str, amount: int, limit: int) -> None:
         if amount > limit:
-            raise WorldError(Code.TOO_MUCH, entity.file, entity.line, entity.column, limit=limit)
+            place = (entity.file, entity.line, entity.column)
+            raise WorldError(Code.TOO_MUCH, *place, what=what, limit=limit)
 
     def _block(self, entity: Entity) -> Polygon:
         self._reader.check(entity.settings)
@@ -148,7 +149,7 @@ class Builder:
             if child.type == "sensor" and entity.type == "ranger":
                 sensor = self._sensor(child)
                 self._samples += sensor.samples
-                self._bound(entity, self._samples, equipment.MOST_SAMPLES_OF_ALL)
+                self._bound(entity, "samples", self._samples, equipment.MOST_SAMPLES_OF_ALL)
                 yield sensor
 
     def _sensor(self, entity: Entity) -> RangeSensor:

@@ -79,10 +79,11 @@ class FileReader:
             raise self._mistake(Code.INCLUDE_OUTSIDE, include, path)
         if found.resolve() in above:
             raise self._mistake(Code.INCLUDE_CYCLE, include, path)
-        if len(above) > DEEPEST_INCLUDE or len(self.files) >= MOST_FILES:
-            raise WorldError(
-                Code.INCLUDE_TOO_DEEP, str(path), include.line, include.column, limit=DEEPEST_INCLUDE
-            )
+        place = (str(path), include.line, include.column)
+        if len(above) > DEEPEST_INCLUDE:
+            raise WorldError(Code.INCLUDE_TOO_DEEP, *place, limit=DEEPEST_INCLUDE)
+        if len(self.files) >= MOST_FILES:
+            raise WorldError(Code.TOO_MANY_FILES, *place, limit=MOST_FILES)
         return found
 
     def _mistake(self, code: Code, include: tree.Include, path: Path, nearest: str = "") -> WorldError:
@@ -227,10 +228,13 @@ class Expander:
 
     def _count(self, file: str, instance: tree.Instance, depth: int) -> None:
         self._entities += 1
-        if self._entities > MOST_ENTITIES or self._replayed > MOST_SETTINGS:
-            raise WorldError(Code.TOO_MUCH, file, instance.line, instance.column, limit=MOST_ENTITIES)
+        place = (file, instance.line, instance.column)
+        if self._entities > MOST_ENTITIES:
+            raise WorldError(Code.TOO_MUCH, *place, what="entities", limit=MOST_ENTITIES)
+        if self._replayed > MOST_SETTINGS:
+            raise WorldError(Code.TOO_MUCH, *place, what="settings", limit=MOST_SETTINGS)
         if depth > DEEPEST_MODEL:
-            raise WorldError(Code.NESTED_TOO_DEEP, file, instance.line, instance.column, limit=DEEPEST_MODEL)
+            raise WorldError(Code.NESTED_TOO_DEEP, *place, limit=DEEPEST_MODEL)
 
     def _bodies(self, file: str, instance: tree.Instance, within: _Names) -> tuple[str, _Bodies]:
         """The built-in type below ``instance``, and the bodies to replay, the innermost base first."""

@@ -16,6 +16,7 @@ import warnings
 import zlib
 from collections.abc import Iterator
 from io import BytesIO
+from itertools import islice
 from pathlib import Path
 from typing import NamedTuple
 
@@ -132,6 +133,7 @@ class Plans:
         self._reader = reader
         self._values = values
         self._traced: dict[Path, Plan] = {}
+        self._pixels = 0
 
     def plan(self, setting: Setting) -> Plan:
         """The solid pixels of the picture that ``setting`` names."""
@@ -152,9 +154,9 @@ class Plans:
 
     def _trace(self, setting: Setting, path: Path, name: str) -> Plan:
         picture = self._picture(setting, path, name)
-        solid = list(rectangles(picture))
+        solid = list(islice(rectangles(picture), MOST_RECTANGLES + 1))
         if len(solid) > MOST_RECTANGLES:
-            raise mistake(Code.TOO_MUCH, setting, limit=MOST_RECTANGLES)
+            raise mistake(Code.TOO_MUCH, setting, what="rectangles", limit=MOST_RECTANGLES)
         height = picture.height
         polygons = tuple(
             rectangle(left, height - bottom, right - left, bottom - top) for left, top, right, bottom in solid
@@ -167,9 +169,16 @@ class Plans:
     def _picture(self, setting: Setting, path: Path, name: str) -> Bitmap:
         try:
             with path.open("rb") as stream:
-                return read_bitmap(stream.read(LARGEST_FILE))
+                data = stream.read(LARGEST_FILE + 1)
+            if len(data) > LARGEST_FILE:
+                raise mistake(Code.FILE_TOO_LARGE, setting, path=name[:200], limit=LARGEST_FILE)
+            picture = read_bitmap(data, room=MOST_PIXELS_OF_ALL - self._pixels)
+        except OversizedBitmapError as large:
+            raise mistake(large.code, setting, given=large.given, limit=large.limit) from None
         except (OSError, UnreadableBitmapError):
             raise mistake(Code.BITMAP_UNREADABLE, setting, PICTURE_FORMATS, path=name[:200]) from None
+        self._pixels += picture.width * picture.height
+        return picture
 
 
 def _fills(picture: Bitmap) -> bool:
@@ -182,13 +191,30 @@ def _fills(picture: Bitmap) -> bool:
 # --- pictures
 
 MOST_PIXELS = 4_000_000
+MOST_PIXELS_OF_ALL = 12_000_000
+"""Of the pictures of one world."""
+MOST_LAYERS = 100
+"""Of a JPEG, which is decoded once for each of them: a camera makes some ten."""
 DARK = 127
 
+_JPEG = b"\xff\xd8"
+_JPEG_LAYER = b"\xff\xda"
+"""The marker of a scan; it does not occur in the data of one."""
 _FLAGS = bytes(1 if level <= DARK else 0 for level in range(256))
 
 
 class UnreadableBitmapError(Exception):
     """Bytes that are no picture of a kind that is read here, or one that is broken or too large."""
+
+
+class OversizedBitmapError(UnreadableBitmapError):
+    """A picture beyond a limit. ``given``: what it has of it."""
+
+    def __init__(self, code: Code, given: int, limit: int) -> None:
+        super().__init__(code.value)
+        self.code = code
+        self.given = given
+        self.limit = limit
 
 
 class Bitmap(Struct, frozen=True):
@@ -219,27 +245,43 @@ _DAMAGED = (
     MemoryError,
     struct.error,
     zlib.error,
-    Image.DecompressionBombError,
-    Image.DecompressionBombWarning,
 )
 """What Pillow raises at bytes that are no picture, or a damaged one."""
 
 
-def read_bitmap(data: bytes) -> Bitmap:
-    """The solid pixels of a picture file. UnreadableBitmapError if it can't be read."""
+def read_bitmap(data: bytes, room: int = MOST_PIXELS_OF_ALL) -> Bitmap:
+    """The solid pixels of a picture file.
+
+    UnreadableBitmapError if it can't be read, OversizedBitmapError if it is too large or has more than
+    ``room`` pixels. Nothing is decoded before its size is known.
+    """
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("error", Image.DecompressionBombWarning)
-            return _picture(data)
+            warnings.simplefilter("ignore", Image.DecompressionBombWarning)
+            return _picture(data, room)
+    except Image.DecompressionBombError as bomb:
+        raise OversizedBitmapError(Code.BITMAP_TOO_LARGE, _pixels_in(bomb), MOST_PIXELS) from None
     except _DAMAGED:
         raise UnreadableBitmapError from None
 
 
-def _picture(data: bytes) -> Bitmap:
+def _pixels_in(bomb: Image.DecompressionBombError) -> int:
+    """Pillow refuses huge pictures before it says their size anywhere else."""
+    found = re.search(r"\d+", str(bomb))
+    return int(found[0]) if found else MOST_PIXELS + 1
+
+
+def _picture(data: bytes, room: int) -> Bitmap:
     with Image.open(BytesIO(data), formats=[each for each in PICTURE_FORMATS if each != "PGM"]) as image:
         width, height = image.size
         if width * height > MOST_PIXELS:
-            raise UnreadableBitmapError
+            raise OversizedBitmapError(Code.BITMAP_TOO_LARGE, width * height, MOST_PIXELS)
+        if width * height > room:
+            given = MOST_PIXELS_OF_ALL - room + width * height
+            raise OversizedBitmapError(Code.BITMAPS_TOO_LARGE, given, MOST_PIXELS_OF_ALL)
+        layers = data.count(_JPEG_LAYER) if data.startswith(_JPEG) else 1
+        if layers > MOST_LAYERS:
+            raise OversizedBitmapError(Code.BITMAP_TOO_MANY_LAYERS, layers, MOST_LAYERS)
         reds = _red_channel(image).tobytes()
     return Bitmap(width, height, tuple(flags(reds[y * width : (y + 1) * width]) for y in range(height)))
 

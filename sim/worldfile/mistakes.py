@@ -86,11 +86,15 @@ class Code(Enum):
     INCLUDE_CYCLE = "include-cycle"  # path
     INCLUDE_OUTSIDE = "include-outside"  # path
     INCLUDE_TOO_DEEP = "include-too-deep"  # limit
+    TOO_MANY_FILES = "too-many-files"  # limit
     NO_WORLD_FILE = "no-world-file"  # a configuration that names neither a world nor a real robot
     BAD_ADDRESS = "bad-address"  # found
     BITMAP_NOT_FOUND = "bitmap-not-found"  # path
     BITMAP_OUTSIDE = "bitmap-outside"  # path
     BITMAP_UNREADABLE = "bitmap-unreadable"  # path
+    BITMAP_TOO_LARGE = "bitmap-too-large"  # given, limit (pixels)
+    BITMAPS_TOO_LARGE = "bitmaps-too-large"  # given, limit (pixels)
+    BITMAP_TOO_MANY_LAYERS = "bitmap-too-many-layers"  # given, limit
     # text
     UNKNOWN_CHARACTER = "unknown-character"  # found
     COMMENT_SIGN = "comment-sign"  # found: how comments begin in other languages
@@ -105,7 +109,7 @@ class Code(Enum):
     UNKNOWN_TYPE = "unknown-type"  # found, nearest
     MISSING_INCLUDE = "missing-include"  # found, path: the file that defines it
     DEFINE_CYCLE = "define-cycle"  # found
-    TOO_MUCH = "too-much"  # limit
+    TOO_MUCH = "too-much"  # what, limit
     WRONG_TYPE = "wrong-type"  # name
     WRONG_COUNT = "wrong-count"  # name, given
     OUT_OF_RANGE = "out-of-range"  # name

@@ -180,7 +180,7 @@ def test_an_include_bomb_is_refused_soon(tmp_path: Path) -> None:
     with pytest.raises(WorldError) as caught:
         load_text('include "0.inc"', tmp_path / "top.world")
 
-    assert caught.value.code is Code.INCLUDE_TOO_DEEP
+    assert caught.value.code is Code.TOO_MANY_FILES
 
 
 def test_a_file_that_is_no_picture_is_reported(tmp_path: Path) -> None:

@@ -161,6 +161,21 @@ def test_a_text_with_line_ends_stays_one_line() -> None:
     assert json.loads(line)["text"] == "a\nb\r\u2028ç"
 
 
+OBEYED = (*map(chr, (*range(0x20), *range(0x7F, 0xA0), 0x061C, 0x200E, 0x200F, 0x2028, 0x2029)),) + (
+    *map(chr, (*range(0x202A, 0x202F), *range(0x2066, 0x206A))),
+)
+"""What a terminal obeys, or what turns the text after it round."""
+
+
+def test_a_line_has_escapes_for_all_that_a_terminal_obeys() -> None:
+    text = "".join(f"a{each}b" for each in OBEYED)
+
+    line = as_line(Stamped(1, 0.0, Spoke(text), text))
+
+    assert [each for each in OBEYED if each in line.removesuffix("\n")] == []
+    assert json.loads(line)["text"] == json.loads(line)["robot"] == text
+
+
 def test_transient_events_are_not_written() -> None:
     out = io.StringIO()
 

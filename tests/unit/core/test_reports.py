@@ -33,6 +33,15 @@ def test_a_page_has_its_language_headings_and_column_headings() -> None:
     assert tags.texts[1:] == ["Donnie", "The <map>", "Two & two.", "name", "x", "a, b", "-3"]
 
 
+def test_a_page_shows_text_that_could_be_more_than_text() -> None:
+    evil = "</td><script>alert(1)</script>\x1b]0;x\x07\u202eabc\x9b2J"
+    page = as_html(evil, "en", [Section(evil, [evil], [(evil,), (evil,)])])
+
+    assert "script" not in Tags(page).opened
+    assert not set("\x1b\x07\u202e\x9b") & set(page)
+    assert len([each for each in Tags(page).texts if "<script>alert(1)</script>" in each]) == 6
+
+
 def test_a_table_is_valid_csv() -> None:
     assert list(csv.reader(as_csv([TABLE]).splitlines())) == [["name", "x"], ["a, b", "-3"]]
 

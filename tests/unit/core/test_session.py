@@ -21,6 +21,7 @@ from donnie_tui.core.events import (
 )
 from donnie_tui.core.session import Busy, RunOptions
 from donnie_tui.core.timeline import Timeline
+from donnie_tui.core.transcript import MOST_MOVEMENTS
 from tests.floor import Floor
 from tests.timeouts import TIMEOUT
 
@@ -256,6 +257,21 @@ def test_history_lists_every_movement() -> None:
         "Command 1 was FW 2, walked 2, didn't crash, position [0,2,0].",
         "Command 2 was TR 90, turned 90, didn't crash, position [0,2,90].",
     ]
+
+
+def test_history_forgets_the_oldest_movements_and_says_how_many() -> None:
+    floor = Floor()
+    floor.run(f"REPEAT {MOST_MOVEMENTS + 3} TIMES TR 1 END REPEAT")
+    before = len(floor.printed)
+
+    floor.run("HISTORY STATE")
+
+    listed = floor.printed[before:]
+    assert listed[0] == "3 earlier movements are forgotten."
+    assert listed[1].startswith("Command 4 was TR 1, turned 1")
+    assert len(listed) == 1 + MOST_MOVEMENTS + 1
+    assert listed[-1] == listed[-2]
+    assert listed[-1].startswith(f"Command {MOST_MOVEMENTS + 3} was TR 1")
 
 
 def test_a_fresh_run_has_no_history() -> None:

@@ -219,6 +219,57 @@ def test_a_mistake_in_a_built_in_language_keeps_everything_from_being_compiled(
     assert not (added / "compiled").exists()
 
 
+DEEP = "x = " + "[" * 100_000
+"""Deeper than Python's own stack."""
+
+
+@pytest.mark.parametrize(
+    ("name", "content"),
+    [
+        ("words.toml", DEEP),
+        ("compiled/words.json", '{"a":' * 100_000),
+        ("words.toml", "#" * (locales.LARGEST + 1)),
+        ("compiled/words.json", " " * (locales.LARGEST + 1)),
+    ],
+    ids=("deep", "deep compiled", "large", "large compiled"),
+)
+def test_a_table_beyond_a_limit_has_no_words(added: Path, name: str, content: str) -> None:
+    (added / "compiled").mkdir(exist_ok=True)
+    (added / name).write_text(content, encoding="utf-8")
+    _forget()
+
+    assert locales.table(CODE, "words") == {}
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "what"),
+    [
+        ("words.toml", DEEP, "this file has too many brackets in each other"),
+        ("words.toml", "#" * (locales.LARGEST + 1), "this file has more than 1000000 bytes"),
+        ("messages.po", "#" * (locales.LARGEST + 1), "this file has more than 1000000 bytes"),
+    ],
+    ids=("deep", "large", "large sentences"),
+)
+def test_a_file_beyond_a_limit_is_refused_with_the_cause(
+    added: Path, name: str, content: str, what: str
+) -> None:
+    (added / name).write_text(content, encoding="utf-8")
+
+    assert [str(each) for each in mistakes()] == [f"{added / name}:1: {what}"]
+
+
+@pytest.mark.parametrize("kept", [0, 3, 20, 40, 200])
+def test_compiled_sentences_that_are_cut_off_are_english(added: Path, kept: int) -> None:
+    main(["compile"])
+    file = added / "compiled" / "messages.mo"
+    file.write_bytes(file.read_bytes()[:kept])
+    _forget()
+
+    sentence = find("answer-stopped-at", CODE)
+    assert sentence is not None
+    assert sentence.language == "en"
+
+
 def test_a_sentence_with_a_mistake_is_english_in_a_session(added: Path) -> None:
     file = added / "messages.po"
     file.write_text(file.read_text("utf-8").replace(accented("Stopped at line ") + "{line}", "{x}"), "utf-8")

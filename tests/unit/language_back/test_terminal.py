@@ -61,6 +61,30 @@ def test_a_for_takes_over_a_name_and_ends_it(make: Make) -> None:
     assert outcomes[2].place == ("undeclared-variable", 21, 7)
 
 
+FAILING_LOOPS = {
+    "the condition's left": "FOR VAR i = 0; k < 3; i = i + 1 DO END FOR",
+    "the condition's right": "FOR VAR i = 0; i < k; i = i + 1 DO END FOR",
+    "the condition divides by zero": "FOR VAR i = 0; i / i < 1; i = i + 1 DO END FOR",
+    "a variable is the start": "VAR n = 0 FOR VAR i = n; k < 3; i = i + 1 DO END FOR",
+    "nothing is the start": "FOR VAR i; k < 3; i = i + 1 DO END FOR",
+    "the step": "FOR VAR i = 0; i < 3; i = k DO END FOR",
+    "the name of the step": "FOR VAR i = 0; i < 3; k = 1 DO END FOR",
+    "the body": "FOR VAR i = 0; i < 3; i = i + 1 DO SPEAK k END FOR",
+    "a call": "PROCEDURE P DO SPEAK k END PROCEDURE FOR VAR i = 0; i < 3; i = i + 1 DO P [] END FOR",
+    "a loop in it": "FOR VAR i = 0; i < 3; i = i + 1 DO FOR VAR j = 0; k < 3; j = j + 1 DO END FOR END FOR",
+}
+
+
+@back_ends
+@pytest.mark.parametrize("loop", FAILING_LOOPS.values(), ids=FAILING_LOOPS.keys())
+def test_the_variable_of_a_for_header_is_gone_after_a_mistake(make: Make, loop: str) -> None:
+    outcomes = type_in(make, loop, "SPEAK i")
+
+    assert outcomes[0].place is not None
+    assert not {"i", "j"} & outcomes[0].variables.keys()
+    assert outcomes[1].place == ("undeclared-variable", 11, 7)
+
+
 @back_ends
 def test_procedures_remain_and_call_later_ones(make: Make) -> None:
     outcomes = type_in(

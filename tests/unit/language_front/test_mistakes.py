@@ -1,5 +1,7 @@
 """Each kind of mistake of form, and its place. One mistake gives one diagnostic."""
 
+import unicodedata
+
 import pytest
 
 from language.diagnostics import Diagnostic, MistakeKind
@@ -93,6 +95,10 @@ def the_mistake(source: str) -> Diagnostic:
         ("FW 1 $ FW 2", "unknown-character", 1, 6),
         ("SPEAK 'hello world'", "unknown-character", 1, 7),
         ("FW 1\x00", "unknown-character", 1, 5),
+        ("IF 1 ≠ 2 THEN SPEAK 1 END IF", "unknown-character", 1, 6),
+        ("IF 1 =\u0338 2 THEN SPEAK 1 END IF", "unknown-character", 1, 6),
+        ("VAR a =\u0338 3", "unknown-character", 1, 7),
+        ("FW (\u0301 2 )", "unknown-character", 1, 4),
         ("VAR a = 3 \ud800", "unknown-character", 1, 11),
         ("FW \u0663", "unknown-character", 1, 4),
         # strings
@@ -116,9 +122,9 @@ def the_mistake(source: str) -> Diagnostic:
         ("VAR right = 2", "reserved-word", 1, 5),
         ("VAR end if = 2", "reserved-word", 1, 5),
         ("CREAR mirar = 1", "reserved-word", 1, 7),
-        ("FW = 3", "reserved-word", 1, 1),
+        ("FW = 3", "syntax", 1, 4),
         ("times = 3", "reserved-word", 1, 1),
-        ("SCAN = 3", "reserved-word", 1, 1),
+        ("SCAN = 3", "syntax", 1, 6),
         ("PROCEDURE fw: a DO FW a END PROCEDURE", "reserved-word", 1, 11),
         ("PROCEDURE P: if, b DO FW b END PROCEDURE", "reserved-word", 1, 14),
         ("FOR VAR do = 1; 1 < 2; a = 1 DO END FOR", "reserved-word", 1, 9),
@@ -168,6 +174,42 @@ def the_mistake(source: str) -> Diagnostic:
 def test_the_kind_and_the_place_of_a_mistake(source: str, kind: str, line: int, column: int) -> None:
     only = the_mistake(source)
     assert (only.kind.value, only.span.line, only.span.column) == (kind, line, column)
+
+
+SIGNS = "=<>+-*/()[],:;"
+
+
+def test_no_sign_is_read_without_its_marks() -> None:
+    """Unicode has 1.1 million characters; the ones that mean the same sign by its own rules are no other."""
+    for number in range(0x80, 0x110000):
+        character = chr(number)
+        plain = unicodedata.normalize("NFKD", character)
+        if set(plain) & set(SIGNS) and unicodedata.normalize("NFC", character) == character:
+            only = the_mistake(f"VAR a {character} 3")
+            assert only.kind is MistakeKind.UNKNOWN_CHARACTER, hex(number)
+            assert only.span.column == 7
+
+
+@pytest.mark.parametrize("sign", SIGNS)
+@pytest.mark.parametrize("mark", ["\u0338", "\u0301", "\u0338\u0301", "\u20d2"])
+def test_no_sign_is_read_without_a_loose_mark(sign: str, mark: str) -> None:
+    assert "unknown-character" in [each.kind.value for each in mistakes_in(f"VAR a = 3 {sign}{mark} FW 1")]
+
+
+@pytest.mark.parametrize(
+    ("typed", "meant"),
+    [
+        *(("\u2260", "<>"), ("=\u0338", "<>"), ("\u226e", ">="), ("<\u0338", ">="), ("\u226f", "<=")),
+        *(("\u2264", "<="), ("\u2265", ">="), ("\u2270", ">"), ("\u2271", "<"), ("\uff1d", "=")),
+        *(("\u00d7", "*"), ("\u00f7", "/"), ("\uff1d\u0338", "<>"), ("<=\u0338", ">"), ("\uff0b", "+")),
+        *(("$", ""), ("<\u0301", ""), ("\u2203", ""), ("\u2260\u2260", ""), ("\u00b2", "")),
+    ],
+)
+def test_a_sign_of_mathematics_means_one_of_godonnie(typed: str, meant: str) -> None:
+    only = the_mistake(f"IF 1 {typed} 2 THEN FW 1 END IF")
+
+    assert only.kind is MistakeKind.UNKNOWN_CHARACTER
+    assert only.meant == meant
 
 
 @pytest.mark.parametrize(

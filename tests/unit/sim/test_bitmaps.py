@@ -9,12 +9,16 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from donnie_tui.i18n.mistakes import world_mistake
+from donnie_tui.i18n.words import Words
 from sim.geometry import signed_area
 from sim.world import World
-from sim.worldfile import load_text
+from sim.worldfile import Code, WorldError, load_text
 from sim.worldfile.floor_plans import (
     MOST_PIXELS,
+    MOST_PIXELS_OF_ALL,
     Bitmap,
+    OversizedBitmapError,
     Rectangle,
     UnreadableBitmapError,
     count_outlines,
@@ -166,11 +170,77 @@ def test_a_damaged_picture_is_read_or_refused(kind: str, at: int, piece: bytes, 
     assert [len(row) for row in picture.rows] == [picture.width] * picture.height
 
 
-def test_a_picture_with_huge_dimensions_is_refused() -> None:
-    header = struct.pack(">IIBBBBB", 100_000, 100_000, 8, 0, 0, 0, 0)
+def blank_png(width: int, height: int) -> bytes:
+    """Without pixels: nothing may decode them."""
+    header = struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0)
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(b""))
 
-    with pytest.raises(UnreadableBitmapError):
-        read_bitmap(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(b"")))
+
+@pytest.mark.parametrize(
+    ("width", "height"), [(2000, 2001), (2200, 2000), (20_000, 10_000), (100_000, 100_000)]
+)
+def test_a_picture_with_too_many_pixels_is_refused_with_their_number(width: int, height: int) -> None:
+    with pytest.raises(OversizedBitmapError) as refused:
+        read_bitmap(blank_png(width, height))
+
+    assert refused.value.code is Code.BITMAP_TOO_LARGE
+    assert (refused.value.given, refused.value.limit) == (width * height, MOST_PIXELS)
+
+
+def test_the_pictures_of_a_world_together_have_a_limit() -> None:
+    with pytest.raises(OversizedBitmapError) as refused:
+        read_bitmap(blank_png(1000, 1000), room=999_999)
+
+    assert refused.value.code is Code.BITMAPS_TOO_LARGE
+    assert refused.value.given == MOST_PIXELS_OF_ALL + 1
+
+
+def test_a_photograph_of_too_many_layers_is_refused_before_they_are_decoded() -> None:
+    from PIL import Image
+
+    out = BytesIO()
+    Image.new("L", (2000, 2000), 200).save(out, "JPEG", progressive=True)
+    whole = out.getvalue()
+    layer = whole[whole.index(b"\xff\xda") : -2]
+
+    with pytest.raises(OversizedBitmapError) as refused:
+        read_bitmap(whole[:-2] + layer * 1000 + whole[-2:])
+
+    assert refused.value.code is Code.BITMAP_TOO_MANY_LAYERS
+    assert refused.value.given > 1000
+
+
+def test_a_world_with_a_picture_that_is_too_large_says_so(tmp_path: Path) -> None:
+    (tmp_path / "plan.png").write_bytes(blank_png(2200, 2000))
+    with pytest.raises(WorldError) as refused:
+        load_text('model ( bitmap "plan.png" )', tmp_path / "t.world")
+
+    assert world_mistake(refused.value, Words()).endswith(
+        "The picture has 4 400 000 pixels, 4 000 000 are allowed."
+    )
+
+
+def test_a_picture_file_that_is_too_large_says_so(tmp_path: Path) -> None:
+    with (tmp_path / "plan.png").open("wb") as file:
+        file.truncate(8_000_001)
+    with pytest.raises(WorldError) as refused:
+        load_text('model ( bitmap "plan.png" )', tmp_path / "t.world")
+
+    assert world_mistake(refused.value, Words()).endswith("plan.png is too large, at most 8 000 000 bytes.")
+
+
+def test_the_pictures_of_a_world_are_counted_together(tmp_path: Path) -> None:
+    from PIL import Image
+
+    for number in range(4):
+        Image.new("1", (2000, 1999), 1).save(tmp_path / f"{number}.png")
+    models = "\n".join(f'model ( bitmap "{number}.png" )' for number in range(4))
+
+    with pytest.raises(WorldError) as refused:
+        load_text(models, tmp_path / "t.world")
+
+    assert refused.value.code is Code.BITMAPS_TOO_LARGE
+    assert refused.value.line == 4
 
 
 @settings(max_examples=examples(200))

@@ -1,0 +1,505 @@
+"""Tries random input on everything that reads what others wrote. ``make fuzz SEED=1 COUNT=1000``.
+
+Not part of the check. Each kind of input has a generator, which takes a ``Random`` made of the seed, the kind
+and the number of the case, and a check, which raises. So ``--only NUMBER`` with the same seed tries one case
+again. A case that fails or takes longer than its limit is made smaller as long as it fails in the same way,
+and printed; the input lies in ``.fuzz`` afterwards.
+
+The generators are those of the tests, which try a few of the same cases in each check.
+"""
+
+from __future__ import annotations
+
+import argparse
+import io
+import os
+import random
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import traceback
+import unicodedata
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from types import FrameType
+from typing import TYPE_CHECKING
+
+import worlds
+from devices.wire.reports import Decoder
+from devices.wire.commands import HEADER, encode_frame
+from donnie_tui.core.events import as_line
+from donnie_tui.core.recording import NoRecordingError, Recording
+from donnie_tui.core.replay import redone_in_words, undone_in_words
+from donnie_tui.core.timeline import Timeline
+from donnie_tui.core.transcript import printed_lines
+from donnie_tui.i18n.mistakes import world_mistake, world_note
+from donnie_tui.i18n.words import Words
+from language.checker import check
+from language.formatter import formatted
+from language.keywords import WORDS, all_words, folded_word
+from language.locales import languages
+from language.outline import block_depth, outline
+from language.parser import parse
+from language.source import HARMFUL
+from sim.picture import picture
+from sim.worldfile import WorldError, load_text
+from tests.conftest import ROOT
+from tests.properties import test_language_garbage as garbage
+from tests.properties.random_programs import ProgramWriter
+from tests.properties.test_language_compiler import compare
+from tests.sessions.command import QUIET, donnie
+from tests.worlds import test_garbage as damaged_worlds
+
+if TYPE_CHECKING:
+    from donnie_tui.core.events import Stamped
+
+Input = str | bytes
+
+FOLDER = ROOT / ".fuzz"
+LONGEST_SHOWN = 2000
+"""Characters of a failing input that are printed."""
+MOST_FAILURES = 10
+"""Of one kind; then the next kind is tried."""
+SHRINKING = 20.0
+"""Seconds that a failing input is made smaller."""
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of input."""
+
+    make: Callable[[random.Random], Input]
+    check: Callable[[Input], None]
+    seconds: float = 2.0
+    """Of processor time, after which a case counts as failed; four times as long by the clock."""
+    share: float = 1.0
+    """Of the cases that were asked for: some cases are many in one."""
+
+
+# --- programs -----------------------------------------------------------------------------------------
+
+
+@cache
+def _spellings() -> dict[str, tuple[str, ...]]:
+    """Every way to write each keyword, by its folded English spelling."""
+    return {
+        folded_word(each.canonical): tuple(spelt for row in each.spellings.values() for spelt in row)
+        for each in WORDS
+    }
+
+
+def mixed(program: str, chance: random.Random) -> str:
+    """The program with each keyword in any language, in any case, with or without its accents."""
+    return " ".join(_respelt(word, chance) for word in program.split(" "))
+
+
+def _respelt(word: str, chance: random.Random) -> str:
+    spellings = _spellings().get(folded_word(word)) if word.isalpha() else None
+    if spellings is None:
+        return word
+    spelt = chance.choice(spellings)
+    kind = chance.randrange(5)
+    if kind == 0:
+        return spelt.lower()
+    if kind == 1:
+        return unicodedata.normalize("NFD", spelt)
+    if kind == 2:
+        return "".join(
+            each for each in unicodedata.normalize("NFD", spelt) if not unicodedata.combining(each)
+        )
+    return spelt.replace(" ", chance.choice((" ", "\n", "\t"))) if kind == 3 else spelt
+
+
+def _program(chance: random.Random) -> str:
+    kind = chance.randrange(6)
+    if kind < 2:
+        program = ProgramWriter(chance.getrandbits(32)).program()
+        return mixed(program, chance) if kind else program
+    make = (garbage.soup, garbage.broken_program, garbage.any_bytes, _signs)[kind - 2]
+    return make(chance)
+
+
+def _signs(chance: random.Random) -> str:
+    """Any characters between words."""
+    pieces = [chance.choice(("IF", "1", "x", "=", "THEN", "FW", '"', "--", " ", "\n")) for _ in range(12)]
+    return "".join(
+        piece + chr(chance.choice((chance.randrange(0x20, 0x3000), chance.randrange(0x110000)))) * (at % 2)
+        for at, piece in enumerate(pieces)
+    )
+
+
+def _check_program(text: Input) -> None:
+    assert isinstance(text, str)
+    parsed = parse(text)
+    garbage.hold(text, parsed)
+    for diagnostic in parsed.diagnostics:
+        for language in languages():
+            _is_harmless(Words(language).mistake(diagnostic))
+            _is_harmless(Words(language).hint(diagnostic) or "")
+    assert 0 <= block_depth(text) <= sum(not each.is_closed for each in outline(text))
+    if parsed.program is None:
+        return
+    check(parsed.program)
+    for to in (None, *languages()):
+        once = formatted(text, to).text
+        assert once is not None
+        assert formatted(once, to).text == once, f"formatted twice, to {to}"
+        assert formatted(once).text == once, f"formatted to {to}, then once more"
+
+
+def _run(chance: random.Random) -> str:
+    return ProgramWriter(chance.getrandbits(32)).program()
+
+
+def _check_run(text: Input) -> None:
+    """The compiled and the interpreted program do the same."""
+    assert isinstance(text, str)
+    if parse(text).program is not None:
+        compare([text])
+
+
+# --- worlds -------------------------------------------------------------------------------------------
+
+_WORLD = Path(worlds.MANUAL) / "garbage.world"
+
+
+def _world(chance: random.Random) -> str:
+    return damaged_worlds.damaged(chance.choice(_world_sources()), chance)
+
+
+@cache
+def _world_sources() -> list[str]:
+    return damaged_worlds.sources()
+
+
+def _check_world(text: Input) -> None:
+    assert isinstance(text, str)
+    try:
+        scene = load_text(text, _WORLD)
+    except WorldError as mistake:
+        assert mistake.line >= 1
+        assert mistake.column >= 1
+        for language in languages():
+            _is_harmless(world_mistake(mistake, Words(language)))
+        return
+    for note in scene.report.notes:
+        _is_harmless(world_note(note, Words()))
+    for robot in (None, *(scene.models[index].spoken_name for index in scene.robots[:2])):
+        picture(scene, robot)
+
+
+# --- recordings ---------------------------------------------------------------------------------------
+
+_RECORDED = """VAR n = 2 REPEAT n TIMES FW n TR 90 END REPEAT SPEAK "olá"
+STATE SCAN WAIT 1 SPEAK DISTANCE F SPEAK x"""
+_PIECES = (
+    b"9",
+    b"-",
+    b"e",
+    b"\xff",
+    b"{",
+    b"",
+    b'"',
+    b"\\u0000",
+    b"null",
+    b"1e999",
+    b"[",
+    b"\xc2\x9b",
+    b"\n",
+)
+
+
+@cache
+def _recording() -> bytes:
+    with tempfile.TemporaryDirectory() as folder:
+        Path(folder, "a.gd").write_text(_RECORDED, encoding="utf-8")
+        options = (*QUIET, "--speed", "max", "--record", "a.rec", "--world", "object_field")
+        donnie(Path(folder), "run", "a.gd", *options)
+        return Path(folder, "a.rec").read_bytes()
+
+
+def _damaged_recording(chance: random.Random) -> bytes:
+    damaged = bytearray(_recording())
+    first = damaged.index(b"\n") + 1 if chance.randrange(4) else 0
+    for _ in range(chance.choice((1, 1, 2, 20))):
+        at = chance.randrange(first, len(damaged))
+        damaged[at : at + chance.choice((0, 1, 1, 3, 90))] = chance.choice(_PIECES)
+    return bytes(damaged)
+
+
+def _check_recording(data: Input) -> None:
+    assert isinstance(data, bytes)
+    try:
+        recording = Recording(io.BytesIO(data))
+    except NoRecordingError:
+        return
+    words = Words()
+    timeline = Timeline(recording.events)
+    while step := timeline.step():
+        redone_in_words(step, words)
+        for stamped in step:
+            _is_harmless_event(stamped, words)
+    while undone := timeline.step_back():
+        undone_in_words(undone, timeline, words)
+
+
+def _is_harmless_event(stamped: Stamped, words: Words) -> None:
+    for line in printed_lines(stamped, words):
+        _is_harmless(line)
+    _is_harmless(as_line(stamped, whole=True).removesuffix("\n"))
+
+
+# --- typed sessions -----------------------------------------------------------------------------------
+
+_LINES = 60
+"""In one session."""
+
+
+def _session(chance: random.Random) -> str:
+    """Typed lines: commands in any language, GoDonnie, and neither. No path leads out of its folder."""
+    return "\n".join(_line(chance) for _ in range(_LINES)) + "\n"
+
+
+def _line(chance: random.Random) -> str:
+    kind = chance.randrange(10)
+    if kind < 4:
+        word = chance.choice(_command_words())
+        return f"{word} {chance.choice(_ARGUMENTS)}".rstrip()
+    if kind < 6:
+        return chance.choice(_GODONNIE)
+    if kind < 9:
+        return _one_line(garbage.soup(chance) if kind < 8 else garbage.broken_program(chance))
+    return _one_line(garbage.any_bytes(chance))
+
+
+_ARGUMENTS = (
+    *("", "", "", "", "1", "2", "0", "-1", "99999999999", "a", "a.gd", "b", "x", "FW", "red", "on", "off"),
+    *(
+        "map",
+        "map map.html",
+        "all",
+        "next",
+        "1 2",
+        "1-3",
+        "north",
+        "\x1b[2J",
+        "\u009b2J",
+        "é",
+        "~",
+        "yes",
+        "no",
+    ),
+    *("living_room", "maze", "pt", "es", "en", "help", "'", '"', "\u202eabc", "max", "brief", "." * 3000),
+)
+_GODONNIE = (
+    "FW 1",
+    "TR 90",
+    "VAR a = 1",
+    "SPEAK a",
+    "SCAN",
+    "HISTORY",
+    "STATE",
+    "RUN",
+    "",
+    "yes",
+    "no",
+    "1",
+    "2",
+)
+
+
+@cache
+def _command_words() -> tuple[str, ...]:
+    from donnie_tui.commands.declarations import COMMANDS
+    from donnie_tui.commands.lookup import words_of
+
+    return tuple(
+        word for each in COMMANDS for language in languages() for word in words_of(each.name, language)
+    )
+
+
+def _one_line(text: str) -> str:
+    """Without what would end the session's input or leave its folder, and without endless loops."""
+    line = " ".join(text.replace("/", "").replace("\0", "").splitlines())
+    loops = {word for language in languages() for word in all_words(language) if folded_word(word) in _LOOPS}
+    return " ".join(word for word in line.split(" ") if word.upper() not in loops)
+
+
+_LOOPS = {folded_word(word) for word in ("WHILE", "ENQUANTO", "MIENTRAS")}
+
+
+def _check_session(text: Input) -> None:
+    assert isinstance(text, str)
+    with tempfile.TemporaryDirectory() as folder:
+        Path(folder, "work").mkdir()
+        options = ("--linear", *QUIET, "--speed", "max", "--robot", "sim")
+        done = donnie(Path(folder, "work"), *options, typed=text.encode("utf-8", "replace"))
+    errors = done.stderr.decode("utf-8", "replace")
+    assert "Traceback" not in errors, errors[-3000:]
+    assert done.returncode in (0, 1), f"exit code {done.returncode}: {errors[-500:]}"
+    for line in (done.stdout.decode("utf-8") + errors).split("\n"):
+        _is_harmless(line)
+
+
+# --- serial bytes -------------------------------------------------------------------------------------
+
+
+def _serial(chance: random.Random) -> bytes:
+    """Frames, halves of frames and noise."""
+    pieces = []
+    for _ in range(chance.randrange(1, 30)):
+        frame = encode_frame(chance.choice((0xC7, 0x41, 0x81, 0x68, 0x42, 0x66, 0x15, 0x73)), _data(chance))
+        at = chance.randrange(len(frame))
+        noise = chance.randbytes(chance.randrange(60))
+        pieces.append(chance.choice((frame, frame, frame[:at], HEADER, noise, frame[:at] + noise)))
+    return b"".join(pieces)
+
+
+def _data(chance: random.Random) -> bytes:
+    kind = chance.randrange(4)
+    if kind == 0:
+        return bytes((7, *chance.randbytes(7)))
+    if kind == 1:
+        return bytes((6, *(chance.randrange(3) for _ in range(6))))
+    return chance.randbytes(8 if kind == 2 else chance.randrange(49))
+
+
+def _check_serial(data: Input) -> None:
+    """Through the decoder in two chunkings, and through a whole connection."""
+    from tests.wire.bench import streaming
+
+    assert isinstance(data, bytes)
+    whole, pieces = Decoder(lambda _: None), Decoder(lambda _: None)
+    reports = [each for at in range(0, len(data), 7) for each in pieces.feed(data[at : at + 7])]
+    assert whole.feed(data) == reports
+    assert whole.held <= 54 + 200
+    connection = streaming()
+    now = 1.0
+    for at in range(0, len(data), 20):
+        now += 0.01
+        connection.received(data[at : at + 20], now)
+        connection.actions(now)
+
+
+def _is_harmless(line: str) -> None:
+    import re
+
+    assert re.search(HARMFUL, line) is None, f"a control character in {line[:200]!r}"
+
+
+KINDS: dict[str, Kind] = {
+    "programs": Kind(_program, _check_program),
+    "runs": Kind(_run, _check_run, 4.0),
+    "worlds": Kind(_world, _check_world),
+    "recordings": Kind(_damaged_recording, _check_recording),
+    "sessions": Kind(_session, _check_session, 30.0, share=1 / _LINES),
+    "serial": Kind(_serial, _check_serial),
+}
+
+
+# --- trying -------------------------------------------------------------------------------------------
+
+
+class TooSlow(Exception):
+    """A case took longer than its limit."""
+
+
+@contextmanager
+def _limited(seconds: float) -> Iterator[None]:
+    def expire(number: int, frame: FrameType | None) -> None:
+        raise TooSlow
+
+    signal.signal(signal.SIGALRM, expire)
+    signal.setitimer(signal.ITIMER_REAL, 4 * seconds)
+    began = time.process_time()
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+    if time.process_time() - began > seconds:
+        raise TooSlow
+
+
+def failure_of(kind: Kind, case: Input) -> BaseException | None:
+    """What a case raises; None if all is well."""
+    try:
+        with _limited(kind.seconds):
+            kind.check(case)
+    except (Exception, subprocess.TimeoutExpired) as error:
+        return error
+    return None
+
+
+def _signature(error: BaseException) -> tuple[str, str]:
+    """Two failures are the same if their kind and the line that raised them are."""
+    frames = traceback.extract_tb(error.__traceback__)
+    return type(error).__name__, f"{frames[-1].filename}:{frames[-1].lineno}" if frames else ""
+
+
+def smaller(kind: Kind, case: Input, error: BaseException) -> Input:
+    """A part of the input that fails in the same way."""
+    until, wanted = time.monotonic() + SHRINKING, _signature(error)
+    size = len(case) // 2
+    while size and time.monotonic() < until:
+        at = 0
+        while at < len(case) and time.monotonic() < until:
+            shorter = case[:at] + case[at + size :]  # type: ignore[operator] # both of one type
+            found = failure_of(kind, shorter)
+            if found is not None and _signature(found) == wanted:
+                case = shorter
+            else:
+                at += size
+        size //= 2
+    return case
+
+
+def fuzz(name: str, seed: int, numbers: Sequence[int]) -> int:
+    """Try those cases of a kind, print what failed, and return the number of failures."""
+    kind, failed, tried = KINDS[name], 0, 0
+    for number in numbers:
+        case = kind.make(random.Random(f"{seed} {name} {number}"))
+        tried += 1
+        error = failure_of(kind, case)
+        if error is not None:
+            failed += 1
+            _report(name, seed, number, smaller(kind, case, error), error)
+        if failed >= MOST_FAILURES:
+            break
+    print(f"{name}: seed {seed}, {tried} cases, {failed} failed", flush=True)
+    return failed
+
+
+def _report(name: str, seed: int, number: int, case: Input, error: BaseException) -> None:
+    FOLDER.mkdir(exist_ok=True)
+    file = FOLDER / f"{name}-{seed}-{number}"
+    file.write_bytes(case if isinstance(case, bytes) else case.encode("utf-8", "surrogatepass"))
+    shown = "".join(traceback.format_exception(error)[-3:])
+    print(f"{name} {number} failed: {shown}{case[:LONGEST_SHOWN]!r}", flush=True)
+    print(f"Again: python -m tests.tools.fuzz --kind {name} --seed {seed} --only {number}", flush=True)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--count", type=int, default=1000)
+    parser.add_argument("--kind", choices=sorted(KINDS), action="append")
+    parser.add_argument("--only", type=int, metavar="NUMBER", help="try this one case")
+    options = parser.parse_args()
+    failed = 0
+    with tempfile.TemporaryDirectory() as home:
+        os.environ["HOME"] = home
+        for name in options.kind or KINDS:
+            count = max(1, round(options.count * KINDS[name].share))
+            numbers = range(count) if options.only is None else [options.only]
+            failed += fuzz(name, options.seed, numbers)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    with suppress(KeyboardInterrupt):
+        sys.exit(main())
