@@ -278,7 +278,7 @@ def _written_differently() -> dict[str, dict[str, set[str]]]:
 
 
 def languages_by_accents(folded: str, typed: str) -> frozenset[str]:
-    """The languages that write a keyword with the accents that were typed, where others write it with others."""
+    """The languages that write a keyword with these accents, if others write it with other ones."""
     spellings = _written_differently().get(folded)
     if not spellings:
         return frozenset()

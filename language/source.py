@@ -1,9 +1,10 @@
 """The learner's text as characters: folding that moves no offset, and places in lines and columns.
 
 ``fold`` returns a text of the same length without case and accents, so an offset in the folded text is an
-offset in the learner's text. Only letters lose their marks: ≠ is no =. Columns count visible characters: a letter with a combining accent is one, a tab
-is one, a byte order mark is none. ``printable`` and ``cleaned`` put a blank in the place of each character
-that could control a terminal or can't be encoded, so that columns stay the same.
+offset in the learner's text. Only letters lose their marks: ≠ stays what it is. Columns count visible
+characters: a letter with a combining accent is one, a tab is one, a byte order mark is none. ``printable``
+and ``cleaned`` put a blank in the place of each character that could control a terminal or can't be encoded,
+so that columns stay the same.
 """
 
 from __future__ import annotations
@@ -74,7 +75,7 @@ def _folded(character: str) -> str:
 
 
 def _is_marked_letter(parts: str) -> bool:
-    """Whether a decomposed character is a letter with marks, or one character for which it is another form."""
+    """Whether a decomposed character is a letter with marks, or another form of one character."""
     return len(parts) == 1 or (parts[0].isalpha() and all(map(unicodedata.combining, parts[1:])))
 
 

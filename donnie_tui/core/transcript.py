@@ -55,7 +55,7 @@ class PastMovement(Struct, frozen=True):
 
 
 MOST_MOVEMENTS = 10_000
-"""Movements that HISTORY remembers, the newest ones: a lesson has some hundreds, an endless program millions."""
+"""Movements that HISTORY remembers, the newest ones. An endless program makes millions."""
 
 
 class History:

@@ -289,7 +289,7 @@ def _sign(sign: str, words: Wording) -> str:
     if sign in CODE_OF_SIGN:
         return words(CODE_OF_SIGN[sign])
     shown = sign if sign.isprintable() and not unicodedata.combining(sign[:1] or " ") else ""
-    return words("sign-other", sign=shown or f"U+{ord(sign or chr(0)):04X}")
+    return words("sign-other", sign=shown or f"U+{ord(sign[:1] or chr(0)):04X}")
 
 
 def _spelled(word: str, words: Wording) -> str:

@@ -15,7 +15,7 @@ from msgspec import Struct
 from sim.scene import Note, NoteKind
 from sim.worldfile import tree
 from sim.worldfile.mistakes import Code, WorldError, defining, near_file, near_name, near_world, worlds_in
-from sim.worldfile.parser import parse
+from sim.worldfile.parser import WordCount, parse
 
 LARGEST_FILE = 8_000_000
 """Bytes in one file; a world of 2000 models has some 200 000."""
@@ -38,6 +38,7 @@ class FileReader:
         self.files: list[str] = []
         self.pictures: list[str] = []
         self.notes: list[Note] = []
+        self._words = WordCount()
 
     def read(self, path: Path) -> Iterator[Placed]:
         """All statements of the world at ``path``, includes replaced by what they include."""
@@ -48,7 +49,7 @@ class FileReader:
     def statements(self, text: str, path: Path, above: tuple[Path, ...]) -> Iterator[Placed]:
         """The statements of ``text``, which stands in ``path`` and is included from the files ``above``."""
         self.files.append(str(path))
-        for statement in parse(text, str(path)):
+        for statement in parse(text, str(path), self._words):
             if isinstance(statement, tree.Include):
                 yield from self._included(statement, path, (*above, path.resolve()))
             else:
@@ -136,7 +137,7 @@ MODEL_TYPES = frozenset(
 BUILT_IN = MODEL_TYPES | {"sensor", "window", "block"}
 _RENAMED = {"laser": "ranger"}
 """What older versions of Stage called it."""
-MOST_ENTITIES = 100_000
+MOST_ENTITIES = 40_000
 """Models, sensors and blocks of a world together."""
 MOST_SETTINGS = 1_000_000
 DEEPEST_MODEL = 64

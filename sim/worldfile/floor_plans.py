@@ -191,7 +191,7 @@ def _fills(picture: Bitmap) -> bool:
 # --- pictures
 
 MOST_PIXELS = 4_000_000
-MOST_PIXELS_OF_ALL = 12_000_000
+MOST_PIXELS_OF_ALL = 8_000_000
 """Of the pictures of one world."""
 MOST_LAYERS = 100
 """Of a JPEG, which is decoded once for each of them: a camera makes some ten."""

@@ -20,6 +20,8 @@ from sim.worldfile.mistakes import Code, WorldError
 
 DEEPEST = 64
 """Parentheses and brackets inside each other."""
+MOST_WORDS = 100_000
+"""Words, numbers and signs of all files of a world; one of 2000 models has some 30 000."""
 LARGEST = 1e12
 """No number of a world is larger; lengths are held to a narrower limit where they are used."""
 
@@ -43,10 +45,25 @@ class WorldToken(NamedTuple):
     column: int
 
 
-def tokens(text: str, file: str) -> Iterator[WorldToken]:
+class WordCount:
+    """Counts the tokens of all files of one world."""
+
+    def __init__(self) -> None:
+        self._left = MOST_WORDS
+
+    def take(self, token: WorldToken, file: str) -> None:
+        """Raises ``WorldError`` where there are too many."""
+        self._left -= 1
+        if self._left < 0:
+            raise WorldError(Code.TOO_MUCH, file, token.line, token.column, what="words", limit=MOST_WORDS)
+
+
+def tokens(text: str, file: str, count: WordCount | None = None) -> Iterator[WorldToken]:
     """The tokens of ``text``; WorldError at the first place that is none, or where something is left open."""
     opened: list[WorldToken] = []
+    count = count or WordCount()
     for token in _read(text, file):
+        count.take(token, file)
         if token.kind in ("LPAR", "LSQB"):
             opened.append(token)
             if len(opened) > DEEPEST:
@@ -116,10 +133,11 @@ _EXPECTED = {
 }
 
 
-def parse(text: str, file: str) -> tuple[tree.Statement, ...]:
-    """The statements of one file, in order. WorldError at the first mistake of form."""
+def parse(text: str, file: str, count: WordCount | None = None) -> tuple[tree.Statement, ...]:
+    """The statements of one file, in order. WorldError at the first mistake of form, or too many words."""
+    source = _Source(text, file, count or WordCount())
     try:
-        statements: tuple[tree.Statement, ...] = _grammar().parse(_Source(text, file))  # type: ignore[assignment]
+        statements: tuple[tree.Statement, ...] = _grammar().parse(source)  # type: ignore[assignment]
         return statements
     except UnexpectedToken as problem:
         raise _unexpected(problem, file) from None
@@ -143,9 +161,10 @@ def _acceptable(problem: UnexpectedInput) -> set[str]:
 class _Source:
     """A text that knows its file, on its way through lark to our lexer."""
 
-    def __init__(self, text: str, file: str) -> None:
+    def __init__(self, text: str, file: str, count: WordCount) -> None:
         self.text = text
         self.file = file
+        self.count = count
 
 
 class _Words(Lexer):
@@ -156,7 +175,7 @@ class _Words(Lexer):
 
     def lex(self, source: object) -> Iterator[Token]:  # type: ignore[override]  # lark's first interface
         assert isinstance(source, _Source)
-        for kind, text, line, column in tokens(source.text, source.file):
+        for kind, text, line, column in tokens(source.text, source.file, source.count):
             yield Token(_TERMINALS.get(kind, kind), text, 0, line, column)
 
 

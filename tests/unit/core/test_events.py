@@ -161,7 +161,8 @@ def test_a_text_with_line_ends_stays_one_line() -> None:
     assert json.loads(line)["text"] == "a\nb\r\u2028ç"
 
 
-OBEYED = (*map(chr, (*range(0x20), *range(0x7F, 0xA0), 0x061C, 0x200E, 0x200F, 0x2028, 0x2029)),) + (
+OBEYED = (
+    *map(chr, (*range(0x20), *range(0x7F, 0xA0), 0x061C, 0x200E, 0x200F, 0x2028, 0x2029)),
     *map(chr, (*range(0x202A, 0x202F), *range(0x2066, 0x206A))),
 )
 """What a terminal obeys, or what turns the text after it round."""
