@@ -7,7 +7,12 @@ hypothesis strategy that draws every word takes longer than the tests themselves
 
 from __future__ import annotations
 
+import re
+import unicodedata
+from functools import cache
 from random import Random
+
+from language.keywords import WORDS, folded_word
 
 LARGEST = "9" * 4300
 HUGE = (str(2**30 - 1), str(2**30), str(2**64), "9" * 2151, LARGEST)
@@ -175,3 +180,34 @@ class ProgramWriter:
         if kind < 0.75:
             return self._pick(SENSORS)
         return self._pick(HUGE) if kind > 0.98 else str(self._random.randint(0, 5))
+
+
+# --- several languages
+
+
+@cache
+def _spellings() -> dict[str, tuple[str, ...]]:
+    """Every way to write each keyword, by its folded English spelling."""
+    return {
+        folded_word(each.canonical): tuple(spelt for row in each.spellings.values() for spelt in row)
+        for each in WORDS
+    }
+
+
+def mixed(program: str, chance: Random) -> str:
+    """The program with each keyword in any language, in any case, with or without its accents."""
+    return _KEYWORD.sub(lambda found: _respelt(found[0], chance), program)
+
+
+def _respelt(word: str, chance: Random) -> str:
+    spellings = _spellings().get(folded_word(word))
+    if spellings is None:
+        return word
+    spelt = chance.choice(spellings)
+    decomposed = unicodedata.normalize("NFD", spelt)
+    plain = "".join(each for each in decomposed if not unicodedata.combining(each))
+    blank = chance.choice((" ", " ", "\n", "\t"))
+    return chance.choice((spelt, spelt, spelt.lower(), decomposed, plain)).replace(" ", blank)
+
+
+_KEYWORD = re.compile(r"\b(?:END [A-Z]+|[A-Z]{2,})\b")

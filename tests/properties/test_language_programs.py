@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 import unicodedata
 from itertools import pairwise
+from pathlib import Path
+from random import Random
 from typing import Any
 
 import msgspec
@@ -12,6 +14,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from language.formatter import formatted
 from language.keywords import spelling
 from language.lexer import lex
 from language.locales import languages
@@ -22,6 +25,7 @@ from language.syntax import Block, HelpCommand, Program, Span, Statement, TextLi
 from tests.effort import examples
 from tests.formatting import format_source
 from tests.properties.programs import programs
+from tests.properties.random_programs import ProgramWriter, mixed
 
 HELP = {fold_name(spelling("HELP", each)) for each in languages()}
 
@@ -72,6 +76,32 @@ def test_formatting_twice_changes_nothing_the_second_time(source: str, language:
 
     assert format_source(once, language) == once
     assert format_source(once) == once
+
+
+@MANY
+@given(st.integers(0, 2**32), st.sampled_from((None, *languages())))
+def test_a_program_of_several_languages_is_formatted_once(seed: int, language: str | None) -> None:
+    """Few words in each, so that no language has most of them, with and without their accents."""
+    source = mixed(ProgramWriter(seed).program(), Random(seed))
+    once = format_source(source, language)
+
+    assert format_source(once, language) == once
+    assert format_source(once) == once
+
+
+def test_a_program_of_three_languages_is_formatted_once() -> None:
+    """As many words of Portuguese as of Spanish: the accents that the formatter writes must not decide."""
+    source = "CRIAR a = DISTANCIA F * DISTANCE F FW a AV a APRENDER p: a, b HACER end\tprocedure"
+    once = format_source(source)
+
+    assert format_source(once) == once
+
+
+def test_every_program_of_the_corpus_is_formatted_once(shared: Path) -> None:
+    for program in sorted((shared / "corpus").glob("*.gd")):
+        for language in (None, *languages()):
+            once = formatted(program.read_text(encoding="utf-8"), language).text
+            assert once is None or formatted(once, language).text == once, program.name
 
 
 @MANY

@@ -20,7 +20,6 @@ import sys
 import tempfile
 import time
 import traceback
-import unicodedata
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
@@ -41,7 +40,7 @@ from donnie_tui.i18n.mistakes import world_mistake, world_note
 from donnie_tui.i18n.words import Words
 from language.checker import check
 from language.formatter import formatted
-from language.keywords import WORDS, all_words, folded_word
+from language.keywords import all_words, folded_word
 from language.locales import languages
 from language.outline import block_depth, outline
 from language.parser import parse
@@ -50,7 +49,7 @@ from sim.picture import picture
 from sim.worldfile import WorldError, load_text
 from tests.conftest import ROOT
 from tests.properties import test_language_garbage as garbage
-from tests.properties.random_programs import ProgramWriter
+from tests.properties.random_programs import ProgramWriter, mixed
 from tests.properties.test_language_compiler import compare
 from tests.sessions.command import QUIET, donnie
 from tests.worlds import test_garbage as damaged_worlds
@@ -82,37 +81,6 @@ class Kind:
 
 
 # --- programs -----------------------------------------------------------------------------------------
-
-
-@cache
-def _spellings() -> dict[str, tuple[str, ...]]:
-    """Every way to write each keyword, by its folded English spelling."""
-    return {
-        folded_word(each.canonical): tuple(spelt for row in each.spellings.values() for spelt in row)
-        for each in WORDS
-    }
-
-
-def mixed(program: str, chance: random.Random) -> str:
-    """The program with each keyword in any language, in any case, with or without its accents."""
-    return " ".join(_respelt(word, chance) for word in program.split(" "))
-
-
-def _respelt(word: str, chance: random.Random) -> str:
-    spellings = _spellings().get(folded_word(word)) if word.isalpha() else None
-    if spellings is None:
-        return word
-    spelt = chance.choice(spellings)
-    kind = chance.randrange(5)
-    if kind == 0:
-        return spelt.lower()
-    if kind == 1:
-        return unicodedata.normalize("NFD", spelt)
-    if kind == 2:
-        return "".join(
-            each for each in unicodedata.normalize("NFD", spelt) if not unicodedata.combining(each)
-        )
-    return spelt.replace(" ", chance.choice((" ", "\n", "\t"))) if kind == 3 else spelt
 
 
 def _program(chance: random.Random) -> str:
