@@ -175,25 +175,13 @@ class ScopeCompiler:
             return
         name, declarations = loop.start.name.name, self._declarations
         self._out += declarations.refuse_any(loop.start.name)
-        first = self._begin_header(site, loop.start)
+        self._give(site, name, loop.start.value)
+        self._out += declarations.keep_owner(site, name, site)
+        first = self._sites.next
         self._loop_of_for(loop)
         self._headers.append(py.ForHeader(name, first, self._sites.next - 1))
         declarations.remove(name)
         self._out += [py.delete(site, py.VARIABLE + name), *declarations.keep_owner(site, name, 0)]
-
-    def _begin_header(self, site: int, start: syntax.Declare) -> int:
-        """Make the variable of a FOR header. Returns the first site at which it exists.
-
-        That is a site of its own: CPython 3.11 may run the assignment and the beginning of the condition as
-        one instruction, and a mistake in the condition is then reported at the assignment.
-        """
-        name = start.name.name
-        value = py.constant(site, 0) if start.value is None else self._expressions.value(start.value)
-        first = self._sites.new(start)
-        self._add(py.assign(first, py.VARIABLE + name, value))
-        self._declarations.add(name)
-        self._out += self._declarations.keep_owner(first, name, site)
-        return first
 
     def _loop_of_for(self, loop: syntax.For) -> None:
         self._enter()
