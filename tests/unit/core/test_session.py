@@ -1,6 +1,8 @@
 """A session runs one program at a time, from its first event to its last."""
 
+import gc
 import threading
+import tracemalloc
 
 import pytest
 
@@ -20,8 +22,8 @@ from donnie_tui.core.events import (
     Waited,
 )
 from donnie_tui.core.session import Busy, RunOptions
-from donnie_tui.core.timeline import Timeline
-from donnie_tui.core.transcript import MOST_MOVEMENTS
+from donnie_tui.core.timeline import Chronicle, Timeline
+from donnie_tui.core.transcript import History
 from tests.floor import Floor
 from tests.timeouts import TIMEOUT
 
@@ -259,19 +261,43 @@ def test_history_lists_every_movement() -> None:
     ]
 
 
-def test_history_forgets_the_oldest_movements_and_says_how_many() -> None:
+@pytest.fixture
+def short_history(monkeypatch: pytest.MonkeyPatch) -> int:
+    """How many movements HISTORY remembers."""
+    monkeypatch.setattr(History.__init__, "__defaults__", (50,))
+    return 50
+
+
+def test_history_forgets_the_oldest_movements_and_says_how_many(short_history: int) -> None:
     floor = Floor()
-    floor.run(f"REPEAT {MOST_MOVEMENTS + 3} TIMES TR 1 END REPEAT")
+    floor.run(f"REPEAT {short_history + 3} TIMES TR 1 END REPEAT")
     before = len(floor.printed)
 
     floor.run("HISTORY STATE")
 
     listed = floor.printed[before:]
-    assert listed[0] == "3 earlier movements are forgotten."
+    assert listed[0] == "3 earlier movements forgotten."
     assert listed[1].startswith("Command 4 was TR 1, turned 1")
-    assert len(listed) == 1 + MOST_MOVEMENTS + 1
+    assert len(listed) == 1 + short_history + 1
     assert listed[-1] == listed[-2]
-    assert listed[-1].startswith(f"Command {MOST_MOVEMENTS + 3} was TR 1")
+    assert listed[-1].startswith(f"Command {short_history + 3} was TR 1")
+
+
+@pytest.mark.usefixtures("short_history")
+def test_movements_without_end_take_no_more_memory() -> None:
+    """Without a bound the history alone takes 80 000 bytes."""
+    floor, chronicle = Floor(), Chronicle(most=50)
+    floor.session.hub.subscribe(chronicle)
+    floor.run("REPEAT 60 TIMES TR 1 END REPEAT")
+    tracemalloc.start()
+
+    floor.run("REPEAT 400 TIMES TR 1 END REPEAT")
+
+    floor.stream.clear()
+    gc.collect()
+    taken = tracemalloc.get_traced_memory()[0]
+    tracemalloc.stop()
+    assert taken < 60_000
 
 
 def test_a_fresh_run_has_no_history() -> None:
