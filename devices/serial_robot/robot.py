@@ -51,7 +51,7 @@ SLICE = 0.05
 """Seconds between two checks during a wait."""
 MOST_OVERSHOOT = 100.0
 """Counts that the next walk corrects; with more, the robot was carried somewhere else."""
-WATCHED = 0.6
+WATCHED = 0.75
 """Steps that must be free at the end of the step that is being walked. A step is only begun if one would be;
 the rest allows for the sonars' resolution."""
 _DIAGONALS = (Bearing.FRONT_RIGHT, Bearing.FRONT_LEFT)

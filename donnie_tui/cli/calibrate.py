@@ -58,7 +58,11 @@ class _Sizes(Struct, frozen=True):
 
 
 class _Lost(Exception):
-    """The connection was lost during a movement, and that was reported."""
+    """The robot was lost during a movement, and that was reported; with the exit code."""
+
+    def __init__(self, code: ExitCode) -> None:
+        super().__init__(code)
+        self.code = code
 
 
 def calibrate(order: Order, made: Callable[..., MeasurableRobot] = make_measurable) -> int:
@@ -69,9 +73,9 @@ def calibrate(order: Order, made: Callable[..., MeasurableRobot] = make_measurab
         sizes = _measured(order, made)
     except RobotProblem as problem:
         raise Unusable(" ".join(sentences_of(problem, order.words))) from None
-    except _Lost:
+    except _Lost as lost:
         order.output.line(order.words("calibrate-ended"))
-        return ExitCode.UNUSABLE
+        return lost.code
     except KeyboardInterrupt:
         order.output.line(order.words("calibrate-ended"))
         raise
@@ -170,7 +174,12 @@ class _Calibration:
         before = self._robot.telemetry
         done = go()
         if done.stopped_by is StoppedBy.LINK:
-            raise _Lost
+            raise _Lost(ExitCode.UNUSABLE)
+        if done.stopped_by is StoppedBy.RUNAWAY:
+            raise _Lost(ExitCode.FAILED)
+        if done.stopped_by is StoppedBy.WRONG_WAY:
+            self._say("problem-wrong-way")
+            self._say("hint-wrong-way")
         if done.stopped_by is not None:
             self._say("calibrate-cut-short")
             return 0.0

@@ -9,9 +9,11 @@ import subprocess
 import sys
 from argparse import Namespace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+from devices.board_simulator.board import SimulatedBoard
 from devices.board_simulator.pty import PtyBoard
 from devices.board_simulator.robot import SimulatedSerialRobot
 from devices.ports.robot import Pace
@@ -60,6 +62,51 @@ def test_a_calibration_finds_the_wheels_and_the_axle_that_the_robot_really_has(
     assert [float(kept[each]) * 1000 for each in ("wheel_radius", "axle_length")] == [
         pytest.approx(each, abs=0.006) for each in sizes(said)
     ]
+
+
+class DeafOnceItDrives(SimulatedBoard):
+    def advance(self, seconds: float) -> bytes:
+        sent = super().advance(seconds)
+        self.is_deaf = self.is_deaf or self.is_driving
+        return sent
+
+
+@pytest.mark.parametrize(
+    ("is_deaf", "said"),
+    [
+        (
+            False,
+            [
+                "My wheels count the wrong way.",
+                "See encoders, motors and profile in the settings.",
+                "Something stopped it. I leave this out.",
+            ],
+        ),
+        (True, ["It does not stop. Switch it off.", "I stop here. Nothing has changed."]),
+    ],
+    ids=["swapped", "deaf"],
+)
+def test_a_robot_that_counts_wrong_or_does_not_stop_is_not_measured(
+    is_deaf: bool,
+    said: list[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.setattr(sys, "stdin", io.StringIO("\n"))
+    home = {"XDG_CONFIG_HOME": str(tmp_path)}
+    settings = Settings(robot="serial:/dev/robot", profile="2016")
+    order = Order(Invocation("calibrate", {}, Namespace()), settings, Words("en"), Output(), home)
+
+    def made(settings: Settings, _words: Words, pace: Pace, report: Any) -> SimulatedSerialRobot:
+        board = DeafOnceItDrives(boot_loader=0.0) if is_deaf else SimulatedBoard(boot_loader=0.0)
+        board.wheels.encoders = (1, 1) if is_deaf else (-1, -1)
+        robot = SimulatedSerialRobot(board, robot_config(settings), pace=pace, speed=None, on_notice=report)
+        robot.link.has_reset_wire = False
+        return robot
+
+    assert calibrate(order, made) == 1
+    assert capsys.readouterr().out.splitlines()[2 : 2 + len(said)] == said
 
 
 def test_a_calibration_of_the_simulated_board_is_not_saved(tmp_path: Path) -> None:
