@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Callable
+from functools import cache
 from itertools import takewhile
 from pathlib import PurePath
 from typing import TYPE_CHECKING
@@ -22,7 +23,9 @@ from donnie_tui.i18n import help as helping
 from language import keywords
 from language.diagnostics import Diagnostic, MistakeKind
 from language.keywords import argument_spelling, argument_words
-from language.source import printable
+from language.locales import ENGLISH, keys, languages
+from language.locales import words as command_words
+from language.source import fold_name, printable
 
 if TYPE_CHECKING:
     from sim.scene import Note
@@ -145,6 +148,24 @@ def _hint_by_code(diagnostic: Diagnostic, words: Wording) -> str | None:
     return None
 
 
+def _hint_for_command(diagnostic: Diagnostic, words: Wording) -> str | None:
+    """A command of the front ends, such as WHERE, that was written into a program."""
+    advice = _hint_by_code(diagnostic, words)
+    if advice is None and fold_name(diagnostic.found) in _command_words():
+        return words("hint-command-alone", found=_found(diagnostic, words).upper())
+    return advice
+
+
+@cache
+def _command_words() -> frozenset[str]:
+    """The commands of one word in all languages; letters such as N are names in programs."""
+    names = keys(ENGLISH, "commands")
+    spelled = (
+        word for each in languages() for name in names for word in command_words(each, "commands", name)
+    )
+    return frozenset(fold_name(word) for word in spelled if len(word) > 1)
+
+
 def _hint_for_character(diagnostic: Diagnostic, words: Wording) -> str | None:
     code = {".": "hint-whole-numbers", "!": "hint-different", "'": "hint-double-quotes"}
     found = code.get(diagnostic.found[:1].replace("’", "'").replace("‘", "'"))
@@ -207,7 +228,7 @@ def _hint_for_belt(_: Diagnostic, words: Wording) -> str:
 
 _HINT_OF: dict[MistakeKind, Callable[[Diagnostic, Wording], str | None]] = {
     MistakeKind.SYNTAX: _hint_by_code,
-    MistakeKind.UNKNOWN_COMMAND: _hint_by_code,
+    MistakeKind.UNKNOWN_COMMAND: _hint_for_command,
     MistakeKind.UNKNOWN_CHARACTER: _hint_for_character,
     MistakeKind.INVALID_NAME: lambda _, words: words("hint-invalid-name"),
     MistakeKind.RESERVED_WORD: lambda _, words: words("hint-reserved-word"),

@@ -16,6 +16,8 @@ from language.syntax import Span
 RGB = frozenset({"red", "green", "blue"})
 
 TOLD = [
+    ("FW 1\nonde", "I do not know onde.", "Type ONDE alone, not in a program."),
+    ("n", "I do not know n.", None),
     ("FWD 10", "I do not know FWD.", "Did you mean FW?"),
     ("JUMP 3", "I do not know JUMP.", None),
     ("REPEAT 2 FW 1 END REPEAT", "I expected TIMES, not FW.", "Write TIMES before FW."),
