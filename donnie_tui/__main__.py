@@ -35,10 +35,11 @@ def _open_what_is_closed() -> None:
 
 
 def _greet_early() -> Greeting | None:
-    """Where the settings file might have a say in it, the greeting waits for it."""
-    from donnie_tui.settings.folders import settings_file
+    """Where a settings file might have a say in it, the greeting waits for it."""
+    from donnie_tui.settings.folders import machine_settings_file, settings_file
 
-    if os.path.exists(settings_file(os.environ)):  # noqa: PTH110 -- pathlib is slow to load
+    files = machine_settings_file(), settings_file(os.environ)
+    if any(map(os.path.exists, files)):
         return None
     from donnie_tui.linear.greeting import begin
 

@@ -10,6 +10,7 @@ from typing import Any
 
 from msgspec import Struct
 
+from donnie_tui.process.confinement import open_bytes
 from worlds import path
 
 WORDS = ".toml"
@@ -100,7 +101,7 @@ def _file_of(world: str) -> Path:
 
 def _read(file: Path) -> dict[str, Any]:
     try:
-        with file.open("rb") as stream:
+        with open_bytes(file) as stream:
             return tomllib.loads(stream.read(LARGEST).decode("utf-8-sig").replace("\r\n", "\n"))
     except OSError:
         raise BadWords(file) from None

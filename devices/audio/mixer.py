@@ -11,7 +11,7 @@ import wave
 from array import array
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
+from typing import BinaryIO
 
 from devices.audio.cue_queue import MOST_SIMULTANEOUS, NEVER_DROPPED, CueScheduler
 from devices.audio.cues import CUE_NAMES, SAMPLE_RATE, render_cue, seconds_of
@@ -144,8 +144,9 @@ class WavCueWriter:
     no memory. Raises ``OSError`` if the file can't be written.
     """
 
-    def __init__(self, path: Path) -> None:
-        self._out = path.open("wb")  # given only the name, wave prints a complaint if it can't open the file
+    def __init__(self, out: BinaryIO) -> None:
+        """``out`` is closed with the writer."""
+        self._out = out  # given only the name, wave prints a complaint if it can't open the file
         self._file = wave.open(self._out, "wb")  # noqa: SIM115 -- ``close`` closes it
         self._file.setnchannels(2)
         self._file.setsampwidth(2)

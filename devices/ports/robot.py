@@ -14,6 +14,10 @@ from typing import Protocol
 
 from msgspec import Struct
 
+NETWORK_SCHEMES = ("socket", "rfc2217")
+"""How the address of a serial port on the network begins, before ``://``. The library knows others, which
+write files or are for tests."""
+
 STEP = 0.05
 """Metres in a step (the manual gives none; GoDonnie's specification fixes it)."""
 

@@ -15,7 +15,7 @@ from typing import Generic, Protocol, TypeAlias, TypeVar
 
 from msgspec import Struct
 
-from devices.serial_ports.port import PortFault, PortProblem
+from devices.serial_ports.port import PortFault, PortProblem, is_named
 
 _ARDUINO = 0x2341
 _MEGAS = (0x0042, 0x0010)
@@ -56,11 +56,12 @@ class FoundPort(Struct, frozen=True):
 def list_ports(
     system: Callable[[], Iterable[SystemPort]] = system_ports, by_id: Path = _BY_ID
 ) -> tuple[FoundPort, ...]:
-    """The ports that are plugged in: boards first, then by name."""
+    """The ports that are plugged in and may be opened: boards first, then by name."""
     names = _stable_names(by_id)
     found = [
         FoundPort(each.device, names.get(os.path.realpath(each.device), each.device), _is_board(each))
         for each in system()
+        if is_named(each.device)
     ]
     return tuple(sorted(found, key=lambda port: (not port.is_board, port.device)))
 

@@ -1,6 +1,7 @@
 """Opens serial ports, each for one process at a time, and classifies what can be wrong with one.
 
-An address is anything that pyserial knows: a device, ``socket://``, ``loop://``, ``spy://``, ``hwgrep://``.
+An address is a device, or ``socket://HOST:PORT`` or ``rfc2217://HOST:PORT``. Of pyserial's others, ``spy://``
+writes a file. A process may be limited to the ports that a teacher named.
 """
 
 from __future__ import annotations
@@ -13,6 +14,12 @@ import sys
 from contextlib import suppress
 from enum import Enum
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+from devices.ports.robot import NETWORK_SCHEMES
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
 
 if sys.platform == "win32":
     _TerminalError = OSError
@@ -43,6 +50,8 @@ class PortFault(Enum):
     BUSY = "port-busy"
     """Another program has it open."""
     UNUSABLE = "port-failed"
+    NOT_NAMED = "port-not-named"
+    """The session is limited to other ports."""
 
 
 class PortProblem(Exception):
@@ -66,6 +75,27 @@ _FAULT_OF = {
 }
 
 
+_named: tuple[str, ...] | None = None
+
+
+def allow_only(ports: Iterable[str] | None) -> None:
+    """From now on this process opens no other ports; None: any."""
+    global _named
+    _named = None if ports is None else tuple(ports)
+
+
+def is_named(address: str) -> bool:
+    """Whether this process may open it."""
+    return _named is None or _name_of(address) is not None
+
+
+def _name_of(address: str) -> str | None:
+    """The name that was given to this port; the port itself where any may be opened."""
+    if _named is None:
+        return address
+    return next((each for each in _named if is_same_port(each, address)), None)
+
+
 class SerialPort:
     """An open serial port, 8N1. Every method but ``close`` raises one of ``GONE`` once the device is gone."""
 
@@ -75,13 +105,16 @@ class SerialPort:
         ``timeout``: seconds that ``read`` waits for bytes. ``exclusive``: refuse a port that another process
         holds.
         """
+        named = _name_of(address)
+        if named is None:
+            raise PortProblem(address, PortFault.NOT_NAMED, os.strerror(errno.EACCES))
         import serial
 
         try:
-            if _lacks_port_number(address):
+            if not _is_usable(address):
                 raise LookupError
             self._port = serial.serial_for_url(
-                address,
+                named,
                 baudrate=baud,
                 timeout=timeout,
                 write_timeout=WRITE_TIMEOUT,
@@ -120,13 +153,14 @@ class SerialPort:
             self._port.close()
 
 
-def _lacks_port_number(address: str) -> bool:
-    """Whether it is a network address without a port number."""
-    if not address.startswith(("socket://", "rfc2217://")):
-        return False
+def _is_usable(address: str) -> bool:
+    """Whether it is a device, or an address of the network with a port number."""
+    scheme, is_address, _ = address.partition("://")
+    if not is_address:
+        return True
     from urllib.parse import urlsplit  # slow to load, and few robots are on a network
 
-    return urlsplit(address).port is None
+    return scheme.lower() in NETWORK_SCHEMES and urlsplit(address).port is not None
 
 
 def _problem(address: str, error: Exception) -> PortProblem:

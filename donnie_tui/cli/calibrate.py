@@ -95,7 +95,9 @@ def _measured(order: Order, made: Callable[..., MeasurableRobot]) -> _Sizes:
         TakenSignals(dict.fromkeys(LEAVING, _end)),
         closing(ReaderWatch()),
         closing(robot),
-        stopped_by_suspension(lambda: _halted(robot)),
+        stopped_by_suspension(
+            lambda: _halted(robot), lambda: order.output.line(order.words("suspend-impossible"))
+        ),
     ):
         return _Calibration(order, robot).talk()
 

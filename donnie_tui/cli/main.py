@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import os
+import signal
+import sys
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
@@ -20,8 +23,21 @@ from donnie_tui.cli.options import (
 )
 from donnie_tui.cli.streams import Output
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.settings.file import read_settings
-from donnie_tui.settings.settings import FRONT_END_SPEED, BadOption, Notice, Settings, resolve
+from donnie_tui.process.confinement import IS_POSSIBLE, Confinement, confine
+from donnie_tui.process.signals import numbers_of
+from donnie_tui.settings.file import read_file, read_settings
+from donnie_tui.settings.folders import keep_in, machine_settings_file, settings_file
+from donnie_tui.settings.settings import (
+    CONFINED,
+    DEVICES,
+    FRONT_END_SPEED,
+    BadLimitsError,
+    BadOption,
+    Notice,
+    Settings,
+    limits_of,
+    resolve,
+)
 
 if TYPE_CHECKING:
     from donnie_tui.linear.greeting import Greeting
@@ -31,11 +47,25 @@ class _Start(Struct, frozen=True):
     """What there is before a command is understood."""
 
     output: Output
-    file: Mapping[str, object]
-    """What the settings file says."""
+    machine: Mapping[str, object]
+    """What the settings of the machine say."""
+    account: Mapping[str, object]
+    """What those of the account say."""
     troubles: tuple[Notice, ...]
-    """What is wrong with it."""
+    """What is wrong with the settings of the account."""
     greeting: Greeting | None
+
+
+class _OwnSettings(Struct, frozen=True):
+    """What is a learner's own in a confined session."""
+
+    settings: Mapping[str, object]
+    troubles: tuple[Notice, ...]
+    """What is wrong with all settings."""
+
+
+TEACHERS = (CONFINED.key, DEVICES.key)
+"""Settings that a learner can't make."""
 
 
 def main(arguments: list[str], greeting: Greeting | None = None) -> int:
@@ -43,10 +73,16 @@ def main(arguments: list[str], greeting: Greeting | None = None) -> int:
 
     ``greeting``: what the linear mode printed before anything was loaded.
     """
-    start = _Start(Output(), *read_settings(os.environ), greeting)
-    words = Words(language_before_parsing(arguments, os.environ, start.file))
+    _lift_limits()
+    machine, damages = read_file(machine_settings_file())
+    start = _Start(Output(), machine, *read_settings(os.environ), greeting)
+    words = Words(language_before_parsing(arguments, os.environ, {**machine, **start.account}))
     try:
+        for damage in damages:  # it may be the line that limits the learner
+            raise Unusable(words(f"machine-{damage.code}", path=machine_settings_file(), **damage.values))
         return _obey(arguments, words, start)
+    except BadLimitsError as bad:
+        complaint = words(bad.code, **bad.values)
     except WrongUsage as wrong:
         complaint = words(wrong.code, what=wrong.what)
     except BadOption as bad:
@@ -66,7 +102,8 @@ def _obey(arguments: list[str], words: Words, start: _Start) -> int:
     invocation = understand(arguments, words)
     if invocation.command in TO_COME:
         raise Unusable(words("command-to-come", command=invocation.command))
-    order = _order(invocation, start)
+    own = _limit(invocation, words, start)
+    order = _order(invocation, own, start)
     if order.outputs:
         from donnie_tui.cli.run import refuse_overwriting
 
@@ -78,15 +115,64 @@ def _obey(arguments: list[str], words: Words, start: _Start) -> int:
     return code
 
 
-def _order(invocation: Invocation, start: _Start) -> Order:
+def _limit(invocation: Invocation, words: Words, start: _Start) -> _OwnSettings:
+    """Keep to the limits that a teacher has set, from here to the end; the settings of the learner there.
+
+    Raises ``BadLimitsError`` or ``Unusable``.
+    """
+    limits = limits_of(start.machine, os.environ, start.account, invocation.options)
+    if limits.devices is not None:
+        from devices.serial_ports.port import allow_only
+
+        allow_only(limits.devices)
+    if limits.folder is None:
+        return _OwnSettings({}, start.troubles)
+    if not IS_POSSIBLE:
+        raise Unusable(words("confined-impossible"))
+    import worlds
+
+    confinement = Confinement(limits.folder, readable=(worlds.SCENES, worlds.MANUAL))
+    confine(confinement)
+    keep_in(confinement.own_folder)
+    _ignore_suspension(words)
+    own, troubles = read_file(settings_file(os.environ))
+    refused = tuple(Notice("setting-of-teacher", {"name": each}) for each in TEACHERS if each in own)
+    return _OwnSettings(
+        {key: value for key, value in own.items() if key not in TEACHERS}, start.troubles + troubles + refused
+    )
+
+
+def _ignore_suspension(words: Words) -> None:
+    """Ctrl+Z would lead to the shell above, from every command."""
+
+    def refuse(*_: object) -> None:
+        with suppress(OSError):
+            os.write(2, f"{words('suspend-impossible')}\n".encode())
+
+    for number in numbers_of("SIGTSTP"):
+        with suppress(ValueError):  # not in the main thread, as in a test
+            signal.signal(number, refuse)
+
+
+def _lift_limits() -> None:
+    """A process of its own has none yet; several commands may run in one process, one after the other."""
+    confine(None)
+    keep_in(None)
+    port = sys.modules.get("devices.serial_ports.port")
+    if port is not None:
+        port.allow_only(None)
+
+
+def _order(invocation: Invocation, own: _OwnSettings, start: _Start) -> Order:
     """A command reports problems of the settings at once; a front end does so once it listens."""
     is_command = bool(invocation.command or invocation.arguments.run)
     default_speed = None if is_command else FRONT_END_SPEED
-    settings, notices = resolve(invocation.options, os.environ, start.file, default_speed=default_speed)
+    file = {**start.machine, **start.account, **own.settings}
+    settings, notices = resolve(invocation.options, os.environ, file, default_speed=default_speed)
     words = Words(settings.language, settings.verbosity)
-    for notice in start.troubles + notices if is_command else ():
+    for notice in own.troubles + notices if is_command else ():
         start.output.complaint(words(notice.code, **notice.values))
-    settings = replace(settings, notices=() if is_command else start.troubles + notices)
+    settings = replace(settings, notices=() if is_command else own.troubles + notices)
     settings = _with_original_flags(settings, invocation)
     return Order(invocation, settings, words, start.output, os.environ, start.greeting)
 

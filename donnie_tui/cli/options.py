@@ -17,7 +17,7 @@ from msgspec import Struct
 from donnie_tui import __version__
 from donnie_tui.cli.streams import Output
 from donnie_tui.i18n.words import Words
-from donnie_tui.settings.settings import BY_KEY, BadOption, Settings, resolve
+from donnie_tui.settings.settings import BY_KEY, CONFINED, DEVICES, BadOption, Settings, resolve
 from language.locales import languages
 
 if TYPE_CHECKING:
@@ -49,6 +49,8 @@ COMMON = {
     "record": "FILE",
     "events": "FILE|-",
     "belt": "PORT",
+    "confined": "FOLDER",
+    "devices": "PORT,PORT",
 }
 """The options of every command with the form of their values, which ``settings`` reads."""
 
@@ -189,9 +191,17 @@ def understand(arguments: list[str], words: Words) -> Invocation:
     command, rest = _split(arguments)
     if command in TO_COME:
         return Invocation(command, {}, argparse.Namespace())
+    _refuse_second_limit(rest)
     parsed = parser_of(command, words).parse_args(rest)
     options = {key: getattr(parsed, key) for key in COMMON if getattr(parsed, key) is not None}
     return Invocation(command, options, parsed)
+
+
+def _refuse_second_limit(arguments: list[str]) -> None:
+    """Raises ``WrongUsage`` where a second value would take the place of the teacher's."""
+    for each in (CONFINED.option, DEVICES.option):
+        if sum(given == each or given.startswith(f"{each}=") for given in arguments) > 1:
+            raise WrongUsage("usage-twice", each)
 
 
 def _split(arguments: list[str]) -> tuple[str, list[str]]:

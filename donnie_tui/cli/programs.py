@@ -13,9 +13,17 @@ from msgspec import Struct
 
 from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.streams import Output
-from donnie_tui.core.program_files import LARGEST, DocumentError, decode, read_to_the_end, write_program
+from donnie_tui.core.program_files import (
+    LARGEST,
+    DocumentError,
+    checked_path,
+    decode,
+    read_to_the_end,
+    write_program,
+)
 from donnie_tui.i18n.mistakes import remark
 from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.process.confinement import is_allowed
 from donnie_tui.settings.settings import SettingSource
 from language.checker import check as hints_for
 from language.diagnostics import MOST_MISTAKES, Diagnostic, Severity
@@ -37,7 +45,8 @@ def read_source(name: str, words: Words) -> Source:
     try:
         if name == "-":
             return Source("-", _standard_input(), None)
-        return Source(name, read_to_the_end(Path(name)), Path(name))
+        path = checked_path(Path(name))
+        return Source(name, read_to_the_end(path), path)
     except DocumentError as error:
         raise Unusable(words(error.code, path=error.path, reason=error.reason)) from None
 
@@ -65,9 +74,10 @@ def programs_in(name: str) -> tuple[str, ...]:
     """The files of a folder that are named as programs are, by name; of anything else only itself."""
     folder = Path(name)
     try:
-        if not folder.is_dir():
+        if not (is_allowed(folder) and folder.is_dir()):
             return (name,)
-        found = [each for each in folder.iterdir() if each.suffix.lower() == ".gd" and each.is_file()]
+        found = [each for each in folder.iterdir() if each.suffix.lower() == ".gd"]
+        found = [each for each in found if is_allowed(each) and each.is_file()]
     except (OSError, ValueError):
         return (name,)  # reading it reports why
     return tuple(sorted(map(str, found)))

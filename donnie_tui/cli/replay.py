@@ -10,7 +10,7 @@ from collections.abc import Callable
 from contextlib import ExitStack
 from itertools import islice
 from pathlib import Path
-from typing import TYPE_CHECKING, TextIO, cast
+from typing import TextIO, cast
 
 from msgspec import Struct
 
@@ -29,15 +29,12 @@ from donnie_tui.core.transcript import printed_lines
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.audible import make_audible
 from donnie_tui.outlets.files import Written
+from donnie_tui.process.confinement import OutsideError, check_name, open_bytes
 from donnie_tui.settings.parsing import SIMULATED
 from donnie_tui.world.recorded import settings_of, unpacked
 from language.control import ExecutionControl
 from language.locales import languages
 from language.source import printable
-
-if TYPE_CHECKING:
-    pass
-
 
 LONGEST_EXCERPT = 160
 """Characters of an event that are shown where it differs."""
@@ -146,13 +143,16 @@ def _refuse_what_has_no_meaning(order: Order) -> None:
 def _opened(name: str, words: Words, closing: ExitStack) -> Recording:
     path = Path(name)
     try:
+        check_name(path)
         if path.exists() and not (path.is_file() or path.is_dir()):
             raise Unusable(words("file-no-file", path=name))  # a device or a pipe may have no end
         if path.is_file() and path.stat().st_size > LARGEST:
             raise Unusable(words("recording-too-large", path=name))
-        return Recording(closing.enter_context(path.open("rb")))
+        return Recording(closing.enter_context(open_bytes(path)))
     except NoRecordingError:
         raise Unusable(words("no-recording", path=name)) from None
+    except OutsideError as problem:
+        raise Unusable(words(problem.code, path=name)) from None
     except (OSError, ValueError) as problem:
         reason = getattr(problem, "strerror", None) or str(problem)
         raise Unusable(words("file-unreadable", path=name, reason=reason)) from None

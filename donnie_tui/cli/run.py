@@ -30,13 +30,14 @@ from donnie_tui.cli.streams import (
     stopped_by_suspension,
 )
 from donnie_tui.core.events import Answered, Outcome, Stamped
-from donnie_tui.core.program_files import is_same_file
+from donnie_tui.core.program_files import DocumentError, checked_path, is_same_file
 from donnie_tui.core.runner import LAST_WORDS, Run, RunRequest
 from donnie_tui.core.session import RunOptions
 from donnie_tui.core.team import Team
 from donnie_tui.core.transcript import printed_lines
 from donnie_tui.core.wording import no_such_robot
 from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.process.confinement import open_bytes
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.folders import settings_file
 from donnie_tui.settings.settings import Settings, SettingSource
@@ -116,7 +117,7 @@ def may_be_replaced(option: str, path: Path) -> bool:
     try:
         if not path.is_file():
             return True
-        with path.open("rb") as file:
+        with open_bytes(path) as file:
             beginning = file.read(_ENOUGH)
     except FileNotFoundError:
         return True
@@ -133,7 +134,7 @@ def _is_of_kind(option: str, beginning: bytes, path: Path) -> bool:
 
 def refuse_overwriting(order: Order) -> None:
     """Raises ``Unusable`` where an option names a file that the command needs, or that another one names."""
-    outputs = tuple((option, Path(name)) for option, name in order.outputs)
+    outputs = tuple((option, _checked(name, order.words)) for option, name in order.outputs)
     for (option, path), (other, other_path) in combinations(outputs, 2):
         if is_same_file(path, other_path):
             raise Unusable(order.words("output-twice", option=option, other=other, path=path))
@@ -145,6 +146,14 @@ def refuse_overwriting(order: Order) -> None:
     for option, path in outputs:
         if not may_be_replaced(option, path):
             raise Unusable(order.words("output-is-other", option=option, path=path))
+
+
+def _checked(name: str, words: Words) -> Path:
+    """The path of an output; whatever else there is to say of a file outside is not said."""
+    try:
+        return checked_path(Path(name))
+    except DocumentError as error:
+        raise Unusable(words(error.code, path=error.path, reason=error.reason)) from None
 
 
 def _programs(order: Order) -> Iterator[str]:
@@ -246,7 +255,9 @@ def _run_to_the_end(donnie: Donnie, programs: Mapping[str, RunRequest], output: 
     output.on_broken = donnie.team.stop
     with (
         stopped_by_signals(donnie.team.stop) as stopped,
-        stopped_by_suspension(donnie.stop_real_robot) as rested,
+        stopped_by_suspension(
+            donnie.stop_real_robot, lambda: output.complaint(donnie.words("suspend-impossible"))
+        ) as rested,
         closing(donnie),  # one more signal must not end that
     ):
         started = donnie.team.start_together(programs, RunOptions(trace=trace, hooked=False))

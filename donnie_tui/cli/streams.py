@@ -16,7 +16,7 @@ from contextlib import closing, contextmanager
 from typing import TextIO
 
 from donnie_tui.process.disconnection import ReaderWatch
-from donnie_tui.process.signals import LEAVING, Deputy, TakenSignals, suspend
+from donnie_tui.process.signals import LEAVING, Deputy, TakenSignals, can_suspend, suspend
 
 
 class Output:
@@ -179,12 +179,17 @@ def on_signals(on_signal: Callable[[], None]) -> Iterator[None]:
 
 
 @contextmanager
-def stopped_by_suspension(stop: Callable[[], bool]) -> Iterator[threading.Event]:
+def stopped_by_suspension(
+    stop: Callable[[], bool], refuse: Callable[[], object]
+) -> Iterator[threading.Event]:
     """Ctrl+Z calls ``stop`` first, in another thread; it returns once all stands. The event is set if it had
-    something to stop."""
+    something to stop. ``refuse`` is called there instead, where Ctrl+Z has no effect."""
     stopped = threading.Event()
 
     def rest() -> None:
+        if not can_suspend():
+            refuse()
+            return
         has_stopped = stop()
         if has_stopped:
             stopped.set()

@@ -18,6 +18,7 @@ from donnie_tui.core import reports
 from donnie_tui.core.program_files import (
     DocumentError,
     as_lines,
+    checked_path,
     exists,
     page_to_save,
     program_to_open,
@@ -198,7 +199,7 @@ async def _save(ctx: Context, name: str) -> bool:
     name = name or await ctx.interaction.ask(ctx.words("ask-file-name"), own) or ""
     if not name:
         raise GivenUp
-    path = Path(own) if name == own else program_to_save(name, ctx.donnie.in_use)
+    path = checked_path(Path(own)) if name == own else program_to_save(name, ctx.donnie.in_use)
     if str(path) in ctx.donnie.in_use:
         raise DocumentError("file-in-use", str(path))
     slow = ctx.words("slow-saving", name=path.name)

@@ -8,6 +8,8 @@ from __future__ import annotations
 import contextlib
 import os
 
+from donnie_tui.process.confinement import make_folder, open_bytes, open_descriptor
+
 KEPT = 1000
 """Lines that are remembered."""
 LARGEST_FILE = 4 * 1024 * 1024
@@ -71,7 +73,7 @@ class Recall:
 def _read(file: str) -> list[str]:
     """The lines of the file, none if it can't be read or holds something else."""
     try:
-        with open(file, "rb") as kept:  # noqa: PTH123 -- pathlib is slow to load
+        with open_bytes(file) as kept:
             data = kept.read(LARGEST_FILE + 1)
         text = data.decode() if len(data) <= LARGEST_FILE else ""
     except (OSError, ValueError):
@@ -82,7 +84,7 @@ def _read(file: str) -> list[str]:
 
 def _add(file: str, lines: list[str]) -> None:
     """Appends lines to a file that only the learner's account may read, as programs may be private."""
-    os.makedirs(os.path.split(file)[0], exist_ok=True)  # noqa: PTH103 -- as above
-    handle = os.open(file, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o600)
+    make_folder(os.path.split(file)[0])
+    handle = open_descriptor(file, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o600)
     with os.fdopen(handle, "w", encoding="utf-8") as out:
         out.writelines(f"{line}\n" for line in lines)

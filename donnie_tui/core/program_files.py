@@ -14,6 +14,16 @@ import os
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
+from donnie_tui.process.confinement import (
+    OpenFolder,
+    OutsideError,
+    check_name,
+    confinement,
+    is_allowed,
+    make_folder,
+    open_bytes,
+    open_text,
+)
 from language.source import cleaned, lines_in, with_newlines
 
 if TYPE_CHECKING:
@@ -93,10 +103,28 @@ def _typed_path(name: str) -> Path:
     path = Path(unquoted(name))
     if not path.name or "\0" in name:
         raise DocumentError("file-is-folder", str(path))
+    if confinement() is not None:
+        return checked_path(path)
     try:
         return path.expanduser()
     except RuntimeError:
         return path
+
+
+def checked_path(path: Path) -> Path:
+    """The path that a learner gave. Raises ``DocumentError`` where a confined session must not use it.
+
+    The home of an account, ``~``, is outside.
+    """
+    try:
+        if confinement() is not None and str(path).startswith("~"):
+            raise OutsideError(path)
+        check_name(path)
+    except OutsideError as problem:
+        raise DocumentError(problem.code, str(path)) from None
+    except (OSError, ValueError) as problem:
+        raise DocumentError("file-unreadable", str(path), _reason(problem)) from None
+    return path
 
 
 def unquoted(name: str) -> str:
@@ -144,10 +172,12 @@ def read_to_the_end(path: Path) -> str:
     try:
         if path.is_dir():
             raise DocumentError("file-is-folder", str(path))
-        with path.open("rb") as file:
+        with open_bytes(path) as file:
             return decode(file.read(LARGEST + 1), str(path))  # a device has no end
     except FileNotFoundError:
         raise DocumentError("file-not-found", str(path)) from None
+    except OutsideError as problem:
+        raise DocumentError(problem.code, str(path)) from None
     except (OSError, ValueError) as problem:
         raise DocumentError("file-unreadable", str(path), _reason(problem)) from None
 
@@ -203,7 +233,7 @@ def as_lines(text: str) -> str:
 def write_program(path: Path, text: str) -> None:
     """Write a program as UTF-8. Raises ``DocumentError``."""
     try:
-        target = path.resolve()
+        target = path.resolve()  # in a confined session a link that is made from now on is not followed
         if target.is_dir():
             raise DocumentError("file-is-folder", str(path))
         if target.exists() and not target.is_file():  # to replace a device would break the machine
@@ -211,6 +241,8 @@ def write_program(path: Path, text: str) -> None:
         if target.exists() and not os.access(target, os.W_OK):
             raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
         _replace_file(target, text)
+    except OutsideError as problem:
+        raise DocumentError(problem.code, str(path)) from None
     except (OSError, ValueError) as problem:
         raise DocumentError("file-unwritable", str(path), _reason(problem)) from None
 
@@ -224,26 +256,39 @@ def new_file(folder: Path, prefix: str, suffix: str = "") -> tuple[int, Path]:
 
     ``tempfile`` would do the same, but loading it takes as long as writing a hundred files.
     """
+    with OpenFolder(folder) as opened:
+        handle, name = _new_file_in(opened, prefix, suffix)
+    return handle, folder / name
+
+
+def _new_file_in(folder: OpenFolder, prefix: str, suffix: str = "") -> tuple[int, str]:
     for number in _numbers:
-        path = folder / f"{prefix}{os.getpid()}-{number}{suffix}"
+        name = f"{prefix}{os.getpid()}-{number}{suffix}"
         with contextlib.suppress(FileExistsError):
-            return os.open(path, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o600), path
+            return folder.open_new(name), name
     raise AssertionError("numbers have no end")
 
 
 def _replace_file(target: Path, text: str) -> None:
-    handle, second = new_file(target.parent, f".{target.name}.")
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as out:
-            out.write(text)
-            out.flush()
-            os.fsync(out.fileno())
-        second.chmod(_mode(target))
-        second.replace(target)
-    except BaseException:
-        with contextlib.suppress(OSError):
-            second.unlink()
-        raise
+    with OpenFolder(target.parent) as folder:
+        handle, second = _new_file_in(folder, f".{target.name}.")
+        try:
+            with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as out:
+                out.write(text)
+                out.flush()
+                os.fsync(out.fileno())
+                _set_mode(out.fileno(), target)
+            folder.replace(second, target.name)
+        except BaseException:
+            with contextlib.suppress(OSError):
+                folder.remove(second)
+            raise
+
+
+def _set_mode(number: int, target: Path) -> None:
+    """As the file that is replaced, or a new one."""
+    if hasattr(os, "fchmod"):
+        os.fchmod(number, _mode(target))
 
 
 def _mode(target: Path) -> int:
@@ -281,7 +326,7 @@ class RecentFiles:
         found = []
         for line in self._lines():
             with contextlib.suppress(OSError, ValueError):
-                if Path(line).is_file():
+                if is_allowed(line) and Path(line).is_file():
                     found.append(Path(line))
         return tuple(found)
 
@@ -291,12 +336,13 @@ class RecentFiles:
         with contextlib.suppress(OSError, ValueError):
             name, file = str(path.resolve()), Path(self._file_name)
             lines = [name, *(each for each in self._lines() if each != name)][: self.MOST]
-            file.parent.mkdir(parents=True, exist_ok=True)
-            file.write_text("".join(f"{each}\n" for each in lines), encoding="utf-8")
+            make_folder(file.parent)
+            with open_text(file, "w") as out:
+                out.writelines(f"{each}\n" for each in lines)
 
     def _lines(self) -> list[str]:
         try:
-            with open(self._file_name, encoding="utf-8") as file:  # noqa: PTH123 -- pathlib is slow to load
+            with open_text(self._file_name) as file:
                 text = file.read(self.LARGEST + 1)
         except (OSError, ValueError):
             return []
@@ -342,13 +388,15 @@ class BreakpointFile:
         others = [each for each in before if each[0] != name]
         entries = [(name, chosen), *others][: self.MOST_PROGRAMS] if chosen else others
         with contextlib.suppress(OSError, ValueError):
-            self._file.parent.mkdir(parents=True, exist_ok=True)
-            self._file.write_text("".join(map(_line, entries)), encoding="utf-8")
+            make_folder(self._file.parent)
+            with open_text(self._file, "w") as out:
+                out.writelines(map(_line, entries))
 
     def _entries(self) -> list[tuple[str, tuple[int, ...]]]:
         with contextlib.suppress(OSError, ValueError):
-            if self._file.stat().st_size <= self.LARGEST:
-                text = self._file.read_text(encoding="utf-8")
+            with open_text(self._file) as file:
+                text = file.read(self.LARGEST + 1)
+            if len(text) <= self.LARGEST:
                 return [entry for line in text.split("\n") if (entry := _entry(line)) is not None]
         return []
 

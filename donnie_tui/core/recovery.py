@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from donnie_tui.core.program_files import DocumentError, as_lines, new_file, read_program, write_program
+from donnie_tui.process.confinement import check_own, make_folder
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -69,7 +70,7 @@ class CopyFolder:
     def new_copy(self) -> Path:
         """An empty file for one more program. Raises ``OSError``."""
         folder = _path(self.name)
-        folder.mkdir(parents=True, exist_ok=True)
+        make_folder(folder)
         with self._naming:
             handle, copy = new_file(folder, _PREFIX, _SUFFIX)
             self.in_use.add(copy)
@@ -87,6 +88,7 @@ class CopyFolder:
 
     def newest_first(self, prefix: str) -> list[Path]:
         try:
+            check_own(self.name)
             with os.scandir(self.name) as entries:
                 copies = [
                     each for each in entries if each.name.startswith(prefix) and each.name.endswith(_SUFFIX)

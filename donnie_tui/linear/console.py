@@ -19,7 +19,7 @@ from typing import TypeVar
 from donnie_tui.commands.interaction import SLOW, SLOW_AGAIN, GivenUp
 from donnie_tui.linear.greeting import Terminal
 from donnie_tui.process.disconnection import ReaderWatch
-from donnie_tui.process.signals import LEAVING, Deputy, WakingSignals, suspend
+from donnie_tui.process.signals import LEAVING, Deputy, WakingSignals, can_suspend, suspend
 
 T = TypeVar("T")
 
@@ -52,6 +52,8 @@ class Console:
         self._has_given_up = False
         self.before_suspending: Callable[[], object] = _nothing
         """Stops a robot that can't be left alone, and returns once it stands."""
+        self.on_not_suspended: Callable[[], object] = _nothing
+        """Says that Ctrl+Z has no effect here."""
         self.on_key: Callable[[], None] | None = None
         """Called as soon as something is typed, Ctrl+C included, even if it is read much later."""
         self.lines_wait: Callable[[], bool] = _never
@@ -184,6 +186,10 @@ class Console:
 
     def _suspend(self) -> None:
         """Ctrl+Z: stop the robot and give the terminal back until the process is continued."""
+        if not can_suspend():
+            self.on_not_suspended()
+            self.has_news = True
+            return
         self.before_suspending()
         if self._terminal:
             self._terminal.give_back()
@@ -194,7 +200,8 @@ class Console:
 
     def _on_signal(self, number: int, frame: object) -> None:  # noqa: ARG002 -- a signal handler is given both
         if number == signal.SIGTSTP:
-            if self._is_writing:  # the suspension follows once output is taken; the robot can't wait for that
+            # the suspension follows once output is taken; the robot can't wait for that
+            if self._is_writing and can_suspend():
                 self._deputy.do(self.before_suspending)
             return
         if self.give_up():

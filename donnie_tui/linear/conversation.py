@@ -19,6 +19,7 @@ from donnie_tui.commands.dispatch import attempt
 from donnie_tui.commands.interaction import SLOW, SLOW_AGAIN, EnterWorld, Option, SwitchMode, drive
 from donnie_tui.commands.preferences import Preferences
 from donnie_tui.core.answer_log import AnswerLog
+from donnie_tui.core.events import Answered
 from donnie_tui.core.line_history import LineHistory
 from donnie_tui.core.workspace import Workspace
 from donnie_tui.linear.console import Console, Gone, run_in_background
@@ -103,6 +104,7 @@ class Conversation:
         self.run_loop = RunLoop(ctx, *printing, self.leaving)
         self.typed_lines = TypedLines(ctx, streams, self.leaving)
         console.before_suspending = donnie.stop_real_robot
+        console.on_not_suspended = self._say_not_suspended
         if streams.is_attended:
             console.on_key = donnie.outlets.audible.hush
         if state.editing:
@@ -220,6 +222,10 @@ class Conversation:
         is_reported = not self.streams.is_attended or self._greeting.has_reported_rescue
         if not is_reported and has_rescued(f"{self._folder}/{UNSAVED}"):
             self.ctx.answer("answer-rescued")
+
+    def _say_not_suspended(self) -> None:
+        """Answer a Ctrl+Z that has no effect, before what a running program has said."""
+        self._donnie.session.hub.publish(Answered(self._donnie.words("suspend-impossible"), at_once=True))
 
     def _take_lines(self, *, is_shown: bool) -> int:
         """Take lines until the exit code is known. ``is_shown``: whether the prompt is printed already."""

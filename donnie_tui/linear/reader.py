@@ -19,6 +19,7 @@ from donnie_tui.commands.lookup import find, words_of
 from donnie_tui.core.line_history import LineHistory, Recall
 from donnie_tui.linear.console import Console
 from donnie_tui.linear.line_editor import ESCAPE_DELAY, Act, EditLine, KeyDecoder, KeyPress
+from donnie_tui.process.confinement import is_allowed
 from language import keywords
 from language.source import fold_name
 
@@ -355,8 +356,9 @@ def _files(typed: str) -> tuple[str, ...]:
     from pathlib import Path
 
     folder, _, name = typed.rpartition("/")
+    place = Path(folder or ("/" if typed.startswith("/") else "."))
     try:
-        found = sorted(Path(folder or ("/" if typed.startswith("/") else ".")).iterdir())
+        found = [each for each in sorted(place.iterdir()) if is_allowed(each)] if is_allowed(place) else []
         names = [f"{each.name}/" if each.is_dir() else each.name for each in found]
     except OSError:
         return ()

@@ -31,6 +31,7 @@ from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.audible import Audible
 from donnie_tui.outlets.belt import BeltAnnouncer, belt_settings
 from donnie_tui.process import HIGHEST_STANDARD
+from donnie_tui.process.confinement import OutsideError, make_folder, open_bytes, open_text
 from donnie_tui.settings.settings import Settings
 from donnie_tui.world.loading import ChosenWorld, files_of
 
@@ -44,7 +45,7 @@ class SoundFile:
 
     def __init__(self, path: str, tell: Callable[[OSError], None]) -> None:
         """Raises ``OSError`` where it can't be written at all."""
-        self._renderer, self._tell = WavCueWriter(Path(path)), tell
+        self._renderer, self._tell = WavCueWriter(open_bytes(path, "wb")), tell
         self._on = True
         self._began = 0.0
         self._failed = False
@@ -145,12 +146,11 @@ class Written:
         """``Log/log_001.txt`` and so on, as the original GoDonnie did."""
         if not self._settings.log:
             return
-        from pathlib import Path
 
         from donnie_tui.core.answer_log import TranscriptLog, next_log
 
         try:
-            Path("Log").mkdir(exist_ok=True)
+            make_folder("Log")
             name = str(next_log(Path("Log")))
             out = self._open(name)
         except OSError as problem:
@@ -188,12 +188,8 @@ class Written:
 
     def _open(self, name: str) -> TextIO:
         """Lone surrogates become the escapes that JSON has for them."""
-        from pathlib import Path  # slow to load, as all that writes
-
         try:
-            out = Path(name).open(  # noqa: SIM115 -- closed with the session
-                "w", encoding="utf-8", errors="backslashreplace", newline="\n"
-            )
+            out = open_text(name, "w", errors="backslashreplace")
         except (OSError, ValueError) as problem:
             raise self._unwritable(name, problem) from None
         self._closing.callback(_close_quietly, out)
@@ -201,6 +197,8 @@ class Written:
         return out
 
     def _unwritable(self, name: str, problem: OSError | ValueError) -> Unusable:
+        if isinstance(problem, OutsideError):
+            return Unusable(self._words(problem.code, path=name))
         return Unusable(self._words("file-unwritable", path=name, reason=_reason(problem)))
 
     def _loss_reporter(self, name: str) -> Callable[[OSError], None]:
@@ -214,7 +212,6 @@ class Written:
 
 def bundle_of(world: ChosenWorld, settings: Settings) -> WorldBundle:
     """All that was read for the world. Raises ``BundleError``."""
-    from pathlib import Path
 
     from donnie_tui.world.recorded import pack
 

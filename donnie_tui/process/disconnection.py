@@ -86,6 +86,11 @@ def keeper_of(pid: int) -> int | None:
     return pid if pid > 1 else None
 
 
+def parent_of(pid: int) -> int:
+    """Raises ``OSError``."""
+    return _parent_and_terminal(pid)[0]
+
+
 def _parent_and_terminal(pid: int) -> tuple[int, str]:
     with open(f"/proc/{pid}/stat") as file:  # noqa: PTH123 -- as above
         fields = file.read().rpartition(")")[2].split()

@@ -3,7 +3,8 @@
 The main thread takes them and gives them back. The ``Deputy``, a thread, does what they ask for: a handler
 interrupts the main thread anywhere, in another handler too, so it must not take a lock. It calls ``do`` and
 nothing else that could wait. A suspended process can't stop its robot, and a board drives on by itself: the
-robot must stand before ``suspend`` is called.
+robot must stand before ``suspend`` is called. Where ``can_suspend`` says no, Ctrl+Z does nothing, and the
+front end says so.
 """
 
 from __future__ import annotations
@@ -17,6 +18,9 @@ from contextlib import suppress
 from queue import Empty, SimpleQueue
 from stat import S_ISCHR
 from types import FrameType
+
+from donnie_tui.process.confinement import may_run_programs
+from donnie_tui.process.disconnection import parent_of
 
 TYPE_CHECKING = False  # that of typing takes longer to load than all that is here
 if TYPE_CHECKING:
@@ -157,9 +161,36 @@ _STANDARD = (0, 1, 2)
 
 
 def suspend() -> None:
-    """Suspend the process until it is continued; not if the terminal is closed: nothing would continue it."""
-    if not any(map(is_hung_up, _STANDARD)):
+    """Suspend the process until it is continued, if that is possible."""
+    if can_suspend():
         os.kill(os.getpid(), signal.SIGSTOP)
+
+
+def can_suspend() -> bool:
+    """Whether anything would continue the process: a shell with job control, to which it may return.
+
+    Not if the terminal is closed. The kernel suspends no process without such a shell by Ctrl+Z either.
+    """
+    return may_run_programs() and not any(map(is_hung_up, _STANDARD)) and has_shell_above()
+
+
+def has_shell_above() -> bool:
+    """Whether the process group is not orphaned, in the sense of POSIX, as far as our ancestors tell.
+
+    It is the group of the session's leader where Donnie is the command of an ssh or of a new terminal.
+    """
+    group, session = os.getpgrp(), os.getsid(0)
+    above = os.getppid()
+    if group == session:
+        return False
+    try:
+        while above > 0 and os.getpgid(above) == group:
+            above = parent_of(above)
+        return above > 0 and os.getsid(above) == session
+    except FileNotFoundError:  # a system that does not say whose parent that is
+        return True
+    except OSError:  # it ended just now, or is none of ours
+        return False
 
 
 def is_hung_up(number: int) -> bool:

@@ -1,4 +1,4 @@
-"""The settings file: read, with its mistakes reported once, and written a line at a time.
+"""The settings files: read, with its mistakes reported once, and written a line at a time.
 
 A damaged file never prevents a start: defaults apply, and the file is left as it is. ``parsing`` checks the
 values and not msgspec: they are texts as on the command line, and each wrong one is reported by itself.
@@ -9,7 +9,8 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from donnie_tui.settings.folders import settings_file
+from donnie_tui.process.confinement import make_folder, open_bytes
+from donnie_tui.settings.folders import account_settings_file, settings_file
 from donnie_tui.settings.settings import Notice
 
 LARGEST = 100_000
@@ -17,10 +18,15 @@ LARGEST = 100_000
 
 
 def read_settings(environment: Mapping[str, str]) -> tuple[dict[str, object], tuple[Notice, ...]]:
+    """The settings of the account, as ``read_file``."""
+    return read_file(account_settings_file(environment))
+
+
+def read_file(file: str) -> tuple[dict[str, object], tuple[Notice, ...]]:
     """What the file says, and what is wrong with it; both empty where there is none."""
     try:
-        with open(settings_file(environment), "rb") as file:  # noqa: PTH123 -- pathlib is slow to load
-            data = file.read(LARGEST + 1)
+        with open_bytes(file) as stream:
+            data = stream.read(LARGEST + 1)
         if len(data) > LARGEST:
             return {}, (Notice("settings-file-too-large", {"limit": f"{LARGEST:,}".replace(",", " ")}),)
         text = data.decode("utf-8-sig")
@@ -50,8 +56,11 @@ def remember(key: str, value: str | bool | float, environment: Mapping[str, str]
 
     path = Path(settings_file(environment))
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        text = path.read_bytes().decode("utf-8-sig") if path.exists() else ""
+        make_folder(path.parent)
+        with open_bytes(path) as file:
+            text = file.read().decode("utf-8-sig")
+    except FileNotFoundError:
+        text = ""
     except (OSError, ValueError) as problem:
         reason = getattr(problem, "strerror", None) or str(problem)
         raise DocumentError("file-unwritable", str(path), reason) from None

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 SETTINGS_NAME = "settings.toml"
+MACHINE_FOLDERS = {"darwin": "/Library/Application Support/donnie", "win32": r"C:\ProgramData\donnie"}
+"""Of the settings of a whole machine: no variable changes where they are."""
 UNSAVED = "unsaved"
 """In the state folder: the folder of the copies of what is not saved."""
 BREAKPOINTS = "breakpoints.txt"
@@ -26,16 +28,39 @@ RECENT = "recent.txt"
 """In the state folder: the programs that were opened and saved lately."""
 
 
-def settings_file(environment: Mapping[str, str], platform: str = sys.platform) -> str:
-    """The path of the settings file, whether it exists or not."""
+_own_folder: str | None = None
+
+
+def keep_in(folder: str | None) -> None:
+    """From now on the learner's settings and state are in that folder; None: in those of the account."""
+    global _own_folder
+    _own_folder = folder
+
+
+def machine_settings_file(platform: str = sys.platform) -> str:
+    """The path of the settings of the whole machine, which only its administrator can change."""
+    return f"{MACHINE_FOLDERS.get(platform, '/etc/donnie')}/{SETTINGS_NAME}"
+
+
+def account_settings_file(environment: Mapping[str, str], platform: str = sys.platform) -> str:
+    """The path of the settings file of the account, whether it exists or not."""
     return f"{_folder(environment, platform, 'XDG_CONFIG_HOME', '.config')}/{SETTINGS_NAME}"
 
 
+def settings_file(environment: Mapping[str, str], platform: str = sys.platform) -> str:
+    """The path of the learner's settings file: that of the account, unless the session is confined."""
+    return (
+        account_settings_file(environment, platform)
+        if _own_folder is None
+        else f"{_own_folder}/{SETTINGS_NAME}"
+    )
+
+
 def own_sounds(environment: Mapping[str, str], platform: str = sys.platform) -> Path:
-    """The folder in which learners put sounds of their own in the place of cues."""
+    """The folder of the account in which sounds take the place of cues."""
     from pathlib import Path
 
-    return Path(settings_file(environment, platform)).parent / "sounds"
+    return Path(account_settings_file(environment, platform)).parent / "sounds"
 
 
 def state_folder(environment: Mapping[str, str], platform: str = sys.platform) -> Path:
@@ -47,7 +72,7 @@ def state_folder(environment: Mapping[str, str], platform: str = sys.platform) -
 
 def state_path(environment: Mapping[str, str], platform: str = sys.platform) -> str:
     """The same as text."""
-    return _folder(environment, platform, "XDG_STATE_HOME", ".local/state")
+    return _own_folder or _folder(environment, platform, "XDG_STATE_HOME", ".local/state")
 
 
 def _folder(environment: Mapping[str, str], platform: str, variable: str, default: str) -> str:

@@ -10,7 +10,7 @@ import os
 from collections.abc import Callable, Mapping
 from typing import TypeAlias
 
-from devices.ports.robot import Bearing
+from devices.ports.robot import NETWORK_SCHEMES, Bearing
 from donnie_tui.settings import OFF, ON
 from language.locales import language_of_locale
 
@@ -175,6 +175,7 @@ SIMULATED, DOUBLE, SERIAL = "sim", "double", "serial"
 """What ``--robot`` takes; ``serial`` alone finds the port by itself, ``serial:PORT`` names it."""
 
 ROBOT_WANTED = "sim, serial, serial:PORT, double"
+PORT_WANTED = "DEVICE, socket://HOST:PORT, rfc2217://HOST:PORT"
 STEPS_WANTED = "5 10 20"
 COLUMNS_WANTED = "front 3, front-right 4, back 0 6"
 METRES_WANTED = "0.001-1"
@@ -192,9 +193,22 @@ def read_robot(text: str) -> str:
     kind, colon, port = text.strip().partition(":")
     if kind.lower() not in (SIMULATED, DOUBLE, SERIAL) or "\0" in text:
         raise ValueError(text)
-    if colon and (kind.lower() != SERIAL or not port):
+    if colon and (kind.lower() != SERIAL or not read_port(port)):
         raise ValueError(text)
     return f"{kind.lower()}{colon}{port}"
+
+
+def read_port(text: str) -> str:
+    """A serial port: a device of this machine, or an address of the network."""
+    scheme, is_address, _ = read_text(text).partition("://")
+    if is_address and scheme.lower() not in NETWORK_SCHEMES:
+        raise ValueError(text)
+    return text
+
+
+def read_ports(text: str) -> tuple[str, ...]:
+    """Ports, apart by commas. None for an empty text."""
+    return tuple(read_port(each.strip()) for each in text.split(",") if each.strip())
 
 
 def read_steps(text: str) -> tuple[int, int, int]:

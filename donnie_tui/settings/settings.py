@@ -9,6 +9,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 from enum import Enum
+from typing import Any
 
 from msgspec import Struct, field
 
@@ -21,6 +22,7 @@ from donnie_tui.settings.parsing import (
     HEADS,
     METRES_WANTED,
     PERCENTS,
+    PORT_WANTED,
     PROFILES,
     RATES,
     RESET_WANTED,
@@ -44,6 +46,8 @@ from donnie_tui.settings.parsing import (
     read_line,
     read_metres,
     read_percent,
+    read_port,
+    read_ports,
     read_progress,
     read_rate,
     read_reset_line,
@@ -123,7 +127,7 @@ KEYS = (
     _one_of("verbosity", DETAILS),
     Key("events", "events", read_text, "FILE, -"),
     Key("record", "record", read_text, "FILE"),
-    Key("belt", "belt", read_text, "PORT"),
+    Key("belt", "belt", read_port, PORT_WANTED),
     Key("belt_steps", "belt_steps", read_steps, STEPS_WANTED, is_example=True),
     Key("belt_columns", "belt_columns", read_columns, COLUMNS_WANTED, is_example=True),
     Key("wheel_radius", "wheel_radius", read_metres, METRES_WANTED),
@@ -152,7 +156,9 @@ KEYS = (
     Key("completion", "completion", read_switch, "on, off"),
     Key("keys", "keys", read_line, "ACTION KEY, ACTION KEY"),
 )
-BY_KEY = {each.key: each for each in KEYS}
+CONFINED = Key("confined", "folder", read_text, "FOLDER")
+DEVICES = Key("devices", "devices", read_ports, PORT_WANTED)
+BY_KEY = {each.key: each for each in (*KEYS, CONFINED, DEVICES)}
 
 
 FRONT_END_SPEED = 5.0
@@ -290,6 +296,88 @@ def resolve(
                 sources[each.name] = source
                 break
     return Settings(**values, sources=sources), tuple(notices)  # type: ignore[arg-type] # read as its field is
+
+
+# --- what a teacher allows
+
+
+class Limits(Struct, frozen=True):
+    """To what a session is limited. ``devices`` None: it may use any."""
+
+    folder: str | None = None
+    devices: tuple[str, ...] | None = None
+
+
+class BadLimitsError(Exception):
+    """Limits that can't be kept, so that Donnie must not start: the code of a sentence and its values."""
+
+    def __init__(self, code: str, **values: object) -> None:
+        super().__init__(code)
+        self.code, self.values = code, values
+
+
+def limits_of(
+    machine: Mapping[str, object],
+    environment: Mapping[str, str],
+    account: Mapping[str, object],
+    options: Mapping[str, str],
+) -> Limits:
+    """The limits that hold, of the settings of the machine and of the account among others.
+
+    Here the strongest source is the one furthest from the learner, and a weaker one can only limit more.
+    Raises ``BadLimitsError`` also for a value that can't be read: without it a learner would be free.
+    """
+    limits = Limits()
+    variables = {
+        each.key: environment[each.variable] for each in (CONFINED, DEVICES) if each.variable in environment
+    }
+    for source in (machine, variables, account, options):
+        limits = _limited_by(source, limits)
+    if limits.folder is not None and limits.devices is None:
+        limits = Limits(limits.folder, ())
+    return limits
+
+
+def _limited_by(source: Mapping[str, object], limits: Limits) -> Limits:
+    devices, folder = limits.devices, limits.folder
+    if DEVICES.key in source:
+        given = _limit(DEVICES, source)
+        allowed = devices if devices is not None or folder is None else ()
+        refused = [each for each in given if allowed is not None and each not in allowed]
+        if refused:
+            raise BadLimitsError("devices-wider", port=refused[0])
+        devices = given
+    if CONFINED.key in source:
+        folder = _folder_within(_limit(CONFINED, source), folder)
+        devices = devices or ()
+    return Limits(folder, devices)
+
+
+def _limit(key: Key, source: Mapping[str, object]) -> Any:
+    text = _as_text(source[key.key])
+    try:
+        return key.read(text)
+    except ValueError:
+        raise BadLimitsError("limit-not-understood", name=key.key, value=text[:40]) from None
+
+
+def _folder_within(name: str, outer: str | None) -> str:
+    """The real path of a folder that is there, and lies in ``outer``."""
+    found = os.path.realpath(_with_home(name))
+    if not os.path.isdir(found):  # noqa: PTH112 -- pathlib is slow to load
+        raise BadLimitsError("confined-no-folder", path=name)
+    if outer is not None and os.path.commonpath((outer, found)) != outer:
+        raise BadLimitsError("confined-wider", path=name, folder=outer)
+    return found
+
+
+def _with_home(name: str) -> str:
+    """``~`` is the home of the account, whatever the environment says."""
+    if name != "~" and not name.startswith("~/"):
+        return name
+    import pwd  # of systems on which a session can be confined
+
+    return pwd.getpwuid(os.getuid()).pw_dir + name[1:]
 
 
 def language_of(environment: Mapping[str, str]) -> str:

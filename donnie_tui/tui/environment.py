@@ -1,14 +1,18 @@
-"""The environment that Textual finds: prepared before its import, because it reads its switches then.
+"""What is around the screen: the variables that Textual finds, and the terminal's normal screen.
 
-The plain layout is for screen readers: one column, and nothing that a reader would speak without need.
+``prepare`` runs before Textual is imported, which reads its switches then. The plain layout is for screen
+readers: one column, and nothing that a reader would speak without need. On the normal screen the log is
+shown in a pager, and its last lines stay there after the end.
 """
 
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, MutableMapping
+import sys
+from collections.abc import Mapping, MutableMapping, Sequence
 from functools import cache
 
+from donnie_tui.process.confinement import may_run_programs
 from donnie_tui.settings.settings import Settings
 
 _WITHOUT_KEY_REPORTS = ("linux", "vt", "screen", "tmux")
@@ -46,3 +50,66 @@ def _screen_reader_runs() -> bool:
     from devices.audio.channel import find_screen_reader
 
     return find_screen_reader(os.environ) is not None
+
+
+# --- the normal screen
+
+LAST_LINES = 20
+"""Lines of the log that stay on the normal screen."""
+
+SECURE = {"LESSSECURE": "1", "PAGERSECURE": "1"}
+"""With these variables less, or another pager that heeds them, runs no other program and writes no file."""
+
+
+class PagerError(Exception):
+    """Why the pager shows nothing: the code of a sentence, and its values."""
+
+    def __init__(self, code: str, **values: str) -> None:
+        super().__init__(code)
+        self.code, self.values = code, values
+
+
+def print_last_lines(lines: Sequence[str]) -> None:
+    """The end of the log, where the shell continues: it can be read again there."""
+    from language.source import printable
+
+    if is_page():
+        return  # a browser has no such screen
+    try:
+        for line in lines[-LAST_LINES:]:
+            sys.stdout.write(f"{printable(line)}\n")
+        sys.stdout.flush()
+    except (OSError, ValueError):
+        return
+
+
+def pager(environment: Mapping[str, str]) -> list[str] | None:
+    """The command that shows a text: the one of PAGER, else less. None for Donnie's own pages.
+
+    ``more`` is none of them: it starts a shell for any learner who asks for it.
+    """
+    import shlex
+    import shutil
+
+    if not may_run_programs():
+        return None
+    try:
+        wanted = [shlex.split(environment.get("PAGER", "")), ["less"]]
+    except ValueError:
+        wanted = [["less"]]
+    return next((each for each in wanted if each and shutil.which(each[0])), None)
+
+
+def run_pager(command: Sequence[str], text: str) -> None:
+    """Wait until it was read. Raises ``PagerError``: a pager that can't be run, a full disk."""
+    import subprocess
+    import tempfile
+    from pathlib import Path
+
+    try:
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "log.txt"
+            file.write_text(text, encoding="utf-8", errors="replace")
+            subprocess.run([*command, str(file)], check=False, env={**os.environ, **SECURE})
+    except OSError as problem:
+        raise PagerError("screen-pager-failed", reason=problem.strerror or str(problem)) from None

@@ -14,7 +14,7 @@ from donnie_tui.robot.search import Search
 from donnie_tui.settings.parsing import SERIAL
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui.app import DonnieApp
-from donnie_tui.tui.environment import wants_mouse
+from donnie_tui.tui.environment import print_last_lines, wants_mouse
 
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
@@ -55,8 +55,6 @@ def _through_worlds(settings: Settings, file: Path | None, text: str | None, don
             break
         settings, restored = _in_next_world(app)
         file = text = donnie = None
-    from donnie_tui.tui.normal_screen import print_last_lines
-
     print_last_lines(app.main_screen.log_rows.lines)
     code = CRASHED if app.return_code == CRASHED else app.return_value or 0
     return app.session.code_at_end(code, print)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import os
 from collections.abc import Callable, Coroutine, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -23,10 +24,9 @@ from donnie_tui.core.workspace import Workspace
 from donnie_tui.i18n.help import manual
 from donnie_tui.i18n.words import Words
 from donnie_tui.tui.controller import ScreenController
-from donnie_tui.tui.environment import is_page
+from donnie_tui.tui.environment import PagerError, is_page, pager, run_pager
 from donnie_tui.tui.help_pages import help_lines, keys_here, tour_pages
 from donnie_tui.tui.key_queue import Dialogs
-from donnie_tui.tui.normal_screen import PagerError, show_in_pager
 from donnie_tui.tui.run_view import Reminder
 from donnie_tui.tui.screens.main_screen import MainScreen
 from donnie_tui.tui.screens.pages import Help, KeyCapture, Tour
@@ -269,12 +269,15 @@ class ScreenInteraction:
         self._place.log_rows.search(word)
 
     def show_in_pager(self, text: str) -> None:
-        """In the pager, where the terminal's own ways of reading work."""
+        """In the pager, where the terminal's own ways of reading work; without one on a page of our own."""
+        command = pager(os.environ)
         try:
+            if command is None:
+                raise SuspendNotSupported
             with self._app.suspend():
-                show_in_pager(text)
+                run_pager(command, text)
         except SuspendNotSupported:
-            self._controller.ctx.answer("screen-no-pager")
+            self._open_page(self._words("pane-log"), text.splitlines())
         except PagerError as problem:
             self._controller.ctx.answer(problem.code, **problem.values)
 

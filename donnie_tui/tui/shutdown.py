@@ -24,6 +24,7 @@ from typing import Any
 
 from textual.app import App
 
+from donnie_tui.process.confinement import make_folder, open_text
 from donnie_tui.process.disconnection import ReaderWatch
 from donnie_tui.process.signals import (
     LEAVING,
@@ -31,6 +32,7 @@ from donnie_tui.process.signals import (
     Handler,
     WakingSignals,
     attempt,
+    can_suspend,
     is_hung_up,
     numbers_of,
     suspend,
@@ -104,6 +106,8 @@ class Shutdown:
             self._interrupt()
         elif number == BACK:
             self._repaint()
+        elif number == REST:
+            self._session.say("suspend-impossible")
         elif number:
             self.leave(number)
         else:
@@ -129,8 +133,9 @@ class Shutdown:
         with suppress(Exception):
             self._session.keep_text()
         with suppress(OSError):
-            self._folder.mkdir(parents=True, exist_ok=True)
-            (self._folder / FAULT).write_text(traceback.format_exc(), encoding="utf-8")
+            make_folder(self._folder)
+            with open_text(self._folder / FAULT, "w") as file:
+                file.write(traceback.format_exc())
 
     # --- in the thread of the watchdog
 
@@ -158,6 +163,9 @@ LONGEST_REST = 2.0
 
 BACK = getattr(signal, "SIGCONT", -1)
 """The signal that the process continues: whatever ran meanwhile wrote over the screen."""
+
+REST = getattr(signal, "SIGTSTP", -2)
+"""The signal of Ctrl+Z in other programs; passed on where it can't suspend the process."""
 
 _HANGING_UP = getattr(signal, "SIGHUP", signal.SIGTERM)
 """As if it had come: the terminal is gone, where the thread that writes to it has ended."""
@@ -215,6 +223,9 @@ class Watchdog:
 
     def _rest(self, number: int, frame: FrameType | None) -> None:
         """Textual gives the terminal back before it rests; the robot comes before that."""
+        if not can_suspend():
+            self._notify(number)
+            return
         self._deputy.see_done(self._before_rest, LONGEST_REST)
         found = self._signals.handler_before(number)
         if found is not None:

@@ -137,11 +137,22 @@ def _in_a_file(name: str, words: Words, folders: tuple[str, ...], unknown: str) 
     from donnie_tui.core.program_files import exists
 
     path = Path(name)
+    _refuse_outside(path, words)
     if not ("/" in name or "\\" in name or path.suffix or exists(path)):
         raise Unusable(_unknown_world(name, words, unknown))
     if path.suffix.lower() == ".cfg":
         return _configured(path, words, folders)
     return ChosenWorld(path.name, str(path), _load(str(path), words, folders), ships=False)
+
+
+def _refuse_outside(path: Path, words: Words) -> None:
+    """Raises ``Unusable`` for a world that a confined session must not use."""
+    from donnie_tui.core.program_files import DocumentError, checked_path
+
+    try:
+        checked_path(path)
+    except DocumentError as problem:
+        raise Unusable(words(problem.code, path=problem.path, reason=problem.reason)) from None
 
 
 def _configured(path: Path, words: Words, folders: tuple[str, ...]) -> ChosenWorld:
@@ -192,7 +203,9 @@ def _allowed(folders: tuple[str, ...]) -> tuple[Path, ...]:
     """The folders from which a world may include files, besides its own."""
     from pathlib import Path
 
-    return tuple(map(Path, (*folders, worlds.SCENES)))
+    from donnie_tui.process.confinement import is_allowed
+
+    return tuple(map(Path, (*filter(is_allowed, folders), worlds.SCENES)))
 
 
 class ThingWatch:

@@ -23,6 +23,7 @@ from devices.ports.robot import Bearing
 from donnie_tui.core.recording import Header
 from donnie_tui.i18n.mistakes import world_mistake
 from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.process.confinement import confinement, make_folder, open_bytes
 from donnie_tui.settings.settings import Settings
 from donnie_tui.world.loading import ChosenWorld
 
@@ -157,7 +158,7 @@ def _names_of(file: Path, places: Sequence[Path]) -> tuple[str, ...]:
 
 def _read(file: Path, room: int) -> bytes:
     try:
-        with file.open("rb") as stream:
+        with open_bytes(file) as stream:
             data = stream.read(room + 1)
     except OSError as problem:
         raise BundleError("file-unreadable", path=str(file), reason=problem.strerror or "") from None
@@ -180,13 +181,22 @@ def _checked(name: str) -> PurePosixPath:
 @contextmanager
 def unpacked(header: Header, words: Words) -> Iterator[ChosenWorld]:
     """The world as it was, in a folder that is gone afterwards. Raises ``Unusable``."""
-    with TemporaryDirectory(prefix="donnie-") as folder:
+    with TemporaryDirectory(prefix="donnie-", dir=_place_for_unpacking()) as folder:
         try:
             bundle = from_record(header.world)
             main, folders = unpack(bundle, Path(folder))
         except BundleError as error:
             raise Unusable(words(error.code, **error.values)) from None
         yield ChosenWorld(bundle.name, str(main), _loaded(bundle, main, folders, words), _ships(bundle))
+
+
+def _place_for_unpacking() -> str | None:
+    """In a confined session all stays in its folder."""
+    limits = confinement()
+    if limits is None:
+        return None
+    make_folder(limits.own_folder)
+    return limits.own_folder
 
 
 def _loaded(bundle: WorldBundle, main: Path, folders: tuple[Path, ...], words: Words) -> Scene:

@@ -12,6 +12,7 @@ from pathlib import Path
 
 from msgspec import Struct
 
+from donnie_tui.process.confinement import open_bytes
 from sim.scene import Note, NoteKind
 from sim.worldfile import tree
 from sim.worldfile.mistakes import Code, WorldError, defining, near_file, near_name, near_world, worlds_in
@@ -93,7 +94,7 @@ class FileReader:
 
     def _text(self, path: Path, include: tree.Include, file: str) -> str:
         try:
-            with path.open("rb") as stream:
+            with open_bytes(path) as stream:
                 data = stream.read(LARGEST_FILE + 1)
         except OSError:
             raise WorldError(

@@ -23,6 +23,7 @@ from typing import NamedTuple
 from msgspec import Struct
 from PIL import Image
 
+from donnie_tui.process.confinement import open_bytes
 from sim.scene import NoteKind, Polygon
 from sim.worldfile.entities import LARGEST_FILE, FileReader, Setting
 from sim.worldfile.mistakes import Code
@@ -168,7 +169,7 @@ class Plans:
 
     def _picture(self, setting: Setting, path: Path, name: str) -> Bitmap:
         try:
-            with path.open("rb") as stream:
+            with open_bytes(path) as stream:
                 data = stream.read(LARGEST_FILE + 1)
             if len(data) > LARGEST_FILE:
                 raise mistake(Code.FILE_TOO_LARGE, setting, path=name[:200], limit=LARGEST_FILE)

@@ -12,6 +12,8 @@ from enum import Enum
 from itertools import islice
 from pathlib import Path
 
+from donnie_tui.process.confinement import open_bytes
+
 MOST_FILES = 300
 """Files of a folder that are looked at."""
 LONGEST = 200_000
@@ -69,7 +71,7 @@ def _start(file: Path) -> bytes:
     try:
         if not file.is_file():
             return b""
-        with file.open("rb") as stream:
+        with open_bytes(file) as stream:
             return stream.read(LONGEST)
     except OSError:
         return b""

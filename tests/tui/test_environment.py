@@ -2,12 +2,12 @@
 
 from contextlib import nullcontext
 
-from donnie_tui.tui import normal_screen
+from donnie_tui.tui import environment
 
 
 def test_the_last_twenty_lines_are_left_behind_in_their_order(capsys, monkeypatch):
     monkeypatch.delenv("TEXTUAL_DRIVER", raising=False)
-    normal_screen.print_last_lines([f"line {i}" for i in range(30)])
+    environment.print_last_lines([f"line {i}" for i in range(30)])
 
     assert capsys.readouterr().out.splitlines() == [f"line {i}" for i in range(10, 30)]
 

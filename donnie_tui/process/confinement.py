@@ -1,0 +1,209 @@
+"""Which files and programs this process may use: all, or the files of one folder and no other program.
+
+A teacher confines a session with ``donnie --confined FOLDER``. There is one ``Confinement`` in a process. The
+command line makes it before anything is opened, and no command lifts it. Every file that a learner can name
+is opened, made and replaced here.
+
+A path means the file that it leads to once its links are resolved. Then each folder on the way is opened by
+itself, without following a link, so a link that is made in between leads nowhere. Names that begin with a dot
+belong to Donnie and to the account: a learner who could write ``.bashrc`` would be free at the next login.
+"""
+
+from __future__ import annotations
+
+import errno
+import os
+
+TYPE_CHECKING = False  # that of typing takes longer to load than all that is here
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+    from typing import Any, BinaryIO, Self, TextIO, TypeAlias
+
+    AnyPath: TypeAlias = str | os.PathLike[str]
+
+OWN_FOLDER = ".donnie"
+"""In the folder of a confined session: its settings, its history and its unsaved copies."""
+
+IS_POSSIBLE = hasattr(os, "O_NOFOLLOW") and os.open in os.supports_dir_fd
+"""Whether this system can open a file below an open folder."""
+
+_FOLDER = getattr(os, "O_DIRECTORY", 0)
+_NO_LINK = getattr(os, "O_NOFOLLOW", 0)
+_PASSING = getattr(os, "O_PATH", os.O_RDONLY) | _FOLDER | _NO_LINK
+"""How a folder on the way is opened; where possible without the permission to list it."""
+_CHANGING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
+
+
+class OutsideError(PermissionError):
+    """A file that a confined session must not use. ``code`` is the code of a sentence with a ``path``."""
+
+    def __init__(self, path: AnyPath, code: str = "file-outside") -> None:
+        super().__init__(errno.EACCES, os.strerror(errno.EACCES), os.fspath(path))
+        self.path = os.fspath(path)
+        self.code = code
+
+
+class Confinement:
+    """The files of one folder, and those that come with Donnie."""
+
+    def __init__(self, folder: str, readable: Iterable[str] = ()) -> None:
+        """``readable``: folders outside that can be read."""
+        self.folder = os.path.realpath(folder)
+        self.own_folder = os.path.join(self.folder, OWN_FOLDER)  # noqa: PTH118 -- pathlib is slow to load
+        self._readable = tuple(map(os.path.realpath, readable))
+
+    def check(self, path: AnyPath) -> None:
+        """Raises ``OutsideError`` unless a learner may name this path: inside, and nothing is hidden."""
+        inside = part_below(self.folder, os.path.realpath(path))
+        if inside is None:
+            raise OutsideError(path)
+        if any(part.startswith(".") for part in _parts(inside)):
+            raise OutsideError(path, "file-hidden")
+
+    def open(self, path: AnyPath, flags: int, permissions: int) -> int:
+        """The descriptor of a file inside, or to be read in a readable folder. Raises ``OSError``."""
+        real = os.path.realpath(path)
+        for root in (self.folder, *(() if flags & _CHANGING else self._readable)):
+            inside = part_below(root, real)
+            if inside is not None:
+                try:
+                    return _opened_below(root, inside, flags, permissions)
+                except OSError as problem:
+                    if problem.errno in (errno.ELOOP, errno.ENOTDIR) and os.path.islink(real):  # noqa: PTH114
+                        break
+                    raise
+        raise OutsideError(path)
+
+
+def part_below(folder: str, path: str) -> str | None:
+    """The rest of a real path below a real folder; empty for the folder itself, None outside of it."""
+    if path == folder:
+        return ""
+    start = folder if folder.endswith(os.sep) else folder + os.sep
+    return path[len(start) :] if path.startswith(start) else None
+
+
+def _parts(path: str) -> list[str]:
+    return path.split(os.sep)  # noqa: PTH206 -- pathlib is slow to load
+
+
+def _opened_below(root: str, inside: str, flags: int, permissions: int) -> int:
+    """Opens folder after folder; none of them, and not the file either, may be a link."""
+    *folders, name = _parts(inside)
+    here = os.open(root, _PASSING)
+    try:
+        for each in folders:
+            below = os.open(each, _PASSING, dir_fd=here)
+            os.close(here)
+            here = below
+        return os.open(name or os.curdir, flags | _NO_LINK, permissions, dir_fd=here)
+    finally:
+        os.close(here)
+
+
+# --- the confinement of this process
+
+_confinement: Confinement | None = None
+
+
+def confine(confinement: Confinement | None) -> None:
+    """From now on this process is confined, or not. A relative name means a file inside."""
+    global _confinement
+    _confinement = confinement
+    if confinement is not None and part_below(confinement.folder, os.path.realpath(os.curdir)) is None:
+        os.chdir(confinement.folder)
+
+
+def confinement() -> Confinement | None:
+    """None where nothing is confined."""
+    return _confinement
+
+
+def may_run_programs() -> bool:
+    """Whether a pager may be started, and a shell above may be returned to. Donnie's own voice always may."""
+    return _confinement is None
+
+
+def check_name(path: AnyPath) -> None:
+    """Raises ``OutsideError`` for a path that a learner must not name."""
+    if _confinement is not None:
+        _confinement.check(path)
+
+
+def check_own(path: AnyPath) -> None:
+    """Raises ``OutsideError`` for a folder of Donnie's own that is outside, by a link."""
+    if _confinement is not None and part_below(_confinement.folder, os.path.realpath(path)) is None:
+        raise OutsideError(path)
+
+
+def is_allowed(path: AnyPath) -> bool:
+    """Whether a learner may name this path."""
+    try:
+        check_name(path)
+    except (OSError, ValueError):
+        return False
+    return True
+
+
+# --- files
+
+
+def open_descriptor(path: AnyPath, flags: int, permissions: int = 0o666) -> int:
+    """As ``os.open``, for every file that a learner can name. Raises ``OSError``."""
+    if _confinement is None:
+        return os.open(path, flags, permissions)
+    return _confinement.open(path, flags | getattr(os, "O_CLOEXEC", 0), permissions)
+
+
+def open_bytes(path: AnyPath, mode: str = "rb") -> BinaryIO:
+    """A file to read, or with ``wb`` to begin anew. Raises ``OSError`` or ``ValueError``."""
+    # pathlib knows no opener; the mode says of which type it is
+    return open(path, mode, opener=open_descriptor)  # type: ignore[return-value]
+
+
+def open_text(path: AnyPath, mode: str = "r", *, errors: str = "strict") -> TextIO:
+    """The same as text in UTF-8."""
+    newline = None if mode == "r" else "\n"
+    how: Any = {"encoding": "utf-8", "errors": errors, "newline": newline, "opener": open_descriptor}
+    return open(path, mode, **how)  # type: ignore[return-value] # noqa: PTH123 -- as above
+
+
+def make_folder(path: AnyPath) -> None:
+    """A folder with all above it, if it is not there. Raises ``OSError``."""
+    check_own(path)
+    os.makedirs(path, exist_ok=True)  # noqa: PTH103
+
+
+class OpenFolder:
+    """A folder in which files are made and replaced. Confined, it is the same one until ``close``."""
+
+    def __init__(self, path: AnyPath) -> None:
+        """Raises ``OSError``."""
+        self._path = os.fspath(path)
+        self._number = None
+        if _confinement is not None:
+            check_own(path)
+            self._number = _confinement.open(path, os.O_RDONLY | _FOLDER, 0)
+
+    def open_new(self, name: str) -> int:
+        """A file that did not exist before, open for writing by its owner only. Raises ``OSError``."""
+        return os.open(
+            self._place(name), os.O_RDWR | os.O_CREAT | os.O_EXCL | _NO_LINK, 0o600, dir_fd=self._number
+        )
+
+    def replace(self, name: str, other: str) -> None:
+        """Put the file ``name`` in the place of ``other``."""
+        os.replace(self._place(name), self._place(other), src_dir_fd=self._number, dst_dir_fd=self._number)
+
+    def remove(self, name: str) -> None:
+        os.unlink(self._place(name), dir_fd=self._number)
+
+    def _place(self, name: str) -> str:
+        return os.path.join(self._path, name) if self._number is None else name  # noqa: PTH118
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._number is not None:
+            os.close(self._number)
