@@ -1,0 +1,257 @@
+"""What a confined process can open, make and list, whatever a path looks like and whatever links there are."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from donnie_tui.core.line_history import LineHistory
+from donnie_tui.core.program_files import DocumentError, RecentFiles, program_to_open, read_program, write_program
+from donnie_tui.core.recovery import CopyFolder
+from donnie_tui.process import confinement
+from donnie_tui.process.confinement import (
+    Confinement,
+    OutsideError,
+    check_name,
+    confine,
+    is_allowed,
+    make_folder,
+    open_bytes,
+    open_descriptor,
+    open_text,
+)
+
+SECRET = "-- the teacher's\nFW 7\n"
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """The folder of a pupil, next to a file of the teacher."""
+    (tmp_path / "secret.gd").write_text(SECRET)
+    (tmp_path / "ana2").mkdir()
+    (tmp_path / "ana2" / "secret.gd").write_text(SECRET)
+    place = tmp_path / "ana"
+    (place / "sub").mkdir(parents=True)
+    (place / "mine.gd").write_text("FW 1\n")
+    (place / "sub" / "coração é.gd").write_text("FW 2\n")
+    (place / "link.gd").symlink_to(tmp_path / "secret.gd")
+    (place / "relative.gd").symlink_to("../secret.gd")
+    (place / "chain.gd").symlink_to("link.gd")
+    (place / "way").symlink_to(tmp_path)
+    (place / "new.gd").symlink_to(tmp_path / "not-there-yet.gd")
+    (place / "root").symlink_to("/proc/self/root")
+    (place / "inner.gd").symlink_to("mine.gd")
+    (place / "within").symlink_to("sub")
+    (place / "loop.gd").symlink_to("loop.gd")
+    monkeypatch.chdir(tmp_path)
+    confine(Confinement(str(place)))
+    yield place
+    confine(None)
+
+
+OUTSIDE = [
+    "../secret.gd",
+    "sub/../../secret.gd",
+    "{outside}/secret.gd",
+    "{outside}/ana2/secret.gd",
+    "link.gd",
+    "relative.gd",
+    "chain.gd",
+    "way/secret.gd",
+    "way/ana/../secret.gd",
+    "root/etc/passwd",
+    "/proc/self/root/{outside}/secret.gd",
+    "/proc/self/cwd/../secret.gd",
+    "/proc/self/fd/0",
+    "/proc/self/environ",
+    "/dev/stdin",
+    "/dev/tty",
+    "//etc/passwd",
+    "/etc/passwd",
+    "/",
+    "..",
+    "new.gd",
+    "./././../secret.gd",
+    "“../secret.gd”",
+]
+INSIDE = [
+    "mine.gd",
+    "./mine.gd",
+    "sub/../mine.gd",
+    "{inside}/mine.gd",
+    "way/ana/mine.gd",
+    "inner.gd",
+    "within/coração é.gd",
+    "sub/coração é.gd",
+    "/proc/self/cwd/mine.gd",
+    "/proc/self/root/{inside}/mine.gd",
+]
+
+
+def filled(name: str, folder: Path) -> str:
+    return name.format(outside=folder.parent, inside=folder)
+
+
+@pytest.mark.parametrize("name", OUTSIDE)
+def test_nothing_outside_is_read_or_written(name: str, folder: Path) -> None:
+    name = filled(name, folder)
+    with pytest.raises(DocumentError) as typed:
+        program_to_open(name)
+    assert typed.value.code in ("file-outside", "file-is-folder")
+    plain = name.strip("“”")
+    for flags in (os.O_RDONLY, os.O_WRONLY, os.O_RDWR | os.O_CREAT, os.O_WRONLY | os.O_CREAT | os.O_TRUNC):
+        with pytest.raises(OutsideError):
+            open_descriptor(plain, flags)
+    with pytest.raises(DocumentError):
+        write_program(Path(plain), "FW 9\n")
+    with pytest.raises(DocumentError):
+        read_program(Path(plain))
+    with pytest.raises(OutsideError):
+        make_folder(f"{plain}/made")
+
+    assert (folder.parent / "secret.gd").read_text() == SECRET
+    assert not (folder.parent / "not-there-yet.gd").exists()
+    assert not (folder.parent / "made").exists()
+
+
+@pytest.mark.parametrize("name", INSIDE)
+def test_what_is_inside_by_any_name_is_read_and_written(name: str, folder: Path) -> None:
+    path = program_to_open(filled(name, folder))
+
+    assert read_program(path).startswith("FW")
+    write_program(path, "TR 90\n")
+    assert read_program(path) == "TR 90\n"
+    assert not list(folder.rglob(".*")), "nothing is left of the writing"
+
+
+@pytest.mark.parametrize("name", ["~/secret.gd", "~root/x", "~", "~nobody-of-that-name/x.gd"])
+def test_a_home_is_outside_whether_it_exists_or_not(name: str, folder: Path) -> None:
+    with pytest.raises(DocumentError) as typed:
+        program_to_open(name)
+    assert typed.value.code == "file-outside"
+
+
+@pytest.mark.parametrize("name", [".bashrc", ".ssh/authorized_keys", "sub/.hidden/a.gd", ".donnie/history"])
+def test_a_hidden_name_is_refused(name: str, folder: Path) -> None:
+    with pytest.raises(DocumentError) as typed:
+        program_to_open(name)
+    assert typed.value.code == "file-hidden"
+
+
+def test_a_link_to_a_hidden_file_is_refused(folder: Path) -> None:
+    (folder / ".profile").write_text("")
+    (folder / "shown.gd").symlink_to(".profile")
+    with pytest.raises(DocumentError) as typed:
+        program_to_open("shown.gd")
+    assert typed.value.code == "file-hidden"
+
+
+def test_a_name_without_an_end_and_a_link_to_itself_are_only_refused(folder: Path) -> None:
+    for name in ("x" * 5000, "loop.gd", "a/" * 3000 + "b"):
+        with pytest.raises(DocumentError):
+            read_program(program_to_open(name))
+
+
+def test_the_folder_may_be_reached_by_a_link_itself(folder: Path) -> None:
+    (folder.parent / "class").symlink_to(folder)
+    confine(Confinement(str(folder.parent / "class")))
+
+    assert read_program(program_to_open(f"{folder.parent}/class/mine.gd")) == "FW 1\n"
+    assert not is_allowed(f"{folder.parent}/class/../secret.gd")
+
+
+def test_a_file_becomes_a_link_between_the_look_and_the_opening(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Another session of the same account may make links at any moment."""
+    real = os.path.realpath(folder / "mine.gd")
+    (folder / "mine.gd").unlink()
+    (folder / "mine.gd").symlink_to(folder.parent / "secret.gd")
+    monkeypatch.setattr(confinement.os.path, "realpath", lambda path, **_: real)
+
+    for flags in (os.O_RDONLY, os.O_WRONLY | os.O_TRUNC, os.O_RDWR | os.O_CREAT):
+        with pytest.raises(OutsideError):
+            open_descriptor("mine.gd", flags)
+    assert (folder.parent / "secret.gd").read_text() == SECRET
+
+
+def test_a_folder_becomes_a_link_between_the_look_and_the_writing(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    before = {str(each): os.path.realpath(each) for each in (folder / "sub", folder / "sub" / "a.gd")}
+    (folder / "sub").rename(folder / "elsewhere")
+    (folder / "sub").symlink_to(folder.parent / "ana2")
+    found = os.path.realpath
+    monkeypatch.setattr(
+        confinement.os.path, "realpath", lambda path, **how: before.get(str(path)) or found(path, **how)
+    )
+    monkeypatch.setattr(Path, "resolve", lambda path, strict=False: path)
+
+    with pytest.raises(DocumentError):
+        write_program(folder / "sub" / "a.gd", "FW 9\n")
+    with pytest.raises(OSError, match="Not a directory"):
+        open_descriptor(folder / "sub" / "a.gd", os.O_RDWR | os.O_CREAT)
+    assert [each.name for each in (folder.parent / "ana2").iterdir()] == ["secret.gd"]
+
+
+def test_what_comes_with_donnie_is_read_and_never_written(folder: Path, tmp_path: Path) -> None:
+    shipped = tmp_path / "shipped"
+    shipped.mkdir()
+    (shipped / "a.inc").write_text("# a\n")
+    (shipped / "out.inc").symlink_to(tmp_path / "secret.gd")
+    confine(Confinement(str(folder), readable=(str(shipped),)))
+
+    with open_bytes(shipped / "a.inc") as file:
+        assert file.read() == b"# a\n"
+    for refused, mode in ((shipped / "a.inc", "w"), (shipped / "b.inc", "w"), (shipped / "out.inc", "r")):
+        with pytest.raises(OutsideError):
+            open_text(refused, mode)
+    with pytest.raises(OutsideError):
+        check_name(shipped / "a.inc")
+
+
+def test_the_history_and_the_copies_do_not_leave_by_a_link(folder: Path, tmp_path: Path) -> None:
+    """A pupil who can also copy files there could have made these links."""
+    (folder / ".donnie").mkdir()
+    (folder / ".donnie" / "history").symlink_to(tmp_path / "secret.gd")
+    LineHistory(str(folder / ".donnie" / "history")).remember("touch /tmp/x")
+    assert (tmp_path / "secret.gd").read_text() == SECRET
+    assert LineHistory(str(folder / ".donnie" / "history")).lines == []
+
+    (tmp_path / "outside").mkdir()
+    (tmp_path / "outside" / "unsaved-1-1.gd").write_text(SECRET)
+    (folder / ".donnie" / "unsaved").symlink_to(tmp_path / "outside")
+    copies = CopyFolder(str(folder / ".donnie" / "unsaved"))
+    assert copies.offered() == []
+    with pytest.raises(OSError, match="Permission denied"):
+        copies.new_copy()
+
+
+def test_recent_files_are_those_inside(folder: Path, tmp_path: Path) -> None:
+    (folder / ".donnie").mkdir()
+    recent = RecentFiles(str(folder / ".donnie" / "recent.txt"))
+    names = [tmp_path / "secret.gd", folder / "mine.gd", folder / "link.gd", "/etc/passwd"]
+    (folder / ".donnie" / "recent.txt").write_text("".join(f"{each}\n" for each in names))
+
+    assert recent.paths() == (folder / "mine.gd",)
+
+
+def test_a_relative_name_means_a_file_inside(folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    confine(Confinement(str(folder)))
+    assert Path.cwd() == folder
+
+    monkeypatch.chdir(folder / "sub")
+    confine(Confinement(str(folder)))
+    assert Path.cwd() == folder / "sub"
+
+
+def test_an_unconfined_process_opens_what_it_is_given(folder: Path, tmp_path: Path) -> None:
+    confine(None)
+
+    assert read_program(program_to_open(str(tmp_path / "secret.gd"))) == SECRET
+    assert is_allowed("/etc/passwd")
+    assert program_to_open("~").is_absolute()
