@@ -75,6 +75,9 @@ _FAULT_OF = {
 }
 
 
+OTHER_SCHEMES: tuple[str, ...] = ()
+"""More kinds of addresses: a test may need one."""
+
 _named: tuple[str, ...] | None = None
 
 
@@ -160,7 +163,9 @@ def _is_usable(address: str) -> bool:
         return True
     from urllib.parse import urlsplit  # slow to load, and few robots are on a network
 
-    return scheme.lower() in NETWORK_SCHEMES and urlsplit(address).port is not None
+    if scheme.lower() not in NETWORK_SCHEMES:
+        return scheme.lower() in OTHER_SCHEMES
+    return urlsplit(address).port is not None
 
 
 def _problem(address: str, error: Exception) -> PortProblem:

@@ -175,9 +175,9 @@ def can_suspend() -> bool:
 
 
 def has_shell_above() -> bool:
-    """Whether the process group is not orphaned, in the sense of POSIX, as far as our ancestors tell.
+    """Whether the process group is not orphaned, in the sense of POSIX. Our ancestors are looked at, no others.
 
-    It is the group of the session's leader where Donnie is the command of an ssh or of a new terminal.
+    Donnie is in the group of the session's leader where it is the command of an ssh or of a new terminal.
     """
     group, session = os.getpgrp(), os.getsid(0)
     above = os.getppid()
@@ -189,7 +189,7 @@ def has_shell_above() -> bool:
         return above > 0 and os.getsid(above) == session
     except FileNotFoundError:  # a system that does not say whose parent that is
         return True
-    except OSError:  # it ended just now, or is none of ours
+    except OSError:  # it ended just now, or may not be inspected
         return False
 
 

@@ -301,7 +301,7 @@ def resolve(
 # --- what a teacher allows
 
 
-class Limits(Struct, frozen=True):
+class SessionLimits(Struct, frozen=True):
     """To what a session is limited. ``devices`` None: it may use any."""
 
     folder: str | None = None
@@ -309,7 +309,7 @@ class Limits(Struct, frozen=True):
 
 
 class BadLimitsError(Exception):
-    """Limits that can't be kept, so that Donnie must not start: the code of a sentence and its values."""
+    """SessionLimits that can't be kept, so that Donnie must not start: the code of a sentence and its values."""
 
     def __init__(self, code: str, **values: object) -> None:
         super().__init__(code)
@@ -321,24 +321,24 @@ def limits_of(
     environment: Mapping[str, str],
     account: Mapping[str, object],
     options: Mapping[str, str],
-) -> Limits:
+) -> SessionLimits:
     """The limits that hold, of the settings of the machine and of the account among others.
 
     Here the strongest source is the one furthest from the learner, and a weaker one can only limit more.
     Raises ``BadLimitsError`` also for a value that can't be read: without it a learner would be free.
     """
-    limits = Limits()
+    limits = SessionLimits()
     variables = {
         each.key: environment[each.variable] for each in (CONFINED, DEVICES) if each.variable in environment
     }
     for source in (machine, variables, account, options):
         limits = _limited_by(source, limits)
     if limits.folder is not None and limits.devices is None:
-        limits = Limits(limits.folder, ())
+        limits = SessionLimits(limits.folder, ())
     return limits
 
 
-def _limited_by(source: Mapping[str, object], limits: Limits) -> Limits:
+def _limited_by(source: Mapping[str, object], limits: SessionLimits) -> SessionLimits:
     devices, folder = limits.devices, limits.folder
     if DEVICES.key in source:
         given = _limit(DEVICES, source)
@@ -350,7 +350,7 @@ def _limited_by(source: Mapping[str, object], limits: Limits) -> Limits:
     if CONFINED.key in source:
         folder = _folder_within(_limit(CONFINED, source), folder)
         devices = devices or ()
-    return Limits(folder, devices)
+    return SessionLimits(folder, devices)
 
 
 def _limit(key: Key, source: Mapping[str, object]) -> Any:

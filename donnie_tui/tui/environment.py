@@ -86,7 +86,7 @@ def print_last_lines(lines: Sequence[str]) -> None:
 def pager(environment: Mapping[str, str]) -> list[str] | None:
     """The command that shows a text: the one of PAGER, else less. None for Donnie's own pages.
 
-    ``more`` is none of them: it starts a shell for any learner who asks for it.
+    ``more`` is none of them: it has a key that starts a shell.
     """
     import shlex
     import shutil

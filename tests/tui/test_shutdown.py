@@ -94,9 +94,10 @@ def test_the_robot_is_halted_where_the_screen_can_not_be_notified(monkeypatch):
 
 
 @pytest.fixture
-def rested() -> Iterator[list[str]]:
+def rested(monkeypatch: pytest.MonkeyPatch) -> Iterator[list[str]]:
     """A suspension is recorded here instead."""
     order = list[str]()
+    monkeypatch.setattr(shutdown, "can_suspend", lambda: True)
     found = signal.signal(signal.SIGTSTP, lambda *_: order.append("rest"))
     yield order
     signal.signal(signal.SIGTSTP, found)
@@ -111,6 +112,19 @@ def test_control_z_suspends_the_process_after_the_robot_has_stopped(rested):
         line.end()
 
     assert rested == ["stop", "rest"]
+
+
+def test_control_z_without_a_shell_above_stops_no_robot_and_is_passed_to_the_screen(monkeypatch, rested):
+    monkeypatch.setattr(shutdown, "can_suspend", lambda: False)
+    passed = Recorder()
+    line = made(before_rest=lambda: rested.append("stop"), notify=passed)
+    line.begin()
+    try:
+        signal.raise_signal(signal.SIGTSTP)
+    finally:
+        line.end()
+
+    assert (rested, passed.all) == ([], [signal.SIGTSTP])
 
 
 def test_control_z_suspends_although_the_main_thread_holds_the_lock_of_the_stop(monkeypatch, rested):

@@ -25,7 +25,7 @@ EDGE = 8
 
 
 def written(path: Path, *cues: tuple[float, Cue], until: float = 0.0) -> bytes:
-    renderer = WavCueWriter(path)
+    renderer = WavCueWriter(path.open("wb"))
     for at, cue in cues:
         renderer.add(cue, at)
     renderer.write_until(until)
@@ -82,7 +82,7 @@ def test_simultaneous_cues_are_dropped_as_at_a_loudspeaker(tmp_path: Path) -> No
 
 def test_an_endless_wait_does_not_fill_the_disk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("devices.audio.mixer.LONGEST", 3.0)
-    renderer = WavCueWriter(tmp_path / "a.wav")
+    renderer = WavCueWriter((tmp_path / "a.wav").open("wb"))
     renderer.write_until(1e12)
     assert renderer.is_full
     renderer.add(Cue("bump"), 1e12)

@@ -65,9 +65,10 @@ def test_a_suspension_begins_after_the_stop_that_needed_the_held_lock(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     held, rests = Held(), list[list[bool]]()
+    monkeypatch.setattr(streams, "can_suspend", lambda: True)
     monkeypatch.setattr(streams, "suspend", lambda **_: rests.append(list(held.got)))
     monkeypatch.setattr(streams, "_LONGEST_REST", 0.01)
-    with stopped_by_suspension(held.stop) as rested:
+    with stopped_by_suspension(held.stop, _never) as rested:
         held.interrupted_by(signal.SIGTSTP)
 
     assert rests == [[True]]
@@ -101,3 +102,18 @@ def _once(full: Callable[[int, memoryview], int]) -> Callable[[int, memoryview],
 
 def _nothing(_: object) -> None:
     return
+
+
+def _never() -> None:
+    raise AssertionError("it was refused")
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGTSTP"), reason="no Ctrl+Z here")
+def test_control_z_without_a_shell_above_stops_nothing_and_is_answered(monkeypatch: pytest.MonkeyPatch) -> None:
+    held, refused = Held(), threading.Event()
+    monkeypatch.setattr(streams, "can_suspend", lambda: False)
+    with stopped_by_suspension(held.stop, refused.set) as rested:
+        signal.raise_signal(signal.SIGTSTP)
+        assert refused.wait(TIMEOUT)
+
+    assert (held.got, rested.is_set()) == ([], False)

@@ -15,6 +15,7 @@ import pytest
 from devices.board_simulator.board import SimulatedBoard
 from devices.board_simulator.pty import PtyBoard
 from devices.ports.robot import LinkNotice, RobotProblem, StoppedBy
+from devices.serial_ports import port
 from devices.serial_ports.port import SerialPort
 from devices.serial_ports.reset import Pause
 from devices.serial_robot.config import RobotConfig
@@ -35,6 +36,11 @@ SLOW_MACHINE = LinkConfig(silence=10.0, lease=5.0, runaway=10.0, reopen=0.1)
 def started() -> SimulatedBoard:
     """A board whose sketch started nine tenths of a second ago, so it asks for its configuration soon."""
     return SimulatedBoard(boot_loader=-0.9)
+
+
+@pytest.fixture(autouse=True)
+def _loops(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(port, "OTHER_SCHEMES", ("loop",))
 
 
 @pytest.fixture

@@ -10,9 +10,18 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+import serial
 
 from devices.port_exchange import identify
-from devices.serial_ports.port import GONE, PortFault, PortProblem, SerialPort, group_of, is_same_port
+from devices.serial_ports.port import (
+    GONE,
+    PortFault,
+    PortProblem,
+    SerialPort,
+    allow_only,
+    group_of,
+    is_same_port,
+)
 from donnie_tui.i18n.words import Words
 from tests.timeouts import TIMEOUT
 from tests.unit.devices.board_ports import BoardPort, opener
@@ -41,7 +50,11 @@ def test_a_terminals_error_while_opening_is_a_problem(monkeypatch: pytest.Monkey
 
 
 @pytest.mark.parametrize(
-    "address", ["hwgrep://[", "loop://?logging=loud", "socket://robot", "rfc2217://robot"]
+    "address",
+    [
+        *("hwgrep://[", "loop://?logging=loud", "socket://robot", "rfc2217://robot", "loop://", "LOOP://"),
+        *("alt:///dev/null?class=VTIMESerial", "hwgrep://.", "spy://", "cp2110://", "file:///dev/null", "x://y:1"),
+    ],
 )
 def test_an_address_that_can_not_be_parsed_is_a_problem_with_a_translated_sentence(address: str) -> None:
     with pytest.raises(PortProblem) as caught:
@@ -49,6 +62,47 @@ def test_an_address_that_can_not_be_parsed_is_a_problem_with_a_translated_senten
     assert (caught.value.fault, caught.value.reason) == (PortFault.UNUSABLE, "Invalid argument")
     sentence = Words("pt")("problem-port-failed", port=address, reason=caught.value.reason)
     assert sentence.endswith("não se entende.")
+
+
+@pytest.mark.parametrize("scheme", ["spy", "SPY", "Spy"])
+def test_an_address_that_writes_a_file_is_refused_before_it_writes(scheme: str, tmp_path: Path) -> None:
+    with pytest.raises(PortProblem) as caught:
+        SerialPort(f"{scheme}:///dev/null?file={tmp_path}/spied", 9600)
+
+    assert caught.value.fault is PortFault.UNUSABLE
+    assert not (tmp_path / "spied").exists()
+
+
+def test_only_the_named_ports_can_be_opened(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A link to a named port is that port, and the name that was given is the one that is opened."""
+    other_end, terminal = os.openpty()
+    device = os.ttyname(terminal)
+    (tmp_path / "robot").symlink_to(device)
+    (tmp_path / "other").symlink_to("/dev/ptmx")
+    opened: list[str] = []
+    serial_for_url = serial.serial_for_url
+
+    def watched(address: str, **how: object) -> object:
+        opened.append(address)
+        return serial_for_url(address, **how)
+
+    monkeypatch.setattr("serial.serial_for_url", watched)
+    allow_only([device])
+    try:
+        for name in (device, f"{tmp_path}/robot"):
+            SerialPort(name, 9600).close()
+        for name in ("/dev/ptmx", f"{tmp_path}/other", "socket://localhost:1", "", "/dev/null"):
+            with pytest.raises(PortProblem) as caught:
+                SerialPort(name, 9600)
+            assert caught.value.fault is PortFault.NOT_NAMED
+        allow_only([])
+        with pytest.raises(PortProblem):
+            SerialPort(device, 9600)
+    finally:
+        allow_only(None)
+        os.close(terminal)
+        os.close(other_end)
+    assert opened == [device] * 2
 
 
 def test_a_file_is_not_a_port(tmp_path: Path) -> None:

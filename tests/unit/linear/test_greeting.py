@@ -77,7 +77,7 @@ def test_what_options_take_is_what_the_settings_say() -> None:
 
 def test_the_greeting_knows_which_common_options_are_plain() -> None:
     """A new option belongs to one of the three tables of the greeting, or here, which delays the greeting."""
-    late = {"robot", "record", "belt"}
+    late = {"robot", "record", "belt", "confined", "devices"}
     plain = {*greeting.PLAIN_VALUES, *greeting._WITH_VALUE, *greeting._WITH_NUMBER}
 
     assert plain == {BY_KEY[key].option for key in COMMON if key not in late}
