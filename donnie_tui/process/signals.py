@@ -175,7 +175,7 @@ def can_suspend() -> bool:
 
 
 def has_shell_above() -> bool:
-    """Whether the process group is not orphaned, in the sense of POSIX. Our ancestors are looked at, no others.
+    """Whether the process group is not orphaned, in the sense of POSIX, as far as its ancestors show.
 
     Donnie is in the group of the session's leader where it is the command of an ssh or of a new terminal.
     """

@@ -309,7 +309,7 @@ class SessionLimits(Struct, frozen=True):
 
 
 class BadLimitsError(Exception):
-    """SessionLimits that can't be kept, so that Donnie must not start: the code of a sentence and its values."""
+    """Limits that can't be kept, so that Donnie must not start: the code of a sentence and its values."""
 
     def __init__(self, code: str, **values: object) -> None:
         super().__init__(code)

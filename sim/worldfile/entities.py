@@ -57,15 +57,23 @@ class FileReader:
                 yield Placed(str(path), statement)
 
     def find(self, name: str, including: Path) -> Path | None:
-        """The file that ``name`` means in ``including``, or None; WorldError-free, but may lie outside."""
+        """The file that ``name`` means in ``including``, or None; WorldError-free, but may lie outside.
+
+        A name that only leads outside is answered alike whether there is such a file or not.
+        """
         places = [including.resolve().parent, *self.folders]
         candidates = [folder / name for folder in places]
         existing = [path for path in candidates if _is_file(path)]
         inside = [path for path in existing if self.is_allowed(path)]
+        if not existing and not any(map(self.is_allowed, candidates)):
+            return candidates[0]
         return next(iter(inside or existing), None)
 
     def is_allowed(self, path: Path) -> bool:
-        resolved = path.resolve()
+        try:
+            resolved = path.resolve()
+        except (OSError, ValueError):  # a path that no system could have
+            return True
         return any(resolved.is_relative_to(folder) for folder in self.folders)
 
     def _included(self, include: tree.Include, path: Path, above: tuple[Path, ...]) -> Iterator[Placed]:

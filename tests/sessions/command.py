@@ -37,7 +37,7 @@ def donnie(
 
 
 def start(folder: Path, *arguments: str, changes: Mapping[str, str] | None = None) -> subprocess.Popen[bytes]:
-    """Start the command and leave it running."""
+    """Start the command and leave it running, in a process group of its own, as a shell would."""
     return subprocess.Popen(
         [*COMMAND, *arguments],
         stdin=subprocess.DEVNULL,
@@ -45,6 +45,7 @@ def start(folder: Path, *arguments: str, changes: Mapping[str, str] | None = Non
         stderr=subprocess.PIPE,
         cwd=folder,
         env=environment(folder, changes),
+        process_group=0,
     )
 
 

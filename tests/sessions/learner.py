@@ -10,6 +10,7 @@ from pathlib import Path
 import pexpect
 
 from tests.environment import of_a_process
+from tests.sessions.shell import below_shell, job_of
 from tests.timeouts import TIMEOUT
 
 ESC, UP, DOWN, LEFT, HOME = "\x1b", "\x1b[A", "\x1b[B", "\x1b[D", "\x1b[H"
@@ -20,12 +21,22 @@ class Learner:
     """One session of ``donnie --linear`` in a folder of its own, on a terminal of 80 by 24."""
 
     def __init__(
-        self, folder: Path, *options: str, speed: str = "max", language: str = "en", **more: str
+        self,
+        folder: Path,
+        *options: str,
+        speed: str = "max",
+        language: str = "en",
+        is_job: bool = False,
+        **more: str,
     ) -> None:
+        """``is_job``: a shell is above, to which Ctrl+Z leads back."""
+        self._is_job = is_job
         quiet = ["--speech", "off", "--sound", "off", "--lang", language, "--speed", speed]
+        command = [sys.executable, "-m", "donnie_tui", "--linear", *quiet, *options]
+        first, *others = below_shell(command) if is_job else command
         self.child: pexpect.spawn[bytes] = pexpect.spawn(
-            sys.executable,
-            ["-m", "donnie_tui", "--linear", *quiet, *options],
+            first,
+            others,
             env=of_a_process(folder, **{"TERM": "xterm", **more}),
             cwd=str(folder),
             dimensions=(24, 80),
@@ -34,6 +45,11 @@ class Learner:
         )
         self.child.delaybeforesend = None
         self._seen = b""
+
+    @property
+    def pid(self) -> int:
+        """The process of Donnie."""
+        return job_of(self.child.pid) if self._is_job else self.child.pid
 
     def types(self, keys: str) -> None:
         self.child.send(keys.encode())

@@ -165,6 +165,7 @@ def calibration(tmp_path: Path, robot: PtyBoard) -> subprocess.Popen[bytes]:
         stdout=subprocess.PIPE,
         cwd=tmp_path,
         env=environment(tmp_path),
+        process_group=0,  # as a shell would: Ctrl+Z leads back to it
     )
     assert process.stdin is not None
     process.stdin.write(b"\n")

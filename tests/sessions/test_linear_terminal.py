@@ -18,6 +18,7 @@ from tests.sessions.learner import (
     said,
     until,
 )
+from tests.sessions.shell import is_stopped
 
 
 def test_the_linear_mode_begins_with_two_lines_and_a_prompt(learner: Learner) -> None:
@@ -82,21 +83,45 @@ def test_the_terminal_is_left_as_it_was_found(learner: Learner) -> None:
     assert after[3] & termios.ICANON
 
 
-def test_control_z_restores_the_terminal_until_the_session_continues(learner: Learner) -> None:
+def test_control_z_restores_the_terminal_until_the_session_continues(tmp_path: Path) -> None:
+    learner = Learner(tmp_path, is_job=True)
     learner.enters("WHERE")
     learner.sees("Facing north.\r\n> ")
     learner.types("FW 3")
     learner.sees("FW 3")
     learner.types(CTRL_Z)
-    _, status = os.waitpid(learner.child.pid, os.WUNTRACED)
+    until(lambda: is_stopped(learner.pid))
     while_away = termios.tcgetattr(learner.child.fileno())[3]
-    learner.child.kill(signal.SIGCONT)
+    os.kill(learner.pid, signal.SIGCONT)
     learner.sees("> FW 3")
     learner.types(ESC)
     learner.sees("I walked 3 steps forward.")
 
-    assert os.WIFSTOPPED(status)
     assert while_away & termios.ECHO
+
+
+def test_control_z_without_a_shell_above_is_answered_and_what_is_typed_stays(learner: Learner) -> None:
+    """As in ``ssh -t host donnie``, where the terminal has no other process."""
+    learner.enters("WHERE")
+    learner.sees("Facing north.\r\n> ")
+    learner.types("FW 3")
+    learner.sees("FW 3")
+    learner.types(CTRL_Z)
+    learner.sees("Ctrl+Z has no effect here.\r\n> FW 3")
+    learner.types(ESC)
+    learner.sees("I walked 3 steps forward.")
+
+
+def test_control_z_without_a_shell_above_lets_a_program_run(tmp_path: Path) -> None:
+    learner = Learner(tmp_path, speed="5")
+    for each in ("FW 10", "SPEAK 55"):
+        learner.enters(each)
+    learner.types("RUN\r")
+    learner.sees("RUN")
+    learner.types(CTRL_Z)
+    learner.sees("Ctrl+Z has no effect here.")
+    learner.sees("I walked 10 steps forward.")
+    learner.sees("55")
 
 
 def test_nothing_but_text_is_printed_outside_of_editing(learner: Learner, tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import sys
 import threading
@@ -15,8 +16,9 @@ from devices.wire.commands import CONFIGURE, STOP
 from donnie_tui.core.events import CueSounded, Outcome, Stamped
 from donnie_tui.core.session import RunOptions
 from tests.sessions.command import COMMAND, QUIET, donnie, environment, start
-from tests.sessions.learner import Learner
+from tests.sessions.learner import CTRL_C, CTRL_Z, Learner
 from tests.sessions.real_robot import LONG_WALK, assembled, half_a_frame, is_suspended, program, serial, until
+from tests.sessions.shell import is_stopped
 from tests.timeouts import TIMEOUT
 
 pytestmark = pytest.mark.slow
@@ -65,17 +67,32 @@ def test_control_z_stops_the_robot_before_the_run_is_suspended(tmp_path: Path, r
 
 
 def test_control_z_stops_the_robot_of_the_linear_mode(tmp_path: Path, robot: PtyBoard) -> None:
+    learner = Learner(tmp_path, *serial(robot), program(tmp_path, LONG_WALK), is_job=True)
+    learner.sees("Robot connected.")
+    learner.sees_prompt()
+    learner.types("RUN\r")
+    assert until(lambda: robot.board.is_driving)
+    learner.types(CTRL_Z)
+    assert until(lambda: is_stopped(learner.pid))
+    assert until(lambda: not robot.board.is_driving)
+    os.kill(learner.pid, signal.SIGCONT)
+    learner.sees("You left with Ctrl+Z, so I stopped the robot.")
+    learner.sees("Stopped")
+
+
+def test_control_z_without_a_shell_above_stops_no_robot(tmp_path: Path, robot: PtyBoard) -> None:
+    """As the command of an ssh, where the kernel would suspend nothing."""
     learner = Learner(tmp_path, *serial(robot), program(tmp_path, LONG_WALK))
     learner.sees("Robot connected.")
     learner.sees_prompt()
     learner.types("RUN\r")
     assert until(lambda: robot.board.is_driving)
-    learner.child.kill(signal.SIGTSTP)
-    assert is_suspended(learner.child.pid)
-    assert until(lambda: not robot.board.is_driving)
-    learner.child.kill(signal.SIGCONT)
-    learner.sees("You left with Ctrl+Z, so I stopped the robot.")
+    learner.types(CTRL_Z)
+    learner.sees("Ctrl+Z has no effect here.")
+    assert robot.board.is_driving
+    learner.types(CTRL_C)
     learner.sees("Stopped")
+    assert until(lambda: not robot.board.is_driving)
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=lambda each: each.name)
@@ -112,18 +129,18 @@ def test_a_suspended_run_stops_a_robot_after_half_a_frame(tmp_path: Path, robot:
 def test_the_linear_mode_stops_a_robot_after_half_a_frame(
     tmp_path: Path, robot: PtyBoard, number: signal.Signals
 ) -> None:
-    learner = Learner(tmp_path, *serial(robot), program(tmp_path, LONG_WALK))
+    learner = Learner(tmp_path, *serial(robot), program(tmp_path, LONG_WALK), is_job=True)
     learner.sees("Robot connected.")
     learner.sees_prompt()
     learner.types("RUN\r")
     assert until(lambda: robot.board.is_driving)
     half_a_frame(robot)
-    learner.child.kill(number)
+    os.kill(learner.pid, number)
 
     if number is signal.SIGTSTP:
-        assert is_suspended(learner.child.pid)
+        assert until(lambda: is_stopped(learner.pid))
         assert not robot.board.is_driving
-        learner.child.kill(signal.SIGKILL)
+        os.kill(learner.pid, signal.SIGKILL)
     else:
         learner.leaves()
         assert not robot.board.is_driving

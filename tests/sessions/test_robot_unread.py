@@ -18,7 +18,8 @@ from devices.board_simulator.pty import PtyBoard
 from devices.wire.commands import CONFIGURE, STOP
 from tests.sessions.command import COMMAND, QUIET, environment
 from tests.sessions.learner import Learner
-from tests.sessions.real_robot import half_a_frame, is_suspended, program, serial, until
+from tests.sessions.real_robot import half_a_frame, program, serial, until
+from tests.sessions.shell import is_stopped
 from tests.timeouts import TIMEOUT
 
 pytestmark = pytest.mark.slow
@@ -36,10 +37,10 @@ def terminal_that_takes_nothing(child: pexpect.spawn) -> Iterator[None]:
         os.close(terminal)
 
 
-def is_stuck(child: pexpect.spawn) -> Callable[[], bool]:
+def is_stuck(process: int) -> Callable[[], bool]:
     """Whether a thread of it waits for the terminal."""
     waits = ("tty", "wait_woken", "n_tty_write")
-    threads = Path(f"/proc/{child.pid}/task")
+    threads = Path(f"/proc/{process}/task")
     return lambda: any(_place(each) in waits for each in threads.iterdir())
 
 
@@ -66,7 +67,7 @@ def test_a_run_with_unread_output_stops_its_robot_and_ends(
     assert until(lambda: robot.board.is_driving)
     with terminal_that_takes_nothing(run):
         robot.board.millivolts = 6000
-        assert until(is_stuck(run))
+        assert until(is_stuck(run.pid))
         half_a_frame(robot)
         run.kill(number)
 
@@ -78,19 +79,19 @@ def test_a_run_with_unread_output_stops_its_robot_and_ends(
 def test_control_z_stops_the_robot_of_the_linear_mode_at_a_stuck_terminal(
     tmp_path: Path, robot: PtyBoard
 ) -> None:
-    learner = Learner(tmp_path, *serial(robot), program(tmp_path, "FW 300\n"))
+    learner = Learner(tmp_path, *serial(robot), program(tmp_path, "FW 300\n"), is_job=True)
     learner.sees("Robot connected.")
     learner.sees_prompt()
     learner.types("RUN\r")
     assert until(lambda: robot.board.is_driving)
     with terminal_that_takes_nothing(learner.child):
         robot.board.millivolts = 6000
-        assert until(is_stuck(learner.child))
-        learner.child.kill(signal.SIGTSTP)
+        assert until(is_stuck(learner.pid))
+        os.kill(learner.pid, signal.SIGTSTP)
 
         assert until(lambda: not robot.board.is_driving)
-    assert is_suspended(learner.child.pid)
-    learner.child.kill(signal.SIGCONT)
+    assert until(lambda: is_stopped(learner.pid))
+    os.kill(learner.pid, signal.SIGCONT)
     learner.sees("You left with Ctrl+Z, so I stopped the robot.")
 
 
@@ -100,7 +101,7 @@ PAINT_ANEW = "\x0b\x1b[15~"
 
 def is_full(screen: pexpect.spawn) -> Callable[[], bool]:
     """Whether a thread of it waits for the terminal in most looks, but for what a signal wakes it."""
-    is_waiting, looks = is_stuck(screen), list[bool]()
+    is_waiting, looks = is_stuck(screen.pid), list[bool]()
 
     def look() -> bool:
         if len(looks) % 50 == 0:

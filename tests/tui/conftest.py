@@ -178,9 +178,14 @@ def terminal(tmp_path: Path) -> Iterator[Callable[..., Any]]:
     opened: list[Terminal] = []
 
     def open_one(
-        *arguments: str, columns: int = 80, rows: int = 24, controls: bool = False, **environment: str
+        *arguments: str,
+        columns: int = 80,
+        rows: int = 24,
+        controls: bool = False,
+        is_job: bool = False,
+        **environment: str,
     ) -> Terminal:
-        opened.append(Terminal(list(arguments), tmp_path, columns, rows, environment, controls))
+        opened.append(Terminal(list(arguments), tmp_path, columns, rows, environment, controls, is_job))
         opened[-1].shows("Command line." if "--plain" in arguments else "Ready, speed")
         return opened[-1]
 

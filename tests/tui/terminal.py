@@ -49,8 +49,12 @@ class Terminal:
         rows: int = 24,
         more: dict[str, str] | None = None,
         controls: bool = False,
+        is_job: bool = False,
     ) -> None:
-        """``controls``: the line belongs to the program's session, which notices its loss."""
+        """``controls``: the line belongs to the program's session, which notices its loss.
+
+        ``is_job``: this process is the shell above, to which Ctrl+Z leads back.
+        """
         self.screen = pyte.Screen(columns, rows)
         self._stream = pyte.ByteStream(self.screen)
         self.raw = b""
@@ -67,7 +71,8 @@ class Terminal:
             stderr=slave,
             cwd=ROOT,
             env=environment,
-            start_new_session=True,
+            start_new_session=not is_job,
+            process_group=0 if is_job else None,
             preexec_fn=(lambda: fcntl.ioctl(0, termios.TIOCSCTTY, 0)) if controls else None,
         )
 

@@ -69,7 +69,7 @@ def test_what_something_else_wrote_over_the_screen_goes_away_when_it_is_painted_
 
 
 def test_a_process_that_goes_on_paints_the_whole_screen(terminal):
-    donnie = terminal()
+    donnie = terminal(is_job=True)
     donnie.process.send_signal(signal.SIGTSTP)
     os.waitpid(donnie.process.pid, os.WUNTRACED)
     before = written_over(donnie)

@@ -1,4 +1,4 @@
-"""What a confined process can open, make and list, whatever a path looks like and whatever links there are."""
+"""What a confined process can open, make and list, whatever a path looks like."""
 
 from __future__ import annotations
 
@@ -9,7 +9,13 @@ from pathlib import Path
 import pytest
 
 from donnie_tui.core.line_history import LineHistory
-from donnie_tui.core.program_files import DocumentError, RecentFiles, program_to_open, read_program, write_program
+from donnie_tui.core.program_files import (
+    DocumentError,
+    RecentFiles,
+    program_to_open,
+    read_program,
+    write_program,
+)
 from donnie_tui.core.recovery import CopyFolder
 from donnie_tui.process import confinement
 from donnie_tui.process.confinement import (
@@ -239,7 +245,9 @@ def test_recent_files_are_those_inside(folder: Path, tmp_path: Path) -> None:
     assert recent.paths() == (folder / "mine.gd",)
 
 
-def test_a_relative_name_means_a_file_inside(folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_relative_name_means_a_file_inside(
+    folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.chdir(tmp_path)
     confine(Confinement(str(folder)))
     assert Path.cwd() == folder

@@ -125,7 +125,11 @@ def sentences_in(text: str) -> set[str]:
     No form of a value, and no line of the usage, which begins with an option in brackets.
     """
     lines = (" ".join(line.split()) for line in text.splitlines())
-    return {line for line in lines if len(re.findall(r"\b[^\W\d_A-Z]{4,}\b", line)) > 1 and not re.search(r"\||^\[--", line)}
+    return {
+        line
+        for line in lines
+        if len(re.findall(r"\b[^\W\d_A-Z]{4,}\b", line)) > 1 and not re.search(r"\||^\[--", line)
+    }
 
 
 @pytest.mark.parametrize("language", ["pt", "es"])

@@ -109,7 +109,9 @@ def _never() -> None:
 
 
 @pytest.mark.skipif(not hasattr(signal, "SIGTSTP"), reason="no Ctrl+Z here")
-def test_control_z_without_a_shell_above_stops_nothing_and_is_answered(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_control_z_without_a_shell_above_stops_nothing_and_is_answered(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     held, refused = Held(), threading.Event()
     monkeypatch.setattr(streams, "can_suspend", lambda: False)
     with stopped_by_suspension(held.stop, refused.set) as rested:

@@ -53,7 +53,14 @@ def test_a_terminals_error_while_opening_is_a_problem(monkeypatch: pytest.Monkey
     "address",
     [
         *("hwgrep://[", "loop://?logging=loud", "socket://robot", "rfc2217://robot", "loop://", "LOOP://"),
-        *("alt:///dev/null?class=VTIMESerial", "hwgrep://.", "spy://", "cp2110://", "file:///dev/null", "x://y:1"),
+        *(
+            "alt:///dev/null?class=VTIMESerial",
+            "hwgrep://.",
+            "spy://",
+            "cp2110://",
+            "file:///dev/null",
+            "x://y:1",
+        ),
     ],
 )
 def test_an_address_that_can_not_be_parsed_is_a_problem_with_a_translated_sentence(address: str) -> None:
