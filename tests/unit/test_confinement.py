@@ -17,6 +17,7 @@ from donnie_tui.core.program_files import (
     write_program,
 )
 from donnie_tui.core.recovery import CopyFolder
+from donnie_tui.linear.reader import candidates
 from donnie_tui.process import confinement
 from donnie_tui.process.confinement import (
     Confinement,
@@ -243,6 +244,23 @@ def test_recent_files_are_those_inside(folder: Path, tmp_path: Path) -> None:
     (folder / ".donnie" / "recent.txt").write_text("".join(f"{each}\n" for each in names))
 
     assert recent.paths() == (folder / "mine.gd",)
+
+
+@pytest.mark.parametrize(
+    "typed", ["../s", "way/s", "/etc/pas", "/proc/self/root/etc/pas", ".h", ".donnie/", "li", "r"]
+)
+def test_tab_completes_no_name_from_outside_and_no_hidden_one(typed: str, folder: Path) -> None:
+    (folder / ".hidden.gd").write_text("")
+    (folder / ".donnie").mkdir()
+
+    assert candidates(None, f"OPEN {typed}") == ()  # type: ignore[arg-type] # a file name needs no context
+
+
+@pytest.mark.parametrize(
+    ("typed", "found"), [("m", "mine.gd"), ("sub/", "sub/coração é.gd"), ("wi", "within/")]
+)
+def test_tab_completes_names_inside(typed: str, found: str, folder: Path) -> None:
+    assert candidates(None, f"OPEN {typed}") == (found,)  # type: ignore[arg-type] # as above
 
 
 def test_a_relative_name_means_a_file_inside(

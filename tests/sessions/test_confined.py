@@ -1,0 +1,366 @@
+"""``donnie --confined FOLDER``: nothing of a session leaves the folder, and every refusal is a sentence."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+
+from donnie_tui.cli.main import main
+from donnie_tui.process.confinement import confine
+from donnie_tui.settings import folders
+from tests.sessions.command import QUIET, donnie
+from tests.sessions.learner import CTRL_Z, DOWN, UP, Learner, until
+
+SECRET = "SPEAK 4711\n"
+WORLD = 'include "donnie.inc"\n{more}\ndonnie( pose [ 0 0 0 90 ] )\n'
+
+
+@pytest.fixture
+def ana(tmp_path: Path) -> Path:
+    """The folder of a pupil. A link in it leads to a file of the teacher, which is next to it."""
+    (tmp_path / "secret.gd").write_text(SECRET)
+    folder = tmp_path / "ana"
+    folder.mkdir()
+    (folder / "mine.gd").write_text("FW 1\n")
+    (folder / "link.gd").symlink_to("../secret.gd")
+    (folder / "way").symlink_to("..")
+    return folder
+
+
+def outside(folder: Path) -> dict[str, str]:
+    """All files next to the pupil's folder, with what is in them."""
+    return {
+        str(each): each.read_text()
+        for each in folder.parent.rglob("*")
+        if each.is_file() and not each.is_relative_to(folder)
+    }
+
+
+NAMES = [
+    "../secret.gd",
+    "link.gd",
+    "way/secret.gd",
+    "{}/secret.gd",
+    "/proc/self/root{}/secret.gd",
+    "../new.gd",
+]
+
+
+# --- typed words
+
+
+def test_no_word_of_the_linear_mode_reads_or_writes_outside(ana: Path) -> None:
+    words = ["OPEN", "SAVE", "SAVE AS", "SAVE LOG", "REPORT LIST", "REPORT MAP", "WORLD", "WORLDS"]
+    names = [each.format(ana.parent) for each in NAMES]
+    lines = ["FW 2", *(f"{word} {name}" for word in words for name in names), "SAVE coração.gd", "QUIT"]
+    before = outside(ana)
+
+    done = donnie(ana.parent, "--linear", "--confined", "ana", *QUIET, typed="\n".join(lines) + "\n")
+    said = done.stdout.decode().splitlines()
+
+    assert said.count("Saved coração.gd, 1 line.") == 1
+    for name in names:
+        assert said.count(f"{name} is not in your folder.") == len(words), name
+    assert outside(ana) == before
+    assert "4711" not in done.stdout.decode()
+    assert (ana / "coração.gd").read_text() == "FW 2\n"
+
+
+@pytest.mark.parametrize("word", ["OPEN", "SAVE AS", "SAVE LOG", "REPORT LIST", "WORLD"])
+@pytest.mark.parametrize("name", [".bashrc", ".ssh/authorized_keys", ".donnie/settings.toml"])
+def test_hidden_files_are_refused(ana: Path, word: str, name: str) -> None:
+    (ana / ".bashrc").write_text("true\n")
+    (ana / ".ssh").mkdir()
+
+    done = donnie(ana, "--linear", "--confined", ".", *QUIET, typed=f"FW 2\nWHERE\n{word} {name}\nQUIT\n")
+
+    added = {"SAVE LOG": ".txt", "REPORT LIST": ".html"}.get(word, "")
+    refused = name if name.endswith(".toml") else f"{name}{added}"
+    assert f"{refused} is hidden. You can't use it here." in done.stdout.decode().splitlines()
+    assert (ana / ".bashrc").read_text() == "true\n"
+    assert not (ana / ".ssh" / "authorized_keys").exists()
+
+
+def test_a_relative_name_is_in_the_folder_wherever_the_session_begins(ana: Path) -> None:
+    done = donnie(
+        ana.parent, "--linear", "--confined", str(ana), "mine.gd", *QUIET, typed="RUN\nSAVE AS b.gd\n"
+    )
+
+    assert "I walked 1 step forward." in done.stdout.decode()
+    assert (ana / "b.gd").exists()
+
+
+def test_the_history_the_copies_and_the_settings_are_kept_in_the_folder(ana: Path) -> None:
+    """And they are found again at the next start."""
+    before = outside(ana)
+    learner = Learner(ana.parent, "--confined", "ana")
+    learner.enters("SET page ask", "FW 29")
+    learner.sees_prompt()
+    until(lambda: any((ana / ".donnie" / "unsaved").glob("*")))
+    learner.child.kill(9)
+    learner.child.wait()
+
+    kept = {each.name for each in (ana / ".donnie").iterdir()}
+    assert {"history", "unsaved", "settings.toml"} <= kept
+    assert outside(ana) == before
+
+    again = Learner(ana.parent, "--confined", "ana")
+    again.enters("RECOVER")
+    again.sees("Here it is again, 1 line.")
+    again.sees_prompt()
+    again.types(UP + UP)
+    again.sees("FW 29")
+    again.types(DOWN + DOWN)
+    again.types("\x15SET page\r")
+    again.sees("ask")
+
+
+def test_control_z_has_no_effect_although_a_shell_is_above(ana: Path) -> None:
+    learner = Learner(ana.parent, "--confined", "ana", is_job=True)
+    learner.sees_prompt()
+    learner.types(CTRL_Z)
+    learner.sees("Ctrl+Z has no effect here.")
+    learner.enters("WHERE")
+    learner.sees("Facing north.")
+
+
+# --- worlds
+
+
+@pytest.mark.parametrize(
+    ("more", "sentence"),
+    [
+        ('include "../teacher.inc"', "outside"),
+        ('include "linked.inc"', "outside"),
+        ('model( bitmap "../plan.png" )', "outside"),
+        ('model( bitmap "linked.png" )', "outside"),
+        ('include "/proc/self/root/etc/passwd"', "outside"),
+        ('include "../not-there.inc"', "outside"),
+    ],
+)
+def test_a_world_reads_nothing_outside(ana: Path, more: str, sentence: str) -> None:
+    (ana.parent / "teacher.inc").write_text("define secret model ( )\n")
+    (ana.parent / "plan.png").write_bytes(b"\x89PNG")
+    (ana / "linked.inc").symlink_to("../teacher.inc")
+    (ana / "linked.png").symlink_to("../plan.png")
+    (ana / "my.world").write_text(WORLD.format(more=more))
+
+    done = donnie(ana, "world", "my.world", "--confined", ".", *QUIET)
+
+    assert done.returncode == 2
+    assert sentence in done.stderr.decode()
+    assert b"Traceback" not in done.stderr
+
+
+def test_the_words_of_a_world_are_not_those_of_another_file(ana: Path) -> None:
+    (ana.parent / "secret.toml").write_text('[en]\ntitle = "4711"\ndescription = "x"\ntask = "y"\n')
+    (ana / "my.toml").symlink_to("../secret.toml")
+    (ana / "my.world").write_text(WORLD.format(more=""))
+
+    done = donnie(ana, "world", "my.world", "--confined", ".", *QUIET)
+    recorded = donnie(
+        ana, "run", "mine.gd", "--world", "my.world", "--record", "r", "--confined", ".", *QUIET
+    )
+
+    assert done.returncode == 0
+    assert b"4711" not in done.stdout + done.stderr
+    assert recorded.returncode == 2
+    assert not (ana / "r").exists() or "4711" not in (ana / "r").read_text()
+
+
+def test_a_world_in_the_folder_is_entered_recorded_and_replayed(ana: Path) -> None:
+    (ana / "own.inc").write_text("# mine\n")
+    (ana / "my.world").write_text(WORLD.format(more='include "own.inc"'))
+    limits = ("--confined", ".", *QUIET)
+
+    assert donnie(ana, "run", "mine.gd", "--world", "my.world", "--record", "r.rec", *limits).returncode == 0
+    assert donnie(ana, "replay", "r.rec", "--check", *limits).returncode == 0
+    assert donnie(ana, "replay", "r.rec", "--map", *limits).returncode == 0
+    assert not [each for each in (ana / ".donnie").iterdir() if each.name.startswith("donnie-")]
+
+
+# --- commands
+
+
+COMMANDS = [
+    "run {}",
+    "-f {}",
+    "run donnie={}",
+    "check {}",
+    "format {}",
+    "format -w {}",
+    "replay {}",
+    "replay {} --check",
+    "world {}",
+    "world maze --svg {}",
+    "world maze --brf {}",
+    "run mine.gd --world {}",
+    "run mine.gd --record {}",
+    "run mine.gd --events {}",
+    "run mine.gd --sound wav:{}",
+    "check --world {} mine.gd",
+]
+
+
+@pytest.fixture
+def here(ana: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """As ``ana``, with commands in this process."""
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(ana.parent / "config"))
+    monkeypatch.setenv("XDG_STATE_HOME", str(ana.parent / "state"))
+    monkeypatch.chdir(ana)
+    monkeypatch.setattr("donnie_tui.cli.main._ignore_suspension", lambda _: None)
+    yield ana
+    confine(None)
+    folders.keep_in(None)
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+@pytest.mark.parametrize("how", ["option", "variable"])
+def test_no_command_reads_or_writes_outside(
+    here: Path, command: str, how: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    before = outside(here)
+    if how == "variable":
+        monkeypatch.setenv("DONNIE_CONFINED", str(here))
+    limit = ["--confined", "."] if how == "option" else []
+    for name in (each.format(here.parent) for each in NAMES):
+        quiet = () if "wav:" in command else QUIET
+        assert main([*command.format(name).split(), *limit, *quiet]) == 2, name
+        out, err = capsys.readouterr()
+        assert err.splitlines() == [f"{name} is not in your folder."]
+        assert "4711" not in out
+
+    assert outside(here) == before
+
+
+def test_a_folder_of_programs_is_checked_without_what_is_outside(
+    here: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (here / ".hidden.gd").write_text("FWD\n")
+
+    assert main(["check", ".", "--confined", "."]) == 0
+    assert capsys.readouterr().err == "mine.gd: no mistakes.\n"
+
+
+def test_confinement_can_only_be_narrowed(
+    here: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (here / "sub").mkdir()
+    (here / "sub" / "in.gd").write_text("FW 1\n")
+    monkeypatch.setenv("DONNIE_CONFINED", str(here))
+
+    assert main(["run", "mine.gd", "--confined", str(here.parent), *QUIET]) == 2
+    assert capsys.readouterr().err == f"{here.parent} is not in {here}, where Donnie must stay.\n"
+    assert main(["run", "in.gd", "--confined", "sub", *QUIET]) == 0
+    assert main(["run", f"{here}/mine.gd", "--confined", f"{here}/sub", *QUIET]) == 2
+    assert main(["run", "mine.gd", "--confined", "/", "--confined", ".", *QUIET]) == 2
+    assert main(["run", "mine.gd", "--confined=/", "--confined", ".", *QUIET]) == 2
+    assert "--confined can be given once only." in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("value", ["", "none", "mine.gd", "~", "a\tb"])
+def test_a_folder_that_can_not_be_used_prevents_the_start(
+    here: Path, value: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Else a slip of the teacher would free the pupil."""
+    monkeypatch.setattr("pwd.getpwuid", lambda _: type("Account", (), {"pw_dir": "/no/such/home"}))
+    monkeypatch.setenv("DONNIE_CONFINED", value)
+
+    assert main(["run", "mine.gd", *QUIET]) == 2
+    assert "start" in capsys.readouterr().err
+
+
+# --- the settings of the machine
+
+
+@pytest.fixture
+def machine(here: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The settings file of the machine, which no variable moves."""
+    etc = here.parent / "etc"
+    etc.mkdir()
+    monkeypatch.setattr(folders, "MACHINE_FOLDERS", {sys.platform: str(etc)})
+    return etc / "settings.toml"
+
+
+def test_the_settings_of_the_machine_confine_and_nothing_lifts_them(
+    here: Path, machine: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    machine.write_text(f'confined = "{here}"\nlang = "pt"\n')
+    assert main(["check", "../secret.gd"]) == 2
+    assert capsys.readouterr().err == "../secret.gd não está na sua pasta.\n"
+
+    (here / ".donnie").mkdir()
+    (here / ".donnie" / "settings.toml").write_text('confined = "/"\ndevices = "/dev/tty"\nlang = "es"\n')
+    assert main(["check", "../secret.gd"]) == 2
+    assert capsys.readouterr().err.splitlines() == [
+        "Solo quien enseña puede fijar confined.",
+        "Solo quien enseña puede fijar devices.",
+        "../secret.gd no está en tu carpeta.",
+    ]
+
+    monkeypatch.setenv("DONNIE_CONFINED", "/")
+    assert main(["check", "mine.gd"]) == 2
+    monkeypatch.delenv("DONNIE_CONFINED")
+    for more in (["--confined", "/"], ["--devices", "/dev/tty"], ["--robot", "serial:/dev/tty"]):
+        assert main(["run", "mine.gd", *more, *QUIET]) == 2
+
+
+def test_an_account_is_confined_by_its_settings(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    account = here.parent / "config" / "donnie"
+    account.mkdir(parents=True)
+    (account / "settings.toml").write_text(f'confined = "{here}"\n')
+
+    assert main(["check", "../secret.gd"]) == 2
+    assert main(["check", "mine.gd"]) == 0
+
+
+@pytest.mark.parametrize(
+    "text", ["confined = \n", 'confined = "/no/such"\n', "confined = false\n", "confined = [1]\n"]
+)
+def test_damaged_settings_of_the_machine_free_nobody(
+    here: Path, machine: Path, text: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    machine.write_text(text)
+
+    assert main(["check", "mine.gd"]) == 2
+    assert "start" in capsys.readouterr().err
+
+
+# --- devices
+
+
+def test_only_the_named_ports_can_be_used(
+    here: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("DONNIE_CONFINED", str(here))
+    for command in (
+        "run mine.gd --robot serial:/dev/tty",
+        "stop /dev/tty",
+        "calibrate --robot serial:/dev/tty",
+    ):
+        assert main([*command.split(), *QUIET]) == 2
+        assert capsys.readouterr().err.startswith("/dev/tty can't be used in this session.")
+    assert main(["devices", "/dev/tty"]) == 2
+    assert "/dev/tty can't be used in this session." in capsys.readouterr().out
+    assert main(["run", "mine.gd", "--belt", "/dev/tty", *QUIET]) == 0
+    assert "/dev/tty" in capsys.readouterr().err
+
+    assert main(["run", "mine.gd", "--devices", "/dev/none", "--robot", "serial:/dev/none", *QUIET]) == 2
+    assert capsys.readouterr().err == "/dev/none is not among the ports of this session.\n"
+    monkeypatch.setenv("DONNIE_DEVICES", "/dev/none")
+    assert main(["run", "mine.gd", "--robot", "serial:/dev/none", *QUIET]) == 2
+    assert capsys.readouterr().err.startswith("Nothing is plugged in at /dev/none.")
+
+
+@pytest.mark.parametrize("address", ["spy:///dev/null?file=spied", "alt:///dev/null", "loop://", "LOOP://"])
+@pytest.mark.parametrize("option", ["--belt", "--robot"])
+def test_addresses_that_write_files_are_refused_everywhere(
+    here: Path, address: str, option: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    value = address if option == "--belt" else f"serial:{address}"
+
+    assert main(["run", "mine.gd", option, value, *QUIET]) == 2
+    assert f"The option {option} can't be" in capsys.readouterr().err
+    assert not (here / "spied").exists()
