@@ -252,7 +252,7 @@ def test_confinement_can_only_be_narrowed(
     monkeypatch.setenv("DONNIE_CONFINED", str(here))
 
     assert main(["run", "mine.gd", "--confined", str(here.parent), *QUIET]) == 2
-    assert capsys.readouterr().err == f"{here.parent} is not in {here}, where Donnie must stay.\n"
+    assert capsys.readouterr().err == f"{here.parent} is not in {here}.\n"
     assert main(["run", "in.gd", "--confined", "sub", *QUIET]) == 0
     assert main(["run", f"{here}/mine.gd", "--confined", f"{here}/sub", *QUIET]) == 2
     assert main(["run", "mine.gd", "--confined", "/", "--confined", ".", *QUIET]) == 2
@@ -319,7 +319,7 @@ def test_an_account_is_confined_by_its_settings(here: Path, capsys: pytest.Captu
 @pytest.mark.parametrize(
     "text", ["confined = \n", 'confined = "/no/such"\n', "confined = false\n", "confined = [1]\n"]
 )
-def test_damaged_settings_of_the_machine_free_nobody(
+def test_damaged_settings_of_the_machine_prevent_the_start(
     here: Path, machine: Path, text: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     machine.write_text(text)
@@ -348,7 +348,7 @@ def test_only_the_named_ports_can_be_used(
     assert "/dev/tty" in capsys.readouterr().err
 
     assert main(["run", "mine.gd", "--devices", "/dev/none", "--robot", "serial:/dev/none", *QUIET]) == 2
-    assert capsys.readouterr().err == "/dev/none is not among the ports of this session.\n"
+    assert capsys.readouterr().err == "/dev/none is not named for this session.\n"
     monkeypatch.setenv("DONNIE_DEVICES", "/dev/none")
     assert main(["run", "mine.gd", "--robot", "serial:/dev/none", *QUIET]) == 2
     assert capsys.readouterr().err.startswith("Nothing is plugged in at /dev/none.")
