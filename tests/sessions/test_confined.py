@@ -119,6 +119,7 @@ def test_the_history_the_copies_and_the_settings_are_kept_in_the_folder(ana: Pat
 
 def test_control_z_has_no_effect_although_a_shell_is_above(ana: Path) -> None:
     learner = Learner(ana.parent, "--confined", "ana", is_job=True)
+    learner.enters("WHERE")
     learner.sees_prompt()
     learner.types(CTRL_Z)
     learner.sees("Ctrl+Z has no effect here.")
