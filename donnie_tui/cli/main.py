@@ -79,7 +79,9 @@ def main(arguments: list[str], greeting: Greeting | None = None) -> int:
     words = Words(language_before_parsing(arguments, os.environ, {**machine, **start.account}))
     try:
         for damage in damages:  # it may be the line that limits the learner
-            raise Unusable(words(f"machine-{damage.code}", path=machine_settings_file(), **damage.values))
+            code = "damaged" if "line" in damage.values else "unreadable"
+            values = {**damage.values, "path": machine_settings_file()}
+            raise Unusable(words(f"machine-settings-file-{code}", **values))
         return _obey(arguments, words, start)
     except BadLimitsError as bad:
         complaint = words(bad.code, **bad.values)

@@ -86,6 +86,14 @@ def _folder(environment: Mapping[str, str], platform: str, variable: str, defaul
     return f"{given if given.startswith('/') else f'{home}/{default}'}/donnie"
 
 
+def _opened(path: str, flags: int) -> int:
+    if _own_folder is None:
+        return os.open(path, flags, 0o600)
+    from donnie_tui.process.confinement import open_descriptor  # loaded already
+
+    return open_descriptor(path, flags, 0o600)
+
+
 MARKER = "tour-was-offered"
 VOICE_MARKER = "voice-was-announced"
 
@@ -100,7 +108,7 @@ def offers_tour(folder: str, environment: Mapping[str, str]) -> bool:
         return False
     try:
         os.makedirs(folder, exist_ok=True)  # noqa: PTH103
-        os.close(os.open(path, os.O_WRONLY | os.O_CREAT, 0o600))
+        os.close(_opened(path, os.O_WRONLY | os.O_CREAT))
     except OSError:  # then it is offered again
         pass
     return True
@@ -110,14 +118,14 @@ def is_new_decision(folder: str, decided: str) -> bool:
     """Whether to announce this decision about the voice now; it is announced again when it has changed."""
     path = f"{folder}/{VOICE_MARKER}"
     try:
-        with open(path, encoding="utf-8") as kept:  # noqa: PTH123 -- pathlib is slow to load
+        with open(path, encoding="utf-8", opener=_opened) as kept:
             if kept.read(len(decided) + 1) == decided:
                 return False
     except (OSError, ValueError):
         pass
     try:
         os.makedirs(folder, exist_ok=True)  # noqa: PTH103
-        with open(path, "w", encoding="utf-8") as kept:  # noqa: PTH123
+        with open(path, "w", encoding="utf-8", opener=_opened) as kept:
             kept.write(decided)
     except OSError:  # then it is announced again
         pass
