@@ -18,6 +18,7 @@ OpenScript = Callable[..., Script]
         ("FEEL sí", "I say what the belt shows."),
         ("SET wait ligado", "Set wait: on."),
         ("LANGUAGE inglés", "Language: English."),
+        ("LANGUAGE espanhol", "Idioma: español."),
         ("DETAIL cheio", "Detail: full."),
         ("SET nonsense 3", "No setting is called nonsense. SET lists them."),
     ],
