@@ -31,10 +31,10 @@ COMPUTING = "WHILE 1 == 1 DO\nVAR x = 1\nEND WHILE"
 """Without end, and never idle."""
 
 
-def burst(desk, *keys: str) -> None:
+def burst(screen, *keys: str) -> None:
     """Keys that arrive at once."""
     for key in keys:
-        desk.app.post_message(events.Key(key, {"space": " "}.get(key, key if len(key) == 1 else None)))
+        screen.app.post_message(events.Key(key, {"space": " "}.get(key, key if len(key) == 1 else None)))
 
 
 class ScreenDriver:
@@ -43,7 +43,7 @@ class ScreenDriver:
     def __init__(self, app: DonnieApp, pilot: Pilot[int]) -> None:
         self.app = app
         self.pilot = pilot
-        self.place = app.main_screen
+        self.main = app.main_screen
 
     async def until(self, condition: Callable[[], Any], what: str = "") -> None:
         end = time.monotonic() + TIMEOUT
@@ -77,14 +77,14 @@ class ScreenDriver:
 
     async def type_line(self, text: str) -> None:
         """A line in the command line, and Enter."""
-        self.place.command_line.focus()
+        self.main.command_line.focus()
         await self.pilot.pause()
-        self.place.command_line.value = text
+        self.main.command_line.value = text
         await self.press("enter")
 
     async def answer(self, text: str) -> None:
         """Answer the question that is asked."""
-        await self.until(lambda: self.app.screen is not self.place, "a question")
+        await self.until(lambda: self.app.screen is not self.main, "a question")
         self.app.screen.query_one("#answer").value = text
         await self.press("enter")
 
@@ -97,7 +97,7 @@ class ScreenDriver:
 
     def load(self, text: str, breakpoints: frozenset[int] = frozenset()) -> None:
         """Another program in the editor."""
-        self.place.editor.show(text, breakpoints)
+        self.main.editor.show(text, breakpoints)
         self.app.controller.display.update()
 
     async def run(self, text: str) -> None:
@@ -106,34 +106,41 @@ class ScreenDriver:
         await self.press("f5")
         await self.shows("The program is done.")
 
-    async def doing(self, doing: RunState) -> None:
-        await self.until(lambda: self.app.controller.ctx.runs.state is doing, str(doing))
+    async def reaches(self, state: RunState) -> None:
+        await self.until(lambda: self.app.controller.ctx.runs.state is state, str(state))
 
     @property
     def log(self) -> tuple[str, ...]:
-        return self.place.log_rows.lines
+        return self.main.log_rows.lines
 
     @property
     def status(self) -> str:
-        return self.place.status.words
+        return self.main.status.words
 
     @property
-    def screen(self) -> str:
+    def text(self) -> str:
         """What is seen, as text."""
         strips = self.app.screen._compositor.render_strips()
         return "\n".join(strip.text.rstrip() for strip in strips)
 
     def map_rows(self) -> tuple[str, ...]:
-        assert self.place.map.grid is not None
-        return self.place.map.grid.rows()
+        assert self.main.map.grid is not None
+        return self.main.map.grid.rows()
+
+
+@pytest.fixture(autouse=True)
+def isolated_folders(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Settings and files of a test are in its own folder."""
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
+    monkeypatch.chdir(tmp_path)
 
 
 @pytest.fixture
-def work(tmp_path: Path):
-    """``async with work(text=..., size=...) as desk``."""
+def open_screen(tmp_path: Path):
+    """``async with open_screen(text=..., size=...) as screen``."""
 
     @asynccontextmanager
-    async def working(
+    async def opened(
         text: str | None = None,
         *,
         file: Path | None = None,
@@ -160,14 +167,14 @@ def work(tmp_path: Path):
         )
         try:
             async with app.run_test(size=size) as pilot:
-                desk = ScreenDriver(app, pilot)
-                await desk.until(lambda: app.controller and not app.startup.is_opening, "the session")
+                screen = ScreenDriver(app, pilot)
+                await screen.until(lambda: app.controller and not app.startup.is_opening, "the session")
                 await pilot.pause()
-                yield desk
+                yield screen
         finally:
             app.session.close()
 
-    return working
+    return opened
 
 
 @pytest.fixture

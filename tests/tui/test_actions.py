@@ -38,19 +38,19 @@ ARGUMENTS = {
 LEAVING = ("quit", "linear")
 
 
-def looked_at(desk) -> tuple[object, ...]:
+def looked_at(screen) -> tuple[object, ...]:
     """Where the focus is, and where on the map: the place has its own words."""
-    pointer = desk.place.map.pointer
-    return desk.app.focused, pointer and pointer.here
+    pointer = screen.main.map.pointer
+    return screen.app.focused, pointer and pointer.here
 
 
-def answers_after(desk) -> Callable[[], bool]:
+def answers_after(screen) -> Callable[[], bool]:
     """Whether a line was printed, a screen opened or the focus moved since then."""
-    before, place = len(desk.log), looked_at(desk)
+    before, place = len(screen.log), looked_at(screen)
 
     def is_answered() -> bool:
-        printed = any(not line.startswith(">") for line in desk.log[before:])
-        return printed or desk.app.screen is not desk.place or looked_at(desk) != place
+        printed = any(not line.startswith(">") for line in screen.log[before:])
+        return printed or screen.app.screen is not screen.main or looked_at(screen) != place
 
     return is_answered
 
@@ -58,34 +58,27 @@ def answers_after(desk) -> Callable[[], bool]:
 PROGRAM = "VAR a = 3\nREPEAT 2 TIMES\nFW a TR 90\nEND REPEAT\nFWD 1"
 
 
-@pytest.fixture(autouse=True)
-def own_folders(tmp_path, monkeypatch):
-    """Settings and files of a test stay its own."""
-    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
-    monkeypatch.chdir(tmp_path)
+async def back_to_the_main_screen(screen) -> None:
+    while screen.app.screen is not screen.main:
+        await screen.press("escape")
+        await screen.pilot.pause()
 
 
-async def back_to_the_main_screen(desk) -> None:
-    while desk.app.screen is not desk.place:
-        await desk.press("escape")
-        await desk.pilot.pause()
-
-
-async def test_every_word_is_answered_in_the_log_or_by_a_screen(work):
-    async with work(PROGRAM, world="living_room") as desk:
+async def test_every_word_is_answered_in_the_log_or_by_a_screen(open_screen):
+    async with open_screen(PROGRAM, world="living_room") as screen:
         for action in COMMANDS:
             if action.name in LEAVING:
                 continue
-            desk.load(PROGRAM)
-            await desk.pilot.pause()
-            desk.place.command_line.focus()
-            await desk.pilot.pause()
-            is_answered = answers_after(desk)
+            screen.load(PROGRAM)
+            await screen.pilot.pause()
+            screen.main.command_line.focus()
+            await screen.pilot.pause()
+            is_answered = answers_after(screen)
             typed = f"{word_of(action, 'en')} {ARGUMENTS.get(action.name, '')}".strip()
-            desk.app.on_command_line_typed(type(desk.place.command_line).Typed(typed))
-            await desk.until(is_answered, f"an answer to {action.name}")
-            await back_to_the_main_screen(desk)
-            await desk.idle()
+            screen.app.on_command_line_typed(type(screen.main.command_line).Typed(typed))
+            await screen.until(is_answered, f"an answer to {action.name}")
+            await back_to_the_main_screen(screen)
+            await screen.idle()
 
 
 LISTED = {each.name: each for each in COMMANDS}
@@ -104,12 +97,12 @@ ASKED = {
 
 
 @pytest.fixture
-def doing(monkeypatch):
-    """What is asked of the work by keys and by the palette, in place of its being done."""
+def record_commands(monkeypatch):
+    """What is asked for by keys and by the palette, in its stead."""
 
-    def instead_of(desk) -> list[str]:
+    def instead_of(screen) -> list[str]:
         done: list[str] = []
-        monkeypatch.setattr(desk.app.controller, "do", lambda name, argument=None: done.append(name))
+        monkeypatch.setattr(screen.app.controller, "do", lambda name, argument=None: done.append(name))
         return done
 
     return instead_of
@@ -124,19 +117,19 @@ def test_every_action_has_a_purpose_and_is_reached_by_its_word(language):
         assert (found[0].name, found[1]) == (action.name, "")
 
 
-async def test_every_key_runs_its_action(work, doing):
+async def test_every_key_runs_its_action(open_screen, record_commands):
     """One after the other, in one burst. An action may have none: it has a word, and a row of the palette."""
     keys = [(name, key) for name, action in LISTED.items() for key in action.keys]
-    async with work("FW 1") as desk:
-        done = doing(desk)
+    async with open_screen("FW 1") as screen:
+        done = record_commands(screen)
         for name, key in keys:
             before = len(done)
-            burst(desk, *(pressed(part) for part in key.split()))
-            await desk.until(lambda before=before: len(done) > before, f"{key} for {name}")
-        await desk.until(lambda: desk.app.screen is desk.place, "the main screen")
+            burst(screen, *(pressed(part) for part in key.split()))
+            await screen.until(lambda before=before: len(done) > before, f"{key} for {name}")
+        await screen.until(lambda: screen.app.screen is screen.main, "the main screen")
 
         assert done == [name for name, _ in keys]
-        assert desk.place.editor.text == "FW 1"
+        assert screen.main.editor.text == "FW 1"
 
 
 def pressed(key: str) -> str:
@@ -144,16 +137,16 @@ def pressed(key: str) -> str:
     return key.removeprefix("shift+").upper() if key.startswith("shift+") and len(key) == 7 else key
 
 
-async def test_every_action_is_chosen_from_the_palette_by_its_word(work, doing):
-    async with work("FW 1") as desk:
-        done = doing(desk)
+async def test_every_action_is_chosen_from_the_palette_by_its_word(open_screen, record_commands):
+    async with open_screen("FW 1") as screen:
+        done = record_commands(screen)
         for name, action in LISTED.items():
             before = len(done)
-            burst(desk, "ctrl+p", *letters(word_of(action, "en")), "enter")
-            await desk.until(lambda before=before: len(done) > before, f"{name}, chosen")
+            burst(screen, "ctrl+p", *letters(word_of(action, "en")), "enter")
+            await screen.until(lambda before=before: len(done) > before, f"{name}, chosen")
 
         assert done == list(LISTED)
-        assert desk.place.editor.text == "FW 1"
+        assert screen.main.editor.text == "FW 1"
 
 
 def letters(word: str) -> list[str]:
@@ -161,26 +154,26 @@ def letters(word: str) -> list[str]:
 
 
 @pytest.mark.parametrize("way", ["palette", "key"])
-async def test_an_action_asks_for_a_missing_argument(work, way):
+async def test_an_action_asks_for_a_missing_argument(open_screen, way):
     assert {name for name, action in LISTED.items() if action.asked_by_key} == set(ASKED)
-    async with work(PROGRAM) as desk:
+    async with open_screen(PROGRAM) as screen:
         for name, (answer, printed) in ASKED.items():
-            before, action = len(desk.log), LISTED[name]
+            before, action = len(screen.log), LISTED[name]
             if way == "key" and not action.keys:
                 continue
             if way == "palette":
-                burst(desk, "ctrl+p", *letters(word_of(action, "en")), "enter")
+                burst(screen, "ctrl+p", *letters(word_of(action, "en")), "enter")
             else:
-                burst(desk, *(pressed(part) for part in action.keys[0].split()))
-            await desk.until(
-                lambda a=action: f"{word_of(a, 'en')}, for example" in desk.screen, f"asked of {name}"
+                burst(screen, *(pressed(part) for part in action.keys[0].split()))
+            await screen.until(
+                lambda a=action: f"{word_of(a, 'en')}, for example" in screen.text, f"asked of {name}"
             )
-            await desk.answer(answer)
-            await desk.until(
-                lambda b=before, t=printed: any(t in line for line in desk.log[b:]), f"{printed} of {name}"
+            await screen.answer(answer)
+            await screen.until(
+                lambda b=before, t=printed: any(t in line for line in screen.log[b:]), f"{printed} of {name}"
             )
-            await back_to_the_main_screen(desk)
-            desk.load(PROGRAM)
+            await back_to_the_main_screen(screen)
+            screen.load(PROGRAM)
 
 
 def test_no_key_does_two_things():
@@ -195,10 +188,10 @@ def test_keys_have_the_names_on_the_keyboard():
     assert key_label("ctrl+s", "en") == "Ctrl+S"
 
 
-async def test_the_menu_key_lists_its_letters_and_esc_closes_the_list(work):
-    async with work() as desk:
-        await desk.press(MENU)
-        await desk.until(lambda: "Ctrl+K" not in desk.screen and "Esc goes back" in desk.screen, "the menu")
-        assert "A: WHOLE MAP: Shows all, or follows Donnie." in desk.screen
-        await desk.press("escape")
-        await desk.until(lambda: desk.app.screen is desk.place, "the main screen")
+async def test_the_menu_key_lists_its_letters_and_esc_closes_the_list(open_screen):
+    async with open_screen() as screen:
+        await screen.press(MENU)
+        await screen.until(lambda: "Ctrl+K" not in screen.text and "Esc goes back" in screen.text, "the menu")
+        assert "A: WHOLE MAP: Shows all, or follows Donnie." in screen.text
+        await screen.press("escape")
+        await screen.until(lambda: screen.app.screen is screen.main, "the main screen")

@@ -12,12 +12,12 @@ def test_the_last_twenty_lines_are_left_behind_in_their_order(capsys, monkeypatc
     assert capsys.readouterr().out.splitlines() == [f"line {i}" for i in range(10, 30)]
 
 
-async def test_a_pager_that_can_not_be_run_is_reported_in_a_sentence(work, monkeypatch, tmp_path):
+async def test_a_pager_that_can_not_be_run_is_reported_in_a_sentence(open_screen, monkeypatch, tmp_path):
     broken = tmp_path / "pager"
     broken.write_text("no program")
     broken.chmod(0o755)
     monkeypatch.setenv("PAGER", str(broken))
-    async with work() as desk:
-        monkeypatch.setattr(desk.app, "suspend", nullcontext)
-        await desk.type_line("LOG")
-        await desk.shows("The log can't be shown: Exec format error. SAVE LOG writes it into a file.")
+    async with open_screen() as screen:
+        monkeypatch.setattr(screen.app, "suspend", nullcontext)
+        await screen.type_line("LOG")
+        await screen.shows("The log can't be shown: Exec format error. SAVE LOG writes it into a file.")

@@ -205,10 +205,10 @@ def test_the_queue_is_read_at_the_chosen_interval(monkeypatch):
     assert due == pytest.approx([FRAME, CALM])
 
 
-async def test_little_motion_is_a_calm_map_at_the_start_and_when_it_is_chosen(work):
-    async with work(motion="reduced") as desk:
-        assert desk.app.controller.events.frame == CALM
-        change(desk.app.controller.ctx, "motion", "full")
-        assert desk.app.controller.events.frame == FRAME
-        change(desk.app.controller.ctx, "motion", "reduced")
-        assert desk.app.controller.events.frame == CALM
+async def test_little_motion_is_a_calm_map_at_the_start_and_when_it_is_chosen(open_screen):
+    async with open_screen(motion="reduced") as screen:
+        assert screen.app.controller.events.frame == CALM
+        change(screen.app.controller.ctx, "motion", "full")
+        assert screen.app.controller.events.frame == FRAME
+        change(screen.app.controller.ctx, "motion", "reduced")
+        assert screen.app.controller.events.frame == CALM

@@ -100,15 +100,15 @@ async def test_what_widgets_paint_row_by_row_has_no_styles_of_its_own(app: Donni
     try:
         async with app.run_test(size=(80, 24)) as pilot:
             await until_work(app, pilot)
-            place = app.main_screen
+            main_screen = app.main_screen
             of_textual = {"input", "text-area", "screen"}
             for widget in (
-                place,
-                place.editor,
-                place.map,
-                place.inspector,
-                place.log_rows,
-                place.command_line,
+                main_screen,
+                main_screen.editor,
+                main_screen.map,
+                main_screen.inspector,
+                main_screen.log_rows,
+                main_screen.command_line,
             ):
                 assert {name.partition("--")[0] for name in widget._component_styles} <= of_textual
     finally:

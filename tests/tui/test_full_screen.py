@@ -18,9 +18,11 @@ def begin(monkeypatch, work_through, **settings):
 
     async def worked_through(app):
         async with app.run_test(size=(80, 24)) as pilot:
-            desk = ScreenDriver(app, pilot)
-            await desk.until(lambda: app.controller is not None and not app.startup.is_opening, "the session")
-            await work_through(desk)
+            screen = ScreenDriver(app, pilot)
+            await screen.until(
+                lambda: app.controller is not None and not app.startup.is_opening, "the session"
+            )
+            await work_through(screen)
 
     monkeypatch.setattr(full_screen.DonnieApp, "run", lambda app, **_: asyncio.run(worked_through(app)))
     world = Settings(world="open_floor", speed=None, speech="off", sound=False, tour=False, **settings)
@@ -33,13 +35,13 @@ def test_a_recording_is_not_lost_to_another_world(monkeypatch, tmp_path):
     for kind in ("record", "events"):
         file = tmp_path / f"run.{kind}"
 
-        async def work_through(desk, file=file):
-            await desk.run(WALK)
-            await desk.type_line("WORLDS")
-            await desk.shows(f"I stay in this world: {file} is being written")
-            assert desk.app.screen is desk.place
+        async def work_through(screen, file=file):
+            await screen.run(WALK)
+            await screen.type_line("WORLDS")
+            await screen.shows(f"I stay in this world: {file} is being written")
+            assert screen.app.screen is screen.main
 
-            desk.app.exit(0)
+            screen.app.exit(0)
 
         assert begin(monkeypatch, work_through, **{kind: str(file)}) == 0
         assert "3 steps" in file.read_text(encoding="utf-8")
@@ -49,14 +51,14 @@ def test_another_world_has_the_same_program(monkeypatch, tmp_path):
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
     seen = []
 
-    async def work_through(desk):
-        seen.append((desk.app.controller.donnie.world.name, desk.place.editor.text))
+    async def work_through(screen):
+        seen.append((screen.app.controller.donnie.world.name, screen.main.editor.text))
         if len(seen) == 1:
-            desk.load(WALK)
-            desk.app.controller.change_world("maze")
+            screen.load(WALK)
+            screen.app.controller.change_world("maze")
         else:
-            desk.app.exit(0)
-        await desk.until(lambda: not desk.app.is_running, "the end")
+            screen.app.exit(0)
+        await screen.until(lambda: not screen.app.is_running, "the end")
 
     assert begin(monkeypatch, work_through) == 0
     assert seen == [("open_floor", ""), ("maze", WALK)]
@@ -67,22 +69,22 @@ def test_a_typed_name_selects_that_world_and_keeps_the_log_and_the_history(monke
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
     seen = []
 
-    async def work_through(desk):
-        seen.append(desk.app.controller.donnie.world.name)
+    async def work_through(screen):
+        seen.append(screen.app.controller.donnie.world.name)
         if len(seen) == 1:
-            await desk.type_line('SPEAK "before"')
-            await desk.shows("before")
-            desk.load("WHILE 1 == 1 DO\nWAIT 1\nEND WHILE")
-            await desk.press("f5")
-            await desk.until(lambda: desk.app.controller.ctx.runs.state is not RunState.READY, "the run")
-            await desk.type_line("WORLDS living room")
+            await screen.type_line('SPEAK "before"')
+            await screen.shows("before")
+            screen.load("WHILE 1 == 1 DO\nWAIT 1\nEND WHILE")
+            await screen.press("f5")
+            await screen.until(lambda: screen.app.controller.ctx.runs.state is not RunState.READY, "the run")
+            await screen.type_line("WORLDS living room")
         else:
-            await desk.shows("5 things. WORLD says more.")
-            seen.extend(desk.log)
-            await desk.press("up", "up")  # the focus is where it was, and no key goes into the program
-            assert desk.place.command_line.value == 'SPEAK "before"'
-            desk.app.exit(0)
-        await desk.until(lambda: not desk.app.is_running, "the end")
+            await screen.shows("5 things. WORLD says more.")
+            seen.extend(screen.log)
+            await screen.press("up", "up")  # the focus is where it was, and no key goes into the program
+            assert screen.main.command_line.value == 'SPEAK "before"'
+            screen.app.exit(0)
+        await screen.until(lambda: not screen.app.is_running, "the end")
 
     assert begin(monkeypatch, work_through) == 0
     assert seen[:2] == ["open_floor", "living_room"]
@@ -98,14 +100,14 @@ def test_a_typed_name_selects_that_world_and_keeps_the_log_and_the_history(monke
 def test_a_word_says_which_argument_it_does_not_take(monkeypatch, tmp_path):
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
 
-    async def work_through(desk):
-        await desk.type_line("WORLD nowhere")
-        await desk.shows("There is no world nowhere. WORLDS lists them.")
-        await desk.type_line("WHERE 3")
-        await desk.shows("WHERE takes nothing after it. Type WHERE alone.")
-        await desk.type_line("LEGEND x")
-        await desk.shows("LEGEND takes nothing after it. Type LEGEND alone.")
-        desk.app.exit(0)
+    async def work_through(screen):
+        await screen.type_line("WORLD nowhere")
+        await screen.shows("There is no world nowhere. WORLDS lists them.")
+        await screen.type_line("WHERE 3")
+        await screen.shows("WHERE takes nothing after it. Type WHERE alone.")
+        await screen.type_line("LEGEND x")
+        await screen.shows("LEGEND takes nothing after it. Type LEGEND alone.")
+        screen.app.exit(0)
 
     assert begin(monkeypatch, work_through) == 0
 
@@ -114,9 +116,9 @@ def test_the_threads_take_turns_as_before_once_the_screen_is_left(monkeypatch, t
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
     found, seen = sys.getswitchinterval(), []
 
-    async def work_through(desk):
+    async def work_through(screen):
         seen.append(sys.getswitchinterval())
-        desk.app.exit(0)
+        screen.app.exit(0)
 
     sys.setswitchinterval(0.004)
     try:

@@ -17,11 +17,6 @@ from donnie_tui.tui.terminal import use_mouse
 from tests.tui.conftest import WAITING
 
 
-@pytest.fixture(autouse=True)
-def own_settings(tmp_path, monkeypatch):
-    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
-
-
 def kept(tmp_path) -> dict:
     return tomllib.loads((tmp_path / "config" / "donnie" / "settings.toml").read_text())
 
@@ -81,106 +76,106 @@ def test_a_later_key_setting_replaces_an_earlier_one():
 # --- changing them
 
 
-async def open_keys(desk) -> None:
-    await desk.type_line("CHANGE KEYS")
-    await desk.until(lambda: "All keys" in desk.screen or "RUN: F5, Esc" in desk.screen, "the list")
+async def open_keys(screen) -> None:
+    await screen.type_line("CHANGE KEYS")
+    await screen.until(lambda: "All keys" in screen.text or "RUN: F5, Esc" in screen.text, "the list")
 
 
-async def choose(desk, *typed: str) -> None:
-    await desk.press(*typed, "enter")
-    await desk.pilot.pause()
+async def choose(screen, *typed: str) -> None:
+    await screen.press(*typed, "enter")
+    await screen.pilot.pause()
 
 
-async def test_an_action_gets_another_key_that_counts_at_once_and_is_kept(work, tmp_path):
-    async with work(WAITING, speed=1.0) as desk:
-        await open_keys(desk)
-        await choose(desk, *"run:")
-        await desk.until(lambda: "Press the key for RUN." in desk.screen, "the question")
-        await desk.press("ctrl+e")
-        await desk.until(lambda: "RUN: Ctrl+E, F5, Esc. Runs the program." in desk.screen, "the list again")
-        assert desk.place.keys.words.startswith(" Ctrl+E Run")
-        await desk.press("escape")
-        await desk.until(lambda: desk.app.screen is desk.place, "the main screen")
+async def test_an_action_gets_another_key_that_counts_at_once_and_is_kept(open_screen, tmp_path):
+    async with open_screen(WAITING, speed=1.0) as screen:
+        await open_keys(screen)
+        await choose(screen, *"run:")
+        await screen.until(lambda: "Press the key for RUN." in screen.text, "the question")
+        await screen.press("ctrl+e")
+        await screen.until(lambda: "RUN: Ctrl+E, F5, Esc. Runs the program." in screen.text, "the list again")
+        assert screen.main.keys.words.startswith(" Ctrl+E Run")
+        await screen.press("escape")
+        await screen.until(lambda: screen.app.screen is screen.main, "the main screen")
 
-        await desk.press("ctrl+e")
-        await desk.doing(RunState.RUNNING)
+        await screen.press("ctrl+e")
+        await screen.reaches(RunState.RUNNING)
 
     assert kept(tmp_path)["keys"] == "run ctrl+e"
 
 
-async def test_a_key_after_the_menu_key_can_be_chosen_too(work):
-    async with work("SPEAK 7") as desk:
-        await open_keys(desk)
-        await choose(desk, *"run:")
-        await desk.until(lambda: "Press the key for RUN." in desk.screen, "the question")
-        await desk.press("ctrl+k")
-        await desk.until(lambda: "Now the key that comes after Ctrl+K." in desk.screen, "the menu key")
-        await desk.press("4")
-        await desk.until(lambda: "RUN: Ctrl+K 4" in desk.screen, "the list again")
-        await desk.press("escape")
-        await desk.until(lambda: desk.app.screen is desk.place, "the main screen")
-        await desk.press("ctrl+k", "4")
-        await desk.shows("7")
+async def test_a_key_after_the_menu_key_can_be_chosen_too(open_screen):
+    async with open_screen("SPEAK 7") as screen:
+        await open_keys(screen)
+        await choose(screen, *"run:")
+        await screen.until(lambda: "Press the key for RUN." in screen.text, "the question")
+        await screen.press("ctrl+k")
+        await screen.until(lambda: "Now the key that comes after Ctrl+K." in screen.text, "the menu key")
+        await screen.press("4")
+        await screen.until(lambda: "RUN: Ctrl+K 4" in screen.text, "the list again")
+        await screen.press("escape")
+        await screen.until(lambda: screen.app.screen is screen.main, "the main screen")
+        await screen.press("ctrl+k", "4")
+        await screen.shows("7")
 
 
 @pytest.mark.parametrize("key", ["a", "left", "enter", "tab"])
-async def test_a_key_for_typing_is_refused_with_the_reason(work, key):
-    async with work() as desk:
-        await open_keys(desk)
-        await choose(desk, *"run:")
-        await desk.until(lambda: "Press the key for RUN." in desk.screen, "the question")
-        await desk.press(key)
-        await desk.until(lambda: "is needed for typing" in desk.screen, "the reason")
-        await desk.press("escape")
-        await desk.until(lambda: "RUN: F5, Esc" in desk.screen, "the list again")
+async def test_a_key_for_typing_is_refused_with_the_reason(open_screen, key):
+    async with open_screen() as screen:
+        await open_keys(screen)
+        await choose(screen, *"run:")
+        await screen.until(lambda: "Press the key for RUN." in screen.text, "the question")
+        await screen.press(key)
+        await screen.until(lambda: "is needed for typing" in screen.text, "the reason")
+        await screen.press("escape")
+        await screen.until(lambda: "RUN: F5, Esc" in screen.text, "the list again")
 
 
-async def test_an_action_that_loses_its_key_is_reported(work):
-    async with work() as desk:
-        await open_keys(desk)
-        await choose(desk, *"run:")
-        await desk.until(lambda: "Press the key for RUN." in desk.screen, "the question")
-        await desk.press("f8")
-        await desk.shows("STOP: no key.")
-        assert "RUN: F8, F5, Esc." in desk.log
+async def test_an_action_that_loses_its_key_is_reported(open_screen):
+    async with open_screen() as screen:
+        await open_keys(screen)
+        await choose(screen, *"run:")
+        await screen.until(lambda: "Press the key for RUN." in screen.text, "the question")
+        await screen.press("f8")
+        await screen.shows("STOP: no key.")
+        assert "RUN: F8, F5, Esc." in screen.log
 
 
-async def test_all_keys_can_be_reset(work, tmp_path):
-    async with work() as desk:
-        change(desk.app.controller.ctx, "keys", "run f9")
-        await desk.shows("Keys: F9 RUN.")
-        await open_keys(desk)
-        await choose(desk, *"as they came")
-        await desk.shows("Keys: as they came.")
-        assert desk.app.key_table.of("run") == ("f5", "escape")
+async def test_all_keys_can_be_reset(open_screen, tmp_path):
+    async with open_screen() as screen:
+        change(screen.app.controller.ctx, "keys", "run f9")
+        await screen.shows("Keys: F9 RUN.")
+        await open_keys(screen)
+        await choose(screen, *"as they came")
+        await screen.shows("Keys: as they came.")
+        assert screen.app.key_table.of("run") == ("f5", "escape")
     assert kept(tmp_path)["keys"] == ""
 
 
-async def test_invalid_keys_of_the_file_are_reported(work):
-    async with work(keys="run f9, dance f5") as desk:
-        assert "Keys of the settings: dance f5 means nothing." in desk.log
-        assert desk.place.keys.words.startswith(" F9 Run")
-        assert "F9 runs the program. F1 helps." in desk.log
+async def test_invalid_keys_of_the_file_are_reported(open_screen):
+    async with open_screen(keys="run f9, dance f5") as screen:
+        assert "Keys of the settings: dance f5 means nothing." in screen.log
+        assert screen.main.keys.words.startswith(" F9 Run")
+        assert "F9 runs the program. F1 helps." in screen.log
 
 
-async def test_the_help_and_the_palette_show_the_chosen_keys(work):
-    async with work() as desk:
-        change(desk.app.controller.ctx, "keys", "save f5")
-        await desk.press("f1")
-        await desk.until(lambda: "Letters write" in desk.screen, "the help")
-        assert "F5, Ctrl+S, F2: Saves the program." in desk.screen
-        await desk.press("escape")
-        await desk.press("ctrl+p", *"saves the")
-        await desk.until(lambda: "SAVE (F5): Saves the program." in desk.screen, "the palette")
+async def test_the_help_and_the_palette_show_the_chosen_keys(open_screen):
+    async with open_screen() as screen:
+        change(screen.app.controller.ctx, "keys", "save f5")
+        await screen.press("f1")
+        await screen.until(lambda: "Letters write" in screen.text, "the help")
+        assert "F5, Ctrl+S, F2: Saves the program." in screen.text
+        await screen.press("escape")
+        await screen.press("ctrl+p", *"saves the")
+        await screen.until(lambda: "SAVE (F5): Saves the program." in screen.text, "the palette")
 
 
-async def test_a_chosen_key_for_stop_stops_at_once(work):
-    async with work(WAITING, speed=1.0) as desk:
-        change(desk.app.controller.ctx, "keys", "stop f3")
-        await desk.press("f5")
-        await desk.doing(RunState.RUNNING)
-        await desk.press("f3")
-        await desk.doing(RunState.READY)
+async def test_a_chosen_key_for_stop_stops_at_once(open_screen):
+    async with open_screen(WAITING, speed=1.0) as screen:
+        change(screen.app.controller.ctx, "keys", "stop f3")
+        await screen.press("f5")
+        await screen.reaches(RunState.RUNNING)
+        await screen.press("f3")
+        await screen.reaches(RunState.READY)
 
 
 # --- what can be pressed here
@@ -196,47 +191,47 @@ async def test_a_chosen_key_for_stop_stops_at_once(work):
         ("inspector", "In the variables", "Up and Down, Page Up"),
     ],
 )
-async def test_the_keys_of_the_focused_pane_are_shown(work, pane, heading, line):
-    async with work(size=(120, 40)) as desk:
-        getattr(desk.place, pane).focus()
-        await desk.pilot.pause()
-        await desk.press("ctrl+k", "0")
-        await desk.until(lambda: f"{heading}. Esc goes back" in desk.screen, "the keys")
-        assert line in desk.screen
-        assert "F8: Stops the program and Donnie." in desk.screen
+async def test_the_keys_of_the_focused_pane_are_shown(open_screen, pane, heading, line):
+    async with open_screen(size=(120, 40)) as screen:
+        getattr(screen.main, pane).focus()
+        await screen.pilot.pause()
+        await screen.press("ctrl+k", "0")
+        await screen.until(lambda: f"{heading}. Esc goes back" in screen.text, "the keys")
+        assert line in screen.text
+        assert "F8: Stops the program and Donnie." in screen.text
 
 
-async def test_the_help_begins_with_the_word_at_the_cursor_and_the_keys_of_the_pane(work):
-    async with work("REPEAT 2 TIMES\nFW 1\nEND REPEAT") as desk:
-        await desk.press("f1")
-        await desk.until(lambda: desk.app.screen is not desk.place, "the help")
-        rows = desk.app.screen.rows.lines
+async def test_the_help_begins_with_the_word_at_the_cursor_and_the_keys_of_the_pane(open_screen):
+    async with open_screen("REPEAT 2 TIMES\nFW 1\nEND REPEAT") as screen:
+        await screen.press("f1")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the help")
+        rows = screen.app.screen.rows.lines
         assert rows[0].startswith("REPEAT")
         assert "In the program:" in rows[:6]
 
 
-async def test_a_list_opens_at_what_is_chosen_now_and_stays_there_when_the_terminal_is_resized(work):
-    async with work(world="factory") as desk:
-        await desk.press("ctrl+k", "o")
-        await desk.until(lambda: desk.app.screen is not desk.place, "the worlds")
-        await desk.pilot.pause()
-        assert desk.app.screen.rows.row_text.startswith("factory")
-        await desk.pilot.resize_terminal(50, 20)
-        await desk.until(lambda: desk.app.screen.rows.size.width < 60, "the new size")
-        assert desk.app.screen.rows.row_text.startswith("factory")
+async def test_a_list_opens_at_what_is_chosen_now_and_stays_there_when_the_terminal_is_resized(open_screen):
+    async with open_screen(world="factory") as screen:
+        await screen.press("ctrl+k", "o")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the worlds")
+        await screen.pilot.pause()
+        assert screen.app.screen.rows.row_text.startswith("factory")
+        await screen.pilot.resize_terminal(50, 20)
+        await screen.until(lambda: screen.app.screen.rows.size.width < 60, "the new size")
+        assert screen.app.screen.rows.row_text.startswith("factory")
 
 
-async def test_the_chosen_line_of_a_list_is_seen_as_far_as_a_small_terminal_has_room(work):
+async def test_the_chosen_line_of_a_list_is_seen_as_far_as_a_small_terminal_has_room(open_screen):
     """Its first words say little: living room, easy, a room of ..."""
-    async with work(size=(40, 12), world="open_floor") as desk:
-        await desk.press("ctrl+k", "o")
-        await desk.until(lambda: desk.app.screen is not desk.place, "the worlds")
-        await desk.pilot.pause()
-        for _ in range(len(desk.app.screen.rows.lines)):
-            rows = desk.app.screen.rows
+    async with open_screen(size=(40, 12), world="open_floor") as screen:
+        await screen.press("ctrl+k", "o")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the worlds")
+        await screen.pilot.pause()
+        for _ in range(len(screen.app.screen.rows.lines)):
+            rows = screen.app.screen.rows
             words = " ".join(rows.lines[rows.line].split()[:20])
-            await desk.until(lambda words=words: words in " ".join(desk.screen.split()), words)
-            await desk.press("down")
+            await screen.until(lambda words=words: words in " ".join(screen.text.split()), words)
+            await screen.press("down")
 
 
 # --- the mouse
@@ -273,24 +268,24 @@ def test_textual_s_driver_has_what_switching_the_mouse_needs():
     assert "self._mouse = mouse" in inspect.getsource(Driver.__init__)
 
 
-async def test_home_and_end_go_to_the_ends_of_a_list(work):
-    async with work() as desk:
-        await desk.press("ctrl+k", "o")
-        await desk.until(lambda: desk.app.screen is not desk.place, "the worlds")
-        await desk.press("end")
-        await desk.until(lambda: desk.app.screen.rows.row_text.startswith("bigbob7"), "the last one")
-        await desk.press("home")
-        await desk.until(lambda: desk.app.screen.rows.row_text.startswith("open_floor"), "the first one")
+async def test_home_and_end_go_to_the_ends_of_a_list(open_screen):
+    async with open_screen() as screen:
+        await screen.press("ctrl+k", "o")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the worlds")
+        await screen.press("end")
+        await screen.until(lambda: screen.app.screen.rows.row_text.startswith("bigbob7"), "the last one")
+        await screen.press("home")
+        await screen.until(lambda: screen.app.screen.rows.row_text.startswith("open_floor"), "the first one")
 
 
-async def test_a_question_and_its_keys_are_whole_on_a_small_terminal(work):
-    async with work("FW 1", size=(40, 12)) as desk:
-        await desk.press("ctrl+n")
-        await desk.until(lambda: desk.app.screen is not desk.place, "the question")
-        await desk.pilot.pause()
-        shown = " ".join(desk.screen.split())
+async def test_a_question_and_its_keys_are_whole_on_a_small_terminal(open_screen):
+    async with open_screen("FW 1", size=(40, 12)) as screen:
+        await screen.press("ctrl+n")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the question")
+        await screen.pilot.pause()
+        shown = " ".join(screen.text.split())
         assert "1 line is not saved. Save first, y or n? Enter means no." in shown
         assert "Enter answers, Esc goes back" in shown
-        await desk.press("escape", "ctrl+p")
-        await desk.until(lambda: "Type what to do" in desk.screen, "the list")
-        assert "Enter takes it, Esc goes back" in " ".join(desk.screen.split())
+        await screen.press("escape", "ctrl+p")
+        await screen.until(lambda: "Type what to do" in screen.text, "the list")
+        assert "Enter takes it, Esc goes back" in " ".join(screen.text.split())

@@ -1,21 +1,12 @@
 """The editor, the cursor and the log follow what is typed in the command line."""
 
-import pytest
-
 from donnie_tui.core.run_state import RunState
 
 PROGRAM = "FW 1\nFW 2\nFW 3\nFW 4"
 
 
-@pytest.fixture(autouse=True)
-def own_folders(tmp_path, monkeypatch):
-    """Settings and files of a test stay its own."""
-    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
-    monkeypatch.chdir(tmp_path)
-
-
-async def test_the_editor_follows_the_words_and_undo_takes_each_back(work):
-    async with work(PROGRAM) as desk:
+async def test_the_editor_follows_the_words_and_undo_takes_each_back(open_screen):
+    async with open_screen(PROGRAM) as screen:
         for typed, text in (
             ("CHANGE 2 BK 2", "FW 1\nBK 2\nFW 3\nFW 4"),
             ("INSERT 5 TR 90", "FW 1\nFW 2\nFW 3\nFW 4\nTR 90"),
@@ -23,105 +14,109 @@ async def test_the_editor_follows_the_words_and_undo_takes_each_back(work):
             ("DELETE 1 4", ""),
             ("MOVE 1 2 5", "FW 3\nFW 4\nFW 1\nFW 2"),
         ):
-            await desk.type_line(typed)
-            await desk.until(lambda text=text: desk.place.editor.text == text, typed)
-            await desk.type_line("UNDO")
-            await desk.until(lambda: desk.place.editor.text == PROGRAM, "the text as it was")
+            await screen.type_line(typed)
+            await screen.until(lambda text=text: screen.main.editor.text == text, typed)
+            await screen.type_line("UNDO")
+            await screen.until(lambda: screen.main.editor.text == PROGRAM, "the text as it was")
 
 
-async def test_delete_alone_deletes_the_line_of_the_cursor_and_undo_prints_it(work):
-    async with work(PROGRAM) as desk:
-        desk.place.editor.go_to(2)
-        await desk.type_line("DELETE")
-        await desk.shows("Line 2 deleted.")
-        assert desk.place.editor.text == "FW 1\nFW 3\nFW 4"
+async def test_delete_alone_deletes_the_line_of_the_cursor_and_undo_prints_it(open_screen):
+    async with open_screen(PROGRAM) as screen:
+        screen.main.editor.go_to(2)
+        await screen.type_line("DELETE")
+        await screen.shows("Line 2 deleted.")
+        assert screen.main.editor.text == "FW 1\nFW 3\nFW 4"
 
-        await desk.type_line("UNDO")
-        await desk.shows("Line 2: FW 2")
-        assert desk.place.editor.text == PROGRAM
-
-
-async def test_an_end_of_line_behind_the_last_line_stays(work):
-    async with work() as desk:
-        desk.load("FW 1\nFW 2\n")
-        await desk.type_line("DELETE 2")
-        await desk.shows("Line 2 deleted.")
-        assert desk.place.editor.text == "FW 1\n"
-
-        await desk.type_line("INSERT 2 BK 1")
-        await desk.shows("Line 2: BK 1")
-        assert desk.place.editor.text == "FW 1\nBK 1\n"
+        await screen.type_line("UNDO")
+        await screen.shows("Line 2: FW 2")
+        assert screen.main.editor.text == PROGRAM
 
 
-async def test_breakpoints_go_with_their_lines_when_lines_are_inserted_deleted_and_that_is_undone(work):
-    async with work(PROGRAM) as desk:
-        await desk.type_line("BREAK 3")
-        await desk.shows("Breakpoint at line 3.")
-        await desk.type_line("INSERT 1 TR 90")
-        await desk.until(lambda: desk.place.editor.breakpoints == {4}, "line 4")
-        await desk.type_line("DELETE 2")
-        await desk.until(lambda: desk.place.editor.breakpoints == {3}, "line 3")
-        await desk.type_line("UNDO")
-        await desk.until(lambda: desk.place.editor.breakpoints == {4}, "line 4 again")
-        await desk.type_line("INSERT 4 TR 90")
-        await desk.until(lambda: desk.place.editor.breakpoints == {5}, "line 5")
-        await desk.type_line("DELETE 4")
-        await desk.until(lambda: desk.place.editor.breakpoints == {4}, "line 4, the line above being gone")
+async def test_an_end_of_line_behind_the_last_line_stays(open_screen):
+    async with open_screen() as screen:
+        screen.load("FW 1\nFW 2\n")
+        await screen.type_line("DELETE 2")
+        await screen.shows("Line 2 deleted.")
+        assert screen.main.editor.text == "FW 1\n"
+
+        await screen.type_line("INSERT 2 BK 1")
+        await screen.shows("Line 2: BK 1")
+        assert screen.main.editor.text == "FW 1\nBK 1\n"
 
 
-async def test_a_typed_line_is_chosen_and_repeated(work):
-    async with work() as desk:
-        await desk.type_line("FW 1")
-        await desk.idle()
-        await desk.type_line("WHERE")
-        await desk.press("ctrl+k", "Y")
-        await desk.until(lambda: desk.app.screen is not desk.place, "the list")
-        assert desk.app.screen.rows.lines == ("WHERE", "FW 1")
-        await desk.press("down", "enter")
-        await desk.until(lambda: desk.log.count("I walked 1 step forward.") == 2, "the second step")
-        await desk.doing(RunState.READY)
+async def test_breakpoints_go_with_their_lines_when_lines_are_inserted_deleted_and_that_is_undone(
+    open_screen,
+):
+    async with open_screen(PROGRAM) as screen:
+        await screen.type_line("BREAK 3")
+        await screen.shows("Breakpoint at line 3.")
+        await screen.type_line("INSERT 1 TR 90")
+        await screen.until(lambda: screen.main.editor.breakpoints == {4}, "line 4")
+        await screen.type_line("DELETE 2")
+        await screen.until(lambda: screen.main.editor.breakpoints == {3}, "line 3")
+        await screen.type_line("UNDO")
+        await screen.until(lambda: screen.main.editor.breakpoints == {4}, "line 4 again")
+        await screen.type_line("INSERT 4 TR 90")
+        await screen.until(lambda: screen.main.editor.breakpoints == {5}, "line 5")
+        await screen.type_line("DELETE 4")
+        await screen.until(lambda: screen.main.editor.breakpoints == {4}, "line 4, the line above being gone")
 
 
-async def test_mistakes_are_visited_and_explained_as_in_the_linear_mode(work):
+async def test_a_typed_line_is_chosen_and_repeated(open_screen):
+    async with open_screen() as screen:
+        await screen.type_line("FW 1")
+        await screen.idle()
+        await screen.type_line("WHERE")
+        await screen.press("ctrl+k", "Y")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the list")
+        assert screen.app.screen.rows.lines == ("WHERE", "FW 1")
+        await screen.press("down", "enter")
+        await screen.until(lambda: screen.log.count("I walked 1 step forward.") == 2, "the second step")
+        await screen.reaches(RunState.READY)
+
+
+async def test_mistakes_are_visited_and_explained_as_in_the_linear_mode(open_screen):
     """After each run the cursor stands at the first one, whichever one was selected before."""
-    async with work("FWD 1\nTRN 90") as desk:
+    async with open_screen("FWD 1\nTRN 90") as screen:
 
         async def run():
-            await desk.press("f5")
-            await desk.until(lambda: desk.place.editor.line == 1 and desk.app.controller.ctx.errors.all)
-            await desk.idle()
+            await screen.press("f5")
+            await screen.until(lambda: screen.main.editor.line == 1 and screen.app.controller.ctx.errors.all)
+            await screen.idle()
 
         await run()
-        await desk.type_line("ERROR NEXT")
-        await desk.until(lambda: desk.place.editor.line == 2, "the second mistake")
-        await desk.type_line("ERROR NEXT")
-        await desk.shows("No more errors. That is 2 of 2.")
-        await desk.type_line("EXPLAIN")
-        await desk.until(lambda: desk.log[-1] == "Line 2: TRN 90", "the line of the mistake")
+        await screen.type_line("ERROR NEXT")
+        await screen.until(lambda: screen.main.editor.line == 2, "the second mistake")
+        await screen.type_line("ERROR NEXT")
+        await screen.shows("No more errors. That is 2 of 2.")
+        await screen.type_line("EXPLAIN")
+        await screen.until(lambda: screen.log[-1] == "Line 2: TRN 90", "the line of the mistake")
 
         await run()
-        before = len(desk.log)
-        await desk.type_line("ERROR")
-        await desk.until(lambda: any("Error, line 1" in line for line in desk.log[before:]), "the first one")
-        assert desk.place.editor.line == 1
+        before = len(screen.log)
+        await screen.type_line("ERROR")
+        await screen.until(
+            lambda: any("Error, line 1" in line for line in screen.log[before:]), "the first one"
+        )
+        assert screen.main.editor.line == 1
 
 
-async def test_last_says_the_whole_answer_again_and_the_one_before_it(work):
-    async with work() as desk:
-        await desk.type_line("SPELL 9")
-        await desk.shows("Nothing was said yet.")
-        await desk.type_line("FW 1 SPEAK 7")
-        await desk.shows("7")
-        await desk.idle()
-        await desk.type_line("BREAK 99")
-        await desk.shows("No lines yet.")
+async def test_last_says_the_whole_answer_again_and_the_one_before_it(open_screen):
+    async with open_screen() as screen:
+        await screen.type_line("SPELL 9")
+        await screen.shows("Nothing was said yet.")
+        await screen.type_line("FW 1 SPEAK 7")
+        await screen.shows("7")
+        await screen.idle()
+        await screen.type_line("BREAK 99")
+        await screen.shows("No lines yet.")
 
         for _ in range(2):
-            before = len(desk.log)
-            await desk.type_line("LAST 2")
-            await desk.until(
-                lambda before=before: desk.log[before + 1 :] == ("I walked 1 step forward.", "7"),
+            before = len(screen.log)
+            await screen.type_line("LAST 2")
+            await screen.until(
+                lambda before=before: screen.log[before + 1 :] == ("I walked 1 step forward.", "7"),
                 "both lines",
             )
-        await desk.type_line("LAST WORD")
-        await desk.shows("y, e, t.")
+        await screen.type_line("LAST WORD")
+        await screen.shows("y, e, t.")

@@ -3,49 +3,49 @@
 from textual.geometry import Offset
 
 
-async def test_a_click_on_a_key_of_the_bottom_line_presses_it(work):
-    async with work() as desk:
-        desk.load("FW 2")
-        at = desk.place.keys.words.index("Run") + 1
-        before = desk.app.focused
+async def test_a_click_on_a_key_of_the_bottom_line_presses_it(open_screen):
+    async with open_screen() as screen:
+        screen.load("FW 2")
+        at = screen.main.keys.words.index("Run") + 1
+        before = screen.app.focused
 
-        await desk.pilot.click(desk.place.keys, offset=Offset(at, 0))
+        await screen.pilot.click(screen.main.keys, offset=Offset(at, 0))
 
-        await desk.shows("I walked 2 steps forward.")
-        assert desk.app.focused is before
+        await screen.shows("I walked 2 steps forward.")
+        assert screen.app.focused is before
 
 
-async def test_a_click_next_to_the_keys_presses_none(work):
-    async with work() as desk:
-        keys = desk.place.keys
+async def test_a_click_next_to_the_keys_presses_none(open_screen):
+    async with open_screen() as screen:
+        keys = screen.main.keys
         done = []
-        desk.app.controller.do = lambda name, argument=None: done.append(name)
+        screen.app.controller.do = lambda name, argument=None: done.append(name)
 
         for at in (0, keys.words.index("  "), keys.words.index("  ") + 1):
-            await desk.pilot.click(keys, offset=Offset(at, 0))
-        await desk.pilot.pause()
+            await screen.pilot.click(keys, offset=Offset(at, 0))
+        await screen.pilot.pause()
 
         assert done == []
 
 
-async def test_a_click_on_the_map_describes_the_square(work):
-    async with work(world="living_room") as desk:
-        shown = desk.place.map
+async def test_a_click_on_the_map_describes_the_square(open_screen):
+    async with open_screen(world="living_room") as screen:
+        shown = screen.main.map
         robot = shown.cursor_screen_offset - shown.content_region.offset
 
-        await desk.pilot.click(shown, offset=robot + Offset(2 * shown._columns, -3))
-        await desk.until(lambda: shown.is_exploring, "the click")
+        await screen.pilot.click(shown, offset=robot + Offset(2 * shown._columns, -3))
+        await screen.until(lambda: shown.is_exploring, "the click")
 
-        assert desk.app.focused is shown
-        await desk.until(lambda: desk.status.startswith(" Map, 2, 3: free."), "the words")
+        assert screen.app.focused is shown
+        await screen.until(lambda: screen.status.startswith(" Map, 2, 3: free."), "the words")
 
 
-async def test_a_click_next_to_the_floor_explores_nothing(work):
-    async with work(world="living_room") as desk:
-        shown = desk.place.map
+async def test_a_click_next_to_the_floor_explores_nothing(open_screen):
+    async with open_screen(world="living_room") as screen:
+        shown = screen.main.map
         shown.set_zoom(-3)
-        await desk.pilot.pause()
-        await desk.pilot.click(shown, offset=Offset(shown.size.width - 1, shown.size.height - 1))
-        await desk.pilot.pause()
+        await screen.pilot.pause()
+        await screen.pilot.click(shown, offset=Offset(shown.size.width - 1, shown.size.height - 1))
+        await screen.pilot.pause()
 
         assert not shown.is_exploring

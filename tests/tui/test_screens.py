@@ -73,88 +73,88 @@ class Words(InOneFolder, SingleFileSnapshotExtension):
 
 @pytest.fixture
 def same(snapshot: SnapshotAssertion):
-    """``same(desk)``: the screen is as it was kept."""
+    """``same(screen)``: the screen is as it was kept."""
 
-    async def compare(desk) -> None:
-        await desk.pilot.pause()
-        assert desk.screen + "\n" == snapshot.use_extension(Words)
-        assert desk.app.export_screenshot() == snapshot.use_extension(Picture)
+    async def compare(screen) -> None:
+        await screen.pilot.pause()
+        assert screen.text + "\n" == snapshot.use_extension(Words)
+        assert screen.app.export_screenshot() == snapshot.use_extension(Picture)
 
     return compare
 
 
 @looks()
-async def test_the_start(work, same, theme, size):
-    async with work(size=size, world="living_room") as desk:
-        desk.app.theme = theme
-        await same(desk)
+async def test_the_start(open_screen, same, theme, size):
+    async with open_screen(size=size, world="living_room") as screen:
+        screen.app.theme = theme
+        await same(screen)
 
 
 @looks()
-async def test_a_rectangle_was_walked(work, same, theme, size):
-    async with work(size=size, world="living_room") as desk:
-        desk.app.theme = theme
-        await desk.run(RECTANGLE)
-        await same(desk)
+async def test_a_rectangle_was_walked(open_screen, same, theme, size):
+    async with open_screen(size=size, world="living_room") as screen:
+        screen.app.theme = theme
+        await screen.run(RECTANGLE)
+        await same(screen)
 
 
 @looks((40, 12))
-async def test_a_pause_inside_a_procedure(work, same, theme, size):
-    async with work(RECTANGLE, size=size, world="living_room") as desk:
-        desk.app.theme = theme
-        desk.place.editor.go_to(4)
-        await desk.press("f10")
-        await desk.shows("Line 4, level 2: FW height")
-        await same(desk)
+async def test_a_pause_inside_a_procedure(open_screen, same, theme, size):
+    async with open_screen(RECTANGLE, size=size, world="living_room") as screen:
+        screen.app.theme = theme
+        screen.main.editor.go_to(4)
+        await screen.press("f10")
+        await screen.shows("Line 4, level 2: FW height")
+        await same(screen)
 
 
 @looks()
-async def test_a_mistake(work, same, theme, size):
-    async with work(RECTANGLE.replace("TR", "RIGTH"), world="living_room", size=size) as desk:
-        desk.app.theme = theme
-        await desk.press("f5")
-        await desk.shows("Error, line 3")
-        await desk.idle()
-        await desk.until(lambda: desk.place.editor.mistake, "the marks beside the program")
-        await same(desk)
+async def test_a_mistake(open_screen, same, theme, size):
+    async with open_screen(RECTANGLE.replace("TR", "RIGTH"), world="living_room", size=size) as screen:
+        screen.app.theme = theme
+        await screen.press("f5")
+        await screen.shows("Error, line 3")
+        await screen.idle()
+        await screen.until(lambda: screen.main.editor.mistake, "the marks beside the program")
+        await same(screen)
 
 
 @looks()
-async def test_the_variables(work, same, theme, size):
-    async with work('VAR a = 5 VAR d = DISTANCE F SPEAK "ready"\nFW 1', size=size) as desk:
-        desk.app.theme = theme
-        await desk.press("f7", "f9", "f9", "f9")
-        await desk.shows("Line 2: FW 1")
-        await desk.press("f4")
-        await same(desk)
+async def test_the_variables(open_screen, same, theme, size):
+    async with open_screen('VAR a = 5 VAR d = DISTANCE F SPEAK "ready"\nFW 1', size=size) as screen:
+        screen.app.theme = theme
+        await screen.press("f7", "f9", "f9", "f9")
+        await screen.shows("Line 2: FW 1")
+        await screen.press("f4")
+        await same(screen)
 
 
 @pytest.mark.parametrize("language", ["pt", "es"])
-async def test_other_languages(work, same, language):
+async def test_other_languages(open_screen, same, language):
     text = (
         "REPITA 2 VEZES PF 3 GD 90 FIM REPITA"
         if language == "pt"
         else "REPETIR 2 VECES AV 3 GD 90 FIN REPETIR"
     )
-    async with work(text, language=language, world="living_room") as desk:
-        await desk.press("f5")
-        await desk.shows("terminou." if language == "pt" else "terminó.")
-        await same(desk)
+    async with open_screen(text, language=language, world="living_room") as screen:
+        await screen.press("f5")
+        await screen.shows("terminou." if language == "pt" else "terminó.")
+        await same(screen)
 
 
-async def test_the_terminal_s_own_colours(work, same, monkeypatch):
+async def test_the_terminal_s_own_colours(open_screen, same, monkeypatch):
     monkeypatch.setenv("NO_COLOR", "1")
-    async with work(world="living_room") as desk:
-        await desk.run(RECTANGLE)
-        await same(desk)
+    async with open_screen(world="living_room") as screen:
+        await screen.run(RECTANGLE)
+        await same(screen)
 
 
-async def opened(desk, *keys: str, typed: str = "") -> None:
-    await desk.press(*keys)
+async def opened(screen, *keys: str, typed: str = "") -> None:
+    await screen.press(*keys)
     if typed:
-        await desk.type_line(typed)
-    await desk.until(lambda: desk.app.screen is not desk.place, "another screen")
-    await desk.pilot.pause()
+        await screen.type_line(typed)
+    await screen.until(lambda: screen.app.screen is not screen.main, "another screen")
+    await screen.pilot.pause()
 
 
 SCREENS = {
@@ -180,71 +180,73 @@ WORDS = {"themes": "SET theme", "languages": "LANGUAGE", "typed": "TYPED", "robo
 
 @looks()
 @pytest.mark.parametrize("name", SCREENS)
-async def test_each_screen(work, same, name, theme, size):
-    async with work(RECTANGLE, size=size, world="living_room") as desk:
-        desk.app.theme = theme
-        desk.place.editor.move_cursor((2, 0))
-        await opened(desk, *SCREENS[name])
-        await same(desk)
+async def test_each_screen(open_screen, same, name, theme, size):
+    async with open_screen(RECTANGLE, size=size, world="living_room") as screen:
+        screen.app.theme = theme
+        screen.main.editor.move_cursor((2, 0))
+        await opened(screen, *SCREENS[name])
+        await same(screen)
 
 
 @looks()
 @pytest.mark.parametrize("name", WORDS)
-async def test_each_list(work, same, name, theme, size):
-    async with work(RECTANGLE, size=size, world="two_robots") as desk:
-        desk.app.theme = theme
-        await desk.type_line("WHERE")
-        await opened(desk, typed=WORDS[name])
-        await same(desk)
+async def test_each_list(open_screen, same, name, theme, size):
+    async with open_screen(RECTANGLE, size=size, world="two_robots") as screen:
+        screen.app.theme = theme
+        await screen.type_line("WHERE")
+        await opened(screen, typed=WORDS[name])
+        await same(screen)
 
 
 @looks((40, 12))
-async def test_changing_a_key(work, same, theme, size):
-    async with work("FW 1", size=size) as desk:
-        desk.app.theme = theme
-        await desk.type_line("CHANGE KEYS")
-        await desk.until(lambda: "RUN: F5, Esc" in desk.screen, "the list")
-        await desk.press(*"run:", "enter")
-        await desk.until(lambda: "Press the key for RUN." in desk.screen, "the question")
-        await same(desk)
+async def test_changing_a_key(open_screen, same, theme, size):
+    async with open_screen("FW 1", size=size) as screen:
+        screen.app.theme = theme
+        await screen.type_line("CHANGE KEYS")
+        await screen.until(lambda: "RUN: F5, Esc" in screen.text, "the list")
+        await screen.press(*"run:", "enter")
+        await screen.until(lambda: "Press the key for RUN." in screen.text, "the question")
+        await same(screen)
 
 
 @looks()
-async def test_the_map_with_names_rays_and_coordinates(work, same, theme, size):
-    async with work(size=size, world="living_room") as desk:
-        desk.app.theme = theme
-        await desk.run("FW 3 TR 45 SPEAK DISTANCE F")
-        await desk.press("ctrl+k", "c", "ctrl+k", "t")
-        await desk.shows("Names on the map.")
-        await desk.press("ctrl+k", "n")
-        await desk.until(lambda: "Map," in desk.status, "the finger")
-        await same(desk)
+async def test_the_map_with_names_rays_and_coordinates(open_screen, same, theme, size):
+    async with open_screen(size=size, world="living_room") as screen:
+        screen.app.theme = theme
+        await screen.run("FW 3 TR 45 SPEAK DISTANCE F")
+        await screen.press("ctrl+k", "c", "ctrl+k", "t")
+        await screen.shows("Names on the map.")
+        await screen.press("ctrl+k", "n")
+        await screen.until(lambda: "Map," in screen.status, "the finger")
+        await same(screen)
 
 
 @looks()
-async def test_the_whole_of_a_large_map(work, same, theme, size):
-    async with work(world="living_room", size=size) as desk:
-        desk.app.theme = theme
-        await desk.press("ctrl+k", "a")
-        await desk.shows("All of the map")
-        await same(desk)
+async def test_the_whole_of_a_large_map(open_screen, same, theme, size):
+    async with open_screen(world="living_room", size=size) as screen:
+        screen.app.theme = theme
+        await screen.press("ctrl+k", "a")
+        await screen.shows("All of the map")
+        await same(screen)
 
 
 @looks((40, 12))
-async def test_the_plain_layout(work, same, theme, size):
-    async with work("FW 3", size=size, world="living_room", plain=True) as desk:
-        desk.app.theme = theme
-        await desk.press("f5")
-        await desk.shows("The program is done.")
-        await same(desk)
+async def test_the_plain_layout(open_screen, same, theme, size):
+    async with open_screen("FW 3", size=size, world="living_room", plain=True) as screen:
+        screen.app.theme = theme
+        await screen.press("f5")
+        await screen.shows("The program is done.")
+        await same(screen)
 
 
 @looks()
-async def test_mistakes_and_breakpoints_next_to_the_program(work, same, theme, size):
-    async with work("FW 1\nFWD 3\nREPEAT 2 TIMES\nFW 1\nEND REPEAT", world="living_room", size=size) as desk:
-        desk.app.theme = theme
-        desk.place.editor.go_to(4)
-        await desk.press("ctrl+b")
-        await desk.until(lambda: "!2" in desk.screen, "the mark")
-        await desk.shows("Breakpoint at line 4.")
-        await same(desk)
+async def test_mistakes_and_breakpoints_next_to_the_program(open_screen, same, theme, size):
+    async with open_screen(
+        "FW 1\nFWD 3\nREPEAT 2 TIMES\nFW 1\nEND REPEAT", world="living_room", size=size
+    ) as screen:
+        screen.app.theme = theme
+        screen.main.editor.go_to(4)
+        await screen.press("ctrl+b")
+        await screen.until(lambda: "!2" in screen.text, "the mark")
+        await screen.shows("Breakpoint at line 4.")
+        await same(screen)

@@ -1,54 +1,47 @@
 """Settings that are chosen at the screen count at once, and the next time."""
 
-import pytest
-
 from donnie_tui.commands.settings import change
 from tests.tui.settings_files import kept
 
 
-@pytest.fixture(autouse=True)
-def own_settings(tmp_path, monkeypatch):
-    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
+async def test_the_look_is_chosen_by_word_and_kept(open_screen, tmp_path):
+    async with open_screen() as screen:
+        await screen.type_line("THEME light")
+        await screen.shows("Look: light.")
 
-
-async def test_the_look_is_chosen_by_word_and_kept(work, tmp_path):
-    async with work() as desk:
-        await desk.type_line("THEME light")
-        await desk.shows("Look: light.")
-
-        assert desk.app.theme == "donnie-light"
+        assert screen.app.theme == "donnie-light"
         assert kept(tmp_path)["theme"] == "light"
 
-        await desk.type_line("SET theme dark")
-        await desk.shows("Look: dark.")
-        assert desk.app.theme == "donnie-dark"
+        await screen.type_line("SET theme dark")
+        await screen.shows("Look: dark.")
+        assert screen.app.theme == "donnie-dark"
 
 
-async def test_the_language_changes_everything_at_once(work):
-    async with work() as desk:
-        await desk.type_line("LANGUAGE pt")
-        await desk.shows("Idioma: português.")
-        await desk.until(lambda: "Mapa:" in desk.screen and "Registro" in desk.screen, "the titles")
+async def test_the_language_changes_everything_at_once(open_screen):
+    async with open_screen() as screen:
+        await screen.type_line("LANGUAGE pt")
+        await screen.shows("Idioma: português.")
+        await screen.until(lambda: "Mapa:" in screen.text and "Registro" in screen.text, "the titles")
 
-        assert "Executar" in desk.screen
-        assert "Pronto" in desk.status
+        assert "Executar" in screen.text
+        assert "Pronto" in screen.status
 
 
-async def test_the_settings_list_changes_one_and_comes_back(work, tmp_path):
-    async with work() as desk:
-        await desk.press("ctrl+k", "comma")
-        await desk.until(lambda: "Settings" in desk.screen and "Look: dark." in desk.screen, "the settings")
-        await desk.press(*"detail", "enter")
-        await desk.until(lambda: "normal" in desk.screen and "brief" in desk.screen, "the values")
-        await desk.press(*"brief", "enter")
-        await desk.until(lambda: "Detail: brief." in desk.screen, "the settings again")
-        await desk.press("escape")
+async def test_the_settings_list_changes_one_and_comes_back(open_screen, tmp_path):
+    async with open_screen() as screen:
+        await screen.press("ctrl+k", "comma")
+        await screen.until(lambda: "Settings" in screen.text and "Look: dark." in screen.text, "the settings")
+        await screen.press(*"detail", "enter")
+        await screen.until(lambda: "normal" in screen.text and "brief" in screen.text, "the values")
+        await screen.press(*"brief", "enter")
+        await screen.until(lambda: "Detail: brief." in screen.text, "the settings again")
+        await screen.press("escape")
 
         assert kept(tmp_path)["verbosity"] == "brief"
 
 
-async def test_another_key_works_at_once(work):
-    async with work('SPEAK "by another key"') as desk:
-        change(desk.app.controller.ctx, "keys", "run f9")
-        await desk.press("f9")
-        await desk.shows("by another key")
+async def test_another_key_works_at_once(open_screen):
+    async with open_screen('SPEAK "by another key"') as screen:
+        change(screen.app.controller.ctx, "keys", "run f9")
+        await screen.press("f9")
+        await screen.shows("by another key")

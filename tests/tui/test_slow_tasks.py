@@ -46,54 +46,54 @@ def slow_saving(monkeypatch, gate):
     return gate
 
 
-async def _begin_saving(desk, path):
+async def _begin_saving(screen, path):
     """Saves until the report that it takes a while."""
-    await desk.type_line(f"SAVE {path}")
-    await desk.shows(f"Saving {path.name}, it takes a while.")
+    await screen.type_line(f"SAVE {path}")
+    await screen.shows(f"Saving {path.name}, it takes a while.")
 
 
-async def test_a_slow_disk_is_reported_and_blocks_no_key(work, tmp_path, slow_saving):
+async def test_a_slow_disk_is_reported_and_blocks_no_key(open_screen, tmp_path, slow_saving):
     path = tmp_path / "walk.gd"
-    async with work("FW 1") as desk:
-        await _begin_saving(desk, path)
-        desk.place.editor.focus()
-        await desk.press("x")
-        await desk.until(lambda: desk.place.editor.text == "xFW 1", "the letter")
-        desk.app.controller.workspace.write_copies()
+    async with open_screen("FW 1") as screen:
+        await _begin_saving(screen, path)
+        screen.main.editor.focus()
+        await screen.press("x")
+        await screen.until(lambda: screen.main.editor.text == "xFW 1", "the letter")
+        screen.app.controller.workspace.write_copies()
         assert not path.exists()
         slow_saving.set()
-        await desk.shows("Saved walk.gd, 1 line.")
+        await screen.shows("Saved walk.gd, 1 line.")
         assert path.read_text() == "FW 1\n"
-        assert not desk.app.controller.workspace.document.is_saved, "what was typed meanwhile is not saved"
-        desk.app.controller.workspace.write_copies()
+        assert not screen.app.controller.workspace.document.is_saved, "what was typed meanwhile is not saved"
+        screen.app.controller.workspace.write_copies()
         assert _copies_in(tmp_path) == ["xFW 1"], "nor is its copy given up"
 
 
-async def test_leaving_waits_for_what_is_being_saved(work, tmp_path, slow_saving):
+async def test_leaving_waits_for_what_is_being_saved(open_screen, tmp_path, slow_saving):
     path = tmp_path / "walk.gd"
-    async with work("FW 1") as desk:
-        await _begin_saving(desk, path)
-        await desk.press("ctrl+q")
-        await desk.pilot.pause()
-        assert desk.app.is_running
-        assert desk.app.screen is desk.place, "nothing is asked"
+    async with open_screen("FW 1") as screen:
+        await _begin_saving(screen, path)
+        await screen.press("ctrl+q")
+        await screen.pilot.pause()
+        assert screen.app.is_running
+        assert screen.app.screen is screen.main, "nothing is asked"
         slow_saving.set()
-        await desk.until(lambda: not desk.app.is_running or desk.app._exit, "the end")
+        await screen.until(lambda: not screen.app.is_running or screen.app._exit, "the end")
         assert path.read_text() == "FW 1\n"
 
 
-async def test_the_log_is_saved_to_a_slow_disk_in_the_background(work, monkeypatch, tmp_path, gate):
+async def test_the_log_is_saved_to_a_slow_disk_in_the_background(open_screen, monkeypatch, tmp_path, gate):
     """What has no suffix is a text, as in the linear mode."""
     monkeypatch.setattr(files, "write_program", _once_open(gate, files.write_program))
     path = tmp_path / "my notes.txt"
-    async with work("FW 1") as desk:
-        await desk.type_line(f'SAVE LOG "{path.with_suffix("")}"')
-        await desk.shows("Writing my notes.txt, it takes a while.")
-        desk.place.editor.focus()
-        await desk.press("x")
-        await desk.until(lambda: desk.place.editor.text == "xFW 1", "the letter")
+    async with open_screen("FW 1") as screen:
+        await screen.type_line(f'SAVE LOG "{path.with_suffix("")}"')
+        await screen.shows("Writing my notes.txt, it takes a while.")
+        screen.main.editor.focus()
+        await screen.press("x")
+        await screen.until(lambda: screen.main.editor.text == "xFW 1", "the letter")
         gate.set()
-        await desk.shows("Wrote my notes.txt.")
+        await screen.shows("Wrote my notes.txt.")
         assert "> SAVE LOG" in path.read_text(encoding="utf-8")
 
 
@@ -123,145 +123,145 @@ def _slow_disk(monkeypatch, gate):
 
 
 async def test_a_copy_on_a_slow_disk_holds_no_typing_and_has_the_last_letters(
-    work, monkeypatch, tmp_path, gate
+    open_screen, monkeypatch, tmp_path, gate
 ):
     came = _slow_disk(monkeypatch, gate)
-    async with work("FW 1") as desk:
-        await desk.press("a")
-        await desk.until(lambda: came, "the first copy is being written")
-        await desk.press("b", "c")
-        desk.app.controller.workspace.keep_copies()
-        desk.app.controller.workspace.keep_copies()
-        await desk.press("d")
-        desk.app.controller.workspace.keep_copies()
-        assert desk.place.editor.text == "abcdFW 1"
+    async with open_screen("FW 1") as screen:
+        await screen.press("a")
+        await screen.until(lambda: came, "the first copy is being written")
+        await screen.press("b", "c")
+        screen.app.controller.workspace.keep_copies()
+        screen.app.controller.workspace.keep_copies()
+        await screen.press("d")
+        screen.app.controller.workspace.keep_copies()
+        assert screen.main.editor.text == "abcdFW 1"
         assert len(came) == 1, "one at a time"
         gate.set()
-        await desk.until(lambda: _copies_in(tmp_path) == ["abcdFW 1"], "the last letters")
+        await screen.until(lambda: _copies_in(tmp_path) == ["abcdFW 1"], "the last letters")
 
 
-async def test_a_lost_connection_leaves_the_last_copy(work, monkeypatch, tmp_path, gate):
+async def test_a_lost_connection_leaves_the_last_copy(open_screen, monkeypatch, tmp_path, gate):
     came = _slow_disk(monkeypatch, gate)
-    async with work("FW 1") as desk:
-        await desk.press("a")
-        await desk.until(lambda: came, "a copy is being written")
-        await desk.press("b")
+    async with open_screen("FW 1") as screen:
+        await screen.press("a")
+        await screen.until(lambda: came, "a copy is being written")
+        await screen.press("b")
         threading.Timer(0.1, gate.set).start()
-        desk.app.shutdown.leave(signal.SIGHUP)
+        screen.app.shutdown.leave(signal.SIGHUP)
         assert _copies_in(tmp_path) == ["abFW 1"]
 
 
 async def test_a_program_that_was_given_up_while_its_copy_was_written_is_left_for_recover(
-    work, monkeypatch, tmp_path, gate
+    open_screen, monkeypatch, tmp_path, gate
 ):
     came = _slow_disk(monkeypatch, gate)
-    async with work("FW 1") as desk:
-        await desk.press("a")
-        await desk.until(lambda: came, "a copy is being written")
-        await desk.press("ctrl+n")
-        await desk.answer("no")
-        await desk.shows("A new program.")
+    async with open_screen("FW 1") as screen:
+        await screen.press("a")
+        await screen.until(lambda: came, "a copy is being written")
+        await screen.press("ctrl+n")
+        await screen.answer("no")
+        await screen.shows("A new program.")
         gate.set()
     assert _copies_in(tmp_path) == ["aFW 1"]
 
 
-async def test_leaving_while_a_copy_is_written_keeps_it_for_recover(work, monkeypatch, tmp_path, gate):
+async def test_leaving_while_a_copy_is_written_keeps_it_for_recover(open_screen, monkeypatch, tmp_path, gate):
     came = _slow_disk(monkeypatch, gate)
-    async with work("FW 1") as desk:
-        await desk.press("a")
-        await desk.until(lambda: came, "a copy is being written")
-        await desk.press("ctrl+q")
-        await desk.answer("no")
-        await desk.until(lambda: not desk.app.is_running or desk.app._exit, "the end")
+    async with open_screen("FW 1") as screen:
+        await screen.press("a")
+        await screen.until(lambda: came, "a copy is being written")
+        await screen.press("ctrl+q")
+        await screen.answer("no")
+        await screen.until(lambda: not screen.app.is_running or screen.app._exit, "the end")
         gate.set()
     assert _copies_in(tmp_path) == ["aFW 1"]
 
 
 async def test_a_slow_file_is_reported_and_typed_text_is_replaced_only_after_a_question(
-    work, monkeypatch, tmp_path, gate
+    open_screen, monkeypatch, tmp_path, gate
 ):
     path = tmp_path / "walk.gd"
     path.write_text("FW 1\n")
     _slow_disk(monkeypatch, gate)
-    async with work() as desk:
-        await desk.type_line(f"OPEN {path}")
-        await desk.shows("Opening walk.gd, it takes a while.")
-        desk.place.editor.focus()
-        await desk.press("x")
-        await desk.until(lambda: desk.place.editor.text == "x", "the letter")
+    async with open_screen() as screen:
+        await screen.type_line(f"OPEN {path}")
+        await screen.shows("Opening walk.gd, it takes a while.")
+        screen.main.editor.focus()
+        await screen.press("x")
+        await screen.until(lambda: screen.main.editor.text == "x", "the letter")
         gate.set()
-        await desk.answer("no")
-        await desk.shows("Opened walk.gd, 1 line.")
-        assert desk.place.editor.text == "FW 1"
+        await screen.answer("no")
+        await screen.shows("Opened walk.gd, 1 line.")
+        assert screen.main.editor.text == "FW 1"
 
 
-async def test_another_command_cancels_opening_and_that_is_reported(work, monkeypatch, tmp_path, gate):
+async def test_another_command_cancels_opening_and_that_is_reported(open_screen, monkeypatch, tmp_path, gate):
     path = tmp_path / "walk.gd"
     path.write_text("FW 1\n")
     _slow_disk(monkeypatch, gate)
     read, has_read = files.read_program, threading.Event()
     monkeypatch.setattr(files, "read_program", lambda path: (read(path), has_read.set())[0])
-    async with work() as desk:
-        await desk.type_line(f"OPEN {path}")
-        await desk.shows("Opening walk.gd, it takes a while.")
-        await desk.type_line("OPEN")
-        await desk.shows("Nothing was changed.")
-        await desk.press("escape")
+    async with open_screen() as screen:
+        await screen.type_line(f"OPEN {path}")
+        await screen.shows("Opening walk.gd, it takes a while.")
+        await screen.type_line("OPEN")
+        await screen.shows("Nothing was changed.")
+        await screen.press("escape")
         gate.set()
-        await desk.until(has_read.is_set, "the file that is no longer wanted")
+        await screen.until(has_read.is_set, "the file that is no longer wanted")
         await asyncio.to_thread(has_read.wait)  # what came of it is at the screen before this is
-        await desk.type_line("POS")
-        await desk.shows("> POS")
-        assert desk.place.editor.text == ""
-        assert not any(line.startswith("Opened") for line in desk.log)
+        await screen.type_line("POS")
+        await screen.shows("> POS")
+        assert screen.main.editor.text == ""
+        assert not any(line.startswith("Opened") for line in screen.log)
 
 
 async def test_a_file_of_the_command_line_that_comes_slowly_leaves_the_screen_alive(
-    work, monkeypatch, tmp_path, gate
+    open_screen, monkeypatch, tmp_path, gate
 ):
     path = tmp_path / "walk.gd"
     path.write_text("FW 1\n")
     _slow_disk(monkeypatch, gate)
-    async with work(file=path) as desk:
-        await desk.shows("Opening walk.gd, it takes a while.")
-        await desk.type_line("POS")
-        await desk.shows("> POS")
+    async with open_screen(file=path) as screen:
+        await screen.shows("Opening walk.gd, it takes a while.")
+        await screen.type_line("POS")
+        await screen.shows("> POS")
         gate.set()
-        await desk.shows("Opened walk.gd, 1 line.")
+        await screen.shows("Opened walk.gd, 1 line.")
 
 
-async def test_a_program_comes_back_with_the_name_of_its_file(work, tmp_path):
+async def test_a_program_comes_back_with_the_name_of_its_file(open_screen, tmp_path):
     path = tmp_path / "walk.gd"
     path.write_text("FW 1\n")
     lost = UnsavedCopy(CopyFolder(str(tmp_path / "unsaved")))
     lost.want("FW 12", path)
     lost.write()
-    async with work() as desk:
-        await desk.type_line("RECOVER")
-        await desk.shows("Here walk.gd is again, 1 line.")
-        assert desk.app.controller.workspace.document.path == path
-        assert "walk.gd, changed" in desk.screen
-        await desk.until(lambda: len(_copies_in(tmp_path)) == 1, "one copy, this start's own")
-        await desk.press("ctrl+s")
-        await desk.shows("Saved walk.gd")
+    async with open_screen() as screen:
+        await screen.type_line("RECOVER")
+        await screen.shows("Here walk.gd is again, 1 line.")
+        assert screen.app.controller.workspace.document.path == path
+        assert "walk.gd, changed" in screen.text
+        await screen.until(lambda: len(_copies_in(tmp_path)) == 1, "one copy, this start's own")
+        await screen.press("ctrl+s")
+        await screen.shows("Saved walk.gd")
         assert path.read_text() == "FW 12\n"
-        await desk.until(lambda: not _copies_in(tmp_path), "no copy is needed")
+        await screen.until(lambda: not _copies_in(tmp_path), "no copy is needed")
 
 
 def _copies_in(folder):
     return [read_copy(each).text for each in (folder / "unsaved").glob("*.gd")]
 
 
-async def test_a_huge_program_that_is_being_parsed_is_reported(work, monkeypatch):
-    async with work("WAIT 1000", speed=1.0) as desk:
-        monkeypatch.setattr(type(desk.app.controller.ctx.runs), "frames", property(lambda _: ()))
-        await desk.press("f5")
-        await desk.shows("Reading 1 line of program.")
-        await desk.press("f8")
-        await desk.idle()
+async def test_a_huge_program_that_is_being_parsed_is_reported(open_screen, monkeypatch):
+    async with open_screen("WAIT 1000", speed=1.0) as screen:
+        monkeypatch.setattr(type(screen.app.controller.ctx.runs), "frames", property(lambda _: ()))
+        await screen.press("f5")
+        await screen.shows("Reading 1 line of program.")
+        await screen.press("f8")
+        await screen.idle()
 
 
-async def test_a_program_that_changes_during_formatting_is_not_formatted(work, monkeypatch, gate):
+async def test_a_program_that_changes_during_formatting_is_not_formatted(open_screen, monkeypatch, gate):
     lay_out = program.formatted
 
     def slowly(text, language):
@@ -269,43 +269,47 @@ async def test_a_program_that_changes_during_formatting_is_not_formatted(work, m
         return lay_out(text, language)
 
     monkeypatch.setattr(program, "formatted", slowly)
-    async with work("fw 1   tr 90") as desk:
-        await desk.press("ctrl+k", "m")
-        await desk.shows("Laying the program out, it takes a while.")
-        await desk.press("home")
-        desk.place.editor.insert("-- mine\n", (0, 0))
+    async with open_screen("fw 1   tr 90") as screen:
+        await screen.press("ctrl+k", "m")
+        await screen.shows("Laying the program out, it takes a while.")
+        await screen.press("home")
+        screen.main.editor.insert("-- mine\n", (0, 0))
         gate.set()
-        await desk.shows("The program was changed meanwhile")
-        assert desk.place.editor.text == "-- mine\nfw 1   tr 90"
+        await screen.shows("The program was changed meanwhile")
+        assert screen.main.editor.text == "-- mine\nfw 1   tr 90"
 
 
-async def test_a_formatting_that_another_word_replaces_is_still_answered(work, monkeypatch, gate, tmp_path):
+async def test_a_formatting_that_another_word_replaces_is_still_answered(
+    open_screen, monkeypatch, gate, tmp_path
+):
     monkeypatch.setattr(program, "formatted", lambda *_: gate.wait(TIMEOUT))
-    async with work("fw 1   tr 90") as desk:
-        await desk.type_line("FORMAT")
-        await desk.shows("Laying the program out, it takes a while.")
-        await desk.type_line(f"SAVE {tmp_path / 'mine'}")
-        await desk.shows("Nothing was changed.")
-        await desk.shows("Saved mine.gd, 1 line.")
+    async with open_screen("fw 1   tr 90") as screen:
+        await screen.type_line("FORMAT")
+        await screen.shows("Laying the program out, it takes a while.")
+        await screen.type_line(f"SAVE {tmp_path / 'mine'}")
+        await screen.shows("Nothing was changed.")
+        await screen.shows("Saved mine.gd, 1 line.")
         gate.set()
 
 
-async def test_a_report_is_written_to_its_end_whatever_is_asked_meanwhile(work, monkeypatch, gate, tmp_path):
+async def test_a_report_is_written_to_its_end_whatever_is_asked_meanwhile(
+    open_screen, monkeypatch, gate, tmp_path
+):
     def slowly(path, text):
         gate.wait(TIMEOUT)
         path.write_text(text)
 
     monkeypatch.setattr(files, "write_program", slowly)
-    async with work("FW 1") as desk:
-        await desk.type_line(f"REPORT list {tmp_path / 'list.html'}")
-        await desk.shows("list.html, it takes a while.")
-        await desk.type_line("SEARCH FW")
-        await desk.shows("Line 1: FW 1")
+    async with open_screen("FW 1") as screen:
+        await screen.type_line(f"REPORT list {tmp_path / 'list.html'}")
+        await screen.shows("list.html, it takes a while.")
+        await screen.type_line("SEARCH FW")
+        await screen.shows("Line 1: FW 1")
         gate.set()
-        await desk.shows("Wrote list.html.")
+        await screen.shows("Wrote list.html.")
 
 
-async def test_a_large_world_is_reported_while_it_loads_and_when_it_is_ready(work, monkeypatch, gate):
+async def test_a_large_world_is_reported_while_it_loads_and_when_it_is_ready(open_screen, monkeypatch, gate):
     tell = startup.Startup._print
 
     def report_early(self, code, **values):
@@ -318,6 +322,6 @@ async def test_a_large_world_is_reported_while_it_loads_and_when_it_is_ready(wor
 
     monkeypatch.setattr(startup.Startup, "_print", report_early)
     monkeypatch.setattr(conftest, "assemble", slowly)
-    async with work(world="my/large.world") as desk:
-        assert "Loading the world large.world, it takes a while." in desk.log
-        await desk.shows("The world large.world is there.")
+    async with open_screen(world="my/large.world") as screen:
+        assert "Loading the world large.world, it takes a while." in screen.log
+        await screen.shows("The world large.world is there.")

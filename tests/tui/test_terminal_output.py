@@ -159,31 +159,31 @@ def cost(updates: list[str]) -> int:
 
 
 @pytest.mark.parametrize(("plain", "most"), [(False, 100), (True, 140)], ids=["panes", "plain"])
-async def test_a_typed_key_costs_few_bytes(work, written, plain, most):
+async def test_a_typed_key_costs_few_bytes(open_screen, written, plain, most):
     """At the end of a line, in the program and in the command line."""
-    async with work("FW 1\nTR 90\n", plain=plain) as desk:
-        for widget in (desk.place.editor, desk.place.command_line):
+    async with open_screen("FW 1\nTR 90\n", plain=plain) as screen:
+        for widget in (screen.main.editor, screen.main.command_line):
             widget.focus()
             for key in ("end", "space", *"tr 12"):
-                await desk.press(key)
-            await desk.painted()
+                await screen.press(key)
+            await screen.painted()
             written.clear()
-            await desk.press("3")
-            await desk.painted()
+            await screen.press("3")
+            await screen.painted()
 
             assert 0 < cost(written) <= most, written
 
 
 @pytest.mark.parametrize(("plain", "most"), [(False, 1500), (True, 2500)], ids=["panes", "plain"])
-async def test_a_move_to_the_next_pane_writes_only_the_changes(work, written, plain, most):
+async def test_a_move_to_the_next_pane_writes_only_the_changes(open_screen, written, plain, most):
     """Titles, the status line and the keys, not the whole screen; in the plain layout another pane."""
-    async with work("FW 1", plain=plain) as desk:
-        await desk.press("tab")  # where Textual paints styles for the first time
-        await desk.painted()
+    async with open_screen("FW 1", plain=plain) as screen:
+        await screen.press("tab")  # where Textual paints styles for the first time
+        await screen.painted()
         for _ in range(3):
             written.clear()
-            await desk.press("tab")
-            await desk.painted()
+            await screen.press("tab")
+            await screen.painted()
 
             assert 0 < cost(written) < most
 
@@ -204,14 +204,16 @@ class WithoutChops(CompositorUpdate):
 
 
 @pytest.mark.parametrize("name", ["ChopsUpdate", "LayoutUpdate"])
-async def test_textuals_own_output_is_sent_where_its_updates_have_another_form(work, monkeypatch, name):
+async def test_textuals_own_output_is_sent_where_its_updates_have_another_form(
+    open_screen, monkeypatch, name
+):
     monkeypatch.setattr(terminal_output, name, WithoutChops)
     monkeypatch.setattr(terminal_output, "Update", WithoutChops)
     sent = []
-    async with work("FW 1") as desk:
+    async with open_screen("FW 1") as screen:
         monkeypatch.setattr(App, "_display", lambda self, screen, renderable: sent.append(renderable))
-        await desk.type_line("POS")
-        await desk.until(lambda: any(isinstance(each, ChopsUpdate) for each in sent), "Textual's update")
+        await screen.type_line("POS")
+        await screen.until(lambda: any(isinstance(each, ChopsUpdate) for each in sent), "Textual's update")
 
     assert diff_output(CONSOLE) is None
     assert not any(isinstance(each, ChangedCells) for each in sent)

@@ -58,42 +58,47 @@ def too_faint(app) -> dict[str, float]:
 
 
 @pytest.mark.parametrize("name", RGB)
-async def test_every_text_that_is_painted_has_a_contrast_of_seven(work, name):
-    async with work(PROGRAM, world="living_room", size=(120, 40)) as desk:
-        desk.app.theme = name
-        await desk.press("f5")
-        await desk.shows("Error, line 6")
-        await desk.idle()
-        faint = too_faint(desk.app)
-        for widget in (desk.place.map, desk.place.log_rows, desk.place.inspector, desk.place.command_line):
+async def test_every_text_that_is_painted_has_a_contrast_of_seven(open_screen, name):
+    async with open_screen(PROGRAM, world="living_room", size=(120, 40)) as screen:
+        screen.app.theme = name
+        await screen.press("f5")
+        await screen.shows("Error, line 6")
+        await screen.idle()
+        faint = too_faint(screen.app)
+        for widget in (
+            screen.main.map,
+            screen.main.log_rows,
+            screen.main.inspector,
+            screen.main.command_line,
+        ):
             widget.focus()
-            await desk.pilot.pause()
-            faint |= too_faint(desk.app)
-        desk.place.editor.focus()
-        await desk.press("shift+up", "shift+right")
-        faint |= too_faint(desk.app)
-        await desk.press("ctrl+a")
-        faint |= too_faint(desk.app)
+            await screen.pilot.pause()
+            faint |= too_faint(screen.app)
+        screen.main.editor.focus()
+        await screen.press("shift+up", "shift+right")
+        faint |= too_faint(screen.app)
+        await screen.press("ctrl+a")
+        faint |= too_faint(screen.app)
         for key, leave in (("f1", "escape"), ("ctrl+p", "escape"), ("ctrl+n", "escape")):
-            await desk.press(key)
-            await desk.until(lambda: desk.app.screen is not desk.place, key)
-            await desk.painted()
-            faint |= too_faint(desk.app)
-            await desk.press(leave)
-            await desk.until(lambda: desk.app.screen is desk.place, leave)
+            await screen.press(key)
+            await screen.until(lambda: screen.app.screen is not screen.main, key)
+            await screen.painted()
+            faint |= too_faint(screen.app)
+            await screen.press(leave)
+            await screen.until(lambda: screen.app.screen is screen.main, leave)
 
         assert faint == {}
 
 
 @pytest.mark.parametrize("name", themes.NAMES)
-async def test_selected_text_has_the_colours_of_what_is_chosen_whatever_its_syntax(work, name):
+async def test_selected_text_has_the_colours_of_what_is_chosen_whatever_its_syntax(open_screen, name):
     """In the terminal's own look: its own two colours, the other way round."""
-    async with work('FW 5\n\nSPEAK "a"', size=(80, 24)) as desk:
-        desk.app.theme = name
-        desk.place.editor.focus()
-        await desk.press("ctrl+a")
-        await desk.pilot.pause()
-        editor = desk.place.editor
+    async with open_screen('FW 5\n\nSPEAK "a"', size=(80, 24)) as screen:
+        screen.app.theme = name
+        screen.main.editor.focus()
+        await screen.press("ctrl+a")
+        await screen.pilot.pause()
+        editor = screen.main.editor
         rows = [editor.render_line(y).crop(editor.gutter_width) for y in range(4)]
         chosen = [[each for each in row if each.style.reverse or name in RGB][:3] for row in rows]
         words = themes.theme(name).variables
@@ -111,15 +116,15 @@ async def test_selected_text_has_the_colours_of_what_is_chosen_whatever_its_synt
 
 @pytest.mark.parametrize("size", [(80, 24), (40, 16)], ids=["wide", "narrow"])
 @pytest.mark.parametrize("name", [*RGB, themes.TERMINAL])
-async def test_each_kind_of_line_in_the_log_has_its_look_and_its_words(work, name, size):
-    async with work("", size=size) as desk:
-        desk.app.theme = name
-        desk.app.controller.display.write(("Sentence.", kind) for kind in KINDS)
-        desk.place.go_to(desk.place.log_pane)
-        await desk.until(lambda: len(desk.place.log_rows.lines) > len(KINDS), "the log")
-        desk.place.command_line.focus()
-        await desk.pilot.pause()
-        rows = desk.place.log_rows
+async def test_each_kind_of_line_in_the_log_has_its_look_and_its_words(open_screen, name, size):
+    async with open_screen("", size=size) as screen:
+        screen.app.theme = name
+        screen.app.controller.display.write(("Sentence.", kind) for kind in KINDS)
+        screen.main.go_to(screen.main.log_pane)
+        await screen.until(lambda: len(screen.main.log_rows.lines) > len(KINDS), "the log")
+        screen.main.command_line.focus()
+        await screen.pilot.pause()
+        rows = screen.main.log_rows
         seen = [rows._segments(rows.row_count - len(KINDS) + at) for at in range(len(KINDS))]
         said = [next(each for each in row if each.text in KIND_WORDS) for row in seen]
         looks = [(each.style.color, each.style.bold, each.style.italic) for each in said]
@@ -127,7 +132,7 @@ async def test_each_kind_of_line_in_the_log_has_its_look_and_its_words(work, nam
         assert [each.text for each in said] == list(KIND_WORDS)
         assert len(set(looks)) == len(KINDS)
         if name in RGB:
-            assert too_faint(desk.app) == {}
+            assert too_faint(screen.app) == {}
 
 
 @pytest.mark.parametrize("name", RGB)
@@ -151,13 +156,13 @@ def test_every_setting_of_the_look_is_one():
 
 @pytest.mark.parametrize("name", themes.NAMES)
 @pytest.mark.parametrize("keys", [("ctrl+g",), ("down", "end", "ctrl+@")], ids=["question", "words"])
-async def test_the_program_stays_visible_next_to_a_question(work, name, keys):
+async def test_the_program_stays_visible_next_to_a_question(open_screen, name, keys):
     """In the terminal's own colours, too, which Textual can't make transparent by a percentage."""
-    async with work("FW 1\nREP") as desk:
-        desk.app.theme = name
-        await desk.press(*keys)
-        await desk.until(lambda: desk.app.screen is not desk.place, "the question")
-        await desk.until(lambda: "Ready" not in desk.screen or "REPEAT" in desk.screen, "its picture")
+    async with open_screen("FW 1\nREP") as screen:
+        screen.app.theme = name
+        await screen.press(*keys)
+        await screen.until(lambda: screen.app.screen is not screen.main, "the question")
+        await screen.until(lambda: "Ready" not in screen.text or "REPEAT" in screen.text, "its picture")
 
-        assert "1  FW 1" in desk.screen
-        assert "Map: " in desk.screen
+        assert "1  FW 1" in screen.text
+        assert "Map: " in screen.text

@@ -9,31 +9,31 @@ from donnie_tui.i18n.help import SCREEN_TOUR_PAGES
 from tests.tui.conftest import WAITING
 
 
-async def touring(desk) -> None:  # type: ignore[no-untyped-def]
-    desk.app.controller.do("tour")
-    await desk.until(lambda: "Tour, page" in desk.screen and "Enter continues" in desk.screen, "the tour")
+async def touring(screen) -> None:  # type: ignore[no-untyped-def]
+    screen.app.controller.do("tour")
+    await screen.until(lambda: "Tour, page" in screen.text and "Enter continues" in screen.text, "the tour")
 
 
-async def closed(desk) -> None:  # type: ignore[no-untyped-def]
-    await desk.until(lambda: desk.app.screen is desk.place, "the main screen")
+async def closed(screen) -> None:  # type: ignore[no-untyped-def]
+    await screen.until(lambda: screen.app.screen is screen.main, "the main screen")
 
 
-async def turn_to(desk, page: int, key: str = "enter") -> None:  # type: ignore[no-untyped-def]
-    await desk.press(key)
-    await desk.until(lambda: f"Tour, page {page} of {SCREEN_TOUR_PAGES}." in desk.screen, f"page {page}")
+async def turn_to(screen, page: int, key: str = "enter") -> None:  # type: ignore[no-untyped-def]
+    await screen.press(key)
+    await screen.until(lambda: f"Tour, page {page} of {SCREEN_TOUR_PAGES}." in screen.text, f"page {page}")
 
 
-async def test_enter_turns_the_pages_and_closes_behind_the_last_one(work) -> None:  # type: ignore[no-untyped-def]
-    async with work() as desk:
-        await touring(desk)
-        seen = [desk.screen]
+async def test_enter_turns_the_pages_and_closes_behind_the_last_one(open_screen) -> None:  # type: ignore[no-untyped-def]
+    async with open_screen() as screen:
+        await touring(screen)
+        seen = [screen.text]
         for page in range(2, SCREEN_TOUR_PAGES + 1):
-            await turn_to(desk, page)
-            seen.append(desk.screen)
-        await desk.press("enter")
-        await closed(desk)
-        await touring(desk)
-        again = desk.screen
+            await turn_to(screen, page)
+            seen.append(screen.text)
+        await screen.press("enter")
+        await closed(screen)
+        await touring(screen)
+        again = screen.text
 
     assert len(set(seen)) == SCREEN_TOUR_PAGES
     assert "Your program drives it." in seen[0]
@@ -42,97 +42,102 @@ async def test_enter_turns_the_pages_and_closes_behind_the_last_one(work) -> Non
     assert again == seen[0]
 
 
-async def test_the_tour_goes_on_at_the_page_that_was_left(work) -> None:  # type: ignore[no-untyped-def]
-    async with work() as desk:
-        await touring(desk)
-        await turn_to(desk, 2)
-        await turn_to(desk, 3)
-        await turn_to(desk, 2, "backspace")
-        await desk.press("escape")
-        await closed(desk)
-        await touring(desk)
+async def test_the_tour_goes_on_at_the_page_that_was_left(open_screen) -> None:  # type: ignore[no-untyped-def]
+    async with open_screen() as screen:
+        await touring(screen)
+        await turn_to(screen, 2)
+        await turn_to(screen, 3)
+        await turn_to(screen, 2, "backspace")
+        await screen.press("escape")
+        await closed(screen)
+        await touring(screen)
 
-        assert "Tour, page 2" in desk.screen
-        assert "You begin in the program. Type FW 3 there." in desk.screen
+        assert "Tour, page 2" in screen.text
+        assert "You begin in the program. Type FW 3 there." in screen.text
 
 
-async def test_it_names_the_keys_as_they_are(work) -> None:  # type: ignore[no-untyped-def]
-    async with work(keys="run ctrl+e") as desk:
-        await touring(desk)
-        await turn_to(desk, 2)
+async def test_it_names_the_keys_as_they_are(open_screen) -> None:  # type: ignore[no-untyped-def]
+    async with open_screen(keys="run ctrl+e") as screen:
+        await touring(screen)
+        await turn_to(screen, 2)
 
-        assert "Ctrl+E runs the program, and so does Esc." in desk.screen
-        assert "F8 or Ctrl+C stops Donnie" in desk.screen
+        assert "Ctrl+E runs the program, and so does Esc." in screen.text
+        assert "F8 or Ctrl+C stops Donnie" in screen.text
 
 
 @pytest.mark.parametrize(
     ("language", "first", "last"),
     [("pt", "Enter vira esta página", "Divirta-se."), ("es", "Enter pasa esta página", "Diviértete.")],
 )
-async def test_it_is_in_the_learner_s_language(work, language, first, last) -> None:  # type: ignore[no-untyped-def]
-    async with work(language=language) as desk:
-        desk.app.controller.do("tour")
-        await desk.until(lambda: first in desk.screen, first)
-        await desk.press(*["enter"] * (SCREEN_TOUR_PAGES - 1))
-        await desk.until(lambda: last in desk.screen, last)
+async def test_it_is_in_the_learner_s_language(open_screen, language, first, last) -> None:  # type: ignore[no-untyped-def]
+    async with open_screen(language=language) as screen:
+        screen.app.controller.do("tour")
+        await screen.until(lambda: first in screen.text, first)
+        await screen.press(*["enter"] * (SCREEN_TOUR_PAGES - 1))
+        await screen.until(lambda: last in screen.text, last)
 
 
-async def test_a_page_is_said_whole(work, monkeypatch) -> None:  # type: ignore[no-untyped-def]
-    async with work() as desk:
+async def test_a_page_is_said_whole(open_screen, monkeypatch) -> None:  # type: ignore[no-untyped-def]
+    async with open_screen() as screen:
         said: list[str] = []
-        monkeypatch.setattr(desk.app.controller, "point", said.append)
-        await touring(desk)
-        await desk.until(lambda: said, "the first page")
+        monkeypatch.setattr(screen.app.controller, "point", said.append)
+        await touring(screen)
+        await screen.until(lambda: said, "the first page")
 
         assert said[0].startswith(f"Tour, page 1 of {SCREEN_TOUR_PAGES}.")
         assert "Donnie is a robot" in said[0]
         assert "brings it back." in said[0]
 
 
-async def test_what_it_says_to_do_does_it(work) -> None:  # type: ignore[no-untyped-def]
+async def test_what_it_says_to_do_does_it(open_screen) -> None:  # type: ignore[no-untyped-def]
     """Does what pages 2 to 7 say."""
-    async with work(world="living_room") as desk:
-        await desk.press(*"FW", "space", "3", "f5")
-        await desk.shows("I walked 3 steps")
-        await desk.idle()
+    async with open_screen(world="living_room") as screen:
+        await screen.press(*"FW", "space", "3", "f5")
+        await screen.shows("I walked 3 steps")
+        await screen.idle()
         order = []
         for _ in range(4):
-            order.append(desk.app.focused)
-            await desk.press("tab")
-        assert order == [desk.place.editor, desk.place.map, desk.place.log_rows, desk.place.command_line]
-        await desk.press("tab", "right")
-        await desk.until(lambda: "Map, 1, 3: free." in desk.status, "the square")
-        await desk.press("f", "n", "w")
-        await desk.shows("to -1, 28: 2 left, 25 ahead.")
-        await desk.press("home")
-        await desk.until(lambda: desk.place.map.pointer.cell is None, "back at the robot")
-        desk.place.command_line.focus()
+            order.append(screen.app.focused)
+            await screen.press("tab")
+        assert order == [
+            screen.main.editor,
+            screen.main.map,
+            screen.main.log_rows,
+            screen.main.command_line,
+        ]
+        await screen.press("tab", "right")
+        await screen.until(lambda: "Map, 1, 3: free." in screen.status, "the square")
+        await screen.press("f", "n", "w")
+        await screen.shows("to -1, 28: 2 left, 25 ahead.")
+        await screen.press("home")
+        await screen.until(lambda: screen.main.map.pointer.cell is None, "back at the robot")
+        screen.main.command_line.focus()
         for typed, shows in (("TR 90", "90 degrees"), ("WHERE", "Position 0, 3."), ("SPEED 3", "Speed 3.")):
-            await desk.press(*("space" if each == " " else each for each in typed), "enter")
-            await desk.shows(shows)
-            await desk.idle()
-        await desk.press("up")
-        assert desk.place.command_line.value == "SPEED 3"
-        desk.load("FWD 1")
-        desk.place.editor.focus()
-        await desk.until(lambda: "!" in desk.screen and "FWD" in desk.screen, "the mistake")
-        await desk.press("ctrl+t")
-        await desk.until(lambda: desk.place.editor.text == "FW 1", "the word that was meant")
-        await desk.press("ctrl+z")
-        await desk.until(lambda: desk.place.editor.text == "FWD 1", "the change taken back")
+            await screen.press(*("space" if each == " " else each for each in typed), "enter")
+            await screen.shows(shows)
+            await screen.idle()
+        await screen.press("up")
+        assert screen.main.command_line.value == "SPEED 3"
+        screen.load("FWD 1")
+        screen.main.editor.focus()
+        await screen.until(lambda: "!" in screen.text and "FWD" in screen.text, "the mistake")
+        await screen.press("ctrl+t")
+        await screen.until(lambda: screen.main.editor.text == "FW 1", "the word that was meant")
+        await screen.press("ctrl+z")
+        await screen.until(lambda: screen.main.editor.text == "FWD 1", "the change taken back")
 
 
-async def test_its_keys_for_running_step_by_step_do_so(work) -> None:  # type: ignore[no-untyped-def]
-    async with work(f"VAR a = 1\nVAR b = 2\n{WAITING}", speed=1.0) as desk:
-        await desk.press("f7")
-        await desk.shows("Line 1: VAR a = 1")
-        await desk.press("f7")
-        await desk.shows("Line 2: VAR b = 2")
-        await desk.press("f6")
-        await desk.doing(RunState.RUNNING)
-        await desk.press("f12")
-        await desk.shows("Speed 2.")
-        await desk.press("f11")
-        await desk.shows("Speed 1.")
-        await desk.press("ctrl+c")
-        await desk.shows("Stopped at line")
+async def test_its_keys_for_running_step_by_step_do_so(open_screen) -> None:  # type: ignore[no-untyped-def]
+    async with open_screen(f"VAR a = 1\nVAR b = 2\n{WAITING}", speed=1.0) as screen:
+        await screen.press("f7")
+        await screen.shows("Line 1: VAR a = 1")
+        await screen.press("f7")
+        await screen.shows("Line 2: VAR b = 2")
+        await screen.press("f6")
+        await screen.reaches(RunState.RUNNING)
+        await screen.press("f12")
+        await screen.shows("Speed 2.")
+        await screen.press("f11")
+        await screen.shows("Speed 1.")
+        await screen.press("ctrl+c")
+        await screen.shows("Stopped at line")

@@ -96,14 +96,14 @@ def test_nothing_is_looked_at_after_the_end() -> None:
     assert not polling.is_on
 
 
-async def test_a_container_is_not_painted(work):
-    async with work(size=(120, 40)) as desk:
-        painted = desk.place._compositor.visible_widgets
+async def test_a_container_is_not_painted(open_screen):
+    async with open_screen(size=(120, 40)) as screen:
+        painted = screen.main._compositor.visible_widgets
         assert not [each for each in painted if isinstance(each, Horizontal | Vertical)]
         assert len(painted) <= 13
 
 
-async def test_a_number_among_the_variables_has_few_others_painted_again(work, monkeypatch):
+async def test_a_number_among_the_variables_has_few_others_painted_again(open_screen, monkeypatch):
     """Textual asks each widget that is near for all of its rows."""
     asked: list[str] = []
     render_lines = Widget.render_lines
@@ -112,66 +112,70 @@ async def test_a_number_among_the_variables_has_few_others_painted_again(work, m
         asked.append(str(self.id))
         return render_lines(self, crop)
 
-    async with work(size=(120, 40)) as desk:
+    async with open_screen(size=(120, 40)) as screen:
         monkeypatch.setattr(Widget, "render_lines", counted)
-        await desk.pilot.pause()
+        await screen.pilot.pause()
         asked.clear()
-        desk.place.inspector.show(["Variables", "x = 1"])
-        await desk.until(lambda: "inspector" in asked, "it is painted")
-        await desk.pilot.pause()
+        screen.main.inspector.show(["Variables", "x = 1"])
+        await screen.until(lambda: "inspector" in asked, "it is painted")
+        await screen.pilot.pause()
 
         assert len(asked) <= 5
         assert not {"map", "editor", "log"} & {*asked}
 
 
 async def test_a_run_that_begins_where_the_robot_stands_paints_no_more_of_the_map_than_its_row(
-    work, monkeypatch
+    open_screen, monkeypatch
 ):
     rows: list[int] = []
     render_line = MapView.render_line
     monkeypatch.setattr(MapView, "render_line", lambda self, y: rows.append(y) or render_line(self, y))
-    async with work("SPEAK 1", size=(120, 40), world="living_room") as desk:
-        await desk.pilot.pause()
+    async with open_screen("SPEAK 1", size=(120, 40), world="living_room") as screen:
+        await screen.pilot.pause()
         assert len(rows) >= 20
         rows.clear()
-        await desk.press("f5")
-        await desk.shows("The program is done.")
-        await desk.pilot.pause()
+        await screen.press("f5")
+        await screen.shows("The program is done.")
+        await screen.pilot.pause()
 
         assert len({*rows}) <= 1
 
 
-async def test_rows_that_are_painted_again_have_the_looks_that_they_had(work, monkeypatch):
+async def test_rows_that_are_painted_again_have_the_looks_that_they_had(open_screen, monkeypatch):
     asked: list[Widget] = []
     rich_style = DOMNode.rich_style.fget
     monkeypatch.setattr(DOMNode, "rich_style", property(lambda self: asked.append(self) or rich_style(self)))
-    async with work(size=(120, 40), world="living_room") as desk:
-        await desk.run("REPEAT 30 TIMES SPEAK 1 END REPEAT")
-        rows = (desk.place.log_rows, desk.place.map, desk.place.inspector)
+    async with open_screen(size=(120, 40), world="living_room") as screen:
+        await screen.run("REPEAT 30 TIMES SPEAK 1 END REPEAT")
+        rows = (screen.main.log_rows, screen.main.map, screen.main.inspector)
         painted: list[Widget] = []
         render_lines = Widget.render_lines
         monkeypatch.setattr(
             Widget, "render_lines", lambda self, crop: painted.append(self) or render_lines(self, crop)
         )
-        await desk.pilot.pause()
+        await screen.pilot.pause()
         asked.clear()
         for each in rows:
             each.refresh()
-        await desk.until(lambda: {*rows} <= {*painted}, "all are painted")
+        await screen.until(lambda: {*rows} <= {*painted}, "all are painted")
         assert not {*rows} & {*asked}
 
-        before = desk.place.map.painted_as("wall")
-        desk.app.theme = "donnie-light"
-        await desk.until(lambda: desk.place.map.painted_as("wall") != before, "the looks of the other theme")
+        before = screen.main.map.painted_as("wall")
+        screen.app.theme = "donnie-light"
+        await screen.until(
+            lambda: screen.main.map.painted_as("wall") != before, "the looks of the other theme"
+        )
 
 
 @pytest.mark.parametrize(("selected", "most"), [(False, 0), (True, 2)])
-async def test_the_selection_is_located_once_a_frame_and_not_for_each_row(work, monkeypatch, selected, most):
-    async with work("FW 1\n" + "x" * 5000) as desk:
-        editor = desk.place.editor
+async def test_the_selection_is_located_once_a_frame_and_not_for_each_row(
+    open_screen, monkeypatch, selected, most
+):
+    async with open_screen("FW 1\n" + "x" * 5000) as screen:
+        editor = screen.main.editor
         if selected:
             editor.selection = Selection((0, 0), (1, 3000))
-        await desk.pilot.pause()
+        await screen.pilot.pause()
         asked, find = [], WrappedDocument.location_to_offset
         monkeypatch.setattr(WrappedDocument, "location_to_offset", lambda *of: asked.append(of) or find(*of))
         editor.refresh()
