@@ -310,8 +310,9 @@ class PageServer:
             await page.close(code=WSCloseCode.TRY_AGAIN_LATER, message=as_reason(full))
             return page
         transport = request.transport
-        abort = transport.abort if transport is not None else page.force_close
-        session = PageSession(self._command, page, self._words, limits, abort)
+        assert transport is not None  # the socket was accepted
+        _bound_output(transport)
+        session = PageSession(self._command, page, self._words, limits, transport.abort)
         self._sessions.add(session)
         try:
             await session.start(*size_of(_number(request, "width", 80), _number(request, "height", 24)))
@@ -357,6 +358,17 @@ async def _add_policies(_: web.Request, response: web.StreamResponse) -> None:
     for name, value in _POLICIES.items():
         response.headers.setdefault(name, value)
     response.headers.pop("Server", None)
+
+
+def _bound_output(transport: asyncio.Transport) -> None:
+    """The system would keep megabytes for a page that takes nothing, and show it the past later."""
+    opened = transport.get_extra_info("socket")
+    if opened is not None:
+        opened.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, _OUTPUT)
+
+
+_OUTPUT = 65536
+"""Bytes that the system keeps of what a page has not taken yet."""
 
 
 def _number(request: web.Request, name: str, otherwise: int) -> int:

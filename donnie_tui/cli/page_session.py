@@ -280,9 +280,10 @@ def as_reason(sentence: str) -> bytes:
 
 
 def _send(process: Process | None, number: int) -> None:
+    """By its id: ``send_signal`` would collect a process that has ended, before asyncio does."""
     if process is not None and process.returncode is None:
         with suppress(ProcessLookupError):
-            process.send_signal(number)
+            os.kill(process.pid, number)
 
 
 def _kill_group(process: Process) -> None:

@@ -1,0 +1,59 @@
+"""What a page in a browser can't do is not offered there: the linear mode, and the pager of a terminal."""
+
+import pytest
+
+from donnie_tui.commands.declarations import COMMANDS
+from donnie_tui.commands.keys import KeyTable
+from donnie_tui.i18n.words import Words
+from donnie_tui.tui.help_pages import help_text, palette
+from language.locales import languages
+
+NEED_A_TERMINAL = {"linear", "open_log"}
+
+
+@pytest.fixture
+def page(monkeypatch, work):
+    """A screen that takes itself for a page."""
+    monkeypatch.setenv("TEXTUAL_DRIVER", "textual.drivers.web_driver:WebDriver")
+    return work
+
+
+@pytest.mark.parametrize("language", languages())
+def test_the_palette_and_the_help_leave_out_what_needs_a_terminal(language):
+    words = Words(language)
+    of_terminal, of_page = KeyTable(), KeyTable(has_terminal=False)
+    missing = {each.value for each in palette(words, of_terminal)} - {
+        each.value for each in palette(words, of_page)
+    }
+
+    assert missing == NEED_A_TERMINAL
+    assert len(help_text(words, of_terminal)) - len(help_text(words, of_page)) == len(NEED_A_TERMINAL)
+
+
+def test_no_key_means_what_needs_a_terminal():
+    table = KeyTable("open_log f9", has_terminal=False)
+
+    assert {each.name for each in COMMANDS} - set(table.all) == NEED_A_TERMINAL
+    assert table.command_of("ctrl+k q") is None
+    assert table.command_of("f9") is None
+
+
+async def test_a_page_names_the_command_for_a_screen_reader(page):
+    async with page() as desk:
+        assert desk.log[0] == "Screen reader? In a terminal: donnie --linear"
+
+
+@pytest.mark.parametrize("line", ["LINEAR", "SET PROMPT none"])
+async def test_what_is_typed_for_the_linear_mode_is_answered_and_ends_nothing(page, line):
+    async with page() as desk:
+        await desk.type_line(line)
+        await desk.shows("In a terminal only: donnie --linear")
+        assert desk.app.is_running
+
+
+async def test_the_list_of_keys_leaves_out_what_needs_a_terminal(page):
+    async with page() as desk:
+        await desk.type_line("CHANGE KEYS")
+        await desk.until(lambda: desk.app.screen is not desk.place, "the list")
+        await desk.painted()
+        assert "OPEN LOG" not in desk.screen
