@@ -20,6 +20,7 @@ from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.streams import is_terminal
 from donnie_tui.commands.interaction import SwitchMode
 from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.process.confinement import may_run_programs
 from donnie_tui.settings.parsing import read_switch
 from donnie_tui.settings.settings import BY_KEY, Settings
 
@@ -182,9 +183,13 @@ _MOST_DIGITS = 9
 
 
 def page_command(options: Mapping[str, str]) -> list[str]:
-    """What is run for each page: the full screen with the same options."""
+    """What is run for each page: the full screen with the same options.
+
+    ``-P``: a learner's file called ``donnie_tui.py`` must not be imported from the folder of the session.
+    """
     given = [part for key, value in options.items() for part in (BY_KEY[key].option, value)]
-    return [sys.executable, "-m", "donnie_tui", "--visual", *given]
+    safely = [] if may_run_programs() else ["-P"]
+    return [sys.executable, *safely, "-m", "donnie_tui", "--visual", *given]
 
 
 def _installing() -> str:

@@ -135,6 +135,8 @@ def _limit(invocation: Invocation, words: Words, start: _Start) -> _OwnSettings:
 
     confinement = Confinement(limits.folder, readable=(worlds.SCENES, worlds.MANUAL))
     confine(confinement)
+    if CONFINED.key in invocation.options:  # the way from here may be another one
+        invocation.options[CONFINED.key] = confinement.folder
     keep_in(confinement.own_folder)
     _ignore_suspension(words)
     own, troubles = read_file(settings_file(os.environ))

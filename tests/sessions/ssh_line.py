@@ -11,6 +11,7 @@ import shlex
 import shutil
 import subprocess
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 import pexpect
@@ -29,8 +30,12 @@ MISSING = next((each for each in (SSHD, "ssh", "ssh-keygen") if shutil.which(eac
 class SshLine:
     """Made in ``folder``, where Donnie's settings and copies are, too."""
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, forced: Sequence[str] = ()) -> None:
+        """``forced``: the options of the Donnie that is the only command of this login."""
         self.folder = folder
+        self._forced = (
+            shlex.join([sys.executable, "-P", "-m", "donnie_tui", *forced, *QUIET]) if forced else ""
+        )
         if os.geteuid() == 0:
             _PRIVILEGE_SEPARATION.mkdir(mode=0o755, exist_ok=True)
         for name in ("host", "learner"):
@@ -57,6 +62,7 @@ StrictModes no
 PermitRootLogin yes
 PasswordAuthentication no
 SetEnv {given}
+{f"ForceCommand {self._forced}" if self._forced else ""}
 """
 
     def _client(self) -> str:
@@ -75,6 +81,8 @@ Host robot
         """The reason of a refused login, if any: the account that runs the tests may be locked."""
         command = ["ssh", "-F", str(self.folder / "ssh_config"), "-T", "robot", "true"]
         done = subprocess.run(command, capture_output=True, stdin=subprocess.DEVNULL, timeout=TIMEOUT)
+        if self._forced:  # then nothing else can be asked
+            return "" if b"HELP" in done.stdout else done.stderr.decode()
         return done.stderr.decode() if done.returncode else ""
 
     def command(self, *arguments: str, terminal: bool, speech_from: str | None = None) -> list[str]:
@@ -85,6 +93,17 @@ Host robot
         heard = f"SPEECHD_ADDRESS=unix_socket:{self.folder}/voice " if speech_from else ""
         options = ["-F", str(self.folder / "ssh_config"), "-tt" if terminal else "-T", *brought]
         return ["ssh", *options, "robot", f"{heard}exec {donnie}"]
+
+    def asked(self, command: str, typed: str) -> subprocess.CompletedProcess[bytes]:
+        """What comes of that command without a terminal."""
+        ssh = ["ssh", "-F", str(self.folder / "ssh_config"), "-T", "robot", *([command] if command else [])]
+        return subprocess.run(ssh, input=typed.encode(), capture_output=True, timeout=TIMEOUT)
+
+    def at_forced_terminal(self) -> pexpect.spawn[bytes]:
+        """The forced command on a terminal of 80 by 24."""
+        options = ["-F", str(self.folder / "ssh_config"), "-tt", "robot", "sh"]
+        environment = {**os.environ, "TERM": "xterm-256color"}
+        return pexpect.spawn("ssh", options, env=environment, dimensions=(24, 80), timeout=TIMEOUT)
 
     def at_terminal(self, *arguments: str, speech_from: str | None = None) -> pexpect.spawn[bytes]:
         """On a terminal of 80 by 24."""

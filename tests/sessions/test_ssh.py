@@ -170,3 +170,93 @@ def test_speech_is_forwarded_home(line: SshLine, tmp_path: Path, mode: str) -> N
     left_behind = learner.before.rpartition(b"\x1b[?1049l")[2]
     assert left_behind.count(b"is gone") == (1 if mode == "--visual" else 0), "its log stays on the screen"
     assert learner.exitstatus == 0
+
+
+# --- a class on one host
+
+
+@pytest.fixture
+def pupil(tmp_path: Path) -> Iterator[tuple[SshLine, Path]]:
+    """A login whose only command is Donnie in the folder of a pupil, as docs/ssh.md says."""
+    folder = tmp_path / "class" / "ana"
+    folder.mkdir(parents=True)
+    (folder.parent / "secret.gd").write_text("SPEAK 4711\n")
+    (folder / "mine.gd").write_text("FW 2\n")
+    (folder / "link.gd").symlink_to("../secret.gd")
+    line = SshLine(tmp_path, forced=("--confined", str(folder)))
+    if refusal := line.refusal():
+        pytest.skip(refusal)
+    yield line, folder
+    for pid in line.donnies():
+        with suppress(ProcessLookupError):
+            os.kill(pid, signal.SIGKILL)
+
+
+@pytest.mark.parametrize("asked", ["sh", "cat /etc/passwd", "donnie --confined /", "run ../secret.gd", ""])
+def test_whatever_a_pupil_asks_of_ssh_is_donnie_in_the_folder(
+    pupil: tuple[SshLine, Path], asked: str
+) -> None:
+    line, folder = pupil
+    typed = f"OPEN {folder.parent}/secret.gd\nOPEN link.gd\nSAVE LOG /tmp/x\nOPEN mine.gd\nRUN\nQUIT\n"
+    done = line.asked(asked, typed)
+
+    said = done.stdout.decode().splitlines()
+    assert said.count("I walked 2 steps forward.") == 1
+    assert sum("is not in your folder." in each for each in said) == 3
+    assert "4711" not in done.stdout.decode()
+    assert done.returncode == 0
+
+
+@pytest.mark.parametrize("mode", ["--linear", "--visual"])
+def test_a_pupil_at_a_terminal_gets_no_shell(tmp_path: Path, mode: str) -> None:
+    folder = tmp_path / "class" / "ana"
+    folder.mkdir(parents=True)
+    (folder.parent / "secret.gd").write_text("SPEAK 4711\n")
+    line = SshLine(tmp_path, forced=("--confined", str(folder), mode, "--plain"))
+    if refusal := line.refusal():
+        pytest.skip(refusal)
+    learner = line.at_forced_terminal()
+    learner.expect("> |Command line")
+    learner.send("WHERE\r")
+    learner.expect("Facing north")
+    for typed, answer in (
+        ("OPEN ../secret.gd", "is not in your folder"),
+        ("SAVE LOG ../log.txt", "is not in your folder"),
+        ("REPORT MAP /tmp/map.html", "is not in your folder"),
+        ("WORLD /etc/passwd", "is not in your folder"),
+    ):
+        learner.send(f"{typed}\r")
+        learner.expect_exact(answer)
+    if mode == "--visual":
+        learner.send("LOG\r")
+        learner.expect_exact("Facing north")
+        learner.send("!id > escaped\r")
+        learner.send("q")
+        learner.expect("Command line")
+    else:
+        learner.send("\x1a")
+        learner.expect_exact("Ctrl+Z has no effect here.")
+    learner.send("QUIT\r")
+    learner.expect(pexpect.EOF)
+    learner.close()
+
+    assert learner.exitstatus == 0
+    assert not list(tmp_path.rglob("escaped"))
+    assert {each.name for each in folder.parent.iterdir()} == {"ana", "secret.gd"}
+
+
+def test_control_z_over_ssh_is_answered_and_the_session_continues(line: SshLine) -> None:
+    """There is no shell at the other end that could continue a suspended process."""
+    learner = line.at_terminal("--linear", "--speed", "max")
+    learner.expect("> ")
+    learner.send("WHERE\r")
+    learner.expect("Facing north")
+    learner.expect("> ")
+    learner.send("\x1a")
+    learner.expect_exact("Ctrl+Z has no effect here.")
+    learner.send("FW 2\r\rQUIT\r")
+    learner.expect_exact("I walked 2 steps forward.")
+    learner.expect(pexpect.EOF)
+    learner.close()
+
+    assert learner.exitstatus == 0
