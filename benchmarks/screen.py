@@ -124,7 +124,7 @@ def computing(app: DonnieApp) -> None:
 
 
 TURNS = 200_000_000
-"""Ten seconds or so: beginning and ending the run are little of it, and told for themselves."""
+"""Ten seconds or so: beginning and ending the run are little of it, and printed by themselves."""
 COUNTED = f"VAR x = 0\nREPEAT {TURNS} TIMES\nx = x + 1\nEND REPEAT"
 BEGUN = 1.0
 """Seconds after which a run has begun, and nobody hears of it any more."""
@@ -215,7 +215,7 @@ def many_things(folder: str) -> str:
     return str(path)
 
 
-def told(what: str, ratio: float, target: str) -> None:
+def said(what: str, ratio: float, target: str) -> None:
     print(f"{what:52} {ratio:7.3f}   target {target}")
 
 
@@ -223,24 +223,24 @@ async def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         for name, world in (("living room", "living_room"), (f"{THINGS} things", many_things(folder))):
             pairs = [(await map_at_work(False, world), await map_at_work(True, world)) for _ in range(3)]
-            told(
+            said(
                 f"map, {name}: bytes to repainting it whole", median(a[0] / b[0] for a, b in pairs), "<= .06"
             )
-            told(f"map, {name}: CPU to repainting it whole", median(a[1] / b[1] for a, b in pairs), "<= .45")
+            said(f"map, {name}: CPU to repainting it whole", median(a[1] / b[1] for a, b in pairs), "<= .45")
             print(f"{'':52} {median(a[0] for a, _ in pairs) / FRAMES * 20 / 1000:7.2f}   kB/s at 20 Hz, <= 5")
     rounds = [
         (await key_to_screen(None), await key_to_screen(walking), await key_to_screen(computing))
         for _ in range(3)
     ]
-    told("key to screen, map moving, to idle", median(b / a for a, b, _ in rounds), "<= 1.3")
-    told("key to screen, program computing, to idle", median(c / a for a, _, c in rounds), "<= 2.5")
+    said("key to screen, map moving, to idle", median(b / a for a, b, _ in rounds), "<= 1.3")
+    said("key to screen, program computing, to idle", median(c / a for a, _, c in rounds), "<= 2.5")
     lost = [await lost_to_the_screen() for _ in range(3)]
-    told("what a program that computes loses to the screen", median(each.whole for each in lost), "<= .03")
-    told("the same, between beginning and end", median(each.between for each in lost), "<= .03")
+    said("what a program that computes loses to the screen", median(each.whole for each in lost), "<= .03")
+    said("the same, between beginning and end", median(each.between for each in lost), "<= .03")
     print(f"{'beginning and end':52} {median(each.ends for each in lost) * 1000:7.0f}   ms of the processor")
     logs = [(await log_of(True), await log_of(False)) for _ in range(1)]
-    told("log of 100 000 lines: append to RichLog", median(a[0] / b[0] for a, b in logs), "<= .02")
-    told("log of 100 000 lines: memory to RichLog", median(a[1] / b[1] for a, b in logs), "<= .05")
+    said("log of 100 000 lines: append to RichLog", median(a[0] / b[0] for a, b in logs), "<= .02")
+    said("log of 100 000 lines: memory to RichLog", median(a[1] / b[1] for a, b in logs), "<= .05")
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 
 One command is measured against one ray through the same world by pymunk's ``segment_query_first``,
 interleaved; medians, with the quarters as the spread. For many robots there is nothing here to measure
-against (Stage is not installed): steps a second are told, and how time and memory grow. Processor time, so
+against (Stage is not installed): steps a second are printed, and how time and memory grow. Processor time, so
 that what else the machine does matters little.
 """
 
@@ -94,7 +94,7 @@ def _commands() -> None:
     ray = _ray(scene)
     print("one command, against one ray that hits (public method):")
     _compare("FW 5", ray, lambda: _to_and_fro(quiet))
-    _compare("FW 5, told step by step", ray, lambda: _to_and_fro(watched))
+    _compare("FW 5, published step by step", ray, lambda: _to_and_fro(watched))
     _compare("language and simulator, FW 5", ray, together)
 
 

@@ -41,7 +41,7 @@ ARGUMENTS = {
     "speed": ("7", "0", "nonsense"),
     "square": ("0 0", "999 999", "1", "nonsense"),
     "switch": ("on", "off", "nonsense"),
-    "text-file": ("told.txt", "no/such.txt"),
+    "text-file": ("printed.txt", "no/such.txt"),
     "topic": ("FW", "AROUND", "nonsense"),
     "two-lines": ("5 1", "5 6 1", "99 1", "5", "nonsense"),
     "variable": ("a", "1x"),

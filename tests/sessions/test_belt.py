@@ -32,7 +32,7 @@ def test_a_missing_belt_is_reported_and_the_run_continues(tmp_path: Path) -> Non
 def test_the_start_does_not_wait_for_a_belt_at_an_address_and_reports_a_missing_one(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    answers, told = threading.Event(), list[str]()
+    answers, said = threading.Event(), list[str]()
 
     def no_answer(port: str) -> None:
         assert answers.wait(TIMEOUT)
@@ -40,11 +40,11 @@ def test_the_start_does_not_wait_for_a_belt_at_an_address_and_reports_a_missing_
 
     monkeypatch.setattr("devices.belt.serial_belt.open_belt_port", no_answer)
     donnie = assemble(Settings(belt="socket://far:1", speech="off", sound=False), terminal=True)
-    donnie.session.hub.subscribe(lambda stamped: told.append(getattr(stamped.event, "text", "")))
+    donnie.session.hub.subscribe(lambda stamped: said.append(getattr(stamped.event, "text", "")))
     answers.set()
     try:
         assert donnie.notices.all == ()
-        assert until(lambda: told == ["No belt at socket://far:1: timed out. I continue without."])
+        assert until(lambda: said == ["No belt at socket://far:1: timed out. I continue without."])
     finally:
         donnie.close()
 
@@ -52,16 +52,16 @@ def test_the_start_does_not_wait_for_a_belt_at_an_address_and_reports_a_missing_
 def test_a_belt_that_is_lost_is_an_event_whether_a_program_runs_or_not() -> None:
     ours, theirs = os.openpty()
     tty.setraw(ours)
-    told = list[tuple[str, str]]()
+    said = list[tuple[str, str]]()
     settings = Settings(belt=os.ttyname(theirs), speech="off", sound=False)
     donnie = assemble(settings, terminal=True)
     donnie.session.hub.subscribe(
-        lambda stamped: told.append((getattr(stamped.event, "code", ""), getattr(stamped.event, "text", "")))
+        lambda stamped: said.append((getattr(stamped.event, "code", ""), getattr(stamped.event, "text", "")))
     )
     os.close(theirs)
     os.close(ours)
     try:
-        assert until(lambda: ("belt-link", "The belt is gone.") in told)
+        assert until(lambda: ("belt-link", "The belt is gone.") in said)
     finally:
         donnie.close()
 
@@ -77,11 +77,11 @@ def test_robot_and_belt_may_not_have_the_same_port(tmp_path: Path, robot: PtyBoa
 def test_the_robot_can_not_be_connected_at_the_port_of_the_belt(tmp_path: Path, robot: PtyBoard) -> None:
     donnie = assemble(Settings(belt=robot.path, speech="off", sound=False), terminal=True)
     try:
-        told = donnie.connection.connect(f"serial:{robot.path}")
+        said = donnie.connection.connect(f"serial:{robot.path}")
     finally:
         donnie.close()
 
-    assert told == (
+    assert said == (
         f"Robot and belt can't both be at {robot.path}.",
         "I use the simulator instead. CONNECT tries again.",
     )
@@ -113,7 +113,7 @@ def test_the_belt_is_felt_during_a_run_and_dark_after_it(tmp_path: Path) -> None
 
 
 @pytest.mark.parametrize(
-    ("language", "typed", "told"),
+    ("language", "typed", "said"),
     [
         ("en", "FEEL ON", "Belt: front medium."),
         ("pt", "SENTIR ligado", "Cinto: frente médio."),
@@ -121,11 +121,11 @@ def test_the_belt_is_felt_during_a_run_and_dark_after_it(tmp_path: Path) -> None
     ],
 )
 def test_a_learner_without_a_belt_gets_its_levels_in_words(
-    tmp_path: Path, language: str, typed: str, told: str
+    tmp_path: Path, language: str, typed: str, said: str
 ) -> None:
     options = ("--linear", "--world", near_world(tmp_path), "--lang", language, "--speed", "max", *QUIET)
     done = donnie(tmp_path, *options, typed=f"{typed}\nBELT ON\nFW 1\nRUN\nQUIT\n")
 
     lines = done.stdout.decode().splitlines()
-    assert lines.index(told) > 0
+    assert lines.index(said) > 0
     assert done.returncode == 0

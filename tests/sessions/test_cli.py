@@ -67,16 +67,16 @@ def test_check_prints_one_line_for_every_mistake(printed: Printed) -> None:
 
 
 @pytest.mark.parametrize(
-    ("wrong_lines", "told"), [(99, ""), (120, "Only the first 100 mistakes are listed.\n")]
+    ("wrong_lines", "said"), [(99, ""), (120, "Only the first 100 mistakes are listed.\n")]
 )
 def test_check_says_that_only_the_first_mistakes_are_listed(
-    printed: Printed, wrong_lines: int, told: str
+    printed: Printed, wrong_lines: int, said: str
 ) -> None:
     write("a.gd", "JUMP\n" * wrong_lines)
 
     assert printed.by("check", "a.gd") == 1
     assert len(printed.out.splitlines()) == min(wrong_lines, 100)
-    assert printed.err == told
+    assert printed.err == said
 
 
 def test_check_prints_hints_which_are_no_failure(printed: Printed) -> None:

@@ -105,8 +105,8 @@ def test_a_program_started_during_the_search_for_a_robot_stops_where_there_is_no
     settings = Settings(speech="off", sound=False, speed=None)
     donnie = assemble(settings, terminal=True)
     connection = Connection(settings, donnie.words, donnie.world, donnie.session, search=Meanwhile())
-    told = connection.connect("serial:/dev/nothing")
-    assert told[0].startswith("Nothing is plugged in at /dev/nothing.")
+    said = connection.connect("serial:/dev/nothing")
+    assert said[0].startswith("Nothing is plugged in at /dev/nothing.")
     assert connection.robot == "sim"
 
     run = donnie.session.start("FW 1", "test.gd")

@@ -76,9 +76,9 @@ def events(text: str, world: str, robot: str, language: str = "en") -> list[dict
         assert run.wait(TIMEOUT)
     finally:
         donnie.close()
-    told = [json.loads(line) for line in out.getvalue().split("\n") if line]
-    began = next(number for number, each in enumerate(told) if each["event"] == "run_started")
-    return told[began:]
+    sentences = [json.loads(line) for line in out.getvalue().split("\n") if line]
+    began = next(number for number, each in enumerate(sentences) if each["event"] == "run_started")
+    return sentences[began:]
 
 
 def parts_of(event: dict[str, Any]) -> tuple[str, list[float]]:
@@ -112,16 +112,16 @@ def differences(simulated: list[dict[str, Any]], double: list[dict[str, Any]]) -
     return found
 
 
-def _way(told: list[dict[str, Any]]) -> float:
+def _way(sentences: list[dict[str, Any]]) -> float:
     """Steps."""
-    return sum(abs(each["walked"]) for each in told if each["event"] == "moved")
+    return sum(abs(each["walked"]) for each in sentences if each["event"] == "moved")
 
 
-def _comparable(told: list[dict[str, Any]]) -> list[dict[str, Any]]:
+def _comparable(sentences: list[dict[str, Any]]) -> list[dict[str, Any]]:
     """The belt and its cue follow the readings a step earlier or later."""
     return [
         each
-        for each in told
+        for each in sentences
         if each["event"] != "belt" and (each["event"], each.get("name")) != ("cue", "belt")
     ]
 
@@ -188,9 +188,9 @@ def test_the_sensors_of_the_simulated_board_are_those_of_a_board(tmp_path: Path)
 
 
 def test_an_obstacle_ends_a_walk_on_both_robots_alike(tmp_path: Path) -> None:
-    told = events("FW 20", world(tmp_path), "double")
+    sentences = events("FW 20", world(tmp_path), "double")
 
-    moved = next(each for each in told if each["event"] == "moved")
+    moved = next(each for each in sentences if each["event"] == "moved")
     assert (moved["walked"], moved["stopped_by"]) == (5, "obstacle")
 
 
@@ -251,17 +251,17 @@ def _of_the_corpus(program: Path, want: dict[str, Any], runner: Any, folder: Pat
     return program.read_bytes().decode("utf-8-sig"), str(file)
 
 
-def _read(told: list[dict[str, Any]]) -> list[int]:
-    return [each["value"] for each in told if each["event"] == "read"]
+def _read(sentences: list[dict[str, Any]]) -> list[int]:
+    return [each["value"] for each in sentences if each["event"] == "read"]
 
 
-def _walked(told: list[dict[str, Any]]) -> list[tuple[int, str | None]]:
-    return [(each["walked"], each["stopped_by"]) for each in told if each["event"] == "moved"]
+def _walked(sentences: list[dict[str, Any]]) -> list[tuple[int, str | None]]:
+    return [(each["walked"], each["stopped_by"]) for each in sentences if each["event"] == "moved"]
 
 
-def _moves(told: list[dict[str, Any]]) -> bool:
-    return any(each["event"] in ("moved", "turned") for each in told)
+def _moves(sentences: list[dict[str, Any]]) -> bool:
+    return any(each["event"] in ("moved", "turned") for each in sentences)
 
 
-def _needs_a_camera(told: list[dict[str, Any]]) -> bool:
-    return any(each["event"] == "scanned" or each.get("sensor") == "colour" for each in told)
+def _needs_a_camera(sentences: list[dict[str, Any]]) -> bool:
+    return any(each["event"] == "scanned" or each.get("sensor") == "colour" for each in sentences)

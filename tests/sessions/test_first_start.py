@@ -62,12 +62,12 @@ def test_with_a_screen_reader_the_first_answer_says_how_to_change_the_voice(
 ) -> None:
     """A later start does not repeat it."""
     decided = "Voice off, a screen reader runs. SET speech own turns it on."
-    for told in ([decided], []):
+    for said in ([decided], []):
         learner = Learner(tmp_path, "--speech", "auto", DONNIE_READER="1", SSH_CONNECTION="")
         learner.sees_prompt()
         assert len(learner.lines) == 3
         learner.types("RUN\r")
         learner.sees_prompt()
-        assert learner.lines[3:-1] == [*told, "Nothing to run."]
+        assert learner.lines[3:-1] == [*said, "Nothing to run."]
         learner.types("\x04")
         learner.leaves()

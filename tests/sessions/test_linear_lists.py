@@ -25,10 +25,10 @@ DEEDS = [line for number in range(20) for line in (f"VAR v{number} = {number}", 
 )
 def test_a_long_list_begins_with_its_number(word: str, count: int, first: str, tmp_path: Path) -> None:
     """The number comes first, so that a listener knows the length."""
-    told = printed_by(tmp_path, "en", [*DEEDS, "", word, "NEW"])
+    said = printed_by(tmp_path, "en", [*DEEDS, "", word, "NEW"])
 
-    assert told[22] == f"{count} lines."
-    assert told[23].startswith(first)
+    assert said[22] == f"{count} lines."
+    assert said[23].startswith(first)
 
 
 def test_a_short_list_has_no_number(tmp_path: Path) -> None:
@@ -38,9 +38,9 @@ def test_a_short_list_has_no_number(tmp_path: Path) -> None:
 
 
 def test_many_mistakes_begin_with_the_number_of_their_lines(tmp_path: Path) -> None:
-    told = printed_by(tmp_path, "en", [*["FWD 1"] * 7, "", "ERRORS"])
+    said = printed_by(tmp_path, "en", [*["FWD 1"] * 7, "", "ERRORS"])
 
-    assert told[told.index("21 lines.") + 1] == "Error, line 1, column 1: I do not know FWD."
+    assert said[said.index("21 lines.") + 1] == "Error, line 1, column 1: I do not know FWD."
 
 
 @pytest.mark.parametrize(

@@ -58,7 +58,7 @@ def _piped(script: bytes, folder: Path) -> subprocess.CompletedProcess[bytes]:
 
 
 @pytest.mark.parametrize(
-    ("language", "typed", "told"),
+    ("language", "typed", "said"),
     [
         ("en", "FW 1", "1 line did not run. RUN was missing."),
         ("en", "REPEAT 2 TIMES\nFW 1", "2 lines did not run. END REPEAT was missing."),
@@ -68,8 +68,8 @@ def _piped(script: bytes, folder: Path) -> subprocess.CompletedProcess[bytes]:
     ids=["run", "end", "fim", "fin"],
 )
 def test_lines_that_did_not_run_say_what_they_needed(
-    language: str, typed: str, told: str, tmp_path: Path
+    language: str, typed: str, said: str, tmp_path: Path
 ) -> None:
     done = donnie(tmp_path, "--linear", *QUIET, "--lang", language, typed=f"{typed}\n")
 
-    assert done.stdout.decode().splitlines()[-2] == told
+    assert done.stdout.decode().splitlines()[-2] == said

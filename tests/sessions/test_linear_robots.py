@@ -75,9 +75,9 @@ def _lines(folder: Path, *options: str, typed: str) -> list[str]:
 
 
 def test_in_a_world_with_one_robot_nothing_is_named(tmp_path: Path) -> None:
-    told = _lines(tmp_path, "--speed", "max", typed="ROBOTS\nFW 1\n\nGRIP\nQUIT\n")
+    sentences = _lines(tmp_path, "--speed", "max", typed="ROBOTS\nFW 1\n\nGRIP\nQUIT\n")
 
-    assert told[2:-1] == [
+    assert sentences[2:-1] == [
         "There is one robot, donnie.",
         "I walked 1 step forward.",
         "I have no gripper.",
@@ -86,9 +86,9 @@ def test_in_a_world_with_one_robot_nothing_is_named(tmp_path: Path) -> None:
 
 def test_answers_about_the_world_name_their_robot(tmp_path: Path) -> None:
     typed = "ROBOT bob\nMAP\nMAP ROW 30\nAROUND\nTRAIL\nQUIT\n"
-    told = _lines(tmp_path, "--world", "two_robots", typed=typed)
+    sentences = _lines(tmp_path, "--world", "two_robots", typed=typed)
 
-    assert [line for line in told if line.startswith("bob: ")] == [
+    assert [line for line in sentences if line.startswith("bob: ")] == [
         "bob: 33 by 43 steps, walls included.",
         "bob: Row 30, from -16: wall, 15 free, bob, 15 free, wall.",
         "bob: No things within 10 steps.",
@@ -98,12 +98,12 @@ def test_answers_about_the_world_name_their_robot(tmp_path: Path) -> None:
 
 def test_answers_about_sensors_mistakes_and_the_tour_name_their_robot(tmp_path: Path) -> None:
     typed = "ROBOT bob\nSENSORS\nNEAR\nFWD 1\n\nEXPLAIN\nTOUR\nQUIT\n"
-    told = _lines(tmp_path, "--world", "two_robots", typed=typed)
+    sentences = _lines(tmp_path, "--world", "two_robots", typed=typed)
 
-    assert "bob has:" in told
-    assert "bob: No things within 10 steps." in told
-    assert "bob: Donnie does not know this word." in told
-    assert told[told.index("Welcome. Donnie is a robot on a floor.") - 1] == "You talk to bob."
+    assert "bob has:" in sentences
+    assert "bob: No things within 10 steps." in sentences
+    assert "bob: Donnie does not know this word." in sentences
+    assert sentences[sentences.index("Welcome. Donnie is a robot on a floor.") - 1] == "You talk to bob."
 
 
 def test_a_program_with_a_mistake_does_not_begin(tmp_path: Path) -> None:
@@ -121,28 +121,28 @@ def test_a_program_still_running_at_the_end_of_the_lines_is_stopped_and_reported
     tmp_path: Path,
 ) -> None:
     typed = f"{ENDLESS}START\nROBOT bob\nFW 2\nRUN\n"
-    told = _lines(tmp_path, "--speed", "max", "--world", "two_robots", typed=typed)
+    sentences = _lines(tmp_path, "--speed", "max", "--world", "two_robots", typed=typed)
 
-    assert "bob: I walked 2 steps forward." in told
-    assert told[-2:] == ["All stopped.", "Goodbye."]
+    assert "bob: I walked 2 steps forward." in sentences
+    assert sentences[-2:] == ["All stopped.", "Goodbye."]
 
 
 @pytest.mark.parametrize("word", ["START\nWHERE", "TOGETHER"])
 def test_started_lines_are_no_longer_pending(word: str, tmp_path: Path) -> None:
     typed = f"WAIT 1\nFW 1\n{word}\nSTOP ALL\nRUN\n"
-    told = _lines(tmp_path, "--speed", "max", "--world", "two_robots", typed=typed)
+    sentences = _lines(tmp_path, "--speed", "max", "--world", "two_robots", typed=typed)
 
-    assert told[-2:] == ["Nothing to run.", "Goodbye."]
+    assert sentences[-2:] == ["Nothing to run.", "Goodbye."]
 
 
 def test_answers_that_a_program_delivers_are_printed_before_the_goodbye_too(tmp_path: Path) -> None:
     """A listener that published during a program's event left it to that thread: it came after the end."""
     for _ in range(5):
-        told = _lines(
+        sentences = _lines(
             tmp_path, "--speed", "max", "--world", "two_robots", typed="WAIT 1\nFW 1\nSTART\nSTOP ALL\nRUN\n"
         )
-        assert "alice begins." in told
-        assert told[-2:] == ["Nothing to run.", "Goodbye."]
+        assert "alice begins." in sentences
+        assert sentences[-2:] == ["Nothing to run.", "Goodbye."]
 
 
 def test_ctrl_c_ends_a_pipe_with_a_robot_held_up_by_an_endless_program(
@@ -164,11 +164,11 @@ def test_ctrl_c_ends_a_pipe_with_a_robot_held_up_by_an_endless_program(
     too_long = threading.Timer(TIMEOUT, learner.kill)
     too_long.start()
     with learner:
-        told = iter(learner.stdout.readline, b"")
+        sentences = iter(learner.stdout.readline, b"")
         way_out = b"The others wait for alice: it computes and does not move. Ctrl+C stops all.\n"
-        assert any(line == way_out for line in told)
+        assert any(line == way_out for line in sentences)
         learner.send_signal(signal.SIGINT)
-        assert [line.decode().strip() for line in told if b"Still" not in line] == [
+        assert [line.decode().strip() for line in sentences if b"Still" not in line] == [
             "bob: Stopped.",
             "bob: Position 0, 30. Facing south.",
             "Goodbye.",
@@ -198,11 +198,11 @@ def test_the_next_word_after_a_stop_finds_idle_robots_and_ordered_lines(
 ) -> None:
     """Lines of a file arrive faster than a robot stops."""
     typed = "FW 1\nROBOT bob\nFW 2\nSTART\nSTOP ALL\nTOGETHER\nSTART\nSTOP\nAGAIN\nSTART\nSTOP ALL\nRESET\n"
-    told = _lines(tmp_path, "--speed", "1", "--world", "two_robots", typed=typed)
-    told = [line for line in told if not line.startswith("Still")]
+    sentences = _lines(tmp_path, "--speed", "1", "--world", "two_robots", typed=typed)
+    sentences = [line for line in sentences if not line.startswith("Still")]
 
     walked, stopped = "bob: I walked 2 steps forward.", "bob: I walked only 0 steps forward. I was stopped."
-    assert told[2:-1] == [
+    assert sentences[2:-1] == [
         "You talk to bob.",
         "bob begins.",
         stopped,
@@ -221,14 +221,14 @@ def test_the_next_word_after_a_stop_finds_idle_robots_and_ordered_lines(
 
 
 def test_the_start_of_a_robot_is_announced_before_its_first_line(tmp_path: Path) -> None:
-    told = _lines(tmp_path, "--speed", "max", typed='SPEAK "hi"\nSTART\nSTOP ALL\n')
+    sentences = _lines(tmp_path, "--speed", "max", typed='SPEAK "hi"\nSTART\nSTOP ALL\n')
 
-    assert told[2:4] == ["donnie begins.", "hi"]
+    assert sentences[2:4] == ["donnie begins.", "hi"]
 
 
 def test_steps_of_an_earlier_program_are_not_reported_of_a_later_one(tmp_path: Path) -> None:
     typed = "VAR x = 1\nIF x > 5 THEN\nFW 1\nEND IF\nSTEP\n\n\nSTART\nSTOP ALL\nSTEP BACK\nQUIT\n"
-    told = _lines(tmp_path, "--speed", "max", typed=typed)
+    sentences = _lines(tmp_path, "--speed", "max", typed=typed)
 
-    assert told.count("Condition false: 1 less than 5.") == 1
-    assert told[-2].startswith("Back: ")
+    assert sentences.count("Condition false: 1 less than 5.") == 1
+    assert sentences[-2].startswith("Back: ")

@@ -51,9 +51,9 @@ def test_long_output_is_written_in_blocks_with_rests_between(learner: Learner) -
     learner.enters("FOR VAR i = 1; i <= 40; i = i + 1 DO SPEAK i END FOR", "RUN")
     learner.sees("40\r\n> ")
 
-    told = said(learner)[2:]
-    assert [line for line in told if line.isdigit()] == [str(number) for number in range(1, 41)]
-    assert all(line.isdigit() or re.fullmatch(r"Those were \d+ numbers\.", line) for line in told)
+    sentences = said(learner)[2:]
+    assert [line for line in sentences if line.isdigit()] == [str(number) for number in range(1, 41)]
+    assert all(line.isdigit() or re.fullmatch(r"Those were \d+ numbers\.", line) for line in sentences)
 
 
 def test_letters_with_accents_and_wide_ones_are_edited_as_one(learner: Learner) -> None:
@@ -138,7 +138,9 @@ def test_nothing_but_text_is_printed_outside_of_editing(learner: Learner, tmp_pa
     assert not re.search(r"\n\n|\n |(?<!>) \n", text)
 
 
-@pytest.mark.skipif(not Path("/proc/self/maps").exists(), reason="what a process has loaded is told there")
+@pytest.mark.skipif(
+    not Path("/proc/self/maps").exists(), reason="what a process has loaded is sentences there"
+)
 def test_the_robot_gets_ready_to_move_while_the_prompt_waits(learner: Learner) -> None:
     learner.sees_prompt()
 

@@ -76,24 +76,24 @@ def words_of(name: str, language: str) -> str:
 def test_every_word_in_a_file_of_typed_lines_answers_in_plain_text(tmp_path: Path, language: str) -> None:
     """Printable, no empty line, no blanks at the ends, nothing typed is printed again."""
     lines = every_word(language, without=ELSEWHERE | DRAWN | {"language"})
-    told = printed_by(tmp_path, language, lines)
+    said = printed_by(tmp_path, language, lines)
 
-    assert told.pop() == ""
-    assert [line for line in told if not line or line != line.strip()] == []
-    assert [line for line in told if not line.isprintable()] == []
-    assert [line for line in told if re.search(r"([^\w\s])\1\1", line)] == []
+    assert said.pop() == ""
+    assert [line for line in said if not line or line != line.strip()] == []
+    assert [line for line in said if not line.isprintable()] == []
+    assert [line for line in said if re.search(r"([^\w\s])\1\1", line)] == []
     repeated = {each for each in lines if each} - set(read_in_manual(language))
-    assert [line for line in told if line in repeated] == []
-    assert [line for line in told if "Donnie failed" in line or "inside Donnie" in line] == []
+    assert [line for line in said if line in repeated] == []
+    assert [line for line in said if "Donnie failed" in line or "inside Donnie" in line] == []
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_every_word_is_understood(tmp_path: Path, language: str) -> None:
     """Each is typed as its help says, and none is answered by its form."""
-    told = printed_by(tmp_path, language, every_word(language, without=ELSEWHERE | {"language"}))
+    said = printed_by(tmp_path, language, every_word(language, without=ELSEWHERE | {"language"}))
     not_understood = Words(language)("command-example", example="").split(".")[0]
 
-    assert [line for line in told if line.startswith(not_understood)] == []
+    assert [line for line in said if line.startswith(not_understood)] == []
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -102,9 +102,9 @@ def test_at_detail_brief_no_answer_to_a_word_is_wider_than_a_braille_display(
 ) -> None:
     """Except for quoted lines of the learner and an author's words about a world."""
     lines = every_word(language, without=ELSEWHERE | {"language", "detail", "world", "report", "recover"})
-    told = printed_by(tmp_path, language, lines, "--verbosity", "brief")
+    said = printed_by(tmp_path, language, lines, "--verbosity", "brief")
 
-    assert [line for line in told if len(line) > 40 and not line.startswith(("Error", "Erro"))] == []
+    assert [line for line in said if len(line) > 40 and not line.startswith(("Error", "Erro"))] == []
 
 
 def test_with_the_plain_editor_a_terminal_gets_nothing_but_text(tmp_path: Path) -> None:
@@ -157,11 +157,11 @@ def test_a_line_that_wraps_is_read_whole_at_every_width(tmp_path: Path, columns:
     child.send("\r")
     child.expect_exact("thirteen fourteen\r\n> ")
     assert child.before.decode().strip() == long[7:-19].strip()
-    told = []
+    said = []
     for line in LONG_ANSWERS:
         child.send(f"{line}\r")
         child.expect(rb"\r\n> $")
-        told += child.before.decode().replace("\r\n", "\n").split("\n")[1:]
+        said += child.before.decode().replace("\r\n", "\n").split("\n")[1:]
     end(child)
 
-    assert told == printed_by(tmp_path, "en", [long, "", *LONG_ANSWERS])[3:-2]
+    assert said == printed_by(tmp_path, "en", [long, "", *LONG_ANSWERS])[3:-2]

@@ -48,10 +48,10 @@ def test_an_address_of_version_6_is_found() -> None:
 
 
 @pytest.mark.parametrize(
-    "told", ["", "UNKNOWN 65535 UNKNOWN 65535", "one two", "::1 x ::1 2", "1.2.3.4 1 ::1 2"]
+    "said", ["", "UNKNOWN 65535 UNKNOWN 65535", "one two", "::1 x ::1 2", "1.2.3.4 1 ::1 2"]
 )
-def test_a_local_session_has_no_connection(told: str) -> None:
-    assert ssh_connections_of({"SSH_CONNECTION": told}) == ()
+def test_a_local_session_has_no_connection(said: str) -> None:
+    assert ssh_connections_of({"SSH_CONNECTION": said}) == ()
 
 
 def test_a_robot_of_an_unreachable_learner_is_stopped_and_that_is_reported(
@@ -73,8 +73,8 @@ def test_a_robot_of_an_unreachable_learner_is_stopped_and_that_is_reported(
 
         assert until(lambda: not robot.board.is_driving)
         assert run.wait(60)
-        told = Announced("link", "The network hung, so I stopped the robot.")
-        assert until(lambda: [each.event for each in heard].count(told) == 1)
+        said = Announced("link", "The network hung, so I stopped the robot.")
+        assert until(lambda: [each.event for each in heard].count(said) == 1)
     finally:
         donnie.close()
 

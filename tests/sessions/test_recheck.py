@@ -62,11 +62,11 @@ def test_the_first_different_event_is_reported(here: Here) -> None:
     number = next(number for number, line in enumerate(lines, 1) if b'"spoke"' in line)
     here.spoil({number: lines[number - 1].replace(b'"5"', b'"6"')})
 
-    told = here.replay("--check", code=1)
+    said = here.replay("--check", code=1)
 
-    assert told[0] == f"Run again: line {number} differs."
-    assert '"text":"6"' in told[1]
-    assert '"text":"5"' in told[2]
+    assert said[0] == f"Run again: line {number} differs."
+    assert '"text":"6"' in said[1]
+    assert '"text":"5"' in said[2]
 
 
 def test_a_stopped_run_is_compared_up_to_the_stop(here: Here) -> None:
@@ -78,9 +78,9 @@ def test_a_stopped_run_is_compared_up_to_the_stop(here: Here) -> None:
     running.send_signal(signal.SIGTERM)
     running.communicate(timeout=TIMEOUT)
 
-    told = here.replay("--check")
+    said = here.replay("--check")
 
-    assert told[0].endswith("where it was stopped.")
+    assert said[0].endswith("where it was stopped.")
 
 
 def test_typed_lines_are_recorded_and_run_again_too(here: Here) -> None:

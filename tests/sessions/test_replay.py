@@ -32,10 +32,10 @@ def test_each_step_back_names_the_place_that_it_leads_to(here: Here) -> None:
 
 def test_a_mistake_is_repeated_in_the_language_of_its_run(here: Here) -> None:
     here.record("FWD 2", code=1)
-    told = here.replay()
+    said = here.replay()
 
-    assert told[0].startswith("Error, line 1")
-    assert here.replay("--lang", "pt") == told
+    assert said[0].startswith("Error, line 1")
+    assert here.replay("--lang", "pt") == said
 
 
 def test_a_replay_may_begin_in_the_middle(here: Here) -> None:
@@ -49,18 +49,18 @@ def test_typed_words_step_through_a_recording_both_ways(here: Here) -> None:
     here.record("FW 2\nTR 90")
 
     typed = "\nNEXT\nPRÓXIMO\nback\nDÓNDE\nMAP\nnonsense\nGO\nNEXT\nQUIT\n"
-    told = here.replay("--step", typed=typed)
+    said = here.replay("--step", typed=typed)
 
-    assert told[1:6] == [
+    assert said[1:6] == [
         "Start of a.gd.",
         "I walked 2 steps forward.",
         "I turned 90 degrees to the right.",
         "Back: TR 90. Facing north.",
         "Event 5 of 18.",
     ]
-    assert told[6] == "Position 0, 2. Facing north."
-    assert any("^" in line for line in told[7:])
-    assert told[-4:] == [
+    assert said[6] == "Position 0, 2. Facing north."
+    assert any("^" in line for line in said[7:])
+    assert said[-4:] == [
         "I do not know that word. HELP lists them.",
         "I turned 90 degrees to the right.",
         "This is the end.",
@@ -71,10 +71,10 @@ def test_typed_words_step_through_a_recording_both_ways(here: Here) -> None:
 def test_the_map_is_drawn_as_it_goes(here: Here) -> None:
     here.record("FW 2\nTR 90", "--world", "living_room")
 
-    told = here.replay("--map")
+    said = here.replay("--map")
 
-    assert sum("^" in line for line in told) == 1
-    assert sum(">" in line for line in told) == 1
+    assert sum("^" in line for line in said) == 1
+    assert sum(">" in line for line in said) == 1
 
 
 def rows_of_things(lines: Sequence[str]) -> list[tuple[int, int]]:
@@ -92,9 +92,9 @@ def test_the_map_shows_pushed_things_where_the_step_left_them_in_every_run(here:
     world = ("--world", "object_field")
     donnie(here.folder, "--linear", *QUIET, *world, "--speed", "max", "--record", "a.rec", typed=typed)
 
-    told = here.replay("--map")
+    said = here.replay("--map")
 
-    before_it = [each[0] for each in rows_of_things(told)]
+    before_it = [each[0] for each in rows_of_things(said)]
     assert len(before_it) == 3
     assert set(before_it) <= {2, 3}
     assert len(set(before_it)) == 1
@@ -110,11 +110,11 @@ def record_two(here: Here) -> None:
 def test_the_map_is_that_of_the_robot_that_moved_with_the_others_where_they_are(here: Here) -> None:
     record_two(here)
 
-    told = here.replay("--map", "--speed", "max")
+    said = here.replay("--map", "--speed", "max")
 
-    titles = [line for line in told if line.startswith("Map of ")]
+    titles = [line for line in said if line.startswith("Map of ")]
     assert titles == ["Map of alice.", *["Map of bob."] * 3]
-    last = told[len(told) - told[::-1].index("Map of bob.") :]
+    last = said[len(said) - said[::-1].index("Map of bob.") :]
     assert sum("<ooA" in row for row in last) == 1, "bob with its trail"
     (alice,) = (y for y, row in enumerate(last) if "^" in row)
     (bob,) = (y for y, row in enumerate(last) if "<" in row)
@@ -125,10 +125,10 @@ def test_the_map_is_that_of_the_robot_that_moved_with_the_others_where_they_are(
 def test_the_map_of_a_step_is_that_of_its_robot(here: Here) -> None:
     record_two(here)
 
-    told = here.replay("--step", typed="END\nMAP\nSTART\nMAP\n")
+    said = here.replay("--step", typed="END\nMAP\nSTART\nMAP\n")
 
-    assert "Map of bob." in told
-    assert told[-1] == "There is no map here."
+    assert "Map of bob." in said
+    assert said[-1] == "There is no map here."
 
 
 def test_faster_and_slower_go_to_the_next_speed_from_any(here: Here) -> None:
@@ -148,9 +148,9 @@ def test_a_name_in_a_recording_makes_no_line_of_its_own(here: Here) -> None:
     recorded = (here.folder / "a.rec").read_text(encoding="utf-8")
     (here.folder / "a.rec").write_text(recorded.replace('"alice"', '"al\\nice"'), encoding="utf-8")
 
-    told = here.replay("--step", typed="END\nWHERE\n")
+    said = here.replay("--step", typed="END\nWHERE\n")
 
-    assert [line for line in told if "Position" in line and "ice" in line][-1].startswith("al ice: Position")
+    assert [line for line in said if "Position" in line and "ice" in line][-1].startswith("al ice: Position")
 
 
 def test_a_replay_at_a_speed_keeps_the_order_and_stops_at_a_signal(here: Here) -> None:
@@ -170,8 +170,8 @@ def test_a_replay_writes_the_events_of_the_run(here: Here) -> None:
     run = here.donnie("run", "a.gd", "--record", "a.rec", "--events", "-")
 
     assert here.replay("--events", "-") == run.out
-    told = here.replay("--events", "b.jsonl")
-    assert "olá" in told
+    said = here.replay("--events", "b.jsonl")
+    assert "olá" in said
     assert (here.folder / "b.jsonl").read_text(encoding="utf-8").splitlines() == run.out
 
 

@@ -33,8 +33,8 @@ def test_a_step_through_a_recording_takes_any_bytes(
     typed(b"pr\xf3ximo\nEND\nNEXT\n")
 
     assert main(["replay", "a.rec", "--step", *QUIET]) == 0
-    told = capsys.readouterr().out.splitlines()
-    assert (told[1], told[-1]) == ("I do not know that word. HELP lists them.", "This is the end.")
+    said = capsys.readouterr().out.splitlines()
+    assert (said[1], said[-1]) == ("I do not know that word. HELP lists them.", "This is the end.")
 
 
 @pytest.mark.parametrize("data", [b"\xff\n", b"", None], ids=["bytes", "empty", "none"])

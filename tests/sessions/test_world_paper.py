@@ -101,15 +101,15 @@ def test_no_text_of_a_world_file_reaches_the_terminal_as_a_command(
         encoding="utf-8",
     )
     (folder / "a.gd").write_text("FW 1")
-    told = ""
+    said = ""
     for more in ((), ("--map",), ("--report",), ("--json",), ("--svg", "e.svg"), ("--brf", "e.brf")):
         assert main(["world", "evil.world", *more]) == 0
         out, err = capsys.readouterr()
-        told += out + err
+        said += out + err
     assert main(["run", "nobody=a.gd", "--world", "evil.world", "--speech", "off", "--sound", "off"]) == 2
-    told += "".join(capsys.readouterr())
+    said += "".join(capsys.readouterr())
 
-    assert all(each == "\n" or each.isprintable() for each in told)
+    assert all(each == "\n" or each.isprintable() for each in said)
     written = (folder / "e.svg").read_text(encoding="utf-8")
     assert all(each == "\n" or each.isprintable() for each in written)
     assert "&lt;b&gt;&amp;" in written

@@ -36,8 +36,8 @@ def remarks_on(folder: Path, text: str, language: str = "en") -> tuple[str, ...]
     ],
 )
 def test_a_robot_that_starts_inside_a_thing_is_reported(tmp_path: Path, text: str, thing: str) -> None:
-    told = f"Robot Ana begins inside {thing}. One of them needs another pose."
-    assert remarks_on(tmp_path, ANA + text) == (told,)
+    said = f"Robot Ana begins inside {thing}. One of them needs another pose."
+    assert remarks_on(tmp_path, ANA + text) == (said,)
 
 
 @pytest.mark.parametrize(
@@ -73,9 +73,9 @@ def test_an_unknown_colour_is_reported_when_the_world_is_loaded(tmp_path: Path) 
 
 
 def test_many_robots_inside_things_are_counted(tmp_path: Path) -> None:
-    *told, last = remarks_on(tmp_path, "".join(ANA.replace("Ana", f"r{each}") for each in range(6)))
+    *said, last = remarks_on(tmp_path, "".join(ANA.replace("Ana", f"r{each}") for each in range(6)))
 
-    assert len(told) == 3
+    assert len(said) == 3
     assert last == "12 slips in the world. donnie world my.world --report lists them."
 
 
@@ -112,10 +112,10 @@ def test_a_file_next_to_a_user_world_gives_its_words(tmp_path: Path, language: s
 
     assert about is not None
     assert (about.title, about.difficulty) == (title, worlds.words.Difficulty.EASY)
-    told = command.donnie(tmp_path, "world", "my.world", "--lang", language).stdout.decode()
-    assert about.task in told
-    assert told.startswith(f"my.world: {title}.\n")
-    assert all(sentence in told.splitlines() for sentence in about.sentences)
+    said = command.donnie(tmp_path, "world", "my.world", "--lang", language).stdout.decode()
+    assert about.task in said
+    assert said.startswith(f"my.world: {title}.\n")
+    assert all(sentence in said.splitlines() for sentence in about.sentences)
 
 
 @pytest.mark.parametrize(
@@ -146,8 +146,8 @@ def test_words_in_one_language_without_a_difficulty_are_enough(tmp_path: Path) -
     )
 
     assert remarks_on(tmp_path, ANA) == ()
-    told = command.donnie(tmp_path, "world", "my.world", "--lang", "pt").stdout.decode().splitlines()
-    assert told[:2] == ["my.world: A sala.", "Há uma caixa."]
+    said = command.donnie(tmp_path, "world", "my.world", "--lang", "pt").stdout.decode().splitlines()
+    assert said[:2] == ["my.world: A sala.", "Há uma caixa."]
 
 
 def test_a_copy_of_a_shipped_world_keeps_its_words(tmp_path: Path) -> None:

@@ -87,9 +87,9 @@ def test_the_report_lists_the_names_and_how_to_run_one(tmp_path: Path, capsys) -
 
     assert main(["world", str(file), "--report", "--lang", "en"]) == 0
 
-    told = capsys.readouterr().out
-    assert "2 robots: robot1, r. The command donnie run robot1=FILE runs the first." in told
-    assert "Repaired: A robot without a usable name is called robot1." in told
+    said = capsys.readouterr().out
+    assert "2 robots: robot1, r. The command donnie run robot1=FILE runs the first." in said
+    assert "Repaired: A robot without a usable name is called robot1." in said
 
 
 def test_a_place_names_the_robot_that_it_is_counted_from(tmp_path: Path, capsys) -> None:  # type: ignore[no-untyped-def]

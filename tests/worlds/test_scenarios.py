@@ -182,16 +182,16 @@ def test_every_number_of_a_description_is_measured(name: str, language: str) -> 
 
 @pytest.mark.parametrize("name", worlds.names())
 def test_descriptions_are_short_whole_sentences_the_same_in_each_language(name: str) -> None:
-    told = [worlds.words.about(name, language) for language in LANGUAGES]
+    said = [worlds.words.about(name, language) for language in LANGUAGES]
 
-    assert len({len(about.sentences) for about in told}) == 1
-    for about in told:
+    assert len({len(about.sentences) for about in said}) == 1
+    for about in said:
         for sentence in (*about.sentences, about.task):
             assert sentence.endswith(".")
             assert sentence == sentence.strip()
             assert ". " not in sentence.replace("SCAN, ", "") or sentence == about.task
             assert len(sentence) <= 80
-    assert len({tuple(numbers(about.task)) for about in told}) == 1
+    assert len({tuple(numbers(about.task)) for about in said}) == 1
 
 
 @pytest.mark.parametrize("name", worlds.scenarios())
@@ -205,10 +205,10 @@ def test_the_map_of_a_scenario_fits_eighty_columns_step_by_step(name: str) -> No
 
 @pytest.mark.parametrize("name", worlds.scenarios())
 def test_every_colour_of_a_thing_is_in_the_description(name: str) -> None:
-    told = set(re.findall(r"[a-z]+", worlds.words.about(name, "en").description)) & COLOURS
+    said = set(re.findall(r"[a-z]+", worlds.words.about(name, "en").description)) & COLOURS
     there = {each.colour for each in seen(name).things if each.kind != "donnie"}
 
-    assert there <= told
+    assert there <= said
 
 
 def test_the_living_room_has_its_things_where_the_description_says() -> None:

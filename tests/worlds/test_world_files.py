@@ -142,8 +142,8 @@ def test_a_random_colour_is_one_of_the_language_is_stable_and_reported_once() ->
     assert taken == [model.colour for model in again.models]
     assert {colour.name for colour in taken} == set(FAMILIES)
     assert all(colour.family == colour.name for colour in taken)
-    told = [(note.kind, note.line) for note in scene.report.notes if note.code == "random-colour"]
-    assert told == [(NoteKind.WARNING, 1), (NoteKind.WARNING, 2)]
+    said = [(note.kind, note.line) for note in scene.report.notes if note.code == "random-colour"]
+    assert said == [(NoteKind.WARNING, 1), (NoteKind.WARNING, 2)]
 
 
 @pytest.mark.parametrize(

@@ -77,10 +77,10 @@ def test_help_names_every_command_with_its_purpose(language: str, capsys: pytest
     with pytest.raises(SystemExit):
         understand(["--help"], words)
 
-    told = capsys.readouterr().out.splitlines()
+    said = capsys.readouterr().out.splitlines()
     for command in (each for each in COMMANDS if each not in TO_COME):
-        assert any(line.startswith(f"{command}: {words(f'usage-{command}')[:30]}") for line in told), command
-    assert not any(line.startswith(TO_COME) for line in told)
+        assert any(line.startswith(f"{command}: {words(f'usage-{command}')[:30]}") for line in said), command
+    assert not any(line.startswith(TO_COME) for line in said)
 
 
 @pytest.mark.parametrize("language", ["en", "pt", "es"])

@@ -91,7 +91,7 @@ def test_a_missing_device_is_reported_once(
 
 
 @pytest.mark.parametrize(
-    ("speech", "around", "told"),
+    ("speech", "around", "sentences"),
     [
         ("auto", facts(screen_reader="orca"), "voice-for-reader"),
         ("auto", facts(over_ssh=True), "voice-over-ssh"),
@@ -104,7 +104,7 @@ def test_a_missing_device_is_reported_once(
     ],
 )
 def test_a_default_voice_is_announced_with_the_word_that_changes_it(
-    monkeypatch: pytest.MonkeyPatch, speech: str, around: KnownEnvironment, told: str | None
+    monkeypatch: pytest.MonkeyPatch, speech: str, around: KnownEnvironment, sentences: str | None
 ) -> None:
     """The greeting says which voice was chosen without a question."""
     monkeypatch.setattr(audible, "DetectedEnvironment", lambda **_: around)
@@ -114,7 +114,7 @@ def test_a_default_voice_is_announced_with_the_word_that_changes_it(
             Settings(speech=speech, sound=False), Floor().session, Words(), closing
         ).decided
 
-    assert decided == told
+    assert decided == sentences
     assert decided is None or "SET speech " in Words()(decided)
 
 
@@ -195,14 +195,14 @@ def test_a_lost_dispatcher_is_reported_once_with_a_remedy_that_works(
     """The sentence is said once, with the remedy, and the remedy helps."""
     server = Server(tmp_path)
     monkeypatch.setenv("SPEECHD_ADDRESS", f"unix_socket:{server.address.path}")
-    floor, words, told = Floor(), Words(language), list[str]()
-    floor.session.hub.subscribe(lambda stamped: told.extend(printed_lines(stamped, words)))
+    floor, words, sentences = Floor(), Words(language), list[str]()
+    floor.session.hub.subscribe(lambda stamped: sentences.extend(printed_lines(stamped, words)))
     with ExitStack() as closing:
         made = make_audible(Settings(speech="ssip", sound=False), floor.session, words, closing)
         server.kill()
         Path(server.address.path).unlink()
-        until(lambda: says(floor, "Hi.") and words("ssip-lost") in told)
-        assert told.count(words("ssip-lost")) == 1
+        until(lambda: says(floor, "Hi.") and words("ssip-lost") in sentences)
+        assert sentences.count(words("ssip-lost")) == 1
 
         server = Server(tmp_path)
         monkeypatch.setattr("devices.audio.channel.DetectedEnvironment.stdout_is_terminal", True)
@@ -226,8 +226,8 @@ def test_the_cues_report_that_no_device_works(monkeypatch: pytest.MonkeyPatch) -
     """A device may exist and not open, which only the worker finds out."""
     monkeypatch.setattr(audible, "DetectedEnvironment", lambda **_: HOME)
     monkeypatch.setattr("devices.audio.service.AudioSettings", partial(AudioSettings, device="none"))
-    floor, told = Floor(), list[str]()
-    floor.session.hub.subscribe(lambda stamped: told.extend(printed_lines(stamped, Words())))
+    floor, sentences = Floor(), list[str]()
+    floor.session.hub.subscribe(lambda stamped: sentences.extend(printed_lines(stamped, Words())))
     with ExitStack() as closing:
         made = make_audible(Settings(speech="off"), floor.session, Words(), closing)
         assert made.has_cues
@@ -235,7 +235,7 @@ def test_the_cues_report_that_no_device_works(monkeypatch: pytest.MonkeyPatch) -
         until(lambda: not made.has_cues)
 
         assert made.why_no_cues == "cues-no-device"
-        until(lambda: told == ["No sound device. Everything is in print."])
+        until(lambda: sentences == ["No sound device. Everything is in print."])
 
 
 @pytest.mark.parametrize(

@@ -232,9 +232,9 @@ def test_a_stop_without_a_board_does_not_suggest_the_simulator(
     monkeypatch.setattr("donnie_tui.cli.devices.find_port", partial(find_port, found=lambda: ()))
     made, _ = order(None)
 
-    with pytest.raises(Unusable) as told:
+    with pytest.raises(Unusable) as said:
         stop(made, lambda _, **__: HaltOutcome.STANDS)
-    assert told.value.sentence == "I find no robot. Is it plugged in? If a robot drives, switch it off."
+    assert said.value.sentence == "I find no robot. Is it plugged in? If a robot drives, switch it off."
 
 
 def test_a_stop_for_services_waits_for_the_port_and_says_so_once() -> None:
@@ -374,10 +374,10 @@ def test_a_text_that_can_not_be_understood_is_an_error_or_a_notice(key: str, val
     settings, notices = resolve({}, {}, {key: value})
     assert settings == Settings()
     (notice,) = notices
-    told = Words()(notice.code, **notice.values)
+    said = Words()(notice.code, **notice.values)
     is_one_of_many = key in ("belt_steps", "belt_columns", "sonars", "bumpers", "motors", "encoders")
-    assert told.startswith(f"The setting {key} can't be ")
-    assert ("For example: " if is_one_of_many else "It takes ") in told
+    assert said.startswith(f"The setting {key} can't be ")
+    assert ("For example: " if is_one_of_many else "It takes ") in said
 
 
 @pytest.mark.parametrize(

@@ -374,9 +374,9 @@ async def test_a_screen_has_a_size_that_a_screen_may_have(
         await page.send_json(["stdin", "end"])
         for shown in await until_shown(page, b"Dend"):
             if shown.startswith(b"M"):
-                told = json.loads(shown[1:])
-                assert 20 <= told["width"] <= 500
-                assert 6 <= told["height"] <= 200
+                sentences = json.loads(shown[1:])
+                assert 20 <= sentences["width"] <= 500
+                assert 6 <= sentences["height"] <= 200
 
 
 async def test_one_page_too_many_is_refused_with_a_sentence(serving: Any, client: ClientSession) -> None:

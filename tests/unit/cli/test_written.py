@@ -29,15 +29,15 @@ def test_a_full_log_is_reported_once_and_counts_as_lost(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(answer_log, "next_log", lambda folder: FULL)
-    hub, words, told = Hub(lambda: 0.0), Words(), list[str]()
-    hub.subscribe(lambda stamped: told.extend(printed_lines(stamped, words)))
+    hub, words, said = Hub(lambda: 0.0), Words(), list[str]()
+    hub.subscribe(lambda stamped: said.extend(printed_lines(stamped, words)))
     with ExitStack() as closing:
         written = Written(Settings(log=True), hub, words, closing)
         written.log()
         hub.publish(Spoke("a"))
         hub.publish(Spoke("b"))
 
-    assert told == ["a", "I can't write /dev/full: No space left on device.", "b"]
+    assert said == ["a", "I can't write /dev/full: No space left on device.", "b"]
     assert written.lost == ["/dev/full"]
 
 

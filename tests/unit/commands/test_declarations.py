@@ -122,8 +122,8 @@ def test_the_form_shows_required_and_optional_arguments() -> None:
 @pytest.mark.parametrize("language", languages())
 def test_help_of_report_lists_the_possible_reports(language: str) -> None:
     """Each word of it is understood."""
-    told = help_of("REPORT", Words(language))[2]
+    said = help_of("REPORT", Words(language))[2]
 
-    subjects = [asked(f"{word} x") for word in re.findall(r"\w+", told)[1:]]
+    subjects = [asked(f"{word} x") for word in re.findall(r"\w+", said)[1:]]
     assert sorted(found[0] for found in subjects if found) == ["help", "list", "manual", "map", "trail"]
-    assert len(told) <= 40
+    assert len(said) <= 40

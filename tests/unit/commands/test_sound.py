@@ -130,7 +130,7 @@ def test_a_deeper_block_sounds_higher_and_its_end_sounds_different(home: Listeni
 
 
 @pytest.mark.parametrize(
-    ("typed", "field", "value", "told", "written"),
+    ("typed", "field", "value", "said", "written"),
     [
         ("rate 300", "rate", 300, "Set rate: 300.", 300),
         ("rate 9999", "rate", 450, "Set rate: 450.", 450),
@@ -144,13 +144,13 @@ def test_a_deeper_block_sounds_higher_and_its_end_sounds_different(home: Listeni
     ],
 )
 def test_a_setting_counts_at_once_and_is_kept(
-    home: Listening, tmp_path: Path, typed: str, field: str, value: object, told: str, written: object
+    home: Listening, tmp_path: Path, typed: str, field: str, value: object, said: str, written: object
 ) -> None:
     """Rate, pitch, volume and voice count for the next sentence."""
     Script(home.donnie).type(f"SET {typed}")
 
     assert getattr(home.donnie.outlets.audible.settings, field) == value
-    assert home.printed == [told]
+    assert home.printed == [said]
     assert kept(tmp_path) == {field: written}
     again, notices = resolve({}, {}, kept(tmp_path))
     assert (getattr(again, field), notices) == (value, ())
@@ -188,13 +188,13 @@ def test_a_voice_made_anew_is_as_silent_as_the_one_before(home: Listening) -> No
 
 
 @pytest.mark.parametrize(
-    ("typed", "volume", "told"), [("off", 0, "off"), ("50", 50, "50"), ("on", 100, "100")]
+    ("typed", "volume", "said"), [("off", 0, "off"), ("50", 50, "50"), ("on", 100, "100")]
 )
-def test_each_cue_has_its_volume(home: Listening, tmp_path: Path, typed: str, volume: int, told: str) -> None:
+def test_each_cue_has_its_volume(home: Listening, tmp_path: Path, typed: str, volume: int, said: str) -> None:
     """Each family of cues has its own volume."""
     Script(home.donnie).type(f"SET cue bump {typed}")
 
-    assert home.printed == [f"Set cue bump: {told}."]
+    assert home.printed == [f"Set cue bump: {said}."]
     assert home.audio.volumes == [{"bump": volume / 100}]
     assert kept(tmp_path) == {"cues": f"bump {volume}"}
 

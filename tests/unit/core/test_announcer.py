@@ -168,12 +168,12 @@ def test_every_motion_has_a_cue() -> None:
 def test_detail_full_adds_the_new_place_where_it_changed() -> None:
     """At detail full the place follows the sentence of the movement."""
     place = "Position 1, 2. Facing east."
-    told = [
+    said = [
         [each.text for each in answers_to(event, detail="full") if isinstance(each, Announced)]
         for event in (walked(3, 3), turned(90, 90), walked(3, 0, OBSTACLE))
     ]
 
-    assert [lines[1:] for lines in told] == [[place], [place], []]
+    assert [lines[1:] for lines in said] == [[place], [place], []]
     assert len(answers_to(walked(3, 3))) == 1
 
 
@@ -197,7 +197,7 @@ def bumped(kind: str, degrees: float, name: str = "") -> Moved:
 
 
 @pytest.mark.parametrize(
-    ("event", "language", "told"),
+    ("event", "language", "said"),
     [
         (bumped("wall", 0.0), "en", "Wall, ahead."),
         (bumped("chair", 50.0, "chair7"), "en", "Chair, ahead right."),
@@ -214,9 +214,9 @@ def bumped(kind: str, degrees: float, name: str = "") -> Moved:
     ],
     ids=lambda value: value if isinstance(value, str) else "",
 )
-def test_a_collision_names_the_thing_and_the_side(event: Event, language: str, told: str) -> None:
+def test_a_collision_names_the_thing_and_the_side(event: Event, language: str, said: str) -> None:
     """The sentence follows the one of the manual."""
-    assert met_in_words(event, language) == [told]
+    assert met_in_words(event, language) == [said]
 
 
 def test_a_collision_with_nothing_known_has_no_second_sentence() -> None:

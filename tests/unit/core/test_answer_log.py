@@ -70,7 +70,7 @@ def test_the_whole_log_as_text_has_one_line_per_entry() -> None:
 
 
 @pytest.mark.parametrize(
-    ("language", "text", "told"),
+    ("language", "text", "said"),
     [
         ("en", "Fw 3.", "capital F, w, blank, 3, full stop."),
         ("pt", "á b", "á, espaço, b."),
@@ -79,8 +79,8 @@ def test_the_whole_log_as_text_has_one_line_per_entry() -> None:
         ("es", "[_", "corchete que abre, guion bajo."),
     ],
 )
-def test_spelling_names_capitals_blanks_and_signs(language: str, text: str, told: str) -> None:
-    assert spelled(text, Words(language)) == (told,)
+def test_spelling_names_capitals_blanks_and_signs(language: str, text: str, said: str) -> None:
+    assert spelled(text, Words(language)) == (said,)
 
 
 def test_a_long_word_is_spelled_in_lines_for_a_braille_display() -> None:

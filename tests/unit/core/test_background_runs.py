@@ -25,19 +25,19 @@ def donnie() -> Iterator[Donnie]:
 
 
 def answers(donnie: Donnie) -> list[str]:
-    told: list[str] = []
+    sentences: list[str] = []
 
     def remember(stamped: Stamped) -> None:
         if isinstance(stamped.event, Answered):
-            told.append(stamped.event.text)
+            sentences.append(stamped.event.text)
 
     donnie.session.hub.subscribe(remember)
-    return told
+    return sentences
 
 
-@pytest.mark.parametrize(("text", "told"), [("FW 1", ["alice begins."]), ("FWD 1", [])])
+@pytest.mark.parametrize(("text", "sentences"), [("FW 1", ["alice begins."]), ("FWD 1", [])])
 def test_a_started_program_is_parsed_once_and_in_its_own_thread(
-    donnie: Donnie, monkeypatch: pytest.MonkeyPatch, text: str, told: list[str]
+    donnie: Donnie, monkeypatch: pytest.MonkeyPatch, text: str, sentences: list[str]
 ) -> None:
     readers: list[threading.Thread] = []
     parse = session.parse
@@ -54,7 +54,7 @@ def test_a_started_program_is_parsed_once_and_in_its_own_thread(
     assert run.wait(TIMEOUT)
     assert len(readers) == 1
     assert readers[0] is not threading.current_thread()
-    assert said == told
+    assert said == sentences
 
 
 def test_a_program_is_parsed_while_another_robot_computes_without_end(donnie: Donnie) -> None:

@@ -224,7 +224,7 @@ def test_the_belt_follows_only_the_selected_robot() -> None:
 
 
 @pytest.mark.parametrize(
-    ("language", "told"),
+    ("language", "said"),
     [
         ("en", ("Belt: front strong.", "Upper row: 0 0 0 3 0 0 0.", "Lower row: 0 0 0 3 0 0 0.")),
         (
@@ -237,9 +237,9 @@ def test_the_belt_follows_only_the_selected_robot() -> None:
         ),
     ],
 )
-def test_each_motor_of_both_rows_can_be_described(language: str, told: tuple[str, ...]) -> None:
+def test_each_motor_of_both_rows_can_be_described(language: str, said: tuple[str, ...]) -> None:
     floor = Floor()
     announcer = BeltAnnouncer(team_of(floor), Words(language))
     floor.session.hub.publish(BeltShown(FRONT_ROW + FRONT_ROW))
 
-    assert announcer.rows() == told
+    assert announcer.rows() == said

@@ -89,29 +89,29 @@ def large(thing_count: int, robot_count: int) -> Picture:
 
 
 def test_the_nearest_of_many_things_are_described_and_the_others_counted() -> None:
-    told = describe(large(1000, 0), Pose(0.0, 0.0, 0.0), Words(), robot="donnie")
+    sentences = describe(large(1000, 0), Pose(0.0, 0.0, 0.0), Words(), robot="donnie")
 
-    assert told[2:4] == ("1000 things, in steps from donnie, the nearest first.", "Ball, red: 10 east.")
-    assert told[-3:] == (
+    assert sentences[2:4] == ("1000 things, in steps from donnie, the nearest first.", "Ball, red: 10 east.")
+    assert sentences[-3:] == (
         "980 more things are farther away.",
         "653 of them: box, red.",
         "327 of them: ball, red.",
     )
-    assert len(told) == 3 + MOST_THINGS + 3
+    assert len(sentences) == 3 + MOST_THINGS + 3
 
 
 def test_the_nearest_of_many_robots_are_named() -> None:
-    told = describe(large(0, 999), Pose(0.0, 0.0, 0.0), Words(), robot="me")
+    sentences = describe(large(0, 999), Pose(0.0, 0.0, 0.0), Words(), robot="me")
 
-    assert told[1] == "1000 robots: me, r0, r1, r2, r3, r4, r5, r6, r7, r8 and 990 more."
-    assert told[3] == "Robot r0, from me: 5 north, facing south."
-    assert len(told) == 13
+    assert sentences[1] == "1000 robots: me, r0, r1, r2, r3, r4, r5, r6, r7, r8 and 990 more."
+    assert sentences[3] == "Robot r0, from me: 5 north, facing south."
+    assert len(sentences) == 13
 
 
 def test_two_robots_are_described_by_name() -> None:
-    told = describe(large(0, 1), Pose(0.0, 0.0, 0.0), Words("pt"), robot="me")
+    sentences = describe(large(0, 1), Pose(0.0, 0.0, 0.0), Words("pt"), robot="me")
 
-    assert told[1:4] == (
+    assert sentences[1:4] == (
         "2 robôs: me, r0.",
         "O robô me começa em 0, 0, virado para norte.",
         "Robô r0, a partir de me: 5 ao norte, virado para sul.",

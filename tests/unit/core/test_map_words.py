@@ -74,16 +74,16 @@ def parsed(lines: tuple[str, ...], names: dict[str, str], robot: str) -> tuple[i
     """Where a row begins, and its letters, read back from the words."""
     letters = {name: letter for letter, name in names.items()} | {robot: "@"}
     letters |= dict.fromkeys(("livres", "libres"), letters[names["."]])
-    told, begin = "", 0
+    said, begin = "", 0
     for line in lines:
         found = re.fullmatch(r"\w+ -?\d+, \w+ (-?\d+): (.*)\.", line)
         assert found is not None
-        begin = int(found[1]) if not told else begin
-        assert int(found[1]) == begin + len(told)
+        begin = int(found[1]) if not said else begin
+        assert int(found[1]) == begin + len(said)
         for run in found[2].split(", "):
             count, _, name = run.partition(" ")
-            told += int(count) * letters[name] if count.isdecimal() else letters[run]
-    return begin, told
+            said += int(count) * letters[name] if count.isdecimal() else letters[run]
+    return begin, said
 
 
 @given(pictures(), st.sampled_from(LANGUAGES), st.sampled_from(DETAILS), st.data())
@@ -97,15 +97,15 @@ def test_rows_and_columns_in_words_are_read_back_exactly(
     floor = [list(row) for row in picture.rows]
     floor[picture.height - 1 - (y - picture.bottom)][x - picture.left] = "@"
     for row in range(picture.height):
-        told = row_in_words(grid, picture.bottom + row, words)
-        assert parsed(told, names, words("cell-robot")) == (
+        said = row_in_words(grid, picture.bottom + row, words)
+        assert parsed(said, names, words("cell-robot")) == (
             picture.left,
             "".join(floor[picture.height - 1 - row]),
         )
     for column in range(picture.width):
-        told = column_in_words(grid, picture.left + column, words)
+        said = column_in_words(grid, picture.left + column, words)
         letters = "".join(row[column] for row in reversed(floor))
-        assert parsed(told, names, words("cell-robot")) == (picture.bottom, letters)
+        assert parsed(said, names, words("cell-robot")) == (picture.bottom, letters)
 
 
 @given(pictures(), st.sampled_from(DETAILS), st.booleans(), st.booleans(), st.floats(0, 359))
@@ -114,16 +114,16 @@ def test_everything_in_range_is_named_exactly_once(
 ) -> None:
     pose = Pose(picture.left, picture.bottom, heading)
     words = Words("en", detail)
-    told = around_in_words(MapGrid(picture, pose), pose, words, compass=0 if absolute else None, clock=clock)
+    said = around_in_words(MapGrid(picture, pose), pose, words, compass=0 if absolute else None, clock=clock)
     near = [
         each
         for each in picture.things
         if hypot(*(max(0, abs(a - b) - 0.5) for a, b in ((each.x, pose.x), (each.y, pose.y)))) < RANGE + 0.9
     ]
 
-    assert sum(" chair" in line or " table" in line for line in told) == len(near)
-    assert told[0].startswith(f"{len(near)} thing" if near else "No things")
-    assert all(len(line) <= (40 if detail == "brief" else 80) for line in told)
+    assert sum(" chair" in line or " table" in line for line in said) == len(near)
+    assert said[0].startswith(f"{len(near)} thing" if near else "No things")
+    assert all(len(line) <= (40 if detail == "brief" else 80) for line in said)
 
 
 ROOM = room("#######", "#..c..#", "#.....#", "#.....#", "#######", things=(thing("c", 3, 3),))
@@ -144,9 +144,9 @@ def test_around_begins_ahead_and_goes_clockwise() -> None:
 
 def test_around_by_the_compass_begins_in_the_north_whatever_the_heading() -> None:
     pose = Pose(3, 1, 90)
-    told = around_in_words(MapGrid(ROOM, pose), pose, Words(), compass=0)
+    said = around_in_words(MapGrid(ROOM, pose), pose, Words(), compass=0)
 
-    assert told[1] == "North: chair, red, 1 step."
+    assert said[1] == "North: chair, red, 1 step."
 
 
 @pytest.mark.parametrize(
@@ -169,9 +169,9 @@ def test_a_wide_thing_is_in_the_direction_where_the_robot_would_meet_it() -> Non
     sofa = Thing("", "sofa", "S", "blue", 9, 4, 13, 2, outlines=(((2.5, 3), (15.5, 3), (15.5, 5), (2.5, 5)),))
     pose = Pose(3, 0, 0)
 
-    told = around_in_words(MapGrid(room(*("." * 16,) * 6, things=(sofa,)), pose), pose, Words())
+    said = around_in_words(MapGrid(room(*("." * 16,) * 6, things=(sofa,)), pose), pose, Words())
 
-    assert told[:3] == (
+    assert said[:3] == (
         "1 thing within 10 steps.",
         "Ahead: sofa, blue, 2 steps.",
         "Right: free, 10 steps.",
@@ -183,10 +183,10 @@ def test_a_direction_is_free_up_to_the_next_described_thing() -> None:
     long = replace(long, outlines=(((-2.5, 5), (0.2, 5), (0.2, 5.2), (-2, 5.2), (-2, -1), (-2.5, -1)),))
     pose = Pose(0, 0, 0)
 
-    told = around_in_words(MapGrid(room(*("." * 16,) * 6, things=(long,)), pose), pose, Words())
+    said = around_in_words(MapGrid(room(*("." * 16,) * 6, things=(long,)), pose), pose, Words())
 
-    assert told[1] == "Ahead: free, 4 steps."
-    assert told[-1] == "Left: table, red, 1 step."
+    assert said[1] == "Ahead: free, 4 steps."
+    assert said[-1] == "Left: table, red, 1 step."
 
 
 @pytest.mark.parametrize(
@@ -203,9 +203,9 @@ def test_around_and_the_sensors_agree(right: int, ahead: str, steps: int) -> Non
     robot.forward(steps)
     pose, distance = robot.pose(), robot.distance(Bearing.FRONT)
 
-    told = around_in_words(MapGrid(picture(scene), pose), pose, Words())
+    said = around_in_words(MapGrid(picture(scene), pose), pose, Words())
 
-    assert told[1] == ("Ahead: free, 10 steps." if distance > 10 else f"Ahead: {ahead}, {distance} step.")
+    assert said[1] == ("Ahead: free, 10 steps." if distance > 10 else f"Ahead: {ahead}, {distance} step.")
 
 
 def test_a_floor_that_is_drawn_as_a_box_is_no_wall_around_the_robot_on_it() -> None:
@@ -219,10 +219,10 @@ def test_a_floor_that_is_drawn_as_a_box_is_no_wall_around_the_robot_on_it() -> N
 
 def test_around_on_a_clock_face_names_the_hours() -> None:
     pose = Pose(3, 1, 90)
-    told = around_in_words(MapGrid(ROOM, pose), pose, Words(), clock=True)
+    said = around_in_words(MapGrid(ROOM, pose), pose, Words(), clock=True)
 
-    assert told[1:3] == ("12 o'clock: wall, 2 steps.", "3 o'clock: wall, 0 steps.")
-    assert "9 o'clock: chair, red, 1 step." in told
+    assert said[1:3] == ("12 o'clock: wall, 2 steps.", "3 o'clock: wall, 0 steps.")
+    assert "9 o'clock: chair, red, 1 step." in said
     in_portuguese = around_in_words(MapGrid(ROOM, pose), pose, Words("pt", "full"), clock=True)
     assert any(line.startswith("1 hora: ") for line in in_portuguese)
 
@@ -255,8 +255,8 @@ def test_no_square_behind_the_walls_is_called_free() -> None:
         square_in_words(MapGrid(ROOM, pose), 900, 1, pose, Words("pt"))
         == "900, 1: fora do mundo. 899 à direita."
     )
-    told = square_in_words(MapGrid(endless, pose), 900, 1, pose, Words())
-    assert told == "900, 1: beyond the map. 899 right."
+    said = square_in_words(MapGrid(endless, pose), 900, 1, pose, Words())
+    assert said == "900, 1: beyond the map. 899 right."
     assert square_in_words(MapGrid(endless, pose), 2, 1, pose, Words()) == "2, 1: free. 1 right."
 
 
@@ -269,10 +269,10 @@ def test_a_missing_row_is_reported_with_the_existing_rows() -> None:
 
 @pytest.mark.parametrize("free", [FREE, "f"])
 def test_the_picture_begins_with_its_legend_and_has_one_letter_per_square(free: str) -> None:
-    told = picture_in_letters(MapGrid(ROOM, Pose(1, 1, 0)), Words(), free)
+    said = picture_in_letters(MapGrid(ROOM, Pose(1, 1, 0)), Words(), free)
 
-    assert told[:4] == ("Picture, 7 by 5. The robot is ^", "Wall: #", f"Free: {free}", "Chair: c")
-    assert told[4:] == tuple(
+    assert said[:4] == ("Picture, 7 by 5. The robot is ^", "Wall: #", f"Free: {free}", "Chair: c")
+    assert said[4:] == tuple(
         row.replace(".", free) for row in ("#######", "#..c..#", "#.....#", "#^....#", "#######")
     )
 
@@ -280,9 +280,9 @@ def test_the_picture_begins_with_its_legend_and_has_one_letter_per_square(free: 
 def test_a_picture_of_a_part_names_the_part() -> None:
     rows = ("." * 50,) * 30
     picture = Picture(0, 0, 50, 30, 1, rows, (), True)
-    told = picture_in_letters(MapGrid(picture, Pose(10, 10, 0)), Words())
+    said = picture_in_letters(MapGrid(picture, Pose(10, 10, 0)), Words())
 
-    assert told[1:3] == (
+    assert said[1:3] == (
         "Only a part: x 0 to 39, y 1 to 18.",
         "The whole: x 0 to 49, y 0 to 29. MAP ROW says the rest.",
     )
@@ -297,9 +297,9 @@ def test_two_letters_never_have_the_same_words() -> None:
 def test_letters_of_the_picture_are_distinct_without_capitals() -> None:
     """In six dots a capital letter looks like a small one."""
     picture = Picture(0, 0, 3, 1, 1, ("cC.",), (thing("c", 0, 0), thing("C", 1, 0)), False)
-    told = picture_in_letters(MapGrid(picture, Pose(2, 0, 0)), Words())
+    said = picture_in_letters(MapGrid(picture, Pose(2, 0, 0)), Words())
 
-    assert told[1:] == ("Chair C: a", "Chair: c", "ca^")
+    assert said[1:] == ("Chair C: a", "Chair: c", "ca^")
 
 
 def test_a_robot_that_is_not_donnie_stands_on_the_map_by_its_name() -> None:

@@ -63,10 +63,10 @@ def test_a_treasure_is_found_by_its_name(tmp_path: Path) -> None:
     done = donnie(
         tmp_path, "--linear", *QUIET, "--speed", "max", "--lang", "pt", "--world", str(world), typed=typed
     )
-    told = done.stdout.decode().splitlines()
+    said = done.stdout.decode().splitlines()
 
-    assert "À frente: tesouro, caixa amarela, 5 passos." in told
-    assert "À direita: caixa azul, 7 passos." in told
-    assert "Tesouro, caixa amarela: 8 à frente." in told
-    assert any(line.startswith("0, 8: tesouro") for line in told)
-    assert any("tesouro, a caixa amarela" in line for line in told)
+    assert "À frente: tesouro, caixa amarela, 5 passos." in said
+    assert "À direita: caixa azul, 7 passos." in said
+    assert "Tesouro, caixa amarela: 8 à frente." in said
+    assert any(line.startswith("0, 8: tesouro") for line in said)
+    assert any("tesouro, a caixa amarela" in line for line in said)

@@ -161,11 +161,11 @@ def test_a_replay_prints_all_in_order_and_shortens_long_waits() -> None:
 
     hall = Hall()
     run(hall, "alice", "WAIT 1000 FW 1")
-    events, told = recorded(hall), list[Stamped]()
+    events, said = recorded(hall), list[Stamped]()
     replay = Replay(Timeline(events), Patient(), 2.0)
 
-    assert replay.forwards(told.append)
-    assert told == events
+    assert replay.forwards(said.append)
+    assert said == events
     assert max(waits) == LONGEST_PAUSE
     assert waits.count(0.5) == 1
 

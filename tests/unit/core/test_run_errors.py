@@ -35,8 +35,8 @@ def test_a_mistake_is_explained_with_its_cause_and_its_line() -> None:
     errors = RunErrors(MISTAKES)
     errors.go(1, SAY)
 
-    told = errors.explained("bob", SAY)
-    assert told == ("bob: Donnie does not know this word.", "Check its letters: FW 3.")
+    said = errors.explained("bob", SAY)
+    assert said == ("bob: Donnie does not know this word.", "Check its letters: FW 3.")
     assert line_of(MISTAKES[1], SAY) == ("Line 2: FWD 2",)
 
 

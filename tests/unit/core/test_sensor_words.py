@@ -40,10 +40,10 @@ def test_a_robot_without_sensors_says_so() -> None:
 def test_the_description_of_a_thousand_sensors_is_cut() -> None:
     devices = [Mounted(Device.BUMPER, degrees) for degrees in range(1, 101)]
 
-    told = sensors_in_words(devices, "al", Words("pt", "normal"))
+    said = sensors_in_words(devices, "al", Words("pt", "normal"))
 
-    assert len(told) == MOST + 2
-    assert told[-1] == "E mais 80."
+    assert len(said) == MOST + 2
+    assert said[-1] == "E mais 80."
 
 
 @pytest.mark.parametrize("yaw", [0, 90, 225])

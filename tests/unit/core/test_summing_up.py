@@ -55,20 +55,20 @@ def test_four_movements_a_second_are_printed_and_the_others_summed_up_at_the_end
 
 
 @pytest.mark.parametrize(
-    ("language", "told"),
+    ("language", "said"),
     [
         ("en", "3 more steps, 1 turn."),
         ("pt", "Mais 3 passos, 1 giro."),
         ("es", "3 pasos y 1 giro más."),
     ],
 )
-def test_steps_and_turns_are_summed_up_in_each_language(language: str, told: str) -> None:
+def test_steps_and_turns_are_summed_up_in_each_language(language: str, said: str) -> None:
     listener = Listener(language)
     for _ in range(4):
         listener.receive(*turn())
     listener.receive(*walk(2), *turn(), *walk(1), END)
 
-    assert listener.printed[4:] == [told]
+    assert listener.printed[4:] == [said]
 
 
 def test_turns_alone_are_counted() -> None:
@@ -106,9 +106,9 @@ def test_every_step_is_printed_once_or_counted_in_a_sum() -> None:
         listener.now = number / 11
         listener.receive(*walk())
     listener.receive(END)
-    told = [int("".join(filter(str.isdigit, line))) for line in listener.printed]
+    said = [int("".join(filter(str.isdigit, line))) for line in listener.printed]
 
-    assert sum(told) == 97
+    assert sum(said) == 97
 
 
 @pytest.mark.parametrize(

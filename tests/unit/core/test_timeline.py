@@ -99,11 +99,11 @@ def test_a_step_back_names_the_place_that_it_leads_to() -> None:
     floor, timeline = happened('FW 2\nTR 90\nSPEAK "hello"\nWAIT 1\nFW 3\nSCAN')
     timeline.go_to(len(timeline))
 
-    told = []
+    said = []
     while timeline.at:
-        told.append(undone_in_words(timeline.step_back(), timeline, floor.words))
+        said.append(undone_in_words(timeline.step_back(), timeline, floor.words))
 
-    assert told == [
+    assert said == [
         "Back: end of the program. Position 3, 2.",
         "Back: looked around.",
         "Back: FW 3. Position 0, 2.",
@@ -117,7 +117,7 @@ def test_a_step_back_names_the_place_that_it_leads_to() -> None:
 
 
 @pytest.mark.parametrize(
-    ("event", "told"),
+    ("event", "said"),
     [
         (CueSounded("step-forward", 0.0, None), "De volta: parte de uma caminhada. Posição 0, 1."),
         (CueSounded("turn-left", 0.0, None), "De volta: parte de um giro. Virado para norte."),
@@ -128,13 +128,13 @@ def test_a_step_back_names_the_place_that_it_leads_to() -> None:
         (ThingsMoved(()), "De volta: objetos movidos."),
     ],
 )
-def test_an_unfinished_command_is_described_by_its_name(event: Event, told: str) -> None:
+def test_an_unfinished_command_is_described_by_its_name(event: Event, said: str) -> None:
     here = Moved("PF 1", 1, 1, None, Pose(0, 1, 0), True)
     timeline = Timeline([Stamped(1, 0.0, here), Stamped(2, 0.0, event)])
     timeline.go_to(2)
     timeline.back()
 
-    assert undone_in_words((timeline.events[1],), timeline, Words("pt")) == told
+    assert undone_in_words((timeline.events[1],), timeline, Words("pt")) == said
 
 
 def test_a_trail_begins_anew_with_a_reset() -> None:

@@ -123,11 +123,11 @@ def test_the_watching_thread_starts_and_ends_with_a_run() -> None:
     hall.turn = ("alice", 0.0)
     import threading
 
-    told = threading.Event()
-    hall.stream_of_all.subscribe(lambda each: told.set() if isinstance(each.event, Answered) else None)
+    said = threading.Event()
+    hall.stream_of_all.subscribe(lambda each: said.set() if isinstance(each.event, Answered) else None)
     runs = hall.team.start_together({"alice": RunRequest(ENDLESS, "a.gd")})
 
-    assert told.wait(LONG_ENOUGH)
+    assert said.wait(LONG_ENOUGH)
     assert any(isinstance(each.event, RunStarted) for each in hall.heard)
     hall.stop(runs[0])
     hall.turn_monitor.close()

@@ -32,27 +32,27 @@ def test_walls_are_described_by_their_sides_or_as_all_around(walls: str) -> None
 
     assert walls_in_words(seen, Pose(0, 0, 0), Words()) == TOLD[walls]
     assert map_in_words(seen, Pose(0, 0, 0), Words())[1:-1] == TOLD[walls]
-    told = describe(seen, Pose(0, 0, 0), Words(), robot="donnie")
-    assert told[1 : 1 + len(TOLD[walls])] == TOLD[walls]
+    said = describe(seen, Pose(0, 0, 0), Words(), robot="donnie")
+    assert said[1 : 1 + len(TOLD[walls])] == TOLD[walls]
 
 
 @pytest.mark.parametrize("heading", [0, 90, 215])
 def test_the_sides_are_those_of_the_compass_at_any_heading(heading: int) -> None:
     seen = picture(load_text(WALL + DONNIE + NORTH, Path("my.world")))
 
-    (told,) = walls_in_words(seen, Pose(0, 0, heading), Words("es"))
+    (said,) = walls_in_words(seen, Pose(0, 0, heading), Words("es"))
 
-    assert told.endswith(": 18 al norte.")
+    assert said.endswith(": 18 al norte.")
 
 
 def test_a_winding_way_out_is_found_and_a_closed_room_has_none() -> None:
     rows = ("#######", "#...#..", "#.#.#.#", "#.#...#", "#.#####", "#.#...#", "#######")
     closed = (*rows[:1], "#...#.#", *rows[2:])
-    for floor, pose, told in (
+    for floor, pose, said in (
         (rows, Pose(1, 1, 0), "No wall is straight"),
         (closed, Pose(1, 1, 0), "Walls are all around."),
         (rows, Pose(4, 1, 0), "Walls are all around."),
     ):
         square = ((-0.5, 6.5), (0.5, 6.5), (0.5, 7.5), (-0.5, 7.5))
         (line,) = walls_in_words(Picture(0, 0, 7, 7, 1, floor, (), True, (square,)), pose, Words())
-        assert line.startswith(told)
+        assert line.startswith(said)
