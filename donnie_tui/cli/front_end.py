@@ -6,6 +6,7 @@ then the kind of terminal. The greeting names the cause.
 
 from __future__ import annotations
 
+import os
 import shlex
 import sys
 from collections.abc import Mapping
@@ -20,9 +21,9 @@ from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.streams import is_terminal
 from donnie_tui.commands.interaction import SwitchMode
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.process.confinement import may_run_programs
+from donnie_tui.process.confinement import confinement, may_run_programs
 from donnie_tui.settings.parsing import read_switch
-from donnie_tui.settings.settings import BY_KEY, Settings
+from donnie_tui.settings.settings import BY_KEY, CONFINED, Settings
 
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
@@ -147,6 +148,10 @@ def serve(order: Order) -> int:
     port = _number(words, "serve-bad-port", arguments.port, PORTS)
     sessions = _number(words, "serve-bad-sessions", arguments.sessions, SESSIONS)
     idle = _number(words, "serve-bad-idle", arguments.idle, IDLE_MINUTES)
+    if order.settings.events == "-":
+        raise Unusable(words("serve-events"))
+    if order.outputs and sessions > 1:
+        raise Unusable(words("serve-one-file", option=order.outputs[0][0]))
     import asyncio
 
     from donnie_tui.cli.page_server import LOCALHOST, PageServer, serve_until_signal
@@ -155,6 +160,7 @@ def serve(order: Order) -> int:
     address = arguments.listen or LOCALHOST
     limits = PageLimits(sessions=sessions, idle=60.0 * idle)
     command = page_command(order.invocation.options)
+    _confine_pages()
     server = PageServer(command, words, order.output.complaint, limits, address=address, port=port)
 
     def announce() -> None:
@@ -187,9 +193,21 @@ def page_command(options: Mapping[str, str]) -> list[str]:
 
     ``-P``: a learner's file called ``donnie_tui.py`` must not be imported from the folder of the session.
     """
-    given = [part for key, value in options.items() for part in (BY_KEY[key].option, value)]
+    given = [
+        part
+        for key, value in options.items()
+        if key != CONFINED.key  # see ``_confine_pages``
+        for part in (BY_KEY[key].option, value)
+    ]
     safely = [] if may_run_programs() else ["-P"]
     return [sys.executable, *safely, "-m", "donnie_tui", "--visual", *given]
+
+
+def _confine_pages() -> None:
+    """To the folder of this process, which may have left the one in which a relative name was given."""
+    here = confinement()
+    if here is not None:
+        os.environ[CONFINED.variable] = here.folder
 
 
 def _installing() -> str:

@@ -3,6 +3,7 @@
 import asyncio
 import base64
 import json
+import os
 import shutil
 import socket
 import subprocess
@@ -362,7 +363,7 @@ async def test_a_page_that_begins_without_the_focus_takes_letters(server):
         await until_shown(terminal, shown, "I do not know fwq.")
 
 
-CTRL_K, CTRL_Q = "\x0b", "\x11"
+CTRL_K, CTRL_O, CTRL_Q = "\x0b", "\x0f", "\x11"
 PROGRAM = "FW 3 -- not saved"
 
 
@@ -439,6 +440,26 @@ async def test_the_text_of_a_page_that_was_left_alone_is_offered_at_the_next_sta
     assert [each.read_text() for each in tmp_path.rglob("unsaved-*.gd")] == [f"{PROGRAM}\n"]
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux confines")
+@pytest.mark.filterwarnings("ignore::ResourceWarning")
+async def test_a_page_of_a_confined_server_stays_in_the_folder(tmp_path):
+    """The server leaves the folder in which the name was given; its pages begin where it is then."""
+    folder = tmp_path / "pupil"
+    folder.mkdir()
+    server = Server(tmp_path, "--confined", os.path.relpath(folder, ROOT))
+    try:
+        async with server.page() as terminal:
+            shown = Shown()
+            await until_shown(terminal, shown, FIRST_WORDS)
+            await terminal.send_json(["focus"])
+            await terminal.send_json(["stdin", CTRL_O])
+            await until_shown(terminal, shown, "Enter answers")
+            await terminal.send_json(["stdin", "/etc/passwd\r"])
+            await until_shown(terminal, shown, "/etc/passwd is not in your folder.")
+    finally:
+        server.end()
+
+
 async def test_listening_for_other_computers_says_what_that_means(tmp_path):
     server = Server(tmp_path, "--listen", "0.0.0.0")
     server.end()
@@ -457,7 +478,7 @@ async def test_a_page_that_is_cut_stops_its_robot(tmp_path):
     def events() -> str:
         return file.read_text() if file.exists() else ""
 
-    server = Server(tmp_path, "--events", str(file), "--speed", "1")
+    server = Server(tmp_path, "--events", str(file), "--speed", "1", "--sessions", "1")
     try:
         async with server.page() as terminal:
             shown = Shown()

@@ -535,6 +535,8 @@ async def test_another_world_keeps_the_page_with_its_size_and_focus(
         ("--sessions=²", "² is no number of pages; 1 to 100 are possible."),
         ("--idle=-1", "-1 is no number of minutes; 0 to 1440 are possible."),
         ("--idle=1e9", "1e9 is no number of minutes; 0 to 1440 are possible."),
+        ("--events=-", "A page can't write events to standard output. Name a file."),
+        ("--record=no_such_file", "--record writes one file, so it needs --sessions 1."),
     ],
 )
 def test_an_option_that_can_not_be_used_is_reported(
