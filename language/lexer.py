@@ -83,9 +83,10 @@ _MARKED_SIGN = rf"(?:[=<>]=|<>|[=<>+\-*/()\[\],:;]){MARK}+"
 """A sign with a loose mark is another sign: = with a stroke through it means different."""
 
 _QUOTES = "\u201c\u201d\u201e\u201f"
-_OTHER_STRINGS = rf"|[{_QUOTES}][^{_QUOTES}]*[{_QUOTES}]|\u2018[^\u2019\r\n]*\u2019"
+_OTHER_STRINGS = rf"|[{_QUOTES}][^{_QUOTES}]*[{_QUOTES}]|\u2018[^\u2018\u2019\r\n]*\u2019"
 _WHOLE_COMMENT = COMMENT_MARK + r"[^\r\n]*"
-_ASSIGNMENT_OR_CALL = rf"(?:\s|{_WHOLE_COMMENT})*(?:=(?!=)|\[)"
+_ASSIGNMENT_OR_CALL = rf"(?:\s|{_WHOLE_COMMENT}+)*+(?:=(?!=)|\[)"
+"""Possessive: a comment full of hyphens could otherwise be split into comments in millions of ways."""
 
 _single = {word: KIND[terminal] for word, terminal in TERMINAL_OF_WORD.items() if " " not in word}
 _fragments = {

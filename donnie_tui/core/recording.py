@@ -38,7 +38,8 @@ T = TypeVar("T")
 DEEPEST = 12
 """Nested brackets in a line; Donnie writes five at most."""
 
-_STRING = re.compile(r'"(?:[^"\\]|\\.)*"')
+_STRING = re.compile(r'"(?:[^"\\]|\\.)*+(?:"|\Z)')
+"""A string that does not end takes the rest of the line, so that it is looked through once."""
 _BRACKETS = re.compile(r"[\[\]{}]")
 
 

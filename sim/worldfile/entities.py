@@ -50,7 +50,8 @@ class FileReader:
     def statements(self, text: str, path: Path, above: tuple[Path, ...]) -> Iterator[Placed]:
         """The statements of ``text``, which stands in ``path`` and is included from the files ``above``."""
         self.files.append(str(path))
-        for statement in parse(text, str(path), self._words):
+        self._words.take(text, str(path))
+        for statement in parse(text, str(path)):
             if isinstance(statement, tree.Include):
                 yield from self._included(statement, path, (*above, path.resolve()))
             else:

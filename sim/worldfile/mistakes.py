@@ -39,7 +39,7 @@ def near_file(path: str, folders: Iterable[Path]) -> str:
 
 def defining(model: str, folders: Iterable[Path]) -> str:
     """The file to include that defines a model; empty if none does."""
-    pattern = re.compile(rb"^\s*define\s+" + re.escape(model.encode()) + rb"\s", re.MULTILINE)
+    pattern = re.compile(rb"^[ \t]*define\s+" + re.escape(model.encode()) + rb"\s", re.MULTILINE)
     return next((file.name for file in _includes(folders) if pattern.search(_start(file))), "")
 
 

@@ -20,7 +20,7 @@ from sim.worldfile.mistakes import Code, WorldError
 
 DEEPEST = 64
 """Parentheses and brackets inside each other."""
-MOST_WORDS = 100_000
+MOST_WORDS = 60_000
 """Words, numbers and signs of all files of a world; one of 2000 models has some 30 000."""
 LARGEST = 1e12
 """No number of a world is larger; lengths are held to a narrower limit where they are used."""
@@ -28,7 +28,7 @@ LARGEST = 1e12
 _TOKEN = re.compile(
     r"""(?P<BLANK>[ \t\r\f\v\u00a0]+|\#[^\n]*)
     | (?P<NEWLINE>\n)
-    | (?P<NUMBER>[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)(?![\w.])
+    | (?P<NUMBER>[+-]?(?:[0-9]++(?:\.[0-9]*+)?|\.[0-9]++)(?:[eE][+-]?[0-9]++)?+)(?![\w.])
     | (?P<WORD>[^\W\d_][\w.\-]*(?:\[[0-9]+\][\w.\-]*)*)
     | "(?P<STRING>[^"\n]*)"
     | (?P<LPAR>\() | (?P<RPAR>\)) | (?P<LSQB>\[) | (?P<RSQB>\])""",
@@ -46,24 +46,31 @@ class WorldToken(NamedTuple):
 
 
 class WordCount:
-    """Counts the tokens of all files of one world."""
+    """Counts the tokens of all files of one world, before they are parsed: that takes many times as long."""
 
     def __init__(self) -> None:
         self._left = MOST_WORDS
 
-    def take(self, token: WorldToken, file: str) -> None:
+    def take(self, text: str, file: str) -> None:
         """Raises ``WorldError`` where there are too many."""
-        self._left -= 1
-        if self._left < 0:
-            raise WorldError(Code.TOO_MUCH, file, token.line, token.column, what="words", limit=MOST_WORDS)
+        position = 0
+        while (match := _TOKEN.match(text, position)) is not None:
+            if match.lastgroup not in ("BLANK", "NEWLINE"):
+                self._left -= 1
+                if self._left < 0:
+                    raise _too_many_words(text, file, position)
+            position = match.end()
 
 
-def tokens(text: str, file: str, count: WordCount | None = None) -> Iterator[WorldToken]:
+def _too_many_words(text: str, file: str, position: int) -> WorldError:
+    line, column = text.count("\n", 0, position) + 1, position - text.rfind("\n", 0, position)
+    return WorldError(Code.TOO_MUCH, file, line, column, what="words", limit=MOST_WORDS)
+
+
+def tokens(text: str, file: str) -> Iterator[WorldToken]:
     """The tokens of ``text``; WorldError at the first place that is none, or where something is left open."""
     opened: list[WorldToken] = []
-    count = count or WordCount()
     for token in _read(text, file):
-        count.take(token, file)
         if token.kind in ("LPAR", "LSQB"):
             opened.append(token)
             if len(opened) > DEEPEST:
@@ -133,11 +140,10 @@ _EXPECTED = {
 }
 
 
-def parse(text: str, file: str, count: WordCount | None = None) -> tuple[tree.Statement, ...]:
-    """The statements of one file, in order. WorldError at the first mistake of form, or too many words."""
-    source = _Source(text, file, count or WordCount())
+def parse(text: str, file: str) -> tuple[tree.Statement, ...]:
+    """The statements of one file, in order. WorldError at the first mistake of form."""
     try:
-        statements: tuple[tree.Statement, ...] = _grammar().parse(source)  # type: ignore[assignment]
+        statements: tuple[tree.Statement, ...] = _grammar().parse(_Source(text, file))  # type: ignore[assignment]
         return statements
     except UnexpectedToken as problem:
         raise _unexpected(problem, file) from None
@@ -161,10 +167,9 @@ def _acceptable(problem: UnexpectedInput) -> set[str]:
 class _Source:
     """A text that knows its file, on its way through lark to our lexer."""
 
-    def __init__(self, text: str, file: str, count: WordCount) -> None:
+    def __init__(self, text: str, file: str) -> None:
         self.text = text
         self.file = file
-        self.count = count
 
 
 class _Words(Lexer):
@@ -175,7 +180,7 @@ class _Words(Lexer):
 
     def lex(self, source: object) -> Iterator[Token]:  # type: ignore[override]  # lark's first interface
         assert isinstance(source, _Source)
-        for kind, text, line, column in tokens(source.text, source.file, source.count):
+        for kind, text, line, column in tokens(source.text, source.file):
             yield Token(_TERMINALS.get(kind, kind), text, 0, line, column)
 
 

@@ -1,4 +1,4 @@
-"""The tool that tries random input: a few cases of each kind hold, and a failure is made small and printed."""
+"""The tool that tries random input: some cases of each kind hold; a failure is made small and printed."""
 
 from __future__ import annotations
 

@@ -98,6 +98,12 @@ def test_a_file_that_is_no_recording_is_refused(content: bytes) -> None:
         Recording(io.BytesIO(content))
 
 
+def test_a_text_of_escapes_without_an_end_is_looked_through_once() -> None:
+    line = b'{"seq":1,"t":0,"event":"spoke","text":"' + b'\\"' * 1_000_000
+    with pytest.raises(NoRecordingError):
+        Recording(io.BytesIO(line + b"\n"))
+
+
 def test_a_file_that_is_no_recording_is_reported_in_one_sentence(here: Here) -> None:
     (here.folder / "a.rec").write_bytes(b"FW 3\n")
 

@@ -84,12 +84,42 @@ class Kind:
 
 
 def _program(chance: random.Random) -> str:
-    kind = chance.randrange(6)
+    kind = chance.randrange(7)
     if kind < 2:
         program = ProgramWriter(chance.getrandbits(32)).program()
         return mixed(program, chance) if kind else program
-    make = (garbage.soup, garbage.broken_program, garbage.any_bytes, _signs)[kind - 2]
+    if kind == 2:
+        return repeated(chance, (*garbage.WORDS, *garbage.HEADS, *garbage.LINES, *_MARKS))
+    make = (garbage.soup, garbage.broken_program, garbage.any_bytes, _signs)[kind - 3]
     return make(chance)
+
+
+_MARKS = (
+    "-",
+    "--",
+    "\u2014",
+    "\u2018",
+    "\u201c",
+    "'",
+    '"',
+    "=",
+    "[",
+    "]",
+    "(",
+    ")",
+    "1",
+    "a",
+    " ",
+    "\u0300",
+    "\n",
+)
+
+
+def repeated(chance: random.Random, pieces: Sequence[str]) -> str:
+    """A few pieces, then some of them many times: what takes more time than it is long."""
+    begin, middle, end = ("".join(chance.choices(pieces, k=chance.randrange(4))) for _ in range(3))
+    blank = chance.choice(("", "", " ", "\n"))
+    return f"{begin}{blank}{(middle + blank) * chance.randrange(20, 2000)}{end}"
 
 
 def _signs(chance: random.Random) -> str:
@@ -137,7 +167,26 @@ _WORLD = Path(worlds.MANUAL) / "garbage.world"
 
 
 def _world(chance: random.Random) -> str:
+    if chance.randrange(5) == 0:
+        return repeated(chance, (*damaged_worlds.PIECES, *_WORLD_PIECES))
     return damaged_worlds.damaged(chance.choice(_world_sources()), chance)
+
+
+_WORLD_PIECES = (
+    "position",
+    "sensor ( )",
+    "ranger (",
+    "block (",
+    " ",
+    "1",
+    "1.",
+    "e",
+    "-",
+    "name",
+    "a",
+    "size",
+    '"',
+)
 
 
 @cache

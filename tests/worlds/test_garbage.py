@@ -9,6 +9,8 @@ from pathlib import Path
 import pytest
 
 import worlds
+from donnie_tui.i18n.mistakes import world_mistake
+from donnie_tui.i18n.words import Words
 from sim.worldfile import WorldError, load_configuration, load_text
 from tests.effort import examples
 
@@ -156,6 +158,70 @@ def test_a_file_that_expands_without_limit_is_refused(text: str, code: str) -> N
         load_text(text, Path("bomb.world"))
 
     assert mistake.value.code.value == code
+
+
+LIMITS = {
+    "words": ("a 1 " * 30_001, "The files of the world have more than 60 000 words."),
+    "entities": (macro_bomb(40), "The world has more than 40 000 models, sensors and blocks."),
+    "settings": (wide_macro(), "The models of the world have more than 1 000 000 properties."),
+    "points": (
+        "define b block ( points 2000 "
+        + "".join(f"point[{i}] [ {i % 50} {i // 50} ] " for i in range(2000))
+        + ")\n"
+        "model ( " + "b ( ) " * 101 + ")",
+        "The shapes of the world have more than 200 000 corners.",
+    ),
+    "samples": (
+        "position ( ranger ( " + "sensor ( samples 10000 ) " * 250 + ") )",
+        "The sensors of the world have more than 2 000 000 samples.",
+    ),
+}
+
+
+@pytest.mark.parametrize("limit", LIMITS)
+def test_a_world_beyond_a_limit_is_refused_with_the_true_cause(limit: str) -> None:
+    text, sentence = LIMITS[limit]
+    with pytest.raises(WorldError) as mistake:
+        load_text(text, Path("large.world"))
+
+    assert world_mistake(mistake.value, Words()).endswith(sentence)
+
+
+def test_the_words_of_all_files_of_a_world_are_counted_together(tmp_path: Path) -> None:
+    for number in range(3):
+        (tmp_path / f"{number}.inc").write_text("a 1\n" * 10_000 + "b 1\n" * (number == 2), encoding="utf-8")
+
+    with pytest.raises(WorldError) as mistake:
+        load_text("".join(f'include "{number}.inc"\n' for number in range(3)), tmp_path / "top.world")
+
+    assert mistake.value.details["what"] == "words"
+    assert (mistake.value.file, mistake.value.line) == (str(tmp_path / "2.inc"), 9998)
+
+
+def test_too_many_files_are_refused_with_the_true_cause(tmp_path: Path) -> None:
+    (tmp_path / "one.inc").write_text("", encoding="utf-8")
+
+    with pytest.raises(WorldError) as mistake:
+        load_text('include "one.inc"\n' * 300, tmp_path / "top.world")
+
+    assert world_mistake(mistake.value, Words()).endswith("Too many files, at most 200 in a world.")
+
+
+def test_a_number_of_many_digits_that_is_none_is_refused_at_once() -> None:
+    """Each of its digits could otherwise be the last one of its whole part."""
+    with pytest.raises(WorldError) as mistake:
+        load_text("a " + "1" * 1_000_000 + "x", Path("large.world"))
+
+    assert mistake.value.code.value == "bad-number"
+
+
+def test_a_folder_with_a_file_of_blank_lines_is_searched_at_once(tmp_path: Path) -> None:
+    (tmp_path / "blank.inc").write_text("\n" * 200_000, encoding="utf-8")
+
+    with pytest.raises(WorldError) as mistake:
+        load_text("chair ( )", tmp_path / "top.world")
+
+    assert mistake.value.code.value == "unknown-type"
 
 
 def test_twenty_files_that_include_the_next_one_twice_are_refused(tmp_path: Path) -> None:

@@ -11,6 +11,8 @@ from language.parser import MOST_BLOCKS, MOST_PARENTHESES, parse
 from language.syntax import walk
 from language.tree_builder import MOST_LEVELS
 from tests.formatting import format_source
+from tests.tools import fuzz
+from tests.tools.fuzz import Kind
 
 REPEAT, END = "REPEAT 2 TIMES ", " END REPEAT"
 
@@ -97,6 +99,26 @@ def test_a_long_text_needs_memory_linear_in_its_length(source: str) -> None:
 
     assert (parsed.program is None) == bool(parsed.diagnostics)
     assert most < 2_000 * len(source)
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "SPEAK DISTANCE F " + "-- " * 1000 + "\nFW 1",
+        "SPEAK POS x -" + "-" * 3000 + "\n",
+        "HELP FW " + "\n-- a -- b" * 500 + "\nFW 1",
+        "\u2018" * 50_000,
+    ],
+    ids=("comment of comments", "line of hyphens", "many comments", "opening quotation marks"),
+)
+def test_no_text_takes_many_times_as_long_as_another(source: str) -> None:
+    """A hundredth of a second each; for the first ones all of them were tried in 2^1000 ways."""
+    assert fuzz.failure_of(Kind(lambda _: source, lambda text: check_form(str(text)), 20.0), source) is None
+
+
+def check_form(text: str) -> None:
+    parsed = parse(text)
+    assert (parsed.program is None) == bool(parsed.diagnostics)
 
 
 def test_prompts_and_outlines_have_no_limit() -> None:
