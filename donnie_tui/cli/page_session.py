@@ -158,14 +158,14 @@ class PageSession(AppService):
     async def _take(self, data: str) -> None:
         """What can't be understood is ignored."""
         try:
-            message = msgspec.json.decode(data)
-        except (msgspec.DecodeError, RecursionError):
+            message = _MESSAGES.decode(data)
+        except msgspec.DecodeError:
             return
         match message:
             case ["stdin", str(typed)]:
                 self._last_key = asyncio.get_running_loop().time()
                 await self._pass_on(b"D", typed.encode(errors="replace"))
-            case ["resize", {"width": int(width), "height": int(height)}]:
+            case ["resize", _Size(width=width, height=height)]:
                 self._size = size_of(width, height)
                 await self._report_size()
             case ["focus" | "blur" as kind]:
@@ -267,6 +267,15 @@ class PageSession(AppService):
     def _last_line(self) -> str:
         lines = self._complaint.decode(errors="replace").strip().splitlines()
         return lines[-1] if lines else ""
+
+
+class _Size(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    width: int
+    height: int
+
+
+_MESSAGES = msgspec.json.Decoder(list[str | _Size])
+"""With these types nothing is nested: the decoder would recurse as deep as a page likes."""
 
 
 def size_of(width: int, height: int) -> tuple[int, int]:

@@ -19,6 +19,7 @@ import pytest
 from donnie_tui.cli import front_end
 from donnie_tui.cli.main import main
 from donnie_tui.i18n.words import Words
+from language.call_stack import raise_recursion_limit
 from tests.conftest import ROOT
 from tests.timeouts import TIMEOUT
 
@@ -350,6 +351,8 @@ async def test_keys_go_to_the_process_and_what_it_paints_comes_back(
 async def test_what_a_page_sends_and_nothing_understands_is_ignored(
     serving: Any, client: ClientSession
 ) -> None:
+    """Also with the limit of calls that learners' programs get, at which a deep packet would end Python."""
+    raise_recursion_limit()
     garbage = [
         *("", "\x00", "{", "null", "[]", "[1]", "[" * 99_999),
         *('["stdin"]', '["stdin", 1]', '["stdin", "\\ud800"]', '["ping", {}]'),
