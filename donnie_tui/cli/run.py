@@ -11,6 +11,7 @@ program. Two outputs are never the same file. All of this is checked before any 
 from __future__ import annotations
 
 import os
+import re
 import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import closing
@@ -18,6 +19,7 @@ from itertools import combinations, product
 from pathlib import Path, PurePath
 from typing import TextIO, cast
 
+from devices.audio.cues import SAMPLE_RATE
 from donnie_tui.bootstrap import Donnie, assemble
 from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.programs import read_source
@@ -41,6 +43,7 @@ from donnie_tui.process.confinement import open_bytes
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.folders import settings_file
 from donnie_tui.settings.settings import Settings, SettingSource
+from language.locales import languages
 
 MOST_NAMES = 5
 """Robots that are named where one is unknown."""
@@ -107,9 +110,10 @@ _BRAILLE = frozenset(range(0x20, 0x60)) | frozenset(b"\r\n\f")
 _BEGINNINGS: Mapping[str, tuple[bytes, ...]] = {
     "--record": (b'{"donnie_recording"',),
     "--events": (b'{"seq"',),
-    "--sound": (b"RIFF",),
-    "--svg": (b"<svg", b"<?xml", b"<!--", b"<!DOCTYPE svg"),
+    "--svg": (b'<svg xmlns="http://www.w3.org/2000/svg" role="img" width="',),
 }
+_SOUND = re.compile(rb"RIFF....WAVEfmt \x10\0\0\0\x01\0\x02\0" + SAMPLE_RATE.to_bytes(4, "little"), re.DOTALL)
+"""Uncompressed, in two channels, at the rate of Donnie's sounds."""
 
 
 def may_be_replaced(option: str, path: Path) -> bool:
@@ -128,8 +132,19 @@ def may_be_replaced(option: str, path: Path) -> bool:
 
 def _is_of_kind(option: str, beginning: bytes, path: Path) -> bool:
     if option == "--brf":
-        return path.suffix.lower() in (".brf", ".brl") and _BRAILLE.issuperset(beginning)
+        is_braille = path.suffix.lower() in (".brf", ".brl") and _BRAILLE.issuperset(beginning)
+        return is_braille and beginning.startswith(_titles_in_braille())
+    if option == "--sound":
+        return _SOUND.match(beginning) is not None
     return beginning.removeprefix(b"\xef\xbb\xbf").lstrip().startswith(_BEGINNINGS[option])
+
+
+def _titles_in_braille() -> tuple[bytes, ...]:
+    """How the first page of a world begins, in each language."""
+    from donnie_tui.core.paper import braille
+
+    titles = ((each, Words(each)("paper-title", name="|").partition("|")[0]) for each in languages())
+    return tuple(braille(title, each).encode("ascii") for each, title in titles)
 
 
 def refuse_overwriting(order: Order) -> None:

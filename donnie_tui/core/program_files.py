@@ -70,7 +70,12 @@ def program_to_open(name: str) -> Path:
     """The file that a typed name means: this file, or the one with the suffix of programs."""
     path = _typed_path(name)
     suffixed = path.with_name(path.name + SUFFIX)
-    return suffixed if not exists(path) and exists(suffixed) else path
+    return _checked_again(suffixed) if not exists(path) and exists(suffixed) else path
+
+
+def _checked_again(path: Path) -> Path:
+    """With its suffix it may be a link to somewhere else."""
+    return path if confinement() is None else checked_path(path)
 
 
 def program_to_save(name: str, in_use: FilesInUse) -> Path:
@@ -80,7 +85,7 @@ def program_to_save(name: str, in_use: FilesInUse) -> Path:
     replace these.
     """
     path = _typed_path(name)
-    meant = path if path.suffix or exists(path) else path.with_name(path.name + SUFFIX)
+    meant = path if path.suffix or exists(path) else _checked_again(path.with_name(path.name + SUFFIX))
     if str(meant) in in_use:
         raise DocumentError("file-in-use", str(meant))
     if is_folder(meant):

@@ -113,6 +113,41 @@ def test_an_option_may_replace_its_earlier_output() -> None:
     assert main(["run", "a.gd", "--record", "empty.rec", *QUIET]) == 0
 
 
+@pytest.mark.parametrize(
+    ("line", "name", "content"),
+    [
+        ("world corridor --svg {}", "drawing.svg", b"<?xml version='1.0'?>\n<svg width='5'/>\n"),
+        ("world corridor --svg {}", "icon.svg", b"<svg xmlns='http://www.w3.org/2000/svg'/>\n"),
+        ("world corridor --brf {}", "book.brf", b"ONCE UPON A TIME\r\n\f"),
+        (
+            "run a.gd --sound wav:{}",
+            "song.wav",
+            b"RIFF$\0\0\0WAVEfmt \x10\0\0\0\x01\0\x02\0D\xac\0\0" + bytes(40),
+        ),
+        (
+            "run a.gd --sound wav:{}",
+            "voice.wav",
+            b"RIFF$\0\0\0WAVEfmt \x10\0\0\0\x01\0\x01\0\x22V\0\0" + bytes(40),
+        ),
+    ],
+)
+def test_a_file_of_the_same_kind_that_donnie_did_not_write_is_not_replaced(
+    line: str, name: str, content: bytes, capsys: pytest.CaptureFixture[str]
+) -> None:
+    Path(name).write_bytes(content)
+
+    assert main([*line.format(name).split(), "--speech", "off"]) == 2
+    assert "which is something else. Give another name." in capsys.readouterr().err
+    assert Path(name).read_bytes() == content
+
+
+@pytest.mark.parametrize("language", ["en", "pt", "es"])
+def test_a_page_in_braille_is_replaced_in_every_language(language: str) -> None:
+    write = ["world", "corridor", "--brf", "b.brf", "--lang", language]
+
+    assert (main(write), main(["world", "maze", "--brf", "b.brf"])) == (0, 0)
+
+
 def test_two_outputs_are_two_files(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["run", "a.gd", "--record", "b", "--events", "./b", *QUIET]) == 2
 

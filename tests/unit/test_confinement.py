@@ -11,8 +11,10 @@ import pytest
 from donnie_tui.core.line_history import LineHistory
 from donnie_tui.core.program_files import (
     DocumentError,
+    FilesInUse,
     RecentFiles,
     program_to_open,
+    program_to_save,
     read_program,
     write_program,
 )
@@ -154,6 +156,17 @@ def test_a_link_to_a_hidden_file_is_refused(folder: Path) -> None:
     with pytest.raises(DocumentError) as typed:
         program_to_open("shown.gd")
     assert typed.value.code == "file-hidden"
+
+
+def test_a_name_to_which_the_suffix_is_added_is_refused_as_the_link_that_it_is(folder: Path) -> None:
+    (folder / "shown.gd").symlink_to(".profile")
+    for name, code in (("link", "file-outside"), ("shown", "file-hidden"), ("new", "file-outside")):
+        with pytest.raises(DocumentError) as saved:
+            program_to_save(name, FilesInUse())
+        assert saved.value.code == code
+    with pytest.raises(DocumentError) as opened:
+        program_to_open("link")
+    assert opened.value.code == "file-outside"
 
 
 def test_a_name_without_an_end_and_a_link_to_itself_are_only_refused(folder: Path) -> None:
