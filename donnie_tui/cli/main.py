@@ -7,11 +7,13 @@ import signal
 import sys
 from collections.abc import Callable, Mapping
 from contextlib import suppress
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
 from msgspec.structs import replace
 
+import donnie_tui
 from donnie_tui.cli.options import (
     TO_COME,
     ExitCode,
@@ -23,7 +25,7 @@ from donnie_tui.cli.options import (
 )
 from donnie_tui.cli.streams import Output
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.process.confinement import IS_POSSIBLE, Confinement, confine
+from donnie_tui.process.confinement import IS_POSSIBLE, Confinement, confine, part_below
 from donnie_tui.process.signals import numbers_of
 from donnie_tui.settings.file import read_file, read_settings
 from donnie_tui.settings.folders import keep_in, machine_settings_file, settings_file
@@ -138,12 +140,20 @@ def _limit(invocation: Invocation, words: Words, start: _Start) -> _OwnSettings:
     if CONFINED.key in invocation.options:  # the way from here may be another one
         invocation.options[CONFINED.key] = confinement.folder
     keep_in(confinement.own_folder)
+    _import_nothing_from(confinement.folder)
     _ignore_suspension(words)
     own, troubles = read_file(settings_file(os.environ))
     refused = tuple(Notice("setting-of-teacher", {"name": each}) for each in TEACHERS if each in own)
     return _OwnSettings(
         {key: value for key, value in own.items() if key not in TEACHERS}, start.troubles + troubles + refused
     )
+
+
+def _import_nothing_from(folder: str) -> None:
+    """``python -m`` looks for modules where it begins, and a learner may have made one there."""
+    root = os.path.realpath(Path(donnie_tui.__file__).parents[1])
+    places = [(each, os.path.realpath(each)) for each in sys.path]
+    sys.path[:] = [each for each, real in places if part_below(folder, real) is None or real == root]
 
 
 def _ignore_suspension(words: Words) -> None:

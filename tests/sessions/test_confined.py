@@ -10,6 +10,7 @@ import pytest
 from donnie_tui.cli.main import main
 from donnie_tui.process.confinement import confine
 from donnie_tui.settings import folders
+from tests.conftest import ROOT
 from tests.sessions.command import QUIET, donnie
 from tests.sessions.learner import CTRL_Z, DOWN, UP, Learner, until
 
@@ -271,6 +272,17 @@ def test_a_folder_that_can_not_be_used_prevents_the_start(
 
     assert main(["run", "mine.gd", *QUIET]) == 2
     assert "start" in capsys.readouterr().err
+
+
+def test_a_module_in_the_folder_is_not_imported(ana: Path) -> None:
+    """The tests start ``python -m donnie_tui``, which looks for modules where it begins."""
+    for name in ("pymunk", "PIL", "lark", "serial"):
+        (ana / f"{name}.py").write_text(f"open({str(ana.parent / 'escaped')!r}, 'w')\n")
+
+    done = donnie(ana, "run", "mine.gd", "--confined", ".", *QUIET, changes={"PYTHONPATH": str(ROOT)})
+
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert not (ana.parent / "escaped").exists()
 
 
 # --- the settings of the machine
