@@ -30,8 +30,8 @@ MISSING = next((each for each in (SSHD, "ssh", "ssh-keygen") if shutil.which(eac
 class SshLine:
     """Made in ``folder``, where Donnie's settings and copies are, too."""
 
-    def __init__(self, folder: Path, forced: Sequence[str] = ()) -> None:
-        """``forced``: the options of the Donnie that is the only command of this login."""
+    def __init__(self, folder: Path, forced: Sequence[str] = (), *, by_key: bool = False) -> None:
+        """``forced``: the options of the Donnie that is the only command, of the login or ``by_key``."""
         self.folder = folder
         self._forced = (
             shlex.join([sys.executable, "-P", "-m", "donnie_tui", *forced, *QUIET]) if forced else ""
@@ -41,6 +41,10 @@ class SshLine:
         for name in ("host", "learner"):
             command = ["ssh-keygen", "-q", "-t", "ed25519", "-N", "", "-f", str(folder / name)]
             subprocess.run(command, check=True, stdin=subprocess.DEVNULL)
+        key = (folder / "learner.pub").read_text(encoding="utf-8")
+        limits = f'restrict,pty,command="{self._forced}" ' if by_key else ""
+        (folder / "authorized").write_text(limits + key, encoding="utf-8")
+        self._is_for_all = bool(forced) and not by_key
         (folder / "sshd_config").write_text(self._server(), encoding="utf-8")
         (folder / "ssh_config").write_text(self._client(), encoding="utf-8")
 
@@ -56,13 +60,13 @@ class SshLine:
         given = " ".join(f"{name}={value}" for name, value in variables.items())
         return f"""
 HostKey {self.folder}/host
-AuthorizedKeysFile {self.folder}/learner.pub
+AuthorizedKeysFile {self.folder}/authorized
 UsePAM no
 StrictModes no
 PermitRootLogin yes
 PasswordAuthentication no
 SetEnv {given}
-{f"ForceCommand {self._forced}" if self._forced else ""}
+{f"ForceCommand {self._forced}" if self._is_for_all else ""}
 """
 
     def _client(self) -> str:

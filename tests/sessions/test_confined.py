@@ -118,6 +118,24 @@ def test_the_history_the_copies_and_the_settings_are_kept_in_the_folder(ana: Pat
     again.sees("ask")
 
 
+def test_a_program_that_was_rescued_with_a_file_outside_is_not_saved_there(ana: Path) -> None:
+    """Its copy names the file; a pupil who can copy files into the folder may have written it."""
+    copies = ana / ".donnie" / "unsaved"
+    copies.mkdir(parents=True)
+    for number, name in enumerate((ana.parent / "secret.gd", ana / ".bashrc")):
+        (copies / f"unsaved-0-{number}.gd").write_text(f"-- What was not saved of the file: {name}\nFW 9\n")
+
+    typed = "RECOVER\nSAVE\nRECOVER\nSAVE\n"
+    done = donnie(ana.parent, "--linear", "--confined", "ana", *QUIET, typed=typed)
+
+    said = done.stdout.decode()
+    assert said.count(" is again, 1 line.") == 2
+    assert "secret.gd is not in your folder." in said
+    assert ".bashrc is hidden." in said
+    assert (ana.parent / "secret.gd").read_text() == SECRET
+    assert not (ana / ".bashrc").exists()
+
+
 def test_control_z_has_no_effect_although_a_shell_is_above(ana: Path) -> None:
     learner = Learner(ana.parent, "--confined", "ana", is_job=True)
     learner.enters("WHERE")

@@ -183,7 +183,7 @@ def pupil(tmp_path: Path) -> Iterator[tuple[SshLine, Path]]:
     (folder.parent / "secret.gd").write_text("SPEAK 4711\n")
     (folder / "mine.gd").write_text("FW 2\n")
     (folder / "link.gd").symlink_to("../secret.gd")
-    line = SshLine(tmp_path, forced=("--confined", str(folder)))
+    line = SshLine(tmp_path, forced=("--confined", str(folder)), by_key=True)
     if refusal := line.refusal():
         pytest.skip(refusal)
     yield line, folder

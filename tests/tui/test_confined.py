@@ -1,0 +1,106 @@
+"""The full screen in a confined session: each word that names a file, and no other program."""
+
+from __future__ import annotations
+
+import subprocess
+from collections.abc import Iterator
+from contextlib import nullcontext
+from pathlib import Path
+
+import pytest
+
+import worlds
+from donnie_tui.process.confinement import Confinement, confine
+from tests.tui.terminal import Terminal
+
+
+@pytest.fixture
+def outside(tmp_path: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
+    """A file of the teacher; the pupil's folder, which has a link to it, is ``tmp_path``."""
+    folder = tmp_path_factory.mktemp("teacher")
+    (folder / "secret.gd").write_text("SPEAK 4711\n")
+    (tmp_path / "link.gd").symlink_to(folder / "secret.gd")
+    confine(Confinement(str(tmp_path), readable=(worlds.SCENES, worlds.MANUAL)))
+    yield folder
+    confine(None)
+
+
+@pytest.mark.parametrize("word", ["OPEN", "SAVE", "SAVE AS", "SAVE LOG", "REPORT LIST", "WORLD", "WORLDS"])
+async def test_no_word_leaves_the_folder(open_screen, outside, tmp_path, word):
+    async with open_screen("FW 1") as screen:
+        for name in ("link.gd", f"{outside}/secret.gd"):
+            await screen.type_line(f"{word} {name}")
+            await screen.until(
+                lambda name=name: f"{name} is not in your folder." in screen.log, "the refusal"
+            )
+        await screen.type_line(f"{word} .profile.gd")
+        await screen.until(
+            lambda: ".profile.gd is hidden. You can't use it here." in screen.log, "the refusal"
+        )
+
+        assert screen.main.editor.text == "FW 1"
+    assert [each.name for each in outside.iterdir()] == ["secret.gd"]
+    assert (outside / "secret.gd").read_text() == "SPEAK 4711\n"
+
+
+async def test_a_refused_name_is_asked_again(open_screen, outside, tmp_path):
+    (tmp_path / "mine.gd").write_text("FW 2\n")
+    async with open_screen() as screen:
+        await screen.press("ctrl+o")
+        await screen.answer("link.gd")
+        await screen.until(lambda: "is not in your folder." in screen.text, "the reason")
+        await screen.answer("mine.gd")
+        await screen.shows("Opened mine.gd")
+
+
+async def test_the_log_is_on_a_page_and_no_program_starts(open_screen, outside, monkeypatch):
+    monkeypatch.setenv("PAGER", "sh")
+    monkeypatch.setattr(subprocess, "run", lambda *_, **__: pytest.fail("a program was started"))
+    async with open_screen() as screen:
+        monkeypatch.setattr(screen.app, "suspend", nullcontext)
+        await screen.type_line("WHERE")
+        await screen.type_line("LOG")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the page")
+        assert "Position 0, 0. Facing north." in screen.text
+        await screen.press("escape")
+        await screen.until(lambda: screen.app.screen is screen.main, "the main screen")
+
+
+async def test_the_pager_starts_no_shell(open_screen, monkeypatch, tmp_path):
+    """Also where nothing is confined: the session may be the only command of a login."""
+    pager = tmp_path / "less"
+    pager.write_text(f'#!/bin/sh\necho "$LESSSECURE" "$(cat "$1")" > {tmp_path}/shown\n')
+    pager.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tmp_path}:/usr/bin:/bin")
+    async with open_screen() as screen:
+        monkeypatch.setattr(screen.app, "suspend", nullcontext)
+        await screen.type_line("WHERE")
+        await screen.type_line("LOG")
+        await screen.until((tmp_path / "shown").exists, "the pager")
+
+    assert (tmp_path / "shown").read_text().startswith("1 ")
+    assert "Facing north." in (tmp_path / "shown").read_text()
+
+
+async def test_without_less_the_log_is_on_a_page(open_screen, monkeypatch, tmp_path):
+    """``more`` has a key that starts a shell."""
+    (tmp_path / "more").write_text("#!/bin/sh\n")
+    (tmp_path / "more").chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    async with open_screen() as screen:
+        await screen.type_line("LOG")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the page")
+
+
+def test_the_state_of_a_confined_screen_stays_in_its_folder(tmp_path):
+    pupil = tmp_path / "ana"
+    pupil.mkdir()
+    screen = Terminal(["--visual", "--confined", str(pupil)], tmp_path)
+    try:
+        screen.shows("Ready, speed")
+        screen.type("FW 12")
+        screen.until(lambda: any((pupil / ".donnie" / "unsaved").glob("*.gd")), "the copy")
+    finally:
+        screen.close()
+
+    assert [each.name for each in tmp_path.iterdir()] == ["ana"]
