@@ -101,7 +101,14 @@ def _read(language: str, name: str) -> dict[str, object]:
         if compiled is not None:
             import msgspec  # a greeting needs no table
 
-            return msgspec.json.decode(content_of(compiled), type=dict[str, object])
+            # no deeper than this: the decoder recurses, and programs raise the limit of Python's calls
+            scalar = str | int | float | bool | None
+            entry = scalar | list[scalar]
+            section = dict[str, entry | dict[str, entry | dict[str, entry]]]
+            found: dict[str, object] = msgspec.json.decode(
+                content_of(compiled), type=dict[str, entry | section]
+            )
+            return found
         import tomllib
 
         return tomllib.loads(content_of(f"{folders()[language]}/{name}.toml").decode("utf-8"))

@@ -12,10 +12,10 @@ NEED_A_TERMINAL = {"linear", "open_log"}
 
 
 @pytest.fixture
-def page(monkeypatch, work):
+def page(monkeypatch, open_screen):
     """A screen that takes itself for a page."""
     monkeypatch.setenv("TEXTUAL_DRIVER", "textual.drivers.web_driver:WebDriver")
-    return work
+    return open_screen
 
 
 @pytest.mark.parametrize("language", languages())
@@ -39,21 +39,21 @@ def test_no_key_means_what_needs_a_terminal():
 
 
 async def test_a_page_names_the_command_for_a_screen_reader(page):
-    async with page() as desk:
-        assert desk.log[0] == "Screen reader? In a terminal: donnie --linear"
+    async with page() as screen:
+        assert screen.log[0] == "Screen reader? In a terminal: donnie --linear"
 
 
 @pytest.mark.parametrize("line", ["LINEAR", "SET PROMPT none"])
 async def test_what_is_typed_for_the_linear_mode_is_answered_and_ends_nothing(page, line):
-    async with page() as desk:
-        await desk.type_line(line)
-        await desk.shows("In a terminal only: donnie --linear")
-        assert desk.app.is_running
+    async with page() as screen:
+        await screen.type_line(line)
+        await screen.shows("In a terminal only: donnie --linear")
+        assert screen.app.is_running
 
 
 async def test_the_list_of_keys_leaves_out_what_needs_a_terminal(page):
-    async with page() as desk:
-        await desk.type_line("CHANGE KEYS")
-        await desk.until(lambda: desk.app.screen is not desk.place, "the list")
-        await desk.painted()
-        assert "OPEN LOG" not in desk.screen
+    async with page() as screen:
+        await screen.type_line("CHANGE KEYS")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the list")
+        await screen.painted()
+        assert "OPEN LOG" not in screen.text

@@ -1,11 +1,11 @@
 """Keys have the names that are printed on the learner's keyboard."""
 
 import re
-from pathlib import Path
 
 import pytest
 
 from donnie_tui.commands.keys import KEYS, MENU, PALETTE, KeyTable, key_label
+from tests.conftest import ROOT
 
 
 @pytest.mark.parametrize(
@@ -34,7 +34,7 @@ def test_no_key_of_the_spanish_help_has_an_english_name() -> None:
 
 
 def test_the_page_about_the_full_screen_names_keys_that_exist() -> None:
-    page = Path("docs/full-screen.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs/full-screen.md").read_text(encoding="utf-8")
     named = set(re.findall(r"Ctrl\+K (?:Shift\+)?[A-Z0-9]+\b|Ctrl\+\w+|\bF\d+\b", page))
     declared = {key_label(key, "en") for keys in KEYS.values() for key in keys}
 

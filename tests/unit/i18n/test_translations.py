@@ -219,6 +219,15 @@ def test_a_mistake_in_a_built_in_language_keeps_everything_from_being_compiled(
     assert not (added / "compiled").exists()
 
 
+@pytest.fixture
+def calls(request: pytest.FixtureRequest) -> Iterator[None]:
+    """So many calls inside each other; programs raise Python's limit."""
+    limit = sys.getrecursionlimit()
+    sys.setrecursionlimit(request.param)
+    yield
+    sys.setrecursionlimit(limit)
+
+
 DEEP = "x = " + "[" * 100_000
 """Deeper than Python's own stack."""
 
@@ -233,11 +242,12 @@ DEEP = "x = " + "[" * 100_000
     ],
     ids=("deep", "deep compiled", "large", "large compiled"),
 )
+@pytest.mark.parametrize("calls", [1000, 1_000_000], indirect=True, ids=("at a start", "after a program"))
+@pytest.mark.usefixtures("calls")
 def test_a_table_beyond_a_limit_has_no_words(added: Path, name: str, content: str) -> None:
     (added / "compiled").mkdir(exist_ok=True)
     (added / name).write_text(content, encoding="utf-8")
     _forget()
-
     assert locales.table(CODE, "words") == {}
 
 
@@ -250,6 +260,8 @@ def test_a_table_beyond_a_limit_has_no_words(added: Path, name: str, content: st
     ],
     ids=("deep", "large", "large sentences"),
 )
+@pytest.mark.parametrize("calls", [1000], indirect=True)
+@pytest.mark.usefixtures("calls")
 def test_a_file_beyond_a_limit_is_refused_with_the_cause(
     added: Path, name: str, content: str, what: str
 ) -> None:
