@@ -99,7 +99,7 @@ def test_the_history_the_copies_and_the_settings_are_kept_in_the_folder(ana: Pat
     learner = Learner(ana.parent, "--confined", "ana")
     learner.enters("SET page ask", "FW 29")
     learner.sees_prompt()
-    until(lambda: any((ana / ".donnie" / "unsaved").glob("*")))
+    until(lambda: any("FW 29" in each.read_text() for each in (ana / ".donnie/unsaved").glob("*.gd")))
     learner.child.kill(9)
     learner.child.wait()
 
