@@ -28,6 +28,7 @@ from donnie_tui.core.wording import name_of_language
 from donnie_tui.i18n.translations import missing_in, mistakes
 from donnie_tui.i18n.words import Words
 from donnie_tui.outlets.audible import spoken_languages, wants_cues
+from donnie_tui.process.confinement import confinement
 from donnie_tui.settings.folders import own_sounds, settings_file
 from donnie_tui.settings.settings import KEYS, Settings, SettingSource
 from language.locales import languages
@@ -246,11 +247,11 @@ def look_at_chosen_ports(
 ) -> Iterator[Finding]:
     """Whether there is something where the robot and the belt are said to be; not of ports with addresses."""
     from devices.serial_ports.listing import list_ports
-    from devices.serial_ports.port import is_same_port
+    from devices.serial_ports.port import is_named, is_same_port
 
     chosen = {"robot": settings.robot.partition(":")[2], "belt": settings.belt or ""}
     for setting, port in chosen.items():
-        if not port or "://" in port or os.path.exists(port):  # noqa: PTH110 -- any text may stand there
+        if not (port and is_named(port)) or "://" in port or os.path.exists(port):  # noqa: PTH110 -- any text may stand there
             continue
         if not any(is_same_port(port, each.device) for each in (found or list_ports)()):
             yield amiss("doctor-nothing-there", port=port[:40], setting=setting)
@@ -275,7 +276,10 @@ def look_at_reset(settings: Settings, reset: Callable[[str, str], object] | None
 
 
 def look_at_settings(settings: Settings, environment: Mapping[str, str]) -> Iterator[Finding]:
-    """Where the file is, and every setting that is not a default, with its source."""
+    """Where the file is, and every setting that is not a default, with its source; the limits come first."""
+    limits = confinement()
+    if limits is not None:
+        yield well("doctor-confined", folder=limits.folder)
     path = settings_file(environment)
     yield well("doctor-settings-file" if exists(Path(path)) else "doctor-no-settings-file", path=path)
     for key in KEYS:
