@@ -51,8 +51,8 @@ def sign_words(language: str, known: Mapping[str, SpokenLanguage]) -> SignWords 
     return spoken.signs if spoken is not None else None
 
 
-_UNSPEAKABLE = re.compile(r"[\x00-\x1f\x7f-\x9f\u200b-\u200f\u2028-\u202e\u2060\ufeff\ud800-\udfff]+")
-_DEGREES = re.compile(r"(?P<number>\d+(?:[.,]\d+)?)\s?°(?!\w)")
+_UNSPEAKABLE = re.compile(r"[\x00-\x1f\x7f-\x9f\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff\ud800-\udfff]+")
+_DEGREES = re.compile(r"(?<!\d)(?P<number>\d++(?:[.,]\d++)?+)\s?°(?!\w)")
 _DECIMAL = re.compile(r"(?<![\w.,])(?P<whole>\d+)\.(?P<fraction>\d+)(?!\w|[.,]\w)")
 _MINUS = re.compile(
     r"(?<![\w)\]\-\u2212])\s?[-\u2212]\s?(?=\d)"  # a sign: "x equals -3", "(-3"

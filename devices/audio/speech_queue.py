@@ -38,7 +38,8 @@ _UTTERANCE_LIMITS = (32, 5_000, 1, 8)
 _CHARACTER_LIMIT = 2_000_000
 _REMEMBERED_TEXTS = 64
 _REMEMBERED_CHARACTERS = 500
-_SENTENCE_END = re.compile(r"[.!?…]+[\"'”’)\]]*\s+|\s*[\r\n]+\s*")
+_SENTENCE_END = re.compile(r"(?<![.!?…])[.!?…]++[\"'”’)\]]*+\s++|(?<![^\S\r\n])[^\S\r\n]*+[\r\n]\s*+")
+"""Each run of signs or blanks is tried once, from its beginning: a text may have thousands in a row."""
 
 
 class QueueResult(Enum):

@@ -291,6 +291,8 @@ def _line(chance: random.Random) -> str:
         return chance.choice(_GODONNIE)
     if kind < 9:
         return _one_line(garbage.soup(chance) if kind < 8 else garbage.broken_program(chance))
+    if chance.randrange(2):
+        return _one_line(repeated(chance, (*_command_words(), *_GODONNIE, *_MARKS)))
     return _one_line(garbage.any_bytes(chance))
 
 

@@ -74,6 +74,15 @@ def test_control_characters_and_broken_surrogates_never_reach_a_voice() -> None:
     assert spoken("a\x00b\x1b[2Jc\ud800d\u200be", "en").encode("utf-8") == b"a b [2Jc d e"
 
 
+def test_marks_of_direction_never_reach_a_voice() -> None:
+    assert spoken("a\u2066b\u2069c\u202ed", "en") == "a b c d"
+
+
+def test_a_long_number_is_looked_through_once() -> None:
+    """When each digit was tried as the first one before a degree sign, this took minutes."""
+    assert spoken("1" * 100_000, "en") == "1" * 100_000
+
+
 def test_the_punctuation_setting_decides_which_signs_are_spelled_out() -> None:
     line = 'IF x <= 3, "y"'
     assert spoken(line, "en", "none") == 'IF x <= 3, "y"'

@@ -148,6 +148,14 @@ def test_huge_texts_are_refused_before_they_fill_the_memory() -> None:
     assert max(len(sentence) for sentence in drained(queue)) <= SENTENCE_LIMIT
 
 
+@pytest.mark.parametrize(
+    "text", ["." * 100_000, "!?" * 50_000, " " * 100_000 + "a", "a" + "\t" * 100_000 + "b"]
+)
+def test_a_long_row_of_signs_or_blanks_is_looked_through_once(text: str) -> None:
+    """When each of them was tried as the beginning of the row, this took minutes."""
+    assert len(first_sentence(text)[0]) <= SENTENCE_LIMIT
+
+
 def test_an_alert_is_accepted_when_the_program_has_filled_the_queue() -> None:
     queue = SpeechQueue()
     while queue.offer(utterance("blah"), now=0.0) is QueueResult.QUEUED:
