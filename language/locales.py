@@ -21,6 +21,9 @@ SEARCH_PATH = "DONNIE_LOCALES"
 LARGEST = 1_000_000
 """Bytes of one file of a language; the sentences of a language have some 200 000."""
 
+MOST_DOTS = 200
+"""In a line of TOML: a key of thousands of parts takes Python's own reader minutes."""
+
 _LAST_RANK = 100
 
 _folders: dict[str, str] = {}
@@ -109,11 +112,19 @@ def _read(language: str, name: str) -> dict[str, object]:
                 content_of(compiled), type=dict[str, entry | section]
             )
             return found
-        import tomllib
-
-        return tomllib.loads(content_of(f"{folders()[language]}/{name}.toml").decode("utf-8"))
+        return toml_in(content_of(f"{folders()[language]}/{name}.toml").decode("utf-8"))
     except (OSError, ValueError, RecursionError):
         return {}
+
+
+def toml_in(text: str) -> dict[str, object]:
+    """The values of a TOML text. Raises ``ValueError`` with the line, and ``RecursionError``."""
+    import tomllib
+
+    for number, line in enumerate(text.split("\n"), start=1):
+        if line.count(".") > MOST_DOTS:
+            raise ValueError(f"too many dots (at line {number}, column 1)")
+    return tomllib.loads(text)
 
 
 def content_of(path: str) -> bytes:

@@ -18,6 +18,8 @@ WORDS = ".toml"
 ENGLISH = "en"
 LARGEST = 100_000
 """Bytes of words that are read."""
+MOST_DOTS = 200
+"""In a line."""
 
 
 class Difficulty(Enum):
@@ -102,12 +104,23 @@ def _file_of(world: str) -> Path:
 def _read(file: Path) -> dict[str, Any]:
     try:
         with open_bytes(file) as stream:
-            return tomllib.loads(stream.read(LARGEST).decode("utf-8-sig").replace("\r\n", "\n"))
+            return _parsed(stream.read(LARGEST + 1))
     except OSError:
         raise BadWords(file) from None
     except (ValueError, RecursionError) as problem:
         place = re.search(r"line (\d+)", str(problem))
         raise BadWords(file, line=place[1] if place else "") from None
+
+
+def _parsed(data: bytes) -> dict[str, Any]:
+    """Raises ``ValueError``, also for too many dots in a line: such a key takes tomllib minutes."""
+    if len(data) > LARGEST:
+        raise ValueError(f"more than {LARGEST} bytes")
+    text = data.decode("utf-8-sig").replace("\r\n", "\n")
+    for number, line in enumerate(text.split("\n"), start=1):
+        if line.count(".") > MOST_DOTS:
+            raise ValueError(f"too many dots (at line {number}, column 1)")
+    return tomllib.loads(text)
 
 
 def _about(texts: dict[str, Any], language: str) -> About:

@@ -11,7 +11,6 @@ from __future__ import annotations
 import json
 import re
 import sys
-import tomllib
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import chain
 from pathlib import Path
@@ -20,7 +19,7 @@ from typing import Any
 from donnie_tui.i18n import first_words, po
 from donnie_tui.i18n.po import Mistake
 from donnie_tui.i18n.words import CODES, COMPILED, SOURCE, codes
-from language.locales import BUILT_IN, ENGLISH, compiled_file, folders, languages, search_path, table
+from language.locales import BUILT_IN, ENGLISH, compiled_file, folders, languages, search_path, table, toml_in
 
 TABLES = ("keywords", "commands", "words")
 """The tables of words, without ``.toml``."""
@@ -134,7 +133,7 @@ def ambiguous_keywords() -> Iterator[Mistake]:
 def _read_table(file: Path) -> dict[str, Any]:
     text = po.text_of(file)
     try:
-        return tomllib.loads(text)
+        return toml_in(text)
     except RecursionError:
         raise Mistake(file, 1, "this file has too many brackets in each other") from None
     except ValueError as problem:

@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from donnie_tui.process.confinement import make_folder, open_bytes
 from donnie_tui.settings.folders import account_settings_file, settings_file
 from donnie_tui.settings.settings import Notice
+from language.locales import toml_in
 
 LARGEST = 100_000
 """Bytes; ten settings take two hundred."""
@@ -38,10 +39,8 @@ def read_file(file: str) -> tuple[dict[str, object], tuple[Notice, ...]]:
 
 
 def _parsed(text: str) -> tuple[dict[str, object], tuple[Notice, ...]]:
-    import tomllib  # slow to load, and many have no such file
-
     try:
-        return tomllib.loads(text), ()
+        return toml_in(text), ()
     except (ValueError, RecursionError) as damage:
         line = re.search(r"line (\d+)", str(damage))
         last = str(text.count("\n") + 1)

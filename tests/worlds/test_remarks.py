@@ -130,8 +130,10 @@ def test_a_file_next_to_a_user_world_gives_its_words(tmp_path: Path, language: s
         ('a = "\0"', "I can't read line 1 of my.toml"),
         ("a = " + "[" * 50_000, "I can't read my.toml"),
         ("\udcff", "I can't read my.toml"),
+        (WORDS + "#" * 100_000, "I can't read my.toml"),
+        (WORDS + "\n" + "a." * 40_000 + "a = 1", f"I can't read line {WORDS.count(chr(10)) + 2} of my.toml"),
     ],
-    ids=range(9),
+    ids=range(11),
 )
 def test_unreadable_words_are_reported_and_the_world_loads(tmp_path: Path, words: str, remark: str) -> None:
     (tmp_path / "my.toml").write_bytes(words.encode(errors="surrogateescape"))

@@ -152,6 +152,7 @@ def test_the_file_is_toml(environment: dict[str, str]) -> None:
         (b'a = 1\nlang = "es', "settings-file-damaged"),
         (b"\xff\xfe\0\0", "settings-file-unreadable"),
         (b"a = " + b"[" * 9000, "settings-file-damaged"),
+        (b"a." * 49_000 + b"a = 1", "settings-file-damaged"),
         (b"#" * 200_000, "settings-file-too-large"),
     ],
 )

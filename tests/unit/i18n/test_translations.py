@@ -236,11 +236,12 @@ DEEP = "x = " + "[" * 100_000
     ("name", "content"),
     [
         ("words.toml", DEEP),
+        ("words.toml", "a." * 400_000 + "a = 1"),
         ("compiled/words.json", '{"a":' * 100_000),
         ("words.toml", "#" * (locales.LARGEST + 1)),
         ("compiled/words.json", " " * (locales.LARGEST + 1)),
     ],
-    ids=("deep", "deep compiled", "large", "large compiled"),
+    ids=("deep", "long key", "deep compiled", "large", "large compiled"),
 )
 @pytest.mark.parametrize("calls", [1000, 1_000_000], indirect=True, ids=("at a start", "after a program"))
 @pytest.mark.usefixtures("calls")
