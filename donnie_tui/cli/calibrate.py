@@ -23,7 +23,7 @@ from donnie_tui.cli.streams import Input, stopped_by_suspension
 from donnie_tui.core.program_files import DocumentError
 from donnie_tui.i18n.words import Unusable
 from donnie_tui.process.disconnection import ReaderWatch
-from donnie_tui.process.signals import LEAVING, TakenSignals
+from donnie_tui.process.signals import LEAVING, Watchdog, end_process
 from donnie_tui.robot.connection import MeasurableRobot, make_measurable, robot_config, start_guard
 from donnie_tui.robot.search import sentences_of
 from donnie_tui.settings.file import remember
@@ -92,7 +92,10 @@ def _measured(order: Order, made: Callable[..., MeasurableRobot]) -> _Sizes:
     robot = made(order.settings, order.words, _Steady(threading.Event()), report)
     with (
         _guarded(robot),
-        TakenSignals(dict.fromkeys(LEAVING, _end)),
+        Watchdog(
+            dict.fromkeys(LEAVING, _end),
+            part=lambda _number: end_process(lambda: ExitCode.STOPPED, [lambda: _halted(robot)]),
+        ),
         closing(ReaderWatch()),
         closing(robot),
         stopped_by_suspension(

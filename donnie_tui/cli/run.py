@@ -15,6 +15,7 @@ import re
 import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import closing
+from functools import partial
 from itertools import combinations, product
 from pathlib import Path, PurePath
 from typing import TextIO, cast
@@ -269,7 +270,9 @@ def _run_to_the_end(donnie: Donnie, programs: Mapping[str, RunRequest], output: 
     """The worst exit code of all."""
     output.on_broken = donnie.team.stop
     with (
-        stopped_by_signals(donnie.team.stop) as stopped,
+        stopped_by_signals(
+            donnie.team.stop, [partial(_stop_robot, donnie)], partial(_code, donnie)
+        ) as stopped,
         stopped_by_suspension(
             donnie.stop_real_robot, lambda: output.complaint(donnie.words("suspend-impossible"))
         ) as rested,
@@ -298,10 +301,19 @@ def _await_end(run: Run, stopped: threading.Event, donnie: Donnie) -> None:
 def _leave_at_once(donnie: Donnie) -> None:
     """Nothing else is closed: whatever else there is may hang as well."""
     try:
-        donnie.team.stop()
-        donnie.connection.close()
+        _stop_robot(donnie)
     finally:
-        os._exit(ExitCode.FAILED if donnie.connection.has_run_away else ExitCode.STOPPED)
+        os._exit(_code(donnie))
+
+
+def _stop_robot(donnie: Donnie) -> None:
+    donnie.team.stop()
+    donnie.connection.close()
+
+
+def _code(donnie: Donnie) -> int:
+    """Of a run that was stopped."""
+    return ExitCode.FAILED if donnie.connection.has_run_away else ExitCode.STOPPED
 
 
 def _printer(donnie: Donnie, output: Output, *, with_words: bool) -> Callable[[Stamped], None]:

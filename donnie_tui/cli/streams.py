@@ -11,12 +11,23 @@ import os
 import signal
 import sys
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import closing, contextmanager
 from typing import TextIO
 
 from donnie_tui.process.disconnection import ReaderWatch
-from donnie_tui.process.signals import LEAVING, Deputy, TakenSignals, can_suspend, suspend
+from donnie_tui.process.signals import (
+    LEAVING,
+    Deputy,
+    Handler,
+    TakenSignals,
+    Task,
+    Watchdog,
+    can_suspend,
+    end_process,
+    heeded,
+    suspend,
+)
 
 
 class Output:
@@ -144,6 +155,9 @@ class Input:
         return typed.strip() if typed else None
 
 
+_STOPPED = 130
+"""The exit code of a command that a signal ended."""
+
 _MOMENT = 0.05
 """Seconds within which a signal ends the voice too."""
 
@@ -155,27 +169,47 @@ _LONGEST_SPEECH = 2400
 
 
 @contextmanager
-def stopped_by_signals(stop: Callable[[], None]) -> Iterator[threading.Event]:
-    """Any of them, any number of times, sets the event and has ``stop`` called, in another thread."""
+def stopped_by_signals(
+    stop: Callable[[], None],
+    last: Sequence[Task] = (),
+    code: Callable[[], int] = lambda: _STOPPED,
+) -> Iterator[threading.Event]:
+    """Any of them, any number of times, sets the event and has ``stop`` called, in another thread.
+
+    ``last`` and ``code`` are as in ``on_signals``.
+    """
     stopped = threading.Event()
 
-    def on_signal() -> None:
+    def stop_all() -> None:
         stopped.set()
         stop()
 
-    with closing(Deputy()) as deputy, on_signals(lambda: deputy.do(on_signal)):
+    watchdog = _watchdog(heeded, last, code, on_number=lambda _number: watchdog.deputy.do(stop_all))
+    with watchdog, closing(ReaderWatch()):
         yield stopped
 
 
 @contextmanager
-def on_signals(on_signal: Callable[[], None]) -> Iterator[None]:
+def on_signals(
+    on_signal: Callable[[], None], last: Sequence[Task] = (), code: Callable[[], int] = lambda: _STOPPED
+) -> Iterator[None]:
     """Each signal calls ``on_signal``, which interrupts the main thread anywhere: it must take no lock.
 
-    The loss of the reader of the output counts as a signal.
+    The loss of the reader of the output counts as a signal. Where the main thread hangs, ``last`` is done and
+    the process ends with ``code``, unless the signal was Ctrl+C.
     """
-    handlers = dict.fromkeys((signal.SIGINT, *LEAVING), lambda *_: on_signal())
-    with TakenSignals(handlers), closing(ReaderWatch()):
+    with _watchdog(lambda *_: on_signal(), last, code), closing(ReaderWatch()):
         yield
+
+
+def _watchdog(
+    handler: Handler,
+    last: Sequence[Task],
+    code: Callable[[], int],
+    on_number: Callable[[int], object] = int,
+) -> Watchdog:
+    handlers = dict.fromkeys((signal.SIGINT, *LEAVING), handler)
+    return Watchdog(handlers, part=lambda _number: end_process(code, last), on_number=on_number)
 
 
 @contextmanager

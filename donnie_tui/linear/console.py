@@ -3,7 +3,8 @@
 A signal only wakes the main thread, which decides what follows, between two steps and never in the middle of
 one. The exceptions are a terminal that takes no more output and a search for a robot: the main thread could
 not notice Ctrl+C then. So it has ``stop_at_once`` called in another thread (Ctrl+Z ``before_suspending``), or
-calls ``give_up`` itself, which takes no lock.
+calls ``give_up`` itself, which takes no lock. A main thread that hangs decides nothing: then the watchdog
+does what is in ``last``, and ends the process.
 """
 
 from __future__ import annotations
@@ -13,13 +14,22 @@ import select
 import signal
 import threading
 import time
-from collections.abc import Callable
+from collections import deque
+from collections.abc import Callable, Sequence
 from typing import TypeVar
 
 from donnie_tui.commands.interaction import SLOW, SLOW_AGAIN, GivenUp
 from donnie_tui.linear.greeting import Terminal
 from donnie_tui.process.disconnection import ReaderWatch
-from donnie_tui.process.signals import LEAVING, Deputy, WakingSignals, can_suspend, suspend
+from donnie_tui.process.signals import (
+    LEAVING,
+    Nudges,
+    Task,
+    Watchdog,
+    can_suspend,
+    end_process,
+    suspend,
+)
 
 T = TypeVar("T")
 
@@ -50,6 +60,10 @@ class Console:
         self.give_up: Callable[[], bool] = _never
         """Ends a search for a robot, which keeps the main thread from waiting here; whether there was one."""
         self._has_given_up = False
+        self.last: Sequence[Task] = ()
+        """Stops the robot and keeps the text, at the same time, where the main thread hangs at the end."""
+        self.has_run_away: Callable[[], bool] = _never
+        """Whether the robot drives although all was done to stop it."""
         self.before_suspending: Callable[[], object] = _nothing
         """Stops a robot that can't be left alone, and returns once it stands."""
         self.on_not_suspended: Callable[[], object] = _nothing
@@ -68,8 +82,13 @@ class Console:
         """The text of the current line, which is written again after a suspension."""
         self._terminal = terminal
         self._is_writing = False
-        self._deputy = Deputy()
-        self._signals = WakingSignals(dict.fromkeys(_TAKEN, self._on_signal))
+        self._numbers = deque[int]()
+        """Signals that were not acted on yet."""
+        self._nudges = Nudges()
+        self._watchdog = Watchdog(
+            dict.fromkeys(_TAKEN, self._on_signal), part=self._part, on_number=self._pass_on
+        )
+        self._watchdog.begin()
         self._watch = ReaderWatch()
         if terminal:
             terminal.take()
@@ -94,20 +113,22 @@ class Console:
 
     def nudge(self) -> None:
         """Wake the main thread. From any thread."""
-        self._signals.nudge()
+        self._nudges.nudge()
 
     def wait(self, seconds: float | None = None, *, reading: bool = False) -> bool:
         """Wait for a signal, a nudge, or (``reading``) input, at most so long. True if there is input."""
         is_watching = reading or (self.on_key is not None and len(self._ahead) < MOST_AHEAD)
-        watched: list[WakingSignals | int] = [self._signals, 0] if is_watching else [self._signals]
+        watched: list[Nudges | int] = [self._nudges, 0] if is_watching else [self._nudges]
         at_once = seconds == 0 or (reading and bool(self._ahead))
         has_to_do = self.when_idle is not None or (reading and bool(self.once_idle))
         if has_to_do and not at_once and not (is_watching and _has_typed()):
             self._work_while_idle(reading)
         ready, _, _ = select.select(watched, [], [], 0 if at_once else seconds)
-        if self._signals in ready:
-            for number in self._signals.numbers():
-                self._act_on(number)
+        self._watchdog.take()
+        if self._numbers or self._nudges in ready:
+            self._nudges.numbers()
+        while self._numbers:
+            self._act_on(self._numbers.popleft())
         if 0 in ready and not reading:
             self._read_ahead()
         return reading and (0 in ready or bool(self._ahead))
@@ -139,12 +160,9 @@ class Console:
             data = os.read(0, 4096)
         except OSError:
             return b""
-        self._report_key()
-        return data
-
-    def _report_key(self) -> None:
         if self.on_key is not None:
             self.on_key()
+        return data
 
     def rest(self, seconds: float) -> None:
         """Let that time pass, whatever happens."""
@@ -178,11 +196,22 @@ class Console:
     def _act_on(self, number: int) -> None:
         if number == signal.SIGINT:
             self.interrupted, self._has_given_up = not self._has_given_up, False
-            self._report_key()
+            if self.on_key is not None:
+                self.on_key()
         elif number in LEAVING:
             self.leaving = self.leaving or number
         elif number == signal.SIGTSTP:
             self._suspend()
+
+    def _pass_on(self, number: int) -> None:
+        """To the main thread, from any thread."""
+        self._numbers.append(number)
+        self._nudges.nudge()
+
+    def _part(self, number: int) -> None:
+        """The main thread hangs: the end without it, and the terminal as far as it can be given back."""
+        returned = (self._terminal.give_back,) if self._terminal else ()
+        end_process(lambda: 1 if self.has_run_away() else 128 + number, (*self.last, *returned))
 
     def _suspend(self) -> None:
         """Ctrl+Z: stop the robot and give the terminal back until the process is continued."""
@@ -202,13 +231,13 @@ class Console:
         if number == signal.SIGTSTP:
             # the suspension follows once output is taken; the robot can't wait for that
             if self._is_writing and can_suspend():
-                self._deputy.do(self.before_suspending)
+                self._watchdog.deputy.do(self.before_suspending)
             return
         if self.give_up():
             self._has_given_up = self._has_given_up or number == signal.SIGINT
         if self._is_writing:
             self._is_writing = False
-            self._deputy.do(self.stop_at_once)
+            self._watchdog.deputy.do(self.stop_at_once)
 
     # --- writing
 
@@ -235,9 +264,8 @@ class Console:
         self._watch.close()
         if self._terminal:
             self._terminal.give_back()
-        self._signals.give_back()
-        self._deputy.close()
-        self._signals.close()
+        self._watchdog.end()
+        self._nudges.close()
 
 
 def run_in_background(

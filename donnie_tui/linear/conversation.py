@@ -104,6 +104,8 @@ class Conversation:
         self.run_loop = RunLoop(ctx, *printing, self.leaving)
         self.typed_lines = TypedLines(ctx, streams, self.leaving)
         console.before_suspending = donnie.stop_real_robot
+        console.last = (donnie.stop_real_robot, state.workspace.write_copies)
+        console.has_run_away = lambda: donnie.connection.has_run_away
         console.on_not_suspended = self._say_not_suspended
         if streams.is_attended:
             console.on_key = donnie.outlets.audible.hush

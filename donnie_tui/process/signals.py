@@ -1,10 +1,14 @@
-"""Signals: taken for a while and given back as they were; and Ctrl+Z.
+"""Signals: taken for a while and given back as they were; the end that they ask for; and Ctrl+Z.
 
 The main thread takes them and gives them back. The ``Deputy``, a thread, does what they ask for: a handler
 interrupts the main thread anywhere, in another handler too, so it must not take a lock. It calls ``do`` and
 nothing else that could wait. A suspended process can't stop its robot, and a board drives on by itself: the
 robot must stand before ``suspend`` is called. Where ``can_suspend`` says no, Ctrl+Z does nothing, and the
 front end says so.
+
+The main thread may hang: in a loop without end, in a call that does not return, at a lock. A signal's number
+reaches the ``Watchdog`` all the same, a thread that waits for nothing that may hang. Its signals end the
+process in time, whether the main thread leaves or not.
 """
 
 from __future__ import annotations
@@ -13,8 +17,10 @@ import os
 import select
 import signal
 import threading
-from collections.abc import Callable, Mapping
+import time
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
+from functools import partial
 from queue import Empty, SimpleQueue
 from stat import S_ISCHR
 from types import FrameType
@@ -24,7 +30,7 @@ from donnie_tui.process.disconnection import parent_of
 
 TYPE_CHECKING = False  # that of typing takes longer to load than all that is here
 if TYPE_CHECKING:
-    from typing import Self, TypeAlias
+    from typing import NoReturn, Self, TypeAlias
 
 Handler: TypeAlias = Callable[[int, FrameType | None], object]
 
@@ -65,22 +71,20 @@ class TakenSignals:
         self.give_back()
 
 
-class WakingSignals(TakenSignals):
-    """The signals also wake a thread that waits for input here, with their numbers."""
+class Nudges:
+    """What wakes a thread that waits for input here. Until ``close``, once no thread waits here any more."""
 
-    def __init__(self, handlers: Mapping[int, Handler]) -> None:
-        super().__init__(handlers)
+    def __init__(self) -> None:
         self._reading, self._writing = os.pipe()
         os.set_blocking(self._reading, False)
         os.set_blocking(self._writing, False)
-        self._fd_before = signal.set_wakeup_fd(self._writing, warn_on_full_buffer=False)
 
     def fileno(self) -> int:
         """For ``select``."""
         return self._reading
 
     def numbers(self) -> bytes:
-        """The signals since the last call, and a 0 for each nudge. Never waits."""
+        """A 0 for each nudge since the last call. Never waits."""
         try:
             return os.read(self._reading, 4096)
         except BlockingIOError:
@@ -91,6 +95,19 @@ class WakingSignals(TakenSignals):
         with suppress(OSError):
             os.write(self._writing, b"\0")
 
+    def close(self) -> None:
+        os.close(self._reading)
+        os.close(self._writing)
+
+
+class WakingSignals(TakenSignals, Nudges):
+    """The signals also wake the waiting thread, with their numbers."""
+
+    def __init__(self, handlers: Mapping[int, Handler]) -> None:
+        TakenSignals.__init__(self, handlers)
+        Nudges.__init__(self)
+        self._fd_before = signal.set_wakeup_fd(self._writing, warn_on_full_buffer=False)
+
     def give_back(self) -> None:
         if self._are_taken:
             try:
@@ -98,11 +115,6 @@ class WakingSignals(TakenSignals):
             except (OSError, ValueError):  # of an event loop that is closed by now
                 signal.set_wakeup_fd(-1)
         super().give_back()
-
-    def close(self) -> None:
-        """After ``give_back``, once no thread waits here any more."""
-        os.close(self._reading)
-        os.close(self._writing)
 
 
 _LAST_TASKS = 2.0
@@ -155,6 +167,137 @@ def attempt(task: Task) -> None:
         import logging  # slow to load, and not needed as long as all is well
 
         logging.getLogger(__name__).exception("what a signal asked for failed")
+
+
+LEAVE = 3.0
+"""Seconds in which Donnie leaves by itself after a signal that ends it; a robot needs up to 2.2."""
+LAST = 1.5
+"""Seconds for what is done last where it does not: all of it at the same time."""
+_AGAIN = 0.5
+"""Seconds until the end is tried again where it failed."""
+
+
+def timeout_factor() -> float:
+    """DONNIE_ROBOT_TIMEOUTS makes all timeouts so many times as long, on a slow or busy computer."""
+    try:
+        factor = float(os.environ.get("DONNIE_ROBOT_TIMEOUTS", ""))
+    except ValueError:
+        return 1.0
+    return factor if factor > 0 else 1.0
+
+
+class Watchdog:
+    """Takes signals from ``begin`` to ``end``, both in the main thread. Some end the process in time."""
+
+    def __init__(
+        self,
+        handlers: Mapping[int, Handler],
+        *,
+        part: Callable[[int], object],
+        halt: Task = lambda: None,
+        on_number: Callable[[int], object] = int,
+        leave: float | None = None,
+    ) -> None:
+        """``part`` ends the process if the main thread doesn't within ``leave`` seconds; see ``end_process``.
+
+        ``halt`` stops all robots at once, in the deputy's thread. ``on_number`` is called for each signal, in
+        the thread of the watchdog or that of ``take``, and must not wait for the main thread.
+        """
+        self._handlers, self._part, self._halt, self._on_number = handlers, part, halt, on_number
+        self._leave = LEAVE * max(1.0, timeout_factor()) if leave is None else leave
+        self._ended = threading.Event()
+        self._leaving: int | None = None
+        self._taking = threading.Lock()
+
+    def begin(self) -> None:
+        """Raises ``ValueError`` outside of the main thread."""
+        self._signals = WakingSignals(self._handlers)
+        self.deputy = Deputy()
+        self._thread = threading.Thread(target=self._watch, name="watchdog", daemon=True)
+        self._thread.start()
+
+    def end(self) -> None:
+        """Everything as it was found, and all that was asked for is done. Any number of times."""
+        if self._ended.is_set():
+            return
+        self._signals.give_back()
+        self.take()
+        self._ended.set()
+        self._signals.nudge()
+        self._thread.join(_LAST_TASKS)
+        self.deputy.close()
+        if not self._thread.is_alive():  # else it would read from whatever gets the number next
+            self._signals.close()
+
+    def __enter__(self) -> Self:
+        self.begin()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.end()
+
+    def take(self) -> None:
+        """Heed all signals that came. Any thread; once this returns, none is on its way in another one."""
+        is_mine = self._taking.acquire(timeout=_AGAIN)  # the other one may hang
+        try:
+            for number in self._signals.numbers():
+                if number in LEAVING:
+                    self.leave(number)
+                if number:
+                    attempt(partial(self._on_number, number))
+        finally:
+            if is_mine:
+                self._taking.release()
+
+    def leave(self, number: int) -> None:
+        """End the process in time, as that signal does. Any thread."""
+        self.deputy.do(self._halt)
+        if self._leaving is None:
+            self._leaving = number
+            threading.Thread(target=self._end_in_time, name="last", daemon=True).start()
+
+    def handler_before(self, number: int) -> Handler | None:
+        """See ``TakenSignals``."""
+        return self._signals.handler_before(number)
+
+    # --- its threads
+
+    def _watch(self) -> None:
+        while not self._ended.is_set():
+            self._wait()
+            self.take()
+
+    def _wait(self) -> None:
+        """For a signal."""
+        poll = select.poll()
+        poll.register(self._signals, select.POLLIN)
+        poll.poll()
+
+    def _end_in_time(self) -> None:
+        is_over = self._ended.wait(self._leave)
+        while not is_over:
+            attempt(partial(self._part, self._leaving or 0))
+            is_over = self._ended.wait(_AGAIN)
+
+
+def heeded(_number: int, _frame: FrameType | None) -> None:
+    """The handler of a signal that the watchdog alone heeds."""
+
+
+def end_process(code: Callable[[], int], last: Sequence[Task]) -> NoReturn:
+    """Do what is last, as far as it doesn't hang, and end. Nothing else is closed: it may hang as well."""
+    until = time.monotonic() + LAST
+    threads = [threading.Thread(target=_quietly, args=(task,), daemon=True) for task in last]
+    for each in threads:
+        each.start()
+    for each in threads:
+        each.join(max(0.0, until - time.monotonic()))
+    os._exit(code())
+
+
+def _quietly(task: Task) -> None:
+    with suppress(Exception):  # a report could hang
+        task()
 
 
 _STANDARD = (0, 1, 2)

@@ -7,10 +7,9 @@ loaded, only for a real robot.
 
 from __future__ import annotations
 
-import os
 import sys
 import threading
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from contextlib import suppress
 from typing import TYPE_CHECKING, Protocol
 
@@ -22,6 +21,7 @@ from donnie_tui.core.events import Link
 from donnie_tui.core.session import Busy, ResettableRobot, Session
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.belt import refuse_shared_port
+from donnie_tui.process.signals import timeout_factor
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.parsing import DOUBLE, SERIAL, SIMULATED
 from donnie_tui.settings.settings import Settings
@@ -331,20 +331,11 @@ def _serial_robot(
 
     reset = reset_of(settings.reset_line, port)
     open_port = SameBoard(open_board_port)
-    factor = _timeout_factor(os.environ)
+    factor = timeout_factor()
     config = LinkConfig().slower(factor)
     link = SerialLink(port, config, on_notice, open_port=open_port, reset=reset, on_slow=on_slow)
     robot = robot_config(settings).slower(factor)
     return SerialRobot(link, robot, pace=pace, watcher=watcher, start=start, on_notice=on_notice)
-
-
-def _timeout_factor(environment: Mapping[str, str]) -> float:
-    """DONNIE_ROBOT_TIMEOUTS makes all timeouts so many times as long, on a slow or busy computer."""
-    try:
-        factor = float(environment.get("DONNIE_ROBOT_TIMEOUTS", ""))
-    except ValueError:
-        return 1.0
-    return factor if factor > 0 else 1.0
 
 
 def robot_config(settings: Settings) -> RobotConfig:

@@ -1,9 +1,8 @@
 """The end of the full screen where nothing else works: by a signal, a lost connection, stuck output, a fault.
 
 A terminal that takes no output holds the main thread, and with it every key and every handler of the event
-loop. So a thread of its own, the watchdog, gets the signals and watches the output. It waits for nothing in
-the main thread, and takes the next signal whatever fails. The robots halt first, then the text is kept; the
-process ends in time.
+loop. So the watchdog, which gets the signals, watches the output too. It takes the next signal whatever
+fails. The robots halt first, then the text is kept; the process ends in time.
 """
 
 from __future__ import annotations
@@ -28,11 +27,12 @@ from donnie_tui.process.confinement import make_folder, open_text
 from donnie_tui.process.disconnection import ReaderWatch
 from donnie_tui.process.signals import (
     LEAVING,
-    Deputy,
     Handler,
-    WakingSignals,
+    Watchdog,
     attempt,
     can_suspend,
+    end_process,
+    heeded,
     is_hung_up,
     numbers_of,
     suspend,
@@ -42,9 +42,6 @@ from donnie_tui.tui.startup import SessionHandle
 
 FAULT = "fault.txt"
 """In the folder of the copies: what went wrong at last."""
-
-LAST = 1.0
-"""Seconds for each thing that is to be saved when the screen does not leave by itself."""
 
 
 class Shutdown:
@@ -62,7 +59,7 @@ class Shutdown:
         """``folder`` holds the copies; ``stop_all`` is as the key of that name."""
         self._app, self._session, self._folder = app, session, folder
         self._stop_all, self._repaint = stop_all, repaint
-        self._watchdog: Watchdog | None = None
+        self._watchdog: ScreenWatchdog | None = None
         self._readers: ReaderWatch | None = None
         """Of a page: the server may be gone."""
 
@@ -78,7 +75,7 @@ class Shutdown:
             if self._session.stop_real_robot():
                 notify(0)
 
-        watchdog = Watchdog(
+        watchdog = ScreenWatchdog(
             halt=self._session.halt,
             before_rest=self._session.stop_real_robot,
             notify=notify,
@@ -141,12 +138,16 @@ class Shutdown:
 
     def _part(self, number: int) -> None:
         """The screen did not leave by itself: what can be saved in a moment, and the end."""
-        for last in (self._session.keep_text, self._session.close):
-            saving = threading.Thread(target=last, daemon=True)
-            saving.start()
-            saving.join(LAST)
-        give_back(self._app._driver)
-        os._exit(128 + number)
+
+        def save() -> None:
+            self._session.keep_text()
+            self._session.close()
+
+        def code() -> int:
+            give_back(self._app._driver)
+            return 128 + number
+
+        end_process(code, (self._session.stop_real_robot, save))
 
 
 LOOK = 0.5
@@ -171,8 +172,8 @@ _HANGING_UP = getattr(signal, "SIGHUP", signal.SIGTERM)
 """As if it had come: the terminal is gone, where the thread that writes to it has ended."""
 
 
-class Watchdog:
-    """Signals and the output, from ``begin`` to ``end``, both in the main thread."""
+class ScreenWatchdog(Watchdog):
+    """Watches the output too. From ``begin`` to ``end``, both in the main thread."""
 
     def __init__(
         self,
@@ -189,45 +190,26 @@ class Watchdog:
         ``before_rest``: as ``Console.before_suspending``; ``on_stuck``: the terminal takes nothing;
         ``writer``: Textual's thread that writes, or None.
         """
-        self._halt, self._before_rest, self._notify = halt, before_rest, notify
-        self._on_stuck, self._part, self._writer = on_stuck, part, writer
-        self.answered = threading.Event()
-        """The screen has done what an interrupt asks for."""
-        self._ended = threading.Event()
-        self._leaving: int | None = None
-        self._until = 0.0
-        self._head: object = None
-        self._looks = 0
-
-    def begin(self) -> None:
-        """Raises ``ValueError`` outside of the main thread."""
-        handlers: dict[int, Handler] = dict.fromkeys((signal.SIGINT, *LEAVING), _woken)
+        handlers: dict[int, Handler] = dict.fromkeys((signal.SIGINT, *LEAVING), heeded)
         handlers |= dict.fromkeys(numbers_of("SIGTSTP"), self._rest)
         handlers |= dict.fromkeys(numbers_of("SIGCONT"), self._back)
-        self._signals = WakingSignals(handlers)
-        self._deputy = Deputy()
-        self._thread = threading.Thread(target=self._watch, name="watchdog", daemon=True)
-        self._thread.start()
-
-    def end(self) -> None:
-        """Everything as it was found."""
-        if self._ended.is_set():
-            return
-        self._ended.set()
-        self._signals.give_back()
-        self._signals.nudge()
-        self._thread.join(LEAVE)
-        self._deputy.close()
-        if not self._thread.is_alive():  # else it would read from whatever gets the number next
-            self._signals.close()
+        super().__init__(handlers, part=part, halt=halt, on_number=self._act_on, leave=LEAVE)
+        self._before_rest, self._notify = before_rest, notify
+        self._on_stuck, self._writer = on_stuck, writer
+        self.answered = threading.Event()
+        """The screen has done what an interrupt asks for."""
+        self._is_leaving = False
+        self._head: object = None
+        self._looks = 0
+        self._due = time.monotonic() + LOOK
 
     def _rest(self, number: int, frame: FrameType | None) -> None:
         """Textual gives the terminal back before it rests; the robot comes before that."""
         if not can_suspend():
             self._notify(number)
             return
-        self._deputy.see_done(self._before_rest, LONGEST_REST)
-        found = self._signals.handler_before(number)
+        self.deputy.see_done(self._before_rest, LONGEST_REST)
+        found = self.handler_before(number)
         if found is not None:
             found(number, frame)
         else:
@@ -235,47 +217,36 @@ class Watchdog:
 
     def _back(self, number: int, frame: FrameType | None) -> None:
         """Textual takes the terminal again, but paints nothing where the size is what it was."""
-        found = self._signals.handler_before(number)
+        found = self.handler_before(number)
         if found is not None:
             found(number, frame)
         self._notify(number)
 
     # --- the thread
 
-    def _watch(self) -> None:
-        due = time.monotonic() + LOOK
-        while not self._ended.is_set():
-            select.select([self._signals], [], [], LOOK)
-            for number in self._signals.numbers():
-                self._act_on(number)
-            if time.monotonic() >= due:  # many signals must not put it off
-                attempt(self._look_at_terminal)
-                due = time.monotonic() + LOOK
-            if self._leaving is not None and time.monotonic() >= self._until and not self._ended.is_set():
-                attempt(partial(self._part, self._leaving))
+    def _wait(self) -> None:
+        select.select([self._signals], [], [], LOOK)
+        if time.monotonic() >= self._due:  # many signals must not put it off
+            attempt(self._look_at_terminal)
+            self._due = time.monotonic() + LOOK
 
     def _act_on(self, number: int) -> None:
         if number == signal.SIGINT:
             self._interrupt(number)
-        elif number in LEAVING:
-            self._leave(number)
+        elif number in LEAVING and not self._is_leaving:
+            self._is_leaving = True
+            self._notify(number)
 
     def _interrupt(self, number: int) -> None:
         self.answered.clear()
         attempt(partial(self._notify, number))
         if not self.answered.wait(ANSWER):
-            attempt(self._halt)
-
-    def _leave(self, number: int) -> None:
-        attempt(self._halt)
-        if self._leaving is None:
-            self._leaving, self._until = number, time.monotonic() + LEAVE
-            attempt(partial(self._notify, number))
+            self.deputy.do(self._halt)
 
     def _look_at_terminal(self) -> None:
         """Leave if it is gone; report a piece of output that waited at the last look too."""
         if is_hung_up(0):  # an idle screen writes nothing, and no signal may come
-            self._leave(_HANGING_UP)
+            self._hang_up()
         writer = self._writer()
         head = _first(writer)
         self._looks = self._looks + 1 if head is not None and head is self._head else 0
@@ -283,7 +254,11 @@ class Watchdog:
         if self._looks and self._looks % MOST_LOOKS == 0:
             self._on_stuck()
             if not writer.is_alive():
-                self._leave(_HANGING_UP)
+                self._hang_up()
+
+    def _hang_up(self) -> None:
+        self.leave(_HANGING_UP)
+        self._act_on(_HANGING_UP)
 
 
 def _first(writer: Any) -> object:
@@ -292,10 +267,6 @@ def _first(writer: Any) -> object:
         return writer._queue.queue[0]  # Textual does not report that it is stuck
     except (AttributeError, IndexError):
         return None
-
-
-def _woken(_number: int, _frame: FrameType | None) -> None:
-    """The signal's number has gone to the thread by itself."""
 
 
 def give_back(driver: Any) -> None:

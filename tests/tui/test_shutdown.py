@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from donnie_tui.tui import shutdown
-from donnie_tui.tui.shutdown import Watchdog
+from donnie_tui.tui.shutdown import ScreenWatchdog
 from tests.timeouts import TIMEOUT
 
 
@@ -38,8 +38,8 @@ def made(
     on_stuck: Callable[[], object] = lambda: None,
     part: Callable[[int], object] = lambda number: None,
     writer: Callable[[], Any] = lambda: None,
-) -> Watchdog:
-    return Watchdog(
+) -> ScreenWatchdog:
+    return ScreenWatchdog(
         halt=halt, before_rest=before_rest, notify=notify, on_stuck=on_stuck, part=part, writer=writer
     )
 
