@@ -20,7 +20,7 @@ from donnie_tui.i18n.words import Words
 from donnie_tui.linear.console import Console, Gone, run_in_background
 from donnie_tui.linear.conversation import Conversation, ConversationState
 from donnie_tui.linear.greeting import Greeting
-from donnie_tui.linear.prompter import Options
+from donnie_tui.linear.prompter import prompt_text
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.parsing import SIMULATED
 from donnie_tui.settings.settings import Settings
@@ -47,7 +47,7 @@ def run_linear(
         donnie.words.language if donnie else settings.language,
         cause,
         os.environ,
-        prompt=Options(lambda: settings).prompt_at(0) if begins_bare else None,
+        prompt=prompt_text(settings, 0) if begins_bare else None,
         tour=settings.tour,
     )
     console = Console(greeting.terminal)

@@ -27,7 +27,7 @@ from donnie_tui.linear.greeting import Greeting, has_rescued
 from donnie_tui.linear.leaving import Leaving
 from donnie_tui.linear.line_editor import EditorEcho, KeyPress
 from donnie_tui.linear.output import BackgroundRobots, Listener, OutputQueue, PacedOutput
-from donnie_tui.linear.prompter import Options, Printer, Prompter, Streams
+from donnie_tui.linear.prompter import Printer, Prompter, Streams, prompt_text
 from donnie_tui.linear.reader import EditingReader, How, PlainReader, Typed, candidates
 from donnie_tui.linear.typed_lines import RunLoop, TypedLines
 from donnie_tui.settings.folders import UNSAVED, state_path
@@ -79,7 +79,7 @@ class Conversation:
                 of_numbers=lambda count: donnie.words("numbers-printed", count=count),
             ),
             queue,
-            Options(lambda: preferences.settings),
+            lambda: preferences.settings,
             is_attended=os.isatty(0),
             is_terminal=os.isatty(1),
         )
@@ -113,7 +113,7 @@ class Conversation:
             self._key_echo = EditorEcho(donnie.outlets.audible, donnie.words)
             state.editing.on_key = self._say_key
             state.editing.complete = partial(candidates, ctx)
-        streams.apply_options()
+        streams.apply_settings()
 
     def _new_state(self) -> ConversationState:
         has_terminal = self._greeting.terminal is not None
@@ -235,7 +235,7 @@ class Conversation:
             self.console.once_idle.append(self._donnie.get_ready_to_move)
         while self.leaving.code is None:
             depth = self.ctx.program.depth if self.streams.is_attended else 0
-            self._take(self.prompter.read(self.streams.options.prompt_at(depth), shown=is_shown))
+            self._take(self.prompter.read(prompt_text(self.streams.settings(), depth), shown=is_shown))
             is_shown = False
         self.leaving.say_goodbye()
         return self.leaving.code
@@ -368,7 +368,7 @@ class LinearInteraction:
         self._conversation.typed_lines.continuation = lambda: drive(more())
 
     def setting_changed(self, key: str) -> None:  # noqa: ARG002 -- all options are applied
-        self._conversation.streams.apply_options()
+        self._conversation.streams.apply_settings()
 
     def before_robot_changes(self) -> None:
         """Each robot keeps its own document."""

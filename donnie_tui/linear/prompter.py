@@ -20,6 +20,9 @@ from donnie_tui.settings.settings import Settings
 
 GRACE = 0.025
 """Seconds that a line waits for the ones after it, so that an answer and the prompt go out together."""
+ON = "on"
+OWN_EDITOR = "own"
+"""The value of ``editor`` with which Donnie edits lines; else the terminal does, and only text is written."""
 SOON = 1.0
 """Seconds between two copies while lines come without a pause."""
 
@@ -42,54 +45,20 @@ class PromptStyle(Enum):
     """The last line of the answer, so that the cursor of a braille display stays on it."""
 
 
-class Options:
-    """The settings of the linear mode, as they are now: pages, prompts, editing, progress reports."""
-
-    def __init__(self, settings: Callable[[], Settings]) -> None:
-        self._settings = settings
-
-    @property
-    def page(self) -> PageBreak:
-        return PageBreak(self._settings().page)
-
-    @property
-    def prompt(self) -> PromptStyle:
-        return PromptStyle(self._settings().prompt)
-
-    @property
-    def hold(self) -> bool:
-        """Whether each line of an answer waits for Enter."""
-        return self._settings().hold == "on"
-
-    @property
-    def editor(self) -> bool:
-        """Whether Donnie edits lines; else the terminal does, and nothing but text is ever written."""
-        return self._settings().editor == "own"
-
-    @property
-    def enter(self) -> bool:
-        """Whether Enter runs each complete line at once."""
-        return self._settings().enter == "runs"
-
-    @property
-    def progress(self) -> int:
-        """Seconds between two progress reports of a run; 0 is never."""
-        return int(self._settings().progress)
-
-    def prompt_at(self, depth: int) -> str:
-        """The prompt of a line inside so many blocks."""
-        level = str(depth) if depth else ""
-        match self.prompt:
-            case PromptStyle.NONE:
-                return ""
-            case PromptStyle.WORD:
-                return f"{f'Donnie {level}'.strip()}{PROMPT}"
-            case _:
-                return f"{level}{PROMPT}"
+def prompt_text(settings: Settings, depth: int) -> str:
+    """The prompt of a line inside so many blocks."""
+    level = str(depth) if depth else ""
+    match PromptStyle(settings.prompt):
+        case PromptStyle.NONE:
+            return ""
+        case PromptStyle.WORD:
+            return f"{f'Donnie {level}'.strip()}{PROMPT}"
+        case _:
+            return f"{level}{PROMPT}"
 
 
 class Streams(Struct, frozen=True):
-    """Where lines come from and where they are printed, as the options say."""
+    """Where lines come from and where they are printed, as the settings say."""
 
     console: Console
     editing: EditingReader | None
@@ -97,7 +66,8 @@ class Streams(Struct, frozen=True):
     plain: Reader
     output: PacedOutput
     queue: OutputQueue
-    options: Options
+    settings: Callable[[], Settings]
+    """As they are now: pages, prompts, editing, progress reports."""
     is_attended: bool
     """Whether a learner types: prompts are printed, and questions are asked."""
     is_terminal: bool
@@ -116,20 +86,22 @@ class Streams(Struct, frozen=True):
     @property
     def reader(self) -> Reader:
         """Where the next line comes from."""
-        return self.editing if self.editing is not None and self.options.editor else self.plain
+        if self.editing is not None and self.settings().editor == OWN_EDITOR:
+            return self.editing
+        return self.plain
 
     @property
     def page_size(self) -> int:
         """Lines of a page, after which the learner is asked for more; 0 without pages."""
-        if self.options.hold:
+        if self.settings().hold == ON:
             return 1
-        return self.output.block_size if self.options.page is PageBreak.ASK else 0
+        return self.output.block_size if PageBreak(self.settings().page) is PageBreak.ASK else 0
 
-    def apply_options(self) -> None:
-        """Let the terminal and the output behave as the options say."""
+    def apply_settings(self) -> None:
+        """Let the terminal and the output behave as the settings say."""
         if self.editing is not None:
-            self.console.edit(self.options.editor)
-        self.output.paced = self.is_terminal and self.options.page is PageBreak.REST
+            self.console.edit(self.settings().editor == OWN_EDITOR)
+        self.output.paced = self.is_terminal and PageBreak(self.settings().page) is PageBreak.REST
 
     def end_line(self, typed: Typed) -> None:
         """If the terminal has not printed the newline of Enter, hold it back until there is an answer."""
@@ -187,7 +159,7 @@ class Printer:
                 lines = []
             if self._typed_early is not None:
                 return 0
-        is_answer = self._streams.options.prompt is PromptStyle.ANSWER
+        is_answer = PromptStyle(self._streams.settings().prompt) is PromptStyle.ANSWER
         if is_answer and prompt.endswith(PROMPT) and lines:
             prompt = self.prompt = f"{lines.pop()} "
         return self._streams.output.show(lines, prompt, to_the_end=self.is_hurrying)
@@ -198,7 +170,7 @@ class Printer:
     def _show_page(self, lines: list[str], left: int) -> bool:
         """Print a page and wait for Enter. Returns whether more is wanted; any line typed here ends it."""
         streams = self._streams
-        holds = streams.options.hold
+        holds = streams.settings().hold == ON
         question = f"{lines.pop() if holds else self._words('more-lines', lines=left)} "
         streams.output.show(lines, question)
         typed = streams.reader.read(question)
@@ -250,7 +222,7 @@ class Prompter:
 
     def read_next(self) -> Typed:
         """The next line, which is no part of the program."""
-        return self.read(self._streams.options.prompt_at(0))
+        return self.read(prompt_text(self._streams.settings(), 0))
 
     def put_back(self, typed: Typed) -> None:
         """Return this line from the next ``read``."""

@@ -35,6 +35,8 @@ FIRST_REPORT = 3.0
 """Seconds without a line after which a run first reports that it is still there; later ones can be chosen."""
 HEARTBEAT = 1.0
 NEVER = 1e9
+RUNS = "runs"
+"""The value of ``enter`` with which Enter runs each complete line at once."""
 LAST_LINES = 3
 """Lines of a stopped program that are still printed; the number of those left out is printed, too."""
 LONGEST_QUOTE = 30
@@ -86,7 +88,7 @@ class TypedLines:
             from donnie_tui.commands.sound import chime_block
 
             chime_block(ctx.donnie, before, program.depth)
-        if self._streams.options.enter and not program.open_block:
+        if self._streams.settings().enter == RUNS and not program.open_block:
             drive(run_program(ctx, is_whole=False))
         return True
 
@@ -280,10 +282,12 @@ class RunLoop(RunObserver):
     # --- progress reports
 
     def _expect_report(self, seconds: float) -> None:
-        self._report_due = self._console.now() + (seconds if self._streams.options.progress else NEVER)
+        self._report_due = self._console.now() + (
+            seconds if self._streams.settings().progress != "0" else NEVER
+        )
 
     def _expect_next_report(self) -> None:
-        self._expect_report(max(FIRST_REPORT, self._streams.options.progress))
+        self._expect_report(max(FIRST_REPORT, int(self._streams.settings().progress)))
 
     def _report_progress(self) -> None:
         """Say how far the robot has walked, or where its program is."""

@@ -14,7 +14,7 @@ from donnie_tui.commands.preferences import (
 )
 from donnie_tui.core.wording import spelled
 from donnie_tui.i18n.words import Words
-from donnie_tui.linear.prompter import Options, PageBreak, PromptStyle
+from donnie_tui.linear.prompter import prompt_text
 from donnie_tui.settings.parsing import LONGEST_PROGRESS
 from donnie_tui.settings.settings import Settings, resolve
 from language.locales import languages
@@ -93,12 +93,15 @@ def test_a_setting_of_one_front_end_is_no_setting_of_the_other():
     }
 
 
-def test_the_linear_mode_behaves_as_the_settings_say():
-    settings = Settings()
-    options = Options(lambda: settings)
-    assert (options.page, options.prompt, options.hold) == (PageBreak.REST, PromptStyle.SHORT, False)
-    assert (options.editor, options.enter, options.progress) == (True, False, 10)
-
-    settings = Settings(page="ask", prompt="word", hold="on", editor="plain", enter="runs", progress="0")
-    assert (options.page, options.prompt_at(2), options.hold) == (PageBreak.ASK, "Donnie 2> ", True)
-    assert (options.editor, options.enter, options.progress) == (False, True, 0)
+@pytest.mark.parametrize(
+    ("style", "prompts"),
+    [
+        ("short", ("> ", "2> ")),
+        ("none", ("", "")),
+        ("word", ("Donnie> ", "Donnie 2> ")),
+        ("answer", ("> ", "2> ")),
+    ],
+)
+def test_the_prompt_is_as_the_settings_say(style, prompts):
+    settings = Settings(prompt=style)
+    assert (prompt_text(settings, 0), prompt_text(settings, 2)) == prompts

@@ -10,6 +10,7 @@ import pytest
 from donnie_tui.core.events import Outcome
 from donnie_tui.linear.output import OutputQueue
 from donnie_tui.linear.typed_lines import RunLoop
+from donnie_tui.settings.settings import Settings
 
 
 class Console:
@@ -43,7 +44,7 @@ class Run:
         return self._console.time >= self._seconds
 
 
-def signs(seconds: float, interval: float, monkeypatch: pytest.MonkeyPatch) -> list[float]:
+def signs(seconds: float, interval: int, monkeypatch: pytest.MonkeyPatch) -> list[float]:
     """When a run of so many seconds says that it is still there."""
     console, reported_at = Console(), list[float]()
     hub = SimpleNamespace(add_gate=lambda _: _nothing)
@@ -55,7 +56,7 @@ def signs(seconds: float, interval: float, monkeypatch: pytest.MonkeyPatch) -> l
         console=console,
         editing=None,
         queue=OutputQueue(_nothing),
-        options=SimpleNamespace(progress=interval),
+        settings=lambda: Settings(progress=str(int(interval))),
         can_edit=True,
         takes_live_commands=False,
     )
@@ -75,13 +76,13 @@ def _nothing() -> None:
 def test_a_silent_run_is_reported_after_three_seconds_and_then_every_ten(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    assert signs(35.0, 10.0, monkeypatch) == [3.0, 13.0, 23.0, 33.0]
+    assert signs(35.0, 10, monkeypatch) == [3.0, 13.0, 23.0, 33.0]
 
 
 def test_a_run_of_less_than_three_seconds_has_no_report(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert signs(2.9, 10.0, monkeypatch) == []
+    assert signs(2.9, 10, monkeypatch) == []
 
 
 def test_the_interval_can_be_chosen_or_switched_off(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert signs(60.0, 25.0, monkeypatch) == [3.0, 28.0, 53.0]
-    assert signs(1000.0, 0.0, monkeypatch) == []
+    assert signs(60.0, 25, monkeypatch) == [3.0, 28.0, 53.0]
+    assert signs(1000.0, 0, monkeypatch) == []

@@ -13,6 +13,7 @@ from donnie_tui.core.line_history import LineHistory
 from donnie_tui.linear.output import OutputQueue
 from donnie_tui.linear.reader import EditingReader, How, PlainReader
 from donnie_tui.linear.typed_lines import RunLoop
+from donnie_tui.settings.settings import Settings
 
 FOR_EVER = 1e9
 
@@ -124,7 +125,7 @@ class Watched:
         streams: Any = SimpleNamespace(
             console=self.console,
             queue=self.queue,
-            options=SimpleNamespace(progress=0),
+            settings=lambda: Settings(progress="0"),
             is_attended=True,
             can_edit=True,
             takes_live_commands=False,
