@@ -410,7 +410,7 @@ def _is_harmless(line: str) -> None:
 
 
 KINDS: dict[str, Kind] = {
-    "programs": Kind(_program, _check_program),
+    "programs": Kind(_program, _check_program, 4.0),
     "runs": Kind(_run, _check_run, 4.0),
     "worlds": Kind(_world, _check_world),
     "recordings": Kind(_damaged_recording, _check_recording),
