@@ -87,6 +87,11 @@ def allow_only(ports: Iterable[str] | None) -> None:
     _named = None if ports is None else tuple(ports)
 
 
+def named_ports() -> tuple[str, ...]:
+    """The ports to which this process is limited; none also where it is not limited."""
+    return _named or ()
+
+
 def is_named(address: str) -> bool:
     """Whether this process may open it."""
     return _named is None or _name_of(address) is not None

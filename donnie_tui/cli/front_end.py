@@ -23,7 +23,7 @@ from donnie_tui.commands.interaction import SwitchMode
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.process.confinement import confinement, may_run_programs
 from donnie_tui.settings.parsing import read_switch
-from donnie_tui.settings.settings import BY_KEY, CONFINED, Settings
+from donnie_tui.settings.settings import BY_KEY, CONFINED, DEVICES, Settings
 
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
@@ -204,10 +204,17 @@ def page_command(options: Mapping[str, str]) -> list[str]:
 
 
 def _confine_pages() -> None:
-    """To the folder of this process, which may have left the one in which a relative name was given."""
+    """To the folder of this process, which may have left the one in which a relative name was given.
+
+    And to its ports: a source that is weaker than the variable of the folder can name no more of them.
+    """
     here = confinement()
     if here is not None:
+        from devices.serial_ports.port import named_ports
+
         os.environ[CONFINED.variable] = here.folder
+        if ports := named_ports():
+            os.environ[DEVICES.variable] = ",".join(ports)
 
 
 def _installing() -> str:

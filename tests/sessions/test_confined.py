@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from pathlib import Path
 
 import pytest
 
+from devices.serial_ports.port import allow_only
+from donnie_tui.cli import front_end
 from donnie_tui.cli.main import main
-from donnie_tui.process.confinement import confine
+from donnie_tui.process.confinement import Confinement, confine
 from donnie_tui.settings import folders
+from donnie_tui.settings.settings import SessionLimits, limits_of
 from tests.conftest import ROOT
 from tests.sessions.command import QUIET, donnie
 from tests.sessions.learner import CTRL_Z, DOWN, UP, Learner, until
@@ -383,6 +387,23 @@ def test_only_the_named_ports_can_be_used(
     monkeypatch.setenv("DONNIE_DEVICES", "/dev/none")
     assert main(["run", "mine.gd", "--robot", "serial:/dev/none", *QUIET]) == 2
     assert capsys.readouterr().err.startswith("Nothing is plugged in at /dev/none.")
+
+
+def test_a_page_has_the_folder_and_the_ports_of_the_command_that_serves_it(
+    here: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Also those that a weaker source has named."""
+    for name in ("DONNIE_CONFINED", "DONNIE_DEVICES"):
+        monkeypatch.setenv(name, "")
+        monkeypatch.delenv(name)
+    confine(Confinement(str(here)))
+    allow_only(["/dev/a", "/dev/b"])
+    front_end._confine_pages()
+    allow_only(None)
+
+    account: dict[str, object] = {"devices": "/dev/a", "confined": str(here)}
+    assert limits_of({}, os.environ, account, {}) == SessionLimits(str(here), ("/dev/a",))
+    assert limits_of({}, os.environ, {}, {"devices": "/dev/b"}).devices == ("/dev/b",)
 
 
 @pytest.mark.parametrize("address", ["spy:///dev/null?file=spied", "alt:///dev/null", "loop://", "LOOP://"])
