@@ -227,6 +227,9 @@ SILENT = 1.5
 STANDS = 0.3
 """Seconds of fresh frames without a count, after which the wheels stand. A silent board proves nothing."""
 
+FRESH = 1.0
+"""Seconds after which a report of turning wheels says nothing about now; a busy machine may read it late."""
+
 LONGEST = 4.0
 """A board that was restarted sends something within two seconds, a slow one within three."""
 
@@ -285,7 +288,7 @@ class EmergencyStop:
     def outcome(self, now: float) -> HaltOutcome:
         if self._stands(now):
             return HaltOutcome.STANDS
-        is_turning = self._still_since is not None and now - self._counted_at < STANDS
+        is_turning = self._still_since is not None and now - self._counted_at < FRESH
         return HaltOutcome.DRIVES if is_turning else HaltOutcome.UNCONFIRMED
 
     def _flush(self, now: float) -> bytes:

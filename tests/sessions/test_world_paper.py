@@ -130,7 +130,7 @@ def test_a_braille_page_is_written_as_embossers_want_it(
 
 
 def test_a_picture_is_written_and_replaces_the_one_that_was_there(folder: Path) -> None:
-    (folder / "a.svg").write_text("<svg>old</svg>")
+    assert main(["world", "corridor", "--svg", "a.svg"]) == 0
 
     assert main(["world", "cave", "--svg", "a.svg", "--lang", "pt"]) == 0
     root = ElementTree.parse(folder / "a.svg").getroot()
