@@ -1,10 +1,10 @@
-"""The number of random examples of a test: all in the slow check, a fifth in the quick one."""
+"""The number of random examples of a test: all in the slow check, a tenth in the quick one."""
 
 from __future__ import annotations
 
 from hypothesis import settings
 
-OF_A_HUNDRED = {"quick": 20, "thorough": 100}
+OF_A_HUNDRED = {"quick": 10, "thorough": 100}
 """For each profile, how many of a hundred examples are tried."""
 
 

@@ -20,6 +20,8 @@ from tests.sessions.real_robot import program, serial, until
 from tests.sessions.test_double import world as near_world
 from tests.timeouts import TIMEOUT
 
+pytestmark = pytest.mark.slow
+
 
 def test_a_missing_belt_is_reported_and_the_run_continues(tmp_path: Path) -> None:
     done = donnie(tmp_path, "run", program(tmp_path, "BELT ON\nFW 1\n"), "--belt", "/dev/nothing")

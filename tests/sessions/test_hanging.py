@@ -20,6 +20,8 @@ from tests.sessions.hanging import HANG, HANGING
 from tests.sessions.real_robot import LONG_WALK, program, serial, until
 from tests.timeouts import TIMEOUT
 
+pytestmark = pytest.mark.slow
+
 AT_MOST = 5.0
 SOON = {"DONNIE_ROBOT_TIMEOUTS": "2"}
 """The end is waited for twice as long as by default."""

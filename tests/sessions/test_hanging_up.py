@@ -17,7 +17,7 @@ from tests.sessions.command import COMMAND, QUIET, environment
 from tests.sessions.learner import until
 from tests.timeouts import TIMEOUT
 
-pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
+pytestmark = [pytest.mark.slow, pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")]
 
 LEAKING = """
 import fcntl, os, pty, sys, termios

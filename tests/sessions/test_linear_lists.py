@@ -8,6 +8,8 @@ import pytest
 
 from tests.sessions.typed_lines import printed_by
 
+pytestmark = pytest.mark.slow
+
 DEEDS = [line for number in range(20) for line in (f"VAR v{number} = {number}", f"TR {number}")]
 """Twenty answers."""
 

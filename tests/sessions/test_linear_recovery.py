@@ -5,7 +5,11 @@ from __future__ import annotations
 import signal
 from pathlib import Path
 
+import pytest
+
 from tests.sessions.learner import Learner, until
+
+pytestmark = pytest.mark.slow
 
 
 def copied(folder: Path) -> list[str]:

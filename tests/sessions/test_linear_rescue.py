@@ -13,6 +13,8 @@ from tests.sessions.learner import (
     until,
 )
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
 def test_a_signal_to_leave_rescues_the_program(number: int, tmp_path: Path) -> None:

@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from tests.sessions.typed_lines import answers_to, printed_by
+
+pytestmark = pytest.mark.slow
 
 
 def test_a_step_over_a_call_counts_the_round(tmp_path: Path) -> None:

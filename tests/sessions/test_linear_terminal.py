@@ -20,6 +20,8 @@ from tests.sessions.learner import (
 )
 from tests.sessions.shell import is_stopped
 
+pytestmark = pytest.mark.slow
+
 
 def test_the_linear_mode_begins_with_two_lines_and_a_prompt(learner: Learner) -> None:
     learner.sees_prompt()

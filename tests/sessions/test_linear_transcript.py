@@ -22,6 +22,8 @@ from tests.sessions.test_linear_words import (
 )
 from tests.unit.ssip.server import Server
 
+pytestmark = pytest.mark.slow
+
 SILENCING = {"quiet", "sound"}
 """They end what is being said, and with it what waits."""
 

@@ -10,6 +10,8 @@ import pytest
 from tests.sessions.learner import BACKSPACE, CTRL_D, Learner, until
 from tests.unit.ssip.server import Server
 
+pytestmark = pytest.mark.slow
+
 CANCEL = "CANCEL SELF"
 
 

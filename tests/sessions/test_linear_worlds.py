@@ -2,8 +2,12 @@
 
 from pathlib import Path
 
+import pytest
+
 from tests.sessions.command import QUIET, donnie
 from tests.sessions.learner import Learner
+
+pytestmark = pytest.mark.slow
 
 
 def answers_to(folder: Path, typed: str, *options: str) -> list[str]:

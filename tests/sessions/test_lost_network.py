@@ -19,7 +19,10 @@ HEAD = "  sl  local_address rem_address   st tx_queue rx_queue tr tm->when retrn
 ROW = "   {n}: {here} {there} 01 000001BC:00000000 01:0000006F 000000{count:02X}     0        0 18 2 0 20\n"
 OURS, THEIRS = "01004D0A:9D1F", "02004D0A:A5EB"
 
-pytestmark = pytest.mark.skipif(sys.byteorder != "little", reason="the rows are from a little-endian machine")
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(sys.byteorder != "little", reason="the rows are from a little-endian machine"),
+]
 
 
 def table(count: int, here: str = OURS, there: str = THEIRS) -> str:

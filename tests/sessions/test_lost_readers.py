@@ -12,6 +12,8 @@ from tests.sessions.command import COMMAND, QUIET, environment, start
 from tests.sessions.real_robot import LONG_WALK, program, serial, until
 from tests.timeouts import TIMEOUT
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.mark.parametrize("lost", ["stdout", "stderr"])
 def test_a_run_with_closed_output_stops_its_robot(tmp_path: Path, robot: PtyBoard, lost: str) -> None:

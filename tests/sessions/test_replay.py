@@ -11,6 +11,8 @@ from tests.sessions.command import QUIET, donnie, start
 from tests.sessions.here import PROGRAM, Here
 from tests.timeouts import TIMEOUT
 
+pytestmark = pytest.mark.slow
+
 
 def test_a_replay_prints_what_the_run_printed(here: Here) -> None:
     printed = here.record()

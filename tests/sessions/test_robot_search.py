@@ -16,6 +16,8 @@ from tests.sessions.command import COMMAND, QUIET, end, environment
 from tests.sessions.learner import Learner
 from tests.timeouts import TIMEOUT
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture
 def mute_port() -> Iterator[str]:
