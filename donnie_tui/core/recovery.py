@@ -57,7 +57,9 @@ class CopyFolder:
         """The copies that a crash or a lost connection left, the newest first."""
         with self._naming:
             found = self.newest_first(_PREFIX)
-        return [each for each in found if each not in self.in_use and not _is_in_use(each)]
+        return [
+            each for each in found if each not in self.in_use and _has_text(each) and not _is_in_use(each)
+        ]
 
     def left(self) -> list[Path]:
         """The copies that a learner left on purpose, the newest first."""
@@ -256,6 +258,14 @@ def _remove_oldest(newest_first: Iterable[Path]) -> None:
     for old in [*newest_first][MOST_COPIES:]:
         with contextlib.suppress(OSError):
             old.unlink()
+
+
+def _has_text(copy: Path) -> bool:
+    """False for one that was made just before a sudden end, and never written."""
+    try:
+        return copy.stat().st_size > 0
+    except OSError:
+        return False
 
 
 def _is_in_use(copy: Path) -> bool:

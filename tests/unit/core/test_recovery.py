@@ -113,6 +113,16 @@ def leave_one(folder: Path, text: str, path: Path | None = None) -> None:
     copy.write()
 
 
+def test_a_copy_that_was_never_written_is_not_offered(tmp_path: Path) -> None:
+    """Its start was killed between the making of the file and the writing of the text."""
+    folder = CopyFolder(str(tmp_path))
+    written, empty = tmp_path / "unsaved-0-0.gd", tmp_path / "unsaved-0-1.gd"
+    written.write_text("FW 1\n")
+    empty.touch()
+
+    assert folder.rescued() == [written]
+
+
 def test_a_discarded_program_is_offered_and_not_counted_as_rescued(tmp_path: Path) -> None:
     leave_one(tmp_path, "FW 1", tmp_path / "walk.gd")
     folder = CopyFolder(str(tmp_path))
