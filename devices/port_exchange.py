@@ -407,7 +407,7 @@ def _stop_shared_port(address: str, open_port: Callable[..., SerialPort]) -> Non
         port.write(STOP)
         port.write(STOP)
     except GONE as error:
-        raise PortProblem(address, PortFault.BUSY, str(error)) from None
+        raise PortProblem(address, PortFault.BUSY, reason_of(error)) from None
     finally:
         port.close()
 

@@ -185,10 +185,16 @@ def reason_of(error: Exception) -> str:
 
 
 def _error_number(error: Exception) -> int | None:
-    """The operating system's number; a terminal error has it in another place."""
+    """The operating system's number; a terminal error has it in another place.
+
+    pyserial makes an error without a number of some: it is in the one before.
+    """
     number = getattr(error, "errno", None)
     if number is None and isinstance(error, _TerminalError):
         number = next(iter(error.args), None)
+    before = error.__context__
+    if number is None and isinstance(error, OSError) and isinstance(before, OSError | _TerminalError):
+        return _error_number(before)
     return number if isinstance(number, int) else None
 
 

@@ -62,8 +62,7 @@ class FileReader:
 
         A name that only leads outside is answered alike whether there is such a file or not.
         """
-        places = [including.resolve().parent, *self.folders]
-        candidates = [folder / name for folder in places]
+        candidates = _within((including.resolve().parent, *self.folders), name)
         existing = [path for path in candidates if _is_file(path)]
         inside = [path for path in existing if self.is_allowed(path)]
         if not existing and not any(map(self.is_allowed, candidates)):
@@ -84,7 +83,10 @@ class FileReader:
     def _checked(self, include: tree.Include, path: Path, above: tuple[Path, ...]) -> Path:
         found = self.find(include.path, path)
         if found is None:
-            nearest = near_file(include.path, (path.resolve().parent, *self.folders))
+            folders = (path.resolve().parent, *self.folders)
+            if any(_is_special(each) and self.is_allowed(each) for each in _within(folders, include.path)):
+                raise self._mistake(Code.FILE_UNREADABLE, include, path)
+            nearest = near_file(include.path, folders)
             raise self._mistake(Code.FILE_NOT_FOUND, include, path, nearest=nearest)
         if not self.is_allowed(found):
             raise self._mistake(Code.INCLUDE_OUTSIDE, include, path)
@@ -125,7 +127,18 @@ class FileReader:
 def _no_world(path: Path) -> WorldError:
     if _is(path, Path.is_dir):
         return WorldError(Code.IS_FOLDER, str(path), path=str(path), nearest=worlds_in(path))
+    if _is_special(path):
+        return WorldError(Code.FILE_UNREADABLE, str(path), path=str(path))
     return WorldError(Code.FILE_NOT_FOUND, str(path), path=str(path), nearest=near_world(path))
+
+
+def _within(folders: Iterable[Path], name: str) -> list[Path]:
+    return [folder / name for folder in folders]
+
+
+def _is_special(path: Path) -> bool:
+    """Whether it is there and neither a file nor a folder: a named pipe, a device."""
+    return _is(path, Path.exists) and not _is_file(path) and not _is(path, Path.is_dir)
 
 
 def _is_file(path: Path) -> bool:

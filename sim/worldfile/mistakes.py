@@ -62,7 +62,7 @@ def _includes(folders: Iterable[Path]) -> Iterator[Path]:
 
 def _files(folder: Path) -> tuple[Path, ...]:
     try:
-        return tuple(islice(folder.iterdir(), MOST_FILES))
+        return tuple(each for each in islice(folder.iterdir(), MOST_FILES) if each.is_file())
     except OSError:
         return ()
 

@@ -1,5 +1,6 @@
 """Slips of beginners in world files: the message offers what was probably meant."""
 
+import os
 from pathlib import Path
 
 import pytest
@@ -38,6 +39,22 @@ def test_a_slip_is_reported_with_what_was_meant(tmp_path: Path, text: str) -> No
     world.write_text(text)
 
     assert report(world).split(": ", 1)[1] == REPORTS[text]
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no named pipes here")
+def test_a_named_pipe_is_neither_read_nor_offered_as_what_was_meant(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "fifo.inc")
+    os.mkfifo(tmp_path / "fifo.world")
+    world = tmp_path / "my.world"
+
+    for included, message in (
+        ("fifo.inc", "I can't read fifo.inc."),
+        ("fifos.inc", "There is no file fifos.inc."),
+    ):
+        world.write_text(f'include "{included}"')
+        assert report(world).split(": ", 1)[1] == message
+    assert report(tmp_path / "fifo.world") == f"I can't read {tmp_path / 'fifo.world'}."
+    assert report(tmp_path / "fifos.world") == f"There is no file {tmp_path / 'fifos.world'}."
 
 
 def test_a_folder_is_not_a_world_but_may_contain_one(tmp_path: Path) -> None:

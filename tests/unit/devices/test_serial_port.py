@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import termios
 import threading
@@ -119,6 +120,7 @@ def test_a_file_is_not_a_port(tmp_path: Path) -> None:
     with pytest.raises(PortProblem) as caught:
         SerialPort(str(file), 9600)
     assert caught.value.fault is PortFault.UNUSABLE
+    assert caught.value.reason == os.strerror(errno.ENOTTY), "and nothing of how pyserial names it"
 
 
 def test_one_program_has_a_port_at_a_time() -> None:
