@@ -206,7 +206,8 @@ class Watchdog:
         self._handlers, self._part, self._halt, self._on_number = handlers, part, halt, on_number
         self._leave = LEAVE * max(1.0, timeout_factor()) if leave is None else leave
         self._ended = threading.Event()
-        self._leaving: int | None = None
+        self.left: tuple[int, float] | None = None
+        """The first signal that ends the process, and when it came."""
         self._taking = threading.Lock()
 
     def begin(self) -> None:
@@ -249,12 +250,12 @@ class Watchdog:
             if is_mine:
                 self._taking.release()
 
-    def leave(self, number: int) -> None:
+    def leave(self, number: int, since: float | None = None) -> None:
         """End the process in time, as that signal does. Any thread."""
         self.deputy.do(self._halt)
-        if self._leaving is None:
-            self._leaving = number
-            threading.Thread(target=self._end_in_time, name="last", daemon=True).start()
+        if self.left is None:
+            self.left = number, time.monotonic() if since is None else since
+            threading.Thread(target=self._end_in_time, args=self.left, name="last", daemon=True).start()
 
     def handler_before(self, number: int) -> Handler | None:
         """See ``TakenSignals``."""
@@ -273,10 +274,10 @@ class Watchdog:
         poll.register(self._signals, select.POLLIN)
         poll.poll()
 
-    def _end_in_time(self) -> None:
-        is_over = self._ended.wait(self._leave)
+    def _end_in_time(self, number: int, since: float) -> None:
+        is_over = self._ended.wait(max(0.0, since + self._leave - time.monotonic()))
         while not is_over:
-            attempt(partial(self._part, self._leaving or 0))
+            attempt(partial(self._part, number))
             is_over = self._ended.wait(_AGAIN)
 
 

@@ -87,7 +87,7 @@ def _shown(
     has_failed = app.startup.trouble is not None or app.return_code == CRASHED
     if app.session.left_for_linear and not has_failed:
         _switch(app)
-    app.session.close()
+    app.shutdown.close_session()
     if app.startup.trouble is not None:
         raise app.startup.trouble
     return app

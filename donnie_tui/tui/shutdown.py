@@ -96,6 +96,16 @@ class Shutdown:
         if self._watchdog is not None:
             self._watchdog.end()
 
+    def close_session(self) -> None:
+        """After ``end_watchdog``. If a signal has ended the screen, the process ends in time all the same."""
+        left = self._watchdog.left if self._watchdog is not None else None
+        if left is None:
+            self._session.close()
+            return
+        with Watchdog({}, part=self._part_from_session) as watchdog:
+            watchdog.leave(*left)
+            self._session.close()
+
     # --- in the screen's thread
 
     def _signalled(self, number: int) -> None:
@@ -148,6 +158,10 @@ class Shutdown:
             return 128 + number
 
         end_process(code, (self._session.stop_real_robot, save))
+
+    def _part_from_session(self, number: int) -> None:
+        """The text is kept by then."""
+        end_process(lambda: 128 + number, (self._session.stop_real_robot,))
 
 
 LOOK = 0.5

@@ -17,6 +17,7 @@ HANG, HANGING = "hang", "hanging"
 PLACES = {
     "linear": ("donnie_tui.linear.console", "Console", "wait"),
     "visual": ("donnie_tui.tui.shutdown", "Shutdown", "leave"),
+    "close": ("donnie_tui.tui.startup", "SessionHandle", "close"),
     "run": ("donnie_tui.cli.run", "", "_await_end"),
     "calibrate": ("donnie_tui.cli.calibrate", "_Steady", "sleep"),
     "replay": ("donnie_tui.core.replay", "Replay", "forwards"),

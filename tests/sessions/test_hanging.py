@@ -51,11 +51,10 @@ def hangs(folder: Path) -> bool:
     return (folder / HANGING).exists()
 
 
-def front_end(folder: Path, mode: str, fault: str, *arguments: str) -> pexpect.spawn:
-    mode_of_it = mode.removeprefix("--")
+def front_end(folder: Path, mode: str, fault: str, *arguments: str, place: str = "") -> pexpect.spawn:
     return pexpect.spawn(
         FAULTY[0],
-        [*FAULTY[1:], mode_of_it, fault, mode, *QUIET, *arguments],
+        [*FAULTY[1:], place or mode.removeprefix("--"), fault, mode, *QUIET, *arguments],
         env=around(folder),
         cwd=str(folder),
         dimensions=(30, 100),
@@ -116,6 +115,25 @@ def test_a_front_end_that_hangs_stops_the_robot_and_keeps_the_text(
 
     drained.join(TIMEOUT)
     assert until(lambda: not robot.board.is_driving)
+    front.close()
+    assert hangs(tmp_path)
+    assert front.exitstatus == 128 + signal.SIGTERM
+
+
+@pytest.mark.slow
+@FAULTS
+def test_a_session_that_hangs_after_the_full_screen_is_gone_ends(tmp_path: Path, fault: str) -> None:
+    spoken = program(tmp_path, "SPEAK 4000 + 711")
+    front = front_end(tmp_path, "--visual", fault, spoken, place="close")
+    front.expect_exact("4000")
+    front.send("\x1b[15~")
+    front.expect_exact("4711")
+    drained = threading.Thread(target=front.expect, args=(pexpect.EOF,), daemon=True)
+    drained.start()
+    hang(tmp_path)
+    os.kill(front.pid, signal.SIGTERM)
+
+    drained.join(TIMEOUT)
     front.close()
     assert hangs(tmp_path)
     assert front.exitstatus == 128 + signal.SIGTERM
