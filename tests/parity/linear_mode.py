@@ -22,6 +22,7 @@ from donnie_tui.linear.conversation import Conversation
 from donnie_tui.linear.greeting import Greeting
 from donnie_tui.linear.prompter import Prompter
 from donnie_tui.linear.reader import Typed
+from donnie_tui.process.signals import Deputy
 from donnie_tui.settings.settings import Settings
 from tests.parity.outcome import Outcome, Recorder
 from tests.timeouts import TIMEOUT
@@ -31,12 +32,18 @@ _LONG = 0.2
 """Seconds: a longer wait for a key is a wait for the learner, and not for the rest of an answer."""
 
 
-class _NoSignals:
-    """Replaces the signals of the process, which belong to the main thread."""
+class _NoWatchdog:
+    """Takes no signals, which belong to the process and its main thread."""
 
-    def __init__(self, _handlers: object) -> None: ...
+    def __init__(self, *_: object, **__: object) -> None:
+        self.deputy = Deputy()
 
-    def close(self) -> None: ...
+    def begin(self) -> None: ...
+
+    def take(self) -> None: ...
+
+    def end(self) -> None:
+        self.deputy.close()
 
 
 class _NoTerminal:
@@ -195,7 +202,7 @@ class LinearMode:
 @contextmanager
 def linear_mode(settings: Settings, text: str, patched: pytest.MonkeyPatch) -> Iterator[LinearMode]:
     """A conversation about the program ``text``, which has not run yet."""
-    patched.setattr(console_module, "WakingSignals", _NoSignals)
+    patched.setattr(console_module, "Watchdog", _NoWatchdog)
     patched.setattr(console_module, "ReaderWatch", lambda: None)
     patched.setattr(os, "isatty", lambda _: True)
     donnie = assemble(settings, terminal=True)
