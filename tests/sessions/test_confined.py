@@ -18,6 +18,8 @@ from tests.conftest import ROOT
 from tests.sessions.command import QUIET, donnie
 from tests.sessions.learner import CTRL_Z, DOWN, UP, Learner, until
 
+pytestmark = pytest.mark.slow
+
 SECRET = "SPEAK 4711\n"
 WORLD = 'include "donnie.inc"\n{more}\ndonnie( pose [ 0 0 0 90 ] )\n'
 

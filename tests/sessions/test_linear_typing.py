@@ -15,6 +15,8 @@ from tests.sessions.learner import (
     said,
 )
 
+pytestmark = pytest.mark.slow
+
 
 def test_a_mistake_is_reported_with_its_line_and_the_probable_meaning(learner: Learner) -> None:
     learner.enters("FW 1", "RUN", "FWD 3", "RUN")

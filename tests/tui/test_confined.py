@@ -13,6 +13,8 @@ import worlds
 from donnie_tui.process.confinement import Confinement, confine
 from tests.tui.terminal import Terminal
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture
 def outside(tmp_path: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:

@@ -10,6 +10,8 @@ from textual import events
 from donnie_tui.tui import key_queue
 from tests.tui.conftest import burst
 
+pytestmark = pytest.mark.slow
+
 LINES = "FW 1\nTR 90\nBW 2"
 
 

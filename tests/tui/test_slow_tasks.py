@@ -16,6 +16,8 @@ from donnie_tui.tui import run_view, startup
 from tests.timeouts import TIMEOUT
 from tests.tui import conftest
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture(autouse=True)
 def soon(monkeypatch, tmp_path):

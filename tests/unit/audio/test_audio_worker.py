@@ -38,7 +38,7 @@ from donnie_tui.outlets.audible import spoken_languages
 from tests.conftest import ROOT
 from tests.timeouts import TIMEOUT
 
-pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
+pytestmark = [pytest.mark.slow, pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")]
 
 
 FAST = VoiceSettings(words_per_minute=450)
