@@ -25,7 +25,7 @@ _KITTY = re.compile(rb"\x1b\[[<>=][0-9;]*u")
 """Keyboard protocols that the emulator takes for text."""
 
 
-F5, F8, F12, CTRL_Q, CTRL_S, CTRL_Z, CTRL_SPACE, TAB, ENTER = (
+F5, F8, F12, CTRL_Q, CTRL_S, CTRL_Z, CTRL_SPACE, TAB, SHIFT_TAB, ENTER = (
     "\x1b[15~",
     "\x1b[19~",
     "\x1b[24~",
@@ -34,6 +34,7 @@ F5, F8, F12, CTRL_Q, CTRL_S, CTRL_Z, CTRL_SPACE, TAB, ENTER = (
     "\x1a",
     "\0",
     "\t",
+    "\x1b[Z",
     "\r",
 )
 

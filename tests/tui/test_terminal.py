@@ -14,6 +14,7 @@ from tests.tui.terminal import (
     ENTER,
     F5,
     F8,
+    SHIFT_TAB,
     TAB,
     Terminal,
     falls_silent,
@@ -25,7 +26,7 @@ pytestmark = pytest.mark.slow
 
 
 def test_a_procedure_is_typed_run_watched_stopped_and_left(terminal):
-    donnie = terminal("--world", "living_room", "--speed", "20")
+    donnie = terminal("--world", "living_room", "--speed", "5")
     donnie.type("PROCEDURE WALK: n DO" + ENTER + "FW n TR 90" + ENTER + "END PROCEDURE" + ENTER)
     donnie.type("WALK [6]" + ENTER + "WALK [9]" + ENTER + "WAIT 100000")
     donnie.shows("6  WAIT 100000")
@@ -41,7 +42,7 @@ def test_a_procedure_is_typed_run_watched_stopped_and_left(terminal):
         return "I walked 9 steps" in "\n".join(donnie.screen.display)
 
     donnie.until(robot_was_seen_on_its_way, "the second walk")
-    assert len(places) >= 3
+    assert len(places) >= 2
     donnie.shows("Waiting")
     donnie.type(F8)
     donnie.shows("Stopped at line 6.")
@@ -51,6 +52,25 @@ def test_a_procedure_is_typed_run_watched_stopped_and_left(terminal):
 
     assert donnie.ended() == 0
     assert left_as_found(donnie)
+
+
+def test_linear_and_visual_change_the_mode_and_keep_the_program_and_the_robot(terminal):
+    donnie = terminal()
+    donnie.type("FW 2" + ENTER + "TR 90")
+    donnie.shows("2  TR 90")
+    donnie.type(F5)
+    donnie.shows("The program is done.")
+    donnie.type(SHIFT_TAB + "LINEAR" + ENTER)
+    donnie.shows("Always begin in linear mode, y or n?")
+    donnie.type("n" + ENTER + "LIST" + ENTER)
+    donnie.shows("2: TR 90")
+    donnie.type("WHERE" + ENTER)
+    donnie.shows("Position 0, 2.")
+    donnie.type("VISUAL" + ENTER)
+    donnie.shows("Always begin in the full screen, y or n?")
+    donnie.type("n" + ENTER)
+    donnie.shows("2  TR 90")
+    donnie.shows("Donnie at 0, 2 facing east.")
 
 
 def test_an_idle_screen_writes_nothing(terminal):
