@@ -16,6 +16,8 @@ from donnie_tui.core.run_state import RunState
 from donnie_tui.tui.terminal import use_mouse
 from tests.tui.conftest import WAITING
 
+pytestmark = pytest.mark.slow
+
 
 def kept(tmp_path) -> dict:
     return tomllib.loads((tmp_path / "config" / "donnie" / "settings.toml").read_text())

@@ -1,9 +1,12 @@
 """Panes, focus, the terminal's cursor, sizes: what is seen and how one gets there, by keys alone."""
 
+import pytest
 from textual.geometry import Offset
 
 from devices.ports.robot import Pose
 from tests.tui.conftest import burst
+
+pytestmark = pytest.mark.slow
 
 SIZES = [(40, 12), (80, 24), (100, 30), (120, 40), (200, 60)]
 
