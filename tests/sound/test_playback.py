@@ -161,9 +161,11 @@ def test_the_cue_of_the_programs_end_sounds_to_its_end(recorder: Recorder, tmp_p
     command = (sys.executable, "-m", "donnie_tui", "run", "a.gd", *options)
     with subprocess.Popen(command, cwd=tmp_path, env={**os.environ, "PYTHONPATH": str(ROOT)}) as run:
         assert recorder.first_sound()
-        loud = 1 + recorder.chunks_until_silence()
-
-        assert run.wait() == 0
+        loud, silent = 1, 0
+        while run.poll() is None or silent < 10:  # on a busy machine another cue may sound long before
+            silent = 0 if max(recorder.next_chunk()) > LOUD else silent + 1
+            loud += not silent
+    assert run.returncode == 0
     assert loud * CHUNK / RATE >= seconds_of("done")
 
 
