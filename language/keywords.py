@@ -3,7 +3,7 @@
 Lexer, formatter, help, completion and messages take all words from here. The formatter writes the first
 spelling of a language. The first word of every command and every word between commands are reserved in all
 languages. Words that only follow others (FRENTE, ON, RED) and the letters of directions and axes are ordinary
-names in all other places.
+names in all other places. So are the words in ``ALSO_NAMES`` where no command may begin.
 """
 
 from __future__ import annotations
@@ -77,6 +77,8 @@ WORDS = (
     _word("COLOR"),
     _word("WAIT"),
     _word("HISTORY"),
+    _word("GRIP"),
+    _word("RELEASE"),
     _word("BELT"),
     _word("VIBRATE"),
     _word("HELP"),
@@ -96,6 +98,9 @@ WORDS = (
     _word("PROCEDURE"),
     _word("END PROCEDURE"),
 )
+
+ALSO_NAMES = frozenset(("GRIP", "RELEASE"))
+"""The terminals of words that are younger than the language: older programs use them as names."""
 
 
 def _arguments_of(
@@ -223,7 +228,8 @@ def all_words(language: str | None = None) -> tuple[str, ...]:
 def is_reserved(name: str) -> bool:
     """Whether a name can't be given to a variable or a procedure."""
     folded = fold_name(name)
-    return folded in FIRST_OF_SEVERAL or folded in _words
+    terminal = TERMINAL_OF_WORD.get(folded)
+    return folded in FIRST_OF_SEVERAL or (terminal is not None and terminal not in ALSO_NAMES)
 
 
 def topic(text: str) -> str | None:

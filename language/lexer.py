@@ -12,6 +12,7 @@ import re
 from collections import Counter
 from collections.abc import Iterable
 from functools import cache
+from itertools import pairwise
 from typing import TypeAlias
 from unicodedata import combining, normalize
 
@@ -19,6 +20,7 @@ from msgspec import Struct, field
 
 from language.diagnostics import Diagnostic, MistakeKind
 from language.keywords import (
+    ALSO_NAMES,
     ARGUMENTS,
     END_WORDS,
     FIRST_OF_SEVERAL,
@@ -57,10 +59,18 @@ TAKES = {
 
 _MAY_BE_ALONE = frozenset(KIND[parts[0]] for _, parts in _forms if len(parts) == 1 and parts[0] in KIND)
 
+_BEFORE_NAMES = frozenset(
+    KIND[first]
+    for _, parts in _forms
+    for first, second in pairwise(parts)
+    if first in KIND and first != "SEMICOLON" and second in ("NAME", *NONTERMINALS) and second != "statements"
+)
+"""The terminals after which no command begins; a semicolon stands before a command or before a condition."""
+
 _FIRST_THAT_DECIDES = FOR
 _OVERLAY = 1
 """The combining class of strokes through a sign."""
-_BLANK, _NEWLINE, _TEXT, _COMMENT, _OPEN, _STRANGE = -1, -2, -3, -4, -5, -6
+_BLANK, _NEWLINE, _TEXT, _COMMENT, _OPEN, _STRANGE, _ALSO_NAME = -1, -2, -3, -4, -5, -6, -7
 
 _SIGNS = {
     "=": "ASSIGN",
@@ -85,10 +95,14 @@ _MARKED_SIGN = rf"(?:[=<>]=|<>|[=<>+\-*/()\[\],:;]){MARK}+"
 _QUOTES = "\u201c\u201d\u201e\u201f"
 _OTHER_STRINGS = rf"|[{_QUOTES}][^{_QUOTES}]*[{_QUOTES}]|\u2018[^\u2018\u2019\r\n]*\u2019"
 _WHOLE_COMMENT = COMMENT_MARK + r"[^\r\n]*"
-_ASSIGNMENT_OR_CALL = rf"(?:\s|{_WHOLE_COMMENT}+)*+(?:=(?!=)|\[)"
+_BETWEEN = rf"(?:\s|{_WHOLE_COMMENT}+)*+"
 """Possessive: a comment full of hyphens could otherwise be split into comments in millions of ways."""
+_ASSIGNMENT_OR_CALL = rf"{_BETWEEN}(?:=(?!=)|\[)"
+_AFTER_NAME = rf"{_BETWEEN}[=\[<>+*/-]"
+"""What follows a name, and never a command without an argument."""
 
 _single = {word: KIND[terminal] for word, terminal in TERMINAL_OF_WORD.items() if " " not in word}
+_also_names = {word: _ALSO_NAME for word in _single if TERMINAL_OF_WORD[word] in ALSO_NAMES}
 _fragments = {
     word: END if word in END_WORDS else FRAGMENT for word in FIRST_OF_SEVERAL if word not in _single
 }
@@ -99,6 +113,7 @@ _known = {
     **dict.fromkeys(("\n", "\r\n", "\r"), _NEWLINE),
     **{sign: KIND[terminal] for sign, terminal in _SIGNS.items()},
     **_single,
+    **_also_names,
     **_fragments,
 }
 
@@ -312,12 +327,22 @@ class _Lexer:
             self._comments.append(Comment(start, end, self._line, len(self._tokens)))
         elif kind == _OPEN:
             self.open_string(start)
+        elif kind == _ALSO_NAME:
+            self._tokens.append(self._command_or_name(piece, start, end))
         elif piece[0].isascii() and (piece[0].isdigit() or piece[0] == "_"):
             self._unreadable_word(piece, start, end)
         else:
             self._flaw(MistakeKind.UNKNOWN_CHARACTER, start, end)
             if len(piece) > 1 and not piece.endswith(MARK):
                 self._tokens.append(self._token(STRING, start, end))
+
+    def _command_or_name(self, piece: str, start: int, end: int) -> Token:
+        """A word that is a command only where one may begin and nothing follows that makes it a name."""
+        before = self._tokens[-1][0] if self._tokens else 0
+        is_name = before in _BEFORE_NAMES or re.compile(_AFTER_NAME).match(self._folded, end) is not None
+        kind = NAME if is_name else _single[piece.replace(MARK, "")]
+        token = (kind, start, end, self._line, start - self._margin, piece)
+        return self._decided(token) if before >= _FIRST_THAT_DECIDES else token
 
     def _token(self, kind: int, start: int, end: int) -> Token:
         return (kind, start, end, self._line, start - self._margin, self._folded[start:end])

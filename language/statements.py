@@ -269,6 +269,10 @@ class ScopeCompiler:
                 return ("state",)
             case syntax.HistoryCommand():
                 return ("history",)
+            case syntax.GripCommand():
+                return ("grip",)
+            case syntax.ReleaseCommand():
+                return ("release",)
             case syntax.PoseCommand():
                 return ("announce_pose",)
             case syntax.QuitCommand() | syntax.RunCommand() if not self._terminal:

@@ -9,10 +9,11 @@ none.
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Sequence
 from functools import cache, lru_cache
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from language.diagnostics import Diagnostic, MistakeKind, mistake_at
 from language.keywords import (
@@ -25,12 +26,16 @@ from language.keywords import (
     spelling,
 )
 from language.lexer import SENSORS, TAKES, language_of, lex
+from language.locales import ENGLISH, keys, languages, own_words
 from language.source import fold_name
 from language.syntax import Declare, For, Name, Procedure, Program, walk
 from language.tables import TERMINALS
 
 LONGEST = 40
 """Letters; no word is near to a longer one."""
+
+SAMPLES = {"FW": "2", "BW": "2", "TR": "90", "TL": "90", "WAIT": "2"}
+"""By terminal: a number for a command that was typed without one."""
 
 _MOST_COMPARED = 300
 """Names that are compared with a wrong one while a program runs."""
@@ -195,6 +200,69 @@ def edit_distance(first: str, second: str) -> int:
     return row[-1]
 
 
+# --- what beginners say -------------------------------------------------------------------------------
+
+
+class Everyday(Struct, frozen=True):
+    """An everyday word for a word of GoDonnie, at the beginning of a line: WALK, TURN LEFT, ANDAR."""
+
+    terminal: str
+    language: str
+    width: int
+    """How many of the words of the line it takes."""
+
+
+_MOST_EVERYDAY = 6
+"""Words of a line that are compared."""
+
+
+def everyday(line: Sequence[str], spoken: Iterable[str] = ()) -> Everyday | None:
+    """What the folded words of a line begin with; the longest, first in a language spoken."""
+    found = None
+    for each in (*(one for one in spoken if one != ENGLISH), *languages()):
+        phrases, fillers = _everyday_words(each), fillers_of(each)
+        said: list[str] = []
+        for width, word in enumerate(line[:_MOST_EVERYDAY], start=1):
+            if word in fillers and said:
+                continue
+            said.append(word)
+            terminal = phrases.get(" ".join(said))
+            if terminal and (found is None or width > found.width):
+                found = Everyday(terminal, each, width)
+    return found
+
+
+@cache
+def _everyday_words(language: str) -> dict[str, str]:
+    return {
+        folded_word(phrase): terminal
+        for terminal in keys(language, "keywords", "everyday")
+        if terminal != "fillers"
+        for phrase in own_words(language, "keywords", "everyday", terminal)
+    }
+
+
+@cache
+def fillers_of(language: str) -> frozenset[str]:
+    """Folded words that beginners write between others: THE, STEPS."""
+    return frozenset(map(folded_word, own_words(language, "keywords", "everyday", "fillers")))
+
+
+@cache
+def _number_words() -> dict[str, str]:
+    return {
+        folded_word(word): digits
+        for language in reversed(languages())
+        for digits in keys(language, "keywords", "numbers")
+        for word in own_words(language, "keywords", "numbers", digits)
+    }
+
+
+def number_in_digits(word: str) -> str:
+    """TWO is 2; empty for any other word."""
+    return _number_words().get(folded_word(word), "")
+
+
 # --- names that were never declared -------------------------------------------------------------------
 
 
@@ -218,7 +286,19 @@ def undeclared_variable(
         meant, details["in_procedure"] = "", procedure
     else:
         meant = _name_meant(program, name, own, most_compared) or _sensor_meant(program, name)
+        digits = "" if meant else number_in_digits(name.name)
+        if digits:
+            return _number_in_letters(program, name, digits)
     return mistake_at(program, name.span, MistakeKind.UNDECLARED_VARIABLE, details, meant)
+
+
+def _number_in_letters(program: Program, name: Name, digits: str) -> Diagnostic:
+    """FW two: with the word before the number, if there is one."""
+    before = re.search(r"[^\W\d_]+[ \t]+\Z", program.source[: name.span.start])
+    written = f"{before[0] if before else ''}{digits}"
+    details = {"name": program.typed(name.span), "written": " ".join(written.split())}
+    mistake = mistake_at(program, name.span, MistakeKind.UNDECLARED_VARIABLE, details, digits)
+    return replace(mistake, code="number-word")
 
 
 def undeclared_procedure(

@@ -145,6 +145,14 @@ class HistoryCommand(Node, frozen=True):
     pass
 
 
+class GripCommand(Node, frozen=True):
+    pass
+
+
+class ReleaseCommand(Node, frozen=True):
+    pass
+
+
 class PoseCommand(Node, frozen=True):
     """POS on a line of its own: announces the whole pose."""
 
@@ -223,6 +231,8 @@ Command: TypeAlias = (
     | ScanCommand
     | StateCommand
     | HistoryCommand
+    | GripCommand
+    | ReleaseCommand
     | PoseCommand
     | WaitCommand
     | BeltCommand

@@ -190,6 +190,14 @@ class TreeBuilder:
         return syntax.HistoryCommand(_token_span(word))
 
     @staticmethod
+    def grip(word: Token) -> syntax.GripCommand:
+        return syntax.GripCommand(_token_span(word))
+
+    @staticmethod
+    def release(word: Token) -> syntax.ReleaseCommand:
+        return syntax.ReleaseCommand(_token_span(word))
+
+    @staticmethod
     def pose(word: Token) -> syntax.PoseCommand:
         return syntax.PoseCommand(_token_span(word))
 

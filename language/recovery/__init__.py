@@ -29,10 +29,12 @@ from language.recovery.blocks import (
 )
 from language.recovery.commands import (
     has_misspelt_second,
+    lacks_all,
     read_mistake_within,
     read_stray,
     read_unknown_command,
     read_unknown_pair,
+    read_without_all,
     report_missing_argument,
 )
 from language.recovery.reader import (
@@ -108,6 +110,8 @@ def _found_in(
 def _read_next(reader: TokenReader) -> None:
     if reader.automaton.is_between_commands():
         _read_between_commands(reader)
+    elif lacks_all(reader):
+        read_without_all(reader)
     elif reader.automaton.accepts(reader.token[0]):
         reader.advance()
     else:
@@ -141,6 +145,8 @@ def _finish(reader: TokenReader) -> None:
         taker = reader.before[0]
         if taker in TAKES and taker not in NEEDS_NO_ARGUMENT:
             report_missing_argument(reader)
+        elif lacks_all(reader):
+            read_without_all(reader)
         else:
             reader.report(MistakeKind.SYNTAX, reader.token, "", reader.automaton.expected())
         if reader.head is not None:

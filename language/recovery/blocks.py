@@ -264,12 +264,31 @@ def give_up(reader: TokenReader) -> None:
 
 def skip_command(reader: TokenReader, *, may_open: bool = False) -> None:
     """Move to where the next command may begin. The end of a head opens a block of unknown kind."""
+    if may_open:
+        _skip_parts_of_head(reader)
     while not _may_begin_command(reader):
         token = reader.token
         reader.at += 1
         if may_open and token[0] in HEAD_ENDS:
-            reader.blocks.append(OpenBlock("", token, "", 0))
+            open_unknown_block(reader, token)
             return
+
+
+def _skip_parts_of_head(reader: TokenReader) -> None:
+    """Move to the end of a head on this line, beyond the commands and semicolons in the head of a FOR."""
+    line = reader.before[3]
+    for at in range(reader.at, len(reader.tokens)):
+        kind = reader.tokens[at][0]
+        if reader.tokens[at][3] != line or kind in BEGINNERS:
+            return
+        if kind in HEAD_ENDS:
+            reader.at = at
+            return
+
+
+def open_unknown_block(reader: TokenReader, token: Token) -> None:
+    """Any END closes it."""
+    reader.blocks.append(OpenBlock("", token, "", 0))
 
 
 def _may_begin_command(reader: TokenReader) -> bool:

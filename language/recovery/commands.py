@@ -8,14 +8,24 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from language.diagnostics import MistakeKind
-from language.keywords import argument, argument_words, is_reserved, spelling
-from language.lexer import FRAGMENT, KIND, NAME, NEEDS_NO_ARGUMENT, NUMBER, SENSORS, STRING, TAKES, Token
+from language.keywords import (
+    argument,
+    argument_words,
+    canonical,
+    canonical_of_terminal,
+    is_reserved,
+    spelling,
+)
+from language.lexer import END, FRAGMENT, KIND, NAME, NEEDS_NO_ARGUMENT, NUMBER, SENSORS, STRING, TAKES, Token
+from language.locales import ENGLISH
+from language.outline import ENDS, OPENERS
 from language.recovery.automaton import CLASSES, Automaton
 from language.recovery.blocks import (
     can_open,
     end_of_head,
     give_up,
     is_after_head,
+    open_unknown_block,
     pair_meant,
     read_as,
     skip_command,
@@ -25,6 +35,7 @@ from language.recovery.reader import (
     ASSIGN,
     BEGINNERS,
     COMPARATOR,
+    ELSE,
     HEAD_ENDS,
     LPAR,
     SEMICOLON,
@@ -33,10 +44,15 @@ from language.recovery.reader import (
     TokenReader,
 )
 from language.suggestions import (
+    SAMPLES,
+    Everyday,
     Suggestion,
+    everyday,
+    fillers_of,
     nearest,
     nearest_keyword,
     nearest_pair,
+    number_in_digits,
     pair_ending_with,
 )
 from language.tables import TERMINALS
@@ -48,6 +64,16 @@ _CALL_PUNCTUATION = (LPAR, *(KIND[name] for name in ("COLON", "COMMA", "RPAR")))
 """May separate the values of a call without brackets."""
 
 
+_TAKE_VALUE = frozenset(KIND[name] for name in (*SAMPLES, "SPEAK"))
+_TAKE_MORE = _TAKE_VALUE | OPENERS.keys() | {VAR}
+"""The words after which something else than a direction, an axis, a colour or a switch must come."""
+
+_BEFORE_VALUE = frozenset((SIGN, ASSIGN, COMPARATOR, KIND["SCALE"]))
+_COMPLETE_ALONE = frozenset(
+    KIND[name] for name in ("SCAN", "STATE", "HISTORY", "GRIP", "RELEASE", "QUIT", "RUN", "HELP")
+)
+
+
 # --- where a command may begin ------------------------------------------------------------------------
 
 
@@ -57,7 +83,7 @@ def read_unknown_command(reader: TokenReader) -> None:
     if _follows_taker(reader):
         _read_bad_argument(reader)
         return
-    if _read_misspelt_sensor(reader) or _read_call_without_brackets(reader):
+    if _read_misspelt_sensor(reader) or _read_call_without_brackets(reader) or _read_everyday(reader):
         return
     if reader.following[0] == COMPARATOR and reader.following[5] == "==":
         _read_two_equals_signs(reader)
@@ -65,7 +91,7 @@ def read_unknown_command(reader: TokenReader) -> None:
     pair = _pair_with_misspelt_first(reader)
     near, width = (pair, 2) if pair else (_command_meant(reader, token[5]), 1)
     code = "call-brackets" if reader.following[0] == LPAR and near is None else ""
-    meant = near.text if near else _second_speak(reader)
+    meant = _with_number(reader, near, width) if near else _second_speak(reader)
     reader.begun = reader.at
     reader.report(MistakeKind.UNKNOWN_COMMAND, token, code, ("command",), meant, width=width)
     read_as(reader, near, width)
@@ -120,15 +146,16 @@ def read_unknown_pair(reader: TokenReader) -> None:
     if _follows_taker(reader):
         _read_bad_argument(reader)
         return
+    if _read_everyday(reader):
+        return
     near, width = pair_meant(reader)
     reader.begun = reader.at
     if reader.tokens[reader.at + width][0] == ASSIGN:
         _report_reserved(reader, token)
         near = None
     else:
-        reader.report(
-            MistakeKind.UNKNOWN_COMMAND, token, "", ("command",), near.text if near else "", width=width
-        )
+        meant = _with_number(reader, near, width) if near else ""
+        reader.report(MistakeKind.UNKNOWN_COMMAND, token, "", ("command",), meant, width=width)
     read_as(reader, near, width)
 
 
@@ -148,6 +175,62 @@ def read_stray(reader: TokenReader) -> None:
         reader.report(MistakeKind.SYNTAX, token, code, reader.automaton.expected())
     reader.at += 1
     skip_command(reader)
+
+
+def _with_number(reader: TokenReader, near: Suggestion, width: int) -> str:
+    """LEFT alone: the meant command with a number, where its line ends after one word of two."""
+    following = reader.tokens[reader.at + width]
+    is_over = following[0] == 0 or following[3] != reader.token[3]
+    sample = SAMPLES.get(near.terminal, "") if is_over and " " in near.text and not near.complete else ""
+    return f"{near.text} {sample}".strip()
+
+
+# --- what beginners say: WALK 3, TURN LEFT, LOOP 3 ----------------------------------------------------
+
+
+def _read_everyday(reader: TokenReader) -> bool:
+    """If an everyday word is here, report it with the line that was probably meant."""
+    line = _rest_of_line(reader)
+    said = everyday([each[5] for each in line], (reader.language, *reader.spoken))
+    if said is None:
+        return False
+    language = said.language if reader.language == ENGLISH else reader.language
+    meant, width = _line_meant(reader, line, said, spelling(canonical_of_terminal(said.terminal), language))
+    reader.begun = reader.at
+    reader.report(MistakeKind.UNKNOWN_COMMAND, reader.token, "everyday", ("command",), meant, width=width)
+    is_opener, blocks = KIND[said.terminal] in OPENERS, len(reader.blocks)
+    opens = is_opener and can_open(reader, said.terminal, said.width)
+    token = reader.token
+    reader.at += said.width
+    skip_command(reader, may_open=is_opener)
+    if opens and len(reader.blocks) == blocks:
+        open_unknown_block(reader, token)
+    return True
+
+
+def _rest_of_line(reader: TokenReader) -> list[Token]:
+    at = reader.at
+    while reader.tokens[at][0] and reader.tokens[at][3] == reader.token[3]:
+        at += 1
+    return reader.tokens[reader.at : at]
+
+
+def _line_meant(reader: TokenReader, line: Sequence[Token], said: Everyday, word: str) -> tuple[str, int]:
+    """What replaces how many tokens: the command with its value, or the word alone before a longer one."""
+    fillers = fillers_of(said.language)
+    values = [at for at in range(said.width, len(line)) if line[at][5] not in fillers]
+    sample = SAMPLES.get(said.terminal)
+    if not values:
+        return f"{word} {sample}" if sample else word, len(line)
+    first, following = line[values[0]], line[values[1]] if len(values) > 1 else None
+    is_whole = following is None or following[0] in BEGINNERS or following[0] in (SEMICOLON, VAR)
+    if not is_whole or first[0] not in (NUMBER, NAME, STRING):
+        return word, values[0]
+    value = number_in_digits(first[5]) or reader.typed(first)
+    width = values[1] if following else len(line)
+    if said.terminal == "REPEAT":
+        return f"{word} {value} {spelling('TIMES', reader.language)}", width
+    return f"{word} {value}", width
 
 
 # --- calls without brackets: AB 2, AB: 2, AB (2), CD --------------------------------------------------
@@ -209,7 +292,9 @@ def read_mistake_within(reader: TokenReader) -> None:
             return
     if _read_misspelt_sensor(reader):
         return
-    if _is_reserved_as_name(reader):
+    if _misses_value(reader):
+        _report_missing_value(reader)
+    elif _is_reserved_as_name(reader):
         _report_reserved(reader, token)
         reader.automaton.feed(NAME)
         reader.at += 1
@@ -272,6 +357,53 @@ def _report_end_of_head(reader: TokenReader, details: dict[str, str | int]) -> N
         details |= {"missing": word, "line": before[3]}
     meant, expected = spelling(word, reader.language), reader.automaton.expected()
     reader.report(MistakeKind.SYNTAX, token, code, expected, meant, details)
+
+
+# --- FW without its number ----------------------------------------------------------------------------
+
+
+def lacks_all(reader: TokenReader) -> bool:
+    """Whether the word before needs more, and another command begins here, or the text ends."""
+    if reader.at == 0 or reader.before[0] not in _TAKE_MORE or reader.at - 1 < reader.begun:
+        return False
+    kind = reader.token[0]
+    if kind == 0:
+        return True
+    if _is_reserved_as_name(reader):
+        return False
+    if kind == NAME:  # an assignment or a call, not the value
+        begins = reader.following[0] in AFTER_FIRST_NAME and reader.is_first_of_line
+        return begins and reader.before[0] in _TAKE_VALUE
+    if reader.is_first_of_line or kind in ENDS:
+        return kind in BEGINNERS or kind in (VAR, SEMICOLON)
+    return kind in (SEMICOLON, ELSE, END) or (kind in BEGINNERS and kind not in _COMPLETE_ALONE)
+
+
+def read_without_all(reader: TokenReader) -> None:
+    """Report the command that lacks what it needs, and read on as if that were there."""
+    taker = reader.before
+    terminal = TERMINALS[taker[0]]
+    sample = SAMPLES.get(terminal)
+    meant = f"{reader.typed(taker)} {sample}" if sample else ""
+    details: dict[str, str | int] = {"word": canonical(taker[5]) or terminal}
+    reader.report(MistakeKind.SYNTAX, taker, "missing-argument", reader.automaton.expected(), meant, details)
+    if reader.is_at_end:
+        return
+    if reader.head is not None:
+        give_up(reader)
+    else:
+        reader.automaton.feed(NAME)
+
+
+def _misses_value(reader: TokenReader) -> bool:
+    """Whether a sign is the last of its line, and a command follows."""
+    begins = reader.token[0] in BEGINNERS or reader.token[0] == VAR
+    return reader.at > 0 and reader.before[0] in _BEFORE_VALUE and begins and reader.is_first_of_line
+
+
+def _report_missing_value(reader: TokenReader) -> None:
+    reader.report(MistakeKind.SYNTAX, reader.before, "missing-value", reader.automaton.expected())
+    give_up(reader)
 
 
 # --- reserved words -----------------------------------------------------------------------------------

@@ -38,6 +38,7 @@ from language.syntax import (
     DistanceSensor,
     Expression,
     For,
+    GripCommand,
     HelpCommand,
     HistoryCommand,
     If,
@@ -49,6 +50,7 @@ from language.syntax import (
     Procedure,
     Program,
     QuitCommand,
+    ReleaseCommand,
     Repeat,
     RunCommand,
     ScanCommand,
@@ -345,6 +347,10 @@ class _Run:
                 do.state()
             case HistoryCommand():
                 do.history()
+            case GripCommand():
+                do.grip()
+            case ReleaseCommand():
+                do.release()
             case PoseCommand():
                 do.announce_pose()
             case QuitCommand() | RunCommand() if not self._terminal:

@@ -61,6 +61,12 @@ class Recorder:
     def history(self) -> None:
         self._note("history")
 
+    def grip(self) -> None:
+        self._note("grip")
+
+    def release(self) -> None:
+        self._note("release")
+
     def announce_pose(self) -> None:
         self._note("announce_pose")
 

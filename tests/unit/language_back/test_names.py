@@ -158,3 +158,25 @@ def test_a_mistake_after_many_iterations_is_still_found_at_its_name(make: Make) 
     )
 
     assert run(source, make).place == ("undeclared-variable", 11, 24)
+
+
+@back_ends
+def test_the_words_of_the_gripper_are_still_names_of_variables_and_procedures(make: Make) -> None:
+    source = """
+PROCEDURE RELEASE: tomar DO
+  VAR soltar = tomar + 1
+  SPEAK soltar
+END PROCEDURE
+VAR grip = 1
+VAR pegar
+FOR pegar = 0; pegar < 2; pegar = pegar + 1 DO
+  GRIP
+  grip = grip * 2
+END FOR
+RELEASE [grip]
+RELEASE
+"""
+
+    done = run(source, make).actions.done
+
+    assert done == [("grip",), ("grip",), ("speak", 5), ("release",)]

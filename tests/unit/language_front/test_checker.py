@@ -123,3 +123,23 @@ def test_a_name_without_a_variable_may_be_a_misspelt_sensor_where_its_value_is_a
 
     assert program is not None
     assert [each.meant for each in check(program)] == [meant]
+
+
+@pytest.mark.parametrize(
+    ("source", "written", "meant"),
+    [
+        ("FW two", "FW 2", "2"),
+        ("PF três", "PF 3", "3"),
+        ("AV diez", "AV 10", "10"),
+        ("REPEAT four TIMES FW 1 END REPEAT", "REPEAT 4", "4"),
+        ("FW 1 + two", "2", "2"),
+    ],
+)
+def test_a_number_in_letters_is_offered_in_digits(source: str, written: str, meant: str) -> None:
+    (hint,) = check(parse(source).program)
+
+    assert (hint.code, hint.details["written"], hint.meant) == ("number-word", written, meant)
+
+
+def test_a_variable_may_be_called_like_a_number() -> None:
+    assert check(parse("VAR two = 2 FW two").program) == ()

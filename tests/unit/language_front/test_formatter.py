@@ -94,3 +94,11 @@ def test_a_program_with_mistakes_is_left_alone() -> None:
 def test_an_unknown_language_raises_an_error() -> None:
     with pytest.raises(KeyError):
         formatted("FW 1", "de")
+
+
+def test_a_word_of_the_gripper_is_translated_as_a_command_and_kept_as_a_name() -> None:
+    source = "var Grip = 1 grip grip = Grip + 1 release [grip] soltar"
+
+    assert formatted(source, "es").text == (
+        "CREAR Grip = 1\nTOMAR\ngrip = Grip + 1\nrelease [grip]\nSOLTAR\n"
+    )

@@ -98,7 +98,11 @@ def test_first_words_of_commands_are_reserved_in_all_languages(name: str) -> Non
 
 
 @pytest.mark.parametrize(
-    "name", ["x", "y", "a", "f", "b", "t", "d", "red", "on", "frente", "turn", "format", "ending"]
+    "name",
+    [
+        *("x", "y", "a", "f", "b", "t", "d", "red", "on", "frente", "turn", "format", "ending"),
+        *("grip", "release", "pegar", "tomar", "soltar"),
+    ],
 )
 def test_words_that_only_follow_are_ordinary_names(name: str) -> None:
     assert not keywords.is_reserved(name)

@@ -38,6 +38,37 @@ def test_words_of_two_parts_are_split_by_any_blank_and_by_comments(source: str, 
 @pytest.mark.parametrize(
     ("source", "expected"),
     [
+        ("GRIP RELEASE", "GRIP RELEASE"),
+        ("pegar soltar", "GRIP RELEASE"),
+        ("TOMAR; Soltar;", "GRIP SEMICOLON RELEASE SEMICOLON"),
+        ("FW 1 GRIP BW 1", "FW NUMBER GRIP BW NUMBER"),
+        ("x = a GRIP", "NAME ASSIGN NAME GRIP"),
+        ("DISTANCE GRIP", "DISTANCE GRIP"),
+        ("POS -- where\nGRIP", "POS GRIP"),
+        ("REPEAT 2 TIMES GRIP END REPEAT", "REPEAT NUMBER TIMES GRIP END_REPEAT"),
+        ("HELP GRIP", "HELP TOPIC"),
+        ("HELP\nGRIP", "HELP GRIP"),
+        ("GRIP -- = 3", "GRIP"),
+        ("VAR grip = 3", "VAR NAME ASSIGN NUMBER"),
+        ("VAR release grip = 3", "VAR NAME NAME ASSIGN NUMBER"),
+        ("grip -- the hand\n= grip - release", "NAME ASSIGN NAME SIGN NAME"),
+        ("FW grip GRIP", "FW NAME GRIP"),
+        ("WHILE soltar < 3 DO SOLTAR END WHILE", "WHILE NAME COMPARATOR NUMBER DO RELEASE END_WHILE"),
+        (
+            "FOR grip = 0; grip < 2; grip = 1 DO",
+            "FOR NAME ASSIGN NUMBER SEMICOLON NAME COMPARATOR NUMBER SEMICOLON NAME ASSIGN NUMBER DO",
+        ),
+        ("PROCEDURE GRIP: release, tomar DO", "PROCEDURE NAME COLON NAME COMMA NAME DO"),
+        ("GRIP [1] PEGAR []", "NAME LSQB NUMBER RSQB NAME LSQB RSQB"),
+    ],
+)
+def test_the_words_of_the_gripper_are_names_where_no_command_can_begin(source: str, expected: str) -> None:
+    assert kinds(source) == expected
+
+
+@pytest.mark.parametrize(
+    ("source", "expected"),
+    [
         ("POS x x", "POS AXIS NAME"),
         ("POS\nx = 3", "POS NAME ASSIGN NUMBER"),
         ("DISTANCE f f", "DISTANCE DIRECTION NAME"),

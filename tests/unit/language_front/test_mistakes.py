@@ -26,20 +26,20 @@ def the_mistake(source: str) -> Diagnostic:
         ("FW 1 10", "syntax", 1, 6),
         ("FW 2,5", "syntax", 1, 5),
         ('FW "five"', "syntax", 1, 4),
-        ("FW", "syntax", 1, 3),
-        ("FW 1\nBW -- how far\n\n", "syntax", 2, 3),
+        ("FW", "syntax", 1, 1),
+        ("FW 1\nBW -- how far\n\n", "syntax", 2, 1),
         ("VAR a = 3 *", "syntax", 1, 12),
         ("VAR a = (1 + 2", "syntax", 1, 15),
         ("FW 1 ) FW 2", "syntax", 1, 6),
         ("VAR = 3", "syntax", 1, 5),
-        ("VAR", "syntax", 1, 4),
-        ("VAR\nFW 3", "syntax", 2, 1),
+        ("VAR", "syntax", 1, 1),
+        ("VAR\nFW 3", "syntax", 1, 1),
         ("VAR my-name = 3", "syntax", 1, 7),
         ("VAR v = SCAN + 1", "syntax", 1, 9),
         ("SPEAK STATE", "syntax", 1, 7),
         ('SPEAK "a" + 1', "syntax", 1, 11),
         ('SPEAK 1 + "a"', "syntax", 1, 11),
-        ("SPEAK", "syntax", 1, 6),
+        ("SPEAK", "syntax", 1, 1),
         ("a = = 3", "syntax", 1, 5),
         ("a = 1 = 2", "syntax", 1, 7),
         ("P [1\nSPEAK 2", "syntax", 2, 1),
@@ -244,7 +244,7 @@ def test_expected_are_the_words_that_fit_the_place(source: str, expected: tuple[
     ("source", "found"),
     [
         ("JUMP 3", "JUMP"),
-        ("FW", ""),
+        ("FW", "FW"),
         ("IF 1 == 1 THEN END\n  FOR", "END FOR"),
         ("IF 1 == 1 THEN END -- of what\n  FOR", "END FOR"),
         ('SPEAK "hi', '"hi'),
@@ -295,7 +295,6 @@ def test_the_found_text_is_quoted_as_it_was_typed(source: str, found: str) -> No
         ("MIRAR FALAR COR roxo", "ROJO"),
         ("JUMP 3", ""),
         ("FOO 3", ""),
-        ("go 3", ""),
         ("x 3", ""),
         ("SPEAK hello world", ""),
         ("a" * 100_000, ""),
@@ -388,3 +387,140 @@ def test_a_call_without_brackets_shows_the_right_call(call: str, meant: str, cal
 
     assert (mistake.kind, mistake.code, mistake.meant) == (MistakeKind.UNKNOWN_COMMAND, "procedure", meant)
     assert mistake.details["call"] == called
+
+
+NEEDS_MORE = (
+    "FW",
+    "BW",
+    "TR",
+    "TL",
+    "WAIT",
+    "SPEAK",
+    "VAR",
+    "FORWARD",
+    "PF",
+    "GIRAR DIREITA",
+    "ESPERAR",
+    "AV",
+)
+NEXT = ("TR 90", "SCAN", 'SPEAK "a"', "VAR n = 2", "REPEAT 2 TIMES FW 1 END REPEAT", "SOUND ON", "; FW 1")
+
+
+@pytest.mark.parametrize("command", NEEDS_MORE)
+@pytest.mark.parametrize(
+    ("source", "line"),
+    [
+        *((f"FW 1\n%s\n{following}", 2) for following in NEXT),
+        ("FW 1\n%s", 2),
+        ("FW 1\n%s\n\n-- nothing else\n", 2),
+        ("REPEAT 2 TIMES\n%s\nEND REPEAT", 2),
+        ("REPEAT 2 TIMES %s END REPEAT", 1),
+        ("IF 1 == 1 THEN\n%s\nELSE\n  FW 1\nEND IF\nFW 2", 2),
+        ("%s; FW 1", 1),
+        ("%s TR 90", 1),
+    ],
+)
+def test_a_missing_argument_is_the_one_mistake_of_its_command(source: str, line: int, command: str) -> None:
+    only = the_mistake(source % command)
+
+    assert (only.kind, only.code, only.found) == (MistakeKind.SYNTAX, "missing-argument", command)
+    assert only.span.line == line
+
+
+@pytest.mark.parametrize("following", ["x = 3", "P [1]"])
+def test_the_assignment_on_the_next_line_is_not_the_number_of_the_command(following: str) -> None:
+    only = the_mistake(f"VAR x PROCEDURE P: a DO FW a END PROCEDURE\nFW\n{following}\nFW x")
+
+    assert (only.code, only.found, only.span.line) == ("missing-argument", "FW", 2)
+
+
+@pytest.mark.parametrize(
+    ("source", "found"),
+    [
+        ("IF\nFW 3\nEND IF", "IF"),
+        ("WHILE\nFW 3\nEND WHILE", "WHILE"),
+        ("REPEAT\nFW 3\nEND REPEAT", "REPEAT"),
+        ("FOR\nFW 3\nEND FOR", "FOR"),
+        ("APRENDER\nPF 3\nFIM APRENDER", "APRENDER"),
+        ("REPETIR", "REPETIR"),
+    ],
+)
+def test_a_head_without_anything_in_it_is_one_mistake(source: str, found: str) -> None:
+    only = the_mistake(source)
+
+    assert (only.code, only.found, only.span.line) == ("missing-argument", found, 1)
+
+
+@pytest.mark.parametrize(
+    ("source", "column"), [("VAR x =\nFW 3", 7), ("FW 3 +\nTR 90", 6), ("FW -\nVAR x = 3", 4)]
+)
+def test_a_missing_value_is_the_fault_of_the_sign_before_it(source: str, column: int) -> None:
+    only = the_mistake(source)
+
+    assert (only.code, only.span.line, only.span.column) == ("missing-value", 1, column)
+
+
+@pytest.mark.parametrize(
+    ("source", "meant"), [("FW\nTR 90", "FW 2"), ("GIRAR DIREITA\nPF 1", "GIRAR DIREITA 90"), ("SPEAK", "")]
+)
+def test_a_number_is_offered_where_one_is_missing(source: str, meant: str) -> None:
+    assert the_mistake(source).meant == meant
+
+
+@pytest.mark.parametrize(
+    ("line", "meant"),
+    [
+        ("WALK 3", "FW 3"),
+        ("walk 3 steps", "FW 3"),
+        ("GO", "FW 2"),
+        ("GO three", "FW 3"),
+        ("MOVE FORWARD 3", "FW 3"),
+        ("GO BACK 3", "BW 3"),
+        ("BACK 3", "BW 3"),
+        ("WALK n + 1", "FW"),
+        ("TURN LEFT", "TL 90"),
+        ("TURN RIGHT 30", "TR 30"),
+        ("TURN TO THE LEFT", "TL 90"),
+        ("LEFT", "LEFT TURN 90"),
+        ("RIGHT", "RIGHT TURN 90"),
+        ('SAY "hello"', 'SPEAK "hello"'),
+        ("PRINT n", "SPEAK n"),
+        ("ANDAR 3", "PF 3"),
+        ("ANDE 3 passos", "PF 3"),
+        ("VIRAR ESQUERDA", "GE 90"),
+        ("VIRAR À DIREITA 45", "GD 45"),
+        ('DIZER "oi"', 'FALAR "oi"'),
+        ("VOLTAR 2", "PT 2"),
+        ("CAMINAR 3", "AV 3"),
+        ("CAMINAR tres pasos", "AV 3"),
+        ("DOBLAR A LA IZQUIERDA", "GI 90"),
+        ('DECIR "hola"', 'HABLAR "hola"'),
+        ("AV 1 ANDAR 3", "AV 3"),
+        ("ANDAR 3 GIRAR DERECHA 90", "AV 3"),
+    ],
+)
+def test_an_everyday_word_is_answered_with_the_line_that_was_meant(line: str, meant: str) -> None:
+    for source in (line, f"{line}\nSCAN", f"REPEAT 2 TIMES\n{line}\nEND REPEAT"):
+        assert the_mistake(source).meant == meant
+
+
+@pytest.mark.parametrize(
+    ("source", "meant"),
+    [
+        ("LOOP 3\nFW 1\nEND LOOP", "REPEAT 3 TIMES"),
+        ("LOOP 3 TIMES\nFW 1\nEND LOOP", "REPEAT"),
+        ("WHEN 3 > 2 THEN\nFW 1\nEND IF", "IF"),
+        ("QUANDO 3 > 2 ENTÃO\nPF 1\nFIM SE", "SE"),
+        ("LOOP 3", "REPEAT 3 TIMES"),
+    ],
+)
+def test_an_everyday_word_for_a_block_is_one_mistake(source: str, meant: str) -> None:
+    assert the_mistake(source).meant == meant
+
+
+def test_a_misspelt_for_is_one_mistake() -> None:
+    assert the_mistake("FR VAR i = 0; i < 3; i = i + 1 DO\nFW i\nEND FOR").found == "FR"
+
+
+def test_an_everyday_word_may_be_a_name() -> None:
+    assert parse("VAR walk = 2 PROCEDURE go: loop DO FW loop END PROCEDURE walk = 3 go [walk]").program
