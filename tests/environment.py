@@ -22,6 +22,7 @@ CHOSEN = {
     "LANG": "C.UTF-8",
     "TERM": "xterm-256color",
     "DONNIE_ROBOT_TIMEOUTS": "20",  # a board that is simulated here may have to wait for its turn
+    "DONNIE_WORLD": "open_floor",  # of every command that names no other
     "DONNIE_READER": "off",  # one may run on this machine, and others are started by the tests of readers
 }
 """What every test begins with; it chooses the rest itself."""

@@ -11,11 +11,11 @@ from collections.abc import Callable
 from devices.board_simulator.board import QUICK_PASSES, NoisyWire, SimulatedBoard
 from devices.ports.robot import LinkNotice, Pace, Pose, RobotProblem, Watcher
 from devices.serial_robot.config import RobotConfig
+from devices.serial_robot.link import ConnectionState
 from devices.serial_robot.robot import SerialRobot
 from devices.wire.commands import MotorDrive, Wiring
 from devices.wire.connection import Action, BoardConnection, PortAction, Write
 from devices.wire.link_state import LinkConfig, LinkState
-from devices.wire.telemetry import Telemetry
 
 POLL = 0.01
 """Seconds between two polls of the link, as on a real one."""
@@ -24,7 +24,7 @@ STANDING = 0.1
 """Seconds after which the wheels surely stand."""
 
 
-class VirtualLink:
+class VirtualLink(ConnectionState):
     """A ``RobotLink`` to one simulated board, for one thread; only ``stop`` may be called by any."""
 
     def __init__(
@@ -38,6 +38,7 @@ class VirtualLink:
         on_text: Callable[[str], None] | None = None,
     ) -> None:
         """``resets_on_open``: opening the port restarts the board, as on USB."""
+        super().__init__(BoardConnection(config or LinkConfig(), on_text))
         self.name = "double"
         self.board = board
         self.wire = wire or NoisyWire()
@@ -49,38 +50,14 @@ class VirtualLink:
         """Seconds between two polls of the link; longer is cheaper."""
         self.written: list[tuple[float, bytes]] | None = None
         """Set it to a list to collect the times and bytes of all writes."""
-        self._connection = BoardConnection(config or LinkConfig(), on_text)
         self._on_notice = on_notice
         self.has_reset_wire = resets_on_open
         """Whether opening the port, and force, restart the board."""
         self._is_open = False
         self._now = 0.0
 
-    @property
-    def state(self) -> LinkState:
-        return self._connection.state
-
-    @property
-    def telemetry(self) -> Telemetry:
-        return self._connection.telemetry
-
-    @property
-    def driving_since(self) -> float | None:
-        return self._connection.driving_since
-
-    @property
-    def may_drive_on(self) -> bool:
-        return self._connection.may_drive_on
-
-    @property
-    def has_run_away(self) -> bool:
-        return self._connection.has_run_away
-
     def now(self) -> float:
         return self._now
-
-    def permit(self) -> int:
-        return self._connection.permit
 
     def drive(self, permit: int, drive: MotorDrive, until: float) -> bool:
         return self._connection.drive(permit, drive, until, self._now)

@@ -132,6 +132,8 @@ class Sighting(Struct, frozen=True):
     """An English colour word of the language, such as ``red``; an empty string where it can't be known."""
     name: str
     """The thing's name in its world, or an empty string."""
+    mark: int | None = None
+    """The number of a fiducial mark, 0 if it is too far away to be read; None for a coloured thing."""
 
 
 class Grip(Enum):
@@ -192,6 +194,9 @@ class Watcher(Protocol):
     def passing(self, pose: Pose) -> None:
         """The robot's present pose, some 20 times a second of real time; for display only."""
 
+    def sense_failed(self, problem: RobotProblem) -> None:
+        """A sense that a command needs has failed; the command continues without it."""
+
 
 class Pace(Protocol):
     """The program's pace: it waits, and knows when the program must stop."""
@@ -236,7 +241,7 @@ class Robot(Protocol):
         """
 
     def scan(self) -> tuple[Sighting, ...]:
-        """What is visible from 90 degrees left to 90 right, from left to right."""
+        """What is visible from 90 degrees left to 90 right: things, then marks, each from left to right."""
 
     def halt(self) -> None:
         """Turn the motors off. From any thread, at any time; never raises."""

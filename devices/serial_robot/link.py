@@ -112,42 +112,11 @@ def _pause(seconds: float) -> None:
     threading.Event().wait(seconds)
 
 
-class SerialLink:
-    """A ``RobotLink`` to one board on one port."""
+class ConnectionState:
+    """What a ``RobotLink`` knows from its ``BoardConnection``."""
 
-    def __init__(
-        self,
-        port: str,
-        config: LinkConfig | None = None,
-        on_notice: Callable[[LinkNotice, str], None] | None = None,
-        *,
-        open_port: Callable[[str], SerialPort] = open_board_port,
-        reset: BoardReset | None = None,
-        on_slow: Callable[[], object] | None = None,
-    ) -> None:
-        """``port``: a path or a pyserial URL. ``reset``: how the board is restarted by force; by default as
-        fits the port.
-
-        ``on_notice`` is called in order, in a thread of its own, so it may block. ``on_slow`` is called once,
-        in the thread that connects, if connecting takes longer than a second.
-        """
-        self.name = port
-        self._config = config or LinkConfig()
-        self._notifier = Notifier(port, on_notice)
-        self._open_port = open_port
-        self._reset = reset or reset_of(AUTOMATIC, port)
-        self._on_slow = on_slow
-        self._slow_at = inf
-        self._connection = BoardConnection(self._config, lambda text: _LOG.debug("%s: %s", port, text))
-        self._lock = threading.RLock()  # a signal handler may close the link in the middle of anything
-        self._polled = threading.Condition(self._lock)
-        self._must_wake = threading.Event()
-        self._is_closing = threading.Event()
-        self._is_given_up = False
-        self._port: SerialPort | None = None
-        self._thread: threading.Thread | None = None
-
-    # --- for every thread
+    def __init__(self, connection: BoardConnection) -> None:
+        self._connection = connection
 
     @property
     def state(self) -> LinkState:
@@ -169,11 +138,49 @@ class SerialLink:
     def has_run_away(self) -> bool:
         return self._connection.has_run_away
 
-    def now(self) -> float:
-        return time.monotonic()
-
     def permit(self) -> int:
         return self._connection.permit
+
+
+class SerialLink(ConnectionState):
+    """A ``RobotLink`` to one board on one port."""
+
+    def __init__(
+        self,
+        port: str,
+        config: LinkConfig | None = None,
+        on_notice: Callable[[LinkNotice, str], None] | None = None,
+        *,
+        open_port: Callable[[str], SerialPort] = open_board_port,
+        reset: BoardReset | None = None,
+        on_slow: Callable[[], object] | None = None,
+    ) -> None:
+        """``port``: a path or a pyserial URL. ``reset``: how the board is restarted by force; by default as
+        fits the port.
+
+        ``on_notice`` is called in order, in a thread of its own, so it may block. ``on_slow`` is called once,
+        in the thread that connects, if connecting takes longer than a second.
+        """
+        self._config = config or LinkConfig()
+        super().__init__(BoardConnection(self._config, lambda text: _LOG.debug("%s: %s", port, text)))
+        self.name = port
+        self._notifier = Notifier(port, on_notice)
+        self._open_port = open_port
+        self._reset = reset or reset_of(AUTOMATIC, port)
+        self._on_slow = on_slow
+        self._slow_at = inf
+        self._lock = threading.RLock()  # a signal handler may close the link in the middle of anything
+        self._polled = threading.Condition(self._lock)
+        self._must_wake = threading.Event()
+        self._is_closing = threading.Event()
+        self._is_given_up = False
+        self._port: SerialPort | None = None
+        self._thread: threading.Thread | None = None
+
+    # --- for every thread
+
+    def now(self) -> float:
+        return time.monotonic()
 
     def drive(self, permit: int, drive: MotorDrive, until: float) -> bool:
         with self._lock:

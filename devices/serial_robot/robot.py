@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
+from devices.camera import CameraSweep, ColourCamera
 from devices.ports.robot import (
     Bearing,
     LinkNotice,
@@ -36,6 +37,7 @@ from devices.serial_robot.movement import (
 from devices.serial_robot.senses import (
     BoardSensors,
     Clearance,
+    coloured_sightings,
     head_angle,
     scan_angles,
     sightings,
@@ -90,6 +92,8 @@ class SerialRobot:
         self._on_notice = on_notice
         self._has_moved = False
         """Whether a movement has shown that the wheels count the right way."""
+        self.camera: ColourCamera | None = None
+        """On its head, if there is one; set after construction."""
         if self._config.wiring != AS_ORIGINAL:
             link.rewire(self._config.wiring)
 
@@ -113,8 +117,8 @@ class SerialRobot:
 
     @property
     def colours(self) -> frozenset[str]:
-        """None: no camera is part of the robot."""
-        return frozenset()
+        """Those of its camera."""
+        return frozenset() if self.camera is None else self.camera.colours
 
     @property
     def telemetry(self) -> Telemetry:
@@ -146,6 +150,8 @@ class SerialRobot:
     def close(self) -> None:
         """Stop the robot, wait until it stands, and close the port. Any thread; never raises."""
         self._link.close()
+        if self.camera is not None:
+            self.camera.close()
 
     def reset(self) -> None:
         """Take the robot's present place as its start, and begin its time at 0."""
@@ -370,23 +376,29 @@ class SerialRobot:
         return self._sensors.known(self._link.telemetry)
 
     def scan(self) -> tuple[Sighting, ...]:
-        """What the sonar on the head measures, from left to right; without colours or names.
+        """The coloured things that its camera sees, from left to right, as far as the head's sonar measures.
 
-        ``RobotProblem`` ``no-camera`` without a head, ``link-lost`` without a link.
+        Without a camera, or if it fails, what the sonar meets, without colours. ``RobotProblem``
+        ``no-camera`` without a head, ``link-lost`` without a link.
         """
         self._require_link()
         epoch = self._link.telemetry.epoch
         sonar = self._config.head_sonar
         if sonar is None:
             raise RobotProblem("no-camera")
+        sweep, measured = CameraSweep(self.camera), scan_angles(self._config.head_stride)
         measurements: list[tuple[int, float | None]] = []
-        for degrees in scan_angles(self._config.head_stride):
+        for degrees in sorted({*measured, *sweep.directions}):
             self._look(degrees)
             if not self._wait(self._config.head_pause, epoch):
                 break
-            measurements.append((degrees, self._measured(sonar, epoch)))
+            if degrees in measured:
+                measurements.append((degrees, self._measured(sonar, epoch)))
+            sweep.look(degrees)
         self._look(0)
-        return sightings(measurements)
+        if sweep.problem is not None and self._watcher is not None:
+            self._watcher.sense_failed(sweep.problem)
+        return sightings(measurements) if sweep.is_blind else coloured_sightings(sweep.things(), measurements)
 
     def _look(self, degrees: int) -> None:
         angle = head_angle(degrees, is_mirrored=self._config.head_is_mirrored)

@@ -10,6 +10,7 @@ from collections.abc import Iterable, Sequence
 from enum import Enum, auto
 from math import inf
 
+from devices.camera import ColouredThing
 from devices.ports.robot import FARTHEST, STEP, Bearing, Sighting
 from devices.serial_robot.config import RobotConfig
 from devices.wire.telemetry import REMEMBERED, RangeSample, Telemetry
@@ -151,3 +152,25 @@ def sightings(measurements: Iterable[tuple[int, float | None]]) -> tuple[Sightin
 def _sighting(thing: Sequence[tuple[int, float]]) -> Sighting:
     middle = (thing[0][0] + thing[-1][0]) / 2
     return Sighting(middle, min(far for _, far in thing) / (STEP * 100), "", "")
+
+
+def coloured_sightings(
+    things: Iterable[ColouredThing], measurements: Sequence[tuple[int, float | None]]
+) -> tuple[Sighting, ...]:
+    """What a camera saw, as far as the sonar measures in its direction; without an echo it is far."""
+    return tuple(
+        Sighting(
+            min(HEAD_AHEAD, max(-HEAD_AHEAD, each.degrees)), _steps_to(each, measurements), each.colour, ""
+        )
+        for each in things
+    )
+
+
+def _steps_to(thing: ColouredThing, measurements: Sequence[tuple[int, float | None]]) -> float:
+    """The nearest echo between its borders; of a narrow thing, that in the nearest direction."""
+    across = [measured for degrees, measured in measurements if thing.low <= degrees <= thing.high]
+    if not across:
+        nearest = min(measurements, key=lambda each: abs(each[0] - thing.degrees), default=(0, None))
+        across = [nearest[1]]
+    far = min((each for each in across if each is not None), default=inf)
+    return FARTHEST if far == inf else far / CENTIMETRES_A_STEP

@@ -1,5 +1,7 @@
 """``donnie calibrate``: the robot moves, a person measures, and its sizes go into the settings file.
 
+``donnie calibrate colour``: a person shows things to the camera; the ranges of their colours go there.
+
 However it ends, by a signal too, the robot stands before the port is closed, and the settings are unchanged
 unless the measurement was completed. Measurements of a simulated board are not kept: the settings are the
 real robot's.
@@ -9,9 +11,9 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Iterator
-from contextlib import closing, contextmanager
+from contextlib import ExitStack, closing, contextmanager
 from types import FrameType
-from typing import NoReturn
+from typing import TYPE_CHECKING, NoReturn
 
 from msgspec import Struct
 
@@ -19,16 +21,30 @@ from devices.ports.robot import STEP, LinkNotice, RobotProblem, StoppedBy, TurnR
 from devices.serial_robot.config import RobotConfig, axle_length, wheel_radius
 from devices.wire.telemetry import Telemetry
 from donnie_tui.cli.options import ExitCode, Order
-from donnie_tui.cli.streams import Input, stopped_by_suspension
+from donnie_tui.cli.streams import Input, let_sound, stopped_by_suspension
+from donnie_tui.commands.arguments import answered
+from donnie_tui.core.hub import Hub, Stream
 from donnie_tui.core.program_files import DocumentError
 from donnie_tui.i18n.words import Unusable
 from donnie_tui.process.disconnection import ReaderWatch
 from donnie_tui.process.signals import LEAVING, Watchdog, end_process
-from donnie_tui.robot.connection import MeasurableRobot, make_measurable, robot_config, start_guard
+from donnie_tui.robot.connection import (
+    MeasurableRobot,
+    make_camera,
+    make_measurable,
+    robot_config,
+    start_guard,
+)
 from donnie_tui.robot.search import sentences_of
 from donnie_tui.settings.file import remember
-from donnie_tui.settings.parsing import DOUBLE, SIMULATED
+from donnie_tui.settings.parsing import DOUBLE, SIMULATED, colours_text
+from language.keywords import argument_spelling
 
+if TYPE_CHECKING:
+    from devices.camera import ColourCamera, ColourRange
+
+COLOUR = ("colour", "color", "cor")
+"""The word after ``donnie calibrate``, in the spellings of the languages."""
 STEPS = 20
 """A metre, so that a centimetre of a bad reading is a percent."""
 DEGREES = 720
@@ -67,6 +83,9 @@ class _Lost(Exception):
 
 def calibrate(order: Order, made: Callable[..., MeasurableRobot] = make_measurable) -> int:
     """Ask, walk, ask, turn, ask, write. The exit code is 1 if nothing was measured."""
+    what = getattr(order.invocation.arguments, "what", None)
+    if what is not None:
+        return _calibrate_colours(order, what)
     if order.invocation.options.get("robot") == SIMULATED:
         raise Unusable(order.words("calibrate-simulator"))
     try:
@@ -131,9 +150,9 @@ def _keep(order: Order, sizes: _Sizes) -> int:
     return ExitCode.DONE
 
 
-def _write(order: Order, key: str, metres: float) -> None:
+def _write(order: Order, key: str, value: float | str) -> None:
     try:
-        remember(key, metres, order.environment)
+        remember(key, value, order.environment)
     except DocumentError as problem:
         raise Unusable(order.words(problem.code, path=problem.path, reason=problem.reason)) from None
 
@@ -239,3 +258,111 @@ def _mean_counts(before: Telemetry, after: Telemetry) -> float:
 def _end(_number: int, _frame: FrameType | None) -> NoReturn:
     """A signal ends the conversation as Ctrl+C does, so that the robot is stopped on the way out."""
     raise KeyboardInterrupt
+
+
+# --- the colours of a camera
+
+
+class _Audience(Struct, frozen=True):
+    """Nothing happens to a robot here; only the voice is wanted."""
+
+    hub: Hub
+
+
+def _calibrate_colours(order: Order, what: str) -> int:
+    """Ask, look, ask, for each colour; then write. The exit code is 1 if nothing is to be kept."""
+    if what.lower() not in COLOUR:
+        raise Unusable(order.words("usage-unrecognized", what=what[:40]))
+    camera = make_camera(order.settings)
+    if camera is None:
+        raise Unusable(order.words("calibrate-no-camera"))
+    with closing(camera), ExitStack() as closing_voice:
+        # loaded here: the wheels are measured without a voice
+        from donnie_tui.outlets.audible import make_audible
+
+        audience = _Audience(Hub(lambda: 0.0, None, Stream()))
+        audible = make_audible(order.settings, audience, order.words, closing_voice)
+
+        def say(code: str, **values: object) -> None:
+            sentence = order.words(code, **values)
+            order.output.line(sentence)
+            audible.say_printed(sentence)
+
+        try:
+            ranges = _ColourCalibration(camera, say, order.words.language).talk()
+        except RobotProblem as problem:
+            raise Unusable(" ".join(sentences_of(problem, order.words))) from None
+        except KeyboardInterrupt:
+            order.output.line(order.words("calibrate-ended"))
+            raise
+        if ranges:
+            _write(order, "colours", colours_text({**camera.ranges, **ranges}))
+        say("calibrate-kept" if ranges else "calibrate-nothing")
+        let_sound(audible.is_still_within, threading.Event())
+    return ExitCode.DONE if ranges else ExitCode.FAILED
+
+
+class _ColourCalibration:
+    """One dialogue with a person, blind or sighted, who holds things before the camera."""
+
+    def __init__(self, camera: ColourCamera, say: Callable[..., None], language: str) -> None:
+        self._camera = camera
+        self._say = say
+        self._language = language
+        self._input = Input()
+        self._is_over = False
+
+    def talk(self) -> dict[str, ColourRange]:
+        """The ranges that are to be replaced. Raises ``RobotProblem``."""
+        self._camera.directions()
+        self._say("calibrate-colour-start")
+        taken: dict[str, ColourRange] = {}
+        for colour in self._camera.ranges:
+            measured = None if self._is_over else self._measured(colour)
+            if measured is not None and self._is_wanted(colour, measured, {**self._camera.ranges, **taken}):
+                taken[colour] = measured
+        return taken
+
+    def _measured(self, colour: str) -> ColourRange | None:
+        """None if the person skips it. Only Enter alone takes a picture."""
+        from devices.camera import blobs_in, measured_range
+
+        while True:
+            self._say("calibrate-colour-show", colour=self._word(colour))
+            line = self._line()
+            if line is None or answered(line) is False:
+                return None
+            if line:
+                continue
+            picture = self._camera.source.picture(0)
+            found = measured_range(picture)
+            if found is None:
+                self._say("calibrate-colour-mixed")
+                continue
+            hue, most_hue, saturation, _, value, _ = found
+            values = {"hue": hue, "to": most_hue, "saturation": saturation, "brightness": value}
+            count = len(blobs_in(picture, {colour: found}))
+            self._say("calibrate-colour-found", colour=self._word(colour), count=count, **values)
+            return found
+
+    def _is_wanted(self, colour: str, measured: ColourRange, ranges: dict[str, ColourRange]) -> bool:
+        """Asks before anything is replaced; what is no answer is asked again."""
+        from devices.camera import do_overlap
+
+        for other, limits in ranges.items():
+            if other != colour and do_overlap(measured, limits):
+                self._say("calibrate-colour-overlaps", colour=self._word(colour), other=self._word(other))
+        while True:
+            self._say("calibrate-colour-replace", colour=self._word(colour))
+            line = self._line()
+            is_wanted = False if line is None else answered(line)
+            if is_wanted is not None:
+                return is_wanted
+
+    def _line(self) -> str | None:
+        line = self._input.line()
+        self._is_over = line is None
+        return line
+
+    def _word(self, colour: str) -> str:
+        return argument_spelling(colour, self._language).lower()

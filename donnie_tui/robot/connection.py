@@ -7,6 +7,8 @@ loaded, only for a real robot.
 
 from __future__ import annotations
 
+import os
+import stat
 import sys
 import threading
 from collections.abc import Callable
@@ -21,6 +23,7 @@ from donnie_tui.core.events import Link
 from donnie_tui.core.session import Busy, ResettableRobot, Session
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.belt import refuse_shared_port
+from donnie_tui.process.confinement import check_name, open_bytes
 from donnie_tui.process.signals import timeout_factor
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.parsing import DOUBLE, SERIAL, SIMULATED
@@ -30,6 +33,7 @@ from donnie_tui.world.loading import ChosenWorld
 if TYPE_CHECKING:
     import subprocess
 
+    from devices.camera import ColourCamera
     from devices.serial_robot.config import RobotConfig
     from devices.serial_robot.robot import SerialRobot
     from devices.wire.telemetry import Telemetry
@@ -136,6 +140,11 @@ class Connection:
         """Whether a board drives it, a simulated one too: it senses as boards do in any world."""
         return self.robot != SIMULATED
 
+    @property
+    def has_camera(self) -> bool:
+        """Whether the robot is one with a camera, which may fail."""
+        return self.is_board and self._settings.camera is not None
+
     def options(self) -> tuple[RobotOption, ...]:
         """The robots that a learner may choose among."""
         from devices.serial_ports.listing import list_ports
@@ -236,7 +245,7 @@ class Connection:
         return lambda pace, watcher: self._make_serial(port, pace, watcher), name
 
     def _make_serial(self, port: str, pace: Pace, watcher: Watcher) -> Connectable:
-        return _serial_robot(
+        robot = _serial_robot(
             port,
             self._settings,
             pace,
@@ -245,6 +254,8 @@ class Connection:
             on_notice=self._report,
             on_slow=lambda: self.search.on_slow(),
         )
+        robot.camera = make_camera(self._settings)
+        return robot
 
     def _make_double(self, pace: Pace, watcher: Watcher) -> Connectable:
         from devices.board_simulator.board import QUICK_PASSES, SimulatedBoard
@@ -256,7 +267,7 @@ class Connection:
         board = make_board(
             SceneFloor(self._world.scene), place=place_of(start), boot_loader=0.0, passes=QUICK_PASSES
         )
-        return SimulatedSerialRobot(
+        robot = SimulatedSerialRobot(
             board,
             robot_config(self._settings),
             pace=pace,
@@ -265,6 +276,8 @@ class Connection:
             start=start,
             on_notice=self._report,
         )
+        robot.camera = make_camera(self._settings)
+        return robot
 
     # --- reporting
 
@@ -336,6 +349,32 @@ def _serial_robot(
     link = SerialLink(port, config, on_notice, open_port=open_port, reset=reset, on_slow=on_slow)
     robot = robot_config(settings).slower(factor)
     return SerialRobot(link, robot, pace=pace, watcher=watcher, start=start, on_notice=on_notice)
+
+
+class _PictureAccess:
+    """Pictures within the folder of a confined session."""
+
+    def names_in(self, folder: str) -> list[str]:
+        check_name(folder)
+        return os.listdir(folder)  # noqa: PTH208 -- a text
+
+    def read(self, path: str, most: int) -> bytes:
+        check_name(path)
+        if not stat.S_ISREG(os.stat(path).st_mode):  # noqa: PTH116 -- a text; a pipe would never end
+            raise RobotProblem("no-picture", path=path)
+        with open_bytes(path) as file:
+            return file.read(most)
+
+
+def make_camera(settings: Settings) -> ColourCamera | None:
+    """The camera of the settings, if there is one. Nothing is opened yet."""
+    if settings.camera is None:
+        return None
+    from devices.camera import ORIGINAL_RANGES, VIEW, ColourCamera, make_source
+
+    view = settings.camera_view or VIEW
+    source = make_source(settings.camera, view, _PictureAccess())
+    return ColourCamera(source, settings.colours or ORIGINAL_RANGES, view)
 
 
 def robot_config(settings: Settings) -> RobotConfig:

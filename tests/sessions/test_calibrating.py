@@ -56,7 +56,7 @@ def test_a_calibration_finds_the_wheels_and_the_axle_that_the_robot_really_has(
 
     assert calibrate(order, made) == 0
     said = capsys.readouterr().out
-    assert said.splitlines()[-1] == "Kept in the settings."
+    assert said.splitlines()[-1] == "I saved it in the settings."
     assert sizes(said) == (pytest.approx(21, rel=0.01), pytest.approx(68, rel=0.01))
     kept = dict(line.split(" = ") for line in next(tmp_path.rglob("*.toml")).read_text().splitlines())
     assert [float(kept[each]) * 1000 for each in ("wheel_radius", "axle_length")] == [
@@ -79,7 +79,7 @@ class DeafOnceItDrives(SimulatedBoard):
             [
                 "My wheels count the wrong way.",
                 "See encoders, motors and profile in the settings.",
-                "Something stopped it. I leave this out.",
+                "Something stopped the robot. I leave this walk or turn out.",
             ],
         ),
         (True, ["It does not stop. Switch it off.", "I stop here. Nothing has changed."]),
@@ -115,7 +115,7 @@ def test_a_calibration_of_the_simulated_board_is_not_saved(tmp_path: Path) -> No
     said = done.stdout.decode()
     assert (done.returncode, done.stderr) == (0, b"")
     assert sizes(said) == (pytest.approx(21, rel=0.01), pytest.approx(68, rel=0.01))
-    assert said.splitlines()[-1] == "That was a simulated board. Nothing is kept."
+    assert said.splitlines()[-1] == "That was a simulated board. Nothing is saved."
     assert not list((tmp_path / "config").rglob("*.toml"))
 
 
@@ -141,8 +141,8 @@ def test_a_number_before_the_walk_moves_nothing_and_is_reported_as_too_early(tmp
 
     lines = said.splitlines()
     assert lines[1:4] == [
-        "Mark where it stands. Enter: it walks 20 steps.",
-        "Enter alone, please. I ask for the number afterwards.",
+        "Mark where the robot is. Press Enter, and it walks 20 steps.",
+        "Press Enter alone, please. I ask for the number afterwards.",
         "How many centimetres did it walk? Enter alone skips this.",
     ]
     assert any(line.startswith("Wheel radius 20.") for line in lines)
@@ -182,7 +182,7 @@ def test_control_z_in_the_middle_of_a_calibration_stops_the_robot(tmp_path: Path
     process.send_signal(signal.SIGCONT)
 
     said, _ = process.communicate(b"", timeout=TIMEOUT)
-    assert "Something stopped it. I leave this out." in said.decode().splitlines()
+    assert "Something stopped the robot. I leave this walk or turn out." in said.decode().splitlines()
 
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGQUIT], ids=lambda each: each.name)
@@ -205,7 +205,7 @@ def test_a_cable_pulled_during_the_walk_is_reported_at_once_and_ends_the_calibra
     assert process.wait(TIMEOUT) == 2  # nothing more is typed, and the input has not ended
     assert process.stdout is not None
     assert process.stdout.read().decode().splitlines()[2:] == [
-        "Robot lost. If it drives, switch it off.",
+        "Robot lost. If it moves, switch it off.",
         "I stop here. Nothing has changed.",
     ]
 

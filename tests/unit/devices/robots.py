@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable
 from devices.board_simulator.board import SimulatedBoard
 from devices.board_simulator.floor import AxlePose, BumperSwitch, EmptyFloor, Floor, WalledFloor
 from devices.board_simulator.robot import SimulatedSerialRobot
-from devices.ports.robot import STEP, LinkNotice, Motion, Pose
+from devices.ports.robot import STEP, LinkNotice, Motion, Pose, RobotProblem
 from devices.serial_robot.config import RobotConfig
 
 NEAR = 0.1
@@ -41,12 +41,16 @@ class RecordingWatcher:
     def __init__(self) -> None:
         self.progress: list[Motion] = []
         self.passed: list[Pose] = []
+        self.failed: list[str] = []
 
     def progressed(self, motion: Motion, pose: Pose) -> None:
         self.progress.append(motion)
 
     def passing(self, pose: Pose) -> None:
         self.passed.append(pose)
+
+    def sense_failed(self, problem: RobotProblem) -> None:
+        self.failed.append(problem.code)
 
 
 class Sonars(EmptyFloor):

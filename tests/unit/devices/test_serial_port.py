@@ -69,7 +69,7 @@ def test_an_address_that_can_not_be_parsed_is_a_problem_with_a_translated_senten
         SerialPort(address, 9600)
     assert (caught.value.fault, caught.value.reason) == (PortFault.UNUSABLE, "Invalid argument")
     sentence = Words("pt")("problem-port-failed", port=address, reason=caught.value.reason)
-    assert sentence.endswith("não se entende.")
+    assert sentence.endswith("não dá para entender.")
 
 
 @pytest.mark.parametrize("scheme", ["spy", "SPY", "Spy"])

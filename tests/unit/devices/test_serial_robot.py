@@ -92,6 +92,18 @@ def test_a_turn_corrects_the_drift_of_uneven_wheels(turn: int) -> None:
     assert 90 - degrees(real.board.wheels.place.yaw) == pytest.approx(36 * turn, abs=ASTRAY)
 
 
+def test_a_turn_after_a_reset_does_not_correct_what_was_before_it() -> None:
+    real = Real()
+    real.board.wheels.chassis = UNEVEN
+    real.robot.forward(3)
+    assert abs(astray(real, 0)) > 2 * ASTRAY
+
+    real.robot.reset()
+    real.robot.turn(90)
+
+    assert astray(real, 90) == pytest.approx(0, abs=ASTRAY)
+
+
 def test_a_turn_begins_at_the_heading_to_which_a_hand_turned_the_robot() -> None:
     real = Real()
     real.robot.forward(1)

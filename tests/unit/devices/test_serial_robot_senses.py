@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from devices.ports.robot import Bearing, RobotProblem
 from devices.serial_robot.config import RobotConfig
 from devices.serial_robot.senses import scan_angles, sightings
+from donnie_tui.robot.connection import make_camera
+from donnie_tui.settings.settings import Settings
+from tests.unit.devices.pictures import BLUE, GREEN, RED, drawn, save
 from tests.unit.devices.robots import Real, Sonars, wall_ahead
 
 
@@ -111,6 +116,54 @@ def test_a_scan_reports_what_the_sonar_on_the_head_meets_without_a_colour() -> N
 
 def test_a_robot_without_a_camera_distinguishes_no_colours() -> None:
     assert Real().robot.colours == frozenset()
+
+
+def with_camera(path: Path, sonars: Sonars) -> Real:
+    real = Real(sonars)
+    real.robot.camera = make_camera(Settings(camera=str(path)))
+    return real
+
+
+def test_a_scan_reports_the_coloured_things_of_the_camera_as_far_as_the_sonar_measures(
+    tmp_path: Path,
+) -> None:
+    """The original looks from 90 degrees left to 90 right; what only the sonar meets has no colour."""
+    save(
+        tmp_path, {"-60.png": drawn((290, 200, 350, 260, GREEN)), "+30.png": drawn((290, 200, 350, 260, RED))}
+    )
+    sonars = Sonars()
+    real = with_camera(tmp_path, sonars)
+    sonars.far[6] = lambda place: {30: 50.0, 90: 20.0}.get(real.board.head)
+
+    seen = real.robot.scan()
+
+    assert real.robot.colours == {"red", "green", "blue"}
+    assert [(round(each.degrees), each.steps, each.colour) for each in seen] == [
+        (-60, 10.0, "green"),
+        (30, 60, "red"),
+    ]
+    assert real.watcher.failed == []
+    real.link.advance(0.5)
+    assert real.board.head == 90
+
+
+def test_the_nearest_echo_across_a_wide_thing_is_its_distance(tmp_path: Path) -> None:
+    save(tmp_path, {"0.png": drawn((100, 200, 540, 260, BLUE))})
+    sonars = Sonars()
+    real = with_camera(tmp_path, sonars)
+    sonars.far[6] = lambda place: {75: 60.0, 90: 80.0, 105: 45.0, 135: 10.0}.get(real.board.head)
+
+    assert [each.steps for each in real.robot.scan()] == [9.0]
+
+
+def test_a_camera_that_fails_is_reported_and_the_sonar_still_scans(tmp_path: Path) -> None:
+    (tmp_path / "-30.png").write_bytes(b"no picture")
+    sonars = Sonars()
+    real = with_camera(tmp_path, sonars)
+    sonars.far[6] = lambda place: {150: 30.0}.get(real.board.head)
+
+    assert [(each.degrees, each.steps, each.colour) for each in real.robot.scan()] == [(60.0, 6.0, "")]
+    assert real.watcher.failed == ["no-picture"]
 
 
 def test_a_scan_without_a_head_reports_the_missing_camera() -> None:

@@ -1,0 +1,415 @@
+"""The coloured things in pictures, their directions, and what can be wrong with a camera."""
+
+from __future__ import annotations
+
+import os
+import sys
+from math import atan, degrees, radians, tan
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from PIL import Image
+
+from devices.camera import (
+    LARGEST_FILE,
+    ORIGINAL_RANGES,
+    Blob,
+    CameraSweep,
+    ColourCamera,
+    blobs_in,
+    do_overlap,
+    measured_range,
+    things_in,
+)
+from devices.ports.robot import RobotProblem
+from donnie_tui.robot.connection import make_camera
+from donnie_tui.settings.settings import Settings
+from tests.unit.devices.pictures import BLUE, GREEN, RED, drawn, save
+
+
+def camera(path: object, view: float | None = None) -> ColourCamera:
+    made = make_camera(Settings(camera=str(path), camera_view=view))
+    assert made is not None
+    return made
+
+
+def swept(made: ColourCamera) -> CameraSweep:
+    """One turn of the head."""
+    sweep = CameraSweep(made)
+    for direction in sweep.directions:
+        sweep.look(direction)
+    return sweep
+
+
+def seen(made: ColourCamera) -> list[tuple[str, int]]:
+    sweep = swept(made)
+    assert sweep.problem is None
+    return [(each.colour, round(each.degrees)) for each in sweep.things()]
+
+
+def fault(path: object) -> tuple[str, dict[str, str | int]]:
+    problem = swept(camera(path)).problem
+    assert problem is not None
+    return problem.code, problem.values
+
+
+def colours(picture: np.ndarray) -> list[str]:
+    return [each.colour for each in blobs_in(picture, ORIGINAL_RANGES)]
+
+
+# --- blobs
+
+
+@pytest.mark.parametrize(
+    ("pixel", "colour"),
+    [
+        ((255, 0, 0), "red"),
+        ((150, 10, 20), "red"),
+        ((200, 20, 90), "red"),
+        ((0, 255, 0), "green"),
+        ((0, 128, 0), "green"),
+        ((20, 150, 70), "green"),
+        ((0, 0, 255), "blue"),
+        ((40, 90, 160), "blue"),
+    ],
+)
+def test_a_thing_of_each_colour_is_found(pixel: tuple[int, int, int], colour: str) -> None:
+    assert colours(drawn((200, 100, 300, 200, pixel))) == [colour]
+
+
+@pytest.mark.parametrize(
+    "pixel", [(255, 255, 255), (0, 0, 0), (128, 128, 128), (210, 200, 198), (230, 220, 0), (240, 140, 0)]
+)
+def test_white_black_grey_and_other_colours_are_not_found(pixel: tuple[int, int, int]) -> None:
+    assert colours(drawn((200, 100, 300, 200, pixel))) == []
+
+
+def test_every_area_of_a_colour_counts() -> None:
+    picture = drawn((10, 10, 60, 60, RED), (100, 10, 160, 60, RED), (300, 300, 400, 400, BLUE))
+
+    assert colours(picture) == ["red", "red", "blue"]
+
+
+def test_specks_and_small_areas_are_noise() -> None:
+    """The original ignores what has less than 500 pixels of 640 x 480, and single pixels."""
+    specks = [(x, y, x + 1, y + 1, RED) for x in range(0, 640, 9) for y in range(0, 480, 9)]
+
+    assert colours(drawn(*specks, (100, 100, 120, 120, BLUE))) == []
+    assert colours(drawn((100, 100, 130, 130, BLUE))) == ["blue"]
+
+
+def test_a_hole_in_a_thing_is_no_thing() -> None:
+    assert colours(drawn((100, 100, 300, 300, RED), (150, 150, 250, 250, (0, 0, 0)))) == ["red"]
+
+
+@pytest.mark.parametrize("width", [160, 1920])
+def test_the_size_of_the_picture_does_not_matter(width: int) -> None:
+    height = width * 3 // 4
+    thing = (width // 4, height // 4, width // 2, height // 2, GREEN)
+
+    (found,) = blobs_in(drawn(thing, width=width, height=height), ORIGINAL_RANGES)
+
+    assert (found.left, found.right) == (pytest.approx(0.25, abs=0.02), pytest.approx(0.5, abs=0.02))
+
+
+@pytest.mark.parametrize("size", [(1, 1), (5000, 1), (1, 5000), (2, 3)])
+def test_a_picture_of_any_size_can_be_searched_and_measured(size: tuple[int, int]) -> None:
+    picture = np.full((*size, 3), RED, np.uint8)
+
+    assert len(blobs_in(picture, ORIGINAL_RANGES)) <= 1
+    assert measured_range(picture) is not None
+
+
+def test_a_picture_of_a_phone_is_turned_as_the_phone_was_held(tmp_path: Path) -> None:
+    """Orientation 6: the top of the picture is its right border."""
+    exif = Image.Exif()
+    exif[0x0112] = 6
+    Image.fromarray(drawn((20, 200, 120, 300, RED))).save(tmp_path / "a.jpg", exif=exif)
+
+    (thing,) = swept(camera(tmp_path)).things()
+
+    assert abs(thing.degrees) < 3
+
+
+def test_other_ranges_find_other_colours() -> None:
+    picture = drawn((200, 100, 300, 200, (230, 220, 0)))
+
+    assert [each.colour for each in blobs_in(picture, {"yellow": (25, 35, 100, 255, 100, 255)})] == ["yellow"]
+
+
+# --- directions
+
+
+@pytest.mark.parametrize("view", [40, 60, 100])
+@pytest.mark.parametrize("middle", [80, 320, 500])
+def test_the_direction_follows_from_the_place_in_the_picture(
+    view: float, middle: int, tmp_path: Path
+) -> None:
+    """As in a camera without lens errors: the tangent grows evenly from the middle."""
+    folder = save(tmp_path / "p", {"+30.png": drawn((middle - 15, 200, middle + 15, 260, RED))})
+    aside = degrees(atan((middle - 320) / 320 * tan(radians(view / 2))))
+
+    (thing,) = swept(camera(folder, view)).things()
+
+    assert thing.degrees == pytest.approx(30 + aside, abs=0.7)
+
+
+def test_a_thing_in_neighbouring_pictures_is_one_thing(tmp_path: Path) -> None:
+    """At 15 degrees: 128 pixels and more from the middle of both, with 60 degrees in 640 pixels."""
+    off = round(320 * tan(radians(15)) / tan(radians(30)))
+    left, right = 320 + off, 320 - off
+    folder = save(
+        tmp_path / "p",
+        {
+            "0.png": drawn((left - 25, 200, left + 25, 260, RED)),
+            "+30.png": drawn((right - 25, 200, right + 25, 260, RED)),
+        },
+    )
+
+    assert seen(camera(folder)) == [("red", 15)]
+
+
+def test_a_thing_that_a_border_cuts_is_placed_by_the_picture_that_has_it_whole() -> None:
+    cut, whole = Blob("red", 0.9, 1.0, 0.4, 0.6), Blob("red", 0.37, 0.57, 0.4, 0.6)
+
+    (thing,) = things_in([(0, (cut,)), (30, (whole,))], 60)
+
+    assert thing.degrees == pytest.approx(28, abs=1)
+
+
+def test_a_thing_wider_than_a_picture_is_one_thing_in_the_middle_of_all() -> None:
+    pictures = [(each, (Blob("red", 0.0, 1.0, 0.3, 0.6),)) for each in (-30, 0, 30)]
+
+    (thing,) = things_in(pictures, 60)
+
+    assert (thing.degrees, thing.low, thing.high) == pytest.approx((0, -60, 60))
+
+
+def test_two_things_in_one_direction_are_two_where_a_picture_shows_both() -> None:
+    above, below = Blob("red", 0.4, 0.6, 0.1, 0.3), Blob("red", 0.4, 0.6, 0.6, 0.8)
+
+    assert len(things_in([(0, (above, below))], 60)) == 2
+
+
+def test_things_of_two_colours_in_one_direction_are_two() -> None:
+    red, blue = (Blob(each, 0.4, 0.6, 0.3, 0.6) for each in ("red", "blue"))
+
+    assert {each.colour for each in things_in([(0, (red,)), (0, (blue,))], 60)} == {"red", "blue"}
+
+
+def test_what_is_farther_than_90_degrees_aside_is_not_in_view(tmp_path: Path) -> None:
+    folder = save(tmp_path / "p", {"-90.png": drawn((20, 200, 60, 260, RED), (500, 200, 540, 260, BLUE))})
+
+    assert [colour for colour, _ in seen(camera(folder))] == ["blue"]
+
+
+# --- pictures in place of a camera
+
+
+def test_a_picture_is_what_is_straight_ahead(tmp_path: Path) -> None:
+    folder = save(tmp_path / "p", {"a.png": drawn((290, 200, 350, 260, GREEN))})
+
+    assert seen(camera(folder / "a.png")) == [("green", 0)]
+
+
+def test_the_pictures_of_a_folder_follow_each_other_and_begin_again(tmp_path: Path) -> None:
+    folder = save(
+        tmp_path / "p",
+        {
+            "2.png": drawn((290, 200, 350, 260, GREEN)),
+            "10.jpg": drawn((290, 200, 350, 260, BLUE)),
+            "1.bmp": drawn((290, 200, 350, 260, RED)),
+        },
+    )
+    (folder / "notes.txt").write_text("no picture")
+    made = camera(folder)
+
+    assert [seen(made)[0][0] for _ in range(4)] == ["red", "green", "blue", "red"]
+
+
+def test_a_name_that_is_a_number_with_a_sign_is_a_direction(tmp_path: Path) -> None:
+    ahead = drawn((290, 200, 350, 260, RED))
+    folder = save(tmp_path / "p", {"-90.png": ahead, "0.png": ahead, "+45.png": ahead})
+
+    assert seen(camera(folder)) == [("red", -90), ("red", 0), ("red", 45)]
+
+
+# --- faults
+
+
+def test_an_empty_folder_is_a_fault(tmp_path: Path) -> None:
+    assert fault(tmp_path) == ("no-pictures", {"path": str(tmp_path)})
+
+
+def test_a_missing_picture_is_a_fault(tmp_path: Path) -> None:
+    assert fault(tmp_path / "a.png") == ("picture-missing", {"path": str(tmp_path / "a.png")})
+
+
+@pytest.mark.parametrize("data", [b"", b"FW 3\n", b"\x89PNG\r\n\x1a\n" + bytes(40), b"\xff\xd8\xff\xe0"])
+def test_what_is_no_picture_is_a_fault(data: bytes, tmp_path: Path) -> None:
+    (tmp_path / "a.png").write_bytes(data)
+
+    assert fault(tmp_path) == ("no-picture", {"path": str(tmp_path / "a.png")})
+
+
+def test_a_pipe_and_a_folder_are_no_pictures_and_nothing_waits(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "a.png")
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "folder" / "b.png").mkdir()
+
+    assert fault(tmp_path / "a.png")[0] == "no-picture"
+    assert fault(tmp_path / "folder")[0] == "no-picture"
+
+
+def test_a_jpeg_of_too_many_layers_is_a_fault(tmp_path: Path) -> None:
+    save(tmp_path, {"a.jpg": drawn()})
+    with (tmp_path / "a.jpg").open("ab") as file:
+        file.write(b"\xff\xda" * 101)
+
+    assert fault(tmp_path)[0] == "picture-too-large"
+
+
+def test_a_damaged_picture_is_a_fault(tmp_path: Path) -> None:
+    save(tmp_path, {"a.png": drawn((290, 200, 350, 260, RED))})
+    (tmp_path / "a.png").write_bytes((tmp_path / "a.png").read_bytes()[:300])
+
+    assert fault(tmp_path)[0] == "no-picture"
+
+
+def test_a_picture_with_too_many_pixels_is_a_fault_before_it_is_decoded(tmp_path: Path) -> None:
+    cv2.imwrite(str(tmp_path / "a.png"), np.zeros((5001, 5000), np.uint8))
+
+    assert fault(tmp_path) == ("picture-too-large", {"path": str(tmp_path / "a.png"), "limit": 25})
+
+
+def test_a_file_with_too_many_bytes_is_a_fault(tmp_path: Path) -> None:
+    with (tmp_path / "a.png").open("wb") as file:
+        file.truncate(LARGEST_FILE + 1)
+
+    assert fault(tmp_path)[0] == "picture-too-large"
+
+
+def test_a_camera_that_is_not_plugged_in_is_a_fault() -> None:
+    assert fault("/dev/video-of-no-machine") == ("no-port", {"port": "/dev/video-of-no-machine"})
+
+
+def test_a_camera_that_opencv_stumbles_over_is_a_fault(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Broken(Device):
+        def read(self) -> tuple[bool, np.ndarray | None]:
+            raise cv2.error("no frame")
+
+    monkeypatch.setattr(cv2, "VideoCapture", Broken)
+
+    assert fault("/dev/null") == ("camera-failed", {"camera": "/dev/null"})
+
+
+def test_a_device_that_is_no_camera_is_a_fault() -> None:
+    assert fault("/dev/null") == ("camera-failed", {"camera": "/dev/null"})
+
+
+def test_without_the_extra_the_fault_says_what_to_install(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    save(tmp_path, {"a.png": drawn()})
+    monkeypatch.setitem(sys.modules, "cv2", None)
+
+    assert fault(tmp_path) == ("no-opencv", {})
+
+
+class Device:
+    """A camera of the computer: it makes pictures until it is unplugged."""
+
+    opened = 0
+    left = 1000
+    frame = cv2.cvtColor(drawn((290, 200, 350, 260, BLUE)), cv2.COLOR_RGB2BGR)
+
+    def __init__(self, name: object, interface: int) -> None:
+        Device.opened += 1
+
+    def isOpened(self) -> bool:
+        return True
+
+    def set(self, what: int, value: float) -> bool:
+        return True
+
+    def read(self) -> tuple[bool, np.ndarray | None]:
+        Device.left -= 1
+        return (True, self.frame) if Device.left >= 0 else (False, None)
+
+    def release(self) -> None:
+        pass
+
+
+def test_a_camera_of_the_computer_sees_and_may_be_unplugged_and_come_back(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(cv2, "VideoCapture", Device)
+    monkeypatch.setattr(Device, "opened", 0)
+    monkeypatch.setattr(Device, "left", 1000)
+    made = camera("/dev/null")
+
+    assert seen(made) == [("blue", each) for each in range(-90, 91, 30)]
+    assert Device.opened == 1
+
+    Device.left = 12
+    problem = swept(made).problem
+    assert problem is not None
+    assert (problem.code, problem.values) == ("camera-failed", {"camera": "/dev/null"})
+
+    Device.left = 1000
+    assert len(seen(made)) == 7
+    assert Device.opened == 2
+
+
+# --- measuring
+
+
+@pytest.mark.parametrize("pixel", [RED, GREEN, BLUE, (230, 220, 0), (255, 20, 40)])
+def test_a_measured_range_finds_the_thing_again_in_a_little_less_light(pixel: tuple[int, int, int]) -> None:
+    random = np.random.default_rng(1)
+    noise = random.normal(0, 6, (480, 640, 3))
+    held = np.clip(drawn((150, 100, 500, 400, pixel)) + noise, 0, 255).astype(np.uint8)
+
+    found = measured_range(held)
+
+    assert found is not None
+    darker = np.clip(0.9 * drawn((300, 200, 400, 300, pixel)) + noise, 0, 255).astype(np.uint8)
+    assert len(blobs_in(darker, {"it": found})) == 1
+
+
+def test_a_measured_red_goes_on_through_hue_0() -> None:
+    picture = drawn((0, 0, 320, 480, (220, 20, 40)), (320, 0, 640, 480, (220, 40, 20)))
+
+    found = measured_range(picture)
+
+    assert found is not None
+    assert found[0] > 160
+    assert found[1] < 20
+
+
+@pytest.mark.parametrize(
+    "picture",
+    [
+        drawn(),
+        drawn((300, 220, 340, 260, RED)),
+        drawn((0, 0, 320, 480, RED), (320, 0, 640, 480, GREEN)),
+        np.zeros((480, 640, 3), np.uint8),
+    ],
+    ids=["a wall", "too small", "two colours", "dark"],
+)
+def test_without_one_colour_in_the_middle_nothing_is_measured(picture: np.ndarray) -> None:
+    assert measured_range(picture) is None
+
+
+def test_ranges_that_share_a_hue_overlap() -> None:
+    red, orange, blue = (170, 8, 0, 255, 0, 255), (5, 15, 0, 255, 0, 255), (100, 120, 0, 255, 0, 255)
+
+    assert do_overlap(red, orange)
+    assert not do_overlap(red, blue)
+
+
+def test_a_look_raises_the_fault(tmp_path: Path) -> None:
+    with pytest.raises(RobotProblem, match="no-pictures"):
+        camera(tmp_path).directions()
