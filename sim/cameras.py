@@ -156,6 +156,10 @@ class Found(Struct, frozen=True):
     number: int
     """Its ``fiducial_return``; 0 if it is too far away to be read."""
 
+    @property
+    def steps(self) -> float:
+        return int(self.metres * 100 + 0.5) / CENTIMETRES_A_STEP
+
 
 class MarkFinder(Struct, frozen=True):
     """A fiducial finder where it is mounted, in the robot's frame."""

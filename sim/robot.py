@@ -33,7 +33,7 @@ from sim.ground import Ground
 if TYPE_CHECKING:
     from random import Random
 
-    from sim.cameras import Seen
+    from sim.cameras import Found, Seen
     from sim.geometry import Spot
     from sim.movement import Going, Movement
     from sim.vehicle import Rate, Vehicle
@@ -204,11 +204,13 @@ class SimulatedRobot:
         return dict(seen[2])
 
     def scan(self) -> tuple[Sighting, ...]:
-        """RobotProblem ``no-eyes`` if it has none."""
+        """RobotProblem ``no-eyes`` if it has none, and no finder of marks either."""
         self._clock.begin()
         vehicle = self.get_ready()
-        things = vehicle.mover.senses.look(vehicle.mover.around, vehicle.here.truth)
-        return tuple(self._sighting(seen) for seen in things)
+        senses, place = vehicle.mover.senses, (vehicle.mover.around, vehicle.here.truth)
+        things = senses.look(*place) if senses.eyes or not senses.finders else ()
+        marks = senses.marks_ahead(*place)
+        return (*map(self._sighting, things), *map(self._sighting_of_mark, marks))
 
     def grip(self) -> GripResult:
         """Take the thing between the paddles, or a step before them. RobotProblem ``no-gripper``."""
@@ -269,6 +271,10 @@ class SimulatedRobot:
             colour=seen.colour.family,
             name=self._name_of(seen.root),
         )
+
+    def _sighting_of_mark(self, found: Found) -> Sighting:
+        degrees = -round(found.degrees, 9) + 0.0
+        return Sighting(degrees, found.steps, "", self._name_of(found.model), found.number)
 
     def _name_of(self, root: int | None) -> str:
         """As its world calls it; empty where it only has a number."""

@@ -74,6 +74,13 @@ class Senses(Struct, frozen=True):
         """What the fiducial finders find, finder by finder."""
         return tuple(found for finder in self.finders for found in finder.look(around, spot))
 
+    def marks_ahead(self, around: Around, spot: Spot) -> list[Found]:
+        """Each mark in the half circle ahead once, as the finder reads it best, from left to right."""
+        ahead = [each for each in self.marks(around, spot) if abs(each.degrees) <= HALF_CIRCLE]
+        ahead.sort(key=lambda each: (each.number == 0, each.metres))
+        once = {each.model: each for each in reversed(ahead)}
+        return sorted(once.values(), key=lambda each: (-each.degrees, each.model))
+
     def pressed(self, around: Around, spot: Spot) -> tuple[bool, ...]:
         """For each bumper whether something touches it."""
         return tuple(bumper.is_pressed(around, spot) for bumper in self.bumpers)

@@ -78,7 +78,12 @@ _RECIPES: Mapping[str, _Recipe] = MappingProxyType(
         "scan": _Recipe((_Tone(880, 880, 0.090, (1.0,)),), has_place=True),
         "belt": _Recipe((_Tone(330, 330, 0.060, (1.0,)),), has_place=True),
         "found": _Recipe((_Tone(660, 660, 0.100), _Tone(880, 880, 0.150)), has_place=True),
+        "grip": _Recipe((_Tone(784, 523, 0.060), _Tone(523, 523, 0.090))),
+        "release": _Recipe((_Tone(523, 523, 0.090), _Tone(523, 784, 0.060))),
+        "nothing": _Recipe((_Tone(294, 262, 0.110, (1.0,)),)),
         "done": _Recipe((_Tone(523, 523, 0.090), _Tone(659, 659, 0.090), _Tone(784, 784, 0.140))),
+        "goal": _Recipe((_Tone(659, 784, 0.120),)),
+        "solved": _Recipe((_Tone(523, 523, 0.080), _Tone(784, 784, 0.080), _Tone(1047, 1047, 0.180))),
         "waiting": _Recipe(
             (_Tone(494, 494, 0.070, (1.0,)), _Tone(0, 0, 0.060), _Tone(494, 494, 0.070, (1.0,)))
         ),

@@ -6,11 +6,11 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 
 from sim.colours import colour_of
-from sim.geometry import Placement
-from sim.scene import Model, Note, NoteKind, Polygon, RangeSensor
-from sim.worldfile import equipment, shapes
+from sim.geometry import Placement, Point, placed
+from sim.scene import Gripper, Model, Note, NoteKind, Polygon, RangeSensor
+from sim.worldfile import equipment
 from sim.worldfile.entities import MODEL_TYPES, Entity, Setting
-from sim.worldfile.floor_plans import NOTHING, Plan
+from sim.worldfile.floor_plans import NOTHING, Plan, rectangle
 from sim.worldfile.mistakes import Code, WorldError
 from sim.worldfile.values import ValueReader
 
@@ -83,13 +83,13 @@ class Builder:
         size = read.size(settings, _SIZES.get(entity.type, (0.4, 0.4, 1.0)))
         origin = read.place(settings, "origin")
         walled = read.number(settings, "boundary", 0) != 0
-        walls = shapes.boundary(size, origin) if walled else ()
+        walls = boundary_walls(size, origin) if walled else ()
         gripper = equipment.gripper(read, settings) if entity.type == "gripper" else None
         if gripper is not None:
-            drawn = shapes.gripper(gripper, float(gripper.closed), float(gripper.lifted))
+            drawn = gripper_blocks(gripper, float(gripper.closed), float(gripper.lifted))
         else:
             drawn = plan.polygons
-        polygons = shapes.fitted(self._shape(entity, drawn, blocks, walled), size, origin)
+        polygons = fitted(self._shape(entity, drawn, blocks, walled), size, origin)
         return Model(
             index=index,
             type=entity.type,
@@ -129,8 +129,8 @@ class Builder:
     ) -> tuple[Polygon, ...]:
         """What is drawn already and the blocks of the file, or the default block; not scaled yet."""
         polygons = drawn + tuple(self._block(child) for child in blocks)
-        if not polygons and shapes.has_default_block(entity.type, walled):
-            polygons = (shapes.UNIT,)
+        if not polygons and has_default_block(entity.type, walled):
+            polygons = (UNIT,)
         self._points += sum(len(polygon.points) for polygon in polygons)
         self._bound(entity, "points", self._points, MOST_POLYGON_POINTS)
         return polygons
@@ -142,7 +142,7 @@ class Builder:
 
     def _block(self, entity: Entity) -> Polygon:
         self._reader.check(entity.settings)
-        return shapes.block(self._reader, entity)
+        return read_block(self._reader, entity)
 
     def _sensors(self, entity: Entity) -> Iterable[RangeSensor]:
         for child in entity.children:
@@ -172,3 +172,95 @@ def _inside(parent: Model | None, pose: Placement) -> Placement:
 def _ranger_around(sensor: Entity) -> Entity:
     """The manual puts a sensor straight into a robot; it becomes a ranger with that one sensor."""
     return Entity("ranger", sensor.kind, sensor.file, sensor.line, sensor.column, {}, (sensor,))
+
+
+# --- shapes
+
+MOST_POINTS = 2000
+"""Points of one block."""
+WALL = 0.01
+"""Metres: the thickness of a boundary."""
+
+UNIT = Polygon(((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)), 0.0, 1.0)
+
+
+def read_block(reader: ValueReader, entity: Entity) -> Polygon:
+    """One block as it is written, not scaled yet."""
+    count = reader.number(entity.settings, "points", 0)
+    if not 3 <= count <= MOST_POINTS or count != int(count):
+        raise WorldError(
+            Code.TOO_FEW_POINTS,
+            entity.file,
+            entity.line,
+            entity.column,
+            ("3",),
+            given=int(count) if count == int(count) else count,
+            limit=MOST_POINTS,
+        )
+    points = tuple(_point(reader, entity, i) for i in range(int(count)))
+    bottom, top = reader.pair(entity.settings["z"]) if "z" in entity.settings else (0.0, 1.0)
+    return Polygon(points, min(bottom, top), max(bottom, top))
+
+
+def _point(reader: ValueReader, entity: Entity, i: int) -> Point:
+    name = f"point[{i}]"
+    if name not in entity.settings:
+        raise WorldError(Code.MISSING_POINT, entity.file, entity.line, entity.column, (name,), name=name)
+    return reader.pair(entity.settings[name])
+
+
+def gripper_blocks(it: Gripper, closed: float, lifted: float) -> tuple[Polygon, ...]:
+    """The three blocks of Stage's gripper, as parts of its size: the base, the right and the left paddle.
+
+    ``closed``: from 0, open, to 1, when the paddles meet. ``lifted``: from 0, at the floor, to 1.
+    """
+    base, width = 1.0 - it.paddle_length, it.paddle_width
+    inwards = closed * (0.5 - width)
+    bottom = lifted * (1.0 - it.paddle_height)
+    paddles = (rectangle(base, y, it.paddle_length, width) for y in (inwards, 1.0 - width - inwards))
+    risen = (Polygon(paddle.points, bottom, bottom + it.paddle_height) for paddle in paddles)
+    return (rectangle(0.0, 0.0, base, 1.0), *risen)
+
+
+def fitted(
+    polygons: tuple[Polygon, ...], size: tuple[float, float, float], origin: Placement
+) -> tuple[Polygon, ...]:
+    """All blocks of a model together scaled and centred to its size, then shifted by its origin."""
+    xs = [x for polygon in polygons for x, _ in polygon.points]
+    ys = [y for polygon in polygons for _, y in polygon.points]
+    if not xs:
+        return ()
+    scale_x, middle_x = _fit(xs, size[0])
+    scale_y, middle_y = _fit(ys, size[1])
+    top = max(polygon.top for polygon in polygons)
+    scale_z = size[2] / top if top > 0 else 1.0
+
+    def moved(points: Iterable[Point]) -> tuple[Point, ...]:
+        flat = (((x - middle_x) * scale_x, (y - middle_y) * scale_y) for x, y in points)
+        return placed(flat, origin.x, origin.y, origin.yaw)
+
+    return tuple(Polygon(moved(p.points), p.bottom * scale_z, p.top * scale_z) for p in polygons)
+
+
+def _fit(values: list[float], size: float) -> tuple[float, float]:
+    low, high = min(values), max(values)
+    return (size / (high - low) if high > low else 1.0), (low + high) / 2
+
+
+def boundary_walls(size: tuple[float, float, float], origin: Placement) -> tuple[Polygon, ...]:
+    """Four thin walls inside the bounding box."""
+    width, depth, height = size
+    across, along = min(WALL, width / 2), min(WALL, depth / 2)
+    x, y = -width / 2, -depth / 2
+    walls = (
+        rectangle(x, y, width, along, height),
+        rectangle(x, -y - along, width, along, height),
+        rectangle(x, y, across, depth, height),
+        rectangle(-x - across, y, across, depth, height),
+    )
+    return tuple(Polygon(placed(wall.points, origin.x, origin.y, origin.yaw), 0.0, height) for wall in walls)
+
+
+def has_default_block(kind: str, walled: bool) -> bool:
+    """Whether a model without blocks is a box; what only looks has no body, what has walls is just these."""
+    return kind not in ("ranger", "blobfinder", "fiducial") and not walled

@@ -14,7 +14,7 @@ from msgspec import Struct
 
 from donnie_tui.process.confinement import open_bytes
 from sim.scene import Note, NoteKind
-from sim.worldfile import tree
+from sim.worldfile import parser
 from sim.worldfile.mistakes import Code, WorldError, defining, near_file, near_name, near_world, worlds_in
 from sim.worldfile.parser import WordCount, parse
 
@@ -28,7 +28,7 @@ class Placed(Struct, frozen=True):
     """A statement and the file in which it stands."""
 
     file: str
-    statement: tree.Statement
+    statement: parser.Statement
 
 
 class FileReader:
@@ -45,14 +45,14 @@ class FileReader:
         """All statements of the world at ``path``, includes replaced by what they include."""
         if not _is_file(path):
             raise _no_world(path)
-        yield from self.statements(self._text(path, tree.Include(1, 1, str(path)), str(path)), path, ())
+        yield from self.statements(self._text(path, parser.Include(1, 1, str(path)), str(path)), path, ())
 
     def statements(self, text: str, path: Path, above: tuple[Path, ...]) -> Iterator[Placed]:
         """The statements of ``text``, which stands in ``path`` and is included from the files ``above``."""
         self.files.append(str(path))
         self._words.take(text, str(path))
         for statement in parse(text, str(path)):
-            if isinstance(statement, tree.Include):
+            if isinstance(statement, parser.Include):
                 yield from self._included(statement, path, (*above, path.resolve()))
             else:
                 yield Placed(str(path), statement)
@@ -76,11 +76,11 @@ class FileReader:
             return True
         return any(resolved.is_relative_to(folder) for folder in self.folders)
 
-    def _included(self, include: tree.Include, path: Path, above: tuple[Path, ...]) -> Iterator[Placed]:
+    def _included(self, include: parser.Include, path: Path, above: tuple[Path, ...]) -> Iterator[Placed]:
         found = self._checked(include, path, above)
         yield from self.statements(self._text(found, include, str(path)), found, above)
 
-    def _checked(self, include: tree.Include, path: Path, above: tuple[Path, ...]) -> Path:
+    def _checked(self, include: parser.Include, path: Path, above: tuple[Path, ...]) -> Path:
         found = self.find(include.path, path)
         if found is None:
             folders = (path.resolve().parent, *self.folders)
@@ -99,11 +99,11 @@ class FileReader:
             raise WorldError(Code.TOO_MANY_FILES, *place, limit=MOST_FILES)
         return found
 
-    def _mistake(self, code: Code, include: tree.Include, path: Path, nearest: str = "") -> WorldError:
+    def _mistake(self, code: Code, include: parser.Include, path: Path, nearest: str = "") -> WorldError:
         place = (str(path), include.line, include.column)
         return WorldError(code, *place, path=include.path[:200], nearest=nearest)
 
-    def _text(self, path: Path, include: tree.Include, file: str) -> str:
+    def _text(self, path: Path, include: parser.Include, file: str) -> str:
         try:
             with open_bytes(path) as stream:
                 data = stream.read(LARGEST_FILE + 1)
@@ -170,7 +170,7 @@ class Setting(Struct, frozen=True):
     """A property and the file in which it stands."""
 
     file: str
-    property: tree.Property
+    property: parser.Property
 
 
 class Entity(Struct, frozen=True):
@@ -188,12 +188,12 @@ class Entity(Struct, frozen=True):
 
 class _Macro(Struct, frozen=True):
     file: str
-    define: tree.Define
+    define: parser.Define
 
 
 _Names = frozenset[str]
 
-_Bodies = list[tuple[str, tuple[tree.Item, ...], _Names]]
+_Bodies = list[tuple[str, tuple[parser.Item, ...], _Names]]
 """Files, what stands there, and the macros in whose bodies that is."""
 
 _NOWHERE: _Names = frozenset()
@@ -215,18 +215,18 @@ class Expander:
 
     def expand(self, statements: Iterable[Placed]) -> tuple[Entity, ...]:
         """The entities at the top level, in order. WorldError: a type is unknown, or there is too much."""
-        instances: list[tuple[str, tree.Instance]] = []
+        instances: list[tuple[str, parser.Instance]] = []
         for placed in statements:
             match placed.statement:
-                case tree.Define() as define:
+                case parser.Define() as define:
                     self._define(placed.file, define)
-                case tree.Property() as setting:
+                case parser.Property() as setting:
                     self.settings[setting.name] = Setting(placed.file, setting)
-                case tree.Instance() as instance:
+                case parser.Instance() as instance:
                     instances.append((placed.file, instance))
         return tuple(self._entity(file, instance, 0, _NOWHERE) for file, instance in instances)
 
-    def _define(self, file: str, define: tree.Define) -> None:
+    def _define(self, file: str, define: parser.Define) -> None:
         if define.name in self._macros:
             details = {"name": define.name}
             note = Note(NoteKind.WARNING, "second-define", file, define.line, define.column, details)
@@ -234,7 +234,7 @@ class Expander:
         else:
             self._macros[define.name] = _Macro(file, define)
 
-    def _entity(self, file: str, instance: tree.Instance, depth: int, within: _Names) -> Entity:
+    def _entity(self, file: str, instance: parser.Instance, depth: int, within: _Names) -> Entity:
         """``within``: the macros in whose bodies it stands."""
         self._count(file, instance, depth)
         built_in, bodies = self._bodies(file, instance, within)
@@ -243,14 +243,14 @@ class Expander:
         for body_file, body, inside in bodies:
             for item in body:
                 self._replayed += 1
-                if isinstance(item, tree.Property):
+                if isinstance(item, parser.Property):
                     settings[item.name] = Setting(body_file, item)
                 else:
                     children.append(self._entity(body_file, item, depth + 1, inside))
         place = (file, instance.line, instance.column)
         return Entity(built_in, instance.type, *place, settings, tuple(children))
 
-    def _count(self, file: str, instance: tree.Instance, depth: int) -> None:
+    def _count(self, file: str, instance: parser.Instance, depth: int) -> None:
         self._entities += 1
         place = (file, instance.line, instance.column)
         if self._entities > MOST_ENTITIES:
@@ -260,7 +260,7 @@ class Expander:
         if depth > DEEPEST_MODEL:
             raise WorldError(Code.NESTED_TOO_DEEP, *place, limit=DEEPEST_MODEL)
 
-    def _bodies(self, file: str, instance: tree.Instance, within: _Names) -> tuple[str, _Bodies]:
+    def _bodies(self, file: str, instance: parser.Instance, within: _Names) -> tuple[str, _Bodies]:
         """The built-in type below ``instance``, and the bodies to replay, the innermost base first."""
         bodies: _Bodies = [(file, instance.body, within)]
         name, place = instance.type, (file, instance.line, instance.column)

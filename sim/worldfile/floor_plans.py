@@ -27,7 +27,6 @@ from donnie_tui.process.confinement import open_bytes
 from sim.scene import NoteKind, Polygon
 from sim.worldfile.entities import LARGEST_FILE, FileReader, Setting
 from sim.worldfile.mistakes import Code
-from sim.worldfile.shapes import rectangle
 from sim.worldfile.values import ValueReader, mistake
 
 _SET = re.compile(b"\1")
@@ -291,3 +290,8 @@ def _red_channel(image: Image.Image) -> Image.Image:
     if image.mode.startswith("I"):  # 16 bits a pixel, grey
         return image.convert("I").point(lambda level: level / 256).convert("L")
     return image.convert("RGB").getchannel("R")
+
+
+def rectangle(x: float, y: float, width: float, depth: float, top: float = 1.0) -> Polygon:
+    """A block between (x, y) and the corner opposite."""
+    return Polygon(((x, y), (x + width, y), (x + width, y + depth), (x, y + depth)), 0.0, top)

@@ -10,12 +10,12 @@ import re
 from collections.abc import Iterator
 from functools import cache
 from importlib.resources import files
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 from lark import Lark, Token, Transformer, UnexpectedInput, UnexpectedToken, v_args
 from lark.lexer import Lexer
+from msgspec import Struct
 
-from sim.worldfile import tree
 from sim.worldfile.mistakes import Code, WorldError
 
 DEEPEST = 64
@@ -35,6 +35,75 @@ _TOKEN = re.compile(
     re.VERBOSE,
 )
 _CLOSES = {"RPAR": "LPAR", "RSQB": "LSQB"}
+
+
+# --- the tree: as it was written, nothing is looked up yet
+
+
+class Number(Struct, frozen=True):
+    line: int
+    column: int
+    value: float
+
+
+class String(Struct, frozen=True):
+    line: int
+    column: int
+    text: str
+
+
+class Tuple(Struct, frozen=True):
+    line: int
+    column: int
+    items: tuple[Value, ...]
+
+
+Value: TypeAlias = Number | String | Tuple
+
+
+class Property(Struct, frozen=True):
+    """``name value``."""
+
+    line: int
+    column: int
+    name: str
+    value: Value
+
+
+class Instance(Struct, frozen=True):
+    """``type ( ... )``."""
+
+    line: int
+    column: int
+    type: str
+    body: tuple[Item, ...]
+
+
+class Define(Struct, frozen=True):
+    """``define name base ( ... )``."""
+
+    line: int
+    column: int
+    name: str
+    base: str
+    body: tuple[Item, ...]
+    base_line: int
+    base_column: int
+
+
+class Include(Struct, frozen=True):
+    """``include "path"``; the place is that of the path."""
+
+    line: int
+    column: int
+    path: str
+
+
+Item: TypeAlias = Property | Instance
+Statement: TypeAlias = Property | Instance | Define | Include
+
+
+# --- words
 
 
 class WorldToken(NamedTuple):
@@ -140,10 +209,10 @@ _EXPECTED = {
 }
 
 
-def parse(text: str, file: str) -> tuple[tree.Statement, ...]:
+def parse(text: str, file: str) -> tuple[Statement, ...]:
     """The statements of one file, in order. WorldError at the first mistake of form."""
     try:
-        statements: tuple[tree.Statement, ...] = _grammar().parse(_Source(text, file))  # type: ignore[assignment]
+        statements: tuple[Statement, ...] = _grammar().parse(_Source(text, file))  # type: ignore[assignment]
         return statements
     except UnexpectedToken as problem:
         raise _unexpected(problem, file) from None
@@ -186,32 +255,32 @@ class _Words(Lexer):
 
 @v_args(inline=True)
 class _Builder(Transformer[Token, object]):
-    def start(self, *statements: tree.Statement) -> tuple[tree.Statement, ...]:
+    def start(self, *statements: Statement) -> tuple[Statement, ...]:
         return statements
 
-    def include(self, _: Token, path: Token) -> tree.Include:
-        return tree.Include(*_place(path), str(path))
+    def include(self, _: Token, path: Token) -> Include:
+        return Include(*_place(path), str(path))
 
-    def define(self, word: Token, name: Token, base: Token, body: tuple[tree.Item, ...]) -> tree.Define:
-        return tree.Define(*_place(word), str(name), str(base), body, *_place(base))
+    def define(self, word: Token, name: Token, base: Token, body: tuple[Item, ...]) -> Define:
+        return Define(*_place(word), str(name), str(base), body, *_place(base))
 
-    def instance(self, kind: Token, body: tuple[tree.Item, ...]) -> tree.Instance:
-        return tree.Instance(*_place(kind), str(kind), body)
+    def instance(self, kind: Token, body: tuple[Item, ...]) -> Instance:
+        return Instance(*_place(kind), str(kind), body)
 
-    def property(self, name: Token, value: tree.Value) -> tree.Property:
-        return tree.Property(*_place(name), str(name), value)
+    def property(self, name: Token, value: Value) -> Property:
+        return Property(*_place(name), str(name), value)
 
-    def body(self, *items: tree.Item) -> tuple[tree.Item, ...]:
+    def body(self, *items: Item) -> tuple[Item, ...]:
         return items
 
-    def number(self, number: Token) -> tree.Number:
-        return tree.Number(*_place(number), float(number))
+    def number(self, number: Token) -> Number:
+        return Number(*_place(number), float(number))
 
-    def string(self, string: Token) -> tree.String:
-        return tree.String(*_place(string), str(string))
+    def string(self, string: Token) -> String:
+        return String(*_place(string), str(string))
 
-    def tuple(self, bracket: Token, *items: tree.Value) -> tree.Tuple:
-        return tree.Tuple(*_place(bracket), items)
+    def tuple(self, bracket: Token, *items: Value) -> Tuple:
+        return Tuple(*_place(bracket), items)
 
 
 def _place(token: Token) -> tuple[int, int]:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from sim.colours import FAMILIES, Colour, colour_of, folded, nearest_name, rgb
 from sim.geometry import Placement
 from sim.scene import Note, NoteKind
-from sim.worldfile import tree
+from sim.worldfile import parser
 from sim.worldfile.entities import Setting
 from sim.worldfile.mistakes import Code, WorldError
 
@@ -82,7 +82,7 @@ Size = tuple[float, float, float]
 LONGEST = 1e5
 """Metres: no world is larger."""
 
-_TYPES = {tree.Number: "number", tree.String: "string", tree.Tuple: "tuple"}
+_TYPES = {parser.Number: "number", parser.String: "string", parser.Tuple: "tuple"}
 _UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001}
 _ANGLES = {"degrees": 1.0, "radians": degrees(1.0)}
 
@@ -118,7 +118,7 @@ class ValueReader:
         if setting is None:
             return default
         value = setting.property.value
-        if not isinstance(value, tree.String):
+        if not isinstance(value, parser.String):
             raise mistake(Code.WRONG_TYPE, setting, ("string",), name=name)
         return value.text
 
@@ -176,7 +176,7 @@ class ValueReader:
     def numbers(self, setting: Setting, least: int, most: int) -> tuple[float, ...]:
         """The numbers of a tuple as they stand there, without a unit; a lone number is a tuple of one."""
         value = setting.property.value
-        if isinstance(value, tree.Number) and least <= 1:
+        if isinstance(value, parser.Number) and least <= 1:
             return (value.value,)
         return tuple(_number(setting, item) for item in _items(setting, least, most))
 
@@ -199,7 +199,7 @@ class ValueReader:
     def words(self, setting: Setting, choices: tuple[str, ...]) -> tuple[str, ...]:
         """The words of a tuple, or the one word that stands there; each is one of ``choices``."""
         name, value = setting.property.name, setting.property.value
-        items = (value,) if isinstance(value, tree.String) else _items(setting, 1, 8)
+        items = (value,) if isinstance(value, parser.String) else _items(setting, 1, 8)
         found = tuple(_string(setting, item) for item in items)
         for word in found:
             if word not in choices:
@@ -276,7 +276,7 @@ class ValueReader:
         elif name in UNUSED and not quiet:
             self.note(NoteKind.IGNORED, "unused-property", setting, name=name)
 
-    def _length(self, setting: Setting, value: tree.Value) -> float:
+    def _length(self, setting: Setting, value: parser.Value) -> float:
         metres = _number(setting, value) * self.metres
         if abs(metres) > LONGEST:
             place = (setting.file, value.line, value.column)
@@ -292,34 +292,34 @@ def mistake(
     return WorldError(code, setting.file, value.line, value.column, expected, **details)
 
 
-def plain(value: tree.Value) -> float | str | tuple[object, ...]:
+def plain(value: parser.Value) -> float | str | tuple[object, ...]:
     """A value as Python has it."""
     match value:
-        case tree.Number():
+        case parser.Number():
             return value.value
-        case tree.String():
+        case parser.String():
             return value.text
-        case tree.Tuple():
+        case parser.Tuple():
             return tuple(plain(item) for item in value.items)
 
 
-def _number(setting: Setting, value: tree.Value) -> float:
-    if not isinstance(value, tree.Number):
+def _number(setting: Setting, value: parser.Value) -> float:
+    if not isinstance(value, parser.Number):
         place = (setting.file, value.line, value.column)
         raise WorldError(Code.WRONG_TYPE, *place, ("number",), name=setting.property.name)
     return value.value
 
 
-def _string(setting: Setting, value: tree.Value) -> str:
-    if not isinstance(value, tree.String):
+def _string(setting: Setting, value: parser.Value) -> str:
+    if not isinstance(value, parser.String):
         place = (setting.file, value.line, value.column)
         raise WorldError(Code.WRONG_TYPE, *place, ("string",), name=setting.property.name)
     return value.text
 
 
-def _items(setting: Setting, least: int, most: int) -> tuple[tree.Value, ...]:
+def _items(setting: Setting, least: int, most: int) -> tuple[parser.Value, ...]:
     value = setting.property.value
-    if not isinstance(value, tree.Tuple):
+    if not isinstance(value, parser.Tuple):
         raise mistake(Code.WRONG_TYPE, setting, ("tuple",), name=setting.property.name)
     if not least <= len(value.items) <= most:
         expected = tuple(str(count) for count in range(least, most + 1)) if most < 10 else ()

@@ -1,8 +1,11 @@
 """Each program in the folders here prints exactly the text of its ``.output`` file.
 
-A program is in the folder of its language; ``-- world: NAME`` in its first line selects its world.
+A program is in the folder of its language; ``-- world: NAME`` in its first line selects its world, or
+``-- world: NAME.world`` a file in the folder of this module.
 The last line of ``.output`` is the outcome and the pose. After an intended change, read the difference
-and write the files again with ``DONNIE_ACCEPT=1 pytest tests/programs``.
+and write the files again with ``ACCEPT_OUTPUT=1 pytest tests/programs``.
+
+The examples in the documents of a language (``docs/pt``) print the block of text after them.
 """
 
 import os
@@ -20,15 +23,21 @@ from tests.timeouts import TIMEOUT
 
 FOLDER = Path(__file__).parent
 PROGRAMS = sorted(FOLDER.glob("*/*.gd"))
+DOCUMENTS = sorted(Path("docs").glob("??/*.md"))
+EXAMPLE = re.compile(r"^```godonnie\n(.*?)^```\n(?:.*?)^```text\n(.*?)^```\n", re.DOTALL | re.MULTILINE)
 
 
-def output_of(program: Path) -> str:
+def output_of(program: Path) -> tuple[str, ...]:
+    return printed_by(program.read_text(encoding="utf-8"), program.name, language_of(program))
+
+
+def printed_by(text: str, name: str, language: str) -> tuple[str, ...]:
     """The printed lines of a run, and its end."""
-    text = program.read_text(encoding="utf-8")
-    world = re.match(r"-- world: (\w+)", text)
+    world = re.match(r"-- world: (\w+)(\.world)?", text)
+    name_of_world = world[1] if world else "open_floor"
     settings = Settings(
-        world=world[1] if world else "open_floor",
-        language=language_of(program),
+        world=str(FOLDER / f"{name_of_world}.world") if world and world[2] else name_of_world,
+        language=language,
         speed=None,
         speech="off",
         sound=False,
@@ -37,9 +46,9 @@ def output_of(program: Path) -> str:
     try:
         events: list[Event] = []
         donnie.session.hub.subscribe(lambda stamped: events.append(stamped.event))
-        assert donnie.session.start(text, program.name, RunOptions(fresh=True, hooked=False)).wait(TIMEOUT)
+        assert donnie.session.start(text, name, RunOptions(fresh=True, hooked=False)).wait(TIMEOUT)
         lines = [line for event in events for line in lines_of(event, donnie.words)]
-        return "".join(f"{line}\n" for line in (*lines, ending(events[-1])))
+        return (*lines, ending(events[-1]))
     finally:
         donnie.close()
 
@@ -57,8 +66,8 @@ def ending(event: Event) -> str:
 @pytest.mark.parametrize("program", PROGRAMS, ids=[f"{each.parent.name}/{each.stem}" for each in PROGRAMS])
 def test_a_program_prints_its_expected_output(program: Path) -> None:
     expected = program.with_suffix(".output")
-    output = output_of(program)
-    if os.environ.get("DONNIE_ACCEPT"):
+    output = "".join(f"{line}\n" for line in output_of(program))
+    if os.environ.get("ACCEPT_OUTPUT"):
         expected.write_text(output, encoding="utf-8")
 
     assert output == expected.read_text(encoding="utf-8")
@@ -74,6 +83,14 @@ def test_every_expected_output_has_its_program() -> None:
 def test_a_square_is_the_same_in_every_language(language: str) -> None:
     name = {"pt": "quadrado", "es": "cuadrado"}[language]
 
-    output = output_of(FOLDER / language / f"{name}.gd").splitlines()
+    assert output_of(FOLDER / language / f"{name}.gd")[-1] == "(completed: 0 0 0)"
 
-    assert output[-1] == "(completed: 0 0 0)"
+
+@pytest.mark.parametrize("document", DOCUMENTS, ids=[f"{each.parent.name}/{each.stem}" for each in DOCUMENTS])
+def test_every_example_of_a_document_prints_the_text_after_it(document: Path) -> None:
+    text = document.read_text(encoding="utf-8")
+    examples = EXAMPLE.findall(text)
+    printed = [printed_by(program, "example.gd", document.parent.name)[:-1] for program, _ in examples]
+
+    assert len(examples) == text.count("```godonnie") > 0
+    assert printed == [tuple(expected.splitlines()) for _, expected in examples]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import errno
 import os
 import signal
@@ -13,6 +14,7 @@ from pathlib import Path
 
 import pytest
 
+from devices.audio.process import die_with_parent
 from tests.conftest import ROOT
 from tests.timeouts import TIMEOUT
 from tests.unit.audio.test_audio_worker import audio, eventually, group_of, warm
@@ -120,3 +122,15 @@ def test_messages_of_the_libraries_go_to_the_log(tmp_path: Path) -> None:
         warm(service)
 
         assert log.exists()
+
+
+def test_the_system_kills_a_process_that_wants_to_die_with_its_parent() -> None:
+    wish = ctypes.c_int(0)
+    prctl = ctypes.CDLL(None).prctl
+    try:
+        die_with_parent()
+        prctl(2, ctypes.byref(wish))  # PR_GET_PDEATHSIG
+    finally:
+        prctl(1, 0, 0, 0, 0)  # PR_SET_PDEATHSIG: no longer
+
+    assert wish.value == signal.SIGKILL

@@ -13,6 +13,7 @@ from devices.audio.cues import CUE_NAMES, SAMPLE_RATE, pitch_of_level, render_cu
 from devices.ports.audio import Cue, CuePlayer, SilentCuePlayer
 
 TICKS = ("step-forward", "step-back", "turn-right", "turn-left")
+OF_GRIPPER = ("grip", "release", "nothing")
 WITH_PLACE = ("obstacle", "scan", "found", "belt", "block-opened", "block-closed")
 
 
@@ -33,7 +34,17 @@ def crossings(cue: Cue) -> int:
 
 
 def test_the_cues_have_their_agreed_names() -> None:
-    assert set(CUE_NAMES) == {*TICKS, *WITH_PLACE, "bump", "done", "error", "waiting"}
+    assert set(CUE_NAMES) == {
+        *TICKS,
+        *WITH_PLACE,
+        *OF_GRIPPER,
+        "bump",
+        "done",
+        "goal",
+        "solved",
+        "error",
+        "waiting",
+    }
 
 
 @pytest.mark.parametrize("name", CUE_NAMES)

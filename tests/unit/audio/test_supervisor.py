@@ -129,6 +129,18 @@ def test_silence_ends_the_sentence_and_drops_the_others(audio: Supervised) -> No
     assert audio.steps() == []
 
 
+def test_silence_for_cues_leaves_the_sentence(audio: Supervised) -> None:
+    audio.become_ready()
+    audio.supervisor.play(Cue("done"), audio.now)
+    audio.steps()
+    audio.supervisor.silence_cues(audio.now)
+    (step,) = audio.steps()
+
+    assert isinstance(step, SendRequest)
+    assert isinstance(step.request, Silence)
+    assert (step.request.speech, step.request.cues) == (False, True)
+
+
 def test_a_sentence_lost_with_its_worker_is_not_said_after_a_silence(audio: Supervised) -> None:
     audio.become_ready()
     audio.say("one")

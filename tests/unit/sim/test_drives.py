@@ -76,6 +76,7 @@ def test_a_long_way_is_a_trapezoid_of_speed() -> None:
     robot = driven(GAINS.format(-0.025, 0.025, -90, 90))
 
     assert seconds(robot, 10) == pytest.approx(2 + 8 + 2)
+    assert seconds(robot, 3) == pytest.approx(2 + 1 + 2)
     assert seconds(robot, -10) == pytest.approx(12)
 
 

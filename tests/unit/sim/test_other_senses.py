@@ -122,6 +122,7 @@ def test_a_mark_that_is_too_far_to_be_read_has_the_number_zero() -> None:
     ("settings", "mark", "expected"),
     [
         ("range_max 2.9", "", False),
+        ("range_max 3", "", True),
         ("range_max 3.1", "", True),
         ("range_min 5", "", True),
         ("fiducial_key 3", "", False),
@@ -139,6 +140,19 @@ def test_a_finder_finds_within_its_range_its_view_and_its_key(
     assert [found[0] for found in marks(it)] == (["door"] if expected else [])
 
 
+def test_a_finder_finds_at_the_very_edge_of_its_view() -> None:
+    edge = pole("edge", 2, 2, more="fiducial_return 1")
+
+    assert [found[0] for found in marks(finder("fov 90", edge))] == ["edge"]
+    assert marks(finder("fov 89.9", edge)) == []
+
+
+def test_a_mark_at_the_limit_of_reading_is_not_read() -> None:
+    ((*_, number),) = marks(finder("range_max_id 3", pole("door", 3, 0, more="fiducial_return 7")))
+
+    assert number == 0
+
+
 def test_a_mark_nearer_than_the_minimum_of_a_finder_is_at_the_minimum() -> None:
     ((_, _, metres, _),) = marks(finder("range_min 5", pole("door", 3, 0, more="fiducial_return 1")))
 
@@ -153,6 +167,41 @@ def test_a_thing_between_hides_a_mark() -> None:
 
 def test_a_robot_does_not_find_its_own_mark() -> None:
     assert marks(finder("", "", "fiducial_return 5")) == []
+
+
+def seen_by(robot: str, things: str) -> list[tuple[str, int, int, int | None]]:
+    sightings = World(Sensing(f"position( {BODY} {robot} )" + things).scene).robot(pace=Unpaced()).scan()
+    return [(it.name, round(it.degrees), int(it.steps), it.mark) for it in sightings]
+
+
+def test_a_scan_finds_things_then_the_marks_in_the_half_circle_ahead() -> None:
+    robot = "blobfinder( fov 120 ) fiducial( range_max_id 2.5 )"
+    things = (
+        pole("door", 0.6, 0, more="fiducial_return 3")
+        + pole("post", 1, -1)
+        + pole("window", 0, 2, more="fiducial_return 9")
+        + pole("far", 3, -0.3, more="fiducial_return 4")
+        + pole("behind", -1, 1, more="fiducial_return 5")
+    )
+
+    assert seen_by(robot, things) == [
+        ("door", 0, 11, None),
+        ("far", 6, 60, None),
+        ("post", 45, 28, None),
+        ("window", -90, 40, 9),
+        ("door", 0, 12, 3),
+        ("far", 6, 60, 0),
+    ]
+
+
+def test_a_mark_of_two_finders_is_seen_once_as_it_can_be_read() -> None:
+    robot = "fiducial( range_max_id 0.5 ) fiducial( pose [ -0.2 0 0 0 ] )"
+
+    assert seen_by(robot, pole("door", 0.6, 0, more="fiducial_return 3")) == [("door", 0, 16, 3)]
+
+
+def test_a_robot_without_eyes_sees_that_there_is_no_mark() -> None:
+    assert seen_by("fiducial( )", pole("post", 1, 0)) == []
 
 
 # --- bumpers

@@ -51,6 +51,28 @@ def test_walls_are_drawn_around_a_room_and_cut_the_picture() -> None:
     assert it.things == ()
 
 
+@pytest.mark.parametrize(
+    ("thing", "is_drawn_as_wall"),
+    [
+        ("define wall model( ) wall( pose [ 1 0 0 0 ] )", True),
+        ('model( name "wall 3" pose [ 1 0 0 0 ] )', True),
+        ("model( boundary 1 pose [ 1 0 0 0 ] )", True),
+        ("model( size [ 1 1 1 ] pose [ 0.1 0.1 0 0 ] )", True),  # the robot is in its midst
+        ("model( size [ 1 1 1 ] pose [ 0.1 2 0 0 ] )", False),  # the robot is south of it
+        ("model( size [ 1 1 1 ] pose [ 2 0.1 0 0 ] )", False),
+        ('define drywall model( ) drywall( name "a wall" pose [ 1 0 0 0 ] )', False),
+        ('define opponent position( ) opponent( name "wall" pose [ 1 0 0 0 ] )', False),
+    ],
+)
+def test_walls_are_what_is_named_so_and_what_has_the_robot_in_its_midst(
+    thing: str, is_drawn_as_wall: bool
+) -> None:
+    it = picture(scene(ROBOT + thing))
+
+    assert it.has_walls is is_drawn_as_wall
+    assert len(it.things) == (not is_drawn_as_wall)
+
+
 def test_each_kind_has_its_letter_and_none_has_that_of_trail_start_or_robot() -> None:
     kinds = ("apple", "armchair", "orange", "vase", "pot", "pan", "1")
     defined = "".join(f"define {kind} model( size [ 0.1 0.1 1 ] ) " for kind in kinds[:-1])

@@ -1,0 +1,8 @@
+-- world: gripper.world
+GRIP
+FW 1
+GRIP
+GRIP
+BW 5
+RELEASE
+RELEASE

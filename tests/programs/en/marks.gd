@@ -1,0 +1,5 @@
+-- world: marks.world
+SCAN
+TR 180
+SCAN
+FW 3

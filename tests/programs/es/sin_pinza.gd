@@ -1,0 +1,3 @@
+TOMAR
+AV 1
+SOLTAR

@@ -1,0 +1,6 @@
+-- world: gripper.world
+PF 1
+PEGAR
+PT 5
+SOLTAR
+SOLTAR
