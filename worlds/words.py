@@ -104,7 +104,7 @@ def _file_of(world: str) -> Path:
 def _read(file: Path) -> dict[str, Any]:
     try:
         with open_bytes(file) as stream:
-            return _parsed(stream.read(LARGEST + 1))
+            return parsed(stream.read(LARGEST + 1))
     except OSError:
         raise BadWords(file) from None
     except (ValueError, RecursionError) as problem:
@@ -112,7 +112,7 @@ def _read(file: Path) -> dict[str, Any]:
         raise BadWords(file, line=place[1] if place else "") from None
 
 
-def _parsed(data: bytes) -> dict[str, Any]:
+def parsed(data: bytes) -> dict[str, Any]:
     """Raises ``ValueError``, also for too many dots in a line: such a key takes tomllib minutes."""
     if len(data) > LARGEST:
         raise ValueError(f"more than {LARGEST} bytes")

@@ -12,6 +12,7 @@ import shlex
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 import worlds
 import worlds.words
@@ -24,15 +25,21 @@ from sim.compiled_scene import read_scene
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from donnie_tui.core.goals import Inventory
     from sim.geometry import Placement
-    from sim.scene import Scene
+    from sim.scene import Model, Scene
     from sim.world import World
     from sim.worldfile import Offer
+    from worlds.challenges import Challenge
     from worlds.words import About
 
+CHALLENGE = "challenge:"
+"""What a challenge's name follows where it is given in place of a world's."""
 _INSIDE = "starts-inside"
 _SLIPS = frozenset({"unknown-property", "unknown-colour", "unknown-model", "second-define"})
 """Of what was ignored or repaired: what the author wrote without effect."""
+LONGEST_NAME = 80
+"""Characters of a wrong name that a sentence repeats."""
 MOST_REMARKS = 3
 """Remarks that are listed one by one."""
 
@@ -81,6 +88,8 @@ class ChosenWorld(Struct, frozen=True):
     """The serial port of the real robot that a configuration file asks for."""
     stands_in_for: str = ""
     """The configuration file that has no world; what was loaded is only there to draw its robot on."""
+    challenge: Challenge | None = None
+    """What there is to do in it."""
 
     def about(self, language: str) -> About | None:
         """Title, description and task; None for a world file without a file of words."""
@@ -128,7 +137,35 @@ def choose_world(
         path = worlds.path(name_or_file)
         scene = read_scene(path) or _load(path, words, folders)
         return ChosenWorld(name_or_file, path, scene, ships=True)
+    if name_or_file.startswith(CHALLENGE):
+        return _with_challenge(choose_challenge(name_or_file.removeprefix(CHALLENGE), words), words, folders)
     return _in_a_file(name_or_file, words, folders, unknown)
+
+
+def choose_challenge(name: str, words: Words) -> Challenge:
+    """The challenge of that name, number or file. Raises ``Unusable`` with the line of a mistake in it."""
+    from language.keywords import all_words, canonical
+    from language.suggestions import nearest
+    from worlds.challenges import BadChallenge, find
+
+    try:
+        found = find(name)
+        for word in (*found.rules.words, *found.rules.required):
+            if canonical(word) is None:
+                raise BadChallenge("challenge-word", found.path, what=word, known=all_words("en"))
+        return found
+    except BadChallenge as bad:
+        near = nearest(bad.what, bad.known) if bad.known else None
+        code = f"{bad.code}-near" if near else bad.code
+        sentence = words(code, file=bad.file.name, what=bad.what[:LONGEST_NAME], near=near)
+        if bad.line:
+            sentence = words("challenge-line", line=bad.line, text=sentence)
+        raise Unusable(sentence) from None
+
+
+def _with_challenge(found: Challenge, words: Words, folders: tuple[str, ...]) -> ChosenWorld:
+    world = choose_world(found.world, words, folders)
+    return replace(started_at(world, found.rules.variant[0].start), challenge=found)
 
 
 def _in_a_file(name: str, words: Words, folders: tuple[str, ...], unknown: str) -> ChosenWorld:
@@ -231,3 +268,45 @@ class ThingWatch:
 def _pose(placement: Placement) -> Pose:
     heading = round((90.0 - placement.yaw) % 360.0, 6) % 360.0
     return Pose(round(placement.x / STEP, 6) + 0.0, round(placement.y / STEP, 6) + 0.0, heading)
+
+
+def started_at(world: ChosenWorld, start: tuple[float, float, float] | None) -> ChosenWorld:
+    """The world with its first robot elsewhere, in steps and compass degrees."""
+    if start is None:
+        return world
+    from sim.geometry import Placement
+    from sim.scene import moved
+
+    first = world.scene.robots[0]
+    x, y, heading = start
+    place = Placement(x * STEP, y * STEP, world.scene.models[first].pose.z, 90.0 - heading)
+    return replace(world, scene=moved(world.scene, {first: place}))
+
+
+def inventory_of(scene: Scene) -> Inventory:
+    """What the goals of a challenge need to know of a world."""
+    from donnie_tui.core.goals import Inventory, Item
+
+    things = [each for each in scene.models if each.parent is None and each.index not in scene.robots]
+    items = tuple(
+        Item(
+            each.index,
+            each.name,
+            each.kind,
+            each.colour.family or "",
+            round(each.pose.x / STEP, 6),
+            round(each.pose.y / STEP, 6),
+            *_half_size(each),
+        )
+        for each in things
+    )
+    return Inventory(items, sum(_half_size(scene.models[scene.robots[0]])) / 2)
+
+
+def _half_size(model: Model) -> tuple[float, float]:
+    """Half of the sides of its box, in steps."""
+    points = [point for outline in model.outlines() for point in outline]
+    return (
+        max((abs(x - model.pose.x) / STEP for x, _ in points), default=0.0),
+        max((abs(y - model.pose.y) / STEP for _, y in points), default=0.0),
+    )

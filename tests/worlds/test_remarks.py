@@ -67,7 +67,7 @@ def test_an_unknown_colour_is_reported_when_the_world_is_loaded(tmp_path: Path) 
         "1 slip in the world. donnie world my.world --report lists it.",
     )
     assert remarks_on(tmp_path, ANA + box.format('colour "red" color "golden"'), "pt") == (
-        "2 deslizes no mundo. donnie world my.world --report os diz.",
+        "2 avisos sobre o mundo. donnie world my.world --report diz quais são.",
     )
     assert remarks_on(tmp_path, ANA + box.format('color "random"')) == ()
 
@@ -138,7 +138,7 @@ def test_a_file_next_to_a_user_world_gives_its_words(tmp_path: Path, language: s
 def test_unreadable_words_are_reported_and_the_world_loads(tmp_path: Path, words: str, remark: str) -> None:
     (tmp_path / "my.toml").write_bytes(words.encode(errors="surrogateescape"))
 
-    assert remarks_on(tmp_path, ANA) == (f"{remark}, so the world has no words.",)
+    assert remarks_on(tmp_path, ANA) == (f"{remark}, so the world has no description.",)
     assert choose_world(str(tmp_path / "my.world"), Words()).about("en") is None
 
 

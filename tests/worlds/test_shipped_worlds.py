@@ -7,6 +7,7 @@ import pytest
 
 import worlds.words
 from devices.ports.robot import Bearing, Pose, StoppedBy
+from donnie_tui.settings.settings import Settings
 from sim.picture import picture
 from sim.robot import SimulatedRobot
 from sim.scene import Scene
@@ -23,8 +24,13 @@ def donnie(name: str) -> SimulatedRobot:
     return World(scene(name)).robot(pace=Unpaced())
 
 
-def test_the_open_floor_is_offered_first() -> None:
-    assert worlds.names()[:2] == ("open_floor", "living_room")
+def test_the_room_of_the_first_lesson_is_offered_first_and_is_where_a_start_begins() -> None:
+    assert worlds.names()[:3] == ("first_room", "open_floor", "living_room")
+    assert Settings().world == "first_room"
+
+
+def test_something_is_within_five_steps_of_the_start_of_the_first_room() -> None:
+    assert min(round(each.steps) for each in donnie("first_room").scan()) <= 5
 
 
 def test_an_unknown_world_is_a_key_error() -> None:

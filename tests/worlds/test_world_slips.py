@@ -58,12 +58,12 @@ def test_a_named_pipe_is_neither_read_nor_offered_as_what_was_meant(tmp_path: Pa
 
 
 def test_a_folder_is_not_a_world_but_may_contain_one(tmp_path: Path) -> None:
-    assert report(tmp_path) == f"{tmp_path} is a folder and no world file."
+    assert report(tmp_path) == f"{tmp_path} is a folder, not a world file."
     (tmp_path / "b.world").write_text(DONNIE)
     (tmp_path / "a.world").write_text(DONNIE)
 
     assert (
-        report(tmp_path) == f"{tmp_path} is a folder and no world file. Did you mean {tmp_path / 'a.world'}?"
+        report(tmp_path) == f"{tmp_path} is a folder, not a world file. Did you mean {tmp_path / 'a.world'}?"
     )
 
 

@@ -1,0 +1,123 @@
+"""CHALLENGE, TASK, GOALS, HINT, NEXT CHALLENGE, RESULTS: what is to be done, and the verdict after a run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from donnie_tui.commands.interaction import EnterWorld
+from donnie_tui.core.events import CueSounded
+from tests.unit.commands.scripted import Script
+
+OpenScript = Callable[..., Script]
+
+
+def test_the_verdict_follows_each_run_and_counts_from_the_start(open_script: OpenScript) -> None:
+    script = open_script(world="challenge:first_walk")
+
+    assert script.answers_to("FW 4")[1:] == ["0 of 1 goal. You stop 1 step south of 0, 5."]
+    assert script.answers_to("FW 1")[1:] == ["Solved, in 2 commands.", "NEXT CHALLENGE is: To the ball."]
+    script.type("RESET")
+    assert script.answers_to("FW 5")[1:2] == ["Solved, in 1 command."]
+
+
+def test_a_program_must_solve_the_challenge_from_every_start(open_script: OpenScript) -> None:
+    script = open_script(world="challenge:around_the_corner")
+
+    assert script.answers_to("FW 6", "TL 90", "FW 6")[-1].startswith(
+        "0 of 2 goals. From start 2: You did not come to -6, 6."
+    )
+    script.type("RESET")
+    assert "Solved, in 3 commands." in script.answers_to("FW 6 - POS Y", "TL 90", "FW 6")
+
+
+def test_a_line_with_a_mistake_of_form_is_no_try(open_script: OpenScript) -> None:
+    script = open_script(world="challenge:first_walk")
+
+    assert not any("goal" in line for line in script.answers_to("FWW 5"))
+    assert script.answers_to("RESULTS") == ["You have not tried a challenge yet."]
+    assert "Solved, in 1 command." in script.answers_to("FW 5")
+
+
+def test_goals_say_what_is_met_and_what_is_missing_at_any_time(open_script: OpenScript) -> None:
+    script = open_script(world="challenge:face_the_table")
+
+    assert script.answers_to("GOALS") == [
+        "Goal 1: You must turn 90 degrees more to the right.",
+        "Goal 2: You stop 8 steps south of 4, 8.",
+    ]
+    script.answers_to("TR 90")
+    assert script.answers_to("GOALS")[0] == "Goal 1: met."
+
+
+def test_hints_are_given_one_at_a_time(open_script: OpenScript) -> None:
+    script = open_script(world="challenge:to_the_ball")
+
+    assert script.answers_to("HINT", "HINT", "HINT") == [
+        "Turn right by 90 degrees first.",
+        "The ball is 8 steps away. Walk less than that.",
+        "There are no more hints.",
+    ]
+
+
+def test_the_task_is_said_again_also_that_of_a_world(open_script: OpenScript) -> None:
+    challenge, world = open_script(world="challenge:first_walk"), open_script(world="living_room")
+
+    assert challenge.answers_to("TASK") == ["Challenge: The first walk.", "Walk 5 steps to the north."]
+    assert world.answers_to("TASK")[0].startswith("Task: ")
+    assert world.answers_to("GOALS", "HINT") == ["No challenge here. Type CHALLENGE."] * 2
+
+
+def test_the_list_says_which_are_solved_and_results_count_tries(open_script: OpenScript) -> None:
+    script = open_script(world="challenge:first_walk")
+    script.answers_to("HINT", "FW 4", "FW 1")
+
+    assert script.answers_to("CHALLENGE")[:2] == ["1. The first walk: solved", "2. To the ball"]
+    assert script.answers_to("RESULTS") == [
+        "1 of 1 solved.",
+        "The first walk: solved, 2 tries, 1 hint, 0 bumps.",
+    ]
+
+
+def test_a_broken_line_of_the_results_is_left_out(open_script: OpenScript, tmp_path: Path) -> None:
+    script = open_script(world="challenge:first_walk")
+    script.answers_to("FW 5")
+    (kept,) = tmp_path.rglob("challenges.txt")
+    kept.write_text("nonsense\n" + kept.read_text())
+
+    assert script.answers_to("RESULTS")[0] == "1 of 1 solved."
+
+
+@pytest.mark.parametrize(
+    ("typed", "world"),
+    [("CHALLENGE 2", "challenge:2"), ("NEXT CHALLENGE", "challenge:to_the_ball"), ("RETO 3", "challenge:3")],
+)
+def test_a_challenge_is_entered_by_its_number_and_the_next_one_by_its_word(
+    open_script: OpenScript, typed: str, world: str
+) -> None:
+    script = open_script(world="challenge:first_walk")
+
+    with pytest.raises(EnterWorld) as entered:
+        script.type(typed)
+    assert entered.value.name == world
+
+
+def test_a_challenge_that_is_not_there_changes_nothing(open_script: OpenScript) -> None:
+    script = open_script()
+
+    assert script.answers_to("CHALLENGE first_wakl") == [
+        "There is no challenge first_wakl. Did you mean first_walk?"
+    ]
+
+
+def test_a_goal_that_is_met_and_a_solved_challenge_have_cues(open_script: OpenScript) -> None:
+    script, cues = open_script(world="challenge:say_what_you_see"), list[str]()
+    script.donnie.team.stream.subscribe(
+        lambda each: cues.append(each.event.name) if isinstance(each.event, CueSounded) else None
+    )
+
+    script.answers_to("FW 4", 'SPEAK "here"')
+
+    assert [each for each in cues if each in ("goal", "solved")] == ["goal", "solved"]

@@ -1,0 +1,214 @@
+"""Challenges as files: what ships is proven, and every mistake has its line."""
+
+import csv
+import re
+from pathlib import Path
+from typing import cast
+
+import pytest
+
+from donnie_tui.cli.main import main
+from language.locales import languages, table
+from worlds import challenges
+from worlds.challenges import BadChallenge
+
+GOOD = """\
+format = 1
+world = "first_room"
+
+[en]
+title = "T"
+task = "Do."
+
+[[goal]]
+at = "ball"
+within = 2
+
+[[goal]]
+said = "here"
+"""
+
+
+def read(folder: Path, text: str) -> challenges.Challenge:
+    file = folder / "it.toml"
+    file.write_text(text, encoding="utf-8")
+    return challenges.read(file)
+
+
+@pytest.mark.parametrize("name", challenges.names())
+def test_a_shipped_challenge_is_proven(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["challenge", "test", name, "--lang", "en"]) == 0
+
+    assert "the empty program does not" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("name", challenges.names())
+def test_a_shipped_challenge_is_short_in_every_language(name: str) -> None:
+    found = challenges.find(name)
+
+    assert set(found.texts) == set(languages())
+    assert len({len(each.hint) for each in found.texts.values()}) == 1
+    for text in found.texts.values():
+        assert text.hint
+        assert all(len(line) <= 80 for line in (text.title, text.task, *(each.text for each in text.hint)))
+
+
+@pytest.mark.parametrize("name", challenges.names())
+def test_a_hint_names_words_of_its_language(name: str) -> None:
+    for language, text in challenges.find(name).texts.items():
+        listed = [
+            *cast("dict[str, object]", table(language, "keywords")["keywords"]).values(),
+            *table(language, "commands").values(),
+        ]
+        listed += table("en", "commands").values()
+        spellings = [spelling for words in listed if isinstance(words, list) for spelling in words]
+        known = {word for spelling in spellings for word in spelling.casefold().split()}
+        named = {word for each in text.hint for word in re.findall(r"\b[^\W\d_]{2,}\b", each.text)}
+        assert {each for each in named if each.isupper() and each.casefold() not in known} == set()
+
+
+def test_from_the_third_on_a_shipped_challenge_has_two_starts() -> None:
+    for name in challenges.names()[2:]:
+        assert len(challenges.find(name).rules.variant) >= 2, name
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "code", "line"),
+    [
+        ("within", "wihtin", "challenge-key", 10),
+        ("within = 2", 'within = "x"', "challenge-value", 10),
+        ("said =", "sayd =", "challenge-key", 13),
+        ('said = "here"', "within = 1", "challenge-goal", 12),
+        ('task = "Do."\n', "", "challenge-missing", 4),
+        ("format = 1", "format = 2", "challenge-value", 1),
+        ('"first_room"', '"../x.world"', "challenge-outside", 2),
+        ("title =", "titel =", "challenge-key", 5),
+        ("[[goal]]\nsaid", "[[goal]\nsaid", "challenge-not-toml", 12),
+        ("[en]", "[pt]", "challenge-missing", 0),
+    ],
+)
+def test_a_mistake_has_its_line(tmp_path: Path, old: str, new: str, code: str, line: int) -> None:
+    with pytest.raises(BadChallenge) as bad:
+        read(tmp_path, GOOD.replace(old, new))
+
+    assert (bad.value.code, bad.value.line) == (code, line)
+
+
+def test_a_file_without_mistakes_is_read(tmp_path: Path) -> None:
+    found = read(tmp_path, GOOD)
+
+    assert [each.kind for each in found.rules.goal] == ["at", "said"]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "sentence"),
+    [
+        ("within", "wihtin", "Line 10: it.toml has the key wihtin. Did you mean within?"),
+        ("[en]", 'required = ["REPAET"]\n[en]', "it.toml has REPAET. Did you mean REPEAT?"),
+        ('"ball"', '"bal"', "it.toml names bal, and its world has no such thing. Did you mean ball?"),
+    ],
+)
+def test_a_misspelt_name_is_reported_with_the_nearest_one(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, sentence: str
+) -> None:
+    file = tmp_path / "it.toml"
+    file.write_text(GOOD.replace(old, new), encoding="utf-8")
+
+    assert main(["challenge", "check", str(file), str(file), "--lang", "en"]) == 2
+    assert capsys.readouterr().err.strip() == sentence
+
+
+PUPILS = {
+    "ana.gd": (b"FW 5", "ana.gd: Solved, in 1 command."),
+    "bia.gd": (b"FW 4", "bia.gd: 0 of 1 goal. You stop 1 step south of 0, 5."),
+    "caio.gd": (b"\xff\xfe\x00", "caio.gd is not a text."),
+    "endless.gd": (
+        b"VAR A = 1\nWHILE A > 0 DO\nEND WHILE",
+        "endless.gd: 0 of 1 goal. The program does not come to an end. You stop 5 steps south of 0, 5.",
+    ),
+    "misspelt.gd": (
+        b"FWW 3",
+        "misspelt.gd: 0 of 1 goal. Mistake in line 1: I do not know FWW. You stop 5 steps south of 0, 5.",
+    ),
+    "rui.gd": (b"FW 40", "rui.gd: 0 of 1 goal. You stop 8 steps north of 0, 5. You bumped 1 time."),
+}
+
+
+def test_each_program_of_a_folder_has_its_line_and_nothing_stops_the_rest(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for name, (text, _) in PUPILS.items():
+        (tmp_path / name).write_bytes(text)
+
+    assert main(["challenge", "check", "first_walk", str(tmp_path), "--lang", "en"]) == 2
+
+    lines = capsys.readouterr().out.replace(f"{tmp_path}/", "").splitlines()
+    assert lines == [*(line for _, line in PUPILS.values()), "6 programs. 1 solved."]
+
+
+@pytest.mark.parametrize(("text", "code"), [("FW 5", 0), ("FW 4", 1)])
+def test_a_run_with_a_challenge_is_judged(tmp_path: Path, text: str, code: int) -> None:
+    program = tmp_path / "p.gd"
+    program.write_text(text)
+
+    assert main(["run", "--challenge", "first_walk", str(program), "--lang", "en"]) == code
+
+
+def test_the_verdicts_are_a_table_and_a_text_for_each_pupil(tmp_path: Path) -> None:
+    pupils = tmp_path / "turma A"
+    pupils.mkdir()
+    (pupils / "josé.gd").write_text("FW 5")
+    (pupils / "rui.gd").write_text("FW 4")
+    table, answers = tmp_path / "t.csv", tmp_path / "answers"
+    options = ["--csv", str(table), "--feedback", str(answers), "--lang", "en"]
+
+    assert main(["challenge", "check", "1", str(pupils), *options]) == 1
+
+    with table.open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert [(Path(each["file"]).name, each["solved"], each["steps"]) for each in rows] == [
+        ("josé.gd", "True", "5"),
+        ("rui.gd", "False", "4"),
+    ]
+    assert (answers / "josé.txt").read_text(encoding="utf-8") == "Solved, in 1 command.\n"
+    assert "1 step south" in (answers / "rui.txt").read_text(encoding="utf-8")
+
+
+def test_the_table_never_replaces_a_program(tmp_path: Path) -> None:
+    program = tmp_path / "ana.gd"
+    program.write_text("FW 5")
+
+    assert main(["challenge", "check", "1", str(program), "--csv", str(program)]) == 2
+    assert program.read_text() == "FW 5"
+
+
+def test_a_new_challenge_works_and_replaces_nothing(tmp_path: Path) -> None:
+    folder = tmp_path / "my one"
+
+    assert main(["challenge", "new", str(folder)]) == 0
+    assert main(["challenge", "test", str(folder / "my one.toml")]) == 0
+    assert main(["challenge", "new", str(folder)]) == 2
+
+
+def test_a_solution_with_a_line_too_many_is_reported(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = tmp_path / "it"
+    main(["challenge", "new", str(folder)])
+    (folder / "it.solution.gd").write_text("FW 5\nTR 90\n")
+
+    assert main(["challenge", "test", str(folder / "it.toml"), "--lang", "en"]) == 1
+    assert capsys.readouterr().out.splitlines()[-1] == "it: the solution does not need its line 2."
+
+
+def test_words_of_a_later_lesson_and_missing_ones_are_said(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file, program = tmp_path / "it.toml", tmp_path / "p.gd"
+    own = 'format = 1\nwords = ["FW", "TR"]\nrequired = ["TR"]\nafter = ["first_walk"]\n'
+    file.write_text(GOOD.replace("format = 1\n", own))
+    program.write_text("REPITA 2 VEZES\nFW 1\nFIM REPITA")
+
+    assert main(["challenge", "check", str(file), str(program), "--lang", "en"]) == 1
+    said = capsys.readouterr().out
+    assert "0 of 2 goals. REPEAT comes in a later challenge. Missing: the word TR." in said

@@ -1,0 +1,305 @@
+"""Challenges as files: a world, a task in words, and goals that a run meets or doesn't.
+
+A challenge is ``NAME.toml`` with its solution ``NAME.solution.gd`` next to it. Only these two and its
+world are read; nothing in the file names a place outside its folder. A mistake is a
+``BadChallenge``: a code, the line and the names that could have been meant.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from pathlib import Path
+from typing import Any, TypeAlias
+
+import msgspec
+from msgspec import Struct
+
+from donnie_tui.process.confinement import open_bytes
+from worlds import names as world_names
+from worlds.words import ENGLISH, LARGEST, Difficulty, parsed
+
+LADDERS = str(Path(__file__).resolve().parent / "ladders")
+"""The folder of the challenges that come with Donnie."""
+SUFFIX, SOLUTION = ".toml", ".solution.gd"
+_ORDER = (
+    *(
+        "first_walk",
+        "to_the_ball",
+        "around_the_corner",
+        "face_the_table",
+        "say_what_you_see",
+        "there_and_back",
+    ),
+    *("square", "staircase"),
+    *("stop_at_the_post", "to_the_cone", "count_the_flowers"),
+)
+"""As a pupil solves them; what is not named here follows by name."""
+
+Place: TypeAlias = tuple[float, float]
+"""Steps to the east and to the north."""
+Target: TypeAlias = str | Place
+"""A thing by its name, or a place."""
+MOST = 50
+"""Goals, variants or hints of one challenge."""
+
+
+class Goal(Struct, frozen=True, forbid_unknown_fields=True):
+    """One thing that a run must reach. Exactly one of the fields without a default says what."""
+
+    at: Target | None = None
+    """Where the robot stops; with ``thing`` the place of that thing."""
+    facing: float | None = None
+    """Compass degrees at the end."""
+    visited: tuple[Target, ...] | None = None
+    """What the robot comes to, in this order."""
+    near: Target | None = None
+    """What the robot passes."""
+    thing: str | None = None
+    said: str | int | None = None
+    counted: str | None = None
+    """A variable, with its ``value`` at the end."""
+    holds: str | None = None
+    """What the gripper holds at the end."""
+    value: int = 0
+    within: float = 1.0
+    """Steps, and for ``facing`` ten degrees each."""
+    any_order: bool = False
+
+    @property
+    def kind(self) -> str:
+        """Which goal it is; empty where none or several are named."""
+        named = [each for each in KINDS if getattr(self, each) is not None]
+        if named == ["at", "thing"]:
+            return "thing"
+        return named[0] if len(named) == 1 and named != ["thing"] else ""
+
+    @property
+    def targets(self) -> tuple[Target, ...]:
+        """The things and places that it names."""
+        named = (self.at, self.near, self.thing, self.holds, *(self.visited or ()))
+        return tuple(each for each in named if each is not None)
+
+
+KINDS = ("at", "facing", "visited", "near", "thing", "said", "counted", "holds")
+
+
+class Never(Struct, frozen=True, forbid_unknown_fields=True):
+    """What must not happen."""
+
+    bump: bool = False
+    touch: tuple[str, ...] = ()
+
+
+class Limit(Struct, frozen=True, forbid_unknown_fields=True):
+    """The most that a solution may need; None for no limit."""
+
+    commands: int | None = None
+    """Movements, turns, waits, sentences and scans that are carried out."""
+    seconds: float | None = None
+    """Of robot time."""
+    steps: int | None = None
+    turns: int | None = None
+
+
+class Variant(Struct, frozen=True, forbid_unknown_fields=True):
+    """A start of the world's first robot."""
+
+    start: tuple[float, float, float] | None = None
+    """Steps to the east, steps to the north, compass degrees; None for the world's own."""
+    seed: int = 0
+
+
+class ChallengeHint(Struct, frozen=True, forbid_unknown_fields=True):
+    """A hint on request."""
+
+    text: str
+
+
+class ChallengeText(Struct, frozen=True, forbid_unknown_fields=True):
+    """What a challenge says in one language."""
+
+    title: str
+    task: str
+    hint: tuple[ChallengeHint, ...] = ()
+
+
+class Rules(Struct, frozen=True, forbid_unknown_fields=True):
+    """A challenge without its words."""
+
+    format: int
+    world: str
+    goal: tuple[Goal, ...]
+    difficulty: Difficulty = Difficulty.UNSTATED
+    after: tuple[str, ...] = ()
+    """The challenges that should be solved before; only advice."""
+    words: tuple[str, ...] = ()
+    """The words of GoDonnie that a program may have; empty for all."""
+    required: tuple[str, ...] = ()
+    """The words that a program must have."""
+    never: Never = Never()
+    limit: Limit = Limit()
+    variant: tuple[Variant, ...] = (Variant(),)
+
+
+class Challenge(Struct, frozen=True):
+    """A challenge that was read."""
+
+    name: str
+    path: Path
+    rules: Rules
+    texts: dict[str, ChallengeText]
+
+    def text(self, language: str) -> ChallengeText:
+        """In English where the language is missing."""
+        return self.texts.get(language, self.texts[ENGLISH])
+
+    @property
+    def world(self) -> str:
+        """The name of a built-in world, or the path of a file in the folder."""
+        return (
+            self.rules.world
+            if self.rules.world in world_names()
+            else str(self.path.parent / self.rules.world)
+        )
+
+    @property
+    def solution(self) -> Path:
+        return self.path.with_name(f"{self.name}{SOLUTION}")
+
+
+class BadChallenge(Exception):
+    """A challenge that can't be used: a code, the line (0 for the whole file) and what is wrong there."""
+
+    def __init__(
+        self, code: str, file: Path, line: int = 0, what: str = "", known: tuple[str, ...] = ()
+    ) -> None:
+        super().__init__(f"{file}:{line}: {code} {what}")
+        self.code = code
+        self.file = file
+        self.line = line
+        self.what = what
+        self.known = known
+        """The names that could have been meant."""
+
+
+def names() -> tuple[str, ...]:
+    """The challenges that ship, in the order in which to solve them."""
+    found = {each.name.removesuffix(SUFFIX) for each in os.scandir(LADDERS) if each.name.endswith(SUFFIX)}
+    return tuple(each for each in _ORDER if each in found) + tuple(sorted(found.difference(_ORDER)))
+
+
+def after(name: str) -> str | None:
+    """The one to solve next, among those that ship."""
+    shipped = names()
+    at = shipped.index(name) + 1 if name in shipped else len(shipped)
+    return shipped[at] if at < len(shipped) else None
+
+
+def find(name: str) -> Challenge:
+    """The challenge of that name or number, or of that file. Raises ``BadChallenge``."""
+    ours = names()
+    if name.isascii() and name.isdigit() and 0 < int(name[:4]) <= len(ours):
+        name = ours[int(name) - 1]
+    if name in ours:
+        return read(Path(LADDERS, f"{name}{SUFFIX}"))
+    path = Path(name)
+    if path.suffix == SUFFIX:
+        return read(path)
+    raise BadChallenge("challenge-unknown", path, what=name, known=ours)
+
+
+def read(path: Path) -> Challenge:
+    """A challenge of a file. Raises ``BadChallenge``."""
+    try:
+        with open_bytes(path) as stream:
+            data = stream.read(LARGEST + 1)
+    except (OSError, ValueError):
+        raise BadChallenge("challenge-unreadable", path) from None
+    try:
+        content = parsed(data)
+    except (ValueError, RecursionError) as problem:
+        place = re.search(r"line (\d+)", str(problem))
+        raise BadChallenge("challenge-not-toml", path, int(place[1]) if place else 0) from None
+    lines = data.decode("utf-8-sig").splitlines()
+    languages = [key for key in content if re.fullmatch("[a-z]{2,3}", key)]
+    texts = {key: _converted(content.pop(key), ChallengeText, path, lines, key) for key in languages}
+    rules = _converted(content, Rules, path, lines, "")
+    if ENGLISH not in texts:
+        raise BadChallenge("challenge-missing", path, what=f"{ENGLISH}.title")
+    _check(rules, path, lines)
+    return Challenge(path.name.removesuffix(SUFFIX), path, rules, texts)
+
+
+def _check(rules: Rules, path: Path, lines: list[str]) -> None:
+    """What the types don't say. Raises ``BadChallenge``."""
+    if rules.format != 1:
+        raise BadChallenge("challenge-value", path, line_of(lines, "", "format"), "format")
+    if Path(rules.world).name != rules.world:
+        raise BadChallenge("challenge-outside", path, line_of(lines, "", "world"), rules.world)
+    for key, found in (("goal", rules.goal), ("variant", rules.variant)):
+        if not 0 < len(found) <= MOST:
+            raise BadChallenge("challenge-value", path, line_of(lines, key, ""), key)
+    for index, goal in enumerate(rules.goal):
+        if not goal.kind:
+            raise BadChallenge("challenge-goal", path, line_of(lines, f"goal[{index}]", ""), ", ".join(KINDS))
+
+
+_PLACE = re.compile(r"(.*?)(?: - at `\$(.*)`)?", re.DOTALL)
+
+
+def _converted(content: object, kind: type[Any], path: Path, lines: list[str], table: str) -> Any:
+    """The value of a table. Raises ``BadChallenge`` with the line of what is wrong in it."""
+    try:
+        return msgspec.convert(content, kind)
+    except msgspec.ValidationError as problem:
+        found = _PLACE.fullmatch(str(problem))
+        message, place = (found[1], found[2] or "") if found else (str(problem), "")
+        inside = ".".join(filter(None, (table, place.lstrip("."))))
+        unknown = re.search("unknown field `(.*)`", message)
+        if unknown:
+            known = _keys(kind, place)
+            line = line_of(lines, inside, unknown[1])
+            raise BadChallenge("challenge-key", path, line, unknown[1], known) from None
+        missing = re.search("missing required field `(.*)`", message)
+        if missing:
+            what = ".".join(filter(None, (inside, missing[1])))
+            raise BadChallenge("challenge-missing", path, line_of(lines, inside, ""), what) from None
+        owner, _, key = inside.rpartition(".")
+        line = line_of(lines, owner, re.sub(r"\[.*", "", key)) or line_of(lines, inside, "")
+        raise BadChallenge("challenge-value", path, line, inside) from None
+
+
+_OF_TABLE: dict[str, type[Struct]] = {
+    "goal": Goal,
+    "never": Never,
+    "limit": Limit,
+    "variant": Variant,
+    "hint": ChallengeHint,
+}
+
+
+def _keys(kind: type[Struct], place: str) -> tuple[str, ...]:
+    """The keys that the table at that place of the file may have."""
+    table = re.sub(r"\[.*?\]", "", place).strip(".")
+    return _OF_TABLE.get(table, kind).__struct_fields__
+
+
+def line_of(lines: list[str], table: str, key: str) -> int:
+    """The line of a key, or of its table's head where ``key`` is empty; 0 where it isn't found.
+
+    ``table`` is as msgspec names it: ``goal[1]``, ``en.hint[0]``, or empty for what stands before all tables.
+    """
+    wanted, counted, current = re.sub(r"\[\.\.\.\]", "[0]", table), dict[str, int](), ""
+    for number, line in enumerate(lines, start=1):
+        head = re.match(r"\s*(\[\[?)\s*([\w.]+)\s*\]", line)
+        if head:
+            current = head[2]
+            if head[1] == "[[":
+                at = counted[current] = counted.get(current, -1) + 1
+                current = f"{current}[{at}]"
+            if (current == wanted and not key) or (head[2] == key and not wanted):
+                return number
+        elif current == wanted and key and re.match(rf"\s*[\"']?{re.escape(key)}[\"']?\s*=", line):
+            return number
+    return 0

@@ -1,0 +1,3 @@
+FW 6 - POS Y
+TL 90
+FW 6

@@ -1,0 +1,2 @@
+TR 90
+SPEAK COLOR yellow

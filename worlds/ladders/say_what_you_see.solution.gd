@@ -1,0 +1,2 @@
+FW 4
+SPEAK "here"
