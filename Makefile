@@ -4,7 +4,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: run test test-all install dev bench fuzz mutants clean
+.PHONY: run test test-all install dev bench fuzz mutants sentences clean
 
 run: install .venv/compiled
 	@$(BIN)/donnie $(ARGS)
@@ -28,6 +28,10 @@ fuzz: .venv/developed
 
 bench: .venv/developed
 	@for each in benchmarks/[a-z]*.py; do echo "== $$each"; $(BIN)/python $$each || exit 1; done
+
+# Every sentence with real values, for a review by ear: a page for each language in build/sentences.
+sentences: .venv/developed .venv/compiled
+	@$(BIN)/python -m tests.tools.sentences $(ARGS)
 
 .venv/bin/python:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Donnie needs Python 3.11 or later; name one with: make run PYTHON=python3.11")'

@@ -3,7 +3,8 @@
 1. Runs the tests that need no other program once and writes down which test runs which line, in child
    processes too (coverage).
 2. Draws COUNT mutations at random from all modules of the product.
-3. Makes each of them in a copy of the repository and runs the tests that run its line.
+3. Makes each of them in a copy of the repository and runs the tests that run its line; if all pass, mypy
+   checks the types, as the check does.
 
 Why no ready tool: mutmut and cosmic-ray mutate everything or a hand-written list, neither draws a sample by a
 seed; mutmut runs all in one process and misses what a child process does; cosmic-ray runs the same tests for
@@ -24,6 +25,7 @@ import tempfile
 import threading
 import time
 from collections import defaultdict
+from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
@@ -37,7 +39,7 @@ FOLDER = ROOT / ".mutants"
 DATA, PASSED, REPORT = FOLDER / "coverage", FOLDER / "passed.json", FOLDER / "report.txt"
 CONFIG = Path(__file__).with_name("coverage.toml")
 MOST_SECONDS = 150.0
-"""Of tests a mutation; the shortest come first."""
+"""Of tests a mutation."""
 WANTED = 0.92
 
 
@@ -45,7 +47,7 @@ WANTED = 0.92
 class Verdict:
     mutation: Mutation
     by: str
-    """The test that noticed it; empty if none did."""
+    """The test that noticed it, or ``(types)``; empty if none did."""
     tests: int
     """How many run its line."""
 
@@ -123,7 +125,7 @@ def pytest_sessionfinish(session: object) -> None:
 
 
 class Map:
-    """The tests that run a line, the shortest first."""
+    """The tests that run a line: the shortest of each file first, then the next of each."""
 
     def __init__(self) -> None:
         from coverage import CoverageData
@@ -140,14 +142,25 @@ class Map:
         names = {_test_of(each) for each in contexts}
         if "" in names:  # run while it was imported: any test of the module may notice
             names |= {_test_of(each) for line in by_line.values() for each in line}
-        known = sorted((each for each in names if each in self._seconds), key=self._seconds.__getitem__)
+        known = (
+            names & self._seconds.keys() or self._seconds.keys()
+        )  # a table that no test runs: any may notice
         chosen, seconds = [], 0.0
-        for name in known:
+        for name in self._in_turn(known):
             seconds += self._seconds[name]
             if seconds > MOST_SECONDS:
                 break
             chosen.append(name)
         return chosen
+
+    def _in_turn(self, names: Iterable[str]) -> list[str]:
+        files: dict[str, int] = defaultdict(int)
+        turns = {}
+        for name in sorted(names, key=self._seconds.__getitem__):
+            file = name.partition("::")[0]
+            turns[name] = files[file]
+            files[file] += 1
+        return sorted(turns, key=lambda name: (turns[name], self._seconds[name]))
 
 
 def _test_of(context: str) -> str:
@@ -218,9 +231,16 @@ def _tried(mutation: Mutation, names: list[str], copy: Path) -> Verdict:
         if by and by != _TIMEOUT and by in names and not _first_failure([by], copy):
             rest = names[names.index(by) + 1 :]  # it failed by chance
             by = _first_failure(rest, copy) if rest else ""
+        if not by and not _has_its_types(copy):
+            by = "(types)"
         return Verdict(mutation, by, len(names))
     finally:
         file.write_bytes(source)
+
+
+def _has_its_types(copy: Path) -> bool:
+    mypy = [sys.executable, "-m", "mypy", "--cache-dir", ".mypy_cache"]
+    return subprocess.run(mypy, cwd=copy, capture_output=True, check=False).returncode == 0
 
 
 _TIMEOUT = "(no end)"

@@ -198,7 +198,7 @@ def _check_next_start(folder: Path, typed: Typed, kept: int) -> None:
     done = donnie(folder, "--linear", *QUIET, typed="RECOVER\nLIST\n" if has_copy else "OPEN work\nLIST\n")
     said = (done.stdout + done.stderr).decode()
     assert "Traceback" not in said, said
-    assert done.returncode == 0, said
+    assert done.returncode in (0, 1), said
     for line in typed.lines[:kept]:
         assert line.strip() in said.replace("\n", " ") or not has_copy, f"{line!r} is not recovered"
 
