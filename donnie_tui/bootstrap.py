@@ -9,15 +9,17 @@ import os
 from collections.abc import Callable
 from contextlib import ExitStack
 from functools import partial
+from itertools import count
 from typing import TYPE_CHECKING, TextIO
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from devices.ports.robot import Pace, Watcher
-from donnie_tui.core.events import Announced, Answered
+from donnie_tui.core.events import Announced, Answered, Stamped
 from donnie_tui.core.hub import Stream
 from donnie_tui.core.outlets import SpeechWait
-from donnie_tui.core.session import ResettableRobot, Session, SessionSetup
+from donnie_tui.core.session import ResettableRobot, RunOptions, Session, SessionSetup
 from donnie_tui.core.team import Team
 from donnie_tui.core.timeline import Chronicle
 from donnie_tui.core.workspace import Workspace
@@ -31,13 +33,22 @@ from donnie_tui.robot.search import Search
 from donnie_tui.settings.folders import BREAKPOINTS, RECENT, UNSAVED, is_new_decision, state_path
 from donnie_tui.settings.parsing import SERIAL, SIMULATED
 from donnie_tui.settings.settings import Settings, SettingSource
-from donnie_tui.world.loading import ChosenWorld, ThingWatch, choose_world, files_of
+from donnie_tui.world.loading import (
+    ChosenWorld,
+    ThingWatch,
+    choose_world,
+    files_of,
+    inventory_of,
+    started_at,
+)
 
 if TYPE_CHECKING:
+    from donnie_tui.core.goals import Judgment
     from donnie_tui.core.program_files import FilesInUse
     from sim.picture import Picture
     from sim.sensors import Mounted
     from sim.world import World
+    from worlds.challenges import Challenge, Variant
 
 __all__ = ["Donnie", "Unusable", "assemble", "colours_of_world", "open_workspace"]
 
@@ -203,12 +214,21 @@ def _assembled(
     belt_news = connect_belt(settings, team, words, closing)
     about_robot = _connect_robot(connection, settings, words, world, terminal)
     notices = Notices(
-        () if world.ships else _remarks(world, words),
+        (*_task(world, words), *(() if world.ships else _remarks(world, words))),
         tuple(words(each.code, **each.values) for each in settings.notices),
         audible.notices + (_decided(audible, words) if terminal else ()),
         belt_news() + about_robot,
     )
     return Donnie(words, world, team, connection, chronicle, outlets, notices, shared, closing)
+
+
+def _task(world: ChosenWorld, words: Words) -> tuple[str, ...]:
+    """What the challenge asks for, if there is one."""
+    if world.challenge is None:
+        return ()
+    from donnie_tui.core.describe import task_in_words
+
+    return task_in_words(world.challenge, words)
 
 
 def _remarks(world: ChosenWorld, words: Words) -> tuple[str, ...]:
@@ -316,6 +336,54 @@ def _simulated_robot(
     world: World, name: str, settings: Settings, pace: Pace, watcher: Watcher
 ) -> ResettableRobot:
     return world.robot(name, pace=pace, watcher=watcher, speed=settings.speed)
+
+
+LONGEST_TRY = 3600.0
+"""Seconds of robot time after which a judged program counts as endless."""
+MOST_STATEMENTS = 20_000
+"""Statements after which a judged program counts as endless."""
+
+
+def judge_program(
+    text: str, challenge: Challenge, world: ChosenWorld, words: Words, settings: Settings
+) -> tuple[Judgment, ...]:
+    """The outcome from each start of the challenge, in a world of its own; nothing of it is printed.
+
+    An endless program ends by robot time and by the number of its statements, so a busy machine changes
+    nothing.
+    """
+    return tuple(
+        _judge_start(text, challenge, each, world, words, settings) for each in challenge.rules.variant
+    )
+
+
+def _judge_start(
+    text: str,
+    challenge: Challenge,
+    variant: Variant,
+    world: ChosenWorld,
+    words: Words,
+    settings: Settings,
+) -> Judgment:
+    from donnie_tui.core.goals import judge
+
+    settings = replace(settings, speed=None, seed=variant.seed)
+    team = make_team(settings, words, started_at(world, variant.start), terminal=False)
+    session, events, statements = team.chosen, list[Stamped](), count(1)
+
+    def note(stamped: Stamped) -> None:
+        events.append(stamped)
+        if stamped.t > LONGEST_TRY:
+            session.stop()
+
+    def before_statement() -> None:
+        if next(statements) > MOST_STATEMENTS:
+            session.stop()
+
+    session.hub.subscribe(note)
+    session.start(text, "program", RunOptions(fresh=True), each_statement=before_statement).wait()
+    team.close()
+    return judge(challenge, inventory_of(world.scene), events)
 
 
 def open_workspace(state_folder: str) -> Workspace:

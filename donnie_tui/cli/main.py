@@ -15,7 +15,6 @@ from msgspec.structs import replace
 
 import donnie_tui
 from donnie_tui.cli.options import (
-    TO_COME,
     ExitCode,
     Invocation,
     Order,
@@ -88,7 +87,7 @@ def main(arguments: list[str], greeting: Greeting | None = None) -> int:
     except BadLimitsError as bad:
         complaint = words(bad.code, **bad.values)
     except WrongUsage as wrong:
-        complaint = words(wrong.code, what=wrong.what)
+        complaint = words(wrong.code, what=wrong.what, near=wrong.near)
     except BadOption as bad:
         option, value = f"--{bad.key.replace('_', '-')}", bad.value[:40]
         complaint = words("bad-option", option=option, value=value, wanted=bad.wanted)
@@ -104,8 +103,6 @@ def main(arguments: list[str], greeting: Greeting | None = None) -> int:
 
 def _obey(arguments: list[str], words: Words, start: _Start) -> int:
     invocation = understand(arguments, words)
-    if invocation.command in TO_COME:
-        raise Unusable(words("command-to-come", command=invocation.command))
     own = _limit(invocation, words, start)
     order = _order(invocation, own, start)
     if order.outputs:
@@ -207,6 +204,8 @@ def _handler(order: Order) -> Callable[[Order], int]:
             from donnie_tui.cli.replay import replay as command
         case "check":
             from donnie_tui.cli.programs import check as command
+        case "challenge":
+            from donnie_tui.cli.programs import challenge as command
         case "format":
             from donnie_tui.cli.programs import format_files as command
         case "worlds":

@@ -7,6 +7,7 @@ common option may stand before or after the command.
 from __future__ import annotations
 
 import argparse
+import os
 import re
 from collections.abc import Callable, Iterator, Mapping
 from enum import IntEnum
@@ -40,6 +41,7 @@ COMMON = {
     "world": "NAME_OR_FILE",
     "robot": "sim|serial|serial:PORT|double",
     "profile": "auto|2016|2018",
+    "camera": "NUMBER|DEVICE|FILE|FOLDER",
     "lang": "|".join(languages()),
     "speed": "N|max",
     "seed": "N",
@@ -79,15 +81,25 @@ _PORT = OptionSpec(("port",), "option-port", "PORT", nargs="?")
 OPTIONS: dict[str, tuple[OptionSpec, ...]] = {
     "": (
         _FILE,
-        OptionSpec(("--linear", "-t", "-T"), "option-linear", group="mode"),
+        OptionSpec(("--linear", "--screen-reader", "-t", "-T"), "option-linear", group="mode"),
         OptionSpec(("--visual",), "option-visual", group="mode"),
         OptionSpec(("--plain",), "option-plain"),
         OptionSpec(("-f", "-F"), "option-f", "FILE", dest="run"),
         OptionSpec(("-m", "-M"), "option-m", dest="mute"),
         OptionSpec(("-l", "-L"), "option-l", dest="log"),
     ),
-    "run": (_FILES, OptionSpec(("--trace",), "option-trace")),
+    "run": (
+        _FILES,
+        OptionSpec(("--trace",), "option-trace"),
+        OptionSpec(("--challenge",), "option-challenge", "NAME"),
+    ),
     "check": (_FILES,),
+    "challenge": (
+        OptionSpec(("what",), "option-challenge-what", "NAME", nargs="*"),
+        OptionSpec(("--json",), "option-challenge-json"),
+        OptionSpec(("--csv",), "option-csv", "FILE"),
+        OptionSpec(("--feedback",), "option-feedback", "FOLDER"),
+    ),
     "format": (
         _FILES,
         OptionSpec(("--to",), "option-to", f"{{{','.join(languages())}}}", choices=languages()),
@@ -113,7 +125,7 @@ OPTIONS: dict[str, tuple[OptionSpec, ...]] = {
     "doctor": (),
     "devices": (OptionSpec(("port",), "option-ports", "PORT", nargs="*"),),
     "stop": (_PORT, OptionSpec(("--wait",), "option-wait")),
-    "calibrate": (),
+    "calibrate": (OptionSpec(("what",), "option-calibrate", "colour", nargs="?"),),
     "serve": (
         OptionSpec(("--port",), "option-serve-port", "N", default="8000"),
         OptionSpec(("--listen",), "option-listen", "ADDRESS"),
@@ -123,17 +135,18 @@ OPTIONS: dict[str, tuple[OptionSpec, ...]] = {
 }
 """The options of each command; those of the program itself stand under the empty name."""
 
-TO_COME = ("challenge",)
-COMMANDS = (*(name for name in OPTIONS if name), *TO_COME)
+COMMANDS = tuple(name for name in OPTIONS if name)
 
 
 class WrongUsage(Exception):
     """The command line can't be understood: the code of a sentence, and what it is about."""
 
-    def __init__(self, code: str, what: str) -> None:
+    def __init__(self, code: str, what: str, near: str = "") -> None:
+        """``near`` is the command that was probably meant."""
         super().__init__(code)
         self.code = code
         self.what = what
+        self.near = near
 
 
 class Invocation(Struct, frozen=True):
@@ -186,13 +199,21 @@ def _pages(invocation: Invocation) -> Iterator[tuple[str, str]]:
 def understand(arguments: list[str], words: Words) -> Invocation:
     """The command and its options. Prints help or the version and exits where that is asked for.
 
-    Raises ``WrongUsage`` or ``BadOption``. Of a command that is still to come only the name is read.
+    Raises ``WrongUsage`` or ``BadOption``.
     """
-    command, rest = _split(arguments)
-    if command in TO_COME:
-        return Invocation(command, {}, argparse.Namespace())
+    first = _first_word(arguments)
+    typed = arguments[first] if first is not None else ""
+    command = typed if typed in COMMANDS else ""
+    rest = arguments[:first] + arguments[first + 1 :] if command and first is not None else arguments
     _refuse_second_limit(rest)
-    parsed = parser_of(command, words).parse_args(rest)
+    try:
+        parsed = parser_of(command, words).parse_args(rest)
+    except WrongUsage:
+        if not command:
+            _refuse_misspelt(typed)
+        raise
+    if not command:
+        _refuse_misspelt(typed)
     options = {key: getattr(parsed, key) for key in COMMON if getattr(parsed, key) is not None}
     return Invocation(command, options, parsed)
 
@@ -204,21 +225,28 @@ def _refuse_second_limit(arguments: list[str]) -> None:
             raise WrongUsage("usage-twice", each)
 
 
-def _split(arguments: list[str]) -> tuple[str, list[str]]:
-    """The command, empty for none, and the arguments without it."""
+def _refuse_misspelt(typed: str) -> None:
+    """Raises ``WrongUsage`` for a word that is no file but nearly a command."""
+    from language.suggestions import nearest
+
+    near = nearest(typed, COMMANDS, COMMANDS) if typed and not os.path.lexists(typed) else None
+    if near is not None:
+        raise WrongUsage("usage-near-command", typed, near)
+
+
+def _first_word(arguments: list[str]) -> int | None:
+    """The place of the command, or of the program's file, among the options; None without either."""
     skip = False
     for index, each in enumerate(arguments):
         if skip:
             skip = False
         elif each == "--" or each.lower() == "-f":
-            break
+            return None
         elif each.startswith("--"):
             skip = any(each == BY_KEY[key].option for key in COMMON)
         elif not each.startswith("-") or each == "-":
-            if each in COMMANDS:
-                return each, arguments[:index] + arguments[index + 1 :]
-            break
-    return "", arguments
+            return index
+    return None
 
 
 def language_before_parsing(
@@ -325,6 +353,5 @@ def _add(parser: argparse._ActionsContainer, option: OptionSpec, sentence: Sente
 
 def _all_commands(sentence: Sentences) -> str:
     """The list of commands, a line each, with what it is for."""
-    known = (each for each in COMMANDS if each not in TO_COME)
-    lines = (f"{each}: {sentence(f'usage-{each}')}" for each in known)
+    lines = (f"{each}: {sentence(f'usage-{each}')}" for each in COMMANDS)
     return "\n".join([sentence("usage-commands"), *lines])

@@ -1,34 +1,49 @@
-"""``donnie check`` and ``donnie format``, and reading programs from files or standard input.
+"""``donnie check``, ``donnie format`` and ``donnie challenge``, and reading programs.
 
-``check`` prints every mistake of form and every hint, a line each; nothing runs, and no world is needed.
+``check`` prints every mistake of form and every hint, a line each; nothing runs, and no world is needed. Of
+several programs everything is on standard output, with the totals as its last line.
 ``format`` writes the canonical layout to standard output or in place, and translates keywords on request.
+``challenge`` lists challenges, prints the task of one, and judges programs by one. An endless program ends by
+robot time and by the number of its statements, so a busy machine changes no verdict.
 """
 
 from __future__ import annotations
 
+import csv
+import io
+import json
 import sys
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 from msgspec import Struct
 
+from donnie_tui.bootstrap import judge_program
 from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.streams import Output
+from donnie_tui.core.describe import verdict_in_words
+from donnie_tui.core.goals import Judgment, unknown_things
 from donnie_tui.core.program_files import (
     LARGEST,
     DocumentError,
     checked_path,
     decode,
+    exists,
     read_to_the_end,
     write_program,
 )
 from donnie_tui.i18n.mistakes import remark
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.process.confinement import is_allowed
+from donnie_tui.process.confinement import is_allowed, make_folder
 from donnie_tui.settings.settings import SettingSource
+from donnie_tui.world.loading import choose_challenge, choose_world, inventory_of
 from language.checker import check as hints_for
 from language.diagnostics import MOST_MISTAKES, Diagnostic, Severity
 from language.formatter import formatted
 from language.parser import parse
+from language.suggestions import nearest
+from worlds import challenges
 
 
 class Source(Struct, frozen=True):
@@ -59,15 +74,30 @@ def _standard_input() -> str:
 
 def check(order: Order) -> int:
     """The worst of the files counts. A folder stands for the programs in it."""
+    given = order.invocation.arguments.file
+    found = {name: programs_in(name) for name in given}
+    is_report = list(found.values()) != [(given[0],)]
+    remark_on = order.output.line if is_report else order.output.complaint
+    for name, programs in found.items():
+        if not programs:
+            remark_on(order.words("check-no-programs", path=name))
     colours = _colours(order)
-    return max(_check(order, name, colours) for name in order.invocation.arguments.file)
+    codes = [_check_file(order, each, colours, remark_on) for programs in found.values() for each in programs]
+    if is_report and codes:
+        order.output.line(_totals(codes, order.words))
+    return max((*codes, *(ExitCode.UNUSABLE for programs in found.values() if not programs)))
 
 
-def _check(order: Order, name: str, colours: frozenset[str] | None) -> int:
-    names = programs_in(name)
-    if not names:
-        order.output.complaint(order.words("check-no-programs", path=name))
-    return max((_check_file(order, each, colours) for each in names), default=ExitCode.UNUSABLE)
+def _totals(codes: Sequence[int], words: Words) -> str:
+    counted = Counter(codes)
+    unread = counted[ExitCode.UNUSABLE]
+    return words(
+        "check-total-unread" if unread else "check-total",
+        programs=len(codes),
+        wrong=counted[ExitCode.FAILED],
+        right=counted[ExitCode.DONE],
+        unread=unread,
+    )
 
 
 def programs_in(name: str) -> tuple[str, ...]:
@@ -83,20 +113,23 @@ def programs_in(name: str) -> tuple[str, ...]:
     return tuple(sorted(map(str, found)))
 
 
-def _check_file(order: Order, name: str, colours: frozenset[str] | None) -> int:
+def _check_file(
+    order: Order, name: str, colours: frozenset[str] | None, remark_on: Callable[[str], None]
+) -> int:
+    """``remark_on`` prints what is no mistake or hint."""
     try:
         source = read_source(name, order.words)
     except Unusable as unusable:
-        order.output.complaint(unusable.sentence)
+        remark_on(unusable.sentence)
         return ExitCode.UNUSABLE
     found = diagnostics_of(source.text, colours)
     for each in found:
         order.output.line(line_for(each, source, order.words))
     is_wrong = any(each.severity is Severity.ERROR for each in found)
     if is_wrong and len(found) >= MOST_MISTAKES:
-        order.output.complaint(order.words("more-mistakes", limit=MOST_MISTAKES))
+        remark_on(order.words("more-mistakes", limit=MOST_MISTAKES))
     if not found:
-        order.output.complaint(order.words("check-clean", file=source.name))
+        remark_on(order.words("check-clean", file=source.name))
     return ExitCode.FAILED if is_wrong else ExitCode.DONE
 
 
@@ -157,3 +190,212 @@ def _put(text: str, source: Source, order: Order) -> None:
             write_program(source.path, text)
     except DocumentError as error:
         raise Unusable(order.words(error.code, path=error.path, reason=error.reason)) from None
+
+
+# --- challenges
+
+
+def challenge(order: Order) -> int:
+    """``donnie challenge``, ``donnie challenge NAME``, ``check``, ``test`` and ``new`` with a NAME."""
+    match order.invocation.arguments.what:
+        case []:
+            return _list_challenges(order)
+        case ["check", name, first, *others]:
+            return check_challenge(order, name, [first, *others])
+        case ["test", first, *others]:
+            return max(_test_challenge(order, name) for name in (first, *others))
+        case ["new", name]:
+            return _new_challenge(order, name)
+        case ["check" | "test" | "new", *_]:
+            raise Unusable(order.words("challenge-usage"))
+        case [name]:
+            return _describe_challenge(order, name)
+    raise Unusable(order.words("challenge-usage"))
+
+
+def _list_challenges(order: Order) -> int:
+    for number, name in enumerate(challenges.names(), start=1):
+        found = choose_challenge(name, order.words)
+        title = found.text(order.words.language).title
+        order.output.line(order.words("challenge-listed", number=number, name=name, title=title))
+    return ExitCode.DONE
+
+
+def _describe_challenge(order: Order, name: str) -> int:
+    found = choose_challenge(name, order.words)
+    text = found.text(order.words.language)
+    for line in (
+        text.title,
+        text.task,
+        *(order.words("challenge-hint", text=each.text) for each in text.hint),
+    ):
+        order.output.line(line)
+    order.output.line(order.words("challenge-try", name=name, world=found.rules.world))
+    return ExitCode.DONE
+
+
+def check_challenge(order: Order, name: str, files: Sequence[str]) -> int:
+    """Judge programs; 1 if one does not solve the challenge, 2 if one can't be read."""
+    judging = _Judging(order, choose_challenge(name, order.words))
+    programs = [each for file in files for each in programs_in(file)]
+    if not programs:
+        raise Unusable(order.words("check-no-programs", path=files[0]))
+    records = [judging.record(each) for each in programs]
+    if order.invocation.command == "challenge":
+        _write_table(order, programs, [each[1] for each in records])
+    if order.invocation.command == "challenge" and order.invocation.arguments.json:
+        order.output.text(json.dumps([each[1] for each in records], ensure_ascii=False, indent=2) + "\n")
+    elif len(records) > 1:
+        solved = sum(code == ExitCode.DONE for code, _ in records)
+        order.output.line(order.words("challenge-total", programs=len(records), solved=solved))
+    return max(code for code, _ in records)
+
+
+_COLUMNS = ("file", "solved", "goals", "met", "commands", "steps", "bumps", "verdict")
+
+
+def _write_table(order: Order, programs: Sequence[str], records: Sequence[Mapping[str, object]]) -> None:
+    """What ``--csv`` and ``--feedback`` ask for. Raises ``Unusable``."""
+    table, folder = order.invocation.arguments.csv, order.invocation.arguments.feedback
+    if table is not None:
+        if Path(table).resolve() in (Path(each).resolve() for each in programs):
+            raise Unusable(order.words("challenge-csv-program", path=table))
+        text = io.StringIO()
+        rows = csv.DictWriter(text, _COLUMNS)
+        rows.writeheader()
+        rows.writerows({name: each.get(name, "") for name in _COLUMNS} for each in records)
+        _write(Path(table), text.getvalue(), order.words)
+    if folder is not None:
+        make_folder(Path(folder))
+        used = Counter[str]()
+        for name, each in zip(programs, records, strict=True):
+            stem = Path(name).stem
+            used[stem] += 1
+            file = f"{stem}-{used[stem]}.txt" if used[stem] > 1 else f"{stem}.txt"
+            _write(Path(folder, file), f"{each['verdict']}\n", order.words)
+
+
+def _write(path: Path, text: str, words: Words) -> None:
+    """Raises ``Unusable``."""
+    try:
+        write_program(path, text)
+    except DocumentError as error:
+        raise Unusable(words(error.code, path=error.path, reason=error.reason)) from None
+
+
+_NEW = """\
+format = 1
+world = "first_room"
+difficulty = "easy"
+
+[en]
+title = "My challenge"
+task = "Walk 5 steps to the north."
+[[en.hint]]
+text = "FW and a number walks forward."
+
+[[goal]]
+at = [0, 5]
+within = 0.5
+[never]
+bump = true
+"""
+
+
+def _new_challenge(order: Order, name: str) -> int:
+    """A folder with a challenge that works, to be changed. Raises ``Unusable`` if it is there already."""
+    folder, stem = Path(name), Path(name).name
+    if not stem or exists(folder):
+        raise Unusable(order.words("challenge-new-there", path=name))
+    try:
+        make_folder(folder)
+    except OSError as problem:
+        raise Unusable(order.words("challenge-new-failed", path=name, reason=problem.strerror)) from None
+    _write(folder / f"{stem}{challenges.SUFFIX}", _NEW, order.words)
+    _write(folder / f"{stem}{challenges.SOLUTION}", "FW 5\n", order.words)
+    order.output.line(order.words("challenge-new", path=str(folder / f"{stem}{challenges.SUFFIX}")))
+    return ExitCode.DONE
+
+
+def _test_challenge(order: Order, name: str) -> int:
+    """Whether the solution solves the challenge from every start, and the empty program from none."""
+    found = choose_challenge(name, order.words)
+    judging = _Judging(order, found)
+    source = read_source(str(found.solution), order.words)
+    verdicts, nothing = judging.verdicts(source.text), judging.verdicts("")
+    wrong = [each for each in verdicts if not each.is_solved]
+    if wrong:
+        order.output.line(order.words("challenge-test-unsolved", name=found.name))
+        order.output.line(judging.sentences(verdicts))
+    easy = any(each.is_solved for each in nothing)
+    if easy:
+        order.output.line(order.words("challenge-test-empty", name=found.name))
+    spare = 0 if wrong or easy else judging.spare_line(source.text)
+    if spare:
+        order.output.line(order.words("challenge-test-spare", name=found.name, line=spare))
+    if wrong or easy or spare:
+        return ExitCode.FAILED
+    order.output.line(order.words("challenge-test-good", name=found.name, starts=len(verdicts)))
+    return ExitCode.DONE
+
+
+class _Judging:
+    """Judges programs by one challenge. Each runs in a world of its own, from every start."""
+
+    def __init__(self, order: Order, found: challenges.Challenge) -> None:
+        """Raises ``Unusable``."""
+        self._order, self._words, self._challenge = order, order.words, found
+        self._world = choose_world(found.world, order.words)
+        if not self._world.scene.robots:
+            raise Unusable(order.words("world-without-robot", name=self._world.name))
+        self._room = inventory_of(self._world.scene)
+        unknown = unknown_things(found, self._room)
+        if unknown:
+            known = [name for each in self._room.items for name in (each.name, f"{each.colour} {each.kind}")]
+            near = nearest(unknown[0], known)
+            code = "challenge-thing-near" if near else "challenge-thing"
+            raise Unusable(order.words(code, file=found.path.name, what=unknown[0], near=near))
+
+    def record(self, name: str) -> tuple[int, dict[str, object]]:
+        """The exit code for a file and its record; prints its line unless all is asked for as JSON."""
+        try:
+            source = read_source(name, self._words)
+        except Unusable as unusable:
+            self._print(unusable.sentence)
+            return ExitCode.UNUSABLE, {"file": name, "solved": None, "verdict": unusable.sentence}
+        verdicts = self.verdicts(source.text)
+        sentence, solved = self.sentences(verdicts), all(each.is_solved for each in verdicts)
+        self._print(self._words("challenge-verdict", file=Path(name).name, verdict=sentence))
+        worst = next((each for each in verdicts if not each.is_solved), verdicts[0])
+        return ExitCode.DONE if solved else ExitCode.FAILED, {
+            "file": name,
+            "solved": solved,
+            "goals": worst.goals,
+            "met": worst.met,
+            "commands": worst.commands,
+            "steps": worst.steps,
+            "bumps": worst.bumps,
+            "verdict": sentence,
+        }
+
+    def _print(self, line: str) -> None:
+        if not getattr(self._order.invocation.arguments, "json", False):
+            self._order.output.line(line)
+
+    def verdicts(self, text: str) -> tuple[Judgment, ...]:
+        """One for each start."""
+        return judge_program(text, self._challenge, self._world, self._words, self._order.settings)
+
+    def spare_line(self, text: str) -> int:
+        """The first line of a solution that it does not need; 0 if it needs all."""
+        lines = text.splitlines()
+        for number, line in enumerate(lines, start=1):
+            shorter = "\n".join(lines[: number - 1] + lines[number:])
+            is_program = line.strip() and not parse(shorter).diagnostics
+            if is_program and all(each.is_solved for each in self.verdicts(shorter)):
+                return number
+        return 0
+
+    def sentences(self, verdicts: Sequence[Judgment]) -> str:
+        """What there is to say about a program."""
+        return verdict_in_words(verdicts, self._room, self._words)

@@ -216,7 +216,11 @@ _CODE_OF = {
 
 
 def run(order: Order) -> int:
-    """``donnie run FILE``, or ``donnie run ROBOT=FILE ROBOT=FILE``."""
+    """``donnie run FILE``, or ``donnie run ROBOT=FILE ROBOT=FILE``; with ``--challenge`` it is judged."""
+    if order.invocation.arguments.challenge is not None:
+        from donnie_tui.cli.programs import check_challenge  # few runs are judged
+
+        return check_challenge(order, order.invocation.arguments.challenge, order.invocation.arguments.file)
     return _run(order, order.invocation.arguments.file, trace=order.invocation.arguments.trace)
 
 

@@ -2,29 +2,40 @@
 
 from __future__ import annotations
 
+import os
+from collections import deque
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from donnie_tui.bootstrap import Donnie
+from donnie_tui.bootstrap import Donnie, judge_program
+from donnie_tui.commands.declarations import BY_NAME
 from donnie_tui.commands.interaction import Interaction, Screen
+from donnie_tui.commands.lookup import word_of
 from donnie_tui.commands.preferences import Preferences
 from donnie_tui.core.answer_log import AnswerLog
-from donnie_tui.core.events import Answered
+from donnie_tui.core.events import TRANSIENT, Answered, CueSounded, Reset, RunStarted, Stamped
 from donnie_tui.core.map_grid import Trail
 from donnie_tui.core.program_text import no_such_line
 from donnie_tui.core.run_controller import RunController
 from donnie_tui.core.run_state import RunErrors
 from donnie_tui.core.transcript import lines_with_robot_name, with_robot_name
 from donnie_tui.core.wording import shown_name
+from donnie_tui.settings.folders import PROGRESS, state_path
 
 if TYPE_CHECKING:
     from donnie_tui.core.document import Document
+    from donnie_tui.core.goals import Judgment
     from donnie_tui.core.line_history import LineHistory
     from donnie_tui.core.map_grid import MapGrid
+    from donnie_tui.core.program_files import ProgressFile
     from donnie_tui.core.workspace import Workspace
+    from worlds.challenges import Challenge
 
 MOST_AT_ONCE = 18
 """Lines of a list that are said without their number before."""
+
+FAILED, UNUSABLE = 1, 2
+"""Exit codes of a script: it had a mistake; it names a file that can't be used."""
 
 
 class Context:
@@ -51,6 +62,8 @@ class Context:
         self.screen = screen
         self.tour_page = 1
         """The page where TOUR continues in the linear mode."""
+        self.script_code = 0
+        """The exit code of a script for what was refused so far, apart from the mistakes of its runs."""
         self.is_urgent = False
         """Whether an answer comes before what a running program has said and is not printed yet."""
         self.runs = RunController(
@@ -60,6 +73,11 @@ class Context:
             has_prompt=screen is None,
             can_hold=interaction.is_attended,
         )
+        self.attempt: Attempt | None = None
+        """What was done for the challenge of this world, if it has one."""
+        if donnie.world.challenge is not None:
+            self.attempt = Attempt(donnie, donnie.world.challenge, preferences)
+            self.runs.judge = self.attempt.judge
         self.trail = Trail(lambda: donnie.session.hub.robot)
         self.errors = RunErrors(of=lambda: donnie.session.hub.robot)
         listeners = (self.trail.on_event, self.errors.on_event)
@@ -68,8 +86,14 @@ class Context:
     def close(self) -> None:
         """Another front end continues with the session."""
         self.runs.close()
+        if self.attempt is not None:
+            self.attempt.close()
         for unsubscribe in self._unsubscribe:
             unsubscribe()
+
+    def refuse(self, code: int) -> None:
+        """Note that a line of a script was refused: it ends with this exit code, or with a higher one."""
+        self.script_code = max(self.script_code, code)
 
     @property
     def program(self) -> Document:
@@ -114,3 +138,100 @@ class Context:
         """A list; the number of its lines comes first where it is long."""
         is_long = len(lines) > MOST_AT_ONCE
         return (*((self.words("number-of-lines", lines=len(lines)),) if is_long else ()), *lines)
+
+
+# --- challenges
+
+
+class Attempt:
+    """What was done for a challenge since the robot was put to its start."""
+
+    MOST_EVENTS = 100_000
+    """A program without end publishes more; the oldest are dropped."""
+
+    def __init__(self, donnie: Donnie, challenge: Challenge, preferences: Preferences) -> None:
+        from donnie_tui.world.loading import inventory_of
+
+        self.challenge = challenge
+        self.room = inventory_of(donnie.world.scene)
+        self.hints = 0
+        """Those that were given."""
+        self._met = 0
+        """The goals that the run before met."""
+        self._donnie, self._preferences = donnie, preferences
+        self._events: deque[Stamped] = deque(maxlen=self.MOST_EVENTS)
+        self.close = donnie.team.stream.subscribe(self._on_event)
+
+    def _on_event(self, stamped: Stamped) -> None:
+        from donnie_tui.core.goals import begins_anew
+
+        if begins_anew(stamped.event):
+            self._events.clear()
+        if not isinstance(stamped.event, TRANSIENT):
+            self._events.append(stamped)
+
+    def judgment(self) -> Judgment:
+        """Of what was done from the first start."""
+        from donnie_tui.core.goals import judge
+
+        events = tuple(self._events) or (Stamped(0, 0.0, Reset(self._donnie.session.pose)),)
+        return judge(self.challenge, self.room, events)
+
+    def judge(self) -> tuple[str, ...]:
+        """What there is to say after a run, which is kept as a try.
+
+        A program that solves the challenge from the first start must solve it from the others, too.
+        """
+        from donnie_tui.core.describe import verdict_in_words
+        from worlds import challenges
+
+        donnie, here = self._donnie, self.judgment()
+        verdicts: tuple[Judgment, ...] = (here,)
+        if here.is_solved and len(self.challenge.rules.variant) > 1:
+            settings, world = self._preferences.settings, donnie.world
+            others = judge_program(self._program(), self.challenge, world, donnie.words, settings)
+            verdicts = (here, *others[1:])
+        is_solved = all(each.is_solved for each in verdicts)
+        self._keep(here, is_solved=is_solved)
+        if is_solved or here.met > self._met:
+            donnie.session.hub.publish(CueSounded("solved" if is_solved else "goal", 0.0, None))
+        self._met = here.met
+        sentence = verdict_in_words(verdicts, self.room, donnie.words)
+        following = challenges.after(self.challenge.name) if is_solved else None
+        if following is None:
+            return (sentence,)
+        title = challenges.find(following).text(donnie.words.language).title
+        word = word_of(BY_NAME["next_challenge"], donnie.words.language)
+        return (sentence, donnie.words("challenge-next", word=word, title=title))
+
+    def _program(self) -> str:
+        """All that ran since the robot was put to its start, as one program."""
+        started = (each.event for each in self._events if isinstance(each.event, RunStarted))
+        return "\n".join(each.how.text for each in started if each.how is not None and not each.how.refused)
+
+    def _keep(self, judgment: Judgment, *, is_solved: bool) -> None:
+        from datetime import datetime
+
+        from donnie_tui.core.program_files import Attempted
+
+        now = datetime.now().astimezone().isoformat(timespec="seconds")
+        progress().add(
+            Attempted(
+                now,
+                self.challenge.name,
+                is_solved,
+                judgment.met,
+                judgment.goals,
+                judgment.commands,
+                judgment.steps,
+                judgment.bumps,
+                self.hints,
+            )
+        )
+
+
+def progress() -> ProgressFile:
+    """What was done for challenges, in all sessions."""
+    from donnie_tui.core.program_files import ProgressFile
+
+    return ProgressFile(f"{state_path(os.environ)}/{PROGRESS}")

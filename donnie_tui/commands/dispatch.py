@@ -11,13 +11,13 @@ from functools import partial, update_wrapper
 from importlib import import_module
 from typing import TYPE_CHECKING, TypeAlias, TypeVar
 
+from donnie_tui.commands.context import FAILED, UNUSABLE, Context
 from donnie_tui.commands.declarations import BY_NAME, Command, When
 from donnie_tui.commands.interaction import GivenUp, NotUnderstood
 from donnie_tui.commands.lookup import find, not_understood, typed_form, unknown_word, word_of
 from donnie_tui.core.run_state import RunState
 
 if TYPE_CHECKING:
-    from donnie_tui.commands.context import Context
     from donnie_tui.core.program_files import DocumentError
 
 Handler: TypeAlias = "Callable[[Context, str], Awaitable[None]]"
@@ -82,6 +82,7 @@ async def attempt(ctx: Context, task: Awaitable[None]) -> None:
     except GivenUp:
         ctx.answer("answer-unchanged")
     except _document_error() as error:
+        ctx.refuse(UNUSABLE)
         ctx.answer(error.code, path=error.path, reason=error.reason)
 
 
@@ -128,5 +129,6 @@ def says_slip(ctx: Context, line: str) -> bool:
     """Whether the line begins with a slip in a command's word, which is said with that word."""
     unknown = unknown_word(line, ctx.program.lines, ctx.words.language, ctx.donnie.session.parse)
     if unknown is not None:
+        ctx.refuse(FAILED)
         ctx.answer("help-unknown-near", topic=unknown.word, near=unknown.meant)
     return unknown is not None

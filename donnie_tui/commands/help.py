@@ -1,31 +1,41 @@
-"""HELP, MANUAL, TOUR, KEYS, LINEAR, VISUAL, QUIT: help, and the ways out."""
+"""HELP, MANUAL, TOUR, CHALLENGE, KEYS, LINEAR, VISUAL, QUIT: help, what to do, and the ways out."""
 
 from __future__ import annotations
 
 from functools import partial
+from typing import TYPE_CHECKING
 
-from donnie_tui.commands.context import Context
-from donnie_tui.commands.declarations import COMMANDS
+from donnie_tui.commands.context import Context, progress
+from donnie_tui.commands.declarations import BY_NAME, COMMANDS
 from donnie_tui.commands.dispatch import handles
+from donnie_tui.commands.interaction import Option
 from donnie_tui.commands.lookup import find, help_line, help_of
 from donnie_tui.core.runner import LAST_WORDS
 from donnie_tui.core.wording import meant
 from donnie_tui.i18n.help import CHAPTERS, TOUR_PAGES, chapter_lines, tour_page
+from worlds import challenges
+
+if TYPE_CHECKING:
+    from donnie_tui.core.program_files import Attempted
 
 _KEY_LINES = ("enter", "run", "stop", "past", "line", "word", "clear", "tab", "leave")
 _MOST_DIGITS = 2
+FIRST_LESSON = ("FW", "BW", "TR", "TL", "SPEAK", "SCAN", "RUN")
+_FIRST_COMMANDS = ("where", "around", "tour")
 
 # --- help
 
 
 @handles("help")
 async def say_help(ctx: Context, argument: str) -> None:
-    """All commands; or what is said of a command, of a word of GoDonnie, of a setting, or of the keys."""
+    """Words to begin with, all of them, or what is said of a word, of a setting, or of the keys."""
     topic = " ".join(argument.split())
     asked = find(topic)
     if not topic and ctx.screen is not None:
         ctx.screen.show_help()
     elif not topic:
+        _list_first_words(ctx)
+    elif meant(topic, "help") == "all":
         _list_commands(ctx)
     elif meant(topic, "help") == "keys" and ctx.screen is not None:
         ctx.screen.show_keys()
@@ -45,6 +55,14 @@ def _says_setting(ctx: Context, name: str) -> bool:
     if preference is not None:
         say_with_values(ctx, preference)
     return preference is not None
+
+
+def _list_first_words(ctx: Context) -> None:
+    """What the first lesson needs."""
+    ctx.answer("help-first", count=len(FIRST_LESSON) + len(_FIRST_COMMANDS))
+    ctx.say(*(ctx.words.help(each)[0] for each in FIRST_LESSON))
+    ctx.say(*(help_line(BY_NAME[each], ctx.words) for each in _FIRST_COMMANDS))
+    ctx.answer("help-all-hint")
 
 
 def _list_commands(ctx: Context) -> None:
@@ -99,6 +117,112 @@ async def _say_page(ctx: Context, number: int) -> None:
     if number < TOUR_PAGES:
         ctx.answer("tour-on", page=number, pages=TOUR_PAGES)
         ctx.interaction.continue_on_enter(partial(_say_page, ctx, number + 1))
+
+
+# --- challenges
+
+
+@handles("challenge")
+async def challenge(ctx: Context, argument: str) -> None:
+    """The challenges in their order, to choose one; or one of them by its number, name or file."""
+    if not argument:
+        options = _challenge_options(ctx)
+        printed = tuple(each.text for each in options)
+        argument = await ctx.interaction.choose(ctx.words("ask-challenge"), options, printed) or ""
+    if argument:
+        await _enter_challenge(ctx, argument)
+
+
+async def _enter_challenge(ctx: Context, typed: str) -> None:
+    from donnie_tui.commands.world import enter_world
+    from donnie_tui.world.loading import CHALLENGE
+
+    await enter_world(ctx, f"{CHALLENGE}{typed}")
+
+
+def _challenge_options(ctx: Context) -> list[Option]:
+    solved = {each.name for each in progress().attempts() if each.solved}
+    current, options = ctx.donnie.world.challenge, []
+    for number, name in enumerate(challenges.names(), start=1):
+        title = challenges.find(name).text(ctx.words.language).title
+        code = "challenge-row-solved" if name in solved else "challenge-row"
+        text = ctx.words(code, number=number, title=title)
+        options.append(Option(name, text, current is not None and current.name == name))
+    return options
+
+
+@handles("next_challenge")
+async def next_challenge(ctx: Context, _: str) -> None:
+    """The challenge after this one; outside of a challenge the first one that is not solved."""
+    current = ctx.donnie.world.challenge
+    if current is None:
+        solved = {each.name for each in progress().attempts() if each.solved}
+        following = next((each for each in challenges.names() if each not in solved), None)
+    else:
+        following = challenges.after(current.name)
+    if following is None:
+        ctx.answer("challenge-last")
+    else:
+        await _enter_challenge(ctx, following)
+
+
+@handles("task")
+async def task(ctx: Context, _: str) -> None:
+    """What the challenge asks for; else what the author of the world proposes."""
+    from donnie_tui.core.describe import task_in_words
+
+    about = ctx.donnie.world.about(ctx.words.language)
+    if ctx.attempt is not None:
+        ctx.say(*task_in_words(ctx.attempt.challenge, ctx.words))
+    elif about is not None and about.task:
+        ctx.answer("world-task", task=about.task)
+    else:
+        ctx.answer("challenge-none")
+
+
+@handles("goals")
+async def goals(ctx: Context, _: str) -> None:
+    """Which goals are met now, and what the others lack."""
+    from donnie_tui.core.describe import goals_in_words
+
+    if ctx.attempt is None:
+        ctx.answer("challenge-none")
+    else:
+        ctx.say(*goals_in_words(ctx.attempt.judgment(), ctx.attempt.room, ctx.words))
+
+
+@handles("hint")
+async def hint(ctx: Context, _: str) -> None:
+    """The next hint."""
+    if ctx.attempt is None:
+        ctx.answer("challenge-none")
+        return
+    hints = ctx.attempt.challenge.text(ctx.words.language).hint
+    if ctx.attempt.hints < len(hints):
+        ctx.attempt.hints += 1
+        ctx.say(hints[ctx.attempt.hints - 1].text)
+    else:
+        ctx.answer("challenge-no-hint")
+
+
+@handles("results")
+async def results(ctx: Context, _: str) -> None:
+    """What was tried and solved. Compares no learners."""
+    kept: dict[str, list[Attempted]] = {}
+    for each in progress().attempts():
+        kept.setdefault(each.name, []).append(each)
+    if not kept:
+        ctx.answer("results-none")
+        return
+    solved = sum(any(each.solved for each in tries) for tries in kept.values())
+    shipped = challenges.names()
+    lines = [ctx.words("results-total", solved=solved, tried=len(kept))]
+    for name, tries in kept.items():
+        title = challenges.find(name).text(ctx.words.language).title if name in shipped else name
+        code = "results-solved" if any(each.solved for each in tries) else "results-open"
+        hints, bumps = max(each.hints for each in tries), sum(each.bumps for each in tries)
+        lines.append(ctx.words(code, title=title, tries=len(tries), hints=hints, bumps=bumps))
+    ctx.say(*lines)
 
 
 # --- ways out

@@ -60,8 +60,17 @@ def find(line: str, commands: tuple[Command, ...] = COMMANDS) -> tuple[Command, 
             argument = following[0] if following else ""
             is_assignment = argument.startswith(("=", "["))
             is_statement = bool(argument) and command.is_godonnie and not command.argument
-            return None if is_assignment or is_statement else (command, argument)
+            is_everyday = argument[:1].isalpha() and _is_everyday(words, length)
+            return None if is_assignment or is_statement or is_everyday else (command, argument)
     return None
+
+
+def _is_everyday(words: Sequence[str], length: int) -> bool:
+    """Whether more than the command's words are what beginners say for GoDonnie: MOVE FORWARD."""
+    from language.suggestions import everyday  # most lines have no such words
+
+    said = everyday([_folded(each) for each in words])
+    return said is not None and said.width > length
 
 
 @cache
@@ -82,12 +91,13 @@ def _folded(word: str) -> str:
     return fold_name(word)
 
 
-FIRST_WORDS = {
-    words_of(name, language)[0].casefold(): name
-    for name in ("linear", "tour", "recover")
+LINE_WORDS = {
+    word.casefold(): name
+    for name in ("linear", "help", "tour", "recover", "quit")
     for language in languages()
+    for word in words_of(name, language)
 }
-"""The words that the first lines of the full screen's log mention, and the command of each."""
+"""The words that are commands in the editor, too, on a line of their own, and the command of each."""
 
 
 # --- how a command is typed, and what it is for
@@ -164,7 +174,7 @@ def unknown_word(
         return None
     near = _nearest_command(words, commands, language)
     mistake = _mistake_in(line, lines, parse) if near is not None else None
-    if near is None or mistake is None or _is_nearer(mistake.meant, near):
+    if near is None or mistake is None or mistake.code == "everyday" or _is_nearer(mistake.meant, near):
         return None
     return near
 
@@ -189,13 +199,10 @@ def _nearest_command(words: Sequence[str], commands: Sequence[Command], language
     from language.suggestions import nearest  # most lines begin with a word of GoDonnie
 
     of_language = [word for each in commands for word in words_of(each.name, language)]
-    others = [word for each in commands for other in languages() for word in words_of(each.name, other)]
     for length in range(len(words), 0, -1):
         typed = " ".join(words[:length])
-        same_length = [
-            each for each in (*of_language, *others) if len(each.split()) == length and len(each) > 1
-        ]
-        found = nearest(typed, dict.fromkeys(same_length), of_language)
+        same_length = [each for each in of_language if len(each.split()) == length and len(each) > 1]
+        found = nearest(typed, same_length)
         if found is not None:
             return Unknown(typed, found)
     return None

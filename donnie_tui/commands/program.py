@@ -252,16 +252,23 @@ async def fix(ctx: Context, _: str) -> None:
     """Replace a mistake by what was probably meant, and say the line.
 
     The mistake in the line that was read last, else the one that ERROR speaks of, else the next one. A line
-    that was rejected is offered again, fixed as far as that is known.
+    that was rejected is offered again, fixed as far as that is known. A line that has run stays as it is:
+    otherwise the robot would repeat what it has done.
     """
     document, session = ctx.program, ctx.donnie.session
     if document.rejected is not None:
         await _fix_rejected(ctx, document.rejected)
         return
-    found = mistakes(session.check(document.text), ctx.words)
-    known = [each for _, each in sorted(found.items()) if each.meant]
+    found = [each for _, each in sorted(mistakes(session.check(document.text), ctx.words).items())]
+    waiting = [each for each in found if each.fixed_line > document.ran]
+    known = [each for each in waiting if each.meant]
     if not known:
-        ctx.answer("screen-no-fix" if found else "screen-nothing-to-fix")
+        if found and not waiting:
+            now = ctx.errors.now
+            has_failed = now is not None and 0 < now.line <= document.ran
+            ctx.answer("fix-has-run", line=now.line if now and has_failed else found[0].fixed_line)
+        else:
+            ctx.answer("screen-no-fix" if found else "screen-nothing-to-fix")
         return
     mistake = _next_mistake(ctx, known)
     before = document.place

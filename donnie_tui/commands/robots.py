@@ -1,4 +1,4 @@
-"""ROBOTS, ROBOT, GRIP, RELEASE, CONNECT: which robot the learner talks to, its gripper, its connection."""
+"""ROBOTS, ROBOT, CONNECT: which robot the learner talks to, and its connection."""
 
 from __future__ import annotations
 
@@ -8,9 +8,8 @@ from pathlib import Path
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import Option
-from donnie_tui.core.actions import GripperCommand
 from donnie_tui.core.program_files import DocumentError, exists
-from donnie_tui.core.session import LONGEST_STOP, Busy, Session
+from donnie_tui.core.session import Busy, Session
 from donnie_tui.core.wording import facing, no_such_robot, whole_steps
 from donnie_tui.robot.search import RobotOption
 from donnie_tui.settings.file import remember
@@ -85,24 +84,6 @@ def _robot_in_words(ctx: Context, session: Session) -> str:
         y=whole_steps(pose.y),
         facing=facing(pose, ctx.words),
     )
-
-
-# --- the gripper
-
-
-@handles("grip", command=GripperCommand.GRIP)
-@handles("release", command=GripperCommand.RELEASE)
-async def use_gripper(ctx: Context, _: str, command: GripperCommand) -> None:
-    """Close or open the gripper. The answer of a prompt waits for what comes of it."""
-    session = ctx.donnie.session
-    session.wait_for_stop()
-    try:
-        run = session.use_gripper(command)
-    except Busy:
-        ctx.answer_of_robot("screen-busy")
-        return
-    if ctx.screen is None:
-        run.wait(LONGEST_STOP)
 
 
 # --- the connection

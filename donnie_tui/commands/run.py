@@ -37,16 +37,10 @@ async def run(ctx: Context, _: str, is_whole: bool) -> None:
         await run_program(ctx, is_whole=is_whole)
 
 
-async def run_program(
-    ctx: Context, *, is_whole: bool, begin: Begin | None = None, last: str | None = None
-) -> None:
-    """Run the program, or its lines that wait. ``last`` is QUIT after them: it stops what runs already."""
-    running = ctx.donnie.session.run
-    if last is not None and running is not None:
-        ctx.donnie.session.stop()
-        running.wait(LONGEST_STOP)
+async def run_program(ctx: Context, *, is_whole: bool, begin: Begin | None = None) -> None:
+    """Run the program, or its lines that wait."""
     try:
-        started = ctx.runs.start(whole_program(ctx) if is_whole else _waiting_lines(ctx, last), begin=begin)
+        started = ctx.runs.start(whole_program(ctx) if is_whole else _waiting_lines(ctx), begin=begin)
     except NothingToRun:
         ctx.answer("answer-nothing-to-run")
         return
@@ -57,17 +51,27 @@ async def run_program(
         _note_run(ctx, started, is_whole=is_whole)
 
 
+async def run_alone(ctx: Context, line: str) -> None:
+    """Run a line that is no part of the program. What runs already is stopped first."""
+    running = ctx.donnie.session.run
+    if running is not None:
+        ctx.donnie.session.stop()
+        running.wait(LONGEST_STOP)
+    started = ctx.runs.start(RunRequest(line, _name(ctx), len(ctx.program.lines) + 1, is_whole=False))
+    await ctx.interaction.follow([(ctx.donnie.session.hub.robot, started)])
+
+
 def whole_program(ctx: Context) -> RunRequest:
     """The program as it is run from the start of the world."""
     document = ctx.program
     return RunRequest(document.text, _name(ctx), breakpoints=document.breakpoints)
 
 
-def _waiting_lines(ctx: Context, last: str | None) -> RunRequest:
+def _waiting_lines(ctx: Context) -> RunRequest:
     document = ctx.program
     if document.is_in_editor:
         return whole_program(ctx)
-    batch = document.take_batch(last)
+    batch = document.take_batch()
     return RunRequest(
         batch.text,
         _name(ctx),

@@ -12,7 +12,19 @@ from donnie_tui.settings.parsing import read_percent
 
 CUES = (
     *("step-forward", "step-back", "turn-right", "turn-left", "obstacle", "bump", "scan", "found"),
-    *("belt", "done", "error", "waiting", "block-opened", "block-closed"),
+    *(
+        "grip",
+        "release",
+        "nothing",
+        "belt",
+        "done",
+        "goal",
+        "solved",
+        "error",
+        "waiting",
+        "block-opened",
+        "block-closed",
+    ),
 )
 """Every cue, in the order in which CUES plays them."""
 LOUD, SILENT = 100, 0

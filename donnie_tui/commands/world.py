@@ -57,7 +57,7 @@ async def sensors(ctx: Context, _: str) -> None:
 
     name = shown_name(ctx.donnie.session.name)
     if ctx.donnie.connection.is_board:
-        ctx.say(*sensors_of_board(name, ctx.words))
+        ctx.say(*sensors_of_board(name, ctx.words, has_camera=ctx.donnie.connection.has_camera))
         return
     devices = ctx.donnie.mounted()
     if ctx.screen is not None:
@@ -315,9 +315,11 @@ def settings_there(donnie: Donnie, settings: Settings, name: str) -> Settings:
 
 def say_arrival(donnie: Donnie, *, is_silent: bool) -> None:
     """Say what the other world has. ``is_silent``: SOUND OFF was typed in the one before."""
-    from donnie_tui.core.describe import arrived
+    from donnie_tui.core.describe import arrived, task_in_words
 
     if is_silent:
         donnie.session.hub.publish(SoundSwitched(False))
     about = donnie.world.about(donnie.words.language)
+    if donnie.world.challenge is not None:
+        donnie.publish_answers(*task_in_words(donnie.world.challenge, donnie.words))
     donnie.publish_answers(*arrived(donnie.world.name, about, donnie.picture(), donnie.words))

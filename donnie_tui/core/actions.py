@@ -1,16 +1,12 @@
-"""The commands that a robot carries out: GoDonnie's statements, and the gripper.
+"""The commands of GoDonnie that a robot carries out.
 
 ``RobotActions`` asks the robot and publishes what happened, no more. ``Announcer`` decides which sentences
 and cues follow.
-
-GoDonnie has no words for the gripper. A front end starts it as a run of its own, so that its events have
-their place in the stream.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from enum import Enum
 from itertools import groupby, takewhile
 from typing import Protocol, TypeAlias, TypeGuard
 
@@ -25,6 +21,7 @@ from donnie_tui.core.events import (
     Read,
     Scanned,
     SeenGroup,
+    SeenMark,
     SoundSwitched,
     Spoke,
     ThingsMoved,
@@ -35,9 +32,7 @@ from donnie_tui.core.hub import Hub
 from donnie_tui.core.outlets import SpeechWait
 from donnie_tui.core.transcript import History, SentencePublisher
 from donnie_tui.core.wording import compass_heading, whole_steps
-from language.control import ExecutionControl
 from language.diagnostics import ActionRefused, MistakeKind
-from language.runtime import Actions, Frame, Memory, Trace
 from language.syntax import Axis
 
 MovedThings: TypeAlias = Callable[[], tuple[PlacedThing, ...] | None]
@@ -68,57 +63,30 @@ class Handling:
         self._sentences = sentences
         self._moved_things = moved_things
 
-    def use_gripper(self, gripper_command: GripperCommand) -> None:
-        """Uses the gripper and publishes the result, also when the robot has none."""
+    def grip(self) -> None:
+        """Closes the gripper and publishes the result, also when the robot has none."""
+        self._use(lambda gripper: gripper.grip())
+
+    def release(self) -> None:
+        """Opens the gripper, as ``grip`` closes it."""
+        self._use(lambda gripper: gripper.release())
+
+    def _use(self, gripper_command: Callable[[Gripping], GripResult]) -> None:
         try:
-            done = self._gripped(gripper_command)
+            if not _has_gripper(self._robot):
+                raise RobotProblem("no-gripper")
+            done = gripper_command(self._robot)
         except RobotProblem as problem:
-            self._sentences.announce("gripper", f"problem-{problem.code}")
+            self._sentences.announce("no-gripper", f"problem-{problem.code}")
             return
         self._hub.publish(GripperUsed(done.outcome, done.name, done.kind, done.colour))
         self.publish_things()
-
-    def _gripped(self, gripper_command: GripperCommand) -> GripResult:
-        robot = self._robot
-        if not _has_gripper(robot):
-            raise RobotProblem("no-gripper")
-        return robot.grip() if gripper_command is GripperCommand.GRIP else robot.release()
 
     def publish_things(self) -> None:
         """Publishes where things are now, if that has changed. A fresh start may put them back, too."""
         places = self._moved_things()
         if places is not None:
             self._hub.publish(ThingsMoved(places))
-
-
-class GripperCommand(Enum):
-    """What a front end may ask of a gripper. The values are the names of the runs."""
-
-    GRIP = "GRIP"
-    RELEASE = "RELEASE"
-
-
-class GripperRun:
-    """A gripper command that runs as a program does."""
-
-    def __init__(self, gripper_command: GripperCommand, handling: Handling) -> None:
-        self._gripper_command = gripper_command
-        self._handling = handling
-
-    def run(
-        self,
-        actions: Actions,  # noqa: ARG002 -- as of every program
-        control: ExecutionControl,
-        memory: Memory,  # noqa: ARG002
-        *,
-        trace: Trace | None = None,  # noqa: ARG002
-    ) -> None:
-        self._handling.use_gripper(self._gripper_command)
-        control.ended()
-
-    def frames(self) -> tuple[Frame, ...]:
-        """Nothing of GoDonnie runs."""
-        return ()
 
 
 LARGEST = 1_000_000_000
@@ -138,7 +106,8 @@ class RobotWatcher:
     def __init__(self, hub: Hub) -> None:
         self._hub = hub
         self.belt: BeltDisplay | None = None
-        """Set after construction: it needs the robot, which needs its watcher first."""
+        """This and ``on_problem`` are set after construction: they need the robot, and it its watcher."""
+        self.on_problem: Callable[[RobotProblem], None] | None = None
 
     def progressed(self, motion: Motion, pose: Pose) -> None:  # noqa: ARG002 -- the port gives the pose
         name, bearing = _CUE_OF[motion]
@@ -148,6 +117,10 @@ class RobotWatcher:
 
     def passing(self, pose: Pose) -> None:
         self._hub.publish(Passing(pose))
+
+    def sense_failed(self, problem: RobotProblem) -> None:
+        if self.on_problem is not None:
+            self.on_problem(problem)
 
 
 class RobotActions:
@@ -173,6 +146,18 @@ class RobotActions:
         self._belt = belt
         self.handling = Handling(robot, hub, sentences, moved_things)
         self._speech_wait = speech_wait or SpeechWait()
+        self._announced: set[str] = set()
+        """The codes of the problems that were announced in this run."""
+
+    def begin_run(self) -> None:
+        """Problems are announced again."""
+        self._announced.clear()
+
+    def announce_problem(self, problem: RobotProblem) -> None:
+        """Once a run, although a loop meets it again and again."""
+        if problem.code not in self._announced:
+            self._announced.add(problem.code)
+            self._sentences.announce("camera", f"problem-{problem.code}", **problem.values)
 
     def forget(self) -> None:
         """Clears the history and switches the belt off."""
@@ -202,6 +187,14 @@ class RobotActions:
 
     def overwritten(self, name: str) -> None:
         self._sentences.overwritten(name)
+
+    # --- the gripper
+
+    def grip(self) -> None:
+        self.handling.grip()
+
+    def release(self) -> None:
+        self.handling.release()
 
     # --- moving
 
@@ -282,14 +275,17 @@ class RobotActions:
         return self._read("position", axis.value, value[axis])
 
     def colour(self, colour: str) -> int:
-        """Counts things of a colour. A robot that can't see colours refuses, since 0 would be wrong."""
+        """Counts things of a colour. A robot that can't see colours says so, and counts none."""
         if not self._robot.colours:
-            raise _refused(RobotProblem("no-camera"))
+            self.announce_problem(RobotProblem("no-camera"))
+            return self._read("colour", colour, 0)
         seen = sum(each.colour == colour for each in self._look())
         return self._read("colour", colour, seen)
 
     def scan(self) -> None:
-        self._hub.publish(Scanned(_groups(self._look())))
+        seen = self._look()
+        marks = tuple(_seen_mark(each) for each in seen if each.mark is not None)
+        self._hub.publish(Scanned(_groups(tuple(each for each in seen if each.mark is None)), marks))
 
     def _look(self) -> tuple[Sighting, ...]:
         try:
@@ -348,10 +344,18 @@ def _groups(sightings: tuple[Sighting, ...]) -> tuple[SeenGroup, ...]:
     )
 
 
+def _seen_mark(sighting: Sighting) -> SeenMark:
+    angle = _to_five(sighting.degrees)
+    return SeenMark(sighting.mark or None, _side(angle), abs(angle), whole_steps(sighting.steps))
+
+
+def _side(angle: int) -> str:
+    return "left" if angle < 0 else "right" if angle > 0 else "ahead"
+
+
 def _group(angle: int, several: list[Sighting]) -> SeenGroup:
-    side = "left" if angle < 0 else "right" if angle > 0 else "ahead"
     nearest = min(whole_steps(each.steps) for each in several)
-    return SeenGroup(side, abs(angle), nearest, tuple(each.colour for each in several))
+    return SeenGroup(_side(angle), abs(angle), nearest, tuple(each.colour for each in several))
 
 
 def _to_five(degrees: float) -> int:

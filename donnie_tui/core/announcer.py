@@ -6,7 +6,7 @@ robot's front, positive to the right.
 
 from __future__ import annotations
 
-from devices.ports.robot import Met, Pose, Pushed, StoppedBy
+from devices.ports.robot import Grip, Met, Pose, Pushed, StoppedBy
 from donnie_tui.core.events import (
     Announced,
     Answered,
@@ -26,6 +26,7 @@ from donnie_tui.core.events import (
     RunStarted,
     Scanned,
     SeenGroup,
+    SeenMark,
     Sensed,
     SoundSwitched,
     Spoke,
@@ -43,6 +44,7 @@ LEAST_PUSH = 0.1
 """Steps. A robot that only comes up to a thing touches it, which is no push."""
 MOST_PUSHED = 3
 """Things that are announced one by one."""
+_CUE_OF_GRIP = {Grip.GRIPPED: "grip", Grip.RELEASED: "release"}
 _OF_NO_WORLD = ("wall", "robot", "something")
 """Kinds of obstacles that are not things of a world."""
 
@@ -71,8 +73,8 @@ class Announcer:
                 self._moved(moved)
             case Turned() as turned:
                 self._turned(turned)
-            case Scanned(objects=groups):
-                self._scanned(groups)
+            case Scanned() as scanned:
+                self._scanned(scanned)
             case SoundSwitched(on=on):
                 self._sentences.announce("sound", "sound-on" if on else "sound-off")
             case GripperUsed() as used:
@@ -83,6 +85,8 @@ class Announcer:
                 self._cue("error")
             case Announced(code="waiting"):
                 self._cue("waiting")
+            case Announced(code="no-gripper"):
+                self._cue("nothing")
             case (
                 RunEnded()
                 | Statement()
@@ -133,6 +137,7 @@ class Announcer:
         kind, name = used.kind, used.thing
         thing = the_coloured(kind, name, used.colour, self._say) if used.colour and (name or kind) else name
         named = "" if thing else "-something"
+        self._cue(_CUE_OF_GRIP.get(used.outcome, "nothing"))
         self._sentences.announce("gripper", f"gripper-{used.outcome.value}{named}", thing=thing)
 
     def _announce_pushed(self, pushed: tuple[Pushed, ...]) -> None:
@@ -174,14 +179,22 @@ class Announcer:
         elif stopped_by in (StoppedBy.COLLISION, StoppedBy.STALL):
             self._cue("bump", bearing, 0.0)
 
-    def _scanned(self, groups: tuple[SeenGroup, ...]) -> None:
+    def _scanned(self, scanned: Scanned) -> None:
         self._cue("scan")
-        for group in groups:
-            sign = -1.0 if group.side == "left" else 1.0
-            self._cue("found", sign * group.degrees, float(group.steps))
+        for group in scanned.objects:
+            self._found(group)
             self._sentences.announce("scan", f"scan-{group.side}", **self._words_for(group))
-        if not groups:
+        for mark in scanned.marks:
+            self._found(mark)
+            sentence = f"scan-{'far-' if mark.number is None else ''}mark-{mark.side}"
+            places = {"number": mark.number, "degrees": mark.degrees, "steps": mark.steps}
+            self._sentences.announce("scan", sentence, **places)
+        if not (scanned.objects or scanned.marks):
             self._sentences.announce("scan", "scan-nothing")
+
+    def _found(self, seen: SeenGroup | SeenMark) -> None:
+        sign = -1.0 if seen.side == "left" else 1.0
+        self._cue("found", sign * seen.degrees, float(seen.steps))
 
     def _words_for(self, group: SeenGroup) -> dict[str, object]:
         colours = ", ".join(self._say(f"colour-{colour}") for colour in group.colours)

@@ -16,12 +16,13 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from math import cos, hypot, inf, radians, sin
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import worlds.words
 from devices.ports.robot import Pose
 from donnie_tui.core.wording import (
     Wording,
+    called,
     coloured,
     coloured_thing,
     facing,
@@ -34,8 +35,10 @@ from language.locales import languages
 from language.source import fold_name
 
 if TYPE_CHECKING:
+    from donnie_tui.core.goals import Inventory, Judgment, Shortfall
     from sim.picture import Picture, Thing
     from sim.sensors import Mounted
+    from worlds.challenges import Challenge, Target
     from worlds.words import About
 
 
@@ -104,13 +107,13 @@ def sensors_in_words(devices: Iterable[Mounted], name: str, wording: Wording) ->
     )
 
 
-def sensors_of_board(name: str, wording: Wording) -> tuple[str, ...]:
-    """The sensors of the original robot's board, which has them in every world."""
+def sensors_of_board(name: str, wording: Wording, *, has_camera: bool) -> tuple[str, ...]:
+    """The sensors of the original robot, which has them in every world."""
     return (
         wording("sensors-title", name=name or wording("cell-robot")),
         wording("sensors-board-around"),
         wording("sensors-board-head", scan=keywords.spelling("SCAN", wording.language)),
-        wording("sensors-board-lacks"),
+        wording("sensors-board-sees" if has_camera else "sensors-board-lacks"),
     )
 
 
@@ -347,3 +350,58 @@ def _titles(name: str) -> tuple[str, ...]:
 
 def _folded(typed: str) -> str:
     return "".join(fold_name(typed).replace("_", " ").split())
+
+
+# --- challenges
+
+_COMPASS = ("north", "northeast", "east", "southeast", "south", "southwest", "west", "northwest")
+MOST_SENTENCES = 4
+"""Of one verdict."""
+
+
+def verdict_in_words(verdicts: Sequence[Judgment], room: Inventory, wording: Wording) -> str:
+    """That a challenge is solved, or what the first start that fails lacks. One verdict for each start."""
+    failed = next(((at, each) for at, each in enumerate(verdicts, start=1) if not each.is_solved), None)
+    if failed is None:
+        return wording("challenge-solved", commands=verdicts[0].commands)
+    at, verdict = failed
+    said = [wording("challenge-met", met=verdict.met, goals=verdict.goals)]
+    if at > 1:
+        said.append(wording("challenge-start", number=at))
+    said += [shortfall_in_words(each, room, wording) for each in verdict.shortfalls]
+    return " ".join(said[:MOST_SENTENCES])
+
+
+def goals_in_words(verdict: Judgment, room: Inventory, wording: Wording) -> tuple[str, ...]:
+    """Which goals are met, a line each."""
+    lines = (shortfall_in_words(each, room, wording) if each else "" for each in verdict.of_goals)
+    return tuple(
+        wording("goal-missing", number=number, text=line) if line else wording("goal-met", number=number)
+        for number, line in enumerate(lines, start=1)
+    )
+
+
+def shortfall_in_words(shortfall: Shortfall, room: Inventory, wording: Wording) -> str:
+    """What is missing, with the distance and the direction in it."""
+    values = dict(shortfall.values)
+    if "direction" in values:
+        at = round(cast("float", values["direction"]) / 45) % 8
+        values["direction"] = wording(f"compass-{_COMPASS[at]}")
+    if "word" in values:
+        values["word"] = keywords.spelling(str(values["word"]), wording.language)
+    if "target" in values:
+        values["target"] = _target_in_words(cast("Target", values["target"]), room, wording)
+    return wording(shortfall.code, **values)
+
+
+def _target_in_words(target: Target, room: Inventory, wording: Wording) -> str:
+    if isinstance(target, str):
+        found = room.called(target)
+        return called(found[0].kind, found[0].name, wording) if found else target
+    return f"{target[0]:g}, {target[1]:g}"
+
+
+def task_in_words(challenge: Challenge, wording: Wording) -> tuple[str, ...]:
+    """Title and task."""
+    text = challenge.text(wording.language)
+    return (wording("challenge-here", title=text.title), text.task)

@@ -269,9 +269,9 @@ class Document:
     def waiting_text(self) -> str:
         return "\n".join(self._unrun)
 
-    def take_batch(self, last: str | None = None) -> Batch:
-        """All waiting lines, and ``last`` after them, which is no part of the program."""
-        waiting = self._unrun + ([] if last is None else [last])
+    def take_batch(self) -> Batch:
+        """All waiting lines."""
+        waiting = self._unrun
         self._running = self._lines.copy()
         return Batch("\n".join(waiting), self._ran + 1, len(waiting))
 
@@ -366,11 +366,16 @@ class Document:
             self.versions.forget_undone()
             self._editor.replace_range(start, end, self._cleaned(text))
 
-    def replace(self, text: str, path: Path | None, *, in_file: str | None = None) -> None:
-        """Put another program in its place, which waits. ``in_file``: the text of its file, if it differs."""
+    def replace(
+        self, text: str, path: Path | None, *, in_file: str | None = None, keeps_empty: bool = False
+    ) -> None:
+        """Put another program in its place, which waits. ``in_file``: the text of its file, if it differs.
+
+        UNDO restores the one before, and with ``keeps_empty`` also one without lines.
+        """
         self.rejected = None
         self.versions.forget_undone()
-        if self.lines:
+        if self.lines or keeps_empty:
             self.versions.add(self._version(self._origin))
         self._lines = lines_in(text)
         self._ran = self._place = 0

@@ -53,8 +53,6 @@ class HowStarted(Struct, frozen=True):
     """Whether the world has several robots, so that events say whose they are."""
     together: tuple[str, ...] = ()
     """The robots that started at the same moment, this one among them; empty for one alone."""
-    gripper_command: str = field(default="", name="deed")
-    """The gripper command in place of a program, ``GRIP`` or ``RELEASE``; else empty."""
     refused: bool = False
     """Whether mistakes of form prevent the run."""
 
@@ -143,8 +141,18 @@ class SeenGroup(Struct, frozen=True):
     colours: tuple[str, ...]
 
 
+class SeenMark(Struct, frozen=True):
+    """A fiducial mark that SCAN sees. ``number`` is None if it is too far away to be read."""
+
+    number: int | None
+    side: str
+    degrees: int
+    steps: int
+
+
 class Scanned(_Event, frozen=True):
     objects: tuple[SeenGroup, ...]
+    marks: tuple[SeenMark, ...] = ()
 
 
 class Read(_Event, frozen=True):
@@ -361,7 +369,7 @@ def _plain(value: object, whole: bool) -> object:
             return {key: _plain(each, whole) for key, each in value.items()}
         case tuple():
             return [_plain(each, whole) for each in value]
-        case Pose() | Met() | Pushed() | SeenGroup() | PlacedThing() | HowStarted():
+        case Pose() | Met() | Pushed() | SeenGroup() | SeenMark() | PlacedThing() | HowStarted():
             return _fields(value, whole)
         case _:
             return value

@@ -2,7 +2,8 @@
 
 The new text goes into a second file, which then takes the place of the first. So a full disk or a crash
 leaves either the old text or the new one. ``FilesInUse`` are the files that no command may save onto,
-``RecentFiles`` the ones that were opened and saved lately, ``BreakpointFile`` keeps their breakpoints.
+``RecentFiles`` the ones that were opened and saved lately, ``BreakpointFile`` keeps their breakpoints,
+``ProgressFile`` what was done for challenges.
 """
 
 from __future__ import annotations
@@ -13,6 +14,9 @@ import itertools
 import os
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
+
+from msgspec import Struct, convert
+from msgspec.structs import astuple
 
 from donnie_tui.process.confinement import (
     OpenFolder,
@@ -352,6 +356,57 @@ class RecentFiles:
         except (OSError, ValueError):
             return []
         return [] if len(text) > self.LARGEST else text.splitlines()[: self.MOST]
+
+
+class Attempted(Struct, frozen=True):
+    """One run for a challenge, as it is kept."""
+
+    when: str
+    name: str
+    solved: bool
+    met: int
+    goals: int
+    commands: int
+    steps: int
+    bumps: int
+    hints: int
+    """Those that were given before."""
+
+
+class ProgressFile:
+    """What the learner did for challenges, one line a try, its values separated by tabs.
+
+    A fault of the file is never reported, and a line that can't be read is left out.
+    """
+
+    LARGEST = 2_000_000
+    """Bytes that are read."""
+
+    def __init__(self, file: str) -> None:
+        self._file_name = file
+
+    def attempts(self) -> tuple[Attempted, ...]:
+        """All, the oldest first."""
+        try:
+            with open_text(self._file_name) as file:
+                lines = file.read(self.LARGEST).splitlines()
+        except (OSError, ValueError):
+            return ()
+        fields, found = Attempted.__struct_fields__, []
+        for line in lines:
+            with contextlib.suppress(ValueError):
+                values = dict(zip(fields, line.split("\t"), strict=True))
+                found.append(convert(values, Attempted, strict=False))
+        return tuple(found)
+
+    def add(self, attempt: Attempted) -> None:
+        from pathlib import Path
+
+        with contextlib.suppress(OSError, ValueError):
+            file = Path(self._file_name)
+            make_folder(file.parent)
+            with open_text(file, "a") as out:
+                out.write("\t".join(str(each) for each in astuple(attempt)) + "\n")
 
 
 class BreakpointFile:

@@ -13,7 +13,6 @@ from typing import Protocol
 
 from msgspec import Struct
 
-from donnie_tui.core.actions import GripperCommand
 from donnie_tui.core.events import (
     BELT_LINK,
     TRANSIENT,
@@ -32,8 +31,6 @@ from donnie_tui.core.events import (
 from donnie_tui.core.runner import Run, RunRequest
 from donnie_tui.core.session import RunOptions
 from donnie_tui.core.team import Team
-
-_GRIPPER_COMMANDS = {each.value: each for each in GripperCommand}
 
 
 class RecordedWording(Protocol):
@@ -198,8 +195,6 @@ class _Checking:
         (robot, (started, how)) = next(iter(hows.items()))
         assert how is not None  # it is the first
         session = self._team.session(robot or self._team.names[0])
-        if how.gripper_command in _GRIPPER_COMMANDS:
-            return (session.use_gripper(_GRIPPER_COMMANDS[how.gripper_command]),)
         options = RunOptions(
             fresh=how.fresh,
             hooked=False,

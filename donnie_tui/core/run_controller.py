@@ -7,7 +7,7 @@ about both as a ``RunObserver``, and calls ``sum_up`` when a run is over.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -55,6 +55,9 @@ LONGEST_READING = 2.0
 """Seconds; most programs are read in a few thousandths."""
 
 
+_JUDGED = (Outcome.COMPLETED, Outcome.FAILED)
+
+
 class RunController:
     """The runs of the robots of a team. Unless a robot is named, the chosen one is meant."""
 
@@ -81,6 +84,8 @@ class RunController:
         """The variables that WATCH named, as they were typed."""
         self.past: Timeline | None = None
         """The position of STEP BACK; None in the present."""
+        self.judge: Callable[[], tuple[str, ...]] | None = None
+        """What there is to say about a run that ended by itself, where the learner solves a challenge."""
         self._unsubscribe = team.stream.subscribe(self._on_event)
 
     def close(self) -> None:
@@ -443,6 +448,8 @@ class RunController:
             self._answer(*hints_for(record.request.text, record.session, self._words))
         if run.outcome is Outcome.COMPLETED:
             self._answer_done(record)
+        if self.judge is not None and not run.was_refused and run.outcome in _JUDGED:
+            self._answer(*self.judge())
 
     def _answer_done(self, record: RunRecord) -> None:
         """Says that the program is done, if no prompt shows it."""

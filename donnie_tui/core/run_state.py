@@ -245,11 +245,14 @@ class RunErrors:
         """``of``: the robot, by the name in its events; None in a world of one robot."""
         self._of = of
         self.all = tuple(errors)
+        self.had_any = False
+        """Whether a run of any robot had a mistake or failed, since the start."""
         self._at = 0
 
     def on_event(self, stamped: Stamped) -> None:
         """Called in any thread. A run begins without mistakes."""
         event = stamped.event
+        self.had_any |= isinstance(event, Error)
         if stamped.robot != self._of():
             return
         if isinstance(event, RunStarted):

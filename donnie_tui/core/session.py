@@ -16,7 +16,7 @@ from msgspec.structs import replace
 
 from devices.ports.robot import Pace, Pose, Robot, Watcher
 from donnie_tui import __version__
-from donnie_tui.core.actions import GripperCommand, GripperRun, MovedThings, RobotActions, RobotWatcher
+from donnie_tui.core.actions import MovedThings, RobotActions, RobotWatcher
 from donnie_tui.core.announcer import Announcer
 from donnie_tui.core.belt import BeltDisplay, BeltSettings
 from donnie_tui.core.events import HowStarted, Outcome, Reset, RunStarted, Sensed
@@ -78,8 +78,6 @@ class RunOptions(Struct, frozen=True):
     """Overrides the session's: the program of an editor is no terminal, the line below it is."""
     together: tuple[str, ...] = ()
     """The robots that start at the same moment."""
-    gripper_command: GripperCommand | None = None
-    """In place of a program."""
 
 
 RUN_OPTIONS = RunOptions()
@@ -152,6 +150,7 @@ class Session:
             speech_wait=self._speech_wait,
             moved_things=self._moved_things,
         )
+        watcher.on_problem = self._actions.announce_problem
 
     # --- programs
 
@@ -197,7 +196,6 @@ class Session:
 
     def claim(self, text: str, name: str, options: RunOptions = RUN_OPTIONS) -> Run:
         """As ``start``, but the run waits for ``begin``: for robots that start together."""
-        command = options.gripper_command
         with self._lock:
             if self._run is not None:
                 raise Busy
@@ -212,7 +210,6 @@ class Session:
                 self.wording.detail,
                 self.hub.robot is not None,
                 options.together,
-                "" if command is None else command.value,
             )
             if options.fresh and how.is_together:  # the world begins anew before the first of them takes part
                 self._begin_anew()
@@ -220,10 +217,6 @@ class Session:
             self._pace.control = self._run.control
             self._pace.has_waited.clear()
             return self._run
-
-    def use_gripper(self, gripper_command: GripperCommand) -> Run:
-        """Closes or opens the gripper, as a run of its own. Raises ``Busy`` while a program runs."""
-        return self._begun(self.claim("", gripper_command.value, RunOptions(gripper_command=gripper_command)))
 
     def begin(self, run: Run) -> None:
         """Starts a run that was claimed."""
@@ -242,8 +235,6 @@ class Session:
         control = ExecutionControl()
 
         def read() -> Readable:
-            if options.gripper_command is not None:
-                return GripperRun(options.gripper_command, self._actions.handling)
             parsed = self.parse(how.text, how.first_line, fresh=how.fresh)
             if parsed.program is None:
                 return parsed.diagnostics
@@ -277,6 +268,7 @@ class Session:
         how = replace(how, refused=refused)
         if how.begins_anew and not how.is_together:
             self._begin_anew()
+        self._actions.begin_run()
         self._began = self._robot.time()
         how = replace(how, pose=self._robot.pose())
         return RunStarted(name, self._setup.world, self.name, self._setup.seed, __version__, how)

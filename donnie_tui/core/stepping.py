@@ -310,7 +310,7 @@ class StepNarrator:
             yield fold_name(made.name.name), value
 
     def _condition_in_words(self, condition: Condition, left: int, right: int) -> str:
-        """The relation as it is ("3 greater than 2"), also where the condition asked for another one."""
+        """The condition as the program has it, with its values, and then its value."""
         is_true = {
             "==": left == right,
             "<>": left != right,
@@ -319,9 +319,7 @@ class StepNarrator:
             "<=": left <= right,
             ">=": left >= right,
         }[condition.comparator]
-        relation = "equal" if left == right else "less" if left < right else "greater"
-        found = _COMPARISONS[condition.comparator] if is_true else relation
-        how = self._say(f"comparison-{found}", left=left, right=right)
+        how = self._say(f"comparison-{_COMPARISONS[condition.comparator]}", left=left, right=right)
         return self._say("step-true" if is_true else "step-false", how=how)
 
     def _value(

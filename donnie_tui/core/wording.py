@@ -80,10 +80,12 @@ SIDES = ("front", "front-right", "right", "back-right", "back", "back-left", "le
 
 
 def facing(pose: Pose, wording: Wording) -> str:
-    """The heading in words: "north", or "40 degrees, near northeast"."""
+    """The heading in words: "north", "o norte", or "40 degrees, near northeast"."""
     degrees = compass_heading(pose)
     point = wording(f"compass-{COMPASS[round(degrees / 45) % 8]}")
-    return point if degrees % 45 == 0 else wording("facing-between", degrees=degrees, point=point)
+    if degrees % 45 == 0:
+        return wording("facing-exact", point=point)
+    return wording("facing-between", degrees=degrees, point=point)
 
 
 def position_in_words(pose: Pose, wording: Wording) -> str:

@@ -136,10 +136,12 @@ class Workspace:
         self.replace(text, path)
         self.recent.add(path)
 
-    def replace(self, text: str, path: Path | None, *, in_file: str | None = None) -> None:
+    def replace(
+        self, text: str, path: Path | None, *, in_file: str | None = None, keeps_empty: bool = False
+    ) -> None:
         """Put another program in place of the current one, with the breakpoints that it had."""
         document = self.document
-        document.replace(text, path, in_file=in_file)
+        document.replace(text, path, in_file=in_file, keeps_empty=keeps_empty)
         if path is not None:
             document.breakpoints = self._breakpoint_file.read(path, len(document.lines))
 
@@ -185,7 +187,7 @@ class Workspace:
 
     def recover(self, found: Path | Replaced, program: SavedCopy, in_file: str) -> None:
         """Put a recovered program in place of the current one. It is saved if its file has the same text."""
-        self.replace(program.text, program.path, in_file=in_file)
+        self.replace(program.text, program.path, in_file=in_file, keeps_empty=True)
         if not isinstance(found, Replaced):
             self._taken.add(found)
             self._copy_of(self.document).want(self.document.text, program.path, instead_of=found)

@@ -18,6 +18,7 @@ from msgspec import Struct
 from donnie_tui.core.reports import Section
 from donnie_tui.core.wording import Wording
 from language import keywords
+from language.suggestions import SAMPLES
 
 
 class HelpTopic(Struct, frozen=True):
@@ -42,6 +43,8 @@ ENTRIES: dict[str, HelpTopic] = {
     "POS": HelpTopic(("POS", "POSITION"), "X, Y, A", "{SPEAK} {POS} X"),
     "DISTANCE": HelpTopic(("DISTANCE",), "{direction}", "{SPEAK} {DISTANCE} F"),
     "COLOR": HelpTopic(("COLOR",), "{colour}", "{SPEAK} {COLOR} {red}"),
+    "GRIP": HelpTopic(("GRIP",), "", "{FW} 3 {GRIP}"),
+    "RELEASE": HelpTopic(("RELEASE",), "", "{GRIP} {BW} 3 {RELEASE}"),
     "VAR": HelpTopic(("VAR",), "{name} = {value}", "{VAR} a = 5"),
     "IF": HelpTopic(
         ("IF",),
@@ -77,6 +80,17 @@ ENTRIES: dict[str, HelpTopic] = {
     "QUIT": HelpTopic(("QUIT", "EXIT"), "", "{QUIT}"),
 }
 """By topic, in the order in which a learner needs them."""
+
+_NEEDS = {
+    "SPEAK": (("text",), '"{hello}"'),
+    "VAR": (("name",), "a = 5"),
+    "IF": (("comparison",), "a > 3 {THEN}"),
+    "WHILE": (("comparison",), "a > 3 {DO}"),
+    "REPEAT": (("number",), "4 {TIMES}"),
+    "FOR": (("name",), "{VAR} i = 1"),
+    "PROCEDURE": (("name",), "P {DO}"),
+}
+"""By topic: what a command without anything after it needs, and how it could continue."""
 
 _PLACE = re.compile(r"\{([^{}]+)\}")
 
@@ -122,6 +136,13 @@ def _forms(entry: HelpTopic, words: Wording) -> str:
 def example(topic: str, words: Wording) -> str:
     """A program that shows the command, in the learner's language."""
     return _filled(ENTRIES[topic].example, words)
+
+
+def needs(word: str, words: Wording) -> tuple[tuple[str, ...], str]:
+    """What is missing after a word of GoDonnie, as classes of words, and an example with the word."""
+    topic = keywords.topic(word) or ""
+    classes, rest = _NEEDS.get(topic) or (("number",), SAMPLES.get(topic, ""))
+    return classes, f"{_spelled(word, words)} {_filled(rest, words)}".strip()
 
 
 def _filled(template: str, words: Wording) -> str:
@@ -189,6 +210,8 @@ def chapter_lines(words: Wording, chapter: str) -> tuple[str, ...]:
 # --- the tour: ``tour-1-2`` is the second line of page 1; the full screen has its own, ``screen-tour-1-2``
 
 TOUR_PAGES = 9
+STEP_PAGE = 8
+"""The page of the linear mode's tour that has the learner step through a program."""
 SCREEN_TOUR_PAGES = 9
 _MOST_LINES = 6
 

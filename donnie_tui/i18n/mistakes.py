@@ -37,6 +37,9 @@ LONGEST_QUOTE = 24
 MOST_EXPECTED = 4
 """More things than these are no help: the sentence names none."""
 
+_SAYS_WHAT_IS_MEANT = ("missing-argument", "number-word")
+"""Codes with a sentence that says already what was meant."""
+
 _ARGUMENTS_OF = {"direction": "DIRECTION", "axis": "AXIS", "colour": "COLOUR", "on-or-off": "SWITCH"}
 
 
@@ -49,6 +52,8 @@ def mistake(diagnostic: Diagnostic, words: Wording) -> str:
 def hint(diagnostic: Diagnostic, words: Wording) -> str | None:
     """What would put it right, where that is known. Of arguments there are few: all are listed too."""
     make = _HINT_OF.get(diagnostic.kind)
+    if diagnostic.meant and diagnostic.code in _SAYS_WHAT_IS_MEANT:
+        return None
     if not diagnostic.meant or diagnostic.meant_at is not None or diagnostic.code == "other-end":
         return make(diagnostic, words) if make else None
     meant = words("hint-meant", meant=diagnostic.meant)
@@ -75,6 +80,8 @@ def _plain(diagnostic: Diagnostic, words: Wording) -> str:
 
 
 def _syntax(diagnostic: Diagnostic, words: Wording) -> str:
+    if diagnostic.code == "missing-argument":
+        return _missing_argument(diagnostic, words)
     if diagnostic.code and words.knows(f"mistake-syntax-{diagnostic.code}"):
         return _plain(diagnostic, words)
     expected = _expected(diagnostic, words)
@@ -85,6 +92,13 @@ def _syntax(diagnostic: Diagnostic, words: Wording) -> str:
     if expected:
         return words("mistake-syntax-at-end", expected=expected)
     return words("mistake-syntax-cut-off")
+
+
+def _missing_argument(diagnostic: Diagnostic, words: Wording) -> str:
+    word = str(diagnostic.details["word"])
+    classes, example = helping.needs(word, words)
+    values = {"expected": either([_thing(each, words) for each in classes], words), "example": example}
+    return words("mistake-syntax-missing-argument", word=_spelled(word, words), **values)
 
 
 def _unknown_character(diagnostic: Diagnostic, words: Wording) -> str:
@@ -112,6 +126,8 @@ def _already_declared(diagnostic: Diagnostic, words: Wording) -> str:
 
 
 def _undeclared_variable(diagnostic: Diagnostic, words: Wording) -> str:
+    if diagnostic.code:
+        return _plain(diagnostic, words)
     in_procedure = "-in-procedure" if "in_procedure" in diagnostic.details else ""
     return words(f"mistake-undeclared-variable{in_procedure}", **_values(diagnostic, words))
 
@@ -375,7 +391,8 @@ def _advice(error: Error, topic: str, words: Wording) -> tuple[str, ...]:
 def _topic(error: Error) -> str:
     """The command of which an example helps; empty where there is none, or the advice has one."""
     if error.kind == MistakeKind.UNKNOWN_COMMAND.value:
-        return "PROCEDURE" if error.code == "procedure" else keywords.topic(error.meant) or ""
+        meant = keywords.topic(error.meant) or keywords.topic_at(error.meant, 1)
+        return "PROCEDURE" if error.code == "procedure" else meant
     if error.kind in _HAS_COMMAND:
         is_assignment = not error.topic and "=" in error.source_line
         return "VAR" if is_assignment else error.topic

@@ -14,7 +14,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from donnie_tui.bootstrap import Donnie, open_workspace
-from donnie_tui.commands.context import Context
+from donnie_tui.commands.context import FAILED, Context
 from donnie_tui.commands.dispatch import attempt
 from donnie_tui.commands.interaction import SLOW, SLOW_AGAIN, EnterWorld, Option, SwitchMode, drive
 from donnie_tui.commands.preferences import Preferences
@@ -22,6 +22,7 @@ from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.events import Answered
 from donnie_tui.core.line_history import LineHistory
 from donnie_tui.core.workspace import Workspace
+from donnie_tui.i18n.help import STEP_PAGE
 from donnie_tui.linear.console import Console, Gone, run_in_background
 from donnie_tui.linear.greeting import Greeting, has_rescued
 from donnie_tui.linear.leaving import Leaving
@@ -51,6 +52,8 @@ class ConversationState(Struct, frozen=True):
     """With what was typed ahead."""
     watched: tuple[str, ...] = ()
     is_silent: bool = False
+    script_code: int = 0
+    """The exit code of a script for its lines in the worlds before."""
 
 
 class Conversation:
@@ -102,7 +105,8 @@ class Conversation:
         printing = (streams, self.printer, self.prompter, self.background)
         self.leaving = Leaving(ctx, *printing, greeting.offered)
         self.run_loop = RunLoop(ctx, *printing, self.leaving)
-        self.typed_lines = TypedLines(ctx, streams, self.leaving)
+        self.typed_lines = TypedLines(ctx, streams)
+        self.run_loop.turns_page = self._turns_page
         console.before_suspending = donnie.stop_real_robot
         console.last = (donnie.stop_real_robot, state.workspace.write_copies)
         console.has_run_away = lambda: donnie.connection.has_run_away
@@ -122,6 +126,9 @@ class Conversation:
         return ConversationState(
             open_workspace(self._folder), AnswerLog(), past, editing, PlainReader(self.console)
         )
+
+    def _turns_page(self) -> bool:
+        return self.ctx.tour_page == STEP_PAGE and self.typed_lines.continuation is not None
 
     def _say_key(self, key: KeyPress, before: str) -> None:
         if self._donnie.outlets.audible.echoes:
@@ -147,7 +154,12 @@ class Conversation:
 
     def state_for_next_world(self) -> ConversationState:
         is_silent = not self._donnie.outlets.audible.is_on
-        return replace(self._state, watched=tuple(self.ctx.runs.watched), is_silent=is_silent)
+        return replace(
+            self._state,
+            watched=tuple(self.ctx.runs.watched),
+            is_silent=is_silent,
+            script_code=self._code_of_script(),
+        )
 
     def take_again(self, line: str) -> None:
         """Take a line as if it had been typed."""
@@ -238,7 +250,14 @@ class Conversation:
             self._take(self.prompter.read(prompt_text(self.streams.settings(), depth), shown=is_shown))
             is_shown = False
         self.leaving.say_goodbye()
-        return self.leaving.code
+        return self.leaving.code or self._code_of_script()
+
+    def _code_of_script(self) -> int:
+        """Learners correct their mistakes; a script only has an exit code to report them."""
+        if self.streams.is_attended:
+            return 0
+        of_runs = FAILED if self.ctx.errors.had_any else 0
+        return max(self._state.script_code, self.ctx.script_code, of_runs)
 
     def _take(self, typed: Typed) -> None:
         if self.console.leaving is not None:
@@ -393,4 +412,4 @@ class LinearInteraction:
         self._conversation.leaving.switch_to_screen()
 
     async def quit(self) -> None:
-        self._conversation.typed_lines.quit()
+        self._conversation.leaving.quit()

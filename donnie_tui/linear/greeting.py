@@ -21,7 +21,7 @@ PROMPT = "> "
 
 _NO_READER = 129
 """The exit code, as after a lost terminal."""
-_HARMLESS = ("DONNIE_LANG", "DONNIE_LINEAR", "DONNIE_READER", "DONNIE_TOUR", SEARCH_PATH)
+_HARMLESS = ("DONNIE_LANG", "DONNIE_LINEAR", "DONNIE_READER", "DONNIE_TOUR", "DONNIE_WORLD", SEARCH_PATH)
 _SWITCH = ("on", "off")
 PLAIN_VALUES = {
     "--lang": tuple(folders()),
@@ -31,6 +31,7 @@ PLAIN_VALUES = {
     "--verbosity": DETAILS,
 }
 """The values of options that have few; anything else may be refused, which is printed before the greeting."""
+_LINEAR = ("--linear", "--screen-reader")
 _WITH_VALUE = ("--world", "--events")
 _WITH_NUMBER = ("--speed", "--seed")
 _LFLAG, _IFLAG, _CC = 3, 0, 6
@@ -176,8 +177,8 @@ def _plain_options(arguments: list[str]) -> dict[str, str] | None:
     rest = iter(arguments)
     for each in rest:
         name, equals, value = each.partition("=")
-        if each == "--linear":
-            found[each] = ""
+        if each in _LINEAR:
+            found["--linear"] = ""
         elif name in PLAIN_VALUES or name in _WITH_VALUE or name in _WITH_NUMBER:
             found[name] = value if equals else next(rest, "")
             if not _is_plain(name, found[name]):

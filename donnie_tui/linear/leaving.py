@@ -8,13 +8,15 @@ from __future__ import annotations
 
 import os
 
-from donnie_tui.commands.context import Context
+from donnie_tui.commands.context import FAILED, Context
 from donnie_tui.commands.interaction import EnterWorld, SwitchMode, drive
+from donnie_tui.commands.run import run_alone
 from donnie_tui.core.document import Document
 from donnie_tui.core.program_files import DocumentError
 from donnie_tui.linear.output import BackgroundRobots
 from donnie_tui.linear.prompter import Printer, Prompter, Streams
 from donnie_tui.settings.file import remember
+from donnie_tui.world.loading import CHALLENGE
 from language.keywords import spelling
 
 _CHECK = 0.05
@@ -51,19 +53,32 @@ class Leaving:
 
     # --- the end
 
-    def close(self) -> None:
-        """Leave because of Ctrl+D, or the end of the input."""
+    def quit(self) -> None:
+        """Leave because of QUIT, which runs as a program of its own: a recording ends with it.
+
+        A script that only opened a program did all that it wanted.
+        """
+        drive(run_alone(self._ctx, spelling("QUIT", self._ctx.words.language)))
+        self.close(is_failure=not self._ctx.program.was_opened)
+
+    def close(self, *, is_failure: bool = True) -> None:
+        """Leave because of Ctrl+D, or the end of the input. Lines that wait do not run, and are reported.
+
+        ``is_failure``: whether a script that leaves such lines ends with an exit code that says so.
+        """
         program = self._ctx.program
         waiting = program.waiting if program.is_waiting else 0
-        if waiting and not self._streams.is_attended:
+        if waiting:
+            if is_failure and not self._streams.is_attended:
+                self._ctx.refuse(FAILED)
             was_tried = any(each.line > len(program.lines) - waiting for each in self._ctx.errors.all)
             if was_tried:
                 self._ctx.answer("lines-did-not-run-mistake", lines=waiting)
             else:
-                self.report_waiting_lines()
+                self._report_waiting_lines()
         self.leave(0)
 
-    def report_waiting_lines(self) -> None:
+    def _report_waiting_lines(self) -> None:
         """Say how many lines did not run, and what they would have needed."""
         program, block = self._ctx.program, self._ctx.program.open_block
         missing = spelling("RUN" if block is None else f"END {block.kind}", self._ctx.words.language)
@@ -88,9 +103,9 @@ class Leaving:
             self._ctx.answer("stays-unsaved")
 
     def _may_leave(self, program: Document) -> bool:
-        """Whether the program is saved, given up, or not worth a question."""
-        ctx = self._ctx
-        if not (self._streams.is_attended and program.is_worth_saving):
+        """Whether the program is saved, given up, or not worth a question. Lines that wait are worth one."""
+        ctx, would_be_missed = self._ctx, program.is_worth_saving or program.is_waiting
+        if not self._streams.is_attended or program.is_saved or not would_be_missed:
             return True
         wants_to_save = self._prompter.confirm(ctx.words("ask-save", lines=len(program.lines)))
         if wants_to_save is False:
@@ -145,7 +160,7 @@ class Leaving:
         name, self.world = self.world, ""
         if name:
             self._ctx.runs.stop_to_leave()
-            self._ctx.answer("world-going", name=name)
+            self._ctx.answer("world-going", name=name.removeprefix(CHALLENGE))
             raise EnterWorld(name)
 
     def switch_to_screen(self) -> None:

@@ -48,13 +48,10 @@ _LIVE = ("stop", "stop_all", "robots", "pause", "slower", "faster", "speed", "qu
 class TypedLines:
     """Takes the lines that are typed while no program is followed."""
 
-    def __init__(self, ctx: Context, streams: Streams, leaving: Leaving) -> None:
-        self._ctx, self._streams, self._leaving = ctx, streams, leaving
+    def __init__(self, ctx: Context, streams: Streams) -> None:
+        self._ctx, self._streams = ctx, streams
         self.continuation: Callable[[], None] | None = None
         """What an empty line does if no line waits to be run."""
-        self._command = ""
-        """The line of the latest command."""
-        self._quit_was_refused = False
 
     def take_and_run(self, line: str) -> None:
         """ESC: take the line, and run everything."""
@@ -68,14 +65,12 @@ class TypedLines:
         if not words:
             self._run_unless_open()
         elif found := find(line):
-            self._command = line
             drive(perform(self._ctx, *found))
         elif first is not None or not says_slip(self._ctx, line):
             return self._add(line)
         return False
 
     def _add(self, line: str) -> bool:
-        self._quit_was_refused = False
         ctx, program = self._ctx, self._ctx.program
         chimes = self._streams.is_attended and ctx.donnie.outlets.audible.has_cues
         before = program.depth if chimes else 0
@@ -111,31 +106,6 @@ class TypedLines:
             for each in self._ctx.donnie.session.parse(program.waiting_text).diagnostics
         )
 
-    def quit(self) -> None:
-        """Run what was typed, then leave; if it can't be run, a second QUIT leaves without it.
-
-        A program that was opened and never run does not run because the learner leaves.
-        """
-        program, block = self._ctx.program, self._ctx.program.open_block
-        if self._quit_was_refused:
-            self._leaving.leave(0)
-        elif program.was_opened and program.is_waiting:
-            self._leaving.report_waiting_lines()
-            self._leaving.leave(0)
-        elif block is None:
-            self._run_and_quit()
-        elif self._add(self._command):
-            self._ctx.answer("quit-in-block", opener=self._spelled(block.kind))
-
-    def _run_and_quit(self) -> None:
-        leaving = self._leaving
-        drive(run_program(self._ctx, is_whole=False, last=self._command))
-        if leaving.code is not None:
-            leaving.leave(leaving.code)
-        self._quit_was_refused = self._ctx.program.is_waiting
-        if self._quit_was_refused and leaving.code is None and self._streams.is_attended:
-            self._ctx.answer("quit-again")
-
     def _spelled(self, canonical: str) -> str:
         return keywords.spelling(canonical, self._ctx.words.language)
 
@@ -163,6 +133,8 @@ class RunLoop(RunObserver):
         """Whether the program is held at a place where the learner was not asked yet."""
         self._was_suspended = False
         """Whether the run was stopped before Ctrl+Z."""
+        self.turns_page: Callable[[], bool] = lambda: False
+        """Whether Enter ends the stepping and turns a page of the tour, which has asked for it."""
         self._left_out = 0
         self._report_due = 0.0
         self._runs.observer = self
@@ -401,6 +373,9 @@ class RunLoop(RunObserver):
             self._runs.continue_()
         elif typed.how is How.TOO_LONG:
             self._ctx.answer("program-too-long")
+        elif not line and self.turns_page():
+            self._prompter.put_back(typed)
+            self._stop()
         elif not line:
             self._runs.step()
         elif found := find(line):

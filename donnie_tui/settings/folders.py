@@ -24,6 +24,8 @@ UNSAVED = "unsaved"
 """In the state folder: the folder of the copies of what is not saved."""
 BREAKPOINTS = "breakpoints.txt"
 """In the state folder: the breakpoints of each program."""
+PROGRESS = "challenges.txt"
+"""What was done for challenges."""
 RECENT = "recent.txt"
 """In the state folder: the programs that were opened and saved lately."""
 

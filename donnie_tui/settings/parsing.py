@@ -161,6 +161,8 @@ def _clamped(text: str, lowest: int, highest: int) -> int:
 
 Columns = Mapping[Bearing, tuple[int, ...]]
 Sonars = tuple[Bearing | None, ...]
+ColourRanges = Mapping[str, tuple[int, int, int, int, int, int]]
+"""By the English word: the least and the most of hue, saturation and value."""
 
 _BEARINGS = {each.name.lower().replace("_", "-"): each for each in Bearing}
 _SENSES = {"normal": 1, "reversed": -1}
@@ -185,6 +187,11 @@ PROFILES = ("auto", "2016", "2018")
 WHEELS_WANTED = "normal reversed"
 HEADS = ("left", "right")
 RESET_WANTED = "auto, dtr, gpio:22, none"
+CAMERA_WANTED = "NUMBER, /dev/videoN, FILE, FOLDER"
+VIEWS = (20, 150)
+"""Degrees that a camera's picture can be wide."""
+COLOURS_WANTED = "red 121-11 32-255 87-255, green 56-99 169-255 17-255"
+_HUES, _LEVELS = range(180), range(256)
 BUMPERS_WANTED = "front front front back back back"
 
 
@@ -247,6 +254,48 @@ def read_bumpers(text: str) -> tuple[bool, ...]:
     if len(words) != _BUMPERS or not set(words) <= set(_SIDES):
         raise ValueError(text)
     return tuple(_SIDES[word] for word in words)
+
+
+def read_view(text: str) -> float:
+    """Degrees."""
+    view = float(text.strip().replace(",", "."))
+    if not VIEWS[0] <= view <= VIEWS[1]:
+        raise ValueError(text)
+    return view
+
+
+def read_colours(text: str) -> ColourRanges:
+    """The ranges of colours: of each its English word, and hue, saturation and value from-to."""
+    found = {}
+    for each in text.lower().split(","):
+        word, *ranges = each.split()
+        hue, saturation, value = (_least_and_most(one) for one in ranges)
+        is_right = {*hue} <= {*_HUES} and {*saturation, *value} <= {*_LEVELS}
+        if not is_right or saturation[0] > saturation[1] or value[0] > value[1]:
+            raise ValueError(each)
+        found[_colour(word)] = (*hue, *saturation, *value)
+    return found
+
+
+def colours_text(ranges: ColourRanges) -> str:
+    """The ranges as ``read_colours`` reads them."""
+    return ", ".join(
+        f"{word} {each[0]}-{each[1]} {each[2]}-{each[3]} {each[4]}-{each[5]}" for word, each in ranges.items()
+    )
+
+
+def _least_and_most(text: str) -> tuple[int, int]:
+    least, most = (int(each) for each in text.split("-"))
+    return least, most
+
+
+def _colour(word: str) -> str:
+    from language.keywords import argument  # few starts have a camera
+
+    found = argument("COLOUR", word)
+    if found is None:
+        raise ValueError(word)
+    return str(found.value)
 
 
 def read_wheels(text: str) -> tuple[int, int]:

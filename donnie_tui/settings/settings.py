@@ -17,6 +17,8 @@ from donnie_tui import DETAILS
 from donnie_tui.core.wording import Wording
 from donnie_tui.settings.parsing import (
     BUMPERS_WANTED,
+    CAMERA_WANTED,
+    COLOURS_WANTED,
     COLUMNS_WANTED,
     FASTEST,
     HEADS,
@@ -31,13 +33,16 @@ from donnie_tui.settings.parsing import (
     SONARS_WANTED,
     SPEECH,
     STEPS_WANTED,
+    VIEWS,
     WHEELS_WANTED,
+    ColourRanges,
     Columns,
     Sonars,
     Sound,
     folders_of,
     one_of,
     read_bumpers,
+    read_colours,
     read_columns,
     read_cues,
     read_folders,
@@ -60,6 +65,7 @@ from donnie_tui.settings.parsing import (
     read_steps,
     read_switch,
     read_text,
+    read_view,
     read_wheels,
 )
 from language.locales import ENGLISH, language_of_locale, languages
@@ -72,6 +78,7 @@ MOTION = ("full", "reduced")
 
 SOUND_WANTED = "on, off, wav:FILE"
 RATE_WANTED, PERCENT_WANTED = (f"{least}-{most}" for least, most in (RATES, PERCENTS))
+VIEW_WANTED = f"{VIEWS[0]}-{VIEWS[1]}"
 CUES_WANTED = "NAME 0-100, NAME 0-100"
 
 
@@ -138,6 +145,9 @@ KEYS = (
     Key("motors", "motors", read_wheels, WHEELS_WANTED, is_example=True),
     Key("encoders", "encoders", read_wheels, WHEELS_WANTED, is_example=True),
     _one_of("head", HEADS),
+    Key("camera", "camera", read_text, CAMERA_WANTED),
+    Key("camera_view", "camera_view", read_view, VIEW_WANTED),
+    Key("colours", "colours", read_colours, COLOURS_WANTED, is_example=True),
     Key("reset_line", "reset_line", read_reset_line, RESET_WANTED),
     Key("linear", "linear", read_switch, "on, off"),
     _one_of("page", ("rest", "ask", "off")),
@@ -184,7 +194,7 @@ class Notice(Struct, frozen=True):
 class Settings(Struct, frozen=True):
     """The settings of one start. ``speed`` None is as fast as possible; ``events`` a file or ``-``."""
 
-    world: str = "open_floor"
+    world: str = "first_room"
     world_folders: tuple[str, ...] = ()
     """Folders from which worlds may include files, besides their own."""
     robot: str = "sim"
@@ -225,6 +235,12 @@ class Settings(Struct, frozen=True):
     encoders: tuple[int, int] | None = None
     head: str | None = None
     """The side at which the head's angle is 0; None as in the profile."""
+    camera: str | None = None
+    """Of a real robot: its number or device, or pictures in place of one."""
+    camera_view: float | None = None
+    """Degrees that its picture is wide; None as in the original."""
+    colours: ColourRanges | None = None
+    """As a calibration found them; None as in the original."""
     reset_line: str = "auto"
     """What restarts a board by force."""
     linear: bool | None = None

@@ -21,7 +21,7 @@ from donnie_tui.i18n.first_words import early
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.folders import UNSAVED, state_folder
 from donnie_tui.settings.settings import Settings
-from donnie_tui.tui.environment import is_page, is_plain
+from donnie_tui.tui.environment import is_page, is_plain, may_need_linear
 from donnie_tui.tui.key_queue import Dialogs
 from donnie_tui.tui.keyboard import STOPS, Keyboard, bindings
 from donnie_tui.tui.screens.main_screen import MainScreen
@@ -67,7 +67,10 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         self._language = settings.language
         self._state_folder = Path(folder or state_folder(os.environ))
         self.main_screen = MainScreen(
-            self.size, plain=is_plain(settings), focus=restored.focus if restored else ""
+            self.size,
+            plain=is_plain(settings),
+            focus=restored.focus if restored else "",
+            first_row=early("screen-start", settings.language) if may_need_linear() else "",
         )
         self.key_table = KeyTable(has_terminal=not is_page())
         self._bind(settings.keys)
@@ -101,7 +104,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             repaint=self.repaint,
         )
         self._first_word: str | None = None
-        """The command that was typed into the empty program before the session was loaded."""
+        """The command that was typed into the program before the session was loaded."""
 
     def _start_controller(self, donnie: Donnie) -> None:
         from donnie_tui.bootstrap import open_workspace
@@ -122,7 +125,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         if opening is not None:
             self.startup.open_with(opening)
         if self._first_word is not None:
-            self.call_later(self._do_first_word, self._first_word)
+            self.call_later(self.do, self._first_word)
 
     @property
     def controller(self) -> ScreenController | None:
@@ -264,17 +267,12 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             if event.asks_to_quit:
                 self.do("quit")
 
-    def on_editor_first_word_typed(self, event: Editor.FirstWordTyped) -> None:
+    def on_editor_line_word_typed(self, event: Editor.LineWordTyped) -> None:
         """At the very start it counts too, as soon as the session is loaded."""
         if self.controller is None:
             self._first_word = event.name
         else:
-            self._do_first_word(event.name)
-
-    def _do_first_word(self, name: str) -> None:
-        """It is not meant as the program's text."""
-        self.main_screen.editor.load_text("")
-        self.do(name)
+            self.do(event.name)
 
     def on_editor_line_finished(self, event: Editor.LineFinished) -> None:
         if self.controller is not None:

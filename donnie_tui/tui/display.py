@@ -197,7 +197,6 @@ class Display:
 
     def show_titles(self) -> None:
         document = self._workspace.document
-        self._place.editor.is_new = document.path is None
         name = document.path.name if document.path else self._words("new-program")
         code = "pane-program" if document.is_saved else "pane-program-changed"
         self._place.program_pane.entitle(self._words(code, name=name))

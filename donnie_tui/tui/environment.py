@@ -44,6 +44,15 @@ def is_plain(settings: Settings) -> bool:
     return _screen_reader_runs()
 
 
+def may_need_linear(environment: Mapping[str, str] = os.environ) -> bool:
+    """Whether the first row offers the linear mode: over SSH no screen reader of the learner can be found."""
+    from devices.audio.channel import is_over_ssh
+
+    was_answered = bool(environment.get("DONNIE_READER", "").strip())
+    is_remote = is_over_ssh(environment) and not is_page(environment)
+    return is_remote and not was_answered and not _screen_reader_runs()
+
+
 @cache
 def _screen_reader_runs() -> bool:
     """Looked up once: it is asked three times before the first frame, and looks at all processes."""

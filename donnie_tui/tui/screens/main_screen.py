@@ -55,12 +55,14 @@ class MainScreen(Screen[None]):
     class Entered(Message):
         """The focus came from one part of the main screen to another."""
 
-    def __init__(self, size: Size, *, plain: bool = False, focus: str = "") -> None:
+    def __init__(self, size: Size, *, plain: bool = False, focus: str = "", first_row: str = "") -> None:
         """``size`` is what the terminal seems to have: a class that is changed later costs a restyling.
 
-        ``focus`` is the ``focus_was`` of the screen before; empty at the start.
+        ``focus`` is the ``focus_was`` of the screen before; empty at the start. ``first_row`` is a sentence
+        above all; empty for none.
         """
         super().__init__(id="main-screen", classes="-plain" if plain else "")
+        self._first_row = first_row
         for breakpoints, cells in (
             (self.HORIZONTAL_BREAKPOINTS, size.width),
             (self.VERTICAL_BREAKPOINTS, size.height),
@@ -91,6 +93,8 @@ class MainScreen(Screen[None]):
         self.AUTO_FOCUS = f"#{self.first_focus.id}"  # type: ignore[misc] # Textual asks the screen, not its class
 
     def compose(self) -> ComposeResult:
+        if self._first_row:
+            yield Static(self._first_row, id="first-row", markup=False)
         with Vertical(id="panes"):
             with Horizontal(id="upper", classes="" if self.is_plain else "-shown"):
                 yield self.program_pane

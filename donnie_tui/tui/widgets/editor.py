@@ -37,6 +37,9 @@ MARKS = 2
 _EMPTY_LINE = "▌"
 """What Textual paints in a selected line without text, in a colour that may be the background's."""
 
+_LONGEST_WORD = 20
+"""Characters of a line that may hold only the word of a command."""
+
 LEAST_TYPED = 2
 """Letters before a word is offered."""
 LEAST_NOTE = 12
@@ -48,8 +51,8 @@ class Editor(TextArea):
 
     BINDINGS: ClassVar[list[BindingType]] = [Binding("ctrl+a", "select_all", show=False)]
 
-    class FirstWordTyped(Message):
-        """A word that the first lines of the log ask for, and Enter, and nothing else."""
+    class LineWordTyped(Message):
+        """Enter on a line that holds only the word of a command; the line is taken out."""
 
         def __init__(self, name: str) -> None:
             """``name`` of its use case."""
@@ -66,8 +69,6 @@ class Editor(TextArea):
     def __init__(self, *, id: str) -> None:  # noqa: A002 -- Textual's own name
         super().__init__(id=id, soft_wrap=True, tab_behavior="focus", show_line_numbers=True)
         self.cursor_blink = False
-        self.is_new = True
-        """Whether the text is no file's: only there a first word and Enter is no text."""
         self._chosen_painted: tuple[Offset, Offset] | None = None
         """Where the selection is, while rows are painted."""
         self._marks: dict[int, str] = {}
@@ -89,21 +90,32 @@ class Editor(TextArea):
     # --- typing
 
     async def _on_key(self, event: events.Key) -> None:
-        first_word = self._first_word if event.key == "enter" else None
-        if first_word is not None:
+        name = self._line_word if event.key == "enter" else None
+        if name is not None:
             event.stop()
             event.prevent_default()
-            self.post_message(self.FirstWordTyped(first_word))
+            self._take_line_out(self.cursor_location[0])
+            self.post_message(self.LineWordTyped(name))
         elif event.key == "enter":
             self.post_message(self.LineFinished(self.cursor_location[0]))
 
     @property
-    def _first_word(self) -> str | None:
-        if not self.is_new or len(self.text) >= 20:
+    def _line_word(self) -> str | None:
+        """The command whose word is all of the line, with the cursor at its end."""
+        row, column = self.cursor_location
+        line = self.document.get_line(row)
+        if len(line) >= _LONGEST_WORD or column < len(line.rstrip()) or not self.selection.is_empty:
             return None
-        from donnie_tui.commands.lookup import FIRST_WORDS  # not for the first frame
+        from donnie_tui.commands.lookup import LINE_WORDS  # not for the first frame
 
-        return FIRST_WORDS.get(self.text.strip().casefold())
+        return LINE_WORDS.get(line.strip().casefold())
+
+    def _take_line_out(self, row: int) -> None:
+        """The last line stays, empty, so that typing continues there."""
+        is_last = row == self.document.line_count - 1
+        end = (row, len(self.document.get_line(row))) if is_last else (row + 1, 0)
+        self.delete((row, 0), end, maintain_selection_offset=False)
+        self.move_cursor((row, 0))
 
     async def _on_paste(self, event: events.Paste) -> None:
         from language.source import cleaned  # not for the first frame
