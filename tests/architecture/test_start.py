@@ -22,6 +22,8 @@ HEAVY = {
     "pyttsx3",
     "asyncio",
     "email",
+    "cv2",
+    "numpy",
 }
 """Libraries that most starts do not need, and that take long to load."""
 MOVING = {"pymunk", "sim.layout", "sim.rays", "sim.movement", "sim.vehicle", "sim.sensors"}

@@ -26,6 +26,7 @@ SITUATIONS = {IDLE: ("AGAIN",), RUNNING: ("START",), HELD: ("BREAK 5", "AGAIN")}
 
 ARGUMENTS = {
     "": ("nonsense",),
+    "challenge": ("1", "nonsense"),
     "compass": ("north", "nonsense"),
     "count": ("2", "0", "99", "nonsense"),
     "cue": ("bump", "nonsense"),

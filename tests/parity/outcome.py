@@ -29,7 +29,7 @@ _OF_THE_SCREEN = (Passing, Sensed, Pointed, Chimed)
 _OF_THE_CLOCK = ("seq", "t", "seconds", "version")
 """Fields that another moment, or another version, changes."""
 _SLOWNESS = re.compile(
-    r".*, (it takes|wait) a while\.|.*, isso demora\.|(Reading|Lendo) \d+ .*"
+    r".*, (it takes|wait) a while\.|.*, demora um pouco\.|(Reading|Lendo) \d+ .*"
     r"|The world .* is there\.|O mundo .* está pronto\."
 )
 """What Donnie says where a machine is busy."""

@@ -25,7 +25,7 @@ OF_WAITING_OR_ALL = ("STEP", "OVER", "UNTIL")
 """In the linear mode these begin with what waits, where the robot stands; on the screen from the start."""
 
 LAST_LINE = ("QUIT", "EXIT")
-"""In the linear mode it runs as the last line of what was typed; both ask about unsaved lines."""
+"""In the linear mode it reports the lines that did not run; both ask about unsaved lines."""
 UNANSWERED = ("SAVE LOG", "SALVAR REGISTRO", "REPLACE")
 """Escape at their question takes what the linear mode offers, and the screen leaves it."""
 ELSEWHERE = re.compile(r"Only in the (full screen: type VISUAL|linear mode: type LINEAR)\.")
@@ -98,8 +98,7 @@ def _plain(outcome: Outcome) -> Outcome:
 
 
 def _as_published(line: str, outcome: Outcome) -> tuple[str, ...]:
-    is_of_program = not line.startswith(("GRIP", "RELEASE"))
-    published = tuple(each for each in outcome.published if not (is_of_program and each in _END_OF_PROGRAM))
+    published = tuple(each for each in outcome.published if each not in _END_OF_PROGRAM)
     if line.startswith(OF_WAITING_OR_ALL):
         published = tuple(_FRESH.sub("", each) for each in published)
     return replace(outcome, published=published).as_text()

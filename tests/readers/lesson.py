@@ -68,7 +68,7 @@ LONG = (
     "DETAIL FULL",
     "FW 1",
     "DETAIL NORMAL",
-    "HELP",
+    "HELP ALL",
     "LIST",
     "FOR VAR i = 1; i <= 40; i = i + 1 DO SPEAK i END FOR",
     "STATE",

@@ -56,6 +56,7 @@ class SshLine:
             "LC_ALL": "C.UTF-8",
             "DONNIE_TOUR": "off",
             "DONNIE_READER": "off",
+            "DONNIE_WORLD": "open_floor",
         }
         given = " ".join(f"{name}={value}" for name, value in variables.items())
         return f"""

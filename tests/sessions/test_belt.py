@@ -26,7 +26,10 @@ pytestmark = pytest.mark.slow
 def test_a_missing_belt_is_reported_and_the_run_continues(tmp_path: Path) -> None:
     done = donnie(tmp_path, "run", program(tmp_path, "BELT ON\nFW 1\n"), "--belt", "/dev/nothing")
 
-    assert done.stderr.decode() == "No belt at /dev/nothing: No such file or directory. I continue without.\n"
+    assert (
+        done.stderr.decode()
+        == "No belt at /dev/nothing: there is no such file or folder. I go on without it.\n"
+    )
     assert done.stdout.decode() == "Belt on.\nI walked 1 step forward.\n"
     assert done.returncode == 0
 
@@ -46,7 +49,7 @@ def test_the_start_does_not_wait_for_a_belt_at_an_address_and_reports_a_missing_
     answers.set()
     try:
         assert donnie.notices.all == ()
-        assert until(lambda: said == ["No belt at socket://far:1: timed out. I continue without."])
+        assert until(lambda: said == ["No belt at socket://far:1: timed out. I go on without it."])
     finally:
         donnie.close()
 

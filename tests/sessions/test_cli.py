@@ -12,7 +12,6 @@ import pytest
 
 import worlds.words
 from donnie_tui.cli.main import main
-from donnie_tui.cli.options import TO_COME
 from donnie_tui.i18n.words import Words
 from tests.conftest import ROOT
 from tests.sessions.command import QUIET, donnie
@@ -49,7 +48,7 @@ def write(name: str, text: str) -> None:
 @pytest.mark.parametrize("port", ["none", "0", "70000", "-1", "1" * 50])
 def test_an_invalid_port_is_one_sentence(printed: Printed, port: str) -> None:
     assert printed.by("serve", f"--port={port}") == 2
-    assert "is no port" in printed.err
+    assert "is not a port" in printed.err
     assert printed.err.count("\n") == 1
 
 
@@ -96,15 +95,17 @@ def test_check_prints_nothing_about_a_program_without_mistakes_but_says_so(print
 def test_check_of_a_folder_checks_the_programs_in_it(printed: Printed, tmp_path: Path) -> None:
     (tmp_path / "class" / "more.gd").mkdir(parents=True)
     assert printed.by("check", "class") == 2
-    assert printed.err == "There are no programs in class, files that end in .gd.\n"
+    assert printed.out == "There are no programs in class. The name of a program ends in .gd.\n"
     for name, text in (("bob.gd", "FWD 1"), ("ana.GD", "FW 1"), ("notes.txt", "FWD 2")):
         (tmp_path / "class" / name).write_text(text)
     place = Path("class")
 
     assert printed.by("check", "class") == 1
-    assert printed.out.startswith(f"{place / 'bob.gd'}:1:1: ")
-    assert len(printed.out.splitlines()) == 1
-    assert printed.err.splitlines() == [f"{place / 'ana.GD'}: no mistakes."]
+    assert printed.err == ""
+    ana, bob, totals = printed.out.splitlines()
+    assert ana == f"{place / 'ana.GD'}: no mistakes."
+    assert bob.startswith(f"{place / 'bob.gd'}:1:1: ")
+    assert totals == "2 programs. 1 with mistakes, 1 without."
 
 
 def test_check_knows_the_colours_of_the_world_that_is_named(printed: Printed, tmp_path: Path) -> None:
@@ -115,7 +116,7 @@ def test_check_knows_the_colours_of_the_world_that_is_named(printed: Printed, tm
     )
 
     assert printed.by("check", "a.gd", "--world", "b.world") == 1
-    assert printed.out == "a.gd:1:13: bad-argument: The robot does not see yellow. It takes RED.\n"
+    assert printed.out == "a.gd:1:13: bad-argument: The robot does not see yellow. Use RED.\n"
 
 
 def test_the_worst_of_several_files_counts(printed: Printed) -> None:
@@ -124,8 +125,22 @@ def test_the_worst_of_several_files_counts(printed: Printed) -> None:
 
     assert printed.by("check", "good.gd", "bad.gd") == 1
     assert printed.by("check", "good.gd", "none.gd", "bad.gd") == 2
-    assert "There is no file none.gd." in printed.err
+    assert "There is no file none.gd." in printed.out
     assert "bad.gd:1:1:" in printed.out
+    assert printed.out.endswith("\n3 programs. 1 with mistakes, 1 without, 1 unreadable.\n")
+
+
+# --- a misspelt command
+
+
+@pytest.mark.parametrize("arguments", [("chek", "a.gd"), ("chek",), ("--lang", "en", "chek", "a.gd")])
+def test_a_misspelt_command_is_answered_with_the_command(
+    printed: Printed, arguments: tuple[str, ...]
+) -> None:
+    write("a.gd", "FW 1")
+
+    assert printed.by(*arguments) == 2
+    assert printed.err == "I do not know the command chek. Did you mean check?\n"
 
 
 # --- format
@@ -196,7 +211,11 @@ def test_a_world_as_json_has_its_models_as_stage_would_build_them(printed: Print
     robot = next(each for each in models if each["name"] == "donnie")
     assert (robot["type"], robot["parent"]) == ("position", None)
     assert robot["global_pose"] == [0.0, 0.0, 0.0, 90.0]
-    assert {"type", "name", "parent", "global_pose", "size", "color", "blocks", "block_area"} <= set(robot)
+    assert set(robot) == {
+        *("type", "name", "parent", "global_pose", "origin", "size", "color"),
+        *("boundary", "blocks", "block_area"),
+        *("obstacle_return", "ranger_return", "blob_return", "fiducial_return", "gripper_return"),
+    }  # fmt: skip
 
 
 def test_a_configuration_of_a_real_robot_says_that_it_has_no_world(printed: Printed) -> None:
@@ -253,7 +272,7 @@ def test_a_report_lists_ignored_properties(printed: Printed) -> None:
         (("replay", "a.gd", "--from", "abc"), "The option --from takes a whole number, such as 12."),
         (("run", "a.gd", "--lang"), "The option --lang needs a value. The option --help says more."),
         (("--linear", "--visual"), "The option --visual contradicts another one."),
-        *(((command, "x"), f"The command {command} is not there yet.") for command in TO_COME),
+        (("challenge", "no_such"), "There is no challenge no_such. donnie challenge lists them."),
     ],
 )
 def test_an_unusable_argument_is_one_sentence_and_exit_code_2(
@@ -325,7 +344,7 @@ def test_without_a_terminal_donnie_says_so_and_is_linear(tmp_path: Path) -> None
 
     lines = done.stdout.decode().splitlines()
     assert done.returncode == 0
-    assert lines[0] == "Linear mode, without a terminal."
+    assert lines[0] == "Linear mode: there is no terminal."
     assert "I walked 2 steps forward." in lines
 
 

@@ -115,7 +115,7 @@ def test_the_history_the_copies_and_the_settings_are_kept_in_the_folder(ana: Pat
 
     again = Learner(ana.parent, "--confined", "ana")
     again.enters("RECOVER")
-    again.sees("Here it is again, 1 line.")
+    again.sees("Your program is back, 1 line.")
     again.sees_prompt()
     again.types(UP + UP)
     again.sees("FW 29")
@@ -135,7 +135,7 @@ def test_a_program_that_was_rescued_with_a_file_outside_is_not_saved_there(ana: 
     done = donnie(ana.parent, "--linear", "--confined", "ana", *QUIET, typed=typed)
 
     said = done.stdout.decode()
-    assert said.count(" is again, 1 line.") == 2
+    assert said.count(" is back, 1 line.") == 2
     assert "secret.gd is not in your folder." in said
     assert ".bashrc is hidden." in said
     assert (ana.parent / "secret.gd").read_text() == SECRET
@@ -267,7 +267,9 @@ def test_a_folder_of_programs_is_checked_without_what_is_outside(
     (here / ".hidden.gd").write_text("FWD\n")
 
     assert main(["check", ".", "--confined", "."]) == 0
-    assert capsys.readouterr().err == "mine.gd: no mistakes.\n"
+    checked, totals = capsys.readouterr().out.splitlines()
+    assert checked == "mine.gd: no mistakes."
+    assert totals == "1 program. 0 with mistakes, 1 without."
 
 
 def test_confinement_can_only_be_narrowed(
@@ -385,7 +387,7 @@ def test_only_the_named_ports_can_be_used(
     assert "/dev/tty" in capsys.readouterr().err
 
     assert main(["run", "mine.gd", "--devices", "/dev/none", "--robot", "serial:/dev/none", *QUIET]) == 2
-    assert capsys.readouterr().err == "/dev/none is not named for this session.\n"
+    assert capsys.readouterr().err == "This session may not use /dev/none.\n"
     monkeypatch.setenv("DONNIE_DEVICES", "/dev/none")
     assert main(["run", "mine.gd", "--robot", "serial:/dev/none", *QUIET]) == 2
     assert capsys.readouterr().err.startswith("Nothing is plugged in at /dev/none.")

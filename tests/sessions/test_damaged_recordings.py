@@ -107,7 +107,7 @@ def test_a_text_of_escapes_without_an_end_is_looked_through_once() -> None:
 def test_a_file_that_is_no_recording_is_reported_in_one_sentence(here: Here) -> None:
     (here.folder / "a.rec").write_bytes(b"FW 3\n")
 
-    assert here.replay(code=2, err=["a.rec is no recording."]) == []
+    assert here.replay(code=2, err=["a.rec is not a recording."]) == []
 
 
 def test_the_rest_of_any_damaged_recording_is_replayed_both_ways_and_drawn(here: Here) -> None:
@@ -137,7 +137,7 @@ def test_the_rest_of_any_damaged_recording_is_replayed_both_ways_and_drawn(here:
 
 def test_a_special_or_huge_file_is_refused(here: Here) -> None:
     os.mkfifo(here.folder / "a.rec")
-    here.replay(code=2, err=["a.rec is no ordinary file."])
+    here.replay(code=2, err=["a.rec is not an ordinary file."])
     (here.folder / "a.rec").unlink()
     with (here.folder / "a.rec").open("wb") as file:
         file.truncate(5 * 1024**3)
@@ -150,7 +150,7 @@ def test_a_recording_saved_again_by_an_editor_is_whole(here: Here) -> None:
     (here.folder / "a.rec").write_bytes(b"\xef\xbb\xbf" + data.replace(b"\n", b"\r\n"))
 
     assert here.replay() == printed
-    assert here.replay("--check")[0].endswith("events alike.")
+    assert here.replay("--check")[0].endswith("events are the same.")
 
 
 @pytest.mark.parametrize(
@@ -175,7 +175,7 @@ def test_a_full_disk_ends_the_recording_and_not_the_run(here: Here) -> None:
     done = here.donnie("run", "a.gd", "--record", "/dev/full")
 
     assert done.returncode == 2
-    assert done.err == ["I can't write /dev/full: No space left on device."]
+    assert done.err == ["I can't write /dev/full: the disk is full."]
 
 
 def test_no_such_event_or_file_is_one_sentence(here: Here) -> None:

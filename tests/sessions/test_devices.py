@@ -56,7 +56,7 @@ def test_a_lost_connection_ends_the_walk_and_nothing_continues_by_itself(robot: 
     robot.plug()
 
     codes = lambda: [each.event.text for each in heard if hasattr(each.event, "text")]  # noqa: E731
-    assert until(lambda: "Robot is back." in codes())
+    assert until(lambda: "The robot is back." in codes())
     assert any(text.startswith("Robot lost.") for text in codes())
     moved = [each.event for each in heard if isinstance(each.event, Moved)]
     assert [each.stopped_by.value for each in moved if each.stopped_by] == ["link"]
@@ -126,11 +126,11 @@ def test_a_port_has_one_program_at_a_time(tmp_path: Path, robot: PtyBoard) -> No
     second = donnie(tmp_path, "run", program(tmp_path, "FW 1"), *serial(robot), *QUIET)
     assert second.returncode == 2
     assert second.stderr.decode() == (
-        f"Another program uses {robot.path}. Perhaps another Donnie runs. Leave it first.\n"
+        f"Another program uses {robot.path}. Perhaps another Donnie uses it. Leave that one first.\n"
     )
     stop = donnie(tmp_path, "stop", robot.path)
     assert stop.returncode == 1
-    assert "another program has" in stop.stdout.decode()
+    assert "another program uses" in stop.stdout.decode()
     first.send_signal(signal.SIGTERM)
     first.wait(TIMEOUT)
 
@@ -142,7 +142,7 @@ def test_devices_lists_the_answering_devices_and_how_to_use_them(tmp_path: Path,
     done = donnie(tmp_path, "devices", robot.path, "/dev/there-is-nothing")
 
     assert done.stdout.decode().splitlines() == [
-        "I ask 2 ports. A board on USB restarts by that.",
+        "I ask 2 ports. That restarts a board on USB.",
         f"{robot.path}: robot, original firmware, battery 8.0 volts.",
         f"Drive it: donnie --robot serial:{robot.path}",
         "Nothing is plugged in at /dev/there-is-nothing.",
@@ -154,7 +154,7 @@ def test_devices_lists_the_answering_devices_and_how_to_use_them(tmp_path: Path,
     ("language", "sentence"),
     [
         ("en", "Nothing is plugged in at /dev/nothing."),
-        ("pt", "Não há nada ligado em /dev/nothing."),
+        ("pt", "Não há nada conectado em /dev/nothing."),
         ("es", "No hay nada conectado en /dev/nothing."),
     ],
 )
@@ -210,15 +210,15 @@ def test_events_of_the_robot_are_printed_in_the_middle_of_a_typed_line(
     tmp_path: Path, robot: PtyBoard
 ) -> None:
     learner = Learner(tmp_path, *serial(robot))
-    learner.sees("Linear mode, from the option.\r\nI look for the robot, some seconds.\r\n")
+    learner.sees("Linear mode, from the option.\r\nI look for the robot for some seconds.\r\n")
     learner.sees("Robot connected.")
     learner.sees_prompt()
     learner.types("WHE")
     learner.sees("WHE")
     robot.unplug()
-    learner.sees("Robot lost. If it drives, switch it off.\r\n> WHE")
+    learner.sees("Robot lost. If it moves, switch it off.\r\n> WHE")
     robot.plug()
-    learner.sees("Robot is back.\r\n> WHE")
+    learner.sees("The robot is back.\r\n> WHE")
     learner.types("RE\r")
     learner.sees("Facing north.")
     robot.board.millivolts = 6800

@@ -181,7 +181,7 @@ def test_the_sensors_of_the_simulated_board_are_those_of_a_board(tmp_path: Path)
 
     assert typed.stdout.decode().splitlines()[-5:-1] == [
         "Donnie tem:",
-        "Sensores de distância ao redor, 2 m.",
+        "Sensores de distância ao redor, até 2 m.",
         "Um na cabeça, que gira para ESPIAR.",
         "Sensores de toque. Sem câmera nem garra.",
     ]

@@ -31,7 +31,7 @@ def test_the_linear_mode_offers_the_tour_before_the_first_prompt(tmp_path: Path)
     first.sees_prompt()
     assert first.lines[:-1] == ["Linear mode, from the option.", OFFER]  # two lines
     first.types("TOUR\r")
-    first.sees("Welcome. Donnie is a robot on a floor.")
+    first.sees("Welcome. Donnie is a robot in a room.")
     first.types("\x04")
     first.leaves()
 
@@ -61,13 +61,13 @@ def test_with_a_screen_reader_the_first_answer_says_how_to_change_the_voice(
     tmp_path: Path,
 ) -> None:
     """A later start does not repeat it."""
-    decided = "Voice off, a screen reader runs. SET speech own turns it on."
+    decided = "My voice is off, because a screen reader runs. SET speech own turns it on."
     for said in ([decided], []):
         learner = Learner(tmp_path, "--speech", "auto", DONNIE_READER="1", SSH_CONNECTION="")
         learner.sees_prompt()
         assert len(learner.lines) == 3
         learner.types("RUN\r")
         learner.sees_prompt()
-        assert learner.lines[3:-1] == [*said, "Nothing to run."]
+        assert learner.lines[3:-1] == [*said, "There is nothing to run."]
         learner.types("\x04")
         learner.leaves()

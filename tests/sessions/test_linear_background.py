@@ -79,7 +79,7 @@ def test_the_answer_to_a_word_comes_before_lines_of_the_background(tmp_path: Pat
         learner.sees("alice: 7\r\n")
     learner.types("ROBOT bob\r")
     before = len(learner.lines)
-    learner.sees("You talk to bob.")
+    learner.sees("Now you talk to bob.")
 
     assert len(learner.lines) - before < A_FEW_BLOCKS
 

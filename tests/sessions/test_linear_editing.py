@@ -57,7 +57,7 @@ def test_a_pipe_is_no_program_and_does_not_block_the_prompt(tmp_path: Path) -> N
     os.mkfifo(tmp_path / "pipe")
 
     done = donnie(tmp_path, "--linear", *QUIET, "pipe", typed="SPEAK 7\nRUN\n")
-    assert done.stdout.decode().splitlines()[1:3] == ["pipe is no text.", "7"]
+    assert done.stdout.decode().splitlines()[1:3] == ["pipe is not a text.", "7"]
 
 
 def test_a_search_starts_at_the_reading_place_and_wraps_around(tmp_path: Path) -> None:
@@ -77,7 +77,7 @@ def test_a_search_starts_at_the_reading_place_and_wraps_around(tmp_path: Path) -
 def test_replacing_a_word_everywhere_is_one_change(tmp_path: Path) -> None:
     assert answers_to(tmp_path, "FW 1", "FW 2", "REPLACE FW", "BW", "LIST", "UNDO", "LIST") == [
         'Instead of FW, everywhere; Enter leaves it, "" deletes it:',
-        "2 times replaced.",
+        "Replaced 2 times.",
         "1: BW 1",
         "2: BW 2",
         "Line 1: FW 1",
@@ -94,12 +94,12 @@ def test_a_word_without_a_replacement_stays(tmp_path: Path) -> None:
     ended = donnie(tmp_path, "--linear", *QUIET, typed="FW 1\nREPLACE FW\n").stdout.decode().splitlines()
 
     assert empty[1:3] == ["Nothing was changed.", "1: FW 1 FW 2"]
-    assert empty[-2:] == ["2 times replaced.", "1: 1  2"]
+    assert empty[-2:] == ["Replaced 2 times.", "1: 1  2"]
     assert ended[3] == "Nothing was changed."
 
 
 def test_undoing_the_only_line_leaves_an_empty_program(tmp_path: Path) -> None:
-    assert answers_to(tmp_path, "FW 1", "UNDO") == ["No lines yet."]
+    assert answers_to(tmp_path, "FW 1", "UNDO") == ["There are no lines yet."]
 
 
 def test_a_number_out_of_range_is_answered_with_the_range(tmp_path: Path) -> None:
@@ -128,8 +128,8 @@ def test_settings_in_lines_of_a_file_count_only_for_that_file(tmp_path: Path) ->
 
 def test_a_program_is_formatted_and_its_words_translated(tmp_path: Path) -> None:
     assert answers_to(tmp_path, "REPEAT 2 TIMES FW 1", "END REPEAT", "FORMAT", "TRANSLATE pt", "LIST") == [
-        "Laid out anew.",
-        "Laid out anew.",
+        "The program is tidy now.",
+        "The program is tidy now.",
         "1: REPITA 2 VEZES",
         "2: PF 1",
         "3: FIM REPITA",
@@ -137,7 +137,10 @@ def test_a_program_is_formatted_and_its_words_translated(tmp_path: Path) -> None
 
 
 def test_an_empty_program_is_not_formatted(tmp_path: Path) -> None:
-    assert answers_to(tmp_path, "FORMAT", "TRANSLATE pt") == ["No lines yet.", "No lines yet."]
+    assert answers_to(tmp_path, "FORMAT", "TRANSLATE pt") == [
+        "There are no lines yet.",
+        "There are no lines yet.",
+    ]
 
 
 def test_a_program_with_a_mistake_is_not_formatted(tmp_path: Path) -> None:
@@ -199,9 +202,9 @@ def test_errors_are_visited_and_explained(tmp_path: Path) -> None:
 def test_a_misspelt_command_is_reported_at_once_and_not_added_to_the_program(
     tmp_path: Path,
 ) -> None:
-    assert answers_to(tmp_path, "FW 2", "LISTT", "AJUSTES", "RUN", "LIST", "FW 1", "UNDO", "LIST") == [
+    assert answers_to(tmp_path, "FW 2", "LISTT", "WHRE", "RUN", "LIST", "FW 1", "UNDO", "LIST") == [
         "I do not know LISTT. Did you mean LIST?",
-        "I do not know AJUSTES. Did you mean AJUSTAR?",
+        "I do not know WHRE. Did you mean WHERE?",
         "I walked 2 steps forward.",
         "1: FW 2",
         "1 line.",
@@ -217,8 +220,8 @@ def test_settings_and_its_synonyms_are_set(tmp_path: Path) -> None:
 
 def test_an_interval_of_zero_seconds_switches_progress_reports_off(tmp_path: Path) -> None:
     assert answers_to(tmp_path, "SET progress 0", "SET progress 1") == [
-        "Signs of life, progress: never.",
-        "Signs of life, progress: 1 second.",
+        "Progress reports, progress: never.",
+        "Progress reports, progress: 1 second.",
     ]
 
 
@@ -236,7 +239,7 @@ def test_reports_are_written_as_pages_tables_and_text(tmp_path: Path) -> None:
 def test_saving_or_replacing_nothing_asks_no_question(tmp_path: Path) -> None:
     """The next line belongs to the program and is no name of a file."""
     assert answers_to(tmp_path, "SAVE", "REPLACE FW", "FW 2", "RUN", "SAVE", "REPLACE TR", "LIST") == [
-        "Nothing to save.",
+        "There is nothing to save.",
         "FW is not in the program.",
         "I walked 2 steps forward.",
         "I did not understand. Type SAVE file.",
@@ -282,7 +285,7 @@ def test_changing_lines_that_ran_reports_that_the_whole_program_is_pending(tmp_p
     asked = [line for line in lines if not line.startswith(("I ", "Line"))]
 
     assert asked == [
-        "Laid out anew.",
+        "The program is tidy now.",
         "RUN runs all 2 lines again.",
         "RUN runs all 2 lines again.",
     ]
@@ -327,13 +330,13 @@ def test_a_program_that_can_not_run_again_changes_nothing(tmp_path: Path) -> Non
     assert answers_to(
         tmp_path, "VAR a = 2", "FW a", "WATCH a", "RUN", "FWD 2", "AGAIN", "DELETE 3", "FW 1", "RUN"
     ) == [
-        "Watching a.",
+        "I watch a.",
         "a is 2.",
         "I walked 2 steps forward.",
         "Error, line 3, column 1: I do not know FWD.",
         "Line 3: FWD 2",
         "Did you mean FW?",
-        "Line 3 deleted.",
+        "Line 3 is deleted.",
         "I walked 1 step forward.",
     ]
 
@@ -342,12 +345,12 @@ def test_deleting_a_line_reports_its_number_and_the_line_now_there(tmp_path: Pat
     """The answer has the number of the line and the line that has it now."""
     program = ("FW 1", "FW 2", "FW 3", "FW 4", "FW 5", "FW 6")
     assert answers_to(tmp_path, *program, "DELETE 2", "DELETE 1 2", "DELETE 3", "DELETE") == [
-        "Line 2 deleted.",
+        "Line 2 is deleted.",
         "Line 2: FW 3",
-        "Lines 1 to 2 deleted.",
+        "Lines 1 to 2 are deleted.",
         "Line 1: FW 4",
-        "Line 3 deleted.",
-        "Lines 1 to 2 deleted.",
+        "Line 3 is deleted.",
+        "Lines 1 to 2 are deleted.",
     ]
 
 
@@ -361,7 +364,7 @@ def test_answers_are_repeated_found_and_spelled_without_running_again(tmp_path: 
         "Position 0, 3. Facing east.",
         "I walked 3 steps forward.",
         "I turned 90 degrees to the right.",
-        "1 line, the newest last.",
+        "1 line.",
         "I walked 3 steps forward.",
         "e, a, s, t.",
         "Position 0, 3. Facing east.",

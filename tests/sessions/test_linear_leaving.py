@@ -43,13 +43,13 @@ def test_recover_restores_a_program_that_was_not_saved(asked: Learner, tmp_path:
     again = Learner(tmp_path)
     again.sees("HELP lists the commands.\r\n> ")
     again.types("RECOVER\r")
-    again.sees("Here it is again, 5 lines.\r\n> ")
+    again.sees("Your program is back, 5 lines.\r\n> ")
 
 
 @pytest.mark.parametrize("leaves", ["QUIT\r", CTRL_D])
 def test_recover_restores_a_few_lines_that_were_left_without_a_question(tmp_path: Path, leaves: str) -> None:
     learner = Learner(tmp_path)
-    learner.enters("FW 1")
+    learner.enters("FW 1", "RUN")
     learner.sees_prompt()
     learner.types(leaves)
     learner.sees("Goodbye.")
@@ -57,12 +57,13 @@ def test_recover_restores_a_few_lines_that_were_left_without_a_question(tmp_path
 
     again = Learner(tmp_path)
     again.enters("RECOVER")
-    again.sees("Here it is again, 1 line.\r\n> ")
+    again.sees("Your program is back, 1 line.\r\n> ")
     again.types("QUIT\r")
+    again.enters("n")
     again.leaves()
     once_more = Learner(tmp_path)
     once_more.enters("RECOVER")
-    once_more.sees("Here it is again, 1 line.\r\n> ")
+    once_more.sees("Your program is back, 1 line.\r\n> ")
 
 
 def test_an_empty_program_leaves_no_copy(tmp_path: Path) -> None:

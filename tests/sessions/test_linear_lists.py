@@ -63,3 +63,22 @@ def test_the_manual_is_written_as_a_page_with_headings(
     assert f'<html lang="{language}">' in page
     assert f"<h2>{heading}</h2>" in page
     assert page.count("<h2>") == 9
+
+
+@pytest.mark.parametrize(
+    ("language", "typed", "everything"),
+    [
+        ("en", "HELP", "HELP ALL"),
+        ("pt", "AJUDA", "AJUDA TUDO"),
+        ("es", "AYUDA", "AYUDA TODO"),
+    ],
+)
+def test_help_alone_has_ten_words_and_names_the_word_for_all(
+    language: str, typed: str, everything: str, tmp_path: Path
+) -> None:
+    few = printed_by(tmp_path, language, [typed])[2:-2]
+    many = printed_by(tmp_path, language, [everything])[2:-2]
+
+    assert len(few) == 12
+    assert everything in few[-1]
+    assert len(many) > 100

@@ -16,7 +16,7 @@ LONG = "x" * 300
 def test_a_too_long_file_name_is_refused_and_the_conversation_continues(tmp_path: Path, word: str) -> None:
     learner = Learner(tmp_path)
     learner.enters("FW 1", "WHERE", f"{word} {LONG}.html")
-    learner.sees("File name too long.\r\n> ")
+    learner.sees("the name is too long.\r\n> ")
     learner.types("LIST\r")
     learner.sees("1: FW 1\r\n> ")
 

@@ -93,7 +93,7 @@ def test_a_condition_is_printed_with_the_compared_values(learner: Learner) -> No
     learner.types("\r")
     learner.sees("Line 2: IF x > 2 THEN\r\n> ")
     learner.types("\r")
-    learner.sees("Condition true: 3 greater than 2.\r\nLine 3, level 1: FW 1\r\n> ")
+    learner.sees("3 is greater than 2: true.\r\nLine 3, level 1: FW 1\r\n> ")
 
 
 def test_the_last_step_names_the_reason_and_the_end_of_the_program(learner: Learner) -> None:
@@ -102,7 +102,7 @@ def test_the_last_step_names_the_reason_and_the_end_of_the_program(learner: Lear
     learner.enters("", "")
     learner.sees("Line 1, level 0: FOR VAR i = 1; i <= 1; i = i + 1 DO\r\n> ")
     learner.types("\r")
-    learner.sees("Condition false: 2 greater than 1.\r\nDone.\r\n> ")
+    learner.sees("2 is at most 1: false.\r\nDone.\r\n> ")
     learner.types("STEP BACK\r")
     learner.sees("Back: end of the program. Position 0, 1.\r\nLine 1")
 
@@ -122,7 +122,7 @@ def test_tab_completes_a_word_silently_and_lists_the_others(learner: Learner) ->
     learner.types(TAB)
     learner.sees("LAIN ")
     learner.types("\r")
-    learner.sees("No errors.\r\n> ")
+    learner.sees("There are no errors.\r\n> ")
     learner.types("MAP")
     learner.sees("MAP")
     learner.types(TAB)
@@ -139,7 +139,7 @@ def test_tab_inside_a_pasted_line_is_a_blank(learner: Learner) -> None:
 
 def test_the_number_of_an_earlier_line_repeats_it(learner: Learner) -> None:
     learner.enters("FW 3", "", "WHERE", "TYPED 2")
-    learner.sees("1: FW 3\r\n2: WHERE\r\nType a number to do it again.\r\n> ")
+    learner.sees("1: FW 3\r\n2: WHERE\r\nType a number to do that line again.\r\n> ")
     learner.types("2\r")
     learner.sees("2: WHERE\r\nPosition 0, 3. Facing north.\r\n> ")
 
@@ -193,7 +193,7 @@ def test_each_line_waits_for_enter_where_that_is_set(learner: Learner) -> None:
 
 def test_a_long_answer_is_printed_page_by_page_where_that_is_set(learner: Learner) -> None:
     enter_and_wait(learner, "SET page ask")
-    learner.types("HELP\r")
+    learner.types("HELP ALL\r")
     learner.sees("Enter continues, Q stops. ")
     assert len([line for line in learner.lines if ": " in line]) > 15
     learner.types("\r")
@@ -255,7 +255,7 @@ def test_a_switch_of_the_mode_keeps_the_robot_the_variables_and_the_program(tmp_
     learner.types(SHIFT_TAB)
     learner.sees("Command line.")
     learner.types("LINEAR\r")
-    learner.sees("Linear mode, from the word.")
+    learner.sees("Linear mode, from the word LINEAR.")
     learner.sees("Always begin in linear mode, y or n? Enter means no.")
     learner.types("y\r")
     learner.sees("I will remember it.")
@@ -272,8 +272,9 @@ def test_a_switch_of_the_mode_keeps_the_robot_the_variables_and_the_program(tmp_
     learner.types(SHIFT_TAB)
     learner.sees("Command line.")
     learner.types("LINEAR\r")
-    learner.sees("Linear mode, from the word.\r\n2 lines.\r\n> ")
+    learner.sees("Linear mode, from the word LINEAR.\r\n2 lines.\r\n> ")
     learner.types("QUIT\r")
+    learner.enters("n")
     assert learner.leaves() == 0
     assert "linear = true" in (tmp_path / "config/donnie/settings.toml").read_text()
 

@@ -31,7 +31,61 @@ def test_the_output_of_a_pipe_needs_no_terminal(tmp_path: Path) -> None:
         "Saved kept.gd, 5 lines.",
         "Goodbye.",
     ]
-    assert (done.returncode, done.stderr) == (0, b"")
+    assert (done.returncode, done.stderr) == (1, b"")
+
+
+@pytest.mark.parametrize(
+    ("script", "code"),
+    [
+        ("FW 1\n\nQUIT\n", 0),
+        ("FW 1\nRUN\nWHERE\n", 0),
+        ("FWD 1\nRUN\nQUIT\n", 1),
+        ("SPEAK 1 / 0\nRUN\nSPEAK 1\nRUN\nQUIT\n", 1),
+        ("FWD 1\nRUN\nWORLD corridor\nQUIT\n", 1),
+        ("WHRE\nQUIT\n", 1),
+        ("REPEAT 2 TIMES\nFW 1\n", 1),
+        ("FWD 1\nRUN\nOPEN none.gd\nQUIT\n", 2),
+    ],
+    ids=["fine", "end", "mistake", "failure", "other world", "unknown word", "open block", "missing file"],
+)
+def test_a_script_ends_with_the_code_of_its_worst_line(script: str, code: int, tmp_path: Path) -> None:
+    assert _piped(script.encode(), tmp_path).returncode == code
+
+
+@pytest.mark.parametrize(
+    ("script", "answer"),
+    [
+        ("FW 1\nQUIT\n", "1 line did not run. RUN was missing."),
+        ("REPEAT 2 TIMES\nFW 1\nQUIT\n", "2 lines did not run. END REPEAT was missing."),
+    ],
+    ids=["line", "open block"],
+)
+def test_quit_runs_no_line_that_waits(script: str, answer: str, tmp_path: Path) -> None:
+    done = _piped(script.encode(), tmp_path)
+
+    assert done.stdout.decode().splitlines()[2:] == [answer, "Goodbye."]
+    assert done.returncode == 1
+
+
+def test_a_script_may_open_a_program_and_quit_without_running_it(tmp_path: Path) -> None:
+    (tmp_path / "walk.gd").write_text("FW 2\n")
+    done = _piped(b"OPEN walk.gd\nQUIT\n", tmp_path)
+
+    assert done.stdout.decode().splitlines()[-2:] == ["1 line did not run. RUN was missing.", "Goodbye."]
+    assert done.returncode == 0
+
+
+def test_fix_leaves_a_line_that_failed_and_quit_repeats_nothing(tmp_path: Path) -> None:
+    done = _piped(b"FW -3\nRUN\nx = 3\nRUN\nFIX\nQUIT\n", tmp_path)
+
+    assert done.stdout.decode().splitlines()[-2:] == ["Line 2 has run. CHANGE 2 changes it.", "Goodbye."]
+
+
+def test_a_missing_program_ends_with_2(tmp_path: Path) -> None:
+    done = donnie(tmp_path, "--linear", "nofile.gd", *QUIET)
+
+    assert done.returncode == 2
+    assert b"There is no file nofile.gd." in done.stdout
 
 
 def test_a_script_without_run_gets_a_hint(tmp_path: Path) -> None:
@@ -48,7 +102,7 @@ def test_a_script_without_run_gets_a_hint(tmp_path: Path) -> None:
 def test_garbage_is_answered(garbage: bytes, tmp_path: Path) -> None:
     done = _piped(garbage, tmp_path)
 
-    assert done.returncode == 0
+    assert done.returncode == (0 if b'SPEAK "' in garbage else 1)
     assert done.stderr == b""
     assert b"Error, line 1" in done.stdout or b'SPEAK "' in garbage
 

@@ -28,7 +28,7 @@ def test_a_program_of_thousands_of_lines_is_restored_after_donnie_was_killed(tmp
 
     again = Learner(tmp_path)
     again.enters("RECOVER")
-    again.sees("Here long.gd is again, 6001 lines.")
+    again.sees("long.gd is back, 6001 lines.")
 
 
 def test_a_rescued_program_is_announced_once_before_the_first_prompt(tmp_path: Path) -> None:
@@ -44,7 +44,7 @@ def test_a_rescued_program_is_announced_once_before_the_first_prompt(tmp_path: P
     again.types("WHERE\r")
     again.sees_prompt()
     again.types("RECOVER\r")
-    again.sees("Here it is again, 1 line.")
+    again.sees("Your program is back, 1 line.")
     assert sum("rescued" in line for line in again.lines) == 1
 
 
@@ -60,7 +60,7 @@ def test_a_file_changed_by_another_program_is_not_replaced_without_a_question(tm
 
     again = Learner(tmp_path)
     again.enters("RECOVER")
-    again.sees("Here a.gd is again, 2 lines.")
+    again.sees("a.gd is back, 2 lines.")
     file.write_text("FW 9\n")
     again.sees_prompt()
     again.types("SAVE\r")
@@ -84,6 +84,6 @@ def test_recovering_one_program_mentions_a_second_one(tmp_path: Path) -> None:
 
     learner = Learner(tmp_path)
     learner.enters("RECOVER")
-    learner.sees("Here it is again, 1 line.\r\nThere is one more. RECOVER opens it.\r\n")
+    learner.sees("Your program is back, 1 line.\r\nThere is one more. RECOVER opens it.\r\n")
     learner.enters("RECOVER")
-    learner.sees("Here it is again, 1 line.\r\n> ")
+    learner.sees("Your program is back, 1 line.\r\n> ")

@@ -27,7 +27,7 @@ def test_a_signal_to_leave_rescues_the_program(number: int, tmp_path: Path) -> N
     again = Learner(tmp_path)
     again.sees("A program was rescued. RECOVER opens it.\r\n")
     again.enters("RECOVER")
-    again.sees("Here it is again, 2 lines.")
+    again.sees("Your program is back, 2 lines.")
     again.enters("LIST")
     again.sees("1: FW 1\r\n2: FW 2\r\n> ")
 
@@ -41,7 +41,7 @@ def test_a_rescued_program_has_its_file_again(tmp_path: Path) -> None:
     learner.leaves()
     again = Learner(tmp_path)
     again.enters("RECOVER")
-    again.sees("Here walk.gd is again, 2 lines. SAVE saves it.")
+    again.sees("walk.gd is back, 2 lines. SAVE saves it.")
     again.enters("SAVE")
     again.sees("Saved walk.gd, 2 lines.")
     assert (tmp_path / "walk.gd").read_text() == "FW 1\nFW 2\n"
@@ -66,6 +66,7 @@ def test_typed_lines_are_restored_after_donnie_was_killed_in_mid_line(tmp_path: 
     again.sees("RECUPERAR")
     again.sees("> ")
     again.types("SALIR\r")
+    again.enters("n")
 
     assert again.leaves() == 0
     assert list((tmp_path / "state").rglob("unsaved-*")) == []

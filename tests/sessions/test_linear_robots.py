@@ -18,10 +18,10 @@ FW 2
 
 ROBÔ bob
 FW 3
+GRIP
 
 robots
 ROBOT carol
-GRIP
 TOGETHER
 WHERE
 ROBOT ALICE
@@ -48,24 +48,25 @@ def test_the_learner_selects_a_robot_and_all_run_together(tmp_path: Path) -> Non
     assert done.returncode == 0
     assert done.stderr == b""
     assert done.stdout.decode().splitlines()[2:-1] == [
-        "You talk to alice.",
+        "Now you talk to alice.",
         "alice: 0, 0, facing north.",
         "bob: 0, 30, facing south.",
         "alice: I walked 2 steps forward.",
-        "You talk to bob.",
+        "Now you talk to bob.",
         "bob: I walked 3 steps forward.",
-        "You talk to bob.",
+        "bob: I have no gripper.",
+        "Now you talk to bob.",
         "alice: 0, 2, facing north.",
         "bob: 0, 27, facing south.",
         "There is no robot carol here. There are alice and bob.",
-        "bob: I have no gripper.",
         "alice: I walked 2 steps forward.",
         "bob: I walked 3 steps forward.",
+        "bob: I have no gripper.",
         "bob: Position 0, 27. Facing south.",
-        "You talk to alice.",
+        "Now you talk to alice.",
         "1 line.",
         "alice: Command 1 was FW 2, walked 2, didn't crash, position [0,2,0].",
-        "No robot runs anything.",
+        "No robot is running a program.",
     ]
 
 
@@ -75,7 +76,7 @@ def _lines(folder: Path, *options: str, typed: str) -> list[str]:
 
 
 def test_in_a_world_with_one_robot_nothing_is_named(tmp_path: Path) -> None:
-    sentences = _lines(tmp_path, "--speed", "max", typed="ROBOTS\nFW 1\n\nGRIP\nQUIT\n")
+    sentences = _lines(tmp_path, "--speed", "max", typed="ROBOTS\nFW 1\n\nGRIP\n\nQUIT\n")
 
     assert sentences[2:-1] == [
         "There is one robot, donnie.",
@@ -103,7 +104,7 @@ def test_answers_about_sensors_mistakes_and_the_tour_name_their_robot(tmp_path: 
     assert "bob has:" in sentences
     assert "bob: No things within 10 steps." in sentences
     assert "bob: Donnie does not know this word." in sentences
-    assert sentences[sentences.index("Welcome. Donnie is a robot on a floor.") - 1] == "You talk to bob."
+    assert sentences[sentences.index("Welcome. Donnie is a robot in a room.") - 1] == "Now you talk to bob."
 
 
 def test_a_program_with_a_mistake_does_not_begin(tmp_path: Path) -> None:
@@ -124,7 +125,7 @@ def test_a_program_still_running_at_the_end_of_the_lines_is_stopped_and_reported
     sentences = _lines(tmp_path, "--speed", "max", "--world", "two_robots", typed=typed)
 
     assert "bob: I walked 2 steps forward." in sentences
-    assert sentences[-2:] == ["All stopped.", "Goodbye."]
+    assert sentences[-2:] == ["All robots have stopped.", "Goodbye."]
 
 
 @pytest.mark.parametrize("word", ["START\nWHERE", "TOGETHER"])
@@ -132,7 +133,7 @@ def test_started_lines_are_no_longer_pending(word: str, tmp_path: Path) -> None:
     typed = f"WAIT 1\nFW 1\n{word}\nSTOP ALL\nRUN\n"
     sentences = _lines(tmp_path, "--speed", "max", "--world", "two_robots", typed=typed)
 
-    assert sentences[-2:] == ["Nothing to run.", "Goodbye."]
+    assert sentences[-2:] == ["There is nothing to run.", "Goodbye."]
 
 
 def test_answers_that_a_program_delivers_are_printed_before_the_goodbye_too(tmp_path: Path) -> None:
@@ -142,7 +143,7 @@ def test_answers_that_a_program_delivers_are_printed_before_the_goodbye_too(tmp_
             tmp_path, "--speed", "max", "--world", "two_robots", typed="WAIT 1\nFW 1\nSTART\nSTOP ALL\nRUN\n"
         )
         assert "alice begins." in sentences
-        assert sentences[-2:] == ["Nothing to run.", "Goodbye."]
+        assert sentences[-2:] == ["There is nothing to run.", "Goodbye."]
 
 
 def test_ctrl_c_ends_a_pipe_with_a_robot_held_up_by_an_endless_program(
@@ -165,7 +166,7 @@ def test_ctrl_c_ends_a_pipe_with_a_robot_held_up_by_an_endless_program(
     too_long.start()
     with learner:
         sentences = iter(learner.stdout.readline, b"")
-        way_out = b"The others wait for alice: it computes and does not move. Ctrl+C stops all.\n"
+        way_out = b"The others wait for alice: it calculates and does not move. Ctrl+C stops all.\n"
         assert any(line == way_out for line in sentences)
         learner.send_signal(signal.SIGINT)
         assert [line.decode().strip() for line in sentences if b"Still" not in line] == [
@@ -203,10 +204,10 @@ def test_the_next_word_after_a_stop_finds_idle_robots_and_ordered_lines(
 
     walked, stopped = "bob: I walked 2 steps forward.", "bob: I walked only 0 steps forward. I was stopped."
     assert sentences[2:-1] == [
-        "You talk to bob.",
+        "Now you talk to bob.",
         "bob begins.",
         stopped,
-        "All stopped.",
+        "All robots have stopped.",
         "alice: I walked 1 step forward.",
         walked,
         "bob begins.",
@@ -215,7 +216,7 @@ def test_the_next_word_after_a_stop_finds_idle_robots_and_ordered_lines(
         walked,
         "bob begins.",
         stopped,
-        "All stopped.",
+        "All robots have stopped.",
         "bob: I am back at the start.",
     ]
 
@@ -230,5 +231,5 @@ def test_steps_of_an_earlier_program_are_not_reported_of_a_later_one(tmp_path: P
     typed = "VAR x = 1\nIF x > 5 THEN\nFW 1\nEND IF\nSTEP\n\n\nSTART\nSTOP ALL\nSTEP BACK\nQUIT\n"
     sentences = _lines(tmp_path, "--speed", "max", typed=typed)
 
-    assert sentences.count("Condition false: 1 less than 5.") == 1
+    assert sentences.count("1 is greater than 5: false.") == 1
     assert sentences[-2].startswith("Back: ")

@@ -53,17 +53,17 @@ def test_steps_have_the_same_lines_backwards_as_forwards(tmp_path: Path) -> None
         "Line 4: FW x",
         "Back.",
         "x is 1.",
-        "Condition true: 1 less than 3.",
+        "1 is less than 3: true.",
         "Round 1.",
         "Line 3, level 1: x = x + 1",
         "Back.",
         "Line 2: WHILE x < 3 DO",
         "Back.",
-        "x is not there yet.",
+        "x has no value yet.",
         "Line 1: VAR x = 1",
         "Back: start of the program.",
         "This is the start.",
-        "Condition true: 2 less than 3.",
+        "2 is less than 3: true.",
     ]
     assert lines[27:30] == [
         "Back: end of the program. Position 0, 5.",
@@ -95,20 +95,20 @@ def test_a_breakpoint_without_a_command_moves_to_the_next_one(tmp_path: Path) ->
     )
 
     assert lines[:3] == [
-        "No lines yet.",
-        "No command begins on line 3, so nothing holds there.",
+        "There are no lines yet.",
+        "No command begins on line 3, so I can't stop there.",
         "Breakpoint at line 4.",
     ]
     assert lines[5:7] == ["Line 4: FW 2", "Stopped at line 4."]
     assert (
         answers_to(tmp_path, "FW 1", "-- end", "BREAK 2")[0]
-        == "No command begins on line 2, so nothing holds there."
+        == "No command begins on line 2, so I can't stop there."
     )
 
 
 def test_a_line_that_is_refused_while_held_is_reported(tmp_path: Path) -> None:
     assert answers_to(tmp_path, "FW 1", "FW 2", "STEP", "FW 9", "STOP")[1:3] == [
-        "Not now: FW 9",
+        "I can't do this now: FW 9",
         "Enter continues. RUN runs the rest. STOP ends.",
     ]
 
@@ -122,7 +122,7 @@ def test_breakpoints_stay_with_their_program_and_are_announced_when_it_opens(tmp
     again = answers_to(tmp_path, "OPEN walk.gd", "BREAK")
 
     assert "Breakpoints: 3." in first
-    assert first[-1] == "No breakpoints."
+    assert first[-1] == "There are no breakpoints."
     assert again == ["Opened walk.gd, 3 lines.", "Breakpoints: 3.", "Breakpoints: 3."]
 
 
@@ -136,6 +136,22 @@ def test_only_what_can_be_a_variable_is_watched(tmp_path: Path) -> None:
     assert answers_to(tmp_path, "WATCH 3", "WATCH x y", "WATCH lado", "WATCH") == [
         "I did not understand. Type WATCH x.",
         "I did not understand. Type WATCH x.",
-        "Watching lado.",
-        "Watching lado.",
+        "I watch lado.",
+        "I watch lado.",
+    ]
+
+
+def test_enter_turns_the_page_of_the_tour_after_step_and_save_is_possible_there(tmp_path: Path) -> None:
+    pages = [""] * 7
+    lines = answers_to(tmp_path, "FW 1", "FW 2", "RUN", "TOUR", *pages, "STEP", "", "SAVE kept")
+
+    assert lines[lines.index("From the start again.") :] == [
+        "From the start again.",
+        "Line 1: FW 1",
+        "Stopped at line 1.",
+        "Type SAVE first: your program is kept.",
+        "OPEN first brings it back.",
+        "HELP has all words, QUIT leaves.",
+        "That was the tour. Have fun.",
+        "Saved kept.gd, 2 lines.",
     ]

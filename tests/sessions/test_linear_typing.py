@@ -74,7 +74,7 @@ def test_escape_and_ctrl_c_cancel_a_requested_line(learner: Learner) -> None:
 
 def test_an_empty_line_runs_pending_lines_but_not_half_a_block(learner: Learner) -> None:
     learner.enters("REPEAT 2 TIMES", "FW 1", "")
-    learner.sees("Still open: REPEAT from line 1.")
+    learner.sees("REPEAT in line 1 is still open.")
     learner.enters("END REPEAT", "")
     learner.sees("I walked 1 step forward.\r\nI walked 1 step forward.\r\n> ")
 
@@ -87,7 +87,7 @@ def test_escape_runs_the_unfinished_line_too(learner: Learner) -> None:
 
 def test_run_without_anything_to_run_says_so(learner: Learner) -> None:
     learner.enters("RUN")
-    learner.sees("Nothing to run.\r\n> ")
+    learner.sees("There is nothing to run.\r\n> ")
 
 
 def test_a_run_without_output_says_that_it_is_done(learner: Learner) -> None:
@@ -113,7 +113,7 @@ def test_a_program_is_saved_and_opened(learner: Learner, tmp_path: Path) -> None
     learner.enters("FW 3", "TR 90", "SAVE corner")
     learner.sees("Saved corner.gd, 2 lines.")
     learner.enters("NEW", "LIST")
-    learner.sees("No lines yet.")
+    learner.sees("There are no lines yet.")
     learner.enters("OPEN corner", "SAVE AS other name")
     learner.sees("Saved other name.gd, 2 lines.")
     learner.enters("RUN")
@@ -185,11 +185,24 @@ def test_the_reading_place_is_the_line_where_a_program_holds(learner: Learner) -
     _says(learner, "READ", "Line 2: TR 90\r\n> ")
 
 
-def test_quit_runs_pending_lines_and_leaves(learner: Learner) -> None:
-    learner.enters("FW 3", "QUIT")
+@pytest.mark.parametrize(
+    ("typed", "answer"),
+    [
+        (("FW 3",), "1 line did not run. RUN was missing."),
+        (("REPEAT 2", "FW 1"), "2 lines did not run. END REPEAT was missing."),
+    ],
+    ids=["line", "open block"],
+)
+def test_quit_asks_once_about_lines_that_wait_and_leaves(
+    learner: Learner, typed: tuple[str, ...], answer: str
+) -> None:
+    learner.enters(*typed, "QUIT")
+    learner.sees(answer)
+    learner.sees("Save first, y or n? Enter means no.")
+    learner.enters("n")
 
     assert learner.leaves() == 0
-    assert said(learner)[2:] == ["I walked 3 steps forward.", "Goodbye."]
+    assert not [line for line in said(learner) if line.startswith("I ")]
 
 
 @pytest.mark.parametrize("typed", [(), ("TR 90",)], ids=["opened", "typed behind it"])
@@ -207,21 +220,14 @@ def test_quit_moves_no_robot_by_a_program_that_was_only_opened(
     assert not [line for line in said(learner) if line.startswith("I ")]
 
 
-def test_quit_runs_lines_typed_after_the_opened_program_ran(tmp_path: Path) -> None:
+def test_quit_runs_no_line_typed_after_the_opened_program_ran(tmp_path: Path) -> None:
     (tmp_path / "walk.gd").write_text("FW 2\n")
     learner = Learner(tmp_path, "walk.gd")
     learner.enters("RUN", "TR 90", "QUIT", "n")
 
     assert learner.leaves() == 0
-    assert "I turned 90 degrees to the right." in said(learner)
-
-
-def test_quit_leaves_the_second_time_where_the_first_could_not_be_reached(learner: Learner) -> None:
-    learner.enters("FWD 3", "TRR 3", "QUIT")
-    learner.sees("Nothing ran.")
-    learner.enters("QUIT")
-
-    assert learner.leaves() == 0
+    assert "1 line did not run. RUN was missing." in said(learner)
+    assert "I turned 90 degrees to the right." not in said(learner)
 
 
 def test_a_program_that_would_be_missed_is_asked_about_once(learner: Learner, tmp_path: Path) -> None:

@@ -44,7 +44,7 @@ def greeted(server: Server, learner: Learner) -> Learner:
     ("language", "mode", "hint"),
     [
         ("en", "Linear mode, from the option.", "HELP lists the commands."),
-        ("pt", "Modo linear, pela opção.", "AJUDA lista os comandos."),
+        ("pt", "Modo linear, pedido na opção.", "AJUDA lista os comandos."),
         ("es", "Modo lineal, por la opción.", "AYUDA lista los comandos."),
     ],
 )

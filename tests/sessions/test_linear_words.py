@@ -124,7 +124,7 @@ def test_with_the_plain_editor_a_terminal_gets_nothing_but_text(tmp_path: Path) 
         child.expect(rb"(?:\A|\n)(?:[0-9]+)?> $")
         raw += child.before + child.match[0]
         child.send(line.encode() + b"\n")
-    child.expect([pexpect.EOF, b"Enter: n"])  # it talks Portuguese by then
+    child.expect([pexpect.EOF, "Enter é não".encode()])  # it talks Portuguese by then
     raw += child.before
     end(child)
 

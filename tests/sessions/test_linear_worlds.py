@@ -17,7 +17,7 @@ def answers_to(folder: Path, typed: str, *options: str) -> list[str]:
     """
     done = donnie(folder, "--linear", *QUIET, "--speed", "max", *options, typed=typed)
 
-    assert done.returncode == 0, done.stderr
+    assert done.returncode == int(b"did not run" in done.stdout), done.stderr
     assert done.stderr == b""
     lines = done.stdout.decode().splitlines()[2:-1]
     return [line for line in lines if not line.startswith(("Loading the world ", "Carregando o mundo "))]
@@ -26,12 +26,13 @@ def answers_to(folder: Path, typed: str, *options: str) -> list[str]:
 def test_worlds_lists_the_worlds_and_a_name_selects_one_with_the_program(tmp_path: Path) -> None:
     lines = answers_to(tmp_path, "FW 2\n\nWORLDS\nWORLDS maze\nLIST\nWHERE\nAGAIN\nLAST 4\n")
 
-    assert lines[:3] == [
+    assert lines[:4] == [
         "I walked 2 steps forward.",
-        "22 worlds. WORLD with a name goes there.",
+        "23 worlds. WORLD with a name goes there.",
+        "first_room: First room, easy.",
         "open_floor: Open floor, easy. You are here.",
     ]
-    assert lines[24:] == [
+    assert lines[25:] == [
         "I go to maze.",
         "This is the world maze: Maze.",
         "49 by 41 steps, walls included.",
@@ -58,7 +59,7 @@ def test_switches_and_watched_variables_stay_in_another_world(tmp_path: Path) ->
 def test_a_world_can_be_named_by_its_title_in_any_language(tmp_path: Path) -> None:
     lines = answers_to(tmp_path, "MUNDO Labirinto\nWORLD living-room\nworld LivingRoom\n", "--lang", "pt")
 
-    assert [line for line in lines if "mundo" in line] == [
+    assert [line for line in lines if "mundo" in line and not line.startswith("Vou ")] == [
         "Este é o mundo maze: Labirinto.",
         "Não existe o mundo living-room. Você quis dizer living_room?",
         "Este é o mundo living_room: Sala de estar.",

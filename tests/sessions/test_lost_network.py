@@ -76,7 +76,7 @@ def test_a_robot_of_an_unreachable_learner_is_stopped_and_that_is_reported(
 
         assert until(lambda: not robot.board.is_driving)
         assert run.wait(60)
-        said = Announced("link", "The network hung, so I stopped the robot.")
+        said = Announced("link", "The network did not answer, so I stopped the robot.")
         assert until(lambda: [each.event for each in heard].count(said) == 1)
     finally:
         donnie.close()

@@ -201,7 +201,7 @@ def test_lines_of_a_file_replace_no_file_because_no_question_is_possible(word: s
 
     done = donnie(tmp_path, "--linear", "a.gd", *QUIET, typed=f"{word} mine.gd\nREPORT MAP mine.html\n")
 
-    assert "mine.gd exists. Give another name." in done.stdout.decode()
+    assert "mine.gd exists already. Give another name." in done.stdout.decode()
     assert Path("mine.gd").read_text() == "BW 1\n"
     assert Path("mine.html").exists()
 

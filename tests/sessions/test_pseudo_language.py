@@ -13,7 +13,7 @@ from tests.tui.terminal import F5, Terminal
 from tests.unit.i18n.pseudo_language import CODE, pseudo, typed, write_language
 
 ENGLISH_SENTENCES = {each.context: each.english for each in po.read(Path(BUILT_IN, ENGLISH, "messages.po"))}
-MISSING = ("turned-right", "turned-right|brief", "TL", "grip")
+MISSING = ("turned-right", "turned-right|brief", "TL", "reset")
 
 
 @pytest.fixture
@@ -77,21 +77,21 @@ def test_help_has_the_purposes_and_examples_of_the_language(tmp_path: Path, adde
 
 
 def test_what_is_missing_is_english(tmp_path: Path, added: dict[str, str]) -> None:
-    printed = lines_of_session(tmp_path, added, "TRZU 90 TL 90", "", f"{typed('HELP')} GRIP")
+    printed = lines_of_session(tmp_path, added, "TRZU 90 TL 90", "", f"{typed('HELP')} RESET")
 
     degrees = {pseudo("{degrees:degree|degrees}"): pseudo("degrees")}
     assert "I turned 90 degrees to the right." in printed
     assert sentence("turned-left", degrees, degrees=90) in printed
-    assert f"GRIP: {sentence('action-grip')}" in printed
+    assert f"RESET: {sentence('action-reset')}" in printed
 
 
 def test_the_doctor_lists_what_is_missing(tmp_path: Path, added: dict[str, str]) -> None:
     printed = donnie(tmp_path, "doctor", "--lang", "en", changes=added).stdout.decode()
 
     (line,) = [line for line in printed.splitlines() if "lacks" in line]
-    assert line.startswith("Problem: zz lacks 4 texts")
+    assert line.startswith("Problem: zz lacks 5 texts")
     assert all(
-        each in line for each in ("messages.po turned-right", "keywords.toml TL", "commands.toml grip")
+        each in line for each in ("messages.po turned-right", "keywords.toml TL", "commands.toml reset")
     )
 
 

@@ -17,7 +17,7 @@ def test_running_it_again_gives_the_same_events(here: Here, world: str) -> None:
     here.record(PROGRAM, "--world", world, "--lang", "pt")
 
     assert here.replay("--check")[0].startswith("Run again: ")
-    assert here.replay("--check")[0].endswith("events alike.")
+    assert here.replay("--check")[0].endswith("events are the same.")
 
 
 def test_several_robots_are_run_again_together(here: Here) -> None:
@@ -26,7 +26,7 @@ def test_several_robots_are_run_again_together(here: Here) -> None:
     done = here.donnie("run", "alice=a.gd", "bob=b.gd", "--world", "two_robots", "--record", "a.rec")
 
     assert done.returncode == 1
-    assert here.replay("--check")[0].endswith("events alike.")
+    assert here.replay("--check")[0].endswith("events are the same.")
     assert here.replay() == done.out
 
 
@@ -38,7 +38,7 @@ def test_a_recording_has_each_file_of_its_world_once(here: Here, world: str) -> 
     contents = [json.dumps({**each, "name": ""}) for each in header["world"]["files"]]
     assert len(contents) > 1
     assert len(contents) == len(set(contents))
-    assert here.replay("--check")[0].endswith("events alike.")
+    assert here.replay("--check")[0].endswith("events are the same.")
 
 
 def test_a_recording_needs_nothing_but_itself(here: Here) -> None:
@@ -53,7 +53,7 @@ def test_a_recording_needs_nothing_but_itself(here: Here) -> None:
     for file in ("own.world", "sub/own.inc", "a.gd"):
         (here.folder / file).unlink()
 
-    assert here.replay("--check")[0].endswith("events alike.")
+    assert here.replay("--check")[0].endswith("events are the same.")
 
 
 def test_the_first_different_event_is_reported(here: Here) -> None:
@@ -87,5 +87,5 @@ def test_typed_lines_are_recorded_and_run_again_too(here: Here) -> None:
     typed = "VAR a = 2\nFW a\n\nSPEAK a\nRUN\nRESET\nONDE\nFW 1\nRUN\n"
     donnie(here.folder, "--linear", *QUIET, "--speed", "max", "--record", "a.rec", typed=typed)
 
-    assert here.replay("--check")[0].endswith("events alike.")
+    assert here.replay("--check")[0].endswith("events are the same.")
     assert "2" in here.replay()

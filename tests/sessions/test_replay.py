@@ -100,7 +100,7 @@ def test_the_map_shows_pushed_things_where_the_step_left_them_in_every_run(here:
     assert len(before_it) == 3
     assert set(before_it) <= {2, 3}
     assert len(set(before_it)) == 1
-    assert here.replay("--check")[0].endswith("events alike.")
+    assert here.replay("--check")[0].endswith("events are the same.")
 
 
 def record_two(here: Here) -> None:

@@ -77,7 +77,7 @@ def test_a_stop_key_cancels_the_search_of_the_full_screen(tmp_path: Path, mute_p
 def test_control_c_cancels_the_search_of_the_linear_mode(tmp_path: Path, mute_port: str, moment: str) -> None:
     learner = Learner(tmp_path, "--robot", f"serial:{mute_port}")
     for _ in range(1 if moment == "at the start" else 2):
-        learner.sees("I look for the robot, some seconds.")
+        learner.sees("I look for the robot for some seconds.")
         learner.sees("I wait for the robot. Ctrl+C gives up.")
         learner.child.sendintr()
         learner.sees("I no longer look for the robot.")

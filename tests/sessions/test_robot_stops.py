@@ -182,7 +182,7 @@ def test_a_killed_program_leaves_a_robot_that_donnie_stop_halts(tmp_path: Path, 
     assert robot.board.is_driving
 
     done = donnie(tmp_path, "stop", robot.path)
-    assert done.stdout.decode() == f"The robot stands. Port {robot.path}.\n"
+    assert done.stdout.decode() == f"The robot has stopped. Port {robot.path}.\n"
     assert done.returncode == 0
     assert not robot.board.is_driving
 

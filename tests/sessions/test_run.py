@@ -180,7 +180,7 @@ def test_a_full_disk_is_reported(tmp_path: Path, option: tuple[str, str]) -> Non
     done = donnie(tmp_path, "run", "a.gd", *QUIET, *option)
 
     assert done.stdout.decode() == "I walked 1 step forward.\n1\n"
-    assert done.stderr.decode() == "I can't write /dev/full: No space left on device.\n"
+    assert done.stderr.decode() == "I can't write /dev/full: the disk is full.\n"
     assert done.returncode == 2
 
 

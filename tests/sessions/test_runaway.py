@@ -91,13 +91,13 @@ def test_a_deaf_robot_is_reported_to_drive_after_a_stop_from_outside(tmp_path: P
 
     listed = donnie(tmp_path, "devices", robot.path)
     assert listed.stdout.decode().splitlines()[1:] == [
-        f"{robot.path}: robot, original firmware. It drives.",
+        f"{robot.path}: robot, original firmware. It moves.",
         f"Stop it: donnie stop {robot.path}",
     ]
     assert listed.returncode == 1
     robot.board.is_deaf = True
     deaf = donnie(tmp_path, "stop", robot.path)
-    assert deaf.stdout.decode() == f"I said stop, but the robot at {robot.path} drives on. Switch it off.\n"
+    assert deaf.stdout.decode() == f"I said stop, but the robot at {robot.path} still moves. Switch it off.\n"
     assert deaf.returncode == 1
     robot.board.is_deaf = False
     assert donnie(tmp_path, "stop", robot.path).returncode == 0
@@ -135,6 +135,6 @@ def test_a_stop_for_services_waits_for_a_robot_that_is_unplugged(tmp_path: Path,
     assert waiting.stdout.readline().decode() == f"I wait for {robot.path}, a minute at most.\n"
     robot.plug()
 
-    assert waiting.communicate(timeout=TIMEOUT)[0].decode() == f"The robot stands. Port {robot.path}.\n"
+    assert waiting.communicate(timeout=TIMEOUT)[0].decode() == f"The robot has stopped. Port {robot.path}.\n"
     assert waiting.returncode == 0
     assert not robot.board.is_driving

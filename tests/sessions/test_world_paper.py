@@ -53,7 +53,7 @@ def test_a_line_below_the_map_gives_the_steps_of_a_letter(capsys: pytest.Capture
     main(["world", "factory", "--map"])
 
     lines = capsys.readouterr().out.splitlines()
-    assert lines[lines.index("") + 1] == "Each letter stands for 4 by 4 steps."
+    assert lines[lines.index("") + 1] == "Each letter is 4 by 4 steps."
 
 
 @pytest.mark.parametrize("name", worlds.names())
@@ -165,7 +165,7 @@ def test_a_pipe_is_reported_and_left_unchanged(
 
     assert main(["world", "open_floor", form, "pipe"]) == 2
 
-    assert capsys.readouterr().err == "pipe is no ordinary file.\n"
+    assert capsys.readouterr().err == "pipe is not an ordinary file.\n"
     assert (folder / "pipe").is_fifo()
 
 

@@ -9,13 +9,14 @@ import pytest
 from textual import events
 from textual.filter import Monochrome, NoColor
 
+from devices.audio import channel
 from donnie_tui.bootstrap import assemble
 from donnie_tui.commands.keys import KeyTable
 from donnie_tui.core.run_state import RunState
 from donnie_tui.i18n.first_words import early
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.settings import Settings
-from donnie_tui.tui import shutdown
+from donnie_tui.tui import environment, shutdown
 from donnie_tui.tui.app import DonnieApp
 from donnie_tui.tui.help_pages import help_text
 from donnie_tui.tui.shutdown import FAULT
@@ -125,7 +126,7 @@ async def test_f5_runs_what_was_typed_just_before_it_and_not_what_comes_after(op
         burst(screen, *"SPEAK", "space", *"12345", "f5", "6")
         await screen.shows("The program is done.")
 
-        assert "12345" in screen.log
+        await screen.shows("12345")
         assert screen.main.editor.text == "SPEAK 123456"
 
 
@@ -161,43 +162,77 @@ async def test_leaving_at_once_after_typing_asks_to_save(open_screen):
 # --- the way to the linear mode
 
 
+PROGRAM = "FW 1"
+
+
 @pytest.mark.parametrize("word", ["LINEAR", "lineal", " Linear "])
-async def test_linear_as_the_only_line_and_enter_changes_the_mode(open_screen, word):
-    async with open_screen() as screen:
-        screen.main.editor.load_text(word)
-        await screen.press("enter")
+@pytest.mark.parametrize("text", ["", PROGRAM])
+async def test_linear_on_a_line_of_its_own_changes_the_mode(open_screen, text, word):
+    async with open_screen(text) as screen:
+        type_on_last_line(screen, word)
         await screen.until(lambda: screen.app.session.left_for_linear, "the way out")
 
-        assert screen.main.editor.text == ""
+        assert screen.main.editor.text == (f"{text}\n" if text else "")
 
 
-@pytest.mark.parametrize("word", ["TOUR", "passeio"])
-async def test_the_tour_that_the_first_lines_offer_begins_from_the_empty_program(open_screen, word):
+@pytest.mark.parametrize("word", ["TOUR", "passeio", "help", "AJUDA"])
+async def test_the_tour_and_the_help_open_from_a_line_of_the_program(open_screen, word):
+    async with open_screen(PROGRAM) as screen:
+        type_on_last_line(screen, word)
+        await screen.until(lambda: screen.app.screen is not screen.main, "another screen")
+
+        assert screen.main.editor.text == f"{PROGRAM}\n"
+
+
+async def test_recover_on_a_line_of_its_own_gives_the_copy_back(open_screen):
     async with open_screen() as screen:
-        screen.main.editor.load_text(word)
-        await screen.press("enter")
-        await screen.until(lambda: screen.app.screen is not screen.main, "the tour")
+        type_on_last_line(screen, "recover")
+        await screen.shows("There is nothing to recover.")
 
         assert screen.main.editor.text == ""
 
 
-async def test_recover_in_the_empty_program_gives_the_copy_back(open_screen):
-    async with open_screen() as screen:
-        screen.main.editor.load_text("recover")
-        await screen.press("enter")
-        await screen.shows("Nothing to recover.")
-
-        assert screen.main.editor.text == ""
-
-
-async def test_linear_in_a_program_is_text(open_screen, tmp_path):
+async def test_quit_between_two_lines_is_taken_out_and_leaves(open_screen, tmp_path):
     file = tmp_path / "mine.gd"
-    file.write_text("", encoding="utf-8")
+    file.write_text("FW 1\nFW 2\n", encoding="utf-8")
     async with open_screen(file=file) as screen:
-        burst(screen, *"LINEAR", "enter", "a")
-        await screen.until(lambda: screen.main.editor.text == "LINEAR\na")
+        before = screen.main.editor.text
+        screen.main.editor.move_cursor((1, 0))
+        burst(screen, "enter", "up", *"QUIT", "enter")
+        await screen.until(
+            lambda: not screen.app.is_running or screen.app.screen is not screen.main, "the end"
+        )
 
-        assert not screen.app.session.left_for_linear
+        assert screen.main.editor.text == before
+
+
+@pytest.mark.parametrize("typed", ["QUIT FW 1", "SPEAK linear", "linear = 1"])
+async def test_a_word_with_other_text_on_its_line_is_text(open_screen, typed):
+    async with open_screen() as screen:
+        type_on_last_line(screen, typed)
+        await screen.until(lambda: screen.main.editor.text == f"{typed}\n", "the line")
+
+        assert screen.app.screen is screen.main
+
+
+async def test_over_ssh_the_first_row_offers_the_linear_mode(open_screen, monkeypatch):
+    monkeypatch.setenv("SSH_CONNECTION", "10.0.0.2 50000 10.0.0.1 22")
+    monkeypatch.delenv("DONNIE_READER")
+    monkeypatch.setattr(channel, "find_screen_reader", lambda _: None)
+    environment._screen_reader_runs.cache_clear()
+    async with open_screen() as screen:
+        assert screen.text.splitlines()[0].strip() == "Screen reader? Type LINEAR and Enter."
+
+
+def type_on_last_line(screen, text: str) -> None:
+    editor = screen.main.editor
+    editor.move_cursor(editor.document.end)
+    burst(
+        screen,
+        *(["enter"] if editor.text else []),
+        *("space" if each == " " else each for each in text),
+        "enter",
+    )
 
 
 async def test_the_first_line_names_the_way_to_the_linear_mode(open_screen):
@@ -263,7 +298,7 @@ async def test_help_and_quit_are_always_in_the_bottom_line(open_screen, language
 @pytest.mark.parametrize(
     ("language", "asked", "nothing"),
     [
-        ("en", "Type what to do", "Nothing of that name."),
+        ("en", "Type what to do", "Nothing has that name."),
         ("pt", "Digite o que fazer", "Nada com esse nome."),
         ("es", "Escribe qué hacer", "Nada con ese nombre."),
     ],

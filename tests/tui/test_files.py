@@ -16,7 +16,7 @@ def program(tmp_path: Path) -> Path:
 async def test_a_file_of_the_command_line_is_open_at_the_start(open_screen, program):
     async with open_screen(file=program) as screen:
         assert screen.main.editor.text == "FW 1\nTR 90"
-        assert "Opened walk.gd, 2 lines." in screen.log
+        await screen.shows("Opened walk.gd, 2 lines.")
         assert ">Program: walk.gd " in screen.text
 
 
@@ -67,7 +67,7 @@ async def test_a_discarded_program_is_not_announced_and_restored_by_recover(open
 
     async with open_screen() as screen:
         await screen.type_line("RECOVER")
-        await screen.shows("Here it is again, 1 line.")
+        await screen.shows("Your program is back, 1 line.")
         assert screen.main.editor.text == "FW 2"
         assert "A program was rescued. RECOVER opens it." not in screen.log
 
@@ -110,7 +110,7 @@ async def test_a_copy_of_a_crash_is_offered_and_restored_as_unsaved(open_screen,
     async with open_screen() as screen:
         await screen.shows("A program was rescued.")
         await screen.type_line("RECOVER")
-        await screen.shows("Here it is again, 2 lines.")
+        await screen.shows("Your program is back, 2 lines.")
 
         assert screen.main.editor.text == "FW 9\nFW 8"
         assert "changed" in screen.text

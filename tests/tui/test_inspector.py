@@ -70,7 +70,7 @@ async def test_the_distances_are_those_of_the_selected_robot(open_screen):
         await screen.idle()
         of_alice = shown(screen)
         await screen.type_line("ROBOT bob")
-        await screen.shows("You talk to bob.")
+        await screen.shows("Now you talk to bob.")
 
         await screen.until(lambda: shown(screen) == known(screen), "those of bob")
         assert shown(screen) != of_alice
@@ -82,11 +82,11 @@ async def test_the_distances_change_when_another_robot_approaches(open_screen):
     ) as screen:
         before = ahead(screen)
         await screen.type_line("ROBOT bob")
-        await screen.shows("You talk to bob.")
+        await screen.shows("Now you talk to bob.")
         await screen.press("f5")
         await screen.reaches(RunState.RUNNING)
         await screen.type_line("ROBOT alice")
-        await screen.shows("You talk to alice.")
+        await screen.shows("Now you talk to alice.")
 
         await screen.until(lambda: ahead(screen) == before - 9, "bob has come near")
 

@@ -24,7 +24,7 @@ async def test_delete_alone_deletes_the_line_of_the_cursor_and_undo_prints_it(op
     async with open_screen(PROGRAM) as screen:
         screen.main.editor.go_to(2)
         await screen.type_line("DELETE")
-        await screen.shows("Line 2 deleted.")
+        await screen.shows("Line 2 is deleted.")
         assert screen.main.editor.text == "FW 1\nFW 3\nFW 4"
 
         await screen.type_line("UNDO")
@@ -36,7 +36,7 @@ async def test_an_end_of_line_behind_the_last_line_stays(open_screen):
     async with open_screen() as screen:
         screen.load("FW 1\nFW 2\n")
         await screen.type_line("DELETE 2")
-        await screen.shows("Line 2 deleted.")
+        await screen.shows("Line 2 is deleted.")
         assert screen.main.editor.text == "FW 1\n"
 
         await screen.type_line("INSERT 2 BK 1")
@@ -109,7 +109,7 @@ async def test_last_says_the_whole_answer_again_and_the_one_before_it(open_scree
         await screen.shows("7")
         await screen.idle()
         await screen.type_line("BREAK 99")
-        await screen.shows("No lines yet.")
+        await screen.shows("There are no lines yet.")
 
         for _ in range(2):
             before = len(screen.log)

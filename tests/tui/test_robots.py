@@ -14,7 +14,7 @@ async def test_nothing_is_looked_at_again_and_again_for_a_robot_that_stands(open
         await screen.until(lambda: polling.is_on, "alice runs")
 
         await screen.type_line("ROBOT bob")
-        await screen.shows("You talk to bob.")
+        await screen.shows("Now you talk to bob.")
         assert not polling.is_on
         assert screen.app.controller.ctx.runs.state is RunState.READY
         await screen.type_line("SPEAK 7")
@@ -22,7 +22,7 @@ async def test_nothing_is_looked_at_again_and_again_for_a_robot_that_stands(open
         await screen.idle()
 
         await screen.type_line("ROBOT alice")
-        await screen.shows("You talk to alice.")
+        await screen.shows("Now you talk to alice.")
         assert polling.is_on
 
         await screen.type_line("STOP ALL")
@@ -34,7 +34,7 @@ async def test_an_end_that_comes_once_another_robot_is_talked_to_is_not_that_one
     """It was on its way to the screen when the other one was chosen."""
     async with open_screen(world="two_robots") as screen:
         await screen.type_line("ROBOT bob")
-        await screen.shows("You talk to bob.")
+        await screen.shows("Now you talk to bob.")
         rows, mistake = screen.map_rows(), Error("syntax", 2, 5, "What?", None)
         end = RunEnded(Outcome.FAILED, Pose(1.0, 1.0, 0.0), {}, 0.0)
 
@@ -50,7 +50,7 @@ async def test_ctrl_c_stops_all_robots_the_key_for_stop_the_chosen_one(open_scre
     async with open_screen(WAITING, speed=1.0, world="two_robots") as screen:
         team = screen.app.controller.donnie.team
         await screen.type_line("ROBOT bob")
-        await screen.shows("You talk to bob.")
+        await screen.shows("Now you talk to bob.")
         await screen.type_line("TOGETHER")
         await screen.until(lambda: len(team.running) == 2, "both run")
         await screen.reaches(RunState.RUNNING)
@@ -67,7 +67,7 @@ async def test_the_map_is_that_of_the_robot_that_is_talked_to(open_screen):
         await screen.press("f5")
         await screen.shows("The program is done.")
         await screen.type_line("ROBOT bob")
-        await screen.shows("You talk to bob.")
+        await screen.shows("Now you talk to bob.")
 
         scene = screen.main.map.scale.scene
         assert [each.name for each in scene.picture.things if each.is_robot] == ["alice"]
@@ -86,7 +86,7 @@ async def test_a_robot_that_is_not_talked_to_stays_on_the_map_where_it_went(open
         await screen.press("f5")
         await screen.shows("The program is done.")
         await screen.type_line("ROBOT bob")
-        await screen.shows("You talk to bob.")
+        await screen.shows("Now you talk to bob.")
         await screen.press("f5")
         await screen.until(lambda: sum("program is done" in line for line in screen.log) == 2, "bob is done")
 
@@ -98,7 +98,7 @@ async def test_lines_of_a_robot_have_its_name(open_screen):
     async with open_screen(WAITING, speed=1.0, world="two_robots") as screen:
         assert "alice at 0, 0 facing north." in screen.status
         await screen.type_line("ROBOT bob")
-        await screen.shows("You talk to bob.")
+        await screen.shows("Now you talk to bob.")
         await screen.until(lambda: "bob at 0, 30 facing south." in screen.status, "the status line")
         await screen.press("f5")
         await screen.reaches(RunState.RUNNING)
@@ -116,4 +116,4 @@ async def test_robots_are_described_and_listed_to_choose_from(open_screen):
         await screen.until(lambda: "Robots of this world" in screen.text, "the list")
         await screen.shows("bob: 0, 30, facing south.")
         await screen.press("down", "enter")
-        await screen.shows("You talk to bob.")
+        await screen.shows("Now you talk to bob.")

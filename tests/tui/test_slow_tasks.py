@@ -162,7 +162,7 @@ async def test_a_program_that_was_given_up_while_its_copy_was_written_is_left_fo
         await screen.until(lambda: came, "a copy is being written")
         await screen.press("ctrl+n")
         await screen.answer("no")
-        await screen.shows("A new program.")
+        await screen.shows("This is a new program.")
         gate.set()
     assert _copies_in(tmp_path) == ["aFW 1"]
 
@@ -240,7 +240,7 @@ async def test_a_program_comes_back_with_the_name_of_its_file(open_screen, tmp_p
     lost.write()
     async with open_screen() as screen:
         await screen.type_line("RECOVER")
-        await screen.shows("Here walk.gd is again, 1 line.")
+        await screen.shows("walk.gd is back, 1 line.")
         assert screen.app.controller.workspace.document.path == path
         assert "walk.gd, changed" in screen.text
         await screen.until(lambda: len(_copies_in(tmp_path)) == 1, "one copy, this start's own")
@@ -325,5 +325,5 @@ async def test_a_large_world_is_reported_while_it_loads_and_when_it_is_ready(ope
     monkeypatch.setattr(startup.Startup, "_print", report_early)
     monkeypatch.setattr(conftest, "assemble", slowly)
     async with open_screen(world="my/large.world") as screen:
-        assert "Loading the world large.world, it takes a while." in screen.log
-        await screen.shows("The world large.world is there.")
+        await screen.shows("Loading the world large.world, it takes a while.")
+        await screen.shows("The world large.world is ready.")

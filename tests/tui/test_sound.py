@@ -69,7 +69,7 @@ async def test_each_row_of_a_list_is_said_as_it_is_reached_and_stands_in_no_log(
         assert screen.app.controller.donnie.outlets.audible.hushed > hushed, "what was being said has ended"
         assert not any(pointed[0] in line for line in screen.log)
         await screen.press(*"qqq")
-        await screen.until(lambda: pointed[-1] == "Nothing of that name.", "that nothing fits")
+        await screen.until(lambda: pointed[-1] == "Nothing has that name.", "that nothing fits")
 
 
 @pytest.mark.parametrize(

@@ -44,7 +44,7 @@ async def test_running_to_the_cursor_holds_at_its_line(open_screen):
         await screen.press("f10")
         await screen.shows("Line 3: FW 3")
 
-        assert "I walked 2 steps forward." in screen.log
+        await screen.shows("I walked 2 steps forward.")
         assert "I walked 3 steps forward." not in screen.log
 
 

@@ -62,7 +62,7 @@ def test_what_something_else_wrote_over_the_screen_goes_away_when_it_is_painted_
     donnie = terminal()
     before = written_over(donnie)
     donnie.type("\x0b\x1b[15~")
-    donnie.shows("The screen is painted anew.")
+    donnie.shows("The screen is drawn again.")
 
     donnie.until(lambda: "Message from root" not in "\n".join(donnie.screen.display), "the screen anew")
     assert donnie.screen.display[:14] == list(before[:14])

@@ -21,19 +21,19 @@ async def type_and_wait(screen, typed: str) -> None:  # type: ignore[no-untyped-
 async def test_a_command_without_output_is_answered_with_done_in_the_status_line(open_screen) -> None:  # type: ignore[no-untyped-def]
     async with open_screen(language="pt") as screen:
         await screen.type_line("VAR a = 3")
-        await screen.until(lambda: answers(screen) == ["Feito."], "the answer")
+        await screen.until(lambda: answers(screen) == ["Pronto."], "the answer")
         await screen.idle()
         await screen.type_line("a = 5")
-        await screen.until(lambda: screen.log.count("Feito.") == 2, "the answer again")
+        await screen.until(lambda: screen.log.count("Pronto.") == 2, "the answer again")
 
-        assert screen.status.startswith(" Feito.")
+        assert screen.status.startswith(" Pronto.")
 
 
 async def test_the_status_line_keeps_what_is_wrong_until_the_next_answer(open_screen) -> None:  # type: ignore[no-untyped-def]
     async with open_screen() as screen:
         for typed, wrong in (
             ("xyzzy", "I do not know xyzzy."),
-            ("IF a", "a comparison."),
+            ("IF a", "I need a comparison at the end."),
             ("xyzzy plugh FWD", "I do not know xyzzy."),
         ):
             await type_and_wait(screen, typed)

@@ -104,7 +104,7 @@ async def test_typing_continues_at_the_cursor_after_a_fix(open_screen):
 async def test_ctrl_z_names_the_undone_change_and_ctrl_y_redoes_it(open_screen):
     async with open_screen("FW 1\nFW 2") as screen:
         await screen.type_line("DELETE 1")
-        await screen.shows("Line 1 deleted.")
+        await screen.shows("Line 1 is deleted.")
         screen.main.editor.focus()
         await screen.press("ctrl+z")
         await screen.shows("Line 1: FW 1")
@@ -179,7 +179,7 @@ async def test_replace_counts_and_is_one_thing_to_undo(open_screen):
     async with open_screen("FW 1 FW 2") as screen:
         await screen.type_line("REPLACE FW")
         await screen.answer("BW")
-        await screen.shows("2 times replaced.")
+        await screen.shows("Replaced 2 times.")
         assert screen.main.editor.text == "BW 1 BW 2"
         await screen.type_line("UNDO")
 
@@ -189,7 +189,7 @@ async def test_replace_counts_and_is_one_thing_to_undo(open_screen):
 async def test_format_and_translate_change_the_text(open_screen):
     async with open_screen("repeat 2 times fw 1 end repeat") as screen:
         await screen.type_line("FORMAT")
-        await screen.shows("Laid out anew.")
+        await screen.shows("The program is tidy now.")
         assert screen.main.editor.text == "REPEAT 2 TIMES\n  FW 1\nEND REPEAT"
         await screen.type_line("TRANSLATE pt")
         await screen.until(lambda: "REPITA" in screen.main.editor.text, "the keywords")

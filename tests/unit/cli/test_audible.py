@@ -75,8 +75,12 @@ def test_cues_are_on_where_they_are_audible_or_asked_for(
         ("auto", facts(screen_reader="orca"), ()),
         ("auto", facts(over_ssh=True), ()),
         ("ssip", HOME, ("No speech-dispatcher here. All is in print.",)),
-        ("tts", facts(has_voice=False), ("No voice, espeak-ng is missing. Sounds and print work.",)),
-        ("auto", facts(has_sound_device=False), ("No sound device. Everything is in print.",)),
+        (
+            "tts",
+            facts(has_voice=False),
+            ("There is no voice, because espeak-ng is missing. Sounds and print work.",),
+        ),
+        ("auto", facts(has_sound_device=False), ("There is no sound device. Everything is in print.",)),
     ],
 )
 def test_a_missing_device_is_reported_once(
@@ -235,7 +239,7 @@ def test_the_cues_report_that_no_device_works(monkeypatch: pytest.MonkeyPatch) -
         until(lambda: not made.has_cues)
 
         assert made.why_no_cues == "cues-no-device"
-        until(lambda: sentences == ["No sound device. Everything is in print."])
+        until(lambda: sentences == ["There is no sound device. Everything is in print."])
 
 
 @pytest.mark.parametrize(

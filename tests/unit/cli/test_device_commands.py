@@ -68,7 +68,7 @@ def test_boards_are_asked_and_other_ports_are_only_named() -> None:
 
     assert list_devices(made, lambda: (ROBOT, BELT, OTHER), answers) == 0
     assert out.getvalue().splitlines() == [
-        "I ask 2 ports. A board on USB restarts by that.",
+        "I ask 2 ports. That restarts a board on USB.",
         "/dev/serial/by-id/robot: robot, original firmware, battery 8.0 volts.",
         "Drive it: donnie --robot serial:/dev/serial/by-id/robot",
         "/dev/serial/by-id/belt: belt.",
@@ -105,7 +105,7 @@ def test_each_answer_of_a_board_has_a_sentence(port: str, lines: list[str]) -> N
                 "Join the group dialout: sudo usermod -aG dialout $USER. Then log in again.",
             ],
         ),
-        ("busy", ["Another program uses busy.", "Perhaps another Donnie runs. Leave it first."]),
+        ("busy", ["Another program uses busy.", "Perhaps another Donnie uses it. Leave that one first."]),
         ("file", ["I can't use file: Inappropriate ioctl for device."]),
     ],
 )
@@ -123,7 +123,7 @@ class Person(io.StringIO):
         return True
 
 
-DRIVES = "driving: robot, original firmware. It drives."
+DRIVES = "driving: robot, original firmware. It moves."
 
 
 def test_a_robot_that_drives_is_reported_with_the_command_that_stops_it() -> None:
@@ -136,8 +136,8 @@ def test_a_robot_that_drives_is_reported_with_the_command_that_stops_it() -> Non
 @pytest.mark.parametrize(
     ("typed", "code", "last"),
     [
-        ("yes\n", 0, "The robot stands. Port driving."),
-        ("s\n", 0, "The robot stands. Port driving."),
+        ("yes\n", 0, "The robot has stopped. Port driving."),
+        ("s\n", 0, "The robot has stopped. Port driving."),
         ("no\n", 1, "Stop it: donnie stop driving"),
         ("", 1, "Stop it: donnie stop driving"),
     ],
@@ -166,7 +166,7 @@ def test_an_unusable_plugged_port_does_not_fail_the_list() -> None:
     ("language", "sentence"),
     [
         ("en", "No devices are plugged in. The simulator needs none."),
-        ("pt", "Não há dispositivos ligados. O simulador não precisa."),
+        ("pt", "Não há dispositivos conectados. O simulador funciona sem eles."),
         ("es", "No hay dispositivos conectados. El simulador no los necesita."),
     ],
 )
@@ -183,17 +183,17 @@ def test_no_devices_is_a_sentence(language: str, sentence: str) -> None:
 @pytest.mark.parametrize(
     ("halted", "code", "sentence"),
     [
-        (HaltOutcome.STANDS, 0, "The robot stands. Port here."),
+        (HaltOutcome.STANDS, 0, "The robot has stopped. Port here."),
         (
             HaltOutcome.UNCONFIRMED,
             1,
-            "I said stop, but nothing answers at here. Switch the robot off if it drives.",
+            "I said stop, but nothing answers at here. If the robot moves, switch it off.",
         ),
-        (HaltOutcome.DRIVES, 1, "I said stop, but the robot at here drives on. Switch it off."),
+        (HaltOutcome.DRIVES, 1, "I said stop, but the robot at here still moves. Switch it off."),
         (
             HaltOutcome.IN_USE,
             1,
-            "I said stop, but another program has here and may continue. Stop it there.",
+            "I said stop, but another program uses here and may go on. Stop it there.",
         ),
     ],
 )
@@ -223,7 +223,7 @@ def test_without_a_port_the_robot_of_the_settings_is_stopped() -> None:
     made, out = order(None, Settings(robot="serial:/dev/mine"))
 
     assert stop(made, lambda _, **__: HaltOutcome.STANDS) == 0
-    assert out.getvalue() == "The robot stands. Port /dev/mine.\n"
+    assert out.getvalue() == "The robot has stopped. Port /dev/mine.\n"
 
 
 def test_a_stop_without_a_board_does_not_suggest_the_simulator(
@@ -234,7 +234,7 @@ def test_a_stop_without_a_board_does_not_suggest_the_simulator(
 
     with pytest.raises(Unusable) as said:
         stop(made, lambda _, **__: HaltOutcome.STANDS)
-    assert said.value.sentence == "I find no robot. Is it plugged in? If a robot drives, switch it off."
+    assert said.value.sentence == "I find no robot. Is it plugged in? If a robot moves, switch it off."
 
 
 def test_a_stop_for_services_waits_for_the_port_and_says_so_once() -> None:
@@ -250,7 +250,7 @@ def test_a_stop_for_services_waits_for_the_port_and_says_so_once() -> None:
     assert stop(made, halted, lambda _: None) == 0
     assert out.getvalue().splitlines() == [
         "I wait for here, a minute at most.",
-        "The robot stands. Port here.",
+        "The robot has stopped. Port here.",
     ]
 
 

@@ -10,6 +10,7 @@ from donnie_tui.core.program_files import DocumentError
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.file import read_settings, remember, with_setting
 from donnie_tui.settings.folders import settings_file, state_folder
+from donnie_tui.settings.parsing import colours_text
 from donnie_tui.settings.settings import KEYS, BadOption, Settings, SettingSource, language_of, resolve
 
 
@@ -243,3 +244,46 @@ def test_a_wrong_variable_is_reported_with_its_words_or_its_form(key: str, endin
     _, (notice,) = resolve({}, {f"DONNIE_{key.upper()}": "bogus"}, {})
 
     assert Words()(notice.code, **notice.values).endswith(ending)
+
+
+# --- the colours of a camera
+
+
+def test_colours_are_ranges_of_hue_saturation_and_value() -> None:
+    """A hue may go on through 0; the word may be of any language."""
+    text = "red 170-8 50-255 60-255, AZUL 90-120 32-255 48-255"
+
+    settings, _ = resolve({}, {}, {"colours": text})
+
+    assert settings.colours == {"red": (170, 8, 50, 255, 60, 255), "blue": (90, 120, 32, 255, 48, 255)}
+    assert colours_text(settings.colours) == text.replace("AZUL", "blue")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "red",
+        "red 1-2 3-4",
+        "red 1-2 3-4 5-6 7-8",
+        "red 0-180 0-255 0-255",
+        "red 0-10 0-256 0-255",
+        "red 0-10 200-100 0-255",
+        "colour 0-10 0-255 0-255",
+        "red 0-x 0-255 0-255",
+        "red 1-2-3 0-255 0-255",
+        "red 0-10 0-255 0-255,",
+    ],
+)
+def test_colours_that_are_no_ranges_are_refused(text: str) -> None:
+    settings, notices = resolve({}, {}, {"colours": text})
+
+    assert settings.colours is None
+    assert [each.code for each in notices] == ["setting-not-understood-example"]
+
+
+@pytest.mark.parametrize(
+    ("text", "view"), [("60", 60), ("53,5", 53.5), ("19", None), ("151", None), ("nan", None)]
+)
+def test_a_view_is_between_20_and_150_degrees(text: str, view: float | None) -> None:
+    assert resolve({}, {}, {"camera_view": text})[0].camera_view == view

@@ -37,7 +37,7 @@ def test_a_full_log_is_reported_once_and_counts_as_lost(
         hub.publish(Spoke("a"))
         hub.publish(Spoke("b"))
 
-    assert said == ["a", "I can't write /dev/full: No space left on device.", "b"]
+    assert said == ["a", "I can't write /dev/full: the disk is full.", "b"]
     assert written.lost == ["/dev/full"]
 
 

@@ -104,7 +104,7 @@ WORTH_SAVING = ("FW 2",) * 5
 def test_an_unsaved_program_is_closed_only_after_a_question(open_script: OpenScript, tmp_path: Path) -> None:
     script = open_script(*WORTH_SAVING, answers=["yes", "kept.gd"])
 
-    assert script.answers_to("NEW") == ["Saved kept.gd, 5 lines.", "A new program."]
+    assert script.answers_to("NEW") == ["Saved kept.gd, 5 lines.", "This is a new program."]
     assert script.ctx.program.lines == ()
     assert (tmp_path / "kept.gd").read_text(encoding="utf-8") == "FW 2\n" * 5
 
@@ -141,7 +141,7 @@ def copies(tmp_path: Path) -> Path:
 
 
 def test_recover_without_a_copy_says_so(open_script: OpenScript) -> None:
-    assert open_script().answers_to("RECOVER") == ["Nothing to recover."]
+    assert open_script().answers_to("RECOVER") == ["There is nothing to recover."]
 
 
 def test_all_programs_of_a_crash_are_restored_one_by_one(open_script: OpenScript, copies: Path) -> None:
@@ -152,12 +152,32 @@ def test_all_programs_of_a_crash_are_restored_one_by_one(open_script: OpenScript
     script = open_script()
 
     assert script.answers_to("RECOVER") == [
-        "Here it is again, 1 line.",
+        "Your program is back, 1 line.",
         "There is one more. RECOVER opens it.",
     ]
     for text in ("FW 2", "FW 1", "FW 2"):  # what was given up for the other one comes last
         assert script.ctx.program.lines == (text,)
         script.type("RECOVER")
+
+
+def test_undo_takes_back_what_recover_did_and_says_so(open_script: OpenScript, copies: Path) -> None:
+    (copies / "unsaved-99999999-1.gd").write_text("FW 9\n")
+    script = open_script()
+    script.type("RECOVER")
+
+    assert script.answers_to("UNDO") == ["This is a new program."]
+    assert script.ctx.program.lines == ()
+    assert script.answers_to("REDO") == ["Your program is back, 1 line."]
+    assert script.ctx.program.lines == ("FW 9",)
+
+
+def test_a_recovered_program_that_was_undone_can_be_recovered_again(
+    open_script: OpenScript, copies: Path
+) -> None:
+    (copies / "unsaved-99999999-1.gd").write_text("FW 9\n")
+    script = open_script()
+
+    assert script.answers_to("RECOVER", "UNDO", "RECOVER")[-1] == "Your program is back, 1 line."
 
 
 @pytest.mark.parametrize("word", ["NEW", "RECOVER"])

@@ -20,9 +20,9 @@ OpenScript = Callable[..., Script]
         ("CHANGE 2 BK 2", ["Line 2: BK 2"], ("FW 1", "BK 2", "FW 3", "FW 4")),
         ("INSERT 1 TR 90", ["Line 1: TR 90"], ("TR 90", *PROGRAM)),
         ("INSERT 5 TR 90", ["Line 5: TR 90"], (*PROGRAM, "TR 90")),
-        ("DELETE 2 3", ["Lines 2 to 3 deleted.", "Line 2: FW 4"], ("FW 1", "FW 4")),
-        ("DELETE 4", ["Line 4 deleted."], PROGRAM[:3]),
-        ("DELETE 1 4", ["Lines 1 to 4 deleted."], ()),
+        ("DELETE 2 3", ["Lines 2 to 3 are deleted.", "Line 2: FW 4"], ("FW 1", "FW 4")),
+        ("DELETE 4", ["Line 4 is deleted."], PROGRAM[:3]),
+        ("DELETE 1 4", ["Lines 1 to 4 are deleted."], ()),
         ("MOVE 4 1", ["Line 1: FW 4"], ("FW 4", *PROGRAM[:3])),
         ("MOVE 1 2 5", ["Line 3: FW 1", "Line 4: FW 2"], ("FW 3", "FW 4", "FW 1", "FW 2")),
     ],
@@ -50,6 +50,27 @@ def test_undo_prints_the_first_changed_line(
     open_script: OpenScript, typed: tuple[str, ...], answers: list[str]
 ) -> None:
     assert open_script(*PROGRAM).answers_to(*typed) == answers
+
+
+@pytest.mark.parametrize(
+    ("typed", "answer", "lines"),
+    [
+        ((), "Line 1 has run. CHANGE 1 changes it.", ("FW -3",)),
+        (("x = 3",), "I don't know what was meant.", ("FW -3", "x = 3")),
+        (("FWD 2",), "Line 2: FW 2", ("FW -3", "FW 2")),
+        (("FW", "TR 90"), "Line 2: FW 2", ("FW -3", "FW 2", "TR 90")),
+    ],
+)
+def test_fix_changes_no_line_that_ran(
+    open_script: OpenScript, typed: tuple[str, ...], answer: str, lines: tuple[str, ...]
+) -> None:
+    script = open_script("FW -3")
+    script.ctx.program.batch_ran()
+    for line in typed:
+        script.ctx.program.add(line)
+
+    assert script.answers_to("FIX") == [answer]
+    assert (script.ctx.program.lines, script.ctx.program.ran) == (lines, 1)
 
 
 def test_a_line_without_its_text_is_offered_for_editing(open_script: OpenScript) -> None:

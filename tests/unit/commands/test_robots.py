@@ -28,7 +28,7 @@ def test_another_robot_can_be_talked_to_while_the_first_one_runs(open_script: Op
     script = open_script(*WAITING, speed=1.0, world="two_robots")
     script.type("AGAIN")
     answers = script.answers_to("ROBOT bob", "SPEAK 7")
-    assert [line for line in answers if "alice" not in line] == ["You talk to bob.", "bob: 7"]
+    assert [line for line in answers if "alice" not in line] == ["Now you talk to bob.", "bob: 7"]
     assert [each.name for each in script.donnie.team.running] == ["alice"]
 
     script.type("ROBOT alice")
@@ -69,7 +69,7 @@ def test_robot_alone_lists_all_robots_with_their_state_to_choose_from(open_scrip
     assert title == "Robots of this world"
     assert alice.startswith("alice runs")
     assert bob == "bob: 0, 30, facing south."
-    assert "You talk to bob." in script.printed
+    assert "Now you talk to bob." in script.printed
     assert script.donnie.session.name == "bob"
 
 

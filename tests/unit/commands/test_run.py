@@ -51,7 +51,9 @@ def test_an_unused_sensor_value_is_a_hint_for_a_program_and_a_typed_command(open
     assert hint not in script.answers_to("GRIP")
 
 
-@pytest.mark.parametrize(("typed", "answer"), [("STOP", "Nothing is running."), ("AGAIN", "Nothing to run.")])
+@pytest.mark.parametrize(
+    ("typed", "answer"), [("STOP", "Nothing is running."), ("AGAIN", "There is nothing to run.")]
+)
 def test_stopping_or_running_nothing_is_answered(open_script: OpenScript, typed: str, answer: str) -> None:
     assert open_script().answers_to(typed) == [answer]
 
@@ -116,10 +118,10 @@ def test_a_watched_variable_is_printed_at_each_change_and_no_other(open_script: 
     script = open_script("VAR a = 3", "VAR b = 1", "a = a + 1", "FW 1", "a = 7")
 
     assert script.answers_to("WATCH a", "AGAIN") == [
-        "Watching a.",
+        "I watch a.",
         "a is 3.",
         "a is 4.",
         "I walked 1 step forward.",
         "a is 7.",
     ]
-    assert script.answers_to("WATCH a", "AGAIN") == ["Not watching a now.", "I walked 1 step forward."]
+    assert script.answers_to("WATCH a", "AGAIN") == ["I no longer watch a.", "I walked 1 step forward."]

@@ -63,7 +63,7 @@ def test_every_cue_sounds_with_its_name_a_line_each(home: Listening) -> None:
     script.type("CUES")
 
     assert [each.name for each in home.audio.cues] == list(CUES)
-    assert home.printed[0] == "14 sounds. Any key ends them."
+    assert home.printed[0] == "19 sounds. Any key ends them."
     assert home.printed[1] == "forward: A step forward."
     assert home.audio.heard[1:3] == ["[step-forward]", "forward: A step forward."]
     assert len(home.printed) == 1 + len(CUE_NAMES)
@@ -266,7 +266,7 @@ def test_typed_text_is_said_by_keys_or_by_words_as_set(home: Listening, kind: st
 def test_a_deleted_character_is_said(home: Listening) -> None:
     home.donnie.outlets.adjust_sound(key_echo="characters")
     EditorEcho(home.donnie.outlets.audible, home.donnie.words)(KeyPress(Act.BACKSPACE), "x <")
-    assert home.audio.heard == ["less sign."]
+    assert home.audio.heard == ["less-than sign."]
 
 
 def test_no_key_is_said_while_a_screen_reader_runs(monkeypatch: pytest.MonkeyPatch) -> None:

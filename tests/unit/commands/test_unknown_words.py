@@ -12,18 +12,34 @@ def meant(line: str, *lines: str, language: str = "en") -> str | None:
 
 
 @pytest.mark.parametrize(
-    ("line", "word"),
+    ("line", "language", "word"),
     [
-        ("LISTT", "LIST"),
-        ("listt 2 5", "LIST"),
-        ("AJUSTES", "AJUSTAR"),
-        ("stpe back", "STEP BACK"),
-        ("AO REDR", "AO REDOR"),
-        ("WHRE", "WHERE"),
+        ("LISTT", "en", "LIST"),
+        ("listt 2 5", "en", "LIST"),
+        ("AJUSTES", "es", "AJUSTAR"),
+        ("stpe back", "en", "STEP BACK"),
+        ("AO REDR", "pt", "AO REDOR"),
+        ("WHRE", "en", "WHERE"),
+        ("SUBMIT", "en", None),
+        ("CAMINAR 3", "es", None),
+        ("ANDAR 3", "pt", None),
     ],
 )
-def test_the_nearest_word_of_any_language_is_found(line: str, word: str) -> None:
-    assert meant(line) == word
+def test_the_nearest_word_of_the_language_is_found(line: str, language: str, word: str | None) -> None:
+    assert meant(line, language=language) == word
+
+
+@pytest.mark.parametrize(
+    "line", ["MOVE FORWARD 3", "move back 2", "GO FORWARD", "MOVER PARA FRENTE 3", "MOVER ADELANTE 3"]
+)
+def test_what_beginners_say_is_no_command(line: str) -> None:
+    assert find(line) is None
+
+
+def test_the_command_move_takes_lines() -> None:
+    found = find("MOVE 5 2")
+    assert found is not None
+    assert (found[0].name, found[1]) == ("move", "5 2")
 
 
 def test_an_unknown_word_is_reported_as_it_was_typed() -> None:

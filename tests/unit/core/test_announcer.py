@@ -16,6 +16,7 @@ from donnie_tui.core.events import (
     RunStarted,
     Scanned,
     SeenGroup,
+    SeenMark,
     SoundSwitched,
     Turned,
 )
@@ -104,12 +105,68 @@ def test_seen_things_are_announced_and_sounded_from_left_to_right() -> None:
     ]
 
 
+MARKS = (SeenMark(9, "left", 10, 12), SeenMark(3, "ahead", 0, 1), SeenMark(None, "right", 1, 50))
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        (
+            "en",
+            [
+                "Mark 9 at 12 steps, 10 degrees left.",
+                "Mark 3 at 1 step, ahead.",
+                "A mark at 50 steps, 1 degree right. I can't read it from here.",
+            ],
+        ),
+        (
+            "pt",
+            [
+                "Marca 9 a 12 passos, 10 graus à esquerda.",
+                "Marca 3 a 1 passo, à frente.",
+                "Uma marca a 50 passos, 1 grau à direita. Não consigo ler daqui.",
+            ],
+        ),
+        (
+            "es",
+            [
+                "Marca 9 a 12 pasos, 10 grados a la izquierda.",
+                "Marca 3 a 1 paso, al frente.",
+                "Una marca a 50 pasos, 1 grado a la derecha. No puedo leerla desde aquí.",
+            ],
+        ),
+    ],
+)
+def test_seen_marks_are_announced_and_sounded(language: str, said: list[str]) -> None:
+    answers = answers_to(Scanned((), MARKS), language)
+
+    assert [each.text for each in answers if isinstance(each, Announced)] == said
+    assert [(each.name, each.bearing) for each in answers if isinstance(each, CueSounded)] == [
+        ("scan", 0.0),
+        ("found", -10.0),
+        ("found", 0.0),
+        ("found", 1.0),
+    ]
+
+
 def test_colours_are_announced_in_the_learners_language() -> None:
     scanned = Scanned((SeenGroup("right", 90, 4, ("red",)),))
 
     assert answers_to(scanned, "es")[-1] == Announced(
         "scan", "A 90 grados a la derecha: 1 objeto de color rojo a 4 pasos."
     )
+
+
+@pytest.mark.parametrize(
+    ("seen", "said"),
+    [
+        (("yellow",), "À frente: 1 objeto amarelo a 3 passos."),
+        (("green", "red"), "À frente: 2 objetos, verde, vermelho, a 3 passos."),
+        (("",), "À frente: 1 objeto de cor desconhecida a 3 passos."),
+    ],
+)
+def test_colours_agree_with_the_things_in_portuguese(seen: tuple[str, ...], said: str) -> None:
+    assert answers_to(Scanned((SeenGroup("ahead", 0, 3, seen),)), "pt")[-1] == Announced("scan", said)
 
 
 def test_an_empty_scan_is_announced_too() -> None:
@@ -138,10 +195,10 @@ def test_any_other_end_of_a_run_has_no_cue_of_success(program: str) -> None:
         (SoundSwitched(True), "Sound on."),
         (SoundSwitched(False), "Sound off."),
         (Link("connected", ""), "Robot connected."),
-        (Link("lost", "The cable is out."), "Robot lost. If it drives, switch it off."),
-        (Link("restarted", ""), "The robot restarted. It stands."),
+        (Link("lost", "The cable is out."), "Robot lost. If it moves, switch it off."),
+        (Link("restarted", ""), "The robot restarted. It does not move."),
         (Link("battery-low", "7.0 V"), "The robot's battery is low."),
-        (Link("restored", ""), "Robot is back."),
+        (Link("restored", ""), "The robot is back."),
         (Link("runaway", ""), "It does not stop. Switch it off."),
         (
             Link("profile-2018", ""),

@@ -217,7 +217,7 @@ def test_the_belt_follows_only_the_selected_robot() -> None:
     watching(Stamped(1, 0.0, BeltShown(strong), "alice"))
     watching(Stamped(2, 0.0, BeltShown(weak), "bob"))
     chosen[0] = "bob"
-    watching(Stamped(3, 0.0, Answered("You talk to bob."), None))
+    watching(Stamped(3, 0.0, Answered("Now you talk to bob."), None))
     watching(Stamped(4, 0.0, RunEnded(Outcome.STOPPED, Pose(0, 0, 0), {}, 1.0), "bob"))
 
     assert felt == [strong, weak, OFF]

@@ -113,8 +113,8 @@ def test_two_robots_are_described_by_name() -> None:
 
     assert sentences[1:4] == (
         "2 robôs: me, r0.",
-        "O robô me começa em 0, 0, virado para norte.",
-        "Robô r0, a partir de me: 5 ao norte, virado para sul.",
+        "O robô me começa em 0, 0, virado para o norte.",
+        "Robô r0, a partir de me: 5 ao norte, virado para o sul.",
     )
 
 

@@ -45,13 +45,6 @@ def test_lines_that_are_added_during_a_run_wait_and_a_change_lets_all_wait() -> 
     assert (added.waiting, changed.waiting) == (1, 2)
 
 
-def test_the_last_line_of_a_batch_runs_without_becoming_part_of_the_program() -> None:
-    program = typed("FW 1")
-
-    assert program.take_batch("QUIT").text == "FW 1\nQUIT"
-    assert program.lines == ("FW 1",)
-
-
 def test_after_a_mistake_one_line_is_forgotten_and_several_are_kept() -> None:
     one, several = typed("FWD 1"), typed("FW 1", "FWD 2")
 

@@ -32,6 +32,7 @@ from donnie_tui.core.events import (
     RunStarted,
     Scanned,
     SeenGroup,
+    SeenMark,
     SoundSwitched,
     Spoke,
     Stamped,
@@ -78,10 +79,11 @@ CONTRACT: list[tuple[Event, Mapping[str, object]]] = [
         {"event": "turned", "command": "TR 9", "asked": 9, "turned": 9, "stopped_by": None, "pose": POSE},
     ),
     (
-        Scanned((SeenGroup("left", 30, 17, ("green", "red")),)),
+        Scanned((SeenGroup("left", 30, 17, ("green", "red")),), (SeenMark(None, "right", 5, 40),)),
         {
             "event": "scanned",
             "objects": [{"side": "left", "degrees": 30, "steps": 17, "colours": ["green", "red"]}],
+            "marks": [{"number": None, "side": "right", "degrees": 5, "steps": 40}],
         },
     ),
     (

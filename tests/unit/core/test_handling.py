@@ -3,9 +3,17 @@
 from functools import partial
 from pathlib import Path
 
-from donnie_tui.core.actions import GripperCommand
-from donnie_tui.core.events import TRANSIENT, GripperUsed, Reset, RunEnded, RunStarted, Stamped, ThingsMoved
-from donnie_tui.core.session import Busy, RunOptions, Session, SessionSetup
+from donnie_tui.core.events import (
+    TRANSIENT,
+    Announced,
+    CueSounded,
+    GripperUsed,
+    Outcome,
+    Reset,
+    Stamped,
+    ThingsMoved,
+)
+from donnie_tui.core.session import RunOptions, Session, SessionSetup
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.transcript import printed_lines
 from donnie_tui.i18n.words import Words
@@ -47,9 +55,6 @@ class Room:
         timeline.go_to(len(timeline))
         return timeline
 
-    def use(self, gripper_command: GripperCommand) -> None:
-        assert self.session.use_gripper(gripper_command).wait(TIMEOUT)
-
     def run(self, text: str, *, fresh: bool = False) -> None:
         assert self.session.start(text, "a.gd", RunOptions(fresh=fresh)).wait(TIMEOUT)
 
@@ -58,72 +63,79 @@ class Room:
         return [line for each in self.heard for line in printed_lines(each, self.words)]
 
     @property
+    def cues(self) -> list[str]:
+        return [each.event.name for each in self.heard if isinstance(each.event, CueSounded)]
+
+    @property
     def places(self) -> list[tuple[float, float]]:
         """The published places of the box, in their order."""
         events = [each.event for each in self.heard if isinstance(each.event, ThingsMoved)]
         return [(round(each.pose.x, 1), round(each.pose.y, 1)) for event in events for each in event.places]
 
 
-def test_a_missing_gripper_is_reported_and_publishes_no_grip() -> None:
+def test_a_missing_gripper_is_reported_and_the_program_goes_on() -> None:
     floor = Floor()
 
-    assert floor.session.use_gripper(GripperCommand.GRIP).wait(TIMEOUT)
+    outcome = floor.run("GRIP RELEASE FW 1")
 
-    assert floor.printed == ["I have no gripper."]
-    assert isinstance(floor.events[0], RunStarted)
-    assert isinstance(floor.events[-1], RunEnded)
+    assert outcome is Outcome.COMPLETED
+    assert floor.printed == ["I have no gripper.", "I have no gripper.", "I walked 1 step forward."]
+    assert [each.code for each in floor.events if isinstance(each, Announced)] == [
+        "no-gripper",
+        "no-gripper",
+        "moved",
+    ]
+    assert not any(isinstance(each, GripperUsed) for each in floor.events)
+    cues = [each.name for each in floor.events if isinstance(each, CueSounded)]
+    assert cues == ["nothing", "nothing", "step-forward", "done"]
+
+
+def test_a_missing_gripper_is_a_step_of_its_own_in_a_timeline() -> None:
+    floor = Floor()
+    floor.run("FW 1 GRIP")
+    timeline = Timeline([each for each in floor.stream if not isinstance(each.event, TRANSIENT)])
+    timeline.go_to(len(timeline))
+
+    timeline.step_back()
+    undone = timeline.step_back()
+
+    assert [each.event.text for each in undone if isinstance(each.event, Announced)] == ["I have no gripper."]
 
 
 def test_a_grip_without_a_thing_in_reach_holds_nothing() -> None:
     room = Room()
 
-    room.run("TR 180")
-    room.use(GripperCommand.GRIP)
-    room.use(GripperCommand.RELEASE)
+    room.run("TR 180 GRIP RELEASE")
 
     assert room.printed[-2:] == ["There is nothing to grip.", "I hold nothing."]
+    assert [each for each in room.cues if "turn" not in each] == ["nothing", "nothing", "done"]
 
 
 def test_a_held_thing_moves_along_and_its_place_is_published() -> None:
     room = Room()
 
-    room.run("FW 1")
-    room.use(GripperCommand.GRIP)
-    room.run("BW 5")
-    room.use(GripperCommand.RELEASE)
-    room.run("BW 1")
+    room.run("FW 1 GRIP GRIP BW 5 RELEASE BW 1")
 
-    assert "I hold the red box." in room.printed
-    assert "I let go of the red box." in room.printed
+    assert [each for each in room.printed if "walked" not in each] == [
+        "I hold the red box.",
+        "I hold the red box already.",
+        "I let go of the red box.",
+    ]
     assert [each.event.outcome.value for each in room.heard if isinstance(each.event, GripperUsed)] == [
         "gripped",
+        "holds-already",
         "released",
     ]
+    assert [each for each in room.cues if "step" not in each] == ["grip", "nothing", "release", "done"]
     assert room.places
     x, y = room.places[-1]
     assert x == 0.0
     assert y < 4.0
 
 
-def test_a_gripper_can_not_be_used_while_a_program_runs() -> None:
-    floor = Floor(speed=50.0)
-    run = floor.session.start("WAIT 1000", "a.gd")
-
-    try:
-        floor.session.use_gripper(GripperCommand.GRIP)
-    except Busy:
-        refused = True
-    floor.session.stop()
-
-    assert refused
-    assert run.wait(TIMEOUT)
-
-
 def test_a_fresh_run_puts_everything_back_and_a_timeline_knows_it() -> None:
     room = Room()
-    room.run("FW 1")
-    room.use(GripperCommand.GRIP)
-    room.run("BW 5")
+    room.run("FW 1 GRIP BW 5")
     assert room.timeline.things
 
     room.run("FW 1", fresh=True)

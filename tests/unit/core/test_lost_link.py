@@ -37,5 +37,5 @@ def test_a_lost_connection_is_reported_with_its_movement_and_fails_the_program(p
     assert outcome is Outcome.FAILED
     assert [each.stopped_by for each in done] == [StoppedBy.LINK]
     assert len(mistakes) == 1
-    assert any("The line to the robot is lost." in line for line in there.floor.printed)
+    assert any("The connection to the robot is lost." in line for line in there.floor.printed)
     there.robot.close()

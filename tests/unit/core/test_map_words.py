@@ -224,7 +224,7 @@ def test_around_on_a_clock_face_names_the_hours() -> None:
     assert said[1:3] == ("12 o'clock: wall, 2 steps.", "3 o'clock: wall, 0 steps.")
     assert "9 o'clock: chair, red, 1 step." in said
     in_portuguese = around_in_words(MapGrid(ROOM, pose), pose, Words("pt", "full"), clock=True)
-    assert any(line.startswith("1 hora: ") for line in in_portuguese)
+    assert any(line.startswith("À 1 hora: ") for line in in_portuguese)
 
 
 def test_a_free_direction_is_described_as_free() -> None:

@@ -27,6 +27,7 @@ from donnie_tui.core.events import (
     RunStarted,
     Scanned,
     SeenGroup,
+    SeenMark,
     SoundSwitched,
     Spoke,
     Stamped,
@@ -42,7 +43,7 @@ from donnie_tui.core.timeline import Timeline
 from donnie_tui.i18n.words import Words
 from tests.unit.core.values import HERE
 
-HOW = HowStarted("FW 1\n", 1, True, False, False, HERE, "pt", "brief", True, ("alice", "bob"), "")
+HOW = HowStarted("FW 1\n", 1, True, False, False, HERE, "pt", "brief", True, ("alice", "bob"))
 EVENTS: tuple[Event, ...] = (
     RunStarted("a.gd", "two", "alice", 3, "0.1", HOW),
     Statement(1, 2, 3),
@@ -51,7 +52,7 @@ EVENTS: tuple[Event, ...] = (
     Moved("FW 3", 3, 2, StoppedBy.OBSTACLE, HERE, True),
     Turned("TR 90", 90, 90, None, HERE, False),
     Turned("TR 90", 90, 30, StoppedBy.COLLISION, HERE, True, Met("chair", "chair7", 45.0)),
-    Scanned((SeenGroup("left", 30, 4, ("red", "blue")),)),
+    Scanned((SeenGroup("left", 30, 4, ("red", "blue")),), (SeenMark(3, "ahead", 0, 12),)),
     Read("distance", "front", 60),
     Waited(2),
     CueSounded("found", -30.0, None),

@@ -155,7 +155,7 @@ def test_the_end_of_the_last_step_says_what_ended_the_loop() -> None:
     lesson.held()
     lesson.runs.step()
 
-    assert lesson.ended()[-2:] == ["Condition false: 2 equal to 2.", "Done."]
+    assert lesson.ended()[-2:] == ["2 is less than 2: false.", "Done."]
 
 
 def test_a_program_that_ends_while_it_is_stopped_is_answered_once(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -228,15 +228,15 @@ def test_a_statement_without_effect_is_a_hint_after_the_run() -> None:
 
 def test_a_watched_variable_is_described_at_each_change_and_known_from_before() -> None:
     lesson = Lesson()
-    assert lesson.runs.toggle_watch("n") == ("Watching n.",)
+    assert lesson.runs.toggle_watch("n") == ("I watch n.",)
     lesson.start("VAR n = 1\nn = 2\nn = 2\nSPEAK n")
     assert lesson.ended() == ["n is 1.", "n is 2."]
     lesson.start("SPEAK n", is_whole=False)
     lesson.ended()
 
     assert lesson.answers == ["n is 1.", "n is 2."]
-    assert lesson.runs.toggle_watch("N") == ("Not watching N now.",)
-    assert lesson.runs.toggle_watch("") == ("Nothing is watched.",)
+    assert lesson.runs.toggle_watch("N") == ("I no longer watch N.",)
+    assert lesson.runs.toggle_watch("") == ("I watch no variable.",)
 
 
 def test_a_variable_can_be_watched_from_the_middle_of_a_run_on() -> None:

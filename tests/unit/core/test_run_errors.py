@@ -27,8 +27,8 @@ def test_a_move_beyond_the_first_or_last_mistake_names_the_current_one() -> None
 
 @pytest.mark.parametrize("by", [-1, 0, 1])
 def test_a_run_without_mistakes_is_reported(by: int) -> None:
-    assert RunErrors().go(by, SAY) == (None, ("No errors.",))
-    assert RunErrors().in_words(SAY) == RunErrors().explained(None, SAY) == ("No errors.",)
+    assert RunErrors().go(by, SAY) == (None, ("There are no errors.",))
+    assert RunErrors().in_words(SAY) == RunErrors().explained(None, SAY) == ("There are no errors.",)
 
 
 def test_a_mistake_is_explained_with_its_cause_and_its_line() -> None:

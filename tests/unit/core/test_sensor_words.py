@@ -87,3 +87,15 @@ def test_the_field_of_view_is_on_the_map_up_to_a_wall_and_gone_when_the_robot_mo
     assert isinstance(at(0, 5), Cell)
     shown.move(Pose(0, 1, 0))
     assert shown.kind(at(20, 0)) is not Kind.RAY
+
+
+@pytest.mark.parametrize(
+    ("heading", "east", "north"), [(0, 12, 16), (90, 16, -12), (180, -12, -16), (270, -16, 12)]
+)
+def test_a_field_of_view_turns_with_the_robot(heading: int, east: int, north: int) -> None:
+    """12 steps to the right and 16 ahead."""
+    shown = MapScene(picture(scene(f'{ROBOT} it( name "al" )')), Pose(0, 0, heading))
+
+    shown.show_fields([((0, 0), (12, 16))])
+
+    assert shown.kind(shown.cell_at(east, north)) is Kind.RAY

@@ -122,7 +122,7 @@ def test_a_name_declared_again_in_a_terminal_is_new_and_that_is_reported() -> No
     outcome = floor.run("VAR a = 3")
 
     assert outcome is Outcome.COMPLETED
-    assert floor.printed == ["a existed already. It is new now."]
+    assert floor.printed == ["a had a value. It has a new one now."]
 
 
 def test_time_begins_anew_with_each_run() -> None:
@@ -276,7 +276,7 @@ def test_history_forgets_the_oldest_movements_and_says_how_many(short_history: i
     floor.run("HISTORY STATE")
 
     listed = floor.printed[before:]
-    assert listed[0] == "3 earlier movements forgotten."
+    assert listed[0] == "3 earlier movements are forgotten."
     assert listed[1].startswith("Command 4 was TR 1, turned 1")
     assert len(listed) == 1 + short_history + 1
     assert listed[-1] == listed[-2]

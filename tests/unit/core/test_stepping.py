@@ -1,5 +1,7 @@
 """Stepping in words: the statement with its level, the round of how many, what a condition found."""
 
+import pytest
+
 from donnie_tui.core.events import Read
 from donnie_tui.core.stepping import StepNarrator, changes
 from donnie_tui.i18n.words import Words
@@ -23,11 +25,13 @@ class Sensing(Recorder):
         return value
 
 
-def step_lines(source: str, *, detail: str = "brief", values: tuple[int, ...] = ()) -> list[str]:
+def step_lines(
+    source: str, *, detail: str = "brief", values: tuple[int, ...] = (), language: str = "en"
+) -> list[str]:
     """The lines of each step of a program."""
     program = parse(source).program
     assert program is not None
-    words = StepNarrator(program, source.split("\n"), Words("en", detail))
+    words = StepNarrator(program, source.split("\n"), Words(language, detail))
     control, runnable, lines = ExecutionControl(), compile_program(program, hooked=True), list[str]()
 
     def note(state: ControlState) -> None:
@@ -119,23 +123,56 @@ def test_loops_in_each_other_count_for_themselves() -> None:
 
 def test_a_condition_is_printed_with_the_compared_values() -> None:
     assert step_lines("VAR x = 3\nIF x > 2 THEN\nFW 1\nEND IF\nIF x == 2 THEN\nFW 2\nEND IF\nFW 3")[2:] == [
-        "Condition true: 3 greater than 2.",
+        "3 is greater than 2: true.",
         "Line 3: FW 1",
         "Line 5: IF x == 2 THEN",
-        "Condition false: 3 greater than 2.",
+        "3 is equal to 2: false.",
         "Line 8: FW 3",
     ]
+
+
+@pytest.mark.parametrize(
+    ("comparison", "en", "pt", "es"),
+    [
+        ("1 == 1", "1 is equal to 1: true.", "1 é igual a 1: verdadeiro.", "1 es igual a 1: verdadero."),
+        ("1 == 2", "1 is equal to 2: false.", "1 é igual a 2: falso.", "1 es igual a 2: falso."),
+        ("1 <> 1", "1 is not equal to 1: false.", "1 é diferente de 1: falso.", "1 es distinto de 1: falso."),
+        ("1 < 1", "1 is less than 1: false.", "1 é menor que 1: falso.", "1 es menor que 1: falso."),
+        ("1 > 1", "1 is greater than 1: false.", "1 é maior que 1: falso.", "1 es mayor que 1: falso."),
+        (
+            "2 <= 1",
+            "2 is at most 1: false.",
+            "2 é menor ou igual a 1: falso.",
+            "2 es menor o igual que 1: falso.",
+        ),
+        (
+            "1 >= 2",
+            "1 is at least 2: false.",
+            "1 é maior ou igual a 2: falso.",
+            "1 es mayor o igual que 2: falso.",
+        ),
+    ],
+)
+def test_a_condition_is_printed_as_the_program_has_it(comparison: str, en: str, pt: str, es: str) -> None:
+    for language, said in (("en", en), ("pt", pt), ("es", es)):
+        assert step_lines(f"IF {comparison} THEN\nEND IF", language=language)[-1] == said
+
+
+def test_computed_values_are_printed_as_numbers_in_a_condition() -> None:
+    source = "VAR x = 3\nIF x * 2 - 1 <= DISTANCE F + 4 THEN\nEND IF"
+
+    assert step_lines(source, values=(0,))[-1] == "5 is at most 4: false."
 
 
 def test_the_reading_of_a_sensor_is_printed_with_the_condition() -> None:
     lines = step_lines("WHILE DISTANCE F > 3 DO\nFW 1\nEND WHILE\nFW 9", values=(5, 4, 2))
 
-    assert [line for line in lines if line.startswith(("Cond", "Round"))] == [
-        "Condition true: 5 greater than 3.",
+    assert [line for line in lines if line.startswith("Round") or line[0].isdigit()] == [
+        "5 is greater than 3: true.",
         "Round 1.",
-        "Condition true: 4 greater than 3.",
+        "4 is greater than 3: true.",
         "Round 2.",
-        "Condition false: 2 less than 3.",
+        "2 is greater than 3: false.",
     ]
 
 
@@ -179,24 +216,24 @@ def test_a_condition_in_a_procedure_is_printed_with_the_values_of_the_procedure(
     """The next statement may be after the call, where the name means another variable."""
     procedure = "PROCEDURE P: n DO\nIF n > 3 THEN\nFW 1\nEND IF\nEND PROCEDURE"
 
-    assert "Condition false: 1 less than 3." in step_lines(f"{procedure}\nVAR n = 9\nP [1]\nFW 2")
+    assert "1 is greater than 3: false." in step_lines(f"{procedure}\nVAR n = 9\nP [1]\nFW 2")
 
 
 def test_the_end_of_a_for_names_the_condition_that_ended_it() -> None:
     """Its variable no longer exists then."""
     lines = step_lines("FOR VAR i = 1; i <= 2; i = i + 1 DO\nFW i\nEND FOR\nTR 90")
 
-    assert [line for line in lines if line.startswith("Cond")] == [
-        "Condition true: 1 at most 2.",
-        "Condition true: 2 at most 2.",
-        "Condition false: 3 greater than 2.",
+    assert [line for line in lines if line[0].isdigit()] == [
+        "1 is at most 2: true.",
+        "2 is at most 2: true.",
+        "3 is at most 2: false.",
     ]
 
 
 def test_a_for_without_a_round_names_the_reason() -> None:
     lines = step_lines("FOR VAR i = 5; i <= 2; i = i + 1 DO\nFW i\nEND FOR\nTR 90")
 
-    assert "Condition false: 5 greater than 2." in lines
+    assert "5 is at most 2: false." in lines
 
 
 def test_a_reading_in_the_head_of_a_for_is_not_part_of_its_condition() -> None:
@@ -204,13 +241,11 @@ def test_a_reading_in_the_head_of_a_for_is_not_part_of_its_condition() -> None:
         "FOR VAR i = DISTANCE F; i < DISTANCE B; i = i + 2 DO\nFW i\nEND FOR\nTR 90", values=(1, 2, 2)
     )
 
-    assert [line for line in lines if line.startswith("Cond")] == [
-        "Condition true: 1 less than 2.",
-        "Condition false: 3 greater than 2.",
+    assert [line for line in lines if line[0].isdigit()] == [
+        "1 is less than 2: true.",
+        "3 is less than 2: false.",
     ]
 
 
 def test_the_end_of_a_program_names_the_condition_that_ended_it() -> None:
-    assert (
-        step_lines("VAR x = 1\nWHILE x < 2 DO\nx = x + 1\nEND WHILE")[-1] == "Condition false: 2 equal to 2."
-    )
+    assert step_lines("VAR x = 1\nWHILE x < 2 DO\nx = x + 1\nEND WHILE")[-1] == "2 is less than 2: false."

@@ -117,7 +117,7 @@ def test_every_step_is_printed_once_or_counted_in_a_sum() -> None:
         (Spoke("Wall!"),),
         (Announced("scan", "I see no objects."),),
         walk(1, StoppedBy.OBSTACLE),
-        (Announced("hint", "X existed already."),),
+        (Announced("hint", "X had a value. It has a new one now."),),
     ],
     ids=["speak", "scan", "obstacle", "hint"],
 )

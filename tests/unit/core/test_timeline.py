@@ -120,7 +120,7 @@ def test_a_step_back_names_the_place_that_it_leads_to() -> None:
     ("event", "said"),
     [
         (CueSounded("step-forward", 0.0, None), "De volta: parte de uma caminhada. Posição 0, 1."),
-        (CueSounded("turn-left", 0.0, None), "De volta: parte de um giro. Virado para norte."),
+        (CueSounded("turn-left", 0.0, None), "De volta: parte de um giro. Virado para o norte."),
         (CueSounded("obstacle", 0.0, 1.0), "De volta: um som."),
         (Read("distance", "F", 7), "De volta: um sensor disse 7."),
         (Statement(3, 1, 0), "De volta: começo da linha 3."),

@@ -23,7 +23,7 @@ def test_moves_are_listed_oldest_first_with_their_final_places() -> None:
         "TR 90: now facing east.",
         "FW 9: blocked after 2, at 2, 3.",
     )
-    assert trail(WALK, TURN, BLOCKED).in_words(1, Words("pt")) == ("FW 9: bloqueado após 2, em 2, 3.",)
+    assert trail(WALK, TURN, BLOCKED).in_words(1, Words("pt")) == ("FW 9: obstáculo após 2 passos, em 2, 3.",)
 
 
 def test_a_move_that_was_stopped_is_not_called_blocked() -> None:

@@ -89,7 +89,7 @@ def test_the_voice_says_what_is_printed_in_the_learners_language() -> None:
 
     assert diary.said == [
         Utterance("olá", Urgency.PROGRAM, "pt"),
-        Utterance("Erro, linha 1, coluna 1: Não conheço X.", Urgency.ALERT, "pt"),
+        Utterance("Erro na linha 1, coluna 1: Não conheço X.", Urgency.ALERT, "pt"),
         Utterance("Esperando 3 segundos.", Urgency.PROGRESS, "pt"),
     ]
 

@@ -58,8 +58,8 @@ class Watched(Hall):
 @pytest.mark.parametrize(
     ("language", "sentence"),
     [
-        ("en", "The others wait for alice: it computes and does not move. Ctrl+C stops all."),
-        ("pt", "Os outros esperam por alice: calcula e não anda. Ctrl+C para todos."),
+        ("en", "The others wait for alice: it calculates and does not move. Ctrl+C stops all."),
+        ("pt", "Os outros esperam por alice, que calcula e não anda. Ctrl+C faz todos pararem."),
         ("es", "Los demás esperan a alice: calcula y no se mueve. Ctrl+C detiene todo."),
     ],
 )

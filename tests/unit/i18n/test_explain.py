@@ -53,8 +53,8 @@ def explained(source: str, language: str = "en") -> tuple[str, ...]:
 @pytest.mark.parametrize("source", ["PF 2,5", "PF 2.5", "FALAR 2,5", "REPITA 2,5 VEZES PF 1 FIM REPITA"])
 def test_a_number_that_is_not_whole_is_explained_as_a_number(source: str) -> None:
     assert explained(source, "pt") == (
-        "Números são inteiros: sem vírgula.",
-        "Use um inteiro: PF 2, ou PF 3.",
+        "Os números são inteiros: sem vírgula.",
+        "Use um número inteiro: PF 2, ou PF 3.",
     )
 
 
@@ -63,13 +63,14 @@ def test_a_number_that_is_not_whole_is_explained_as_a_number(source: str) -> Non
     [
         ("REPITA 4 veses PF 2 FIM REPITA", ("Você quis dizer VEZES?", *HELP_OF_REPEAT)),
         ("PF", ("Forma: PF valor, ou PARA FRENTE valor.", "Exemplo: PF 5.")),
-        ("PF 1\nREPITA 2 VEZES", ("Escreva FIM REPITA onde ele acaba.", HELP_OF_REPEAT[1])),
+        ("PF\nGD 90", ("Forma: PF valor, ou PARA FRENTE valor.", "Exemplo: PF 5.")),
+        ("PF 1\nREPITA 2 VEZES", ("Escreva FIM REPITA onde o bloco acaba.", HELP_OF_REPEAT[1])),
         ("passos = 3 +", ("Forma: CRIAR nome = valor.", "Exemplo: CRIAR a = 5.")),
         ("DANÇAR 3", ("Confira as letras: PF 3.",)),
         ("PFF 3", ("Você quis dizer PF?", "Exemplo: PF 5.")),
         ("APRENDER P FAÇA PF 1 FIM APRENDER P 2", ("Chame assim: P [].", HELP_OF_PROCEDURE)),
     ],
-    ids=["meant", "end", "open", "assigned", "unknown", "near", "called"],
+    ids=["meant", "end", "next", "open", "assigned", "unknown", "near", "called"],
 )
 def test_an_explanation_has_the_details_of_the_mistake_and_an_example(
     source: str, lines: tuple[str, ...]

@@ -23,28 +23,33 @@ TOLD = [
     ("REPEAT 2 FW 1 END REPEAT", "I expected TIMES, not FW.", "Write TIMES before FW."),
     ("SPEAK COLOUR blue", "I do not know COLOUR.", "Did you mean COLOR?"),
     ("IF DISTANSE F > 3 THEN END IF", "I do not know DISTANSE.", "Did you mean DISTANCE?"),
-    ("SPEAK DISTANCE LEFT", "DISTANCE can't take LEFT.", "It takes F, FR, FL, B, BR or BL."),
-    ("x == 3", "A value is given with one equals sign.", "Did you mean =?"),
-    ("VAR a = 3 *", "Missing at the end: a value.", None),
-    ("SPEAK (1+2", "Missing at the end: a closing parenthesis.", None),
+    ("SPEAK DISTANCE LEFT", "DISTANCE does not know LEFT.", "Use F, FR, FL, B, BR or BL."),
+    ("x == 3", "Use one equals sign to give a value.", "Did you mean =?"),
+    ("VAR a = 3 *", "I need a value at the end.", None),
+    ("WALK 3", "I do not know WALK.", "Did you mean FW 3?"),
+    ("FW\nTR 90", "FW needs a number, such as FW 2.", None),
+    ("SPEAK", 'SPEAK needs a text, such as SPEAK "hello".', None),
+    ("IF\nFW 1\nEND IF", "IF needs a comparison, such as IF a > 3 THEN.", None),
+    ("FW 3 +\nTR 90", "A value is missing after a plus sign.", None),
+    ("SPEAK (1+2", "I need a closing parenthesis at the end.", None),
     ("FW 1 $ FW 2", "I can't use a dollar sign here.", None),
     ("FW 2.5", "I can't use a full stop here.", "Numbers are whole, such as 2."),
-    ("IF 1 != 2 THEN END IF", "I can't use an exclamation mark here.", "Different is written <>."),
-    ("IF 1 = 2 THEN END IF", "Here two values are compared.", "Did you mean ==?"),
-    ('SPEAK "hello', "This text has no closing quote.", None),
-    ('SPEAK "a" + 1', "A text can't be calculated with.", "Write another SPEAK for the rest."),
-    ("VAR 52abc", "52abc is no name.", "A name begins with a letter."),
+    ("IF 1 != 2 THEN END IF", "I can't use an exclamation mark here.", "Write <> for different."),
+    ("IF 1 = 2 THEN END IF", "Use two equals signs to compare.", "Did you mean ==?"),
+    ('SPEAK "hello', "This text needs a quote at its end.", None),
+    ('SPEAK "a" + 1', "I can't calculate with a text.", "Write another SPEAK for the rest."),
+    ("VAR 52abc", "52abc can't be a name.", "A name begins with a letter."),
     ("VAR times = 2", "times is a word of GoDonnie.", "Choose another name."),
-    ("SPEAK DISTANCE Z", "DISTANCE can't take Z.", "It takes F, FR, FL, B, BR or BL."),
-    ("SPEAK POS b", "POS can't take b.", "It takes X, Y or A."),
-    ("SOUND maybe", "SOUND can't take maybe.", "It takes ON or OFF."),
-    ("SOUND onn", "SOUND can't take onn.", "Did you mean ON? It takes ON or OFF."),
-    ("SPEAK COLOR yellow", "The robot does not see yellow.", "It takes BLUE, GREEN or RED."),
+    ("SPEAK DISTANCE Z", "DISTANCE does not know Z.", "Use F, FR, FL, B, BR or BL."),
+    ("SPEAK POS b", "POS does not know b.", "Use X, Y or A."),
+    ("SOUND maybe", "SOUND does not know maybe.", "Use ON or OFF."),
+    ("SOUND onn", "SOUND does not know onn.", "Did you mean ON? Use ON or OFF."),
+    ("SPEAK COLOR yellow", "The robot does not see yellow.", "Use BLUE, GREEN or RED."),
     ("FW 1\nREPEAT 2 TIMES", "REPEAT has no END REPEAT.", "Write END REPEAT where it ends."),
-    ("IF 1 == 1 THEN END FOR", "END FOR does not close IF of line 1.", "Here belongs END IF."),
-    ("FW 1 END IF", "END IF closes nothing.", None),
-    ("ELSE", "ELSE belongs to no IF.", None),
-    (f"FW {'1' * 4301}", "This number is too large.", "At most 4300 digits."),
+    ("IF 1 == 1 THEN END FOR", "END FOR does not close IF of line 1.", "END IF belongs here."),
+    ("FW 1 END IF", "END IF has nothing to close.", None),
+    ("ELSE", "ELSE needs an IF before it.", None),
+    (f"FW {'1' * 4301}", "This number is too large.", "A number has at most 4300 digits."),
 ]
 
 
@@ -62,7 +67,7 @@ def test_a_mistake_of_form_has_a_sentence_and_a_hint(source: str, message: str, 
 @pytest.mark.parametrize(
     ("language", "message", "hint"),
     [
-        ("pt", "REPITA não tem FIM REPITA.", "Escreva FIM REPITA onde ele acaba."),
+        ("pt", "REPITA não tem FIM REPITA.", "Escreva FIM REPITA onde o bloco acaba."),
         ("es", "REPETIR no tiene FIN REPETIR.", "Escribe FIN REPETIR donde acaba."),
     ],
 )
@@ -70,6 +75,17 @@ def test_words_of_godonnie_are_in_the_learners_language(language: str, message: 
     words, found = Words(language), first_mistake("REPEAT 2 TIMES FW 1")
 
     assert (words.mistake(found), words.hint(found)) == (message, hint)
+
+
+@pytest.mark.parametrize(
+    ("language", "message"),
+    [
+        ("pt", "PF precisa de um número, como PF 2."),
+        ("es", "AV necesita un número, como AV 2."),
+    ],
+)
+def test_what_a_command_needs_is_said_with_an_example(language: str, message: str) -> None:
+    assert Words(language).mistake(first_mistake("FW\nTR 90")) == message
 
 
 def test_the_expected_words_are_in_the_learners_language() -> None:
@@ -90,7 +106,7 @@ MEANT = [
     (
         meaning(MistakeKind.UNDECLARED_PROCEDURE, "P"),
         "There is no procedure P yet.",
-        "Its PROCEDURE must come before the call.",
+        "Write its PROCEDURE before the call.",
     ),
     (
         meaning(MistakeKind.ALREADY_DECLARED, "a", what="variable", first_line=1),
@@ -100,23 +116,23 @@ MEANT = [
     (meaning(MistakeKind.ALREADY_DECLARED, "a", what="parameter"), "a exists already.", None),
     (
         meaning(MistakeKind.WRONG_ARGUMENT_COUNT, "P", name="P", wanted=1, given=3),
-        "P takes 1 value, not 3.",
+        "P needs 1 value, not 3.",
         None,
     ),
     (meaning(MistakeKind.DIVISION_BY_ZERO, "1/0"), "I can't divide by zero.", None),
     (
         meaning(MistakeKind.RECURSION_LIMIT, "P", limit=20000),
         "P calls itself too often.",
-        "At most 20000 calls in each other.",
+        "At most 20000 calls fit in each other.",
     ),
     (
         meaning(MistakeKind.NUMBER_TOO_LARGE, "FW a", limit=10**9),
         "This number is too large.",
-        "At most 1000000000.",
+        "The most is 1000000000.",
     ),
     (
         meaning(MistakeKind.TERMINAL_ONLY, "QUIT"),
-        "QUIT works in the terminal only.",
+        "QUIT works only when you type it.",
         "A file ends by itself.",
     ),
     (meaning(MistakeKind.BELT_OFF, "VIBRATE F"), "The belt is off.", "BELT ON switches it on."),
@@ -177,7 +193,7 @@ def test_an_error_has_three_lines_at_most_and_no_caret(source: str, language: st
 
     assert 2 <= len(lines) <= 3
     assert re.fullmatch(
-        r"(Error|Erro), (line|linha|línea) \d+, (column|coluna|columna) \d+: \S.*\.", lines[0]
+        r"(Error,|Erro na) (line|linha|línea) \d+, (column|coluna|columna) \d+: \S.*\.", lines[0]
     )
     assert re.match(r"(Line|Linha|Línea) \d+: \S", lines[1])
     assert not any("^" in each for each in lines)

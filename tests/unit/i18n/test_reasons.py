@@ -26,7 +26,7 @@ def test_a_missing_folder_is_named_when_a_file_can_not_be_written() -> None:
 
     assert found == [
         "I can't write a/b: there is no such folder.",
-        "Não consigo escrever a/b: essa pasta não existe.",
+        "Não consigo gravar a/b: essa pasta não existe.",
         "No puedo escribir a/b: esa carpeta no existe.",
     ]
 

@@ -87,7 +87,7 @@ AS_IN_ENGLISH = {
     "report-column-color": ("es",),
     "report-title": ("pt", "es"),
     "setting-mouse": ("pt",),
-    "speed-max": ("pt", "es"),
+    "speed-max": ("es",),
     "spell-tilde": ("es",),
     "status-inspector": ("es",),
     "thing-cone": ("pt",),

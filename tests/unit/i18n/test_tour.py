@@ -15,6 +15,8 @@ from tests.unit.i18n.sentences import codes_of, text
 PLACE = re.compile(r"\{(\w+)\}")
 WORD = re.compile(r"\b[A-ZÁÂÃÇÉÊÍÓÔÕÚÑ]{2,}\b")
 ARGUMENTS = {"F"}
+MISSPELT = {"FWW", "PFF", "AVV"}
+"""The mistake that a learner makes and corrects."""
 
 
 def keys() -> dict[str, str]:
@@ -46,4 +48,4 @@ def test_every_word_of_the_tour_can_be_typed(language: str, topic: str) -> None:
     texts = [text(code, language) for code in codes_of(topic)]
     used = {word for each in texts for word in WORD.findall(each)}
 
-    assert used - ours - theirs == set()
+    assert used - ours - theirs == MISSPELT & used

@@ -99,3 +99,11 @@ def test_every_remark_of_a_load_report_has_a_sentence(code: str, language: str) 
 
     assert "a.world" in sentence
     assert sentence.endswith(".") or sentence.endswith("?")
+
+
+def test_a_remark_offers_another_name_only_where_there_is_one() -> None:
+    note = Note(NoteKind.WARNING, "unknown-colour", "a.world", 3, 1, {"name": "xyzzy"})
+    near = Note(NoteKind.WARNING, "unknown-colour", "a.world", 3, 1, NOTES["unknown-colour"])
+
+    assert "Did you mean" not in world_note(note, Words("en"))
+    assert "Did you mean green?" in world_note(near, Words("en"))

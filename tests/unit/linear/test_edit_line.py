@@ -137,3 +137,7 @@ def test_each_character_has_its_width(character: str, cells: int) -> None:
 
 def test_a_wide_character_that_does_not_fit_begins_the_next_row() -> None:
     assert places(0, 2, clusters("a漢b"), 4) == [(0, 2), (1, 0), (1, 2), (1, 3)]
+
+
+def test_an_enclosing_mark_belongs_to_its_character() -> None:
+    assert clusters("1\u20e3b") == ["1\u20e3", "b"]

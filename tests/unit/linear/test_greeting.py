@@ -25,10 +25,11 @@ def printed(monkeypatch: pytest.MonkeyPatch) -> list[bytes]:
     ("arguments", "environment", "first"),
     [
         (["--linear"], {}, b"Linear mode, from the option.\nHELP lists the commands.\n"),
-        (["--linear", "--lang", "pt"], {"LANG": "es_ES"}, "Modo linear, pela opção.\n".encode()),
+        (["--linear", "--lang", "pt"], {"LANG": "es_ES"}, "Modo linear, pedido na opção.\n".encode()),
         (["--lang=es", "--linear", "--world", "x"], {}, "Modo lineal, por la opción.\n".encode()),
-        (["--linear"], {"DONNIE_LANG": "pt", "LANG": "es_ES"}, "Modo linear, pela opção.\n".encode()),
-        (["--linear"], {"LC_ALL": "pt_BR.UTF-8", "LANG": "es"}, "Modo linear, pela opção.\n".encode()),
+        (["--linear"], {"DONNIE_LANG": "pt", "LANG": "es_ES"}, "Modo linear, pedido na opção.\n".encode()),
+        (["--linear"], {"LC_ALL": "pt_BR.UTF-8", "LANG": "es"}, "Modo linear, pedido na opção.\n".encode()),
+        (["--screen-reader"], {}, b"Linear mode, from the option.\nHELP lists the commands.\n"),
         (["--linear"], {"LANG": "de_DE"}, b"Linear mode, from the option.\n"),
     ],
 )
@@ -77,7 +78,7 @@ def test_what_options_take_is_what_the_settings_say() -> None:
 
 def test_the_greeting_knows_which_common_options_are_plain() -> None:
     """A new option belongs to one of the three tables of the greeting, or here, which delays the greeting."""
-    late = {"robot", "record", "belt", "confined", "devices"}
+    late = {"robot", "camera", "record", "belt", "confined", "devices"}
     plain = {*greeting.PLAIN_VALUES, *greeting._WITH_VALUE, *greeting._WITH_NUMBER}
 
     assert plain == {BY_KEY[key].option for key in COMMON if key not in late}

@@ -51,6 +51,9 @@ class Console:
         typed, self._typed = self._typed, b""
         return typed
 
+    def type(self, typed: bytes) -> None:
+        self._typed = typed
+
     def write(self, text: str) -> None:
         self.written += text
 
@@ -220,3 +223,42 @@ def test_an_escape_waits_for_its_arrow_although_lines_arrive() -> None:
     console.has_news = True
     typed = editor(console).read("> ")
     assert (typed.text, typed.how) == ("FW", How.NEWS)
+
+
+# --- what is read
+
+
+def test_a_line_is_painted_again_only_while_it_is_read() -> None:
+    console = Console(b"ab\r")
+    reader = editor(console)
+    painted = []
+    reader.on_key = lambda _key, _before: painted.append(console.repaint())
+
+    assert reader.read("> ").text == "ab"
+    assert painted[0].startswith("\n> ")
+    assert console.repaint() == ""
+
+
+def test_a_reader_knows_that_a_part_of_the_next_line_was_typed() -> None:
+    reader = editor(Console(b"ab\rc"))
+    assert not reader.has_typed
+
+    assert reader.read("> ").text == "ab"
+    assert reader.has_typed
+
+
+@pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-16"])
+def test_a_mark_of_the_encoding_is_dropped_at_the_very_beginning_only(encoding: str) -> None:
+    reader = PlainReader(Console("FW 1\n\ufeffFW 2\n".encode(encoding)))  # type: ignore[arg-type]
+
+    assert [reader.read("").text for _ in range(2)] == ["FW 1", "\ufeffFW 2"]
+    assert not reader.has_typed
+
+
+def test_a_line_before_the_mark_of_utf_16_is_no_utf_16() -> None:
+    console = Console(b"FW 1\n")
+    reader = PlainReader(console)  # type: ignore[arg-type]
+    assert reader.read("").text == "FW 1"
+
+    console.type(b"\xff\xfe\n")
+    assert reader.read("").text == "ÿþ"
