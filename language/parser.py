@@ -7,7 +7,7 @@ For any text the result is a program or mistakes, in time and memory linear in i
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from msgspec import Struct
@@ -18,7 +18,7 @@ from language.lexer import END as END_WORD
 from language.lexer import KIND, Lexed, Token, lex, span_of
 from language.outline import ENDS, OPENERS
 from language.syntax import DeclaredProcedure, Program
-from language.tables import ACTIONS, END, GOTOS, RULES, START
+from language.tables import ACTIONS, END, GOTOS, RULES, START, TERMINALS
 from language.tree_builder import MOST_LEVELS, TooDeep, TreeBuilder
 
 MOST_BLOCKS = 200
@@ -30,6 +30,8 @@ _SHALLOW = 200
 """A stack with fewer states than this can't be nested too deeply."""
 
 _LPAR, _RPAR = KIND["LPAR"], KIND["RPAR"]
+_SPEAK = KIND["SPEAK"]
+"""Fits wherever a statement may begin."""
 _BEGIN_COMMANDS = OPENERS.keys() | {
     KIND[name] for name in ("VAR", "SPEAK", "FW", "BW", "TR", "TL", "WAIT", "ASSIGN")
 }
@@ -127,6 +129,46 @@ def _tree(lexed: Lexed) -> tuple[Any, ...] | None:
 def _reductions(source: str) -> list[_Reduction]:
     builder = TreeBuilder(source)
     return [(rule[0], rule[1], getattr(builder, rule[2]) if rule[2] else None) for rule in RULES]
+
+
+# --- what may come next -------------------------------------------------------------------------------
+
+
+def kinds_after(tokens: Sequence[Token]) -> frozenset[int]:
+    """The kinds of tokens that may follow these, whatever is wrong in them.
+
+    After a mistake the reading continues at the next token that fits into the innermost block.
+    """
+    states = [START]
+    for token in tokens:
+        if not _shift(states, token[0]):
+            while len(states) > 1 and not _can_shift(states, _SPEAK):
+                states.pop()
+            _shift(states, token[0])
+    return frozenset(kind for kind in range(1, len(TERMINALS)) if _can_shift(states, kind))
+
+
+def _shift(states: list[int], kind: int) -> bool:
+    """Whether the token fits; only then the states change."""
+    kept, added = len(states), list[int]()
+    while True:
+        action = ACTIONS[added[-1] if added else states[kept - 1]][kind]
+        if action >= 0:
+            break
+        nonterminal, count, _, _ = RULES[action]
+        taken = min(count, len(added))
+        del added[len(added) - taken :]
+        kept -= count - taken
+        added.append(GOTOS[added[-1] if added else states[kept - 1]][nonterminal])
+    if action == 0:
+        return False
+    states[kept:] = [*added, action]
+    return True
+
+
+def _can_shift(states: list[int], kind: int) -> bool:
+    """Whether a token of that kind fits."""
+    return _shift(states[:], kind)
 
 
 # --- mistakes that the grammar allows -----------------------------------------------------------------

@@ -15,8 +15,8 @@ import msgspec
 from donnie_tui.core.wording import Wording
 from language import keywords
 from language.diagnostics import Diagnostic, Severity
-from language.lexer import NAME, STRING, TAKES, lex
-from language.outline import ENDS, OutlineItem, open_block, outline
+from language.lexer import lex
+from language.outline import ENDS, OutlineItem, outline
 from language.source import MARK, fold, fold_name, printable
 from language.tables import TERMINALS
 
@@ -311,82 +311,3 @@ def mistakes(found: Iterable[Diagnostic], wording: Wording) -> dict[int, LineMis
 def fixed(text: str, mistake: LineMistake) -> str:
     """The text with what was meant."""
     return text[: mistake.start] + mistake.replacement + text[mistake.end :]
-
-
-# --- words that may continue what is typed
-
-MOST_WORDS = 50
-"""Suggestions; a listener does not follow more."""
-
-
-class Completion(msgspec.Struct, frozen=True):
-    """The words that the letters before the cursor can become."""
-
-    typed: str
-    words: tuple[str, ...]
-
-
-def completion(text: str, at: int, language: str, colours: Iterable[str] | None = None) -> Completion:
-    """The words for the letters that end at offset ``at``. ``colours``: those that the robot can see."""
-    start = _start_of_word(text, at)
-    typed = text[start:at]
-    if len(text) > LONGEST_CHECKED or _is_inside_string(text, at):
-        return Completion(typed, ())
-    folded = fold_name(typed)
-    fitting = [each for each in _words(text, start, at, language, colours) if fold_name(each) != folded]
-    found = tuple(dict.fromkeys(each for each in fitting if fold_name(each).startswith(folded)))
-    return Completion(typed, tuple(_as_typed(each, typed) for each in found[:MOST_WORDS]))
-
-
-def _start_of_word(text: str, at: int) -> int:
-    start = at
-    while start > 0 and (text[start - 1].isalnum() or text[start - 1] == "_"):
-        start -= 1
-    return start
-
-
-def _is_inside_string(text: str, at: int) -> bool:
-    line = text[text.rfind("\n", 0, at) + 1 : at]
-    tokens = lex(line).tokens
-    return (bool(tokens) and tokens[-1][0] == STRING and lex(line).open_quote is not None) or "--" in line
-
-
-def _words(text: str, start: int, at: int, language: str, colours: Iterable[str] | None) -> Iterable[str]:
-    before = lex(text[:start]).tokens
-    terminal = TAKES.get(before[-1][0]) if before else None
-    if terminal is not None:
-        yield from _arguments(terminal, language, colours)
-    else:
-        if at > start:
-            yield from _end_of_block(text[:start], language)
-            yield from sorted(_names(text, start))
-        yield from keywords.all_words(language)
-
-
-def _end_of_block(before: str, language: str) -> Iterable[str]:
-    """The word that ends the innermost block which is open there."""
-    block = open_block(before)
-    if block is not None:
-        yield keywords.spelling(f"END {block.kind}", language)
-
-
-def _arguments(terminal: str, language: str, colours: Iterable[str] | None) -> Iterable[str]:
-    if terminal != "COLOUR" or colours is None:
-        return keywords.argument_words(terminal, language)
-    seen = set(colours)
-    return (
-        each
-        for each in keywords.argument_words(terminal, language)
-        if (found := keywords.argument(terminal, fold_name(each))) is not None and found.value in seen
-    )
-
-
-def _names(text: str, typed_at: int) -> set[str]:
-    """The names of variables and procedures, but for the one that is being typed."""
-    tokens = lex(text).tokens
-    return {text[token[1] : token[2]] for token in tokens if token[0] == NAME and token[1] != typed_at}
-
-
-def _as_typed(word: str, typed: str) -> str:
-    """In small letters where those were typed, a name as it is."""
-    return word.lower() if typed and typed.islower() and keywords.canonical(word) else word

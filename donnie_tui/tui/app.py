@@ -210,7 +210,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             self._await(self._choose_command(self.controller))
 
     async def _choose_command(self, controller: ScreenController) -> None:
-        from donnie_tui.tui.help_pages import palette
+        from donnie_tui.tui.pane_text import palette
 
         options = palette(controller.words, self.key_table)
         chosen = await controller.ctx.interaction.choose(controller.words("palette-ask"), options)

@@ -28,9 +28,10 @@ from donnie_tui.commands.lookup import find
 from donnie_tui.commands.sound import chime_block
 from donnie_tui.commands.world import say_arrival
 from donnie_tui.core.answer_log import AnswerLog
+from donnie_tui.core.completion import Completion, completion
 from donnie_tui.core.events import Pointed
 from donnie_tui.core.line_history import LineHistory
-from donnie_tui.core.program_text import LONGEST_CHECKED, Completion, completion, mistakes
+from donnie_tui.core.program_text import LONGEST_CHECKED, mistakes
 from donnie_tui.core.runner import LAST_WORDS, RunRequest
 from donnie_tui.core.session import Busy
 from donnie_tui.core.wording import Wording

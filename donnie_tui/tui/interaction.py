@@ -25,8 +25,8 @@ from donnie_tui.i18n.help import manual
 from donnie_tui.i18n.words import Words
 from donnie_tui.tui.controller import ScreenController
 from donnie_tui.tui.environment import PagerError, is_page, pager, run_pager
-from donnie_tui.tui.help_pages import help_lines, keys_here, tour_pages
 from donnie_tui.tui.key_queue import Dialogs
+from donnie_tui.tui.pane_text import help_lines, keys_here, tour_pages
 from donnie_tui.tui.run_view import Reminder
 from donnie_tui.tui.screens.main_screen import MainScreen
 from donnie_tui.tui.screens.pages import Help, KeyCapture, Tour

@@ -18,7 +18,7 @@ from donnie_tui.i18n.words import Words
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui import environment, shutdown
 from donnie_tui.tui.app import DonnieApp
-from donnie_tui.tui.help_pages import help_text
+from donnie_tui.tui.pane_text import help_text
 from donnie_tui.tui.shutdown import FAULT
 from language.locales import languages
 from tests.tui.conftest import WAITING, burst

@@ -5,7 +5,7 @@ import pytest
 from donnie_tui.commands.declarations import COMMANDS
 from donnie_tui.commands.keys import KeyTable
 from donnie_tui.i18n.words import Words
-from donnie_tui.tui.help_pages import help_text, palette
+from donnie_tui.tui.pane_text import help_text, palette
 from language.locales import languages
 
 NEED_A_TERMINAL = {"linear", "open_log"}

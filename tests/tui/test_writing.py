@@ -49,6 +49,14 @@ async def test_the_likely_word_is_shown_behind_the_cursor_and_taken_with_the_rig
         assert screen.main.editor.text == "REPEAT"
 
 
+async def test_after_speak_one_letter_offers_what_can_be_spoken(open_screen):
+    async with open_screen() as screen:
+        await screen.press(*"SPEAK", "space", "D")
+        await screen.pilot.pause()
+
+        assert screen.main.editor.suggestion == "ISTANCE"
+
+
 async def test_what_is_only_offered_is_underlined(open_screen):
     """By colour alone it would be typed text where there are no colours."""
     async with open_screen() as screen:

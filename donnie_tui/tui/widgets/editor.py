@@ -28,7 +28,8 @@ from donnie_tui.core.editing import common_lines, followed, shifted
 from donnie_tui.tui import themes
 
 if TYPE_CHECKING:
-    from donnie_tui.core.program_text import Completion, LineMistake
+    from donnie_tui.core.completion import Completion
+    from donnie_tui.core.program_text import LineMistake
 
 HERE, CALLER, BREAK, MISTAKE, HINT = ">", "*", "B", "!", "?"
 MARKS = 2
@@ -41,7 +42,7 @@ _LONGEST_WORD = 20
 """Characters of a line that may hold only the word of a command."""
 
 LEAST_TYPED = 2
-"""Letters before a word is offered."""
+"""Letters before a word is offered, where more than one fits."""
 LEAST_NOTE = 12
 """Columns that the sentence of a mistake needs."""
 
@@ -267,7 +268,8 @@ class Editor(TextArea):
         if self.complete is None or column < len(self.document.get_line(row)):
             return
         found = self.complete(self.text, self.offset_of_cursor)
-        if found.words and len(found.typed) >= LEAST_TYPED:
+        is_enough = len(found.typed) >= (1 if len(found.words) == 1 else LEAST_TYPED)
+        if found.words and is_enough:
             self.suggestion = found.words[0][len(found.typed) :]
 
     def put_in_place_of(self, typed: str, word: str) -> None:

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from donnie_tui.core.program_text import completion
+from donnie_tui.core.completion import completion
 
 
 def words(text: str, language: str = "en", colours: tuple[str, ...] | None = None) -> tuple[str, ...]:
@@ -23,13 +23,61 @@ def words(text: str, language: str = "en", colours: tuple[str, ...] | None = Non
         ("HABL", "es", "HABLAR"),
         ("COLOR r", "en", "RED"),
         ("PROCEDURE Square: n DO END PROCEDURE\nSq", "en", "Square"),
-        ("IF 1 == 1 DO REPEAT 3 TIMES\nFW 1\nEND", "en", "END REPEAT"),
-        ("IF 1 == 1 DO REPEAT 3 TIMES\nEND REPEAT\nEND", "en", "END IF"),
+        ("IF 1 == 1 THEN REPEAT 3 TIMES\nFW 1\nEND", "en", "END REPEAT"),
+        ("IF 1 == 1 THEN REPEAT 3 TIMES\nEND REPEAT\nEND", "en", "END IF"),
         ("REPITA 3 VEZES\nFI", "pt", "FIM REPITA"),
     ],
 )
 def test_the_likely_word_comes_first(text: str, language: str, first: str) -> None:
     assert words(text, language)[0] == first
+
+
+@pytest.mark.parametrize(
+    ("text", "offered"),
+    [
+        ("SPEAK D", ("DISTANCE",)),
+        ("VAR distance_left = 3\nSPEAK D", ("distance_left", "DISTANCE")),
+        ("VAR base = 2\nFW ", ("base", "DISTANCE", "COLOR", "POS", "POSITION")),
+        ("REPEAT 4 T", ("TIMES",)),
+        ("IF DISTANCE F < 5 ", ("THEN",)),
+        ("PROCEDURE Square: side DO\nFW s", ("side",)),
+        ("VAR d", ()),
+        ("PROCEDURE D", ()),
+        ("PROCEDURE Walk: a, d", ()),
+        ("REPEAT 4 TIMES\nEND ", ("REPEAT",)),
+        ("FOR VAR i = 1; i < 5; i = i + 1 DO\nEND FOR", ()),
+        ("RIGHT ", ("TURN",)),
+        ("EX", ()),
+        ("QU", ()),
+        ("END I", ()),
+        ("REPEAT 4 TIMES\nEL", ()),
+        ("IF 1 == 1 THEN\nEL", ("ELSE",)),
+        ("WAIT 1\nnonsense here 3 4\nREPEAT 4 ", ("TIMES",)),
+    ],
+)
+def test_what_may_not_stand_there_is_not_offered(text: str, offered: tuple[str, ...]) -> None:
+    """By the grammar in the manual."""
+    assert words(text) == offered
+
+
+@pytest.mark.parametrize("text", ["", "FW 1\n", "nonsense\n"])
+def test_on_an_empty_line_the_commonest_commands_come_first(text: str) -> None:
+    found = words(text)
+
+    assert found[:3] == ("FW", "TR", "TL")
+    assert not {"QUIT", "EXIT", "END IF", "ELSE", "THEN", "DO"} & set(found)
+
+
+def test_an_open_block_is_ended_first_and_a_finished_one_last() -> None:
+    assert words("REPEAT 4 TIMES\n")[:2] == ("END REPEAT", "FW")
+    finished = words("REPEAT 4 TIMES\n|\nEND REPEAT")
+
+    assert (finished[0], finished[-1]) == ("FW", "END REPEAT")
+
+
+def test_in_portuguese_para_continues_as_a_movement() -> None:
+    """It is FOR, too, which CRIAR follows."""
+    assert words("PARA ", "pt") == ("FRENTE", "TRÁS", "CRIAR")
 
 
 def test_only_possible_arguments_are_offered_after_a_keyword() -> None:

@@ -1,0 +1,181 @@
+"""The words that may continue a program at a place: what the grammar allows there, the likeliest first.
+
+Where a block is open, its END comes first. What ends the lesson and not the program (QUIT) is never offered.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+import msgspec
+
+from donnie_tui.core.program_text import LONGEST_CHECKED
+from language import keywords
+from language.keywords import TERMINAL_OF_WORD, WORDS, folded_word
+from language.lexer import FRAGMENT, HELP, KIND, NAME, NUMBER, STRING, TAKES, Token, lex
+from language.outline import ENDS, open_block, outline
+from language.parser import kinds_after
+from language.source import fold_name
+
+MOST_WORDS = 50
+"""Suggestions; a listener does not follow more."""
+
+_FIRST = (
+    *("FW", "TR", "TL", "BW", "SPEAK", "REPEAT", "IF", "VAR", "FOR", "WHILE", "PROCEDURE", "WAIT"),
+    *("FORWARD", "RIGHT TURN", "LEFT TURN", "BACKWARD", "DISTANCE", "COLOR", "POS"),
+)
+"""What beginners write most, the commonest first; the other words follow in the order of the language."""
+_LAST = ("HELP", "RUN")
+_NEVER = ("QUIT", "EXIT")
+
+_VAR, _PROCEDURE, _COLON, _COMMA, _DO = (KIND[each] for each in ("VAR", "PROCEDURE", "COLON", "COMMA", "DO"))
+_WORDS = frozenset(KIND[each] for each in TERMINAL_OF_WORD.values()) | {NAME}
+_HALVES = (FRAGMENT, KIND["END"], KIND["FOR"])
+"""What a token is that may become a keyword of two words: RIGHT, END, and PARA in Portuguese."""
+
+
+class Completion(msgspec.Struct, frozen=True):
+    """The words that the letters before the cursor can become."""
+
+    typed: str
+    words: tuple[str, ...]
+
+
+def completion(text: str, at: int, language: str, colours: Iterable[str] | None = None) -> Completion:
+    """The words for the letters that end at offset ``at``. ``colours``: those that the robot can see."""
+    start = _start_of_word(text, at)
+    typed = text[start:at]
+    if len(text) > LONGEST_CHECKED or _is_inside_string(text, at):
+        return Completion(typed, ())
+    folded = fold_name(typed)
+    fitting = (each for each in _words(text, start, at, language, colours) if fold_name(each) != folded)
+    found = tuple(dict.fromkeys(each for each in fitting if fold_name(each).startswith(folded)))
+    return Completion(typed, tuple(_as_typed(each, typed) for each in found[:MOST_WORDS]))
+
+
+def _start_of_word(text: str, at: int) -> int:
+    start = at
+    while start > 0 and (text[start - 1].isalnum() or text[start - 1] == "_"):
+        start -= 1
+    return start
+
+
+def _is_inside_string(text: str, at: int) -> bool:
+    line = text[text.rfind("\n", 0, at) + 1 : at]
+    tokens = lex(line).tokens
+    return (bool(tokens) and tokens[-1][0] == STRING and lex(line).open_quote is not None) or "--" in line
+
+
+def _words(text: str, start: int, at: int, language: str, colours: Iterable[str] | None) -> Iterable[str]:
+    before = lex(text[:start]).tokens
+    last = before[-1][0] if before else None
+    terminal = TAKES.get(last) if last is not None else None
+    if terminal is not None:
+        yield from _arguments(terminal, language, colours)
+    elif last == HELP and "\n" not in text[before[-1][2] : start]:
+        yield from keywords.all_words(language)
+    else:
+        if last in _HALVES:
+            yield from _second_words(text[:start], before, language)
+        if last not in (FRAGMENT, KIND["END"]):
+            yield from _next_words(text, start, at, before, language)
+
+
+def _next_words(text: str, start: int, at: int, before: Sequence[Token], language: str) -> Iterator[str]:
+    """The end of the block, names, keywords; an END that is written already comes last."""
+    kinds = kinds_after(before)
+    if before and "\n" in text[before[-1][2] : start] and not kinds & _WORDS:
+        kinds = kinds_after(before[:-1])  # an unknown word alone in its line
+    block = open_block(text[:start])
+    ends = [keywords.spelling(f"END {block.kind}", language)] if block is not None else []
+    rest = text[:start] + text[at:]
+    is_ended = block is not None and any(
+        (each.line, each.depth, each.is_closed) == (block.line, block.depth, True) for each in outline(rest)
+    )
+    may_end = bool(ends) and any(kind in ENDS for kind in kinds)
+    if may_end and not is_ended:
+        yield from ends
+    yield from _names(text, start, before, kinds)
+    yield from _keywords(kinds, language)
+    if may_end:
+        yield from ends
+
+
+def _second_words(before: str, tokens: Sequence[Token], language: str) -> Iterator[str]:
+    """After END the word of the block that is open, after RIGHT the word TURN."""
+    half = before[tokens[-1][1] :].split()
+    kinds = kinds_after(tokens[:-1])
+    block = open_block(before)
+    for each in _ranked():
+        words = each.spellings[language][0].split()
+        is_end = each.terminal.startswith("END_")
+        fits = block is not None and each.canonical == f"END {block.kind}" if is_end else True
+        begins_so = len(words) > 1 and [fold_name(words[0])] == [fold_name(part) for part in half]
+        if fits and begins_so and KIND[each.terminal] in kinds:
+            yield " ".join(words[1:])
+
+
+def _keywords(kinds: frozenset[int], language: str) -> Iterator[str]:
+    for each in _ranked():
+        if KIND[each.terminal] in kinds and KIND[each.terminal] not in ENDS:
+            yield from each.spellings[language]
+
+
+def _ranked() -> list[keywords.Keyword]:
+    places = {word: at for at, word in enumerate(_FIRST)} | {word: len(WORDS) for word in _LAST}
+    fitting = (each for each in WORDS if each.canonical not in _NEVER)
+    return sorted(fitting, key=lambda each: places.get(each.canonical, len(_FIRST)))
+
+
+def _arguments(terminal: str, language: str, colours: Iterable[str] | None) -> Iterable[str]:
+    if terminal != "COLOUR" or colours is None:
+        return keywords.argument_words(terminal, language)
+    seen = set(colours)
+    return (
+        each
+        for each in keywords.argument_words(terminal, language)
+        if (found := keywords.argument(terminal, fold_name(each))) is not None and found.value in seen
+    )
+
+
+def _names(text: str, typed_at: int, before: Sequence[Token], kinds: frozenset[int]) -> tuple[str, ...]:
+    """Variables in an expression; where a statement begins, procedures too. The nearest above come first.
+
+    A name that is new there, as after VAR, is not to be guessed.
+    """
+    last = before[-1][0] if before else None
+    is_new = last in (_VAR, _PROCEDURE, _COLON) or (last == _COMMA and NUMBER not in kinds)
+    if NAME not in kinds or is_new:
+        return ()
+    procedures, variables = _declared([each for each in lex(text).tokens if each[1] != typed_at])
+    places = (variables | procedures) if NUMBER not in kinds and _VAR in kinds else variables
+    nearest = sorted(places.values(), key=lambda place: (place > typed_at, -place))
+    return tuple(_name_at(text, place) for place in nearest)
+
+
+def _declared(tokens: Sequence[Token]) -> tuple[dict[str, int], dict[str, int]]:
+    """Where procedures and variables, parameters among them, are declared, by folded name."""
+    procedures: dict[str, int] = {}
+    variables: dict[str, int] = {}
+    in_head = False
+    for number, (kind, start, _end, _line, _column, folded) in enumerate(tokens):
+        before = tokens[number - 1][0] if number else None
+        in_head = kind not in (_DO, _VAR) and (in_head or kind == _PROCEDURE)
+        if kind == NAME and before == _PROCEDURE:
+            procedures.setdefault(folded, start)
+        elif kind == NAME and (before == _VAR or (in_head and before in (_COLON, _COMMA))):
+            variables.setdefault(folded, start)
+    return procedures, variables
+
+
+def _name_at(text: str, start: int) -> str:
+    end = start
+    while end < len(text) and (text[end].isalnum() or text[end] == "_"):
+        end += 1
+    return text[start:end]
+
+
+def _as_typed(word: str, typed: str) -> str:
+    """In small letters where those were typed, a name as it is."""
+    is_keyword = folded_word(word) in TERMINAL_OF_WORD
+    return word.lower() if typed and typed.islower() and is_keyword else word
