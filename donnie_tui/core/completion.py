@@ -6,6 +6,7 @@ Where a block is open, its END comes first. What ends the lesson and not the pro
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import chain
 
 import msgspec
 
@@ -82,7 +83,7 @@ def _words(text: str, start: int, at: int, language: str, colours: Iterable[str]
 
 
 def _next_words(text: str, start: int, at: int, before: Sequence[Token], language: str) -> Iterator[str]:
-    """The end of the block, names, keywords; an END that is written already comes last."""
+    """The end of the block, then commands and names; an END that is written already comes last."""
     kinds = kinds_after(before)
     if before and "\n" in text[before[-1][2] : start] and not kinds & _WORDS:
         kinds = kinds_after(before[:-1])  # an unknown word alone in its line
@@ -95,8 +96,8 @@ def _next_words(text: str, start: int, at: int, before: Sequence[Token], languag
     may_end = bool(ends) and any(kind in ENDS for kind in kinds)
     if may_end and not is_ended:
         yield from ends
-    yield from _names(text, start, before, kinds)
-    yield from _keywords(kinds, language)
+    names, commands = _names(text, start, before, kinds), _keywords(kinds, language)
+    yield from chain(names, commands) if NUMBER in kinds else chain(commands, names)
     if may_end:
         yield from ends
 

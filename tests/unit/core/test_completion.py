@@ -60,7 +60,7 @@ def test_what_may_not_stand_there_is_not_offered(text: str, offered: tuple[str, 
     assert words(text) == offered
 
 
-@pytest.mark.parametrize("text", ["", "FW 1\n", "nonsense\n"])
+@pytest.mark.parametrize("text", ["", "FW 1\n", "nonsense\n", "VAR a = 1\n"])
 def test_on_an_empty_line_the_commonest_commands_come_first(text: str) -> None:
     found = words(text)
 
