@@ -22,19 +22,19 @@ from worlds.words import ENGLISH, LARGEST, Difficulty, parsed
 LADDERS = str(Path(__file__).resolve().parent / "ladders")
 """The folder of the challenges that come with Donnie."""
 SUFFIX, SOLUTION = ".toml", ".solution.gd"
-_ORDER = (
-    *(
+_LADDERS = {
+    "first_steps": (
         "first_walk",
         "to_the_ball",
-        "around_the_corner",
-        "face_the_table",
-        "say_what_you_see",
         "there_and_back",
+        "say_what_you_see",
+        "shortest_way",
+        "around_the_corner",
     ),
-    *("square", "staircase"),
-    *("stop_at_the_post", "to_the_cone", "count_the_flowers"),
-)
-"""As a pupil solves them; what is not named here follows by name."""
+    "repeating": ("square", "staircase"),
+    "looking": ("stop_at_the_post", "to_the_cone", "count_the_flowers"),
+}
+"""As a pupil solves them, from the easy to the hard ones; what is not named here follows by name."""
 
 Place: TypeAlias = tuple[float, float]
 """Steps to the east and to the north."""
@@ -121,7 +121,13 @@ class ChallengeText(Struct, frozen=True, forbid_unknown_fields=True):
 
     title: str
     task: str
+    """At most five short sentences, a line each."""
     hint: tuple[ChallengeHint, ...] = ()
+
+    @property
+    def sentences(self) -> tuple[str, ...]:
+        """The task, sentence by sentence."""
+        return tuple(self.task.strip().split("\n"))
 
 
 class Rules(Struct, frozen=True, forbid_unknown_fields=True):
@@ -186,7 +192,13 @@ class BadChallenge(Exception):
 def names() -> tuple[str, ...]:
     """The challenges that ship, in the order in which to solve them."""
     found = {each.name.removesuffix(SUFFIX) for each in os.scandir(LADDERS) if each.name.endswith(SUFFIX)}
-    return tuple(each for each in _ORDER if each in found) + tuple(sorted(found.difference(_ORDER)))
+    order = [each for steps in _LADDERS.values() for each in steps]
+    return tuple(each for each in order if each in found) + tuple(sorted(found.difference(order)))
+
+
+def ladder_of(name: str) -> str:
+    """The ladder on which a challenge is a step; empty for one that does not ship."""
+    return next((ladder for ladder, steps in _LADDERS.items() if name in steps), "")
 
 
 def after(name: str) -> str | None:

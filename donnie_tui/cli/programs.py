@@ -214,8 +214,12 @@ def challenge(order: Order) -> int:
 
 
 def _list_challenges(order: Order) -> int:
+    ladder = ""
     for number, name in enumerate(challenges.names(), start=1):
         found = choose_challenge(name, order.words)
+        if challenges.ladder_of(name) != ladder:
+            ladder = challenges.ladder_of(name)
+            order.output.line(order.words(f"ladder-{ladder}"))
         title = found.text(order.words.language).title
         order.output.line(order.words("challenge-listed", number=number, name=name, title=title))
     return ExitCode.DONE
@@ -226,7 +230,7 @@ def _describe_challenge(order: Order, name: str) -> int:
     text = found.text(order.words.language)
     for line in (
         text.title,
-        text.task,
+        *text.sentences,
         *(order.words("challenge-hint", text=each.text) for each in text.hint),
     ):
         order.output.line(line)

@@ -404,4 +404,4 @@ def _target_in_words(target: Target, room: Inventory, wording: Wording) -> str:
 def task_in_words(challenge: Challenge, wording: Wording) -> tuple[str, ...]:
     """Title and task."""
     text = challenge.text(wording.language)
-    return (wording("challenge-here", title=text.title), text.task)
+    return (wording("challenge-here", title=text.title), *text.sentences)

@@ -50,7 +50,10 @@ def test_a_shipped_challenge_is_short_in_every_language(name: str) -> None:
     assert len({len(each.hint) for each in found.texts.values()}) == 1
     for text in found.texts.values():
         assert text.hint
-        assert all(len(line) <= 80 for line in (text.title, text.task, *(each.text for each in text.hint)))
+        assert len(text.sentences) <= 5
+        assert all(line.endswith(".") for line in text.sentences)
+        lines = (text.title, *text.sentences, *(each.text for each in text.hint))
+        assert all(len(line) <= 80 for line in lines)
 
 
 @pytest.mark.parametrize("name", challenges.names())
@@ -70,6 +73,14 @@ def test_a_hint_names_words_of_its_language(name: str) -> None:
 def test_from_the_third_on_a_shipped_challenge_has_two_starts() -> None:
     for name in challenges.names()[2:]:
         assert len(challenges.find(name).rules.variant) >= 2, name
+
+
+def test_the_list_has_a_heading_for_each_ladder(capsys: pytest.CaptureFixture[str]) -> None:
+    main(["challenge", "--lang", "es"])
+
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[:2] == ["Primeros pasos", "1. first_walk: El primer paseo."]
+    assert lines[7:9] == ["Repeticiones y procedimientos", "7. square: Un cuadrado."]
 
 
 @pytest.mark.parametrize(

@@ -1,3 +1,3 @@
-FW 6 - POS Y
+FW 6
 TL 90
 FW 6

@@ -1,2 +1,2 @@
 FW 4
-SPEAK "here"
+SPEAK POS Y

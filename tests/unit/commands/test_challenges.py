@@ -24,13 +24,11 @@ def test_the_verdict_follows_each_run_and_counts_from_the_start(open_script: Ope
 
 
 def test_a_program_must_solve_the_challenge_from_every_start(open_script: OpenScript) -> None:
-    script = open_script(world="challenge:around_the_corner")
+    script = open_script(world="challenge:stop_at_the_post")
 
-    assert script.answers_to("FW 6", "TL 90", "FW 6")[-1].startswith(
-        "0 of 2 goals. From start 2: You did not come to -6, 6."
-    )
+    assert script.answers_to("FW 34")[-1].startswith("1 of 1 goal. From start 2: You bumped")
     script.type("RESET")
-    assert "Solved, in 3 commands." in script.answers_to("FW 6 - POS Y", "TL 90", "FW 6")
+    assert "Solved, in 1 command." in script.answers_to("FW DISTANCE F - 2")
 
 
 def test_a_line_with_a_mistake_of_form_is_no_try(open_script: OpenScript) -> None:
@@ -42,14 +40,19 @@ def test_a_line_with_a_mistake_of_form_is_no_try(open_script: OpenScript) -> Non
 
 
 def test_goals_say_what_is_met_and_what_is_missing_at_any_time(open_script: OpenScript) -> None:
-    script = open_script(world="challenge:face_the_table")
+    script = open_script(world="challenge:there_and_back")
 
     assert script.answers_to("GOALS") == [
-        "Goal 1: You must turn 90 degrees more to the right.",
-        "Goal 2: You stop 8 steps south of 4, 8.",
+        "Goal 1: You did not come to 0, 8.",
+        "Goal 2: met.",
+        "Goal 3: met.",
     ]
-    script.answers_to("TR 90")
-    assert script.answers_to("GOALS")[0] == "Goal 1: met."
+    script.answers_to("FW 8", "TR 90")
+    assert script.answers_to("GOALS") == [
+        "Goal 1: met.",
+        "Goal 2: You stop 8 steps north of 0, 0.",
+        "Goal 3: You must turn 90 degrees more to the left.",
+    ]
 
 
 def test_hints_are_given_one_at_a_time(open_script: OpenScript) -> None:
@@ -118,6 +121,6 @@ def test_a_goal_that_is_met_and_a_solved_challenge_have_cues(open_script: OpenSc
         lambda each: cues.append(each.event.name) if isinstance(each.event, CueSounded) else None
     )
 
-    script.answers_to("FW 4", 'SPEAK "here"')
+    script.answers_to("FW 4", "SPEAK 4")
 
     assert [each for each in cues if each in ("goal", "solved")] == ["goal", "solved"]
