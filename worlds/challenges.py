@@ -31,7 +31,7 @@ _LADDERS = {
         "shortest_way",
         "around_the_corner",
     ),
-    "repeating": ("square", "staircase"),
+    "repeating": ("square", "staircase", "one_lap", "spiral", "two_squares", "mirrored"),
     "looking": ("stop_at_the_post", "to_the_cone", "count_the_flowers"),
 }
 """As a pupil solves them, from the easy to the hard ones; what is not named here follows by name."""

@@ -1,0 +1,10 @@
+PROCEDURE ROUTE: angle DO
+FW 6
+TR angle
+FW 4
+BW 4
+TL angle
+BW 6
+END PROCEDURE
+ROUTE [90]
+ROUTE [270]
