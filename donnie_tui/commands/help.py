@@ -11,39 +11,62 @@ from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import Option
 from donnie_tui.commands.lookup import find, help_line, help_of
 from donnie_tui.core.runner import LAST_WORDS
-from donnie_tui.core.wording import meant
-from donnie_tui.i18n.help import CHAPTERS, TOUR_PAGES, chapter_lines, tour_page
+from donnie_tui.core.wording import Wording, meant
+from donnie_tui.i18n.help import CHAPTERS, TOUR_PAGES, chapter_lines, said_for, tour_page
 from worlds import challenges
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from donnie_tui.core.program_files import Attempted
 
 _KEY_LINES = ("enter", "run", "stop", "past", "line", "word", "clear", "tab", "leave")
 _MOST_DIGITS = 2
 FIRST_LESSON = ("FW", "BW", "TR", "TL", "SPEAK", "SCAN", "RUN")
 _FIRST_COMMANDS = ("where", "around", "tour")
+TOPICS = {
+    "moving": (
+        ("FW", "BW", "TR", "TL", "GRIP", "RELEASE", "WAIT"),
+        ("slower", "faster", "speed", "stop", "reset"),
+    ),
+    "looking": (
+        ("SCAN", "DISTANCE", "COLOR", "POS", "STATE", "HISTORY"),
+        ("where", "around", "map", "trail", "sensors", "world"),
+    ),
+    "editing": (
+        (),
+        ("list", "read", "change", "insert", "delete", "undo", "fix", "search", "new", "save", "open"),
+    ),
+    "sound": (
+        ("SPEAK", "SOUND", "BELT", "VIBRATE"),
+        ("quiet", "last", "spell", "cues", "detail", "feel"),
+    ),
+}
+"""By what a learner wants to do: words of GoDonnie, and commands."""
 
 # --- help
 
 
 @handles("help")
 async def say_help(ctx: Context, argument: str) -> None:
-    """Words to begin with, all of them, or what is said of a word, of a setting, or of the keys."""
+    """Words to begin with, those of a topic, all of them, or what is said of a word, a setting, the keys."""
     topic = " ".join(argument.split())
-    asked = find(topic)
-    if not topic and ctx.screen is not None:
-        ctx.screen.show_help()
+    asked, listed = find(topic), meant(topic, "help")
+    if ctx.screen is not None and (not topic or listed == "all"):
+        ctx.screen.show_help(is_everything=bool(topic))
     elif not topic:
-        _list_first_words(ctx)
-    elif meant(topic, "help") == "all":
+        ctx.say(*first_words(ctx.words))
+    elif listed == "all":
         _list_commands(ctx)
-    elif meant(topic, "help") == "keys" and ctx.screen is not None:
+    elif listed == "keys" and ctx.screen is not None:
         ctx.screen.show_keys()
-    elif meant(topic, "help") == "keys":
+    elif listed == "keys":
         for line in _KEY_LINES:
             ctx.answer(f"prompt-keys-{line}")
+    elif listed is not None:
+        ctx.say(*_topic_lines(listed, topic, ctx.words))
     elif asked is None or asked[0].name != "set" or not _says_setting(ctx, asked[1].partition(" ")[0]):
-        ctx.say(*(help_of(topic, ctx.words) or ctx.words.help(topic)))
+        ctx.say(*(_command_lines(topic, ctx.words) or ctx.words.help(topic)))
 
 
 def _says_setting(ctx: Context, name: str) -> bool:
@@ -57,12 +80,28 @@ def _says_setting(ctx: Context, name: str) -> bool:
     return preference is not None
 
 
-def _list_first_words(ctx: Context) -> None:
-    """What the first lesson needs."""
-    ctx.answer("help-first", count=len(FIRST_LESSON) + len(_FIRST_COMMANDS))
-    ctx.say(*(ctx.words.help(each)[0] for each in FIRST_LESSON))
-    ctx.say(*(help_line(BY_NAME[each], ctx.words) for each in _FIRST_COMMANDS))
-    ctx.answer("help-all-hint")
+def first_words(words: Wording) -> tuple[str, ...]:
+    """What the first lesson needs, and how to ask for more."""
+    lines = _lines_of(FIRST_LESSON, _FIRST_COMMANDS, words)
+    return (words("help-first", count=len(lines)), *lines, words("help-topics"), words("help-all-hint"))
+
+
+def _lines_of(godonnie: Iterable[str], commands: Iterable[str], words: Wording) -> list[str]:
+    lines = [words.help(each)[0] for each in godonnie]
+    return [*lines, *(help_line(BY_NAME[each], words) for each in commands)]
+
+
+def _topic_lines(topic: str, typed: str, words: Wording) -> tuple[str, ...]:
+    """The words of a topic; first what is said of the word itself, where it means something else, too."""
+    about = help_of(typed, words) or (words.help(typed) if said_for(typed, words) else ())
+    lines = [each for each in _lines_of(*TOPICS[topic], words) if each not in about]
+    return (*about, words(f"topic-{topic}", count=len(lines)), *lines)
+
+
+def _command_lines(typed: str, words: Wording) -> tuple[str, ...]:
+    """What is said of a command, then the word of GoDonnie that a beginner may mean: MOVE, BACK."""
+    lines, meant_word = help_of(typed, words), said_for(typed, words)
+    return (*lines, words.help(meant_word)[0]) if lines and meant_word else lines
 
 
 def _list_commands(ctx: Context) -> None:

@@ -18,7 +18,8 @@ from msgspec import Struct
 from donnie_tui.core.reports import Section
 from donnie_tui.core.wording import Wording
 from language import keywords
-from language.suggestions import SAMPLES
+from language.source import fold_name
+from language.suggestions import SAMPLES, everyday
 
 
 class HelpTopic(Struct, frozen=True):
@@ -99,8 +100,16 @@ def help_lines(topic: str | None, words: Wording) -> tuple[str, ...]:
     """The list, or what there is to say about a word of any language."""
     if topic is None:
         return _list(words)
-    found = keywords.topic(topic)
+    found = said_for(topic, words)
     return _unknown(topic, words) if found is None else _entry(found, words)
+
+
+def said_for(typed: str, words: Wording) -> str | None:
+    """The topic of a word of GoDonnie, or of what a beginner says for one: WALK, TURN LEFT."""
+    found = keywords.topic(typed)
+    said = typed.split() if found is None else ()
+    beginning = everyday([fold_name(each) for each in said], (words.language,))
+    return beginning.terminal if beginning and beginning.width == len(said) else found
 
 
 def _list(words: Wording) -> tuple[str, ...]:

@@ -26,7 +26,7 @@ from donnie_tui.i18n.words import Words
 from donnie_tui.tui.controller import ScreenController
 from donnie_tui.tui.environment import PagerError, is_page, pager, run_pager
 from donnie_tui.tui.key_queue import Dialogs
-from donnie_tui.tui.pane_text import help_lines, keys_here, tour_pages
+from donnie_tui.tui.pane_text import help_lines, help_text, keys_here, tour_pages
 from donnie_tui.tui.run_view import Reminder
 from donnie_tui.tui.screens.main_screen import MainScreen
 from donnie_tui.tui.screens.pages import Help, KeyCapture, Tour
@@ -281,9 +281,12 @@ class ScreenInteraction:
         except PagerError as problem:
             self._controller.ctx.answer(problem.code, **problem.values)
 
-    def show_help(self) -> None:
-        """F1 in the help opens the manual."""
-        lines = help_lines(self._place, self._words, self.key_table)
+    def show_help(self, *, is_everything: bool) -> None:
+        """What the first lesson needs, or all words. F1 in the help opens the manual."""
+        if is_everything:
+            lines = help_text(self._words, self.key_table)
+        else:
+            lines = help_lines(self._place, self._words, self.key_table)
         self._open_page(self._words("help-title"), lines, self.show_manual)
 
     def show_keys(self) -> None:

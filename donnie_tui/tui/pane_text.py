@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from devices.ports.robot import Bearing, Pose
 from donnie_tui.commands.declarations import COMMANDS, Command
+from donnie_tui.commands.help import first_words
 from donnie_tui.commands.interaction import Option
 from donnie_tui.commands.keys import MENU, PALETTE, KeyTable, key_label
 from donnie_tui.commands.lookup import help_line, word_of
@@ -141,10 +142,10 @@ _EVERYWHERE = ("stop", "keys_here", "help", "quit")
 
 
 def help_lines(place: MainScreen, words: Words, table: KeyTable) -> tuple[str, ...]:
-    """The word of GoDonnie at the cursor, the keys of the focused part, then everything."""
+    """The word of GoDonnie at the cursor, the keys of the focused part, the words of the first lesson."""
     word = place.editor.word if place.editor.has_focus else ""
     about = words.help(word) if word and canonical(word) is not None else ()
-    return (*about, *keys_here(place, words, table), words("help-further"), *help_text(words, table))
+    return (*about, *keys_here(place, words, table), words("help-further"), *first_words(words))
 
 
 def help_text(words: Wording, table: KeyTable) -> tuple[str, ...]:

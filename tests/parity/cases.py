@@ -43,7 +43,7 @@ ARGUMENTS = {
     "square": ("0 0", "999 999", "1", "nonsense"),
     "switch": ("on", "off", "nonsense"),
     "text-file": ("printed.txt", "no/such.txt"),
-    "topic": ("FW", "AROUND", "nonsense"),
+    "topic": ("FW", "AROUND", "WALK", "moving", "sound", "nonsense"),
     "two-lines": ("5 1", "5 6 1", "99 1", "5", "nonsense"),
     "variable": ("a", "1x"),
     "word": ("FW", "nonsense"),

@@ -79,6 +79,6 @@ def test_help_alone_has_ten_words_and_names_the_word_for_all(
     few = printed_by(tmp_path, language, [typed])[2:-2]
     many = printed_by(tmp_path, language, [everything])[2:-2]
 
-    assert len(few) == 12
+    assert len(few) == 13
     assert everything in few[-1]
     assert len(many) > 100

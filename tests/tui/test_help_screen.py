@@ -4,18 +4,44 @@ import pytest
 from textual.geometry import Offset
 
 from donnie_tui.commands.declarations import COMMANDS
+from donnie_tui.commands.help import first_words
 from donnie_tui.commands.lookup import word_of
+from donnie_tui.i18n.words import Words
 from tests.tui.test_looking import caret
 
 
-async def test_f1_shows_every_key_and_word_and_esc_goes_back(open_screen):
+async def test_help_all_shows_every_key_and_word_and_esc_goes_back(open_screen):
     async with open_screen() as screen:
-        await screen.press("f1")
+        await screen.type_line("HELP ALL")
         await screen.until(lambda: screen.app.screen is not screen.main, "the help")
         rows = screen.app.screen.rows
         printed = "\n".join(rows.lines)
         assert all(word_of(each, "en") in printed for each in COMMANDS)
         assert "FW" in printed
+        await screen.press("escape")
+        await screen.until(lambda: screen.app.screen is screen.main, "the main screen")
+
+
+@pytest.mark.parametrize(
+    ("language", "everything"), [("en", "HELP ALL"), ("pt", "AJUDA TUDO"), ("es", "AYUDA TODO")]
+)
+async def test_f1_shows_the_words_of_the_first_lesson_and_names_the_word_for_all(
+    open_screen, language, everything
+):
+    async with open_screen(language=language) as screen:
+        await screen.press("f1")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the help")
+        lines = screen.app.screen.rows.lines
+
+        assert everything in lines[-1]
+        assert tuple(lines[-13:]) == first_words(Words(language))
+
+
+async def test_f1_reads_from_its_first_line_and_esc_goes_back(open_screen):
+    async with open_screen() as screen:
+        await screen.press("f1")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the help")
+        rows = screen.app.screen.rows
         assert caret(screen) == rows.content_region.offset
         await screen.press("down", "down")
         assert caret(screen) == rows.content_region.offset + Offset(0, 2)
@@ -56,6 +82,13 @@ async def test_help_with_a_command_of_godonnie_is_godonnie_s(open_screen):
         await screen.type_line("HELP FW")
 
         await screen.until(lambda: any("FW" in line for line in screen.log[3:]), "the help")
+
+
+async def test_help_with_a_topic_prints_its_words_in_the_log(open_screen):
+    async with open_screen() as screen:
+        await screen.type_line("HELP MOVING")
+
+        await screen.shows("12 words for moving:")
 
 
 async def test_the_palette_does_what_is_chosen(open_screen):

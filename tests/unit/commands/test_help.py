@@ -1,0 +1,108 @@
+"""HELP: ten words to begin with, the words of a topic, and GoDonnie's word for what a beginner says."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from donnie_tui.commands.declarations import BY_NAME
+from donnie_tui.commands.help import TOPICS
+from donnie_tui.commands.lookup import word_of
+from donnie_tui.core.wording import keys_of, spelled
+from language.keywords import spelling
+from language.locales import languages
+from tests.unit.commands.scripted import Script
+
+OpenScript = Callable[..., Script]
+
+TYPED = [
+    ("en", "HELP", ("MOVING", "LOOKING", "EDITING", "SOUND")),
+    ("pt", "AJUDA", ("ANDAR", "OLHAR", "EDITAR", "SOM")),
+    ("es", "AYUDA", ("MOVERSE", "MIRAR", "EDITAR", "SONIDO")),
+]
+
+
+@pytest.mark.parametrize(("language", "word", "topics"), TYPED)
+def test_help_alone_names_the_topics(
+    language: str, word: str, topics: tuple[str, ...], open_script: OpenScript
+) -> None:
+    said = open_script(language=language).answers_to(word)
+
+    assert len(said) == 13
+    assert all(f"{word} {each}" in said[-2] for each in topics)
+
+
+@pytest.mark.parametrize(("language", "word", "topics"), TYPED)
+def test_a_topic_lists_its_words_with_their_number(
+    language: str, word: str, topics: tuple[str, ...], open_script: OpenScript
+) -> None:
+    script = open_script(language=language)
+    for typed, (keywords, commands) in zip(topics, TOPICS.values(), strict=True):
+        said = script.answers_to(f"{word} {typed.lower()}")
+        at = next(number for number, line in enumerate(said) if line.endswith(":"))
+        wanted = [spelling(each, language) for each in keywords]
+        wanted += [word_of(BY_NAME[each], language) for each in commands]
+
+        assert said[at].split()[0] == str(len(said) - at - 1)
+        assert all(any(line.startswith(each) for line in said) for each in wanted)
+
+
+def test_a_topic_that_is_a_word_of_godonnie_is_explained_first_and_listed_once(
+    open_script: OpenScript,
+) -> None:
+    said = open_script().answers_to("HELP SOUND")
+
+    assert said[:4] == [
+        "SOUND: turns voice and sounds on or off.",
+        "Form: SOUND ON, OFF.",
+        "Example: SOUND OFF.",
+        "9 words for sound and the belt:",
+    ]
+    assert not any(line.startswith("SOUND") for line in said[4:])
+
+
+@pytest.mark.parametrize("language", languages())
+def test_every_topic_has_a_word_that_is_typed(language: str) -> None:
+    assert {*TOPICS} | {"keys", "all"} == {*keys_of("help")}
+    assert len({spelled(each, language, "help") for each in keys_of("help")}) == len(keys_of("help"))
+
+
+@pytest.mark.parametrize(
+    ("language", "typed", "first"),
+    [
+        ("en", "HELP WALK", "FW: walks forward, in steps."),
+        ("en", "HELP turn left", "TL: turns to the left, in degrees."),
+        ("en", "HELP go back", "BW: walks backward, in steps."),
+        ("en", "HELP say", "SPEAK: says a text or a number."),
+        ("pt", "AJUDA caminhar", "PF: anda para frente, em passos."),
+        ("es", "AYUDA caminar", "AV: camina adelante, en pasos."),
+        ("es", "AYUDA walk", "AV: camina adelante, en pasos."),
+    ],
+)
+def test_an_everyday_word_leads_to_the_word_of_godonnie(
+    language: str, typed: str, first: str, open_script: OpenScript
+) -> None:
+    said = open_script(language=language).answers_to(typed)
+
+    assert said[0] == first
+    assert len(said) == 3
+
+
+@pytest.mark.parametrize(
+    ("typed", "last"),
+    [("HELP MOVE", "FW: walks forward, in steps."), ("HELP BACK", "BW: walks backward, in steps.")],
+)
+def test_a_command_that_a_beginner_means_otherwise_names_both(
+    typed: str, last: str, open_script: OpenScript
+) -> None:
+    said = open_script().answers_to(typed)
+
+    assert said[0].startswith(typed.split()[1])
+    assert said[-1] == last
+
+
+def test_more_than_an_everyday_word_is_not_known(open_script: OpenScript) -> None:
+    assert open_script().answers_to("HELP WALK nonsense") == [
+        "I do not know WALK nonsense. HELP lists the commands."
+    ]
