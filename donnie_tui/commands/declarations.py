@@ -42,6 +42,8 @@ class Command(Struct, frozen=True, eq=False):
     """Whether a key for it gives the line of the cursor as the argument."""
     is_godonnie: bool = False
     """Whether the word is GoDonnie's too and means the same there."""
+    is_about_now: bool = False
+    """Whether it ends the way back of STEP BACK: it is about the robot's surroundings as they are."""
     is_visual: bool = False
     """Whether it is about the screen alone."""
     in_words: str = ""
@@ -146,12 +148,13 @@ COMMANDS = (
     Command("quiet", "sound", _ALWAYS, keys=("ctrl+k shift+q",)),
     Command("cues", "sound", _ALWAYS, keys=("ctrl+k asterisk",), argument="cue"),
     Command("where", "world", _ALWAYS, keys=("ctrl+k i",)),
-    Command("around", "world", _ALWAYS, keys=("ctrl+k j",), argument="compass"),
-    Command("map", "world", _ALWAYS, keys=("ctrl+k shift+m",), argument="square"),
+    Command("around", "world", _ALWAYS, keys=("ctrl+k j",), argument="compass", is_about_now=True),
+    Command("map", "world", _ALWAYS, keys=("ctrl+k shift+m",), argument="square", is_about_now=True),
     Command(
         "map_row",
         "world",
         _ALWAYS,
+        is_about_now=True,
         keys=("ctrl+k underscore",),
         argument="row",
         required=True,
@@ -161,14 +164,15 @@ COMMANDS = (
         "map_column",
         "world",
         _ALWAYS,
+        is_about_now=True,
         keys=("ctrl+k colon",),
         argument="row",
         required=True,
         asked_by_key=True,
     ),
-    Command("map_picture", "world", _ALWAYS, keys=("ctrl+k number_sign",)),
+    Command("map_picture", "world", _ALWAYS, keys=("ctrl+k number_sign",), is_about_now=True),
     Command("trail", "world", _ALWAYS, keys=("ctrl+k 6",), argument="count"),
-    Command("sensors", "world", _ALWAYS, keys=("ctrl+k shift+s",)),
+    Command("sensors", "world", _ALWAYS, keys=("ctrl+k shift+s",), is_about_now=True),
     Command("robots", "robots", _ALWAYS, keys=("ctrl+k shift+r",)),
     Command("robot", "robots", _ALWAYS, keys=("ctrl+k at",), argument="robot", required=True),
     Command("start", "run", keys=("ctrl+k slash",)),

@@ -60,6 +60,8 @@ async def perform(ctx: Context, command: Command, argument: str | None) -> None:
     if not is_possible(ctx, command):
         ctx.answer_of_robot("screen-busy")
         return
+    if command.is_about_now:
+        ctx.say(*ctx.runs.to_present())
     try:
         await attempt(ctx, _run(ctx, command, argument))
     except NotUnderstood:

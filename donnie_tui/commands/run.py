@@ -191,8 +191,14 @@ async def continue_(ctx: Context, _: str) -> None:
 @handles("step", go_on=RunController.step)
 @handles("step_over", go_on=RunController.step_over)
 async def step(ctx: Context, _: str, go_on: Callable[[RunController], None]) -> None:
-    """One statement; with OVER a procedure as a whole."""
-    await _step(ctx, go_on, ExecutionControl.step)
+    """One statement; with OVER a procedure as a whole.
+
+    Where STEP BACK has led into the past, a step leads towards the present, and the robot stays.
+    """
+    if ctx.runs.past is not None:
+        go_on(ctx.runs)
+    else:
+        await _step(ctx, go_on, ExecutionControl.step)
 
 
 @handles("run_to")
@@ -266,6 +272,9 @@ async def show_variables(ctx: Context, _: str) -> None:
         ctx.screen.focus("variables")
         return
     frames, words = ctx.runs.frames, ctx.words
+    if not ctx.runs.knows_variables:
+        ctx.answer("variables-past")
+        return
     calls = [words("call-at", name=each.procedure, line=each.line) for each in frames if each.procedure]
     variables = dict(frames[0].variables) if frames else ctx.donnie.session.variables
     values = [words("variable-is", name=name, value=value) for name, value in variables.items()]

@@ -6,6 +6,7 @@ from functools import partial
 
 from msgspec.structs import replace
 
+from devices.ports.robot import Pose
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.commands.arguments import read_count, read_numbers
 from donnie_tui.commands.context import Context
@@ -13,7 +14,7 @@ from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import NotUnderstood, Option, Screen
 from donnie_tui.core import map_words
 from donnie_tui.core.events import SoundSwitched
-from donnie_tui.core.map_grid import DEFAULT_MOVES, FREE, place_in_words
+from donnie_tui.core.map_grid import DEFAULT_MOVES, FREE, Trail, place_in_words
 from donnie_tui.core.pointing import Pointer, legend
 from donnie_tui.core.wording import shown_name
 from donnie_tui.settings.settings import Settings, SettingSource
@@ -25,9 +26,21 @@ LONGEST_NAME = 40
 
 @handles("where")
 async def where(ctx: Context, _: str) -> None:
-    """Where the robot is; at full detail its last move too."""
+    """Where the robot is, or was where STEP BACK has come; at full detail its last move too."""
     is_full = ctx.words.detail == "full"
-    ctx.say_of_robot(*place_in_words(ctx.donnie.session.pose, ctx.trail, ctx.words, is_full=is_full))
+    pose, moves = _moment(ctx)
+    ctx.say_of_robot(*place_in_words(pose, moves, ctx.words, is_full=is_full))
+
+
+def _moment(ctx: Context) -> tuple[Pose, Trail]:
+    """The robot's place and its moves as they are now, or where STEP BACK has come."""
+    past, robot = ctx.runs.past, ctx.donnie.session.hub.robot
+    if past is None:
+        return ctx.donnie.session.pose, ctx.trail
+    moves = Trail(lambda: robot)
+    for stamped in past.events[: past.at]:
+        moves.on_event(stamped)
+    return past.pose(robot) or ctx.donnie.session.pose, moves
 
 
 @handles("around")
@@ -47,7 +60,8 @@ async def around(ctx: Context, argument: str) -> None:
 async def trail(ctx: Context, argument: str) -> None:
     """The robot's last moves."""
     count = read_count(argument, DEFAULT_MOVES)
-    ctx.say_of_robot(*ctx.counted(ctx.trail.in_words(count, ctx.words)))
+    _, moves = _moment(ctx)
+    ctx.say_of_robot(*ctx.counted(moves.in_words(count, ctx.words)))
 
 
 @handles("sensors")

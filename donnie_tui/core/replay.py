@@ -148,7 +148,7 @@ _PARTS = {"step-forward": "walk", "step-back": "walk", "turn-right": "turn", "tu
 
 
 def undone_in_words(undone: Iterable[Stamped], timeline: Timeline, wording: Wording) -> str:
-    """One sentence for a step that was undone: "Back: FW 3. Position 0, 2."
+    """One sentence for a step that was undone: "Before FW 3: position 0, 2."
 
     ``undone`` is the result of ``Timeline.step_back``, empty at the start; ``timeline`` is already before the
     step.
@@ -157,10 +157,19 @@ def undone_in_words(undone: Iterable[Stamped], timeline: Timeline, wording: Word
     if not events:
         return wording("undone-start")
     done = next((each for each in events if is_main_event(each.event)), events[-1])
-    sentence = wording("undone", what=_what(done.event, wording))
-    place = _place(done.event, timeline.pose(done.robot), wording)
-    text = f"{sentence} {place}" if place else sentence
-    return with_robot_name(done.robot, text, wording)
+    return with_robot_name(done.robot, _undone(done.event, timeline.pose(done.robot), wording), wording)
+
+
+def _undone(event: Event, pose: Pose | None, wording: Wording) -> str:
+    what = _what(event, wording)
+    match event:
+        case Moved() if pose is not None:
+            return wording("undone-walk", what=what, x=whole_steps(pose.x), y=whole_steps(pose.y))
+        case Turned() if pose is not None:
+            return wording("undone-turn", what=what, facing=facing(pose, wording))
+        case _:
+            place = _place(event, pose, wording)
+            return " ".join(filter(None, (wording("undone", what=what), place)))
 
 
 def redone_in_words(step: Iterable[Stamped], wording: Wording) -> str:
@@ -211,9 +220,9 @@ def _trifle(event: Event, wording: Wording) -> str:
 def _place(event: Event, pose: Pose | None, wording: Wording) -> str:
     """The robot's place after the step back, if that changed."""
     part = _PARTS.get(event.name) if isinstance(event, CueSounded) else None
-    if pose is None or not (part or isinstance(event, Moved | Turned | RunStarted | RunEnded | Reset)):
+    if pose is None or not (part or isinstance(event, RunStarted | RunEnded | Reset)):
         return ""
-    if isinstance(event, Turned) or part == "turn":
+    if part == "turn":
         return wording("undone-facing", facing=facing(pose, wording))
     return wording("undone-position", x=whole_steps(pose.x), y=whole_steps(pose.y))
 

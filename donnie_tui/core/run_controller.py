@@ -139,8 +139,18 @@ class RunController:
 
     @property
     def frames(self) -> tuple[Frame, ...]:
-        """The call stack, innermost first; empty when nothing runs."""
-        return self._session.frames
+        """The call stack, innermost first, as it is or as STEP BACK left it; empty when nothing runs."""
+        return self._session.frames if self.past is None else self._past_frames or ()
+
+    @property
+    def _past_frames(self) -> tuple[Frame, ...] | None:
+        stepping = self._record.narrator.stepping if self._record is not None else None
+        return None if stepping is None or self.past is None else stepping.frames_at(self.past)
+
+    @property
+    def knows_variables(self) -> bool:
+        """False at a moment of the past before which the program was not held."""
+        return self.past is None or self._past_frames is not None
 
     # --- starting
 
@@ -263,6 +273,7 @@ class RunController:
         self._go_on(Request.CONTINUE, ExecutionControl.resume)
 
     def step(self) -> None:
+        """To the next statement; where STEP BACK has led into the past, a step towards the present."""
         self._go_on(Request.STEP, ExecutionControl.step, is_step=True)
 
     def step_over(self) -> None:
@@ -274,6 +285,9 @@ class RunController:
         self._go_on(Request.STEP, lambda control: control.run_to(line))
 
     def _go_on(self, request: Request, ask: Begin, *, is_step: bool = False) -> None:
+        if is_step and self.past is not None:
+            self._answer(*self._step_forward(self.past))
+            return
         self.require(request)
         record, run = self._record, self._session.run
         self.past = None
@@ -290,17 +304,33 @@ class RunController:
         is_first_step = self.past is None
         past = self.past = self.past or self._chronicle.timeline()
         record = self._record
+        begun = (self._words("looking-back"),) if is_first_step else ()
         if record is not None and record.narrator.stepping is not None:
-            return record.narrator.stepping.step_back(
+            undone = record.narrator.stepping.step_back(
                 past, self._session.variables, is_first_step=is_first_step
             )
+            return (*begun, *undone)
         from donnie_tui.core.stepping import undo_event
 
-        return (undo_event(past, self._words),)
+        return (*begun, undo_event(past, self._words))
 
-    def to_present(self) -> None:
-        """Ends the way back: what is asked for now starts from where the robot really is."""
-        self.past = None
+    def _step_forward(self, past: Timeline) -> tuple[str, ...]:
+        """The sentences for one step from the past to the present, which ends the way back."""
+        stepping = self._record.narrator.stepping if self._record is not None else None
+        if stepping is not None:
+            sentences = stepping.step_forward(past)
+            is_present = stepping.is_present(past)
+        else:
+            from donnie_tui.core.stepping import redo_event
+
+            sentences = redo_event(past, self._words)
+            is_present = past.at == len(past)
+        return (*sentences, *(self.to_present() if is_present else ()))
+
+    def to_present(self) -> tuple[str, ...]:
+        """Ends the way back: what is asked for now starts from where the robot is. Says so if it was away."""
+        was_past, self.past = self.past is not None, None
+        return (self._words("looking-back-ended"),) if was_past else ()
 
     def stop(self) -> None:
         """Stops the program of the chosen robot. The end of an unattended one is summed up at once."""

@@ -16,8 +16,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from msgspec import Struct
 
 from donnie_tui.core.events import Read
-from donnie_tui.core.replay import undone_in_words
+from donnie_tui.core.replay import redone_in_words, undone_in_words
 from donnie_tui.core.timeline import Timeline
+from donnie_tui.core.transcript import printed_lines
 from donnie_tui.core.wording import Wording
 from language.diagnostics import LanguageError
 from language.numbers import divide
@@ -40,6 +41,8 @@ from language.syntax import (
 )
 
 MOST_HOLDS = 1000
+MOST_CALLS = 20
+"""Open calls that are remembered of a hold, the innermost ones."""
 MOST_READS = 1000
 """Readings between two holds that are remembered: no statement has so many."""
 MOST_UNDONE = 5
@@ -52,9 +55,14 @@ class _Hold(Struct, frozen=True):
     seq: int
     """The number of the last event before it."""
     sentences: tuple[str, ...]
-    variables: Mapping[str, int]
+    frames: tuple[Frame, ...]
+    """The open calls, innermost first."""
     is_next: bool
     """Whether the hold before it led here by one step."""
+
+    @property
+    def variables(self) -> Mapping[str, int]:
+        return dict(self.frames[0].variables) if self.frames else {}
 
 
 class Stepping:
@@ -99,8 +107,8 @@ class Stepping:
         if not place[0]:
             return ()
         sentences = self._narrator.on_hold(*place, frames)
-        variables = dict(frames[0].variables) if frames else {}
-        self._holds.append(_Hold(self._last_seq(), sentences, variables, is_next=not self._ran_on))
+        calls = tuple(frames[:MOST_CALLS])
+        self._holds.append(_Hold(self._last_seq(), sentences, calls, is_next=not self._ran_on))
         self._ran_on, self._at = False, None
         return sentences
 
@@ -131,6 +139,36 @@ class Stepping:
         self._at -= 1
         return (*undone, *self._changed_back(before.variables, later), *before.sentences)
 
+    def step_forward(self, timeline: Timeline) -> tuple[str, ...]:
+        """The sentences for one step back towards the present. ``timeline`` is moved forward by it."""
+        assert self._at is not None  # a step back comes first
+        at = self._at + 1 if self._is_at_hold(timeline) else self._at
+        if at >= len(self._holds):
+            self._at = len(self._holds)
+            return redo_event(timeline, self._words)
+        hold, redone = self._holds[at], list[str]()
+        while _seq(timeline) < hold.seq and (hold.is_next or not redone):
+            redone += redo_event(timeline, self._words)
+        self._at = at
+        if len(redone) > MOST_UNDONE:
+            redone[MOST_UNDONE:] = [self._words("redone-more", count=len(redone) - MOST_UNDONE)]
+        return (*redone, *(hold.sentences if _seq(timeline) >= hold.seq else ()))
+
+    def is_present(self, timeline: Timeline) -> bool:
+        """Whether steps forward have come to the last hold, or to the last event."""
+        is_last = self._at is not None and self._at >= len(self._holds) - 1
+        return is_last and timeline.at == len(timeline)
+
+    def frames_at(self, timeline: Timeline) -> tuple[Frame, ...] | None:
+        """The open calls at that position; None between two holds, where they are not known."""
+        if self._at is None or not self._is_at_hold(timeline):
+            return None
+        return self._holds[self._at].frames
+
+    def _is_at_hold(self, timeline: Timeline) -> bool:
+        at = self._at
+        return at is not None and at < len(self._holds) and self._holds[at].seq == _seq(timeline)
+
     def _undo(self, seq: int, timeline: Timeline, *, most: int | None) -> tuple[str, ...]:
         """Undoes all events after ``seq``, or ``most`` steps of them; a sentence each."""
         undone: list[str] = []
@@ -155,6 +193,13 @@ class Stepping:
 def undo_event(timeline: Timeline, wording: Wording) -> str:
     """Moves the timeline back by one step of its events; the sentence for it."""
     return undone_in_words(timeline.step_back(), timeline, wording)
+
+
+def redo_event(timeline: Timeline, wording: Wording) -> tuple[str, ...]:
+    """Moves the timeline forward by one step of its events; the lines that were printed for it."""
+    step = timeline.step()
+    printed = tuple(line for each in step for line in printed_lines(each, wording))
+    return printed or tuple(filter(None, (redone_in_words(step, wording),)))
 
 
 def _seq(timeline: Timeline) -> int:

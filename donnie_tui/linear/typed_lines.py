@@ -351,8 +351,8 @@ class RunLoop(RunObserver):
 
     def _take_while_held(self) -> None:
         """Ask how the program is to continue, or perform any other command."""
-        if self._queue and (left_out := self._queue.trim(LARGEST_BLOCK)):
-            self._ctx.answer("answer-left-out", lines=left_out)
+        if self._is_new_hold and self._queue and (left_out := self._queue.trim(LARGEST_BLOCK)):
+            self._ctx.answer("answer-left-out", lines=left_out)  # of a program, never of an answer
         frames = self._runs.frames if self._is_new_hold else ()
         self._is_new_hold = False
         if frames and 0 < frames[0].line <= len(self._ctx.program.lines):

@@ -215,7 +215,8 @@ class Display:
         return not (self._place.is_plain and self._runs.state is RunState.RUNNING)
 
     def _show_inspector(self) -> None:
-        variables = self._donnie.session.variables if self._runs.state is RunState.READY else {}
+        is_after_run = self._runs.state is RunState.READY and self._runs.past is None
+        variables = self._donnie.session.variables if is_after_run else {}
         distances = self._distances if self.shows_distances else {}
         readings = tuple(self._readings.values())
         belt = self._donnie.outlets.belt.rows() if self._has_belt else ()
@@ -233,7 +234,8 @@ class Display:
             return
         session = self._donnie.session
         robot = robot_sentence(session.hub.robot, self._pose, self._words)
-        states = state_sentences(self._runs.state, self._donnie.session.speed, self._words)
+        state = "looking-back" if self._runs.past is not None else self._runs.state.value
+        states = state_sentences(state, self._donnie.session.speed, self._words)
         focus = self.focus_sentence
         whole = [f"{focus} {robot} {state}" for state in states]
         short = [f"{focus} {states[1]}", *([states[1], ""] if self._answer else [focus])]

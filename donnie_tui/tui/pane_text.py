@@ -11,7 +11,6 @@ from donnie_tui.commands.interaction import Option
 from donnie_tui.commands.keys import MENU, PALETTE, KeyTable, key_label
 from donnie_tui.commands.lookup import help_line, word_of
 from donnie_tui.core.events import Read
-from donnie_tui.core.run_state import RunState
 from donnie_tui.core.wording import Wording, compass_heading, facing, whole_steps
 from donnie_tui.i18n.help import SCREEN_TOUR_PAGES, screen_tour_page
 from donnie_tui.i18n.words import Words
@@ -40,11 +39,14 @@ def robot_sentence(name: str | None, pose: Pose, words: Wording) -> str:
     )
 
 
-def state_sentences(state: RunState, speed: float | None, words: Wording) -> tuple[str, str]:
-    """What the program does, and how fast; and without the speed, where there is no room."""
+def state_sentences(state: str, speed: float | None, words: Wording) -> tuple[str, str]:
+    """What the program does, and how fast; and without the speed, where there is no room.
+
+    ``state`` is the value of a ``RunState``, or "looking-back".
+    """
     return (
-        words(f"status-{state.value}-speed", speed=speed_words(speed, words)),
-        words(f"status-{state.value}"),
+        words(f"status-{state}-speed", speed=speed_words(speed, words)),
+        words(f"status-{state}"),
     )
 
 

@@ -131,6 +131,8 @@ class RunView(RunObserver):
         self._past = past
         if past is not None:
             self._display.show_past(past)
+            if self._runs.is_whole and self._runs.frames:
+                self._editor.go_to(self._runs.frames[0].line)
         elif before is not None:
             before.go_to(len(before))
             self._display.show_past(before)

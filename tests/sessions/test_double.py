@@ -142,9 +142,11 @@ def test_donnies_programs_do_the_same_on_the_simulated_board() -> None:
     for program in sorted(OWN.glob("*/*.gd")):
         text, language = program.read_text(encoding="utf-8"), program.parent.name
         where = re.match(r"-- world: (\w+)", text)
-        place, spoken = where[1] if where else "open_floor", language if language in ("pt", "es") else "en"
+        own = OWN / f"{where[1]}.world" if where else OWN
+        place = str(own) if own.is_file() else where[1] if where else "open_floor"
+        spoken = language if language in ("pt", "es") else "en"
         simulated = events(text, place, "sim", spoken)
-        if program.stem == TELLS_ITS_HEADING or not _moves(simulated) or _needs_a_camera(simulated):
+        if program.stem == TELLS_ITS_HEADING or not _moves(simulated) or _needs_what_a_board_lacks(simulated):
             continue
         compared += 1
         differs = differences(simulated, events(text, place, "double", spoken))
@@ -218,7 +220,7 @@ def test_the_corpus_moves_the_simulated_board_as_it_moves_the_simulator(
             continue
         text, place = _of_the_corpus(program, want, runner, tmp_path)
         simulated = events(text, place, "sim", want["lang"])
-        if _moves(simulated) and not _needs_a_camera(simulated):
+        if _moves(simulated) and not _needs_what_a_board_lacks(simulated):
             compared += 1
             differs = differences(simulated, events(text, place, "double", want["lang"]))
             found |= {program.stem: differs} if differs else {}
@@ -263,5 +265,8 @@ def _moves(sentences: list[dict[str, Any]]) -> bool:
     return any(each["event"] in ("moved", "turned") for each in sentences)
 
 
-def _needs_a_camera(sentences: list[dict[str, Any]]) -> bool:
-    return any(each["event"] == "scanned" or each.get("sensor") == "colour" for each in sentences)
+def _needs_what_a_board_lacks(sentences: list[dict[str, Any]]) -> bool:
+    """A camera, or a gripper."""
+    return any(
+        each["event"] in ("scanned", "gripper") or each.get("sensor") == "colour" for each in sentences
+    )

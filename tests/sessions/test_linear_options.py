@@ -67,7 +67,7 @@ def test_steps_print_levels_rounds_and_changes(learner: Learner) -> None:
     learner.types("\r")
     learner.sees("I walked 2 steps forward.\r\nLine 4: x = x + 1\r\n> ")
     learner.types("STEP BACK\r")
-    learner.sees("Back: FW 2. Position 0, 0.\r\nRound 1 of 2.\r\nLine 3, level 1: FW 2\r\n> ")
+    learner.sees("Before FW 2: position 0, 0.\r\nRound 1 of 2.\r\nLine 3, level 1: FW 2\r\n> ")
     learner.types("UNTIL 4\r")
     learner.sees("x is 2.\r\nI walked 2 steps forward.\r\nLine 4: x = x + 1\r\n> ")
     learner.types("RUN\r")

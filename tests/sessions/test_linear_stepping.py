@@ -45,11 +45,12 @@ def test_steps_have_the_same_lines_backwards_as_forwards(tmp_path: Path) -> None
     """Lines, conditions, rounds and earlier variables. Parts that were not stepped, event by event."""
     program = ("VAR x = 1", "WHILE x < 3 DO", "x = x + 1", "FW x", "END WHILE")
     lines = answers_to(
-        tmp_path, *program, "STEP", "", "", "", "", *["STEP BACK"] * 6, "", "CONTINUE", *["STEP BACK"] * 3
+        tmp_path, *program, "STEP", "", "", "", "", *["STEP BACK"] * 6, "CONTINUE", *["STEP BACK"] * 3
     )
 
     assert lines[8:23] == [
-        "Back: FW x. Position 0, 0.",
+        "Looking back. The robot stays where it is.",
+        "Before FW x: position 0, 0.",
         "Line 4: FW x",
         "Back.",
         "x is 1.",
@@ -63,11 +64,10 @@ def test_steps_have_the_same_lines_backwards_as_forwards(tmp_path: Path) -> None
         "Line 1: VAR x = 1",
         "Back: start of the program.",
         "This is the start.",
-        "2 is less than 3: true.",
     ]
-    assert lines[27:30] == [
+    assert lines[26:29] == [
         "Back: end of the program. Position 0, 5.",
-        "Back: FW x. Position 0, 2.",
+        "Before FW x: position 0, 2.",
         "x is 2.",
     ]
 
@@ -85,8 +85,56 @@ def test_a_procedure_that_was_stepped_over_is_undone_as_one_step(tmp_path: Path)
     lines = answers_to(tmp_path, *program, "STEP", "", "OVER", "STEP BACK")
 
     back = lines[lines.index("Line 7: FW 1") + 1 :]
-    assert [line.split(".")[0] for line in back[:6]] == [*["Back: TR a"] * 5, "Back: 4 more"]
-    assert back[6] == "Line 6: song [10]"
+    assert [line.split(":")[0] for line in back[1:7]] == [*["Before TR a"] * 5, "Back"]
+    assert back[6:8] == ["Back: 4 more.", "Line 6: song [10]"]
+
+
+def test_all_answers_are_about_the_moment_to_which_step_back_leads(tmp_path: Path) -> None:
+    """The robot stays; the next Enters lead to the present, which is said, and only then it walks."""
+    program = ("VAR x = 1", "FW 1", "x = 5", "FW x")
+    typed = (
+        "STEP",
+        "",
+        "",
+        "",
+        *["STEP BACK"] * 3,
+        "WHERE",
+        "SHOW VARIABLES",
+        "",
+        "WHERE",
+        "",
+        "",
+        "",
+        "WHERE",
+    )
+    lines = answers_to(tmp_path, *program, *typed)
+
+    at = lines.index("Before FW 1: position 0, 0.")
+    assert lines[at:] == [
+        "Before FW 1: position 0, 0.",
+        "Line 2: FW 1",
+        "Back.",
+        "x has no value yet.",
+        "Line 1: VAR x = 1",
+        "Position 0, 0. Facing north.",
+        "No variables.",
+        "Line 2: FW 1",
+        "Position 0, 0. Facing north.",
+        "I walked 1 step forward.",
+        "Line 3: x = 5",
+        "Line 4: FW x",
+        "You are back in the present.",
+        "I walked 5 steps forward.",
+        "Done.",
+        "Position 0, 6. Facing north.",
+    ]
+
+
+def test_looking_around_ends_the_way_back(tmp_path: Path) -> None:
+    lines = answers_to(tmp_path, "FW 1", "FW 2", "STEP", "", "STEP BACK", "AROUND", "WHERE", "STOP")
+
+    at = lines.index("You are back in the present.")
+    assert lines[at + 1].endswith("within 10 steps.") and "Position 0, 1. Facing north." in lines[at:]
 
 
 def test_a_breakpoint_without_a_command_moves_to_the_next_one(tmp_path: Path) -> None:

@@ -25,9 +25,9 @@ def test_each_step_back_names_the_place_that_it_leads_to(here: Here) -> None:
 
     assert here.replay("--backwards") == [
         "Back: end of the program. Position 3, 2.",
-        "Back: FW 3. Position 0, 2.",
-        "Back: TR 90. Facing north.",
-        "Back: FW 2. Position 0, 0.",
+        "Before FW 3: position 0, 2.",
+        "Before TR 90: facing north.",
+        "Before FW 2: position 0, 0.",
         "Back: start of a.gd.",
     ]
 
@@ -57,7 +57,7 @@ def test_typed_words_step_through_a_recording_both_ways(here: Here) -> None:
         "Start of a.gd.",
         "I walked 2 steps forward.",
         "I turned 90 degrees to the right.",
-        "Back: TR 90. Facing north.",
+        "Before TR 90: facing north.",
         "Event 5 of 18.",
     ]
     assert said[6] == "Position 0, 2. Facing north."

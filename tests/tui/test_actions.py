@@ -35,7 +35,7 @@ ARGUMENTS = {
     "open": "kept.gd",
     "last": "1",
 }
-LEAVING = ("quit", "linear")
+LEAVING = ("quit", "linear", "next_challenge")
 
 
 def looked_at(screen) -> tuple[object, ...]:

@@ -38,7 +38,7 @@ async def test_a_step_back_shows_the_earlier_place_and_a_run_continues_from_the_
         assert screen.app.controller.display.scene.robot == screen.app.controller.display.scene.cell_at(2, 3)
         for _ in range(8):
             screen.app.controller.do("step_back")
-        await screen.shows("Back: FW 3.")
+        await screen.shows("Before FW 3:")
         assert screen.app.controller.display.scene.robot == screen.app.controller.display.scene.cell_at(0, 0)
         await screen.type_line("FW 1")
         await screen.shows("I walked 1 step forward.")

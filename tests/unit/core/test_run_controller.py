@@ -272,10 +272,37 @@ def test_steps_are_undone_in_words_until_something_happens() -> None:
     assert lesson.runs.step_back()[-1] == "Line 2: FW 2"
     assert lesson.runs.past is not None
     assert lesson.runs.step_back()[-1] == "Line 1: FW 1"
+    said = len(lesson.answers)
     lesson.runs.step()
+    assert lesson.answers[said:] == ["1 step forward.", "Line 2: FW 2"]
+    assert lesson.runs.frames[0].line == 2
+    lesson.runs.step()
+    assert lesson.answers[said + 2 :] == [
+        "2 steps forward.",
+        "Line 3: FW 3",
+        "You are back in the present.",
+    ]
     assert lesson.runs.past is None
+    lesson.runs.step()
     lesson.ended()
     assert lesson.runs.step_back() != ()
+
+
+def test_calls_and_variables_go_back_with_the_steps() -> None:
+    lesson = Lesson()
+    lesson.start("VAR x = 1\nx = 2\nFW x", begin=ExecutionControl.step)
+    for _ in range(2):
+        lesson.held()
+        lesson.runs.step()
+    lesson.held()
+
+    assert lesson.runs.frames[0].variables == (("x", 2),)
+    lesson.runs.step_back()
+    assert (lesson.runs.frames[0].line, lesson.runs.frames[0].variables) == (2, (("x", 1),))
+    lesson.runs.to_present()
+    assert lesson.runs.frames[0].line == 3
+    lesson.runs.stop()
+    lesson.ended()
 
 
 def test_an_unattended_program_is_announced_not_held_and_its_stop_is_answered_at_once() -> None:

@@ -106,11 +106,11 @@ def test_a_step_back_names_the_place_that_it_leads_to() -> None:
     assert said == [
         "Back: end of the program. Position 3, 2.",
         "Back: looked around.",
-        "Back: FW 3. Position 0, 2.",
+        "Before FW 3: position 0, 2.",
         "Back: waited 1 second.",
         "Back: hello.",
-        "Back: TR 90. Facing north.",
-        "Back: FW 2. Position 0, 0.",
+        "Before TR 90: facing north.",
+        "Before FW 2: position 0, 0.",
         "Back: start of test.gd.",
     ]
     assert undone_in_words((), timeline, floor.words) == "This is the start."
