@@ -5,7 +5,8 @@ A program is in the folder of its language; ``-- world: NAME`` in its first line
 The last line of ``.output`` is the outcome and the pose. After an intended change, read the difference
 and write the files again with ``ACCEPT_OUTPUT=1 pytest tests/programs``.
 
-The examples in the documents of a language (``docs/pt``) print the block of text after them.
+The examples in the documents of a language (``docs/pt``) print the block of text after them, which
+``ACCEPT_OUTPUT=1`` writes, too.
 """
 
 import os
@@ -15,16 +16,27 @@ from pathlib import Path
 import pytest
 
 from donnie_tui.bootstrap import assemble
+from donnie_tui.commands.declarations import COMMANDS
+from donnie_tui.commands.lookup import words_of
 from donnie_tui.core.events import Event, RunEnded
 from donnie_tui.core.session import RunOptions
 from donnie_tui.core.transcript import lines_of
+from donnie_tui.core.wording import keys_of, spelled
 from donnie_tui.settings.settings import Settings
+from language.keywords import ARGUMENTS, WORDS
 from tests.timeouts import TIMEOUT
 
 FOLDER = Path(__file__).parent
 PROGRAMS = sorted(FOLDER.glob("*/*.gd"))
 DOCUMENTS = sorted(Path("docs").glob("??/*.md"))
-EXAMPLE = re.compile(r"^```godonnie\n(.*?)^```\n(?:.*?)^```text\n(.*?)^```\n", re.DOTALL | re.MULTILINE)
+EXAMPLE = re.compile(
+    r"(?P<before>^```godonnie\n(?P<program>.*?)^```\n.*?^```text\n)(?P<printed>.*?)^```\n",
+    re.DOTALL | re.MULTILINE,
+)
+
+CODE = re.compile(r"^```\w*\n.*?^```$|`[^`\n]+`", re.DOTALL | re.MULTILINE)
+CAPITALS = re.compile(r"\b[A-ZÀ-ÖØ-Þ]{2,}(?: [A-ZÀ-ÖØ-Þ]{2,})*\b")
+NO_WORDS = {"FIM", "FIN", "SSH", "USB", "NVDA", "JAWS", "BRLTTY", "YASR", "HTML", "SVG", "BRF", "CSV", "JSON"}
 
 
 def output_of(program: Path) -> tuple[str, ...]:
@@ -89,8 +101,34 @@ def test_a_square_is_the_same_in_every_language(language: str) -> None:
 @pytest.mark.parametrize("document", DOCUMENTS, ids=[f"{each.parent.name}/{each.stem}" for each in DOCUMENTS])
 def test_every_example_of_a_document_prints_the_text_after_it(document: Path) -> None:
     text = document.read_text(encoding="utf-8")
-    examples = EXAMPLE.findall(text)
-    printed = [printed_by(program, "example.gd", document.parent.name)[:-1] for program, _ in examples]
+    printed = EXAMPLE.sub(lambda example: _as_printed(example, document.parent.name), text)
+    if os.environ.get("ACCEPT_OUTPUT"):
+        document.write_text(printed, encoding="utf-8")
 
-    assert len(examples) == text.count("```godonnie") > 0
-    assert printed == [tuple(expected.splitlines()) for _, expected in examples]
+    assert len(EXAMPLE.findall(text)) == text.count("```godonnie") > 0
+    assert printed == document.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("document", DOCUMENTS, ids=[f"{each.parent.name}/{each.stem}" for each in DOCUMENTS])
+def test_every_word_in_capitals_in_a_document_is_one_that_can_be_typed(document: Path) -> None:
+    language = document.parent.name
+    commands = (word for each in COMMANDS for word in words_of(each.name, language))
+    keywords = (word for each in (*WORDS, *ARGUMENTS) for word in each.spellings[language])
+    topics = (spelled(each, language, "help").upper() for each in keys_of("help"))
+    can_be_typed = {*commands, *keywords, *topics, *NO_WORDS}
+    named = CAPITALS.findall(CODE.sub("", document.read_text(encoding="utf-8")))
+
+    assert {name for name in named if not _consists_of(name.split(), can_be_typed)} == set()
+
+
+def _consists_of(words: list[str], known: set[str]) -> bool:
+    lengths = range(1, min(4, len(words)) + 1)
+    return not words or any(
+        " ".join(words[:each]) in known and _consists_of(words[each:], known) for each in lengths
+    )
+
+
+def _as_printed(example: re.Match[str], language: str) -> str:
+    """An example with what it really prints."""
+    lines = printed_by(example["program"], "example.gd", language)[:-1]
+    return "\n".join((example["before"].rstrip("\n"), *lines, "```\n"))
