@@ -294,7 +294,7 @@ def colours_of_world(settings: Settings, words: Words) -> frozenset[str]:
 
 
 def _inhabited_world(settings: Settings, words: Words) -> ChosenWorld:
-    world = choose_world(settings.world, words, settings.world_folders)
+    world = choose_world(settings.world, words, settings.include_folders)
     if not world.scene.robots:
         raise Unusable(words("world-without-robot", name=world.name))
     return world

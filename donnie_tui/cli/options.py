@@ -37,8 +37,12 @@ class ExitCode(IntEnum):
     """By the user."""
 
 
+ALLOW = "allow"
+"""The one common option that may be given several times."""
+
 COMMON = {
     "world": "NAME_OR_FILE",
+    ALLOW: "FOLDER",
     "robot": "sim|serial|serial:PORT|double",
     "profile": "auto|2016|2018",
     "camera": "NUMBER|DEVICE|FILE|FOLDER",
@@ -215,6 +219,8 @@ def understand(arguments: list[str], words: Words) -> Invocation:
     if not command:
         _refuse_misspelt(typed)
     options = {key: getattr(parsed, key) for key in COMMON if getattr(parsed, key) is not None}
+    if ALLOW in options:
+        options[ALLOW] = os.pathsep.join(options[ALLOW])
     return Invocation(command, options, parsed)
 
 
@@ -335,7 +341,9 @@ def parser_of(command: str, sentence: Sentences) -> argparse.ArgumentParser:
         arguments.add_argument("--version", action="version", version=__version__, help=version)
     common = parser.add_argument_group(sentence("usage-options"))
     for key, metavar in COMMON.items():
-        common.add_argument(BY_KEY[key].option, metavar=metavar, help=sentence(f"option-{key}"))
+        action = "append" if key == ALLOW else "store"
+        help_of_key = sentence(f"option-{key}")
+        common.add_argument(BY_KEY[key].option, metavar=metavar, action=action, help=help_of_key)
     common.add_argument("-h", "-H", "--help", action="help", help=sentence("option-help"))
     return parser
 

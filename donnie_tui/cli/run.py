@@ -194,7 +194,7 @@ def _files_of_world(order: Order, outputs: tuple[tuple[str, Path], ...]) -> tupl
         return ()
     if not any(_is_regular(path) for _, path in outputs):
         return ()
-    return (name, *files_of(choose_world(name, order.words, settings.world_folders)))
+    return (name, *files_of(choose_world(name, order.words, settings.include_folders)))
 
 
 def _is_regular(path: Path) -> bool:

@@ -98,7 +98,7 @@ def list_worlds(order: Order) -> int:
 def describe_world(order: Order) -> int:
     """In the form that was asked for, in words if none was."""
     arguments, words = order.invocation.arguments, order.words
-    world = choose_world(arguments.name or order.settings.world, words, order.settings.world_folders)
+    world = choose_world(arguments.name or order.settings.world, words, order.settings.include_folders)
     is_printed = not any(
         getattr(arguments, each) not in (None, False) for each in ("json", "map", "svg", "brf")
     )

@@ -297,7 +297,7 @@ def world_to_enter(ctx: Context, typed: str) -> str | None:
         ctx.answer("world-here-already", name=name)
         return None
     try:
-        folders = donnie.outlets.audible.settings.world_folders
+        folders = donnie.outlets.audible.settings.include_folders
         found = choose_world(name, ctx.words, folders, unknown="world-unknown-here")
     except Unusable as unusable:
         ctx.say(printable(unusable.sentence))

@@ -9,6 +9,7 @@ all mistakes of its kind.
 from __future__ import annotations
 
 import re
+import shlex
 import unicodedata
 from collections.abc import Callable
 from functools import cache
@@ -438,7 +439,8 @@ def _world_message(error: WorldError, words: Wording) -> str:
     expected = either([_world_thing(each, words) for each in error.expected], words)
     values = {"found": "", "expected": expected, "name": "", "given": "", "limit": "", "path": ""}
     found = str(error.details.get("found", ""))
-    filled = {**values, **error.details, "found": _found_in_world(found, words)}
+    folder = shlex.quote(str(error.details.get("folder", "")))
+    filled = {**values, **error.details, "found": _found_in_world(found, words), "folder": folder}
     return words(_world_code(error, found, expected), **filled)
 
 
@@ -447,6 +449,8 @@ def _world_code(error: WorldError, found: str, expected: str) -> str:
     code = error.code.value
     if code == "wrong-count" and not expected:
         return "world-too-many"
+    if code.endswith("-outside") and not error.details.get("folder"):
+        return f"world-{code}-confined"
     if code == "too-much" and "what" in error.details:
         return f"world-too-much-{error.details['what']}"
     if code != "unexpected" or not 0 < len(error.expected) <= 4:

@@ -32,7 +32,7 @@ PLAIN_VALUES = {
 }
 """The values of options that have few; anything else may be refused, which is printed before the greeting."""
 _LINEAR = ("--linear", "--screen-reader")
-_WITH_VALUE = ("--world", "--events")
+_WITH_VALUE = ("--world", "--allow", "--events")
 _WITH_NUMBER = ("--speed", "--seed")
 _LFLAG, _IFLAG, _CC = 3, 0, 6
 """Places in the attributes of a terminal."""

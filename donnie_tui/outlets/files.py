@@ -216,7 +216,7 @@ def bundle_of(world: ChosenWorld, settings: Settings) -> WorldBundle:
     from donnie_tui.world.recorded import pack
 
     robots = list(world.scene.robot_names)
-    folders = [*map(Path, (*settings.world_folders, worlds.SCENES))]
+    folders = [*map(Path, (*settings.include_folders, worlds.SCENES))]
     return pack(world.name, Path(world.path), files_of(world), folders, robots)
 
 

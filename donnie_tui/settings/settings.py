@@ -117,6 +117,7 @@ def _one_of(key: str, values: tuple[str, ...]) -> Key:
 KEYS = (
     Key("world", "world", read_text, "NAME_OR_FILE"),
     Key("worlds", "world_folders", read_folders, f"FOLDER{os.pathsep}FOLDER"),
+    Key("allow", "allowed_folders", read_folders, f"FOLDER{os.pathsep}FOLDER"),
     Key("robot", "robot", read_robot, ROBOT_WANTED),
     Key("lang", "language", read_language, ", ".join(languages())),
     Key("speed", "speed", read_speed, f"{SLOWEST:g}-{FASTEST:g}, max"),
@@ -196,7 +197,9 @@ class Settings(Struct, frozen=True):
 
     world: str = "first_room"
     world_folders: tuple[str, ...] = ()
-    """Folders from which worlds may include files, besides their own."""
+    """Folders from which worlds may include files, besides their own project."""
+    allowed_folders: tuple[str, ...] = ()
+    """More of them, those of ``--allow``."""
     robot: str = "sim"
     language: str = "en"
     speed: float | None = FRONT_END_SPEED
@@ -272,6 +275,11 @@ class Settings(Struct, frozen=True):
     """What to report about the settings themselves once a front end listens."""
     sources: Mapping[str, SettingSource] = field(default_factory=dict)
     """Where each field came from; what is not in it is a default."""
+
+    @property
+    def include_folders(self) -> tuple[str, ...]:
+        """Folders from which a world may include files, besides those of its own project."""
+        return (*self.allowed_folders, *self.world_folders)
 
     def source_of(self, name: str) -> SettingSource:
         return self.sources.get(name, SettingSource.DEFAULT)

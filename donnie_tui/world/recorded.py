@@ -1,6 +1,7 @@
 """All files of a world in one value, and a world loaded from a recording alone.
 
-File names are ``N/PATH``: 0 is the folder of the world, the others are folders that it may include from.
+File names are ``N/PATH``: 0 is the folder of the world, or the one above that has all files of its project;
+the others are folders that it may include from.
 ``unpack`` writes nothing outside the folder that is given to it, and a loaded recording leaves no files.
 """
 
@@ -70,11 +71,12 @@ class WorldBundle(Struct, frozen=True):
 def pack(
     name: str, main: Path, files: Sequence[str], folders: Sequence[Path], robots: Sequence[str]
 ) -> WorldBundle:
-    """Read all ``files``; each lies in the folder of ``main`` or in one of ``folders``.
-
-    Raises ``BundleError``.
-    """
-    places = list(dict.fromkeys([main.resolve().parent, *(each.resolve() for each in folders)]))
+    """Read all ``files``. Raises ``BundleError``."""
+    others = [each.resolve() for each in folders]
+    found = (Path(each).resolve() for each in files)
+    project = [each for each in found if not any(each.is_relative_to(folder) for folder in others)]
+    first = Path(os.path.commonpath([main.resolve().parent, *(each.parent for each in project)]))
+    places = list(dict.fromkeys([first, *others]))
     packed: dict[str, bytes] = {}
     for file in dict.fromkeys((str(main), *files)):
         data = _read(Path(file), LARGEST - sum(map(len, packed.values())))
@@ -98,7 +100,7 @@ def unpack(bundle: WorldBundle, folder: Path) -> tuple[Path, tuple[Path, ...]]:
             path.write_bytes(data)
     except OSError as problem:
         raise BundleError("bundle-unwritable", reason=problem.strerror or str(problem)) from None
-    places = sorted({int(name.parts[0]) for name in names} - {0})
+    places = sorted({int(name.parts[0]) for name in names}, key=lambda place: (place == 0, place))
     return folder.joinpath(*main.parts), tuple(folder / str(place) for place in places)
 
 

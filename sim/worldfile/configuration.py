@@ -157,7 +157,8 @@ class _Drivers:
         if path is None:
             raise mistake(Code.FILE_NOT_FOUND, setting, path=name[:200])
         if not reader.is_allowed(path):
-            raise mistake(Code.INCLUDE_OUTSIDE, setting, path=name[:200])
+            folder = reader.folder_outside(path)
+            raise mistake(Code.INCLUDE_OUTSIDE, setting, path=name[:200], folder=folder)
         return path
 
     def _addresses(self, settings: Mapping[str, Setting]) -> tuple[Address, ...]:

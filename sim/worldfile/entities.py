@@ -1,6 +1,7 @@
 """The files of a world and its macros: files in, a tree of built-in types with their settings out.
 
-Files outside the world's folders are not read. As in Stage a macro's body is replayed where it is
+A world reads files of its folder, of the project that it belongs to, of the current folder if it lies in
+it, and of the folders that the caller allows. As in Stage a macro's body is replayed where it is
 instantiated, the base's first: own properties override, children add up, and of two macros of one name the
 first wins. Unlike in Stage a macro may be used before its definition.
 """
@@ -8,11 +9,12 @@ first wins. Unlike in Stage a macro may be used before its definition.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from itertools import dropwhile, takewhile
 from pathlib import Path
 
 from msgspec import Struct
 
-from donnie_tui.process.confinement import open_bytes
+from donnie_tui.process.confinement import confinement, is_allowed, open_bytes
 from sim.scene import Note, NoteKind
 from sim.worldfile import parser
 from sim.worldfile.mistakes import Code, WorldError, defining, near_file, near_name, near_world, worlds_in
@@ -32,10 +34,12 @@ class Placed(Struct, frozen=True):
 
 
 class FileReader:
-    """Reads a world and its includes; ``allowed``: the folders, besides its own, that may be read."""
+    """Reads a world and its includes; ``allowed``: more folders that may be read, and where it searches."""
 
     def __init__(self, top: Path, allowed: tuple[Path, ...]) -> None:
-        self.folders = (top.resolve().parent, *(folder.resolve() for folder in allowed))
+        own = top.resolve().parent
+        self.folders = (own, *(folder.resolve() for folder in allowed))
+        self._roots = (*self.folders, *roots_of(own))
         self.files: list[str] = []
         self.pictures: list[str] = []
         self.notes: list[Note] = []
@@ -74,7 +78,11 @@ class FileReader:
             resolved = path.resolve()
         except (OSError, ValueError):  # a path that no system could have
             return True
-        return any(resolved.is_relative_to(folder) for folder in self.folders)
+        return any(resolved.is_relative_to(folder) for folder in self._roots)
+
+    def folder_outside(self, path: Path) -> str:
+        """The folder to allow for a file that may not be read; empty where the session is confined."""
+        return str(path.resolve().parent) if confinement() is None else ""
 
     def _included(self, include: parser.Include, path: Path, above: tuple[Path, ...]) -> Iterator[Placed]:
         found = self._checked(include, path, above)
@@ -89,7 +97,7 @@ class FileReader:
             nearest = near_file(include.path, folders)
             raise self._mistake(Code.FILE_NOT_FOUND, include, path, nearest=nearest)
         if not self.is_allowed(found):
-            raise self._mistake(Code.INCLUDE_OUTSIDE, include, path)
+            raise self._mistake(Code.INCLUDE_OUTSIDE, include, path, folder=self.folder_outside(found))
         if found.resolve() in above:
             raise self._mistake(Code.INCLUDE_CYCLE, include, path)
         place = (str(path), include.line, include.column)
@@ -99,9 +107,10 @@ class FileReader:
             raise WorldError(Code.TOO_MANY_FILES, *place, limit=MOST_FILES)
         return found
 
-    def _mistake(self, code: Code, include: parser.Include, path: Path, nearest: str = "") -> WorldError:
-        place = (str(path), include.line, include.column)
-        return WorldError(code, *place, path=include.path[:200], nearest=nearest)
+    def _mistake(self, code: Code, include: parser.Include, path: Path, **details: str) -> WorldError:
+        return WorldError(
+            code, str(path), include.line, include.column, (), path=include.path[:200], **details
+        )
 
     def _text(self, path: Path, include: parser.Include, file: str) -> str:
         try:
@@ -122,6 +131,37 @@ class FileReader:
             self.notes.append(Note(NoteKind.REPAIRED, "not-utf8", str(path), 1, 1, {"path": str(path)}))
             text = data.decode("latin-1")
         return text.replace("\r\n", "\n").replace("\r", "\n")
+
+
+_REPOSITORY = (".git", ".hg", ".svn", ".bzr")
+_PROJECT = (
+    *("CMakeLists.txt", "Makefile", "package.xml", "manifest.xml", "stack.xml", "pyproject.toml"),
+    *("setup.py", "LICENSE", "LICENSE.txt", "LICENSE.md", "COPYING"),
+    *("README", "README.txt", "README.md", "README.rst"),
+)
+"""Files at the root of a project, and often in its folders too."""
+
+
+def roots_of(folder: Path) -> Iterator[Path]:
+    """The project that a folder is part of, and the current folder if it is above it."""
+    current = Path.cwd()
+    for root in (_project(folder), current if folder.is_relative_to(current) else None):
+        if root is not None and root != root.parent and is_allowed(root):
+            yield root
+
+
+def _project(folder: Path) -> Path | None:
+    """The nearest repository above; without one the outermost of the nearest chain of project folders."""
+    above = (folder, *folder.parents)
+    for each in above:
+        if any(_is((each / name), Path.exists) for name in _REPOSITORY):
+            return each
+    chain = dropwhile(_is_plain, above)
+    return next(iter([*takewhile(lambda each: not _is_plain(each), chain)][::-1]), None)
+
+
+def _is_plain(folder: Path) -> bool:
+    return not any(_is_file(folder / name) for name in _PROJECT)
 
 
 def _no_world(path: Path) -> WorldError:

@@ -14,6 +14,7 @@ from sim.scene import (
     Gripper,
     Limits,
     Localization,
+    NoteKind,
     OdometryError,
     RangeNoise,
     RangeSensor,
@@ -128,10 +129,13 @@ def wheels(read: ValueReader, settings: Settings) -> Wheels:
 
 
 def _odometry_error(read: ValueReader, settings: Settings) -> OdometryError:
-    """``[x y z angle]``, or the manual's ``[x y angle]``. Parts, not lengths."""
+    """``[x y z angle]``, or the manual's ``[x y angle]``. Parts, not lengths; Stage reads four."""
     if (setting := settings.get("odom_error")) is None:
         return OdometryError()
-    x, y, *_, yaw = (min(2.0, abs(each)) for each in read.numbers(setting, 3, 4))
+    numbers = read.numbers(setting, 3, 6)
+    if len(numbers) > 4:
+        read.note(NoteKind.REPAIRED, "first-four", setting, name="odom_error")
+    x, y, *_, yaw = (min(2.0, abs(each)) for each in numbers[:4])
     return OdometryError(x, y, yaw)
 
 

@@ -149,7 +149,8 @@ class Plans:
         if path is None:
             raise mistake(Code.BITMAP_NOT_FOUND, setting, path=name[:200])
         if not self._reader.is_allowed(path):
-            raise mistake(Code.BITMAP_OUTSIDE, setting, path=name[:200])
+            folder = self._reader.folder_outside(path)
+            raise mistake(Code.BITMAP_OUTSIDE, setting, path=name[:200], folder=folder)
         return path.resolve()
 
     def _trace(self, setting: Setting, path: Path, name: str) -> Plan:

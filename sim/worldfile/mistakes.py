@@ -86,13 +86,13 @@ class Code(Enum):
     FILE_UNREADABLE = "file-unreadable"  # path
     FILE_TOO_LARGE = "file-too-large"  # path, limit (bytes)
     INCLUDE_CYCLE = "include-cycle"  # path
-    INCLUDE_OUTSIDE = "include-outside"  # path
+    INCLUDE_OUTSIDE = "include-outside"  # path, folder: of that file
     INCLUDE_TOO_DEEP = "include-too-deep"  # limit
     TOO_MANY_FILES = "too-many-files"  # limit
     NO_WORLD_FILE = "no-world-file"  # a configuration that names neither a world nor a real robot
     BAD_ADDRESS = "bad-address"  # found
     BITMAP_NOT_FOUND = "bitmap-not-found"  # path
-    BITMAP_OUTSIDE = "bitmap-outside"  # path
+    BITMAP_OUTSIDE = "bitmap-outside"  # path, folder
     BITMAP_UNREADABLE = "bitmap-unreadable"  # path
     BITMAP_TOO_LARGE = "bitmap-too-large"  # given, limit (pixels)
     BITMAPS_TOO_LARGE = "bitmaps-too-large"  # given, limit (pixels)
