@@ -111,7 +111,8 @@ OPTIONS: dict[str, tuple[OptionSpec, ...]] = {
     ),
     "worlds": (),
     "world": (
-        OptionSpec(("name",), "option-world", "NAME", nargs="?"),
+        OptionSpec(("name",), "option-world-name", "NAME", nargs="*"),
+        OptionSpec(("--from",), "option-drawing", "DRAWING", dest="drawing", group="form"),
         OptionSpec(("--map",), "option-map", group="form"),
         OptionSpec(("--report",), "option-report", group="form"),
         OptionSpec(("--json",), "option-json", group="form"),

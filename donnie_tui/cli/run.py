@@ -189,7 +189,7 @@ def _files_of_world(order: Order, outputs: tuple[tuple[str, Path], ...]) -> tupl
     from donnie_tui.world.loading import choose_world, files_of  # slow to load, and few write anything
 
     settings = order.settings
-    name = getattr(order.invocation.arguments, "name", None) or settings.world
+    name = next(iter(getattr(order.invocation.arguments, "name", None) or ()), settings.world)
     if order.invocation.command == "replay" or name in worlds.names():
         return ()
     if not any(_is_regular(path) for _, path in outputs):

@@ -17,7 +17,7 @@ import worlds.words
 from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.core.chart import shrunk
 from donnie_tui.core.describe import MOST_ROBOTS, describe
-from donnie_tui.core.program_files import DocumentError, write_program
+from donnie_tui.core.program_files import DocumentError, checked_path, exists, write_program
 from donnie_tui.core.wording import name_of
 from donnie_tui.i18n.mistakes import world_note
 from donnie_tui.i18n.words import Unusable, Words
@@ -96,9 +96,18 @@ def list_worlds(order: Order) -> int:
 
 
 def describe_world(order: Order) -> int:
-    """In the form that was asked for, in words if none was."""
+    """In the form that was asked for, in words if none was; ``new`` and a file make a world."""
     arguments, words = order.invocation.arguments, order.words
-    world = choose_world(arguments.name or order.settings.world, words, order.settings.include_folders)
+    match arguments.name:
+        case ["new", file]:
+            return _new_world(order, file)
+        case [name] if name != "new" and arguments.drawing is None:
+            pass
+        case [] if arguments.drawing is None:
+            name = order.settings.world
+        case _:
+            raise Unusable(words("world-new-usage"))
+    world = choose_world(name, words, order.settings.include_folders)
     is_printed = not any(
         getattr(arguments, each) not in (None, False) for each in ("json", "map", "svg", "brf")
     )
@@ -112,6 +121,36 @@ def describe_world(order: Order) -> int:
     if not arguments.report:
         for remark in remarks(world, words):
             (order.output.line if is_printed else order.output.complaint)(remark)
+    return ExitCode.DONE
+
+
+_HALF_ROOM = ("#" * 33, *["#" + "." * 31 + "#"] * 15)
+EMPTY_ROOM = "\n".join([*_HALF_ROOM, f"#{'.' * 15}^{'.' * 15}#", *reversed(_HALF_ROOM)])
+"""What ``donnie world new`` writes without a drawing: 31 by 31 steps, the robot in the middle."""
+
+
+def _new_world(order: Order, file: str) -> int:
+    """Write the world that a drawing means, or an empty room; nothing if the drawing has mistakes."""
+    from donnie_tui.cli.programs import read_source
+    from donnie_tui.world.drawing import world_of
+    from donnie_tui.world.things import BadDrawing, slips_in_words
+
+    words, drawing = order.words, order.invocation.arguments.drawing
+    target = Path(file if Path(file).suffix else f"{file}.world")
+    try:
+        if exists(checked_path(target)):
+            raise Unusable(words("world-new-there", path=target))
+        built = world_of(EMPTY_ROOM if drawing is None else read_source(drawing, words).text)
+        write_program(target, built.text)
+    except DocumentError as problem:
+        raise Unusable(words(problem.code, path=problem.path, reason=problem.reason)) from None
+    except BadDrawing as bad:
+        for sentence in slips_in_words(bad, str(drawing), words):
+            order.output.complaint(sentence)
+        return ExitCode.UNUSABLE
+    values = {"width": built.width, "depth": built.depth, "robots": built.robots, "things": built.things}
+    command = f"donnie --world {shlex.quote(str(target))}"
+    order.output.line(words("world-new", path=target, command=command, **values))
     return ExitCode.DONE
 
 
@@ -196,6 +235,7 @@ def _legend(world: ChosenWorld, seen: Picture, shown: set[str], words: Words) ->
             listed.append(name)
     return (
         *(words(code) for letter, code in _FLOOR.items() if letter in shown),
+        *(() if robots else (words("map-no-robot"),)),
         *(words("map-legend", letter=letter, name=_bounded(each)) for letter, each in names.items()),
     )
 

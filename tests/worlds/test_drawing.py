@@ -1,0 +1,358 @@
+"""A floor drawn in letters becomes a world; each mistake has its place; a printed map can be read back."""
+
+from pathlib import Path
+
+import pytest
+
+import worlds
+from donnie_tui.cli.main import main
+from donnie_tui.i18n.words import Words
+from donnie_tui.world.drawing import world_of
+from donnie_tui.world.loading import choose_world
+from donnie_tui.world.things import BadDrawing, slips_in_words
+from sim.picture import Picture, picture
+
+ROOM = """\
+###########
+#.........#
+#..c......#
+#.........#
+#.....^...#
+#.........#
+#.bb......#
+#.bb......#
+###########
+
+c chair green AS throne
+b box red
+"""
+
+
+def mistakes_of(drawing: str) -> list[str]:
+    with pytest.raises(BadDrawing) as bad:
+        world_of(drawing)
+    return list(slips_in_words(bad.value, "map.txt", Words("en")))
+
+
+def written(drawing: str, folder: Path) -> Picture:
+    file = folder / "drawn.world"
+    file.write_text(world_of(drawing).text, encoding="utf-8")
+    chosen = choose_world(str(file), Words("en"))
+    assert chosen.scene.report.notes == ()
+    return picture(chosen.scene)
+
+
+def test_a_drawing_becomes_a_world_with_its_things_at_their_places(tmp_path: Path) -> None:
+    seen = written(ROOM, tmp_path)
+
+    throne, box = seen.things
+    assert (throne.name, throne.kind, throne.colour) == ("throne", "chair", "green")
+    assert (throne.x, throne.y, throne.width, throne.depth) == (-3, 2, 3, 3)  # its usual size
+    assert (box.kind, box.colour) == ("box", "red")
+    assert (box.x, box.y, box.width, box.depth) == (-3.5, -2.5, 2, 2)  # as it is drawn
+    assert seen.rows == (
+        "###########",
+        "#.ccc.....#",
+        "#.ccc.....#",
+        "#.ccc.....#",
+        "#.........#",
+        "#.........#",
+        "#.bb......#",
+        "#.bb......#",
+        "###########",
+    )
+
+
+@pytest.mark.parametrize(("arrow", "heading"), [("^", 0), (">", 90), ("v", 180), ("<", 270)])
+def test_the_arrow_says_where_the_robot_looks(tmp_path: Path, arrow: str, heading: int) -> None:
+    file = tmp_path / "drawn.world"
+    file.write_text(world_of(ROOM.replace("^", arrow)).text, encoding="utf-8")
+
+    start = choose_world(str(file), Words("en")).start()
+
+    assert (start.x, start.y, start.heading) == (0, 0, heading)
+
+
+@pytest.mark.parametrize(
+    "legend", ["c cadeira verde COMO trono", "c = silla verde", "c: green chair", "c is chair, green."]
+)
+def test_the_legend_is_understood_in_every_language(tmp_path: Path, legend: str) -> None:
+    thing = written(ROOM.replace("c chair green AS throne", legend), tmp_path).things[0]
+
+    assert (thing.kind, thing.colour) == ("chair", "green")
+
+
+def test_an_orange_box_is_a_box_and_an_orange_is_an_orange(tmp_path: Path) -> None:
+    seen = written(ROOM.replace("chair green AS throne", "orange").replace("box red", "orange box"), tmp_path)
+
+    assert [(each.kind, each.colour) for each in seen.things] == [("orange", "orange"), ("box", "orange")]
+
+
+def test_several_colours_are_for_the_things_in_reading_order(tmp_path: Path) -> None:
+    drawing = "......\n.f...f\n......\n......\n....^.\n......\n.f....\n\nf flower red, blue, yellow\n"
+
+    things = written(drawing, tmp_path).things
+
+    assert [(each.colour, each.x, each.y) for each in things] == [
+        ("red", -3, 3),
+        ("blue", 1, 3),
+        ("yellow", -3, -2),
+    ]
+
+
+def test_two_robots_are_named_under_the_drawing(tmp_path: Path) -> None:
+    file = tmp_path / "drawn.world"
+    file.write_text(world_of("......\n.^..>.\n......\n\n^ alice, bob\n").text, encoding="utf-8")
+
+    assert choose_world(str(file), Words("en")).scene.robot_names == ("alice", "bob")
+
+
+@pytest.mark.parametrize(
+    ("drawing", "sentences"),
+    [
+        ("", ["Error, map.txt: There is no drawing. # is wall, . is free floor, ^ is a robot."]),
+        ("\n\n", ["Error, map.txt: There is no drawing. # is wall, . is free floor, ^ is a robot."]),
+        ("....\n", ["Error, map.txt: There is no robot. Put ^, >, v or < where it stands."]),
+        (
+            "......\n.^..>.\n......\n",
+            ["Error, map.txt, line 2, column 5: 2 robots need names. Write under the drawing: ^ alice, bob."],
+        ),
+        (
+            "......\n.^..>.\n......\n\n^ alice\n",
+            ["Error, map.txt, line 5, column 1: 1 name, but 2 robots."],
+        ),
+        (
+            "......\n.^..>.\n......\n\n^ alice, Alice\n",
+            ["Error, map.txt, line 5, column 1: Two robots have the same name."],
+        ),
+        (
+            ".....\n..^..\n....\n......\n",
+            [
+                "Error, map.txt, line 3, column 5: This line has 4 letters, the first has 5.",
+                "Error, map.txt, line 4, column 6: This line has 6 letters, the first has 5.",
+            ],
+        ),
+        (
+            ".....\n.\t^..\n.....\n",
+            ["Error, map.txt, line 2, column 2: There is a tab here. Free floor is a dot."],
+        ),
+        (
+            ".....\n. ^..\n.....\n",
+            ["Error, map.txt, line 2, column 2: There is a blank here. Free floor is a dot."],
+        ),
+        (
+            ".....\n..^.*\n.....\n",
+            ["Error, map.txt, line 2, column 5: The sign * means nothing here. A thing is a letter."],
+        ),
+        (
+            "C....\n..^..\n....d\n\nc chair\n",
+            [
+                "Error, map.txt, line 1, column 1: Nothing says what C is. Did you mean c?",
+                "Error, map.txt, line 3, column 5: Nothing says what d is. "
+                "Write under the drawing: d chair green.",
+            ],
+        ),
+        (
+            ROOM.replace("chair green", "chiar gren").replace("box", "sofa"),
+            [
+                "Error, map.txt, line 11, column 3: chiar is neither a thing nor a colour. "
+                "Did you mean chair?",
+                "Error, map.txt, line 11, column 9: gren is neither a thing nor a colour. "
+                "Did you mean green?",
+                "Error, map.txt, line 12, column 3: sofa is neither a thing nor a colour. "
+                "Did you mean small sofa?",
+            ],
+        ),
+        (
+            ROOM.replace("chair green", "chair gren"),
+            [
+                "Error, map.txt, line 11, column 9: gren is neither a thing nor a colour. "
+                "Did you mean green?",
+            ],
+        ),
+        (
+            ROOM + "c box\nthe box\nb\n",
+            [
+                "Error, map.txt, line 13, column 1: c has a line already. Use another letter.",
+                "Error, map.txt, line 14, column 1: the is not one letter. "
+                "A line here says what a letter is: c chair green.",
+                "Error, map.txt, line 15, column 1: b has a line already. Use another letter.",
+            ],
+        ),
+        (
+            ROOM.replace("chair green AS throne", "green"),
+            [
+                "Error, map.txt, line 11, column 3: No thing is named. Things are: chair, table, "
+                "small sofa, large sofa, box, ball, cone, post, flower, stone, crystal, orange, "
+                "juice carton, conveyor belt."
+            ],
+        ),
+        (
+            ROOM.replace("box red", "box red blue"),
+            ["Error, map.txt, line 12, column 3: 1 thing, but 2 colours. Give one colour, or one for each."],
+        ),
+        (
+            "#####\n#.^.#\n#...#\n#####\n",
+            [
+                "Error, map.txt, line 2, column 3: The robot touches something: wall. "
+                "It needs free floor on every side."
+            ],
+        ),
+        (
+            ROOM.replace("#..c......#", "#c........#"),
+            ["Error, map.txt, line 3, column 2: Too little room: chair, 3 by 3 steps, is over wall."],
+        ),
+        (
+            ".....\n..^..\n.....\n\n##...\n",
+            [
+                "Error, map.txt, line 5, column 1: "
+                "The drawing goes on here after an empty line. Delete that line."
+            ],
+        ),
+        (
+            "." * 401 + "\n",
+            ["Error, map.txt, line 1, column 401: The line is too long: 400 letters at most."],
+        ),
+        (
+            "^\n" + ".\n" * 400,
+            ["Error, map.txt, line 401, column 1: Too many lines: 400 at most."],
+        ),
+    ],
+    ids=map(str, range(1, 23)),
+)
+def test_every_mistake_in_a_drawing_has_its_place(drawing: str, sentences: list[str]) -> None:
+    count = len(sentences)
+    total = f"{count} mistake{'s' if count > 1 else ''}. I wrote nothing."
+
+    assert mistakes_of(drawing) == [*sentences, total]
+
+
+def test_a_drawing_with_too_many_walls_is_refused() -> None:
+    rows = [("#." * 100), (".#" * 100)] * 50
+
+    (sentence, _) = mistakes_of("\n".join([*rows, "." * 200, "." * 50 + "^" + "." * 149, "." * 200]))
+
+    assert sentence == "Error, map.txt: Too many walls and things: 10000. At most 2000."
+
+
+# --- the command
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "map.txt").write_text(ROOM, encoding="utf-8")
+    return tmp_path
+
+
+def test_world_new_writes_a_file_and_says_what_is_in_it(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["world", "new", "room", "--from", "map.txt"]) == 0
+
+    assert capsys.readouterr().out == (
+        "room.world: a floor of 11 by 9 steps, 1 robot, 2 things. Go there: donnie --world room.world\n"
+    )
+    assert main(["world", "room.world"]) == 0
+
+
+def test_world_new_without_a_drawing_is_an_empty_room(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["world", "new", "room.world"]) == 0
+
+    assert "33 by 33 steps, 1 robot, 0 things" in capsys.readouterr().out
+
+
+def test_a_file_that_is_there_is_never_overwritten(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (folder / "room.world").write_text("mine", encoding="utf-8")
+
+    assert main(["world", "new", "room.world", "--from", "map.txt"]) == 2
+    assert (folder / "room.world").read_text(encoding="utf-8") == "mine"
+    assert capsys.readouterr().err == "room.world is there already. I changed nothing.\n"
+
+
+@pytest.mark.parametrize(
+    ("content", "sentence"),
+    [
+        (b"", "Error, map.txt: There is no drawing. # is wall, . is free floor, ^ is a robot."),
+        (b"\0\1\2", "map.txt is not a text."),
+        (b"#" * 1_000_000, "Error, map.txt, line 1, column 401: The line is too long: 400 letters at most."),
+        (b"####\n" * 200_000, "Error, map.txt, line 401, column 1: Too many lines: 400 at most."),
+    ],
+    ids=["empty", "binary", "one long line", "many lines"],
+)
+def test_a_file_that_is_no_drawing_writes_nothing(
+    folder: Path, capsys: pytest.CaptureFixture[str], content: bytes, sentence: str
+) -> None:
+    (folder / "map.txt").write_bytes(content)
+
+    assert main(["world", "new", "room.world", "--from", "map.txt"]) == 2
+    assert capsys.readouterr().err.splitlines()[0] == sentence
+    assert not (folder / "room.world").exists()
+
+
+@pytest.mark.parametrize(
+    "arguments", [["new"], ["new", "--from", "map.txt"], ["first_room", "--from", "map.txt"], ["a", "b"]]
+)
+def test_a_wrong_use_says_how_it_is_typed(
+    folder: Path, capsys: pytest.CaptureFixture[str], arguments: list[str]
+) -> None:
+    assert main(["world", *arguments]) == 2
+    assert capsys.readouterr().err == (
+        "Type donnie world new FILE --from DRAWING, or without --from for an empty room.\n"
+    )
+
+
+# --- reading a printed map back
+
+
+def _squares(printed: str) -> dict[str, set[tuple[int, int]]]:
+    """Walls, things and robots with their places from the first robot, or from the first row and column."""
+    lines = printed.splitlines()
+    rows, legend = lines[: lines.index("")], lines[lines.index("") + 1 :]
+    names = next((set(each[:-1].split()[5:]) for each in legend if each[0] in "^>v<"), set())
+    names = {each.strip(",") for each in names}
+    bodies = {each[0] for each in legend if {word.strip(",.") for word in each.split()[2:]} <= names}
+    found: dict[str, set[tuple[int, int]]] = {"wall": set(), "thing": set(), "robot": set()}
+    for row, line in enumerate(rows):
+        for column, letter in enumerate(line):
+            if letter not in {".", *bodies}:
+                kind = "wall" if letter == "#" else "robot" if letter in "^>v<" else "thing"
+                found[kind].add((row, column))
+    down, right = min(found["robot"], default=(0, 0))
+    return {kind: {(row - down, column - right) for row, column in each} for kind, each in found.items()}
+
+
+def _near(place: tuple[int, int], others: set[tuple[int, int]]) -> bool:
+    return any((place[0] + down, place[1] + right) in others for down in (-1, 0, 1) for right in (-1, 0, 1))
+
+
+LEGENDS = ("living_room", "two_robots", "factory", "empty")
+"""Worlds whose legends have every form; the other languages differ in nothing else."""
+
+
+@pytest.mark.parametrize(
+    ("name", "language"),
+    [
+        *((name, "en") for name in worlds.names()),
+        *((name, language) for name in LEGENDS for language in ("pt", "es")),
+    ],
+)
+def test_a_printed_map_is_read_back_within_one_square(
+    folder: Path, capsys: pytest.CaptureFixture[str], name: str, language: str
+) -> None:
+    assert main(["world", name, "--map", "--lang", language]) == 0
+    printed = capsys.readouterr().out
+    (folder / "map.txt").write_text(printed, encoding="utf-8")
+
+    code = main(["world", "new", "back.world", "--from", "map.txt"])
+    assert (code, capsys.readouterr().err) == (0, "")
+    main(["world", "back.world", "--map", "--lang", language])
+    before, after = _squares(printed), _squares(capsys.readouterr().out)
+
+    assert len(before["robot"]) == len(after["robot"])
+    assert before["wall"] or before["thing"] or before["robot"]
+    for kind in before:
+        assert [each for each in before[kind] if not _near(each, after[kind])] == []
+        assert [each for each in after[kind] if not _near(each, before[kind])] == []
