@@ -367,8 +367,8 @@ def _judge_start(
 ) -> Judgment:
     from donnie_tui.core.goals import judge
 
-    settings = replace(settings, speed=None, seed=variant.seed)
-    team = make_team(settings, words, started_at(world, variant.start), terminal=False)
+    settings, world = replace(settings, speed=None, seed=variant.seed), started_at(world, variant)
+    team = make_team(settings, words, world, terminal=False)
     session, events, statements = team.chosen, list[Stamped](), count(1)
 
     def note(stamped: Stamped) -> None:

@@ -32,7 +32,7 @@ _LADDERS = {
         "around_the_corner",
     ),
     "repeating": ("square", "staircase", "one_lap", "spiral", "two_squares", "mirrored"),
-    "looking": ("stop_at_the_post", "to_the_cone", "count_the_flowers"),
+    "looking": ("to_the_cone", "along_the_corridor", "count_the_flowers", "pink_crystal", "maze"),
 }
 """As a pupil solves them, from the easy to the hard ones; what is not named here follows by name."""
 
@@ -103,10 +103,12 @@ class Limit(Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Variant(Struct, frozen=True, forbid_unknown_fields=True):
-    """A start of the world's first robot."""
+    """A start of the world's first robot, and of things."""
 
     start: tuple[float, float, float] | None = None
     """Steps to the east, steps to the north, compass degrees; None for the world's own."""
+    things: dict[str, Place] = {}
+    """Where things stand, by name, that stand elsewhere than in the world."""
     seed: int = 0
 
 

@@ -164,6 +164,7 @@ def unknown_things(challenge: Challenge, room: Inventory) -> tuple[str, ...]:
     """The names in goals and rules that no thing of the world has."""
     named = [each for goal in challenge.rules.goal for each in goal.targets]
     named += challenge.rules.never.touch
+    named += (name for each in challenge.rules.variant for name in each.things)
     return tuple(each for each in named if isinstance(each, str) and not room.called(each))
 
 

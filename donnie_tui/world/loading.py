@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from sim.scene import Model, Scene
     from sim.world import World
     from sim.worldfile import Offer
-    from worlds.challenges import Challenge
+    from worlds.challenges import Challenge, Variant
     from worlds.words import About
 
 CHALLENGE = "challenge:"
@@ -90,6 +90,8 @@ class ChosenWorld(Struct, frozen=True):
     """The configuration file that has no world; what was loaded is only there to draw its robot on."""
     challenge: Challenge | None = None
     """What there is to do in it."""
+    before_moves: Scene | None = None
+    """The scene as its file says, where a challenge moved things in it."""
 
     def about(self, language: str) -> About | None:
         """Title, description and task; None for a world file without a file of words."""
@@ -165,7 +167,7 @@ def choose_challenge(name: str, words: Words) -> Challenge:
 
 def _with_challenge(found: Challenge, words: Words, folders: tuple[str, ...]) -> ChosenWorld:
     world = choose_world(found.world, words, folders)
-    return replace(started_at(world, found.rules.variant[0].start), challenge=found)
+    return replace(started_at(world, found.rules.variant[0]), challenge=found)
 
 
 def _in_a_file(name: str, words: Words, folders: tuple[str, ...], unknown: str) -> ChosenWorld:
@@ -270,17 +272,22 @@ def _pose(placement: Placement) -> Pose:
     return Pose(round(placement.x / STEP, 6) + 0.0, round(placement.y / STEP, 6) + 0.0, heading)
 
 
-def started_at(world: ChosenWorld, start: tuple[float, float, float] | None) -> ChosenWorld:
-    """The world with its first robot elsewhere, in steps and compass degrees."""
-    if start is None:
-        return world
+def started_at(world: ChosenWorld, variant: Variant) -> ChosenWorld:
+    """The world with its first robot and its things as the variant says."""
     from sim.geometry import Placement
     from sim.scene import moved
 
-    first = world.scene.robots[0]
-    x, y, heading = start
-    place = Placement(x * STEP, y * STEP, world.scene.models[first].pose.z, 90.0 - heading)
-    return replace(world, scene=moved(world.scene, {first: place}))
+    scene = world.before_moves or world.scene
+    models, places = scene.models, dict[int, Placement]()
+    for name, (x, y) in variant.things.items():
+        for each in inventory_of(scene).called(name)[:1]:
+            before = models[each.index].pose
+            places[each.index] = Placement(x * STEP, y * STEP, before.z, before.yaw)
+    if variant.start is not None:
+        first = scene.robots[0]
+        x, y, heading = variant.start
+        places[first] = Placement(x * STEP, y * STEP, models[first].pose.z, 90.0 - heading)
+    return replace(world, scene=moved(scene, places), before_moves=scene)
 
 
 def inventory_of(scene: Scene) -> Inventory:

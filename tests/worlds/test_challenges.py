@@ -72,6 +72,15 @@ def test_a_hint_names_words_of_its_language(name: str) -> None:
         assert wrong == set()
 
 
+def test_a_variant_moves_things(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file, program = tmp_path / "it.toml", tmp_path / "p.gd"
+    file.write_text(GOOD.split("[[goal]]\nsaid")[0] + '[[variant]]\nthings = { "yellow ball" = [0, 6] }\n')
+    program.write_text("FW DISTANCE F - 1")
+
+    assert main(["challenge", "check", str(file), str(program), "--lang", "en"]) == 0
+    assert "Solved" in capsys.readouterr().out
+
+
 def test_from_the_third_on_a_shipped_challenge_has_two_starts() -> None:
     for name in challenges.names()[2:]:
         assert len(challenges.find(name).rules.variant) >= 2, name
@@ -118,6 +127,11 @@ def test_a_file_without_mistakes_is_read(tmp_path: Path) -> None:
     [
         ("within", "wihtin", "Line 10: it.toml has the key wihtin. Did you mean within?"),
         ("[en]", 'required = ["REPAET"]\n[en]', "it.toml has REPAET. Did you mean REPEAT?"),
+        (
+            "[[goal]]\nsaid",
+            '[[variant]]\nthings = { "chiar" = [0, 6] }\n[[goal]]\nsaid',
+            "it.toml names chiar, and its world has no such thing. Did you mean chair?",
+        ),
         ('"ball"', '"bal"', "it.toml names bal, and its world has no such thing. Did you mean ball?"),
     ],
 )

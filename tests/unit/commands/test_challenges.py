@@ -24,11 +24,27 @@ def test_the_verdict_follows_each_run_and_counts_from_the_start(open_script: Ope
 
 
 def test_a_program_must_solve_the_challenge_from_every_start(open_script: OpenScript) -> None:
-    script = open_script(world="challenge:stop_at_the_post")
+    script = open_script(world="challenge:to_the_cone")
 
-    assert script.answers_to("FW 34")[-1].startswith("1 of 1 goal. From start 2: You bumped")
+    said = script.answers_to("SPEAK DISTANCE F", "FW 8")
+    assert "From start 2: " in said[-1]
+    assert "You touched the cone." in said[-1]
     script.type("RESET")
-    assert "Solved, in 1 command." in script.answers_to("FW DISTANCE F - 2")
+    assert "Solved, in 1 command." in script.answers_to("FW DISTANCE F - 1")
+
+
+def test_a_start_that_moves_nothing_is_the_world_as_it_is(open_script: OpenScript, tmp_path: Path) -> None:
+    file = tmp_path / "it.toml"
+    file.write_text(
+        'format = 1\nworld = "object_field"\n[en]\ntitle = "T"\ntask = "Do."\n'
+        '[[goal]]\nat = "green cone"\nwithin = 1.5\n'
+        '[[variant]]\nstart = [0, 1, 0]\nthings = { "green cone" = [0, 7] }\n[[variant]]\n'
+    )
+    script = open_script(world=f"challenge:{file}")
+
+    assert "Solved, in 1 command." in script.answers_to("FW DISTANCE F - 1")
+    script.type("RESET")
+    assert "From start 2: The cone is still 6 steps away, to the north." in script.answers_to("FW 3")[-1]
 
 
 def test_a_line_with_a_mistake_of_form_is_no_try(open_script: OpenScript) -> None:

@@ -1,1 +1,0 @@
-FW DISTANCE F - 2
