@@ -92,6 +92,12 @@ _WRITTEN_AS = {
 _MARKED_SIGN = rf"(?:[=<>]=|<>|[=<>+\-*/()\[\],:;]){MARK}+"
 """A sign with a loose mark is another sign: = with a stroke through it means different."""
 
+_OTHER_COMMENT_MARKS = ("//", "#")
+"""What begins a comment in other programming languages: first in its line, or between two blanks."""
+_OTHER_COMMENT = r"(?:(?<![^\r\n])(?://|#)|(?<=\s)(?://|#)(?!\S))[^\r\n]*"
+_NO_PLACE = -1
+"""Of a mistake that spoils no command."""
+
 _QUOTES = "\u201c\u201d\u201e\u201f"
 _OTHER_STRINGS = rf"|[{_QUOTES}][^{_QUOTES}]*[{_QUOTES}]|\u2018[^\u2018\u2019\r\n]*\u2019"
 _WHOLE_COMMENT = COMMENT_MARK + r"[^\r\n]*"
@@ -126,7 +132,7 @@ def _pieces(is_ascii: bool) -> re.Pattern[str]:
     others = "" if is_ascii else _OTHER_STRINGS
     marked = "" if is_ascii else f"{_MARKED_SIGN}|"
     return re.compile(
-        rf" +|{marked}{letter}+|\r\n?|\n|==|<>|<=|>=|{dashes}[^\r\n]*"
+        rf" +|{marked}{letter}+|\r\n?|\n|==|<>|<=|>=|{dashes}[^\r\n]*|{_OTHER_COMMENT}"
         rf"|\"[^\"]*\"|[^\S\r\n]+|'[^'\r\n]*'{others}|.",
         re.DOTALL | (re.ASCII if is_ascii else 0),
     )
@@ -148,7 +154,7 @@ class Lexed(Struct, frozen=True):
     comments: list[Comment] = field(default_factory=list)
     mistakes: list[Diagnostic] = field(default_factory=list)
     flaws: list[int] = field(default_factory=list)
-    """For each mistake, the index of its token or of the next one."""
+    """For each mistake that spoils a command, the index of its token or of the next one."""
     colours: list[Token] = field(default_factory=list)
     """The tokens that are colours."""
     open_quote: int | None = None
@@ -331,6 +337,10 @@ class _Lexer:
             self._tokens.append(self._command_or_name(piece, start, end))
         elif piece[0].isascii() and (piece[0].isdigit() or piece[0] == "_"):
             self._unreadable_word(piece, start, end)
+        elif piece.startswith(_OTHER_COMMENT_MARKS) and re.compile(_OTHER_COMMENT).match(self._folded, start):
+            mark_end = start + (2 if piece[0] == "/" else 1)
+            place = (self._line, start - self._margin, _NO_PLACE)
+            self._flaws.append((MistakeKind.UNKNOWN_CHARACTER, start, mark_end, *place))
         else:
             self._flaw(MistakeKind.UNKNOWN_CHARACTER, start, end)
             if len(piece) > 1 and not piece.endswith(MARK):
@@ -388,7 +398,7 @@ class _Lexer:
             tokens,
             self._comments,
             [self._diagnostic(*flaw[:-1]) for flaw in self._flaws],
-            [flaw[-1] for flaw in self._flaws],
+            [flaw[-1] for flaw in self._flaws if flaw[-1] != _NO_PLACE],
             [tokens[index] for index in self._colours],
             self._open_quote,
             self._first_line,
@@ -413,6 +423,8 @@ def _sign_meant(found: str) -> str:
 
     A stroke through a sign of comparison makes it the opposite.
     """
+    if found in _OTHER_COMMENT_MARKS:
+        return "--"
     decomposed = normalize("NFD", found)
     marks = "".join(filter(combining, decomposed))
     base = decomposed.removesuffix(marks)

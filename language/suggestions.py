@@ -55,7 +55,7 @@ def suggested_keyword(text: str) -> Suggestion:
 
 
 def _edits_allowed(length: int) -> int:
-    return 0 if length < 2 else 1 if length < 6 else 2 if length < 9 else 3
+    return 0 if length < 2 else 1 if length < 7 else 2 if length < 9 else 3
 
 
 def is_near(typed: str, meant: str) -> bool:
@@ -246,6 +246,21 @@ def _everyday_words(language: str) -> dict[str, str]:
 def fillers_of(language: str) -> frozenset[str]:
     """Folded words that beginners write between others: THE, STEPS."""
     return frozenset(map(folded_word, own_words(language, "keywords", "everyday", "fillers")))
+
+
+@cache
+def _joining_words() -> dict[str, str]:
+    return {
+        folded_word(word): f"{joined}-comparison"
+        for language in languages()
+        for joined in keys(language, "keywords", "joining")
+        for word in own_words(language, "keywords", "joining", joined)
+    }
+
+
+def joining_word(word: str) -> str:
+    """The code of the mistake for AND or OR between two comparisons; empty for any other word."""
+    return _joining_words().get(word, "")
 
 
 @cache

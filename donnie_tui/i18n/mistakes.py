@@ -38,7 +38,7 @@ LONGEST_QUOTE = 24
 MOST_EXPECTED = 4
 """More things than these are no help: the sentence names none."""
 
-_SAYS_WHAT_IS_MEANT = ("missing-argument", "number-word")
+_SAYS_WHAT_IS_MEANT = ("missing-argument", "number-word", "short-change")
 """Codes with a sentence that says already what was meant."""
 
 _ARGUMENTS_OF = {"direction": "DIRECTION", "axis": "AXIS", "colour": "COLOUR", "on-or-off": "SWITCH"}
@@ -55,6 +55,8 @@ def hint(diagnostic: Diagnostic, words: Wording) -> str | None:
     make = _HINT_OF.get(diagnostic.kind)
     if diagnostic.meant and diagnostic.code in _SAYS_WHAT_IS_MEANT:
         return None
+    if diagnostic.meant == "--":
+        return words("hint-comment")
     if not diagnostic.meant or diagnostic.meant_at is not None or diagnostic.code == "other-end":
         return make(diagnostic, words) if make else None
     meant = words("hint-meant", meant=diagnostic.meant)
@@ -104,6 +106,8 @@ def _missing_argument(diagnostic: Diagnostic, words: Wording) -> str:
 
 def _unknown_character(diagnostic: Diagnostic, words: Wording) -> str:
     found = unicodedata.normalize("NFC", diagnostic.found)
+    if diagnostic.meant == "--":
+        return words("mistake-unknown-character", sign=_found(diagnostic, words))
     marks = takewhile(unicodedata.combining, found[1:])
     return words("mistake-unknown-character", sign=_sign(found[:1] + "".join(marks), words))
 
@@ -183,10 +187,20 @@ def _command_words() -> frozenset[str]:
     return frozenset(fold_name(word) for word in spelled if len(word) > 1)
 
 
+_HINT_OF_CHARACTER = {
+    ".": "hint-whole-numbers",
+    "!": "hint-different",
+    "'": "hint-double-quotes",
+    "#": "hint-comment",
+    "%": "hint-remainder",
+    "&": "hint-second-comparison",
+    "|": "hint-other-comparison",
+}
+
+
 def _hint_for_character(diagnostic: Diagnostic, words: Wording) -> str | None:
-    code = {".": "hint-whole-numbers", "!": "hint-different", "'": "hint-double-quotes"}
-    found = code.get(diagnostic.found[:1].replace("’", "'").replace("‘", "'"))
-    return words(found) if found else None
+    found = _HINT_OF_CHARACTER.get(diagnostic.found[:1].replace("’", "'").replace("‘", "'"))
+    return words(found, IF=_spelled("IF", words)) if found else None
 
 
 def _hint_for_argument(diagnostic: Diagnostic, words: Wording) -> str | None:
@@ -201,6 +215,8 @@ def _hint_for_argument(diagnostic: Diagnostic, words: Wording) -> str | None:
 
 
 def _hint_for_closer(diagnostic: Diagnostic, words: Wording) -> str | None:
+    if diagnostic.code == "else-if":
+        return _hint_by_code(diagnostic, words)
     return words("hint-write-closer", closer=_closer(diagnostic, words))
 
 
@@ -277,7 +293,7 @@ def _values(diagnostic: Diagnostic, words: Wording) -> dict[str, object]:
     for key in ("opener", "word", "missing"):
         values[key] = _spelled(str(values.get(key, "")), words)
     values["closer"] = _closer(diagnostic, words)
-    values |= {each: _spelled(each, words) for each in ("IF", "SPEAK", "VAR")}
+    values |= {each: _spelled(each, words) for each in ("ELSE", "IF", "SPEAK", "VAR")}
     return values
 
 

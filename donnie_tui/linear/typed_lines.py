@@ -16,7 +16,7 @@ from donnie_tui.commands.dispatch import perform, says_slip
 from donnie_tui.commands.interaction import drive
 from donnie_tui.commands.lookup import find
 from donnie_tui.commands.run import run_program
-from donnie_tui.core.document import Document, ProgramTooLong
+from donnie_tui.core.document import ProgramTooLong
 from donnie_tui.core.events import Outcome
 from donnie_tui.core.run_state import RunObserver, RunState
 from donnie_tui.core.runner import Run
@@ -28,7 +28,7 @@ from donnie_tui.linear.output import LARGEST_BLOCK, BackgroundRobots
 from donnie_tui.linear.prompter import GRACE, Printer, Prompter, Streams
 from donnie_tui.linear.reader import How, Typed
 from language import keywords
-from language.diagnostics import MistakeKind
+from language.diagnostics import Diagnostic, MistakeKind
 from language.source import printable
 
 FIRST_REPORT = 3.0
@@ -91,20 +91,20 @@ class TypedLines:
         """Run the lines that wait, but no part of a block, unless it has a mistake that is to be reported."""
         program = self._ctx.program
         block = program.open_block
-        if block and not self._has_mistake(program):
+        mistakes = self._ctx.donnie.session.parse(program.waiting_text).diagnostics if block else ()
+        if block and all(not each.found or each.kind is MistakeKind.MISSING_END for each in mistakes):
             self._ctx.answer("block-still-open", opener=self._spelled(block.kind), line=block.line)
+            self._hint_at_else_if(mistakes)
         elif program.is_waiting:
             drive(run_program(self._ctx, is_whole=False))
         elif self.continuation is not None:
             continuation, self.continuation = self.continuation, None
             continuation()
 
-    def _has_mistake(self, program: Document) -> bool:
-        """Whether it has a mistake that no further line corrects."""
-        return any(
-            each.found and each.kind is not MistakeKind.MISSING_END
-            for each in self._ctx.donnie.session.parse(program.waiting_text).diagnostics
-        )
+    def _hint_at_else_if(self, mistakes: tuple[Diagnostic, ...]) -> None:
+        hint = next((self._ctx.words.hint(each) for each in mistakes if each.code == "else-if"), None)
+        if hint is not None:
+            self._ctx.say(hint)
 
     def _spelled(self, canonical: str) -> str:
         return keywords.spelling(canonical, self._ctx.words.language)

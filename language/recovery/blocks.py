@@ -149,7 +149,10 @@ def report_unclosed_blocks(reader: TokenReader) -> None:
     for block in reader.blocks:
         if block.kind:
             expected, details = _about_end(block)
-            reader.report(MistakeKind.MISSING_END, block.token, "", expected, "", details)
+            code, else_if = "", reader.else_if
+            if block.kind == "IF" and else_if is not None and else_if[1] > block.token[1]:
+                code = "else-if"
+            reader.report(MistakeKind.MISSING_END, block.token, code, expected, "", details)
 
 
 def _about_end(block: OpenBlock) -> tuple[tuple[str, ...], dict[str, str | int]]:

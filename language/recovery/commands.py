@@ -49,6 +49,7 @@ from language.suggestions import (
     Suggestion,
     everyday,
     fillers_of,
+    joining_word,
     nearest,
     nearest_keyword,
     nearest_pair,
@@ -68,7 +69,8 @@ _TAKE_VALUE = frozenset(KIND[name] for name in (*SAMPLES, "SPEAK"))
 _TAKE_MORE = _TAKE_VALUE | OPENERS.keys() | {VAR}
 """The words after which something else than a direction, an axis, a colour or a switch must come."""
 
-_BEFORE_VALUE = frozenset((SIGN, ASSIGN, COMPARATOR, KIND["SCALE"]))
+_SCALE, _RPAR = KIND["SCALE"], KIND["RPAR"]
+_BEFORE_VALUE = frozenset((SIGN, ASSIGN, COMPARATOR, _SCALE))
 _COMPLETE_ALONE = frozenset(
     KIND[name] for name in ("SCAN", "STATE", "HISTORY", "GRIP", "RELEASE", "QUIT", "RUN", "HELP")
 )
@@ -87,6 +89,11 @@ def read_unknown_command(reader: TokenReader) -> None:
         return
     if reader.following[0] == COMPARATOR and reader.following[5] == "==":
         _read_two_equals_signs(reader)
+        return
+    if _changes_shortly(reader, reader.at):
+        reader.begin_command()
+        reader.advance()
+        _read_short_change(reader)
         return
     pair = _pair_with_misspelt_first(reader)
     near, width = (pair, 2) if pair else (_command_meant(reader, token[5]), 1)
@@ -169,6 +176,8 @@ def read_stray(reader: TokenReader) -> None:
         _report_assignment(reader)
     elif reader.following[0] == ASSIGN and is_reserved(token[5]):
         _report_reserved(reader, token)
+    elif _follows_unknown_name(reader):
+        _report_unknown_name(reader)
     else:
         code = "text-plus" if before[0] == STRING and token[0] == SIGN else ""
         code = "whole-numbers" if reader.is_decimal_comma else code
@@ -292,7 +301,12 @@ def read_mistake_within(reader: TokenReader) -> None:
             return
     if _read_misspelt_sensor(reader):
         return
-    if _misses_value(reader):
+    if before[0] == NAME and _changes_shortly(reader, reader.at - 1):
+        _read_short_change(reader)
+    elif _follows_unknown_name(reader):
+        _report_unknown_name(reader)
+        give_up(reader)
+    elif _misses_value(reader):
         _report_missing_value(reader)
     elif _is_reserved_as_name(reader):
         _report_reserved(reader, token)
@@ -328,9 +342,10 @@ def _read_unexpected(reader: TokenReader) -> None:
         _report_end_of_head(reader, details)
         give_up(reader)
         return
-    if token[0] in (NAME, FRAGMENT):
+    joining = joining_word(token[5]) if head is not None and token[0] == NAME else ""
+    if token[0] in (NAME, FRAGMENT) and not joining:
         near = nearest_keyword(token[5], reader.automaton.acceptable(), reader.language)
-    code = "whole-numbers" if reader.is_decimal_comma else ""
+    code = "whole-numbers" if reader.is_decimal_comma else joining
     expected = reader.automaton.expected()
     reader.report(MistakeKind.SYNTAX, token, code, expected, near.text if near else "", details)
     if near and not near.complete:
@@ -357,6 +372,57 @@ def _report_end_of_head(reader: TokenReader, details: dict[str, str | int]) -> N
         details |= {"missing": word, "line": before[3]}
     meant, expected = spelling(word, reader.language), reader.automaton.expected()
     reader.report(MistakeKind.SYNTAX, token, code, expected, meant, details)
+
+
+# --- what other programming languages write: i++, i += 2, RANDOM 5 ------------------------------------
+
+
+def _changes_shortly(reader: TokenReader, at: int) -> bool:
+    """Whether ``i++`` or ``i += 2`` is there, with its name at that index."""
+    tokens = reader.tokens[at : at + 3]
+    if len(tokens) < 3 or tokens[1][0] not in (SIGN, _SCALE) or tokens[1][2] != tokens[2][1]:
+        return False
+    return tokens[2][0] == ASSIGN or (tokens[1][0] == SIGN and tokens[2][5] == tokens[1][5])
+
+
+def _read_short_change(reader: TokenReader) -> None:
+    """Report ``i++`` or ``i += 2`` after its name with the assignment, and read it as one."""
+    reader.at -= 1
+    name, sign, last, value, after = (*reader.tokens[reader.at : reader.at + 5], reader.tokens[-1])[:5]
+    typed, amount, width = reader.typed(name), "1", 3
+    if last[0] == ASSIGN:
+        is_plain = value[0] in (NUMBER, NAME) and after[0] not in (SIGN, _SCALE)
+        amount, width = (reader.typed(value), 4) if is_plain else ("", 3)
+    meant = f"{typed} = {typed} {sign[5]} {amount}" if amount else ""
+    details: dict[str, str | int] = {"written": meant or f"{typed} = {typed} {sign[5]} 1"}
+    reader.report(MistakeKind.SYNTAX, name, "short-change", ("=",), meant, details, width)
+    reader.at += 1
+    reader.mark_flaw()
+    reader.at += 2
+    reader.automaton.feed(ASSIGN)
+    if last[0] != ASSIGN:
+        reader.automaton.feed(NUMBER)
+
+
+def _follows_unknown_name(reader: TokenReader) -> bool:
+    """Whether a value follows a name that the text declares nowhere: ``RANDOM 5``."""
+    token, before = reader.token, reader.before
+    if token[0] not in (NUMBER, LPAR) or before[0] != NAME or before[3] != token[3]:
+        return False
+    return reader.at - 1 > reader.begun and not reader.declares(before[5])
+
+
+def _report_unknown_name(reader: TokenReader) -> None:
+    """Report the name together with all that follows it as a value of a function would."""
+    kind, start, _, line, column, text = reader.before
+    at = reader.at
+    if reader.token[0] == LPAR:
+        while reader.tokens[at + 1][3] == line and reader.tokens[at][0] != _RPAR and reader.tokens[at + 1][0]:
+            at += 1
+    whole = (kind, start, reader.tokens[at][2], line, column, text)
+    reader.report(MistakeKind.UNKNOWN_COMMAND, whole, "value", ("expression",))
+    reader.mark_flaw()
+    reader.at = at
 
 
 # --- FW without its number ----------------------------------------------------------------------------

@@ -10,6 +10,7 @@ import re
 from bisect import bisect_left, insort
 from collections.abc import Mapping
 from functools import cached_property
+from itertools import pairwise
 
 from msgspec import Struct
 
@@ -88,6 +89,8 @@ class TokenReader:
         self.blocks: list[OpenBlock] = []
         self.head: OpenBlock | None = None
         """The innermost block, while the place is in its head."""
+        self.else_if: Token | None = None
+        """The IF of the last ELSE IF."""
         self.found: list[Diagnostic] = []
 
     # --- looking
@@ -137,6 +140,15 @@ class TokenReader:
         here = {self.tokens[at][5]: self._parameters(at + 1) for at in heads if self.tokens[at][0] == NAME}
         return before | here
 
+    def declares(self, name: str) -> bool:
+        """Whether the text declares a variable or a parameter of that folded name."""
+        return name in self._declared_names
+
+    @cached_property
+    def _declared_names(self) -> frozenset[str]:
+        pairs = pairwise(self.tokens)
+        return frozenset(token[5] for before, token in pairs if before[0] in (VAR, _COLON, _COMMA))
+
     def _parameters(self, at: int) -> tuple[str, ...]:
         found: list[str] = []
         while self.tokens[at][0] in (_COLON, _COMMA) and self.tokens[at + 1][0] == NAME:
@@ -162,6 +174,9 @@ class TokenReader:
         self.at += 1
         if token[0] in OPENERS:
             kind = OPENERS[token[0]]
+            before = self.tokens[self.at - 2] if self.at > 1 else token
+            if kind == "IF" and before[0] == ELSE and before[3] == token[3]:
+                self.else_if = token
             self.head = OpenBlock(kind, token, kind, len(self.automaton.states))
             self.blocks.append(self.head)
         elif token[0] in HEAD_ENDS:

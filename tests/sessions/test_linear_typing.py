@@ -79,6 +79,12 @@ def test_an_empty_line_runs_pending_lines_but_not_half_a_block(learner: Learner)
     learner.sees("I walked 1 step forward.\r\nI walked 1 step forward.\r\n> ")
 
 
+def test_an_empty_line_after_an_else_if_says_which_end_is_missing(learner: Learner) -> None:
+    learner.enters("IF 1 > 2 THEN", "ELSE IF 2 > 1 THEN", "END IF", "")
+    learner.sees("IF in line 1 is still open.")
+    learner.sees("ELSE IF needs another END IF.")
+
+
 def test_escape_runs_the_unfinished_line_too(learner: Learner) -> None:
     learner.sees_prompt()
     learner.types("FW 2" + ESC)

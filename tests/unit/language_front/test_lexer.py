@@ -146,4 +146,4 @@ def test_leading_zeros_do_not_count_for_the_limit_of_digits() -> None:
 
 
 def test_adjacent_unreadable_characters_are_one_mistake() -> None:
-    assert [each.found for each in lex("$$ # %").mistakes] == ["$$", "#", "%"]
+    assert [each.found for each in lex("$$ @ %").mistakes] == ["$$", "@", "%"]

@@ -495,6 +495,9 @@ def test_a_number_is_offered_where_one_is_missing(source: str, meant: str) -> No
         ("CAMINAR tres pasos", "AV 3"),
         ("DOBLAR A LA IZQUIERDA", "GI 90"),
         ('DECIR "hola"', 'HABLAR "hola"'),
+        ("GIRAR A LA IZQUIERDA", "GI 90"),
+        ("GIRAR À ESQUERDA 45", "GE 45"),
+        ("GIRAR PARA A DIREITA", "GD 90"),
         ("AV 1 ANDAR 3", "AV 3"),
         ("ANDAR 3 GIRAR DERECHA 90", "AV 3"),
     ],
@@ -524,3 +527,88 @@ def test_a_misspelt_for_is_one_mistake() -> None:
 
 def test_an_everyday_word_may_be_a_name() -> None:
     assert parse("VAR walk = 2 PROCEDURE go: loop DO FW loop END PROCEDURE walk = 3 go [walk]").program
+
+
+@pytest.mark.parametrize("sign", ["#", "//"])
+def test_the_comment_of_another_language_is_one_mistake(sign: str) -> None:
+    only = the_mistake(f'{sign} say "hi and walk 3\nFW 2')
+
+    assert (only.kind, only.found, only.meant) == (MistakeKind.UNKNOWN_CHARACTER, sign, "--")
+
+
+def test_a_mistake_after_the_comment_of_another_language_is_found() -> None:
+    assert [each.span.line for each in mistakes_in("# go\nFW\nTR 90 # on\nFW 2 // x\nJUMP")] == [
+        1,
+        2,
+        3,
+        4,
+        5,
+    ]
+
+
+@pytest.mark.parametrize(
+    ("source", "meant"),
+    [
+        ("VAR i i++ FW 1", "i = i + 1"),
+        ("VAR i\ni += 2\nFW i", "i = i + 2"),
+        ("i -= n", "i = i - n"),
+        ("i *= (3 + 1) - 2\nFW i", ""),
+        ("i++ ++", "i = i + 1"),
+        ("FOR VAR i = 0; i < 3; i++ DO\nFW i\nEND FOR", "i = i + 1"),
+        ("FOR VAR i = 0; i < 3; i += 2 DO\nFW i\nEND FOR", "i = i + 2"),
+    ],
+)
+def test_the_short_change_of_another_language_is_one_mistake(source: str, meant: str) -> None:
+    only = the_mistake(source)
+
+    assert (only.code, only.found, only.meant) == ("short-change", "i", meant)
+
+
+@pytest.mark.parametrize(
+    ("source", "found", "column"),
+    [
+        ("VAR a = RANDOM 5\nFW a", "RANDOM 5", 9),
+        ("SPEAK RANDOM(1, 5)\nFW 1", "RANDOM(1, 5)", 7),
+        ("FW random (5) TR 90", "random (5)", 4),
+    ],
+)
+def test_a_value_after_an_unknown_name_is_the_fault_of_the_name(source: str, found: str, column: int) -> None:
+    only = the_mistake(source)
+
+    assert (only.kind, only.found, only.span.column) == (MistakeKind.UNKNOWN_COMMAND, found, column)
+
+
+def test_a_value_after_a_variable_is_the_fault_of_the_value() -> None:
+    assert the_mistake("VAR n = 2\nFW n 3").found == "3"
+
+
+@pytest.mark.parametrize("head", ["1 < 2 AND 2 < 3", "1 < 2 E 2 < 3", "1 < 2 Y 2 < 3", "1 < 2 or 2 < 3"])
+def test_a_second_comparison_is_one_mistake(head: str) -> None:
+    for source in (f"IF {head} THEN\nFW 1\nEND IF", f"WHILE {head} DO\nFW 1\nEND WHILE"):
+        assert the_mistake(source).code in ("second-comparison", "other-comparison")
+
+
+@pytest.mark.parametrize(
+    "head",
+    [
+        "FOR VAR i = 0, i < 3, i = i + 1 DO",
+        "FOR VAR i = 0; i = 3; i = i + 1 DO",
+        "FOR VAR i = 0; i < 3; i + 1 DO",
+        "FOR VAR i = 0; i < 3 DO",
+        "FOR i = 0 TO 3 DO",
+        "FOR VAR i = 0; i < 3; i = i + 1",
+        "FOR VAR i = 0 i < 3; i = i + 1 DO",
+        "FOR (VAR i = 0; i < 3; i++) DO",
+        "FOR VAR i = 0; i < 3; i = i % 2 DO",
+        "FOR 3 TIMES",
+        "FOR i IN 3 DO",
+    ],
+)
+def test_one_slip_in_a_for_line_is_one_mistake(head: str) -> None:
+    the_mistake(f"{head}\nFW 1\nEND FOR\nTR 90")
+
+
+def test_an_else_if_without_its_own_end_says_so() -> None:
+    only = the_mistake("IF 1 < 2 THEN\nFW 1\nELSE IF 2 < 3 THEN\nFW 2\nELSE IF 3 < 3 THEN\nEND IF\nEND IF")
+
+    assert (only.kind, only.code) == (MistakeKind.MISSING_END, "else-if")
