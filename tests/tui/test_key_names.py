@@ -33,10 +33,14 @@ def test_no_key_of_the_spanish_help_has_an_english_name() -> None:
     assert not any(english in each for each in names for english in ("Shift", "Space", "Page"))
 
 
-def test_the_page_about_the_full_screen_names_keys_that_exist() -> None:
-    page = (ROOT / "docs/full-screen.md").read_text(encoding="utf-8")
-    named = set(re.findall(r"Ctrl\+K (?:Shift\+)?[A-Z0-9]+\b|Ctrl\+\w+|\bF\d+\b", page))
-    declared = {key_label(key, "en") for keys in KEYS.values() for key in keys}
+@pytest.mark.parametrize(
+    ("language", "page"),
+    [("en", "full-screen.md"), ("pt", "pt/tela-cheia.md"), ("es", "es/pantalla-completa.md")],
+)
+def test_the_page_about_the_full_screen_names_keys_that_exist(language: str, page: str) -> None:
+    text = (ROOT / "docs" / page).read_text(encoding="utf-8")
+    named = set(re.findall(r"Ctrl\+K (?:(?:Shift|Mayús)\+)?[A-Z0-9]+\b|Ctrl\+\w+|\bF\d+\b", text))
+    declared = {key_label(key, language) for keys in KEYS.values() for key in keys}
 
     assert len(named) > 20
-    assert sorted(named - declared) == sorted(key_label(key, "en") for key in (MENU, PALETTE))
+    assert sorted(named - declared) == sorted(key_label(key, language) for key in (MENU, PALETTE))
