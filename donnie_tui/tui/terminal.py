@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from rich.cells import cell_len
@@ -123,6 +125,13 @@ class TerminalApp(App[int], inherit_bindings=False):
             typing = self.cursor_position if is_typing else None
             renderable = self._painted.less(renderable, rows=self.is_read_by_rows, typing=typing)
         super()._display(screen, renderable)
+
+    @contextmanager
+    def suspend(self) -> Iterator[None]:
+        """As Textual's; all is painted again after the other program, which wrote over the terminal."""
+        with super().suspend():
+            yield
+        self.repaint()
 
     def repaint(self) -> None:
         """All of it: something else may have written over the terminal."""

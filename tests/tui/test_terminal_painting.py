@@ -10,6 +10,7 @@ import pytest
 
 from tests.tui.terminal import (
     CTRL_Q,
+    ENTER,
     TAB,
     Terminal,
     falls_silent,
@@ -102,3 +103,24 @@ def test_the_cursor_stands_right_after_what_is_typed(terminal):
     donnie.shows("Save first, y or n?")
     donnie.type("maybe")
     donnie.until(lambda: under_the_cursor(donnie) == ("maybe", " "), "the cursor after the answer")
+
+
+def test_everything_is_painted_again_after_another_program_had_the_terminal(terminal, tmp_path):
+    """Into the same rows and columns: what is still the same was written over, too."""
+    less = tmp_path / "less"
+    less.write_text('#!/bin/sh\nprintf "\\033[2J\\033[1;1Hthe pager"\nread -r line\n')
+    less.chmod(0o755)
+    donnie = terminal("--world", "living_room", PATH=f"{tmp_path}:{os.environ['PATH']}", PAGER="less")
+    donnie.type("FW 1")
+    donnie.shows("1  FW 1")
+    assert falls_silent(donnie, 1.0)
+    before = tuple(donnie.screen.display)
+    donnie.type(TAB * 3 + "LOG" + ENTER)
+    donnie.shows("the pager")
+    donnie.type(ENTER)
+
+    donnie.shows("1  FW 1")
+    assert falls_silent(donnie, 1.0)
+    painted = tuple(donnie.screen.display)
+    assert [was for was, row in zip(before, painted, strict=True) if was.strip() and not row.strip()] == []
+    assert painted[0] == before[0]
