@@ -161,6 +161,7 @@ class ScreenController:
         return begin(self._perform(BY_NAME[name], argument))
 
     async def _perform(self, command: Command, argument: str | None) -> None:
+        self.main_screen.editor.suggestion = ""  # only typing continues an offered word
         await perform(self.ctx, command, argument)
         self.run_view.show_past()
         self.display.update()

@@ -49,6 +49,20 @@ async def test_the_likely_word_is_shown_behind_the_cursor_and_taken_with_the_rig
         assert screen.main.editor.text == "REPEAT"
 
 
+@pytest.mark.parametrize("key", ["f7", "left right", "home end"])
+async def test_what_is_not_typing_drops_the_offered_word(open_screen, key):
+    """Then Right moves the cursor, and writes nothing into the program."""
+    async with open_screen() as screen:
+        await screen.press(*"FW", "space", *"1", "enter", *"REPE")
+        await screen.pilot.pause()
+        assert screen.main.editor.suggestion == "AT"
+        await screen.press(*key.split())
+        await screen.pilot.pause()
+        await screen.press("right")
+
+        assert screen.main.editor.text == "FW 1\nREPE"
+
+
 async def test_after_speak_one_letter_offers_what_can_be_spoken(open_screen):
     async with open_screen() as screen:
         await screen.press(*"SPEAK", "space", "D")

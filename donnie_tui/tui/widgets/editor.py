@@ -272,6 +272,11 @@ class Editor(TextArea):
         if found.words and is_enough:
             self.suggestion = found.words[0][len(found.typed) :]
 
+    def _watch_selection(self, previous_selection: Selection, selection: Selection) -> None:
+        """A cursor that moves leaves what was offered; after an edit the offer is made anew."""
+        super()._watch_selection(previous_selection, selection)
+        self.suggestion = ""
+
     def put_in_place_of(self, typed: str, word: str) -> None:
         """The chosen word instead of the letters before the cursor."""
         row, column = self.cursor_location
