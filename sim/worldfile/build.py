@@ -14,17 +14,19 @@ from sim.worldfile.floor_plans import NOTHING, Plan, rectangle
 from sim.worldfile.mistakes import Code, WorldError
 from sim.worldfile.values import ValueReader
 
-Trace = Callable[[Setting], Plan]
-"""The dark pixels of the picture that a ``bitmap`` names."""
+Trace = Callable[[Setting, tuple[float, float, float]], Plan]
+"""The dark pixels of the picture that a ``bitmap`` names, for a model of that size."""
 
 _RED, _NAVY, _BLACK = colour_of("red", 1, 0, 0), colour_of("", 0, 0, 0.5), colour_of("black", 0, 0, 0)
+_GREEN = colour_of("green", 0, 1, 0)
 _SIZES = {
     "ranger": (0.15, 0.15, 0.2),
     "fiducial": (0.0, 0.0, 0.0),
     "gripper": (0.2, 0.3, 0.2),
     "camera": (0.1, 0.07, 0.05),
+    "blinkenlight": (0.02, 0.02, 0.02),
 }
-_COLOURS = {"ranger": _NAVY, "camera": _BLACK}
+_COLOURS = {"ranger": _NAVY, "camera": _BLACK, "blinkenlight": _GREEN}
 _NOT_SIMULATED = frozenset(["camera", "actuator", "lightindicator", "blinkenlight"])
 MOST_POLYGON_POINTS = 200_000
 
@@ -76,11 +78,11 @@ class Builder:
     ) -> Model:
         read, settings = self._reader, entity.settings
         index = len(self.models)
-        plan = self._trace(settings["bitmap"]) if "bitmap" in settings else NOTHING
         default = f"{entity.type}:{counts[entity.type]}"
         counts[entity.type] += 1
         name = read.string(settings, "name", f"{parent.name}.{default}" if parent else default)
         size = read.size(settings, _SIZES.get(entity.type, (0.4, 0.4, 1.0)))
+        plan = self._trace(settings["bitmap"], size) if "bitmap" in settings else NOTHING
         origin = read.place(settings, "origin")
         walled = read.number(settings, "boundary", 0) != 0
         walls = boundary_walls(size, origin) if walled else ()

@@ -25,7 +25,7 @@ from PIL import Image
 
 from donnie_tui.process.confinement import open_bytes
 from sim.scene import NoteKind, Polygon
-from sim.worldfile.entities import LARGEST_FILE, FileReader, Setting
+from sim.worldfile.entities import FileReader, Setting
 from sim.worldfile.mistakes import Code
 from sim.worldfile.values import ValueReader, mistake
 
@@ -123,25 +123,29 @@ class Plan(Struct, frozen=True):
 
 
 NOTHING = Plan((), 0)
-MOST_RECTANGLES = 25_000
+MOST_RECTANGLES = 50_000
+USUAL_RESOLUTION = 0.02
+"""Metres: a cell of Stage's grid."""
 
 
 class Plans:
     """The pictures of one world."""
 
-    def __init__(self, reader: FileReader, values: ValueReader) -> None:
+    def __init__(self, reader: FileReader, values: ValueReader, resolution: float) -> None:
+        """``resolution``: metres, what the world calls so: a cell of Stage's grid."""
         self._reader = reader
         self._values = values
+        self._resolution = resolution
         self._traced: dict[Path, Plan] = {}
         self._pixels = 0
 
-    def plan(self, setting: Setting) -> Plan:
-        """The solid pixels of the picture that ``setting`` names."""
+    def plan(self, setting: Setting, size: tuple[float, float, float]) -> Plan:
+        """The solid pixels of the picture that ``setting`` names, for a model of ``size``."""
         name = self._values.string({"bitmap": setting}, "bitmap", "")
         path = self._path(setting, name)
         if path not in self._traced:
             self._reader.pictures.append(str(path))
-            self._traced[path] = self._trace(setting, path, name)
+            self._traced[path] = self._trace(setting, path, name, min(size[:2]))
         return self._traced[path]
 
     def _path(self, setting: Setting, name: str) -> Path:
@@ -153,9 +157,14 @@ class Plans:
             raise mistake(Code.BITMAP_OUTSIDE, setting, path=name[:200], folder=folder)
         return path.resolve()
 
-    def _trace(self, setting: Setting, path: Path, name: str) -> Plan:
+    def _trace(self, setting: Setting, path: Path, name: str, side: float) -> Plan:
         picture = self._picture(setting, path, name)
         solid = list(islice(rectangles(picture), MOST_RECTANGLES + 1))
+        cell = int(self._resolution / side * min(picture.width, picture.height)) if side > 0 else 1
+        if len(solid) > MOST_RECTANGLES and cell > 1:
+            self._values.note(NoteKind.REPAIRED, "plan-scaled", setting, path=name)
+            picture = scaled_down(picture, cell)
+            solid = list(islice(rectangles(picture), MOST_RECTANGLES + 1))
         if len(solid) > MOST_RECTANGLES:
             raise mistake(Code.TOO_MUCH, setting, what="rectangles", limit=MOST_RECTANGLES)
         height = picture.height
@@ -170,13 +179,17 @@ class Plans:
     def _picture(self, setting: Setting, path: Path, name: str) -> Bitmap:
         try:
             with open_bytes(path) as stream:
-                data = stream.read(LARGEST_FILE + 1)
-            if len(data) > LARGEST_FILE:
-                raise mistake(Code.FILE_TOO_LARGE, setting, path=name[:200], limit=LARGEST_FILE)
+                data = stream.read(LARGEST_PICTURE + 1)
+            if len(data) > LARGEST_PICTURE:
+                raise mistake(Code.FILE_TOO_LARGE, setting, path=name[:200], limit=LARGEST_PICTURE)
             picture = read_bitmap(data, room=MOST_PIXELS_OF_ALL - self._pixels)
+        except OSError:
+            raise mistake(Code.FILE_UNREADABLE, setting, path=name[:200]) from None
         except OversizedBitmapError as large:
             raise mistake(large.code, setting, given=large.given, limit=large.limit) from None
-        except (OSError, UnreadableBitmapError):
+        except DamagedBitmapError:
+            raise mistake(Code.BITMAP_DAMAGED, setting, path=name[:200]) from None
+        except UnreadableBitmapError:
             raise mistake(Code.BITMAP_UNREADABLE, setting, PICTURE_FORMATS, path=name[:200]) from None
         self._pixels += picture.width * picture.height
         return picture
@@ -191,8 +204,11 @@ def _fills(picture: Bitmap) -> bool:
 
 # --- pictures
 
-MOST_PIXELS = 4_000_000
-MOST_PIXELS_OF_ALL = 8_000_000
+LARGEST_PICTURE = 100_100_000
+"""Bytes: a PGM has one for each pixel."""
+MOST_PIXELS = 100_000_000
+"""The memory for them is some 700 MB for a moment if they are coloured, 300 MB if not."""
+MOST_PIXELS_OF_ALL = 120_000_000
 """Of the pictures of one world."""
 MOST_LAYERS = 100
 """Of a JPEG, which is decoded once for each of them: a camera makes some ten."""
@@ -206,6 +222,10 @@ _FLAGS = bytes(1 if level <= DARK else 0 for level in range(256))
 
 class UnreadableBitmapError(Exception):
     """Bytes that are no picture of a kind that is read here, or one that is broken or too large."""
+
+
+class DamagedBitmapError(UnreadableBitmapError):
+    """A picture of a known kind that ends too early, or has bytes that can't be."""
 
 
 class OversizedBitmapError(UnreadableBitmapError):
@@ -225,6 +245,24 @@ class Bitmap(Struct, frozen=True):
     height: int
     rows: tuple[bytes, ...]
     """From the top; a byte a pixel, 1 where it is solid."""
+
+
+def scaled_down(picture: Bitmap, cell: int) -> Bitmap:
+    """One pixel in place of ``cell`` times ``cell``, solid where one of them is, as a cell of the grid."""
+    width, height = -(-picture.width // cell), -(-picture.height // cell)
+    padding = bytes(width * cell - picture.width)
+
+    def row(y: int) -> bytes:
+        joined = 0
+        for each in set(picture.rows[y * cell : (y + 1) * cell]):
+            joined |= int.from_bytes(each + padding)
+        wide = joined.to_bytes(width * cell)
+        narrow = 0
+        for x in range(cell):
+            narrow |= int.from_bytes(wide[x::cell])
+        return narrow.to_bytes(width)
+
+    return Bitmap(width, height, tuple(map(row, range(height))))
 
 
 def flags(reds: bytes) -> bytes:
@@ -283,14 +321,22 @@ def _picture(data: bytes, room: int) -> Bitmap:
         layers = data.count(_JPEG_LAYER) if data.startswith(_JPEG) else 1
         if layers > MOST_LAYERS:
             raise OversizedBitmapError(Code.BITMAP_TOO_MANY_LAYERS, layers, MOST_LAYERS)
-        reds = _red_channel(image).tobytes()
-    return Bitmap(width, height, tuple(flags(reds[y * width : (y + 1) * width]) for y in range(height)))
+        try:
+            reds = memoryview(_red_channel(image).tobytes())
+        except _DAMAGED:
+            raise DamagedBitmapError from None
+    rows: dict[bytes, bytes] = {}
+    """Of rows that are alike, and most of a plan are, one is kept."""
+    found = (flags(bytes(reds[y * width : (y + 1) * width])) for y in range(height))
+    return Bitmap(width, height, tuple(rows.setdefault(row, row) for row in found))
 
 
 def _red_channel(image: Image.Image) -> Image.Image:
     if image.mode.startswith("I"):  # 16 bits a pixel, grey
         return image.convert("I").point(lambda level: level / 256).convert("L")
-    return image.convert("RGB").getchannel("R")
+    if image.mode in ("1", "L"):
+        return image.convert("L")
+    return (image if image.mode in ("RGB", "RGBA") else image.convert("RGB")).getchannel("R")
 
 
 def rectangle(x: float, y: float, width: float, depth: float, top: float = 1.0) -> Polygon:

@@ -22,7 +22,7 @@ from sim.parts import Body, Part, body_of, parts_of
 from sim.scene import LoadReport, Model, Note, NoteKind, Scene
 from sim.worldfile.build import Builder
 from sim.worldfile.entities import Expander, FileReader, Placed, Setting
-from sim.worldfile.floor_plans import Plans
+from sim.worldfile.floor_plans import USUAL_RESOLUTION, Plans
 from sim.worldfile.values import ValueReader, plain
 
 MOST = 50
@@ -149,7 +149,8 @@ def _scene(name: str, reader: FileReader, statements: Iterable[Placed]) -> Scene
     entities = expander.expand(statements)
     values.use_units(expander.settings)
     values.check(expander.settings, quiet=True)
-    builder = Builder(values, Plans(reader, values).plan, expander.settings)
+    resolution = values.length(expander.settings, "resolution", USUAL_RESOLUTION)
+    builder = Builder(values, Plans(reader, values, resolution).plan, expander.settings)
     builder.build(entities)
     robots = _robots(tuple(builder.models))
     models, named = with_names(tuple(builder.models), robots)

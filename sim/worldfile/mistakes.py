@@ -94,6 +94,7 @@ class Code(Enum):
     BITMAP_NOT_FOUND = "bitmap-not-found"  # path
     BITMAP_OUTSIDE = "bitmap-outside"  # path, folder
     BITMAP_UNREADABLE = "bitmap-unreadable"  # path
+    BITMAP_DAMAGED = "bitmap-damaged"  # path
     BITMAP_TOO_LARGE = "bitmap-too-large"  # given, limit (pixels)
     BITMAPS_TOO_LARGE = "bitmaps-too-large"  # given, limit (pixels)
     BITMAP_TOO_MANY_LAYERS = "bitmap-too-many-layers"  # given, limit

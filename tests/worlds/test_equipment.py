@@ -160,3 +160,9 @@ def test_a_misspelt_word_is_reported_with_the_nearest_right_one() -> None:
         load_text('position ( drive "omini" )', Path("t.world"))
 
     assert error.value.details["nearest"] == "omni"
+
+
+def test_a_blinkenlight_is_as_small_as_in_stage() -> None:
+    light = model("blinkenlight ( )")
+
+    assert (light.size, light.colour.family) == ((0.02, 0.02, 0.02), "green")

@@ -4,6 +4,7 @@ import struct
 import zlib
 from io import BytesIO
 from pathlib import Path
+from random import Random
 
 import pytest
 from hypothesis import given, settings
@@ -12,6 +13,7 @@ from hypothesis import strategies as st
 from donnie_tui.i18n.mistakes import world_mistake
 from donnie_tui.i18n.words import Words
 from sim.geometry import signed_area
+from sim.scene import NoteKind, Scene
 from sim.world import World
 from sim.worldfile import Code, WorldError, load_text
 from sim.worldfile.floor_plans import (
@@ -24,6 +26,7 @@ from sim.worldfile.floor_plans import (
     count_outlines,
     read_bitmap,
     rectangles,
+    scaled_down,
 )
 from tests.effort import examples
 from tests.unit.sim.floors import IDEAL, Unpaced
@@ -170,14 +173,14 @@ def test_a_damaged_picture_is_read_or_refused(kind: str, at: int, piece: bytes, 
     assert [len(row) for row in picture.rows] == [picture.width] * picture.height
 
 
-def blank_png(width: int, height: int) -> bytes:
-    """Without pixels: nothing may decode them."""
+def blank_png(width: int, height: int, pixels: bytes = b"") -> bytes:
+    """Without pixels, unless compressed ones are given: nothing may decode them."""
     header = struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0)
-    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(b""))
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", pixels or zlib.compress(b""))
 
 
 @pytest.mark.parametrize(
-    ("width", "height"), [(2000, 2001), (2200, 2000), (20_000, 10_000), (100_000, 100_000)]
+    ("width", "height"), [(10_000, 10_001), (11_000, 10_000), (20_000, 10_000), (100_000, 100_000)]
 )
 def test_a_picture_with_too_many_pixels_is_refused_with_their_number(width: int, height: int) -> None:
     with pytest.raises(OversizedBitmapError) as refused:
@@ -185,6 +188,49 @@ def test_a_picture_with_too_many_pixels_is_refused_with_their_number(width: int,
 
     assert refused.value.code is Code.BITMAP_TOO_LARGE
     assert (refused.value.given, refused.value.limit) == (width * height, MOST_PIXELS)
+
+
+def test_a_floor_plan_of_eighty_million_pixels_is_read_with_its_thin_walls() -> None:
+    from PIL import Image, ImageDraw
+
+    plan = Image.new("1", (9000, 9000), 1)
+    ImageDraw.Draw(plan).line((10, 4000, 8990, 4000), fill=0)
+    out = BytesIO()
+    plan.save(out, "PNG")
+
+    assert list(rectangles(read_bitmap(out.getvalue()))) == [(10, 4000, 8991, 4001)]
+
+
+@given(st.integers(1, 12), st.integers(1, 12), st.integers(1, 5), st.randoms(use_true_random=False))
+def test_a_pixel_of_a_scaled_plan_is_solid_where_one_of_its_pixels_is(
+    width: int, height: int, cell: int, chance: Random
+) -> None:
+    rows = tuple(bytes(chance.random() < 0.2 for _ in range(width)) for _ in range(height))
+
+    scaled = scaled_down(Bitmap(width, height, rows), cell)
+
+    solid = {(x // cell, y // cell) for y in range(height) for x in range(width) if rows[y][x]}
+    found = {(x, y) for y, row in enumerate(scaled.rows) for x, each in enumerate(row) if each}
+    assert found == solid
+    assert (scaled.width, scaled.height) == (-(-width // cell), -(-height // cell))
+
+
+def test_a_plan_finer_than_the_grid_is_scaled_down_where_it_is_too_detailed(tmp_path: Path) -> None:
+    from PIL import Image
+
+    dots = Image.new("1", (1000, 1000), 1)
+    dots.putdata([not (x % 4 == 0 and y % 4 == 0) for y in range(1000) for x in range(1000)])
+    dots.save(tmp_path / "dots.png")
+
+    def loaded(size: int) -> Scene:
+        return load_text(f'model ( bitmap "dots.png" size [ {size} {size} 1 ] )', tmp_path / "a.world")
+
+    fine = loaded(5)
+    assert len(fine.models[0].polygons) == 1
+    assert [note.code for note in fine.report.notes if note.kind is NoteKind.REPAIRED] == ["plan-scaled"]
+    with pytest.raises(WorldError) as refused:
+        loaded(500)
+    assert refused.value.code is Code.TOO_MUCH
 
 
 def test_the_pictures_of_a_world_together_have_a_limit() -> None:
@@ -211,36 +257,65 @@ def test_a_photograph_of_too_many_layers_is_refused_before_they_are_decoded() ->
 
 
 def test_a_world_with_a_picture_that_is_too_large_says_so(tmp_path: Path) -> None:
-    (tmp_path / "plan.png").write_bytes(blank_png(2200, 2000))
+    (tmp_path / "plan.png").write_bytes(blank_png(11_000, 10_000))
     with pytest.raises(WorldError) as refused:
         load_text('model ( bitmap "plan.png" )', tmp_path / "t.world")
 
     assert world_mistake(refused.value, Words()).endswith(
-        "The picture has 4 400 000 pixels, 4 000 000 are allowed."
+        "The picture has 110 000 000 pixels, 100 000 000 are allowed."
     )
 
 
 def test_a_picture_file_that_is_too_large_says_so(tmp_path: Path) -> None:
     with (tmp_path / "plan.png").open("wb") as file:
-        file.truncate(8_000_001)
+        file.truncate(100_100_001)
     with pytest.raises(WorldError) as refused:
         load_text('model ( bitmap "plan.png" )', tmp_path / "t.world")
 
-    assert world_mistake(refused.value, Words()).endswith("plan.png is too large, at most 8 000 000 bytes.")
+    assert world_mistake(refused.value, Words()).endswith("plan.png is too large, at most 100 100 000 bytes.")
 
 
 def test_the_pictures_of_a_world_are_counted_together(tmp_path: Path) -> None:
     from PIL import Image
 
-    for number in range(3):
-        Image.new("1", (2000, 1999), 1).save(tmp_path / f"{number}.png")
-    models = "\n".join(f'model ( bitmap "{number}.png" )' for number in range(3))
+    Image.new("1", (5000, 4100), 1).save(tmp_path / "0.png")
+    (tmp_path / "1.png").write_bytes(blank_png(10_000, 10_000))
+    models = "\n".join(f'model ( bitmap "{number}.png" )' for number in range(2))
 
     with pytest.raises(WorldError) as refused:
         load_text(models, tmp_path / "t.world")
 
     assert refused.value.code is Code.BITMAPS_TOO_LARGE
-    assert refused.value.line == 3
+    assert refused.value.line == 2
+
+
+@pytest.mark.parametrize(
+    ("name", "sentence"),
+    [
+        ("damaged.png", "The picture damaged.png is damaged."),
+        ("plan.svg", "I can't read the picture plan.svg. It should be PNG, JPEG, PGM, PPM, BMP or GIF."),
+        ("locked.png", "I can't read locked.png."),
+    ],
+)
+def test_a_picture_that_cannot_be_used_says_the_true_cause(
+    name: str, sentence: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    damaged = zlib.compress(bytes(101 * 100))[:-9]
+    (tmp_path / "damaged.png").write_bytes(blank_png(100, 100, damaged))
+    (tmp_path / "plan.svg").write_text("<svg/>")
+    (tmp_path / "locked.png").write_bytes(FILES["png grey"])
+
+    def locked(path: Path) -> object:
+        if Path(path).name == "locked.png":
+            raise PermissionError
+        return path.open("rb")
+
+    monkeypatch.setattr("sim.worldfile.floor_plans.open_bytes", locked)
+    with pytest.raises(WorldError) as refused:
+        load_text(f'model ( bitmap "{name}" )', tmp_path / "t.world")
+
+    assert world_mistake(refused.value, Words()).endswith(sentence)
+    assert (refused.value.line, refused.value.column) == (1, 16)
 
 
 @settings(max_examples=examples(200))
