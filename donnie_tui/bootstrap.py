@@ -6,7 +6,7 @@ What is heavy is imported where it is used, so that a command loads no more than
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from functools import partial
 from itertools import count
@@ -43,12 +43,12 @@ from donnie_tui.world.loading import (
 )
 
 if TYPE_CHECKING:
-    from donnie_tui.core.goals import Judgment
+    from donnie_tui.core.goals import Inventory, Judgment
     from donnie_tui.core.program_files import FilesInUse
     from sim.picture import Picture
     from sim.sensors import Mounted
     from sim.world import World
-    from worlds.challenges import Challenge, Variant
+    from worlds.challenges import Challenge
 
 __all__ = ["Donnie", "Unusable", "assemble", "colours_of_world", "open_workspace"]
 
@@ -344,29 +344,48 @@ MOST_STATEMENTS = 20_000
 """Statements after which a judged program counts as endless."""
 
 
+def starts_of(
+    challenge: Challenge, world: ChosenWorld, words: Words, settings: Settings
+) -> tuple[Challenge, ...]:
+    """The challenge from each of its starts alone. Without goals the end of its solution is the goal.
+
+    Raises ``Unusable`` if the solution is needed and can't be read.
+    """
+    from donnie_tui.core.goals import goals_of_end
+    from donnie_tui.core.program_files import DocumentError, checked_path, read_to_the_end
+
+    rules = challenge.rules
+    starts = tuple(replace(challenge, rules=replace(rules, variant=(each,))) for each in rules.variant)
+    if rules.goal:
+        return starts
+    try:
+        solution = read_to_the_end(checked_path(challenge.solution))
+    except DocumentError as error:
+        raise Unusable(words(error.code, path=error.path, reason=error.reason)) from None
+    ends = (goals_of_end(*_try_from(each, solution, world, words, settings)) for each in starts)
+    return tuple(
+        replace(each, rules=replace(each.rules, goal=goals)) for each, goals in zip(starts, ends, strict=True)
+    )
+
+
 def judge_program(
-    text: str, challenge: Challenge, world: ChosenWorld, words: Words, settings: Settings
+    text: str, starts: Sequence[Challenge], world: ChosenWorld, words: Words, settings: Settings
 ) -> tuple[Judgment, ...]:
-    """The outcome from each start of the challenge, in a world of its own; nothing of it is printed.
+    """The outcome from each start of a challenge, in a world of its own; nothing of it is printed.
 
     An endless program ends by robot time and by the number of its statements, so a busy machine changes
     nothing.
     """
-    return tuple(
-        _judge_start(text, challenge, each, world, words, settings) for each in challenge.rules.variant
-    )
-
-
-def _judge_start(
-    text: str,
-    challenge: Challenge,
-    variant: Variant,
-    world: ChosenWorld,
-    words: Words,
-    settings: Settings,
-) -> Judgment:
     from donnie_tui.core.goals import judge
 
+    return tuple(judge(each, *_try_from(each, text, world, words, settings)) for each in starts)
+
+
+def _try_from(
+    start: Challenge, text: str, world: ChosenWorld, words: Words, settings: Settings
+) -> tuple[Inventory, list[Stamped]]:
+    """What there is in the world of that start, and what the program does there."""
+    (variant,) = start.rules.variant
     settings, world = replace(settings, speed=None, seed=variant.seed), started_at(world, variant)
     team = make_team(settings, words, world, terminal=False)
     session, events, statements = team.chosen, list[Stamped](), count(1)
@@ -383,7 +402,7 @@ def _judge_start(
     session.hub.subscribe(note)
     session.start(text, "program", RunOptions(fresh=True), each_statement=before_statement).wait()
     team.close()
-    return judge(challenge, inventory_of(world.scene), events)
+    return inventory_of(world.scene), events
 
 
 def open_workspace(state_folder: str) -> Workspace:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import os
 import re
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 import msgspec
 from msgspec import Struct
@@ -40,6 +40,10 @@ Place: TypeAlias = tuple[float, float]
 """Steps to the east and to the north."""
 Target: TypeAlias = str | Place
 """A thing by its name, or a place."""
+Area: TypeAlias = tuple[Place, Place]
+"""Two opposite corners of a rectangle."""
+COMPASS = {"north": 0.0, "east": 90.0, "south": 180.0, "west": 270.0}
+"""Headings by their names in a file."""
 MOST = 50
 """Goals, variants or hints of one challenge."""
 
@@ -55,24 +59,35 @@ class Goal(Struct, frozen=True, forbid_unknown_fields=True):
     """What the robot comes to, in this order."""
     near: Target | None = None
     """What the robot passes."""
+    area: Area | None = None
+    """Where the robot comes; with ``thing`` where that thing is at the end."""
     thing: str | None = None
-    said: str | int | None = None
+    said: str | int | tuple[str | int, ...] | None = None
+    """A text, a number, or several in this order."""
     counted: str | None = None
     """A variable, with its ``value`` at the end."""
     holds: str | None = None
     """What the gripper holds at the end."""
+    robots: tuple[str, ...] | None = None
+    """Robots that meet; with ``at`` they are all there at the end."""
+    robot: str = ""
+    """Whose goal it is; empty for the world's first robot."""
     value: int = 0
     within: float = 1.0
     """Steps, and for ``facing`` ten degrees each."""
     any_order: bool = False
+    stay: bool = False
+    """Whether the robot must not leave the area again."""
 
     @property
     def kind(self) -> str:
         """Which goal it is; empty where none or several are named."""
-        named = [each for each in KINDS if getattr(self, each) is not None]
-        if named == ["at", "thing"]:
+        named = {each for each in KINDS if getattr(self, each) is not None}
+        if named in ({"at", "thing"}, {"area", "thing"}):
             return "thing"
-        return named[0] if len(named) == 1 and named != ["thing"] else ""
+        if named == {"at", "robots"}:
+            return "robots"
+        return named.pop() if len(named) == 1 and named != {"thing"} else ""
 
     @property
     def targets(self) -> tuple[Target, ...]:
@@ -81,7 +96,7 @@ class Goal(Struct, frozen=True, forbid_unknown_fields=True):
         return tuple(each for each in named if each is not None)
 
 
-KINDS = ("at", "facing", "visited", "near", "thing", "said", "counted", "holds")
+KINDS = ("at", "facing", "visited", "near", "area", "thing", "said", "counted", "holds", "robots")
 
 
 class Never(Struct, frozen=True, forbid_unknown_fields=True):
@@ -105,11 +120,19 @@ class Limit(Struct, frozen=True, forbid_unknown_fields=True):
 class Variant(Struct, frozen=True, forbid_unknown_fields=True):
     """A start of the world's first robot, and of things."""
 
-    start: tuple[float, float, float] | None = None
-    """Steps to the east, steps to the north, compass degrees; None for the world's own."""
+    start: tuple[float, float, float | Literal["north", "east", "south", "west"]] | None = None
+    """Steps to the east, steps to the north, and the heading; None for the world's own."""
     things: dict[str, Place] = {}
     """Where things stand, by name, that stand elsewhere than in the world."""
     seed: int = 0
+
+    @property
+    def place(self) -> tuple[float, float, float] | None:
+        """The start with its heading in compass degrees."""
+        if self.start is None:
+            return None
+        x, y, heading = self.start
+        return x, y, COMPASS[heading] if isinstance(heading, str) else heading
 
 
 class ChallengeHint(Struct, frozen=True, forbid_unknown_fields=True):
@@ -137,7 +160,8 @@ class Rules(Struct, frozen=True, forbid_unknown_fields=True):
 
     format: int
     world: str
-    goal: tuple[Goal, ...]
+    goal: tuple[Goal, ...] = ()
+    """Empty where the end of the solution is the goal."""
     difficulty: Difficulty = Difficulty.UNSTATED
     after: tuple[str, ...] = ()
     """The challenges that should be solved before; only advice."""
@@ -242,7 +266,10 @@ def read(path: Path) -> Challenge:
     if ENGLISH not in texts:
         raise BadChallenge("challenge-missing", path, what=f"{ENGLISH}.title")
     _check(rules, path, lines)
-    return Challenge(path.name.removesuffix(SUFFIX), path, rules, texts)
+    found = Challenge(path.name.removesuffix(SUFFIX), path, rules, texts)
+    if not rules.goal and not os.path.lexists(found.solution):
+        raise BadChallenge("challenge-solution", path, what=found.solution.name)
+    return found
 
 
 def _check(rules: Rules, path: Path, lines: list[str]) -> None:
@@ -252,7 +279,7 @@ def _check(rules: Rules, path: Path, lines: list[str]) -> None:
     if Path(rules.world).name != rules.world:
         raise BadChallenge("challenge-outside", path, line_of(lines, "", "world"), rules.world)
     for key, found in (("goal", rules.goal), ("variant", rules.variant)):
-        if not 0 < len(found) <= MOST:
+        if len(found) > MOST or (key == "variant" and not found):
             raise BadChallenge("challenge-value", path, line_of(lines, key, ""), key)
     for index, goal in enumerate(rules.goal):
         if not goal.kind:

@@ -19,7 +19,7 @@ from pathlib import Path
 
 from msgspec import Struct
 
-from donnie_tui.bootstrap import judge_program
+from donnie_tui.bootstrap import judge_program, starts_of
 from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.streams import Output
 from donnie_tui.core.describe import verdict_in_words
@@ -348,7 +348,7 @@ class _Judging:
 
     def __init__(self, order: Order, found: challenges.Challenge) -> None:
         """Raises ``Unusable``."""
-        self._order, self._words, self._challenge = order, order.words, found
+        self._order, self._words = order, order.words
         self._world = choose_world(found.world, order.words)
         if not self._world.scene.robots:
             raise Unusable(order.words("world-without-robot", name=self._world.name))
@@ -356,9 +356,11 @@ class _Judging:
         unknown = unknown_things(found, self._room)
         if unknown:
             known = [name for each in self._room.items for name in (each.name, f"{each.colour} {each.kind}")]
+            known += self._room.robots
             near = nearest(unknown[0], known)
             code = "challenge-thing-near" if near else "challenge-thing"
             raise Unusable(order.words(code, file=found.path.name, what=unknown[0], near=near))
+        self._starts = starts_of(found, self._world, order.words, order.settings)
 
     def record(self, name: str) -> tuple[int, dict[str, object]]:
         """The exit code for a file and its record; prints its line unless all is asked for as JSON."""
@@ -388,7 +390,7 @@ class _Judging:
 
     def verdicts(self, text: str) -> tuple[Judgment, ...]:
         """One for each start."""
-        return judge_program(text, self._challenge, self._world, self._words, self._order.settings)
+        return judge_program(text, self._starts, self._world, self._words, self._order.settings)
 
     def spare_line(self, text: str) -> int:
         """The first line of a solution that it does not need; 0 if it needs all."""

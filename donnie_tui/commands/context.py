@@ -5,9 +5,10 @@ from __future__ import annotations
 import os
 from collections import deque
 from collections.abc import Sequence
+from functools import cached_property
 from typing import TYPE_CHECKING
 
-from donnie_tui.bootstrap import Donnie, judge_program
+from donnie_tui.bootstrap import Donnie, judge_program, starts_of
 from donnie_tui.commands.declarations import BY_NAME
 from donnie_tui.commands.interaction import Interaction, Screen
 from donnie_tui.commands.lookup import word_of
@@ -166,7 +167,8 @@ class Attempt:
         from donnie_tui.core.goals import begins_anew
 
         if begins_anew(stamped.event):
-            self._events.clear()
+            others = (each for each in self._events if each.robot != stamped.robot)
+            self._events = deque(others, maxlen=self.MOST_EVENTS)
         if not isinstance(stamped.event, TRANSIENT):
             self._events.append(stamped)
 
@@ -175,7 +177,12 @@ class Attempt:
         from donnie_tui.core.goals import judge
 
         events = tuple(self._events) or (Stamped(0, 0.0, Reset(self._donnie.session.pose)),)
-        return judge(self.challenge, self.room, events)
+        return judge(self._starts[0], self.room, events)
+
+    @cached_property
+    def _starts(self) -> tuple[Challenge, ...]:
+        donnie = self._donnie
+        return starts_of(self.challenge, donnie.world, donnie.words, self._preferences.settings)
 
     def judge(self) -> tuple[str, ...]:
         """What there is to say after a run, which is kept as a try.
@@ -187,10 +194,10 @@ class Attempt:
 
         donnie, here = self._donnie, self.judgment()
         verdicts: tuple[Judgment, ...] = (here,)
-        if here.is_solved and len(self.challenge.rules.variant) > 1:
+        if here.is_solved:
             settings, world = self._preferences.settings, donnie.world
-            others = judge_program(self._program(), self.challenge, world, donnie.words, settings)
-            verdicts = (here, *others[1:])
+            others = judge_program(self._program(), self._starts[1:], world, donnie.words, settings)
+            verdicts = (here, *others)
         is_solved = all(each.is_solved for each in verdicts)
         self._keep(here, is_solved=is_solved)
         if is_solved or here.met > self._met:

@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, cast
 
 import worlds.words
 from devices.ports.robot import Pose
+from donnie_tui.core.transcript import with_robot_name
 from donnie_tui.core.wording import (
     Wording,
     called,
@@ -38,7 +39,7 @@ if TYPE_CHECKING:
     from donnie_tui.core.goals import Inventory, Judgment, Shortfall
     from sim.picture import Picture, Thing
     from sim.sensors import Mounted
-    from worlds.challenges import Challenge, Target
+    from worlds.challenges import Area, Challenge, Target
     from worlds.words import About
 
 
@@ -391,7 +392,13 @@ def shortfall_in_words(shortfall: Shortfall, room: Inventory, wording: Wording) 
         values["word"] = keywords.spelling(str(values["word"]), wording.language)
     if "target" in values:
         values["target"] = _target_in_words(cast("Target", values["target"]), room, wording)
-    return wording(shortfall.code, **values)
+    if "area" in values:
+        (from_x, from_y), (x, y) = cast("Area", values["area"])
+        corners = {"from_x": f"{from_x:g}", "from_y": f"{from_y:g}", "x": f"{x:g}", "y": f"{y:g}"}
+        values["area"] = wording("area-corners", **corners)
+    return with_robot_name(
+        cast("str | None", values.get("robot")), wording(shortfall.code, **values), wording
+    )
 
 
 def _target_in_words(target: Target, room: Inventory, wording: Wording) -> str:

@@ -6,12 +6,14 @@ place is between the robot's middle and the place. All are in steps.
 
 from __future__ import annotations
 
+import re
 import unicodedata
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from itertools import pairwise
+from itertools import combinations, pairwise
 from math import atan2, ceil, degrees, hypot
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from devices.ports.robot import Grip, Pose, StoppedBy
 from donnie_tui.core.events import (
@@ -30,7 +32,7 @@ from donnie_tui.core.events import (
     Turned,
     Waited,
 )
-from worlds.challenges import Challenge, Goal, Rules, Target
+from worlds.challenges import Area, Challenge, Goal, Rules, Target
 
 DEGREES = 10.0
 """What a robot that faces a direction may be off by, for each step of ``within``."""
@@ -53,7 +55,7 @@ class Item(Struct, frozen=True):
     def is_called(self, name: str) -> bool:
         """Whether a goal means it: by its name, its kind, or its colour with either."""
         own = (self.name, self.kind, f"{self.colour} {self.name}", f"{self.colour} {self.kind}")
-        return _folded(name) in map(_folded, own)
+        return folded(name) in map(folded, own)
 
 
 class Inventory(Struct, frozen=True):
@@ -62,10 +64,60 @@ class Inventory(Struct, frozen=True):
     items: tuple[Item, ...]
     radius: float
     """Of the robot's body, in steps."""
+    robots: Mapping[str, Pose] = {}
+    """Where the robots start, by name; the first one is meant where a goal names none."""
 
     def called(self, name: str) -> tuple[Item, ...]:
         """All things that a goal means by that name."""
         return tuple(each for each in self.items if each.is_called(name))
+
+    def robot_called(self, name: str) -> str | None:
+        """The robot that a goal means; the first one where it names none."""
+        if not name:
+            return next(iter(self.robots), "")
+        return next((each for each in self.robots if folded(each) == folded(name)), None)
+
+
+class Track(Struct, frozen=True):
+    """What was done since the robots were put to their starts."""
+
+    ways: Mapping[str, tuple[Pose, ...]]
+    """By robot: the places at which a movement began or ended; the way between two is straight."""
+    meetings: Sequence[Mapping[str, Pose]]
+    """Where the robots were at the same moment, whenever one had moved."""
+    items: tuple[Item, ...]
+    """The things where they are at the end."""
+    said: tuple[str, ...]
+    held: Mapping[str, str]
+    """By robot; empty where the gripper holds nothing."""
+    events: tuple[Event, ...]
+    seconds: float
+    variables: Mapping[str, Mapping[str, int]]
+    """By robot."""
+    errors: Mapping[str, Error]
+    """The first mistake of each robot's last run."""
+    is_stopped: bool
+    """Whether a robot's last run was."""
+
+    @property
+    def has_run(self) -> bool:
+        return any(isinstance(each, RunStarted | Reset) for each in self.events)
+
+    def count(self, *kinds: type[Event]) -> int:
+        return sum(isinstance(each, kinds) for each in self.events)
+
+    @property
+    def commands(self) -> int:
+        return self.count(Moved, Turned, Waited, Spoke, Scanned, GripperUsed)
+
+    @property
+    def steps(self) -> int:
+        return sum(each.walked for each in self.events if isinstance(each, Moved))
+
+    @property
+    def bumps(self) -> int:
+        moves = [each for each in self.events if isinstance(each, Moved | Turned)]
+        return sum(each.stopped_by in (StoppedBy.COLLISION, StoppedBy.OBSTACLE) for each in moves)
 
 
 class Shortfall(Struct, frozen=True):
@@ -96,59 +148,17 @@ class Judgment(Struct, frozen=True):
         return not self.shortfalls
 
 
-class _Track(Struct, frozen=True):
-    """What a run did."""
-
-    poses: tuple[Pose, ...]
-    """The places at which a movement began or ended; the way between two is straight."""
-    items: tuple[Item, ...]
-    """The things where they are at the end."""
-    said: tuple[str, ...]
-    held: str
-    events: tuple[Event, ...]
-    seconds: float
-    variables: Mapping[str, int]
-
-    def count(self, *kinds: type[Event]) -> int:
-        return sum(isinstance(each, kinds) for each in self.events)
-
-    @property
-    def commands(self) -> int:
-        return self.count(Moved, Turned, Waited, Spoke, Scanned, GripperUsed)
-
-    def steps(self) -> int:
-        return sum(each.walked for each in self.events if isinstance(each, Moved))
-
-    def error(self) -> Error | None:
-        """The first mistake of the last run."""
-        return next((each for each in self._last_run() if isinstance(each, Error)), None)
-
-    def is_stopped(self) -> bool:
-        """Whether the last run was."""
-        return any(
-            isinstance(each, RunEnded) and each.outcome is Outcome.STOPPED for each in self._last_run()
-        )
-
-    def bumps(self) -> int:
-        moves = [each for each in self.events if isinstance(each, Moved | Turned)]
-        return sum(each.stopped_by in (StoppedBy.COLLISION, StoppedBy.OBSTACLE) for each in moves)
-
-    def _last_run(self) -> Sequence[Event]:
-        starts = [at for at, each in enumerate(self.events) if isinstance(each, RunStarted)]
-        return self.events[starts[-1] :] if starts else self.events
-
-
 def judge(challenge: Challenge, room: Inventory, events: Iterable[Stamped]) -> Judgment:
-    """What the runs did for the challenge since the robot was put to its start the last time."""
-    track, rules = _track(room, events), challenge.rules
+    """What the runs did for the challenge since the robots were put to their starts the last time."""
+    track, rules = track_of(room, events), challenge.rules
     missing = [_missing(goal, room, track) for goal in rules.goal]
     failed = [each for each in missing if each is not None]
     return Judgment(
         len(missing),
         len(missing) - len(failed),
         track.commands,
-        track.steps(),
-        track.bumps(),
+        track.steps,
+        track.bumps,
         (
             *_ended_badly(track),
             *_of_words(rules, track),
@@ -160,39 +170,88 @@ def judge(challenge: Challenge, room: Inventory, events: Iterable[Stamped]) -> J
     )
 
 
+def goals_of_end(room: Inventory, events: Iterable[Stamped]) -> tuple[Goal, ...]:
+    """The end of a solution as goals: where the robots and the things that it moved are, and what it said."""
+    track = track_of(room, events)
+    names = track.ways if len(room.robots) > 1 else ("",)
+    goals = [Goal(at=_here(name, room, track), robot=name) for name in names]
+    for start, end in zip(room.items, track.items, strict=True):
+        if hypot(end.x - start.x, end.y - start.y) > NEARLY and end.name not in track.held.values():
+            goals.append(Goal(thing=start.name or start.kind, at=(round(end.x, 1), round(end.y, 1))))
+    goals += [Goal(holds=thing) for thing in track.held.values() if thing]
+    return (*goals, Goal(said=track.said)) if track.said else tuple(goals)
+
+
+def _here(robot: str, room: Inventory, track: Track) -> tuple[float, float]:
+    pose = _way(robot, room, track)[-1]
+    return round(pose.x, 1), round(pose.y, 1)
+
+
 def unknown_things(challenge: Challenge, room: Inventory) -> tuple[str, ...]:
-    """The names in goals and rules that no thing of the world has."""
+    """The names in goals and rules that no thing or robot of the world has."""
     named = [each for goal in challenge.rules.goal for each in goal.targets]
     named += challenge.rules.never.touch
     named += (name for each in challenge.rules.variant for name in each.things)
-    return tuple(each for each in named if isinstance(each, str) and not room.called(each))
+    robots = [name for goal in challenge.rules.goal for name in (goal.robot, *(goal.robots or ())) if name]
+    return (
+        *(each for each in named if isinstance(each, str) and not room.called(each)),
+        *(each for each in robots if room.robot_called(each) is None),
+    )
 
 
 # --- what happened
 
 
-def _track(room: Inventory, events: Iterable[Stamped]) -> _Track:
-    happened = _last_try([each.event for each in events])
-    poses: list[Pose] = []
+def track_of(room: Inventory, events: Iterable[Stamped]) -> Track:
+    """What the runs did since the robots were put to their starts the last time."""
+    happened = _last_try(tuple(events))
+    first = room.robot_called("") or ""
+    here, meetings = dict(room.robots), list[Mapping[str, Pose]]()
+    ways: dict[str, list[Pose]] = {name: [pose] for name, pose in room.robots.items()}
     places: dict[int, Pose] = {}
-    said, held, seconds, variables = [], "", 0.0, {}
-    for event in happened:
+    said, held, variables = list[str](), dict[str, str](), dict[str, Mapping[str, int]]()
+    errors, outcomes, seconds = dict[str, Error](), dict[str, Outcome](), 0.0
+    for stamped in happened:
+        robot, event = stamped.robot or first, stamped.event
+        pose = None
         match event:
-            case RunStarted(how=how) if how is not None:
-                poses.append(how.pose)
-            case Moved(pose=pose) | Turned(pose=pose) | Reset(pose=pose):
-                poses.append(pose)
+            case RunStarted():
+                errors.pop(robot, None)
+                outcomes.pop(robot, None)
+                pose = event.how.pose if event.how is not None else None
+                if begins_anew(event):
+                    ways[robot] = []
+            case Reset():
+                pose, ways[robot] = event.pose, []
+            case Moved() | Turned():
+                pose = event.pose
             case ThingsMoved():
                 places = {each.index: each.pose for each in event.places}
             case Spoke():
                 said.append(event.text)
             case GripperUsed():
-                held = event.thing or event.kind if event.outcome is Grip.GRIPPED else ""
+                held[robot] = event.thing or event.kind if event.outcome is Grip.GRIPPED else ""
+            case Error():
+                errors.setdefault(robot, event)
             case RunEnded():
-                poses.append(event.pose)
-                seconds, variables = event.seconds, dict(event.variables)
-    items = tuple(_moved(each, places.get(each.index)) for each in room.items)
-    return _Track(tuple(poses), items, tuple(said), held, tuple(happened), seconds, variables)
+                pose, outcomes[robot] = event.pose, event.outcome
+                seconds, variables[robot] = max(seconds, event.seconds), dict(event.variables)
+        if pose is not None:
+            ways.setdefault(robot, []).append(pose)
+            here[robot] = pose
+            meetings.append(dict(here))
+    return Track(
+        {name: tuple(way) for name, way in ways.items()},
+        meetings,
+        tuple(_moved(each, places.get(each.index)) for each in room.items),
+        tuple(said),
+        held,
+        tuple(each.event for each in happened),
+        seconds,
+        variables,
+        errors,
+        Outcome.STOPPED in outcomes.values(),
+    )
 
 
 def begins_anew(event: Event) -> bool:
@@ -202,45 +261,54 @@ def begins_anew(event: Event) -> bool:
     )
 
 
-def _last_try(events: Sequence[Event]) -> Sequence[Event]:
-    starts = [at for at, each in enumerate(events) if begins_anew(each)]
-    return events[starts[-1] :] if starts else events
+def _last_try(events: Sequence[Stamped]) -> tuple[Stamped, ...]:
+    starts = {each.robot: at for at, each in enumerate(events) if begins_anew(each.event)}
+    return tuple(each for at, each in enumerate(events) if at >= starts.get(each.robot, 0))
 
 
 def _moved(item: Item, pose: Pose | None) -> Item:
-    if pose is None:
-        return item
-    return Item(
-        item.index, item.name, item.kind, item.colour, pose.x, pose.y, item.half_width, item.half_height
-    )
+    return item if pose is None else replace(item, x=pose.x, y=pose.y)
 
 
 # --- goals
 
 
-def _missing(goal: Goal, room: Inventory, track: _Track) -> Shortfall | None:
+def _missing(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
     """What is missing; None if the goal is met."""
-    return _JUDGES[goal.kind](goal, room, track) if track.poses else Shortfall("goal-no-run", {})
+    if not track.has_run:
+        return Shortfall("goal-no-run", {})
+    found = _JUDGES[goal.kind](goal, room, track)
+    if found is None or not goal.robot:
+        return found
+    return Shortfall(found.code, {**found.values, "robot": goal.robot})
 
 
-def _at(goal: Goal, room: Inventory, track: _Track) -> Shortfall | None:
+def _way(robot: str, room: Inventory, track: Track) -> Sequence[Pose]:
+    """Where the robot of that name was, at least its start."""
+    ways = track.ways
+    return ways.get(room.robot_called(robot) or "") or next(iter(ways.values()))
+
+
+def _at(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
     assert goal.at is not None
-    here = track.poses[-1]
-    gap, item = _gap(here, goal.at, room, track.items)
-    if gap <= goal.within + NEARLY:
+    return _elsewhere(_way(goal.robot, room, track)[-1], goal.at, goal.within, room, track)
+
+
+def _elsewhere(here: Pose, target: Target, within: float, room: Inventory, track: Track) -> Shortfall | None:
+    gap, item = gap_to(here, target, room, track.items)
+    if gap <= within + NEARLY:
         return None
     if item is None:
-        x, y = _middle(goal.at)
-        bearing = _bearing(x, y, here.x, here.y)
-        values = {"steps": _whole(gap), "direction": bearing, "target": goal.at}
-        return Shortfall("goal-at-place", values)
-    bearing = _bearing(here.x, here.y, item.x, item.y)
-    return Shortfall("goal-at-thing", {"steps": _whole(gap), "direction": bearing, "target": goal.at})
+        assert not isinstance(target, str)
+        direction = bearing(*target, here.x, here.y)
+        return Shortfall("goal-at-place", {"steps": _whole(gap), "direction": direction, "target": target})
+    direction = bearing(here.x, here.y, item.x, item.y)
+    return Shortfall("goal-at-thing", {"steps": _whole(gap), "direction": direction, "target": target})
 
 
-def _facing(goal: Goal, room: Inventory, track: _Track) -> Shortfall | None:  # noqa: ARG001
+def _facing(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
     assert goal.facing is not None
-    heading = track.poses[-1].heading
+    heading = _way(goal.robot, room, track)[-1].heading
     off = (heading - goal.facing + 180) % 360 - 180
     if abs(off) <= goal.within * DEGREES:
         return None
@@ -248,52 +316,86 @@ def _facing(goal: Goal, room: Inventory, track: _Track) -> Shortfall | None:  # 
     return Shortfall(code, {"degrees": round(abs(off))})
 
 
-def _visited(goal: Goal, room: Inventory, track: _Track) -> Shortfall | None:
+def _visited(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
     assert goal.visited is not None
+    way = _way(goal.robot, room, track)
     if goal.any_order:
-        gaps = ((each, _smallest_gap(each, room, track)) for each in goal.visited)
+        gaps = ((each, smallest_gap(each, room, way, track.items)) for each in goal.visited)
         missed = [each for each, gap in gaps if gap > goal.within + NEARLY]
     else:
         missed = list(goal.visited)
-        for pose in _way(track.poses):
-            while missed and _gap(pose, missed[0], room, track.items)[0] <= goal.within + NEARLY:
+        for pose in every_tenth(way):
+            while missed and gap_to(pose, missed[0], room, track.items)[0] <= goal.within + NEARLY:
                 missed.pop(0)
     return Shortfall("goal-visited", {"target": missed[0]}) if missed else None
 
 
-def _near(goal: Goal, room: Inventory, track: _Track) -> Shortfall | None:
+def _near(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
     assert goal.near is not None
-    gap = _smallest_gap(goal.near, room, track)
+    gap = smallest_gap(goal.near, room, _way(goal.robot, room, track), track.items)
     if gap <= goal.within + NEARLY:
         return None
     return Shortfall("goal-near", {"steps": _whole(gap), "target": goal.near})
 
 
-def _thing(goal: Goal, room: Inventory, track: _Track) -> Shortfall | None:  # noqa: ARG001
-    assert goal.thing is not None and goal.at is not None
-    x, y = _middle(goal.at) if isinstance(goal.at, tuple) else _middle_of(goal.at, track.items)
+def _area(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
+    """Reached at any time; with ``stay`` not left afterwards."""
+    assert goal.area is not None
+    is_inside = False
+    for pose in every_tenth(_way(goal.robot, room, track)):
+        gap, direction = way_out(pose.x, pose.y, goal.area)
+        if is_inside and goal.stay and gap > NEARLY:
+            return Shortfall("goal-area-left", {"direction": direction, "area": goal.area})
+        is_inside = is_inside or gap <= NEARLY
+    if is_inside:
+        return None
+    return Shortfall("goal-area", {"steps": _whole(gap), "direction": direction, "area": goal.area})
+
+
+def _thing(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:  # noqa: ARG001
+    assert goal.thing is not None
     found = [each for each in track.items if each.is_called(goal.thing)]
-    best = min(found, key=lambda each: hypot(each.x - x, each.y - y), default=None)
-    if best is None:
+    gaps: list[tuple[float, float]] = []
+    for each in found:
+        if goal.area is not None:
+            gaps.append(way_out(each.x, each.y, goal.area))
+        else:
+            x, y = _middle(goal.at, track)
+            gaps.append((hypot(each.x - x, each.y - y), bearing(x, y, each.x, each.y)))
+    if not gaps:
         return Shortfall("goal-no-thing", {"target": goal.thing})
-    gap = hypot(best.x - x, best.y - y)
-    if gap <= goal.within + NEARLY:
+    gap, direction = min(gaps)
+    if gap <= NEARLY + (goal.within if goal.area is None else 0):
         return None
-    values = {"steps": _whole(gap), "direction": _bearing(x, y, best.x, best.y), "target": goal.thing}
-    return Shortfall("goal-thing", values)
+    code = "goal-thing" if goal.area is None else "goal-thing-area"
+    return Shortfall(code, {"steps": _whole(gap), "direction": direction, "target": goal.thing})
 
 
-def _said(goal: Goal, room: Inventory, track: _Track) -> Shortfall | None:  # noqa: ARG001
-    wanted = str(goal.said)
-    if any(_same_text(wanted, each) for each in track.said):
-        return None
-    return Shortfall("goal-said", {"text": wanted})
+def _middle(target: Target | None, track: Track) -> tuple[float, float]:
+    assert target is not None
+    if not isinstance(target, str):
+        return target
+    found = next(each for each in track.items if each.is_called(target))
+    return found.x, found.y
 
 
-def _counted(goal: Goal, room: Inventory, track: _Track) -> Shortfall | None:  # noqa: ARG001
+def _said(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:  # noqa: ARG001
+    """A text, or several in this order; other sentences may come between."""
+    wanted = goal.said if isinstance(goal.said, tuple) else (goal.said,)
+    said, before = iter(track.said), ""
+    for each in map(str, wanted):
+        if not any(_is_same_text(each, one) for one in said):
+            is_said = before and any(_is_same_text(each, one) for one in track.said)
+            return Shortfall("goal-said-order" if is_said else "goal-said", {"text": each, "before": before})
+        before = each
+    return None
+
+
+def _counted(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
     assert goal.counted is not None
-    values = {_folded(name): value for name, value in track.variables.items()}
-    value = values.get(_folded(goal.counted))
+    variables = track.variables.get(room.robot_called(goal.robot) or "", {})
+    values = {folded(name): value for name, value in variables.items()}
+    value = values.get(folded(goal.counted))
     if value is None:
         return Shortfall("goal-not-counted", {"name": goal.counted})
     if value == goal.value:
@@ -301,36 +403,59 @@ def _counted(goal: Goal, room: Inventory, track: _Track) -> Shortfall | None:  #
     return Shortfall("goal-counted", {"name": goal.counted, "value": value, "wanted": goal.value})
 
 
-def _holds(goal: Goal, room: Inventory, track: _Track) -> Shortfall | None:
+def _holds(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
     assert goal.holds is not None
     wanted = [name for each in room.called(goal.holds) for name in (each.name, each.kind)]
-    return None if track.held and track.held in wanted else Shortfall("goal-holds", {"target": goal.holds})
+    held = track.held.get(room.robot_called(goal.robot) or "", "")
+    return None if held and held in wanted else Shortfall("goal-holds", {"target": goal.holds})
 
 
-_JUDGES: Mapping[str, Callable[[Goal, Inventory, _Track], Shortfall | None]] = {
+def _robots(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
+    """All at their place at the end; without a place, side by side at some moment."""
+    assert goal.robots is not None
+    names = [room.robot_called(each) or "" for each in goal.robots]
+    if goal.at is not None:
+        for name in names:
+            found = _elsewhere(_way(name, room, track)[-1], goal.at, goal.within, room, track)
+            if found is not None:
+                return Shortfall(found.code, {**found.values, "robot": name})
+        return None
+    for one, other in combinations(names, 2):
+        gaps = [
+            hypot(each[one].x - each[other].x, each[one].y - each[other].y) - 2 * room.radius
+            for each in track.meetings
+        ]
+        gap = max(min(gaps, default=0.0), 0.0)
+        if gap > goal.within + NEARLY:
+            return Shortfall("goal-not-together", {"first": one, "second": other, "steps": _whole(gap)})
+    return None
+
+
+_JUDGES: Mapping[str, Callable[[Goal, Inventory, Track], Shortfall | None]] = {
     "at": _at,
     "facing": _facing,
     "visited": _visited,
     "near": _near,
+    "area": _area,
     "thing": _thing,
     "said": _said,
     "counted": _counted,
     "holds": _holds,
+    "robots": _robots,
 }
 
 
 # --- what must not happen
 
 
-def _ended_badly(track: _Track) -> Iterable[Shortfall]:
-    error = track.error()
-    if error is not None:
+def _ended_badly(track: Track) -> Iterable[Shortfall]:
+    for error in list(track.errors.values())[:1]:
         yield Shortfall("goal-mistake", {"line": error.line, "message": error.message})
-    elif track.is_stopped():
+    if track.is_stopped and not track.errors:
         yield Shortfall("goal-endless", {})
 
 
-def _of_words(rules: Rules, track: _Track) -> Iterable[Shortfall]:
+def _of_words(rules: Rules, track: Track) -> Iterable[Shortfall]:
     """Words that belong to another lesson, and words that the lesson is about."""
     if not (rules.words or rules.required):
         return
@@ -347,10 +472,10 @@ def _of_words(rules: Rules, track: _Track) -> Iterable[Shortfall]:
         yield Shortfall("word-missing", {"word": missing})
 
 
-def _forbidden(rules: Rules, room: Inventory, track: _Track) -> Iterable[Shortfall]:
+def _forbidden(rules: Rules, room: Inventory, track: Track) -> Iterable[Shortfall]:
     moves = [each for each in track.events if isinstance(each, Moved | Turned)]
-    if rules.never.bump and track.bumps():
-        yield Shortfall("never-bump", {"times": track.bumps()})
+    if rules.never.bump and track.bumps:
+        yield Shortfall("never-bump", {"times": track.bumps})
     for name in rules.never.touch:
         wanted = room.called(name)
         touched = [(each.met.kind, each.met.name) for each in moves if each.met is not None]
@@ -359,12 +484,12 @@ def _forbidden(rules: Rules, room: Inventory, track: _Track) -> Iterable[Shortfa
             yield Shortfall("never-touch", {"target": name})
 
 
-def _over_limit(rules: Rules, track: _Track) -> Iterable[Shortfall]:
+def _over_limit(rules: Rules, track: Track) -> Iterable[Shortfall]:
     limit = rules.limit
     for code, most, needed in (
         ("limit-commands", limit.commands, track.commands),
         ("limit-seconds", limit.seconds, ceil(track.seconds - NEARLY)),
-        ("limit-steps", limit.steps, track.steps()),
+        ("limit-steps", limit.steps, track.steps),
         ("limit-turns", limit.turns, track.count(Turned)),
     ):
         if most is not None and needed > most:
@@ -374,7 +499,7 @@ def _over_limit(rules: Rules, track: _Track) -> Iterable[Shortfall]:
 # --- distances
 
 
-def _gap(pose: Pose, target: Target, room: Inventory, items: Sequence[Item]) -> tuple[float, Item | None]:
+def gap_to(pose: Pose, target: Target, room: Inventory, items: Sequence[Item]) -> tuple[float, Item | None]:
     """How far the robot is from a place, or from the nearest thing that is meant."""
     if not isinstance(target, str):
         return hypot(target[0] - pose.x, target[1] - pose.y), None
@@ -388,11 +513,12 @@ def _gap_to_item(pose: Pose, item: Item, radius: float) -> float:
     return max(hypot(dx, dy) - radius, 0.0)
 
 
-def _smallest_gap(target: Target, room: Inventory, track: _Track) -> float:
-    return min(_gap(each, target, room, track.items)[0] for each in _way(track.poses))
+def smallest_gap(target: Target, room: Inventory, way: Sequence[Pose], items: Sequence[Item]) -> float:
+    """To the nearest that the robot came."""
+    return min(gap_to(each, target, room, items)[0] for each in every_tenth(way))
 
 
-def _way(poses: Sequence[Pose]) -> Iterator[Pose]:
+def every_tenth(poses: Sequence[Pose]) -> Iterator[Pose]:
     """Where the robot was: straight from pose to pose, a tenth of a step apart at most."""
     yield poses[0]
     for start, end in pairwise(poses):
@@ -404,38 +530,46 @@ def _between(start: Pose, end: Pose, part: float) -> Pose:
     return Pose(start.x + part * (end.x - start.x), start.y + part * (end.y - start.y), end.heading)
 
 
-def _middle(target: Target) -> tuple[float, float]:
-    assert not isinstance(target, str)
-    return target
+def way_out(x: float, y: float, area: Area) -> tuple[float, float]:
+    """How far a place is from an area, 0 within it, and in which direction from there."""
+    (west, east), (south, north) = (sorted(each) for each in zip(*area, strict=True))
+    nearest_x, nearest_y = min(max(x, west), east), min(max(y, south), north)
+    return hypot(x - nearest_x, y - nearest_y), bearing(nearest_x, nearest_y, x, y)
 
 
-def _middle_of(name: str, items: Sequence[Item]) -> tuple[float, float]:
-    found = next(each for each in items if each.is_called(name))
-    return found.x, found.y
-
-
-def _bearing(x: float, y: float, to_x: float, to_y: float) -> float:
+def bearing(x: float, y: float, to_x: float, to_y: float) -> float:
     """Compass degrees from one place to another."""
     return degrees(atan2(to_x - x, to_y - y)) % 360.0
+
+
+# --- numbers and texts
 
 
 def _whole(steps: float) -> int:
     return max(1, round(steps))
 
 
-# --- texts
+_NUMBER = re.compile(r"[-−]?\d+(?:[.,]\d+)?")
 
 
-def _folded(text: str) -> str:
+def _is_same_text(wanted: str, said: str) -> bool:
+    """Numbers count by value, letters without case, accents and punctuation."""
+    return _parts(wanted) == _parts(said)
+
+
+def _parts(text: str) -> list[str | float]:
+    """The words and numbers of a text."""
+    parts: list[str | float] = []
+    at = 0
+    for found in _NUMBER.finditer(text):
+        parts += folded(text[at : found.start()]).split()
+        parts.append(float(found[0].replace("−", "-").replace(",", ".")))
+        at = found.end()
+    return parts + folded(text[at:]).split()
+
+
+def folded(text: str) -> str:
     """Without case, accents, punctuation and doubled blanks."""
     plain = unicodedata.normalize("NFKD", text.casefold())
     kept = "".join(each if each.isalnum() else " " for each in plain if not unicodedata.combining(each))
     return " ".join(kept.split())
-
-
-def _same_text(wanted: str, said: str) -> bool:
-    """Numbers count by value, letters without case, accents and punctuation."""
-    try:
-        return float(wanted) == float(said)
-    except ValueError:
-        return _folded(wanted) == _folded(said)

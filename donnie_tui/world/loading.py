@@ -283,9 +283,9 @@ def started_at(world: ChosenWorld, variant: Variant) -> ChosenWorld:
         for each in inventory_of(scene).called(name)[:1]:
             before = models[each.index].pose
             places[each.index] = Placement(x * STEP, y * STEP, before.z, before.yaw)
-    if variant.start is not None:
+    if variant.place is not None:
         first = scene.robots[0]
-        x, y, heading = variant.start
+        x, y, heading = variant.place
         places[first] = Placement(x * STEP, y * STEP, models[first].pose.z, 90.0 - heading)
     return replace(world, scene=moved(scene, places), before_moves=scene)
 
@@ -307,7 +307,10 @@ def inventory_of(scene: Scene) -> Inventory:
         )
         for each in things
     )
-    return Inventory(items, sum(_half_size(scene.models[scene.robots[0]])) / 2)
+    robots = {
+        each: _pose(scene.models[at].pose) for each, at in zip(scene.robot_names, scene.robots, strict=True)
+    }
+    return Inventory(items, sum(_half_size(scene.models[scene.robots[0]])) / 2, robots)
 
 
 def _half_size(model: Model) -> tuple[float, float]:

@@ -107,6 +107,9 @@ def test_the_list_has_a_heading_for_each_ladder(capsys: pytest.CaptureFixture[st
         ("title =", "titel =", "challenge-key", 5),
         ("[[goal]]\nsaid", "[[goal]\nsaid", "challenge-not-toml", 12),
         ("[en]", "[pt]", "challenge-missing", 0),
+        ("within = 2", "area = [[0, 1]]", "challenge-value", 10),
+        ("within = 2", "area = [[0, 1], [2, 3]]", "challenge-goal", 8),
+        ("[en]", '[[variant]]\nstart = [0, 0, "nort"]\n[en]', "challenge-value", 5),
     ],
 )
 def test_a_mistake_has_its_line(tmp_path: Path, old: str, new: str, code: str, line: int) -> None:
@@ -239,3 +242,59 @@ def test_words_of_a_later_lesson_and_missing_ones_are_said(
     assert main(["challenge", "check", str(file), str(program), "--lang", "en"]) == 1
     said = capsys.readouterr().out
     assert "0 of 2 goals. REPEAT comes in a later challenge. Missing: the word TR." in said
+
+
+def written(folder: Path, name: str, text: str, solution: str) -> Path:
+    """A challenge with its solution."""
+    (folder / f"{name}.solution.gd").write_text(solution)
+    file = folder / f"{name}.toml"
+    file.write_text(text, encoding="utf-8")
+    return file
+
+
+WITHOUT_GOAL = """\
+format = 1
+world = "first_room"
+[en]
+title = "T"
+task = "Do."
+[[variant]]
+start = [0, 0, "north"]
+[[variant]]
+start = [0, 0, "east"]
+"""
+
+
+def test_without_goals_the_end_of_the_solution_is_the_goal_from_each_start(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = written(tmp_path, "it", WITHOUT_GOAL, 'FW 3\nSPEAK "done"')
+    assert main(["challenge", "test", str(file), "--lang", "en"]) == 0
+    (tmp_path / "p.gd").write_text('FW 1\nSPEAK "Done!"')
+    capsys.readouterr()
+    assert main(["challenge", "check", str(file), str(tmp_path / "p.gd"), "--lang", "en"]) == 1
+    assert capsys.readouterr().out == "p.gd: 1 of 2 goals. You stop 2 steps south of 0, 3.\n"
+
+
+def test_without_goals_and_solution_a_challenge_is_a_mistake(tmp_path: Path) -> None:
+    with pytest.raises(BadChallenge) as bad:
+        read(tmp_path, WITHOUT_GOAL)
+
+    assert (bad.value.code, bad.value.what) == ("challenge-solution", "it.solution.gd")
+
+
+def test_the_world_of_a_challenge_is_a_file_next_to_it(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    own = Path("worlds/scenes/two_robots.world").read_text(encoding="utf-8")
+    for name in ("donnie.inc", "things.inc", "bigbob.inc"):
+        (tmp_path / name).write_text(Path("worlds/scenes", name).read_text(encoding="utf-8"))
+    (tmp_path / "my hall é.world").write_text(own, encoding="utf-8")
+    text = WITHOUT_GOAL.replace("first_room", "my hall é.world")
+    file = written(tmp_path, "my hall é", text, "FW 3")
+
+    assert main(["challenge", "test", str(file), "--lang", "en"]) == 0
+    (tmp_path / "my hall é.world").unlink()
+    capsys.readouterr()
+    assert main(["challenge", "test", str(file), "--lang", "en"]) == 2
+    assert "my hall é.world" in capsys.readouterr().err

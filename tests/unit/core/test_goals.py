@@ -20,7 +20,7 @@ from donnie_tui.core.events import (
     ThingsMoved,
     Turned,
 )
-from donnie_tui.core.goals import Inventory, Item, Judgment, judge, unknown_things
+from donnie_tui.core.goals import Inventory, Item, Judgment, goals_of_end, judge, unknown_things
 from worlds.challenges import Challenge, ChallengeText, Goal, Limit, Never, Rules
 
 START = Pose(0.0, 0.0, 0.0)
@@ -185,3 +185,115 @@ def test_names_that_no_thing_has_are_found() -> None:
     goals = challenge(Goal(at="green chiar"), Goal(near="box"), never=Never(touch=("lamp",)))
 
     assert unknown_things(goals, ROOM) == ("green chiar", "lamp")
+
+
+AREA = ((0.0, 3.0), (4.0, 6.0))
+
+
+def shortfalls(
+    goal: Goal, events: list[Stamped], room: Inventory = ROOM
+) -> list[tuple[str, dict[str, object]]]:
+    return [(each.code, dict(each.values)) for each in judge(challenge(goal), room, events).shortfalls]
+
+
+@pytest.mark.parametrize(
+    ("end", "steps", "direction"), [((2, 1), 2, 180), ((9, 5), 5, 90), ((-3, 4), 3, 270), ((1, 10), 4, 0)]
+)
+def test_an_area_that_was_not_reached_says_how_far_outside(
+    end: tuple[float, float], steps: int, direction: float
+) -> None:
+    start = Stamped(1, 0.0, Reset(Pose(*end, 0.0)))
+
+    missing = {"steps": steps, "direction": direction, "area": AREA}
+    assert shortfalls(Goal(area=AREA), [start]) == [("goal-area", missing)]
+
+
+def test_an_area_counts_once_it_was_reached_unless_the_robot_must_stay() -> None:
+    # From 2, 0 to 2, 8: in at y 3, out at y 6 to the north.
+    way = [Stamped(1, 0.0, Reset(Pose(2.0, 0.0, 0.0))), Stamped(2, 1.0, walk(2, 8))]
+
+    assert shortfalls(Goal(area=AREA), way) == []
+    assert shortfalls(Goal(area=AREA, stay=True), way) == [
+        ("goal-area-left", {"direction": 0.0, "area": AREA})
+    ]
+    stays = [way[0], Stamped(2, 1.0, walk(2, 5))]
+    assert shortfalls(Goal(area=AREA, stay=True), stays) == []
+
+
+def test_a_thing_belongs_into_an_area_and_its_corners_have_any_order() -> None:
+    events = run(ThingsMoved((PlacedThing("box", Pose(7.0, 4.0, 0.0), 2),)))
+
+    goal = Goal(thing="red box", area=((4.0, 6.0), (0.0, 3.0)))
+    missing = {"steps": 3, "direction": 90, "target": "red box"}
+    assert shortfalls(goal, events) == [("goal-thing-area", missing)]
+    assert shortfalls(goal, run()) == []  # the box starts at 3, 4
+
+
+def test_several_sentences_count_in_their_order() -> None:
+    goal = Goal(said=("one", 2, "three"))
+
+    assert shortfalls(goal, run(Spoke("One."), Spoke("other"), Spoke("2"), Spoke("THREE"))) == []
+    assert shortfalls(goal, run(Spoke("one"))) == [("goal-said", {"text": "2", "before": "one"})]
+    swapped = run(Spoke("2"), Spoke("one"), Spoke("three"))
+    assert shortfalls(goal, swapped) == [("goal-said-order", {"text": "2", "before": "one"})]
+
+
+@pytest.mark.parametrize(
+    ("wanted", "said", "solved"),
+    [(4, "04", True), (4, "4,0", True), (-5, "5", False), (-5, "-5", True), ("3 red", "3.0 RED!", True)],
+)
+def test_numbers_count_by_their_value_also_within_a_sentence(
+    wanted: str | int, said: str, solved: bool
+) -> None:
+    assert judge(challenge(Goal(said=wanted)), ROOM, run(Spoke(said))).is_solved is solved
+
+
+HALL = Inventory((BOX,), 3.0, {"alice": Pose(0.0, 0.0, 0.0), "bob": Pose(0.0, 30.0, 180.0)})
+
+
+def walks(*way: tuple[str, float]) -> list[Stamped]:
+    """To the y of each robot, one after the other."""
+    return [
+        Stamped(at, float(at), Moved("FW", 1, 1, None, Pose(0.0, y, 0.0), True), robot)
+        for at, (robot, y) in enumerate((("alice", 0.0), *way), start=1)
+    ]
+
+
+def test_robots_meet_when_their_bodies_were_near_at_one_moment() -> None:
+    # 30 steps between their middles, less two bodies of 3 steps: 24 between them at the start.
+    starts = [Stamped(0, 0.0, Reset(HALL.robots["alice"]), "alice")]
+    apart = {"first": "alice", "second": "bob", "steps": 4}
+    goal = Goal(robots=("Alice", "bob"))
+
+    assert shortfalls(goal, starts + walks(("alice", 20.0)), HALL) == [("goal-not-together", apart)]
+    met = walks(("alice", 10.0), ("bob", 17.0), ("alice", 0.0))
+    assert shortfalls(goal, starts + met, HALL) == []
+    passed_later = walks(("alice", 20.0), ("alice", 0.0), ("bob", 12.0))
+    assert shortfalls(goal, starts + passed_later, HALL)[0][1]["steps"] == 4
+
+
+def test_both_robots_at_a_place_and_each_one_at_its_own() -> None:
+    ends = [Stamped(0, 0.0, Reset(HALL.robots["alice"]), "alice"), *walks(("alice", 12.0), ("bob", 20.0))]
+
+    both = Goal(robots=("alice", "bob"), at=(0.0, 12.0), within=2)
+    missing = {"steps": 8, "direction": 0.0, "target": (0.0, 12.0), "robot": "bob"}
+    assert shortfalls(both, ends, HALL) == [("goal-at-place", missing)]
+    assert shortfalls(Goal(at=(0.0, 20.0), robot="bob"), ends, HALL) == []
+    assert shortfalls(Goal(at=(0.0, 20.0)), ends, HALL)[0][0] == "goal-at-place"
+
+
+def test_one_robot_that_begins_anew_leaves_the_other_one_where_it_is() -> None:
+    moved = [*walks(("alice", 12.0), ("bob", 20.0)), Stamped(9, 9.0, Reset(HALL.robots["alice"]), "alice")]
+
+    assert shortfalls(Goal(at=(0.0, 20.0), robot="bob"), moved, HALL) == []
+    assert shortfalls(Goal(at=(0.0, 0.0), robot="alice"), moved, HALL) == []
+
+
+def test_the_end_of_a_solution_is_a_list_of_goals() -> None:
+    pushed = ThingsMoved((PlacedThing("box", Pose(3.0, 9.0, 0.0), 2),))
+
+    assert goals_of_end(ROOM, run(pushed, walk(0, 7), Spoke("one"), Spoke("2"), end=Pose(0.0, 7.0, 0.0))) == (
+        Goal(at=(0.0, 7.0)),
+        Goal(thing="box", at=(3.0, 9.0)),
+        Goal(said=("one", "2")),
+    )
