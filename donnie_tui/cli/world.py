@@ -8,7 +8,7 @@ from __future__ import annotations
 import json
 import shlex
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from math import ceil
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
@@ -18,7 +18,7 @@ from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.core.chart import shrunk
 from donnie_tui.core.describe import MOST_ROBOTS, describe
 from donnie_tui.core.program_files import DocumentError, checked_path, exists, write_program
-from donnie_tui.core.wording import name_of
+from donnie_tui.core.wording import name_of, shade
 from donnie_tui.i18n.mistakes import world_note
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.world.loading import WITHOUT_WORLD, ChosenWorld, choose_world, remarks
@@ -221,10 +221,38 @@ def _map(world: ChosenWorld, words: Words) -> tuple[str, ...]:
     steps = across * seen.cell
     scale = (words("map-scale", steps=steps),) if steps > 1 else ()
     shown = shrunk(["".join(row) for row in rows], across, across, _ARROWS)
-    return (*shown, "", *scale, *_legend(world, seen, set("".join(shown)), words))
+    colours = _colours_by_letter(seen, shown, across, words)
+    return (*shown, "", *scale, *_legend(world, seen, set("".join(shown)), colours, words))
 
 
-def _legend(world: ChosenWorld, seen: Picture, shown: set[str], words: Words) -> tuple[str, ...]:
+MOST_COLOURS = 40
+"""Colours that are listed for one letter of ``--map``."""
+
+
+def _colours_by_letter(
+    seen: Picture, shown: Sequence[str], across: int, words: Words
+) -> Mapping[str, Sequence[str]]:
+    """Of the things by their letters, in reading order; one where all have the same."""
+    from donnie_tui.world.drawing import groups_in
+
+    colours: dict[str, list[str]] = {}
+    things = [(each, seen.at(each.x, each.y)) for each in seen.things if not each.is_robot]
+    for group in groups_in(shown):
+        squares = [
+            (square.row * across - cell[0], square.column * across - cell[1], thing)
+            for thing, cell in things
+            if cell is not None and thing.letter == group.letter
+            for square in group.squares
+        ]
+        if squares:
+            nearest = min(squares, key=lambda each: each[0] ** 2 + each[1] ** 2)[2]
+            colours.setdefault(group.letter, []).append(shade(nearest, words))
+    return {letter: each[:1] if len(set(each)) == 1 else each for letter, each in colours.items()}
+
+
+def _legend(
+    world: ChosenWorld, seen: Picture, shown: set[str], colours: Mapping[str, Sequence[str]], words: Words
+) -> tuple[str, ...]:
     """Of what is on the map: walls and floor, then the robots, then the things by their letters."""
     robots = list(world.scene.robot_names)
     names = {" ".join(_ARROWS): robots} if robots else {}
@@ -236,12 +264,22 @@ def _legend(world: ChosenWorld, seen: Picture, shown: set[str], words: Words) ->
     return (
         *(words(code) for letter, code in _FLOOR.items() if letter in shown),
         *(() if robots else (words("map-no-robot"),)),
-        *(words("map-legend", letter=letter, name=_bounded(each)) for letter, each in names.items()),
+        *(
+            words("map-legend", letter=letter, name=_named(each, colours.get(letter, ())))
+            for letter, each in names.items()
+        ),
     )
 
 
-def _bounded(names: list[str]) -> str:
-    return ", ".join([*names[:MOST_NAMES], *(["…"] if len(names) > MOST_NAMES else [])])
+def _named(names: Sequence[str], colours: Sequence[str]) -> str:
+    """The names for one letter; of one name its colours too."""
+    if len(names) == 1 and colours:
+        return f"{names[0]}: {_bounded(colours, MOST_COLOURS)}"
+    return _bounded(names, MOST_NAMES)
+
+
+def _bounded(names: Sequence[str], most: int) -> str:
+    return ", ".join([*names[:most], *(["…"] if len(names) > most else [])])
 
 
 def _braille_pages(world: ChosenWorld, words: Words) -> str:

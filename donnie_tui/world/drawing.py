@@ -58,12 +58,12 @@ class Group(Struct, frozen=True):
     """Equal letters that touch: one thing."""
 
     letter: str
-    cells: frozenset[Square]
+    squares: frozenset[Square]
 
     @property
     def first(self) -> Square:
         """In reading order."""
-        return min(self.cells)
+        return min(self.squares)
 
 
 class Built(Struct, frozen=True):
@@ -340,7 +340,7 @@ class _Builder:
             other = next(
                 (each for box, each in (*solid, *boxes) if each is not group and _overlap(mine, box)), group
             )
-            if len(group.cells) == 1 and other is not group:
+            if len(group.squares) == 1 and other is not group:
                 values = {
                     "thing": self._legend.things[group.letter][0].kind,
                     "other": "wall" if other is None else self._legend.things[other.letter][0].kind,
@@ -352,9 +352,9 @@ class _Builder:
 
     def _box(self, group: Group) -> tuple[float, float, float, float]:
         """Its first column and row and where they end, in squares; of one letter its usual size."""
-        rows, columns = [each.row for each in group.cells], [each.column for each in group.cells]
+        rows, columns = [each.row for each in group.squares], [each.column for each in group.squares]
         left, top, right, bottom = min(columns), min(rows), max(columns) + 1, max(rows) + 1
-        if len(group.cells) > 1:
+        if len(group.squares) > 1:
             return left, top, right, bottom
         usual = usual_sizes()[self._legend.things[group.letter][0].kind]
         across, along = (round(each / STEP / self._legend.scale, 6) for each in usual[:2])
@@ -389,10 +389,10 @@ class _Builder:
 
     def _thing(self, group: Group, number: int) -> str:
         described, scale = self._legend.things[group.letter][0], self._legend.scale
-        rows, columns = [each.row for each in group.cells], [each.column for each in group.cells]
+        rows, columns = [each.row for each in group.squares], [each.column for each in group.squares]
         place = self._place((min(rows) + max(rows)) / 2, (min(columns) + max(columns)) / 2)
         width, depth = max(columns) - min(columns) + 1, max(rows) - min(rows) + 1
-        is_usual = len(group.cells) == 1
+        is_usual = len(group.squares) == 1
         angle, size = (0, "") if is_usual else fitted(described.kind, width * scale, depth * scale, scale)
         colours = described.colours
         colour = colours[number if len(colours) > 1 else 0] if colours else ""

@@ -100,10 +100,24 @@ def _kinds_by_word() -> Mapping[str, str]:
     return found
 
 
+@cache
+def _colours_by_word() -> Mapping[str, str]:
+    """By the folded words of all languages: those of GoDonnie, and as they agree with a thing."""
+    found: dict[str, str] = {}
+    for language in languages():
+        words = Words(language)
+        for typed in argument_words("COLOUR", language):
+            colour = argument("COLOUR", typed)
+            if colour is not None:
+                key = str(colour.value)
+                for word in (typed, words(f"colour-{key}"), words(f"colour-{key}-f")):
+                    found.setdefault(fold_name(word), key)
+    return found
+
+
 def colour_meant(word: str) -> str | None:
     """The colour that a word of any language means, as GoDonnie and world files have it."""
-    colour = argument("COLOUR", word)
-    return None if colour is None else str(colour.value)
+    return _colours_by_word().get(fold_name(word))
 
 
 _LONGEST_KIND = 3
@@ -134,7 +148,7 @@ def description_of(text: str, line: int = 0, column: int = 1) -> Description:
         word, start = found[at_name]
         name = text[start + len(word) :].strip().rstrip(".").strip()
     kind = _kinds_by_word()[_joined(words[kind_at : kind_at + length])]
-    return Description(kind, tuple(colours), name)
+    return Description(kind, () if "…" in words else tuple(colours), name)
 
 
 def _place_of_kind(words: Sequence[str]) -> tuple[int, int]:
@@ -159,8 +173,7 @@ def _joined(words: Iterable[str]) -> str:
 def _unknown_word(word: str, line: int, column: int) -> Slip:
     known = _kinds_by_word()
     parts = {part: kind for each, kind in reversed(tuple(known.items())) for part in each.split()}
-    colours = [each.lower() for language in languages() for each in argument_words("COLOUR", language)]
-    near = nearest(word, [*known, *parts, *colours])
+    near = nearest(word, [*known, *parts, *_colours_by_word()])
     if near and near not in known:
         near = parts.get(near, near)
     values = {"word": word[:40], "near": near}

@@ -62,7 +62,8 @@ def test_below_the_map_every_letter_of_it_is_explained(name: str, capsys: pytest
 
     lines = capsys.readouterr().out.splitlines()
     blank = lines.index("")
-    legend = [line for line in lines[blank + 1 :] if not line.startswith("Each letter")]
+    general = ("Each letter", "There is no robot")
+    legend = [line for line in lines[blank + 1 :] if not line.startswith(general)]
     explained = [letter for line in legend for letter in line.partition(" is ")[0].split(" ")]
     letters = set("".join(lines[:blank]))
     assert letters <= set(explained)
@@ -77,7 +78,16 @@ def test_the_legend_of_a_map_says_what_things_are_in_every_language(
     lines = capsys.readouterr().out.splitlines()
 
     assert lines[lines.index("") + 1 :][:3] == ["# es pared.", ". es suelo libre.", "^ > v < es donnie."]
-    assert "c es silla." in lines
+    assert "c es silla: verde." in lines
+
+
+def test_the_legend_of_a_map_gives_the_colours_in_reading_order(capsys: pytest.CaptureFixture[str]) -> None:
+    main(["world", "object_field", "--map"])
+    lines = capsys.readouterr().out.splitlines()
+
+    assert "b is ball: yellow, red." in lines
+    assert "c is cone: green, orange." in lines
+    assert "x is box: blue, pink." in lines
 
 
 def test_the_legend_of_a_crowd_is_short(crowd: str, capsys: pytest.CaptureFixture[str]) -> None:
