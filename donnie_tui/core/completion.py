@@ -1,6 +1,7 @@
-"""The words that may continue a program at a place: what the grammar allows there, the likeliest first.
+"""What may continue a program at a place: words that the grammar allows there, and the next line.
 
 Where a block is open, its END comes first. What ends the lesson and not the program (QUIT) is never offered.
+After the first line of a block the next one is indented, and the END is there already.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ from itertools import chain
 
 import msgspec
 
-from donnie_tui.core.program_text import LONGEST_CHECKED
+from donnie_tui.core.program_text import LONGEST_CHECKED, ProgramText
 from language import keywords
 from language.keywords import TERMINAL_OF_WORD, WORDS, folded_word
 from language.lexer import FRAGMENT, HELP, KIND, NAME, NUMBER, STRING, TAKES, Token, lex
@@ -62,9 +63,9 @@ def _start_of_word(text: str, at: int) -> int:
 
 
 def _is_inside_string(text: str, at: int) -> bool:
-    line = text[text.rfind("\n", 0, at) + 1 : at]
-    tokens = lex(line).tokens
-    return (bool(tokens) and tokens[-1][0] == STRING and lex(line).open_quote is not None) or "--" in line
+    lexed = lex(text[text.rfind("\n", 0, at) + 1 : at])
+    is_text = bool(lexed.tokens) and lexed.tokens[-1][0] == STRING and lexed.open_quote is not None
+    return is_text or bool(lexed.comments)
 
 
 def _words(text: str, start: int, at: int, language: str, colours: Iterable[str] | None) -> Iterable[str]:
@@ -180,3 +181,64 @@ def _as_typed(word: str, typed: str) -> str:
     """In small letters where those were typed, a name as it is."""
     is_keyword = folded_word(word) in TERMINAL_OF_WORD
     return word.lower() if typed and typed.islower() and is_keyword else word
+
+
+# --- the next line
+
+INDENT = "  "
+
+
+class NextLine(msgspec.Struct, frozen=True):
+    """What Enter makes of the line that it finishes, and what it writes."""
+
+    before: str
+    """What the finished line begins with: an END stands under the first line of its block."""
+    indent: str
+    """What the next line begins with."""
+    end: str = ""
+    """The line after it: the END of the block that begins here, where there is none."""
+    doubled: bool = False
+    """Whether the line after the finished one is the same END once more, for no block."""
+
+
+def next_line(lines: Sequence[str], row: int, language: str) -> NextLine:
+    """What follows the row (from 0), whose end is where the cursor is."""
+    line = lines[row]
+    before, number = _indent_of(line), row + 1
+    if not line.strip() or sum(map(len, lines)) > LONGEST_CHECKED:
+        return NextLine(before if line.strip() else "", before)
+    text = ProgramText(lines)
+    if opener := text.opener_of(number):
+        before = _indent_of(lines[opener - 1])
+    if text.line(number).closes:
+        return NextLine(before, before, doubled=_is_doubled(text, row))
+    tokens = lex("\n".join(lines[:number])).tokens
+    block = open_block("\n".join(lines[:number]))
+    if block is None or block.line != number or KIND["SPEAK"] not in kinds_after(tokens):
+        return NextLine(before, before + INDENT * bool(opener))
+    is_missing = any(
+        each.kind == block.kind and not each.is_closed and each.line <= number <= each.end_line
+        for each in outline("\n".join(lines))
+    )
+    below = next((at for at in range(number + 1, len(lines) + 1) if lines[at - 1].strip()), None)
+    has_room = below is None or text.opener_of(below) > 0
+    end = before + _end_in_language_of(block.kind, tokens, language) if is_missing and has_room else ""
+    return NextLine(before, before + INDENT, end)
+
+
+def _indent_of(line: str) -> str:
+    return line[: len(line) - len(line.lstrip())]
+
+
+def _is_doubled(text: ProgramText, row: int) -> bool:
+    """Whether the next line is the same END, and there is one too many of them."""
+    words = [fold_name(" ".join(each.split())) for each in text.lines[row:]]
+    same = [row + at for at, each in enumerate(words) if each == words[0]]
+    return same[1:2] == [row + 1] and any(not text.line(at + 1).closes for at in same)
+
+
+def _end_in_language_of(kind: str, tokens: Sequence[Token], language: str) -> str:
+    """The END of the block that was opened last, in the language and the letters of its first word."""
+    opener = next(each for each in reversed(tokens) if each[0] == KIND[kind])
+    spoken = keywords.languages_of(opener[5])
+    return keywords.spelling(f"END {kind}", language if language in spoken else min(spoken))

@@ -74,6 +74,12 @@ class ProgramText:
         level = self.line(number).level
         return tuple(reversed([each for each in self._around(number) if each.depth < level]))
 
+    def opener_of(self, number: int) -> int:
+        """The line that opens the block which this line's END closes or its ELSE divides; 0 for others."""
+        line, around = self.line(number), self._around(number)
+        is_half = bool(line.text) and not line.is_statement and bool(around)
+        return line.closes or (around[-1].line if is_half else 0)
+
     # --- moves: the line to read next, or None
 
     def up(self, number: int) -> int | None:

@@ -28,7 +28,7 @@ from donnie_tui.commands.lookup import find
 from donnie_tui.commands.sound import chime_block
 from donnie_tui.commands.world import say_arrival
 from donnie_tui.core.answer_log import AnswerLog
-from donnie_tui.core.completion import Completion, completion
+from donnie_tui.core.completion import Completion, NextLine, completion, next_line
 from donnie_tui.core.events import Pointed
 from donnie_tui.core.line_history import LineHistory
 from donnie_tui.core.program_text import LONGEST_CHECKED, mistakes
@@ -357,8 +357,13 @@ class EditorAssistant:
         self._display.say_status()
 
     def offer_words(self, *, wanted: bool) -> None:
-        """Whether the editor shows how a word may continue."""
+        """Whether the editor shows how a word may continue, indents lines and ends blocks."""
         self._editor.complete = self.completion if wanted else None
+        self._editor.next_line = self.next_line if wanted else None
+
+    def next_line(self, lines: Sequence[str], row: int) -> NextLine:
+        """What Enter writes at the end of that row."""
+        return next_line(lines, row, self._ctx.words.language)
 
     def completion(self, text: str, at: int) -> Completion:
         """What could be meant at that place of the text."""

@@ -18,8 +18,9 @@ from donnie_tui.core.run_state import RunState
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.wording import shown_name
 from donnie_tui.core.workspace import Workspace
+from donnie_tui.settings.settings import speed_words
 from donnie_tui.tui.event_queue import EventBatch
-from donnie_tui.tui.pane_text import inspector_lines, robot_sentence, state_sentences
+from donnie_tui.tui.pane_text import inspector_lines, robot_sentence, state_badge, state_sentences
 from donnie_tui.tui.screens.main_screen import MainScreen
 from donnie_tui.tui.widgets.rows import LOOKS
 from language.runtime import Frame
@@ -234,12 +235,21 @@ class Display:
             return
         session = self._donnie.session
         robot = robot_sentence(session.hub.robot, self._pose, self._words)
-        state = "looking-back" if self._runs.past is not None else self._runs.state.value
-        states = state_sentences(state, self._donnie.session.speed, self._words)
-        focus = self.focus_sentence
-        whole = [f"{focus} {robot} {state}" for state in states]
-        short = [f"{focus} {states[1]}", *([states[1], ""] if self._answer else [focus])]
-        self._place.status.say(*(f" {self._answer} {rest}".replace("  ", " ") for rest in (*whole, *short)))
+        past = self._runs.past
+        state = "looking-back" if past is not None else self._runs.state.value
+        states = state_sentences(state, session.speed, self._words)
+        focus, answer = self.focus_sentence, self._answer
+        if self._place.is_plain:
+            whole = [f"{focus} {robot} {each}" for each in states]
+            short = [f"{focus} {states[1]}", *([states[1], ""] if answer else [focus])]
+            badge = ""
+        else:
+            speed = self._words("status-speed", speed=speed_words(session.speed, self._words))
+            whole = [f"{focus} {robot} {speed}", f"{focus} {robot}"]
+            short = [focus, *([""] if answer else [])]
+            badge = state_badge(self._runs.state, past, self._words)
+        choices = (f" {answer} {rest}".replace("  ", " ") for rest in (*whole, *short))
+        self._place.status.say(*choices, badge=badge)
 
     def acted(self) -> None:
         """The learner pressed a key or the mouse."""

@@ -136,7 +136,7 @@ class Dialogs:
         self._screen: Screen[Any] | None = None
         """What was called for and is not there yet."""
         self._has_gone = False
-        """Whether a question has gone since ``forget_gone``."""
+        """Whether a question or a page has gone since ``forget_gone``."""
 
     @property
     def holds_keys(self) -> bool:
@@ -170,7 +170,7 @@ class Dialogs:
     def open(self, page: Screen[None]) -> None:
         """Show something to read."""
         self._call_for(page)
-        self._app.push_screen(page)
+        self._app.push_screen(page, lambda _: self.note_gone())
 
     def _call_for(self, screen: Screen[Any]) -> None:
         """It is in front from now on, and there once its own queue is emptied."""
@@ -180,12 +180,16 @@ class Dialogs:
     def _gone(self, screen: Screen[Any]) -> None:
         """It was answered, or is not wanted any more."""
         self._is_there(screen)
-        self._has_gone = True
+        self.note_gone()
         if self._asking is not None:
             self._wait_a_moment()
 
+    def note_gone(self) -> None:
+        """Something that was in front of the main screen has gone: the next Esc may be meant for it."""
+        self._has_gone = True
+
     def forget_gone(self) -> bool:
-        """Whether a question has gone since this was asked last."""
+        """Whether something has gone since this was asked last."""
         has_gone, self._has_gone = self._has_gone, False
         return has_gone
 

@@ -103,7 +103,7 @@ class Keyboard:
         return isinstance(self._app.focused, (Input, TextArea))
 
     def _is_too_late(self, event: events.Key) -> bool:
-        """Esc right after a question may be meant for it: it drives no robot until it is pressed again."""
+        """Esc right after a question or a page may be meant for it: it drives no robot at first."""
         if self._app.screen is not self._place or not self._dialogs.forget_gone():
             return False
         name, controller = self._key_table.command_of(event.key), self._session.controller
@@ -150,6 +150,8 @@ class Keyboard:
         self._app.push_screen(self._menu, self._menu_is_gone)
 
     def _menu_is_gone(self, _answer: None) -> None:
+        if self._menu is not None:  # left without a command
+            self._dialogs.note_gone()
         self._menu = None
 
     def _did_by_menu(self, event: events.Key) -> bool:

@@ -11,6 +11,8 @@ from donnie_tui.commands.interaction import Option
 from donnie_tui.commands.keys import MENU, PALETTE, KeyTable, key_label
 from donnie_tui.commands.lookup import help_line, word_of
 from donnie_tui.core.events import Read
+from donnie_tui.core.run_state import RunState
+from donnie_tui.core.timeline import Timeline, is_main_event
 from donnie_tui.core.wording import Wording, compass_heading, facing, whole_steps
 from donnie_tui.i18n.help import SCREEN_TOUR_PAGES, screen_tour_page
 from donnie_tui.i18n.words import Words
@@ -48,6 +50,14 @@ def state_sentences(state: str, speed: float | None, words: Wording) -> tuple[st
         words(f"status-{state}-speed", speed=speed_words(speed, words)),
         words(f"status-{state}"),
     )
+
+
+def state_badge(state: RunState, past: Timeline | None, words: Wording) -> str:
+    """What the program does, or how far back the learner looks, in capitals."""
+    if past is not None:
+        main = [is_main_event(each.event) for each in past.events]
+        return words("status-past", step=sum(main[: past.at]), steps=sum(main)).rstrip(".").upper()
+    return words(f"status-{state.value}").rstrip(".").upper()
 
 
 def inspector_lines(

@@ -115,7 +115,7 @@ def screen(tmp_path: Path, added: dict[str, str]) -> Iterator[Terminal]:
 @pytest.mark.slow
 def test_the_full_screen_is_in_the_language(screen: Terminal) -> None:
     screen.shows(sentence("screen-start"))
-    screen.shows(pseudo("Ready"))
+    screen.shows(pseudo("Ready").upper())
     screen.type("FWZU 2")
     screen.shows("FWZU 2")
     screen.type(F5)

@@ -193,7 +193,7 @@ def terminal(tmp_path: Path) -> Iterator[Callable[..., Any]]:
         **environment: str,
     ) -> Terminal:
         opened.append(Terminal(list(arguments), tmp_path, columns, rows, environment, controls, is_job))
-        opened[-1].shows("Command line." if "--plain" in arguments else "Ready, speed")
+        opened[-1].shows("Command line." if "--plain" in arguments else "READY")
         return opened[-1]
 
     yield open_one

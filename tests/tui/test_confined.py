@@ -99,7 +99,7 @@ def test_the_state_of_a_confined_screen_stays_in_its_folder(tmp_path):
     pupil.mkdir()
     screen = Terminal(["--visual", "--confined", str(pupil)], tmp_path)
     try:
-        screen.shows("Ready, speed")
+        screen.shows("READY")
         screen.type("FW 12")
         screen.until(lambda: any((pupil / ".donnie" / "unsaved").glob("*.gd")), "the copy")
     finally:

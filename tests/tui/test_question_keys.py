@@ -117,6 +117,17 @@ async def test_a_second_esc_in_one_burst_moves_no_robot(open_screen) -> None:  #
         assert screen.app.controller.donnie.session.pose.y == 0
 
 
+@pytest.mark.parametrize("keys", [("f1",), ("ctrl+k",), ("ctrl+k", "l"), ("ctrl+p",)])
+async def test_esc_pressed_twice_leaves_a_page_and_moves_no_robot(open_screen, keys) -> None:  # type: ignore[no-untyped-def]
+    async with open_screen("FW 1") as screen:
+        await screen.press(*keys)
+        await screen.until(lambda: screen.app.screen is not screen.main, "the page")
+        await screen.press("escape", "escape")
+        await screen.shows("Esc again: RUN.")
+
+        assert screen.app.controller.donnie.session.pose.y == 0
+
+
 async def test_esc_after_any_other_key_runs_the_program(open_screen) -> None:  # type: ignore[no-untyped-def]
     async with open_screen("FW 1") as screen:
         burst(screen, "ctrl+g", "1", "enter", "end", "escape")

@@ -1,5 +1,7 @@
 """Running, stopping, pausing, from keys and typed words."""
 
+import pytest
+
 from donnie_tui.core.run_state import RunState
 from tests.tui.conftest import COMPUTING, WAITING
 
@@ -111,7 +113,7 @@ async def test_pause_holds_the_program_marks_its_line_and_goes_on(open_screen):
         await screen.shows("Paused at line ")
         line = screen.app.controller.ctx.runs.frames[0].line
         await screen.until(lambda: f"> {line}  " in screen.text, "the mark")
-        assert "Paused" in screen.status
+        assert screen.main.status.badge == "PAUSED"
         assert screen.main.editor.line == line
 
         await screen.press("f6")
@@ -216,3 +218,26 @@ async def test_a_look_at_a_program_paints_only_what_is_new(open_screen, monkeypa
         main_screen.log_lines([("one more line", "")])
         await screen.until(lambda: shown in log, "the row of the log")
         assert set(log) == {shown}
+
+
+@pytest.mark.parametrize("size", [(80, 24), (120, 40), (40, 12)])
+async def test_what_the_program_does_is_the_first_of_the_status_line_and_never_cut(open_screen, size):
+    """Whatever is said after it: here the longest sentence about a mistake."""
+    async with open_screen(WAITING + "\nFWD 3", speed=1.0, size=size) as screen:
+        screen.app.controller.display.keep("A sentence " * 40)
+        await screen.painted()
+        assert [row for row in screen.text.splitlines() if row.startswith(" READY ")]
+        screen.load(WAITING)
+        await screen.press("f5")
+        await screen.until(lambda: "\n RUNNING " in screen.text, "the running program")
+        await screen.press("f6")
+        await screen.until(lambda: "\n PAUSED " in screen.text, "the pause")
+
+
+async def test_looking_back_is_a_state_of_its_own(open_screen):
+    async with open_screen() as screen:
+        await screen.run("FW 1\nFW 2")
+        await screen.type_line("STEP BACK")
+        await screen.until(lambda: screen.main.status.badge.startswith("LOOKING BACK, "), "the way back")
+        await screen.type_line("FW 1")
+        await screen.until(lambda: screen.main.status.badge == "READY", "the present")

@@ -24,7 +24,7 @@ async def test_the_language_changes_everything_at_once(open_screen):
         await screen.until(lambda: "Mapa:" in screen.text and "Registro" in screen.text, "the titles")
 
         assert "Executar" in screen.text
-        assert "Pronto" in screen.status
+        assert screen.main.status.badge == "PRONTO"
 
 
 async def test_the_settings_list_changes_one_and_comes_back(open_screen, tmp_path):

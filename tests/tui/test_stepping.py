@@ -63,7 +63,7 @@ async def test_resuming_after_steps_back_continues_from_the_present(open_screen,
         for _ in range(4):
             screen.app.controller.do("step_back")
         assert trail(screen) == ["^"]
-        assert "> 1  FW 3" in screen.text and "Looking back." in screen.text
+        assert "> 1  FW 3" in screen.text and "LOOKING BACK, " in screen.text
 
         await screen.press(key)
 

@@ -84,7 +84,7 @@ def test_a_signal_halts_keeps_the_text_and_gives_the_terminal_back(terminal, tmp
     donnie.type("FW 1000")
     donnie.shows("1  FW 1000")
     donnie.type(F5)
-    donnie.shows("Running")
+    donnie.shows("RUNNING")
     donnie.process.send_signal(number)
 
     assert donnie.ended() == 128 + number
@@ -100,7 +100,7 @@ def test_a_lost_line_halts_and_keeps_the_text(terminal, tmp_path, controls):
     donnie.type("FW 1000")
     donnie.shows("1  FW 1000")
     donnie.type(F5)
-    donnie.shows("Running")
+    donnie.shows("RUNNING")
     donnie.hang_up()
 
     assert donnie.process.wait(TIMEOUT) == 128 + signal.SIGHUP
@@ -203,7 +203,7 @@ def test_a_lesson_from_typing_to_leaving(terminal):
     donnie.type(F7)
     donnie.shows("Line 2, level 1: REPEAT 2 TIMES")
     donnie.type(F8)
-    donnie.shows("Ready")
+    donnie.shows("READY")
     donnie.type(CTRL_K + "2")
     donnie.shows("Map. Donnie")
     donnie.type("\x1b[C")

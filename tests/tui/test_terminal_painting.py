@@ -46,7 +46,7 @@ def test_the_size_of_the_terminal_may_change(terminal):
         donnie.screen.resize(rows, columns)
         fcntl.ioctl(donnie._master, termios.TIOCSWINSZ, struct.pack("HHHH", rows, columns, 0, 0))
         donnie.process.send_signal(signal.SIGWINCH)
-        donnie.shows("Ready, speed")
+        donnie.shows("READY")
 
     donnie.shows("No variables.")
 

@@ -92,6 +92,47 @@ async def test_completion_can_be_switched_off_and_that_is_kept(open_screen, tmp_
         assert kept(tmp_path)["completion"] is False
 
 
+# --- lines
+
+
+@pytest.mark.parametrize("last", [(), tuple("END REPEAT"), ("down",)])
+async def test_enter_indents_and_ends_a_block_however_it_is_left(open_screen, last):
+    async with open_screen() as screen:
+        keys = [*"REPEAT 4 TIMES", "enter", *"FW 2 TR 90", "enter"] if last != ("down",) else []
+        keys = keys or [*"REPEAT 4 TIMES", "enter", *"FW 2 TR 90", "down", "end"]
+        await screen.press(*("space" if each == " " else each for each in keys))
+        await screen.press(*("space" if each == " " else each for each in last if each != "down"))
+        if last:
+            await screen.press("enter", *"BW")
+        await screen.pilot.pause()
+        expected = "REPEAT 4 TIMES\n  FW 2 TR 90\n" + ("END REPEAT\nBW" if last else "  \nEND REPEAT")
+
+        assert screen.main.editor.text == expected
+
+
+async def test_in_the_plain_layout_enter_writes_nothing_but_a_line(open_screen):
+    async with open_screen(plain=True) as screen:
+        screen.main.editor.focus()
+        await screen.pilot.pause()
+        await screen.press(*"REPEAT", "space", "4", "space", *"TIMES", "enter")
+
+        assert screen.main.editor.text == "REPEAT 4 TIMES\n"
+
+
+async def test_enter_in_a_block_moves_the_breakpoints_below_it_and_can_be_undone(open_screen):
+    text = "REPEAT 4 TIMES\n  FW 1\nEND REPEAT\nBW 1"
+    async with open_screen() as screen:
+        screen.load(text, frozenset({4}))
+        screen.main.editor.move_cursor((1, 6))
+        await screen.press("enter", *"BW")
+        assert screen.main.editor.text == text.replace("FW 1", "FW 1\n  BW")
+        assert screen.main.editor.breakpoints == {5}
+        await screen.press("ctrl+z", "ctrl+z")
+
+        assert screen.main.editor.text == text
+        assert screen.main.editor.breakpoints == {4}
+
+
 # --- mistakes
 
 

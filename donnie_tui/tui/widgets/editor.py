@@ -28,7 +28,7 @@ from donnie_tui.core.editing import common_lines, followed, shifted
 from donnie_tui.tui import themes
 
 if TYPE_CHECKING:
-    from donnie_tui.core.completion import Completion
+    from donnie_tui.core.completion import Completion, NextLine
     from donnie_tui.core.program_text import LineMistake
 
 HERE, CALLER, BREAK, MISTAKE, HINT = ">", "*", "B", "!", "?"
@@ -77,6 +77,8 @@ class Editor(TextArea):
         self._breakpoints: frozenset[int] = frozenset()
         self.complete: Callable[[str, int], Completion] | None = None
         """What may stand at an offset of the text; None where nothing is to be offered."""
+        self.next_line: Callable[[Sequence[str], int], NextLine] | None = None
+        """What Enter at the end of a row writes; None, or without line numbers: only a new line."""
 
     def on_mount(self) -> None:
         self.app.theme_changed_signal.subscribe(self, lambda _: self._wear())
@@ -99,6 +101,27 @@ class Editor(TextArea):
             self.post_message(self.LineWordTyped(name))
         elif event.key == "enter":
             self.post_message(self.LineFinished(self.cursor_location[0]))
+            if self.next_line is not None and self.show_line_numbers and self.selection.is_empty:
+                event.stop()
+                event.prevent_default()
+                self._begin_line(self.next_line)
+
+    def _begin_line(self, next_line: Callable[[Sequence[str], int], NextLine]) -> None:
+        """The next line, with the indentation that it should have; perhaps the END of its block below."""
+        row, column = self.cursor_location
+        line = self.document.get_line(row)
+        if column < len(line.rstrip()):
+            indent = line[: len(line) - len(line.lstrip())][:column]
+            self.insert(f"\n{indent}")
+            return
+        found = next_line(self.document.lines, row)
+        if found.doubled:
+            self.delete((row, len(line)), (row + 1, len(self.document.get_line(row + 1))))
+        if not line.startswith(found.before) or line[len(found.before) :][:1].isspace():
+            line = found.before + line.lstrip()
+            self.replace(line, (row, 0), (row, len(self.document.get_line(row))))
+        self.insert(f"\n{found.indent}" + (f"\n{found.end}" if found.end else ""), (row, len(line)))
+        self.move_cursor((row + 1, len(found.indent)))
 
     @property
     def _line_word(self) -> str | None:

@@ -21,6 +21,7 @@ from rich.cells import cell_len, chop_cells
 from rich.segment import Segment
 from rich.style import Style
 from textual.binding import Binding, BindingType
+from textual.content import Content
 from textual.events import Click
 from textual.geometry import Offset, Region, Size
 from textual.message import Message
@@ -54,27 +55,30 @@ _GAP = "  "
 
 
 class FixedLine(Static):
-    """One sentence after the other, plain text."""
+    """One sentence after the other, plain text; before them may be a badge in reverse video."""
 
     def __init__(self, *, id: str) -> None:  # noqa: A002 -- Textual's own name
         super().__init__(id=id, markup=False)
         self.words = ""
         self._choices: tuple[str, ...] = ("",)
+        self.badge = ""
+        self._shown = ("", "")
 
-    def say(self, *choices: str) -> None:
+    def say(self, *choices: str, badge: str = "") -> None:
         """The first of the choices for which there is room, or the last."""
-        self._choices = choices
+        self._choices, self.badge = choices, badge
         self._write()
 
     def on_resize(self) -> None:
         self._write()
 
     def _write(self) -> None:
-        room = self.size.width * max(1, self.size.height)
+        badge = f" {self.badge} " if self.badge else ""
+        room = self.size.width * max(1, self.size.height) - len(badge)
         words = next((each for each in self._choices if len(each) <= room), self._choices[-1])
-        if words != self.words:
-            self.words = words
-            self.update(words, layout=False)
+        if (badge, words) != self._shown:
+            self._shown, self.words = (badge, words), words
+            self.update(Content.assemble((badge, "reverse"), words) if badge else words, layout=False)
 
 
 class KeyLine(FixedLine):

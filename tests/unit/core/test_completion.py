@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from donnie_tui.core.completion import completion
+from donnie_tui.core.completion import completion, next_line
 
 
 def words(text: str, language: str = "en", colours: tuple[str, ...] | None = None) -> tuple[str, ...]:
@@ -103,3 +103,49 @@ def test_completion_accepts_any_text(text: str, at: int) -> None:
     found = completion(text, min(at, len(text)), "en")
 
     assert all(isinstance(each, str) and each for each in found.words)
+
+
+# --- the next line
+
+
+def entered(text: str, language: str = "en") -> tuple[str, str, str, bool]:
+    """After the line with the bar."""
+    lines = text.split("\n")
+    row = next(at for at, line in enumerate(lines) if line.endswith("|"))
+    lines[row] = lines[row][:-1]
+    found = next_line(lines, row, language)
+    return found.before, found.indent, found.end, found.doubled
+
+
+@pytest.mark.parametrize(
+    ("text", "language", "expected"),
+    [
+        ("FW 1|", "en", ("", "", "", False)),
+        ("    FW 1|", "en", ("    ", "    ", "", False)),
+        ("REPEAT 4 TIMES|", "en", ("", "  ", "END REPEAT", False)),
+        ("REPEAT 4|", "en", ("", "", "", False)),
+        ("IF DISTANCE F < 5 THEN|", "en", ("", "  ", "END IF", False)),
+        ("repita 4 vezes|", "en", ("", "  ", "FIM REPITA", False)),
+        ("REPITA 4 VEZES|", "pt", ("", "  ", "FIM REPITA", False)),
+        ("REPEAT 4 TIMES|\nEND REPEAT", "en", ("", "  ", "", False)),
+        ("REPEAT 4 TIMES FW 1 END REPEAT|", "en", ("", "", "", False)),
+        ("REPEAT 4 TIMES\n  REPEAT 2 TIMES|\nEND REPEAT", "en", ("  ", "    ", "  END REPEAT", False)),
+        ("REPEAT 4 TIMES|\nSPEAK 1", "en", ("", "  ", "", False)),
+        ("REPEAT 4 TIMES\n  FW 1\n  END REPEAT|", "en", ("", "", "", False)),
+        ("REPEAT 4 TIMES\n  FW 1\n  END REPEAT|\nEND REPEAT", "en", ("", "", "", True)),
+        (
+            "REPEAT 4 TIMES\n  REPEAT 2 TIMES\n    END REPEAT|\n  END REPEAT\nEND REPEAT",
+            "en",
+            ("  ", "  ", "", True),
+        ),
+        (
+            "REPEAT 4 TIMES\n  REPEAT 2 TIMES\n  END REPEAT|\nEND REPEAT",
+            "en",
+            ("  ", "  ", "", False),
+        ),
+        ("IF 1 == 1 THEN\n  FW 1\n  ELSE|\nEND IF", "en", ("", "  ", "", False)),
+        ("REPEAT 4 TIMES\n  |\nEND REPEAT", "en", ("", "  ", "", False)),
+    ],
+)
+def test_after_enter_the_next_line_is_indented_and_a_block_has_its_end(text, language, expected) -> None:
+    assert entered(text, language) == expected
