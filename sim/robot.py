@@ -93,6 +93,16 @@ class SimulatedRobot:
         return tuple(self._ground.scene.models[root].name for root in self.get_ready().mover.around.stands_in)
 
     @property
+    def is_in_the_open(self) -> bool:
+        """Whether its world has nothing that a distance sensor could ever find, but for robots."""
+        scene = self._ground.scene
+        return not any(
+            each.ranger_return > 0 and (each.polygons or each.walls)
+            for each in scene.models
+            if each.root not in scene.robots
+        )
+
+    @property
     def placement(self) -> Placement:
         """Where it is in truth, in metres. ``pose`` is what the robot believes."""
         if self._vehicle is None:

@@ -29,6 +29,7 @@ from donnie_tui.core.events import (
     Waited,
 )
 from donnie_tui.core.hub import Hub
+from donnie_tui.core.loop_hints import LoopHints
 from donnie_tui.core.outlets import SpeechWait
 from donnie_tui.core.transcript import History, SentencePublisher
 from donnie_tui.core.wording import compass_heading, whole_steps
@@ -144,14 +145,16 @@ class RobotActions:
         self._sentences = sentences
         self.past = History()
         self._belt = belt
+        self._loop_hints = LoopHints(robot, sentences)
         self.handling = Handling(robot, hub, sentences, moved_things)
         self._speech_wait = speech_wait or SpeechWait()
         self._announced: set[str] = set()
         """The codes of the problems that were announced in this run."""
 
     def begin_run(self) -> None:
-        """Problems are announced again."""
+        """Problems are announced again, and hints given."""
         self._announced.clear()
+        self._loop_hints.begin_run()
 
     def announce_problem(self, problem: RobotProblem) -> None:
         """Once a run, although a loop meets it again and again."""
@@ -234,6 +237,7 @@ class RobotActions:
         self.handling.publish_things()
         self._feel(done.stopped_by, Bearing.FRONT if forward else Bearing.BACK)
         _refuse_after(done.stopped_by)
+        self._loop_hints.walked(event)
 
     def _turn(self, degrees: int, command: str, *, right: bool) -> None:
         _refuse_beyond_limit(degrees)
@@ -263,7 +267,9 @@ class RobotActions:
             steps = self._robot.distance(bearing)
         except RobotProblem as problem:
             raise _refused(problem, bearing=bearing.words) from None
-        return self._read("distance", bearing.words, steps)
+        value = self._read("distance", bearing.words, steps)
+        self._loop_hints.read(bearing)
+        return value
 
     def position(self, axis: Axis) -> int:
         pose = self._robot.pose()
