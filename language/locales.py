@@ -7,7 +7,7 @@ path and imports nothing of donnie_tui. It is light: the first prompt needs the 
 
 from __future__ import annotations
 
-# ruff: noqa: PTH116, PTH120, PTH123, PTH208 -- pathlib is slow to load
+# ruff: noqa: PTH113, PTH116, PTH120, PTH123, PTH208 -- pathlib is slow to load
 import os
 
 ENGLISH = "en"
@@ -17,6 +17,12 @@ BUILT_IN = f"{os.path.dirname(os.path.dirname(__file__))}/donnie_tui/i18n/locale
 
 SEARCH_PATH = "DONNIE_LOCALES"
 """The environment variable with more folders, separated as in PATH."""
+
+DOCUMENTS = (
+    f"{os.path.dirname(os.path.dirname(BUILT_IN))}/docs",
+    f"{os.path.dirname(os.path.dirname(__file__))}/docs",
+)
+"""Where the documents are: in a wheel, in the repository."""
 
 LARGEST = 1_000_000
 """Bytes of one file of a language; the sentences of a language have some 200 000."""
@@ -75,6 +81,12 @@ def language_of_locale(locale: str) -> str | None:
     """The language of a locale such as ``pt_BR.UTF-8``; None if there is none."""
     code = locale.partition(".")[0].lower().replace("_", "-")
     return next((each for each in (code, code.partition("-")[0]) if each in folders()), None)
+
+
+def first_page(language: str) -> str:
+    """The path of the document for beginners in a language, else of that in English; empty without any."""
+    paths = (f"{folder}/{each}/README.md" for each in (language, ENGLISH) for folder in DOCUMENTS)
+    return next((each for each in paths if os.path.isfile(each)), "")
 
 
 def compiled_file(language: str, source: str, name: str) -> str | None:

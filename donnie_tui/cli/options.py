@@ -9,9 +9,9 @@ from __future__ import annotations
 import argparse
 import os
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from enum import IntEnum
-from typing import TYPE_CHECKING, NoReturn, TypeAlias
+from typing import TYPE_CHECKING, NoReturn
 
 from msgspec import Struct
 
@@ -19,7 +19,7 @@ from donnie_tui import __version__
 from donnie_tui.cli.streams import Output
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.settings import BY_KEY, CONFINED, DEVICES, BadOption, Settings, resolve
-from language.locales import languages
+from language.locales import first_page, languages
 
 if TYPE_CHECKING:
     from donnie_tui.linear.greeting import Greeting
@@ -288,8 +288,6 @@ _PROBLEMS = (
 """What argparse complains about, and the code of our sentence for it."""
 
 _LONGEST_QUOTE = 40
-Sentences: TypeAlias = Callable[[str], str]
-"""The sentence of a code."""
 
 
 class _Parser(argparse.ArgumentParser):
@@ -306,7 +304,7 @@ class _Parser(argparse.ArgumentParser):
         raise WrongUsage("usage-unrecognized", message[:_LONGEST_QUOTE])
 
 
-def _formatter(sentence: Sentences) -> type[argparse.HelpFormatter]:
+def _formatter(sentence: Words) -> type[argparse.HelpFormatter]:
     """Help that begins with the word for "usage" in the learner's language and keeps the lines of a text."""
 
     class Formatter(argparse.HelpFormatter):
@@ -315,13 +313,14 @@ def _formatter(sentence: Sentences) -> type[argparse.HelpFormatter]:
 
         def _fill_text(self, text: str, width: int, indent: str) -> str:
             return "\n".join(
-                super(Formatter, self)._fill_text(each, width, indent) for each in text.split("\n")
+                each if each.endswith(".md") else super(Formatter, self)._fill_text(each, width, indent)
+                for each in text.split("\n")
             )
 
     return Formatter
 
 
-def parser_of(command: str, sentence: Sentences) -> argparse.ArgumentParser:
+def parser_of(command: str, sentence: Words) -> argparse.ArgumentParser:
     """The parser of a command, or of the program itself for the empty name."""
     parser = _Parser(
         prog=f"donnie {command}".strip(),
@@ -349,7 +348,7 @@ def parser_of(command: str, sentence: Sentences) -> argparse.ArgumentParser:
     return parser
 
 
-def _add(parser: argparse._ActionsContainer, option: OptionSpec, sentence: Sentences) -> None:
+def _add(parser: argparse._ActionsContainer, option: OptionSpec, sentence: Words) -> None:
     given: dict[str, object] = {
         name: getattr(option, name)
         for name in ("metavar", "dest", "nargs", "default", "type", "choices")
@@ -360,7 +359,9 @@ def _add(parser: argparse._ActionsContainer, option: OptionSpec, sentence: Sente
     parser.add_argument(*option.names, help=sentence(option.help), **given)  # type: ignore[arg-type] # as named
 
 
-def _all_commands(sentence: Sentences) -> str:
-    """The list of commands, a line each, with what it is for."""
-    lines = (f"{each}: {sentence(f'usage-{each}')}" for each in COMMANDS)
-    return "\n".join([sentence("usage-commands"), *lines])
+def _all_commands(sentence: Words) -> str:
+    """The list of commands, a line each, with what it is for; then the document for beginners."""
+    lines = [f"{each}: {sentence(f'usage-{each}')}" for each in COMMANDS]
+    page = first_page(sentence.language)
+    document = (sentence("first-page", file=page),) if page else ()
+    return "\n".join((sentence("usage-commands"), *lines, *document))

@@ -13,6 +13,7 @@ from donnie_tui.commands.lookup import find, help_line, help_of
 from donnie_tui.core.runner import LAST_WORDS
 from donnie_tui.core.wording import Wording, meant
 from donnie_tui.i18n.help import CHAPTERS, TOUR_PAGES, chapter_lines, said_for, tour_page
+from language.locales import first_page
 from worlds import challenges
 
 if TYPE_CHECKING:
@@ -136,6 +137,8 @@ async def manual(ctx: Context, argument: str) -> None:
         ctx.answer("manual-chapters", count=len(CHAPTERS))
         for at, chapter in enumerate(CHAPTERS, 1):
             ctx.answer("numbered-line", line=at, text=ctx.words(f"manual-{chapter}"))
+        if page := first_page(ctx.words.language):
+            ctx.answer("first-page", file=page)
 
 
 @handles("tour")

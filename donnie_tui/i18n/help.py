@@ -18,6 +18,7 @@ from msgspec import Struct
 from donnie_tui.core.reports import Section
 from donnie_tui.core.wording import Wording
 from language import keywords
+from language.locales import first_page
 from language.source import fold_name
 from language.suggestions import SAMPLES, everyday
 
@@ -194,7 +195,9 @@ def manual(words: Wording) -> tuple[str, ...]:
         lines.append(words(f"manual-{chapter}").upper())
         lines.extend(words(f"manual-{chapter}-text").split("\n"))
         lines.append("")
-    return (*lines, words("manual-commands").upper(), *words.help(None))
+    page = first_page(words.language)
+    document = (words("first-page", file=page),) if page else ()
+    return (*lines, words("manual-commands").upper(), *words.help(None), *document)
 
 
 def sections(words: Wording) -> tuple[Section, ...]:

@@ -43,6 +43,14 @@ def test_every_data_file_of_the_packages_is_in_the_wheel(wheel: Path) -> None:
 
 
 @pytest.mark.parametrize("language", languages())
+def test_the_documents_are_where_an_installed_donnie_names_them(wheel: Path, language: str) -> None:
+    names = zipfile.ZipFile(wheel).namelist()
+
+    assert f"donnie_tui/docs/{language}/README.md" in names
+    assert "donnie_tui/docs/language.md" in names
+
+
+@pytest.mark.parametrize("language", languages())
 def test_the_wheel_has_what_is_compiled_of_each_language_and_not_what_translators_edit(
     wheel: Path, language: str
 ) -> None:

@@ -1,12 +1,14 @@
 """Options stand before or after the command. The first other word is the command or the file."""
 
 import re
+from pathlib import Path
 
 import pytest
 
 from donnie_tui.cli.options import COMMANDS, WrongUsage, understand
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.settings import BadOption
+from tests.conftest import ROOT
 
 
 @pytest.mark.parametrize(
@@ -75,6 +77,18 @@ def test_help_names_every_command_with_its_purpose(language: str, capsys: pytest
     said = capsys.readouterr().out.splitlines()
     for command in COMMANDS:
         assert any(line.startswith(f"{command}: {words(f'usage-{command}')[:30]}") for line in said), command
+
+
+@pytest.mark.parametrize("language", ["en", "pt", "es"])
+def test_help_ends_with_the_document_for_beginners_in_the_language(
+    language: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit):
+        understand(["--help"], Words(language))
+
+    named = Path(capsys.readouterr().out.splitlines()[-1].partition(": ")[2])
+    assert named == ROOT / "docs" / language / "README.md"
+    assert named.is_file()
 
 
 @pytest.mark.parametrize("language", ["en", "pt", "es"])

@@ -11,7 +11,7 @@ from donnie_tui.commands.help import TOPICS
 from donnie_tui.commands.lookup import word_of
 from donnie_tui.core.wording import keys_of, spelled
 from language.keywords import spelling
-from language.locales import languages
+from language.locales import first_page, languages
 from tests.unit.commands.scripted import Script
 
 OpenScript = Callable[..., Script]
@@ -100,6 +100,19 @@ def test_a_command_that_a_beginner_means_otherwise_names_both(
 
     assert said[0].startswith(typed.split()[1])
     assert said[-1] == last
+
+
+@pytest.mark.parametrize("language", languages())
+def test_the_manual_names_the_document_for_beginners_in_the_language(
+    language: str, open_script: OpenScript
+) -> None:
+    said = open_script(language=language).answers_to("MANUAL")
+
+    assert said[-1].endswith(f"/docs/{language}/README.md")
+
+
+def test_a_language_without_documents_has_those_in_english() -> None:
+    assert first_page("eo") == first_page("en")
 
 
 def test_more_than_an_everyday_word_is_not_known(open_script: OpenScript) -> None:
