@@ -196,6 +196,11 @@ class SimulatedRobot:
         vehicle = self._vehicle
         return pose_of(self._ground.start(self._model.index) if vehicle is None else vehicle.here.belief)
 
+    def true_pose(self) -> Pose | None:
+        """None without errors of odometry."""
+        vehicle = self._vehicle
+        return None if vehicle is None or vehicle.odometry.is_exact else pose_of(vehicle.here.truth)
+
     def distance(self, bearing: Bearing) -> int:
         """RobotProblem ``no-sensor`` (bearing) if nothing looks there."""
         self._clock.begin()

@@ -228,7 +228,11 @@ class Robot(Protocol):
     def time(self) -> float:
         """Robot time in seconds since the robot was made or last reset."""
 
-    def pose(self) -> Pose: ...
+    def pose(self) -> Pose:
+        """Where it believes to be."""
+
+    def true_pose(self) -> Pose | None:
+        """Where it is, if the world knows and the robot believes something else, now or later."""
 
     def distance(self, bearing: Bearing) -> int:
         """Whole steps from that sensor to the nearest obstacle in its cone, or the sensor's maximum."""

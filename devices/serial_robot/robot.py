@@ -362,6 +362,10 @@ class SerialRobot:
     def pose(self) -> Pose:
         return self._odometry.follow(self._link.telemetry)
 
+    def true_pose(self) -> Pose | None:
+        """Unknown."""
+        return None
+
     def distance(self, bearing: Bearing) -> int:
         """``RobotProblem`` ``no-sensor`` where no sensor looks there, ``link-lost`` without a link."""
         self._require_link()

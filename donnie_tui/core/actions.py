@@ -231,7 +231,17 @@ class RobotActions:
             done = go(max(0, steps))
         except RobotProblem as problem:
             raise _refused(problem) from None
-        event = Moved(command, steps, done.walked, done.stopped_by, done.pose, forward, done.met, done.pushed)
+        event = Moved(
+            command,
+            steps,
+            done.walked,
+            done.stopped_by,
+            done.pose,
+            forward,
+            done.met,
+            done.pushed,
+            self._robot.true_pose(),
+        )
         self.past.remember(event)
         self._hub.publish(event)
         self.handling.publish_things()
@@ -246,7 +256,17 @@ class RobotActions:
         except RobotProblem as problem:
             raise _refused(problem) from None
         turned = done.turned if right else -done.turned
-        event = Turned(command, degrees, turned, done.stopped_by, done.pose, right, done.met, done.pushed)
+        event = Turned(
+            command,
+            degrees,
+            turned,
+            done.stopped_by,
+            done.pose,
+            right,
+            done.met,
+            done.pushed,
+            self._robot.true_pose(),
+        )
         self.past.remember(event)
         self._hub.publish(event)
         self.handling.publish_things()

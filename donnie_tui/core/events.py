@@ -104,6 +104,7 @@ class Announced(_Event, frozen=True):
 class Moved(_Event, frozen=True):
     """``asked`` and ``walked`` in steps, forward or backward as ``command`` says."""
 
+    OPTIONAL: ClassVar[tuple[str, ...]] = ("true_pose",)
     PRIVATE: ClassVar[tuple[str, ...]] = ("forward", "met", "pushed")
     command: str
     asked: int
@@ -114,11 +115,14 @@ class Moved(_Event, frozen=True):
     met: Met | None = None
     """What stopped it, where that is known."""
     pushed: tuple[Pushed, ...] = ()
+    true_pose: Pose | None = None
+    """Where the robot is, if its odometry has errors: ``pose`` is then where it believes to be."""
 
 
 class Turned(_Event, frozen=True):
     """``asked`` and ``turned`` in degrees, in the direction of the command."""
 
+    OPTIONAL: ClassVar[tuple[str, ...]] = ("true_pose",)
     PRIVATE: ClassVar[tuple[str, ...]] = ("right", "met", "pushed")
     command: str
     asked: int
@@ -129,6 +133,8 @@ class Turned(_Event, frozen=True):
     """Whether the command was a turn to the right."""
     met: Met | None = None
     pushed: tuple[Pushed, ...] = ()
+    true_pose: Pose | None = None
+    """Where the robot is, if its odometry has errors: ``pose`` is then where it believes to be."""
 
 
 class SeenGroup(Struct, frozen=True):
@@ -253,10 +259,13 @@ class Error(_Event, frozen=True):
 
 
 class RunEnded(_Event, frozen=True):
+    OPTIONAL: ClassVar[tuple[str, ...]] = ("true_pose",)
     outcome: Outcome
     pose: Pose
     variables: Mapping[str, int]
     seconds: float
+    true_pose: Pose | None = None
+    """As in ``Moved``."""
 
 
 class Passing(_Event, frozen=True):
@@ -353,9 +362,12 @@ def as_record(stamped: Stamped, *, whole: bool = False) -> dict[str, object]:
 
 
 def _fields(value: Struct, whole: bool) -> dict[str, object]:
+    """Without those that are private, and those that are optional and None."""
     private = () if whole else getattr(value, "PRIVATE", ())
+    absent = [name for name in getattr(value, "OPTIONAL", ()) if getattr(value, name) is None]
     names = zip(value.__struct_fields__, value.__struct_encode_fields__, strict=True)
-    return {key: _plain(getattr(value, name), whole) for name, key in names if name not in private}
+    shown = ((name, key) for name, key in names if name not in private and name not in absent)
+    return {key: _plain(getattr(value, name), whole) for name, key in shown}
 
 
 def _plain(value: object, whole: bool) -> object:

@@ -175,7 +175,7 @@ class Run:
         seconds = robot.time() - began
         self._stage.about_to_end(outcome)
         variables = dict(sorted(self._stage.memory.variables.items()))
-        hub.publish(RunEnded(outcome, robot.pose(), variables, seconds))
+        hub.publish(RunEnded(outcome, robot.pose(), variables, seconds, robot.true_pose()))
         hub.wait_until_delivered()
         return outcome
 
