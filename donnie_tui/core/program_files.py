@@ -13,7 +13,7 @@ import errno
 import itertools
 import os
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, BinaryIO
 
 from msgspec import Struct, convert
 from msgspec.structs import astuple
@@ -26,6 +26,7 @@ from donnie_tui.process.confinement import (
     is_allowed,
     make_folder,
     open_bytes,
+    open_descriptor,
     open_text,
 )
 from language.source import cleaned, lines_in, with_newlines
@@ -35,6 +36,9 @@ if TYPE_CHECKING:
 
 LARGEST = 8 * 1024 * 1024
 """Bytes that a program file may have; a program of a learner has a few hundred."""
+
+LONGEST_SILENCE = 10.0
+"""Seconds in which something must be written into a pipe that is read."""
 
 SUFFIX = ".gd"
 
@@ -177,11 +181,11 @@ def read_program(path: Path) -> str:
 
 
 def read_to_the_end(path: Path) -> str:
-    """As ``read_program``, but reads a pipe too, until it is closed."""
+    """As ``read_program``, but reads a pipe too, until it is closed. One that stays empty is refused."""
     try:
         if path.is_dir():
             raise DocumentError("file-is-folder", str(path))
-        with open_bytes(path) as file:
+        with _open_pipe(path) if path.is_fifo() else open_bytes(path) as file:
             return decode(file.read(LARGEST + 1), str(path))  # a device has no end
     except FileNotFoundError:
         raise DocumentError("file-not-found", str(path)) from None
@@ -189,6 +193,20 @@ def read_to_the_end(path: Path) -> str:
         raise DocumentError(problem.code, str(path)) from None
     except (OSError, ValueError) as problem:
         raise DocumentError("file-unreadable", str(path), _reason(problem)) from None
+
+
+def _open_pipe(path: Path) -> BinaryIO:
+    """A named pipe, once something was written. Raises ``DocumentError`` if nothing is, and ``OSError``."""
+    import select  # few programs are read from pipes
+
+    pipe = open_descriptor(path, os.O_RDONLY | os.O_NONBLOCK)
+    written = select.poll()
+    written.register(pipe, select.POLLIN)
+    if not written.poll(LONGEST_SILENCE * 1000):
+        os.close(pipe)
+        raise DocumentError("file-pipe-silent", str(path))
+    os.set_blocking(pipe, True)
+    return os.fdopen(pipe, "rb")
 
 
 def saved_text(path: Path) -> str:

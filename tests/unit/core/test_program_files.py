@@ -141,6 +141,18 @@ def test_a_command_reads_a_pipe_to_its_end(tmp_path: Path) -> None:
     writing.join()
 
 
+def test_a_pipe_into_which_nothing_is_written_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    os.mkfifo(tmp_path / "pipe")
+    monkeypatch.setattr(program_files, "LONGEST_SILENCE", 0.01)
+
+    with pytest.raises(DocumentError) as caught:
+        read_to_the_end(tmp_path / "pipe")
+
+    assert caught.value.code == "file-pipe-silent"
+
+
 def test_a_device_or_a_pipe_is_not_replaced_by_a_file(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe")
 
