@@ -72,6 +72,8 @@ def _sensor(sensor: syntax.Sensor, language: str) -> tuple[str, str]:
     match sensor:
         case syntax.DistanceSensor(bearing=bearing):
             word, argument = "DISTANCE", argument_spelling(bearing, language)
+        case syntax.NamedDistanceSensor(name=name):
+            word, argument = "DISTANCE", f'"{name}"'
         case syntax.PositionSensor(axis=axis):
             word, argument = "POS", argument_spelling(axis, language)
         case syntax.ColourSensor(colour=colour):

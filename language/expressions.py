@@ -127,6 +127,9 @@ class Expressions:
                 return self._negative(operand)
             case syntax.DistanceSensor(bearing=bearing):
                 return self._sensor(operand, "distance", bearing.name)
+            case syntax.NamedDistanceSensor(name=name):
+                site = self._sites.new(operand)
+                return _Value(py.call(site, "named_distance", py.constant(site, name)), SENSOR_BITS)
             case syntax.PositionSensor(axis=axis):
                 return self._sensor(operand, "position", axis.name)
             case syntax.ColourSensor(colour=colour):

@@ -80,6 +80,11 @@ class DistanceSensor(Node, frozen=True):
     bearing: Bearing
 
 
+class NamedDistanceSensor(Node, frozen=True):
+    name: str
+    """A ranger's name in the robot's world, as it was typed."""
+
+
 class PositionSensor(Node, frozen=True):
     axis: Axis
 
@@ -89,7 +94,7 @@ class ColourSensor(Node, frozen=True):
     """The English word of the colour."""
 
 
-Sensor: TypeAlias = DistanceSensor | PositionSensor | ColourSensor
+Sensor: TypeAlias = DistanceSensor | NamedDistanceSensor | PositionSensor | ColourSensor
 Expression: TypeAlias = NumberLiteral | Name | Negative | Binary | Sensor
 
 

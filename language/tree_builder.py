@@ -124,6 +124,10 @@ class TreeBuilder:
         bearing = _value("DIRECTION", direction) if direction else Bearing.FRONT
         return syntax.DistanceSensor(_tokens_span(word, direction or word), bearing)
 
+    def named_distance(self, word: Token, string: Token) -> syntax.NamedDistanceSensor:
+        name = self._source[string[1] + 1 : string[2] - 1]
+        return syntax.NamedDistanceSensor(_tokens_span(word, string), " ".join(name.split()))
+
     @staticmethod
     def position(word: Token, axis: Token) -> syntax.PositionSensor:
         return syntax.PositionSensor(_tokens_span(word, axis), _value("AXIS", axis))

@@ -208,6 +208,18 @@ class SimulatedRobot:
         mover = vehicle.mover
         return mover.senses.steps(mover.around, vehicle.here.truth, bearing, self._chance)
 
+    @property
+    def ranger_names(self) -> tuple[str, ...]:
+        """The names of its distance sensors that ``named_distance`` takes."""
+        return tuple(self.get_ready().mover.senses.by_name)
+
+    def named_distance(self, name: str) -> int:
+        """KeyError if no sensor has that name."""
+        self._clock.begin()
+        vehicle = self.get_ready()
+        mover = vehicle.mover
+        return mover.senses.named_steps(mover.around, vehicle.here.truth, name, self._chance)
+
     def known_distances(self) -> dict[Bearing, int]:
         """If nothing has moved since the last call, the distances are unchanged."""
         vehicle = self.get_ready()

@@ -37,6 +37,8 @@ class Senses(Struct, frozen=True):
     beams: Beams | None
     """Of its first gripper."""
     by_bearing: Mapping[Bearing, tuple[Ranger, ...]]
+    by_name: Mapping[str, tuple[Ranger, ...]]
+    """The sensors of each part that the world gives a name."""
 
     def at(self, bearing: Bearing) -> tuple[Ranger, ...]:
         """The sensors for that bearing; empty if none looks there."""
@@ -51,10 +53,11 @@ class Senses(Struct, frozen=True):
         rangers = self.at(bearing)
         if not rangers:
             raise RobotProblem("no-sensor", bearing=bearing.words)
-        readings = [_reading(each, around, spot, chance) for each in rangers]
-        near = [reading for reading in readings if reading is not None]
-        farthest = max(int(each.maximum * 100 + 0.5) for each in rangers)
-        return min(near, default=farthest) // CENTIMETRES_A_STEP
+        return _steps(rangers, around, spot, chance)
+
+    def named_steps(self, around: Around, spot: Spot, name: str, chance: Random | None = None) -> int:
+        """As ``steps``, of the sensors with that name. Raises ``KeyError``."""
+        return _steps(self.by_name[name], around, spot, chance)
 
     def all_steps(self, around: Around, spot: Spot) -> dict[Bearing, int]:
         """The same for every bearing that something looks to, exact."""
@@ -86,6 +89,13 @@ class Senses(Struct, frozen=True):
         return tuple(bumper.is_pressed(around, spot) for bumper in self.bumpers)
 
 
+def _steps(rangers: tuple[Ranger, ...], around: Around, spot: Spot, chance: Random | None) -> int:
+    readings = [_reading(each, around, spot, chance) for each in rangers]
+    near = [reading for reading in readings if reading is not None]
+    farthest = max(int(each.maximum * 100 + 0.5) for each in rangers)
+    return min(near, default=farthest) // CENTIMETRES_A_STEP
+
+
 def _reading(ranger: Ranger, around: Around, spot: Spot, chance: Random | None) -> int | None:
     return ranger.centimetres(around, spot) if chance is None else ranger.noisy(around, spot, chance)
 
@@ -104,6 +114,7 @@ def senses_of(scene: Scene, robot: int) -> Senses:
         tuple(_bumpers(models, frame)),
         beams,
         by_bearing,
+        dict(_named(models, frame)),
     )
 
 
@@ -119,6 +130,14 @@ def _ranger(sensor: RangeSensor, x: float, y: float, yaw: float, height: Height)
     if sensor.samples == 1:
         return Cone(x, y, yaw, sensor.fov / 2, *bounds)
     return Fan(x, y, fan_angles(yaw, sensor.fov, sensor.samples), *bounds)
+
+
+def _named(models: tuple[Model, ...], frame: Placement) -> Iterator[tuple[str, tuple[Ranger, ...]]]:
+    """The sensors of each part of a robot, by its name; Stage's own names have a colon."""
+    for model in models:
+        rangers = tuple(_rangers((model,), frame))
+        if rangers and model.name and ":" not in model.name:
+            yield model.name, rangers
 
 
 def _towards(rangers: tuple[Ranger, ...], bearing: Bearing) -> Iterator[Ranger]:

@@ -34,10 +34,25 @@ from donnie_tui.core.outlets import SpeechWait
 from donnie_tui.core.transcript import History, SentencePublisher
 from donnie_tui.core.wording import compass_heading, whole_steps
 from language.diagnostics import ActionRefused, MistakeKind
+from language.source import fold_name
 from language.syntax import Axis
 
 MovedThings: TypeAlias = Callable[[], tuple[PlacedThing, ...] | None]
 """Returns the things that are not at their start; None if nothing changed since the last call."""
+
+
+class NamedRangers(Protocol):
+    """A robot whose world names some of its distance sensors."""
+
+    @property
+    def ranger_names(self) -> tuple[str, ...]: ...
+
+    def named_distance(self, name: str) -> int:
+        """As ``Robot.distance``, by one of these names."""
+
+
+def _names_rangers(robot: object) -> TypeGuard[NamedRangers]:
+    return hasattr(robot, "named_distance")
 
 
 class Gripping(Protocol):
@@ -290,6 +305,18 @@ class RobotActions:
         value = self._read("distance", bearing.words, steps)
         self._loop_hints.read(bearing)
         return value
+
+    def named_distance(self, name: str) -> int:
+        robot = self._robot
+        names = robot.ranger_names if _names_rangers(robot) else ()
+        called = next((each for each in names if fold_name(each) == fold_name(name)), None)
+        if not names or called is None or not _names_rangers(robot):
+            code = "no-ranger" if names else "no-named-rangers"
+            raise _refused(RobotProblem(code, name=name, names=", ".join(names)))
+        try:
+            return self._read("distance", called, robot.named_distance(called))
+        except RobotProblem as problem:
+            raise _refused(problem) from None
 
     def position(self, axis: Axis) -> int:
         pose = self._robot.pose()

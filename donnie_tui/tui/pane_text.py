@@ -120,7 +120,8 @@ def _distances(distances: Mapping[Bearing, int], words: Wording) -> tuple[str, .
 
 
 def _where(bearing: str, words: Wording) -> str:
-    return words(f"where-{bearing.replace(' ', '-')}")
+    code = f"where-{bearing.replace(' ', '-')}"
+    return words(code) if words.knows(code) else bearing
 
 
 def _readings(readings: Sequence[Read], words: Wording) -> tuple[str, ...]:

@@ -43,6 +43,7 @@ from language.syntax import (
     HistoryCommand,
     If,
     Name,
+    NamedDistanceSensor,
     Negative,
     NumberLiteral,
     PoseCommand,
@@ -377,6 +378,8 @@ class _Run:
                 return self._refusable(expression.span, lambda: _CALCULATE[operator](first, second))
             case DistanceSensor(bearing=bearing):
                 return self._refusable(expression.span, lambda: self._actions.distance(bearing))
+            case NamedDistanceSensor(name=name):
+                return self._refusable(expression.span, lambda: self._actions.named_distance(name))
             case PositionSensor(axis=axis):
                 return self._refusable(expression.span, lambda: self._actions.position(axis))
             case ColourSensor(colour=colour):

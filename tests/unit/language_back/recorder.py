@@ -89,6 +89,10 @@ class Recorder:
         self._note("distance", bearing)
         return SENSED.get(bearing, 60)
 
+    def named_distance(self, name: str) -> int:
+        self._note("named_distance", name)
+        return len(name)
+
     def position(self, axis: Axis) -> int:
         self._note("position", axis)
         return {Axis.X: 3, Axis.Y: -4, Axis.ANGLE: 90}[axis]

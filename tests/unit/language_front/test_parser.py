@@ -20,6 +20,7 @@ from language.syntax import (
     HelpCommand,
     If,
     Name,
+    NamedDistanceSensor,
     Negative,
     NumberLiteral,
     PoseCommand,
@@ -109,6 +110,7 @@ def test_spans_are_those_of_the_typed_text() -> None:
     [
         ("DISTANCE FL", DistanceSensor(Span(6, 17, 1, 7), Bearing.FRONT_LEFT)),
         ("DISTANCE", DistanceSensor(Span(6, 14, 1, 7), Bearing.FRONT)),
+        ('DISTANCE "Left  eye"', NamedDistanceSensor(Span(6, 26, 1, 7), "Left eye")),
         ("DISTANCE te", DistanceSensor(Span(6, 17, 1, 7), Bearing.BACK_LEFT)),
         ("DISTANCE ti", DistanceSensor(Span(6, 17, 1, 7), Bearing.BACK_LEFT)),
         ("POSICIÓN A", PositionSensor(Span(6, 16, 1, 7), Axis.ANGLE)),
