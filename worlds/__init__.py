@@ -17,7 +17,7 @@ MANUAL = f"{_HERE}/manual"
 WORLD = ".world"
 _ORDER = (
     *("first_room", "open_floor", "living_room", "corridor", "colour_garden", "object_field"),
-    *("two_robots", "race_track", "cave", "factory", "maze"),
+    *("two_robots", "store_room", "race_track", "cave", "factory", "maze"),
     *("empty", "helloworld", "bigbob1", "bigbob2", "bigbob_yaws", "bigbob3", "bigbob_drive"),
     *("bigbob4", "bigbob5", "bigbob6", "bigbob_oranges", "bigbob7"),
 )

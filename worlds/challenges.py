@@ -33,6 +33,7 @@ _LADDERS = {
     ),
     "repeating": ("square", "staircase", "one_lap", "spiral", "two_squares", "mirrored"),
     "looking": ("to_the_cone", "along_the_corridor", "count_the_flowers", "pink_crystal", "maze"),
+    "carrying": ("take_the_box", "red_to_blue", "tidy_up", "push_the_orange"),
 }
 """As a pupil solves them, from the easy to the hard ones; what is not named here follows by name."""
 

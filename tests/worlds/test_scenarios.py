@@ -112,6 +112,8 @@ def measured() -> Iterator[tuple[str, list[float]]]:
         "two_robots",
         [*inner("two_robots"), place("two_robots", "bob")[1], place("two_robots", "blue box")[0]],
     )
+    it = "store_room"
+    yield it, [*inner(it), place(it, "red box")[0], -place(it, "blue box")[0]]
     block = next(model for model in scene("race_track").models if model.name == "wall in the middle")
     yield "race_track", [*inner("race_track"), *steps(block), across("race_track", 0, 0, 1, 0)]
     cave = seen("cave")

@@ -1,0 +1,3 @@
+TR 90
+FW DISTANCE F - 1
+GRIP

@@ -1,0 +1,15 @@
+PROCEDURE STORE: angle DO
+TR angle
+VAR way = DISTANCE F - 1
+FW way
+GRIP
+TL angle
+FW 9
+RELEASE
+BW 9
+TR angle
+BW way
+TL angle
+END PROCEDURE
+STORE [90]
+STORE [270]
