@@ -29,11 +29,25 @@ _LADDERS = {
         "there_and_back",
         "say_what_you_see",
         "shortest_way",
-        "around_the_corner",
+        "pass_two",
     ),
     "repeating": ("square", "staircase", "one_lap", "spiral", "two_squares", "mirrored"),
-    "looking": ("to_the_cone", "along_the_corridor", "count_the_flowers", "pink_crystal", "maze"),
-    "carrying": ("take_the_box", "red_to_blue", "tidy_up", "push_the_orange"),
+    "looking": (
+        "to_the_cone",
+        "blue_things",
+        "along_the_corridor",
+        "count_the_flowers",
+        "pink_crystal",
+        "maze",
+    ),
+    "carrying": (
+        "push_the_orange",
+        "take_the_box",
+        "red_to_blue",
+        "tidy_up",
+        "meet",
+        "box_for_bob",
+    ),
 }
 """As a pupil solves them, from the easy to the hard ones; what is not named here follows by name."""
 
@@ -105,6 +119,9 @@ class Never(Struct, frozen=True, forbid_unknown_fields=True):
 
     bump: bool = False
     touch: tuple[str, ...] = ()
+    near: tuple[str, ...] = ()
+    """What the robot keeps away from, more than ``within`` steps."""
+    within: float = 2.0
 
 
 class Limit(Struct, frozen=True, forbid_unknown_fields=True):
@@ -124,7 +141,7 @@ class Variant(Struct, frozen=True, forbid_unknown_fields=True):
     start: tuple[float, float, float | Literal["north", "east", "south", "west"]] | None = None
     """Steps to the east, steps to the north, and the heading; None for the world's own."""
     things: dict[str, Place] = {}
-    """Where things stand, by name, that stand elsewhere than in the world."""
+    """Where things and other robots stand, by name, that stand elsewhere than in the world."""
     seed: int = 0
 
     @property

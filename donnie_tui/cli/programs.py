@@ -15,6 +15,7 @@ import json
 import sys
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 
 from msgspec import Struct
@@ -392,13 +393,18 @@ class _Judging:
         """One for each start."""
         return judge_program(text, self._starts, self._world, self._words, self._order.settings)
 
+    def _solves(self, text: str) -> bool:
+        """Whether it does from every start; asks no further where one fails."""
+        run = partial(judge_program, world=self._world, words=self._words, settings=self._order.settings)
+        return all(run(text, (start,))[0].is_solved for start in self._starts)
+
     def spare_line(self, text: str) -> int:
         """The first line of a solution that it does not need; 0 if it needs all."""
         lines = text.splitlines()
         for number, line in enumerate(lines, start=1):
             shorter = "\n".join(lines[: number - 1] + lines[number:])
             is_program = line.strip() and not parse(shorter).diagnostics
-            if is_program and all(each.is_solved for each in self.verdicts(shorter)):
+            if is_program and self._solves(shorter):
                 return number
         return 0
 

@@ -190,8 +190,9 @@ def _here(robot: str, room: Inventory, track: Track) -> tuple[float, float]:
 def unknown_things(challenge: Challenge, room: Inventory) -> tuple[str, ...]:
     """The names in goals and rules that no thing or robot of the world has."""
     named = [each for goal in challenge.rules.goal for each in goal.targets]
-    named += challenge.rules.never.touch
-    named += (name for each in challenge.rules.variant for name in each.things)
+    named += (*challenge.rules.never.touch, *challenge.rules.never.near)
+    moved = (name for each in challenge.rules.variant for name in each.things)
+    named += (name for name in moved if name not in room.robots)
     robots = [name for goal in challenge.rules.goal for name in (goal.robot, *(goal.robots or ())) if name]
     return (
         *(each for each in named if isinstance(each, str) and not room.called(each)),
@@ -482,6 +483,10 @@ def _forbidden(rules: Rules, room: Inventory, track: Track) -> Iterable[Shortfal
         touched += [(thing.kind, thing.name) for each in moves for thing in each.pushed]
         if any((each.kind, each.name) in touched for each in wanted):
             yield Shortfall("never-touch", {"target": name})
+    for name in rules.never.near:
+        gap = smallest_gap(name, room, _way("", room, track), track.items)
+        if gap < rules.never.within:
+            yield Shortfall("never-near", {"target": name, "most": round(rules.never.within)})
 
 
 def _over_limit(rules: Rules, track: Track) -> Iterable[Shortfall]:

@@ -279,10 +279,12 @@ def started_at(world: ChosenWorld, variant: Variant) -> ChosenWorld:
 
     scene = world.before_moves or world.scene
     models, places = scene.models, dict[int, Placement]()
+    robots = dict(zip(scene.robot_names, scene.robots, strict=True))
     for name, (x, y) in variant.things.items():
-        for each in inventory_of(scene).called(name)[:1]:
-            before = models[each.index].pose
-            places[each.index] = Placement(x * STEP, y * STEP, before.z, before.yaw)
+        found = [each.index for each in inventory_of(scene).called(name)]
+        for index in (robots[name],) if name in robots else found[:1]:
+            before = models[index].pose
+            places[index] = Placement(x * STEP, y * STEP, before.z, before.yaw)
     if variant.place is not None:
         first = scene.robots[0]
         x, y, heading = variant.place

@@ -1,2 +1,7 @@
+SPEAK COLOR blue
 TR 90
 SPEAK COLOR yellow
+TR 90
+SPEAK COLOR red
+TR 90
+SPEAK COLOR orange

@@ -1,0 +1,5 @@
+FW 16
+TR 90
+FW 16
+TL 90
+SPEAK COLOR blue

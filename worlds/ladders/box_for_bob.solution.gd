@@ -1,0 +1,9 @@
+FW 15
+TL 90
+VAR way = DISTANCE F - 1
+FW way
+GRIP
+BW way
+TR 90
+FW DISTANCE F - 4
+RELEASE

@@ -1,0 +1,1 @@
+FW DISTANCE F - 1
