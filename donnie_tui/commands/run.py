@@ -8,7 +8,7 @@ from donnie_tui.commands.arguments import read_numbers
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import NotUnderstood
-from donnie_tui.core.events import TYPED
+from donnie_tui.core.events import TYPED, Error, Outcome
 from donnie_tui.core.run_controller import RunController
 from donnie_tui.core.run_state import Begin, NothingRuns, NothingToRun, Request, RunState
 from donnie_tui.core.runner import Run, RunRequest
@@ -16,10 +16,13 @@ from donnie_tui.core.session import LONGEST_STOP, Busy
 from donnie_tui.settings.parsing import FASTEST, SLOWEST, read_speed
 from donnie_tui.settings.settings import faster_than, slower_than, speed_words
 from language.control import ExecutionControl
+from language.diagnostics import MistakeKind
 from language.source import fold_name
 
 LONGEST_BEGINNING = 1.0
 """Seconds that a file of typed lines waits for a robot to set out; a program may compute first."""
+DROPPING_IS_EXPLAINED = 2
+"""How often in a row lines are refused before the answer also says how to drop them."""
 
 # --- starting
 
@@ -38,7 +41,12 @@ async def run(ctx: Context, _: str, is_whole: bool) -> None:
 
 
 async def run_program(ctx: Context, *, is_whole: bool, begin: Begin | None = None) -> None:
-    """Run the program, or its lines that wait."""
+    """Run the program, or its lines that wait. Of these only what is newly wrong is said."""
+    is_again = not is_whole and ctx.program.refusals > 0
+    if is_again and ctx.program.is_still_refused:
+        _say_what_waits(ctx)
+        return
+    ctx.errors.known = frozenset(ctx.errors.all if is_again else ())
     try:
         started = ctx.runs.start(whole_program(ctx) if is_whole else _waiting_lines(ctx), begin=begin)
     except NothingToRun:
@@ -88,16 +96,56 @@ def _name(ctx: Context) -> str:
 
 
 def _note_run(ctx: Context, ended: Run, *, is_whole: bool) -> None:
-    """Lines that were refused wait for their correction; the second time the answer also says how to drop
-    them."""
+    """After a mistake say in one line what ran, what waits and what was dropped."""
+    program = ctx.program
     if not ended.was_refused:
-        ctx.program.batch_ran()
-    elif not is_whole and ctx.program.batch_was_refused():
-        first = next(iter(ctx.errors.all), None)
-        code = "lines-kept-fixable" if first and first.meant else "lines-kept"
-        ctx.answer(code, line=(first.fixed_line or first.line) if first else 1)
-        if ctx.program.refusals > 1:
-            ctx.answer("delete-forgets-lines", lines=ctx.program.waiting)
+        first = 1 if is_whole else program.ran + 1
+        program.batch_ran()
+        if ended.outcome is Outcome.FAILED and not program.is_in_editor:
+            _say_what_ran(ctx, first)
+    elif not is_whole:
+        number = len(program.lines) - program.waiting + 1
+        wrong = [each for each in ctx.errors.all if each.kind != MistakeKind.MISSING_END.value]
+        if not program.batch_was_refused({_line_to_change(each): each.meant for each in reversed(wrong)}):
+            ctx.answer("line-dropped", line=number)
+        elif (new := ctx.errors.go_to_new()) is not None:
+            code = "lines-kept-fixable" if new.meant else "lines-kept"
+            ctx.answer(code, line=_line_to_change(new), lines=program.waiting)
+        else:
+            program.refusals -= 1
+            _say_what_waits(ctx)
+
+
+def _say_what_waits(ctx: Context) -> None:
+    """The lines that wait are still wrong: where, and the second time how to drop them."""
+    program, first = ctx.program, ctx.errors.all[:1]
+    program.refusals += 1
+    line = _line_to_change(first[0]) if first else len(program.lines)
+    ctx.answer("lines-still-wrong", line=line, lines=program.waiting)
+    if program.refusals == DROPPING_IS_EXPLAINED:
+        ctx.answer("delete-forgets-lines", lines=program.waiting)
+
+
+def _say_what_ran(ctx: Context, first: int) -> None:
+    """After a program that began at line ``first`` failed at one of its lines."""
+    program, error = ctx.program, ctx.errors.all[-1] if ctx.errors.all else None
+    line = (error.calls[-1] if error.calls else error.line) if error is not None else 0
+    if not first <= line <= len(program.lines):
+        return
+    program.batch_failed(line)
+    structure = program.structure
+    around = structure.openers(line)
+    begin = around[-1].line if around else line
+    end = structure.end_of(begin)
+    ran = 0 if begin < line else sum(bool(each.strip()) for each in program.lines[first - 1 : begin - 1])
+    left = sum(bool(each.strip()) for each in program.lines[end:])
+    code = f"lines{'-ran' if ran else ''}-failed{'-left' if left else ''}"
+    if ran or left:
+        ctx.answer(code, ran=ran, line=line, unrun=left)
+
+
+def _line_to_change(error: Error) -> int:
+    return error.fixed_line or error.line
 
 
 @handles("start")

@@ -11,7 +11,7 @@ change can be undone, also one that replaces the whole program.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
 import msgspec
@@ -39,6 +39,7 @@ WORTH_SAVING = 5
 """Unsaved typed lines from which on the learner is asked before they are lost."""
 ANOTHER_PROGRAM = 0
 """In the place of a line: UNDO or REDO exchanged the whole program."""
+NONE_WRONG: Mapping[int, str] = {}
 LARGEST = 8 * 1024 * 1024
 """Characters that may be typed into one program."""
 LONGEST_PARSED = 100_000
@@ -69,6 +70,12 @@ class Document:
         """How often in a row the waiting lines were refused because of a mistake of form."""
         self.was_opened = False
         """Whether the waiting lines came from a file or from an earlier start and never ran here."""
+        self._wrong: dict[int, tuple[str, str]] = {}
+        """The lines that the last run reported as wrong, as they were, and what was probably meant."""
+        self._refused_text: str | None = None
+        """The waiting lines that were refused last, until they run or are dropped."""
+        self._is_just_reported = False
+        """Whether no line was typed since then."""
         self._lines: list[str] = []
         self._saved_lines: list[str] = []
         self._breakpoints: frozenset[int] = frozenset()
@@ -279,32 +286,85 @@ class Document:
         """The batch, or all lines, have run. Where these were changed meanwhile, all wait again."""
         ran, self._running = self._running or self._lines, None
         self._ran = len(ran) if self._lines[: len(ran)] == ran else 0
-        self.refusals = 0
         self.was_opened = False
+        self._forget_refusal()
         self._runs += 1
 
-    def batch_was_refused(self) -> bool:
-        """After a mistake of form. True if the lines were kept, False if there was one, which is dropped."""
+    def batch_was_refused(self, wrong: Mapping[int, str] = NONE_WRONG) -> bool:
+        """After mistakes of form in the lines ``wrong``, each with what was probably meant.
+
+        True if the lines were kept, False if there was one, which is dropped.
+        """
         self._running = None
         if sum(bool(line.strip()) for line in self._unrun) > 1:
             self.refusals += 1
+            self._refused_text = self.waiting_text
+            self._report_wrong(wrong)
             return True
+        self._forget_refusal()
         self.rejected = next((line for line in self._unrun if line.strip()), None)
         del self._lines[self._ran :]
         self.versions.forget_lines(self._ran)
         return False
 
+    @property
+    def is_still_refused(self) -> bool:
+        """Whether the waiting lines are those that were refused."""
+        return self.is_waiting and self.waiting_text == self._refused_text
+
+    def batch_failed(self, line: int) -> None:
+        """The lines have run up to ``line``, where a statement failed."""
+        text = self.structure
+        if 0 < line <= len(text) and text.line(line).level == 0 and text.down(line) is None:
+            self._report_wrong({line: ""})
+
+    def _report_wrong(self, wrong: Mapping[int, str]) -> None:
+        lines = self._lines
+        self._wrong = {at: (lines[at - 1], meant) for at, meant in wrong.items() if 0 < at <= len(lines)}
+        self._is_just_reported = True
+
+    def _forget_refusal(self) -> None:
+        self.refusals, self._refused_text, self._wrong = 0, None, {}
+
     # --- changing
 
-    def add(self, line: str) -> None:
-        """Append a line. Raises ``ProgramTooLong``."""
+    def add(self, line: str) -> int | None:
+        """Append a line, or replace the wrong line that it corrects, whose number is returned.
+
+        Raises ``ProgramTooLong``.
+        """
         self.rejected = None
+        if self._wrong and (corrected := self._retype(line)) is not None:
+            return corrected
         if self._editor is not None:
             self.insert(len(self.lines) + 1, line)
-            return
+            return None
         line = self._cleaned(line)
         self.versions.add_line(len(self._lines))
         self._lines.append(line)
+        return None
+
+    def _retype(self, line: str) -> int | None:
+        """Replace the wrong line which ``line`` is meant to correct, if there is one; its number.
+
+        It waits then, with the lines after it. Raises ``ProgramTooLong``.
+        """
+        is_next, self._is_just_reported = self._is_just_reported, False
+        wrong = {at: each for at, each in self._wrong.items() if self._lines[at - 1 : at] == [each[0]]}
+        if self._editor is not None or not wrong:
+            return None
+        from donnie_tui.core.program_text import corrected_line
+
+        number = corrected_line(line, wrong, len(self._lines), is_next=is_next, is_refused=self.refusals > 0)
+        if number is None:
+            if not self.refusals:
+                self._wrong = {}
+            return None
+        ran = min(self._ran, number - 1)
+        self.change(number, line)
+        self._ran = ran
+        self._wrong.pop(number)
+        return number
 
     def change(self, number: int, line: str) -> None:
         """Replace line ``number`` (from 1). Raises ``IndexError``, ``ProgramTooLong``."""
@@ -334,6 +394,7 @@ class Document:
             del lines[self._ran :]
             self._edit(lines, self.breakpoints, self._ran + 1)
         self.was_opened = False
+        self._forget_refusal()
         return waiting
 
     def move(self, first: int, last: int, to: int) -> int:
@@ -374,6 +435,7 @@ class Document:
         UNDO restores the one before, and with ``keeps_empty`` also one without lines.
         """
         self.rejected = None
+        self._forget_refusal()
         self.versions.forget_undone()
         if self.lines or keeps_empty:
             self.versions.add(self._version(self._origin))

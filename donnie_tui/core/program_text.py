@@ -7,7 +7,7 @@ around its first statement, as in the syntax tree; ELSE and END have the level o
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import chain
 
 import msgspec
@@ -25,6 +25,8 @@ WIDEST = 80
 WIDEST_BRIEF = 40
 LONGEST_WORD = 40
 """Characters of a searched word that a message repeats."""
+ALIKE = 0.6
+"""From this likeness on a typed line is meant to correct a wrong one."""
 LONGEST_CHECKED = 50_000
 """Characters of a text that is checked for mistakes while the learner types."""
 
@@ -79,6 +81,11 @@ class ProgramText:
         line, around = self.line(number), self._around(number)
         is_half = bool(line.text) and not line.is_statement and bool(around)
         return line.closes or (around[-1].line if is_half else 0)
+
+    def end_of(self, number: int) -> int:
+        """The last line of the block that opens in the line, else the line itself."""
+        opened = self._opened.get(number)
+        return opened.end_line if opened else number
 
     # --- moves: the line to read next, or None
 
@@ -317,3 +324,35 @@ def mistakes(found: Iterable[Diagnostic], wording: Wording) -> dict[int, LineMis
 def fixed(text: str, mistake: LineMistake) -> str:
     """The text with what was meant."""
     return text[: mistake.start] + mistake.replacement + text[mistake.end :]
+
+
+# --- lines that are typed again
+
+
+def corrected_line(
+    line: str, wrong: Mapping[int, Sequence[str]], last: int, *, is_next: bool, is_refused: bool
+) -> int | None:
+    """The number of the wrong line that ``line`` is to replace; None if it is one more line.
+
+    Of each ``wrong`` line its text is known, and what was probably meant.
+
+    It is the wrong line most like it. After a refusal the very next line may also be quite another one, if
+    the ``last`` line of all was wrong; after a failed run only the very next line replaces one.
+    """
+    if not is_next and not is_refused:
+        return None
+    likeness, number = max((max(_likeness(line, each) for each in texts), at) for at, texts in wrong.items())
+    if likeness >= ALIKE:
+        return number
+    text = line.strip()
+    is_part_of_block = _begins_with_end(text) or _begins_with_else(text)
+    return last if is_next and is_refused and last in wrong and not is_part_of_block else None
+
+
+def _likeness(line: str, other: str) -> float:
+    """From 0 to 1, and 1 more for the same command."""
+    from difflib import SequenceMatcher  # slow to load
+
+    one, another = fold_name(line.strip()), fold_name(other.strip())
+    is_same_command = one.split()[:1] == another.split()[:1]
+    return is_same_command + SequenceMatcher(None, one, another, autojunk=False).ratio()

@@ -18,6 +18,7 @@ from donnie_tui.core.timeline import Chronicle
 from donnie_tui.core.transcript import lines_of, lines_with_robot_name, with_robot_name
 from donnie_tui.core.wording import Wording
 from language.control import ControlState, ExecutionControl
+from language.diagnostics import MistakeKind
 from language.source import fold_name
 
 if TYPE_CHECKING:
@@ -180,7 +181,7 @@ class RunNarrator:
         self.stepping: Stepping | None = None
         """From the first hold that is described in full."""
         remembered = {} if request.is_whole else session.variables
-        self._known = {fold_name(name): value for name, value in remembered.items()}
+        self.known = {fold_name(name): value for name, value in remembered.items()}
         """Variables by folded name, as they were when they were compared last."""
 
     def on_statement(self) -> tuple[str, ...]:
@@ -218,8 +219,8 @@ class RunNarrator:
         now = {fold_name(name): value for name, value in variables}
         from donnie_tui.core.stepping import changes  # few learners watch a variable
 
-        sentences = tuple(changes(self._watched, self._known, now, self._words))
-        self._known |= now
+        sentences = tuple(changes(self._watched, self.known, now, self._words))
+        self.known |= now
         return sentences
 
     def _new_stepping(self, *, is_first: bool) -> Stepping:
@@ -248,6 +249,20 @@ class RunErrors:
         self.had_any = False
         """Whether a run of any robot had a mistake or failed, since the start."""
         self._at = 0
+        self.known: frozenset[Error] = frozenset()
+        """Mistakes that were reported before the lines that made them are run again."""
+
+    def is_known(self, error: Error) -> bool:
+        """Whether the same mistake was reported before; from any thread."""
+        return error in self.known
+
+    def go_to_new(self) -> Error | None:
+        """Moves to the first mistake that was not known, and returns it; a missing END comes last."""
+        new = [at for at, each in enumerate(self.all) if each not in self.known]
+        if not new:
+            return None
+        self._at = min(new, key=lambda at: (self.all[at].kind == MistakeKind.MISSING_END.value, at))
+        return self.all[self._at]
 
     def on_event(self, stamped: Stamped) -> None:
         """Called in any thread. A run begins without mistakes."""

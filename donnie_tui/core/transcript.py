@@ -278,9 +278,18 @@ class _Robot(Struct):
 class SummaryFilter:
     """The filter for a learner at a prompt: sums up movements that come too fast."""
 
-    def __init__(self, wording: Wording, now: Callable[[], float], is_wanted: Callable[[], bool]) -> None:
-        """``now`` in seconds. ``is_wanted`` is called at each event: False where the robot has no pace."""
-        self._say, self._now, self._is_wanted = wording, now, is_wanted
+    def __init__(
+        self,
+        wording: Wording,
+        now: Callable[[], float],
+        is_wanted: Callable[[], bool],
+        is_known: Callable[[Error], bool] = lambda _: False,
+    ) -> None:
+        """``now`` in seconds. ``is_wanted`` is called at each event: False where the robot has no pace.
+
+        ``is_known``: whether a mistake was reported before, which is not said again.
+        """
+        self._say, self._now, self._is_wanted, self._is_known = wording, now, is_wanted, is_known
         self._robots: dict[str | None, _Robot] = {}
         self._printed_at: deque[float] = deque(maxlen=MOST)
         self._decided = _Decision()
@@ -298,6 +307,8 @@ class SummaryFilter:
         return self._decided
 
     def _decide(self, stamped: Stamped) -> _Decision:
+        if isinstance(stamped.event, Error) and self._is_known(stamped.event):
+            return _Decision(stamped, self._summed_up(), passes=False)
         if not self._is_wanted():
             return _Decision(stamped, self._summed_up())
         robot = self._robots.setdefault(stamped.robot, _Robot())

@@ -99,6 +99,7 @@ class Conversation:
             queue,
             self.background,
             is_paced=streams.is_attended and streams.is_terminal,
+            is_known=ctx.errors.is_known,
         )
         self.printer = Printer(streams, donnie.words, state.answers)
         self.prompter = Prompter(ctx, streams, self.printer, self._listener, self.background)

@@ -30,7 +30,7 @@ from donnie_tui.commands.declarations import BY_NAME
 from donnie_tui.commands.dispatch import perform
 from donnie_tui.commands.interaction import drive
 from donnie_tui.core.answer_log import LONGEST_ANSWER
-from donnie_tui.core.events import TRANSIENT, Announced, Answered, Stamped
+from donnie_tui.core.events import TRANSIENT, Announced, Answered, Error, Stamped
 from donnie_tui.core.transcript import SummaryFilter, printed_lines
 from donnie_tui.linear.console import Console
 from donnie_tui.linear.greeting import PROMPT
@@ -203,15 +203,19 @@ class Listener:
         background: BackgroundRobots,
         *,
         is_paced: bool,
+        is_known: Callable[[Error], bool],
     ) -> None:
-        """``is_paced``: a learner types and reads here, so that quick movements are summed up."""
+        """``is_paced``: a learner types and reads here, so that quick movements are summed up.
+
+        ``is_known``: whether a mistake was reported before.
+        """
         self._donnie, self._console, self._queue = donnie, console, queue
         self._background = background
         self._is_typing = self._has_lines = False
         """Whether a line is being typed, and whether events were published meanwhile."""
         console.lines_wait = lambda: self._has_lines and bool(queue)
         self._summing_up = SummaryFilter(
-            donnie.words, console.now, lambda: is_paced and donnie.session.speed is not None
+            donnie.words, console.now, lambda: is_paced and donnie.session.speed is not None, is_known
         )
         stop_filtering = donnie.outlets.audible.speak_only(self._summing_up)
         self._unsubscribe = [donnie.session.hub.subscribe(self._on_event), stop_filtering]
@@ -247,7 +251,7 @@ class Listener:
         lines, before = printed_lines(stamped, self._donnie.words), self._summing_up.before(stamped)
         passes = self._summing_up.passes(stamped)
         event, remembered = stamped.event, lines
-        if isinstance(event, Answered) and event.is_repeated:
+        if (isinstance(event, Answered) and event.is_repeated) or (isinstance(event, Error) and not passes):
             remembered = ()
         if isinstance(event, Answered) and (event.at_once or self._background.floods):
             self._queue.put_first(lines, is_kept=bool(remembered))

@@ -75,7 +75,9 @@ class TypedLines:
         chimes = self._streams.is_attended and ctx.donnie.outlets.audible.has_cues
         before = program.depth if chimes else 0
         try:
-            program.add(line)
+            corrected = program.add(line)
+            if corrected is not None:
+                ctx.answer("line-replaced", line=corrected, lines=program.waiting)
         except ProgramTooLong:
             ctx.answer("program-too-long")
             return False

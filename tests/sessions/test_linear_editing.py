@@ -42,11 +42,11 @@ def test_fix_is_about_the_mistake_that_was_selected_last(tmp_path: Path) -> None
 
 
 def test_a_single_line_forgotten_after_a_mistake_is_restored_fixed(tmp_path: Path) -> None:
-    assert answers_to(tmp_path, "FWD 1", "RUN", "FIX", "RUN")[3:] == [
+    assert answers_to(tmp_path, "FWD 1", "RUN", "FIX", "RUN")[4:] == [
         "Line 1: FW 1",
         "I walked 1 step forward.",
     ]
-    assert answers_to(tmp_path, "SPEAK", "RUN", "FIX", "CHANGE 1 SPEAK 5", "RUN")[2:] == [
+    assert answers_to(tmp_path, "SPEAK", "RUN", "FIX", "CHANGE 1 SPEAK 5", "RUN")[3:] == [
         "I don't know what was meant.",
         "Line 1: SPEAK 5",
         "5",
@@ -186,7 +186,7 @@ def test_errors_are_visited_and_explained(tmp_path: Path) -> None:
     lines = answers_to(
         tmp_path, "FWD 1", "TR", "RUN", "ERROR", "ERROR NEXT", "ERROR NEXT", "ERROR PREVIOUS", "EXPLAIN"
     )
-    start = lines.index("Nothing ran. FIX corrects line 1, CHANGE 1 changes it.") + 1
+    start = lines.index("Nothing ran, 2 lines wait. FIX corrects line 1.") + 1
 
     assert [line for line in lines[start:] if not line.startswith(("Line", "Did"))] == [
         "Error, line 1, column 1: I do not know FWD.",

@@ -28,6 +28,7 @@ def test_the_output_of_a_pipe_needs_no_terminal(tmp_path: Path) -> None:
         "Error, line 6, column 1: I do not know FWD.",
         "Line 6: FWD",
         "Did you mean FW?",
+        "Nothing ran, line 6 was dropped.",
         "Saved kept.gd, 5 lines.",
         "Goodbye.",
     ]

@@ -26,12 +26,13 @@ def test_a_mistake_is_reported_with_its_line_and_the_probable_meaning(learner: L
         "Error, line 2, column 1: I do not know FWD.",
         "Line 2: FWD 3",
         "Did you mean FW?",
+        "Nothing ran, line 2 was dropped.",
     ]
 
 
 def test_lines_with_a_mistake_are_kept_and_fixed(learner: Learner) -> None:
     learner.enters("FW 1", "TRR 90", "RUN")
-    learner.sees("Nothing ran. FIX corrects line 2, CHANGE 2 changes it.")
+    learner.sees("Nothing ran, 2 lines wait. FIX corrects line 2.")
     learner.enters("CHANGE 2")
     learner.sees("Edit line 2, then Enter.\r\n> TRR 90")
     learner.types(HOME + "\x1b[3~" + "\r")

@@ -5,12 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 
 from tests.sessions.learner import Learner
+from tests.sessions.typed_lines import answers_to
 
 
 def test_the_answer_to_repeatedly_refused_lines_names_the_word_that_forgets_them(tmp_path: Path) -> None:
     learner = Learner(tmp_path, language="pt")
     learner.enters("ola", "PF 2", "EXECUTAR")
-    learner.sees("Nada foi executado. MUDAR 1 muda a linha 1, APAGAR 1 apaga.\r\n")
+    learner.sees("2 linhas esperam. Digite de novo a linha 1, ou APAGAR 1.\r\n")
     learner.enters("GD 90", "EXECUTAR")
     learner.sees("APAGAR sem número apaga 3 linhas que não foram executadas.\r\n")
     learner.enters("APAGAR", "PF 3", "EXECUTAR")
@@ -33,7 +34,9 @@ def test_a_head_without_its_last_word_is_fixed_in_the_right_place(tmp_path: Path
     """The answer names the head and not the first line of the block, where the mistake was noticed."""
     learner = Learner(tmp_path, language="pt")
     learner.enters("APRENDER canto: n", "PF n", "FIM APRENDER", "canto [2]", "EXECUTAR")
-    learner.sees("FAÇA vai no fim da linha 1.\r\nNada foi executado. CORRIGIR conserta a linha 1,")
+    learner.sees(
+        "FAÇA vai no fim da linha 1.\r\nNada foi executado, 4 linhas esperam. CORRIGIR conserta a linha 1."
+    )
     learner.enters("EXPLICAR")
     learner.sees("Forma: APRENDER nome: nome FAÇA comandos FIM APRENDER.")
     learner.enters("CORRIGIR")
@@ -77,3 +80,68 @@ def test_steps_below_0_are_answered_with_the_way_back(tmp_path: Path) -> None:
     learner.enters("PF -2", "EXECUTAR")
     learner.sees("Andei 0 passos para frente.\r\nUm número menor que 0 não move o robô.\r\n")
     learner.sees("Você quis dizer PT 2?")
+
+
+def test_after_a_mistake_only_what_is_new_is_said(tmp_path: Path) -> None:
+    said = answers_to(tmp_path, "FW", "TR 90", "", "", "WALK 3", "")
+
+    assert said == [
+        "Error, line 1, column 1: FW needs a number, such as FW 2.",
+        "Line 1: FW",
+        "Nothing ran, 2 lines wait. FIX corrects line 1.",
+        "Line 1 is still wrong. 2 lines wait. ERROR says why.",
+        "DELETE without a number forgets the 2 lines that did not run.",
+        "Error, line 3, column 1: I do not know WALK.",
+        "Line 3: WALK 3",
+        "Did you mean FW 3?",
+        "Nothing ran, 3 lines wait. FIX corrects line 3.",
+    ]
+
+
+def test_a_line_that_is_typed_again_replaces_the_wrong_one(tmp_path: Path) -> None:
+    said = answers_to(tmp_path, "FW", "TR 90", "WALK 3", "RUN", "FW 3", "FW 2", "RUN", "LIST")
+
+    assert said[-8:] == [
+        "Line 3 replaced. 3 lines wait.",
+        "Line 1 replaced. 3 lines wait.",
+        "I walked 2 steps forward.",
+        "I turned 90 degrees to the right.",
+        "I walked 3 steps forward.",
+        "1: FW 2",
+        "2: TR 90",
+        "3: FW 3",
+    ]
+
+
+def test_the_end_of_a_block_replaces_no_wrong_line(tmp_path: Path) -> None:
+    said = answers_to(tmp_path, "REPEAT 2 TIMES", "FW", "", "END REPEAT", "FW 1", "RUN")
+
+    assert said[-3:] == [
+        "Line 2 replaced. 3 lines wait.",
+        "I walked 1 step forward.",
+        "I walked 1 step forward.",
+    ]
+
+
+def test_a_failed_line_that_is_typed_again_continues_the_program_in_its_place(tmp_path: Path) -> None:
+    said = answers_to(tmp_path, "FW 1", "x = 3", "BW 2", "RUN", "VAR x = 3", "RUN", "LIST")
+
+    assert said == [
+        "I walked 1 step forward.",
+        "Error, line 2, column 1: There is no variable x.",
+        "Line 2: x = 3",
+        "Write VAR x first.",
+        "1 line ran, line 2 failed, 1 line did not run.",
+        "Line 2 replaced. 2 lines wait.",
+        "I walked 2 steps backward.",
+        "1: FW 1",
+        "2: VAR x = 3",
+        "3: BW 2",
+    ]
+
+
+def test_a_single_wrong_line_is_dropped_and_said_to_be(tmp_path: Path) -> None:
+    assert answers_to(tmp_path, "FW", "RUN", "FW 2", "RUN")[-2:] == [
+        "Nothing ran, line 1 was dropped.",
+        "I walked 2 steps forward.",
+    ]

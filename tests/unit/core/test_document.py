@@ -376,3 +376,22 @@ def test_the_structure_follows_the_lines() -> None:
     assert program.structure.line(2).level == 1
     program.delete(1, 1)
     assert program.structure.line(1).level == 0
+
+
+def test_undo_restores_a_line_that_was_typed_again() -> None:
+    program = typed("FW", "TR 90")
+    program.batch_was_refused({1: "FW 2"})
+
+    assert program.add("FW 3") == 1
+    program.undo()
+    assert (program.lines, program.is_still_refused) == (("FW", "TR 90"), True)
+
+
+def test_only_the_next_line_continues_a_program_that_failed() -> None:
+    program = typed("VAR x = 0", "SPEAK 1 / x", "FW 2")
+    program.take_batch()
+    program.batch_ran()
+    program.batch_failed(2)
+
+    assert program.add("x = 4") is None
+    assert program.add("SPEAK 1 / x") is None
