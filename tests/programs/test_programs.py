@@ -5,8 +5,8 @@ A program is in the folder of its language; ``-- world: NAME`` in its first line
 The last line of ``.output`` is the outcome and the pose. After an intended change, read the difference
 and write the files again with ``ACCEPT_OUTPUT=1 pytest tests/programs``.
 
-The examples in the documents of a language (``docs/pt``) print the block of text after them, which
-``ACCEPT_OUTPUT=1`` writes, too.
+The examples in the guide and in the documents of a language (``docs/pt``) print the block of text after
+them, in the world where a session begins. ``ACCEPT_OUTPUT=1`` writes it, too.
 """
 
 import os
@@ -22,13 +22,15 @@ from donnie_tui.core.events import Event, RunEnded
 from donnie_tui.core.session import RunOptions
 from donnie_tui.core.transcript import lines_of
 from donnie_tui.core.wording import keys_of, spelled
+from donnie_tui.i18n.help import ENTRIES
 from donnie_tui.settings.settings import Settings
-from language.keywords import ARGUMENTS, WORDS
+from language.keywords import ARGUMENTS, WORDS, spelling
 from tests.timeouts import TIMEOUT
 
 FOLDER = Path(__file__).parent
 PROGRAMS = sorted(FOLDER.glob("*/*.gd"))
-DOCUMENTS = sorted(Path("docs").glob("??/*.md"))
+GUIDES = [Path("docs/guide.md")]
+DOCUMENTS = sorted({*Path("docs").glob("??/*.md"), *GUIDES})
 EXAMPLE = re.compile(
     r"(?P<before>^```godonnie\n(?P<program>.*?)^```\n.*?^```text\n)(?P<printed>.*?)^```\n",
     re.DOTALL | re.MULTILINE,
@@ -36,17 +38,17 @@ EXAMPLE = re.compile(
 
 CODE = re.compile(r"^```\w*\n.*?^```$|`[^`\n]+`|\]\([^)]*\)", re.DOTALL | re.MULTILINE)
 CAPITALS = re.compile(r"\b[A-ZÀ-ÖØ-Þ]{2,}(?: [A-ZÀ-ÖØ-Þ]{2,})*\b")
-NO_WORDS = {"FIM", "FIN", "SSH", "USB", "NVDA", "JAWS", "BRLTTY", "YASR", "HTML", "SVG", "BRF", "CSV", "JSON"}
+NO_WORDS = {"END", "FIM", "FIN", "SSH", "NVDA", "BRLTTY", "YASR"}
 
 
 def output_of(program: Path) -> tuple[str, ...]:
     return printed_by(program.read_text(encoding="utf-8"), program.name, language_of(program))
 
 
-def printed_by(text: str, name: str, language: str) -> tuple[str, ...]:
+def printed_by(text: str, name: str, language: str, default: str = "open_floor") -> tuple[str, ...]:
     """The printed lines of a run, and its end."""
     world = re.match(r"-- world: (\w+)(\.world)?", text)
-    name_of_world = world[1] if world else "open_floor"
+    name_of_world = world[1] if world else default
     settings = Settings(
         world=str(FOLDER / f"{name_of_world}.world") if world and world[2] else name_of_world,
         language=language,
@@ -101,7 +103,7 @@ def test_a_square_is_the_same_in_every_language(language: str) -> None:
 @pytest.mark.parametrize("document", DOCUMENTS, ids=[f"{each.parent.name}/{each.stem}" for each in DOCUMENTS])
 def test_every_example_of_a_document_prints_the_text_after_it(document: Path) -> None:
     text = document.read_text(encoding="utf-8")
-    printed = EXAMPLE.sub(lambda example: _as_printed(example, document.parent.name), text)
+    printed = EXAMPLE.sub(lambda example: _as_printed(example, language_of(document)), text)
     if os.environ.get("ACCEPT_OUTPUT"):
         document.write_text(printed, encoding="utf-8")
 
@@ -109,9 +111,18 @@ def test_every_example_of_a_document_prints_the_text_after_it(document: Path) ->
     assert printed == document.read_text(encoding="utf-8")
 
 
+@pytest.mark.parametrize("guide", GUIDES, ids=[each.stem for each in GUIDES])
+def test_a_guide_has_an_example_of_every_command_of_a_program(guide: Path) -> None:
+    """RUN, HELP and QUIT are typed at the prompt."""
+    examples = " ".join(each["program"] for each in EXAMPLE.finditer(guide.read_text(encoding="utf-8")))
+    commands = {spelling(each, language_of(guide)) for each in {*ENTRIES} - {"RUN", "HELP", "QUIT"}}
+
+    assert {each for each in commands if not re.search(rf"\b{each}\b", examples)} == set()
+
+
 @pytest.mark.parametrize("document", DOCUMENTS, ids=[f"{each.parent.name}/{each.stem}" for each in DOCUMENTS])
 def test_every_word_in_capitals_in_a_document_is_one_that_can_be_typed(document: Path) -> None:
-    language = document.parent.name
+    language = language_of(document)
     commands = (word for each in COMMANDS for word in words_of(each.name, language))
     keywords = (word for each in (*WORDS, *ARGUMENTS) for word in each.spellings[language])
     topics = (spelled(each, language, "help").upper() for each in keys_of("help"))
@@ -130,5 +141,5 @@ def _consists_of(words: list[str], known: set[str]) -> bool:
 
 def _as_printed(example: re.Match[str], language: str) -> str:
     """An example with what it really prints."""
-    lines = printed_by(example["program"], "example.gd", language)[:-1]
+    lines = printed_by(example["program"], "example.gd", language, Settings().world)[:-1]
     return "\n".join((example["before"].rstrip("\n"), *lines, "```\n"))
