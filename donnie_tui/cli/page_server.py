@@ -12,7 +12,6 @@ import asyncio
 import html
 import logging
 import secrets
-import signal
 import socket
 from collections.abc import Awaitable, Callable, Sequence
 from contextlib import suppress
@@ -26,8 +25,8 @@ from string import Template
 from aiohttp import WSCloseCode, web
 
 from donnie_tui.cli.page_session import FAILED_CODE, PageLimits, PageSession, as_reason, size_of
+from donnie_tui.cli.streams import on_signals
 from donnie_tui.core.wording import Wording
-from donnie_tui.process.signals import LEAVING
 
 LOCALHOST = "localhost"
 _LOOPBACKS = ("127.0.0.1", "::1")
@@ -136,17 +135,22 @@ def _names_of_machine() -> tuple[str, ...]:
 
 
 async def serve_until_signal(server: PageServer, on_start: Callable[[], object]) -> None:
-    """``on_start`` is called once it listens. Raises ``OSError``."""
+    """``on_start`` is called once it listens. Raises ``OSError``.
+
+    If a signal finds the server hanging, the process ends all the same, and each page's session with it.
+    """
     signalled, loop = asyncio.Event(), asyncio.get_running_loop()
-    for number in (signal.SIGINT, *LEAVING):
-        with suppress(NotImplementedError):
-            loop.add_signal_handler(number, signalled.set)
-    await server.start()
-    try:
-        on_start()
-        await signalled.wait()
-    finally:
-        await server.close()
+
+    def note_signal() -> None:
+        loop.call_soon_threadsafe(signalled.set)
+
+    with on_signals(note_signal):
+        await server.start()
+        try:
+            on_start()
+            await signalled.wait()
+        finally:
+            await server.close()
 
 
 class PageServer:

@@ -21,6 +21,7 @@ PLACES = {
     "run": ("donnie_tui.cli.run", "", "_await_end"),
     "calibrate": ("donnie_tui.cli.calibrate", "_Steady", "sleep"),
     "replay": ("donnie_tui.core.replay", "Replay", "forwards"),
+    "serve": ("donnie_tui.cli.page_server", "Gate", "objection"),
     "check": ("donnie_tui.cli.replay", "", "recheck"),
 }
 

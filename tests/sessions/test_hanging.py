@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
+import socket
 import subprocess
 import sys
 import threading
@@ -177,3 +178,28 @@ def test_a_replay_that_hangs_ends(tmp_path: Path, options: tuple[str, ...], faul
     process.send_signal(signal.SIGHUP)
 
     assert process.wait(TIMEOUT) == 130
+
+
+def answers(port: int) -> bool:
+    try:
+        socket.create_connection(("localhost", port)).close()
+    except ConnectionRefusedError:
+        return False
+    return True
+
+
+@pytest.mark.slow
+@FAULTS
+def test_a_server_of_pages_that_hangs_ends(tmp_path: Path, fault: str) -> None:
+    with socket.socket() as free:
+        free.bind(("localhost", 0))
+        port = free.getsockname()[1]
+    process = command(tmp_path, "serve", fault, "serve", "--port", str(port), *QUIET)
+    hang(tmp_path)
+    assert until(lambda: answers(port))
+    with socket.create_connection(("localhost", port)) as page:
+        page.sendall(b"GET / HTTP/1.1\r\nHost: localhost\r\n\r\n")
+        assert until(lambda: hangs(tmp_path))
+        process.send_signal(signal.SIGTERM)
+
+        assert process.wait(TIMEOUT) == 130
