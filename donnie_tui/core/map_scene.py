@@ -51,6 +51,10 @@ class MapScene:
         self._drawn: dict[Cell, Thing] = {}
         self._lifted: frozenset[Cell] = frozenset()
         self._things = _by_cell(self.grid, picture.things)
+        self._resting = {
+            self.grid.cell_of(Pose(each.x, each.y, 0.0)): each for each in picture.things if each.is_robot
+        }
+        """The other robots where they stand at the start."""
 
     # --- what happens
 
@@ -169,6 +173,14 @@ class MapScene:
             self._moved.get(each.index, each) for each in self.picture.things if not self._is_seen(each)
         )
 
+    @property
+    def letters_of_several_colours(self) -> frozenset[str]:
+        """The letters of things that differ in colour only."""
+        colours: dict[str, set[str]] = {}
+        for each in self.picture.things:
+            colours.setdefault(each.letter, set()).add(each.colour)
+        return frozenset(letter for letter, found in colours.items() if len(found) > 1)
+
     def place(self, cell: Cell) -> tuple[int, int]:
         return self.grid.place(cell)
 
@@ -192,7 +204,20 @@ class MapScene:
         kind = self.grid.kind(cell)
         if kind is Kind.FREE or (kind is Kind.THING and cell in self._lifted):
             return RAY if cell in self._rays else FREE
-        return self.grid.letter(cell)
+        resting = self._resting_at(cell)
+        return self.grid.letter(cell) if resting is None else arrow_of(resting.heading)
+
+    def _resting_at(self, cell: Cell) -> Thing | None:
+        """The robot that has stood there from the start."""
+        resting = self._resting.get(cell)
+        return resting if resting is not None and self.thing(cell) is resting else None
+
+    def name_of_robot(self, cell: Cell) -> str:
+        """The robot whose arrow is there; empty for the only one."""
+        resting = self._resting_at(cell)
+        if cell == self.grid.robot:
+            return self.grid.name if self._resting or self._robots else ""
+        return self.robot_at(cell) or (resting.name if resting is not None else "")
 
     def kind(self, cell: Cell) -> Kind:
         """What the cell shows, for words and colours."""
@@ -312,7 +337,8 @@ class MapScale:
         cell = self.cell_of(square)
         kind = self.scene.kind(cell)
         look = f"thing-{self.scene.colour(cell)}" if kind is Kind.THING else kind.value
-        return self.scene.letter(cell), look
+        is_robot = kind is Kind.THING and bool(self.scene.name_of_robot(cell))
+        return self.scene.letter(cell), Kind.OTHER.value if is_robot else look
 
 
 def factor_for(bounds: Bounds, columns: int, rows: int) -> int:

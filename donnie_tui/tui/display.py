@@ -20,7 +20,13 @@ from donnie_tui.core.wording import shown_name
 from donnie_tui.core.workspace import Workspace
 from donnie_tui.settings.settings import speed_words
 from donnie_tui.tui.event_queue import EventBatch
-from donnie_tui.tui.pane_text import inspector_lines, robot_sentence, state_badge, state_sentences
+from donnie_tui.tui.pane_text import (
+    colour_initials,
+    inspector_lines,
+    robot_sentence,
+    state_badge,
+    state_sentences,
+)
 from donnie_tui.tui.screens.main_screen import MainScreen
 from donnie_tui.tui.widgets.rows import LOOKS
 from language.runtime import Frame
@@ -66,6 +72,7 @@ class Display:
         self._pose = self._donnie.session.pose
         picture = self._donnie.picture()
         self.scene = MapScene(picture, self._pose, shown_name(self._donnie.session.name))
+        self._place.map.initials = colour_initials(self._words)
         self._place.show_map(self.scene)
         self._entitle_map()
 
@@ -74,7 +81,14 @@ class Display:
         about = self._donnie.world.about(self._words.language)
         width, height = floor_size(picture)
         title = about.title if about else self._donnie.world.name
-        self._place.map_pane.entitle(self._words("pane-map", world=title, width=width, height=height))
+        words = self._words("pane-map", world=title, width=width, height=height)
+        self._place.map_pane.entitle(self._with_robot(words))
+
+    def _with_robot(self, title: str) -> str:
+        """A title that says of which robot it is, where there are several."""
+        name = self._donnie.session.name
+        is_one = name is None or not self._donnie.team.has_several
+        return title if is_one else self._words("pane-of-robot", robot=name, title=title)
 
     # --- the robot
 
@@ -137,6 +151,8 @@ class Display:
     def relabel(self) -> None:
         """Everything again, in another language."""
         self._kinds.clear()
+        self._place.map.initials = colour_initials(self._words)
+        self._place.map.restart()
         self._entitle_map()
         self._place.log_pane.entitle(self._words("pane-log"))
         self._place.inspector_pane.entitle(self._words("pane-inspector"))
@@ -200,7 +216,7 @@ class Display:
         document = self._workspace.document
         name = document.path.name if document.path else self._words("new-program")
         code = "pane-program" if document.is_saved else "pane-program-changed"
-        self._place.program_pane.entitle(self._words(code, name=name))
+        self._place.program_pane.entitle(self._with_robot(self._words(code, name=name)))
 
     def _show_marks(self) -> None:
         lines = [frame.line for frame in self._program_frames()]

@@ -1,7 +1,8 @@
 """The four looks: dark, light, high contrast, and the terminal's own colours.
 
-Rules: every text is at least 7:1 against what it stands on (a test measures what is painted), and no colour
-says what letters and words don't. One table of roles a look; style sheet and widgets have no other colours.
+Rules: every text is at least 7:1 against what it stands on, the dots of the free floor at least 3:1 (a test
+measures what is painted), and no colour says what letters and words don't. One table of roles a look; style
+sheet and widgets have no other colours.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from textual.theme import Theme
 
 DARK, LIGHT, CONTRAST, TERMINAL = "donnie-dark", "donnie-light", "donnie-contrast", "donnie-terminal"
 
-ROLES = ("background", "foreground", "surface", "panel", "muted", "border", "chosen", "on-chosen")
+ROLES = ("background", "foreground", "surface", "panel", "muted", "border", "chosen", "on-chosen", "faint")
 """What a text stands on or is; ``chosen`` is the background of the row or the title with the focus."""
 
 COLOURS = ("red", "green", "blue", "yellow", "orange", "pink", "gray")
@@ -23,21 +24,24 @@ COLOURS = ("red", "green", "blue", "yellow", "orange", "pink", "gray")
 _PALETTES: dict[str, dict[str, str]] = {
     DARK: {
         "background": "#0e1116", "foreground": "#f2f4f8", "surface": "#161b22", "panel": "#232a33",
-        "muted": "#c4cbd6", "border": "#9aa7b8", "chosen": "#f2f4f8", "on-chosen": "#0e1116",
+        "muted": "#c4cbd6", "faint": "#606976", "border": "#9aa7b8",
+        "chosen": "#f2f4f8", "on-chosen": "#0e1116",
         "accent": "#7fd4ff", "success": "#7ee787", "warning": "#ffd866", "error": "#ffb0a6",
         "red": "#ff9e94", "green": "#7ee787", "blue": "#9cc4ff", "yellow": "#ffe066",
         "orange": "#ffb366", "pink": "#ffb3e0", "gray": "#c8c8c8",
     },
     LIGHT: {
         "background": "#ffffff", "foreground": "#14171a", "surface": "#f6f6f3", "panel": "#e7e7e2",
-        "muted": "#3a3f45", "border": "#5a6068", "chosen": "#14171a", "on-chosen": "#ffffff",
+        "muted": "#3a3f45", "faint": "#8a8f96", "border": "#5a6068",
+        "chosen": "#14171a", "on-chosen": "#ffffff",
         "accent": "#003f75", "success": "#0a4a1c", "warning": "#573a00", "error": "#860c0c",
         "red": "#8f0d0d", "green": "#0a4a1c", "blue": "#0b3a8f", "yellow": "#524300",
         "orange": "#6e3500", "pink": "#7d0f5c", "gray": "#3f3f3f",
     },
     CONTRAST: {
         "background": "#000000", "foreground": "#ffffff", "surface": "#000000", "panel": "#00004d",
-        "muted": "#ffffff", "border": "#ffffff", "chosen": "#ffff00", "on-chosen": "#000000",
+        "muted": "#ffffff", "faint": "#808080", "border": "#ffffff",
+        "chosen": "#ffff00", "on-chosen": "#000000",
         "accent": "#00ffff", "success": "#66ff66", "warning": "#ffff00", "error": "#ffb3b3",
         "red": "#ffb3b3", "green": "#66ff66", "blue": "#99ccff", "yellow": "#ffff00",
         "orange": "#ffc266", "pink": "#ffb3ff", "gray": "#ffffff",
@@ -55,8 +59,9 @@ NAMES = tuple(_PALETTES)
 _LOOKS: dict[str, tuple[str, str, str]] = {
     "note": ("error", "", "italic"), "selected": ("on-chosen", "chosen", ""),
 
-    "robot": ("accent", "", "bold"), "other": ("warning", "", "bold"), "start": ("success", "", "bold"),
-    "trail": ("success", "", ""), "wall": ("foreground", "", ""), "free": ("muted", "", ""),
+    "robot": ("accent", "", "bold reverse"), "other": ("warning", "", "bold reverse"),
+    "start": ("success", "", "bold"),
+    "trail": ("success", "", ""), "wall": ("foreground", "", ""), "free": ("faint", "", ""),
     "ray": ("warning", "", ""), "name": ("foreground", "", "italic"), "ruler": ("muted", "panel", ""),
     **{f"thing-{colour}": (colour, "", "bold") for colour in COLOURS},
 
@@ -137,6 +142,7 @@ def looks(name: str) -> dict[str, Style]:
     found = {look: painted(*of_it) for look, of_it in _LOOKS.items()}
     if roles["chosen"] == roles["background"]:
         found["selected"] += Style(reverse=True)
+        found["free"] += Style(dim=True)
     return found
 
 

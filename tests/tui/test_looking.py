@@ -370,3 +370,57 @@ async def test_plus_comes_nearer_and_minus_goes_further_away(open_screen):
             widths[zoom] = view.virtual_size.width
 
         assert widths[1] > widths[0] > widths[-1]
+
+
+async def test_a_square_grows_to_six_columns_by_three_rows_and_a_click_still_finds_it(open_screen):
+    """The robot is a block of that size, which low vision and a projector need."""
+    async with open_screen(world="living_room", size=(120, 40)) as screen:
+        view = screen.main.map
+        sizes = []
+        for zoom in (0, 1, 2, 3):
+            view.set_zoom(zoom)
+            sizes.append((view._columns, view._rows))
+        await screen.painted()
+        robot = view._region_of(view.scale.robot)
+        rows = [view.render_line(y).crop(robot.x, robot.right) for y in range(robot.y, robot.bottom)]
+
+        assert sizes == [(1, 1), (2, 1), (4, 2), (6, 3)]
+        assert rows[0].text == "^     "
+        assert all(each.style.reverse for row in rows for each in row)
+        await screen.pilot.click("#map", offset=(robot.x + 5 + 6, robot.y + 2))
+        await screen.until(lambda: screen.status.startswith(" Map, 1, 0: free."), screen.status)
+
+
+async def test_things_that_differ_in_colour_differ_in_letters(open_screen):
+    async with open_screen(world="colour_garden", size=(160, 50)) as screen:
+        view = screen.main.map
+        view.set_zoom(1)
+        await screen.painted()
+        scene = view.scale.scene
+        shown = {
+            thing.colour: "".join(
+                each.text
+                for each in [view._segment(view.scale.square_of(scene.cell_at(thing.x, thing.y)), 0)]
+            )[:2]
+            for thing in scene.things
+            if thing.letter == "f"
+        }
+
+        assert len(shown) > 1
+        assert len(set(shown.values())) == len(shown)
+        assert shown["red"] == "fR"
+
+
+@pytest.mark.parametrize("size", [(80, 24), (120, 40)])
+async def test_each_robot_has_its_heading_from_the_start_and_the_titles_name_the_chosen_one(
+    open_screen, size
+):
+    async with open_screen("FW 1", world="two_robots", size=size) as screen:
+        await screen.painted()
+        view = screen.main.map
+        bob = next(each for each in view.scale.scene.things if each.is_robot)
+        square = view.scale.square_of(view.scale.scene.cell_at(bob.x, bob.y))
+
+        assert view._segment(square, 0).text in ("v", "vb")
+        titles = screen.text.splitlines()[0]
+        assert "alice: Program" in titles and "alice: Map" in titles

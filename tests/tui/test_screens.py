@@ -221,6 +221,29 @@ async def test_the_map_with_names_rays_and_coordinates(open_screen, same, theme,
         await same(screen)
 
 
+ALL_SIZES = [(40, 12), SMALL, LARGE, (200, 60)]
+ALL_THEMES = [
+    pytest.param("donnie-dark", id="dark"),
+    pytest.param("donnie-light", id="light", marks=pytest.mark.slow),
+    pytest.param(CONTRAST, id="contrast", marks=pytest.mark.slow),
+]
+
+
+@pytest.mark.parametrize("size", ALL_SIZES, ids=by_size)
+@pytest.mark.parametrize("theme", ALL_THEMES)
+async def test_two_robots_on_a_nearer_map(open_screen, same, theme, size):
+    """The map: things, trails, headings; in 40 columns it has the screen to itself."""
+    async with open_screen("FW 2\nTR 90\nFW 3", size=size, world="two_robots") as screen:
+        screen.app.theme = theme
+        await screen.press("f5")
+        await screen.shows("The program is done.")
+        await screen.idle()
+        screen.main.go_to(screen.main.map_pane)
+        screen.main.map.set_zoom(1)
+        await screen.painted()
+        await same(screen)
+
+
 @looks()
 async def test_the_whole_of_a_large_map(open_screen, same, theme, size):
     async with open_screen(world="living_room", size=size) as screen:

@@ -10,7 +10,8 @@ from donnie_tui.tui import themes
 
 pytestmark = pytest.mark.slow
 
-LEAST_TEXT, LEAST_BORDER = 7.0, 4.5
+LEAST_TEXT, LEAST_BORDER, LEAST_FLOOR = 7.0, 4.5, 3.0
+FLOOR = {"."}
 BORDERS = set("▔▁▊▎─│┌┐└┘━┃▀▄█▌▐")
 RGB = tuple(name for name in themes.NAMES if name != themes.TERMINAL)
 
@@ -51,7 +52,8 @@ def too_faint(app) -> dict[str, float]:
         if not text.strip() or style is None or style.color is None or style.bgcolor is None:
             continue
         ratio = contrast(style.color.get_truecolor(), style.bgcolor.get_truecolor())
-        least = LEAST_BORDER if set(text.strip()) <= BORDERS else LEAST_TEXT
+        signs = set(text.strip())
+        least = LEAST_BORDER if signs <= BORDERS else LEAST_FLOOR if signs <= FLOOR else LEAST_TEXT
         if ratio < least or style.dim:
             found[f"{text.strip()[:30]} {style}"] = round(ratio, 2)
     return found
@@ -143,6 +145,16 @@ def test_a_thing_of_any_colour_can_be_seen_on_the_floor(name):
     }
 
     assert {colour: round(ratio, 1) for colour, ratio in found.items() if ratio < LEAST_TEXT} == {}
+
+
+@pytest.mark.parametrize("name", RGB)
+def test_the_free_floor_is_far_dimmer_than_a_thing_or_the_robot(name):
+    looks, floor = themes.looks(name), _parts(themes.theme(name).background)
+    found = {
+        each: contrast(looks[each].color.get_truecolor(), floor) for each in ("free", "robot", "thing-gray")
+    }
+
+    assert LEAST_FLOOR <= found["free"] <= min(found["robot"], found["thing-gray"]) / 2
 
 
 def _parts(colour: str) -> tuple[int, int, int]:

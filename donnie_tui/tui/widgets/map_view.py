@@ -2,13 +2,14 @@
 
 The terminal's own cursor stands on the robot, or on the square that is being explored, while the map has the
 focus; only so long the window stays with that square. A step is two columns wide where the world fits so,
-because cells are twice as high as wide. What is where, and what it is called, the core knows; here it is
-painted.
+because cells are twice as high as wide, and up to six by three where the learner zooms in. Where a step has
+several columns, things that differ only in colour have its initial, and robots that of their name. What is
+where, and what it is called, the core knows; here it is painted.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, ClassVar
 
 from rich.segment import Segment
@@ -34,6 +35,10 @@ RULER = 4
 """Columns of the numbers at the left; at the top they take one row."""
 _EVERY = 5
 """Steps between two numbers."""
+
+_SIZES = ((1, 1), (2, 1), (4, 2), (6, 3))
+"""Columns and rows of a square, from far to near."""
+NEAREST = len(_SIZES) - 1
 
 
 class MapView(PaintedRows, can_focus=True):
@@ -69,7 +74,11 @@ class MapView(PaintedRows, can_focus=True):
         self._labels: Callable[[MapScale, int], dict[Cell, str]] | None = None
         self._written: dict[Cell, str] = {}
         self._zoom = 0
-        self._columns = 1
+        self._columns, self._rows = _SIZES[0]
+        self.initials: Mapping[str, str] = {}
+        """Of colour words, in the learner's language."""
+        self._mixed: frozenset[str] = frozenset()
+        """The letters of things that come in several colours."""
         self._bounds: Bounds
         """Of the floor as it was laid out last, once there is one."""
 
@@ -82,6 +91,7 @@ class MapView(PaintedRows, can_focus=True):
 
         self.scale, self.pointer = MapScale(scene), Pointer(scene)
         self._zoom, self.shows_all = 0, False
+        self._mixed = scene.letters_of_several_colours
         self._fit()
 
     def restart(self) -> None:
@@ -123,7 +133,7 @@ class MapView(PaintedRows, can_focus=True):
         return self._zoom
 
     def set_zoom(self, zoom: int) -> None:
-        self._zoom = max(-5, min(2, zoom))
+        self._zoom = max(-5, min(NEAREST, zoom))
         self.shows_all = False
         self._fit()
 
@@ -162,9 +172,9 @@ class MapView(PaintedRows, can_focus=True):
         room = Size(max(1, self.size.width - self._rulers.x), max(1, self.size.height - self._rulers.y))
         self._choose_factor(room)
         bounds = self._bounds = self.scale.bounds
-        wide = 2 * bounds.width <= room.width or self._zoom > 0
-        self._columns = 4 if self._zoom > 1 else 2 if wide else 1
-        floor = Size(self._columns * bounds.width, bounds.height)
+        is_wide = 2 * bounds.width <= room.width
+        self._columns, self._rows = _SIZES[min(is_wide + max(0, self._zoom), NEAREST)]
+        floor = Size(self._columns * bounds.width, self._rows * bounds.height)
         self.virtual_size = Size(floor.width + self._rulers.x, floor.height + self._rulers.y)
         self._written = self._labels(self.scale, self._columns) if self._labels else {}
         self._follow(self._followed, centre=True)
@@ -215,8 +225,10 @@ class MapView(PaintedRows, can_focus=True):
 
     def _region_of(self, square: Cell, *, scrolled: bool = True) -> Region:
         bounds = self._bounds
-        place = Offset((square.x - bounds.left) * self._columns, bounds.top - square.y) + self._rulers
-        return Region.from_offset(place - self.scroll_offset if scrolled else place, Size(self._columns, 1))
+        right, down = (square.x - bounds.left) * self._columns, (bounds.top - square.y) * self._rows
+        place = Offset(right, down) + self._rulers
+        size = Size(self._columns, self._rows)
+        return Region.from_offset(place - self.scroll_offset if scrolled else place, size)
 
     @property
     def cursor_screen_offset(self) -> Offset:
@@ -240,7 +252,7 @@ class MapView(PaintedRows, can_focus=True):
             return
         right, down = place - self._rulers + self.scroll_offset
         bounds = self._bounds
-        x, y = bounds.left + right // self._columns, bounds.top - down
+        x, y = bounds.left + right // self._columns, bounds.top - down // self._rows
         if bounds.left <= x <= bounds.right and bounds.bottom <= y <= bounds.top:
             square = scale.robot._replace(x=x, y=y)
             self.explore(lambda pointer: pointer.go(scale.cell_of(square)))
@@ -265,16 +277,18 @@ class MapView(PaintedRows, can_focus=True):
         ruler_x, ruler_y = self._rulers
         if y < ruler_y:
             return self._top_ruler()
-        north = self._bounds.top - (y - ruler_y) - self.scroll_offset.y
-        floor = self._floor_row(north).crop_extend(0, self.size.width - ruler_x, base)
-        return Strip.join([self._left_ruler(north), floor]) if ruler_x else floor
+        down, row = divmod(y - ruler_y + self.scroll_offset.y, self._rows)
+        north = self._bounds.top - down
+        floor = self._floor_row(north, row).crop_extend(0, self.size.width - ruler_x, base)
+        return Strip.join([self._left_ruler(north, row), floor]) if ruler_x else floor
 
-    def _floor_row(self, north: int) -> Strip:
+    def _floor_row(self, north: int, row: int) -> Strip:
+        """One of the rows of the squares of a latitude."""
         assert self.scale is not None
         if north < self._bounds.bottom:
             return Strip.blank(self.size.width, self.painted_as())
         first, last = self._visible_columns()
-        segments = [self._segment(self.scale.robot._replace(x=x, y=north)) for x in range(first, last)]
+        segments = [self._segment(self.scale.robot._replace(x=x, y=north), row) for x in range(first, last)]
         strip = Strip(Segment.simplify(segments))
         cut = self.scroll_offset.x - (first - self._bounds.left) * self._columns
         return strip.crop_extend(cut, cut + self.size.width, self.painted_as())
@@ -283,19 +297,26 @@ class MapView(PaintedRows, can_focus=True):
         first = self._bounds.left + self.scroll_offset.x // self._columns
         return first, min(self._bounds.right + 1, first + self.size.width // self._columns + 2)
 
-    def _segment(self, square: Cell) -> Segment:
+    def _segment(self, square: Cell, row: int) -> Segment:
         assert self.scale is not None
         letter, kind = self.scale.shown(square)
-        label = self._written.get(square) if kind in ("free", "trail") else None
+        label = self._written.get(square) if kind in ("free", "trail") and not row else None
         look = self._look("name" if label else kind)
         if self.has_focus and self.is_exploring and square == self._square:
             look += Style(reverse=True)
-        return Segment(label or self._filled(kind, letter), look)
+        return Segment(label or self._filled(square, kind, letter, row), look)
 
-    def _filled(self, kind: str, letter: str) -> str:
-        """The other columns of a wide square: walls and things are solid, else a letter and blanks."""
-        is_solid = kind == "wall" or kind.startswith("thing")
-        return letter * self._columns if is_solid else letter.ljust(self._columns)
+    def _filled(self, square: Cell, kind: str, letter: str, row: int) -> str:
+        """All columns of a wide square: walls and things are solid, else a letter and blanks."""
+        assert self.scale is not None
+        _thing, is_thing, colour = kind.partition("thing-")
+        if is_thing and letter in self._mixed and self._columns > 1:
+            letter += self.initials.get(colour, letter)
+        elif kind in ("robot", "other") and self._columns > 1:
+            letter += self.scale.scene.name_of_robot(self.scale.cell_of(square))[:1]
+        if is_thing or kind == "wall":
+            return (letter * self._columns)[: self._columns]
+        return (letter if not row else "").ljust(self._columns)
 
     def _look(self, kind: str) -> Style:
         """Things of a colour that has no look are grey."""
@@ -304,11 +325,10 @@ class MapView(PaintedRows, can_focus=True):
 
     # --- numbers
 
-    def _left_ruler(self, north: int) -> Strip:
+    def _left_ruler(self, north: int, row: int) -> Strip:
         place = self._place(self._bounds.left, north)[1]
-        words = (
-            f"{place:>{RULER - 1}} " if place % _EVERY == 0 and north >= self._bounds.bottom else " " * RULER
-        )
+        is_numbered = place % _EVERY == 0 and north >= self._bounds.bottom and not row
+        words = f"{place:>{RULER - 1}} " if is_numbered else " " * RULER
         return Strip([Segment(words[-RULER:], self._look("ruler"))])
 
     def _top_ruler(self) -> Strip:
