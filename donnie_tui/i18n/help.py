@@ -65,7 +65,7 @@ ENTRIES: dict[str, HelpTopic] = {
     ),
     "FOR": HelpTopic(
         ("FOR",),
-        "{name} = {value}; {condition}; {name} = {value} {DO} {commands} {END FOR}",
+        "{VAR} {name} = {value}; {condition}; {name} = {value} {DO} {commands} {END FOR}",
         "{FOR} {VAR} i = 1; i <= 3; i = i + 1 {DO} {SPEAK} i {END FOR}",
     ),
     "PROCEDURE": HelpTopic(
@@ -133,10 +133,11 @@ def _entry(topic: str, words: Wording) -> tuple[str, ...]:
 
 def form(topic: str, words: Wording) -> str:
     """How the command is written, as a sentence."""
-    return words("help-form", form=_forms(ENTRIES[topic], words)) + "."
+    return words("help-form", form=forms(ENTRIES[topic], words)) + "."
 
 
-def _forms(entry: HelpTopic, words: Wording) -> str:
+def forms(entry: HelpTopic, words: Wording) -> str:
+    """Every form of the command: ``FW value, or FORWARD value``."""
     spelled = dict.fromkeys(_spelled(leader, words) for leader in entry.leaders)
     rest = _filled(entry.rest, words)
     forms = [f"{leader} {rest}".strip() for leader in spelled]

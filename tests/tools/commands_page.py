@@ -1,20 +1,28 @@
-"""Writes ``docs/commands.md`` from the declarations: ``python -m tests.tools.commands_page``.
+"""Writes ``docs/commands.md`` and the words of ``docs/language.md`` from the declarations.
+
+Run it with ``python -m tests.tools.commands_page``.
 
 It prints which keys are free after Ctrl+K, for a new command.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
+from enum import Enum
 from pathlib import Path
 from string import ascii_lowercase, digits
 
 from donnie_tui.commands.declarations import COMMANDS, Command, When
 from donnie_tui.commands.keys import KEYS, MENU, SIGNS, key_label
 from donnie_tui.commands.lookup import help_of, typed_form, word_of, words_of
+from donnie_tui.core.wording import name_of_language
+from donnie_tui.i18n.help import ENTRIES, forms
 from donnie_tui.i18n.words import Words
+from language.keywords import ARGUMENTS
 from language.locales import ENGLISH, languages
 
 FILE = Path("docs/commands.md")
+LANGUAGE_FILE = Path("docs/language.md")
 
 _TITLES = {
     "run": "Running a program",
@@ -72,6 +80,58 @@ def entry(command: Command, words: Words) -> list[str]:
     return lines
 
 
+def with_words(page: str) -> str:
+    """The page about the language with its section about the words as the declarations say."""
+    before, heading, rest = page.partition("## Words\n")
+    _, next_heading, after = rest.partition("\n## ")
+    return f"{before}{heading}\n{words_section()}{next_heading}{after}"
+
+
+def words_section() -> str:
+    """The commands and what may follow them, a column for each language."""
+    spoken = [Words(each) for each in languages()]
+    english = Words(ENGLISH)
+    commands = [
+        (english(f"purpose-{topic}").rstrip("."), *(forms(entry, each) for each in spoken))
+        for topic, entry in ENTRIES.items()
+    ]
+    lines = [
+        "Where two forms are the same command, the short one comes first. The section is made by",
+        "`python -m tests.tools.commands_page`.",
+        "",
+        *_table("what it does", commands),
+    ]
+    for terminal, title in _ARGUMENTS.items():
+        rows = [
+            (_meaning(each.value), *(", ".join(each.spellings[language]) for language in languages()))
+            for each in ARGUMENTS
+            if each.terminal == terminal
+        ]
+        lines += ["", f"{title}:", "", *_table("meaning", rows)]
+    return "\n".join(lines) + "\n"
+
+
+_ARGUMENTS = {
+    "DIRECTION": "The directions of DISTANCE and VIBRATE",
+    "AXIS": "What POS says",
+    "COLOUR": "The colours of COLOR",
+    "SWITCH": "What follows SOUND and BELT",
+}
+"""By terminal of the grammar."""
+
+
+def _meaning(value: Enum | str | bool) -> str:
+    if isinstance(value, bool):
+        return "on" if value else "off"
+    return value if isinstance(value, str) else value.name.lower().replace("_", " ")
+
+
+def _table(first: str, rows: Iterable[Sequence[str]]) -> list[str]:
+    headings = (first, *(name_of_language(each, ENGLISH) for each in languages()))
+    ruler = ["---" for _ in headings]
+    return [f"| {' | '.join(each)} |" for each in (headings, ruler, *rows)]
+
+
 def free_keys() -> tuple[str, ...]:
     """The keys after the menu key that no command has, as a declaration names them."""
     taken = {each for keys in KEYS.values() for each in keys}
@@ -84,3 +144,4 @@ def free_keys() -> tuple[str, ...]:
 if __name__ == "__main__":
     print("Free keys:", ", ".join(free_keys()))
     FILE.write_text(document(), encoding="utf-8")
+    LANGUAGE_FILE.write_text(with_words(LANGUAGE_FILE.read_text(encoding="utf-8")), encoding="utf-8")
