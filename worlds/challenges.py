@@ -9,11 +9,12 @@ from __future__ import annotations
 
 import os
 import re
+from enum import Enum
 from pathlib import Path
 from typing import Any, Literal, TypeAlias
 
 import msgspec
-from msgspec import Struct
+from msgspec import Struct, field
 
 from donnie_tui.process.confinement import open_bytes
 from worlds import names as world_names
@@ -153,6 +154,38 @@ class Variant(Struct, frozen=True, forbid_unknown_fields=True):
         return x, y, COMPASS[heading] if isinstance(heading, str) else heading
 
 
+class Ask(Enum):
+    """What a question is about."""
+
+    DIRECTION = "direction"
+    DISTANCE = "distance"
+    COUNT = "count"
+    COLOUR = "colour"
+    ORDER = "order"
+    """Which things are nearer."""
+
+
+class ChallengeQuestion(Struct, frozen=True, forbid_unknown_fields=True):
+    """What is asked after a run."""
+
+    ask: Ask
+    of: str | tuple[str, ...]
+    """A thing; several for ``order``."""
+    origin: Target = field(name="from", default="start")
+    """``start``, ``end`` for where the robot is now, a place, or a thing."""
+    tolerance: float | None = None
+    """Degrees or steps; None for what is usual."""
+
+    @property
+    def things(self) -> tuple[str, ...]:
+        return (self.of,) if isinstance(self.of, str) else self.of
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether as many things are named as it takes."""
+        return 1 < len(self.things) < 10 if self.ask is Ask.ORDER else len(self.things) == 1
+
+
 class ChallengeHint(Struct, frozen=True, forbid_unknown_fields=True):
     """A hint on request."""
 
@@ -190,6 +223,8 @@ class Rules(Struct, frozen=True, forbid_unknown_fields=True):
     never: Never = Never()
     limit: Limit = Limit()
     variant: tuple[Variant, ...] = (Variant(),)
+    question: tuple[ChallengeQuestion, ...] = ()
+    """Asked after a run that solved it."""
 
 
 class Challenge(Struct, frozen=True):
@@ -296,9 +331,12 @@ def _check(rules: Rules, path: Path, lines: list[str]) -> None:
         raise BadChallenge("challenge-value", path, line_of(lines, "", "format"), "format")
     if Path(rules.world).name != rules.world:
         raise BadChallenge("challenge-outside", path, line_of(lines, "", "world"), rules.world)
-    for key, found in (("goal", rules.goal), ("variant", rules.variant)):
+    for key, found in (("goal", rules.goal), ("variant", rules.variant), ("question", rules.question)):
         if len(found) > MOST or (key == "variant" and not found):
             raise BadChallenge("challenge-value", path, line_of(lines, key, ""), key)
+    for index, question in enumerate(rules.question):
+        if not question.is_complete:
+            raise BadChallenge("challenge-value", path, line_of(lines, f"question[{index}]", "of"), "of")
     for index, goal in enumerate(rules.goal):
         if not goal.kind:
             raise BadChallenge("challenge-goal", path, line_of(lines, f"goal[{index}]", ""), ", ".join(KINDS))
@@ -334,6 +372,7 @@ _OF_TABLE: dict[str, type[Struct]] = {
     "never": Never,
     "limit": Limit,
     "variant": Variant,
+    "question": ChallengeQuestion,
     "hint": ChallengeHint,
 }
 
@@ -341,7 +380,7 @@ _OF_TABLE: dict[str, type[Struct]] = {
 def _keys(kind: type[Struct], place: str) -> tuple[str, ...]:
     """The keys that the table at that place of the file may have."""
     table = re.sub(r"\[.*?\]", "", place).strip(".")
-    return _OF_TABLE.get(table, kind).__struct_fields__
+    return _OF_TABLE.get(table, kind).__struct_encode_fields__
 
 
 def line_of(lines: list[str], table: str, key: str) -> int:

@@ -8,6 +8,8 @@ from collections.abc import Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from msgspec.structs import replace
+
 from donnie_tui.bootstrap import Donnie, judge_program, starts_of
 from donnie_tui.commands.declarations import BY_NAME
 from donnie_tui.commands.interaction import Interaction, Screen
@@ -28,7 +30,8 @@ if TYPE_CHECKING:
     from donnie_tui.core.goals import Judgment
     from donnie_tui.core.line_history import LineHistory
     from donnie_tui.core.map_grid import MapGrid
-    from donnie_tui.core.program_files import ProgressFile
+    from donnie_tui.core.program_files import Attempted, ProgressFile
+    from donnie_tui.core.questions import Asked
     from donnie_tui.core.workspace import Workspace
     from worlds.challenges import Challenge
 
@@ -161,7 +164,11 @@ class Attempt:
         """The goals that the run before met."""
         self._donnie, self._preferences = donnie, preferences
         self._events: deque[Stamped] = deque(maxlen=self.MOST_EVENTS)
-        self.close = donnie.team.stream.subscribe(self._on_event)
+        self.has_questions = False
+        """Whether the last run is followed by questions that were not asked yet."""
+        self._tried: Attempted | None = None
+        """The last run, until it is written."""
+        self._unsubscribe = donnie.team.stream.subscribe(self._on_event)
 
     def _on_event(self, stamped: Stamped) -> None:
         from donnie_tui.core.goals import begins_anew
@@ -176,13 +183,30 @@ class Attempt:
         """Of what was done from the first start."""
         from donnie_tui.core.goals import judge
 
-        events = tuple(self._events) or (Stamped(0, 0.0, Reset(self._donnie.session.pose)),)
-        return judge(self._starts[0], self.room, events)
+        return judge(self._starts[0], self.room, self._happened())
+
+    def _happened(self) -> tuple[Stamped, ...]:
+        return tuple(self._events) or (Stamped(0, 0.0, Reset(self._donnie.session.pose)),)
 
     @cached_property
     def _starts(self) -> tuple[Challenge, ...]:
         donnie = self._donnie
         return starts_of(self.challenge, donnie.world, donnie.words, self._preferences.settings)
+
+    @cached_property
+    def _shortest(self) -> int:
+        """The steps of the solution from the first start."""
+        from donnie_tui.core.program_files import DocumentError, checked_path, read_to_the_end
+
+        try:
+            solution = read_to_the_end(checked_path(self.challenge.solution))
+        except DocumentError:
+            return 0
+        return self._judged(solution, self._starts[:1])[0].steps
+
+    def _judged(self, text: str, starts: tuple[Challenge, ...]) -> tuple[Judgment, ...]:
+        donnie = self._donnie
+        return judge_program(text, starts, donnie.world, donnie.words, self._preferences.settings)
 
     def judge(self) -> tuple[str, ...]:
         """What there is to say after a run, which is kept as a try.
@@ -195,11 +219,13 @@ class Attempt:
         donnie, here = self._donnie, self.judgment()
         verdicts: tuple[Judgment, ...] = (here,)
         if here.is_solved:
-            settings, world = self._preferences.settings, donnie.world
-            others = judge_program(self._program(), self._starts[1:], world, donnie.words, settings)
-            verdicts = (here, *others)
+            verdicts = (here, *self._judged(self._program(), self._starts[1:]))
         is_solved = all(each.is_solved for each in verdicts)
-        self._keep(here, is_solved=is_solved)
+        self.keep_try()
+        self._tried = self._try_of(here, is_solved=is_solved)
+        self.has_questions = is_solved and bool(self.challenge.rules.question)
+        if not self.has_questions:
+            self.keep_try()
         if is_solved or here.met > self._met:
             donnie.session.hub.publish(CueSounded("solved" if is_solved else "goal", 0.0, None))
         self._met = here.met
@@ -216,25 +242,43 @@ class Attempt:
         started = (each.event for each in self._events if isinstance(each.event, RunStarted))
         return "\n".join(each.how.text for each in started if each.how is not None and not each.how.refused)
 
-    def _keep(self, judgment: Judgment, *, is_solved: bool) -> None:
+    def questions(self) -> tuple[Asked, ...]:
+        """What is asked about the world as the last run left it."""
+        from donnie_tui.core.goals import track_of
+        from donnie_tui.core.questions import Asked
+
+        track = track_of(self.room, self._happened())
+        return tuple(Asked(each, self.room, track) for each in self.challenge.rules.question)
+
+    def _try_of(self, judgment: Judgment, *, is_solved: bool) -> Attempted:
         from datetime import datetime
 
         from donnie_tui.core.program_files import Attempted
 
-        now = datetime.now().astimezone().isoformat(timespec="seconds")
-        progress().add(
-            Attempted(
-                now,
-                self.challenge.name,
-                is_solved,
-                judgment.met,
-                judgment.goals,
-                judgment.commands,
-                judgment.steps,
-                judgment.bumps,
-                self.hints,
-            )
+        return Attempted(
+            datetime.now().astimezone().isoformat(timespec="seconds"),
+            self.challenge.name,
+            is_solved,
+            judgment.met,
+            judgment.goals,
+            judgment.commands,
+            judgment.steps,
+            judgment.bumps,
+            self.hints,
+            judgment.seconds,
+            self._shortest if is_solved else 0,
         )
+
+    def keep_try(self, questions: int = 0, right: int = 0) -> None:
+        """Write the last run into the progress file, with the questions that followed it."""
+        self.has_questions = False
+        if self._tried is not None:
+            progress().add(replace(self._tried, questions=questions, right=right))
+            self._tried = None
+
+    def close(self) -> None:
+        self.keep_try()
+        self._unsubscribe()
 
 
 def progress() -> ProgressFile:

@@ -194,6 +194,7 @@ COMMANDS = (
     Command("goals", "help", _ALWAYS),
     Command("hint", "help", _ALWAYS),
     Command("next_challenge", "help"),
+    Command("questions", "help"),
     Command("results", "help", _ALWAYS),
     Command("tour", "help", keys=("ctrl+k shift+t",)),
     Command("help", "help", _ALWAYS, keys=("f1",), argument="topic", is_godonnie=True),

@@ -247,6 +247,29 @@ async def hint(ctx: Context, _: str) -> None:
         ctx.answer("challenge-no-hint")
 
 
+@handles("questions")
+async def questions(ctx: Context, _: str) -> None:
+    """Ask what the challenge asks about its world; an empty answer leaves them."""
+    attempt = ctx.attempt
+    asked = attempt.questions() if attempt is not None else ()
+    if attempt is None or not asked:
+        ctx.answer("challenge-none" if attempt is None else "questions-none")
+        return
+    attempt.has_questions, right = False, 0
+    try:
+        for each in asked:
+            typed = await ctx.interaction.ask(each.text(ctx.words))
+            if typed is None:
+                break
+            is_right = each.is_right(typed)
+            right += is_right
+            text = each.right_answer(ctx.words)
+            ctx.answer("question-right" if is_right else "question-wrong", text=text)
+        ctx.answer("questions-done", right=right, questions=len(asked))
+    finally:
+        attempt.keep_try(len(asked), right)
+
+
 @handles("results")
 async def results(ctx: Context, _: str) -> None:
     """What was tried and solved. Compares no learners."""
@@ -264,6 +287,13 @@ async def results(ctx: Context, _: str) -> None:
         code = "results-solved" if any(each.solved for each in tries) else "results-open"
         hints, bumps = max(each.hints for each in tries), sum(each.bumps for each in tries)
         lines.append(ctx.words(code, title=title, tries=len(tries), hints=hints, bumps=bumps))
+        best = min((each for each in tries if each.solved), key=lambda each: each.steps, default=None)
+        if best is not None and best.shortest:
+            values = {"steps": best.steps, "shortest": best.shortest, "seconds": best.seconds}
+            lines.append(ctx.words("results-way", **values))
+        asked = max((each for each in tries if each.questions), key=lambda each: each.right, default=None)
+        if asked is not None:
+            lines.append(ctx.words("questions-done", right=asked.right, questions=asked.questions))
     ctx.say(*lines)
 
 

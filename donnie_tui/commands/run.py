@@ -57,6 +57,10 @@ async def run_program(ctx: Context, *, is_whole: bool, begin: Begin | None = Non
         return
     if await ctx.interaction.follow([(ctx.donnie.session.hub.robot, started)]):
         _note_run(ctx, started, is_whole=is_whole)
+        if ctx.attempt is not None and ctx.attempt.has_questions and ctx.interaction.is_attended:
+            from donnie_tui.commands.help import questions
+
+            await questions(ctx, "")
 
 
 async def run_alone(ctx: Context, line: str) -> None:

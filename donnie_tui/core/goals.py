@@ -92,6 +92,7 @@ class Track(Struct, frozen=True):
     """By robot; empty where the gripper holds nothing."""
     events: tuple[Event, ...]
     seconds: float
+    """Of robot time, of the robot that took longest."""
     variables: Mapping[str, Mapping[str, int]]
     """By robot."""
     errors: Mapping[str, Error]
@@ -142,6 +143,8 @@ class Judgment(Struct, frozen=True):
     """The most important first; empty if the challenge is solved."""
     of_goals: tuple[Shortfall | None, ...] = ()
     """What each goal lacks, in the order of the file; None where it is met."""
+    seconds: int = 0
+    """Of robot time."""
 
     @property
     def is_solved(self) -> bool:
@@ -167,6 +170,7 @@ def judge(challenge: Challenge, room: Inventory, events: Iterable[Stamped]) -> J
             *_over_limit(rules, track),
         ),
         tuple(missing),
+        round(track.seconds),
     )
 
 
@@ -193,6 +197,10 @@ def unknown_things(challenge: Challenge, room: Inventory) -> tuple[str, ...]:
     named += (*challenge.rules.never.touch, *challenge.rules.never.near)
     moved = (name for each in challenge.rules.variant for name in each.things)
     named += (name for name in moved if name not in room.robots)
+    for question in challenge.rules.question:
+        named += (
+            question.things if question.origin in ("start", "end") else (*question.things, question.origin)
+        )
     robots = [name for goal in challenge.rules.goal for name in (goal.robot, *(goal.robots or ())) if name]
     return (
         *(each for each in named if isinstance(each, str) and not room.called(each)),
@@ -211,7 +219,7 @@ def track_of(room: Inventory, events: Iterable[Stamped]) -> Track:
     ways: dict[str, list[Pose]] = {name: [pose] for name, pose in room.robots.items()}
     places: dict[int, Pose] = {}
     said, held, variables = list[str](), dict[str, str](), dict[str, Mapping[str, int]]()
-    errors, outcomes, seconds = dict[str, Error](), dict[str, Outcome](), 0.0
+    errors, outcomes, seconds = dict[str, Error](), dict[str, Outcome](), dict[str, float]()
     for stamped in happened:
         robot, event = stamped.robot or first, stamped.event
         pose = None
@@ -236,7 +244,8 @@ def track_of(room: Inventory, events: Iterable[Stamped]) -> Track:
                 errors.setdefault(robot, event)
             case RunEnded():
                 pose, outcomes[robot] = event.pose, event.outcome
-                seconds, variables[robot] = max(seconds, event.seconds), dict(event.variables)
+                variables[robot] = dict(event.variables)
+                seconds[robot] = seconds.get(robot, 0.0) + event.seconds
         if pose is not None:
             ways.setdefault(robot, []).append(pose)
             here[robot] = pose
@@ -248,7 +257,7 @@ def track_of(room: Inventory, events: Iterable[Stamped]) -> Track:
         tuple(said),
         held,
         tuple(each.event for each in happened),
-        seconds,
+        max(seconds.values(), default=0.0),
         variables,
         errors,
         Outcome.STOPPED in outcomes.values(),

@@ -389,6 +389,13 @@ class Attempted(Struct, frozen=True):
     bumps: int
     hints: int
     """Those that were given before."""
+    seconds: int = 0
+    """Of robot time."""
+    shortest: int = 0
+    """Steps of the solution."""
+    questions: int = 0
+    right: int = 0
+    """The questions that were answered rightly."""
 
 
 class ProgressFile:
@@ -413,8 +420,10 @@ class ProgressFile:
         fields, found = Attempted.__struct_fields__, []
         for line in lines:
             with contextlib.suppress(ValueError):
-                values = dict(zip(fields, line.split("\t"), strict=True))
-                found.append(convert(values, Attempted, strict=False))
+                values = line.split("\t")
+                if len(values) <= len(fields):
+                    named = dict(zip(fields, values, strict=False))
+                    found.append(convert(named, Attempted, strict=False))
         return tuple(found)
 
     def add(self, attempt: Attempted) -> None:

@@ -264,6 +264,8 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         """QUIT, typed with other commands, leaves once they are done."""
         if self.controller is not None:
             self.controller.run_view.on_finished(event)
+            if self.controller.ctx.attempt is not None and self.controller.ctx.attempt.has_questions:
+                self.do("questions")
             if event.asks_to_quit:
                 self.do("quit")
 

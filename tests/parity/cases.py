@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from pathlib import Path
 
 from donnie_tui.commands.declarations import COMMANDS, Command
 from donnie_tui.commands.lookup import words_of
@@ -219,6 +220,14 @@ GROUPS = (
         ENDING,
         (),
         ("STEP", "STEP", "OVER", "UNTIL 5", "STEP BACK", "STEP BACK", "SHOW VARIABLES", "STOP"),
+    ),
+    Group("challenge", "FW 4\n", (), ("GOALS", "AGAIN", "GOALS", "RESULTS"), world="challenge:first_walk"),
+    Group(
+        "challenge with questions",
+        "FW 3\n",
+        (),
+        ("AGAIN", "QUESTIONS", "RESULTS"),
+        world=f"challenge:{Path(__file__).with_name('asking.toml')}",
     ),
     Group("fresh", ENDING, (), ("RUN",)),
     Group(

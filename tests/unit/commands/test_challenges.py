@@ -97,6 +97,7 @@ def test_the_list_says_which_are_solved_and_results_count_tries(open_script: Ope
     assert script.answers_to("RESULTS") == [
         "1 of 1 solved.",
         "The first walk: solved, 2 tries, 1 hint, 0 bumps.",
+        "5 steps, the shortest way is 5, 5 seconds.",
     ]
 
 
@@ -140,3 +141,65 @@ def test_a_goal_that_is_met_and_a_solved_challenge_have_cues(open_script: OpenSc
     script.answers_to("FW 4", "SPEAK 4")
 
     assert [each for each in cues if each in ("goal", "solved")] == ["goal", "solved"]
+
+
+ASKING = """\
+format = 1
+world = "first_room"
+[en]
+title = "T"
+task = "Do."
+[[goal]]
+at = [0, 3]
+[[question]]
+ask = "colour"
+of = "ball"
+[[question]]
+ask = "count"
+of = "ball"
+"""
+
+
+def test_questions_are_asked_and_counted_with_the_run_before(open_script: OpenScript, tmp_path: Path) -> None:
+    file = tmp_path / "it.toml"
+    file.write_text(ASKING)
+    file.with_name("it.solution.gd").write_text("FW 3")
+    script = open_script(answers=["yellow", "7"], world=f"challenge:{file}")
+
+    script.answers_to("TR 90", "TL 90", "FW 3")
+    assert script.answers_to("QUESTIONS") == ["Right.", "No. There is 1.", "1 of 2 questions right."]
+    assert script.interaction.asked[-2:] == [
+        "Which colour is the ball?",
+        "How many of these are there: ball?",
+    ]
+    assert script.answers_to("RESULTS") == [
+        "1 of 1 solved.",
+        "it: solved, 3 tries, 0 hints, 0 bumps.",
+        "3 steps, the shortest way is 3, 7 seconds.",
+        "1 of 2 questions right.",
+    ]
+
+
+def test_questions_that_are_left_keep_the_try(open_script: OpenScript, tmp_path: Path) -> None:
+    file = tmp_path / "it.toml"
+    file.write_text(ASKING)
+    script = open_script(world=f"challenge:{file}")
+
+    script.answers_to("FW 3", "QUESTIONS")
+    assert script.answers_to("RESULTS")[-1] == "0 of 2 questions right."
+    script.answers_to("FW 1", "BW 1")
+    script.close()
+    (kept,) = tmp_path.rglob("challenges.txt")
+    assert [line.split("\t")[2] for line in kept.read_text().splitlines()] == ["True", "True", "True"]
+
+
+def test_a_progress_file_of_an_earlier_version_is_read(open_script: OpenScript, tmp_path: Path) -> None:
+    script = open_script(world="challenge:first_walk")
+    script.answers_to("FW 5")
+    (kept,) = tmp_path.rglob("challenges.txt")
+    kept.write_text("2026-01-01\tfirst_walk\tTrue\t1\t1\t2\t5\t0\t1\n")
+
+    assert script.answers_to("RESULTS") == [
+        "1 of 1 solved.",
+        "The first walk: solved, 1 try, 1 hint, 0 bumps.",
+    ]

@@ -1,0 +1,148 @@
+"""Questions about the world after a run: what is asked, which answer is right, and whether the typed one is.
+
+Directions are compass degrees or a point of the compass, distances are steps until the robot would touch the
+thing. Things count where they are at the end of the run.
+"""
+
+from __future__ import annotations
+
+import re
+
+from msgspec import Struct
+from msgspec.structs import replace
+
+from devices.ports.robot import Pose
+from donnie_tui.core.goals import Inventory, Item, Track, bearing, gap_to
+from donnie_tui.core.wording import COMPASS, Wording, called, coloured, meant, the_coloured
+from language import keywords
+from worlds.challenges import Ask, ChallengeQuestion
+
+TOLERANCES = {Ask.DIRECTION: 30.0, Ask.DISTANCE: 2.0}
+"""Degrees and steps that an answer may be off by where the challenge doesn't say; else nothing."""
+_NUMBER = re.compile(r"\d+(?:[.,]\d+)?")
+
+
+class Asked(Struct, frozen=True):
+    """A question about the world as one run left it."""
+
+    question: ChallengeQuestion
+    room: Inventory
+    track: Track
+
+    def text(self, wording: Wording) -> str:
+        """The question in words."""
+        question = self.question
+        things = [self._item(name) for name in question.things]
+        if question.ask is Ask.ORDER:
+            names = enumerate(zip(things, question.things, strict=True), start=1)
+            listed = (f"{at} {_listed(each, name, wording)}" for at, (each, name) in names)
+            return wording("question-order", origin=self._origin_in_words(wording), things="; ".join(listed))
+        thing, name, code = things[0], question.things[0], f"question-{question.ask.value}"
+        match question.ask:
+            case Ask.COUNT:
+                return wording(code, target=_listed(thing, name, wording))
+            case Ask.COLOUR:
+                return wording(code, target=called(thing.kind, thing.name, wording))
+            case _:
+                return wording(code, origin=self._origin_in_words(wording), target=_the(thing, name, wording))
+
+    def right_answer(self, wording: Wording) -> str:
+        """What is right, in words."""
+        code = f"answer-{self.question.ask.value}"
+        match self.question.ask:
+            case Ask.DIRECTION:
+                degrees = round(self._direction()) % 360
+                point = wording(f"compass-{COMPASS[round(degrees / 45) % 8]}")
+                return wording(code, direction=point, degrees=degrees)
+            case Ask.DISTANCE:
+                return wording(code, steps=round(self._distance(self.question.things[0])))
+            case Ask.COUNT:
+                return wording(code, count=self._count())
+            case Ask.COLOUR:
+                return wording(code, colour=wording(f"colour-{self._colour()}"))
+            case Ask.ORDER:
+                return wording(code, numbers=" ".join(map(str, self._order())))
+
+    def is_right(self, typed: str) -> bool:
+        """Whether the learner knows it."""
+        question = self.question
+        default = TOLERANCES.get(question.ask, 0.0)
+        tolerance = default if question.tolerance is None else question.tolerance
+        numbers = [float(each.replace(",", ".")) for each in _NUMBER.findall(typed)]
+        match question.ask:
+            case Ask.DIRECTION:
+                point = meant(typed, "compass")
+                degrees = COMPASS.index(point) * 45.0 if point in COMPASS else next(iter(numbers), None)
+                if degrees is None:
+                    return False
+                return abs((degrees - self._direction() + 180) % 360 - 180) <= tolerance
+            case Ask.DISTANCE:
+                return bool(numbers) and abs(numbers[0] - self._distance(question.things[0])) <= tolerance
+            case Ask.COUNT:
+                return bool(numbers) and abs(numbers[0] - self._count()) <= tolerance
+            case Ask.COLOUR:
+                words = (keywords.argument("COLOUR", each) for each in re.findall(r"\w+", typed))
+                return self._colour() in [each.value for each in words if each is not None]
+            case Ask.ORDER:
+                return [int(each) for each in re.findall(r"\d", typed)] == self._order()
+
+    # --- what is right
+
+    def _item(self, name: str) -> Item:
+        return next(each for each in self.track.items if each.is_called(name))
+
+    def _origin(self) -> Pose:
+        way = next(iter(self.track.ways.values()))
+        match self.question.origin:
+            case "start":
+                return way[0]
+            case "end":
+                return way[-1]
+            case str() as name:
+                item = self._item(name)
+                return Pose(item.x, item.y, 0.0)
+            case x, y:
+                return Pose(x, y, 0.0)
+
+    def _origin_in_words(self, wording: Wording) -> str:
+        match self.question.origin:
+            case "start" | "end" as place:
+                return wording(f"question-from-{place}")
+            case str() as name:
+                return wording("question-from", origin=_the(self._item(name), name, wording))
+            case x, y:
+                return wording("question-from", origin=f"{x:g}, {y:g}")
+
+    def _direction(self) -> float:
+        here, item = self._origin(), self._item(self.question.things[0])
+        return bearing(here.x, here.y, item.x, item.y)
+
+    def _distance(self, name: str) -> float:
+        """From the robot's body where it is or was, else from the middle of the place or thing."""
+        is_of_robot = self.question.origin in ("start", "end")
+        room = self.room if is_of_robot else replace(self.room, radius=0.0)
+        return gap_to(self._origin(), name, room, self.track.items)[0]
+
+    def _count(self) -> int:
+        return sum(each.is_called(self.question.things[0]) for each in self.track.items)
+
+    def _colour(self) -> str:
+        return self._item(self.question.things[0]).colour
+
+    def _order(self) -> list[int]:
+        """The numbers of the things, from near to far."""
+        gaps = [self._distance(each) for each in self.question.things]
+        return sorted(range(1, len(gaps) + 1), key=lambda number: gaps[number - 1])
+
+
+def _the(item: Item, name: str, wording: Wording) -> str:
+    """With its colour where the question names it."""
+    if not item.colour or item.colour not in name:
+        return called(item.kind, item.name, wording)
+    return the_coloured(item.kind, item.name, item.colour, wording)
+
+
+def _listed(item: Item, name: str, wording: Wording) -> str:
+    if not item.colour or item.colour not in name:
+        return called(item.kind, item.name, wording)
+    return coloured(item.kind, item.name, item.colour, wording)

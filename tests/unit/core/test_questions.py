@@ -1,0 +1,84 @@
+"""Questions after a run. The right answers are worked out by hand from the places of the things."""
+
+from __future__ import annotations
+
+import pytest
+
+from devices.ports.robot import Pose
+from donnie_tui.core.events import Moved, Reset, Stamped
+from donnie_tui.core.goals import Inventory, Item, track_of
+from donnie_tui.core.questions import Asked
+from donnie_tui.i18n.words import Words
+from worlds.challenges import Ask, ChallengeQuestion, Target
+
+ROOM = Inventory(
+    (
+        Item(1, "chair", "chair", "green", 10.0, 10.0, 2.0, 2.0),
+        Item(2, "box", "box", "red", 0.0, 20.0, 1.0, 1.0),
+        Item(3, "box 2", "box", "blue", -30.0, 0.0, 1.0, 1.0),
+    ),
+    radius=3.0,
+    robots={"donnie": Pose(0.0, 0.0, 0.0)},
+)
+WAY = [
+    Stamped(1, 0.0, Reset(Pose(0.0, 0.0, 0.0))),
+    Stamped(2, 1.0, Moved("FW", 5, 5, None, Pose(0.0, 5.0, 0.0), True)),
+]
+
+
+def asked(
+    ask: Ask, of: str | tuple[str, ...], origin: Target = "start", tolerance: float | None = None
+) -> Asked:
+    return Asked(ChallengeQuestion(ask, of, origin, tolerance), ROOM, track_of(ROOM, WAY))
+
+
+@pytest.mark.parametrize(
+    ("question", "right", "wrong"),
+    [
+        # From 0, 0 to 10, 10 it is northeast, 45 degrees.
+        (asked(Ask.DIRECTION, "green chair"), ["45", "northeast", "nordeste", "70 degrees"], ["80", "?"]),
+        (asked(Ask.DIRECTION, "green chair", tolerance=10), ["40"], ["70"]),
+        # From 0, 5 the box at 0, 20 is straight north; 350 is only 10 degrees off.
+        (asked(Ask.DIRECTION, "red box", "end"), ["0", "350", "norte"], ["90"]),
+        # From 0, 0 to the box's south side at 19, less the body's 3: 16; from 0, 5 it is 11.
+        (asked(Ask.DISTANCE, "red box"), ["16", "15 steps", "18"], ["19", "13", ""]),
+        (asked(Ask.DISTANCE, "red box", "end"), ["11"], ["16"]),
+        # From the middle of the blue box, at -30, 0, to 8, 8: hypot(38, 8) is 38.8.
+        (asked(Ask.DISTANCE, "green chair", "blue box"), ["39"], ["36"]),
+        (asked(Ask.COUNT, "box"), ["2", "2.0", "there are 2"], ["3", "two"]),
+        (asked(Ask.COLOUR, "chair"), ["green", "It is green.", "verde", "VERDE"], ["red", ""]),
+        # The chair is 11.3 - 3 away, the red box 16, the blue one 26.
+        (asked(Ask.ORDER, ("blue box", "chair", "red box")), ["2 3 1", "231", "2, 3, 1"], ["1 2 3", "2 3"]),
+    ],
+)  # fmt: skip
+def test_an_answer_is_right_within_the_tolerance(question: Asked, right: list[str], wrong: list[str]) -> None:
+    assert [each for each in right if not question.is_right(each)] == []
+    assert [each for each in wrong if question.is_right(each)] == []
+
+
+@pytest.mark.parametrize(
+    ("question", "text", "answer"),
+    [
+        (
+            asked(Ask.DIRECTION, "green chair"),
+            "From the start: in which direction is the green chair?",
+            "It is to the northeast, 45 degrees.",
+        ),
+        (
+            asked(Ask.DISTANCE, "red box", "end"),
+            "From the robot: how many steps to the red box?",
+            "It is 11 steps.",
+        ),
+        (asked(Ask.COUNT, "blue box"), "How many of these are there: box, blue?", "There is 1."),
+        (asked(Ask.COLOUR, "chair"), "Which colour is the chair?", "It is green."),
+        (
+            asked(Ask.ORDER, ("red box", "chair"), (1, 2)),
+            "From 1, 2: which is nearer? Type the numbers, the nearest first: 1 box, red; 2 chair.",
+            "The order is 2 1.",
+        ),
+    ],
+)  # fmt: skip
+def test_questions_and_right_answers_in_words(question: Asked, text: str, answer: str) -> None:
+    words = Words("en")
+
+    assert (question.text(words), question.right_answer(words)) == (text, answer)
