@@ -23,7 +23,7 @@ from msgspec import Struct
 from donnie_tui.bootstrap import judge_program, starts_of
 from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.streams import Output
-from donnie_tui.core.describe import verdict_in_words
+from donnie_tui.core.describe import task_in_words, verdict_in_words
 from donnie_tui.core.goals import Judgment, unknown_things
 from donnie_tui.core.program_files import (
     LARGEST,
@@ -231,7 +231,7 @@ def _describe_challenge(order: Order, name: str) -> int:
     text = found.text(order.words.language)
     for line in (
         text.title,
-        *text.sentences,
+        *task_in_words(found, order.words)[1:],
         *(order.words("challenge-hint", text=each.text) for each in text.hint),
     ):
         order.output.line(line)

@@ -30,6 +30,7 @@ from donnie_tui.core.wording import (
     name_of,
     specific_name_of,
     whole_steps,
+    with_colour,
 )
 from language import keywords
 from language.locales import languages
@@ -370,7 +371,7 @@ def verdict_in_words(verdicts: Sequence[Judgment], room: Inventory, wording: Wor
     if at > 1:
         said.append(wording("challenge-start", number=at))
     said += [shortfall_in_words(each, room, wording) for each in verdict.shortfalls]
-    return " ".join(said[:MOST_SENTENCES])
+    return " ".join(list(dict.fromkeys(said))[:MOST_SENTENCES])
 
 
 def goals_in_words(verdict: Judgment, room: Inventory, wording: Wording) -> tuple[str, ...]:
@@ -404,11 +405,17 @@ def shortfall_in_words(shortfall: Shortfall, room: Inventory, wording: Wording) 
 def _target_in_words(target: Target, room: Inventory, wording: Wording) -> str:
     if isinstance(target, str):
         found = room.called(target)
-        return called(found[0].kind, found[0].name, wording) if found else target
+        if not found:
+            return target
+        kind, name, colour = found[0].kind, found[0].name, found[0].colour
+        is_alone = all(each.kind != kind or each.colour == colour for each in room.items)
+        return called(kind, name, wording) if is_alone else with_colour(kind, name, colour, wording)
     return f"{target[0]:g}, {target[1]:g}"
 
 
 def task_in_words(challenge: Challenge, wording: Wording) -> tuple[str, ...]:
-    """Title and task."""
-    text = challenge.text(wording.language)
-    return (wording("challenge-here", title=text.title), *text.sentences)
+    """Title, task, and the most that a solution may need."""
+    text, limit = challenge.text(wording.language), challenge.rules.limit
+    most = {each: getattr(limit, each) for each in limit.__struct_fields__}
+    limits = (wording(f"task-limit-{each}", most=round(n)) for each, n in most.items() if n is not None)
+    return (wording("challenge-here", title=text.title), *text.sentences, *limits)

@@ -178,7 +178,7 @@ def goals_of_end(room: Inventory, events: Iterable[Stamped]) -> tuple[Goal, ...]
     """The end of a solution as goals: where the robots and the things that it moved are, and what it said."""
     track = track_of(room, events)
     names = track.ways if len(room.robots) > 1 else ("",)
-    goals = [Goal(at=_here(name, room, track), robot=name) for name in names]
+    goals = [Goal(at=_here(name, room, track), robot=name, within=0.5) for name in names]
     for start, end in zip(room.items, track.items, strict=True):
         if hypot(end.x - start.x, end.y - start.y) > NEARLY and end.name not in track.held.values():
             goals.append(Goal(thing=start.name or start.kind, at=(round(end.x, 1), round(end.y, 1))))

@@ -232,6 +232,11 @@ def the_coloured(kind: str, name: str, colour: str, wording: Wording) -> str:
     return _phrase("the", kind, name, colour, wording)
 
 
+def with_colour(kind: str, name: str, colour: str, wording: Wording) -> str:
+    """In a sentence that has the article, or none: "red box", "caixa vermelha"."""
+    return _phrase("plain", kind, name, colour, wording)
+
+
 def shade(thing: Thing, wording: Wording) -> str:
     """The colour alone, agreeing with the thing's noun."""
     known = not thing.is_robot and noun(thing.kind, wording)

@@ -50,7 +50,9 @@ def test_a_shipped_challenge_is_short_in_every_language(name: str) -> None:
     assert len({len(each.hint) for each in found.texts.values()}) == 1
     for text in found.texts.values():
         assert text.hint
-        assert len(text.sentences) <= 5
+        limit = found.rules.limit
+        limits = sum(getattr(limit, each) is not None for each in limit.__struct_fields__)
+        assert len(text.sentences) + limits <= 5
         assert all(line.endswith(".") for line in text.sentences)
         lines = (text.title, *text.sentences, *(each.text for each in text.hint))
         assert all(len(line) <= 80 for line in lines)
@@ -84,6 +86,12 @@ def test_a_variant_moves_things(tmp_path: Path, capsys: pytest.CaptureFixture[st
 def test_from_the_third_on_a_shipped_challenge_has_two_starts() -> None:
     for name in challenges.names()[2:]:
         assert len(challenges.find(name).rules.variant) >= 2, name
+
+
+def test_the_task_says_the_limits(capsys: pytest.CaptureFixture[str]) -> None:
+    main(["challenge", "there_and_back", "--lang", "pt"])
+
+    assert "No máximo 2 comandos.\nNo máximo 16 passos.\n" in capsys.readouterr().out
 
 
 def test_the_list_has_a_heading_for_each_ladder(capsys: pytest.CaptureFixture[str]) -> None:

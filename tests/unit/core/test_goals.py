@@ -293,7 +293,7 @@ def test_the_end_of_a_solution_is_a_list_of_goals() -> None:
     pushed = ThingsMoved((PlacedThing("box", Pose(3.0, 9.0, 0.0), 2),))
 
     assert goals_of_end(ROOM, run(pushed, walk(0, 7), Spoke("one"), Spoke("2"), end=Pose(0.0, 7.0, 0.0))) == (
-        Goal(at=(0.0, 7.0)),
+        Goal(at=(0.0, 7.0), within=0.5),
         Goal(thing="box", at=(3.0, 9.0)),
         Goal(said=("one", "2")),
     )
