@@ -44,7 +44,9 @@ def test_a_start_that_moves_nothing_is_the_world_as_it_is(open_script: OpenScrip
 
     assert "Solved, in 1 command." in script.answers_to("FW DISTANCE F - 1")
     script.type("RESET")
-    assert "From start 2: The green cone is still 6 steps away, to the north." in script.answers_to("FW 3")[-1]
+    assert (
+        "From start 2: The green cone is still 6 steps away, to the north." in script.answers_to("FW 3")[-1]
+    )
 
 
 def test_a_line_with_a_mistake_of_form_is_no_try(open_script: OpenScript) -> None:
