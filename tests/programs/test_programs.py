@@ -29,7 +29,7 @@ from tests.timeouts import TIMEOUT
 
 FOLDER = Path(__file__).parent
 PROGRAMS = sorted(FOLDER.glob("*/*.gd"))
-GUIDES = [Path("docs/guide.md")]
+GUIDES = [Path("docs/guide.md"), Path("docs/pt/guia.md"), Path("docs/es/guia.md")]
 DOCUMENTS = sorted({*Path("docs").glob("??/*.md"), *GUIDES})
 EXAMPLE = re.compile(
     r"(?P<before>^```godonnie\n(?P<program>.*?)^```\n.*?^```text\n)(?P<printed>.*?)^```\n",
@@ -111,7 +111,7 @@ def test_every_example_of_a_document_prints_the_text_after_it(document: Path) ->
     assert printed == document.read_text(encoding="utf-8")
 
 
-@pytest.mark.parametrize("guide", GUIDES, ids=[each.stem for each in GUIDES])
+@pytest.mark.parametrize("guide", GUIDES, ids=[each.as_posix() for each in GUIDES])
 def test_a_guide_has_an_example_of_every_command_of_a_program(guide: Path) -> None:
     """RUN, HELP and QUIT are typed at the prompt."""
     examples = " ".join(each["program"] for each in EXAMPLE.finditer(guide.read_text(encoding="utf-8")))
