@@ -21,9 +21,11 @@ from donnie_tui.core.workspace import Workspace
 from donnie_tui.settings.settings import speed_words
 from donnie_tui.tui.event_queue import EventBatch
 from donnie_tui.tui.pane_text import (
+    VariableChanges,
     colour_initials,
     inspector_lines,
     robot_sentence,
+    scopes_of,
     state_badge,
     state_sentences,
 )
@@ -60,6 +62,7 @@ class Display:
         self._distances: Mapping[Bearing, int] = {}
         self._has_belt = False
         """Whether a belt has shown anything yet."""
+        self._changes = VariableChanges()
         self._kinds: dict[str, str] = {}
         self._answer = ""
         """The last answer, until the learner looks elsewhere."""
@@ -98,6 +101,7 @@ class Display:
         if fresh:
             self._place.map.begin(self.scene.begin(pose) | self._show_others())
             self._readings.clear()
+            self._changes.forget()
 
     def _show_others(self) -> frozenset[Cell]:
         """The robots that are not chosen stay where they are when this one begins anew."""
@@ -237,8 +241,11 @@ class Display:
         distances = self._distances if self.shows_distances else {}
         readings = tuple(self._readings.values())
         belt = self._donnie.outlets.belt.rows() if self._has_belt else ()
+        frames, changes = self._runs.frames, None if self._place.is_plain else self._changes
+        if changes is not None:
+            changes.look(scopes_of(frames, variables), [frame.line for frame in frames])
         self._place.inspector.show(
-            inspector_lines(self._runs.frames, variables, distances, readings, belt, self._words)
+            inspector_lines(frames, variables, distances, readings, belt, self._words, changes)
         )
 
     def say_status(self) -> None:

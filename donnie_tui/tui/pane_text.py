@@ -70,6 +70,43 @@ def colour_initials(words: Wording) -> dict[str, str]:
     return found
 
 
+class VariableChanges:
+    """What variables were before their last change, and which the last step changed.
+
+    A scope is a procedure, or the program with an empty name.
+    """
+
+    def __init__(self) -> None:
+        self._seen: tuple[object, dict[tuple[str, str], int]] = ((), {})
+        self.was: dict[tuple[str, str], int] = {}
+        self.changed: frozenset[tuple[str, str]] = frozenset()
+
+    def look(self, scopes: Sequence[tuple[str, Sequence[tuple[str, int]]]], lines: Sequence[int]) -> None:
+        """The variables of each scope, at these lines of the calls."""
+        place, before = self._seen
+        now = {(scope, name): value for scope, variables in scopes for name, value in variables}
+        if (tuple(lines), now) == (place, before):
+            return
+        self._seen = tuple(lines), now
+        self.changed = frozenset(each for each in now if before.get(each) != now[each])
+        self.was.update({each: before[each] for each in self.changed & before.keys()})
+
+    def forget(self) -> None:
+        """A program begins anew."""
+        self.__init__()  # type: ignore[misc]
+
+
+def scopes_of(
+    frames: Sequence[Frame], variables: Mapping[str, int]
+) -> tuple[tuple[str, Sequence[tuple[str, int]]], ...]:
+    """The variables that can be used now: those of the procedure that runs, and those of the program."""
+    if not frames:
+        return (("", tuple(variables.items())),)
+    inner, outer = frames[0], frames[-1]
+    own = ((inner.procedure, inner.variables),) if inner.procedure else ()
+    return (*own, ("", outer.variables if not outer.procedure else ()))
+
+
 def inspector_lines(
     frames: Sequence[Frame],
     variables: Mapping[str, int],
@@ -77,25 +114,85 @@ def inspector_lines(
     readings: Sequence[Read],
     belt: Sequence[str],
     words: Wording,
+    changes: VariableChanges | None = None,
 ) -> tuple[str, ...]:
     """Variables, calls, the distances and the belt now, and last what the program read of each sensor.
 
-    The belt is in words, and as two rows of seven.
+    The belt is in words, and as two rows of seven. With ``changes`` variables are a table and the distances
+    stand around the robot; without, all are sentences to be heard.
     """
+    scopes = [each for each in scopes_of(frames, variables) if each[1]]
+    is_seen = changes is not None
     return (
-        *_variables(frames[0].variables if frames else tuple(variables.items()), words),
+        *(_table(scopes, changes, words) if changes is not None else _variables(scopes, words)),
         *_calls(frames, words),
-        *_distances(distances, words),
+        *(
+            _compass(distances, words)
+            if is_seen and distances.keys() <= _AROUND
+            else _distances(distances, words)
+        ),
         *belt,
         *_readings(readings, words),
     )
 
 
-def _variables(variables: Sequence[tuple[str, int]], words: Wording) -> tuple[str, ...]:
-    if not variables:
+def _table(
+    scopes: Sequence[tuple[str, Sequence[tuple[str, int]]]], changes: VariableChanges, words: Wording
+) -> tuple[str, ...]:
+    """Name, value, and what it was; ``*`` is before the ones that the last step changed."""
+    if not scopes:
         return (words("inspector-no-variables"),)
-    lines = (words("inspector-variable", name=name, value=_short(value)) for name, value in variables)
-    return (words("inspector-variables"), *lines)
+    head = tuple(words(f"inspector-{column}") for column in ("name", "value", "was"))
+    rows: list[tuple[str, tuple[str, str, str]]] = [(" ", (head[0], head[1], head[2]))]
+    for number, (scope, variables) in enumerate(scopes):
+        if number:
+            rows.append(("", (words("inspector-of-program"), "", "")))
+        for name, value in variables:
+            was = changes.was.get((scope, name))
+            mark = "*" if (scope, name) in changes.changed else " "
+            rows.append((mark, (name, _short(value), "" if was is None else _short(was))))
+    cells = [row for mark, row in rows if mark]
+    widths = [max(len(row[column]) for row in cells) for column in range(3)]
+    return tuple(
+        f"{mark}{name.ljust(widths[0])}  {value.rjust(widths[1])}  {was.rjust(widths[2])}".rstrip()
+        if mark
+        else name
+        for mark, (name, value, was) in rows
+    )
+
+
+_AROUND = {
+    *(Bearing.FRONT_LEFT, Bearing.FRONT, Bearing.FRONT_RIGHT),
+    *(Bearing.BACK_LEFT, Bearing.BACK, Bearing.BACK_RIGHT),
+}
+
+
+def _compass(distances: Mapping[Bearing, int], words: Wording) -> tuple[str, ...]:
+    """The distances where they were measured, around the robot, which looks up."""
+    if not distances:
+        return ()
+    sides = words("where-front"), words("where-back")
+    width = max(map(len, sides))
+    rows = (
+        (Bearing.FRONT_LEFT, Bearing.FRONT, Bearing.FRONT_RIGHT),
+        (Bearing.BACK_LEFT, Bearing.BACK, Bearing.BACK_RIGHT),
+    )
+    ahead, behind = (
+        side.ljust(width) + "".join(f"{distances.get(bearing, '-'):>6}" for bearing in row)
+        for side, row in zip(sides, rows, strict=True)
+    )
+    return words("inspector-distances"), ahead, " " * (width + 11) + "^", behind
+
+
+def _variables(scopes: Sequence[tuple[str, Sequence[tuple[str, int]]]], words: Wording) -> tuple[str, ...]:
+    if not scopes:
+        return (words("inspector-no-variables"),)
+    lines = [words("inspector-variables")]
+    for number, (_scope, variables) in enumerate(scopes):
+        if number:
+            lines.append(words("inspector-of-program"))
+        lines += [words("inspector-variable", name=name, value=_short(value)) for name, value in variables]
+    return tuple(lines)
 
 
 def _short(value: int) -> str:

@@ -1,18 +1,17 @@
 """The distances in the inspector: those of the place where the robot is, whether its program asked or not."""
 
-import re
-
 import pytest
 
 from donnie_tui.core.events import Sensed
 from donnie_tui.core.run_state import RunState
 from donnie_tui.i18n.words import Words
-from donnie_tui.tui.pane_text import inspector_lines
+from donnie_tui.tui.pane_text import VariableChanges, inspector_lines
+from language.runtime import Frame
 
 
 def ahead(screen) -> int:
     """What the inspector says of it."""
-    return int(re.search(r"^ahead: (\d+)$", "\n".join(screen.main.inspector.lines), re.MULTILINE)[1])
+    return int(shown(screen)[0])
 
 
 def known(screen) -> list[str]:
@@ -22,16 +21,27 @@ def known(screen) -> list[str]:
 
 
 def shown(screen) -> list[str]:
+    """From the front to the right and round, out of a list or a picture of the robot from above."""
     lines = screen.main.inspector.lines
     first = lines.index("Distances now:") + 1
-    return [line.split(": ")[1] for line in lines[first : first + 6]]
+    if screen.main.is_plain:
+        return [line.split(": ")[1] for line in lines[first : first + 6]]
+    front_left, front, front_right = lines[first].split()[1:]
+    assert lines[first + 1].strip() == "^"
+    back_left, back, back_right = lines[first + 2].split()[1:]
+    return [front, front_right, back_right, back, back_left, front_left]
 
 
 async def test_the_distances_are_there_before_anything_runs(open_screen):
     async with open_screen(world="living_room", size=(120, 40)) as screen:
         lines = screen.main.inspector.lines
 
-        assert lines[1:4] == ("Distances now:", "ahead: 24", "ahead right: 35")
+        assert lines[1:] == (
+            "Distances now:",
+            "ahead      3    24    35",
+            "                 ^",
+            "behind     3     2     3",
+        )
         assert shown(screen) == known(screen)
 
 
@@ -126,3 +136,43 @@ async def test_a_reader_is_not_given_each_distance_of_a_moving_robot(open_screen
 )
 def test_a_long_number_has_its_first_digits_and_how_many_there_are(value, shown):
     assert inspector_lines((), {"a": value}, {}, (), (), Words())[1] == f"a is {shown}"
+
+
+def test_variables_are_a_table_with_what_they_were_and_marks_of_the_last_step():
+    changes = VariableChanges()
+
+    def step(line: int, **variables: int) -> tuple[str, ...]:
+        changes.look([("", tuple(variables.items()))], [line])
+        return inspector_lines((), variables, {}, (), (), Words(), changes)
+
+    step(1, base=5, height=4)
+    assert step(2, base=5, height=3) == (
+        " name    value  was",
+        " base        5",
+        "*height      3    4",
+    )
+    assert step(3, base=5, height=3)[2] == " height      3    4"
+
+
+def test_inside_a_procedure_the_variables_of_the_program_are_still_there():
+    frames = (Frame("WALK", 2, (("steps", 3),)), Frame("", 5, (("total", 12),)))
+    changes = VariableChanges()
+
+    lines = inspector_lines(frames, {}, {}, (), (), Words(), changes)
+    assert lines[:4] == (" name   value  was", " steps      3", "Of the program:", " total     12")
+    heard = inspector_lines(frames, {}, {}, (), (), Words())
+    assert heard[:4] == ("Variables:", "steps is 3", "Of the program:", "total is 12")
+
+
+async def test_a_step_marks_the_variable_that_it_changed(open_screen):
+    program = "PROCEDURE ADD: n DO\nVAR sum = n + 1\nsum = sum + 1\nFW 1\nEND PROCEDURE\nVAR a = 5\nADD [a]"
+    async with open_screen(program, size=(120, 40)) as screen:
+        screen.main.editor.go_to(3)
+        await screen.press("f10")
+        await screen.shows("Line 3, level 1")
+        await screen.press("f7")
+        await screen.shows("Line 4: FW 1")
+        lines = screen.main.inspector.lines
+
+        assert "*sum       7    6" in lines
+        assert " a         5" in lines

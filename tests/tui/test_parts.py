@@ -122,8 +122,8 @@ async def test_where_there_is_little_room_the_kind_stands_before_the_sentence():
         await pilot.resize_terminal(80, 10)
         await pilot.pause()
         assert [rows.render_line(y).text.split() for y in range(2)] == [
-            ["Hello.", "says"],
-            ["Obstacle", "ahead.", "obstacle"],
+            ["says", "Hello."],
+            ["obstacle", "Obstacle", "ahead."],
         ]
 
 

@@ -178,7 +178,7 @@ async def test_the_inspector_names_variables_calls_and_readings(open_screen):
         await screen.shows("Line 3: FW 1")
         await screen.until(lambda: "distance ahead: 60" in screen.main.inspector.lines, "the reading")
 
-        assert "wide is 7" in screen.main.inspector.lines
+        assert "*wide      7" in screen.main.inspector.lines
         assert "program, line 3" in screen.main.inspector.lines
 
 

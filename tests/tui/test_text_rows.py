@@ -45,4 +45,5 @@ async def test_a_search_goes_to_the_next_older_line_and_from_the_oldest_to_the_n
             found.append(rows.row_text)
 
         assert found == ["5 wall", "3 wall", "1 wall", "5 wall"]
+        assert [rows.render_line(row).text[0] for row in range(7)] == [*" * * > "]
         assert not rows.search("gate")

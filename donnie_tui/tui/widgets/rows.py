@@ -2,8 +2,8 @@
 
 The fixed rows at the bottom: the status line and the keys. Written only when their words change.
 
-Rows of text to read: the log, the inspector, the help. Each line may have its kind in words at the right,
-or before the sentence where there is little room.
+Rows of text to read: the log, the inspector, the help. Each line may have its kind in words before it, in a
+column of its own where there is room.
 
 Made for programs that speak without end: lines are kept as texts, wrapped only where they are too long, and
 painted only where they are seen. One row is being read: the terminal's own cursor stands on it while the
@@ -129,7 +129,7 @@ _NOT_KNOWN = 1 << 16
 """The width of a log before there is one: a line is a row."""
 _KIND_WIDTH = 10
 _NARROW = 56
-"""Columns below which the kinds stand before the sentences, so that these keep their room."""
+"""Columns below which the kinds have no column of their own."""
 
 LOOKS = {
     "error": "error",
@@ -171,6 +171,10 @@ class TextRows(PaintedRows, can_focus=True):
         """A row each; the kind stands in the first row of its line."""
         self._heights: list[int] = []
         """How many rows each line takes."""
+        self._has_kinds = follows
+        """Whether there is a column for kinds, where it has room."""
+        self._marked = ""
+        """What was searched last: the rows that have it begin with ``*``."""
         self.looks: dict[str, str] = {}
         """Of the words of a kind, where it has a look of its own."""
         self._wrapped_at = (0, True, False)
@@ -185,6 +189,7 @@ class TextRows(PaintedRows, can_focus=True):
         for text, kind in lines:
             self._lines.append(text)
             self._kinds.append(kind)
+            self._has_kinds = self._has_kinds or bool(kind)
         self._wrap_from(first)
         if len(self._rows) == before:
             return
@@ -274,11 +279,11 @@ class TextRows(PaintedRows, can_focus=True):
 
     @property
     def _shows_kinds(self) -> bool:
-        return self.size.width >= _NARROW
+        return self._has_kinds and self.size.width >= _NARROW
 
     @property
     def _begins_with_kinds(self) -> bool:
-        return not self._shows_kinds
+        return self.size.width < _NARROW
 
     @property
     def _look_of_rows(self) -> tuple[int, bool, bool]:
@@ -395,7 +400,8 @@ class TextRows(PaintedRows, can_focus=True):
 
     def search(self, wanted: str) -> bool:
         """Read the nearest older line that has the text, else the newest that has; False if none has."""
-        folded = wanted.casefold()
+        folded = self._marked = wanted.casefold()
+        self.refresh()
         hits = [at for at, line in enumerate(self._lines) if folded in line.casefold()]
         if not hits:
             return False
@@ -421,13 +427,14 @@ class TextRows(PaintedRows, can_focus=True):
         here = self.is_read and row == self.row
         kind = self._row_kinds[row][:_KIND_WIDTH]
         look = style if here else self.painted_as(self.looks.get(self._row_kinds[row], "kind"))
-        before = Segment(">" if here else " ", style)
+        is_found = bool(self._marked) and self._marked in text.casefold()
+        before = Segment(">" if here else "*" if is_found else " ", style)
         if kind and self._begins_with_kinds:
             return [before, Segment(text[: len(kind)], look), Segment(text[len(kind) :], style)]
-        if not kind or not self._shows_kinds:
+        if not self._shows_kinds:
             return [before, Segment(text, style)]
-        gap = " " * (self._text_width + 1 - cell_len(text))
-        return [before, Segment(text, style), Segment(gap, style), Segment(kind, look)]
+        gap = " " * (_KIND_WIDTH + 1 - cell_len(kind))
+        return [before, Segment(kind, look), Segment(gap + text, style)]
 
     def _words_of(self, row: int) -> str:
         return self._rows[row]
