@@ -65,6 +65,8 @@ class Option(Struct, frozen=True):
     """Whether it is what is chosen now."""
     number: int = 0
     """What is typed to choose it where the options are printed; 0 where they can't be chosen so."""
+    also: str = ""
+    """Other words with which a learner may look for it; they are not shown."""
 
 
 class Interaction(Protocol):

@@ -16,7 +16,7 @@ from rich.text import Text
 from textual import events
 from textual.screen import Screen
 
-from donnie_tui.commands.keys import KeyTable
+from donnie_tui.commands.keys import PALETTE, KeyTable
 from donnie_tui.i18n.first_words import early
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.folders import UNSAVED, state_folder
@@ -227,7 +227,10 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             self.main_screen.log_lines([(early("screen-starting", self._language), "")])
 
     def on_key_line_clicked(self, event: KeyLine.Clicked) -> None:
-        self._keyboard.act(event.action)
+        if event.action == PALETTE:
+            self.action_command_palette()
+        else:
+            self._keyboard.act(event.action)
 
     def on_command_line_typed(self, event: CommandLine.Typed) -> None:
         if self.controller is not None:

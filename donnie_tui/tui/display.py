@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping
 
 from devices.ports.robot import Bearing, Pose
 from donnie_tui.bootstrap import Donnie
-from donnie_tui.commands.keys import KeyTable
+from donnie_tui.commands.keys import PALETTE, KeyTable, key_label
 from donnie_tui.core.events import Read
 from donnie_tui.core.map_grid import Cell, floor_size
 from donnie_tui.core.map_scene import Line, MapScene
@@ -210,7 +210,8 @@ class Display:
         self.say_status()
         self._show_inspector()
         offered = (name for name in _OFFERED[self._runs.state] if self._table.of(name))
-        self._place.keys.offer([(name, self._key_entry(name)) for name in offered])
+        everything = f"{key_label(PALETTE, self._words.language)} {self._words('key-all')}"
+        self._place.keys.offer([*((name, self._key_entry(name)) for name in offered), (PALETTE, everything)])
 
     def _key_entry(self, name: str) -> str:
         shown_as = "continue_" if name == "pause" and self._runs.state is RunState.PAUSED else name

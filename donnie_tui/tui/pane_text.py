@@ -325,8 +325,16 @@ def _focused_part(place: MainScreen) -> str:
 
 
 def palette(words: Wording, table: KeyTable) -> tuple[Option, ...]:
-    """Every command, with its keys."""
-    return tuple(Option(each.name, _palette_row(each, words, table)) for each in _offered(table))
+    """Every command, with its keys; it is also found by what people call it elsewhere."""
+    return tuple(
+        Option(each.name, _palette_row(each, words, table), also=_synonyms(each, words))
+        for each in _offered(table)
+    )
+
+
+def _synonyms(command: Command, words: Wording) -> str:
+    code = f"also-{command.name}"
+    return words(code) if words.knows(code) else ""
 
 
 def _offered(table: KeyTable) -> list[Command]:

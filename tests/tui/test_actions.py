@@ -195,3 +195,32 @@ async def test_the_menu_key_lists_its_letters_and_esc_closes_the_list(open_scree
         assert "A: WHOLE MAP: Shows all, or follows Donnie." in screen.text
         await screen.press("escape")
         await screen.until(lambda: screen.app.screen is screen.main, "the main screen")
+
+
+@pytest.mark.parametrize(
+    ("typed", "language", "names"),
+    [
+        ("breakpoint", "en", {"break_"}),
+        ("colour", "en", {"theme"}),
+        ("exit", "en", {"quit"}),
+        ("bigger", "en", {"zoom_in"}),
+        ("copy", "en", {"save_as", "report"}),
+        ("comment", "en", {"manual"}),
+        ("mute", "en", {"quiet", "cues", "set"}),
+        ("indent", "en", {"format"}),
+        ("cor", "pt", {"theme"}),
+        ("maior", "pt", {"zoom_in"}),
+        ("mudo", "pt", {"quiet", "cues", "set"}),
+        ("copiar", "es", {"save_as", "report"}),
+        ("sangria", "es", {"format"}),
+        ("cerrar", "es", {"quit"}),
+    ],
+)
+async def test_the_palette_finds_what_people_call_it_elsewhere(open_screen, typed, language, names):
+    async with open_screen("FW 1", language=language) as screen:
+        await screen.press("ctrl+p")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the palette")
+        await screen.press(*typed)
+        await screen.painted()
+
+        assert {each.value for each in screen.app.screen._fitting[: len(names)]} == names

@@ -49,3 +49,29 @@ async def test_a_click_next_to_the_floor_explores_nothing(open_screen):
         await screen.pilot.pause()
 
         assert not shown.is_exploring
+
+
+async def test_the_palette_is_reached_by_a_click_and_its_rows_too(open_screen):
+    async with open_screen("FW 2") as screen:
+        keys = screen.main.keys
+        assert keys.words.endswith("Ctrl+P All")
+        await screen.pilot.click(keys, offset=Offset(keys.words.index("All"), 0))
+        await screen.until(lambda: screen.app.screen is not screen.main, "the palette")
+        await screen.painted()
+        row = next(at for at, line in enumerate(screen.text.splitlines()) if "STEP (" in line)
+        await screen.pilot.click(offset=(5, row))
+        await screen.shows("Line 1: FW 2")
+
+
+async def test_a_click_chooses_a_world(open_screen):
+    async with open_screen() as screen:
+        await screen.type_line("WORLDS")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the list")
+        await screen.painted()
+        chosen: list[str] = []
+        screen.app.screen.dismiss = lambda value: chosen.append(value)
+        row = next(at for at, line in enumerate(screen.text.splitlines()) if " corridor: " in line)
+        await screen.pilot.click(offset=(5, row))
+        await screen.until(lambda: chosen, "the choice")
+
+        assert chosen == ["corridor"]

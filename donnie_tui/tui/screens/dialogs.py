@@ -10,6 +10,7 @@ The words that may stand at the cursor, in a list below it. Enter takes one, Esc
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from typing import ClassVar
 
@@ -19,6 +20,7 @@ from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Vertical
 from textual.geometry import Offset
+from textual.message import Message
 from textual.screen import ModalScreen
 from textual.widgets import Input, OptionList, Static
 
@@ -80,18 +82,33 @@ FAR = 10**6
 
 
 def _rank(text: str, typed: str) -> int:
-    """What is called as was typed comes first, then what begins so, then what has it anywhere."""
+    """What is called as was typed comes first, then what begins so, what has it as a word, or anywhere."""
     if not text.startswith(typed):
-        return 2
+        return 2 if re.search(rf"\b{re.escape(typed)}\b", text) else 3
     return int(text[len(typed) :].strip()[:1] not in ("", "(", ":", ","))
 
 
 class _Rows(TextRows, can_focus=False):
     """Rows of which one is always chosen: the focus stays where one types."""
 
+    class Clicked(Message):
+        """A line was clicked."""
+
+        def __init__(self, line: int) -> None:
+            super().__init__()
+            self.line = line
+
     @property
     def is_read(self) -> bool:
         return True
+
+    def on_click(self, event: events.Click) -> None:
+        """The line under the mouse, if there is one."""
+        place = event.get_content_offset(self)
+        row = self.scroll_offset.y + place.y if place is not None else self.row_count
+        if row < self.row_count:
+            self._read(row)
+            self.post_message(self.Clicked(self.line))
 
 
 class _Narrowing(InputLine):
@@ -155,7 +172,7 @@ class Chooser(ModalScreen[str | None]):
 
         event.stop()
         words = fold_name(event.value).split()
-        folded = ((each, fold_name(each.text)) for each in self._choices)
+        folded = ((each, fold_name(f"{each.text}\n{each.also}")) for each in self._choices)
         fitting = [(each, text) for each, text in folded if all(word in text for word in words)]
         fitting.sort(key=lambda pair: _rank(pair[1], " ".join(words)))
         self._fitting = tuple(each for each, _text in fitting)
@@ -179,6 +196,11 @@ class Chooser(ModalScreen[str | None]):
         event.stop()
         if self._fitting:
             self.dismiss(self._fitting[min(self.rows.line, len(self._fitting) - 1)].value)
+
+    def on__rows_clicked(self, event: _Rows.Clicked) -> None:
+        """A click chooses, as Enter does."""
+        if self._fitting:
+            self.dismiss(self._fitting[min(event.line, len(self._fitting) - 1)].value)
 
     def action_go_back(self) -> None:
         self.dismiss(None)

@@ -94,16 +94,17 @@ class KeyLine(FixedLine):
     def __init__(self, *, id: str) -> None:  # noqa: A002 -- Textual's own name
         super().__init__(id=id)
         self._entries: tuple[tuple[str, str], ...] = ()
+        self._seen: tuple[tuple[str, str], ...] = ()
 
     def offer(self, entries: Sequence[tuple[str, str]]) -> None:
-        """Actions with the words that are shown for them."""
+        """Actions with the words that are shown for them. The last one is shown wherever it fits at all."""
         self._entries = tuple(entries)
         self._fit()
 
     def on_click(self, event: Click) -> None:
         place = event.get_content_offset(self)
         begin = 1
-        for action, entry in self._entries:
+        for action, entry in self._seen:
             if place is not None and begin <= place.x < min(begin + len(entry), len(self.words)):
                 self.post_message(self.Clicked(action))
             begin += len(entry) + len(_GAP)
@@ -112,14 +113,16 @@ class KeyLine(FixedLine):
         self._fit()
 
     def _fit(self) -> None:
-        room = self.size.width - 1
-        shown: list[str] = []
-        for _action, entry in self._entries:
-            room -= len(entry) + (len(_GAP) if shown else 0)
+        *entries, last = self._entries or (("", ""),)
+        room = self.size.width - 1 - len(last[1])
+        seen: list[tuple[str, str]] = []
+        for each in entries:
+            room -= len(each[1]) + len(_GAP)
             if room < 0:
                 break
-            shown.append(entry)
-        self.say(f" {_GAP.join(shown)}")
+            seen.append(each)
+        self._seen = (*seen, last)
+        self.say(f" {_GAP.join(entry for _action, entry in self._seen)}")
 
 
 MOST_LINES = 100_000
