@@ -119,7 +119,7 @@ def inspector_lines(
     """Variables, calls, the distances and the belt now, and last what the program read of each sensor.
 
     The belt is in words, and as two rows of seven. With ``changes`` variables are a table and the distances
-    stand around the robot; without, all are sentences to be heard.
+    stand around the robot; without, all are sentences.
     """
     scopes = [each for each in scopes_of(frames, variables) if each[1]]
     is_seen = changes is not None
