@@ -202,6 +202,8 @@ async def stop(ctx: Context, _: str) -> None:
         ctx.runs.stop()
     except NothingRuns:
         ctx.answer("answer-nothing-runs")
+        if ctx.program.is_waiting and not ctx.program.is_in_editor:
+            ctx.answer("lines-wait", lines=ctx.program.waiting)
 
 
 @handles("stop_all")

@@ -240,6 +240,12 @@ class Document:
         is_program = self.path is not None or self._is_edited_as_text or is_long
         return is_program and not self.is_saved and bool(self.text.strip())
 
+    @property
+    def is_kept_unasked(self) -> bool:
+        """Whether the text is kept without a question when the learner leaves: a few lines that ran."""
+        is_asked_about = self.is_worth_saving or self.is_waiting
+        return not self.is_saved and not is_asked_about and bool(self.text.strip())
+
     # --- running
 
     @property

@@ -1,7 +1,8 @@
 """Copies of programs that are not saved, written in the background, so that a crash loses no typed line.
 
 There is one file a program in the state folder. It is removed once the program is saved. A learner who
-leaves without saving leaves the copy in the folder: the next start does not mention it, but RECOVER opens it.
+leaves without saving leaves the copy in the folder. RECOVER opens it; the next start mentions it only if the
+learner was not asked whether to save the program.
 
 Rule: the learner never waits for the disk. ``UnsavedCopy.want`` sets what is to be on disk, ``write`` brings
 the disk up to it, in any thread, and the last text that was wanted is the one on disk at the end.
@@ -14,7 +15,7 @@ import contextlib
 import os
 import sys
 import threading
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Container, Iterable
 from typing import TYPE_CHECKING
 
 import msgspec
@@ -29,8 +30,10 @@ MOST_COPIES = 20
 """Copies of each kind that are kept; the oldest are removed first."""
 
 _PREFIX, _SUFFIX = "unsaved-", ".gd"
+_KEPT = "kept-"
+"""The prefix of a copy that its learner left without a question: the next start offers it."""
 _LEFT = "left-"
-"""The prefix of a copy that its learner left without saving the program."""
+"""The prefix of a copy that its learner gave up, or did not open at the next start."""
 _FILE = "-- What was not saved of the file: "
 """The first line of a copy, with the path of the program's file; a comment of the language."""
 
@@ -54,12 +57,16 @@ class CopyFolder:
         """Held while a copy of this start is made: it is not one that an earlier start left."""
 
     def rescued(self) -> list[Path]:
-        """The copies that a crash or a lost connection left, the newest first."""
+        """The copies that a start offers, the newest of each kind first.
+
+        A crash or a lost connection left them, or a learner who was asked nothing at the start before.
+        """
         with self._naming:
             found = self.newest_first(_PREFIX)
-        return [
+        crashed = [
             each for each in found if each not in self.in_use and _has_text(each) and not _is_in_use(each)
         ]
+        return crashed + self.newest_first(_KEPT)
 
     def left(self) -> list[Path]:
         """The copies that a learner left on purpose, the newest first."""
@@ -80,13 +87,23 @@ class CopyFolder:
         _remove_oldest(each for each in self.newest_first(_PREFIX) if not _is_in_use(each))
         return copy
 
-    def leave(self, copy: Path) -> None:
-        """Rename a copy to one that its learner left; it is the newest of them."""
+    def leave(self, copy: Path, *, is_offered: bool = False) -> None:
+        """Rename a copy to one that its learner left, and that the next start offers, or not.
+
+        It is the newest of them.
+        """
         self.in_use.discard(copy)
+        prefix = _KEPT if is_offered else _LEFT
         with contextlib.suppress(OSError):
-            _make_newest(copy, self.left())
-            copy.rename(copy.with_name(_LEFT + copy.name.removeprefix(_PREFIX)))
-        _remove_oldest(self.left())
+            _make_newest(copy, self.newest_first(prefix))
+            copy.rename(copy.with_name(prefix + copy.name.split("-", 1)[1]))
+        _remove_oldest(self.newest_first(prefix))
+
+    def withdraw_offers(self, opened: Container[Path]) -> None:
+        """From now on RECOVER alone finds what the start before kept and the learner has not ``opened``."""
+        for each in reversed(self.newest_first(_KEPT)):
+            if each not in opened:
+                self.leave(each)
 
     def newest_first(self, prefix: str) -> list[Path]:
         try:
@@ -112,7 +129,7 @@ class UnsavedCopy:
         """Copies of earlier starts whose text this copy holds now."""
         self.is_outdated = False
         """Whether the disk is not yet as it is wanted."""
-        self._is_left = False
+        self._is_left = self._is_offered = False
         self._writing = threading.Lock()
 
     @property
@@ -141,9 +158,13 @@ class UnsavedCopy:
         else:
             self.want(text, path)
 
-    def leave(self) -> None:
-        """Once what is wanted is written, leave it for RECOVER: this start has finished with the program."""
+    def leave(self, *, is_offered: bool = False) -> None:
+        """Once what is wanted is written, leave it for RECOVER: this start has finished with the program.
+
+        ``is_offered``: the next start mentions it.
+        """
         self._is_left = self.is_outdated = True
+        self._is_offered = is_offered
 
     # --- writing
 
@@ -155,7 +176,7 @@ class UnsavedCopy:
                 self._update(self._wanted)
             if self._is_left and self._file is not None:
                 left, self._file = self._file, None
-                self._folder.leave(left)
+                self._folder.leave(left, is_offered=self._is_offered)
 
     def write_quietly(self) -> None:
         """As ``write``, at an end where a failure can't be reported any more."""

@@ -168,7 +168,7 @@ class Workspace:
         return CopyFolder(self._copies_name)
 
     def rescued(self) -> list[Path]:
-        """The copies that a crash left and that were not recovered yet, the newest first."""
+        """The copies that a start offers and that were not recovered yet."""
         return [each for each in self._folder.rescued() if each not in self._taken]
 
     def recoverable(self) -> Path | Replaced | None:
@@ -223,14 +223,20 @@ class Workspace:
             copy.write_quietly()
 
     def leave_copies(self, *, everything: bool = True) -> None:
-        """The learner leaves on purpose: at the next start RECOVER opens what is not saved, if asked to.
+        """The learner leaves on purpose: at the next start RECOVER opens what is not saved.
+
+        That start offers only a program that was kept without a question, and it offers it once.
 
         ``everything``: else only programs that came out of a copy, as in a script, whose lines are in a file.
         """
         documents = self.documents if everything else list(self._copies)
         self._updated_copies(documents, with_replaced=everything)
-        for copy in (*self._copies_of_replaced.values(), *self._copies.values()):
+        if everything:
+            self._folder.withdraw_offers(self._taken)
+        for copy in self._copies_of_replaced.values():
             copy.leave()
+        for document, copy in self._copies.items():
+            copy.leave(is_offered=everything and document.is_kept_unasked)
         self._is_finished = True
 
     def hand_over(self) -> None:

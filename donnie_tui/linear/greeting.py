@@ -111,9 +111,9 @@ class Greeting:
 
 
 def has_rescued(folder: str) -> bool:
-    """Whether a crash left an unsaved copy there. Loads ``core.recovery`` only if there may be one."""
+    """Whether there is an unsaved copy to offer. Loads ``core.recovery`` only if there may be one."""
     try:
-        if not any(each.startswith("unsaved-") for each in os.listdir(folder)):  # noqa: PTH208 -- pathlib is slow
+        if not any(each.startswith(("unsaved-", "kept-")) for each in os.listdir(folder)):  # noqa: PTH208 -- pathlib is slow
             return False
     except OSError:
         return False

@@ -103,9 +103,11 @@ class Leaving:
             self._ctx.answer("stays-unsaved")
 
     def _may_leave(self, program: Document) -> bool:
-        """Whether the program is saved, given up, or not worth a question. Lines that wait are worth one."""
+        """Whether the program is saved, given up, or kept without a question, as lines that wait are not."""
         ctx, would_be_missed = self._ctx, program.is_worth_saving or program.is_waiting
         if not self._streams.is_attended or program.is_saved or not would_be_missed:
+            if self._streams.is_attended and program.is_kept_unasked:
+                ctx.answer("left-kept", lines=len(program.lines))
             return True
         wants_to_save = self._prompter.confirm(ctx.words("ask-save", lines=len(program.lines)))
         if wants_to_save is False:

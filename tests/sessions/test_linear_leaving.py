@@ -134,7 +134,7 @@ def test_a_signal_to_leave_at_a_question_leaves_a_copy(
 
 def test_the_end_of_the_input_at_the_question_leaves_a_copy(asked: Learner, tmp_path: Path) -> None:
     asked.types(CTRL_D)
-    asked.sees("A program was rescued. RECOVER opens it.")
+    asked.sees("A program was kept. RECOVER opens it.")
 
     assert asked.leaves() == 0
     assert copied(tmp_path) == [TEXT]
@@ -166,3 +166,42 @@ def test_a_signal_at_the_question_before_the_full_screen_leaves_a_copy_and_ends(
 
     assert learner.leaves() == 128 + signal.SIGTERM
     assert copied(tmp_path) == [TEXT]
+
+
+def test_a_short_program_is_kept_and_offered_at_the_next_start_alone(tmp_path: Path) -> None:
+    learner = Learner(tmp_path)
+    learner.enters("FW 1", "TR 90", "FW 2", "SPEAK 4", "RUN", "QUIT")
+    learner.sees("4 lines are kept. RECOVER opens them.\r\nGoodbye.")
+    assert learner.leaves() == 0
+
+    ignored = Learner(tmp_path)
+    ignored.sees("A program was kept. RECOVER opens it.\r\n")
+    ignored.enters("QUIT")
+    assert ignored.leaves() == 0
+
+    again = Learner(tmp_path)
+    again.enters("RECOVER")
+    again.sees("Your program is back, 4 lines.\r\n")
+    assert "A program was kept. RECOVER opens it." not in again.lines
+
+
+def test_a_program_that_was_given_up_is_not_offered(tmp_path: Path) -> None:
+    learner = Learner(tmp_path)
+    learner.enters("FW 1", "QUIT")
+    learner.sees_prompt()
+    learner.types("n\r")
+    assert learner.leaves() == 0
+
+    again = Learner(tmp_path)
+    again.sees_prompt()
+    assert "A program was kept. RECOVER opens it." not in again.lines
+
+
+def test_stop_and_help_mean_themselves_in_an_open_block(tmp_path: Path) -> None:
+    learner = Learner(tmp_path)
+    learner.enters("REPEAT 2 TIMES", "STOP")
+    learner.sees("Nothing is running.\r\n1 line waits. DELETE drops it.\r\n1> ")
+    learner.types("HELP REPEAT\r")
+    learner.sees("Form: REPEAT value TIMES commands END REPEAT.")
+    learner.enters("LIST")
+    learner.sees("1: REPEAT 2 TIMES\r\n1> ")

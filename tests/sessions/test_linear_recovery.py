@@ -40,12 +40,12 @@ def test_a_rescued_program_is_announced_once_before_the_first_prompt(tmp_path: P
     learner.leaves()
 
     again = Learner(tmp_path)
-    again.sees("A program was rescued. RECOVER opens it.\r\n> ")
+    again.sees("A program was kept. RECOVER opens it.\r\n> ")
     again.types("WHERE\r")
     again.sees_prompt()
     again.types("RECOVER\r")
     again.sees("Your program is back, 1 line.")
-    assert sum("rescued" in line for line in again.lines) == 1
+    assert sum("was kept" in line for line in again.lines) == 1
 
 
 def test_a_file_changed_by_another_program_is_not_replaced_without_a_question(tmp_path: Path) -> None:

@@ -25,7 +25,7 @@ def test_a_signal_to_leave_rescues_the_program(number: int, tmp_path: Path) -> N
 
     assert learner.leaves() == 128 + number
     again = Learner(tmp_path)
-    again.sees("A program was rescued. RECOVER opens it.\r\n")
+    again.sees("A program was kept. RECOVER opens it.\r\n")
     again.enters("RECOVER")
     again.sees("Your program is back, 2 lines.")
     again.enters("LIST")

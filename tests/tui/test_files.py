@@ -69,7 +69,7 @@ async def test_a_discarded_program_is_not_announced_and_restored_by_recover(open
         await screen.type_line("RECOVER")
         await screen.shows("Your program is back, 1 line.")
         assert screen.main.editor.text == "FW 2"
-        assert "A program was rescued. RECOVER opens it." not in screen.log
+        assert "A program was kept. RECOVER opens it." not in screen.log
 
 
 async def test_linear_leaves_with_the_text_and_its_file_and_rescues_the_other_programs(
@@ -108,7 +108,7 @@ async def test_a_copy_of_a_crash_is_offered_and_restored_as_unsaved(open_screen,
     (tmp_path / "unsaved").mkdir()
     (tmp_path / "unsaved" / "unsaved-abc.gd").write_text("FW 9\nFW 8", encoding="utf-8")
     async with open_screen() as screen:
-        await screen.shows("A program was rescued.")
+        await screen.shows("A program was kept.")
         await screen.type_line("RECOVER")
         await screen.shows("Your program is back, 2 lines.")
 

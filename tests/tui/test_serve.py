@@ -409,7 +409,7 @@ async def test_the_text_of_a_page_that_is_gone_is_offered_at_the_next_start(tmp_
     again = Server(tmp_path)
     try:
         async with again.page() as terminal:
-            await until_shown(terminal, Shown(), "A program was rescued.")
+            await until_shown(terminal, Shown(), "A program was kept.")
     finally:
         again.end()
 
