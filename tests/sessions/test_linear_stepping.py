@@ -189,6 +189,14 @@ def test_only_what_can_be_a_variable_is_watched(tmp_path: Path) -> None:
     ]
 
 
+def test_the_tour_leads_to_a_challenge_that_one_command_solves(tmp_path: Path) -> None:
+    lines = answers_to(tmp_path, "TOUR", *[""] * 8, "CHALLENGE 1", "FW 5", "")
+
+    at = lines.index("Type CHALLENGE 1. One command solves it.")
+    assert "Walk 5 steps to the north." in lines[at:]
+    assert lines[-2:] == ["Solved, in 1 command.", "NEXT CHALLENGE is: To the ball."]
+
+
 def test_enter_turns_the_page_of_the_tour_after_step_and_save_is_possible_there(tmp_path: Path) -> None:
     pages = [""] * 7
     lines = answers_to(tmp_path, "FW 1", "FW 2", "RUN", "TOUR", *pages, "STEP", "", "SAVE kept")
@@ -200,6 +208,7 @@ def test_enter_turns_the_page_of_the_tour_after_step_and_save_is_possible_there(
         "Type SAVE first: your program is kept.",
         "OPEN first brings it back.",
         "HELP has all words, QUIT leaves.",
-        "That was the tour. Have fun.",
+        "That was the tour. Now a first task:",
+        "Type CHALLENGE 1. One command solves it.",
         "Saved kept.gd, 2 lines.",
     ]

@@ -37,7 +37,7 @@ async def test_enter_turns_the_pages_and_closes_behind_the_last_one(open_screen)
 
     assert len(set(seen)) == SCREEN_TOUR_PAGES
     assert "Your program drives it." in seen[0]
-    assert "Have fun." in seen[-1]
+    assert "One command solves it." in seen[-1]
     assert all(len([line for line in page.splitlines() if line.strip()]) <= 6 for page in seen)
     assert again == seen[0]
 
@@ -67,7 +67,7 @@ async def test_it_names_the_keys_as_they_are(open_screen) -> None:  # type: igno
 
 @pytest.mark.parametrize(
     ("language", "first", "last"),
-    [("pt", "Enter vira esta página", "Divirta-se."), ("es", "Enter pasa esta página", "Diviértete.")],
+    [("pt", "Enter vira esta página", "DESAFIO 1"), ("es", "Enter pasa esta página", "RETO 1")],
 )
 async def test_it_is_in_the_learner_s_language(open_screen, language, first, last) -> None:  # type: ignore[no-untyped-def]
     async with open_screen(language=language) as screen:
