@@ -137,7 +137,8 @@ async def manual(ctx: Context, argument: str) -> None:
         ctx.answer("manual-chapters", count=len(CHAPTERS))
         for at, chapter in enumerate(CHAPTERS, 1):
             ctx.answer("numbered-line", line=at, text=ctx.words(f"manual-{chapter}"))
-        if page := first_page(ctx.words.language):
+        page = first_page(ctx.words.language)
+        if page and ctx.words.detail != "brief":  # a path is too wide for a braille display
             ctx.answer("first-page", file=page)
 
 
