@@ -35,6 +35,7 @@ from donnie_tui.settings.parsing import SERIAL, SIMULATED
 from donnie_tui.settings.settings import Settings, SettingSource
 from donnie_tui.world.loading import (
     ChosenWorld,
+    Site,
     ThingWatch,
     choose_world,
     files_of,
@@ -45,6 +46,7 @@ from donnie_tui.world.loading import (
 if TYPE_CHECKING:
     from donnie_tui.core.goals import Inventory, Judgment
     from donnie_tui.core.program_files import FilesInUse
+    from donnie_tui.world.building import Building
     from sim.picture import Picture
     from sim.sensors import Mounted
     from sim.world import World
@@ -72,8 +74,8 @@ class Donnie(Struct, frozen=True):
     """Everything that a front end works with. ``close`` leaves nothing running."""
 
     words: Words
-    world: ChosenWorld
-    """Its name, its scene and, for a world that ships, title, description and task."""
+    site: Site
+    """Its world, which can be changed by words."""
     team: Team
     """The robots of the world, and which of them the learner talks to."""
     connection: Connection
@@ -84,6 +86,11 @@ class Donnie(Struct, frozen=True):
     notices: Notices
     _shared: World
     _closing: ExitStack
+
+    @property
+    def world(self) -> ChosenWorld:
+        """Its name, its scene and, for a world that ships, title, description and task."""
+        return self.site.world
 
     @property
     def session(self) -> Session:
@@ -110,6 +117,18 @@ class Donnie(Struct, frozen=True):
         from sim.picture import picture
 
         return picture(self.world.scene, self.team.chosen_name)
+
+    def building(self) -> Building:
+        """Changes the world while nothing runs."""
+        from donnie_tui.world.building import Building
+
+        folders = self.outlets.audible.settings.include_folders
+        return Building(self.site, self._shared, folders, self.words)
+
+    @property
+    def holds_something(self) -> bool:
+        """Whether a robot has something in its gripper."""
+        return self._shared.is_holding
 
     def mounted(self) -> tuple[Mounted, ...]:
         """What the robot that is talked to has, in its world; a board has its own."""
@@ -219,7 +238,7 @@ def _assembled(
         audible.notices + (_decided(audible, words) if terminal else ()),
         belt_news() + about_robot,
     )
-    return Donnie(words, world, team, connection, chronicle, outlets, notices, shared, closing)
+    return Donnie(words, Site(world), team, connection, chronicle, outlets, notices, shared, closing)
 
 
 def _task(world: ChosenWorld, words: Words) -> tuple[str, ...]:

@@ -154,6 +154,19 @@ class SimulatedRobot:
             if self._vehicle is not None:
                 self._vehicle.begin_anew(self._chance)
 
+    def stand_on(self, ground: Ground, robot: int) -> None:
+        """Stay where it is in a world that was rebuilt. ``robot``: the index of its model there."""
+        with self._making:
+            before, self._vehicle, self._seen = self._vehicle, None, None
+            self._ground, self._model = ground, ground.scene.models[robot]
+            if before is not None:
+                from sim.vehicle import Vehicle
+
+                vehicle = Vehicle(ground, robot, self._clock, self._watcher, self._chance)
+                vehicle.odometry = before.odometry
+                vehicle.go_to(before.here)
+                self._vehicle = vehicle
+
     def forward(self, steps: int) -> WalkResult:
         """Walk forward. ValueError if ``steps`` is negative."""
         vehicle = self.get_ready()

@@ -90,6 +90,35 @@ class World:
             robot.reset()
         self._ground.put_things_back()
 
+    @property
+    def is_holding(self) -> bool:
+        """Whether a robot has something in its gripper."""
+        return any(robot.holds is not None for robot in tuple(self._robots.values()))
+
+    def places_in(self, scene: Scene, index_of: Mapping[int, int]) -> Mapping[int, Placement]:
+        """Where the things that were moved would be in another scene; see ``rebuild``."""
+        starts = self.scene.models
+        return {
+            index_of[old]: place
+            for old, place in self.moved_things().items()
+            if old in index_of and scene.models[index_of[old]].pose == starts[old].pose
+        }
+
+    def rebuild(self, scene: Scene, index_of: Mapping[int, int]) -> None:
+        """Another scene with the same robots, which stay where they are. Only while no robot takes part.
+
+        ``index_of``: the new index of each model at the top level that is still there. Things that were
+        pushed stay there, except those with another start: they are there.
+        """
+        ground = Ground(scene)
+        for root, place in self.places_in(scene, index_of).items():
+            ground.put(root, place)
+        self.scene, self._ground = scene, ground
+        self._seats = {index_of[old]: seat for old, seat in self._seats.items()}
+        self._robots = {index_of[old]: robot for old, robot in self._robots.items()}
+        for index, robot in self._robots.items():
+            robot.stand_on(ground, index)
+
     def _index(self, name: str | None) -> int:
         if not self.scene.robots:
             raise KeyError(name or "")

@@ -48,6 +48,8 @@ class Command(Struct, frozen=True, eq=False):
     """Whether it is about the screen alone."""
     in_words: str = ""
     """Of a visual command: the command that says the same in words."""
+    needs_name: bool = False
+    """Whether the word is a beginner's for the robot where a number follows it: TURN 90."""
     needs_terminal: bool = False
     """Whether a page in a browser can't do it; it is not offered there."""
 
@@ -110,7 +112,7 @@ COMMANDS = (
         "program",
         _ALWAYS,
         keys=("ctrl+k equals_sign",),
-        argument="two-lines",
+        argument="lines-or-thing",
         required=True,
         asked_by_key=True,
     ),
@@ -182,6 +184,10 @@ COMMANDS = (
     Command("feel", "sound", _ALWAYS, keys=("ctrl+k ampersand",), argument="switch"),
     Command("world", "world", _ALWAYS, keys=("ctrl+k 8",), argument="world"),
     Command("worlds", "world", _ALWAYS, keys=("ctrl+k o",), argument="world"),
+    Command("put", "build", argument="new-thing", required=True, asked_by_key=True),
+    Command("turn", "build", argument="thing-and-degrees", required=True, asked_by_key=True, needs_name=True),
+    Command("remove", "build", _ALWAYS, argument="thing", required=True, asked_by_key=True),
+    Command("save_world", "build", _ALWAYS, argument="world-file"),
     Command("show_program", "program", _ALWAYS, keys=("ctrl+k 1",)),
     Command("show_map", "world", _ALWAYS, keys=("ctrl+k 2",)),
     Command("show_log", "read", _ALWAYS, keys=("ctrl+k 3",)),

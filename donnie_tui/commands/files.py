@@ -254,7 +254,9 @@ async def may_lose_text(ctx: Context) -> bool:
 
 
 async def may_lose_all(ctx: Context) -> bool:
-    """The same for every open program, the current one first."""
+    """The same for every open program, the current one first, and for a world that was built."""
+    from donnie_tui.commands.build import may_leave_built
+
     await ctx.interaction.finished()
     for document in ctx.workspace.current_first:
         if document.is_worth_saving:
@@ -262,7 +264,7 @@ async def may_lose_all(ctx: Context) -> bool:
                 _turn_to(ctx, document)
             if not await may_lose_text(ctx):
                 return False
-    return True
+    return await may_leave_built(ctx)
 
 
 # --- pages

@@ -61,6 +61,7 @@ def find(line: str, commands: tuple[Command, ...] = COMMANDS) -> tuple[Command, 
             is_assignment = argument.startswith(("=", "["))
             is_statement = bool(argument) and command.is_godonnie and not command.argument
             is_everyday = argument[:1].isalpha() and _is_everyday(words, length)
+            is_everyday |= command.needs_name and argument[:1] in tuple("-0123456789")
             return None if is_assignment or is_statement or is_everyday else (command, argument)
     return None
 
@@ -204,7 +205,7 @@ def _nearest_command(words: Sequence[str], commands: Sequence[Command], language
         same_length = [each for each in of_language if len(each.split()) == length and len(each) > 1]
         found = nearest(typed, same_length)
         if found is not None:
-            return Unknown(typed, found)
+            return None if _folded(found) == _folded(typed) else Unknown(typed, found)
     return None
 
 

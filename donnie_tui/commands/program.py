@@ -191,7 +191,12 @@ def _deleted(ctx: Context, first: int, last: int) -> str:
 
 @handles("move")
 async def move(ctx: Context, argument: str) -> None:
-    """MOVE 5 2: line 5 before line 2. MOVE 5 7 2: lines 5 to 7."""
+    """MOVE 5 2: line 5 before line 2. MOVE 5 7 2: lines 5 to 7. MOVE treasure 2 0: a thing of the world."""
+    if argument[:1].isalpha():
+        from donnie_tui.commands.build import move_thing
+
+        await move_thing(ctx, argument)
+        return
     given, document = read_numbers(argument, least=2, most=3), ctx.program
     first, last, to = given[0], given[-2], given[-1]
     with _changing(ctx):

@@ -270,9 +270,11 @@ async def worlds(ctx: Context, argument: str) -> None:
 
 async def enter_world(ctx: Context, typed: str) -> None:
     """Go on in another world with the same programs. A file of the learner may take long to be read."""
+    from donnie_tui.commands.build import may_leave_built
+
     slow = ctx.words("slow-world", name=typed[:LONGEST_NAME])
     name = await ctx.interaction.background(lambda: world_to_enter(ctx, typed), slow)
-    if name is not None:
+    if name is not None and await may_leave_built(ctx):
         await ctx.interaction.enter_world(name)
 
 

@@ -369,6 +369,10 @@ class Session:
         self.hub.publish(Reset(self.pose))
         self._actions.handling.publish_things()
 
+    def publish_things(self) -> None:
+        """Publishes where the things are, if that is not known: the world was changed."""
+        self._actions.handling.publish_things()
+
     def change_robot(self, make_robot: MakeRobot | None) -> None:
         """Changes to another robot, at its start and with nothing remembered. None: the first one.
 

@@ -87,6 +87,10 @@ class Leaving:
     def leave(self, code: int) -> None:
         """Leave, once each changed program is saved or given up; else stay."""
         may_leave = all(map(self._may_leave, self._ctx.workspace.current_first))
+        if may_leave and not self._ctx.donnie.site.is_saved:
+            from donnie_tui.commands.build import may_leave_built
+
+            may_leave = drive(may_leave_built(self._ctx))
         if self._console.leaving is not None:
             self.leave_by_signal(self._console.leaving)
         elif may_leave:

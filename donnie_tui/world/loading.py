@@ -90,6 +90,8 @@ class ChosenWorld(Struct, frozen=True):
     """The configuration file that has no world; what was loaded is only there to draw its robot on."""
     challenge: Challenge | None = None
     """What there is to do in it."""
+    is_rebuilt: bool = False
+    """Whether things were added, moved or removed: its author's words don't count any more."""
     before_moves: Scene | None = None
     """The scene as its file says, where a challenge moved things in it."""
 
@@ -97,6 +99,8 @@ class ChosenWorld(Struct, frozen=True):
         """Title, description and task; None for a world file without a file of words."""
         from worlds.words import BadWords, about, about_file
 
+        if self.is_rebuilt:
+            return None
         if self.ships:
             return about(self.name, language)
         try:
@@ -110,6 +114,20 @@ class ChosenWorld(Struct, frozen=True):
             return Pose(0.0, 0.0, 0.0)
         place = self.scene.models[self.scene.robots[0]].pose
         return Pose(round(place.x / STEP, 6), round(place.y / STEP, 6), round(90.0 - place.yaw, 6) % 360.0)
+
+
+class Site:
+    """The world of a session, which ``world.building`` changes."""
+
+    def __init__(self, world: ChosenWorld) -> None:
+        from pathlib import Path
+
+        self.world = world
+        self.text = ""
+        """What its file would be; empty while nothing was changed."""
+        self.is_saved = True
+        self.path = None if world.ships else Path(world.path)
+        """The file of the learner's own that it was last read from or written to."""
 
 
 def files_of(world: ChosenWorld) -> tuple[str, ...]:
@@ -199,7 +217,7 @@ def _configured(path: Path, words: Words, folders: tuple[str, ...]) -> ChosenWor
     from sim.worldfile import WorldError, load_configuration
 
     try:
-        found = load_configuration(path, allowed=_allowed(folders))
+        found = load_configuration(path, allowed=allowed_folders(folders))
     except WorldError as error:
         raise Unusable(world_mistake(error, words)) from None
     if found.scene is not None and found.world is not None:
@@ -233,12 +251,12 @@ def _load(path: str, words: Words, folders: tuple[str, ...]) -> Scene:
     from sim.worldfile import WorldError, load_world
 
     try:
-        return load_world(Path(path), allowed=_allowed(folders))
+        return load_world(Path(path), allowed=allowed_folders(folders))
     except WorldError as error:
         raise Unusable(world_mistake(error, words)) from None
 
 
-def _allowed(folders: tuple[str, ...]) -> tuple[Path, ...]:
+def allowed_folders(folders: tuple[str, ...]) -> tuple[Path, ...]:
     """The folders from which a world may include files, besides its own."""
     from pathlib import Path
 

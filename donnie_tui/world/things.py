@@ -58,10 +58,15 @@ def slips_in_words(bad: BadDrawing, file: str, words: Wording) -> tuple[str, ...
     )
 
 
-def _slip_in_words(slip: Slip, file: str, words: Wording) -> str:
+def message_of(slip: Slip, words: Wording) -> str:
+    """The sentence without a place."""
     named = {key: _kind_in_words(str(value), words) for key, value in slip.values.items() if key in _NAMED}
     known = ", ".join(words(f"thing-{kind}") for kind in kinds())
-    message = words(slip.code, **{"known": known, **slip.values, **named})
+    return words(slip.code, **{"known": known, **slip.values, **named})
+
+
+def _slip_in_words(slip: Slip, file: str, words: Wording) -> str:
+    message = message_of(slip, words)
     if not slip.line:
         return words("drawing-error", file=file, message=message)
     return words("world-error-at", file=file, line=slip.line, column=slip.column, message=message)

@@ -1,6 +1,7 @@
 """World files as Stage has them: text in; a scene, or a mistake with its place, out."""
 
 from sim.worldfile.configuration import Address, Configuration, Offer, load_configuration
+from sim.worldfile.edit import WrittenModel, put_elsewhere, taken_out, written_models
 from sim.worldfile.load import load_text, load_world
 from sim.worldfile.mistakes import Code, WorldError
 
@@ -10,7 +11,11 @@ __all__ = [
     "Configuration",
     "Offer",
     "WorldError",
+    "WrittenModel",
     "load_configuration",
     "load_text",
     "load_world",
+    "put_elsewhere",
+    "taken_out",
+    "written_models",
 ]

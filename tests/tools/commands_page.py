@@ -31,6 +31,7 @@ _TITLES = {
     "read": "Reading the program, its mistakes, and what was said and typed",
     "sound": "Sound and belt",
     "world": "The robot's surroundings, the map, and other worlds",
+    "build": "Furnishing a world",
     "robots": "The robots",
     "settings": "Settings",
     "help": "Help, and the ways out",

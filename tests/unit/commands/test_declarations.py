@@ -44,7 +44,8 @@ def test_a_word_is_found_in_every_case_and_without_accents(command: Command, wor
 def test_the_text_after_a_word_is_its_argument(command: Command, word: str) -> None:
     is_statement = command.is_godonnie and not command.argument
 
-    assert find(f"{word.lower()}  3 ") == (None if is_statement else (command, "3"))
+    assert find(f"{word.lower()}  3 ") == (None if is_statement or command.needs_name else (command, "3"))
+    assert find(f"{word.lower()}  it ") == (None if is_statement else (command, "it"))
 
 
 @pytest.mark.parametrize("line", ["speed = 3", "LIST [2]", "where=1", "openx", "FW 3", "", "x" * 1000])
@@ -113,7 +114,7 @@ def test_a_command_without_a_key_is_listed_by_its_word() -> None:
 def test_the_form_shows_required_and_optional_arguments() -> None:
     words = Words("en")
 
-    assert help_of("move", words)[1:] == ("Form: MOVE line before.", "Example: MOVE 5 2.")
+    assert help_of("move", words)[1:] == ("Form: MOVE line before or thing east north.", "Example: MOVE 5 2.")
     assert help_of("LIST", words)[1] == "Form: LIST, or LIST first last."
     assert help_of("STEP", words)[1:] == ("Form: STEP.", "Example: STEP.")
     assert help_of("FW", words) == help_of("RUN", words) == ()

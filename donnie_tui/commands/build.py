@@ -1,0 +1,210 @@
+"""PUT, MOVE, TURN, REMOVE, SAVE WORLD: the world is furnished by words while nothing runs.
+
+Each answer says where the thing is afterwards, or why nothing changed.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from donnie_tui.commands.arguments import numbers_in
+from donnie_tui.commands.context import UNUSABLE, Context
+from donnie_tui.commands.dispatch import handles
+from donnie_tui.commands.interaction import GivenUp, NotUnderstood
+from donnie_tui.core.wording import coloured_thing, meant
+from donnie_tui.i18n.words import Unusable
+
+if TYPE_CHECKING:
+    from donnie_tui.world.building import Building
+    from sim.picture import Thing
+
+
+@handles("put")
+async def put(ctx: Context, argument: str) -> None:
+    """PUT box red 4 6 AS treasure: a new thing. PUT treasure 4 6: one that is there goes to that place."""
+    from donnie_tui.world.things import BadDrawing, description_of, message_of
+
+    what, (x, y), name = _parts(argument, 2)
+
+    def change(building: Building) -> None:
+        try:
+            described = description_of(f"{what} AS {name}" if name else what)
+        except BadDrawing as bad:
+            if name or not building.is_named(what):
+                raise Unusable(message_of(bad.slips[0], ctx.words)) from None
+            _say_place(ctx, "built-moved", building.put_at(building.find(what), x, y))
+            return
+        if len(described.colours) > 1:
+            raise NotUnderstood
+        _say_place(ctx, "built-put", building.put(described, x, y))
+
+    _build(ctx, change)
+
+
+async def move_thing(ctx: Context, argument: str) -> None:
+    """MOVE treasure 2 0: two steps to the east from where it is."""
+    what, (east, north), _ = _parts(argument, 2)
+    _build(
+        ctx,
+        lambda building: _say_place(ctx, "built-moved", building.move(building.find(what), east, north)),
+    )
+
+
+@handles("turn")
+async def turn(ctx: Context, argument: str) -> None:
+    """TURN treasure 90: to the right where it stands."""
+    what, (degrees,), _ = _parts(argument, 1)
+
+    def change(building: Building) -> None:
+        thing = building.turn(building.find(what), degrees)
+        _say_place(ctx, "built-turned", thing, degrees=degrees)
+
+    _build(ctx, change)
+
+
+@handles("remove")
+async def remove(ctx: Context, argument: str) -> None:
+    """REMOVE treasure; with numbers of lines, or alone, it is DELETE."""
+    if not argument or numbers_in(argument, most=2) is not None:
+        from donnie_tui.commands.program import delete
+
+        await delete(ctx, argument)
+        return
+
+    def change(building: Building) -> None:
+        thing = building.find(argument)
+        building.remove(thing)
+        _say_place(ctx, "built-removed", thing)
+
+    _build(ctx, change)
+
+
+_Change = Callable[["Building"], None]
+
+
+def _parts(argument: str, count: int) -> tuple[str, tuple[int, ...], str]:
+    """What is meant, as many numbers as are wanted, and the name after AS. Raises ``NotUnderstood``."""
+    before, name = argument.split(), ""
+    at_name = next((at for at, word in enumerate(before) if meant(word, "building") == "as"), None)
+    if at_name is not None:
+        before, name = before[:at_name], " ".join(before[at_name + 1 :])
+        if not name:
+            raise NotUnderstood
+    numbers = [each for each in before if re.fullmatch(r"-?\d+,?", each)]
+    what = " ".join(each for each in before if each not in numbers)
+    found = numbers_in(" ".join(numbers), most=count)
+    if not what or found is None or len(found) != count:
+        raise NotUnderstood
+    return what, found, name
+
+
+def _say_place(ctx: Context, code: str, thing: Thing | None, **values: object) -> None:
+    from donnie_tui.core.describe import place_of
+
+    if thing is not None:
+        x, y = round(thing.x), round(thing.y)
+        ctx.answer(
+            code,
+            thing=coloured_thing(thing, ctx.words),
+            x=x,
+            y=y,
+            width=round(thing.width),
+            depth=round(thing.depth),
+            place=place_of(thing.x, thing.y, ctx.donnie.session.pose, ctx.words),
+            **values,
+        )
+
+
+def _build(ctx: Context, change: _Change) -> None:
+    """Change the world, or say why it can't be changed."""
+    donnie = ctx.donnie
+    if donnie.team.running:
+        ctx.answer_of_robot("screen-busy")
+        return
+    try:
+        _refuse(ctx)
+        change(donnie.building())
+    except Unusable as unusable:
+        ctx.refuse(UNUSABLE)
+        ctx.say(unusable.sentence)
+        return
+    donnie.session.publish_things()
+    if ctx.screen is not None:
+        ctx.screen.robot_changed()
+
+
+def _refuse(ctx: Context) -> None:
+    """Raises ``Unusable`` where the world must stay as it is."""
+    donnie = ctx.donnie
+    world, recording = donnie.world, donnie.outlets.written.of_this_session
+    if donnie.connection.is_real or donnie.connection.is_board:
+        raise Unusable(ctx.words("built-real"))
+    if world.challenge is not None:
+        raise Unusable(ctx.words("built-challenge"))
+    if world.offers or world.stands_in_for:
+        raise Unusable(ctx.words("built-configuration"))
+    if recording is not None:
+        raise Unusable(ctx.words("built-recorded", path=recording))
+    if donnie.holds_something:
+        raise Unusable(ctx.words("built-holding"))
+
+
+# --- saving
+
+
+SUFFIX = ".world"
+
+
+@handles("save_world")
+async def save_world(ctx: Context, argument: str) -> None:
+    """Write the world as it is built to a file; asks before another file is replaced."""
+    await _save(ctx, argument)
+
+
+async def _save(ctx: Context, argument: str) -> bool:
+    from donnie_tui.core.program_files import DocumentError, checked_path, save_question
+
+    donnie, own = ctx.donnie, ctx.donnie.site.path
+    name = argument or str(own or "")
+    if not name and not ctx.interaction.is_attended:
+        raise NotUnderstood
+    name = name or await ctx.interaction.ask(ctx.words("ask-world-name")) or ""
+    if not name:
+        raise GivenUp
+    path = checked_path(Path(name if Path(name).suffix else f"{name}{SUFFIX}"))
+    if str(path) in donnie.in_use and path != own:
+        raise DocumentError("file-in-use", str(path))
+    question = save_question(path, own, "") if path != own else ""
+    if question and not await ctx.interaction.confirm(ctx.words(question, name=path.name)):
+        raise GivenUp
+    try:
+        donnie.building().save(path)
+    except Unusable as unusable:
+        ctx.refuse(UNUSABLE)
+        ctx.say(unusable.sentence)
+        return False
+    ctx.answer("built-saved", name=path.name)
+    return True
+
+
+async def may_leave_built(ctx: Context) -> bool:
+    """Offer to save a world that was built before it is left. False to stay, which is said."""
+    from donnie_tui.core.program_files import DocumentError
+
+    if ctx.donnie.site.is_saved or not ctx.interaction.is_attended:
+        return True
+    wants_to_save = await ctx.interaction.confirm(ctx.words("ask-save-world"))
+    if wants_to_save is False:
+        return True
+    try:
+        if wants_to_save and await _save(ctx, ""):
+            return True
+    except GivenUp:
+        pass
+    except DocumentError as error:
+        ctx.answer(error.code, path=error.path, reason=error.reason)
+    ctx.answer("stays-unsaved")
+    return False

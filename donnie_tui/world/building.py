@@ -1,0 +1,256 @@
+"""Furnishes the world of a session by words: its text is changed and loaded again, the session continues.
+
+The text stays its author's but for what was changed, so that saving it loses nothing. What can't be done
+raises ``Unusable`` with the reason, and nothing has changed then.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from pathlib import Path, PurePath
+from typing import TYPE_CHECKING
+
+from msgspec.structs import replace
+
+from devices.ports.robot import STEP
+from donnie_tui.core.program_files import read_program, write_program
+from donnie_tui.core.wording import coloured_thing, the_coloured
+from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.world.loading import Site, allowed_folders
+from donnie_tui.world.things import (
+    KINDS,
+    BadDrawing,
+    Description,
+    description_of,
+    thing_line,
+)
+from language.source import fold_name
+from language.suggestions import nearest
+from sim.geometry import Placement, Point, contains, overlapping
+from sim.parts import Part, parts_of
+from sim.picture import Thing, is_wall, picture
+from sim.scene import Scene, moved
+
+if TYPE_CHECKING:
+    from sim.world import World
+    from sim.worldfile import WrittenModel
+
+MOST_STEPS = 1000
+"""How far from 0, 0 something may stand on a floor without walls."""
+_SMALLER = 0.97
+_MOST_NAMES = 8
+"""Names that a sentence lists."""
+
+
+class Building:
+    """Changes the world of a session."""
+
+    def __init__(self, site: Site, shared: World, folders: tuple[str, ...], words: Words) -> None:
+        """``folders``: those from which the world may include files."""
+        self._site, self._shared, self._words = site, shared, words
+        self._allowed = allowed_folders(folders)
+
+    # --- what is there
+
+    def things(self) -> tuple[Thing, ...]:
+        """All but walls and robots, where they are now."""
+        return tuple(each for each in picture(self._shared.scene_now()).things if not each.is_robot)
+
+    def find(self, typed: str) -> Thing:
+        """The one thing that a name, or a kind and a colour, means. Raises ``Unusable``."""
+        words, folded = self._words, fold_name(typed).strip()
+        if any(folded == fold_name(name) for name in self._site.world.scene.robot_names):
+            raise Unusable(words("built-robot", name=typed.strip()))
+        things = self.things()
+        found = [each for each in things if fold_name(each.name) == folded] or [
+            each for each in things if _is_meant(each, typed)
+        ]
+        if len(found) == 1:
+            return found[0]
+        if found:
+            places = (f"{each.name or each.kind}: {round(each.x)}, {round(each.y)}" for each in found)
+            listed = "; ".join([*places][:_MOST_NAMES])
+            raise Unusable(words("built-which", count=len(found), names=listed))
+        near = nearest(typed, [each.name for each in things])
+        raise Unusable(words("built-unknown-near" if near else "built-unknown", name=typed[:40], near=near))
+
+    def is_named(self, typed: str) -> bool:
+        """Whether a thing has exactly that name."""
+        return any(fold_name(each.name) == fold_name(typed).strip() for each in self.things())
+
+    # --- changes; each returns the thing as it is afterwards
+
+    def put(self, described: Description, x: int, y: int) -> Thing | None:
+        """A new thing, its middle at a place in steps."""
+        taken = {fold_name(each.name) for each in self._site.world.scene.models if each.parent is None}
+        plain = described.kind.replace("_", " ")
+        if described.name and fold_name(described.name) in taken:
+            raise Unusable(self._words("built-name-there", name=described.name))
+        numbered = (f"{plain} {number}" for number in range(2, len(taken) + 3))
+        name = described.name or next(each for each in (plain, *numbered) if fold_name(each) not in taken)
+        colour = described.colours[0] if described.colours else ""
+        line = thing_line(described.kind, colour, name, (x * STEP, y * STEP, 0.0))
+        text = self._source().rstrip("\n")
+        return self._changed(f"{text}\n{self._include(described.kind, text)}{line}\n")
+
+    def move(self, thing: Thing, east: int, north: int) -> Thing | None:
+        """So many steps from where it is."""
+        here = self._now(thing)
+        place = Placement(here.x + east * STEP, here.y + north * STEP, here.z, here.yaw)
+        return self._elsewhere(thing, place)
+
+    def put_at(self, thing: Thing, x: int, y: int) -> Thing | None:
+        """Its middle at a place in steps."""
+        here = self._now(thing)
+        dx, dy = (x - thing.x) * STEP, (y - thing.y) * STEP
+        return self._elsewhere(thing, Placement(here.x + dx, here.y + dy, here.z, here.yaw))
+
+    def turn(self, thing: Thing, degrees: int) -> Thing | None:
+        """To the right where it stands."""
+        here = self._now(thing)
+        return self._elsewhere(thing, Placement(here.x, here.y, here.z, (here.yaw - degrees) % 360.0))
+
+    def remove(self, thing: Thing) -> None:
+        from sim.worldfile import taken_out
+
+        text = self._source()
+        self._changed(taken_out(text, self._written(thing, text)), gone=thing.index)
+
+    def _elsewhere(self, thing: Thing, place: Placement) -> Thing | None:
+        from sim.worldfile import put_elsewhere
+
+        text = self._source()
+        return self._changed(put_elsewhere(text, self._written(thing, text), place), moved_thing=thing.index)
+
+    def _now(self, thing: Thing) -> Placement:
+        return self._shared.scene_now().models[thing.index].pose
+
+    # --- the text
+
+    @property
+    def _file(self) -> Path:
+        return Path(self._site.world.path)
+
+    def _source(self) -> str:
+        """The world's text as it is now."""
+        return self._site.text or read_program(self._file)
+
+    def _written(self, thing: Thing, text: str) -> WrittenModel:
+        from sim.worldfile import written_models
+
+        tops = [each.index for each in self._site.world.scene.models if each.parent is None]
+        found = written_models(text, self._file, self._allowed)[tops.index(thing.index)]
+        if found is None:
+            raise Unusable(self._words("built-included", thing=coloured_thing(thing, self._words)))
+        return found
+
+    def _include(self, kind: str, text: str) -> str:
+        """The line that a world needs for its first thing of a kind; empty where it knows the kind."""
+        file = next(each for each, known in KINDS.items() if kind in known)
+        files = {PurePath(each).name for each in self._site.world.scene.report.files}
+        is_known = file in files or re.search(rf"^\s*define\s+{kind}\s", text, re.MULTILINE)
+        return "" if is_known or f'include "{file}"' in text else f'include "{file}"\n'
+
+    def _changed(self, text: str, *, moved_thing: int | None = None, gone: int | None = None) -> Thing | None:
+        """Load the text and go on in its scene if the change has room there. Without an index it is new."""
+        from donnie_tui.i18n.mistakes import world_mistake
+        from sim.worldfile import WorldError, load_text
+
+        before = self._site.world.scene
+        try:
+            scene = load_text(text, self._file, allowed=self._allowed)
+        except WorldError as error:
+            raise Unusable(world_mistake(error, self._words)) from None
+        tops = [each.index for each in before.models if each.parent is None]
+        kept = [each for each in tops if each != gone]
+        new_tops = [each.index for each in scene.models if each.parent is None]
+        index_of = dict(zip(kept, new_tops, strict=False))
+        is_new = moved_thing is None and gone is None
+        if scene.robot_names != before.robot_names or len(new_tops) != len(kept) + is_new:
+            raise Unusable(self._words("built-impossible"))
+        changed = new_tops[-1] if is_new else None if moved_thing is None else index_of[moved_thing]
+        if changed is not None:
+            self._check_room(scene, index_of, changed)
+        self._shared.rebuild(scene, index_of)
+        self._site.world = replace(self._site.world, scene=scene, is_rebuilt=True)
+        self._site.text, self._site.is_saved = text, False
+        return next((each for each in self.things() if each.index == changed), None)
+
+    def save(self, target: Path) -> None:
+        """Write the world. Raises ``Unusable`` where it could not be loaded there, or ``DocumentError``."""
+        from donnie_tui.i18n.mistakes import world_mistake
+        from sim.worldfile import WorldError, load_text
+
+        text = self._source()
+        try:
+            load_text(text, target, allowed=self._allowed)
+        except WorldError as error:
+            raise Unusable(world_mistake(error, self._words)) from None
+        write_program(target, text)
+        self._site.path, self._site.is_saved = target, True
+
+    # --- room
+
+    def _check_room(self, scene: Scene, index_of: Mapping[int, int], changed: int) -> None:
+        """Raises ``Unusable`` where a thing is outside, or overlaps something."""
+        robots, words = dict(zip(scene.robot_names, scene.robots, strict=True)), self._words
+        standing = {robots[name]: place for name, place in self._shared.poses().items()}
+        now = moved(scene, {**self._shared.places_in(scene, index_of), **standing})
+        middles = [(now.models[each].pose.x, now.models[each].pose.y) for each in scene.robots]
+        solid = [part for part in parts_of(now) if part.root == changed and part.solid]
+        self._check_outside(now, solid, changed)
+        mine = [_shrunk(part) for part in solid]
+        for part in parts_of(now):
+            is_floor = any(contains(part.points, *middle) for middle in middles)
+            is_other = part.root != changed and part.solid and (part.root in scene.robots or not is_floor)
+            if is_other and any(overlapping(each, part.points) for each in mine):
+                raise Unusable(self._in_the_way(now, part.root))
+        for part in parts_of(scene):
+            if part.root in scene.robots and any(overlapping(each, part.points) for each in mine):
+                name = scene.models[part.root].spoken_name
+                raise Unusable(words("built-over-start", name=name))
+
+    def _in_the_way(self, scene: Scene, root: int) -> str:
+        model, words = scene.models[root], self._words
+        if root in scene.robots:
+            return words("built-over-robot", name=model.spoken_name)
+        if is_wall(model, scene.models[scene.robots[0]]):
+            return words("built-over-wall")
+        name = "" if ":" in model.spoken_name else model.spoken_name
+        thing = the_coloured(model.kind, name, model.colour.family or "", words)
+        return words("built-over-thing", thing=thing)
+
+    def _check_outside(self, scene: Scene, mine: list[Part], changed: int) -> None:
+        walls = [point for outline in picture(scene).walls for point in outline]
+        points = [(x / STEP, y / STEP) for part in mine for x, y in part.points]
+        points = points or [(scene.models[changed].pose.x / STEP, scene.models[changed].pose.y / STEP)]
+        left, bottom, right, top = (
+            _box(walls) if walls else (-MOST_STEPS, -MOST_STEPS, MOST_STEPS, MOST_STEPS)
+        )
+        west, south, east, north = _box(points)
+        if west < left or south < bottom or east > right or north > top:
+            limits = {"left": round(left), "right": round(right), "bottom": round(bottom), "top": round(top)}
+            raise Unusable(self._words("built-outside", **limits))
+
+
+def _shrunk(part: Part) -> tuple[Point, ...]:
+    """Its outline, a little smaller: what stands on the squares of the floor often has borders in common."""
+    x, y = part.middle
+    return tuple((x + (px - x) * _SMALLER, y + (py - y) * _SMALLER) for px, py in part.points)
+
+
+def _is_meant(thing: Thing, typed: str) -> bool:
+    """Whether a kind, perhaps with a colour, means it."""
+    try:
+        described = description_of(typed)
+    except BadDrawing:
+        return fold_name(thing.kind) == fold_name(typed).strip()
+    is_colour = not described.colours or thing.colour in described.colours
+    return thing.kind == described.kind and is_colour and not described.name
+
+
+def _box(points: Iterable[tuple[float, float]]) -> tuple[float, float, float, float]:
+    """West, south, east, north."""
+    xs, ys = zip(*points, strict=True)
+    return min(xs), min(ys), max(xs), max(ys)

@@ -1,0 +1,317 @@
+"""PUT, MOVE, TURN, REMOVE, SAVE WORLD: the world is furnished by words, and every answer says where."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from donnie_tui.commands.build import may_leave_built
+from donnie_tui.commands.files import may_lose_all
+from donnie_tui.commands.interaction import EnterWorld, drive
+from donnie_tui.commands.lookup import find
+from donnie_tui.i18n.words import Words
+from donnie_tui.world.loading import choose_world
+from language.parser import parse
+from sim.picture import picture
+from tests.unit.commands.scripted import Script
+
+OpenScript = Callable[..., Script]
+
+
+@pytest.mark.parametrize(
+    ("language", "lines", "answers"),
+    [
+        (
+            "en",
+            ("PUT box red 4 6 AS treasure", "MOVE treasure 2 0", "TURN treasure 90", "REMOVE treasure"),
+            [
+                "Treasure, box, red: at 4, 6. From the robot: 4 right, 6 ahead.",
+                "Treasure, box, red: now at 6, 6. From the robot: 6 right, 6 ahead.",
+                "Treasure, box, red: turned 90 degrees to the right, at 6, 6. It is 3 by 3 steps.",
+                "Treasure, box, red: gone from 6, 6.",
+            ],
+        ),
+        (
+            "pt",
+            (
+                "COLOCAR caixa vermelha 4 6 COMO tesouro",
+                "MOVER tesouro 2 0",
+                "VIRAR tesouro 90",
+                "REMOVER tesouro",
+            ),
+            [
+                "Tesouro, caixa vermelha: em 4, 6. Do robô: 4 à direita, 6 à frente.",
+                "Tesouro, caixa vermelha: agora em 6, 6. Do robô: 6 à direita, 6 à frente.",
+                "Tesouro, caixa vermelha: virou 90 graus para a direita, em 6, 6. Mede 3 por 3 passos.",
+                "Tesouro, caixa vermelha: não está mais em 6, 6.",
+            ],
+        ),
+        (
+            "es",
+            ("PONER caja roja 4 6 COMO tesoro", "MOVER tesoro 2 0", "ROTAR tesoro 90", "QUITAR tesoro"),
+            [
+                "Tesoro, caja roja: en 4, 6. Desde el robot: 4 a la derecha, 6 al frente.",
+                "Tesoro, caja roja: ahora en 6, 6. Desde el robot: 6 a la derecha, 6 al frente.",
+                "Tesoro, caja roja: rotó 90 grados a la derecha, en 6, 6. Mide 3 por 3 pasos.",
+                "Tesoro, caja roja: ya no está en 6, 6.",
+            ],
+        ),
+    ],
+)
+def test_a_thing_is_put_moved_turned_and_removed(
+    open_script: OpenScript, language: str, lines: tuple[str, ...], answers: list[str]
+) -> None:
+    script = open_script(world="first_room", language=language)
+
+    assert [said for line in lines for said in script.answers_to(line)] == answers
+
+
+def test_the_map_and_around_agree_at_once(open_script: OpenScript) -> None:
+    script = open_script(world="first_room")
+
+    script.type("PUT box red 0 6 AS treasure")
+
+    assert script.answers_to("MAP 0 6") == ["0, 6: treasure. 6 ahead."]
+    assert "Treasure, box, red: 6 ahead." in script.answers_to("MAP")
+    assert "Ahead: treasure, box, red, 3 steps." in script.answers_to("AROUND")
+    script.type("REMOVE treasure")
+    assert script.answers_to("MAP 0 6") == ["0, 6: free. 6 ahead."]
+
+
+def test_a_program_meets_what_was_put(open_script: OpenScript) -> None:
+    script = open_script(world="first_room")
+
+    script.type("PUT post 0 6")
+    # The post's edge is at 5.5 steps, the robot's at 1.28: 4 whole steps are free.
+    assert script.answers_to("SPEAK DISTANCE F") == ["4"]
+    assert script.answers_to("FW 9")[0].endswith("I found an obstacle.")
+
+
+def test_a_robot_on_its_way_stays_where_it_is_and_keeps_its_variables(open_script: OpenScript) -> None:
+    script = open_script(world="first_room")
+    script.answers_to("VAR a = 7")
+    script.answers_to("FW 3")
+
+    script.type("PUT box red 4 6")
+    script.type("REMOVE table")
+
+    assert script.answers_to("WHERE") == ["Position 0, 3. Facing north."]
+    assert script.answers_to("SPEAK a") == ["7"]
+    assert script.answers_to("FW 1")[0].startswith("I walked 1 step")
+    assert script.answers_to("WHERE") == ["Position 0, 4. Facing north."]
+
+
+def test_reset_restores_what_was_built_and_puts_pushed_things_back(open_script: OpenScript) -> None:
+    script = open_script(world="first_room")
+    script.type("PUT box red 0 6 AS treasure")
+    script.answers_to("FW 7")
+    assert script.answers_to("MAP 0 6") != ["0, 6: treasure. 0 ahead."]
+    pushed = script.donnie.picture_now().things[-1]
+    assert pushed.y > 6
+
+    script.type("PUT post 5 5")
+    script.type("REMOVE ball")
+    again = next(each for each in script.donnie.picture_now().things if each.name == "treasure")
+    assert again.y == pushed.y  # what was pushed stays there while others are put and removed
+
+    script.type("RESET")
+    back = next(each for each in script.donnie.picture_now().things if each.name == "treasure")
+    assert (back.x, back.y) == (0, 6)
+    assert any(each.name == "post" for each in script.donnie.picture_now().things)
+
+
+def test_a_pushed_thing_is_moved_from_where_it_is(open_script: OpenScript) -> None:
+    script = open_script(world="first_room")
+    script.type("PUT box red 0 6 AS treasure")
+    script.answers_to("FW 7")
+    pushed = next(each for each in script.donnie.picture_now().things if each.name == "treasure")
+
+    script.type("MOVE treasure 5 0")
+    script.type("RESET")
+
+    moved = next(each for each in script.donnie.picture_now().things if each.name == "treasure")
+    assert (moved.x, moved.y) == (5, pytest.approx(pushed.y, abs=1e-3))
+
+
+@pytest.mark.parametrize(
+    ("line", "sentence"),
+    [
+        ("PUT chair 0 1", "The robot donnie stands there. Nothing changed."),
+        ("PUT chair 15 5", "There is a wall at that place. Nothing changed."),
+        (
+            "PUT chair 99 5",
+            "That is outside. The floor goes from -16 to 16 east and from -12 to 21 north. Nothing changed.",
+        ),
+        ("PUT chair 8 0", "The yellow ball is in the way. Nothing changed."),
+        ("MOVE ball 7 0", "There is a wall at that place. Nothing changed."),
+        ("MOVE ball -8 0", "The robot donnie stands there. Nothing changed."),
+        ("PUT chiar 4 6", "chiar is neither a thing nor a colour. Did you mean chair?"),
+        ("PUT box 4 6 AS ball", "Ball is there already. Choose another name."),
+        ("MOVE bal 1 0", "There is no bal here. Did you mean ball?"),
+        ("REMOVE treasure", "There is no treasure here. Nothing changed."),
+        ("TURN donnie 90", "Donnie is a robot. It moves by its program."),
+        ("PUT box 4", "I did not understand. Type PUT box red 4 6."),
+        ("PUT 4 6", "I did not understand. Type PUT box red 4 6."),
+        ("PUT box 4 6 AS", "I did not understand. Type PUT box red 4 6."),
+        ("TURN ball", "I did not understand. Type TURN treasure 90."),
+    ],
+)
+def test_what_can_not_be_done_changes_nothing_and_says_why(
+    open_script: OpenScript, line: str, sentence: str
+) -> None:
+    script = open_script(world="first_room")
+    before = script.donnie.picture_now()
+
+    assert script.answers_to(line) == [sentence]
+    assert script.donnie.picture_now() == before
+    assert script.donnie.site.is_saved
+
+
+def test_the_place_where_a_robot_starts_stays_free(open_script: OpenScript) -> None:
+    script = open_script(world="first_room")
+    script.answers_to("FW 6")
+
+    assert script.answers_to("PUT box 0 0") == ["The robot donnie starts there. Nothing changed."]
+
+
+def test_of_several_things_the_names_are_said(open_script: OpenScript) -> None:
+    script = open_script(world="first_room")
+    script.type("PUT box red 4 6")
+    script.type("PUT box blue 8 6")
+    script.type("PUT box blue 8 12")
+
+    assert script.answers_to("MOVE red box 1 0") == [
+        "Box, red: now at 5, 6. From the robot: 5 right, 6 ahead."
+    ]
+    assert script.answers_to("REMOVE blue box") == [
+        "2 things are meant: box 2: 8, 6; box 3: 8, 12. Type the name."
+    ]
+    assert script.answers_to("REMOVE box 3") == ["Box, blue: gone from 8, 12."]
+
+
+def test_a_thing_with_a_name_is_put_to_a_place(open_script: OpenScript) -> None:
+    script = open_script(world="first_room")
+    script.type("PUT box red 4 6 AS treasure")
+
+    assert script.answers_to("PUT treasure -4 6") == [
+        "Treasure, box, red: now at -4, 6. From the robot: 4 left, 6 ahead."
+    ]
+
+
+def test_lines_of_the_program_are_moved_and_removed_as_before(open_script: OpenScript) -> None:
+    script = open_script("FW 1", "FW 2", "FW 3", world="first_room")
+
+    assert script.answers_to("MOVE 3 1") == ["Line 1: FW 3"]
+    assert script.answers_to("REMOVE 1")
+    assert script.ctx.program.lines == ("FW 1", "FW 2")
+
+
+@pytest.mark.parametrize("line", ["TURN LEFT", "TURN RIGHT 90", "TURN 90", "TURN -90", "MOVE FORWARD 3"])
+def test_what_beginners_say_for_the_robot_is_no_command_for_things(line: str) -> None:
+    assert find(line) is None
+
+
+@pytest.mark.parametrize("line", ["TURN treasure 90", "TURN chair -90", "turn red box 45"])
+def test_a_thing_after_turn_is_turned(line: str) -> None:
+    found = find(line)
+
+    assert found is not None
+    assert found[0].name == "turn"
+
+
+def test_the_hint_for_turn_left_is_still_a_word_of_godonnie() -> None:
+    (mistake,) = parse("TURN LEFT 90").diagnostics
+
+    assert (mistake.code, mistake.meant) == ("everyday", "TL 90")
+
+
+def test_a_challenge_keeps_its_world(open_script: OpenScript) -> None:
+    script = open_script(world="challenge:first_walk")
+
+    assert script.answers_to("PUT box 4 6") == ["This world belongs to a challenge and stays as it is."]
+
+
+def test_a_recorded_session_keeps_its_world(open_script: OpenScript, tmp_path: Path) -> None:
+    script = open_script(world="first_room", record=str(tmp_path / "it.rec"))
+
+    assert script.answers_to("PUT box 4 6")[0].endswith("is being recorded, so the world stays as it is.")
+
+
+# --- saving
+
+
+def test_the_saved_world_is_what_was_built(open_script: OpenScript, tmp_path: Path) -> None:
+    script = open_script(world="first_room")
+    script.type("PUT box red 4 6 AS treasure")
+    script.type("MOVE table 0 -2")
+    script.type("TURN chair 45")
+    script.type("REMOVE ball")
+    built = script.donnie.picture_now()
+
+    assert script.answers_to("SAVE WORLD mine") == ["World saved as mine.world. WORLD mine.world goes there."]
+
+    saved = choose_world(str(tmp_path / "mine.world"), Words("en"))
+    assert picture(saved.scene).things == built.things
+    assert saved.scene.report.notes == ()
+    text = (tmp_path / "mine.world").read_text(encoding="utf-8")
+    assert text.startswith("# The room of the first lesson")  # what its author wrote stays
+
+
+def test_saving_asks_before_another_file_is_replaced(open_script: OpenScript, tmp_path: Path) -> None:
+    (tmp_path / "mine.world").write_text("theirs", encoding="utf-8")
+    script = open_script(world="first_room", answers=["no", "yes"])
+    script.type("PUT box red 4 6")
+
+    script.type("SAVE WORLD mine")
+    assert (tmp_path / "mine.world").read_text(encoding="utf-8") == "theirs"
+    script.type("SAVE WORLD mine")
+    assert "box" in (tmp_path / "mine.world").read_text(encoding="utf-8")
+    script.type("SAVE WORLD")  # its own file by now
+    assert len(script.interaction.asked) == 2
+
+
+def test_a_world_of_the_learner_is_saved_to_its_file(open_script: OpenScript, tmp_path: Path) -> None:
+    file = tmp_path / "room.world"
+    file.write_text('include "donnie.inc"\ndonnie( name "donnie" pose [ 0 0 0 90 ] )\n', encoding="utf-8")
+    script = open_script(world=str(file))
+
+    assert script.answers_to("PUT chair 4 6") == ["Chair, green: at 4, 6. From the robot: 4 right, 6 ahead."]
+    script.type("SAVE WORLD")
+
+    assert file.read_text(encoding="utf-8") == (
+        'include "donnie.inc"\ndonnie( name "donnie" pose [ 0 0 0 90 ] )\n'
+        'include "furniture.inc"\nchair( name "chair" pose [ 0.2 0.3 0 0 ] )\n'
+    )
+
+
+@pytest.mark.parametrize(("answers", "leaves"), [(["no"], True), ([None], False), (["yes", "mine"], True)])
+def test_leaving_asks_about_a_world_that_is_not_saved(
+    open_script: OpenScript, tmp_path: Path, answers: list[str | None], leaves: bool
+) -> None:
+    script = open_script(world="first_room", answers=answers)
+    script.type("PUT box red 4 6")
+
+    assert drive(may_lose_all(script.ctx)) is leaves
+    assert script.interaction.asked[0] == "You changed this world. Save it, y or n? Enter means no."
+    assert (tmp_path / "mine.world").exists() == ("mine" in answers)
+
+
+def test_nothing_is_asked_about_a_world_that_is_saved_or_was_not_changed(open_script: OpenScript) -> None:
+    script = open_script(world="first_room")
+    assert drive(may_leave_built(script.ctx))
+    script.type("PUT box red 4 6")
+    script.type("SAVE WORLD mine")
+
+    assert drive(may_leave_built(script.ctx))
+    assert script.interaction.asked == []
+
+
+def test_another_world_is_entered_after_the_question_only(open_script: OpenScript) -> None:
+    script = open_script(world="first_room", answers=[None, "no"])
+    script.type("PUT box red 4 6")
+
+    assert script.answers_to("WORLD maze") == ["Not saved, so Donnie stays open."]
+    with pytest.raises(EnterWorld):
+        script.type("WORLD maze")
