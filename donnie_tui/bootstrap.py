@@ -30,7 +30,14 @@ from donnie_tui.outlets.files import Outlets, Written
 from donnie_tui.process import loaded
 from donnie_tui.robot.connection import Connection
 from donnie_tui.robot.search import Search
-from donnie_tui.settings.folders import BREAKPOINTS, RECENT, UNSAVED, is_new_decision, state_path
+from donnie_tui.settings.folders import (
+    BREAKPOINTS,
+    RECENT,
+    UNSAVED,
+    UNSAVED_WORLD,
+    is_new_decision,
+    state_path,
+)
 from donnie_tui.settings.parsing import SERIAL, SIMULATED
 from donnie_tui.settings.settings import Settings, SettingSource
 from donnie_tui.world.loading import (
@@ -44,6 +51,8 @@ from donnie_tui.world.loading import (
 )
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from donnie_tui.core.goals import Inventory, Judgment
     from donnie_tui.core.program_files import FilesInUse
     from donnie_tui.world.building import Building
@@ -129,6 +138,23 @@ class Donnie(Struct, frozen=True):
     def holds_something(self) -> bool:
         """Whether a robot has something in its gripper."""
         return self._shared.is_holding
+
+    def rescue_world(self) -> Path | None:
+        """Where a world that was changed and not saved is kept: no question was possible."""
+        if self.site.is_saved:
+            return None
+        from pathlib import Path
+
+        from donnie_tui.core.program_files import DocumentError, write_program
+        from donnie_tui.process.confinement import make_folder
+
+        file = Path(f"{state_path(os.environ)}/{UNSAVED_WORLD}")
+        try:
+            make_folder(file.parent)
+            write_program(file, self.site.text)
+        except (DocumentError, OSError):
+            return None
+        return file
 
     def mounted(self) -> tuple[Mounted, ...]:
         """What the robot that is talked to has, in its world; a board has its own."""

@@ -100,7 +100,11 @@ class Leaving:
         elif self._prompter.has_ended:  # to stay and ask again would never end
             self._keeps_copies = True
             self._ctx.workspace.write_copies()
-            self._ctx.answer("answer-rescued")
+            rescued = self._ctx.donnie.rescue_world()
+            if rescued is not None:
+                self._ctx.answer("built-rescued", path=rescued)
+            if not all(each.is_saved for each in self._ctx.workspace.current_first):
+                self._ctx.answer("answer-rescued")
             self.code = code
         else:
             self.code = None
@@ -126,6 +130,7 @@ class Leaving:
     def leave_by_signal(self, number: int) -> None:
         self._ctx.donnie.team.stop()
         self._ctx.workspace.write_copies()
+        self._ctx.donnie.rescue_world()
         self.code = 128 + number
 
     def interrupt(self, line: str) -> None:

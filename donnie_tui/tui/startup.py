@@ -92,6 +92,7 @@ class SessionHandle:
         """Write the unsaved copies, for the next start."""
         if self.controller is not None:
             self.controller.workspace.write_copies()
+            self.controller.donnie.rescue_world()
 
     def code_at_end(self, code: int, report: Callable[[str], object]) -> int:
         """See ``Donnie``; after ``close``."""

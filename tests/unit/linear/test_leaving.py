@@ -15,6 +15,8 @@ def leaving_of(done: list[str], leaving: int | None = None) -> Leaving:
     ctx: Any = SimpleNamespace(
         donnie=SimpleNamespace(
             team=SimpleNamespace(stop=lambda: done.append("stop")),
+            site=SimpleNamespace(is_saved=True),
+            rescue_world=lambda: None,
             session=SimpleNamespace(
                 hub=SimpleNamespace(wait_until_delivered=lambda: done.append("delivered"))
             ),
