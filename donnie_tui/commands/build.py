@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 
 from donnie_tui.commands.arguments import numbers_in
 from donnie_tui.commands.context import UNUSABLE, Context
-from donnie_tui.commands.dispatch import handles
+from donnie_tui.commands.declarations import BY_NAME
+from donnie_tui.commands.dispatch import handler_of, handles
 from donnie_tui.commands.interaction import GivenUp, NotUnderstood
 from donnie_tui.core.wording import coloured_thing, meant
 from donnie_tui.i18n.words import Unusable
@@ -69,9 +70,7 @@ async def turn(ctx: Context, argument: str) -> None:
 async def remove(ctx: Context, argument: str) -> None:
     """REMOVE treasure; with numbers of lines, or alone, it is DELETE."""
     if not argument or numbers_in(argument, most=2) is not None:
-        from donnie_tui.commands.program import delete
-
-        await delete(ctx, argument)
+        await handler_of(BY_NAME["delete"])(ctx, argument)
         return
 
     def change(building: Building) -> None:
