@@ -6,6 +6,7 @@ nothing else, and what is being saved is saved to its end, whatever is asked mea
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,10 +17,12 @@ from donnie_tui.commands.lookup import help_line
 from donnie_tui.commands.program import say_restored
 from donnie_tui.core import reports
 from donnie_tui.core.program_files import (
+    SUFFIX,
     DocumentError,
     as_lines,
     checked_path,
     exists,
+    file_names,
     page_to_save,
     program_to_open,
     program_to_save,
@@ -33,6 +36,9 @@ if TYPE_CHECKING:
     from donnie_tui.commands.context import Context
     from donnie_tui.core.document import Document
 
+
+MOST_SUGGESTED = 200
+"""Files; a learner with more types a letter of the name."""
 
 # --- opening
 
@@ -51,12 +57,19 @@ async def open_named(ctx: Context, argument: str) -> None:
 async def _read_asked(ctx: Context) -> tuple[Path, str]:
     """The file of a typed name. What is wrong with the name is asked in its place."""
     question, name = ctx.words("ask-open"), ""
-    while name := await ctx.interaction.ask(question, name) or "":
+    while name := await ctx.interaction.ask(question, name, suggest=partial(_programs_like, ctx)) or "":
         try:
             return await _read(ctx, name)
         except DocumentError as error:
             question = ctx.words(error.code, path=error.path, reason=error.reason)
     raise GivenUp
+
+
+def _programs_like(ctx: Context, typed: str) -> tuple[str, ...]:
+    """The programs and folders that a typed name may become; at first the recent programs come first."""
+    found = [each for each in file_names(typed) if each.endswith(("/", SUFFIX))]
+    recent = [] if typed else [each for each in ctx.workspace.recent.paths() if each.parent != Path.cwd()]
+    return (*map(str, recent), *sorted(found, key=lambda each: (each.endswith("/"), each)))[:MOST_SUGGESTED]
 
 
 async def _read(ctx: Context, name: str) -> tuple[Path, str]:
@@ -196,7 +209,8 @@ async def save_document(ctx: Context, name: str) -> bool:
 async def _save(ctx: Context, name: str) -> bool:
     """Asks before another text than the one last read or written is lost."""
     document, own = ctx.program, str(ctx.program.path or "")
-    name = name or await ctx.interaction.ask(ctx.words("ask-file-name"), own) or ""
+    question, suggest = ctx.words("ask-file-name"), partial(_programs_like, ctx)
+    name = name or await ctx.interaction.ask(question, own, suggest=suggest) or ""
     if not name:
         raise GivenUp
     path = checked_path(Path(own)) if name == own else program_to_save(name, ctx.donnie.in_use)

@@ -81,11 +81,16 @@ class Interaction(Protocol):
         """Whether a question can be answered: not where the lines come from a file."""
 
     async def ask(
-        self, question: str, text: str = "", accepts: Callable[[str], str | None] | None = None
+        self,
+        question: str,
+        text: str = "",
+        accepts: Callable[[str], str | None] | None = None,
+        suggest: Callable[[str], Sequence[str]] | None = None,
     ) -> str | None:
         """One line, with ``text`` to begin with; None where the learner gave up.
 
-        ``accepts`` returns what is wrong with a line, and the question is asked again.
+        ``accepts`` returns what is wrong with a line, and the question is asked again. ``suggest`` returns
+        what the line may become; a front end with lists shows it. One that ends with a slash leads to others.
         """
 
     async def choose(

@@ -333,6 +333,23 @@ def _reason(problem: Exception) -> str:
 # --- what is kept of program files from one start to the next
 
 
+def file_names(typed: str) -> tuple[str, ...]:
+    """The files and folders that a typed name may become; a folder ends with a slash."""
+    from pathlib import Path
+
+    folder, _, name = typed.rpartition("/")
+    place = Path(folder or ("/" if typed.startswith("/") else "."))
+    try:
+        found = [each for each in sorted(place.iterdir()) if is_allowed(each)] if is_allowed(place) else []
+        names = [f"{each.name}/" if each.is_dir() else each.name for each in found]
+    except OSError:
+        return ()
+    before = f"{folder}/" if "/" in typed else ""
+    return tuple(
+        before + each for each in names if each.startswith(name) and (name or not each.startswith("."))
+    )
+
+
 class RecentFiles:
     """The programs that were opened and saved lately, the newest first, kept from one start to the next.
 

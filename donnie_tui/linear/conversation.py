@@ -297,7 +297,11 @@ class LinearInteraction:
     # --- questions
 
     async def ask(
-        self, question: str, text: str = "", accepts: Callable[[str], str | None] | None = None
+        self,
+        question: str,
+        text: str = "",
+        accepts: Callable[[str], str | None] | None = None,
+        suggest: Callable[[str], Sequence[str]] | None = None,  # noqa: ARG002 -- for front ends with lists
     ) -> str | None:
         prompter = self._conversation.prompter
         prompter.offered = text

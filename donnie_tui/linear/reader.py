@@ -17,9 +17,9 @@ from msgspec import Struct
 from donnie_tui.commands.declarations import COMMANDS
 from donnie_tui.commands.lookup import find, words_of
 from donnie_tui.core.line_history import LineHistory, Recall
+from donnie_tui.core.program_files import file_names
 from donnie_tui.linear.console import Console
 from donnie_tui.linear.line_editor import ESCAPE_DELAY, Act, EditLine, KeyDecoder, KeyPress
-from donnie_tui.process.confinement import is_allowed
 from language import keywords
 from language.source import fold_name
 
@@ -322,7 +322,7 @@ def candidates(ctx: Context, before: str) -> tuple[str, ...]:
     blank, last = " " in before.lstrip(), before.rpartition(" ")[2]
     asked = find(before)
     if blank and asked is not None and asked[0].argument == "file":
-        return _files(last)
+        return file_names(last)[:MOST_WORDS]
     if not last:
         return ()
     known = [*keywords.all_words(ctx.words.language), *ctx.donnie.session.variables, *_arguments(ctx, before)]
@@ -350,19 +350,3 @@ def _arguments(ctx: Context, before: str) -> tuple[str, ...]:
 
 def _as_typed(word: str, typed: str) -> str:
     return word.lower() if typed.islower() else word
-
-
-def _files(typed: str) -> tuple[str, ...]:
-    from pathlib import Path
-
-    folder, _, name = typed.rpartition("/")
-    place = Path(folder or ("/" if typed.startswith("/") else "."))
-    try:
-        found = [each for each in sorted(place.iterdir()) if is_allowed(each)] if is_allowed(place) else []
-        names = [f"{each.name}/" if each.is_dir() else each.name for each in found]
-    except OSError:
-        return ()
-    before = f"{folder}/" if "/" in typed else ""
-    return tuple(
-        before + each for each in names if each.startswith(name) and (name or not each.startswith("."))
-    )[:MOST_WORDS]

@@ -77,19 +77,29 @@ class ScreenInteraction:
     # --- questions
 
     async def ask(
-        self, question: str, text: str = "", accepts: Callable[[str], str | None] | None = None
+        self,
+        question: str,
+        text: str = "",
+        accepts: Callable[[str], str | None] | None = None,
+        suggest: Callable[[str], Sequence[str]] | None = None,
     ) -> str | None:
-        return await self._typed_answer(question, text, accepts) or None
+        return await self._typed_answer(question, text, accepts, suggest) or None
 
     async def _typed_answer(
-        self, question: str, text: str, accepts: Callable[[str], str | None] | None
+        self,
+        question: str,
+        text: str,
+        accepts: Callable[[str], str | None] | None,
+        suggest: Callable[[str], Sequence[str]] | None = None,
     ) -> str | None:
-        """None after Esc; empty after Enter alone."""
+        """None after Esc; empty after Enter alone. In the plain layout there is no list to be read out."""
         from donnie_tui.tui.screens.dialogs import Question
 
         await asyncio.sleep(0)
-        keys, point = self._words("ask-keys"), self._controller.point
-        return await self._dialogs.answer_of(Question(question, keys, point, value=text, accepts=accepts))
+        shown = None if self._place.is_plain else suggest
+        keys, point = self._words("ask-keys" if shown is None else "ask-keys-list"), self._controller.point
+        asked = Question(question, keys, point, value=text, accepts=accepts, suggest=shown)
+        return await self._dialogs.answer_of(asked)
 
     async def choose(
         self,

@@ -153,3 +153,73 @@ async def test_a_wrong_answer_to_yes_or_no_is_reported_and_typed_over(open_scree
         await screen.type_line(f"SAVE LOG {there}")
         await screen.answer("yes")
         await screen.until(lambda: "> SAVE LOG" in there.read_text(), "the log")
+
+
+# --- the list of files
+
+
+@pytest.fixture
+def lessons(tmp_path):
+    """Programs in the folder and in another one."""
+    (tmp_path / "lessons").mkdir()
+    for name in ("square.gd", "stairs.gd", "lessons/first.gd"):
+        (tmp_path / name).write_text(f'SPEAK "{name}"\n')
+    (tmp_path / "notes.txt").write_text("no program")
+    return tmp_path
+
+
+async def list_of_files(screen) -> tuple[str, ...]:
+    await screen.until(lambda: screen.app.screen is not screen.main, "the question")
+    listed = screen.app.screen._list
+    await screen.until(lambda: listed.lines, "the list")
+    await screen.painted()
+    return listed.lines
+
+
+@pytest.mark.parametrize("size", [(80, 24), (40, 12)])
+async def test_open_lists_the_programs_and_the_arrows_choose_one(open_screen, lessons, size):
+    async with open_screen(size=size) as screen:
+        await screen.press("ctrl+o")
+        assert await list_of_files(screen) == ("square.gd", "stairs.gd", "lessons/")
+        assert "square.gd" in screen.text
+        await screen.press("down", "down", "enter")
+        await screen.shows("Opened stairs.gd")
+
+
+async def test_a_folder_of_the_list_leads_to_its_programs_by_mouse_too(open_screen, lessons):
+    async with open_screen() as screen:
+        await screen.press("ctrl+o")
+        await list_of_files(screen)
+        row = next(at for at, line in enumerate(screen.text.splitlines()) if line.strip() == "lessons/")
+        await screen.pilot.click(offset=(3, row))
+        listed = screen.app.screen._list
+        await screen.until(lambda: listed.lines == ("lessons/first.gd",), "the folder")
+        await screen.press("tab", "enter")
+        await screen.shows("Opened first.gd")
+
+
+async def test_what_is_typed_narrows_the_list_and_enter_takes_what_is_typed(open_screen, lessons):
+    async with open_screen() as screen:
+        await screen.press("ctrl+o")
+        await list_of_files(screen)
+        await screen.press(*"sq")
+        listed = screen.app.screen._list
+        await screen.until(lambda: listed.lines == ("square.gd",), "the fitting one")
+        await screen.press(*"uare", "enter")
+        await screen.shows("Opened square.gd")
+
+
+async def test_save_as_shows_the_names_that_are_taken(open_screen, lessons):
+    async with open_screen("FW 1") as screen:
+        await screen.press("ctrl+k", "s")
+        assert "stairs.gd" in await list_of_files(screen)
+        await screen.press(*"mine", "enter")
+        await screen.shows("Saved mine.gd")
+
+
+async def test_in_the_plain_layout_the_question_has_no_list(open_screen, lessons):
+    async with open_screen(plain=True) as screen:
+        await screen.press("ctrl+o")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the question")
+
+        assert screen.app.screen._list is None

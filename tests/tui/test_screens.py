@@ -188,6 +188,20 @@ async def test_each_screen(open_screen, same, name, theme, size):
         await same(screen)
 
 
+@looks((40, 12))
+async def test_the_programs_to_open(open_screen, same, theme, size, tmp_path):
+    (tmp_path / "lessons").mkdir()
+    for name in ("square.gd", "stairs.gd", "lessons/first.gd"):
+        (tmp_path / name).write_text("FW 1\n")
+    async with open_screen(RECTANGLE, size=size, world="living_room") as screen:
+        screen.app.theme = theme
+        await opened(screen, "ctrl+o")
+        await screen.until(lambda: screen.app.screen._list.lines, "the list")
+        await screen.press("down")
+        await screen.painted()
+        await same(screen)
+
+
 @looks()
 @pytest.mark.parametrize("name", WORDS)
 async def test_each_list(open_screen, same, name, theme, size):

@@ -10,6 +10,7 @@ The words that may stand at the cursor, in a list below it. Enter takes one, Esc
 
 from __future__ import annotations
 
+import asyncio
 import re
 from collections.abc import Callable, Sequence
 from typing import ClassVar
@@ -28,11 +29,23 @@ from donnie_tui.commands.interaction import Option
 from donnie_tui.tui.widgets.command_line import InputLine
 from donnie_tui.tui.widgets.rows import TextRows
 
+MOST_SEEN = 8
+"""Rows of a list next to something else."""
+
 
 class Question(ModalScreen[str | None]):
-    """Asks for one line; None after Esc. ``accepts`` returns what is wrong with an answer, or None."""
+    """Asks for one line; None after Esc. ``accepts`` returns what is wrong with an answer, or None.
 
-    BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "go_back", show=False, priority=True)]
+    ``suggest`` returns what the line may become. They are a list above the line: Up, Down or a click chooses
+    one, Tab writes it.
+    """
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("escape", "go_back", show=False, priority=True),
+        Binding("up", "choose_row(-1)", show=False, priority=True),
+        Binding("down", "choose_row(1)", show=False, priority=True),
+        Binding("tab", "write_row", show=False, priority=True),
+    ]
     AUTO_FOCUS = "#answer"
 
     def __init__(
@@ -43,6 +56,7 @@ class Question(ModalScreen[str | None]):
         *,
         value: str = "",
         accepts: Callable[[str], str | None] | None = None,
+        suggest: Callable[[str], Sequence[str]] | None = None,
     ) -> None:
         """``point`` says what is asked."""
         super().__init__()
@@ -51,20 +65,64 @@ class Question(ModalScreen[str | None]):
         self._keys = keys
         self._value = value
         self._accepts = accepts
+        self._suggest = suggest
+        self._list = _Suggestions(id="suggestions") if suggest is not None else None
 
     def compose(self) -> ComposeResult:
         with Vertical(id="question"):
             yield Static(self._asked, id="asked", markup=False)
+            if self._list is not None:
+                yield self._list
             yield InputLine(self._value, id="answer")
             yield Static(f" {self._keys}", id="question-keys", markup=False)
 
     def on_mount(self) -> None:
         self.query_one(InputLine).select_all()  # what is proposed is typed over
         self._point(f"{self._asked} {self._value}".strip())
+        if self._suggest is not None:
+            self.run_worker(self._look_up(""), exclusive=True)
+
+    async def _look_up(self, typed: str) -> None:
+        """A slow folder delays no key."""
+        assert self._suggest is not None and self._list is not None
+        found = await asyncio.to_thread(self._suggest, typed)
+        self._list.offer(found, max(0, min(MOST_SEEN, self.size.height - 5)))
+
+    def on_input_changed(self, event: Input.Changed) -> None:
+        if self._list is not None and event.value != self._value:
+            self._list.leave()
+            self.run_worker(self._look_up(event.value.strip()), exclusive=True)
+
+    def action_choose_row(self, down: int) -> None:
+        if self._list is not None and self._list.lines:
+            self._list.choose(down)
+            self._point(self._list.row_text)
+
+    def action_write_row(self) -> None:
+        """The chosen row, or the first one, goes into the line."""
+        if self._list is not None and self._list.lines:
+            self._write(self._list.row_text)
+
+    def _write(self, text: str) -> None:
+        line = self.query_one(InputLine)
+        line.value = text
+        line.cursor_position = len(text)
+
+    def on__rows_clicked(self, event: _Rows.Clicked) -> None:
+        assert self._list is not None
+        self._list.choose_line(event.line)
+        self._answer(self._list.row_text)
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         event.stop()
-        answer = event.value.strip()
+        is_listed = self._list is not None and self._list.is_chosen
+        self._answer(self._list.row_text if self._list is not None and is_listed else event.value.strip())
+
+    def _answer(self, answer: str) -> None:
+        """A folder of the list leads to what is in it."""
+        if self._list is not None and self._list.is_chosen and answer.endswith("/"):
+            self._write(answer)
+            return
         wrong = self._accepts(answer) if self._accepts else None
         if wrong:
             self.query_one("#asked", Static).update(wrong)
@@ -109,6 +167,38 @@ class _Rows(TextRows, can_focus=False):
         if row < self.row_count:
             self._read(row)
             self.post_message(self.Clicked(self.line))
+
+
+class _Suggestions(_Rows):
+    """What a line may become. None of it is chosen at first: Enter takes what is typed."""
+
+    def __init__(self, *, id: str) -> None:  # noqa: A002 -- Textual's own name
+        super().__init__(id=id)
+        self.is_chosen = False
+        self.styles.height = 0
+
+    @property
+    def is_read(self) -> bool:
+        return self.is_chosen
+
+    def offer(self, lines: Sequence[str], most: int) -> None:
+        """Other lines, of which so many are seen."""
+        self.leave()
+        self.show(lines)
+        self.styles.height = min(len(lines), most)
+
+    def leave(self) -> None:
+        """Nothing is chosen any more."""
+        self.is_chosen = False
+        self._read(0)
+
+    def choose(self, down: int) -> None:
+        """The row so far away; the first one at first."""
+        self.choose_line(min(max(0, self.line + down), len(self.lines) - 1) if self.is_chosen else 0)
+
+    def choose_line(self, line: int) -> None:
+        self.is_chosen = True
+        self.read_line(line)
 
 
 class _Narrowing(InputLine):
@@ -204,9 +294,6 @@ class Chooser(ModalScreen[str | None]):
 
     def action_go_back(self) -> None:
         self.dismiss(None)
-
-
-MOST_SEEN = 8
 
 
 class _Words(OptionList):

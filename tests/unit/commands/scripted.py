@@ -55,7 +55,11 @@ class ScriptedInteraction:
         return self.answers.pop(0) if self.answers else None
 
     async def ask(
-        self, question: str, text: str = "", accepts: Callable[[str], str | None] | None = None
+        self,
+        question: str,
+        text: str = "",
+        accepts: Callable[[str], str | None] | None = None,
+        suggest: Callable[[str], Sequence[str]] | None = None,
     ) -> str | None:
         self.asked.append(f"{question} {text}".strip())
         answer = self._answer()
