@@ -9,7 +9,7 @@ import pytest
 
 from donnie_tui.cli.main import main
 from language.locales import languages, table
-from worlds import challenges
+from worlds import challenges, scenarios
 from worlds.challenges import BadChallenge
 
 GOOD = """\
@@ -81,6 +81,14 @@ def test_a_variant_moves_things(tmp_path: Path, capsys: pytest.CaptureFixture[st
 
     assert main(["challenge", "check", str(file), str(program), "--lang", "en"]) == 0
     assert "Solved" in capsys.readouterr().out
+
+
+def test_the_task_of_each_scenario_is_a_challenge() -> None:
+    text = Path("docs/scenarios.md").read_text(encoding="utf-8")
+    named = re.findall(r"^## (\w+), .*?as the challenge `(\w+)`", text, re.DOTALL | re.MULTILINE)
+
+    assert {world for world, _ in named} == set(scenarios())
+    assert all(challenges.find(name).rules.world == world for world, name in named)
 
 
 def test_from_the_third_on_a_shipped_challenge_has_two_starts() -> None:

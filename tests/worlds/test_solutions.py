@@ -7,13 +7,15 @@ them anew.
 
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 
-from donnie_tui.bootstrap import judge_program, starts_of
+from donnie_tui.bootstrap import _try_from, judge_program, starts_of
 from donnie_tui.core.describe import verdict_in_words
+from donnie_tui.core.events import Event, Moved, Spoke, Turned
 from donnie_tui.core.goals import Judgment
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.settings import Settings
@@ -90,6 +92,34 @@ def test_each_small_mistake_fails_for_the_reason_that_the_verdict_says(name: str
     assert text == file.read_text(encoding="utf-8")
     solved = {what for what, verdict in said.items() if not verdict and not is_angle(what)}
     assert solved == set(TOLERATED.get(name, {}))
+
+
+@pytest.mark.parametrize(
+    "name", [each for each in challenges.names() if challenges.ladder_of(each) == "looking"]
+)
+def test_what_solves_one_start_of_a_looking_challenge_does_not_solve_the_others(name: str) -> None:
+    """The commands that the solution carries out at one start, with their numbers, fail at another one."""
+    found, words, settings = challenges.find(name), Words("en"), Settings()
+    world, solution = choose_world(found.world, words), found.solution.read_text(encoding="utf-8")
+    for start in starts_of(found, world, words, settings):
+        _, events = _try_from(start, solution, world, words, settings)
+        blind = "\n".join(commands(each.event for each in events))
+        free = replace(found, rules=replace(found.rules, required=()))
+        verdicts = judge_program(blind, starts_of(free, world, words, settings), world, words, settings)
+        assert any(each.is_solved for each in verdicts)
+        assert not all(each.is_solved for each in verdicts), blind
+
+
+def commands(events: Iterable[Event]) -> Iterator[str]:
+    """What was carried out, without sensors."""
+    for event in events:
+        match event:
+            case Moved():
+                yield f"{'FW' if event.forward else 'BW'} {event.walked}"
+            case Turned():
+                yield f"{'TR' if event.right else 'TL'} {event.turned}"
+            case Spoke():
+                yield f"SPEAK {event.text}"
 
 
 def is_angle(mistake: str) -> bool:
