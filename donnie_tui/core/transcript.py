@@ -34,6 +34,7 @@ from donnie_tui.core.events import (
     Moved,
     Pointed,
     RunEnded,
+    RunStarted,
     Spoke,
     Stamped,
     Turned,
@@ -273,10 +274,16 @@ class _Robot(Struct):
     is_decided: bool = False
     """Whether the sentence of that movement was decided on; the next one is about the place."""
     omitted: _Omitted = field(default_factory=_Omitted)
+    speaks: bool = False
+    """Whether its program has spoken."""
 
 
 class SummaryFilter:
-    """The filter for a learner at a prompt: sums up movements that come too fast."""
+    """The filter for a learner at a prompt: sums up movements that come too fast.
+
+    What a program says itself is not interrupted: from its first words on, the sum comes after an obstacle, a
+    mistake, or the program's end.
+    """
 
     def __init__(
         self,
@@ -316,8 +323,11 @@ class SummaryFilter:
             robot.last, robot.is_decided = stamped.event, False
         lines = printed_lines(stamped, self._say)
         may_wait = _is_routine(stamped, robot)
-        ends = isinstance(stamped.event, RunEnded) or (lines and not may_wait)
-        before = self._summed_up() if ends or self._has_room() else ()
+        is_spoken = isinstance(stamped.event, Spoke)
+        robot.speaks = is_spoken or (robot.speaks and not isinstance(stamped.event, RunStarted))
+        ends = isinstance(stamped.event, RunEnded) or (lines and not may_wait and not is_spoken)
+        has_time = self._has_room() and not any(each.speaks for each in self._robots.values())
+        before = self._summed_up() if ends or has_time else ()
         if may_wait and not self._has_room():
             _keep(robot, lines)
             return _Decision(stamped, before, passes=False)

@@ -76,11 +76,7 @@ class Conversation:
             console,
             state.editing,
             state.plain,
-            PacedOutput(
-                console,
-                paced=os.isatty(1),
-                of_numbers=lambda count: donnie.words("numbers-printed", count=count),
-            ),
+            PacedOutput(console, paced=os.isatty(1)),
             queue,
             lambda: preferences.settings,
             is_attended=os.isatty(0),

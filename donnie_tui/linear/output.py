@@ -9,7 +9,7 @@ for keys, and after a stop it prints only the last lines.
 Printed are whole lines, an answer and the prompt in one write, with rests between blocks.
 A screen reader loses what scrolls by, and it says a prompt twice that comes in a write of its own. So the
 newline of Enter is held back until there is an answer, and no more than a screenful is printed at once. Orca
-takes a write of nothing but digits for something typed and keeps silent: such a block ends with a sentence.
+takes a write of nothing but digits for something typed and keeps silent: such a block ends with a full stop.
 
 Fenrir compares the screen before and after with ``difflib``, which looks first for the longest part of both.
 That must be what has moved up (``OnScreen``). If an answer is printed again that is still on the screen, it
@@ -46,7 +46,7 @@ REST = 0.3
 AFTER_STOP = 5
 """Lines that are printed after a stop without a rest: a block leaves room for them and the prompt."""
 MANY_NUMBERS = 4
-"""Lines of nothing but digits in a block that need a sentence after them."""
+"""Lines of nothing but digits in a block that need a full stop after them."""
 FEWEST = 2
 """Least lines printed at once; if not even these are said, the answer is one line over and over."""
 URGENT = ("link",)
@@ -289,12 +289,8 @@ class PrintTarget(Protocol):
 class PacedOutput:
     """Prints blocks of lines. ``paced`` is for learners; a pipe needs no rests."""
 
-    def __init__(
-        self, target: PrintTarget, *, paced: bool, of_numbers: Callable[[int], str] = "{}".format
-    ) -> None:
-        """``of_numbers`` returns the sentence that says how many numbers those were."""
+    def __init__(self, target: PrintTarget, *, paced: bool) -> None:
         self._target = target
-        self._of_numbers = of_numbers
         self.paced = paced
         """Whether there are rests; may be changed at any time."""
         self._held = ""
@@ -314,23 +310,21 @@ class PacedOutput:
         """
         if to_the_end:
             self._room = max(self._room, AFTER_STOP)
-        block, lines = self._next_block(lines, prompt)
+        block, lines = self._next_block(lines)
         while lines:
             self._write(block, "")
-            block, lines = self._next_block(lines, prompt)
+            block, lines = self._next_block(lines)
             if self._target.interrupted and not to_the_end:
                 return len(block) + len(lines)
         self._write(block, prompt)
         return 0
 
-    def _next_block(self, lines: list[str], prompt: str) -> tuple[list[str], list[str]]:
+    def _next_block(self, lines: list[str]) -> tuple[list[str], list[str]]:
         """The lines to print now, after a rest if one is due, and the lines after them."""
         if not self.paced:
             return lines, []
         self._make_room(bool(lines))
         size = self._room
-        if (prompt == "" or len(lines) > size) and are_silent(lines[:size]):
-            size -= 1  # for the sentence
         said = self._on_screen.most_said(lines[:size], self._target.rows())
         if said < len(lines[:size]):
             size, self._room = said, 0
@@ -352,8 +346,7 @@ class PacedOutput:
 
     def _write(self, block: list[str], prompt: str) -> None:
         if self.paced and prompt == "" and are_silent(block):
-            block = [*block, self._of_numbers(len(block))]
-            self._room -= 1
+            block = [*block[:-1], f"{block[-1]}."]
         text = self._held + "".join(f"{line}\n" for line in block) + prompt
         self._held = ""
         self._on_screen.add(block, prompt, self._target.rows())

@@ -9,6 +9,7 @@ from msgspec import Struct
 
 from donnie_tui.commands.arguments import answered
 from donnie_tui.commands.context import Context
+from donnie_tui.commands.lookup import find
 from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.wording import meant
 from donnie_tui.i18n.words import Words
@@ -17,12 +18,16 @@ from donnie_tui.linear.greeting import PROMPT
 from donnie_tui.linear.output import LARGEST_BLOCK, BackgroundRobots, Listener, OutputQueue, PacedOutput
 from donnie_tui.linear.reader import EditingReader, How, Reader, Typed
 from donnie_tui.settings.settings import Settings
+from language import keywords
+from language.source import printable
 
 GRACE = 0.025
 """Seconds that a line waits for the ones after it, so that an answer and the prompt go out together."""
 ON = "on"
 OWN_EDITOR = "own"
 """The value of ``editor`` with which Donnie edits lines; else the terminal does, and only text is written."""
+LONGEST_QUOTE = 30
+"""Characters of a wrong answer that are repeated."""
 SOON = 1.0
 """Seconds between two copies while lines come without a pause."""
 
@@ -168,18 +173,29 @@ class Printer:
         return 0 if self.is_hurrying else self._streams.page_size
 
     def _show_page(self, lines: list[str], left: int) -> bool:
-        """Print a page and wait for Enter. Returns whether more is wanted; any line typed here ends it."""
+        """Print a page and wait for Enter or Q. Returns whether more is wanted.
+
+        Where each line waits for Enter, any line typed here ends that.
+        """
         streams = self._streams
         holds = streams.settings().hold == ON
         question = f"{lines.pop() if holds else self._words('more-lines', lines=left)} "
-        streams.output.show(lines, question)
-        typed = streams.reader.read(question)
-        streams.end_line(typed)
-        streams.console.interrupted |= typed.how is How.INTERRUPTED
-        text = typed.text.strip()
-        if text and answered(text) is not False and meant(text, "pages") != "enough":
-            self._typed_early = typed
-        return typed.how in (How.ENTER, How.ESCAPE) and not text
+        while True:
+            streams.output.show(lines, question)
+            typed = streams.reader.read(question)
+            streams.end_line(typed)
+            streams.console.interrupted |= typed.how is How.INTERRUPTED
+            text = typed.text.strip()
+            if typed.how not in (How.ENTER, How.ESCAPE):
+                return False
+            if not text:
+                return True
+            if answered(text) is False or meant(text, "pages") == "enough":
+                return False
+            if holds:
+                self._typed_early = typed
+                return False
+            lines = [self._words("more-not-understood", word=printable(text[:LONGEST_QUOTE]))]
 
 
 class Prompter:
@@ -238,9 +254,15 @@ class Prompter:
         return text if is_answered else None
 
     def confirm(self, question: str) -> bool | None:
-        """Yes or no; None for no answer: Ctrl+C, Escape alone, the end of the input, a signal to leave."""
+        """Yes or no; None for no answer: Ctrl+C, Escape alone, the end of the input, a signal to leave.
+
+        A command is no answer either: it is carried out instead.
+        """
         answer = self.ask(question)
         while answer and answered(answer) is None:
+            if find(answer) or keywords.canonical(answer.split()[0]):
+                self.put_back(Typed(answer, How.ENTER))
+                return None
             answer = self.ask(self._ctx.words("yes-or-no"))
         return bool(answered(answer)) if answer is not None else None
 

@@ -50,8 +50,8 @@ FULL_SCREEN = ("--visual", "--plain")
 BRIEF = ("--verbosity", "brief")
 """Answers fit a display of 40 cells."""
 
-_AT_A_REST = re.compile(r"Those were \d+ numbers\.")
-"""Printed after a rest, which differs between sessions. It is no part of an answer."""
+_AT_A_REST = re.compile(r"(?m)^(\d+)\.$")
+"""A number before a rest has a full stop. The place of a rest differs between sessions."""
 
 _ABOUT_ITSELF = ("pychant is not installed", "Start Fenrir")
 """What Fenrir says at its start, of itself."""
@@ -140,7 +140,7 @@ class Listener:
 
     def _words_from(self, line: int) -> tuple[str, ...]:
         new = self._log.read_text(encoding="utf-8").splitlines()[line:]
-        said = (_AT_A_REST.sub("", json.loads(each)["text"]) for each in new)
+        said = (_AT_A_REST.sub(r"\1", json.loads(each)["text"]) for each in new)
         return tuple(text for text in said if text.strip() not in ("", *_ABOUT_ITSELF))
 
     # --- readers
@@ -319,9 +319,7 @@ def printed_by(
         child.expect(rb"(?:\A|\n)((?:[0-9]+)?> )")
         text = child.before.decode().replace("\r", "")
         lines = text.split("\n")
-        answer = tuple(
-            line for line in (lines[1:] if command else lines) if line and not _AT_A_REST.fullmatch(line)
-        )
+        answer = tuple(_AT_A_REST.sub(r"\1", line) for line in (lines[1:] if command else lines) if line)
         answers.append(Phase(command, answer, (), child.match[1].decode()))
     child.close(force=True)
     return answers

@@ -202,6 +202,18 @@ def test_a_long_answer_is_printed_page_by_page_where_that_is_set(learner: Learne
     learner.sees("\r\n> ")
 
 
+def test_a_line_typed_between_two_pages_is_refused_and_asked_again(learner: Learner) -> None:
+    enter_and_wait(learner, "SET page ask")
+    learner.types("HELP ALL\r")
+    learner.sees("Enter continues, Q stops. ")
+    learner.types("FW 1\r")
+    learner.sees("Not FW 1: Enter continues, Q stops.\r\nMore, ")
+    learner.types("q\r")
+    learner.sees_prompt()
+    learner.types("LIST\r")
+    learner.sees("There are no lines yet.")
+
+
 def test_ctrl_c_between_two_pages_stops_the_program_and_asks_no_question(learner: Learner) -> None:
     enter_and_wait(learner, "SET page ask")
     learner.types("REPEAT 100000 TIMES SPEAK 1 END REPEAT\r\r")
@@ -243,6 +255,16 @@ def test_the_terminal_edits_the_line_where_the_plain_editor_is_set(learner: Lear
 
 
 # --- the other mode
+
+
+def test_a_command_typed_at_a_question_is_carried_out_instead(learner: Learner) -> None:
+    enter_and_wait(learner, "FW 1", "FW 2", "FW 3", "FW 4", "FW 5")
+    learner.types("NEW\r")
+    learner.sees("Save first, y or n? Enter means no.\r\n> ")
+    learner.types("maybe\r")
+    learner.sees("Type y or n.\r\n> ")
+    learner.types("LIST 5\r")
+    learner.sees("5: FW 5\r\n> ")
 
 
 def test_a_switch_of_the_mode_keeps_the_robot_the_variables_and_the_program(tmp_path: Path) -> None:

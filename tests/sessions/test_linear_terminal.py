@@ -54,8 +54,7 @@ def test_long_output_is_written_in_blocks_with_rests_between(learner: Learner) -
     learner.sees("40\r\n> ")
 
     sentences = said(learner)[2:]
-    assert [line for line in sentences if line.isdigit()] == [str(number) for number in range(1, 41)]
-    assert all(line.isdigit() or re.fullmatch(r"Those were \d+ numbers\.", line) for line in sentences)
+    assert [line.rstrip(".") for line in sentences] == [str(number) for number in range(1, 41)]
 
 
 def test_letters_with_accents_and_wide_ones_are_edited_as_one(learner: Learner) -> None:

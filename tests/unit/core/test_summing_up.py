@@ -114,12 +114,11 @@ def test_every_step_is_printed_once_or_counted_in_a_sum() -> None:
 @pytest.mark.parametrize(
     "news",
     [
-        (Spoke("Wall!"),),
         (Announced("scan", "I see no objects."),),
         walk(1, StoppedBy.OBSTACLE),
         (Announced("hint", "X had a value. It has a new one now."),),
     ],
-    ids=["speak", "scan", "obstacle", "hint"],
+    ids=["scan", "obstacle", "hint"],
 )
 def test_other_events_are_always_printed_after_the_sum_of_earlier_movements(news: tuple[Event, ...]) -> None:
     listener = Listener()
@@ -130,6 +129,19 @@ def test_other_events_are_always_printed_after_the_sum_of_earlier_movements(news
     text = news[-1].text  # type: ignore[union-attr] # all of them have one
 
     assert listener.printed[4:] == ["2 more steps.", text, text]
+
+
+def test_nothing_comes_between_the_words_of_a_program_but_the_sum_at_its_end() -> None:
+    listener = Listener()
+    for _ in range(6):
+        listener.receive(*walk())
+    listener.receive(Spoke("Wall!"))
+    listener.receive(*walk())
+    listener.now = 5.0
+    listener.receive(CueSounded("step-forward", 0.0, None))
+    listener.receive(Spoke("Wall!"), END)
+
+    assert listener.printed[4:] == ["Wall!", "Wall!", "3 more steps."]
 
 
 def test_unprinted_movements_are_summed_up_as_soon_as_there_is_time() -> None:
