@@ -283,6 +283,11 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         if self.controller is not None:
             self.controller.assistant.line_finished(event.row)
 
+    def on_editor_gutter_clicked(self, event: Editor.GutterClicked) -> None:
+        """It sets a breakpoint there, or removes it."""
+        if self.controller is not None:
+            self._await(self.controller.do("break_", str(event.line)))
+
     def on_map_view_explored(self) -> None:
         if self.controller is not None:
             self.controller.on_explored()

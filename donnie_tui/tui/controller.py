@@ -32,7 +32,8 @@ from donnie_tui.core.completion import Completion, NextLine, completion, next_li
 from donnie_tui.core.events import Pointed
 from donnie_tui.core.line_history import LineHistory
 from donnie_tui.core.program_text import LONGEST_CHECKED, mistakes
-from donnie_tui.core.runner import LAST_WORDS, RunRequest
+from donnie_tui.core.run_state import RunState
+from donnie_tui.core.runner import LAST_WORDS, Run, RunRequest
 from donnie_tui.core.session import Busy
 from donnie_tui.core.wording import Wording
 from donnie_tui.core.workspace import Workspace
@@ -338,15 +339,26 @@ class EditorAssistant:
         self._app, self._ctx, self._display, self._editor = app, ctx, display, editor
         self._checking: Timer | None = None
         self._copying: Timer | None = None
+        self._reported: Run | None = None
+        """The run of which was said that it follows the text before a change."""
 
     def edited(self) -> None:
         """The text changed: check it and copy it soon."""
+        self._report_running()
         self._display.show_titles()
         if self._checking is not None:
             self._checking.stop()
         self._checking = self._app.set_timer(CHECK_AFTER, self.check_now)
         if self._copying is None:
             self._copying = self._app.set_timer(COPY_AFTER, self._keep_copy)
+
+    def _report_running(self) -> None:
+        """Says once in each run that the robot still follows the text before the change."""
+        runs, run = self._ctx.runs, self._ctx.donnie.session.run
+        is_running = runs.is_whole and runs.state in (RunState.RUNNING, RunState.PAUSED)
+        if is_running and run is not self._reported and self._editor.has_focus:
+            self._reported = run
+            self._ctx.answer("edited-while-running")
 
     def check_now(self) -> None:
         """Mark the mistakes of the text as it is."""

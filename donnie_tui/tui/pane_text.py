@@ -262,10 +262,20 @@ _EVERYWHERE = ("stop", "keys_here", "help", "quit")
 
 
 def help_lines(place: MainScreen, words: Words, table: KeyTable) -> tuple[str, ...]:
-    """The word of GoDonnie at the cursor, the keys of the focused part, the words of the first lesson."""
-    word = place.editor.word if place.editor.has_focus else ""
+    """The mistakes of the program, the word of GoDonnie at the cursor, the keys of the focused part, and the
+    words of the first lesson.
+    """
+    is_in_program = place.editor.has_focus
+    word = place.editor.word if is_in_program else ""
     about = words.help(word) if word and canonical(word) is not None else ()
-    return (*about, *keys_here(place, words, table), words("help-further"), *first_words(words))
+    wrong = (words("answer-line", line=each.line, text=each.message) for each in place.editor.mistakes)
+    return (
+        *(wrong if is_in_program else ()),
+        *about,
+        *keys_here(place, words, table),
+        words("help-further"),
+        *first_words(words),
+    )
 
 
 def help_text(words: Wording, table: KeyTable) -> tuple[str, ...]:

@@ -109,3 +109,15 @@ async def test_the_cursor_stands_on_the_row_that_enter_would_choose(open_screen)
 
         assert row.startswith(">")
         assert [line for line in screen.text.splitlines() if line.startswith(">")] == [row]
+
+
+async def test_f1_in_the_program_lists_all_its_mistakes_whole(open_screen):
+    """Next to a long line there is no room for the sentence."""
+    async with open_screen('FWD 3\nSPEAK "' + "a long text " * 5 + '" FWD 2\nTR 90\nBWD 4') as screen:
+        await screen.until(lambda: len(screen.main.editor.mistakes) == 3, "the marks")
+        await screen.press("f1")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the help")
+        lines = screen.app.screen.rows.lines[:3]
+
+        assert [each.partition(":")[0] for each in lines] == ["Line 1", "Line 2", "Line 4"]
+        assert all("FWD" in each or "BWD" in each for each in lines)

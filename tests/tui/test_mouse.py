@@ -63,6 +63,18 @@ async def test_the_palette_is_reached_by_a_click_and_its_rows_too(open_screen):
         await screen.shows("Line 1: FW 2")
 
 
+async def test_a_click_next_to_a_line_sets_a_breakpoint_and_another_one_removes_it(open_screen):
+    """In the third line, below one that takes two rows."""
+    async with open_screen('FW 1\nSPEAK "' + "word " * 12 + '"\nFW 2') as screen:
+        await screen.painted()
+        row = next(at for at, line in enumerate(screen.text.splitlines()) if line.startswith("  3  FW 2"))
+        for expected in ({3}, set()):
+            await screen.pilot.click(offset=(2, row))
+            await screen.until(lambda lines=expected: screen.main.editor.breakpoints == lines, str(expected))
+
+        assert screen.main.editor.cursor_location == (0, 0)
+
+
 async def test_a_click_chooses_a_world(open_screen):
     async with open_screen() as screen:
         await screen.type_line("WORLDS")

@@ -241,3 +241,17 @@ async def test_looking_back_is_a_state_of_its_own(open_screen):
         await screen.until(lambda: screen.main.status.badge.startswith("LOOKING BACK, "), "the way back")
         await screen.type_line("FW 1")
         await screen.until(lambda: screen.main.status.badge == "READY", "the present")
+
+
+async def test_a_change_during_a_run_is_answered_once_that_the_robot_follows_the_text_before(open_screen):
+    async with open_screen(WAITING, speed=1.0) as screen:
+        await screen.press("f5")
+        await screen.reaches(RunState.RUNNING)
+        await screen.press(*"FW")
+        await screen.shows("You changed the program. The robot still follows the text from before.")
+        await screen.press(*"BW")
+        await screen.press("f8")
+        await screen.idle()
+        await screen.press("x")
+
+        assert sum("You changed the program." in line for line in screen.log) == 1

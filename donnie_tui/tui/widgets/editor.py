@@ -60,6 +60,13 @@ class Editor(TextArea):
             super().__init__()
             self.name = name
 
+    class GutterClicked(Message):
+        """A click next to that line (from 1), where its marks and its number are."""
+
+        def __init__(self, line: int) -> None:
+            super().__init__()
+            self.line = line
+
     class LineFinished(Message):
         """Enter, in that row (from 0)."""
 
@@ -141,6 +148,15 @@ class Editor(TextArea):
         self.delete((row, 0), end, maintain_selection_offset=False)
         self.move_cursor((row, 0))
 
+    async def _on_mouse_down(self, event: events.MouseDown) -> None:
+        """A click next to a line moves no cursor."""
+        place, wrapped = event.get_content_offset(self), self.wrapped_document
+        row = self.scroll_offset.y + place.y if place is not None else wrapped.height
+        if place is not None and place.x < self.gutter_width and row < wrapped.height:
+            event.stop()
+            event.prevent_default()
+            self.post_message(self.GutterClicked(wrapped.offset_to_location(Offset(0, row))[0] + 1))
+
     async def _on_paste(self, event: events.Paste) -> None:
         from language.source import cleaned  # not for the first frame
 
@@ -170,6 +186,11 @@ class Editor(TextArea):
     def mistake(self) -> LineMistake | None:
         """What is wrong in the line of the cursor."""
         return self._notes.get(self.line)
+
+    @property
+    def mistakes(self) -> tuple[LineMistake, ...]:
+        """What is wrong in all lines, from the first one."""
+        return tuple(self._notes[line] for line in sorted(self._notes))
 
     @property
     def next_mistake(self) -> LineMistake | None:
