@@ -58,6 +58,21 @@ NAMES = [
 # --- typed words
 
 
+@pytest.mark.parametrize("name", ["../new", "way/new", "{}/new", "../secret.gd", "link.gd"])
+def test_a_world_is_saved_in_the_folder_only(ana: Path, name: str) -> None:
+    before = outside(ana)
+    typed = f"PUT box 4 6\nSAVE WORLD {name.format(ana.parent)}\nSAVE WORLD mine\n"
+
+    done = donnie(
+        ana, "--linear", "--world", "first_room", "--confined", str(ana), *QUIET, typed=typed
+    ).stdout.decode()
+
+    assert "is not in your folder." in done
+    assert "World saved as mine.world." in done
+    assert outside(ana) == before
+    assert 'box( name "box"' in (ana / "mine.world").read_text()
+
+
 def test_no_word_of_the_linear_mode_reads_or_writes_outside(ana: Path) -> None:
     words = ["OPEN", "SAVE", "SAVE AS", "SAVE LOG", "REPORT LIST", "REPORT MAP", "WORLD", "WORLDS"]
     names = [each.format(ana.parent) for each in NAMES]

@@ -239,6 +239,49 @@ def test_a_recorded_session_keeps_its_world(open_script: OpenScript, tmp_path: P
     assert script.answers_to("PUT box 4 6")[0].endswith("is being recorded, so the world stays as it is.")
 
 
+@pytest.mark.parametrize("robot", ["alice", "bob"])
+def test_nothing_is_built_while_a_program_runs(open_script: OpenScript, robot: str) -> None:
+    """Whichever robot the learner talks to meanwhile."""
+    script = open_script("WAIT 1000000", speed=1.0, world="two_robots")
+    script.type("START")
+    script.type(f"ROBOT {robot}")
+    before = len(script.printed)
+
+    for line in ("PUT box 4 6", "MOVE red box 1 0", "TURN red box 90", "REMOVE red box"):
+        script.type(line)
+
+    assert script.donnie.site.is_saved
+    assert len(script.printed[before:]) == 4
+    assert len(set(script.printed[before:])) == 1
+
+
+def test_all_robots_stay_where_they_are(open_script: OpenScript) -> None:
+    script = open_script(world="two_robots")
+    script.answers_to("FW 2")
+    script.type("ROBOT bob")
+    script.answers_to("FW 3")
+
+    script.type("PUT post 5 20")
+    script.type("REMOVE red box")
+
+    poses = {each.name: each.pose for each in script.donnie.team.sessions}
+    assert (poses["alice"].y, poses["bob"].y) == (2, 27)
+    seen = {each.name: each for each in script.donnie.picture_now().things}
+    assert seen["alice"].y == 2  # as bob finds her
+    assert script.answers_to("FW 30")[0].endswith("I found an obstacle.")  # she is still in his way
+
+
+def test_a_robot_lets_go_before_the_world_is_changed(open_script: OpenScript) -> None:
+    script = open_script(world="two_robots")
+    script.type("PUT box red 0 4 AS treasure")
+    script.answers_to("FW 1")
+    assert "treasure" in script.answers_to("GRIP")[0]
+
+    assert script.answers_to("MOVE treasure 2 0") == ["A robot holds something. RELEASE it first."]
+    script.answers_to("RELEASE")
+    assert script.answers_to("MOVE treasure 5 0")[0].startswith("Treasure, box, red: now at 5, ")
+
+
 # --- saving
 
 
