@@ -11,11 +11,71 @@ This is the only module of the simulator that waits: for real time, and for a tu
 from __future__ import annotations
 
 import threading
+from bisect import bisect_left
 from collections.abc import Callable, Iterable, Sequence
 from heapq import heapify, heappop, heappush, heapreplace
 from math import inf
 
 from devices.ports.robot import Pace
+from sim.geometry import Placement
+
+Now = tuple[float, float]
+"""The world's time, and the rank of the robot whose turn it is."""
+
+
+class Glide:
+    """A robot's way of several ticks during which nothing can come near it.
+
+    The robot that glides hands over its turn once, and not in every tick. Meanwhile it is where its ticks up
+    to now have led: the ground puts it there when another robot asks about the place. If something moves out
+    of turn, the glide is cut at the tick that is due, so that the run is the same as without glides.
+    """
+
+    def __init__(
+        self,
+        root: int,
+        rank: int,
+        ends: Sequence[float],
+        places: Callable[[int], Placement],
+        box: tuple[float, float, float, float],
+    ) -> None:
+        """``ends``: the world's time at the end of each tick; ``places``: where so many ticks lead."""
+        self.root = root
+        self.rank = rank
+        self.ends = ends
+        self._places = places
+        self._box = box
+        """Left, bottom, right and top of all places that its body may touch."""
+        self._shown = 0
+
+    def ticks(self, now: Now) -> int:
+        """How many ticks are over."""
+        time, rank = now
+        count = bisect_left(self.ends, time)
+        is_before = count < len(self.ends) and self.ends[count] == time and self.rank < rank
+        return count + is_before
+
+    def next_end(self, now: Now) -> float:
+        """The end of the tick that is due, or of the last one."""
+        return self.ends[min(self.ticks(now), len(self.ends) - 1)]
+
+    def meets(self, left: float, bottom: float, right: float, top: float) -> bool:
+        """Whether it comes into a box."""
+        mine = self._box
+        return mine[0] <= right and left <= mine[2] and mine[1] <= top and bottom <= mine[3]
+
+    def apart(self, x: float, y: float) -> float:
+        """Metres from a place to its box, at least; 0 inside."""
+        left, bottom, right, top = self._box
+        return max(left - x, x - right, bottom - y, y - top, 0.0)
+
+    def new_place(self, now: Now) -> Placement | None:
+        """Where it is now; None if it was asked before and has not moved since."""
+        ticks = self.ticks(now)
+        if ticks == self._shown:
+            return None
+        self._shown = ticks
+        return self._places(ticks)
 
 
 class Turns:
@@ -27,6 +87,24 @@ class Turns:
         """The time up to which the world has come, and has been waited for in real time."""
         self.holder: Seat | None = None
         self.queue: list[tuple[float, int, Seat]] = []
+        self.glides: dict[Seat, tuple[Glide, Clock]] = {}
+        """Of robots that glide, whose seat waits for the end of it."""
+
+    def now(self) -> Now:
+        """The time of the robot that has the turn, and its rank."""
+        holder = self.holder
+        return (self.present, inf) if holder is None else (holder.time, holder.rank)
+
+    def cut_glides(self) -> None:
+        """Something moves out of turn: robots that glide act again at the end of the tick that is due."""
+        with self.lock:
+            now = self.now()
+            for seat, (glide, clock) in self.glides.items():
+                if any(entry[2] is seat for entry in self.queue):
+                    clock.cut(glide.next_end(now))
+                    self.queue = [entry for entry in self.queue if entry[2] is not seat]
+                    self.queue.append((seat.time, seat.rank, seat))
+            heapify(self.queue)
 
     def expect(self, seats: Iterable[Seat]) -> None:
         """These take part from now on, all from the same moment. Their programs may come when they like."""
@@ -119,13 +197,23 @@ class Seat:
             self.time = time
             return turns.holder is self and not self._is_overtaken()
 
-    def free_until(self) -> float:
-        """The time at which another robot can act; infinity if there is none."""
-        queue = self.turns.queue
-        if not self.takes_part or not queue:
+    def free_until(self, enough: float) -> float:
+        """The time at which another robot can act, infinity if there is none; perhaps a later one.
+
+        That is where it is below ``enough``. A robot that glides could act at the end of each of its ticks.
+        """
+        turns = self.turns
+        if not self.takes_part or not turns.queue:
             return inf
-        with self.turns.lock:
-            return queue[0][0] if queue else inf
+        with turns.lock:
+            until = turns.queue[0][0] if turns.queue else inf
+            now = (self.time, self.rank)
+            for seat, (glide, _) in turns.glides.items():
+                if until < enough:
+                    break
+                if seat is not self:
+                    until = min(until, glide.next_end(now))
+            return until
 
     def nudge(self) -> None:
         """Make a waiting ``take`` check whether it was halted. Any thread."""
@@ -170,6 +258,8 @@ class Clock:
         self._turns = self._seat.turns
         self._joined_at = 0.0
         """What the world's time is ahead of this clock's."""
+        self._times: Sequence[float] = ()
+        """Of the glide: the times at which its ticks end."""
 
     def join(self) -> None:
         """Take part in the world's order; returns when it is this robot's turn, or after a stop."""
@@ -210,9 +300,9 @@ class Clock:
         self._joined_at += self.seconds
         self.seconds = 0.0
 
-    def undisturbed(self) -> float:
-        """Seconds in which no other robot can act."""
-        until = self._seat.free_until()
+    def undisturbed(self, enough: float = inf) -> float:
+        """Seconds in which no other robot can act; perhaps more than that if it is below ``enough``."""
+        until = self._seat.free_until(enough + self._joined_at + self.seconds)
         return until if until == inf else until - self._joined_at - self.seconds
 
     def leap(self, seconds: float) -> bool:
@@ -226,16 +316,22 @@ class Clock:
             turns.present = self.seconds + self._joined_at
         return True
 
-    def spend(self, seconds: float, marks: Sequence[Mark], passing: Passing | None = None) -> float:
+    def spend(
+        self, seconds: float, marks: Sequence[Mark], passing: Passing | None = None, end: float | None = None
+    ) -> float:
         """Spend ``seconds``, reporting ``marks`` (in order), and calling ``passing`` in every slice.
 
-        Returns the seconds spent: fewer than asked if it was halted, the pace stopped, or another robot
-        joined that acts first.
+        ``end``: the exact time afterwards, where a sum would err in its last digits. Returns the seconds
+        spent: fewer than asked if it was halted, the pace stopped, or another robot joined that acts first.
         """
         began, spent = self.seconds, 0.0
         for at, tell in (*marks, (seconds, None)):
             spent = self._reach(began, spent, at, passing)
             if spent < at or self._halted:
+                return spent
+            if end is not None and at >= seconds:
+                self.seconds = end
+            if not self._take_turn():  # another robot may act first at the very same time
                 return spent
             if tell is not None:
                 tell()
@@ -243,16 +339,53 @@ class Clock:
 
     def elapse(self, seconds: float) -> bool:
         """Let ``seconds`` go by in which others act. False if it was cut short."""
+        return self.elapse_until(self.seconds + seconds)
+
+    def elapse_until(self, time: float) -> bool:
+        """The same until a time of this robot."""
         if not self.is_active():
             return False
-        if not self._seat.takes_part:
-            return self.spend(seconds, ()) >= seconds
         began = self.seconds
-        self.seconds = began + seconds
+        if not self._seat.takes_part:
+            seconds = time - began
+            return self.spend(seconds, (), end=time) >= seconds
+        self.seconds = time
         if self._take_turn() and self._catch_up():
             return True
         self.seconds = min(self.seconds, max(began, self._turns.present - self._joined_at))
         return False
+
+    def glide(self, times: Sequence[float], make: Callable[[int, Sequence[float]], Glide]) -> Glide | None:
+        """A glide whose ticks end at these times of the robot; None if it must not begin.
+
+        ``make`` gets this robot's rank and the same times as times of the world.
+        """
+        if self.speed is not None or not self._seat.takes_part or not self.is_active():
+            return None
+        joined_at = self._joined_at
+        return make(self._seat.rank, [each + joined_at for each in times])
+
+    def follow(self, glide: Glide, times: Sequence[float]) -> tuple[int, bool]:
+        """Let the others act until a glide is over. How many ticks are over, and whether it was not halted.
+
+        The last of these ticks has only taken its time yet.
+        """
+        began, self._times = self.seconds, times
+        with self._turns.lock:
+            self._turns.glides[self._seat] = glide, self
+            self.seconds = times[-1]
+        is_over = self._take_turn() and self._catch_up()
+        with self._turns.lock:
+            del self._turns.glides[self._seat]
+        if is_over:
+            return times.index(self.seconds) + 1, True
+        self.seconds = min(self.seconds, max(began, self._turns.present - self._joined_at))
+        return sum(each <= self.seconds for each in times), False
+
+    def cut(self, end: float) -> None:
+        """The glide ends at that time of the world, the end of one of its ticks. Under the lock."""
+        self.seconds = next(each for each in self._times if each + self._joined_at == end)
+        self._seat.time = end
 
     def was_halted(self) -> bool:
         """Whether a stop ended what went on since the last command began."""

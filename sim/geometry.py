@@ -30,10 +30,10 @@ _QUARTERS = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))
 def direction(angle: float) -> Point:
     """The unit vector at ``angle``; exact at multiples of 90."""
     turned = angle % 360.0
-    quarter, rest = divmod(turned, 90.0)
-    if rest == 0.0:
-        return _QUARTERS[int(quarter) % 4]
-    return cos(radians(turned)), sin(radians(turned))
+    if turned % 90.0 == 0.0:
+        return _QUARTERS[int(turned // 90.0) % 4]
+    turned = radians(turned)
+    return cos(turned), sin(turned)
 
 
 def angle_of(x: float, y: float) -> float:
@@ -50,18 +50,18 @@ def normal(angle: float) -> float:
 def placed(points: Iterable[Point], x: float, y: float, angle: float) -> tuple[Point, ...]:
     """Points of a frame that lies at (x, y), turned by ``angle``, seen from outside it."""
     c, s = direction(angle)
-    return tuple((x + c * px - s * py, y + s * px + c * py) for px, py in points)
+    return tuple([(x + c * px - s * py, y + s * px + c * py) for px, py in points])
 
 
 def seen_from(points: Iterable[Point], x: float, y: float, angle: float) -> tuple[Point, ...]:
     """The reverse of ``placed``: points from outside, seen from a frame at (x, y), turned by ``angle``."""
     c, s = direction(angle)
-    return tuple((c * (px - x) + s * (py - y), c * (py - y) - s * (px - x)) for px, py in points)
+    return tuple([(c * (px - x) + s * (py - y), c * (py - y) - s * (px - x)) for px, py in points])
 
 
 def edges(points: Sequence[Point]) -> tuple[Edge, ...]:
     """The edges of a closed polygon."""
-    return tuple((*points[i - 1], *points[i]) for i in range(len(points)))
+    return tuple([(*points[i - 1], *points[i]) for i in range(len(points))])
 
 
 def signed_area(points: Sequence[Point]) -> float:

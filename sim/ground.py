@@ -8,14 +8,16 @@ out (``layout``).
 from __future__ import annotations
 
 import threading
-from collections.abc import Mapping, Sequence
-from math import ceil, log
+from collections.abc import Callable, Mapping, Sequence
+from math import ceil, hypot, inf, log
 from typing import TYPE_CHECKING
 
+from devices.ports.robot import STEP
 from sim.geometry import Placement
 from sim.scene import Model, Scene
 
 if TYPE_CHECKING:
+    from sim.clock import Glide, Now
     from sim.geometry import Point
     from sim.layout import Layout
     from sim.parts import Part
@@ -45,6 +47,13 @@ class Ground:
         """Metres a second: no point of anything that moves in its turn is faster."""
         self.jumps = 0
         """Counts what moved out of turn, or became faster: what was known to be far may be near now."""
+        self._glides: dict[int, Glide] = {}
+        """Of the robots that glide, which are put to where they are now when that matters."""
+        self._now_in_turn: Callable[[], Now] = _at_once
+        self._cut_glides: Callable[[], None] = _nothing
+        self._widest_guard = 0.0
+        self._extents: dict[int, float] = {}
+        """Metres from the place of a movable root to the farthest point of it, as far as that was asked."""
         self._layout: Layout | None = None
         self._guards: dict[float, None] = {}
         """The guard distances that were asked for before all was laid out."""
@@ -54,6 +63,63 @@ class Ground:
         with self._lock:
             if self._layout is None:
                 self._lay_out()
+
+    # --- robots that glide
+
+    def follow(self, now: Callable[[], Now], cut_glides: Callable[[], None]) -> None:
+        """``now``: the time of the world; ``cut_glides``: to be called where something moves out of turn."""
+        self._now_in_turn, self._cut_glides = now, cut_glides
+
+    def jump(self) -> None:
+        """Something moves out of turn, or becomes faster."""
+        self.jumps += 1
+        if self._glides:
+            self._cut_glides()
+
+    def begin_glide(self, glide: Glide) -> None:
+        """From now on the robot is where the glide leads."""
+        with self._lock:
+            self._glides[glide.root] = glide
+            self._change(glide.root)
+
+    def end_glide(self, root: int) -> None:
+        """The robot is where it is put again."""
+        with self._lock:
+            del self._glides[root]
+
+    def is_alone(self, asker: int, x: float, y: float, reach: float, seconds: float) -> bool:
+        """Whether nothing that may move comes within ``reach`` of a place in so many seconds.
+
+        And no sensor or body of another robot finds anything there that is ``reach`` less its own guard away.
+        """
+        margin = reach + self._widest_guard + seconds * self.fastest + 1.5 * STEP
+        with self._lock:
+            for root, now in self._now.items():
+                if root != asker and hypot(now.x - x, now.y - y) < margin + self._extent(root):
+                    return False
+        return True
+
+    def _extent(self, root: int) -> float:
+        if root not in self._extents:
+            start = self._start[root]
+            parts = (part for part in (self._layout or self._lay_out()).at_start if part.root == root)
+            points = (point for part in parts for point in part.points)
+            self._extents[root] = max((hypot(px - start.x, py - start.y) for px, py in points), default=0.0)
+        return self._extents[root]
+
+    def _update(self, asker: int, left: float, bottom: float, right: float, top: float) -> None:
+        """Put the robots that glide through a box to where they are now. Under the lock."""
+        if not self._glides:
+            return
+        now = self._now_in_turn()
+        for root, glide in self._glides.items():
+            if root != asker and glide.meets(left, bottom, right, top):
+                place = glide.new_place(now)
+                if place is not None:
+                    self._put(root, place)
+
+    def _update_all(self) -> None:
+        self._update(-1, -inf, -inf, inf, inf)
 
     # --- where things are
 
@@ -78,37 +144,45 @@ class Ground:
     def put(self, root: int, now: Placement) -> None:
         """Put a movable root there."""
         with self._lock:
-            if now != self._now[root]:
-                self.begin()
-            self._now[root] = now
-            self._changes += 1
-            self._own_changes[root] = self._own_changes.get(root, 0) + 1
-            if self._layout is not None:
-                self._layout.changed(root)
+            self._put(root, now)
+
+    def _put(self, root: int, now: Placement) -> None:
+        if now != self._now[root]:
+            self.begin()
+        self._now[root] = now
+        self._change(root)
+        if self._layout is not None:
+            self._layout.changed(root)
+
+    def _change(self, root: int) -> None:
+        self._changes += 1
+        self._own_changes[root] = self._own_changes.get(root, 0) + 1
 
     def quicken(self, speed: float) -> None:
         """Something may be that fast from now on (metres a second)."""
         if speed > self.fastest:
             self.fastest = speed
-            self.jumps += 1
+            self.jump()
 
     def put_things_back(self) -> None:
         """To where they started, but for those that a robot holds."""
         for root in self.moved():
             if root not in self.scene.robots and not self.is_attached(root):
                 self.put(root, self._start[root])
-                self.jumps += 1
+                self.jump()
 
     def moved(self) -> Mapping[int, Placement]:
         """The movable roots that are not where they started, and where they are."""
         with self._lock:
+            if self._glides:
+                self._update_all()
             return {root: now for root, now in self._now.items() if now != self._start[root]}
 
     def attach(self, root: int, robot: int | None) -> None:
         """A thing is part of that robot's body from now on; of none if it is None."""
         with self._lock:
             self._groups[root] = 0 if robot is None else robot + 1
-            self.jumps += 1
+            self.jump()
             self._changes += 1
             if self._layout is not None:
                 self._layout.group(root)
@@ -122,6 +196,8 @@ class Ground:
     def parts(self) -> tuple[Part, ...]:
         """Everything, in order."""
         with self._lock:
+            if self._glides:
+                self._update_all()
             return tuple((self._layout or self._lay_out()).parts())
 
     def parts_of(self, root: int) -> tuple[Part, ...]:
@@ -134,6 +210,7 @@ class Ground:
     ) -> list[Part]:
         """All parts that come into a box, and perhaps some more, in order; without the ranks ``but``."""
         with self._lock:
+            self._update(asker, left, bottom, right, top)
             return (self._layout or self._lay_out()).within(asker, left, bottom, right, top, but)
 
     def first_hits(
@@ -141,6 +218,8 @@ class Ground:
     ) -> list[Hit[Part]]:
         """What looks from one place to each of ``ends`` meet first, and where on the way."""
         with self._lock:
+            if self._glides:
+                self._update_along(asker, ((x, y), *ends))
             return (self._layout or self._lay_out()).first_hits(asker, x, y, ends, ranging, but)
 
     def free_way(
@@ -151,12 +230,21 @@ class Ground:
         That is one that ``guarded`` has answered.
         """
         with self._lock:
+            if self._glides:
+                left, right, bottom, top = min(x, end[0]), max(x, end[0]), min(y, end[1]), max(y, end[1])
+                self._update(asker, left - guard, bottom - guard, right + guard, top + guard)
             return (self._layout or self._lay_out()).free_way(asker, x, y, end, guard, but)
 
     def room(self, asker: int, x: float, y: float, guard: float) -> float:
         """How far round a place nothing comes nearer than ``guard``, some metres at most; below 0: none."""
         with self._lock:
-            return (self._layout or self._lay_out()).room(asker, x, y, guard)
+            room = (self._layout or self._lay_out()).room(asker, x, y, guard)
+            others = (glide.apart(x, y) - guard for root, glide in self._glides.items() if root != asker)
+            return min(room, min(others, default=room))
+
+    def _update_along(self, asker: int, points: Sequence[Point]) -> None:
+        xs, ys = zip(*points, strict=True)
+        self._update(asker, min(xs), min(ys), max(xs), max(ys))
 
     def changes_for(self, asker: int) -> int:
         """Another number whenever something was moved that is not the asker itself."""
@@ -166,6 +254,7 @@ class Ground:
         """Prepare for ``free_way`` with that distance (metres). Answers the one that is really kept."""
         rounded: float = _FINENESS ** ceil(log(guard) / log(_FINENESS))
         with self._lock:
+            self._widest_guard = max(self._widest_guard, rounded)
             if self._layout is None:
                 self._guards[rounded] = None
             else:
@@ -178,6 +267,13 @@ class Ground:
 
         self._layout = Layout(self.scene, self._start, self._now, self._groups, self._guards)
         return self._layout
+
+
+def _at_once() -> Now:
+    return 0.0, 0.0
+
+
+def _nothing() -> None: ...
 
 
 def _things(scene: Scene) -> list[Model]:

@@ -146,13 +146,13 @@ class Layout:
     ) -> None:
         """``now`` and ``groups`` belong to the ground, which calls ``changed`` and ``group`` for them."""
         self._start, self._now, self._groups = start, now, groups
-        self._at_start = tuple(parts_of(scene))
-        self._parts = list(self._at_start)
+        self.at_start = tuple(parts_of(scene))
+        self._parts = list(self.at_start)
         self._ranks: dict[int, list[int]] = {root: [] for root in start}
-        for part in self._at_start:
+        for part in self.at_start:
             if part.root in self._ranks:
                 self._ranks[part.root].append(part.rank)
-        self._thin = self._made(self._at_start, 0.0)
+        self._thin = self._made(self.at_start, 0.0)
         self._layers = {0.0: self._thin}
         for guard in guards:
             self.keep(guard)
@@ -162,7 +162,7 @@ class Layout:
     def keep(self, guard: float) -> None:
         """Have a layer for ``free_way`` and ``room`` with that distance (metres)."""
         if guard not in self._layers:
-            wanted = [part for part in self._at_start if part.solid or part.seen]
+            wanted = [part for part in self.at_start if part.solid or part.seen]
             self._layers[guard] = self._made(wanted, guard)
 
     def changed(self, root: int) -> None:
@@ -243,7 +243,7 @@ class Layout:
     def _place_parts(self, root: int) -> None:
         start, now = self._start[root], self._now[root]
         for rank in self._ranks[root]:
-            part = self._at_start[rank]
+            part = self.at_start[rank]
             self._parts[rank] = part if now == start else part.moved(start, now)
 
 

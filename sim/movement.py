@@ -11,7 +11,7 @@ world again. With one moving robot both give the same result (a property test ch
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from math import ceil, inf, radians, sin
 
 from devices.ports.robot import STEP, Bearing, Motion, StoppedBy
@@ -24,6 +24,10 @@ MOST_REPORTS = 1000
 
 Going = tuple[int, StoppedBy | None]
 """Whole steps or degrees done, and why no more."""
+
+
+Glided = tuple[Sequence[float], int, bool]
+"""Steps or degrees that are done after each tick, how many ticks are over, and whether it was not halted."""
 
 
 class Movement(ABC):
@@ -39,10 +43,13 @@ class Movement(ABC):
         self._whole = 0
         """Steps or degrees done."""
         self._reported = 0
+        self._began = 0.0
+        """The robot's time at which it began; later by what it lost where less was free than expected."""
 
     def run(self) -> Going:
         """Play it. The clock has begun."""
         stopped_by = None
+        self._began = self._vehicle.clock.seconds
         while stopped_by is None and self._whole < self._asked:
             stopped_by = self._go_on()
         if stopped_by is not StoppedBy.USER:
@@ -55,6 +62,14 @@ class Movement(ABC):
 
     def _stride(self, count: int) -> int:
         return self._every * -(-count // (self._every * MOST_REPORTS))
+
+    def _when(self, done: float) -> float:
+        """The robot's time at which so much is done. However it is divided into ticks, it is the same."""
+        return self._began + self._course.seconds(0.0, done)
+
+    def _come_to(self, done: float) -> None:
+        """So much is done now: perhaps less than the time that was spent allows."""
+        self._began = self._vehicle.clock.seconds - self._course.seconds(0.0, done)
 
     def _report_progress(self) -> None:
         """After a tick that came to a whole step or degree."""
@@ -72,7 +87,18 @@ class Sweeping(Movement):
 
     def _go_on(self) -> StoppedBy | None:
         room = self._room()
-        return self._sweep(room) if room else self._tick()
+        if room:
+            return self._sweep(room)
+        glide = self._glide() if self._vehicle.clock.speed is None else None
+        return self._tick() if glide is None else self._land(*glide)
+
+    @abstractmethod
+    def _glide(self) -> Glided | None:
+        """Go on for some ticks, if nothing can interfere. None: nothing has happened."""
+
+    @abstractmethod
+    def _land(self, ends: Sequence[float], count: int, is_active: bool) -> StoppedBy | None:
+        """After ``count`` ticks of a glide, of which the last has only taken its time."""
 
     @abstractmethod
     def _sweep(self, room: int) -> StoppedBy | None:
@@ -84,7 +110,8 @@ class Sweeping(Movement):
 
     def _room(self) -> int:
         """Whole steps or degrees that can be gone at once."""
-        seconds, left = self._vehicle.clock.undisturbed(), self._asked - self._whole
+        left = self._asked - self._whole
+        seconds = self._vehicle.clock.undisturbed(self._course.seconds(self._whole, 0.5))
         if seconds == inf:
             return left
         return min(left, int(self._course.further(self._whole, seconds) + NEARLY))
@@ -103,7 +130,8 @@ class Sweeping(Movement):
             vehicle.pass_by(at(course.further(begun, spent)))
             vehicle.show()
 
-        spent = vehicle.clock.spend(seconds, self._marks(count, at, room), passing)
+        marks, end = self._marks(count, at, room), self._when(begun + amount)
+        spent = vehicle.clock.spend(seconds, marks, passing, end)
         return (amount, True) if spent >= seconds else (course.further(begun, spent), False)
 
     def _marks(self, count: int, at: Callable[[float], Whereabouts], room: int) -> list[Mark]:
@@ -162,6 +190,7 @@ class Walk(Sweeping):
         self._whole = begun + (plan.steps if is_all else min(plan.steps, int(done + NEARLY)))
         vehicle.go_to(self._at(self._done))
         if not is_all:
+            self._come_to(self._done)
             return StoppedBy.USER if vehicle.clock.was_halted() else None
         self._must_push = plan.steps < room
         return plan.stopped_by
@@ -176,9 +205,39 @@ class Walk(Sweeping):
         free = length if self._is_clear else vehicle.way(self._angle, length).metres
         if free < TOUCHING:
             return StoppedBy.COLLISION
-        if not vehicle.clock.elapse(self._course.seconds(self._done, free / STEP)):
+        if not vehicle.clock.elapse_until(self._when(self._done + free / STEP)):
             return StoppedBy.USER
         self._go(following, length, free)
+        return None
+
+    def _glide(self) -> Glided | None:
+        """Up to the next whole step, where it is free."""
+        vehicle = self._vehicle
+        if self._must_push or not self._is_whole:
+            return None
+        end = min(self._asked, self._whole + 1)
+        if not vehicle.is_alone(STEP, self._when(end) - vehicle.clock.seconds):
+            return None
+        if vehicle.mover.walk(vehicle.here.truth, self._bearing, 1).steps == 0:
+            return None
+        ends = self._course.stops(self._done, end)
+        done = vehicle.glide(
+            [self._when(each) for each in ends], lambda count: self._at(ends[count - 1]), STEP
+        )
+        return None if done is None else (ends, *done)
+
+    def _land(self, ends: Sequence[float], count: int, is_active: bool) -> StoppedBy | None:
+        if not is_active:
+            self._done = ends[count - 1] if count else self._done
+            self._vehicle.go_to(self._at(self._done))
+            return StoppedBy.USER
+        self._is_clear = count == len(ends)
+        before = ends[count - 2] if count > 1 else self._done
+        length = (ends[count - 1] - before) * STEP
+        if not self._is_clear:
+            self._done = before
+            self._vehicle.go_to(self._at(before))
+        self._go(ends[count - 1], length, length, has_glided=True)
         return None
 
     def _push(self, free: float) -> float:
@@ -197,12 +256,14 @@ class Walk(Sweeping):
             return False
         return mover.is_met(here, self._bearing, self._whole + 1 - self._done)
 
-    def _go(self, following: float, length: float, free: float) -> None:
+    def _go(self, following: float, length: float, free: float, has_glided: bool = False) -> None:
         """As far as was free before this robot's turn came, and still is."""
         vehicle = self._vehicle
-        metres = free if self._is_clear and vehicle.is_clear() else self._push(free)
+        metres = free if self._is_clear and (has_glided or vehicle.is_clear()) else self._push(free)
         has_come = metres >= length - TOUCHING
         self._done = following if has_come else self._done + metres / STEP
+        if not has_come:
+            self._come_to(self._done)
         vehicle.go_to(self._at(self._done))
         vehicle.show()
         if has_come and following == round(following):
@@ -211,6 +272,8 @@ class Walk(Sweeping):
 
 
 DEGREES_A_REPORT = 10
+MOST_GLIDED = 40
+"""Degrees of a turn that no watcher sees, in one glide."""
 
 
 class Turn(Sweeping):
@@ -224,6 +287,12 @@ class Turn(Sweeping):
     def _at(self, degrees: float) -> Whereabouts:
         return self._vehicle.turned(self._start, self._sign * degrees)
 
+    def _room(self) -> int:
+        """All or nothing, so that others see the same headings however the turn is divided."""
+        left = self._asked - self._whole
+        seconds = self._course.seconds(self._whole, left)
+        return left if self._vehicle.clock.undisturbed(seconds) >= seconds else 0
+
     def _sweep(self, room: int) -> StoppedBy | None:
         vehicle, begun = self._vehicle, self._whole
         free = self._free(room)
@@ -231,25 +300,66 @@ class Turn(Sweeping):
         self._whole = begun + (free if is_all else int(done + NEARLY))
         vehicle.go_to(self._at(self._whole))
         if not is_all:
+            self._come_to(self._whole)
             return StoppedBy.USER if vehicle.clock.was_halted() else None
         return StoppedBy.COLLISION if free < room else None
 
     def _tick(self) -> StoppedBy | None:
         vehicle = self._vehicle
-        to_report = DEGREES_A_REPORT - self._whole % DEGREES_A_REPORT
-        in_a_tick = max(1, int(self._course.further(self._whole, TICK)))
-        wanted = min(in_a_tick, self._asked - self._whole, to_report)
+        wanted = self._in_a_tick(self._whole)
         is_clear = vehicle.is_clear()
         free = wanted if is_clear else self._free(wanted)
         if free == 0:
             return StoppedBy.COLLISION
-        if not vehicle.clock.elapse(self._course.seconds(self._whole, free)):
+        if not vehicle.clock.elapse_until(self._when(self._whole + free)):
             return StoppedBy.USER
-        self._whole += free if is_clear and vehicle.is_clear() else self._free(free)
+        done = free if is_clear and vehicle.is_clear() else self._free(free)
+        self._whole += done
+        if done < free:
+            self._come_to(self._whole)
         vehicle.go_to(self._at(self._whole))
         vehicle.show()
         self._report_progress()
         return None
+
+    def _glide(self) -> Glided | None:
+        """Up to the next report, where there is room to turn."""
+        vehicle, begun = self._vehicle, self._whole
+        most = MOST_GLIDED if vehicle.watcher is None else DEGREES_A_REPORT - begun % DEGREES_A_REPORT
+        end = min(self._asked, begun + most)
+        whole, last = begun, self._when(end)
+        if not vehicle.is_alone(0.0, last - vehicle.clock.seconds) or self._free(end - begun) < end - begun:
+            return None
+        ends = list[int]()
+        while whole < end:
+            whole += self._in_a_tick(whole)
+            ends.append(whole)
+        done = vehicle.glide(
+            [self._when(each) for each in ends], lambda count: self._at(ends[count - 1]), 0.0
+        )
+        return None if done is None else (ends, *done)
+
+    def _land(self, ends: Sequence[float], count: int, is_active: bool) -> StoppedBy | None:
+        vehicle, begun = self._vehicle, self._whole
+        before = int(ends[count - 2]) if count > 1 else begun
+        self._whole = int(ends[count - 1]) if count else begun
+        if is_active and count < len(ends):
+            vehicle.go_to(self._at(before))
+            wanted, self._whole = self._whole - before, before
+            self._whole += self._free(wanted)
+            self._come_to(self._whole)
+        vehicle.go_to(self._at(self._whole))
+        if not is_active:
+            return StoppedBy.USER
+        vehicle.show()
+        self._report_progress()
+        return None
+
+    def _in_a_tick(self, whole: int) -> int:
+        """Degrees of the tick that begins there."""
+        to_report = DEGREES_A_REPORT - whole % DEGREES_A_REPORT
+        in_a_tick = max(1, int(self._course.further(whole, TICK)))
+        return min(in_a_tick, self._asked - whole, to_report)
 
     def _free(self, degrees: int) -> int:
         return abs(self._vehicle.mover.turn(self._vehicle.here.truth, self._sign * degrees))
@@ -277,7 +387,7 @@ class Bend(Movement):
         if not self._advance():
             return StoppedBy.COLLISION
         done = self._whole + self._piece / self._pieces
-        if not vehicle.clock.elapse(self._course.seconds(done, 1 / self._pieces)):
+        if not vehicle.clock.elapse_until(self._when(done + 1 / self._pieces)):
             return StoppedBy.USER
         if not self._advance(really=True):
             return StoppedBy.COLLISION

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Protocol
 from msgspec import Struct
 
 from devices.ports.robot import STEP, Grip, Motion, RobotProblem, Watcher
-from sim.clock import SLICE, Clock
+from sim.clock import SLICE, Clock, Glide
 from sim.geometry import Placement, Spot, pose_of
 from sim.ground import Ground
 from sim.handling import Hand
@@ -24,6 +24,7 @@ from sim.motion import Mover
 from sim.scene import Bounds, Drive, Limits, Localization, Wheels
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
     from random import Random
 
     from sim.handling import Advance, Pushing
@@ -34,6 +35,8 @@ TICK = 1 / 20
 """Seconds of robot time at most in which a robot that others may disturb takes the world to stand still."""
 NEARLY = 1e-6
 """Steps or degrees by which a sum of fractions may miss whole ones."""
+_MOST_KEPT = 200
+"""Steps of a walk whose ticks are kept."""
 _FINEST = 1e-5
 """Steps: no tick is shorter, however slowly a robot begins."""
 
@@ -52,6 +55,14 @@ class Rate(Struct, frozen=True):
         return _even(self.top) if self.up == self.down == inf else Ramped(self, asked)
 
 
+def _stops(course: Course, done: float, end: float) -> tuple[float, ...]:
+    stops = list[float]()
+    while done < end:
+        done = min(end, course.next_stop(done))
+        stops.append(done)
+    return tuple(stops)
+
+
 class Course(Protocol):
     """Way and time of one movement."""
 
@@ -64,12 +75,16 @@ class Course(Protocol):
     def next_stop(self, done: float) -> float:
         """Where a tick of a walk ends that begins after ``done`` steps: at the next whole one at most."""
 
+    def stops(self, done: float, end: float) -> tuple[float, ...]:
+        """Where the ticks of a walk from ``done`` to ``end`` steps end."""
+
 
 class Even:
     """At one pace from start to end."""
 
     def __init__(self, rate: float) -> None:
         self._rate = rate
+        self._stops: dict[tuple[float, float], tuple[float, ...]] = {}
         self._ticks_a_step = max(1, -floor(-(1.0 / (rate * TICK) - NEARLY)))
 
     def seconds(self, done: float, further: float) -> float:  # noqa: ARG002 -- the same everywhere
@@ -81,6 +96,14 @@ class Even:
     def next_stop(self, done: float) -> float:
         ticks = self._ticks_a_step
         return (floor(done * ticks + NEARLY) + 1) / ticks
+
+    def stops(self, done: float, end: float) -> tuple[float, ...]:
+        found = self._stops.get((done, end))
+        if found is None:
+            found = _stops(self, done, end)
+            if len(self._stops) < _MOST_KEPT:
+                self._stops[done, end] = found
+        return found
 
 
 _even = cache(Even)
@@ -111,6 +134,9 @@ class Ramped:
         whole = floor(done + NEARLY) + 1.0
         there = max(done + self.further(done, TICK), done + _FINEST)
         return whole if there > whole - _FINEST else there
+
+    def stops(self, done: float, end: float) -> tuple[float, ...]:
+        return _stops(self, done, end)
 
     def _when(self, way: float) -> float:
         left = self._asked - way
@@ -302,7 +328,7 @@ class Vehicle:
             self._ground.put(self._root, Placement(spot.x, spot.y, z, spot.yaw))
             self.hand.carry(spot)
             if not self.clock.takes_part:
-                self._ground.jumps += 1
+                self._ground.jump()
 
     def quicken(self) -> None:
         """Its body has changed: let the ground know how fast points of it may be now."""
@@ -359,6 +385,38 @@ class Vehicle:
         if self.odometry.is_exact:
             return Whereabouts(truth, truth)
         return Whereabouts(truth, self.odometry.turned(start.belief, degrees))
+
+    def is_alone(self, metres: float, seconds: float) -> bool:
+        """Whether nothing that may move can come near on the next ``metres``, which take so many seconds."""
+        if self.hand.held is not None or not self.clock.takes_part:
+            return False
+        spot, radius = self.here.truth, self.mover.body.radius + metres
+        return self._ground.is_alone(self._root, spot.x, spot.y, radius, seconds)
+
+    def glide(
+        self, times: Sequence[float], at: Callable[[int], Whereabouts], metres: float
+    ) -> tuple[int, bool] | None:
+        """Go on for so many ticks, which end at ``times``, ``metres`` in all; ``at``: where they lead.
+
+        It ``is_alone``. Answers as ``Clock.follow``; None, and nothing has happened, where it must not begin.
+        """
+        ground, root, spot = self._ground, self._root, self.here.truth
+        radius = self.mover.body.radius + metres
+        z, jumps = ground.start(root).z, ground.jumps
+
+        def place(count: int) -> Placement:
+            there = at(count).truth
+            return Placement(there.x, there.y, z, there.yaw)
+
+        box = (spot.x - radius, spot.y - radius, spot.x + radius, spot.y + radius)
+        glide = self.clock.glide(times, lambda rank, ends: Glide(root, rank, ends, place, box))
+        if glide is None or jumps != ground.jumps:
+            return None
+        ground.begin_glide(glide)
+        try:
+            return self.clock.follow(glide, times)
+        finally:
+            ground.end_glide(root)
 
     def way(self, angle: float, length: float) -> Advance:
         """What would become of so many metres (at most a step) to ``angle``, from here."""
