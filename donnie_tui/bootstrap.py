@@ -16,7 +16,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from devices.ports.robot import Pace, Watcher
-from donnie_tui.core.events import Announced, Answered, Stamped
+from donnie_tui.core.events import Announced, Answered, RunStarted, Stamped
 from donnie_tui.core.hub import Stream
 from donnie_tui.core.outlets import SpeechWait
 from donnie_tui.core.session import ResettableRobot, RunOptions, Session, SessionSetup
@@ -424,6 +424,32 @@ def judge_program(
     from donnie_tui.core.goals import judge
 
     return tuple(judge(each, *_try_from(each, text, world, words, settings)) for each in starts)
+
+
+def judge_events(
+    events: Sequence[Stamped],
+    starts: Sequence[Challenge],
+    world: ChosenWorld,
+    words: Words,
+    settings: Settings,
+) -> tuple[Judgment, ...]:
+    """Of what happened from the start of a challenge where the robot stood first.
+
+    Where that solves it, all that ran must solve it from the other starts, too.
+    """
+    from donnie_tui.core.goals import judge
+
+    began = [each.event.how for each in events if isinstance(each.event, RunStarted)]
+    ran = [each for each in began if each is not None and not each.refused]
+    rooms = [inventory_of(started_at(world, each.rules.variant[0]).scene) for each in starts]
+    stood = [next(iter(each.robots.values())) for each in rooms]
+    at = stood.index(ran[0].pose) if ran and ran[0].pose in stood else 0
+    here = judge(starts[at], rooms[at], events)
+    if not here.is_solved:
+        return (here,)
+    text = "\n".join(each.text for each in ran)
+    others = judge_program(text, [*starts[:at], *starts[at + 1 :]], world, words, settings)
+    return (*others[:at], here, *others[at:])
 
 
 def _try_from(

@@ -126,6 +126,7 @@ OPTIONS: dict[str, tuple[OptionSpec, ...]] = {
         OptionSpec(("--step",), "option-step"),
         OptionSpec(("--map",), "option-replay-map"),
         OptionSpec(("--check",), "option-recheck"),
+        OptionSpec(("--challenge",), "option-replay-challenge", "NAME"),
     ),
     "doctor": (),
     "devices": (OptionSpec(("port",), "option-ports", "PORT", nargs="*"),),

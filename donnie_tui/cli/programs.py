@@ -14,16 +14,17 @@ import io
 import json
 import sys
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 
 from msgspec import Struct
 
-from donnie_tui.bootstrap import judge_program, starts_of
+from donnie_tui.bootstrap import judge_events, judge_program, starts_of
 from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.streams import Output
 from donnie_tui.core.describe import task_in_words, verdict_in_words
+from donnie_tui.core.events import RunStarted, Stamped
 from donnie_tui.core.goals import Judgment, unknown_things
 from donnie_tui.core.program_files import (
     LARGEST,
@@ -42,8 +43,10 @@ from donnie_tui.world.loading import choose_challenge, choose_world, inventory_o
 from language.checker import check as hints_for
 from language.diagnostics import MOST_MISTAKES, Diagnostic, Severity
 from language.formatter import formatted
+from language.locales import ENGLISH
 from language.parser import parse
 from language.suggestions import nearest
+from language.syntax import walk
 from worlds import challenges
 
 
@@ -256,6 +259,14 @@ def check_challenge(order: Order, name: str, files: Sequence[str]) -> int:
     return max(code for code, _ in records)
 
 
+def judge_recording(order: Order, name: str, recorded: Sequence[Stamped]) -> int:
+    """Judge what was recorded; 1 if it does not solve the challenge."""
+    judging = _Judging(order, choose_challenge(name, order.words))
+    verdicts = judging.verdicts_of(order.invocation.arguments.file, tuple(recorded))
+    order.output.line(judging.sentences(verdicts))
+    return ExitCode.DONE if all(each.is_solved for each in verdicts) else ExitCode.FAILED
+
+
 _COLUMNS = ("file", "solved", "goals", "met", "commands", "steps", "bumps", "verdict")
 
 
@@ -323,9 +334,16 @@ def _new_challenge(order: Order, name: str) -> int:
 
 
 def _test_challenge(order: Order, name: str) -> int:
-    """Whether the solution solves the challenge from every start, and the empty program from none."""
+    """Whether its words are complete and short in each of its languages, and what solves it.
+
+    The solution must solve it from every start; the empty program, and the solution without one of its
+    commands, must not.
+    """
     found = choose_challenge(name, order.words)
     judging = _Judging(order, found)
+    faults = tuple(_faults_of_words(found, order.words))
+    for fault in faults:
+        order.output.line(fault)
     source = read_source(str(found.solution), order.words)
     verdicts, nothing = judging.verdicts(source.text), judging.verdicts("")
     wrong = [each for each in verdicts if not each.is_solved]
@@ -338,10 +356,27 @@ def _test_challenge(order: Order, name: str) -> int:
     spare = 0 if wrong or easy else judging.spare_line(source.text)
     if spare:
         order.output.line(order.words("challenge-test-spare", name=found.name, line=spare))
-    if wrong or easy or spare:
+    if wrong or easy or spare or faults:
         return ExitCode.FAILED
     order.output.line(order.words("challenge-test-good", name=found.name, starts=len(verdicts)))
     return ExitCode.DONE
+
+
+LONGEST_LINE = 80
+"""Characters of a line that is spoken at once."""
+
+
+def _faults_of_words(found: challenges.Challenge, words: Words) -> Iterator[str]:
+    """Hints that a language lacks, and lines that are too long."""
+    wanted = len(found.text(ENGLISH).hint)
+    for language, text in found.texts.items():
+        if len(text.hint) != wanted:
+            values = {"language": language, "count": len(text.hint), "wanted": wanted}
+            yield words("challenge-test-hints", name=found.name, **values)
+        for line in (text.title, *text.sentences, *(each.text for each in text.hint)):
+            if len(line) > LONGEST_LINE:
+                values = {"count": len(line), "most": LONGEST_LINE, "text": line}
+                yield words("challenge-test-long", name=found.name, **values)
 
 
 class _Judging:
@@ -398,14 +433,22 @@ class _Judging:
         run = partial(judge_program, world=self._world, words=self._words, settings=self._order.settings)
         return all(run(text, (start,))[0].is_solved for start in self._starts)
 
+    def verdicts_of(self, path: str, recorded: Sequence[Stamped]) -> tuple[Judgment, ...]:
+        """Of a recording. Raises ``Unusable`` if it is of another world."""
+        began = (each.event.world for each in recorded if isinstance(each.event, RunStarted))
+        other = next((each for each in began if each != self._world.name), None)
+        if other is not None:
+            wanted = self._world.name
+            raise Unusable(self._words("challenge-other-world", path=path, world=other, wanted=wanted))
+        return judge_events(recorded, self._starts, self._world, self._words, self._order.settings)
+
     def spare_line(self, text: str) -> int:
-        """The first line of a solution that it does not need; 0 if it needs all."""
-        lines = text.splitlines()
-        for number, line in enumerate(lines, start=1):
-            shorter = "\n".join(lines[: number - 1] + lines[number:])
-            is_program = line.strip() and not parse(shorter).diagnostics
-            if is_program and self._solves(shorter):
-                return number
+        """The line of the first command that a solution does not need; 0 if it needs all."""
+        program = parse(text).program
+        for span in (each.span for each in walk(program.body if program is not None else ())):
+            shorter = text[: span.start] + text[span.end :]
+            if not parse(shorter).diagnostics and all(each.is_solved for each in self.verdicts(shorter)):
+                return span.line
         return 0
 
     def sentences(self, verdicts: Sequence[Judgment]) -> str:

@@ -17,6 +17,7 @@ from msgspec import Struct
 from donnie_tui import __version__
 from donnie_tui.bootstrap import make_team
 from donnie_tui.cli.options import ExitCode, Order
+from donnie_tui.cli.programs import judge_recording
 from donnie_tui.cli.replay_prompt import ReplayMap, ReplayPrompt
 from donnie_tui.cli.streams import Guarded, Output, let_sound, stopped_by_signals
 from donnie_tui.core.events import Answered, Moved, RunStarted, Stamped, Turned, as_line
@@ -114,6 +115,8 @@ def replay(order: Order) -> int:
             order.output.complaint(words(f"damaged-{damage.code}", line=damage.line, count=damage.last))
         if arguments.check:
             return run_again(order, recording)
+        if arguments.challenge is not None:
+            return judge_recording(order, arguments.challenge, recording.events)
         telling = _Player(order, recording, closing)
         code = telling.play()
     return ExitCode.UNUSABLE if telling.has_lost else code
@@ -127,7 +130,9 @@ def _refuse_what_has_no_meaning(order: Order) -> None:
         raise Unusable(words("replay-fixed", option=f"--{fixed}"))
     ways = ("--check", arguments.check), ("--step", arguments.step), ("--backwards", arguments.backwards)
     chosen = [option for option, is_chosen in ways if is_chosen]
-    if arguments.check:
+    if arguments.challenge is not None:
+        chosen.append("--challenge")
+    if arguments.check or arguments.challenge is not None:
         others = [
             ("--map", arguments.map),
             ("--from", arguments.start is not None),

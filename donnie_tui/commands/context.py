@@ -10,13 +10,27 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
-from donnie_tui.bootstrap import Donnie, judge_program, starts_of
+from donnie_tui.bootstrap import Donnie, judge_events, judge_program, starts_of
 from donnie_tui.commands.declarations import BY_NAME
 from donnie_tui.commands.interaction import Interaction, Screen
 from donnie_tui.commands.lookup import word_of
 from donnie_tui.commands.preferences import Preferences
 from donnie_tui.core.answer_log import AnswerLog
-from donnie_tui.core.events import TRANSIENT, Answered, CueSounded, Reset, RunStarted, Stamped
+from donnie_tui.core.events import (
+    TRANSIENT,
+    Answered,
+    Chimed,
+    CueSounded,
+    Event,
+    GripperUsed,
+    Moved,
+    Reset,
+    RunStarted,
+    Spoke,
+    Stamped,
+    ThingsMoved,
+    Turned,
+)
 from donnie_tui.core.map_grid import Trail
 from donnie_tui.core.program_text import no_such_line
 from donnie_tui.core.run_controller import RunController
@@ -147,11 +161,17 @@ class Context:
 # --- challenges
 
 
+_ACTS = (RunStarted, Moved, Turned, Spoke, ThingsMoved, GripperUsed)
+"""Events that may meet a goal."""
+
+
 class Attempt:
     """What was done for a challenge since the robot was put to its start."""
 
     MOST_EVENTS = 100_000
     """A program without end publishes more; the oldest are dropped."""
+    MOST_LIVE = 500
+    """Events after which goals have no cue before the end: each event is judged with all before it."""
 
     def __init__(self, donnie: Donnie, challenge: Challenge, preferences: Preferences) -> None:
         from donnie_tui.world.loading import inventory_of
@@ -160,8 +180,8 @@ class Attempt:
         self.room = inventory_of(donnie.world.scene)
         self.hints = 0
         """Those that were given."""
-        self._met = 0
-        """The goals that the run before met."""
+        self._met = frozenset[int]()
+        """The goals that were met, by their places in the file; each has its cue once."""
         self._donnie, self._preferences = donnie, preferences
         self._events: deque[Stamped] = deque(maxlen=self.MOST_EVENTS)
         self.has_questions = False
@@ -171,13 +191,23 @@ class Attempt:
         self._unsubscribe = donnie.team.stream.subscribe(self._on_event)
 
     def _on_event(self, stamped: Stamped) -> None:
-        from donnie_tui.core.goals import begins_anew
+        from donnie_tui.core.goals import begins_anew, judge
 
         if begins_anew(stamped.event):
             others = (each for each in self._events if each.robot != stamped.robot)
             self._events = deque(others, maxlen=self.MOST_EVENTS)
+            self._met = frozenset()
         if not isinstance(stamped.event, TRANSIENT):
             self._events.append(stamped)
+        if isinstance(stamped.event, _ACTS) and len(self._events) <= self.MOST_LIVE:
+            self._chime(judge(self.challenge, self.room, self._happened()), stamped.event)
+
+    def _chime(self, now: Judgment, event: Event | None = None) -> None:
+        """A cue for each goal that is met now and was not; none for those that are met before anything."""
+        met = frozenset(at for at, each in enumerate(now.of_goals) if each is None)
+        if met - self._met and not isinstance(event, RunStarted):
+            self._donnie.session.hub.publish(Chimed("goal"))
+        self._met |= met
 
     def judgment(self) -> Judgment:
         """Of what was done from the first start."""
@@ -202,11 +232,8 @@ class Attempt:
             solution = read_to_the_end(checked_path(self.challenge.solution))
         except DocumentError:
             return 0
-        return self._judged(solution, self._starts[:1])[0].steps
-
-    def _judged(self, text: str, starts: tuple[Challenge, ...]) -> tuple[Judgment, ...]:
-        donnie = self._donnie
-        return judge_program(text, starts, donnie.world, donnie.words, self._preferences.settings)
+        donnie, settings = self._donnie, self._preferences.settings
+        return judge_program(solution, self._starts[:1], donnie.world, donnie.words, settings)[0].steps
 
     def judge(self) -> tuple[str, ...]:
         """What there is to say after a run, which is kept as a try.
@@ -216,19 +243,19 @@ class Attempt:
         from donnie_tui.core.describe import verdict_in_words
         from worlds import challenges
 
-        donnie, here = self._donnie, self.judgment()
-        verdicts: tuple[Judgment, ...] = (here,)
-        if here.is_solved:
-            verdicts = (here, *self._judged(self._program(), self._starts[1:]))
+        donnie, settings = self._donnie, self._preferences.settings
+        verdicts = judge_events(self._happened(), self._starts, donnie.world, donnie.words, settings)
+        here = verdicts[0]
         is_solved = all(each.is_solved for each in verdicts)
         self.keep_try()
         self._tried = self._try_of(here, is_solved=is_solved)
         self.has_questions = is_solved and bool(self.challenge.rules.question)
         if not self.has_questions:
             self.keep_try()
-        if is_solved or here.met > self._met:
-            donnie.session.hub.publish(CueSounded("solved" if is_solved else "goal", 0.0, None))
-        self._met = here.met
+        if is_solved:
+            donnie.session.hub.publish(CueSounded("solved", 0.0, None))
+        else:
+            self._chime(here)
         sentence = verdict_in_words(verdicts, self.room, donnie.words)
         following = challenges.after(self.challenge.name) if is_solved else None
         if following is None:
@@ -236,11 +263,6 @@ class Attempt:
         title = challenges.find(following).text(donnie.words.language).title
         word = word_of(BY_NAME["next_challenge"], donnie.words.language)
         return (sentence, donnie.words("challenge-next", word=word, title=title))
-
-    def _program(self) -> str:
-        """All that ran since the robot was put to its start, as one program."""
-        started = (each.event for each in self._events if isinstance(each.event, RunStarted))
-        return "\n".join(each.how.text for each in started if each.how is not None and not each.how.refused)
 
     def questions(self) -> tuple[Asked, ...]:
         """What is asked about the world as the last run left it."""

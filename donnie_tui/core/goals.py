@@ -32,6 +32,7 @@ from donnie_tui.core.events import (
     Turned,
     Waited,
 )
+from worlds import challenges
 from worlds.challenges import Area, Challenge, Goal, Rules, Target
 
 DEGREES = 10.0
@@ -164,7 +165,7 @@ def judge(challenge: Challenge, room: Inventory, events: Iterable[Stamped]) -> J
         track.bumps,
         (
             *_ended_badly(track),
-            *_of_words(rules, track),
+            *_of_words(challenge, track),
             *failed,
             *_forbidden(rules, room, track),
             *_over_limit(rules, track),
@@ -465,21 +466,41 @@ def _ended_badly(track: Track) -> Iterable[Shortfall]:
         yield Shortfall("goal-endless", {})
 
 
-def _of_words(rules: Rules, track: Track) -> Iterable[Shortfall]:
+def _of_words(challenge: Challenge, track: Track) -> Iterable[Shortfall]:
     """Words that belong to another lesson, and words that the lesson is about."""
+    rules = challenge.rules
     if not (rules.words or rules.required):
         return
+    from language.keywords import topic
+
+    starts = (each.how for each in track.events if isinstance(each, RunStarted))
+    used = _words_in("\n".join(each.text for each in starts if each is not None and not each.refused))
+    for name in (each for each in used if rules.words and each not in map(topic, rules.words)):
+        number = _lesson_of(name, challenge.name)
+        yield Shortfall("word-in-lesson" if number else "word-later", {"word": name, "number": number})
+    for missing in (each for each in map(topic, rules.required) if each not in used):
+        yield Shortfall("word-missing", {"word": missing})
+
+
+def _words_in(program: str) -> tuple[str | None, ...]:
+    """The first words of its commands, in no language."""
     from language.keywords import canonical, topic
     from language.lexer import lex
 
-    starts = (each.how for each in track.events if isinstance(each, RunStarted))
-    texts = [each.text for each in starts if each is not None and not each.refused]
-    named = (token[-1] for text in texts for token in lex(text).tokens)
-    used = dict.fromkeys(topic(each) for each in named if canonical(each) is not None)
-    for name in (each for each in used if rules.words and each not in map(topic, rules.words)):
-        yield Shortfall("word-later", {"word": name})
-    for missing in (each for each in map(topic, rules.required) if each not in used):
-        yield Shortfall("word-missing", {"word": missing})
+    named = (token[-1] for token in lex(program).tokens)
+    return tuple(dict.fromkeys(topic(each) for each in named if canonical(each) is not None))
+
+
+def _lesson_of(word: str | None, now: str) -> int:
+    """The number of the first challenge after this one whose solution needs the word; 0 if none does."""
+    from donnie_tui.core.program_files import read_to_the_end
+
+    shipped = challenges.names()
+    passed = shipped.index(now) + 1 if now in shipped else 0
+    for number, name in enumerate(shipped, start=1):
+        if word in _words_in(read_to_the_end(challenges.find(name).solution)):
+            return number if number > passed else 0
+    return 0
 
 
 def _forbidden(rules: Rules, room: Inventory, track: Track) -> Iterable[Shortfall]:

@@ -257,7 +257,8 @@ def test_words_of_a_later_lesson_and_missing_ones_are_said(
 
     assert main(["challenge", "check", str(file), str(program), "--lang", "en"]) == 1
     said = capsys.readouterr().out
-    assert "0 of 2 goals. REPEAT comes in a later challenge. Missing: the word TR." in said
+    later = challenges.names().index("square") + 1  # the first whose solution repeats
+    assert f"0 of 2 goals. REPEAT comes in challenge {later}. Missing: the word TR." in said
 
 
 def written(folder: Path, name: str, text: str, solution: str) -> Path:
@@ -314,3 +315,81 @@ def test_the_world_of_a_challenge_is_a_file_next_to_it(
     capsys.readouterr()
     assert main(["challenge", "test", str(file), "--lang", "en"]) == 2
     assert "my hall é.world" in capsys.readouterr().err
+
+
+def exit_code_of_test(folder: Path, solution: str, *changes: tuple[str, str]) -> int:
+    text = WITHOUT_GOAL
+    for old, new in changes:
+        text = text.replace(old, new)
+    return main(["challenge", "test", str(written(folder, "it", text, solution)), "--lang", "en"])
+
+
+@pytest.mark.parametrize(
+    ("solution", "old", "new", "said"),
+    [
+        ("FW 3 TR 90", "[en]", "[en]", "it: the solution does not need its line 1."),
+        (
+            "FW 3",
+            'task = "Do."',
+            f'task = "{"Do. " * 21}"',
+            f"it: 83 characters are too long to hear, at most 80: {('Do. ' * 21).strip()}",
+        ),
+        (
+            "FW 3",
+            'task = "Do."',
+            'task = "Do."\n[[en.hint]]\ntext = "FW"\n[pt]\ntitle = "T"\ntask = "Vai."',
+            "it: pt has 0 hints, English has 1.",
+        ),
+        ("FWW 3", "[en]", "[en]", "it: the solution does not solve it."),
+        ("TR 90", "[en]", "[en]", "it: the empty program solves it."),
+    ],
+)
+def test_what_is_wrong_with_a_challenge_is_said(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], solution: str, old: str, new: str, said: str
+) -> None:
+    assert exit_code_of_test(tmp_path, solution, (old, new)) == 1
+    assert said in capsys.readouterr().out.splitlines()
+
+
+BAD = {
+    "big.gd": b"FW 1\n" * 2_000_000,
+    "computes.gd": b"VAR x = 1\nWHILE 1 == 1 DO\nx = x + 1\nEND WHILE",
+    "empty.gd": b"",
+    "jos\u00e9 da silva (2).gd": b"FW 5",
+    "no text.gd": bytes(range(256)),
+    "waits.gd": b"WAIT 1000000000\nFW 5",
+}
+
+
+def test_no_program_of_a_folder_stops_the_rest(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for name, content in BAD.items():
+        (tmp_path / name).write_bytes(content)
+    (tmp_path / "folder.gd").mkdir()
+
+    assert main(["challenge", "check", "first_walk", str(tmp_path), "--lang", "en"]) == 2
+
+    endless = "0 of 1 goal. The program does not come to an end. You stop 5 steps south of 0, 5."
+    assert capsys.readouterr().out.replace(f"{tmp_path}/", "").splitlines() == [
+        "big.gd is too large for a program.",
+        f"computes.gd: {endless}",
+        "empty.gd: 0 of 1 goal. You stop 5 steps south of 0, 5.",
+        "jos\u00e9 da silva (2).gd: Solved, in 1 command.",
+        "no text.gd is not a text.",
+        f"waits.gd: {endless}",
+        "6 programs. 1 solved.",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("world", "said"),
+    [
+        ("no_such_world", "no_such_world"),
+        ("it.world", "it.world"),
+    ],
+)
+def test_a_challenge_without_its_world_is_one_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], world: str, said: str
+) -> None:
+    assert exit_code_of_test(tmp_path, "FW 3", ("first_room", world)) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert said in line

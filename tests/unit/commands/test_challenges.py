@@ -8,8 +8,9 @@ from pathlib import Path
 import pytest
 
 from donnie_tui.commands.interaction import EnterWorld
-from donnie_tui.core.events import CueSounded
+from donnie_tui.core.events import Chimed, CueSounded, RunEnded, Stamped
 from tests.unit.commands.scripted import Script
+from worlds import challenges
 
 OpenScript = Callable[..., Script]
 
@@ -137,12 +138,12 @@ def test_a_challenge_that_is_not_there_changes_nothing(open_script: OpenScript) 
 def test_a_goal_that_is_met_and_a_solved_challenge_have_cues(open_script: OpenScript) -> None:
     script, cues = open_script(world="challenge:say_what_you_see"), list[str]()
     script.donnie.team.stream.subscribe(
-        lambda each: cues.append(each.event.name) if isinstance(each.event, CueSounded) else None
+        lambda each: cues.append(each.event.name) if isinstance(each.event, CueSounded | Chimed) else None
     )
 
     script.answers_to("FW 4", "SPEAK 4")
 
-    assert [each for each in cues if each in ("goal", "solved")] == ["goal", "solved"]
+    assert [each for each in cues if each in ("goal", "solved")] == ["goal", "goal", "solved"]
 
 
 ASKING = """\
@@ -205,3 +206,35 @@ def test_a_progress_file_of_an_earlier_version_is_read(open_script: OpenScript, 
         "1 of 1 solved.",
         "The first walk: solved, 1 try, 1 hint, 0 bumps.",
     ]
+
+
+def test_a_goal_has_its_cue_at_once_and_only_once(open_script: OpenScript, tmp_path: Path) -> None:
+    file = tmp_path / "it.toml"
+    file.write_text(
+        ASKING.replace("at = [0, 3]", "visited = [[0, 3]]\n[[goal]]\nfacing = 0\n[[goal]]\nsaid = 1")
+    )
+    script, happened = open_script(world=f"challenge:{file}"), list[str]()
+
+    def note(stamped: Stamped) -> None:
+        if isinstance(stamped.event, Chimed | RunEnded):
+            happened.append(type(stamped.event).__name__)
+
+    script.donnie.team.stream.subscribe(note)
+    script.answers_to("FW 3", "FW 3", "BW 4")
+
+    assert happened == ["Chimed", *["RunEnded"] * 3]
+
+
+def test_a_forbidden_word_is_the_rule_of_a_later_lesson(open_script: OpenScript, tmp_path: Path) -> None:
+    file = tmp_path / "it.toml"
+    file.write_text(ASKING.replace("[en]", 'words = ["FW"]\n[en]', 1))
+    script = open_script(world=f"challenge:{file}")
+    first = next(
+        number
+        for number, name in enumerate(challenges.names(), start=1)
+        if "REPEAT" in challenges.find(name).solution.read_text()
+    )
+
+    assert script.answers_to("REPEAT 3 TIMES\nFW 1\nEND REPEAT")[-1] == (
+        f"1 of 1 goal. REPEAT comes in challenge {first}."
+    )
