@@ -110,10 +110,12 @@ def _note_run(ctx: Context, ended: Run, *, is_whole: bool) -> None:
     elif not is_whole:
         number = len(program.lines) - program.waiting + 1
         wrong = [each for each in ctx.errors.all if each.kind != MistakeKind.MISSING_END.value]
-        if not program.batch_was_refused({_line_to_change(each): each.meant for each in reversed(wrong)}):
+        lines = {_line_to_change(each): each.meant for each in reversed(wrong)}
+        if not program.batch_was_refused(lines, is_unfinished=not wrong):
             ctx.answer("line-dropped", line=number)
         elif (new := ctx.errors.go_to_new()) is not None:
-            code = "lines-kept-fixable" if new.meant else "lines-kept"
+            kept = "lines-kept" if wrong else "lines-kept-unfinished"
+            code = "lines-kept-fixable" if new.meant else kept
             ctx.answer(code, line=_line_to_change(new), lines=program.waiting)
         else:
             program.refusals -= 1

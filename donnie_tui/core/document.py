@@ -296,13 +296,15 @@ class Document:
         self._forget_refusal()
         self._runs += 1
 
-    def batch_was_refused(self, wrong: Mapping[int, str] = NONE_WRONG) -> bool:
+    def batch_was_refused(
+        self, wrong: Mapping[int, str] = NONE_WRONG, *, is_unfinished: bool = False
+    ) -> bool:
         """After mistakes of form in the lines ``wrong``, each with what was probably meant.
 
-        True if the lines were kept, False if there was one, which is dropped.
+        True if the lines were kept, False if there was one, which is dropped unless it ``is_unfinished``.
         """
         self._running = None
-        if sum(bool(line.strip()) for line in self._unrun) > 1:
+        if is_unfinished or sum(bool(line.strip()) for line in self._unrun) > 1:
             self.refusals += 1
             self._refused_text = self.waiting_text
             self._report_wrong(wrong)

@@ -337,7 +337,7 @@ def corrected_line(
     Of each ``wrong`` line its text is known, and what was probably meant.
 
     It is the wrong line most like it. After a refusal the very next line may also be quite another one, if
-    the ``last`` line of all was wrong; after a failed run only the very next line replaces one.
+    only the ``last`` line of all was wrong; after a failed run only the very next line replaces one.
     """
     if not is_next and not is_refused:
         return None
@@ -346,7 +346,7 @@ def corrected_line(
         return number
     text = line.strip()
     is_part_of_block = _begins_with_end(text) or _begins_with_else(text)
-    return last if is_next and is_refused and last in wrong and not is_part_of_block else None
+    return last if is_next and is_refused and [*wrong] == [last] and not is_part_of_block else None
 
 
 def _likeness(line: str, other: str) -> float:

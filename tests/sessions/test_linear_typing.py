@@ -257,7 +257,11 @@ def test_the_three_languages_are_all_understood_and_one_is_spoken(tmp_path: Path
     learner.enters("WHERE", "SAIR")
 
     assert learner.leaves() == 0
-    assert said(learner)[-2:] == ["Posición 0, 3. Mirando al norte.", "Hasta luego."]
+    assert said(learner)[-3:] == [
+        "Posición 0, 3. Mirando al norte.",
+        "Quedan guardadas 2 líneas. RECUPERAR las abre.",
+        "Hasta luego.",
+    ]
 
 
 def test_tab_completes_names_inside_a_folder(learner: Learner, tmp_path: Path) -> None:

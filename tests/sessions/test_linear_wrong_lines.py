@@ -145,3 +145,17 @@ def test_a_single_wrong_line_is_dropped_and_said_to_be(tmp_path: Path) -> None:
         "Nothing ran, line 1 was dropped.",
         "I walked 2 steps forward.",
     ]
+
+
+def test_a_block_that_is_run_before_its_end_is_kept(tmp_path: Path) -> None:
+    assert answers_to(tmp_path, "REPEAT 2 TIMES", "RUN", "FW 1", "END REPEAT", "RUN")[3:] == [
+        "Nothing ran, 1 line waits.",
+        "I walked 1 step forward.",
+        "I walked 1 step forward.",
+    ]
+
+
+def test_a_line_unlike_the_wrong_ones_is_added_where_several_are_wrong(tmp_path: Path) -> None:
+    said = answers_to(tmp_path, "WALK 1", "TR 90", "WALK 2", "RUN", "SCAN", "LIST")
+
+    assert said[-4:] == ["1: WALK 1", "2: TR 90", "3: WALK 2", "4: SCAN"]
