@@ -65,3 +65,25 @@ async def test_a_block_begun_at_the_command_line_gets_a_hint(open_screen):
         await screen.shows("Andei 1 passo para frente.")
 
         assert not any("não tem FIM REPITA" in line for line in screen.log)
+
+
+async def test_the_map_shows_what_is_built_at_once_and_quit_asks_about_it(open_screen, tmp_path):
+    def things() -> dict[str, tuple[float, float]]:
+        return {each.name: (each.x, each.y) for each in screen.main.map.scale.scene.things}
+
+    async with open_screen(world="first_room") as screen:
+        await type_and_wait(screen, "FW 2")
+        await type_and_wait(screen, "PUT box red 4 6 AS treasure")
+        assert things()["treasure"] == (4, 6)
+        await type_and_wait(screen, "MOVE treasure 2 0")
+        assert things()["treasure"] == (6, 6)
+        assert screen.status == " Treasure, box, red: now at 6, 6. From the robot: 6 right, 4 ahead. "
+
+        await type_and_wait(screen, "REMOVE ball")
+        assert "ball" not in things()
+        assert things()["treasure"] == (6, 6)
+
+        await screen.press("ctrl+q")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the question")
+        await screen.press("escape")
+        await screen.shows("Not saved, so Donnie stays open.")
