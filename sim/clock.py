@@ -44,7 +44,7 @@ class Glide:
         self.rank = rank
         self.ends = ends
         self._places = places
-        self._box = box
+        self.box = box
         """Left, bottom, right and top of all places that its body may touch."""
         self._shown = 0
 
@@ -58,16 +58,6 @@ class Glide:
     def next_end(self, now: Now) -> float:
         """The end of the tick that is due, or of the last one."""
         return self.ends[min(self.ticks(now), len(self.ends) - 1)]
-
-    def meets(self, left: float, bottom: float, right: float, top: float) -> bool:
-        """Whether it comes into a box."""
-        mine = self._box
-        return mine[0] <= right and left <= mine[2] and mine[1] <= top and bottom <= mine[3]
-
-    def apart(self, x: float, y: float) -> float:
-        """Metres from a place to its box, at least; 0 inside."""
-        left, bottom, right, top = self._box
-        return max(left - x, x - right, bottom - y, y - top, 0.0)
 
     def new_place(self, now: Now) -> Placement | None:
         """Where it is now; None if it was asked before and has not moved since."""

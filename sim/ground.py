@@ -49,11 +49,13 @@ class Ground:
         """Counts what moved out of turn, or became faster: what was known to be far may be near now."""
         self._glides: dict[int, Glide] = {}
         """Of the robots that glide, which are put to where they are now when that matters."""
+        self._glide_boxes: list[tuple[Glide, tuple[float, float, float, float]]] = []
         self._now_in_turn: Callable[[], Now] = _at_once
         self._cut_glides: Callable[[], None] = _nothing
         self._widest_guard = 0.0
         self._extents: dict[int, float] = {}
-        """Metres from the place of a movable root to the farthest point of it, as far as that was asked."""
+        """Metres from the place of each movable root to its farthest point; empty before it was asked."""
+        self._farthest = 0.0
         self._layout: Layout | None = None
         self._guards: dict[float, None] = {}
         """The guard distances that were asked for before all was laid out."""
@@ -80,12 +82,14 @@ class Ground:
         """From now on the robot is where the glide leads."""
         with self._lock:
             self._glides[glide.root] = glide
+            self._glide_boxes.append((glide, glide.box))
             self._change(glide.root)
 
     def end_glide(self, root: int) -> None:
         """The robot is where it is put again."""
         with self._lock:
-            del self._glides[root]
+            glide = self._glides.pop(root)
+            self._glide_boxes.remove((glide, glide.box))
 
     def is_alone(self, asker: int, x: float, y: float, reach: float, seconds: float) -> bool:
         """Whether nothing that may move comes within ``reach`` of a place in so many seconds.
@@ -94,29 +98,39 @@ class Ground:
         """
         margin = reach + self._widest_guard + seconds * self.fastest + 1.5 * STEP
         with self._lock:
+            farthest = margin + self._widest_extent()
             for root, now in self._now.items():
-                if root != asker and hypot(now.x - x, now.y - y) < margin + self._extent(root):
+                dx, dy = now.x - x, now.y - y
+                is_close = -farthest < dx < farthest and -farthest < dy < farthest and root != asker
+                if is_close and hypot(dx, dy) < margin + self._extents[root]:
                     return False
         return True
 
-    def _extent(self, root: int) -> float:
-        if root not in self._extents:
-            start = self._start[root]
-            parts = (part for part in (self._layout or self._lay_out()).at_start if part.root == root)
-            points = (point for part in parts for point in part.points)
-            self._extents[root] = max((hypot(px - start.x, py - start.y) for px, py in points), default=0.0)
-        return self._extents[root]
+    def _widest_extent(self) -> float:
+        """Of all roots that may move."""
+        if not self._extents:
+            self._extents = dict.fromkeys(self._start, 0.0)
+            for part in (self._layout or self._lay_out()).at_start:
+                if part.root in self._start:
+                    start = self._start[part.root]
+                    far = max(hypot(px - start.x, py - start.y) for px, py in part.points)
+                    self._extents[part.root] = max(self._extents[part.root], far)
+            self._farthest = max(self._extents.values())
+        return self._farthest
 
     def _update(self, asker: int, left: float, bottom: float, right: float, top: float) -> None:
         """Put the robots that glide through a box to where they are now. Under the lock."""
         if not self._glides:
             return
-        now = self._now_in_turn()
-        for root, glide in self._glides.items():
-            if root != asker and glide.meets(left, bottom, right, top):
-                place = glide.new_place(now)
-                if place is not None:
-                    self._put(root, place)
+        met = [
+            glide
+            for glide, (its_left, its_bottom, its_right, its_top) in self._glide_boxes
+            if its_left <= right and left <= its_right and its_bottom <= top and bottom <= its_top
+        ]
+        now = self._now_in_turn() if met else (0.0, 0.0)
+        for glide in met:
+            if glide.root != asker and (place := glide.new_place(now)) is not None:
+                self._put(glide.root, place)
 
     def _update_all(self) -> None:
         self._update(-1, -inf, -inf, inf, inf)
@@ -239,8 +253,12 @@ class Ground:
         """How far round a place nothing comes nearer than ``guard``, some metres at most; below 0: none."""
         with self._lock:
             room = (self._layout or self._lay_out()).room(asker, x, y, guard)
-            others = (glide.apart(x, y) - guard for root, glide in self._glides.items() if root != asker)
-            return min(room, min(others, default=room))
+            for glide, (left, bottom, right, top) in self._glide_boxes:
+                reach = room + guard
+                is_close = left - reach < x < right + reach and bottom - reach < y < top + reach
+                if is_close and glide.root != asker:
+                    room = max(left - x, x - right, bottom - y, y - top, 0.0) - guard
+            return room
 
     def _update_along(self, asker: int, points: Sequence[Point]) -> None:
         xs, ys = zip(*points, strict=True)
