@@ -356,7 +356,7 @@ class EditorAssistant:
         """Says once in each run that the robot still follows the text before the change."""
         runs, run = self._ctx.runs, self._ctx.donnie.session.run
         is_running = runs.is_whole and runs.state in (RunState.RUNNING, RunState.PAUSED)
-        if is_running and run is not self._reported and self._editor.has_focus:
+        if is_running and run is not self._reported and self._editor.is_typed:
             self._reported = run
             self._ctx.answer("edited-while-running")
 

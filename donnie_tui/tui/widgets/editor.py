@@ -77,6 +77,8 @@ class Editor(TextArea):
     def __init__(self, *, id: str) -> None:  # noqa: A002 -- Textual's own name
         super().__init__(id=id, soft_wrap=True, tab_behavior="focus", show_line_numbers=True)
         self.cursor_blink = False
+        self.is_typed = False
+        """Whether a key made the last change of the text, and no command."""
         self._chosen_painted: tuple[Offset, Offset] | None = None
         """Where the selection is, while rows are painted."""
         self._marks: dict[int, str] = {}
@@ -100,6 +102,7 @@ class Editor(TextArea):
     # --- typing
 
     async def _on_key(self, event: events.Key) -> None:
+        self.is_typed = True
         name = self._line_word if event.key == "enter" else None
         if name is not None:
             event.stop()
@@ -211,6 +214,7 @@ class Editor(TextArea):
 
     def show(self, text: str, breakpoints: frozenset[int]) -> None:
         """Another program, from its first line; the history begins again."""
+        self.is_typed = False
         self.load_text(text)
         self.breakpoints = breakpoints
         self.move_cursor((0, 0))
@@ -227,11 +231,13 @@ class Editor(TextArea):
 
     def undo(self) -> None:
         """Breakpoints go with their lines here too."""
+        self.is_typed = False
         before = list(self.document.lines) if self.breakpoints else []
         super().undo()
         self._follow(before)
 
     def redo(self) -> None:
+        self.is_typed = False
         before = list(self.document.lines) if self.breakpoints else []
         super().redo()
         self._follow(before)
@@ -248,6 +254,7 @@ class Editor(TextArea):
 
     def change_lines(self, lines: Sequence[str]) -> None:
         """Change the text into these lines, as one edit of no more than what differs."""
+        self.is_typed = False
         before = self.document.lines
         ends_open = len(before) > 1 and not before[-1]
         after = [*lines, ""] if ends_open or not lines or not lines[-1] else list(lines)
@@ -264,6 +271,7 @@ class Editor(TextArea):
 
         Where it was in what is replaced, or in another line, it comes after the new text.
         """
+        self.is_typed = False
         here, new_end = self.offset_of_cursor, start + len(text)
         first, last = self.location_of(start), self.location_of(end)
         is_near = first[0] <= self.cursor_location[0] <= last[0] and not start < here < end
