@@ -155,10 +155,21 @@ def picture(scene: Scene, robot: str | None = None) -> Picture:
 
 
 def _body(scene: Scene, me: Model | None) -> tuple[tuple[Point, ...], ...]:
+    """In steps; without the paddles of a gripper, between which there is room."""
     if me is None:
         return ()
-    polygons = body_of(scene, me.index).polygons
+    paddles = {
+        points
+        for model in scene.tree(me.index)
+        if model.gripper
+        for points in _from(me, tuple(model.outlines())[1:])
+    }
+    polygons = (points for points in body_of(scene, me.index).polygons if points not in paddles)
     return tuple(tuple((x / STEP, y / STEP) for x, y in points) for points in polygons)
+
+
+def _from(me: Model, outlines: Iterable[tuple[Point, ...]]) -> Iterator[tuple[Point, ...]]:
+    return (seen_from(points, me.pose.x, me.pose.y, me.pose.yaw) for points in outlines)
 
 
 def drawings(scene: Scene) -> tuple[Drawing, ...]:

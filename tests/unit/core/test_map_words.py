@@ -25,7 +25,7 @@ from donnie_tui.core.map_words import (
 from donnie_tui.i18n.words import Words
 from sim.picture import Picture, Thing, picture
 from sim.world import World
-from sim.worldfile import load_world
+from sim.worldfile import load_text, load_world
 from tests.unit.sim.floors import Unpaced
 
 LANGUAGES = ("en", "pt", "es")
@@ -309,3 +309,19 @@ def test_a_robot_that_is_not_donnie_stands_on_the_map_by_its_name() -> None:
     assert square_in_words(grid, 1, 1, pose, Words()) == "1, 1: alice. here."
     assert "alice" in row_in_words(grid, 1, Words())[0]
     assert picture_in_letters(grid, Words())[0].endswith("alice is ^")
+
+
+def test_around_a_thing_between_its_paddles_a_robot_does_not_count_them() -> None:
+    scene = load_text(
+        "position ( size [ 0.3 0.3 0.3 ] gripper ( pose [ 0.25 0 -0.3 0 ] ) )\n"
+        'model ( name "can" size [ 0.1 0.1 0.2 ] pose [ 0.36 0 0 0 ] gripper_return 1 )',
+        Path("gripper.world"),
+    )
+    east = Pose(0.0, 0.0, 90.0)
+
+    lines = around_in_words(MapGrid(picture(scene), east), east, Words())
+
+    base = 0.15 + (1 - 0.66) * 0.2  # metres to the front of the gripper without its paddles
+    steps = int((0.36 - 0.05 - base) / 0.05)
+    assert [line for line in lines if "can" in line] == [f"Ahead: can, red, {steps} step."]
+    assert sum("free, 10 steps" in line for line in lines) == 3
