@@ -128,6 +128,22 @@ async def test_esc_pressed_twice_leaves_a_page_and_moves_no_robot(open_screen, k
         assert screen.app.controller.donnie.session.pose.y == 0
 
 
+async def test_esc_drives_a_real_robot_only_when_it_is_pressed_again(open_screen, monkeypatch) -> None:  # type: ignore[no-untyped-def]
+    async with open_screen("FW 1") as screen:
+        controller = screen.app.controller
+        monkeypatch.setattr(type(controller.donnie.connection), "is_real", property(lambda _: True))
+        done: list[str] = []
+        monkeypatch.setattr(controller, "do", lambda name, _argument=None: done.append(name))
+        await screen.press("escape")
+        await screen.shows("Esc again: RUN.")
+        assert done == []
+        await screen.press("left", "escape")
+        await screen.pilot.pause()
+        assert done == []
+        await screen.press("escape")
+        await screen.until(lambda: done == ["run"], "the run")
+
+
 async def test_esc_after_any_other_key_runs_the_program(open_screen) -> None:  # type: ignore[no-untyped-def]
     async with open_screen("FW 1") as screen:
         burst(screen, "ctrl+g", "1", "enter", "end", "escape")
