@@ -177,7 +177,8 @@ def test_the_manual_is_read_chapter_by_chapter(tmp_path: Path) -> None:
     chapters = answers_to(tmp_path, "MANUAL")
     first = answers_to(tmp_path, "MANUAL 1")
 
-    assert chapters[0] == f"{len(chapters) - 1} chapters. MANUAL 1 reads the first."
+    assert chapters[0] == f"{len(chapters) - 2} chapters. MANUAL 1 reads the first."
+    assert chapters[-1].startswith("First steps, to read: ")
     assert all(first)
     assert len(first) > 3
 
