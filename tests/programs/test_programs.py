@@ -36,7 +36,7 @@ EXAMPLE = re.compile(
     re.DOTALL | re.MULTILINE,
 )
 
-CODE = re.compile(r"^```\w*\n.*?^```$|`[^`\n]+`|\]\([^)]*\)", re.DOTALL | re.MULTILINE)
+CODE = re.compile(r"^ *```\w*\n.*?^ *```$|`[^`\n]+`|\]\([^)]*\)", re.DOTALL | re.MULTILINE)
 CAPITALS = re.compile(r"\b[A-ZÀ-ÖØ-Þ]{2,}(?: [A-ZÀ-ÖØ-Þ]{2,})*\b")
 NO_WORDS = {"END", "FIM", "FIN", "SSH", "NVDA", "BRLTTY", "YASR"}
 
