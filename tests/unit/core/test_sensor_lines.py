@@ -14,6 +14,7 @@ LINES = [
     (language, " ".join((spelling(canonical_of_terminal(word), language), *argument)))
     for language in languages()
     for word, *taken in SENSOR_FORMS
+    if all(argument_words(each, language) for each in taken)  # a name of the world is no word
     for argument in ([argument_words(each, language)[0] for each in taken],)
 ]
 
