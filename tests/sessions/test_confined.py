@@ -349,8 +349,8 @@ def test_the_settings_of_the_machine_confine_and_nothing_lifts_them(
     (here / ".donnie" / "settings.toml").write_text('confined = "/"\ndevices = "/dev/tty"\nlang = "es"\n')
     assert main(["check", "../secret.gd"]) == 2
     assert capsys.readouterr().err.splitlines() == [
-        "Solo quien enseña puede fijar confined.",
-        "Solo quien enseña puede fijar devices.",
+        "Solo quien enseña puede cambiar confined.",
+        "Solo quien enseña puede cambiar devices.",
         "../secret.gd no está en tu carpeta.",
     ]
 

@@ -45,7 +45,7 @@ def greeted(server: Server, learner: Learner) -> Learner:
     [
         ("en", "Linear mode, from the option.", "HELP lists the commands."),
         ("pt", "Modo linear, pedido na opção.", "AJUDA lista os comandos."),
-        ("es", "Modo lineal, por la opción.", "AYUDA lista los comandos."),
+        ("es", "Modo lineal, como pediste.", "AYUDA lista los comandos."),
     ],
 )
 def test_the_greeting_is_said(

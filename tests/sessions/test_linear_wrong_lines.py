@@ -38,7 +38,7 @@ def test_a_head_without_its_last_word_is_fixed_in_the_right_place(tmp_path: Path
         "FAÇA vai no fim da linha 1.\r\nNada foi executado, 4 linhas esperam. CORRIGIR conserta a linha 1."
     )
     learner.enters("EXPLICAR")
-    learner.sees("Forma: APRENDER nome: nome FAÇA comandos FIM APRENDER.")
+    learner.sees("Escreve-se: APRENDER nome: nome FAÇA comandos FIM APRENDER.")
     learner.enters("CORRIGIR")
     learner.sees("nível 0: APRENDER canto: n FAÇA\r\n")
     learner.enters("EXECUTAR")

@@ -76,8 +76,8 @@ def test_every_topic_has_a_word_that_is_typed(language: str) -> None:
         ("en", "HELP go back", "BW: walks backward, in steps."),
         ("en", "HELP say", "SPEAK: says a text or a number."),
         ("pt", "AJUDA caminhar", "PF: anda para frente, em passos."),
-        ("es", "AYUDA caminar", "AV: camina adelante, en pasos."),
-        ("es", "AYUDA walk", "AV: camina adelante, en pasos."),
+        ("es", "AYUDA caminar", "AV: camina hacia adelante, en pasos."),
+        ("es", "AYUDA walk", "AV: camina hacia adelante, en pasos."),
     ],
 )
 def test_an_everyday_word_leads_to_the_word_of_godonnie(

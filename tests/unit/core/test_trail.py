@@ -33,7 +33,7 @@ def test_a_move_that_was_stopped_is_not_called_blocked() -> None:
 
 
 def test_a_trail_without_moves_says_so() -> None:
-    assert trail().in_words(5, Words("es")) == ("Aún no me moví.",)
+    assert trail().in_words(5, Words("es")) == ("Todavía no me moví.",)
 
 
 def test_the_table_has_one_row_per_move() -> None:

@@ -62,10 +62,10 @@ def test_a_number_that_is_not_whole_is_explained_as_a_number(source: str) -> Non
     ("source", "lines"),
     [
         ("REPITA 4 veses PF 2 FIM REPITA", ("Você quis dizer VEZES?", *HELP_OF_REPEAT)),
-        ("PF", ("Forma: PF valor, ou PARA FRENTE valor.", "Exemplo: PF 5.")),
-        ("PF\nGD 90", ("Forma: PF valor, ou PARA FRENTE valor.", "Exemplo: PF 5.")),
+        ("PF", ("Escreve-se: PF valor, ou PARA FRENTE valor.", "Exemplo: PF 5.")),
+        ("PF\nGD 90", ("Escreve-se: PF valor, ou PARA FRENTE valor.", "Exemplo: PF 5.")),
         ("PF 1\nREPITA 2 VEZES", ("Escreva FIM REPITA onde o bloco acaba.", HELP_OF_REPEAT[1])),
-        ("passos = 3 +", ("Forma: CRIAR nome = valor.", "Exemplo: CRIAR a = 5.")),
+        ("passos = 3 +", ("Escreve-se: CRIAR nome = valor.", "Exemplo: CRIAR a = 5.")),
         ("DANÇAR 3", ("Confira as letras: PF 3.",)),
         ("PFF 3", ("Você quis dizer PF?", "Exemplo: PF 5.")),
         ("APRENDER P FAÇA PF 1 FIM APRENDER P 2", ("Chame assim: P [].", HELP_OF_PROCEDURE)),

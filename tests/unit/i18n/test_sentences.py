@@ -88,7 +88,6 @@ AS_IN_ENGLISH = {
     "report-title": ("pt", "es"),
     "setting-mouse": ("pt",),
     "speed-max": ("es",),
-    "spell-tilde": ("es",),
     "status-inspector": ("es",),
     "thing-cone": ("pt",),
     "value-speech-ssip": ("pt", "es"),

@@ -26,7 +26,7 @@ def printed(monkeypatch: pytest.MonkeyPatch) -> list[bytes]:
     [
         (["--linear"], {}, b"Linear mode, from the option.\nHELP lists the commands.\n"),
         (["--linear", "--lang", "pt"], {"LANG": "es_ES"}, "Modo linear, pedido na opção.\n".encode()),
-        (["--lang=es", "--linear", "--world", "x"], {}, "Modo lineal, por la opción.\n".encode()),
+        (["--lang=es", "--linear", "--world", "x"], {}, b"Modo lineal, como pediste.\n"),
         (["--linear"], {"DONNIE_LANG": "pt", "LANG": "es_ES"}, "Modo linear, pedido na opção.\n".encode()),
         (["--linear"], {"LC_ALL": "pt_BR.UTF-8", "LANG": "es"}, "Modo linear, pedido na opção.\n".encode()),
         (["--screen-reader"], {}, b"Linear mode, from the option.\nHELP lists the commands.\n"),
