@@ -152,6 +152,13 @@ class Context:
         """As ``answer``, with the name of the robot where there are several."""
         self.say(with_robot_name(self.donnie.session.hub.robot, self.words(code, **values), self.words))
 
+    def answer_entering(self, world: str) -> None:
+        """Answer that another world comes; a challenge says its own title."""
+        from donnie_tui.world.loading import CHALLENGE
+
+        if not world.startswith(CHALLENGE):
+            self.answer("world-going", name=world)
+
     def counted(self, lines: Sequence[str]) -> tuple[str, ...]:
         """A list; the number of its lines comes first where it is long."""
         is_long = len(lines) > MOST_AT_ONCE

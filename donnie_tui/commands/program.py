@@ -234,7 +234,7 @@ def _say_changed(ctx: Context, changed: int | None) -> None:
             document.place = changed
         ctx.say(_numbered(ctx, changed))
     elif document.lines:
-        ctx.answer("number-of-lines", lines=len(document.lines))
+        ctx.answer("program-has-lines", lines=len(document.lines))
     else:
         ctx.answer("no-lines")
 

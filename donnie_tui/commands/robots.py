@@ -60,7 +60,7 @@ def _choose_robot(ctx: Context, typed: str) -> None:
     ctx.answer("robot-chosen", name=name)
     ctx.interaction.robot_changed()
     if ctx.program is not before and ctx.program.lines:
-        ctx.answer("number-of-lines", lines=len(ctx.program.lines))
+        ctx.answer("program-has-lines", lines=len(ctx.program.lines))
 
 
 def robots_in_words(ctx: Context) -> tuple[str, ...]:

@@ -220,7 +220,7 @@ class Conversation:
 
     def _say_number_of_lines(self) -> None:
         if self.ctx.program.lines:
-            self.ctx.answer("number-of-lines", lines=len(self.ctx.program.lines))
+            self.ctx.answer("program-has-lines", lines=len(self.ctx.program.lines))
 
     def _say_notices(self) -> None:
         """Say what is missing. If the prompt is printed already, this comes with the first answer.

@@ -16,7 +16,6 @@ from donnie_tui.core.program_files import DocumentError
 from donnie_tui.linear.output import BackgroundRobots
 from donnie_tui.linear.prompter import Printer, Prompter, Streams
 from donnie_tui.settings.file import remember
-from donnie_tui.world.loading import CHALLENGE
 from language.keywords import spelling
 
 _CHECK = 0.05
@@ -171,7 +170,7 @@ class Leaving:
         name, self.world = self.world, ""
         if name:
             self._ctx.runs.stop_to_leave()
-            self._ctx.answer("world-going", name=name.removeprefix(CHALLENGE))
+            self._ctx.answer_entering(name)
             raise EnterWorld(name)
 
     def switch_to_screen(self) -> None:

@@ -45,7 +45,6 @@ from donnie_tui.tui.run_view import RunView
 from donnie_tui.tui.screens.main_screen import MainScreen
 from donnie_tui.tui.terminal import TerminalApp
 from donnie_tui.tui.widgets.editor import Editor
-from donnie_tui.world.loading import CHALLENGE
 from language.diagnostics import MistakeKind
 from language.keywords import spelling
 from language.outline import block_depth
@@ -267,7 +266,7 @@ class ScreenController:
     def change_world(self, name: str) -> None:
         """Another world, with the same program: everything begins anew there."""
         self.ctx.runs.stop_to_leave()
-        self.ctx.answer("world-going", name=name.removeprefix(CHALLENGE))
+        self.ctx.answer_entering(name)
         self.events.flush()
         self.assistant.stop_copying()
         self.next_world = name

@@ -208,7 +208,7 @@ def test_a_misspelt_command_is_reported_at_once_and_not_added_to_the_program(
         "I do not know WHRE. Did you mean WHERE?",
         "I walked 2 steps forward.",
         "1: FW 2",
-        "1 line.",
+        "Your program has 1 line.",
         "1: FW 2",
     ]
 

@@ -64,7 +64,7 @@ def test_the_learner_selects_a_robot_and_all_run_together(tmp_path: Path) -> Non
         "bob: There is nothing to grip.",
         "bob: Position 0, 27. Facing south.",
         "Now you talk to alice.",
-        "1 line.",
+        "Your program has 1 line.",
         "alice: Command 1 was FW 2, walked 2, didn't crash, position [0,2,0].",
         "No robot is running a program.",
     ]

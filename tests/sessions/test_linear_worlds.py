@@ -37,7 +37,7 @@ def test_worlds_lists_the_worlds_and_a_name_selects_one_with_the_program(tmp_pat
         "This is the world maze: Maze.",
         "49 by 41 steps, walls included.",
         "1 thing. WORLD says more.",
-        "1 line.",
+        "Your program has 1 line.",
         "1: FW 2",
         "Position 0, 0. Facing north.",
         "I walked 2 steps forward.",
@@ -45,7 +45,7 @@ def test_worlds_lists_the_worlds_and_a_name_selects_one_with_the_program(tmp_pat
         "This is the world maze: Maze.",
         "49 by 41 steps, walls included.",
         "1 thing. WORLD says more.",
-        "1 line.",
+        "Your program has 1 line.",
     ]
 
 
@@ -103,7 +103,7 @@ def test_a_program_that_is_held_is_stopped_for_another_world(tmp_path: Path) -> 
     learner.enters("WORLD maze")
     learner.sees("Stopped at line 1.")
     learner.sees("This is the world maze: Maze.")
-    learner.sees("2 lines.")
+    learner.sees("Your program has 2 lines.")
     learner.enters("WHERE")
     learner.sees("Position 0, 0. Facing north.")
     learner.enters("QUIT")

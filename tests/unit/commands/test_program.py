@@ -42,7 +42,7 @@ def test_a_command_changes_the_lines_and_undo_restores_them(
     ("typed", "answers"),
     [
         (("CHANGE 2 BK 2", "UNDO"), ["Line 2: BK 2", "Line 2: FW 2"]),
-        (("INSERT 5 TR 90", "UNDO"), ["Line 5: TR 90", "4 lines."]),
+        (("INSERT 5 TR 90", "UNDO"), ["Line 5: TR 90", "Your program has 4 lines."]),
         (("REDO", "UNDO"), ["Nothing was changed.", "Nothing was changed."]),
     ],
 )
