@@ -32,7 +32,8 @@ ELSEWHERE = re.compile(r"Only in the (full screen: type VISUAL|linear mode: type
 """The answer to a setting of the other front end."""
 
 _WAITING_LINES = re.compile(
-    r"RUN runs (all \d+ lines|the line) again\.|From the start again\.|\d+ lines? waits?\. DELETE drops (it|them)\."
+    r"RUN runs (all \d+ lines|the line) again\.|From the start again\."
+    r"|\d+ lines? waits?\. DELETE drops (it|them)\."
 )
 """What only a mode in which lines wait has to say."""
 _COUNT = re.compile(r"\d+ answers so far\.")
