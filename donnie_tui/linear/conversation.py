@@ -312,15 +312,17 @@ class LinearInteraction:
         options: Sequence[Option],
         printed: Sequence[str] = (),
     ) -> str | None:
-        """The number of an option, typed next, chooses it; any other line is none of this."""
+        """The number of an option, typed next, chooses it; Escape and any other line choose none."""
         ctx, prompter = self._conversation.ctx, self._conversation.prompter
-        by_number = {each.number: each.value for each in options if each.number}
+        by_number = {each.number: each for each in options if each.number}
         ctx.say(*printed)
         if not by_number:
             return None
         ctx.answer("type-number")
         typed = prompter.read_next()
         text = typed.text.strip()
+        if typed.how is How.ESCAPE and not text:
+            return None
         if typed.how is not How.ENTER or not text.isdecimal() or len(text) > _LONGEST_NUMBER:
             prompter.put_back(typed)
             return None
@@ -328,8 +330,9 @@ class LinearInteraction:
         if number not in by_number:
             ctx.answer("answer-no-line", line=number, last=max(by_number))
             return None
-        ctx.answer("numbered-line", line=number, text=by_number[number])
-        return by_number[number]
+        chosen = by_number[number]
+        ctx.answer("numbered-line", line=number, text=chosen.text)
+        return chosen.value
 
     async def confirm(self, question: str) -> bool | None:
         return self._conversation.prompter.confirm(question)

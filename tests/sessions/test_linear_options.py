@@ -139,7 +139,7 @@ def test_tab_inside_a_pasted_line_is_a_blank(learner: Learner) -> None:
 
 def test_the_number_of_an_earlier_line_repeats_it(learner: Learner) -> None:
     learner.enters("FW 3", "", "WHERE", "TYPED 2")
-    learner.sees("1: FW 3\r\n2: WHERE\r\nType a number to do that line again.\r\n> ")
+    learner.sees("1: FW 3\r\n2: WHERE\r\nType a number to choose.\r\n> ")
     learner.types("2\r")
     learner.sees("2: WHERE\r\nPosition 0, 3. Facing north.\r\n> ")
 
@@ -294,7 +294,7 @@ def test_a_switch_of_the_mode_keeps_the_robot_the_variables_and_the_program(tmp_
     learner.types(SHIFT_TAB)
     learner.sees("Command line.")
     learner.types("LINEAR\r")
-    learner.sees("Linear mode, from the word LINEAR.\r\n2 lines.\r\n> ")
+    learner.sees("Linear mode, from the word LINEAR.\r\nYour program has 2 lines.\r\n> ")
     learner.types("QUIT\r")
     learner.enters("n")
     assert learner.leaves() == 0
