@@ -90,6 +90,9 @@ ASKED = {
     "insert": ("1 TR 45", "TR 45"),
     "move": ("5 1", "FWD 1"),
     "find": ("Donnie", "Donnie"),
+    "put": ("box red 4 6", "Box"),
+    "turn": ("table 90", "able"),
+    "remove": ("table", "able"),
     "map_row": ("0", "0"),
     "map_column": ("0", "0"),
 }

@@ -140,10 +140,17 @@ FAR = 10**6
 
 
 def _rank(text: str, typed: str) -> int:
-    """What is called as was typed comes first, then what begins so, what has it as a word, or anywhere."""
-    if not text.startswith(typed):
-        return 2 if re.search(rf"\b{re.escape(typed)}\b", text) else 3
-    return int(text[len(typed) :].strip()[:1] not in ("", "(", ":", ","))
+    """The order of an option, ``text`` and below it the other words for it, for what was typed.
+
+    The exact name comes first, then another word for it, the beginning of a name, a word, a part of one.
+    """
+    if text.startswith(typed) and text[len(typed) :].strip()[:1] in ("", "(", ":", ","):
+        return 0
+    if re.search(rf"\n.*\b{re.escape(typed)}\b", text):
+        return 1
+    if text.startswith(typed):
+        return 2
+    return 3 if re.search(rf"\b{re.escape(typed)}\b", text) else 4
 
 
 class _Rows(TextRows, can_focus=False):
