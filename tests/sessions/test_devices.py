@@ -81,7 +81,11 @@ def test_a_robot_that_was_named_by_its_device_is_found_again_under_another_one(r
     assert (names, connection.robot) == ([device], f"serial:{robot.path}")
     robot.unplug()
     assert until(lambda: any(isinstance(each.event, Link) and each.event.state == "lost" for each in heard))
-    taken = os.openpty()  # so that its next device has another name
+    taken = [
+        *os.openpty()
+    ]  # so that its next device has another name; others on this machine take and leave names too
+    while device not in map(os.ttyname, taken[1::2]) and len(taken) < 100:
+        taken += os.openpty()
     robot.plug()
 
     assert os.path.realpath(robot.path) != device
