@@ -235,9 +235,14 @@ def _refuse_second_limit(arguments: list[str]) -> None:
 
 def _refuse_misspelt(typed: str) -> None:
     """Raises ``WrongUsage`` for a word that is no file but nearly a command."""
-    from language.suggestions import nearest
+    from language.suggestions import edit_distance, nearest
 
-    near = nearest(typed, COMMANDS, COMMANDS) if typed and not os.path.lexists(typed) else None
+    if not typed or os.path.lexists(typed):
+        return
+    one_letter = (
+        each for each in COMMANDS if each[0] == typed[0].lower() and edit_distance(typed, each) == 1
+    )
+    near = nearest(typed, COMMANDS, COMMANDS) or next(one_letter, None)  # "rn" is too short to be near "run"
     if near is not None:
         raise WrongUsage("usage-near-command", typed, near)
 

@@ -143,6 +143,11 @@ def test_a_misspelt_command_is_answered_with_the_command(
     assert printed.err == "I do not know the command chek. Did you mean check?\n"
 
 
+def test_a_short_command_with_one_letter_wrong_is_known(printed: Printed) -> None:
+    assert printed.by("rn", "a.gd") == 2
+    assert printed.err == "I do not know the command rn. Did you mean run?\n"
+
+
 # --- format
 
 
