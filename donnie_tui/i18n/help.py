@@ -9,7 +9,7 @@ for something else. The tests parse every example in every language.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from textwrap import wrap
 from types import MappingProxyType
 
@@ -31,6 +31,8 @@ class HelpTopic(Struct, frozen=True):
     """What follows the leader."""
     example: str
     """A program that uses it."""
+    other: str = ""
+    """Another thing that may follow it."""
 
 
 ENTRIES: dict[str, HelpTopic] = {
@@ -43,7 +45,7 @@ ENTRIES: dict[str, HelpTopic] = {
     "STATE": HelpTopic(("STATE",), "", "{FW} 3 {STATE}"),
     "HISTORY": HelpTopic(("HISTORY",), "", "{FW} 3 {TR} 90 {HISTORY}"),
     "POS": HelpTopic(("POS", "POSITION"), "X, Y, A", "{SPEAK} {POS} X"),
-    "DISTANCE": HelpTopic(("DISTANCE",), "{direction}", "{SPEAK} {DISTANCE} F"),
+    "DISTANCE": HelpTopic(("DISTANCE",), "{direction}", "{SPEAK} {DISTANCE} F", '"{sensor}"'),
     "COLOR": HelpTopic(("COLOR",), "{colour}", "{SPEAK} {COLOR} {red}"),
     "GRIP": HelpTopic(("GRIP",), "", "{FW} 3 {GRIP}"),
     "RELEASE": HelpTopic(("RELEASE",), "", "{GRIP} {BW} 3 {RELEASE}"),
@@ -126,20 +128,22 @@ def _purpose(topic: str, words: Wording) -> str:
 def _entry(topic: str, words: Wording) -> tuple[str, ...]:
     return (
         _purpose(topic, words),
-        form(topic, words),
+        *form_sentences(topic, words),
         words("help-example", example=example(topic, words)) + ".",
     )
 
 
-def form(topic: str, words: Wording) -> str:
-    """How the command is written, as a sentence."""
-    return words("help-form", form=forms(ENTRIES[topic], words)) + "."
+def form_sentences(topic: str, words: Wording) -> Iterator[str]:
+    """How the command is written."""
+    entry = ENTRIES[topic]
+    for each in (entry.rest, entry.other) if entry.other else (entry.rest,):
+        yield words("help-form", form=forms(entry.leaders, each, words)) + "."
 
 
-def forms(entry: HelpTopic, words: Wording) -> str:
+def forms(leaders: Sequence[str], rest: str, words: Wording) -> str:
     """Every form of the command: ``FW value, or FORWARD value``."""
-    spelled = dict.fromkeys(_spelled(leader, words) for leader in entry.leaders)
-    rest = _filled(entry.rest, words)
+    spelled = dict.fromkeys(_spelled(leader, words) for leader in leaders)
+    rest = _filled(rest, words)
     forms = [f"{leader} {rest}".strip() for leader in spelled]
     return forms[0] if len(forms) == 1 else words("help-or", first=forms[0], second=forms[1])
 

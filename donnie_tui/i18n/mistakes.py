@@ -401,7 +401,7 @@ def _advice(error: Error, topic: str, words: Wording) -> tuple[str, ...]:
     is_known = bool(error.meant) or error.code == "procedure" or error.kind in _HINT_IS_ADVICE
     hint = (error.hint,) if error.hint and is_known else ()
     if topic and error.kind in _FORM_HELPS:
-        return (*hint, helping.form(topic, words))
+        return (*hint, *helping.form_sentences(topic, words))
     return hint or (words(f"advice-{error.kind}"),)
 
 

@@ -93,7 +93,10 @@ def words_section() -> str:
     spoken = [Words(each) for each in languages()]
     english = Words(ENGLISH)
     commands = [
-        (english(f"purpose-{topic}").rstrip("."), *(forms(entry, each) for each in spoken))
+        (
+            english(f"purpose-{topic}").rstrip("."),
+            *(forms(entry.leaders, entry.rest, each) for each in spoken),
+        )
         for topic, entry in ENTRIES.items()
     ]
     lines = [

@@ -54,7 +54,7 @@ def test_a_topic_that_is_a_word_of_godonnie_is_explained_first_and_listed_once(
     said = open_script().answers_to("HELP SOUND")
 
     assert said[:4] == [
-        "SOUND: turns voice and sounds on or off.",
+        "SOUND: Turns voice and sounds on or off.",
         "Form: SOUND ON, OFF.",
         "Example: SOUND OFF.",
         "9 words for sound and the belt:",
@@ -71,13 +71,13 @@ def test_every_topic_has_a_word_that_is_typed(language: str) -> None:
 @pytest.mark.parametrize(
     ("language", "typed", "first"),
     [
-        ("en", "HELP WALK", "FW: walks forward, in steps."),
-        ("en", "HELP turn left", "TL: turns to the left, in degrees."),
-        ("en", "HELP go back", "BW: walks backward, in steps."),
-        ("en", "HELP say", "SPEAK: says a text or a number."),
-        ("pt", "AJUDA caminhar", "PF: anda para frente, em passos."),
-        ("es", "AYUDA caminar", "AV: camina hacia adelante, en pasos."),
-        ("es", "AYUDA walk", "AV: camina hacia adelante, en pasos."),
+        ("en", "HELP WALK", "FW: Walks forward, in steps."),
+        ("en", "HELP turn left", "TL: Turns to the left, in degrees."),
+        ("en", "HELP go back", "BW: Walks backward, in steps."),
+        ("en", "HELP say", "SPEAK: Says a text or a number."),
+        ("pt", "AJUDA caminhar", "PF: Anda para frente, em passos."),
+        ("es", "AYUDA caminar", "AV: Camina hacia adelante, en pasos."),
+        ("es", "AYUDA walk", "AV: Camina hacia adelante, en pasos."),
     ],
 )
 def test_an_everyday_word_leads_to_the_word_of_godonnie(
@@ -91,7 +91,7 @@ def test_an_everyday_word_leads_to_the_word_of_godonnie(
 
 @pytest.mark.parametrize(
     ("typed", "last"),
-    [("HELP MOVE", "FW: walks forward, in steps."), ("HELP BACK", "BW: walks backward, in steps.")],
+    [("HELP MOVE", "FW: Walks forward, in steps."), ("HELP BACK", "BW: Walks backward, in steps.")],
 )
 def test_a_command_that_a_beginner_means_otherwise_names_both(
     typed: str, last: str, open_script: OpenScript
@@ -118,4 +118,11 @@ def test_a_language_without_documents_has_those_in_english() -> None:
 def test_more_than_an_everyday_word_is_not_known(open_script: OpenScript) -> None:
     assert open_script().answers_to("HELP WALK nonsense") == [
         "I do not know WALK nonsense. HELP lists the commands."
+    ]
+
+
+def test_distance_names_both_of_its_forms(open_script: OpenScript) -> None:
+    assert open_script().answers_to("HELP DISTANCE")[1:3] == [
+        "Form: DISTANCE direction.",
+        'Form: DISTANCE "sensor\'s name".',
     ]

@@ -41,14 +41,14 @@ def test_an_example_shows_its_command_in_the_learners_words(topic: str, language
 
 def test_help_for_a_word_has_its_purpose_its_form_and_one_example() -> None:
     assert Words("en").help("forward") == (
-        "FW: walks forward, in steps.",
+        "FW: Walks forward, in steps.",
         "Form: FW value, or FORWARD value.",
         "Example: FW 5.",
     )
 
 
 def test_a_word_of_another_language_is_explained_in_the_learners() -> None:
-    assert Words("es").help("enquanto")[0] == "MIENTRAS: repite mientras es verdad."
+    assert Words("es").help("enquanto")[0] == "MIENTRAS: Repite mientras es verdad."
 
 
 def test_a_closing_word_is_explained_with_what_it_closes() -> None:
