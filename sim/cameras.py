@@ -36,6 +36,18 @@ class Seen(Struct, frozen=True):
         return self.centimetres / CENTIMETRES_A_STEP
 
 
+class Sight(Struct, frozen=True):
+    """The same as one camera sees it."""
+
+    root: int
+    low: float
+    """Degrees of its right border, counter-clockwise from the middle of the view."""
+    high: float
+    metres: float
+    """From the camera to its nearest point."""
+    colour: Colour
+
+
 class View(Struct, frozen=True):
     """What a camera looks at, in the robot's frame."""
 
@@ -55,6 +67,13 @@ class View(Struct, frozen=True):
 
     def look(self, around: Around, spot: Spot) -> Iterator[Seen]:
         """Every visible thing once; what is hidden behind a nearer thing is not seen."""
+        for sight in self.sights(around, spot):
+            degrees = normal((sight.low + sight.high) / 2 + self.yaw)
+            centimetres = int(max(0.0, sight.metres - self.offset) * 100 + 0.5)
+            yield Seen(sight.root, degrees, centimetres, sight.colour)
+
+    def sights(self, around: Around, spot: Spot) -> Iterator[Sight]:
+        """The same with the borders of each thing."""
         place, reach = spot.mounted(self.x, self.y, self.yaw), self.maximum + self.offset
         box = around.within(place.x - reach, place.y - reach, place.x + reach, place.y + reach)
         parts = [part for part in box if at_height(part, self.height)]
@@ -76,12 +95,11 @@ class View(Struct, frozen=True):
             if part is not None and self.distinguishes(part):
                 yield _Glimpse(part, low, high)
 
-    def _thing(self, root: int, glimpses: list[_Glimpse], place: Spot) -> Seen:
+    def _thing(self, root: int, glimpses: list[_Glimpse], place: Spot) -> Sight:
         """The sighting of one thing; its widest unbroken stretch gives its place."""
         metres, colour = min(((it.nearest(place), it.part.colour) for it in glimpses), key=_first)
         low, high = max(_stretches(glimpses), key=lambda stretch: stretch[1] - stretch[0])
-        degrees = normal((low + high) / 2 + self.yaw)
-        return Seen(root, degrees, int(max(0.0, metres - self.offset) * 100 + 0.5), colour)
+        return Sight(root, low, high, metres, colour)
 
 
 class Eyes(Struct, frozen=True):

@@ -164,6 +164,8 @@ SKIN = 1e-4
 """Metres that a robot keeps from what it bumped into, so that it can turn and leave."""
 WIDEST_SKIN = 0.005
 """Metres that it keeps along its way from what it would only graze."""
+TURN_SKIN = 0.02
+"""Degrees that it keeps when it turns."""
 TOUCHING = 1e-9
 """Metres that don't count: a way that is shorter is none, one that lacks less is whole."""
 STEPS_A_QUESTION = 100
@@ -245,16 +247,22 @@ class Mover:
 
     def turn(self, spot: Spot, degrees: int) -> int:
         """How many of ``degrees`` (counter-clockwise if positive) the robot can turn, whole ones."""
-        if degrees == 0 or (self.body.is_round and not self.around.has_company):
+        if degrees == 0:
             return degrees
-        sign = 1 if degrees > 0 else -1
+        nearest = self.turn_contact(spot, 1 if degrees > 0 else -1)
+        if nearest >= abs(degrees):
+            return degrees
+        return (1 if degrees > 0 else -1) * max(0, floor(nearest - TURN_SKIN))
+
+    def turn_contact(self, spot: Spot, sign: int) -> float:
+        """Degrees (1: counter-clockwise, -1: clockwise) until the body touches something, or infinity."""
+        if self.body.is_round and not self.around.has_company:
+            return inf
         outline, nearest = self.body.outline(spot.yaw), inf
         for part in self._in_the_way_of_turning(spot):
             shifted = edges(seen_from(part.points, spot.x, spot.y, 0.0))
             nearest = min(nearest, turn_contact(outline, shifted, sign))
-        if nearest >= abs(degrees):
-            return degrees
-        return sign * max(0, floor(nearest - 0.02))
+        return nearest
 
     def contact(self, spot: Spot, angle: float, length: float, but: Container[int] = frozenset()) -> Contact:
         """What is met first on the next ``length`` metres (at most a step) to ``angle``, or a bit beyond.

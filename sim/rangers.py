@@ -117,8 +117,14 @@ class Cone(Struct, frozen=True):
 
     def noisy(self, around: Around, spot: Spot, chance: Random) -> int | None:
         """A reading as the sensor gives it, with its noise."""
+        return _centimetres(self, self.samples(around, spot, chance)[0])
+
+    def samples(self, around: Around, spot: Spot, chance: Random | None) -> tuple[float, ...]:
+        """The one reading in metres, or infinity; with noise if there is ``chance``."""
+        if chance is None:
+            return (self.metres(around, spot),)
         turned = chance.uniform(-1, 1) * self.noise.angle if self.noise.angle else 0.0
-        return _centimetres(self, _blurred(self, self.metres(around, spot, turned), chance))
+        return (_blurred(self, self.metres(around, spot, turned), chance),)
 
     def _wedges(self, yaw: float) -> Iterator[tuple[float, float]]:
         """The cone as parts of at most a half circle: middle and half angle of each."""
@@ -187,9 +193,14 @@ class Fan(Struct, frozen=True):
 
     def noisy(self, around: Around, spot: Spot, chance: Random) -> int | None:
         """The nearest reading as the sensor gives it, each ray with its noise."""
+        return _centimetres(self, min(self.samples(around, spot, chance)))
+
+    def samples(self, around: Around, spot: Spot, chance: Random | None) -> tuple[float, ...]:
+        """The reading of each ray in metres, or infinity; with noise if there is ``chance``."""
+        if chance is None:
+            return self.rays(around, spot)
         turned = chance.uniform(-1, 1) * self.noise.angle if self.noise.angle else 0.0
-        readings = self.rays(around, spot, turned)
-        return _centimetres(self, min(_blurred(self, reading, chance) for reading in readings))
+        return tuple(_blurred(self, reading, chance) for reading in self.rays(around, spot, turned))
 
     def towards(self, bearing: float, half_angle: float) -> Fan | None:
         """The rays within ``half_angle`` of a direction, if there are any."""

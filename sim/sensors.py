@@ -104,21 +104,22 @@ def senses_of(scene: Scene, robot: int) -> Senses:
     """The sensors of a robot and of everything attached to it."""
     models = scene.tree(robot)
     frame = scene.models[robot].pose
-    rangers = tuple(_rangers(models, frame))
+    rangers = tuple(rangers_of(models, frame))
     by_bearing = {bearing: tuple(_towards(rangers, bearing)) for bearing in Bearing}
     beams = next((_beams(model, frame) for model in models if model.gripper), None)
     return Senses(
         rangers,
         _eyes(scene, models, frame, by_bearing),
-        tuple(_finders(models, frame)),
-        tuple(_bumpers(models, frame)),
+        tuple(finders_of(models, frame)),
+        tuple(bumpers_of(models, frame)),
         beams,
         by_bearing,
         dict(_named(models, frame)),
     )
 
 
-def _rangers(models: tuple[Model, ...], frame: Placement) -> Iterator[Ranger]:
+def rangers_of(models: tuple[Model, ...], frame: Placement) -> Iterator[Ranger]:
+    """Their range sensors, in the order of the file, in a frame: that of the robot, or of its head."""
     for model in models:
         for sensor in model.sensors:
             x, y, yaw = _mounted(model.pose.then(sensor.pose), frame)
@@ -135,7 +136,7 @@ def _ranger(sensor: RangeSensor, x: float, y: float, yaw: float, height: Height)
 def _named(models: tuple[Model, ...], frame: Placement) -> Iterator[tuple[str, tuple[Ranger, ...]]]:
     """The sensors of each part of a robot, by its name; Stage's own names have a colon."""
     for model in models:
-        rangers = tuple(_rangers((model,), frame))
+        rangers = tuple(rangers_of((model,), frame))
         if rangers and model.name and ":" not in model.name:
             yield model.name, rangers
 
@@ -161,7 +162,7 @@ def _eyes(
     turns = _is_donnie(by_bearing)
     finders = (model for model in models if model.blobfinder is not None)
     views = tuple(
-        _head_view(model, front) if turns or _on_head(scene, model) else _fixed_view(model, frame)
+        _head_view(model, front) if turns or _on_head(scene, model) else fixed_view(model, frame)
         for model in finders
     )
     return Eyes(views) if views else None
@@ -174,7 +175,7 @@ def _head_view(model: Model, front: float) -> View:
     return View(0.0, 0.0, 0.0, HALF_CIRCLE, finder.maximum, front, finder.colours, _height(model))
 
 
-def _fixed_view(model: Model, frame: Placement) -> View:
+def fixed_view(model: Model, frame: Placement) -> View:
     """Another one looks where it is mounted."""
     finder, (x, y, yaw) = model.blobfinder, _mounted(model.pose, frame)
     assert finder is not None
@@ -200,14 +201,16 @@ def _on_head(scene: Scene, model: Model) -> bool:
     return False
 
 
-def _finders(models: tuple[Model, ...], frame: Placement) -> Iterator[MarkFinder]:
+def finders_of(models: tuple[Model, ...], frame: Placement) -> Iterator[MarkFinder]:
+    """Their fiducial finders."""
     for model in models:
         if model.fiducial_finder is not None:
             place = _mounted(model.pose, frame)
             yield MarkFinder(*place, model.fiducial_finder, model.fiducial_key, _height(model))
 
 
-def _bumpers(models: tuple[Model, ...], frame: Placement) -> Iterator[Bar]:
+def bumpers_of(models: tuple[Model, ...], frame: Placement) -> Iterator[Bar]:
+    """The bars of their bumpers."""
     for model in models:
         for bumper in model.bumpers:
             yield Bar(*_mounted(model.pose.then(bumper.pose), frame), bumper.length)

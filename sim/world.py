@@ -77,6 +77,11 @@ class World:
         """The scene with everything where it is now, robots too."""
         return moved(self.scene, self._ground.moved())
 
+    @property
+    def ground(self) -> Ground:
+        """Where everything is."""
+        return self._ground
+
     def get_ready(self) -> None:
         """Load and make now what the first movement would."""
         from sim import handling, motion, movement  # noqa: F401 -- loaded now, not by the first movement

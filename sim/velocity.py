@@ -1,0 +1,304 @@
+"""The velocity drive: all robots of a world in one loop, each driven by a velocity for an unbounded time.
+
+A tick is divided into substeps in which no robot goes farther than ``FARTHEST`` or turns more than
+``WIDEST``. In each, every robot in turn goes along the chord of its arc, pushes what gives way, and turns;
+where something stops it, it stays there and may still turn. A robot with room round all of its tick takes it
+at once. Both come to the same place, because the chords of an arc end on the arc.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from math import atan2, ceil, degrees, hypot, isfinite, radians, sin, tan
+from random import Random
+from typing import TYPE_CHECKING
+
+from devices.ports.drive import (
+    TICK,
+    BlobReading,
+    BumperReading,
+    DriveState,
+    MarkReading,
+    MetricPose,
+    RangerReading,
+    Velocity,
+)
+from sim.geometry import Placement, Spot
+from sim.motion import TOUCHING, TURN_SKIN
+from sim.readings import Instruments
+from sim.scene import Bounds, Drive, Limits, Localization, Model, Wheels
+from sim.vehicle import Vehicle, Whereabouts
+
+if TYPE_CHECKING:
+    from sim.motion import Surroundings
+    from sim.scene import Scene
+    from sim.world import World
+
+FARTHEST = 0.02
+"""Metres of a substep."""
+WIDEST = 2.0
+"""Degrees of a substep."""
+MOST = 1000
+"""Substeps of a tick: above 200 m/s they get longer, but nothing is passed through."""
+STANDING = Velocity()
+
+
+class AtOnce:
+    """A pace that never waits: the loop's caller decides when the next tick is due."""
+
+    def sleep(self, seconds: float) -> bool:  # noqa: ARG002 -- the port gives it
+        return True
+
+
+class VelocityLoop:
+    """See ``devices.ports.drive.DriveLoop``. No program may run in this world meanwhile."""
+
+    def __init__(self, world: World) -> None:
+        self._scene, self._ground = world.scene, world.ground
+        scene = self._scene
+        self._ticks = 0
+        self._drives: dict[str, RobotDrive] = {}
+        for index, name in zip(scene.robots, scene.robot_names, strict=True):
+            vehicle = world.robot(name, pace=AtOnce()).get_ready()
+            chance = Random(f"{world.seed} {name}") if world.seed else None
+            self._drives[name] = RobotDrive(scene, scene.models[index], vehicle, chance)
+
+    @property
+    def drives(self) -> Mapping[str, RobotDrive]:
+        return self._drives
+
+    @property
+    def time(self) -> float:
+        return self._ticks * TICK
+
+    def advance(self) -> None:
+        moving = [each for each in self._drives.values() if each.begin_tick()]
+        if moving:
+            count = min(MOST, max(each.substeps() for each in moving))
+            for each in moving:
+                each.take_at_once()
+            for _ in range(count):
+                for each in moving:
+                    each.move(TICK / count)
+        self._ticks += 1
+
+    def pose(self, name: str) -> MetricPose:
+        if name in self._drives:
+            return self._drives[name].state().truth
+        model = self._model(name)
+        can_move = model.index in self._ground.movable
+        return _metric(self._ground.place(model.index) if can_move else model.pose)
+
+    def put(self, name: str, pose: MetricPose) -> None:
+        if name in self._drives:
+            self._drives[name].set_pose(pose)
+            return
+        model = self._model(name)
+        if model.index not in self._ground.movable:
+            raise KeyError(name)
+        self._ground.put(model.index, Placement(pose.x, pose.y, model.pose.z, pose.yaw))
+
+    def _model(self, name: str) -> Model:
+        for model in self._scene.models:
+            if model.parent is None and model.name == name:
+                return model
+        raise KeyError(name)
+
+
+class RobotDrive:
+    """See ``devices.ports.drive.VelocityDrive``."""
+
+    def __init__(self, scene: Scene, model: Model, vehicle: Vehicle, chance: Random | None) -> None:
+        """``chance``: of the noise of its sensors."""
+        self.name = model.spoken_name
+        self._ground = vehicle.mover.around.ground
+        self._scene = scene
+        self._vehicle = vehicle
+        self._chance = chance
+        self._wheels = model.wheels or Wheels()
+        self._bounds = self._wheels.velocity_bounds or Limits()
+        self._counted = None if self._wheels.localization is Localization.GPS else Spot(0.0, 0.0, 0.0)
+        """Where it believes to be, if it counts its wheels' turns."""
+        self._instruments = Instruments(scene.tree(model.index), model.pose)
+        self._users = 0
+        self._asked = STANDING
+        self._wanted = STANDING
+        """What was asked for when the tick began."""
+        self._speed = STANDING
+        self._is_stalled = False
+        self._has_moved = False
+        """In this tick, at once."""
+
+    def subscribe(self) -> None:
+        self._users += 1
+
+    def unsubscribe(self) -> None:
+        self._users = max(0, self._users - 1)
+        if self._users == 0:
+            self._asked = self._speed = STANDING
+
+    def drive(self, velocity: Velocity) -> None:
+        if not all(isfinite(each) for each in (velocity.ahead, velocity.left, velocity.turn)):
+            raise ValueError("a velocity is made of finite numbers")
+        if self._users:
+            self._asked = self._possible(velocity)
+
+    def state(self) -> DriveState:
+        truth = _metric(self._vehicle.here.truth)
+        believed = truth if self._counted is None else _metric(self._counted)
+        return DriveState(believed, truth, self._speed, self._is_stalled)
+
+    def set_pose(self, pose: MetricPose) -> None:
+        spot = Spot(pose.x, pose.y, pose.yaw % 360.0)
+        self._vehicle.go_to(Whereabouts(spot, spot))
+
+    def set_odometry(self, pose: MetricPose) -> None:
+        if self._counted is not None:
+            self._counted = Spot(pose.x, pose.y, pose.yaw % 360.0)
+
+    def rangers(self) -> tuple[RangerReading, ...]:
+        return self._instruments.rangers(self._around, self._here, self._chance)
+
+    def bumpers(self) -> tuple[BumperReading, ...]:
+        return self._instruments.bumpers(self._around, self._here)
+
+    def blobs(self) -> tuple[BlobReading, ...]:
+        return self._instruments.blobs(self._around, self._here)
+
+    def marks(self) -> tuple[MarkReading, ...]:
+        return self._instruments.marks(self._around, self._here, self._yaw_of)
+
+    # --- the loop's
+
+    def begin_tick(self) -> bool:
+        """The velocity that was asked for counts from now on. Whether there is anything to do."""
+        self._is_stalled = self._has_moved = False
+        self._wanted = self._asked
+        if self._wheels.acceleration_bounds is None:
+            self._speed = self._wanted
+        return self._speed != STANDING or self._wanted != STANDING
+
+    def substeps(self) -> int:
+        """How many it needs in this tick."""
+        way, turn = 0.0, 0.0
+        for each in (self._speed, self._wanted):
+            way, turn = max(way, hypot(each.ahead, each.left)), max(turn, abs(each.turn))
+        return ceil(max(1.0, way * TICK / FARTHEST, turn * TICK / WIDEST))
+
+    def take_at_once(self) -> None:
+        """The whole tick, if its velocity stays the same and nothing is near."""
+        speed = self._speed
+        if speed != self._wanted or abs(speed.turn * TICK) > 45.0:
+            return
+        here, around = self._here, self._around
+        way, angle, chord = _chord(speed, TICK)
+        there = here.ahead(chord, here.yaw + angle)
+        half = radians(speed.turn * TICK / 2)
+        aside = here.ahead(way / 2 * (tan(half) / half if half else 1.0), here.yaw + angle - degrees(half))
+        # the arc lies within the triangle of its ends and the place where its tangents meet
+        if around.has_room(here.x, here.y, there.x, there.y) and around.has_room(
+            here.x, here.y, aside.x, aside.y
+        ):
+            self._go(chord, angle)
+            self._turn(speed.turn * TICK)
+            self._has_moved = True
+
+    def move(self, seconds: float) -> None:
+        """One substep."""
+        if self._has_moved:
+            return
+        before = self._speed
+        self._speed = after = self._gained(seconds)
+        mean = before if before == after else _mean(before, after)
+        _, angle, chord = _chord(mean, seconds)
+        vehicle = self._vehicle
+        if chord > TOUCHING:
+            towards = self._here.yaw + angle
+            way = vehicle.way(towards, chord)
+            vehicle.take_along(way, towards)
+            self._is_stalled |= way.metres < chord - TOUCHING
+            if way.metres > 0.0:
+                self._go(way.metres, angle)
+        turn = mean.turn * seconds
+        if turn:
+            free = vehicle.mover.turn_contact(self._here, 1 if turn > 0 else -1)
+            if free < abs(turn):
+                self._is_stalled = True
+                turn = max(0.0, free - TURN_SKIN) * (1 if turn > 0 else -1)
+            self._turn(turn)
+
+    # --- inside
+
+    @property
+    def _around(self) -> Surroundings:
+        return self._vehicle.mover.around
+
+    @property
+    def _here(self) -> Spot:
+        return self._vehicle.here.truth
+
+    def _go(self, metres: float, angle: float) -> None:
+        """Straight on, ``angle`` degrees from its front."""
+        vehicle = self._vehicle
+        vehicle.go_to(vehicle.ahead(vehicle.here, metres, angle))
+        if self._counted is not None:
+            self._counted = vehicle.odometry.ahead(self._counted, metres, angle)
+
+    def _turn(self, turn: float) -> None:
+        if turn:
+            vehicle = self._vehicle
+            vehicle.go_to(vehicle.turned(vehicle.here, turn))
+            if self._counted is not None:
+                self._counted = vehicle.odometry.turned(self._counted, turn)
+
+    def _possible(self, velocity: Velocity) -> Velocity:
+        """The velocity within the bounds of the robot's world and of its wheels."""
+        drive, bounds = self._wheels.drive, self._bounds
+        ahead = _within(bounds.x, velocity.ahead)
+        left = _within(bounds.y, velocity.left) if drive is Drive.OMNI else 0.0
+        turn = _within(bounds.yaw, velocity.turn)
+        bend = self._vehicle.rates.bend
+        if bend is not None:
+            most = degrees(abs(ahead) / bend)
+            turn = max(-most, min(most, turn))
+        return Velocity(ahead, left, turn)
+
+    def _gained(self, seconds: float) -> Velocity:
+        """The velocity after so many seconds."""
+        speed, wanted, gains = self._speed, self._wanted, self._wheels.acceleration_bounds
+        if gains is None or speed == wanted:
+            return wanted
+        return Velocity(
+            speed.ahead + _within(gains.x, wanted.ahead - speed.ahead, seconds),
+            speed.left + _within(gains.y, wanted.left - speed.left, seconds),
+            speed.turn + _within(gains.yaw, wanted.turn - speed.turn, seconds),
+        )
+
+    def _yaw_of(self, model: int) -> float:
+        it = self._scene.models[model]
+        if it.root not in self._ground.movable:
+            return it.pose.yaw
+        return it.pose.yaw + self._ground.place(it.root).yaw - self._ground.start(it.root).yaw
+
+
+def _within(bounds: Bounds, value: float, seconds: float = 1.0) -> float:
+    return min(max(value, min(0.0, bounds[0]) * seconds), max(0.0, bounds[1]) * seconds)
+
+
+def _mean(one: Velocity, other: Velocity) -> Velocity:
+    return Velocity((one.ahead + other.ahead) / 2, (one.left + other.left) / 2, (one.turn + other.turn) / 2)
+
+
+def _chord(speed: Velocity, seconds: float) -> tuple[float, float, float]:
+    """Of the arc that is driven: its length, where its chord leads, in degrees from the front, and that."""
+    turn = speed.turn * seconds
+    half = radians(turn / 2)
+    if speed.left:
+        way, towards = hypot(speed.ahead, speed.left) * seconds, degrees(atan2(speed.left, speed.ahead))
+    else:
+        way, towards = abs(speed.ahead) * seconds, 180.0 if speed.ahead < 0.0 else 0.0
+    return way, towards + turn / 2, way * (sin(half) / half if half else 1.0)
+
+
+def _metric(place: Placement | Spot) -> MetricPose:
+    return MetricPose(place.x, place.y, place.yaw % 360.0)

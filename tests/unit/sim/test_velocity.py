@@ -1,0 +1,380 @@
+"""Robots driven by velocities: where they come, what stops them, and what their devices read in metres."""
+
+from math import asin, atan2, cos, degrees, hypot, isclose, radians, sin, sqrt
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from devices.ports.drive import TICK, DriveLoop, DriveState, MetricPose, Velocity
+from sim.velocity import VelocityLoop
+from sim.world import World
+from tests.effort import examples
+from tests.unit.sim.floors import scene
+
+BODY = "size [ 0.2 0.2 0.2 ]"
+WALL = 'model( name "wall" size [ 0.2 4 1 ] pose [ 1.1 0 0 0 ] )\n'
+"""Its near side is at x = 1."""
+
+
+def loop_of(text: str, seed: int = 0) -> DriveLoop:
+    return VelocityLoop(World(scene(text), seed=seed))
+
+
+def driven(text: str, *, seconds: float, **velocity: float) -> DriveState:
+    loop = loop_of(text)
+    drive(loop, "it", **velocity)
+    run(loop, seconds)
+    return loop.drives["it"].state()
+
+
+def drive(loop: DriveLoop, name: str, **velocity: float) -> None:
+    loop.drives[name].subscribe()
+    loop.drives[name].drive(Velocity(**velocity))
+
+
+def run(loop: DriveLoop, seconds: float) -> None:
+    for _ in range(round(seconds / TICK)):
+        loop.advance()
+
+
+def robot(more: str = "", pose: str = "0 0 0 0", name: str = "it") -> str:
+    return f'position( name "{name}" {BODY} pose [ {pose} ] {more} )\n'
+
+
+def at(x: float, y: float, yaw: float) -> object:
+    return pytest.approx((x, y, yaw), abs=1e-9)
+
+
+def place(pose: MetricPose) -> tuple[float, float, float]:
+    return pose.x, pose.y, pose.yaw
+
+
+# --- the way
+
+
+@pytest.mark.parametrize(
+    ("velocity", "seconds", "expected"),
+    [
+        ({"ahead": 0.3}, 2.0, (0.6, 0.0, 0.0)),
+        ({"ahead": -0.3}, 2.0, (-0.6, 0.0, 0.0)),
+        ({"turn": 45.0}, 4.0, (0.0, 0.0, 180.0)),
+        ({"turn": -45.0}, 2.0, (0.0, 0.0, 270.0)),
+        ({"ahead": 0.5, "left": 0.5}, 1.0, (0.5, 0.0, 0.0)),
+    ],
+    ids=["forward", "backward", "left", "right", "not sideways"],
+)
+def test_a_robot_goes_straight_and_turns_on_the_spot(
+    velocity: dict[str, float], seconds: float, expected: tuple[float, float, float]
+) -> None:
+    assert place(driven(robot(), seconds=seconds, **velocity).truth) == at(*expected)
+
+
+def test_both_together_are_an_arc_of_a_circle() -> None:
+    """At v m/s and w rad/s the radius is v / w, and the centre is to the left."""
+    radius = 0.5 / radians(45)
+
+    quarter = driven(robot(), seconds=2.0, ahead=0.5, turn=45.0)
+    whole = driven(robot(), seconds=8.0, ahead=0.5, turn=45.0)
+    right = driven(robot(), seconds=2.0, ahead=0.5, turn=-45.0)
+
+    assert place(quarter.truth) == at(radius, radius, 90)
+    assert place(whole.truth)[:2] == pytest.approx((0, 0), abs=1e-9)
+    assert place(right.truth) == at(radius, -radius, 270)
+
+
+def test_an_omnidirectional_robot_goes_sideways_too() -> None:
+    state = driven(robot('drive "omni"', "0 0 0 90"), seconds=2.0, ahead=0.3, left=0.4)
+
+    assert place(state.truth) == at(-0.8, 0.6, 90)
+
+
+def test_a_car_turns_no_tighter_than_its_wheelbase_allows() -> None:
+    """On a circle of 0.5 m at 0.25 m/s it turns half a radian a second."""
+    state = driven(robot('drive "car" wheelbase 0.5'), seconds=2.0, ahead=0.25, turn=90.0)
+
+    assert place(state.truth) == at(0.5 * sin(1), 0.5 * (1 - cos(1)), degrees(1))
+    assert driven(robot('drive "car" wheelbase 0.5'), seconds=2.0, turn=90.0).truth == MetricPose()
+
+
+def test_a_velocity_can_change_at_any_tick() -> None:
+    loop = loop_of(robot())
+
+    drive(loop, "it", ahead=0.5)
+    run(loop, 1.0)
+    drive(loop, "it", turn=-90.0)
+    run(loop, 1.0)
+    drive(loop, "it", ahead=0.2)
+    run(loop, 0.5)
+
+    assert place(loop.drives["it"].state().truth) == at(0.5, -0.1, 270)
+    assert loop.time == pytest.approx(2.5)
+
+
+@pytest.mark.parametrize("velocity", [{"ahead": float("nan")}, {"turn": float("inf")}])
+def test_a_velocity_is_a_finite_number(velocity: dict[str, float]) -> None:
+    with pytest.raises(ValueError, match="finite"):
+        drive(loop_of(robot()), "it", **velocity)
+
+
+# --- bounds
+
+
+def test_without_bounds_in_the_world_those_of_stage_hold() -> None:
+    """Stage: 1 m/s and 90 degrees a second."""
+    assert driven(robot(), seconds=1.0, ahead=5.0).velocity == Velocity(1.0)
+    assert place(driven(robot(), seconds=1.0, turn=-300.0).truth) == at(0, 0, 270)
+
+
+def test_a_world_bounds_the_velocity() -> None:
+    state = driven(robot("velocity_bounds [ -0.1 0.2 0 0 0 0 -10 20 ]"), seconds=1.0, ahead=9.0, turn=-90.0)
+
+    assert state.velocity == Velocity(0.2, 0.0, -10.0)
+
+
+def test_a_world_bounds_the_acceleration() -> None:
+    """At 0.5 m/s2 up to 0.5 m/s in one second, 0.25 m; at 1 m/s2 to rest in half a second, 0.125 m."""
+    loop = loop_of(robot("acceleration_bounds [ -1 0.5 0 0 0 0 -90 90 ]"))
+
+    drive(loop, "it", ahead=0.5)
+    run(loop, 1.0)
+    gained = loop.drives["it"].state()
+    drive(loop, "it")
+    run(loop, 1.0)
+
+    assert gained.velocity.ahead == pytest.approx(0.5)
+    assert place(gained.truth) == at(0.25, 0, 0)
+    assert place(loop.drives["it"].state().truth) == at(0.375, 0, 0)
+
+
+# --- what is in the way
+
+
+def test_a_wall_stops_a_robot_at_its_body() -> None:
+    """Its front is 0.1 m before its centre, the wall begins at x = 1; it keeps a tenth of a millimetre."""
+    before = driven(robot() + WALL, seconds=1.7, ahead=0.5)
+    after = driven(robot() + WALL, seconds=3.0, ahead=0.5)
+
+    assert not before.is_stalled
+    assert place(before.truth) == at(0.85, 0, 0)
+    assert after.is_stalled
+    assert place(after.truth) == at(0.8999, 0, 0)
+
+
+def test_a_robot_at_a_wall_can_leave_it() -> None:
+    loop = loop_of(robot() + WALL)
+    drive(loop, "it", ahead=0.5)
+    run(loop, 3.0)
+
+    drive(loop, "it", ahead=-0.5)
+    run(loop, 1.0)
+
+    assert place(loop.drives["it"].state().truth) == at(0.3999, 0, 0)
+    assert not loop.drives["it"].state().is_stalled
+
+
+def test_a_turn_ends_where_the_body_touches() -> None:
+    """A bar of 0.6 m turns until its corner, sqrt(0.3^2 + 0.05^2) away, comes to a wall at y = 0.2."""
+    text = 'position( name "it" size [ 0.6 0.1 0.2 ] ) model( name "w" size [ 4 0.2 1 ] pose [ 0 0.3 0 0 ] )'
+    corner, behind = hypot(0.3, 0.05), degrees(atan2(0.05, 0.3))
+
+    state = driven(text, seconds=4.0, turn=45.0)
+
+    assert state.is_stalled
+    assert state.truth.yaw == pytest.approx(degrees(asin(0.2 / corner)) - behind, abs=0.021)
+
+
+def test_two_robots_that_meet_stop_each_other_in_the_middle() -> None:
+    loop = loop_of(robot(pose="-1 0 0 0", name="a") + robot(pose="1 0 0 180", name="b"))
+    for name in "ab":
+        drive(loop, name, ahead=0.5)
+
+    run(loop, 4.0)
+
+    a, b = (loop.drives[name].state() for name in "ab")
+    assert a.is_stalled
+    assert b.is_stalled
+    assert b.truth.x - a.truth.x == pytest.approx(0.2, abs=2e-4)
+    assert a.truth.x + b.truth.x == pytest.approx(0, abs=0.011)
+
+
+def test_a_robot_pushes_what_gives_way() -> None:
+    """The box begins at x = 0.4, so it is touched after 0.3 m and pushed 0.2 m of 0.5."""
+    text = robot() + 'model( name "box" size [ 0.2 0.2 0.2 ] pose [ 0.5 0 0 0 ] pushable 1 )'
+    loop = loop_of(text)
+    drive(loop, "it", ahead=0.5)
+
+    run(loop, 1.0)
+
+    assert place(loop.drives["it"].state().truth) == at(0.5, 0, 0)
+    assert place(loop.pose("box")) == pytest.approx((0.7, 0, 0), abs=2e-4)
+
+
+@settings(max_examples=examples(40), deadline=None)
+@given(st.floats(-1, 1), st.floats(-90, 90), st.floats(0, 360))
+def test_a_tick_as_a_whole_and_in_substeps_are_the_same(ahead: float, turn: float, yaw: float) -> None:
+    """A robot with room takes a tick at once; one that stands in a floor never does."""
+    floor = "model( size [ 30 30 0.1 ] )\n"
+    expected = driven(robot(pose=f"0 0 0 {yaw}"), seconds=2.0, ahead=ahead, turn=turn)
+    careful = driven(floor + robot(pose=f"0 0 0 {yaw}"), seconds=2.0, ahead=ahead, turn=turn)
+
+    assert place(careful.truth)[:2] == pytest.approx(place(expected.truth)[:2], abs=1e-9)
+    apart = abs(careful.truth.yaw - expected.truth.yaw)
+    assert isclose(apart, 0, abs_tol=1e-6) or isclose(apart, 360, abs_tol=1e-6)
+
+
+# --- users
+
+
+def test_a_robot_without_users_stands() -> None:
+    loop = loop_of(robot())
+    loop.drives["it"].drive(Velocity(0.5))
+
+    run(loop, 1.0)
+
+    assert loop.drives["it"].state().truth == MetricPose()
+
+
+def test_a_robot_stops_at_once_when_its_last_user_leaves() -> None:
+    loop = loop_of(robot("acceleration_bounds [ -0.1 0.5 0 0 0 0 -90 90 ]"))
+    it = loop.drives["it"]
+    it.subscribe()
+    drive(loop, "it", ahead=0.5)
+    run(loop, 1.0)
+
+    it.unsubscribe()
+    run(loop, 1.0)
+    one_left = it.state().truth.x
+    it.unsubscribe()
+    run(loop, 1.0)
+    it.subscribe()
+    run(loop, 1.0)
+
+    assert one_left == pytest.approx(0.75)
+    assert it.state().truth.x == one_left
+    assert it.state().velocity == Velocity()
+
+
+# --- poses
+
+
+def test_a_robot_and_a_thing_are_put_elsewhere() -> None:
+    text = robot() + WALL + 'model( name "box" size [ 0.2 0.2 0.2 ] pose [ 3 3 0 0 ] pushable 1 )'
+    loop = loop_of(text)
+    drive(loop, "it", ahead=0.5)
+
+    loop.put("it", MetricPose(5, 6, 90))
+    loop.put("box", MetricPose(5, 6.4, 0))
+    run(loop, 1.0)
+
+    assert place(loop.pose("it")) == at(5, 6.5, 90)
+    assert place(loop.pose("box")) == pytest.approx((5, 6.7, 0), abs=2e-4)
+    assert place(loop.pose("wall")) == at(1.1, 0, 0)
+    for name in ("wall", "nothing"):
+        with pytest.raises(KeyError):
+            loop.put(name, MetricPose())
+
+
+def test_a_robot_that_counts_its_wheels_begins_at_0_0_0() -> None:
+    loop = loop_of(robot('localization "odom"', "3 4 0 90"))
+    it = loop.drives["it"]
+    drive(loop, "it", ahead=0.5)
+
+    run(loop, 1.0)
+    counted = it.state()
+    it.set_odometry(MetricPose(1, 1, 180))
+    it.set_pose(MetricPose(0, 0, 0))
+    run(loop, 1.0)
+
+    assert place(counted.believed) == at(0.5, 0, 0)
+    assert place(counted.truth) == at(3, 4.5, 90)
+    assert place(it.state().believed) == at(0.5, 1, 180)
+    assert place(it.state().truth) == at(0.5, 0, 0)
+
+
+def test_a_robot_that_knows_its_place_takes_no_other_for_it() -> None:
+    loop = loop_of(robot(pose="3 4 0 90"))
+
+    loop.drives["it"].set_odometry(MetricPose(1, 1, 0))
+
+    assert place(loop.drives["it"].state().believed) == at(3, 4, 90)
+
+
+# --- devices
+
+
+def test_rangers_read_metres_in_the_order_of_the_file() -> None:
+    """The wall is 1 m ahead: 0.9 from a sensor at the front, 1/cos(45) aslant, and 0.3 m is out of range."""
+    text = (
+        robot(
+            'ranger( name "far" sensor( pose [ 0.1 0 0 0 ] fov 0.001 ) sensor( pose [ 0 0 0 180 ] ) )'
+            'ranger( name "fan" sensor( range [ 0 3 ] samples 3 fov 90 ) )'
+            'ranger( name "near" sensor( range [ 0 0.3 ] ) sensor( range [ 2 3 ] ) )'
+        )
+        + WALL
+    )
+
+    readings = loop_of(text).drives["it"].rangers()
+
+    assert [each.name for each in readings] == ["far", "fan", "near"]
+    assert [sensor for each in readings for sensor in each.sensors] == [
+        pytest.approx(each, abs=1e-6) for each in ((0.9,), (5.0,), (sqrt(2), 1.0, sqrt(2)), (0.3,), (2.0,))
+    ]
+
+
+def test_noise_is_drawn_from_the_seed() -> None:
+    text = robot("ranger( sensor( range [ 0 5 ] noise [ 0.1 0 0 ] ) )") + WALL
+
+    def read(seed: int) -> float:
+        return loop_of(text, seed).drives["it"].rangers()[0].sensors[0][0]
+
+    assert read(0) == 1.0
+    assert read(1) == read(1) != read(2)
+    assert 0.9 <= read(1) <= 1.1
+
+
+def test_bumpers_are_pressed_where_something_touches() -> None:
+    """Stage's order: by the number in ``bpose[i]``."""
+    bumper = "bumper( size [ 0.1 0.1 0.1 ] bcount 2 bpose[0] [ 0.1 0 0 0 ] bpose[1] [ -0.1 0 0 180 ] )"
+    loop = loop_of(robot(bumper) + WALL)
+    drive(loop, "it", ahead=0.5)
+
+    before = loop.drives["it"].bumpers()
+    run(loop, 3.0)
+
+    assert [each.pressed for each in before] == [(False, False)]
+    assert [each.pressed for each in loop.drives["it"].bumpers()] == [(True, False)]
+
+
+def test_a_blobfinder_sees_colours_with_their_borders() -> None:
+    """A board 0.2 m wide, its face 1 m ahead, from 0.4 to 0.6 m to the left. Its side is seen too."""
+    finder = 'blobfinder( name "eye" range 3 fov 80 )'
+    board = 'model( size [ 0.02 0.2 1 ] pose [ 1.01 0.5 0 0 ] color "tomato" )'
+
+    ((eye,),) = [loop_of(robot(finder) + board).drives["it"].blobs()]
+
+    (blob,) = eye.blobs
+    assert eye.name == "eye"
+    assert blob.colour == (255, 99, 71)
+    assert blob.left == pytest.approx(degrees(atan2(0.6, 1.0)))
+    assert blob.right == pytest.approx(degrees(atan2(0.4, 1.02)))
+    assert blob.metres == pytest.approx(hypot(1.0, 0.4))
+
+
+def test_a_fiducial_finder_knows_where_marks_look() -> None:
+    """Distances are to the middle of a thing; beyond ``range_max_id`` its number is 0."""
+    text = (
+        robot("fiducial( range_max 8 range_max_id 3 fov 180 pose [ 0 0 0 90 ] )")
+        + "model( size [ 0.2 0.2 1 ] pose [ 1 2 0 30 ] fiducial_return 7 )"
+        + "model( size [ 0.2 0.2 1 ] pose [ -1 4 0 -90 ] fiducial_return 8 )"
+        + "model( size [ 0.2 0.2 1 ] pose [ 0 -1 0 0 ] fiducial_return 9 )"
+    )
+
+    ((reading,),) = [loop_of(text).drives["it"].marks()]
+
+    assert [each.number for each in reading.marks] == [0, 7]
+    assert [each.metres for each in reading.marks] == pytest.approx([hypot(1, 4), hypot(1, 2)])
+    assert [each.degrees for each in reading.marks] == pytest.approx(
+        [degrees(atan2(1, 4)), -degrees(atan2(1, 2))]
+    )
+    assert [each.yaw for each in reading.marks] == pytest.approx([180, -60])
