@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Iterator
 from enum import Enum
 from pathlib import Path
 from typing import Any, Literal, TypeAlias
@@ -16,7 +17,7 @@ from typing import Any, Literal, TypeAlias
 import msgspec
 from msgspec import Struct, field
 
-from donnie_tui.process.confinement import open_bytes
+from donnie_tui.process.confinement import is_allowed, open_bytes
 from worlds import names as world_names
 from worlds.words import ENGLISH, LARGEST, Difficulty, parsed
 
@@ -60,8 +61,11 @@ Area: TypeAlias = tuple[Place, Place]
 """Two opposite corners of a rectangle."""
 COMPASS = {"north": 0.0, "east": 90.0, "south": 180.0, "west": 270.0}
 """Headings by their names in a file."""
+Heading: TypeAlias = float | Literal["north", "east", "south", "west"]
+"""Compass degrees, or a name."""
 MOST = 50
 """Goals, variants or hints of one challenge."""
+LARGEST_NUMBER = 1_000_000
 
 
 class Goal(Struct, frozen=True, forbid_unknown_fields=True):
@@ -69,8 +73,8 @@ class Goal(Struct, frozen=True, forbid_unknown_fields=True):
 
     at: Target | None = None
     """Where the robot stops; with ``thing`` the place of that thing."""
-    facing: float | None = None
-    """Compass degrees at the end."""
+    facing: Heading | None = None
+    """Where it looks at the end."""
     visited: tuple[Target, ...] | None = None
     """What the robot comes to, in this order."""
     near: Target | None = None
@@ -139,7 +143,7 @@ class Limit(Struct, frozen=True, forbid_unknown_fields=True):
 class Variant(Struct, frozen=True, forbid_unknown_fields=True):
     """A start of the world's first robot, and of things."""
 
-    start: tuple[float, float, float | Literal["north", "east", "south", "west"]] | None = None
+    start: tuple[float, float, Heading] | None = None
     """Steps to the east, steps to the north, and the heading; None for the world's own."""
     things: dict[str, Place] = {}
     """Where things and other robots stand, by name, that stand elsewhere than in the world."""
@@ -151,7 +155,12 @@ class Variant(Struct, frozen=True, forbid_unknown_fields=True):
         if self.start is None:
             return None
         x, y, heading = self.start
-        return x, y, COMPASS[heading] if isinstance(heading, str) else heading
+        return x, y, degrees_of(heading)
+
+
+def degrees_of(heading: Heading) -> float:
+    """Compass degrees."""
+    return COMPASS[heading] if isinstance(heading, str) else heading
 
 
 class Ask(Enum):
@@ -248,6 +257,11 @@ class Challenge(Struct, frozen=True):
             else str(self.path.parent / self.rules.world)
         )
 
+    def line_with(self, text: str) -> int:
+        """The line of its file that names something; 0 where none does."""
+        with open_bytes(self.path) as stream:
+            return line_with(stream.read(LARGEST).decode("utf-8-sig").splitlines(), text)
+
     @property
     def solution(self) -> Path:
         return self.path.with_name(f"{self.name}{SOLUTION}")
@@ -288,7 +302,7 @@ def after(name: str) -> str | None:
 
 
 def find(name: str) -> Challenge:
-    """The challenge of that name or number, or of that file. Raises ``BadChallenge``."""
+    """The challenge of that name, number or file, or the only one of that folder. Raises ``BadChallenge``."""
     ours = names()
     if name.isascii() and name.isdigit() and 0 < int(name[:4]) <= len(ours):
         name = ours[int(name) - 1]
@@ -297,7 +311,16 @@ def find(name: str) -> Challenge:
     path = Path(name)
     if path.suffix == SUFFIX:
         return read(path)
+    if len(files_in(name)) == 1:
+        return read(files_in(name)[0])
     raise BadChallenge("challenge-unknown", path, what=name, known=ours)
+
+
+def files_in(folder: str) -> tuple[Path, ...]:
+    """The challenges of a folder; none where the name is of no folder."""
+    path = Path(folder)
+    found = _files_in_folder(path / SUFFIX, SUFFIX) if folder and is_allowed(path) else ()
+    return tuple(path / each for each in found)
 
 
 def read(path: Path) -> Challenge:
@@ -331,17 +354,71 @@ def _check(rules: Rules, path: Path, lines: list[str]) -> None:
         raise BadChallenge("challenge-value", path, line_of(lines, "", "format"), "format")
     if Path(rules.world).name != rules.world:
         raise BadChallenge("challenge-outside", path, line_of(lines, "", "world"), rules.world)
+    worlds_here = _files_in_folder(path, ".world") + _files_in_folder(path, ".cfg")
+    for code, named, known in (
+        ("challenge-world", (rules.world,), (*world_names(), *worlds_here)),
+        ("challenge-unknown", rules.after, (*names(), *_files_in_folder(path, SUFFIX, is_stem=True))),
+    ):
+        for each in (name for name in named if name not in known):
+            raise BadChallenge(code, path, line_with(lines, each), each, known)
     for key, found in (("goal", rules.goal), ("variant", rules.variant), ("question", rules.question)):
         if len(found) > MOST or (key == "variant" and not found):
             raise BadChallenge("challenge-value", path, line_of(lines, key, ""), key)
     for index, question in enumerate(rules.question):
         if not question.is_complete:
             raise BadChallenge("challenge-value", path, line_of(lines, f"question[{index}]", "of"), "of")
+    for table, values in _tables(rules):
+        for key in values.__struct_fields__:
+            value = getattr(values, key)
+            is_empty = value in ("", ()) and key in ("visited", "said", "robots")
+            if is_empty or not all(_is_possible(key, each) for each in _numbers(value)):
+                raise BadChallenge("challenge-value", path, line_of(lines, table, key), key)
     for index, goal in enumerate(rules.goal):
         if not goal.kind:
             raise BadChallenge("challenge-goal", path, line_of(lines, f"goal[{index}]", ""), ", ".join(KINDS))
 
 
+def _tables(rules: Rules) -> Iterator[tuple[str, Struct]]:
+    """The tables of a file by their names, as ``line_of`` takes them."""
+    yield from (("never", rules.never), ("limit", rules.limit))
+    for name, tables in (("goal", rules.goal), ("variant", rules.variant), ("question", rules.question)):
+        for index, table in enumerate(tables):
+            yield f"{name}[{index}]", table
+
+
+def _numbers(value: object) -> Iterator[float]:
+    """All numbers in a value."""
+    if isinstance(value, dict):
+        value = tuple(value.values())
+    if isinstance(value, int | float):
+        yield value
+    elif isinstance(value, tuple):
+        for each in value:
+            yield from _numbers(each)
+
+
+def _is_possible(key: str, number: float) -> bool:
+    """Whether it is finite, not too large, and not less than nothing."""
+    is_amount = key in (*Limit.__struct_fields__, "within", "tolerance")
+    return (0 if is_amount else -LARGEST_NUMBER) <= number <= LARGEST_NUMBER
+
+
+def _files_in_folder(path: Path, suffix: str, *, is_stem: bool = False) -> tuple[str, ...]:
+    """The files of that kind in the folder of a challenge."""
+    try:
+        found = sorted(each.name for each in os.scandir(path.parent) if each.name.endswith(suffix))
+    except OSError:
+        return ()
+    return tuple(each.removesuffix(suffix) if is_stem else each for each in found)
+
+
+_VALUES: dict[str, tuple[str, ...]] = {
+    "difficulty": tuple(each.value for each in Difficulty if each is not Difficulty.UNSTATED),
+    "ask": tuple(each.value for each in Ask),
+    "start": tuple(COMPASS),
+    "facing": tuple(COMPASS),
+}
+"""What can be written in place of a word that is none of these."""
 _PLACE = re.compile(r"(.*?)(?: - at `\$(.*)`)?", re.DOTALL)
 
 
@@ -363,7 +440,11 @@ def _converted(content: object, kind: type[Any], path: Path, lines: list[str], t
             what = ".".join(filter(None, (inside, missing[1])))
             raise BadChallenge("challenge-missing", path, line_of(lines, inside, ""), what) from None
         owner, _, key = inside.rpartition(".")
-        line = line_of(lines, owner, re.sub(r"\[.*", "", key)) or line_of(lines, inside, "")
+        key = re.sub(r"\[.*", "", key)
+        line = line_of(lines, owner, key) or line_of(lines, inside, "")
+        wrong = re.search("enum value '(.*)'", message)
+        if wrong and key in _VALUES:
+            raise BadChallenge("challenge-choice", path, line, wrong[1], _VALUES[key]) from None
         raise BadChallenge("challenge-value", path, line, inside) from None
 
 
@@ -401,3 +482,9 @@ def line_of(lines: list[str], table: str, key: str) -> int:
         elif current == wanted and key and re.match(rf"\s*[\"']?{re.escape(key)}[\"']?\s*=", line):
             return number
     return 0
+
+
+def line_with(lines: list[str], text: str) -> int:
+    """The first line with that text as a value or a key in quotes; 0 where there is none."""
+    quoted = (f'"{text}"', f"'{text}'")
+    return next((at for at, line in enumerate(lines, start=1) if any(each in line for each in quoted)), 0)

@@ -131,8 +131,9 @@ def _limit(invocation: Invocation, words: Words, start: _Start) -> _OwnSettings:
     if not IS_POSSIBLE:
         raise Unusable(words("confined-impossible"))
     import worlds
+    from worlds.challenges import LADDERS
 
-    confinement = Confinement(limits.folder, readable=(worlds.SCENES, worlds.MANUAL))
+    confinement = Confinement(limits.folder, readable=(worlds.SCENES, worlds.MANUAL, LADDERS))
     confine(confinement)
     if CONFINED.key in invocation.options:  # the way from here may be another one
         invocation.options[CONFINED.key] = confinement.folder

@@ -81,13 +81,16 @@ class OptionSpec(Struct, frozen=True):
 _FILE = OptionSpec(("file",), "option-file", "FILE", nargs="?")
 _FILES = OptionSpec(("file",), "option-file-or-input", "FILE", nargs="+")
 _PORT = OptionSpec(("port",), "option-port", "PORT", nargs="?")
+_MODES = (
+    OptionSpec(("--linear", "--screen-reader", "-t", "-T"), "option-linear", group="mode"),
+    OptionSpec(("--visual",), "option-visual", group="mode"),
+    OptionSpec(("--plain",), "option-plain"),
+)
 
 OPTIONS: dict[str, tuple[OptionSpec, ...]] = {
     "": (
         _FILE,
-        OptionSpec(("--linear", "--screen-reader", "-t", "-T"), "option-linear", group="mode"),
-        OptionSpec(("--visual",), "option-visual", group="mode"),
-        OptionSpec(("--plain",), "option-plain"),
+        *_MODES,
         OptionSpec(("-f", "-F"), "option-f", "FILE", dest="run"),
         OptionSpec(("-m", "-M"), "option-m", dest="mute"),
         OptionSpec(("-l", "-L"), "option-l", dest="log"),
@@ -100,6 +103,7 @@ OPTIONS: dict[str, tuple[OptionSpec, ...]] = {
     "check": (_FILES,),
     "challenge": (
         OptionSpec(("what",), "option-challenge-what", "NAME", nargs="*"),
+        *_MODES,
         OptionSpec(("--json",), "option-challenge-json"),
         OptionSpec(("--csv",), "option-csv", "FILE"),
         OptionSpec(("--feedback",), "option-feedback", "FOLDER"),
@@ -142,6 +146,8 @@ OPTIONS: dict[str, tuple[OptionSpec, ...]] = {
 """The options of each command; those of the program itself stand under the empty name."""
 
 COMMANDS = tuple(name for name in OPTIONS if name)
+CHALLENGE_ORDERS = ("check", "test", "new")
+"""What follows ``donnie challenge`` in place of the name of one, which starts a session with it."""
 
 
 class WrongUsage(Exception):
@@ -214,6 +220,11 @@ def understand(arguments: list[str], words: Words) -> Invocation:
     _refuse_second_limit(rest)
     try:
         parsed = parser_of(command, words).parse_args(rest)
+        if command == "challenge" and len(parsed.what) == 1 and parsed.what[0] not in CHALLENGE_ORDERS:
+            (name,) = parsed.what
+            rest.remove(name)
+            command, typed, rest = "", "", [*rest, "--world", f"challenge:{name}"]
+            parsed = parser_of("", words).parse_args(rest)
     except WrongUsage:
         if not command:
             _refuse_misspelt(typed)

@@ -3,7 +3,7 @@
 ``check`` prints every mistake of form and every hint, a line each; nothing runs, and no world is needed. Of
 several programs everything is on standard output, with the totals as its last line.
 ``format`` writes the canonical layout to standard output or in place, and translates keywords on request.
-``challenge`` lists challenges, prints the task of one, and judges programs by one. An endless program ends by
+``challenge`` lists, makes and tests challenges, and judges programs by one. An endless program ends by
 robot time and by the number of its statements, so a busy machine changes no verdict.
 """
 
@@ -23,9 +23,9 @@ from msgspec import Struct
 from donnie_tui.bootstrap import judge_events, judge_program, starts_of
 from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.streams import Output
-from donnie_tui.core.describe import task_in_words, verdict_in_words
+from donnie_tui.core.describe import verdict_in_words
 from donnie_tui.core.events import RunStarted, Stamped
-from donnie_tui.core.goals import Judgment, unknown_things
+from donnie_tui.core.goals import Judgment
 from donnie_tui.core.program_files import (
     LARGEST,
     DocumentError,
@@ -39,13 +39,12 @@ from donnie_tui.i18n.mistakes import remark
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.process.confinement import is_allowed, make_folder
 from donnie_tui.settings.settings import SettingSource
-from donnie_tui.world.loading import choose_challenge, choose_world, inventory_of
+from donnie_tui.world.loading import choose_challenge, inventory_of, world_of
 from language.checker import check as hints_for
 from language.diagnostics import MOST_MISTAKES, Diagnostic, Severity
 from language.formatter import formatted
 from language.locales import ENGLISH
 from language.parser import parse
-from language.suggestions import nearest
 from language.syntax import walk
 from worlds import challenges
 
@@ -200,20 +199,16 @@ def _put(text: str, source: Source, order: Order) -> None:
 
 
 def challenge(order: Order) -> int:
-    """``donnie challenge``, ``donnie challenge NAME``, ``check``, ``test`` and ``new`` with a NAME."""
+    """``donnie challenge``, and ``check``, ``test`` and ``new`` with a NAME."""
     match order.invocation.arguments.what:
         case []:
             return _list_challenges(order)
         case ["check", name, first, *others]:
             return check_challenge(order, name, [first, *others])
         case ["test", first, *others]:
-            return max(_test_challenge(order, name) for name in (first, *others))
+            return _test_challenges(order, (first, *others))
         case ["new", name]:
             return _new_challenge(order, name)
-        case ["check" | "test" | "new", *_]:
-            raise Unusable(order.words("challenge-usage"))
-        case [name]:
-            return _describe_challenge(order, name)
     raise Unusable(order.words("challenge-usage"))
 
 
@@ -226,19 +221,6 @@ def _list_challenges(order: Order) -> int:
             order.output.line(order.words(f"ladder-{ladder}"))
         title = found.text(order.words.language).title
         order.output.line(order.words("challenge-listed", number=number, name=name, title=title))
-    return ExitCode.DONE
-
-
-def _describe_challenge(order: Order, name: str) -> int:
-    found = choose_challenge(name, order.words)
-    text = found.text(order.words.language)
-    for line in (
-        text.title,
-        *task_in_words(found, order.words)[1:],
-        *(order.words("challenge-hint", text=each.text) for each in text.hint),
-    ):
-        order.output.line(line)
-    order.output.line(order.words("challenge-try", name=name, world=found.rules.world))
     return ExitCode.DONE
 
 
@@ -333,6 +315,18 @@ def _new_challenge(order: Order, name: str) -> int:
     return ExitCode.DONE
 
 
+def _test_challenges(order: Order, given: Sequence[str]) -> int:
+    """Of a folder all. One that can't be used has its line, and the others are tested, too."""
+    codes = []
+    for name in (each for one in given for each in (*map(str, challenges.files_in(one)),) or (one,)):
+        try:
+            codes.append(_test_challenge(order, name))
+        except Unusable as unusable:
+            order.output.complaint(unusable.sentence)
+            codes.append(ExitCode.UNUSABLE)
+    return max(codes)
+
+
 def _test_challenge(order: Order, name: str) -> int:
     """Whether its words are complete and short in each of its languages, and what solves it.
 
@@ -385,17 +379,8 @@ class _Judging:
     def __init__(self, order: Order, found: challenges.Challenge) -> None:
         """Raises ``Unusable``."""
         self._order, self._words = order, order.words
-        self._world = choose_world(found.world, order.words)
-        if not self._world.scene.robots:
-            raise Unusable(order.words("world-without-robot", name=self._world.name))
+        self._world = world_of(found, order.words)
         self._room = inventory_of(self._world.scene)
-        unknown = unknown_things(found, self._room)
-        if unknown:
-            known = [name for each in self._room.items for name in (each.name, f"{each.colour} {each.kind}")]
-            known += self._room.robots
-            near = nearest(unknown[0], known)
-            code = "challenge-thing-near" if near else "challenge-thing"
-            raise Unusable(order.words(code, file=found.path.name, what=unknown[0], near=near))
         self._starts = starts_of(found, self._world, order.words, order.settings)
 
     def record(self, name: str) -> tuple[int, dict[str, object]]:

@@ -53,10 +53,14 @@ class Item(Struct, frozen=True):
     half_width: float = 0.0
     half_height: float = 0.0
 
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What a goal can call it: its name, its kind, or its colour with either."""
+        own = tuple(filter(None, (self.name, self.kind)))
+        return (*own, *(f"{self.colour} {each}" for each in own if self.colour))
+
     def is_called(self, name: str) -> bool:
-        """Whether a goal means it: by its name, its kind, or its colour with either."""
-        own = (self.name, self.kind, f"{self.colour} {self.name}", f"{self.colour} {self.kind}")
-        return folded(name) in map(folded, own)
+        return folded(name) in map(folded, self.names)
 
 
 class Inventory(Struct, frozen=True):
@@ -320,7 +324,7 @@ def _elsewhere(here: Pose, target: Target, within: float, room: Inventory, track
 def _facing(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
     assert goal.facing is not None
     heading = _way(goal.robot, room, track)[-1].heading
-    off = (heading - goal.facing + 180) % 360 - 180
+    off = (heading - challenges.degrees_of(goal.facing) + 180) % 360 - 180
     if abs(off) <= goal.within * DEGREES:
         return None
     code = "goal-facing-right" if off < 0 else "goal-facing-left"

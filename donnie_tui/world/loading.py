@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from sim.scene import Model, Scene
     from sim.world import World
     from sim.worldfile import Offer
-    from worlds.challenges import Challenge, Variant
+    from worlds.challenges import BadChallenge, Challenge, Variant
     from worlds.words import About
 
 CHALLENGE = "challenge:"
@@ -165,26 +165,48 @@ def choose_world(
 def choose_challenge(name: str, words: Words) -> Challenge:
     """The challenge of that name, number or file. Raises ``Unusable`` with the line of a mistake in it."""
     from language.keywords import all_words, canonical
-    from language.suggestions import nearest
     from worlds.challenges import BadChallenge, find
 
     try:
         found = find(name)
         for word in (*found.rules.words, *found.rules.required):
             if canonical(word) is None:
-                raise BadChallenge("challenge-word", found.path, what=word, known=all_words("en"))
+                known = all_words("en")
+                raise BadChallenge("challenge-word", found.path, found.line_with(word), word, known)
         return found
     except BadChallenge as bad:
-        near = nearest(bad.what, bad.known) if bad.known else None
-        code = f"{bad.code}-near" if near else bad.code
-        sentence = words(code, file=bad.file.name, what=bad.what[:LONGEST_NAME], near=near)
-        if bad.line:
-            sentence = words("challenge-line", line=bad.line, text=sentence)
-        raise Unusable(sentence) from None
+        raise Unusable(_in_words(bad, words)) from None
+
+
+def _in_words(bad: BadChallenge, words: Words) -> str:
+    from language.suggestions import nearest
+
+    near = nearest(bad.what, bad.known) if bad.known else None
+    code = f"{bad.code}-near" if near else bad.code
+    what, known = bad.what[:LONGEST_NAME], ", ".join(bad.known)
+    sentence = words(code, file=bad.file.name, what=what, near=near, known=known)
+    return words("challenge-line", line=bad.line, text=sentence) if bad.line else sentence
+
+
+def world_of(found: Challenge, words: Words, folders: tuple[str, ...] = ()) -> ChosenWorld:
+    """The world of a challenge as its file says. Raises ``Unusable``, also for what it doesn't have."""
+    from donnie_tui.core.goals import unknown_things
+    from worlds.challenges import BadChallenge
+
+    world = choose_world(found.world, words, folders)
+    if not world.scene.robots:
+        raise Unusable(words("world-without-robot", name=world.name))
+    room = inventory_of(world.scene)
+    for unknown in unknown_things(found, room):
+        called = (each.names for each in room.items)
+        known = (*(name for names in called for name in names if name.strip()), *room.robots)
+        bad = BadChallenge("challenge-thing", found.path, found.line_with(unknown), unknown, known)
+        raise Unusable(_in_words(bad, words))
+    return world
 
 
 def _with_challenge(found: Challenge, words: Words, folders: tuple[str, ...]) -> ChosenWorld:
-    world = choose_world(found.world, words, folders)
+    world = world_of(found, words, folders)
     return replace(started_at(world, found.rules.variant[0]), challenge=found)
 
 

@@ -8,6 +8,9 @@ from typing import cast
 import pytest
 
 from donnie_tui.cli.main import main
+from donnie_tui.cli.options import understand
+from donnie_tui.core.describe import task_in_words
+from donnie_tui.i18n.words import Words
 from language.locales import languages, table
 from worlds import challenges, scenarios
 from worlds.challenges import BadChallenge
@@ -96,10 +99,18 @@ def test_from_the_third_on_a_shipped_challenge_has_two_starts() -> None:
         assert len(challenges.find(name).rules.variant) >= 2, name
 
 
-def test_the_task_says_the_limits(capsys: pytest.CaptureFixture[str]) -> None:
-    main(["challenge", "there_and_back", "--lang", "pt"])
+def test_the_task_says_the_limits() -> None:
+    said = task_in_words(challenges.find("there_and_back"), Words("pt"))
 
-    assert "No máximo 2 comandos.\nNo máximo 16 passos.\n" in capsys.readouterr().out
+    assert said[-2:] == ("No máximo 2 comandos.", "No máximo 16 passos.")
+
+
+@pytest.mark.parametrize("name", ["first_walk", "1"])
+def test_a_challenge_alone_begins_a_session_with_it(name: str) -> None:
+    invocation = understand(["challenge", name, "--lang", "pt", "--linear"], Words("en"))
+
+    assert (invocation.command, invocation.arguments.linear) == ("", True)
+    assert invocation.options == {"lang": "pt", "world": f"challenge:{name}"}
 
 
 def test_the_list_has_a_heading_for_each_ladder(capsys: pytest.CaptureFixture[str]) -> None:
@@ -125,7 +136,14 @@ def test_the_list_has_a_heading_for_each_ladder(capsys: pytest.CaptureFixture[st
         ("[en]", "[pt]", "challenge-missing", 0),
         ("within = 2", "area = [[0, 1]]", "challenge-value", 10),
         ("within = 2", "area = [[0, 1], [2, 3]]", "challenge-goal", 8),
-        ("[en]", '[[variant]]\nstart = [0, 0, "nort"]\n[en]', "challenge-value", 5),
+        ("[en]", '[[variant]]\nstart = [0, 0, "nort"]\n[en]', "challenge-choice", 5),
+        ("within = 2", "within = -1", "challenge-value", 10),
+        ('"ball"', "[0, nan]", "challenge-value", 9),
+        ('"ball"', "[0, 1e999]", "challenge-value", 9),
+        ('said = "here"', "visited = []", "challenge-value", 13),
+        ("[en]", "[limit]\ncommands = -1\n[en]", "challenge-value", 5),
+        ("[en]", "[[variant]]\nstart = [0, 1e999, 0]\n[en]", "challenge-value", 5),
+        ("[en]", '[[variant]]\nthings = { "ball" = [0, inf] }\n[en]', "challenge-value", 5),
     ],
 )
 def test_a_mistake_has_its_line(tmp_path: Path, old: str, new: str, code: str, line: int) -> None:
@@ -145,13 +163,30 @@ def test_a_file_without_mistakes_is_read(tmp_path: Path) -> None:
     ("old", "new", "sentence"),
     [
         ("within", "wihtin", "Line 10: it.toml has the key wihtin. Did you mean within?"),
-        ("[en]", 'required = ["REPAET"]\n[en]', "it.toml has REPAET. Did you mean REPEAT?"),
+        ("[en]", 'required = ["REPAET"]\n[en]', "Line 4: it.toml has REPAET. Did you mean REPEAT?"),
+        ("[en]", 'difficulty = "esay"\n[en]', "Line 4: it.toml has esay. Did you mean easy?"),
+        ("[en]", 'difficulty = "x"\n[en]', "Line 4: it.toml has x. Possible are easy, medium, hard."),
+        (
+            "[en]",
+            'after = ["frist_walk"]\n[en]',
+            "Line 4: There is no challenge frist_walk. Did you mean first_walk?",
+        ),
+        (
+            '"first_room"',
+            '"frist_room"',
+            "Line 2: it.toml asks for the world frist_room. Did you mean first_room?",
+        ),
+        (
+            "[[goal]]\nsaid",
+            '[[question]]\nask = "colou"\nof = "ball"\n[[goal]]\nsaid',
+            "Line 13: it.toml has colou. Did you mean colour?",
+        ),
         (
             "[[goal]]\nsaid",
             '[[variant]]\nthings = { "chiar" = [0, 6] }\n[[goal]]\nsaid',
-            "it.toml names chiar, and its world has no such thing. Did you mean chair?",
+            "Line 13: it.toml names chiar, and its world has no such thing. Did you mean chair?",
         ),
-        ('"ball"', '"bal"', "it.toml names bal, and its world has no such thing. Did you mean ball?"),
+        ('"ball"', '"bal"', "Line 9: it.toml names bal, and its world has no such thing. Did you mean ball?"),
     ],
 )
 def test_a_misspelt_name_is_reported_with_the_nearest_one(
@@ -233,7 +268,25 @@ def test_a_new_challenge_works_and_replaces_nothing(tmp_path: Path) -> None:
 
     assert main(["challenge", "new", str(folder)]) == 0
     assert main(["challenge", "test", str(folder / "my one.toml")]) == 0
+    assert main(["challenge", "check", str(folder), str(folder)]) == 0
     assert main(["challenge", "new", str(folder)]) == 2
+
+
+def test_all_challenges_of_a_folder_are_tested(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for name, solution in (("b", "FW 4"), ("c", "FW 5")):
+        main(["challenge", "new", str(tmp_path / name)])
+        for end, text in ((".toml", None), (".solution.gd", solution)):
+            made = tmp_path / name / f"{name}{end}"
+            (tmp_path / made.name).write_text(text or made.read_text())
+    (tmp_path / "a.toml").write_text("format = 2")
+    capsys.readouterr()
+
+    assert main(["challenge", "test", str(tmp_path), "--lang", "en"]) == 2
+
+    printed = capsys.readouterr()
+    assert printed.err == "a.toml lacks world.\n"
+    assert printed.out.splitlines()[0] == "b: the solution does not solve it."
+    assert printed.out.splitlines()[-1].startswith("c: the solution solves it")
 
 
 def test_a_solution_with_a_line_too_many_is_reported(
