@@ -70,7 +70,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             self.size,
             plain=is_plain(settings),
             focus=restored.focus if restored else "",
-            first_row=early("screen-start", settings.language) if may_need_linear() else "",
+            first_row=early("screen-start-words", settings.language) if may_need_linear() else "",
         )
         self.key_table = KeyTable(has_terminal=not is_page())
         self._bind(settings.keys)

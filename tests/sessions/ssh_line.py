@@ -30,8 +30,14 @@ MISSING = next((each for each in (SSHD, "ssh", "ssh-keygen") if shutil.which(eac
 class SshLine:
     """Made in ``folder``, where Donnie's settings and copies are, too."""
 
-    def __init__(self, folder: Path, forced: Sequence[str] = (), *, by_key: bool = False) -> None:
-        """``forced``: the options of the Donnie that is the only command, of the login or ``by_key``."""
+    def __init__(
+        self, folder: Path, forced: Sequence[str] = (), *, by_key: bool = False, reader: str = "off"
+    ) -> None:
+        """``forced``: the options of the Donnie that is the only command, of the login or ``by_key``.
+
+        ``reader``: the answer to whether the learner has a screen reader, empty for no answer.
+        """
+        self._reader = reader
         self.folder = folder
         self._forced = (
             shlex.join([sys.executable, "-P", "-m", "donnie_tui", *forced, *QUIET]) if forced else ""
@@ -55,7 +61,7 @@ class SshLine:
             "XDG_CONFIG_HOME": str(self.folder / "config"),
             "LC_ALL": "C.UTF-8",
             "DONNIE_TOUR": "off",
-            "DONNIE_READER": "off",
+            "DONNIE_READER": self._reader,
             "DONNIE_WORLD": "open_floor",
         }
         given = " ".join(f"{name}={value}" for name, value in variables.items())

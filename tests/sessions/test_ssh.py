@@ -39,6 +39,25 @@ def over_ssh(line: SshLine, *arguments: str, typed: str = "") -> subprocess.Comp
     return subprocess.run(command, input=typed.encode(), capture_output=True, timeout=TIMEOUT)
 
 
+# --- the full screen
+
+
+def test_the_first_row_of_the_full_screen_names_the_words_that_work_at_any_time(tmp_path: Path) -> None:
+    """Nothing says whether the learner at the other end has a screen reader."""
+    line = SshLine(tmp_path, reader="")
+    if refusal := line.refusal():
+        pytest.skip(refusal)
+    learner = line.at_terminal("--plain")
+    learner.expect_exact("Screen reader? Type LINEAR and Enter. Also: HELP, TOUR, RECOVER, QUIT.")
+    learner.send("LINEAR\r")
+    learner.expect_exact("Linear mode, from the word LINEAR.")
+    learner.expect_exact("Always begin in linear mode, y or n? Enter means no.")
+    learner.send("\r")
+    learner.expect_exact("> ")
+    learner.send("QUIT\r")
+    learner.expect(pexpect.EOF)
+
+
 # --- without a terminal
 
 

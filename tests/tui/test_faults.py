@@ -221,7 +221,10 @@ async def test_over_ssh_the_first_row_offers_the_linear_mode(open_screen, monkey
     monkeypatch.setattr(channel, "find_screen_reader", lambda _: None)
     environment._screen_reader_runs.cache_clear()
     async with open_screen() as screen:
-        assert screen.text.splitlines()[0].strip() == "Screen reader? Type LINEAR and Enter."
+        assert (
+            screen.text.splitlines()[0].strip()
+            == "Screen reader? Type LINEAR and Enter. Also: HELP, TOUR, RECOVER, QUIT."
+        )
 
 
 def type_on_last_line(screen, text: str) -> None:
