@@ -82,3 +82,25 @@ LONG = (
     "SET",
 )
 """More than forty commands: ``gate.py`` measures how a reader reads them."""
+
+FIRST_HOUR = {
+    "en": (
+        *("FW 3", "TR 90", "RUN", "WHERE"),
+        *("FWD 2", "RUN", "EXPLAIN", "FIX", "RUN"),
+        *("NEW", "VAR x = 1", "WHILE x < 3 DO", "FW x", "x = x + 1", "END WHILE"),
+        *("STEP", "STEP", "STEP", "STEP BACK", "WHERE", "SHOW VARIABLES", "STOP"),
+    ),
+    "pt": (
+        *("ANDAR 3", "EXECUTAR", "CORRIGIR", "GD 90", "EXECUTAR", "ONDE"),
+        *("PF", "EXECUTAR", "EXPLICAR", "MUDAR 3 PF 2", "EXECUTAR"),
+        *("NOVO", "CRIAR x = 1", "ENQUANTO x < 3 FAÇA", "PF x", "x = x + 1", "FIM ENQUANTO"),
+        *("PASSO", "PASSO", "PASSO", "PASSO ATRÁS", "ONDE", "MOSTRAR VARIÁVEIS", "PARAR"),
+    ),
+    "es": (
+        *("CAMINAR 3", "EJECUTAR", "CORREGIR", "GD 90", "EJECUTAR", "DÓNDE"),
+        *("AV", "EJECUTAR", "EXPLICAR", "CAMBIAR 3 AV 2", "EJECUTAR"),
+        *("NUEVO", "CREAR x = 1", "MIENTRAS x < 3 HACER", "AV x", "x = x + 1", "FIN MIENTRAS"),
+        *("PASO", "PASO", "PASO", "PASO ATRÁS", "DÓNDE", "MOSTRAR VARIABLES", "DETENER"),
+    ),
+}
+"""A first program, a mistake and its correction, and a program step by step, in each language."""

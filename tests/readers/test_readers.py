@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.readers.lesson import OF_THE_SCREEN, SHORT
+from tests.readers.lesson import FIRST_HOUR, OF_THE_SCREEN, SHORT
 from tests.readers.reading import (
     AS_PROMPT,
     BRIEF,
@@ -58,6 +58,15 @@ def noise_of_the_screen(reader: str, folder: Path) -> tuple[int, float]:
 def test_yasr_says_every_answer_once_in_order_and_nothing_else(tmp_path: Path) -> None:
     heard = score(phases_of("yasr", SHORT, tmp_path, OPTIONS))
     assert (heard.once, heard.in_order, heard.clean, heard.noise) == (1.0, 1.0, heard.phases, 0.0)
+
+
+@needs("yasr")
+@pytest.mark.parametrize("language", FIRST_HOUR)
+def test_yasr_says_the_first_hour_once_and_in_order(tmp_path: Path, language: str) -> None:
+    """As a beginner types it, with RUN, in each language. The line that FIX or CHANGE offers is read, too."""
+    heard = score(phases_of("yasr", FIRST_HOUR[language], tmp_path, (*OPTIONS, "--lang", language), {}))
+    assert (heard.once, heard.in_order) == (1.0, 1.0)
+    assert heard.clean >= heard.phases - 1
 
 
 @needs("fenrir")
