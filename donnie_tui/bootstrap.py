@@ -44,9 +44,10 @@ from donnie_tui.world.loading import (
     ChosenWorld,
     Site,
     ThingWatch,
-    choose_world,
     files_of,
+    inhabited_world,
     inventory_of,
+    robot_put_in,
     started_at,
 )
 
@@ -243,7 +244,7 @@ def _assembled(
     from sim.world import World
 
     words = Words(settings.language, settings.verbosity)
-    world = _inhabited_world(settings, words)
+    world = inhabited_world(settings.world, words, settings.include_folders)
     speech_wait, shared = SpeechWait(), World(world.scene, seed=settings.seed)
     team = make_team(settings, words, world, terminal, speech_wait=speech_wait, shared=shared)
     connection = Connection(settings, words, world, team.chosen, search=search)
@@ -259,7 +260,7 @@ def _assembled(
     belt_news = connect_belt(settings, team, words, closing)
     about_robot = _connect_robot(connection, settings, words, world, terminal)
     notices = Notices(
-        (*_task(world, words), *(() if world.ships else _remarks(world, words))),
+        (*robot_put_in(world, words), *_task(world, words), *(() if world.ships else _remarks(world, words))),
         tuple(words(each.code, **each.values) for each in settings.notices),
         audible.notices + (_decided(audible, words) if terminal else ()),
         belt_news() + about_robot,
@@ -334,15 +335,8 @@ def _connect_robot(
 
 def colours_of_world(settings: Settings, words: Words) -> frozenset[str]:
     """The colours that the world's robot distinguishes. Raises ``Unusable``."""
-    world = _inhabited_world(settings, words)
+    world = inhabited_world(settings.world, words, settings.include_folders)
     return make_team(settings, words, world, terminal=False).chosen.colours
-
-
-def _inhabited_world(settings: Settings, words: Words) -> ChosenWorld:
-    world = choose_world(settings.world, words, settings.include_folders)
-    if not world.scene.robots:
-        raise Unusable(words("world-without-robot", name=world.name))
-    return world
 
 
 def make_team(

@@ -6,10 +6,12 @@ A robot's ``Body`` is everything of it that can bump: its shape, what is attache
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import islice
 from math import dist, hypot
 
 from msgspec import Struct
 
+from devices.ports.robot import STEP
 from sim.colours import Colour
 from sim.geometry import Edge, Placement, Point, contains, edges, nearest_on_edge, placed, seen_from
 from sim.scene import Model, Scene
@@ -149,3 +151,47 @@ def _inner_radius(points: Outline) -> float:
     if not contains(points, 0.0, 0.0):
         return 0.0
     return min(hypot(*nearest_on_edge(edge)) for edge in edges(points))
+
+
+_ROOMS = (0.5, 0.25, 0.12)
+"""Metres around its middle that are free, the first for which there is a place; Donnie takes 0.064 m."""
+_REACH = 60
+"""Steps to each side that are tried."""
+_MOST_CHECKS = 1_000_000
+"""Places times polygons that are compared."""
+
+
+def free_place(scene: Scene) -> tuple[int, int]:
+    """In steps: where nothing is near, nearest to 0, 0, or to the middle of walls that leave 0, 0 out."""
+    solid = [each for each in parts_of(scene) if each.solid]
+    if not solid:
+        return 0, 0
+    xs, ys = zip(*(point for part in solid for point in part.points), strict=True)
+    (west, east), (south, north) = (min(xs) / STEP, max(xs) / STEP), (min(ys) / STEP, max(ys) / STEP)
+    is_inside = west < 0 < east and south < 0 < north
+    is_walled = len(solid) > 1 and min(east - west, north - south) > 4
+    middle = (0, 0) if is_inside or not is_walled else (round((west + east) / 2), round((south + north) / 2))
+    places = [*islice(_around(*middle), max(1, _MOST_CHECKS // len(solid)))]
+    free = ((x, y) for room in _ROOMS for x, y in places if _is_free(solid, x * STEP, y * STEP, room))
+    return next(free, middle)
+
+
+def _around(x: int, y: int) -> Iterator[tuple[int, int]]:
+    """Places, the nearest first; of equally near ones the northern and eastern first."""
+    sides = range(-_REACH, _REACH + 1)
+    near = sorted(((dx, dy) for dx in sides for dy in sides), key=lambda at: (hypot(*at), -at[1], -at[0]))
+    return ((x + dx, y + dy) for dx, dy in near)
+
+
+def _is_free(solid: Sequence[Part], x: float, y: float, room: float) -> bool:
+    return not any(_is_near(part, x, y, room) for part in solid)
+
+
+def _is_near(part: Part, x: float, y: float, room: float) -> bool:
+    (px, py), reach = part.middle, part.reach + room
+    if (x - px) ** 2 + (y - py) ** 2 > reach * reach:
+        return False
+    if contains(part.points, x, y):
+        return True
+    near = (nearest_on_edge((ax - x, ay - y, bx - x, by - y)) for ax, ay, bx, by in part.outline)
+    return any(hypot(*each) < room for each in near)

@@ -290,7 +290,7 @@ def world_to_enter(ctx: Context, typed: str) -> str | None:
     """The name or file of a world that can be loaded; None where it can't, after an answer that says why."""
     from donnie_tui.core.describe import world_meant
     from donnie_tui.i18n.words import Unusable
-    from donnie_tui.world.loading import choose_world
+    from donnie_tui.world.loading import allowed_folders, choose_world, with_robot
 
     if not may_leave_world(ctx):
         return None
@@ -301,11 +301,9 @@ def world_to_enter(ctx: Context, typed: str) -> str | None:
     try:
         folders = donnie.outlets.audible.settings.include_folders
         found = choose_world(name, ctx.words, folders, unknown="world-unknown-here")
+        with_robot(found, ctx.words, allowed_folders(folders))
     except Unusable as unusable:
         ctx.say(printable(unusable.sentence))
-        return None
-    if not found.scene.robots:
-        ctx.answer("world-without-robot", name=found.name)
         return None
     return name
 
@@ -332,6 +330,7 @@ def settings_there(donnie: Donnie, settings: Settings, name: str) -> Settings:
 def say_arrival(donnie: Donnie, *, is_silent: bool) -> None:
     """Say what the other world has. ``is_silent``: SOUND OFF was typed in the one before."""
     from donnie_tui.core.describe import arrived, task_in_words
+    from donnie_tui.world.loading import robot_put_in
 
     if is_silent:
         donnie.session.hub.publish(SoundSwitched(False))
@@ -339,3 +338,4 @@ def say_arrival(donnie: Donnie, *, is_silent: bool) -> None:
     if donnie.world.challenge is not None:
         donnie.publish_answers(*task_in_words(donnie.world.challenge, donnie.words))
     donnie.publish_answers(*arrived(donnie.world.name, about, donnie.picture(), donnie.words))
+    donnie.publish_answers(*robot_put_in(donnie.world, donnie.words))

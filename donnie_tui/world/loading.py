@@ -94,6 +94,8 @@ class ChosenWorld(Struct, frozen=True):
     """Whether things were added, moved or removed: its author's words don't count any more."""
     before_moves: Scene | None = None
     """The scene as its file says, where a challenge moved things in it."""
+    text: str = ""
+    """What its file would be with the Donnie that was put in; empty where the file has a robot."""
 
     def about(self, language: str) -> About | None:
         """Title, description and task; None for a world file without a file of words."""
@@ -123,7 +125,7 @@ class Site:
         from pathlib import Path
 
         self.world = world
-        self.text = ""
+        self.text = world.text
         """What its file would be; empty while nothing was changed."""
         self.is_saved = True
         self.path = None if world.ships else Path(world.path)
@@ -193,9 +195,7 @@ def world_of(found: Challenge, words: Words, folders: tuple[str, ...] = ()) -> C
     from donnie_tui.core.goals import unknown_things
     from worlds.challenges import BadChallenge
 
-    world = choose_world(found.world, words, folders)
-    if not world.scene.robots:
-        raise Unusable(words("world-without-robot", name=world.name))
+    world = inhabited_world(found.world, words, folders)
     room = inventory_of(world.scene)
     for unknown in unknown_things(found, room):
         called = (each.names for each in room.items)
@@ -276,6 +276,51 @@ def _load(path: str, words: Words, folders: tuple[str, ...]) -> Scene:
         return load_world(Path(path), allowed=allowed_folders(folders))
     except WorldError as error:
         raise Unusable(world_mistake(error, words)) from None
+
+
+def with_robot(world: ChosenWorld, words: Words, folders: tuple[Path, ...]) -> ChosenWorld:
+    """The world itself if it has a robot, else with a Donnie in it, facing north. Raises ``Unusable``.
+
+    The same world always gets it in the same place, so that a recording can be run again. ``folders``: those
+    from which its files may include others.
+    """
+    if world.scene.robots:
+        return world
+
+    from pathlib import Path
+
+    from donnie_tui.core.program_files import DocumentError, read_program
+    from sim.parts import free_place
+    from sim.worldfile import WorldError, load_text
+
+    x, y = free_place(world.scene)
+    line = f'include "donnie.inc"\ndonnie( name "donnie" pose [ {x * STEP:.2f} {y * STEP:.2f} 0 90 ] )'
+    try:
+        text = f"{read_program(Path(world.path)).rstrip()}\n\n{line}\n"
+        scene = load_text(text, Path(world.path), allowed=folders)
+    except (DocumentError, WorldError):
+        scene, text = world.scene, ""
+    if not scene.robots or _is_in_other_units(scene):
+        raise Unusable(words("world-without-robot", name=world.name))
+    return replace(world, scene=scene, text=text)
+
+
+def inhabited_world(name_or_file: str, words: Words, folders: tuple[str, ...] = ()) -> ChosenWorld:
+    """The world of ``--world``, with a Donnie if it has no robot. Raises ``Unusable``."""
+    return with_robot(choose_world(name_or_file, words, folders), words, allowed_folders(folders))
+
+
+def robot_put_in(world: ChosenWorld, words: Words) -> tuple[str, ...]:
+    """The sentence that a Donnie was put in, if it was."""
+    place = world.start()
+    values = {"name": world.name, "x": round(place.x), "y": round(place.y)}
+    return (words("world-robot-put-in", **values),) if world.text else ()
+
+
+def _is_in_other_units(scene: Scene) -> bool:
+    """Whether Donnie, who is written in metres and degrees, has another size or direction there."""
+    settings = scene.settings
+    return settings.get("unit_length", "m") != "m" or settings.get("unit_angle", "degrees") != "degrees"
 
 
 def allowed_folders(folders: tuple[str, ...]) -> tuple[Path, ...]:

@@ -14,7 +14,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path, PurePosixPath
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING
 
 from msgspec import Struct, ValidationError, convert
 from msgspec.structs import replace
@@ -26,11 +25,7 @@ from donnie_tui.i18n.mistakes import world_mistake
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.process.confinement import confinement, make_folder, open_bytes
 from donnie_tui.settings.settings import Settings
-from donnie_tui.world.loading import ChosenWorld
-
-if TYPE_CHECKING:
-    from sim.scene import Scene
-
+from donnie_tui.world.loading import ChosenWorld, with_robot
 
 LARGEST = 32 * 1024 * 1024
 """Bytes of all files together; a world with two large pictures has a tenth of it."""
@@ -189,7 +184,7 @@ def unpacked(header: Header, words: Words) -> Iterator[ChosenWorld]:
             main, folders = unpack(bundle, Path(folder))
         except BundleError as error:
             raise Unusable(words(error.code, **error.values)) from None
-        yield ChosenWorld(bundle.name, str(main), _loaded(bundle, main, folders, words), _ships(bundle))
+        yield _loaded(bundle, main, folders, words)
 
 
 def _place_for_unpacking() -> str | None:
@@ -201,17 +196,19 @@ def _place_for_unpacking() -> str | None:
     return limits.own_folder
 
 
-def _loaded(bundle: WorldBundle, main: Path, folders: tuple[Path, ...], words: Words) -> Scene:
+def _loaded(bundle: WorldBundle, main: Path, folders: tuple[Path, ...], words: Words) -> ChosenWorld:
     from sim.worldfile import WorldError, load_world
 
     try:
         scene = load_world(main, allowed=folders)
     except WorldError as error:
         raise Unusable(world_mistake(error, words)) from None
+    world = ChosenWorld(bundle.name, str(main), scene, _ships(bundle))
+    scene = (world := with_robot(world, words, folders)).scene
     offered = tuple(index for index in scene.robots if scene.models[index].spoken_name in bundle.robots)
     if not offered:
         raise Unusable(words("world-without-robot", name=bundle.name))
-    return replace(scene, robots=offered)
+    return replace(world, scene=replace(scene, robots=offered))
 
 
 def _ships(bundle: WorldBundle) -> bool:

@@ -117,3 +117,9 @@ async def test_robots_are_described_and_listed_to_choose_from(open_screen):
         await screen.shows("bob: 0, 30, facing south.")
         await screen.press("down", "enter")
         await screen.shows("Now you talk to bob.")
+
+
+async def test_a_world_without_a_robot_gets_a_donnie_and_the_log_says_so(open_screen) -> None:  # type: ignore[no-untyped-def]
+    async with open_screen(world="empty") as screen:
+        await screen.shows("The world empty has no robot, so I put Donnie in, at")
+        await screen.run("FW 2")

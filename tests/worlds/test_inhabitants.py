@@ -1,0 +1,89 @@
+"""A world without a robot gets a Donnie, on a free place, facing north; the session says so."""
+
+from pathlib import Path
+
+import pytest
+
+import worlds
+from devices.ports.robot import STEP, Pose
+from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.world.loading import Site, inhabited_world, robot_put_in
+from sim.geometry import overlapping
+from sim.parts import body_of, parts_of
+from sim.world import World
+from tests.unit.sim.floors import Unpaced
+
+WORDS = Words("en", "normal")
+
+
+def start(tmp_path: Path, text: str) -> Pose:
+    (tmp_path / "w.world").write_text(text, encoding="utf-8")
+    return inhabited_world(str(tmp_path / "w.world"), WORDS).start()
+
+
+@pytest.mark.parametrize(
+    ("text", "place"),
+    [
+        ("", (0, 0)),
+        # 2 m to the east: nothing is near 0, 0
+        ("model( pose [ 2 0 0 0 ] )", (0, 0)),
+        # a box of 0.4 m on 0, 0: 0.2 m and the room of 0.5 m are 14 steps; north comes first
+        ("model( size [ 0.4 0.4 1 ] )", (0, 14)),
+        # floor from x = 4 to 6 m and from y = 4 to 6 m, without 0, 0
+        (
+            "".join(
+                f"model( pose [ {x} {y} 0 0 ] size [ {w} {h} 1 ] )\n"
+                for x, y, w, h in ((4, 5, 0.1, 2), (6, 5, 0.1, 2), (5, 4, 2, 0.1), (5, 6, 2, 0.1))
+            ),
+            (100, 100),
+        ),
+    ],
+    ids=["nothing", "far", "a box in the middle", "walls elsewhere"],
+)
+def test_the_donnie_stands_at_the_free_place_that_is_nearest(
+    tmp_path: Path, text: str, place: tuple[int, int]
+) -> None:
+    found = start(tmp_path, text)
+
+    assert (found.x, found.y, found.heading) == (*place, 0)
+
+
+@pytest.mark.parametrize("name", ["empty", "helloworld"])
+def test_it_touches_nothing_in_the_worlds_of_the_manual_and_can_walk(name: str) -> None:
+    scene = inhabited_world(name, WORDS).scene
+    (index,) = scene.robots
+    mine = [part.points for part in parts_of(scene) if part.root == index]
+    others = [part.points for part in parts_of(scene) if part.root != index and part.solid]
+
+    assert body_of(scene, index).radius == pytest.approx(0.0667, abs=0.003)  # an octagon 0.128 m across
+    assert not any(overlapping(points, other) for points in mine for other in others)
+    assert World(scene).robot(pace=Unpaced()).forward(4).walked == 4
+
+
+def test_a_world_with_a_robot_stays_as_it_is() -> None:
+    found = inhabited_world("living_room", WORDS)
+
+    assert (found.text, robot_put_in(found, WORDS)) == ("", ())
+
+
+def test_the_session_says_it_and_saving_the_world_would_keep_the_donnie(tmp_path: Path) -> None:
+    (tmp_path / "w.world").write_text("model( pose [ 0 0 0 0 ] size [ 0.4 0.4 1 ] )", encoding="utf-8")
+    found = inhabited_world(str(tmp_path / "w.world"), WORDS)
+
+    assert robot_put_in(found, WORDS) == ("The world w.world has no robot, so I put Donnie in, at 0, 14.",)
+    (tmp_path / "saved.world").write_text(Site(found).text, encoding="utf-8")
+    saved = inhabited_world(str(tmp_path / "saved.world"), WORDS)
+    assert (saved.text, saved.start().y * STEP) == ("", pytest.approx(0.7))
+
+
+def test_a_world_in_centimetres_has_no_donnie_written_in_metres(tmp_path: Path) -> None:
+    with pytest.raises(Unusable) as problem:
+        start(tmp_path, 'unit_length "cm"\nmodel( size [ 40 40 100 ] )')
+
+    assert str(problem.value) == "The world w.world has no robot with sensors."
+
+
+def test_the_worlds_that_ship_without_a_robot_are_those_two() -> None:
+    put_in = [name for name in worlds.names() if inhabited_world(name, WORDS).text]
+
+    assert put_in == ["empty", "helloworld"]
