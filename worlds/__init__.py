@@ -2,6 +2,7 @@
 
 Data only: reading a world's file is the simulator's business. ``scenes`` holds the scenarios, ``manual`` the
 worlds of the manual's chapter on world files, step by step. The words are read in ``worlds.words``.
+``examples`` holds programs to begin with, in English words and without a sentence in any language.
 """
 
 from __future__ import annotations
@@ -13,6 +14,9 @@ SCENES = f"{_HERE}/scenes"
 """The folder with the world files of the scenarios and what they include."""
 MANUAL = f"{_HERE}/manual"
 """The folder with the worlds of the manual."""
+
+EXAMPLES = ("square", "until_the_wall", "countdown", "turn_or_walk", "spiral", "rectangle", "blue_things")
+"""The names of the example programs, easy ones first."""
 
 WORLD = ".world"
 _ORDER = (
@@ -45,3 +49,9 @@ def path(name: str) -> str:
         if name in _names_in(folder):
             return f"{folder}/{name}{WORLD}"
     raise KeyError(name)
+
+
+def example(name: str) -> str:
+    """The text of an example program."""
+    with open(f"{_HERE}/examples/{name}.gd", encoding="utf-8") as file:  # noqa: PTH123 -- as above
+        return file.read()

@@ -1,4 +1,4 @@
-"""OPEN, SAVE, SAVE AS, NEW, RECOVER, RECENT, PROGRAMS, SAVE LOG, REPORT: programs and pages in files.
+"""OPEN, EXAMPLES, SAVE, SAVE AS, NEW, RECOVER, RECENT, PROGRAMS, SAVE LOG, REPORT: programs, files, pages.
 
 No typed line is lost without a question. Reading and writing happen in the background: a slow disk delays
 nothing else, and what is being saved is saved to its end, whatever is asked meanwhile.
@@ -10,6 +10,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from donnie_tui.commands.arguments import read_count
 from donnie_tui.commands.declarations import COMMANDS
 from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import GivenUp, NotUnderstood, Option
@@ -103,6 +104,30 @@ async def compare_with_file(ctx: Context) -> None:
         saved = await ctx.interaction.background(lambda: saved_text(path), slow)
         if document.path == path:
             document.mark_saved(path, saved)
+
+
+@handles("examples")
+async def examples(ctx: Context, argument: str) -> None:
+    """The example programs in the learner's words, to choose one; or one of them by its number."""
+    from language.formatter import formatted
+    from worlds import EXAMPLES, example
+
+    words, chosen = ctx.words, ""
+    titles = {name: words(f"example-{name}") for name in EXAMPLES}
+    if argument:
+        number = read_count(argument, 1)
+        chosen = dict(enumerate(titles, 1)).get(number, "")
+        if not chosen:
+            raise NotUnderstood
+    else:
+        numbered = list(enumerate(titles.items(), 1))
+        options = [Option(name, title, number=number) for number, (name, title) in numbered]
+        printed = [words("numbered-line", line=number, text=title) for number, (_, title) in numbered]
+        chosen = await ctx.interaction.choose(words("ask-examples"), options, printed) or ""
+    if chosen and await may_lose_text(ctx):
+        text = formatted(example(chosen), words.language).text or ""
+        ctx.workspace.replace(text, None)
+        ctx.answer("answer-opened", name=titles[chosen], lines=len(ctx.program.lines))
 
 
 @handles("new")

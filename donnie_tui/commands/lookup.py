@@ -94,7 +94,7 @@ def _folded(word: str) -> str:
 
 LINE_WORDS = {
     word.casefold(): name
-    for name in ("linear", "help", "tour", "recover", "quit")
+    for name in ("linear", "help", "tour", "examples", "challenge", "recover", "quit")
     for language in languages()
     for word in words_of(name, language)
 }

@@ -19,6 +19,7 @@ from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.wording import shown_name
 from donnie_tui.core.workspace import Workspace
 from donnie_tui.settings.settings import speed_words
+from donnie_tui.tui.environment import first_steps
 from donnie_tui.tui.event_queue import EventBatch
 from donnie_tui.tui.pane_text import (
     VariableChanges,
@@ -43,6 +44,8 @@ _OFFERED = {
     RunState.STOPPING: ("help", "quit"),
 }
 """The keys that the bottom line shows, by what the program does; what there is no room for goes last."""
+_OFFERED_FIRST = ("run", "help", "examples", "challenge", "quit", "open", "show_variables")
+"""The same while the program is empty."""
 
 
 class Display:
@@ -209,7 +212,11 @@ class Display:
         self._show_marks()
         self.say_status()
         self._show_inspector()
-        offered = (name for name in _OFFERED[self._runs.state] if self._table.of(name))
+
+    def _offer_keys(self) -> None:
+        is_beginning = self._runs.state is RunState.READY and not self._place.editor.text
+        names = _OFFERED_FIRST if is_beginning else _OFFERED[self._runs.state]
+        offered = (name for name in names if self._table.of(name))
         everything = f"{key_label(PALETTE, self._words.language)} {self._words('key-all')}"
         self._place.keys.offer([*((name, self._key_entry(name)) for name in offered), (PALETTE, everything)])
 
@@ -218,10 +225,17 @@ class Display:
         return f"{self._table.label(name, self._words.language)} {self._words(f'key-{shown_as}')}"
 
     def show_titles(self) -> None:
+        """The name of the program, how to begin an empty one, and the keys that fit."""
         document = self._workspace.document
         name = document.path.name if document.path else self._words("new-program")
         code = "pane-program" if document.is_saved else "pane-program-changed"
-        self._place.program_pane.entitle(self._with_robot(self._words(code, name=name)))
+        title, steps = first_steps(self._words.language, self._table)
+        is_beginning = self._place.is_small and document.path is None and not self._place.editor.text
+        self._place.editor.show_first_steps(steps)
+        self._place.program_pane.entitle(
+            title if is_beginning else self._with_robot(self._words(code, name=name))
+        )
+        self._offer_keys()
 
     def _show_marks(self) -> None:
         lines = [frame.line for frame in self._program_frames()]
@@ -283,6 +297,7 @@ class Display:
         """The focus or the cursor is elsewhere: the last answer is read by then."""
         if self._has_acted:
             self._answer = ""
+        self.show_titles()
         self.say_status()
 
     @property

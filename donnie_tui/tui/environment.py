@@ -12,6 +12,8 @@ import sys
 from collections.abc import Mapping, MutableMapping, Sequence
 from functools import cache
 
+from donnie_tui.commands.keys import KeyTable
+from donnie_tui.i18n.first_words import early
 from donnie_tui.process.confinement import may_run_programs
 from donnie_tui.settings.settings import Settings
 
@@ -42,6 +44,19 @@ def is_plain(settings: Settings) -> bool:
     if settings.plain is not None:
         return settings.plain
     return _screen_reader_runs()
+
+
+def first_steps(language: str, key_table: KeyTable) -> tuple[str, tuple[str, ...]]:
+    """How to begin: a title for an empty program on a small screen, and what is written in the program."""
+    title = with_keys("screen-start-small-page" if is_page() else "screen-start-small", language, key_table)
+    return title, tuple(early(f"screen-empty-{number}", language) for number in (1, 2, 3))
+
+
+def with_keys(code: str, language: str, key_table: KeyTable) -> str:
+    """A sentence of the start that names the keys of RUN and HELP, or their words."""
+    named = (("run", "RUN"), ("help", "HELP"))
+    keys = {name: key_table.label(name, language) or word for name, word in named}
+    return early(code, language).format(**keys)
 
 
 def may_need_linear(environment: Mapping[str, str] = os.environ) -> bool:

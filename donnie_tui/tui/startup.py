@@ -19,7 +19,7 @@ from donnie_tui.i18n.first_words import early
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.parsing import SERIAL
 from donnie_tui.settings.settings import Settings
-from donnie_tui.tui.environment import is_page
+from donnie_tui.tui.environment import first_steps, is_page, with_keys
 from donnie_tui.tui.screens.main_screen import MainScreen
 
 if TYPE_CHECKING:
@@ -154,9 +154,11 @@ class Startup:
             place.log_rows.looks.update(restored.looks)
             place.log_lines(restored.log)
             return
-        named = (("run", "RUN"), ("help", "HELP"))
-        keys = {name: key_table.label(name, language) or word for name, word in named}
-        about_keys = early("screen-start-keys", language).format(**keys)
+        title, steps = first_steps(language, key_table)
+        place.editor.show_first_steps(steps)
+        if place.is_small:
+            place.program_pane.entitle(title)
+        about_keys = with_keys("screen-start-keys", language, key_table)
         self._greeting = (early("screen-start-page" if is_page() else "screen-start", language), about_keys)
         place.log_lines((line, "") for line in self._greeting)
 

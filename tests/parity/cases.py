@@ -22,7 +22,7 @@ WRONG = "VAR a = 3\nFWD 1\nTR 10\nBKK 2\n"
 """One with two mistakes of form."""
 
 IDLE, RUNNING, HELD = "idle", "running", "held"
-SITUATIONS = {IDLE: ("AGAIN",), RUNNING: ("START",), HELD: ("BREAK 5", "AGAIN")}
+SITUATIONS = {IDLE: ("AGAIN",), RUNNING: ("READ 1", "START"), HELD: ("BREAK 5", "AGAIN")}
 """The lines that reach each situation. A program that was STARTed runs in the background."""
 
 ARGUMENTS = {
@@ -123,8 +123,8 @@ _ALONE = _listed(
 )
 """Words that run something or end something: each has a session of its own where it can be understood."""
 _ALONE_WITH = _listed(
-    "CHANGE 2 REPEAT 3 TIMES, DELETE, DELETE 2, DELETE 2 3, FORMAT, INSERT 2 SPEAK 1, MOVE 5 1, MOVE 5 6 "
-    "1, NEW, OPEN kept.gd, REMOVE, TRANSLATE pt, WORLD open_floor, WORLDS open_floor"
+    "CHANGE 2 REPEAT 3 TIMES, DELETE, DELETE 2, DELETE 2 3, EXAMPLES 2, FORMAT, INSERT 2 SPEAK 1, MOVE 5 1, "
+    "MOVE 5 6 1, NEW, OPEN kept.gd, REMOVE, TRANSLATE pt, WORLD open_floor, WORLDS open_floor"
 )
 """The same for words with these arguments."""
 

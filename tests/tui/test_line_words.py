@@ -120,3 +120,32 @@ async def test_last_says_the_whole_answer_again_and_the_one_before_it(open_scree
             )
         await screen.type_line("LAST WORD")
         await screen.shows("y, e, t.")
+
+
+async def test_an_empty_program_says_how_to_begin_until_something_is_typed(open_screen):
+    async with open_screen(size=(40, 12)) as screen:
+        await screen.painted()
+        first = screen.text.splitlines()
+        assert first[0] == ">F5 runs. F1 helps. LINEAR: text only"
+        assert first[2] == "     For example: FW 3 TR 90 FW 2"
+
+        await screen.press("f")
+        await screen.until(lambda: "new program" in screen.text, "the title")
+        assert "For example" not in screen.text
+        await screen.press("backspace")
+        await screen.until(lambda: "For example" in screen.text, "how to begin")
+
+
+async def test_the_plain_layout_shows_nothing_in_an_empty_program(open_screen):
+    async with open_screen(plain=True) as screen:
+        await screen.painted()
+        assert "For example" not in screen.text
+
+
+async def test_an_example_is_opened_from_the_empty_program_by_its_word(open_screen):
+    async with open_screen() as screen:
+        await screen.press(*"examples", "enter")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the list")
+        await screen.press("down", "enter")
+        await screen.shows("Opened Up to the wall, 4 lines.")
+        assert screen.main.editor.text.startswith("WHILE DISTANCE F > 3 DO")

@@ -87,3 +87,15 @@ async def test_a_click_chooses_a_world(open_screen):
         await screen.until(lambda: chosen, "the choice")
 
         assert chosen == ["corridor"]
+
+
+async def test_examples_and_challenges_are_a_click_away_from_an_empty_program(open_screen):
+    async with open_screen() as screen:
+        keys = screen.main.keys
+        assert "Challenges" in keys.words
+        await screen.pilot.click(keys, offset=Offset(keys.words.index("Examples"), 0))
+        await screen.until(lambda: screen.app.screen is not screen.main, "the list")
+        await screen.painted()
+        await screen.pilot.click(offset=(3, 2))
+        await screen.shows("Opened A square, 4 lines.")
+        await screen.until(lambda: "Examples" not in keys.words, "the keys of a program")

@@ -83,7 +83,16 @@ def same(snapshot: SnapshotAssertion):
     return compare
 
 
-@looks()
+ALL_SIZES = [(40, 12), SMALL, LARGE, (200, 60)]
+ALL_THEMES = [
+    pytest.param("donnie-dark", id="dark"),
+    pytest.param("donnie-light", id="light", marks=pytest.mark.slow),
+    pytest.param(CONTRAST, id="contrast", marks=pytest.mark.slow),
+]
+
+
+@pytest.mark.parametrize("size", ALL_SIZES, ids=by_size)
+@pytest.mark.parametrize("theme", ALL_THEMES)
 async def test_the_start(open_screen, same, theme, size):
     async with open_screen(size=size, world="living_room") as screen:
         screen.app.theme = theme
@@ -233,14 +242,6 @@ async def test_the_map_with_names_rays_and_coordinates(open_screen, same, theme,
         await screen.press("ctrl+k", "n")
         await screen.until(lambda: "Map," in screen.status, "the finger")
         await same(screen)
-
-
-ALL_SIZES = [(40, 12), SMALL, LARGE, (200, 60)]
-ALL_THEMES = [
-    pytest.param("donnie-dark", id="dark"),
-    pytest.param("donnie-light", id="light", marks=pytest.mark.slow),
-    pytest.param(CONTRAST, id="contrast", marks=pytest.mark.slow),
-]
 
 
 @pytest.mark.parametrize("size", ALL_SIZES, ids=by_size)

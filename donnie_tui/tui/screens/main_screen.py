@@ -134,6 +134,11 @@ class MainScreen(Screen[None]):
         """One column without decoration, for those who listen; the map and the variables by themselves."""
         return self.has_class("-plain")
 
+    @property
+    def is_small(self) -> bool:
+        """Whether one pane is seen at a time."""
+        return self.has_class("-one-pane")
+
     def set_plain(self, plain: bool) -> None:
         self.set_class(plain, "-plain")
         self.editor.show_line_numbers = not plain
@@ -203,6 +208,7 @@ class MainScreen(Screen[None]):
             self._inspect(self.inspector.has_focus)
         self._arrange()
         self._give_room()
+        self.post_message(self.Looked())
 
     def _show_pane(self, pane: Pane) -> None:
         if pane is self.map_pane:

@@ -86,6 +86,8 @@ class Editor(TextArea):
         self._breakpoints: frozenset[int] = frozenset()
         self.complete: Callable[[str, int], Completion] | None = None
         """What may stand at an offset of the text; None where nothing is to be offered."""
+        self.first_steps: tuple[str, ...] = ()
+        """What an empty program shows faintly below its first line, which stays free for typing."""
         self.next_line: Callable[[Sequence[str], int], NextLine] | None = None
         """What Enter at the end of a row writes; None, or without line numbers: only a new line."""
 
@@ -224,8 +226,10 @@ class Editor(TextArea):
         start, end = sorted((edit.from_location, edit.to_location))
         whole_lines = start[1] == end[1] == 0
         first, last = (start[0], end[0]) if whole_lines else (start[0] + 1, end[0] + 1)
-        before = self.document.line_count
+        before, was_empty = self.document.line_count, not self.text
         result = super().edit(edit)
+        if was_empty != (not self.text):
+            self._refresh_first_steps()
         self._shift_breakpoints(first, last, self.document.line_count - before)
         return result
 
@@ -251,6 +255,15 @@ class Editor(TextArea):
         """Lines after ``last`` have moved; what is after ``first`` up to there is gone."""
         if added and self.breakpoints:
             self.breakpoints = shifted(self.breakpoints, first, last, added)
+
+    def show_first_steps(self, lines: tuple[str, ...]) -> None:
+        """Show these lines in an empty program."""
+        if lines != self.first_steps:
+            self.first_steps = lines
+            self._refresh_first_steps()
+
+    def _refresh_first_steps(self) -> None:
+        self.refresh(Region(0, 1, self.size.width, max(1, len(self.first_steps))))
 
     def change_lines(self, lines: Sequence[str]) -> None:
         """Change the text into these lines, as one edit of no more than what differs."""
@@ -374,6 +387,8 @@ class Editor(TextArea):
 
     def render_line(self, y: int) -> Strip:
         strip = self._with_selection(self._with_gutter(super().render_line(y)), y)
+        if y and self.first_steps and self.show_line_numbers and not self.text:
+            return self._with_first_step(strip, y - 1)
         line, is_first, is_last = self._line_at(y)
         if line and is_last and line in self._notes:
             strip = self._with_note(strip, self._notes[line])
@@ -382,6 +397,14 @@ class Editor(TextArea):
             return strip
         style = next(iter(strip)).style or Style()
         return Strip.join([Strip([Segment(marks, style + Style(bold=True))]), strip.crop(MARKS)])
+
+    def _with_first_step(self, strip: Strip, row: int) -> Strip:
+        """In italics too, which no line of a program is in all its words."""
+        if row >= len(self.first_steps):
+            return strip
+        style = self.rich_style + themes.looks(self.app.theme)["kind"]
+        words = f"{' ' * self.gutter_width}{self.first_steps[row]}"
+        return Strip([Segment(words, style)]).crop_extend(0, self.size.width, self.rich_style)
 
     def _with_gutter(self, strip: Strip) -> Strip:
         """Textual has columns for numbers only where there are numbers; the marks want theirs everywhere."""

@@ -8,7 +8,9 @@ from pathlib import Path
 
 import pytest
 
+from donnie_tui.commands.lookup import words_of
 from tests.unit.commands.scripted import Script
+from worlds import EXAMPLES
 
 OpenScript = Callable[..., Script]
 
@@ -216,3 +218,37 @@ def test_the_log_replaces_a_file_only_after_a_yes(open_script: OpenScript, walk:
 
     script.type("SAVE LOG walk.gd")
     assert "I walked 1 step forward." in walk.read_text(encoding="utf-8")
+
+
+# --- examples
+
+
+def test_an_example_is_chosen_from_a_list_and_written_in_the_learners_words(open_script: OpenScript) -> None:
+    script = open_script(answers=["square"], language="pt")
+
+    assert script.answers_to("EXEMPLOS")[-1] == "Abri Um quadrado, 4 linhas."
+
+    assert script.ctx.program.text == "REPITA 4 VEZES\n  PF 3\n  GD 90\nFIM REPITA\n"
+    assert script.ctx.program.path is None
+
+
+def test_an_example_is_opened_by_its_number(open_script: OpenScript) -> None:
+    script = open_script()
+
+    assert script.answers_to("EXAMPLES 2") == ["Opened Up to the wall, 4 lines."]
+    assert script.answers_to("EXAMPLES 99") == ["I did not understand. Type EXAMPLES 2."]
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+@pytest.mark.parametrize("language", ["en", "pt", "es"])
+def test_each_example_runs_in_the_first_room_without_a_mistake(
+    open_script: OpenScript, name: str, language: str
+) -> None:
+    script = open_script(answers=[name], language=language, world="first_room")
+    script.type(words_of("examples", language)[0])
+
+    script.type(words_of("run", language)[0])
+    script.rest()
+
+    assert script.ctx.program.lines
+    assert script.ctx.errors.all == ()

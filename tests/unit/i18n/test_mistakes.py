@@ -82,7 +82,7 @@ def test_a_mistake_of_form_has_a_sentence_and_a_hint(source: str, message: str, 
     ("language", "message", "hint"),
     [
         ("pt", "REPITA não tem FIM REPITA.", "Escreva FIM REPITA onde o bloco acaba."),
-        ("es", "REPETIR no tiene FIN REPETIR.", "Escribe FIN REPETIR donde acaba el bloque."),
+        ("es", "REPETIR no tiene FIN REPETIR.", "Escribe FIN REPETIR donde termina."),
     ],
 )
 def test_words_of_godonnie_are_in_the_learners_language(language: str, message: str, hint: str) -> None:

@@ -1,0 +1,6 @@
+VAR blue = 0
+REPEAT 4 TIMES
+  blue = COLOR BLUE
+  SPEAK blue
+  TR 90
+END REPEAT

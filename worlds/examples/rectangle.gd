@@ -1,0 +1,9 @@
+PROCEDURE RECTANGLE: base, height DO
+  REPEAT 2 TIMES
+    FW base
+    TR 90
+    FW height
+    TR 90
+  END REPEAT
+END PROCEDURE
+RECTANGLE [5, 3]
