@@ -52,12 +52,12 @@ from tests.properties import test_language_garbage as garbage
 from tests.properties.random_programs import ProgramWriter, mixed
 from tests.properties.test_language_compiler import compare
 from tests.sessions.command import QUIET, donnie
+from tests.tools import fuzz_files
+from tests.tools.fuzz_files import Input
 from tests.worlds import test_garbage as damaged_worlds
 
 if TYPE_CHECKING:
     from donnie_tui.core.events import Stamped
-
-Input = str | bytes
 
 FOLDER = ROOT / ".fuzz"
 LONGEST_SHOWN = 2000
@@ -416,6 +416,11 @@ KINDS: dict[str, Kind] = {
     "recordings": Kind(_damaged_recording, _check_recording),
     "sessions": Kind(_session, _check_session, 30.0, share=1 / _LINES),
     "serial": Kind(_serial, _check_serial),
+    "challenges": Kind(fuzz_files.make_challenge, fuzz_files.check_challenge),
+    "settings": Kind(fuzz_files.make_settings, fuzz_files.check_settings),
+    "translations": Kind(fuzz_files.make_translation, fuzz_files.check_translation),
+    "pictures": Kind(fuzz_files.make_picture, fuzz_files.check_picture),
+    "messages": Kind(fuzz_files.make_messages, fuzz_files.check_messages),
 }
 
 
