@@ -1,7 +1,8 @@
 """``donnie doctor``: what works, what was chosen and why, and how to repair the rest, a line each.
 
-It checks packages, terminal, screen reader, speech, sound, serial ports and settings, and changes nothing. A
-finding is a code with values; a finding that is not well has a remedy, the sentence ``CODE-remedy``.
+It checks packages, terminal, screen reader, speech, sound, serial ports, camera and settings, and changes
+nothing. A finding is a code with values. One that is not well has a remedy: the sentence ``CODE-remedy``,
+unless it names another.
 """
 
 from __future__ import annotations
@@ -31,6 +32,7 @@ from donnie_tui.outlets.audible import spoken_languages, wants_cues
 from donnie_tui.process.confinement import confinement
 from donnie_tui.settings.folders import own_sounds, settings_file
 from donnie_tui.settings.settings import KEYS, Settings, SettingSource
+from language import keywords
 from language.locales import languages
 
 if TYPE_CHECKING:
@@ -68,6 +70,8 @@ class Finding(Struct, frozen=True):
     code: str
     values: Mapping[str, object] = field(default_factory=dict)
     is_well: bool = True
+    remedy: str = ""
+    """The code of the remedy, where it is another."""
 
 
 def well(code: str, **values: object) -> Finding:
@@ -92,6 +96,7 @@ def examine(
     yield from look_at_ports()
     yield from look_at_chosen_ports(settings)
     yield from look_at_reset(settings)
+    yield from look_at_camera(settings)
     yield from look_at_settings(settings, environment)
 
 
@@ -272,6 +277,28 @@ def look_at_reset(settings: Settings, reset: Callable[[str, str], object] | None
         yield amiss(f"doctor-reset-{fault.value}", pin=line.pin)
 
 
+def look_at_camera(settings: Settings) -> Iterator[Finding]:
+    """Whether the camera of the settings gives a picture, and the colours that are looked for in it."""
+    from devices.ports.robot import RobotProblem
+    from donnie_tui.robot.connection import make_camera
+
+    camera = make_camera(settings)
+    if camera is None:
+        return
+    try:
+        camera.look(camera.directions()[0])
+    except RobotProblem as problem:
+        remedy = "doctor-opencv-remedy" if problem.code == "no-opencv" else "doctor-camera-remedy"
+        yield Finding(f"problem-{problem.code}", problem.values, is_well=False, remedy=remedy)
+    else:
+        named = [
+            keywords.argument_spelling(each, settings.language).lower() for each in sorted(camera.colours)
+        ]
+        yield well("doctor-camera", camera=settings.camera, colours=", ".join(named))
+    finally:
+        camera.close()
+
+
 # --- settings
 
 
@@ -321,5 +348,5 @@ def _lines(finding: Finding, words: Words) -> tuple[str, ...]:
     text = words(finding.code, **finding.values)
     if finding.is_well:
         return (text,)
-    remedy = words(f"{finding.code}-remedy", **finding.values)
+    remedy = words(finding.remedy or f"{finding.code}-remedy", **finding.values)
     return words("doctor-problem", text=text), words("doctor-remedy", text=remedy)

@@ -20,6 +20,7 @@ from devices.serial_ports.reset import GpioReset, PinFault
 from donnie_tui.cli import doctor
 from donnie_tui.cli.doctor import (
     Finding,
+    look_at_camera,
     look_at_chosen_ports,
     look_at_packages,
     look_at_ports,
@@ -31,6 +32,7 @@ from donnie_tui.cli.doctor import (
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.settings import Settings, resolve
 from tests.unit.audio.known_environment import KnownEnvironment
+from tests.unit.devices.pictures import GREEN, drawn, save
 from tests.unit.i18n.sentences import CODES
 
 YES_NO = (False, True)
@@ -193,3 +195,42 @@ def test_the_doctor_changes_no_file_of_donnie() -> None:
     before = dict(os.environ)
     list(look_at_packages())
     assert dict(os.environ) == before
+
+
+# --- the camera
+
+
+def printed(finding: Finding) -> tuple[str, ...]:
+    return doctor._lines(finding, Words())
+
+
+def test_without_a_camera_nothing_is_said_of_it() -> None:
+    assert list(look_at_camera(Settings())) == []
+
+
+def test_a_camera_that_gives_a_picture_is_well(tmp_path: Path) -> None:
+    save(tmp_path, {"seen.png": drawn((10, 10, 60, 60, GREEN))})
+    (finding,) = look_at_camera(Settings(camera=str(tmp_path / "seen.png")))
+
+    assert finding.is_well
+    (line,) = printed(finding)
+    assert line.startswith(f"The camera {tmp_path}/seen.png gives a picture. I look for: ")
+    assert "green" in line
+
+
+def test_a_camera_without_a_picture_is_a_problem_with_a_remedy(tmp_path: Path) -> None:
+    (finding,) = look_at_camera(Settings(camera=str(tmp_path / "missing.png")))
+
+    assert printed(finding) == (
+        f"Problem: There is no picture {tmp_path}/missing.png.",
+        "Remedy: look at its cable, and at camera in the settings. COLOR says 0.",
+    )
+
+
+def test_without_opencv_the_package_is_named(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    save(tmp_path, {"seen.png": drawn((10, 10, 60, 60, GREEN))})
+    monkeypatch.setitem(sys.modules, "cv2", None)
+    (finding,) = look_at_camera(Settings(camera=str(tmp_path / "seen.png")))
+
+    assert 'pip install "donnie-tui[camera]"' in printed(finding)[0]
+    assert printed(finding)[1] == "Remedy: until then COLOR says 0 on the real robot."
