@@ -2,7 +2,8 @@
 
 Only this module and ``rays`` know pymunk. A ray of pymunk's with a radius can't be trusted: its trees are
 searched with the thin ray (measured: two of three thick rays through a field of boxes missed). So a sweep
-asks for a box of candidates, and the quick test for a free way sends a thin ray through a thickened layer.
+asks ``index`` for a box of candidates, and the quick test for a free way sends a thin ray through a thickened
+layer.
 
 The ground decides where movable parts are and which robot holds what, and owns the lock for all of this. A
 layer is built from the parts at the start and then moved, so it is the same whenever it is built.
@@ -19,6 +20,7 @@ from weakref import WeakSet
 import pymunk
 
 from sim.geometry import Placement, Point, contains, edges, is_convex, placed, signed_area
+from sim.index import MovingRoots, StillParts, entries_of
 from sim.parts import BODY, RANGED, SIGHT, Part, parts_of
 from sim.rays import Hit, Rays
 from sim.scene import Scene
@@ -41,11 +43,6 @@ class Layer:
         self._bodies = {root: self._moving_body() for root in movable}
         for part in parts:
             self._add(part)
-
-    def within(self, left: float, bottom: float, right: float, top: float) -> set[int]:
-        """All parts that come into a box, and perhaps some more."""
-        found = self._space.bb_query(pymunk.BB(left, bottom, right, top), _ANY)
-        return {self._rank_of[shape] for shape in found}
 
     def first_hits(
         self, x: float, y: float, ends: Sequence[Point], group: int, category: int, but: frozenset[int]
@@ -110,7 +107,6 @@ class Layer:
             self._space.add(shape)
 
 
-_ANY = pymunk.ShapeFilter()
 _ALIVE: WeakSet[Layer] = WeakSet()
 
 
@@ -152,6 +148,19 @@ class Layout:
         for part in self.at_start:
             if part.root in self._ranks:
                 self._ranks[part.root].append(part.rank)
+        self._still = StillParts([part for part in self.at_start if part.root not in start])
+        at_start = {root: [self.at_start[rank] for rank in ranks] for root, ranks in self._ranks.items()}
+        self._moving = MovingRoots(at_start, start)
+        self._entries = {
+            root: [entry for part in parts for entry in entries_of(part)] for root, parts in at_start.items()
+        }
+        """Of the parts of movable roots, where these were when they were last placed."""
+        self._unplaced = set[int]()
+        """The movable roots whose parts were not placed since they moved."""
+        for root, place in now.items():
+            if place != start[root]:
+                self._moving.move(root, place)
+                self._unplaced.add(root)
         self._thin = self._made(self.at_start, 0.0)
         self._layers = {0.0: self._thin}
         for guard in guards:
@@ -167,6 +176,8 @@ class Layout:
 
     def changed(self, root: int) -> None:
         """It is elsewhere now."""
+        self._moving.move(root, self._now[root])
+        self._unplaced.add(root)
         for kept in self._layers.values():
             kept.stale.add(root)
 
@@ -177,28 +188,39 @@ class Layout:
 
     def parts(self) -> Sequence[Part]:
         """Everything, in order."""
-        self._update(self._thin, None)
+        for root in tuple(self._unplaced):
+            self._place_parts(root)
         return self._parts
 
     def parts_of(self, root: int) -> tuple[Part, ...]:
         """The parts of a movable root."""
-        self._update(self._thin, None)
+        if root in self._unplaced:
+            self._place_parts(root)
         return tuple(self._parts[rank] for rank in self._ranks[root])
 
     def within(
         self, asker: int, left: float, bottom: float, right: float, top: float, but: frozenset[int]
     ) -> list[Part]:
-        ranks = self._layer_for(asker, 0.0).within(left, bottom, right, top)
-        group, groups, parts = asker + 1, self._groups, self._parts
-        found = [parts[rank] for rank in sorted(ranks - but)]
-        return [part for part in found if groups.get(part.root, 0) != group]
+        found = self._still.within(left, bottom, right, top)
+        group, groups = asker + 1, self._groups
+        for root in self._moving.within(left, bottom, right, top):
+            if groups.get(root, 0) == group:
+                continue
+            if root in self._unplaced:
+                self._place_parts(root)
+            for its_left, its_bottom, its_right, its_top, part in self._entries[root]:
+                if its_left <= right and left <= its_right and its_bottom <= top and bottom <= its_top:
+                    found[part.rank] = part
+        if len(found) < 2:
+            return [part for rank, part in found.items() if rank not in but]
+        return [found[rank] for rank in sorted(found) if rank not in but]
 
     def first_hits(
         self, asker: int, x: float, y: float, ends: Sequence[Point], ranging: bool, but: frozenset[int]
     ) -> list[Hit[Part]]:
         category = RANGED if ranging else SIGHT
         hits = self._layer_for(asker, 0.0).first_hits(x, y, ends, asker + 1, category, but)
-        return [(None if rank is None else self._parts[rank], way) for rank, way in hits]
+        return [(None if rank is None else self._placed(rank), way) for rank, way in hits]
 
     def free_way(
         self, asker: int, x: float, y: float, end: Point, guard: float, but: frozenset[int]
@@ -229,22 +251,30 @@ class Layout:
         kept.stale.update(root for root, now in self._now.items() if now != self._start[root])
         return kept
 
-    def _update(self, kept: _Kept, asker: int | None) -> None:
+    def _update(self, kept: _Kept, asker: int) -> None:
         """Let a layer know what was moved, but for the asker itself."""
         stale = kept.stale
         if len(stale) == 1 and asker in stale:
             return
         for root in stale:
             kept.layer.move(root, self._now[root])
-            if kept is self._thin:
-                self._place_parts(root)
         stale.clear()
+
+    def _placed(self, rank: int) -> Part:
+        """That part where it is now."""
+        root = self.at_start[rank].root
+        if root in self._unplaced:
+            self._place_parts(root)
+        return self._parts[rank]
 
     def _place_parts(self, root: int) -> None:
         start, now = self._start[root], self._now[root]
+        self._unplaced.discard(root)
+        entries = self._entries[root] = []
         for rank in self._ranks[root]:
             part = self.at_start[rank]
-            self._parts[rank] = part if now == start else part.moved(start, now)
+            self._parts[rank] = part = part if now == start else part.moved(start, now)
+            entries.extend(entries_of(part))
 
 
 class _Kept:

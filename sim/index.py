@@ -1,0 +1,140 @@
+"""Which parts come into a box: squares of a grid for what lies still, circles for what may move.
+
+The grid is made once. A root that moves costs one entry in a table; its parts are placed anew only when a
+question comes near it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from math import dist, floor
+from statistics import median_low
+
+from sim.geometry import Placement, edges, is_convex, signed_area
+from sim.parts import Part
+
+Box = tuple[float, float, float, float]
+"""Left, bottom, right and top."""
+Entry = tuple[float, float, float, float, Part]
+"""A box, and the part of which it holds all or an edge."""
+
+MARGIN = 1e-9
+"""Metres by which boxes are taken larger, for what computing errs."""
+LEAST, MOST = 0.25, 2.0
+"""Metres of a square's side."""
+MOST_SQUARES = 256
+"""A part that lies in more squares than that is looked at in every question."""
+
+
+class StillParts:
+    """What never moves."""
+
+    def __init__(self, parts: Sequence[Part]) -> None:
+        self._entries = [entry for part in parts for entry in entries_of(part)]
+        self._large: list[Entry] = []
+        sizes = [max(right - left, top - bottom) for left, bottom, right, top, _ in self._entries]
+        self._side = min(MOST, max(LEAST, 2.0 * median_low(sizes))) if sizes else MOST
+        self._squares: dict[tuple[int, int], list[Entry]] = {}
+        for entry in self._entries:
+            columns, rows = self._reach(*entry[:4])
+            if len(columns) * len(rows) > MOST_SQUARES:
+                self._large.append(entry)
+                continue
+            for column in columns:
+                for row in rows:
+                    self._squares.setdefault((column, row), []).append(entry)
+
+    def within(self, left: float, bottom: float, right: float, top: float) -> dict[int, Part]:
+        """By rank, in no order."""
+        columns, rows = self._reach(left, bottom, right, top)
+        if len(columns) * len(rows) > len(self._squares):
+            return _inside(self._entries, left, bottom, right, top)
+        squares = self._squares
+        found = _inside(self._large, left, bottom, right, top) if self._large else {}
+        for column in columns:
+            for row in rows:
+                for its_left, its_bottom, its_right, its_top, part in squares.get((column, row), ()):
+                    if its_left <= right and left <= its_right and its_bottom <= top and bottom <= its_top:
+                        found[part.rank] = part
+        return found
+
+    def _reach(self, left: float, bottom: float, right: float, top: float) -> tuple[range, range]:
+        side = self._side
+        return (
+            range(floor(left / side), floor(right / side) + 1),
+            range(floor(bottom / side), floor(top / side) + 1),
+        )
+
+
+def _inside(
+    entries: Iterable[Entry], left: float, bottom: float, right: float, top: float
+) -> dict[int, Part]:
+    return {
+        part.rank: part
+        for its_left, its_bottom, its_right, its_top, part in entries
+        if its_left <= right and left <= its_right and its_bottom <= top and bottom <= its_top
+    }
+
+
+class MovingRoots:
+    """What may move: a circle around each root."""
+
+    def __init__(self, parts: Mapping[int, Sequence[Part]], now: Mapping[int, Placement]) -> None:
+        """``parts``: of each root, where it is ``now``."""
+        self._extents = {root: _extent(parts[root], place) + MARGIN for root, place in now.items()}
+        self._widest = max(self._extents.values(), default=0.0)
+        self._side = max(1.0, 2.0 * self._widest)
+        self._where: dict[int, tuple[float, float]] = {}
+        self._square_of: dict[int, tuple[int, int]] = {}
+        self._squares: dict[tuple[int, int], set[int]] = {}
+        for root, place in now.items():
+            self.move(root, place)
+
+    def move(self, root: int, now: Placement) -> None:
+        """It is there now."""
+        square = floor(now.x / self._side), floor(now.y / self._side)
+        before = self._square_of.get(root)
+        if square != before:
+            if before is not None:
+                self._squares[before].discard(root)
+            self._square_of[root] = square
+            self._squares.setdefault(square, set()).add(root)
+        self._where[root] = now.x, now.y
+
+    def within(self, left: float, bottom: float, right: float, top: float) -> Iterator[int]:
+        """The roots that may come into a box, in no order."""
+        for root in self._near(left, bottom, right, top):
+            x, y = self._where[root]
+            reach = self._extents[root]
+            if left - reach <= x <= right + reach and bottom - reach <= y <= top + reach:
+                yield root
+
+    def _near(self, left: float, bottom: float, right: float, top: float) -> Iterable[int]:
+        side, widest = self._side, self._widest
+        first, last = floor((left - widest) / side), floor((right + widest) / side)
+        lowest, highest = floor((bottom - widest) / side), floor((top + widest) / side)
+        if (last - first + 1) * (highest - lowest + 1) >= len(self._where):
+            return self._where
+        squares = self._squares
+        return [
+            root
+            for column in range(first, last + 1)
+            for row in range(lowest, highest + 1)
+            for root in squares.get((column, row), ())
+        ]
+
+
+def _extent(parts: Iterable[Part], place: Placement) -> float:
+    return max((dist(point, (place.x, place.y)) for part in parts for point in part.points), default=0.0)
+
+
+def entries_of(part: Part) -> list[Entry]:
+    """One box for a polygon that is solid for ``layout``, one for each edge of another."""
+    points = part.points
+    whole = abs(signed_area(points)) > 1e-9 and is_convex(points)
+    pieces = (points,) if whole else tuple(((ax, ay), (bx, by)) for ax, ay, bx, by in edges(points))
+    found = list[Entry]()
+    for piece in pieces:
+        xs, ys = zip(*piece, strict=True)
+        found.append((min(xs) - MARGIN, min(ys) - MARGIN, max(xs) + MARGIN, max(ys) + MARGIN, part))
+    return found
