@@ -12,6 +12,7 @@ grid's cells, so that touching the rim of a cell does not count.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from functools import lru_cache
 from math import atan2, ceil, cos, degrees, floor, hypot, inf, radians, sin, sqrt
 
 from msgspec import Struct
@@ -27,6 +28,7 @@ HAIR = 1e-9
 _QUARTERS = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))
 
 
+@lru_cache(maxsize=1024)
 def direction(angle: float) -> Point:
     """The unit vector at ``angle``; exact at multiples of 90."""
     turned = angle % 360.0
@@ -99,6 +101,28 @@ def nearest_on_edge(edge: Edge) -> Point:
     length2 = dx * dx + dy * dy
     t = 0.0 if length2 == 0.0 else min(1.0, max(0.0, -(ax * dx + ay * dy) / length2))
     return ax + t * dx, ay + t * dy
+
+
+def nearest_seen(points: Sequence[Point], x: float, y: float, facing: Point, aside: Point) -> float:
+    """``nearest_in_wedge`` of a polygon from (x, y), where the wedge's middle and half angle are directions.
+
+    The same to the last bit; this is the way of most readings.
+    """
+    (c, s), (wc, ws) = facing, aside
+    px, py = points[-1]
+    bx, by = c * (px - x) + s * (py - y), c * (py - y) - s * (px - x)
+    left_b, right_b = ws * bx - wc * by, ws * bx + wc * by
+    nearest = inf
+    for px, py in points:
+        ax, ay, left_a, right_a = bx, by, left_b, right_b
+        bx, by = c * (px - x) + s * (py - y), c * (py - y) - s * (px - x)
+        left_b, right_b = ws * bx - wc * by, ws * bx + wc * by
+        if (left_a < 0.0 and left_b < 0.0) or (right_a < 0.0 and right_b < 0.0) or (ax < 0.0 and bx < 0.0):
+            continue
+        part = _in_wedge((ax, ay, bx, by), wc, ws)
+        if part is not None:
+            nearest = min(nearest, hypot(*nearest_on_edge(part)))
+    return nearest
 
 
 def nearest_in_wedge(outline: Iterable[Edge], half_angle: float) -> float:

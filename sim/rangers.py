@@ -7,23 +7,22 @@ top it looks. Those rays are computed here, edge by edge; the fast way (``rays``
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from math import ceil, cos, dist, inf, radians
+from math import ceil, dist, inf
 from typing import TYPE_CHECKING, Protocol
 
 from msgspec import Struct
 
 from devices.ports.robot import STEP
 from sim.geometry import (
+    HAIR,
     Edge,
     Point,
     Spot,
     along,
     contains,
     direction,
-    edges,
     edges_apart,
-    nearest_in_wedge,
-    seen_from,
+    nearest_seen,
 )
 from sim.parts import Part
 from sim.scene import Gripper, RangeNoise
@@ -100,15 +99,16 @@ class Cone(Struct, frozen=True):
     def metres(self, around: Around, spot: Spot, turned: float = 0.0) -> float:
         """To the nearest thing in the cone, or infinity; the sensor turned by that many degrees."""
         place = spot.mounted(self.x, self.y, self.yaw + turned)
-        nearest = inf
+        x, y, nearest = place.x, place.y, inf
+        wedges = self._wedges(place.yaw)
         for part in self._candidates(around, place):
-            if part.reach + min(nearest, self.maximum) < dist(part.middle, (place.x, place.y)):
+            apart = dist(part.middle, (x, y))
+            if part.reach + min(nearest, self.maximum) < apart:
                 continue
-            if contains(part.points, place.x, place.y):
+            if apart <= part.reach + HAIR and contains(part.points, x, y):
                 return 0.0
-            for yaw, half_angle in self._wedges(place.yaw):
-                outline = edges(seen_from(part.points, place.x, place.y, yaw))
-                nearest = min(nearest, nearest_in_wedge(outline, half_angle))
+            for facing, aside in wedges:
+                nearest = min(nearest, nearest_seen(part.points, x, y, facing, aside))
         return nearest if nearest <= self.maximum else inf
 
     def centimetres(self, around: Around, spot: Spot) -> int | None:
@@ -126,41 +126,46 @@ class Cone(Struct, frozen=True):
         turned = chance.uniform(-1, 1) * self.noise.angle if self.noise.angle else 0.0
         return (_blurred(self, self.metres(around, spot, turned), chance),)
 
-    def _wedges(self, yaw: float) -> Iterator[tuple[float, float]]:
-        """The cone as parts of at most a half circle: middle and half angle of each."""
+    def _wedges(self, yaw: float) -> list[tuple[Point, Point]]:
+        """The cone as parts of at most a half circle: the directions of middle and half angle of each."""
         count = max(1, ceil(self.half_angle / 90.0))
         half = self.half_angle / count
-        for i in range(count):
-            yield yaw - self.half_angle + (2 * i + 1) * half, half
+        aside = direction(half)
+        return [(direction(yaw - self.half_angle + (2 * i + 1) * half), aside) for i in range(count)]
 
-    def _candidates(self, around: Around, place: Spot) -> Iterator[Part]:
+    def _candidates(self, around: Around, place: Spot) -> list[Part]:
         parts = around.within(*_box(place, self.half_angle, self.maximum))
+        seen = [part for part in parts if part.seen and at_height(part, self.height)]
+        if self.half_angle > 45.0 or not seen:
+            return seen
         ahead, aside = direction(place.yaw), direction(self.half_angle)
-        return (
-            part
-            for part in parts
-            if part.seen and at_height(part, self.height) and self._may_reach(part, place, ahead, aside)
-        )
+        return [part for part in seen if _may_reach(part, place, ahead, aside)]
 
-    def _may_reach(self, part: Part, place: Spot, ahead: Point, aside: Point) -> bool:
-        """Whether the circle round the part comes into a narrow cone: a quick look before the exact one."""
-        if self.half_angle > 45.0:
-            return True
-        dx, dy = part.middle[0] - place.x, part.middle[1] - place.y
-        along = dx * ahead[0] + dy * ahead[1]
-        across = abs(dy * ahead[0] - dx * ahead[1])
-        return across * aside[0] - along * aside[1] <= part.reach + 1e-9 and along >= -part.reach
+
+def _may_reach(part: Part, place: Spot, ahead: Point, aside: Point) -> bool:
+    """Whether the circle round the part comes into a narrow cone: a quick look before the exact one."""
+    dx, dy = part.middle[0] - place.x, part.middle[1] - place.y
+    along = dx * ahead[0] + dy * ahead[1]
+    across = abs(dy * ahead[0] - dx * ahead[1])
+    return across * aside[0] - along * aside[1] <= part.reach + 1e-9 and along >= -part.reach
 
 
 def _box(place: Spot, half_angle: float, maximum: float) -> tuple[float, float, float, float]:
     """Left, bottom, right and top of a cone."""
     if half_angle > 45.0:
         return place.x - maximum, place.y - maximum, place.x + maximum, place.y + maximum
-    reach = maximum / cos(radians(half_angle))
-    corners = [direction(place.yaw + turn) for turn in (-half_angle, 0.0, half_angle)]
-    xs = [place.x, *(place.x + reach * dx for dx, _ in corners)]
-    ys = [place.y, *(place.y + reach * dy for _, dy in corners)]
-    return min(xs), min(ys), max(xs), max(ys)
+    x, y = place.x, place.y
+    (c, s), (wc, ws) = direction(place.yaw), direction(half_angle)
+    ahead_x, ahead_y, tangent = maximum * c, maximum * s, ws / wc
+    left_x, left_y = x + ahead_x - tangent * ahead_y, y + ahead_y + tangent * ahead_x
+    right_x, right_y = x + ahead_x + tangent * ahead_y, y + ahead_y - tangent * ahead_x
+    reach_x, reach_y = x + ahead_x / wc, y + ahead_y / wc
+    return (
+        min(x, left_x, right_x, reach_x) - HAIR,
+        min(y, left_y, right_y, reach_y) - HAIR,
+        max(x, left_x, right_x, reach_x) + HAIR,
+        max(y, left_y, right_y, reach_y) + HAIR,
+    )
 
 
 class Fan(Struct, frozen=True):
