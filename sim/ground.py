@@ -236,6 +236,11 @@ class Ground:
                 self._update_along(asker, ((x, y), *ends))
             return (self._layout or self._lay_out()).first_hits(asker, x, y, ends, ranging, but)
 
+    def seen_within(self, x: float, y: float, end: Point) -> float:
+        """The part of a way up to something that a ranger sees and that never moves, or 1."""
+        with self._lock:
+            return (self._layout or self._lay_out()).seen_within(x, y, end)
+
     def free_way(
         self, asker: int, x: float, y: float, end: Point, guard: float, but: frozenset[int]
     ) -> float:

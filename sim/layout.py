@@ -14,6 +14,7 @@ from __future__ import annotations
 import atexit
 import gc
 from collections.abc import Iterable, Mapping, Sequence
+from functools import cache
 from math import radians
 from weakref import WeakSet
 
@@ -51,7 +52,7 @@ class Layer:
 
         As if the parts ``but`` were not there.
         """
-        wanted = pymunk.ShapeFilter(group, mask=category)
+        wanted = _filter(group, category)
         if not but:
             return self._rays.first_hits(x, y, ends, wanted)
         return [self._first_hit_but(x, y, end, wanted, but) for end in ends]
@@ -107,7 +108,13 @@ class Layer:
             self._space.add(shape)
 
 
+_NONE = frozenset[int]()
 _ALIVE: WeakSet[Layer] = WeakSet()
+
+
+@cache
+def _filter(group: int, category: int) -> pymunk.ShapeFilter:
+    return pymunk.ShapeFilter(group, mask=category)
 
 
 @atexit.register
@@ -155,6 +162,8 @@ class Layout:
             root: [entry for part in parts for entry in entries_of(part)] for root, parts in at_start.items()
         }
         """Of the parts of movable roots, where these were when they were last placed."""
+        self._seen_still: Layer | None = None
+        """What rangers see and what never moves; made when it is first asked for."""
         self._unplaced = set[int]()
         """The movable roots whose parts were not placed since they moved."""
         for root, place in now.items():
@@ -221,6 +230,12 @@ class Layout:
         category = RANGED if ranging else SIGHT
         hits = self._layer_for(asker, 0.0).first_hits(x, y, ends, asker + 1, category, but)
         return [(None if rank is None else self._placed(rank), way) for rank, way in hits]
+
+    def seen_within(self, x: float, y: float, end: Point) -> float:
+        if self._seen_still is None:
+            still = [part for part in self.at_start if part.seen and part.root not in self._start]
+            self._seen_still = Layer(still, 0.0, {})
+        return self._seen_still.first_hits(x, y, (end,), 0, RANGED, _NONE)[0][1]
 
     def free_way(
         self, asker: int, x: float, y: float, end: Point, guard: float, but: frozenset[int]

@@ -87,6 +87,10 @@ class OtherRobots:
         hits = self._around.first_hits(x, y, ends, ranging)
         return [hit if hit[0] and hit[0].root in self._robots else (None, 1.0) for hit in hits]
 
+    def seen_within(self, x: float, y: float, end: Point) -> float:  # noqa: ARG002 -- see Around
+        """Not known of robots alone."""
+        return 1.0
+
 
 class Surroundings:
     """Everything on the ground but one root and what is attached to it."""
@@ -141,6 +145,10 @@ class Surroundings:
         ``ranging``: as a ranger sees, to which some things are invisible.
         """
         return self.ground.first_hits(self.root, x, y, ends, ranging, self._absent)
+
+    def seen_within(self, x: float, y: float, end: Point) -> float:
+        """The part of a way up to something that a ranger sees and that never moves."""
+        return 1.0 if self._absent else self.ground.seen_within(x, y, end)
 
     def has_room(self, x: float, y: float, to_x: float, to_y: float) -> bool:
         """Whether a way is known to keep the guard distance; False says nothing.

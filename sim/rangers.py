@@ -46,6 +46,13 @@ class Around(Protocol):
     def first_hits(self, x: float, y: float, ends: Sequence[Point], ranging: bool = False) -> list[Hit[Part]]:
         """The parts that looks from one place to each of ``ends`` meet first, and where on the way."""
 
+    def seen_within(self, x: float, y: float, end: Point) -> float:
+        """The part of a way up to something that a ranger sees, not always the first; 1 where none is known."""
+
+
+WORTH_A_RAY = 0.5
+"""Metres: in a longer cone, a ray finds out first how far it has to be looked into."""
+
 
 def at_height(part: Part, height: Height) -> bool:
     return height is None or part.bottom <= height <= part.top
@@ -134,28 +141,37 @@ class Cone(Struct, frozen=True):
         return [(direction(yaw - self.half_angle + (2 * i + 1) * half), aside) for i in range(count)]
 
     def _candidates(self, around: Around, place: Spot) -> list[Part]:
-        parts = around.within(*_box(place, self.half_angle, self.maximum))
-        seen = [part for part in parts if part.seen and at_height(part, self.height)]
-        if self.half_angle > 45.0 or not seen:
-            return seen
+        """What may be the nearest thing in the cone."""
+        height = self.height
+        if self.half_angle > 45.0:
+            box = place.x - self.maximum, place.y - self.maximum, place.x + self.maximum, place.y + self.maximum
+            return [part for part in around.within(*box) if part.seen and at_height(part, height)]
+        x, y, maximum = place.x, place.y, self.maximum
         ahead, aside = direction(place.yaw), direction(self.half_angle)
-        return [part for part in seen if _may_reach(part, place, ahead, aside)]
+        if maximum > WORTH_A_RAY and height is None:
+            seen = around.seen_within(x, y, (x + maximum * ahead[0], y + maximum * ahead[1]))
+            maximum = min(maximum, seen * maximum + TOUCH)
+        parts = around.within(*_box(x, y, ahead, aside, maximum))
+        return [
+            part
+            for part in parts
+            if part.seen and at_height(part, height) and _may_reach(part, x, y, ahead, aside)
+        ]
 
 
-def _may_reach(part: Part, place: Spot, ahead: Point, aside: Point) -> bool:
+def _may_reach(part: Part, x: float, y: float, ahead: Point, aside: Point) -> bool:
     """Whether the circle round the part comes into a narrow cone: a quick look before the exact one."""
-    dx, dy = part.middle[0] - place.x, part.middle[1] - place.y
+    dx, dy = part.middle[0] - x, part.middle[1] - y
     along = dx * ahead[0] + dy * ahead[1]
     across = abs(dy * ahead[0] - dx * ahead[1])
     return across * aside[0] - along * aside[1] <= part.reach + 1e-9 and along >= -part.reach
 
 
-def _box(place: Spot, half_angle: float, maximum: float) -> tuple[float, float, float, float]:
-    """Left, bottom, right and top of a cone."""
-    if half_angle > 45.0:
-        return place.x - maximum, place.y - maximum, place.x + maximum, place.y + maximum
-    x, y = place.x, place.y
-    (c, s), (wc, ws) = direction(place.yaw), direction(half_angle)
+def _box(
+    x: float, y: float, ahead: Point, aside: Point, maximum: float
+) -> tuple[float, float, float, float]:
+    """Left, bottom, right and top of a narrow cone."""
+    (c, s), (wc, ws) = ahead, aside
     ahead_x, ahead_y, tangent = maximum * c, maximum * s, ws / wc
     left_x, left_y = x + ahead_x - tangent * ahead_y, y + ahead_y + tangent * ahead_x
     right_x, right_y = x + ahead_x + tangent * ahead_y, y + ahead_y - tangent * ahead_x

@@ -76,9 +76,14 @@ def _direct(library: Any, space: pymunk.Space, owners: dict[object, Any]) -> _Fi
     info, start, end = new("cpSegmentQueryInfo *"), new("cpVect *")[0], new("cpVect *")
     inner, to = space._space, end[0]
 
+    @cache
+    def wanted_of(shapes: pymunk.ShapeFilter) -> Any:
+        """Made once for each robot."""
+        return new("cpShapeFilter *", tuple(shapes))[0]
+
     def first_hits(x: float, y: float, ends: Sequence[Point], shapes: pymunk.ShapeFilter) -> list[Hit[Any]]:
         start.x, start.y = x, y
-        wanted = new("cpShapeFilter *", tuple(shapes))[0]
+        wanted = wanted_of(shapes)
         hits: list[Hit[Any]] = []
         for to.x, to.y in ends:
             shape = ask(inner, start, to, 0.0, wanted, info)
