@@ -8,8 +8,8 @@ out (``layout``).
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Mapping, Sequence
-from math import ceil, hypot, inf, log
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from math import ceil, floor, hypot, inf, log
 from typing import TYPE_CHECKING
 
 from devices.ports.robot import STEP
@@ -49,13 +49,13 @@ class Ground:
         """Counts what moved out of turn, or became faster: what was known to be far may be near now."""
         self._glides: dict[int, Glide] = {}
         """Of the robots that glide, which are put to where they are now when that matters."""
-        self._glide_boxes: list[tuple[Glide, tuple[float, float, float, float]]] = []
+        self._glide_squares: dict[tuple[int, int], list[Glide]] = {}
+        """The same by the squares of a grid through which they glide."""
         self._now_in_turn: Callable[[], Now] = _at_once
         self._cut_glides: Callable[[], None] = _nothing
         self._widest_guard = 0.0
         self._extents: dict[int, float] = {}
         """Metres from the place of each movable root to its farthest point; empty before it was asked."""
-        self._farthest = 0.0
         self._layout: Layout | None = None
         self._guards: dict[float, None] = {}
         """The guard distances that were asked for before all was laid out."""
@@ -82,14 +82,16 @@ class Ground:
         """From now on the robot is where the glide leads."""
         with self._lock:
             self._glides[glide.root] = glide
-            self._glide_boxes.append((glide, glide.box))
+            for square in _squares(*glide.box):
+                self._glide_squares.setdefault(square, []).append(glide)
             self._change(glide.root)
 
     def end_glide(self, root: int) -> None:
         """The robot is where it is put again."""
         with self._lock:
             glide = self._glides.pop(root)
-            self._glide_boxes.remove((glide, glide.box))
+            for square in _squares(*glide.box):
+                self._glide_squares[square].remove(glide)
 
     def is_alone(self, asker: int, x: float, y: float, reach: float, seconds: float) -> bool:
         """Whether nothing that may move comes within ``reach`` of a place in so many seconds.
@@ -98,15 +100,26 @@ class Ground:
         """
         margin = reach + self._widest_guard + seconds * self.fastest + 1.5 * STEP
         with self._lock:
-            farthest = margin + self._widest_extent()
-            for root, now in self._now.items():
-                dx, dy = now.x - x, now.y - y
-                is_close = -farthest < dx < farthest and -farthest < dy < farthest and root != asker
-                if is_close and hypot(dx, dy) < margin + self._extents[root]:
+            self._measure_extents()
+            layout = self._layout or self._lay_out()
+            for root in layout.moving.within(x - margin, y - margin, x + margin, y + margin):
+                now = self._now[root]
+                if root != asker and hypot(now.x - x, now.y - y) < margin + self._extents[root]:
                     return False
         return True
 
-    def _widest_extent(self) -> float:
+    def roots_within(self, asker: int, x: float, y: float, reach: float) -> list[int]:
+        """What may move, and comes within ``reach`` of a place; perhaps some more, in no order."""
+        with self._lock:
+            self._update(asker, x - reach, y - reach, x + reach, y + reach)
+            layout = self._layout or self._lay_out()
+            return [
+                root
+                for root in layout.moving.within(x - reach, y - reach, x + reach, y + reach)
+                if root != asker
+            ]
+
+    def _measure_extents(self) -> None:
         """Of all roots that may move."""
         if not self._extents:
             self._extents = dict.fromkeys(self._start, 0.0)
@@ -115,22 +128,33 @@ class Ground:
                     start = self._start[part.root]
                     far = max(hypot(px - start.x, py - start.y) for px, py in part.points)
                     self._extents[part.root] = max(self._extents[part.root], far)
-            self._farthest = max(self._extents.values())
-        return self._farthest
 
     def _update(self, asker: int, left: float, bottom: float, right: float, top: float) -> None:
         """Put the robots that glide through a box to where they are now. Under the lock."""
         if not self._glides:
             return
-        met = [
-            glide
-            for glide, (its_left, its_bottom, its_right, its_top) in self._glide_boxes
-            if its_left <= right and left <= its_right and its_bottom <= top and bottom <= its_top
-        ]
+        met = self._gliding(left, bottom, right, top)
         now = self._now_in_turn() if met else (0.0, 0.0)
         for glide in met:
             if glide.root != asker and (place := glide.new_place(now)) is not None:
                 self._put(glide.root, place)
+
+    def _gliding(self, left: float, bottom: float, right: float, top: float) -> list[Glide]:
+        """The glides that may lead through a box, each once."""
+        if (right - left + _SQUARE) * (top - bottom + _SQUARE) > _SQUARE * _SQUARE * len(self._glides):
+            glides: Iterable[Glide] = self._glides.values()
+        else:
+            squares = self._glide_squares
+            found = [squares[square] for square in _squares(left, bottom, right, top) if square in squares]
+            glides = {glide.root: glide for each in found for glide in each}.values()
+        return [
+            glide
+            for glide in glides
+            if glide.box[0] <= right
+            and left <= glide.box[2]
+            and glide.box[1] <= top
+            and bottom <= glide.box[3]
+        ]
 
     def _update_all(self) -> None:
         self._update(-1, -inf, -inf, inf, inf)
@@ -258,11 +282,11 @@ class Ground:
         """How far round a place nothing comes nearer than ``guard``, some metres at most; below 0: none."""
         with self._lock:
             room = (self._layout or self._lay_out()).room(asker, x, y, guard)
-            for glide, (left, bottom, right, top) in self._glide_boxes:
-                reach = room + guard
-                is_close = left - reach < x < right + reach and bottom - reach < y < top + reach
-                if is_close and glide.root != asker:
-                    room = max(left - x, x - right, bottom - y, y - top, 0.0) - guard
+            reach = room + guard
+            for glide in self._gliding(x - reach, y - reach, x + reach, y + reach) if self._glides else ():
+                left, bottom, right, top = glide.box
+                if glide.root != asker:
+                    room = min(room, max(left - x, x - right, bottom - y, y - top, 0.0) - guard)
             return room
 
     def _update_along(self, asker: int, points: Sequence[Point]) -> None:
@@ -290,6 +314,16 @@ class Ground:
 
         self._layout = Layout(self.scene, self._start, self._now, self._groups, self._guards)
         return self._layout
+
+
+_SQUARE = 1.0
+"""Metres: the side of a square in which glides are looked for."""
+
+
+def _squares(left: float, bottom: float, right: float, top: float) -> list[tuple[int, int]]:
+    columns = range(floor(left / _SQUARE), floor(right / _SQUARE) + 1)
+    rows = range(floor(bottom / _SQUARE), floor(top / _SQUARE) + 1)
+    return [(column, row) for column in columns for row in rows]
 
 
 def _at_once() -> Now:

@@ -157,7 +157,7 @@ class Layout:
                 self._ranks[part.root].append(part.rank)
         self._still = StillParts([part for part in self.at_start if part.root not in start])
         at_start = {root: [self.at_start[rank] for rank in ranks] for root, ranks in self._ranks.items()}
-        self._moving = MovingRoots(at_start, start)
+        self.moving = MovingRoots(at_start, start)
         self._entries = {
             root: [entry for part in parts for entry in entries_of(part)] for root, parts in at_start.items()
         }
@@ -168,7 +168,7 @@ class Layout:
         """The movable roots whose parts were not placed since they moved."""
         for root, place in now.items():
             if place != start[root]:
-                self._moving.move(root, place)
+                self.moving.move(root, place)
                 self._unplaced.add(root)
         self._thin = self._made(self.at_start, 0.0)
         self._layers = {0.0: self._thin}
@@ -185,7 +185,7 @@ class Layout:
 
     def changed(self, root: int) -> None:
         """It is elsewhere now."""
-        self._moving.move(root, self._now[root])
+        self.moving.move(root, self._now[root])
         self._unplaced.add(root)
         for kept in self._layers.values():
             kept.stale.add(root)
@@ -212,7 +212,7 @@ class Layout:
     ) -> list[Part]:
         found = self._still.within(left, bottom, right, top)
         group, groups = asker + 1, self._groups
-        for root in self._moving.within(left, bottom, right, top):
+        for root in self.moving.within(left, bottom, right, top):
             if groups.get(root, 0) == group:
                 continue
             if root in self._unplaced:

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterable, Sequence
 from functools import cached_property
-from math import floor, hypot, inf
+from math import dist, floor, hypot, inf
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
@@ -73,9 +73,13 @@ class OtherRobots:
     def __init__(self, around: Surroundings) -> None:
         self._around = around
         self._robots = frozenset(around.ground.scene.robots)
+        self._has_any = len(self._robots) > 1
 
-    def __bool__(self) -> bool:
-        return len(self._robots) > 1
+    def is_any_near(self, spot: Spot, reach: float) -> bool:
+        """Whether a robot comes within ``reach`` of a place; perhaps also if it is a little farther."""
+        around = self._around
+        roots = around.ground.roots_within(around.root, spot.x, spot.y, reach) if self._has_any else ()
+        return any(root in self._robots for root in roots)
 
     def within(self, left: float, bottom: float, right: float, top: float) -> list[Part]:
         """All parts that come into a box, and perhaps some more, in order."""
@@ -281,8 +285,11 @@ class Mover:
 
     def on_the_way(self, spot: Spot, angle: float, length: float) -> list[Part]:
         """What can be met on the next ``length`` metres, and perhaps some more."""
-        middle = spot.ahead(length / 2, angle)
-        return self._touchable(middle, self.body.radius + length / 2 + 2 * WIDEST_SKIN)
+        middle, reach = spot.ahead(length / 2, angle), self.body.radius + length / 2 + 2 * WIDEST_SKIN
+        here = middle.x, middle.y
+        return [
+            part for part in self._touchable(middle, reach) if dist(part.middle, here) < part.reach + reach
+        ]
 
     def contact_with_any(
         self, parts: Iterable[Part], spot: Spot, angle: float, but: Container[int]
@@ -316,7 +323,8 @@ class Mover:
 
     def is_met(self, spot: Spot, bearing: Bearing, rest: float) -> bool:
         """The same for the ``rest`` of a step, because of a robot that has come near meanwhile."""
-        return bool(self._others) and self._sees(self._others, spot, bearing, rest + 1.0)
+        others = self._others
+        return others.is_any_near(spot, self._guard) and self._sees(others, spot, bearing, rest + 1.0)
 
     def _sees(self, around: Around, spot: Spot, bearing: Bearing, steps: float) -> bool:
         near = steps * CENTIMETRES_A_STEP
@@ -347,6 +355,8 @@ class Mover:
 
     def _overlaps(self, spot: Spot, part: Part) -> bool:
         """Whether the robot already reaches into the thing: its world put it there. It may only leave."""
+        if dist(part.middle, (spot.x, spot.y)) > part.reach + self.body.radius + SKIN:
+            return False
         mine = (placed(points, spot.x, spot.y, spot.yaw) for points in self.body.polygons)
         return any(overlapping(points, part.points) for points in mine)
 

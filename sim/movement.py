@@ -222,7 +222,7 @@ class Walk(Sweeping):
             return None
         ends = self._course.stops(self._done, end)
         done = vehicle.glide(
-            [self._when(each) for each in ends], lambda count: self._at(ends[count - 1]), STEP
+            self._course.times(self._began, ends), lambda count: self._at(ends[count - 1]), STEP
         )
         return None if done is None else (ends, *done)
 
@@ -335,7 +335,7 @@ class Turn(Sweeping):
             whole += self._in_a_tick(whole)
             ends.append(whole)
         done = vehicle.glide(
-            [self._when(each) for each in ends], lambda count: self._at(ends[count - 1]), 0.0
+            self._course.times(self._began, ends), lambda count: self._at(ends[count - 1]), 0.0
         )
         return None if done is None else (ends, *done)
 

@@ -47,7 +47,7 @@ class Around(Protocol):
         """The parts that looks from one place to each of ``ends`` meet first, and where on the way."""
 
     def seen_within(self, x: float, y: float, end: Point) -> float:
-        """The part of a way up to something that a ranger sees, not always the first; 1 where none is known."""
+        """The part of a way up to something that a ranger sees, not always the first; 1: none is known."""
 
 
 WORTH_A_RAY = 0.5
@@ -143,10 +143,10 @@ class Cone(Struct, frozen=True):
     def _candidates(self, around: Around, place: Spot) -> list[Part]:
         """What may be the nearest thing in the cone."""
         height = self.height
-        if self.half_angle > 45.0:
-            box = place.x - self.maximum, place.y - self.maximum, place.x + self.maximum, place.y + self.maximum
-            return [part for part in around.within(*box) if part.seen and at_height(part, height)]
         x, y, maximum = place.x, place.y, self.maximum
+        if self.half_angle > 45.0:
+            parts = around.within(x - maximum, y - maximum, x + maximum, y + maximum)
+            return [part for part in parts if part.seen and at_height(part, height)]
         ahead, aside = direction(place.yaw), direction(self.half_angle)
         if maximum > WORTH_A_RAY and height is None:
             seen = around.seen_within(x, y, (x + maximum * ahead[0], y + maximum * ahead[1]))
@@ -167,9 +167,7 @@ def _may_reach(part: Part, x: float, y: float, ahead: Point, aside: Point) -> bo
     return across * aside[0] - along * aside[1] <= part.reach + 1e-9 and along >= -part.reach
 
 
-def _box(
-    x: float, y: float, ahead: Point, aside: Point, maximum: float
-) -> tuple[float, float, float, float]:
+def _box(x: float, y: float, ahead: Point, aside: Point, maximum: float) -> tuple[float, float, float, float]:
     """Left, bottom, right and top of a narrow cone."""
     (c, s), (wc, ws) = ahead, aside
     ahead_x, ahead_y, tangent = maximum * c, maximum * s, ws / wc

@@ -72,6 +72,9 @@ class Course(Protocol):
     def further(self, done: float, seconds: float) -> float:
         """How much is gone in ``seconds`` where ``done`` was gone before."""
 
+    def times(self, began: float, done: Sequence[float]) -> list[float]:
+        """When each of these amounts is done, if it began at that time."""
+
     def next_stop(self, done: float) -> float:
         """Where a tick of a walk ends that begins after ``done`` steps: at the next whole one at most."""
 
@@ -92,6 +95,10 @@ class Even:
 
     def further(self, done: float, seconds: float) -> float:  # noqa: ARG002 -- the same everywhere
         return seconds * self._rate
+
+    def times(self, began: float, done: Sequence[float]) -> list[float]:
+        rate = self._rate
+        return [began + each / rate for each in done]
 
     def next_stop(self, done: float) -> float:
         ticks = self._ticks_a_step
@@ -129,6 +136,9 @@ class Ramped:
 
     def further(self, done: float, seconds: float) -> float:
         return self._where(self._when(done) + seconds) - done
+
+    def times(self, began: float, done: Sequence[float]) -> list[float]:
+        return [began + self.seconds(0.0, each) for each in done]
 
     def next_stop(self, done: float) -> float:
         whole = floor(done + NEARLY) + 1.0
