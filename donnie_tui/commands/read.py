@@ -18,10 +18,12 @@ from donnie_tui.core.answer_log import found_in_words, none_so_far, spelled
 from donnie_tui.core.events import Error
 from donnie_tui.core.program_text import (
     ProgramText,
+    mistakes,
     outline_in_words,
     place_in_words,
 )
 from donnie_tui.core.run_state import line_of
+from donnie_tui.core.transcript import lines_of
 
 MOST_SHOWN = 10
 """Answers that SHOW LOG repeats."""
@@ -150,8 +152,43 @@ def _show(ctx: Context, error: Error) -> None:
 
 @handles("errors")
 async def errors(ctx: Context, _: str) -> None:
-    """All mistakes of the last run."""
-    ctx.say(*ctx.counted(ctx.errors.in_words(ctx.words)))
+    """All mistakes of the last run; on a screen also those of the text as it is, to go to one."""
+    screen = ctx.screen
+    options = [] if screen is None else _mistakes_to_choose(ctx)
+    if screen is None or screen.is_plain or not options:
+        of_text = [each.text for each in options] if not ctx.errors.all else []
+        ctx.say(*ctx.counted(of_text or ctx.errors.in_words(ctx.words)))
+        return
+    chosen = await ctx.interaction.choose(ctx.words("errors-count", count=len(options)), options)
+    if chosen is not None:
+        line, _, column = chosen.partition(" ")
+        screen.focus("program")
+        screen.place_cursor(int(line), int(column))
+
+
+def _mistakes_to_choose(ctx: Context) -> list[Option]:
+    """Those of the text as it is, then what went wrong in the last run in other lines, with their places."""
+    lines, words, now = ctx.program.lines, ctx.words, ctx.errors.now
+    found = {
+        (each.line, 1): each.message
+        for each in sorted(
+            mistakes(ctx.donnie.session.check(ctx.program.text), words).values(), key=lambda each: each.line
+        )
+    }
+    known = {line for line, _ in found}
+    for each in ctx.errors.all:
+        if each.line not in known and tuple(lines[each.line - 1 : each.line]) == (each.source_line,):
+            found[each.line, each.column] = " ".join(lines_of(each, words)[:1])
+    return [
+        Option(
+            f"{line} {column}",
+            message
+            if line not in known
+            else words("error-row", line=line, text=lines[line - 1].strip(), message=message),
+            is_current=now is not None and now.line == line,
+        )
+        for (line, column), message in found.items()
+    ]
 
 
 @handles("explain")

@@ -28,7 +28,7 @@ from donnie_tui.tui.screens.main_screen import MainScreen
 from donnie_tui.tui.shutdown import Shutdown
 from donnie_tui.tui.startup import SessionHandle, Startup
 from donnie_tui.tui.terminal import TerminalApp
-from donnie_tui.tui.widgets.command_line import CommandLine
+from donnie_tui.tui.widgets.command_line import CommandLine, Pane
 from donnie_tui.tui.widgets.editor import Editor
 from donnie_tui.tui.widgets.rows import KeyLine, TextRows
 
@@ -287,6 +287,17 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         """It sets a breakpoint there, or removes it."""
         if self.controller is not None:
             self._await(self.controller.do("break_", str(event.line)))
+
+    def on_pane_title_clicked(self, event: Pane.TitleClicked) -> None:
+        """The title names what can be chosen: a program, a world."""
+        place = self.main_screen
+        action = {place.program_pane: "open", place.map_pane: "worlds"}.get(event.pane)
+        if action is not None:
+            self._keyboard.act(action)
+
+    def on_status_line_clicked(self) -> None:
+        """The line that says the speed leads to the settings."""
+        self._keyboard.act("set")
 
     def on_map_view_explored(self) -> None:
         if self.controller is not None:

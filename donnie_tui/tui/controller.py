@@ -365,6 +365,7 @@ class EditorAssistant:
         text, session = self._editor.text, self._ctx.donnie.session
         found = session.check(text) if 0 < len(text) <= LONGEST_CHECKED and text.strip() else ()
         self._editor.note(mistakes(found, self._ctx.words))
+        self._display.show_titles()
         self._display.say_status()
 
     def offer_words(self, *, wanted: bool) -> None:

@@ -46,6 +46,8 @@ _OFFERED = {
 """The keys that the bottom line shows, by what the program does; what there is no room for goes last."""
 _OFFERED_FIRST = ("run", "help", "examples", "challenge", "quit", "open", "show_variables")
 """The same while the program is empty."""
+_OFFERED_WRONG = ("run", "help", "errors", "fix", "quit", "save", "open")
+"""The same while lines are marked as wrong."""
 
 
 class Display:
@@ -215,7 +217,8 @@ class Display:
 
     def _offer_keys(self) -> None:
         is_beginning = self._runs.state is RunState.READY and not self._place.editor.text
-        names = _OFFERED_FIRST if is_beginning else _OFFERED[self._runs.state]
+        is_wrong = self._runs.state is RunState.READY and bool(self._place.editor.mistakes)
+        names = _OFFERED_FIRST if is_beginning else _OFFERED_WRONG if is_wrong else _OFFERED[self._runs.state]
         offered = (name for name in names if self._table.of(name))
         everything = f"{key_label(PALETTE, self._words.language)} {self._words('key-all')}"
         self._place.keys.offer([*((name, self._key_entry(name)) for name in offered), (PALETTE, everything)])

@@ -16,6 +16,8 @@ OF_ITSELF = ("HELP", "TOUR", "MANUAL", "SET", "CONFIGURE", "SETTINGS")
 """Each front end has pages of its own about itself: its keys, its first lesson, its settings."""
 CHOSEN_FROM_A_LIST = ("LANGUAGE", "DETAIL", "SET speech")
 """The screen lists what can be chosen; the linear mode says what is chosen, and which choices there are."""
+GONE_TO = ("ERRORS", "ERROS", "ERRORES")
+"""The screen lists the mistakes to go to one, a row each; the linear mode says them with their lines."""
 OF_WAITING_LINES = {
     *(f"{name}: RUN" for name in ("idle", "fresh", "two robots, idle")),
     *(f"{name}: {word}" for name in ("idle", "running", "held") for word in ("DELETE", "REMOVE")),
@@ -59,6 +61,8 @@ def is_same(case: str, line: str, linear: Outcome, screen: Outcome) -> bool:
         return line.startswith("SET ") and linear.published != screen.published
     if line in OF_ITSELF and linear.published != screen.published:
         return bool(linear.published) and bool(screen.listed)
+    if line in GONE_TO and screen.listed:
+        return bool(linear.published) and not screen.published
     if line in CHOSEN_FROM_A_LIST:
         return bool(linear.published) and bool(screen.listed) and not screen.published
     if case in OF_WAITING_LINES:

@@ -149,3 +149,39 @@ async def test_an_example_is_opened_from_the_empty_program_by_its_word(open_scre
         await screen.press("down", "enter")
         await screen.shows("Opened Up to the wall, 4 lines.")
         assert screen.main.editor.text.startswith("WHILE DISTANCE F > 3 DO")
+
+
+WRONG = "FW 1\nFWD 3\nREPEAT 2 TIMES\nFW 1\nEND REPEET\nSPEAK a"
+
+
+async def test_all_mistakes_are_a_list_to_go_to_one_before_anything_runs(open_screen):
+    async with open_screen(WRONG) as screen:
+        await screen.type_line("ERRORS")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the list")
+        rows = screen.app.screen.rows.lines
+        assert [row.split(":")[0] for row in rows] == ["Line 2, FWD 3", "Line 5, END REPEET"]
+
+        await screen.press("down", "enter")
+        await screen.until(lambda: screen.app.screen is screen.main, "the program")
+        await screen.until(lambda: screen.main.editor.line == 5, "line 5")
+        assert screen.app.focused is screen.main.editor
+
+
+async def test_what_went_wrong_in_a_run_is_in_the_list_too(open_screen):
+    async with open_screen("VAR a = 0\nSPEAK 1 / a") as screen:
+        await screen.press("f5")
+        await screen.shows("Error, line 2")
+        await screen.idle()
+        await screen.type_line("ERRORS")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the list")
+        (row,) = screen.app.screen.rows.lines
+        assert row.startswith("Error, line 2")
+        await screen.press("enter")
+        await screen.until(lambda: screen.main.editor.line == 2, "line 2")
+
+
+async def test_the_plain_layout_says_the_mistakes_and_opens_no_list(open_screen):
+    async with open_screen("FWD 3", plain=True) as screen:
+        await screen.type_line("ERRORS")
+        await screen.shows("Line 1, FWD 3:")
+        assert screen.app.screen is screen.main

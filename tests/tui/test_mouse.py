@@ -99,3 +99,22 @@ async def test_examples_and_challenges_are_a_click_away_from_an_empty_program(op
         await screen.pilot.click(offset=(3, 2))
         await screen.shows("Opened A square, 4 lines.")
         await screen.until(lambda: "Examples" not in keys.words, "the keys of a program")
+
+
+async def test_mistakes_worlds_programs_and_settings_are_a_click_away(open_screen):
+    async with open_screen("FWD 3") as screen:
+        keys = screen.main.keys
+        await screen.until(lambda: "Errors" in keys.words, "the keys of a wrong program")
+        for widget, offset, title in (
+            (keys, Offset(keys.words.index("Errors"), 0), "1 error."),
+            (screen.main.map_pane._heading, Offset(3, 0), "Worlds"),
+            (screen.main.status, Offset(2, 0), "Settings"),
+        ):
+            await screen.pilot.click(widget, offset=offset)
+            await screen.until(lambda: screen.app.screen is not screen.main, title)
+            assert title in screen.app.screen._title_words
+            await screen.press("escape")
+            await screen.until(lambda: screen.app.screen is screen.main, "the main screen")
+
+        await screen.pilot.click(screen.main.program_pane._heading, offset=Offset(3, 0))
+        await screen.until(lambda: screen.app.screen is not screen.main, "the programs to open")

@@ -221,6 +221,16 @@ async def test_each_list(open_screen, same, name, theme, size):
         await same(screen)
 
 
+@pytest.mark.parametrize("size", ALL_SIZES, ids=by_size)
+@pytest.mark.parametrize("theme", ALL_THEMES)
+async def test_the_list_of_mistakes(open_screen, same, theme, size):
+    text = "FW 1\nFWD 3\nREPEAT 2 TIMES\nFW 1\nEND REPEET\nSPEAK a"
+    async with open_screen(text, size=size, world="living_room") as screen:
+        screen.app.theme = theme
+        await opened(screen, typed="ERRORS")
+        await same(screen)
+
+
 @looks((40, 12))
 async def test_changing_a_key(open_screen, same, theme, size):
     async with open_screen("FW 1", size=size) as screen:

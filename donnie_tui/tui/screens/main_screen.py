@@ -24,7 +24,7 @@ from donnie_tui.tui.widgets.command_line import CommandLine, Pane
 from donnie_tui.tui.widgets.editor import Editor
 from donnie_tui.tui.widgets.log_rows import LogRows
 from donnie_tui.tui.widgets.map_view import MapView
-from donnie_tui.tui.widgets.rows import FixedLine, KeyLine, TextRows
+from donnie_tui.tui.widgets.rows import KeyLine, StatusLine, TextRows
 
 if TYPE_CHECKING:
     from donnie_tui.core.map_scene import MapScene
@@ -74,7 +74,7 @@ class MainScreen(Screen[None]):
         self.inspector = TextRows(id="inspector")
         self.log_rows = LogRows(id="log")
         self.command_line = CommandLine(id="command", send=self._await_answer)
-        self.status = FixedLine(id="status")
+        self.status = StatusLine(id="status")
         self.keys = KeyLine(id="keys")
         self.program_pane = Pane(self.editor, id="program-pane")
         self.map_pane = Pane(self.map, id="map-pane")

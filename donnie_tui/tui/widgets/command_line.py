@@ -15,7 +15,7 @@ from textual import events
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Vertical
-from textual.events import DescendantBlur, DescendantFocus
+from textual.events import Click, DescendantBlur, DescendantFocus
 from textual.geometry import Offset, Region
 from textual.message import Message
 from textual.strip import Strip
@@ -28,6 +28,13 @@ from language.source import cleaned
 
 class Pane(Vertical):
     """One titled part of the main screen."""
+
+    class TitleClicked(Message):
+        """A click on the title."""
+
+        def __init__(self, pane: Pane) -> None:
+            super().__init__()
+            self.pane = pane
 
     def __init__(self, content: Widget, *, id: str) -> None:  # noqa: A002 -- Textual's own name
         super().__init__(id=id)
@@ -44,6 +51,10 @@ class Pane(Vertical):
         if title != self._title:
             self._title = title
             self._write()
+
+    def on_click(self, event: Click) -> None:
+        if event.widget is self._heading:
+            self.post_message(self.TitleClicked(self))
 
     def on_descendant_focus(self, _event: DescendantFocus) -> None:
         self._choose()

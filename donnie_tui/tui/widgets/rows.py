@@ -81,6 +81,16 @@ class FixedLine(Static):
             self.update(Content.assemble((badge, "reverse"), words) if badge else words, layout=False)
 
 
+class StatusLine(FixedLine):
+    """What the program does, and where the focus and the robot are."""
+
+    class Clicked(Message):
+        """A click on it."""
+
+    def on_click(self, _event: Click) -> None:
+        self.post_message(self.Clicked())
+
+
 class KeyLine(FixedLine):
     """What can be pressed now: as many entries as there is room for, the most important first."""
 
