@@ -83,11 +83,18 @@ class Inventory(Struct, frozen=True):
         return next((each for each in self.robots if folded(each) == folded(name)), None)
 
 
+class Moment(Struct, frozen=True):
+    """Where a robot is, and the things while it came there."""
+
+    pose: Pose
+    items: tuple[Item, ...]
+
+
 class Track(Struct, frozen=True):
     """What was done since the robots were put to their starts."""
 
-    ways: Mapping[str, tuple[Pose, ...]]
-    """By robot: the places at which a movement began or ended; the way between two is straight."""
+    ways: Mapping[str, tuple[Moment, ...]]
+    """By robot: where a movement began or ended, and where things changed; the way between two is straight."""
     meetings: Sequence[Mapping[str, Pose]]
     """Where the robots were at the same moment, whenever one had moved."""
     items: tuple[Item, ...]
@@ -192,7 +199,7 @@ def goals_of_end(room: Inventory, events: Iterable[Stamped]) -> tuple[Goal, ...]
 
 
 def _here(robot: str, room: Inventory, track: Track) -> tuple[float, float]:
-    pose = _way(robot, room, track)[-1]
+    pose = _end(robot, room, track)
     return round(pose.x, 1), round(pose.y, 1)
 
 
@@ -221,8 +228,8 @@ def track_of(room: Inventory, events: Iterable[Stamped]) -> Track:
     happened = _last_try(tuple(events))
     first = room.robot_called("") or ""
     here, meetings = dict(room.robots), list[Mapping[str, Pose]]()
-    ways: dict[str, list[Pose]] = {name: [pose] for name, pose in room.robots.items()}
-    places: dict[int, Pose] = {}
+    items = room.items
+    ways = {name: [Moment(pose, items)] for name, pose in room.robots.items()}
     said, held, variables = list[str](), dict[str, str](), dict[str, Mapping[str, int]]()
     errors, outcomes, seconds = dict[str, Error](), dict[str, Outcome](), dict[str, float]()
     for stamped in happened:
@@ -241,6 +248,9 @@ def track_of(room: Inventory, events: Iterable[Stamped]) -> Track:
                 pose = event.pose
             case ThingsMoved():
                 places = {each.index: each.pose for each in event.places}
+                items = tuple(_moved(each, places.get(each.index)) for each in room.items)
+                for way in filter(None, ways.values()):
+                    way.append(Moment(way[-1].pose, items))
             case Spoke():
                 said.append(event.text)
             case GripperUsed():
@@ -252,13 +262,13 @@ def track_of(room: Inventory, events: Iterable[Stamped]) -> Track:
                 variables[robot] = dict(event.variables)
                 seconds[robot] = seconds.get(robot, 0.0) + event.seconds
         if pose is not None:
-            ways.setdefault(robot, []).append(pose)
+            ways.setdefault(robot, []).append(Moment(pose, items))
             here[robot] = pose
             meetings.append(dict(here))
     return Track(
         {name: tuple(way) for name, way in ways.items()},
         meetings,
-        tuple(_moved(each, places.get(each.index)) for each in room.items),
+        items,
         tuple(said),
         held,
         tuple(each.event for each in happened),
@@ -298,15 +308,19 @@ def _missing(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
     return Shortfall(found.code, {**found.values, "robot": goal.robot})
 
 
-def _way(robot: str, room: Inventory, track: Track) -> Sequence[Pose]:
+def _way(robot: str, room: Inventory, track: Track) -> Sequence[Moment]:
     """Where the robot of that name was, at least its start."""
     ways = track.ways
     return ways.get(room.robot_called(robot) or "") or next(iter(ways.values()))
 
 
+def _end(robot: str, room: Inventory, track: Track) -> Pose:
+    return _way(robot, room, track)[-1].pose
+
+
 def _at(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
     assert goal.at is not None
-    return _elsewhere(_way(goal.robot, room, track)[-1], goal.at, goal.within, room, track)
+    return _elsewhere(_end(goal.robot, room, track), goal.at, goal.within, room, track)
 
 
 def _elsewhere(here: Pose, target: Target, within: float, room: Inventory, track: Track) -> Shortfall | None:
@@ -323,7 +337,7 @@ def _elsewhere(here: Pose, target: Target, within: float, room: Inventory, track
 
 def _facing(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
     assert goal.facing is not None
-    heading = _way(goal.robot, room, track)[-1].heading
+    heading = _end(goal.robot, room, track).heading
     off = (heading - challenges.degrees_of(goal.facing) + 180) % 360 - 180
     if abs(off) <= goal.within * DEGREES:
         return None
@@ -335,19 +349,19 @@ def _visited(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
     assert goal.visited is not None
     way = _way(goal.robot, room, track)
     if goal.any_order:
-        gaps = ((each, smallest_gap(each, room, way, track.items)) for each in goal.visited)
+        gaps = ((each, smallest_gap(each, room, way)) for each in goal.visited)
         missed = [each for each, gap in gaps if gap > goal.within + NEARLY]
     else:
         missed = list(goal.visited)
-        for pose in every_tenth(way):
-            while missed and gap_to(pose, missed[0], room, track.items)[0] <= goal.within + NEARLY:
+        for pose, items in every_tenth(way):
+            while missed and gap_to(pose, missed[0], room, items)[0] <= goal.within + NEARLY:
                 missed.pop(0)
     return Shortfall("goal-visited", {"target": missed[0]}) if missed else None
 
 
 def _near(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
     assert goal.near is not None
-    gap = smallest_gap(goal.near, room, _way(goal.robot, room, track), track.items)
+    gap = smallest_gap(goal.near, room, _way(goal.robot, room, track))
     if gap <= goal.within + NEARLY:
         return None
     return Shortfall("goal-near", {"steps": _whole(gap), "target": goal.near})
@@ -357,7 +371,7 @@ def _area(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
     """Reached at any time; with ``stay`` not left afterwards."""
     assert goal.area is not None
     is_inside = False
-    for pose in every_tenth(_way(goal.robot, room, track)):
+    for pose, _ in every_tenth(_way(goal.robot, room, track)):
         gap, direction = way_out(pose.x, pose.y, goal.area)
         if is_inside and goal.stay and gap > NEARLY:
             return Shortfall("goal-area-left", {"direction": direction, "area": goal.area})
@@ -431,7 +445,7 @@ def _robots(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
     names = [room.robot_called(each) or "" for each in goal.robots]
     if goal.at is not None:
         for name in names:
-            found = _elsewhere(_way(name, room, track)[-1], goal.at, goal.within, room, track)
+            found = _elsewhere(_end(name, room, track), goal.at, goal.within, room, track)
             if found is not None:
                 return Shortfall(found.code, {**found.values, "robot": name})
         return None
@@ -518,7 +532,7 @@ def _forbidden(rules: Rules, room: Inventory, track: Track) -> Iterable[Shortfal
         if any((each.kind, each.name) in touched for each in wanted):
             yield Shortfall("never-touch", {"target": name})
     for name in rules.never.near:
-        gap = smallest_gap(name, room, _way("", room, track), track.items)
+        gap = min(smallest_gap(name, room, way) for way in track.ways.values())
         if gap < rules.never.within:
             yield Shortfall("never-near", {"target": name, "most": round(rules.never.within)})
 
@@ -552,17 +566,18 @@ def _gap_to_item(pose: Pose, item: Item, radius: float) -> float:
     return max(hypot(dx, dy) - radius, 0.0)
 
 
-def smallest_gap(target: Target, room: Inventory, way: Sequence[Pose], items: Sequence[Item]) -> float:
+def smallest_gap(target: Target, room: Inventory, way: Sequence[Moment]) -> float:
     """To the nearest that the robot came."""
-    return min(gap_to(each, target, room, items)[0] for each in every_tenth(way))
+    return min(gap_to(pose, target, room, items)[0] for pose, items in every_tenth(way))
 
 
-def every_tenth(poses: Sequence[Pose]) -> Iterator[Pose]:
-    """Where the robot was: straight from pose to pose, a tenth of a step apart at most."""
-    yield poses[0]
-    for start, end in pairwise(poses):
+def every_tenth(way: Sequence[Moment]) -> Iterator[tuple[Pose, tuple[Item, ...]]]:
+    """Where the robot and the things were: straight from pose to pose, a tenth of a step apart at most."""
+    yield way[0].pose, way[0].items
+    for before, after in pairwise(way):
+        start, end = before.pose, after.pose
         points = max(1, ceil(hypot(end.x - start.x, end.y - start.y) * 10))
-        yield from (_between(start, end, at / points) for at in range(1, points + 1))
+        yield from ((_between(start, end, at / points), after.items) for at in range(1, points + 1))
 
 
 def _between(start: Pose, end: Pose, part: float) -> Pose:

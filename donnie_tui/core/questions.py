@@ -95,9 +95,9 @@ class Asked(Struct, frozen=True):
         way = next(iter(self.track.ways.values()))
         match self.question.origin:
             case "start":
-                return way[0]
+                return way[0].pose
             case "end":
-                return way[-1]
+                return way[-1].pose
             case str() as name:
                 item = self._item(name)
                 return Pose(item.x, item.y, 0.0)

@@ -146,6 +146,32 @@ def test_bumping_and_touching_are_reported_after_the_goals() -> None:
     assert verdict.shortfalls[2].values["target"] == "green chair"
 
 
+FAR_BOX = Inventory((Item(2, "box", "cube", "red", 3.0, 20.0, 1.0, 1.0),), radius=3.0)
+"""The box begins 3 steps to the east of a way to the north: a robot that passes would touch it."""
+AWAY = ThingsMoved((PlacedThing("box", Pose(20.0, 20.0, 0.0), 2),))
+BACK = ThingsMoved((PlacedThing("box", Pose(3.0, 20.0, 0.0), 2),))
+
+
+@pytest.mark.parametrize(
+    ("happened", "is_near"),
+    [
+        ((walk(0, 40),), True),
+        ((walk(0, 40), AWAY), True),
+        ((AWAY, walk(0, 40)), False),
+        ((AWAY, walk(0, 40), BACK), False),
+        ((AWAY, walk(0, 40), walk(0, 20), BACK), True),
+    ],
+)
+def test_near_counts_where_a_thing_is_at_that_moment(happened: tuple[Event, ...], is_near: bool) -> None:
+    kept_away = challenge(Goal(said="x"), never=Never(near=("red box",)))
+    end = [each.pose for each in happened if isinstance(each, Moved)][-1]
+
+    assert ("never-near" in codes(judge(kept_away, FAR_BOX, run(*happened, end=end)))) is is_near
+    assert judge(challenge(Goal(near="red box")), FAR_BOX, run(*happened, end=end)).is_solved is is_near
+    visited = challenge(Goal(visited=("red box",)))
+    assert judge(visited, FAR_BOX, run(*happened, end=end)).is_solved is is_near
+
+
 def test_each_limit_says_what_was_needed() -> None:
     limit = Limit(commands=1, seconds=5, steps=3, turns=0)
     turned = Turned("TR", 90, 90, None, START, True)
@@ -270,6 +296,16 @@ def test_robots_meet_when_their_bodies_were_near_at_one_moment() -> None:
     assert shortfalls(goal, starts + met, HALL) == []
     passed_later = walks(("alice", 20.0), ("alice", 0.0), ("bob", 12.0))
     assert shortfalls(goal, starts + passed_later, HALL)[0][1]["steps"] == 4
+
+
+def test_no_robot_comes_near_what_is_to_be_kept_away_from() -> None:
+    chair = Item(1, "chair 1", "chair", "green", 5.0, 20.0, 1.0, 1.0)
+    hall = Inventory((chair,), HALL.radius, HALL.robots)
+    kept = challenge(Goal(robots=("alice", "bob"), within=100), never=Never(near=("chair",)))
+
+    starts = [Stamped(0, 0.0, Reset(HALL.robots["alice"]), "alice")]
+    assert codes(judge(kept, hall, starts + walks(("alice", 8.0)))) == []
+    assert codes(judge(kept, hall, starts + walks(("bob", 20.0)))) == ["never-near"]
 
 
 def test_both_robots_at_a_place_and_each_one_at_its_own() -> None:
