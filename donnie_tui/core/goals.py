@@ -94,7 +94,7 @@ class Track(Struct, frozen=True):
     """What was done since the robots were put to their starts."""
 
     ways: Mapping[str, tuple[Moment, ...]]
-    """By robot: where a movement began or ended, and where things changed; the way between two is straight."""
+    """By robot: where a movement began or ended, and where things changed; straight in between."""
     meetings: Sequence[Mapping[str, Pose]]
     """Where the robots were at the same moment, whenever one had moved."""
     items: tuple[Item, ...]
