@@ -6,20 +6,20 @@ What is heavy is imported where it is used, so that a command loads no more than
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import ExitStack
 from functools import partial
 from itertools import count
-from typing import TYPE_CHECKING, TextIO
+from typing import TYPE_CHECKING, TextIO, TypeAlias
 
 from msgspec import Struct
 from msgspec.structs import replace
 
-from devices.ports.robot import Pace, Watcher
+from devices.ports.robot import Pace, Pose, Watcher
 from donnie_tui.core.events import Announced, Answered, RunStarted, Stamped
 from donnie_tui.core.hub import Stream
 from donnie_tui.core.outlets import SpeechWait
-from donnie_tui.core.session import ResettableRobot, RunOptions, Session, SessionSetup
+from donnie_tui.core.session import ResettableRobot, Session, SessionSetup
 from donnie_tui.core.team import Team
 from donnie_tui.core.timeline import Chronicle
 from donnie_tui.core.workspace import Workspace
@@ -391,33 +391,48 @@ def starts_of(
     Raises ``Unusable`` if the solution is needed and can't be read.
     """
     from donnie_tui.core.goals import goals_of_end
-    from donnie_tui.core.program_files import DocumentError, checked_path, read_to_the_end
 
     rules = challenge.rules
     starts = tuple(replace(challenge, rules=replace(rules, variant=(each,))) for each in rules.variant)
     if rules.goal:
         return starts
-    try:
-        solution = read_to_the_end(checked_path(challenge.solution))
-    except DocumentError as error:
-        raise Unusable(words(error.code, path=error.path, reason=error.reason)) from None
+    solution = solution_of(challenge, world, words)
     ends = (goals_of_end(*_try_from(each, solution, world, words, settings)) for each in starts)
     return tuple(
         replace(each, rules=replace(each.rules, goal=goals)) for each, goals in zip(starts, ends, strict=True)
     )
 
 
+Programs: TypeAlias = str | Mapping[str, str]
+"""The program of the first robot, or those of several, by the robots' names."""
+
+
+def solution_of(challenge: Challenge, world: ChosenWorld, words: Words) -> dict[str, str]:
+    """The solution, for each robot that needs one. Raises ``Unusable`` if that of the first can't be read."""
+    from donnie_tui.core.program_files import DocumentError, checked_path, exists, read_to_the_end
+
+    first, *others = world.scene.robot_names
+    files = {each: challenge.solution_of(each) for each in others}
+    files = {first: challenge.solution, **{name: file for name, file in files.items() if exists(file)}}
+    try:
+        return {name: read_to_the_end(checked_path(file)) for name, file in files.items()}
+    except DocumentError as error:
+        raise Unusable(words(error.code, path=error.path, reason=error.reason)) from None
+
+
 def judge_program(
-    text: str, starts: Sequence[Challenge], world: ChosenWorld, words: Words, settings: Settings
+    programs: Programs, starts: Sequence[Challenge], world: ChosenWorld, words: Words, settings: Settings
 ) -> tuple[Judgment, ...]:
     """The outcome from each start of a challenge, in a world of its own; nothing of it is printed.
+
+    Several programs begin at the same moment.
 
     An endless program ends by robot time and by the number of its statements, so a busy machine changes
     nothing.
     """
     from donnie_tui.core.goals import judge
 
-    return tuple(judge(each, *_try_from(each, text, world, words, settings)) for each in starts)
+    return tuple(judge(each, *_try_from(each, programs, world, words, settings)) for each in starts)
 
 
 def judge_events(
@@ -431,41 +446,55 @@ def judge_events(
 
     Where that solves it, all that ran must solve it from the other starts, too.
     """
-    from donnie_tui.core.goals import judge
+    from donnie_tui.core.goals import judge, last_try
 
-    began = [each.event.how for each in events if isinstance(each.event, RunStarted)]
-    ran = [each for each in began if each is not None and not each.refused]
     rooms = [inventory_of(started_at(world, each.rules.variant[0]).scene) for each in starts]
-    stood = [next(iter(each.robots.values())) for each in rooms]
-    at = stood.index(ran[0].pose) if ran and ran[0].pose in stood else 0
+    first = world.scene.robot_names[0]
+    stood, texts = dict[str, Pose](), dict[str, str]()
+    for each in last_try(tuple(events)):
+        how = each.event.how if isinstance(each.event, RunStarted) else None
+        if how is not None and not how.refused:
+            robot = each.robot or first
+            stood.setdefault(robot, how.pose)
+            texts[robot] = f"{texts[robot]}\n{how.text}" if robot in texts else how.text
+    at = next((at for at, room in enumerate(rooms) if stood.items() <= room.robots.items()), 0)
     here = judge(starts[at], rooms[at], events)
     if not here.is_solved:
         return (here,)
-    text = "\n".join(each.text for each in ran)
-    others = judge_program(text, [*starts[:at], *starts[at + 1 :]], world, words, settings)
+    others = judge_program(texts, [*starts[:at], *starts[at + 1 :]], world, words, settings)
     return (*others[:at], here, *others[at:])
 
 
 def _try_from(
-    start: Challenge, text: str, world: ChosenWorld, words: Words, settings: Settings
+    start: Challenge, programs: Programs, world: ChosenWorld, words: Words, settings: Settings
 ) -> tuple[Inventory, list[Stamped]]:
-    """What there is in the world of that start, and what the program does there."""
+    """What there is in the world of that start, and what the programs do there."""
+    from donnie_tui.core.runner import Run, RunRequest
+
     (variant,) = start.rules.variant
     settings, world = replace(settings, speed=None, seed=variant.seed), started_at(world, variant)
     team = make_team(settings, words, world, terminal=False)
-    session, events, statements = team.chosen, list[Stamped](), count(1)
+    events, first = list[Stamped](), team.chosen_name
 
     def note(stamped: Stamped) -> None:
         events.append(stamped)
         if stamped.t > LONGEST_TRY:
-            session.stop()
+            team.session(stamped.robot or first).stop()
 
-    def before_statement() -> None:
-        if next(statements) > MOST_STATEMENTS:
-            session.stop()
+    def limit(session: Session, run: Run) -> None:
+        statements = count(1)
 
-    session.hub.subscribe(note)
-    session.start(text, "program", RunOptions(fresh=True), each_statement=before_statement).wait()
+        def before_statement() -> None:
+            if next(statements) > MOST_STATEMENTS:
+                session.stop()
+
+        run.control.look_before_each(before_statement)
+
+    team.stream.subscribe(note)
+    given = {first: programs} if isinstance(programs, str) else programs
+    requests = {name: RunRequest(text, "program") for name, text in given.items()}
+    for each in team.start_together(requests, prepare=limit):
+        each.wait()
     team.close()
     return inventory_of(world.scene), events
 

@@ -264,7 +264,12 @@ class Challenge(Struct, frozen=True):
 
     @property
     def solution(self) -> Path:
+        """Of the first robot."""
         return self.path.with_name(f"{self.name}{SOLUTION}")
+
+    def solution_of(self, robot: str) -> Path:
+        """Of another one, which may have none."""
+        return self.path.with_name(f"{self.name}.{robot}{SOLUTION}")
 
 
 class BadChallenge(Exception):

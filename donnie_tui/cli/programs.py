@@ -20,12 +20,12 @@ from pathlib import Path
 
 from msgspec import Struct
 
-from donnie_tui.bootstrap import judge_events, judge_program, starts_of
+from donnie_tui.bootstrap import Programs, judge_events, judge_program, solution_of, starts_of
 from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.streams import Output
 from donnie_tui.core.describe import verdict_in_words
 from donnie_tui.core.events import RunStarted, Stamped
-from donnie_tui.core.goals import Judgment
+from donnie_tui.core.goals import Judgment, folded
 from donnie_tui.core.program_files import (
     LARGEST,
     DocumentError,
@@ -35,6 +35,7 @@ from donnie_tui.core.program_files import (
     read_to_the_end,
     write_program,
 )
+from donnie_tui.core.wording import no_such_robot
 from donnie_tui.i18n.mistakes import remark
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.process.confinement import is_allowed, make_folder
@@ -47,6 +48,9 @@ from language.locales import ENGLISH
 from language.parser import parse
 from language.syntax import walk
 from worlds import challenges
+
+MOST_NAMES = 5
+"""Robots that are named where one is unknown."""
 
 
 class Source(Struct, frozen=True):
@@ -67,6 +71,21 @@ def read_source(name: str, words: Words) -> Source:
         return Source(name, read_to_the_end(path), path)
     except DocumentError as error:
         raise Unusable(words(error.code, path=error.path, reason=error.reason)) from None
+
+
+def robot_and_file(argument: str) -> tuple[str | None, str]:
+    """``ROBOT=FILE``, or a file of exactly that name for no robot in particular."""
+    robot, equals, file = argument.partition("=")
+    if not (robot and equals) or _exists(argument):
+        return None, argument
+    return robot, file
+
+
+def _exists(name: str) -> bool:
+    try:
+        return Path(name).exists()
+    except (OSError, ValueError):
+        return False
 
 
 def _standard_input() -> str:
@@ -114,6 +133,17 @@ def programs_in(name: str) -> tuple[str, ...]:
     except (OSError, ValueError):
         return (name,)  # reading it reports why
     return tuple(sorted(map(str, found)))
+
+
+def folders_in(name: str) -> tuple[str, ...]:
+    """The folders in a folder, by name; none of anything else."""
+    folder = Path(name)
+    try:
+        if not (is_allowed(folder) and folder.is_dir()):
+            return ()
+        return tuple(sorted(str(each) for each in folder.iterdir() if is_allowed(each) and each.is_dir()))
+    except (OSError, ValueError):
+        return ()
 
 
 def _check_file(
@@ -227,12 +257,12 @@ def _list_challenges(order: Order) -> int:
 def check_challenge(order: Order, name: str, files: Sequence[str]) -> int:
     """Judge programs; 1 if one does not solve the challenge, 2 if one can't be read."""
     judging = _Judging(order, choose_challenge(name, order.words))
-    programs = [each for file in files for each in programs_in(file)]
-    if not programs:
+    pupils = judging.pupils(files)
+    if not pupils:
         raise Unusable(order.words("check-no-programs", path=files[0]))
-    records = [judging.record(each) for each in programs]
+    records = [judging.record(each) for each in pupils]
     if order.invocation.command == "challenge":
-        _write_table(order, programs, [each[1] for each in records])
+        _write_table(order, pupils, [each[1] for each in records])
     if order.invocation.command == "challenge" and order.invocation.arguments.json:
         order.output.text(json.dumps([each[1] for each in records], ensure_ascii=False, indent=2) + "\n")
     elif len(records) > 1:
@@ -252,11 +282,21 @@ def judge_recording(order: Order, name: str, recorded: Sequence[Stamped]) -> int
 _COLUMNS = ("file", "solved", "goals", "met", "commands", "steps", "bumps", "verdict")
 
 
-def _write_table(order: Order, programs: Sequence[str], records: Sequence[Mapping[str, object]]) -> None:
+class _Pupil(Struct, frozen=True):
+    """What one pupil handed in."""
+
+    name: str
+    """The file, or the folder with a program for each robot."""
+    files: Mapping[str | None, str]
+    """By robot; None for the first one."""
+
+
+def _write_table(order: Order, pupils: Sequence[_Pupil], records: Sequence[Mapping[str, object]]) -> None:
     """What ``--csv`` and ``--feedback`` ask for. Raises ``Unusable``."""
     table, folder = order.invocation.arguments.csv, order.invocation.arguments.feedback
     if table is not None:
-        if Path(table).resolve() in (Path(each).resolve() for each in programs):
+        files = (Path(file).resolve() for each in pupils for file in each.files.values())
+        if Path(table).resolve() in files:
             raise Unusable(order.words("challenge-csv-program", path=table))
         text = io.StringIO()
         rows = csv.DictWriter(text, _COLUMNS)
@@ -266,8 +306,8 @@ def _write_table(order: Order, programs: Sequence[str], records: Sequence[Mappin
     if folder is not None:
         make_folder(Path(folder))
         used = Counter[str]()
-        for name, each in zip(programs, records, strict=True):
-            stem = Path(name).stem
+        for pupil, each in zip(pupils, records, strict=True):
+            stem = Path(pupil.name).stem
             used[stem] += 1
             file = f"{stem}-{used[stem]}.txt" if used[stem] > 1 else f"{stem}.txt"
             _write(Path(folder, file), f"{each['verdict']}\n", order.words)
@@ -338,8 +378,8 @@ def _test_challenge(order: Order, name: str) -> int:
     faults = tuple(_faults_of_words(found, order.words))
     for fault in faults:
         order.output.line(fault)
-    source = read_source(str(found.solution), order.words)
-    verdicts, nothing = judging.verdicts(source.text), judging.verdicts("")
+    solution = solution_of(found, judging.world, order.words)
+    verdicts, nothing = judging.verdicts(solution), judging.verdicts("")
     wrong = [each for each in verdicts if not each.is_solved]
     if wrong:
         order.output.line(order.words("challenge-test-unsolved", name=found.name))
@@ -347,9 +387,12 @@ def _test_challenge(order: Order, name: str) -> int:
     easy = any(each.is_solved for each in nothing)
     if easy:
         order.output.line(order.words("challenge-test-empty", name=found.name))
-    spare = 0 if wrong or easy else judging.spare_line(source.text)
-    if spare:
-        order.output.line(order.words("challenge-test-spare", name=found.name, line=spare))
+    spare = None if wrong or easy else judging.spare_line(solution)
+    if spare is not None:
+        robot, line = spare
+        is_of_first = robot == judging.world.scene.robot_names[0]
+        name = found.name if is_of_first else f"{found.name}.{robot}"
+        order.output.line(order.words("challenge-test-spare", name=name, line=line))
     if wrong or easy or spare or faults:
         return ExitCode.FAILED
     order.output.line(order.words("challenge-test-good", name=found.name, starts=len(verdicts)))
@@ -379,18 +422,60 @@ class _Judging:
     def __init__(self, order: Order, found: challenges.Challenge) -> None:
         """Raises ``Unusable``."""
         self._order, self._words = order, order.words
-        self._world = world_of(found, order.words)
-        self._room = inventory_of(self._world.scene)
-        self._starts = starts_of(found, self._world, order.words, order.settings)
+        self.world = world_of(found, order.words)
+        self._room = inventory_of(self.world.scene)
+        self._starts = starts_of(found, self.world, order.words, order.settings)
 
-    def record(self, name: str) -> tuple[int, dict[str, object]]:
-        """The exit code for a file and its record; prints its line unless all is asked for as JSON."""
+    def pupils(self, given: Sequence[str]) -> tuple[_Pupil, ...]:
+        """Those whose programs were given: files, folders, or a program for each robot.
+
+        In a world with several robots a folder with files such as ``alice.gd`` is that of one pupil.
+        Raises ``Unusable`` for a robot that is not there.
+        """
+        named = [robot_and_file(each) for each in given]
+        if named and all(robot is not None for robot, _ in named):
+            return (self._pupil_with(named),)
+        found = (each for file in given for each in self._in_folder(file))
+        return tuple(found)
+
+    def _pupil_with(self, named: Sequence[tuple[str | None, str]]) -> _Pupil:
+        files = dict[str | None, str]()
+        for robot, file in named:
+            called = self._room.robot_called(robot or "")
+            if called is None:
+                names = self.world.scene.robot_names
+                raise Unusable(no_such_robot(robot or "", names, MOST_NAMES, self._words))
+            if called in files:
+                raise Unusable(self._words("robot-twice", name=called))
+            files[called] = file
+        return _Pupil(", ".join(Path(file).name for file in files.values()), files)
+
+    def _in_folder(self, name: str) -> Iterator[_Pupil]:
+        """Those of a folder, or of a file alone."""
+        own = self._files_of_robots(name)
+        if own:
+            yield _Pupil(name, own)
+            return
+        folders = (each for each in folders_in(name) if self._files_of_robots(each))
+        yield from (_Pupil(each, self._files_of_robots(each)) for each in folders)
+        yield from (_Pupil(each, {None: each}) for each in programs_in(name))
+
+    def _files_of_robots(self, folder: str) -> Mapping[str | None, str]:
+        """Its programs that are called as the robots are, where there are several."""
+        if len(self._room.robots) < 2 or not is_allowed(Path(folder)):
+            return {}
+        named = {folded(Path(each).stem): each for each in programs_in(folder) if each != folder}
+        return {each: named[folded(each)] for each in self._room.robots if folded(each) in named}
+
+    def record(self, pupil: _Pupil) -> tuple[int, dict[str, object]]:
+        """The exit code for a pupil and the record; prints its line unless all is asked for as JSON."""
+        name, first = pupil.name, self.world.scene.robot_names[0]
         try:
-            source = read_source(name, self._words)
+            sources = {robot or first: read_source(file, self._words) for robot, file in pupil.files.items()}
         except Unusable as unusable:
             self._print(unusable.sentence)
             return ExitCode.UNUSABLE, {"file": name, "solved": None, "verdict": unusable.sentence}
-        verdicts = self.verdicts(source.text)
+        verdicts = self.verdicts({robot: each.text for robot, each in sources.items()})
         sentence, solved = self.sentences(verdicts), all(each.is_solved for each in verdicts)
         self._print(self._words("challenge-verdict", file=Path(name).name, verdict=sentence))
         worst = next((each for each in verdicts if not each.is_solved), verdicts[0])
@@ -409,32 +494,33 @@ class _Judging:
         if not getattr(self._order.invocation.arguments, "json", False):
             self._order.output.line(line)
 
-    def verdicts(self, text: str) -> tuple[Judgment, ...]:
+    def verdicts(self, programs: Programs) -> tuple[Judgment, ...]:
         """One for each start."""
-        return judge_program(text, self._starts, self._world, self._words, self._order.settings)
+        return judge_program(programs, self._starts, self.world, self._words, self._order.settings)
 
-    def _solves(self, text: str) -> bool:
-        """Whether it does from every start; asks no further where one fails."""
-        run = partial(judge_program, world=self._world, words=self._words, settings=self._order.settings)
-        return all(run(text, (start,))[0].is_solved for start in self._starts)
+    def _solves(self, programs: Programs) -> bool:
+        """Whether they do from every start; asks no further where one fails."""
+        run = partial(judge_program, world=self.world, words=self._words, settings=self._order.settings)
+        return all(run(programs, (start,))[0].is_solved for start in self._starts)
 
     def verdicts_of(self, path: str, recorded: Sequence[Stamped]) -> tuple[Judgment, ...]:
         """Of a recording. Raises ``Unusable`` if it is of another world."""
         began = (each.event.world for each in recorded if isinstance(each.event, RunStarted))
-        other = next((each for each in began if each != self._world.name), None)
+        other = next((each for each in began if each != self.world.name), None)
         if other is not None:
-            wanted = self._world.name
+            wanted = self.world.name
             raise Unusable(self._words("challenge-other-world", path=path, world=other, wanted=wanted))
-        return judge_events(recorded, self._starts, self._world, self._words, self._order.settings)
+        return judge_events(recorded, self._starts, self.world, self._words, self._order.settings)
 
-    def spare_line(self, text: str) -> int:
-        """The line of the first command that a solution does not need; 0 if it needs all."""
-        program = parse(text).program
-        for span in (each.span for each in walk(program.body if program is not None else ())):
-            shorter = text[: span.start] + text[span.end :]
-            if not parse(shorter).diagnostics and all(each.is_solved for each in self.verdicts(shorter)):
-                return span.line
-        return 0
+    def spare_line(self, solution: Mapping[str, str]) -> tuple[str, int] | None:
+        """The robot and the line of the first command that a solution does not need; None if it needs all."""
+        for robot, text in solution.items():
+            program = parse(text).program
+            for span in (each.span for each in walk(program.body if program is not None else ())):
+                shorter = text[: span.start] + text[span.end :]
+                if not parse(shorter).diagnostics and self._solves({**solution, robot: shorter}):
+                    return robot, span.line
+        return None
 
     def sentences(self, verdicts: Sequence[Judgment]) -> str:
         """What there is to say about a program."""

@@ -23,7 +23,7 @@ from typing import TextIO, cast
 from devices.audio.cues import SAMPLE_RATE
 from donnie_tui.bootstrap import Donnie, assemble
 from donnie_tui.cli.options import ExitCode, Order
-from donnie_tui.cli.programs import read_source
+from donnie_tui.cli.programs import MOST_NAMES, read_source, robot_and_file
 from donnie_tui.cli.streams import (
     Guarded,
     Output,
@@ -46,16 +46,13 @@ from donnie_tui.settings.folders import settings_file
 from donnie_tui.settings.settings import Settings, SettingSource
 from language.locales import languages
 
-MOST_NAMES = 5
-"""Robots that are named where one is unknown."""
-
 
 def read_programs(arguments: Sequence[str], words: Words) -> tuple[tuple[str | None, RunRequest], ...]:
     """What was written after ``donnie run``: the robot's name, None for the first one, and its program.
 
     Raises ``Unusable``. A file of exactly that name wins over a robot.
     """
-    parts = [_parts(each) for each in arguments]
+    parts = [robot_and_file(each) for each in arguments]
     if len(parts) > 1:
         _refuse_nameless(parts, words)
     if sum(file == "-" for _, file in parts) > 1:
@@ -76,20 +73,6 @@ def assign(
             raise Unusable(words("robot-twice", name=name))
         assigned[name] = program
     return assigned
-
-
-def _parts(argument: str) -> tuple[str | None, str]:
-    robot, equals, file = argument.partition("=")
-    if not (robot and equals) or _exists(argument):
-        return None, argument
-    return robot, file
-
-
-def _exists(name: str) -> bool:
-    try:
-        return Path(name).exists()
-    except (OSError, ValueError):
-        return False
 
 
 def _refuse_nameless(parts: Sequence[tuple[str | None, str]], words: Words) -> None:

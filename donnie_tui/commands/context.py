@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
-from donnie_tui.bootstrap import Donnie, judge_events, judge_program, starts_of
+from donnie_tui.bootstrap import Donnie, judge_events, judge_program, solution_of, starts_of
 from donnie_tui.commands.declarations import BY_NAME
 from donnie_tui.commands.interaction import Interaction, Screen
 from donnie_tui.commands.lookup import word_of
@@ -37,6 +37,7 @@ from donnie_tui.core.run_controller import RunController
 from donnie_tui.core.run_state import RunErrors
 from donnie_tui.core.transcript import lines_with_robot_name, with_robot_name
 from donnie_tui.core.wording import shown_name
+from donnie_tui.i18n.words import Unusable
 from donnie_tui.settings.folders import PROGRESS, state_path
 
 if TYPE_CHECKING:
@@ -233,13 +234,11 @@ class Attempt:
     @cached_property
     def _shortest(self) -> int:
         """The steps of the solution from the first start."""
-        from donnie_tui.core.program_files import DocumentError, checked_path, read_to_the_end
-
-        try:
-            solution = read_to_the_end(checked_path(self.challenge.solution))
-        except DocumentError:
-            return 0
         donnie, settings = self._donnie, self._preferences.settings
+        try:
+            solution = solution_of(self.challenge, donnie.world, donnie.words)
+        except Unusable:
+            return 0
         return judge_program(solution, self._starts[:1], donnie.world, donnie.words, settings)[0].steps
 
     def judge(self) -> tuple[str, ...]:

@@ -225,7 +225,7 @@ def unknown_things(challenge: Challenge, room: Inventory) -> tuple[str, ...]:
 
 def track_of(room: Inventory, events: Iterable[Stamped]) -> Track:
     """What the runs did since the robots were put to their starts the last time."""
-    happened = _last_try(tuple(events))
+    happened = last_try(tuple(events))
     first = room.robot_called("") or ""
     here, meetings = dict(room.robots), list[Mapping[str, Pose]]()
     items = room.items
@@ -286,7 +286,8 @@ def begins_anew(event: Event) -> bool:
     )
 
 
-def _last_try(events: Sequence[Stamped]) -> tuple[Stamped, ...]:
+def last_try(events: Sequence[Stamped]) -> tuple[Stamped, ...]:
+    """What happened since each robot was put to its start."""
     starts = {each.robot: at for at, each in enumerate(events) if begins_anew(each.event)}
     return tuple(each for at, each in enumerate(events) if at >= starts.get(each.robot, 0))
 

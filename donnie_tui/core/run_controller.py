@@ -86,6 +86,8 @@ class RunController:
         """The position of STEP BACK; None in the present."""
         self.judge: Callable[[], tuple[str, ...]] | None = None
         """What there is to say about a run that ended by itself, where the learner solves a challenge."""
+        self._unjudged: list[RunRecord] = []
+        """The runs since the last verdict."""
         self._unsubscribe = team.stream.subscribe(self._on_event)
 
     def close(self) -> None:
@@ -242,6 +244,7 @@ class RunController:
     def _follow(self, record: RunRecord, control: ExecutionControl) -> None:
         record.control = control
         self._records[record.session.hub.robot] = record
+        self._unjudged.append(record)
         self.past = None
         control.observe(partial(self._on_control, record))
 
@@ -473,12 +476,24 @@ class RunController:
         if run.outcome is Outcome.STOPPED and not record.was_stopped_with_all:
             self._answer_stopped(record.session, record)
         if record.is_background:
+            self.say_verdict()
             return
         if not run.was_refused and run.outcome is not Outcome.QUIT:
             self._answer(*hints_for(record.request.text, record.session, self._words))
         if run.outcome is Outcome.COMPLETED:
             self._answer_done(record)
-        if self.judge is not None and not run.was_refused and run.outcome in _JUDGED:
+        self._say_verdict()
+
+    def say_verdict(self) -> None:
+        """Says the verdict about programs that no prompt waited for, once all have ended."""
+        if not self._team.running:
+            self._say_verdict()
+
+    def _say_verdict(self) -> None:
+        runs, self._unjudged = [each.run for each in self._unjudged], []
+        if self.judge is not None and any(
+            each is not None and not each.was_refused and each.outcome in _JUDGED for each in runs
+        ):
             self._answer(*self.judge())
 
     def _answer_done(self, record: RunRecord) -> None:

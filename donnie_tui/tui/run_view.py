@@ -89,6 +89,8 @@ class RunView(RunObserver):
         """Sum the run up, unless another robot was chosen meanwhile."""
         display = self._display
         if event.robot not in (None, self._ctx.donnie.session.name):
+            self._runs.say_verdict()
+            self._events.flush()
             return
         self._stop_reminder()
         self.show_past()

@@ -43,3 +43,28 @@ async def test_a_verdict_is_the_same_everywhere(
     assert capsys.readouterr().out == f"p.gd: {verdict}\n{verdict}\n"
     assert [each for each in linear.published if each.startswith(verdict[:6])] == [verdict]
     assert [each for each in screen.published if each.startswith(verdict[:6])] == [verdict]
+
+
+BOTH = """\
+format = 1
+world = "two_robots"
+[en]
+title = "T"
+task = "Do."
+[[goal]]
+robots = ["alice", "bob"]
+"""
+
+
+async def test_robots_that_start_together_have_one_verdict(tmp_path: Path) -> None:
+    """They are 30 steps apart, and their bodies are 3 steps wide."""
+    file = tmp_path / "both.toml"
+    file.write_text(BOTH, encoding="utf-8")
+    group = Group("together", "FW 10\n", (), ("TOGETHER",), world=f"challenge:{file}")
+    verdict = "0 of 1 goal. alice and bob come no nearer than 17 steps."
+
+    (linear,) = in_linear_mode(group, tmp_path / "linear")
+    (screen,) = await on_full_screen(group, tmp_path / "screen")
+
+    assert [each for each in linear.published if "of 1 goal" in each] == [verdict]
+    assert [each for each in screen.published if "of 1 goal" in each] == [verdict]

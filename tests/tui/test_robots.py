@@ -123,3 +123,16 @@ async def test_a_world_without_a_robot_gets_a_donnie_and_the_log_says_so(open_sc
     async with open_screen(world="empty") as screen:
         await screen.shows("The world empty has no robot, so I put Donnie in, at")
         await screen.run("FW 2")
+
+
+async def test_the_verdict_comes_once_a_robot_has_ended_that_is_not_talked_to(open_screen, tmp_path):
+    file = tmp_path / "it.toml"
+    file.write_text(
+        'format = 1\nworld = "two_robots"\n[en]\ntitle = "T"\ntask = "Do."\n[[goal]]\nsaid = "hello"\n'
+    )
+    async with open_screen('WAIT 1\nSPEAK "hello"', speed=1.0, world=f"challenge:{file}") as screen:
+        await screen.press("f5")
+        await screen.type_line("ROBOT bob")
+        await screen.shows("Now you talk to bob.")
+
+        await screen.shows("Solved, in 2 commands.")

@@ -346,6 +346,88 @@ def test_without_goals_the_end_of_the_solution_is_the_goal_from_each_start(
     assert capsys.readouterr().out == "p.gd: 1 of 2 goals. You stop 2 steps south of 0, 3.\n"
 
 
+BOTH_COME = """\
+format = 1
+world = "two_robots"
+[en]
+title = "T"
+task = "Do."
+[[goal]]
+robots = ["alice", "bob"]
+within = 6
+[[goal]]
+said = "hello"
+[never]
+bump = true
+[[variant]]
+[[variant]]
+things = { "bob" = [0, 26] }
+"""
+"""Their middles are 30 or 26 steps apart. After 10 and 12 steps their bodies, 3 wide, are 5 or 1 apart."""
+
+
+def both_come(folder: Path, bob: str) -> Path:
+    (folder / "it.bob.solution.gd").write_text(bob)
+    return written(folder, "it", BOTH_COME, "FW 10")
+
+
+def test_each_robot_has_a_solution_of_its_own(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["challenge", "test", str(both_come(tmp_path, 'FW 12\nSPEAK "hello"'))]) == 0
+    assert main(["challenge", "test", str(both_come(tmp_path, "FW 12"))]) == 1
+    capsys.readouterr()
+    file = both_come(tmp_path, 'FW 12\nSPEAK "hello"\nTR 90')
+    assert main(["challenge", "test", str(file), "--lang", "en"]) == 1
+    assert capsys.readouterr().out == "it.bob: the solution does not need its line 3.\n"
+
+
+def test_a_pupil_hands_in_a_program_for_each_robot(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = both_come(tmp_path, 'FW 12\nSPEAK "hello"')
+    for pupil, alice, bob in (("ana", "FW 10", 'FW 12\nSPEAK "Hello!"'), ("rui", "FW 10", "FW 6")):
+        (tmp_path / "class" / pupil).mkdir(parents=True)
+        (tmp_path / "class" / pupil / "alice.gd").write_text(alice)
+        (tmp_path / "class" / pupil / "Bob.gd").write_text(bob)
+    (tmp_path / "class" / "tom.gd").write_text("FW 10")
+    (tmp_path / "class" / "empty").mkdir()
+    ana = tmp_path / "class" / "ana"
+    said = {
+        "ana": "Solved, in 3 commands.",
+        "rui": "0 of 2 goals. alice and bob come no nearer than 11 steps. Missing: say hello.",
+        "tom.gd": "0 of 2 goals. alice and bob come no nearer than 17 steps. Missing: say hello.",
+    }
+    answers = ["--feedback", str(tmp_path / "answers"), "--csv", str(tmp_path / "t.csv"), "--lang", "en"]
+
+    assert main(["challenge", "check", str(file), str(tmp_path / "class"), *answers]) == 1
+    lines = [f"{name}: {verdict}" for name, verdict in said.items()]
+    assert capsys.readouterr().out.splitlines() == [*lines, "3 programs. 1 solved."]
+    assert (tmp_path / "answers" / "rui.txt").read_text() == f"{said['rui']}\n"
+    assert main(["challenge", "check", str(file), str(ana), "--lang", "en"]) == 0
+    programs = [f"alice={ana}/alice.gd", f"bob={ana}/Bob.gd"]
+    assert main(["run", "--challenge", str(file), *programs, "--lang", "en"]) == 0
+    assert main(["challenge", "check", str(file), f"carl={ana}/alice.gd", "--lang", "en"]) == 2
+    assert capsys.readouterr().out.splitlines()[1:] == ["alice.gd, Bob.gd: Solved, in 3 commands."]
+
+
+def test_recorded_programs_of_several_robots_are_tried_from_each_start(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = both_come(tmp_path, 'FW 12\nSPEAK "hello"')
+    recording = tmp_path / "r.jsonl"
+    for bob, verdict in (
+        ('FW 12\nSPEAK "hello"', "Solved, in 3 commands."),
+        ('FW 15\nSPEAK "hello"', "2 of 2 goals. From start 2: You bumped"),
+    ):
+        (tmp_path / "a.gd").write_text("FW 10")
+        (tmp_path / "b.gd").write_text(bob)
+        recording.unlink(missing_ok=True)
+        programs = [f"alice={tmp_path}/a.gd", f"bob={tmp_path}/b.gd"]
+        main(["run", *programs, "--world", f"challenge:{file}", "--record", str(recording), "--lang", "en"])
+        capsys.readouterr()
+        main(["replay", str(recording), "--challenge", str(file), "--lang", "en"])
+        assert capsys.readouterr().out.startswith(verdict)
+
+
 def test_without_goals_and_solution_a_challenge_is_a_mistake(tmp_path: Path) -> None:
     with pytest.raises(BadChallenge) as bad:
         read(tmp_path, WITHOUT_GOAL)
