@@ -269,7 +269,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             self.controller.run_view.on_finished(event)
             if self.controller.ctx.attempt is not None and self.controller.ctx.attempt.has_questions:
                 self.do("questions")
-            if event.asks_to_quit:
+            if event.asks_to_quit and event.robot in (None, self.controller.donnie.session.name):
                 self.do("quit")
 
     def on_editor_line_word_typed(self, event: Editor.LineWordTyped) -> None:

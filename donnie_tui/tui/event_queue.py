@@ -232,8 +232,8 @@ class EventQueue:
             case RunStarted(program=program, how=how) if is_chosen:
                 self._is_beginning = True
                 self._post(RunBegan(program, self._pose(), fresh=how is not None and how.begins_anew))
-            case RunEnded() if is_chosen:
-                self._post(RunFinished(event, self._taken_errors(), robot))
+            case RunEnded():
+                self._post(RunFinished(event, self._taken_errors() if is_chosen else (), robot))
             case _:
                 self._call()
 
