@@ -110,6 +110,13 @@ class Goal(Struct, frozen=True, forbid_unknown_fields=True):
         return named.pop() if len(named) == 1 and named != {"thing"} else ""
 
     @property
+    def is_sensed(self) -> bool:
+        """Whether a real robot can know it, which counts its steps and knows no things around it."""
+        places = (self.at, self.near, *(self.visited or ()))
+        is_about_things = bool(self.thing or self.holds or self.robots)
+        return not (is_about_things or any(isinstance(each, str) for each in places))
+
+    @property
     def targets(self) -> tuple[Target, ...]:
         """The things and places that it names."""
         named = (self.at, self.near, self.thing, self.holds, *(self.visited or ()))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -48,7 +48,7 @@ if TYPE_CHECKING:
     from donnie_tui.core.program_files import Attempted, ProgressFile
     from donnie_tui.core.questions import Asked
     from donnie_tui.core.workspace import Workspace
-    from worlds.challenges import Challenge
+    from worlds.challenges import Challenge, Goal
 
 MOST_AT_ONCE = 18
 """Lines of a list that are said without their number before."""
@@ -194,6 +194,8 @@ class Attempt:
         self._events: deque[Stamped] = deque(maxlen=self.MOST_EVENTS)
         self.has_questions = False
         """Whether the last run is followed by questions that were not asked yet."""
+        self.unsensed: dict[int, Goal] = {}
+        """After a run of a real robot, the goals that it can't sense, by their places in the file."""
         self._tried: Attempted | None = None
         """The last run, until it is written."""
         self._unsubscribe = donnie.team.stream.subscribe(self._on_event)
@@ -208,7 +210,7 @@ class Attempt:
         if not isinstance(stamped.event, TRANSIENT):
             self._events.append(stamped)
         if isinstance(stamped.event, _ACTS) and len(self._events) <= self.MOST_LIVE:
-            self._chime(judge(self.challenge, self.room, self._happened()), stamped.event)
+            self._chime(judge(self.challenge, self.room, self._happened(), self._no_answers), stamped.event)
 
     def _chime(self, now: Judgment, event: Event | None = None) -> None:
         """A cue for each goal that is met now and was not; none for those that are met before anything."""
@@ -221,7 +223,13 @@ class Attempt:
         """Of what was done from the first start."""
         from donnie_tui.core.goals import judge
 
-        return judge(self._starts[0], self.room, self._happened())
+        return judge(self._starts[0], self.room, self._happened(), self._no_answers)
+
+    @property
+    def _no_answers(self) -> Mapping[int, bool] | None:
+        """None unless the robot is one that knows no things around it."""
+        connection = self._donnie.connection
+        return {} if connection.is_real or connection.is_board else None
 
     def _happened(self) -> tuple[Stamped, ...]:
         return tuple(self._events) or (Stamped(0, 0.0, Reset(self._donnie.session.pose)),)
@@ -244,14 +252,32 @@ class Attempt:
     def judge(self) -> tuple[str, ...]:
         """What there is to say after a run, which is kept as a try.
 
-        A program that solves the challenge from the first start must solve it from the others, too.
+        A program that solves the challenge from the first start must solve it from the others, too. Where a
+        real robot can't sense all goals, the learner is asked first.
         """
+        donnie, settings = self._donnie, self._preferences.settings
+        if self._no_answers is None:
+            happened = self._happened()
+            return self._verdict(judge_events(happened, self._starts, donnie.world, donnie.words, settings))
+        goals = enumerate(self._starts[0].rules.goal)
+        self.unsensed = {at: goal for at, goal in goals if not goal.is_sensed}
+        if not self.unsensed:
+            return self.judge_answered({})
+        self.has_questions = True
+        return (donnie.words("goals-asked"),)
+
+    def judge_answered(self, answers: Mapping[int, bool]) -> tuple[str, ...]:
+        """As ``judge``, with what the learner said about the goals that the robot can't sense."""
+        from donnie_tui.core.goals import judge
+
+        self.unsensed = {}
+        return self._verdict((judge(self._starts[0], self.room, self._happened(), answers),))
+
+    def _verdict(self, verdicts: Sequence[Judgment]) -> tuple[str, ...]:
         from donnie_tui.core.describe import verdict_in_words
         from worlds import challenges
 
-        donnie, settings = self._donnie, self._preferences.settings
-        verdicts = judge_events(self._happened(), self._starts, donnie.world, donnie.words, settings)
-        here = verdicts[0]
+        donnie, here = self._donnie, verdicts[0]
         is_solved = all(each.is_solved for each in verdicts)
         self.keep_try()
         self._tried = self._try_of(here, is_solved=is_solved)

@@ -19,6 +19,7 @@ from worlds import challenges
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    from donnie_tui.commands.context import Attempt
     from donnie_tui.core.program_files import Attempted
 
 _KEY_LINES = ("enter", "run", "stop", "past", "line", "word", "clear", "tab", "leave")
@@ -252,6 +253,10 @@ async def hint(ctx: Context, _: str) -> None:
 async def questions(ctx: Context, _: str) -> None:
     """Ask what the challenge asks about its world; an empty answer leaves them."""
     attempt = ctx.attempt
+    if attempt is not None and attempt.unsensed:
+        await _ask_about_goals(ctx, attempt)
+        if not attempt.has_questions:
+            return
     asked = attempt.questions() if attempt is not None else ()
     if attempt is None or not asked:
         ctx.answer("challenge-none" if attempt is None else "questions-none")
@@ -269,6 +274,19 @@ async def questions(ctx: Context, _: str) -> None:
         ctx.answer("questions-done", right=right, questions=len(asked))
     finally:
         attempt.keep_try(len(asked), right)
+
+
+async def _ask_about_goals(ctx: Context, attempt: Attempt) -> None:
+    """Those that a real robot can't sense; then the verdict."""
+    from donnie_tui.core.questions import goal_question
+
+    answers = dict[int, bool]()
+    for at, goal in attempt.unsensed.items():
+        answer = await ctx.interaction.confirm(goal_question(goal, attempt.room, ctx.words))
+        if answer is None:
+            break
+        answers[at] = answer
+    ctx.say(*attempt.judge_answered(answers))
 
 
 @handles("results")

@@ -392,7 +392,7 @@ def shortfall_in_words(shortfall: Shortfall, room: Inventory, wording: Wording) 
     if "word" in values:
         values["word"] = keywords.spelling(str(values["word"]), wording.language)
     if "target" in values:
-        values["target"] = _target_in_words(cast("Target", values["target"]), room, wording)
+        values["target"] = target_in_words(cast("Target", values["target"]), room, wording)
     if "area" in values:
         (from_x, from_y), (x, y) = cast("Area", values["area"])
         corners = {"from_x": f"{from_x:g}", "from_y": f"{from_y:g}", "x": f"{x:g}", "y": f"{y:g}"}
@@ -402,7 +402,8 @@ def shortfall_in_words(shortfall: Shortfall, room: Inventory, wording: Wording) 
     )
 
 
-def _target_in_words(target: Target, room: Inventory, wording: Wording) -> str:
+def target_in_words(target: Target, room: Inventory, wording: Wording) -> str:
+    """A thing or a place, without an article."""
     if isinstance(target, str):
         found = room.called(target)
         if not found:

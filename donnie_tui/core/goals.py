@@ -163,10 +163,26 @@ class Judgment(Struct, frozen=True):
         return not self.shortfalls
 
 
-def judge(challenge: Challenge, room: Inventory, events: Iterable[Stamped]) -> Judgment:
-    """What the runs did for the challenge since the robots were put to their starts the last time."""
+def judge(
+    challenge: Challenge,
+    room: Inventory,
+    events: Iterable[Stamped],
+    answers: Mapping[int, bool] | None = None,
+) -> Judgment:
+    """What the runs did for the challenge since the robots were put to their starts the last time.
+
+    ``answers``: of a real robot, what the learner said about the goals that it can't sense, by their places
+    in the file. Nothing is known then of what it touched or was near to.
+    """
     track, rules = track_of(room, events), challenge.rules
-    missing = [_missing(goal, room, track) for goal in rules.goal]
+    missing = [
+        _missing(goal, room, track)
+        if answers is None or goal.is_sensed or not track.has_run
+        else _answered(answers.get(at), at + 1)
+        for at, goal in enumerate(rules.goal)
+    ]
+    if answers is not None:
+        rules = replace(rules, never=replace(rules.never, touch=(), near=()))
     failed = [each for each in missing if each is not None]
     return Judgment(
         len(missing),
@@ -307,6 +323,12 @@ def _missing(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
     if found is None or not goal.robot:
         return found
     return Shortfall(found.code, {**found.values, "robot": goal.robot})
+
+
+def _answered(answer: bool | None, number: int) -> Shortfall | None:
+    """What the learner said about a goal."""
+    code = "goal-asked" if answer is None else "goal-answered-no"
+    return None if answer else Shortfall(code, {"number": number})
 
 
 def _way(robot: str, room: Inventory, track: Track) -> Sequence[Moment]:

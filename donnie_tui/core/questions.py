@@ -12,10 +12,11 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from devices.ports.robot import Pose
+from donnie_tui.core.describe import target_in_words
 from donnie_tui.core.goals import Inventory, Item, Track, bearing, gap_to
 from donnie_tui.core.wording import COMPASS, Wording, called, coloured, meant, the_coloured
 from language import keywords
-from worlds.challenges import Ask, ChallengeQuestion
+from worlds.challenges import Ask, ChallengeQuestion, Goal
 
 TOLERANCES = {Ask.DIRECTION: 30.0, Ask.DISTANCE: 2.0}
 """Degrees and steps that an answer may be off by where the challenge doesn't say; else nothing."""
@@ -133,6 +134,14 @@ class Asked(Struct, frozen=True):
         """The numbers of the things, from near to far."""
         gaps = [self._distance(each) for each in self.question.things]
         return sorted(range(1, len(gaps) + 1), key=lambda number: gaps[number - 1])
+
+
+def goal_question(goal: Goal, room: Inventory, wording: Wording) -> str:
+    """Whether a goal is met, for the learner of a robot that can't sense it."""
+    listed = ", ".join(goal.robots or ()) or ", ".join(
+        target_in_words(each, room, wording) for each in goal.targets if each != goal.at or goal.kind == "at"
+    )
+    return wording(f"goal-ask-{goal.kind}", target=listed)
 
 
 def _the(item: Item, name: str, wording: Wording) -> str:

@@ -238,3 +238,65 @@ def test_a_forbidden_word_is_the_rule_of_a_later_lesson(open_script: OpenScript,
     assert script.answers_to("REPEAT 3 TIMES\nFW 1\nEND REPEAT")[-1] == (
         f"1 of 1 goal. REPEAT comes in challenge {first}."
     )
+
+
+UNSENSED = """\
+format = 1
+world = "first_room"
+[en]
+title = "T"
+task = "Do."
+[[goal]]
+at = "yellow ball"
+[[goal]]
+said = "here"
+[[goal]]
+holds = "ball"
+[never]
+touch = ["ball"]
+near = ["chair"]
+within = 100
+"""
+
+
+@pytest.mark.parametrize(
+    ("answers", "verdict"),
+    [
+        (["yes", "yes"], "Solved, in 2 commands."),
+        (["yes", "no"], "2 of 3 goals. You answered no to goal 3."),
+        (["no"], "1 of 3 goals. You answered no to goal 1. I can't sense goal 3."),
+    ],
+)
+def test_a_real_robot_asks_about_the_goals_that_it_can_not_sense(
+    open_script: OpenScript,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    answers: list[str],
+    verdict: str,
+) -> None:
+    file = tmp_path / "it.toml"
+    file.write_text(UNSENSED)
+    script = open_script(answers=answers, world=f"challenge:{file}")
+    monkeypatch.setattr(type(script.donnie.connection), "is_real", property(lambda _: True))
+
+    script.answers_to("FW 1")
+    assert script.answers_to('SPEAK "here"')[-1] == "I can't sense all. Type QUESTIONS."
+    assert script.answers_to("GOALS") == [
+        "Goal 1: I can't sense goal 1.",
+        "Goal 2: met.",
+        "Goal 3: I can't sense goal 3.",
+    ]
+    assert script.answers_to("QUESTIONS") == [verdict]
+    asked = ["Is the robot there: ball?", "Does the robot hold this: ball?"]
+    assert script.interaction.asked[-2:] == asked
+    assert script.answers_to("RESULTS")[0] == f"{int('Solved' in verdict)} of 1 solved."
+
+
+def test_a_real_robot_is_judged_at_once_by_what_it_can_sense(
+    open_script: OpenScript, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    script = open_script(world="challenge:first_walk")
+    monkeypatch.setattr(type(script.donnie.connection), "is_real", property(lambda _: True))
+
+    assert "0 of 1 goal. You stop 1 step south of 0, 5." in script.answers_to("FW 4")
+    assert "Solved, in 2 commands." in script.answers_to("FW 1")
