@@ -128,12 +128,12 @@ class Donnie(Struct, frozen=True):
 
         return picture(self.world.scene, self.team.chosen_name)
 
-    def building(self) -> Building:
-        """Changes the world while nothing runs."""
+    def building(self, program: str = "") -> Building:
+        """Changes the world while nothing runs. ``program``: the text of the learner's program."""
         from donnie_tui.world.building import Building
 
         folders = self.outlets.audible.settings.include_folders
-        return Building(self.site, self._shared, folders, self.words)
+        return Building(self.site, self._shared, folders, self.words, program)
 
     @property
     def holds_something(self) -> bool:

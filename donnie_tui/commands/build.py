@@ -125,7 +125,7 @@ def _build(ctx: Context, change: _Change) -> None:
         return
     try:
         _refuse(ctx)
-        change(donnie.building())
+        change(donnie.building(ctx.program.text))
     except Unusable as unusable:
         ctx.refuse(UNUSABLE)
         ctx.say(unusable.sentence)
@@ -149,6 +149,19 @@ def _refuse(ctx: Context) -> None:
         raise Unusable(ctx.words("built-recorded", path=recording))
     if donnie.holds_something:
         raise Unusable(ctx.words("built-holding"))
+
+
+def undo_building(ctx: Context) -> bool:
+    """Take back what was built last, unless the program was changed after it. Whether it was tried."""
+    past = ctx.donnie.site.past
+    if not past or past[-1].program != ctx.program.text:
+        return False
+
+    def change(building: Building) -> None:
+        _say_place(ctx, *building.undo())
+
+    _build(ctx, change)
+    return True
 
 
 # --- saving

@@ -218,7 +218,15 @@ async def move(ctx: Context, argument: str) -> None:
 @handles("undo", change=Document.undo)
 @handles("redo", change=Document.redo)
 async def undo(ctx: Context, _: str, change: Callable[[Document], int | None]) -> None:
-    """Undo the last change, or make it again, and say the first line that differs now."""
+    """Undo the last change, or make it again, and say the first line that differs now.
+
+    What was built after the last change of the program is undone first.
+    """
+    if change == Document.undo and ctx.donnie.site.past:
+        from donnie_tui.commands.build import undo_building  # few worlds are built
+
+        if undo_building(ctx):
+            return
     with _changing(ctx):
         _say_changed(ctx, change(ctx.program))
 

@@ -17,7 +17,7 @@ from devices.ports.robot import STEP
 from donnie_tui.core.program_files import read_program, write_program
 from donnie_tui.core.wording import coloured_thing, the_coloured
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.world.loading import Site, allowed_folders
+from donnie_tui.world.loading import Site, SiteChange, allowed_folders
 from donnie_tui.world.things import (
     KINDS,
     BadDrawing,
@@ -46,8 +46,11 @@ _MOST_NAMES = 8
 class Building:
     """Changes the world of a session."""
 
-    def __init__(self, site: Site, shared: World, folders: tuple[str, ...], words: Words) -> None:
-        """``folders``: those from which the world may include files."""
+    def __init__(
+        self, site: Site, shared: World, folders: tuple[str, ...], words: Words, program: str = ""
+    ) -> None:
+        """``folders``: those from which the world may include files. ``program``: its text now."""
+        self._program = program
         self._site, self._shared, self._words = site, shared, words
         self._allowed = allowed_folders(folders)
 
@@ -172,10 +175,34 @@ class Building:
         changed = new_tops[-1] if is_new else None if moved_thing is None else index_of[moved_thing]
         if changed is not None:
             self._check_room(scene, index_of, changed)
+        site, back = self._site, {new: old for old, new in index_of.items()}
+        thing = gone if moved_thing is None else moved_thing
+        site.past.append(SiteChange(site.world, site.text, site.is_saved, back, thing, self._program))
         self._shared.rebuild(scene, index_of)
-        self._site.world = replace(self._site.world, scene=scene, is_rebuilt=True)
-        self._site.text, self._site.is_saved = text, False
-        return next((each for each in self.things() if each.index == changed), None)
+        site.world = replace(site.world, scene=scene, is_rebuilt=True)
+        site.text, site.is_saved = text, False
+        return self._thing_at(changed)
+
+    def _thing_at(self, index: int | None) -> Thing | None:
+        return next((each for each in self.things() if each.index == index), None)
+
+    def undo(self) -> tuple[str, Thing | None]:
+        """Take the last change back: the code of the sentence about the thing, and the thing.
+
+        Raises ``Unusable`` where something stands at its place now.
+        """
+        site, change = self._site, self._site.past[-1]
+        scene, now = change.world.scene, site.world.scene
+        if change.changed is None:
+            code, tops = "built-removed", (each.index for each in now.models if each.parent is None)
+            thing = self._thing_at(next(each for each in tops if each not in change.index_of))
+        else:
+            code = "built-moved" if change.changed in change.index_of.values() else "built-put"
+            self._check_room(scene, change.index_of, change.changed)
+        self._shared.rebuild(scene, change.index_of)
+        site.past.pop()
+        site.world, site.text, site.is_saved = change.world, change.text, change.is_saved
+        return code, thing if change.changed is None else self._thing_at(change.changed)
 
     def save(self, target: Path) -> None:
         """Write the world. Raises ``Unusable`` where it could not be loaded there, or ``DocumentError``."""
@@ -189,6 +216,7 @@ class Building:
             raise Unusable(world_mistake(error, self._words)) from None
         write_program(target, text)
         self._site.path, self._site.is_saved = target, True
+        self._site.past = [replace(each, is_saved=False) for each in self._site.past]
 
     # --- room
 

@@ -23,6 +23,7 @@ from donnie_tui.i18n.words import Unusable, Words
 from sim.compiled_scene import read_scene
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from pathlib import Path
 
     from donnie_tui.core.goals import Inventory
@@ -118,6 +119,21 @@ class ChosenWorld(Struct, frozen=True):
         return Pose(round(place.x / STEP, 6), round(place.y / STEP, 6), round(90.0 - place.yaw, 6) % 360.0)
 
 
+class SiteChange(Struct, frozen=True):
+    """What a change of the world is undone with."""
+
+    world: ChosenWorld
+    """The one before."""
+    text: str
+    is_saved: bool
+    index_of: Mapping[int, int]
+    """The index that each model at the top level had, by the one after the change."""
+    changed: int | None
+    """The index of the thing before; None where it is new."""
+    program: str
+    """The text of the program at that moment."""
+
+
 class Site:
     """The world of a session, which ``world.building`` changes."""
 
@@ -128,6 +144,8 @@ class Site:
         self.text = world.text
         """What its file would be; empty while nothing was changed."""
         self.is_saved = True
+        self.past: list[SiteChange] = []
+        """The changes, the oldest first."""
         self.path = None if world.ships else Path(world.path)
         """The file of the learner's own that it was last read from or written to."""
 

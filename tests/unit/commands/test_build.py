@@ -359,3 +359,34 @@ def test_another_world_is_entered_after_the_question_only(open_script: OpenScrip
     assert script.answers_to("WORLD maze") == ["Not saved, so Donnie stays open."]
     with pytest.raises(EnterWorld):
         script.type("WORLD maze")
+
+
+def test_what_was_built_is_taken_back_step_by_step(open_script: OpenScript) -> None:
+    script = open_script("FW 1")
+
+    script.answers_to("PUT box red 4 6 AS treasure", "MOVE treasure 2 0", "REMOVE treasure")
+    assert script.answers_to("UNDO")[0].startswith("Treasure, box, red: at 6, 6.")
+    assert script.answers_to("UNDO")[0].startswith("Treasure, box, red: now at 4, 6.")
+    assert script.answers_to("UNDO")[0].startswith("Treasure, box, red: gone from 4, 6.")
+    assert script.answers_to("MAP")[-1] == "There are no things."
+    assert script.donnie.site.is_saved
+
+
+def test_the_program_and_the_world_are_undone_in_the_order_of_their_changes(open_script: OpenScript) -> None:
+    script = open_script("FW 1")
+
+    script.answers_to("PUT box red 4 6 AS treasure", "CHANGE 1 FW 2")
+    assert script.answers_to("UNDO") == ["Line 1: FW 1"]
+    assert script.answers_to("UNDO")[0].startswith("Treasure, box, red: gone from 4, 6.")
+    assert script.answers_to("UNDO") == ["Nothing was changed."]
+
+
+def test_nothing_is_put_back_onto_the_robot(open_script: OpenScript) -> None:
+    script = open_script()
+
+    script.answers_to("PUT box red 0 6 AS treasure", "REMOVE treasure", "FW 6")
+    said = script.answers_to("UNDO")
+    assert "treasure" not in script.answers_to("MAP")[-1].casefold()
+    assert said == script.answers_to("UNDO")
+    script.answers_to("BW 6")
+    assert script.answers_to("UNDO")[0].startswith("Treasure, box, red: at 0, 6.")
