@@ -83,6 +83,9 @@ LONG = (
 )
 """More than forty commands: ``gate.py`` measures how a reader reads them."""
 
+OF_A_CHALLENGE = ("TASK", "GOALS", "FW 4", "HINT", "RESET", "FW 5", "RESULTS")
+"""Something to do, a step short first."""
+
 FIRST_HOUR = {
     "en": (
         *("FW 3", "TR 90", "RUN", "WHERE"),

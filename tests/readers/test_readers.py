@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.readers.lesson import FIRST_HOUR, OF_THE_SCREEN, SHORT
+from tests.readers.lesson import FIRST_HOUR, OF_A_CHALLENGE, OF_THE_SCREEN, SHORT
 from tests.readers.reading import (
     AS_PROMPT,
     BRIEF,
@@ -67,6 +67,15 @@ def test_yasr_says_the_first_hour_once_and_in_order(tmp_path: Path, language: st
     heard = score(phases_of("yasr", FIRST_HOUR[language], tmp_path, (*OPTIONS, "--lang", language), {}))
     assert (heard.once, heard.in_order) == (1.0, 1.0)
     assert heard.clean >= heard.phases - 1
+
+
+@needs("yasr")
+@pytest.mark.parametrize("language", ["en", "pt", "es"])
+def test_yasr_says_the_verdict_of_a_challenge_once_and_in_order(tmp_path: Path, language: str) -> None:
+    options = ("--world", "challenge:first_walk", "--lang", language)
+    heard = score(phases_of("yasr", OF_A_CHALLENGE, tmp_path, options))
+    assert (heard.once, heard.in_order) == (1.0, 1.0)
+    assert heard.clean >= heard.phases - 1  # on a busy machine it may say a prompt twice
 
 
 @needs("fenrir")
