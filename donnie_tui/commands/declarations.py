@@ -212,6 +212,7 @@ COMMANDS = (
     Command("zoom_in", "world", _ALWAYS, keys=("ctrl+k plus",), is_visual=True),
     Command("zoom_out", "world", _ALWAYS, keys=("ctrl+k minus",), is_visual=True),
     Command("whole_map", "world", _ALWAYS, keys=("ctrl+k a",), is_visual=True, in_words="map"),
+    Command("picture", "world", _ALWAYS, keys=("ctrl+k 4",), is_visual=True, in_words="map_picture"),
     Command("names", "world", _ALWAYS, keys=("ctrl+k t",), is_visual=True, in_words="map"),
     Command("coordinates", "world", _ALWAYS, keys=("ctrl+k c",), is_visual=True, in_words="where"),
     Command("legend", "world", _ALWAYS, keys=("ctrl+k l",), is_visual=True, in_words="map_picture"),

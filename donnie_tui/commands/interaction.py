@@ -188,6 +188,14 @@ class MapPane(Protocol):
 
     def show_rulers(self, shown: bool) -> None: ...
 
+    @property
+    def is_picture(self) -> bool: ...
+
+    @property
+    def has_colours(self) -> bool: ...
+
+    def show_picture(self, wanted: bool) -> None: ...
+
 
 class Screen(Protocol):
     """What only a screen can do."""

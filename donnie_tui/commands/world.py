@@ -220,6 +220,17 @@ async def coordinates(ctx: Context, _: str) -> None:
     ctx.answer(f"screen-coordinates-{'on' if pane.has_rulers else 'off'}")
 
 
+@handles("picture")
+async def picture(ctx: Context, _: str) -> None:
+    """Show the map in coloured blocks, or in letters again."""
+    pane = _on_screen(ctx).map
+    if not pane.has_colours:
+        ctx.answer("screen-no-colours")
+        return
+    pane.show_picture(not pane.is_picture)
+    ctx.answer(f"screen-picture-{'on' if pane.is_picture else 'off'}")
+
+
 @handles("legend")
 async def show_legend(ctx: Context, _: str) -> None:
     """What the letters of the map mean."""

@@ -303,6 +303,10 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         if self.controller is not None:
             self.controller.on_explored()
 
+    def on_map_view_edges_changed(self) -> None:
+        if self.controller is not None:
+            self.controller.display.entitle_map()
+
     def on_text_rows_read(self, event: TextRows.Read) -> None:
         """Each row that the learner moves to is spoken: of the help, of the keys after a key, of the log."""
         if event.has_focus and event.text:

@@ -80,16 +80,19 @@ class Display:
         self._pose = self._donnie.session.pose
         picture = self._donnie.picture()
         self.scene = MapScene(picture, self._pose, shown_name(self._donnie.session.name))
-        self._place.map.initials = colour_initials(self._words)
+        self._place.map.call_colours(colour_initials(self._words))
         self._place.show_map(self.scene)
-        self._entitle_map()
+        self.entitle_map()
 
-    def _entitle_map(self) -> None:
+    def entitle_map(self) -> None:
+        """The world, its size, and where more of it is outside."""
         picture = self.scene.picture
         about = self._donnie.world.about(self._words.language)
         width, height = floor_size(picture)
         title = about.title if about else self._donnie.world.name
-        words = self._words("pane-map", world=title, width=width, height=height)
+        where = " ".join(self._words(f"compass-{side}")[:1].upper() for side in self._place.map.hidden)
+        values = {"world": title, "width": width, "height": height}
+        words = self._words("pane-map-more" if where else "pane-map", where=where, **values)
         self._place.map_pane.entitle(self._with_robot(words))
 
     def _with_robot(self, title: str) -> str:
@@ -160,9 +163,9 @@ class Display:
     def relabel(self) -> None:
         """Everything again, in another language."""
         self._kinds.clear()
-        self._place.map.initials = colour_initials(self._words)
+        self._place.map.call_colours(colour_initials(self._words))
         self._place.map.restart()
-        self._entitle_map()
+        self.entitle_map()
         self._place.log_pane.entitle(self._words("pane-log"))
         self._place.inspector_pane.entitle(self._words("pane-inspector"))
         self.look()

@@ -379,7 +379,7 @@ async def test_a_square_grows_to_six_columns_by_three_rows_and_a_click_still_fin
         sizes = []
         for zoom in (0, 1, 2, 3):
             view.set_zoom(zoom)
-            sizes.append((view._columns, view._rows))
+            sizes.append((view._extent.columns, view._extent.rows))
         await screen.painted()
         robot = view._region_of(view.scale.robot)
         rows = [view.render_line(y).crop(robot.x, robot.right) for y in range(robot.y, robot.bottom)]
@@ -424,3 +424,61 @@ async def test_each_robot_has_its_heading_from_the_start_and_the_titles_name_the
         assert view._segment(square, 0).text in ("v", "vb")
         titles = screen.text.splitlines()[0]
         assert "alice: Program" in titles and "alice: Map" in titles
+
+
+async def test_a_picture_shows_all_of_a_room_that_letters_do_not_and_a_click_finds_a_square(open_screen):
+    """Its 42 rows of squares, the walls among them, in half as many rows of the map, which has 26."""
+    async with open_screen(world="living_room", size=(120, 40)) as screen:
+        view = screen.main.map
+        await screen.until(lambda: view.hidden, "the floor outside")
+        assert screen.main.map_pane._title.startswith("Map: more N")
+
+        await screen.type_line("PICTURE")
+        await screen.shows("The map is a picture.")
+        await screen.until(lambda: not view.hidden, "the whole floor")
+        await screen.painted()
+
+        assert screen.main.map_pane._title == "Map: Living room, 40 by 40 steps"
+        assert view.scale.bounds.height == 42
+        rows = [view.render_line(y).text for y in range(21)]
+        assert rows[0].startswith("█▀▀▀")
+        assert rows[20].startswith("█▄▄▄")
+        robot = view._region_of(view.scale.robot)
+        assert rows[robot.y][robot.x] == "^"
+        await screen.pilot.click("#map", offset=(robot.x + 2, robot.y))
+        await screen.until(lambda: screen.status.startswith(" Map, 2, "), screen.status)
+
+        await screen.type_line("PICTURE")
+        await screen.shows("The map is in letters.")
+        assert view.render_line(0).text.startswith("#...")
+
+
+async def test_a_picture_paints_two_squares_in_their_own_colours(open_screen):
+    """The blue thing above a free square is an upper half in blue, and nothing below it."""
+    async with open_screen(world="colour_garden", size=(120, 40)) as screen:
+        await screen.type_line("PICTURE")
+        await screen.shows("The map is a picture.")
+        view = screen.main.map
+        view.set_zoom(0)
+        await screen.painted()
+        scale = view.scale
+        painted = {
+            kind: view._segment(cell, 0)
+            for thing in scale.scene.things
+            for cell in [scale.square_of(scale.scene.cell_at(thing.x, thing.y))]
+            for kind in [scale.shown(cell)[1]]
+            if kind.startswith("thing-") and kind != "thing-gray"
+        }
+
+        assert len(painted) > 2
+        for kind, segment in painted.items():
+            assert segment.text.strip() in "▀▄█"
+            assert view._look(kind).color in (segment.style.color, segment.style.bgcolor)
+
+
+async def test_without_colours_there_is_no_picture(open_screen, monkeypatch):
+    monkeypatch.setenv("NO_COLOR", "1")
+    async with open_screen(world="living_room") as screen:
+        await screen.type_line("PICTURE")
+        await screen.shows("There are no colours here.")
+        assert not screen.main.map.is_picture

@@ -33,7 +33,7 @@ async def test_a_click_on_the_map_describes_the_square(open_screen):
         shown = screen.main.map
         robot = shown.cursor_screen_offset - shown.content_region.offset
 
-        await screen.pilot.click(shown, offset=robot + Offset(2 * shown._columns, -3))
+        await screen.pilot.click(shown, offset=robot + Offset(2 * shown._extent.columns, -3))
         await screen.until(lambda: shown.is_exploring, "the click")
 
         assert screen.app.focused is shown

@@ -269,6 +269,21 @@ async def test_two_robots_on_a_nearer_map(open_screen, same, theme, size):
         await same(screen)
 
 
+@pytest.mark.parametrize("size", ALL_SIZES, ids=by_size)
+@pytest.mark.parametrize("theme", ALL_THEMES)
+async def test_the_map_as_a_picture(open_screen, same, theme, size):
+    async with open_screen("FW 3 TR 90 FW 5", world="living_room", size=size) as screen:
+        screen.app.theme = theme
+        await screen.press("f5")
+        await screen.shows("The program is done.")
+        await screen.idle()
+        screen.main.go_to(screen.main.map_pane)
+        await screen.press("ctrl+k", "4")
+        await screen.shows("The map is a picture.")
+        await screen.painted()
+        await same(screen)
+
+
 @looks()
 async def test_the_whole_of_a_large_map(open_screen, same, theme, size):
     async with open_screen(world="living_room", size=size) as screen:

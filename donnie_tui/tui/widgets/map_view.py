@@ -4,7 +4,7 @@ The terminal's own cursor stands on the robot, or on the square that is being ex
 focus; only so long the window stays with that square. A step is two columns wide where the world fits so,
 because cells are twice as high as wide, and up to six by three where the learner zooms in. Where a step has
 several columns, things that differ only in colour have its initial, and robots that of their name. What is
-where, and what it is called, the core knows; here it is painted.
+where, and what it is called, the core knows; here it is placed, and ``map_painters`` paint it.
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ from textual.message import Message
 from textual.strip import Strip
 
 from donnie_tui.tui.themes import COLOURS
+from donnie_tui.tui.widgets.map_painters import Blocks, Letters, Painter
 from donnie_tui.tui.widgets.rows import PaintedRows
 
 if TYPE_CHECKING:
@@ -36,9 +37,7 @@ RULER = 4
 _EVERY = 5
 """Steps between two numbers."""
 
-_SIZES = ((1, 1), (2, 1), (4, 2), (6, 3))
-"""Columns and rows of a square, from far to near."""
-NEAREST = len(_SIZES) - 1
+NEAREST = len(Letters.extents) - 1
 
 
 class MapView(PaintedRows, can_focus=True):
@@ -65,6 +64,9 @@ class MapView(PaintedRows, can_focus=True):
     class Explored(Message):
         """Another square is being explored."""
 
+    class EdgesChanged(Message):
+        """Floor that was seen is outside now, or the other way round."""
+
     def __init__(self, *, id: str) -> None:  # noqa: A002 -- Textual's own name
         super().__init__(id=id)
         self.scale: MapScale | None = None
@@ -74,11 +76,11 @@ class MapView(PaintedRows, can_focus=True):
         self._labels: Callable[[MapScale, int], dict[Cell, str]] | None = None
         self._written: dict[Cell, str] = {}
         self._zoom = 0
-        self._columns, self._rows = _SIZES[0]
-        self.initials: Mapping[str, str] = {}
-        """Of colour words, in the learner's language."""
-        self._mixed: frozenset[str] = frozenset()
-        """The letters of things that come in several colours."""
+        self._letters = Letters()
+        self._painter: Painter = self._letters
+        self._extent = self._painter.extents[0]
+        self.hidden: tuple[str, ...] = ()
+        """The sides on which more floor is outside."""
         self._bounds: Bounds
         """Of the floor as it was laid out last, once there is one."""
 
@@ -91,8 +93,12 @@ class MapView(PaintedRows, can_focus=True):
 
         self.scale, self.pointer = MapScale(scene), Pointer(scene)
         self._zoom, self.shows_all = 0, False
-        self._mixed = scene.letters_of_several_colours
+        self._letters.mixed = scene.letters_of_several_colours
         self._fit()
+
+    def call_colours(self, initials: Mapping[str, str]) -> None:
+        """The initials of colours, in the learner's language."""
+        self._letters.initials = initials
 
     def restart(self) -> None:
         """Everything may look different."""
@@ -151,6 +157,20 @@ class MapView(PaintedRows, can_focus=True):
     def has_names(self) -> bool:
         return self._labels is not None
 
+    @property
+    def is_picture(self) -> bool:
+        return self._painter is not self._letters
+
+    @property
+    def has_colours(self) -> bool:
+        """Whether a picture would show anything."""
+        return not self.app.no_color
+
+    def show_picture(self, wanted: bool) -> None:
+        """Coloured blocks instead of letters."""
+        self._painter = Blocks() if wanted and self.has_colours else self._letters
+        self._fit()
+
     def show_rulers(self, shown: bool) -> None:
         """Numbers at the left and at the top: steps to the north and to the east."""
         self.has_rulers = shown
@@ -172,20 +192,36 @@ class MapView(PaintedRows, can_focus=True):
         room = Size(max(1, self.size.width - self._rulers.x), max(1, self.size.height - self._rulers.y))
         self._choose_factor(room)
         bounds = self._bounds = self.scale.bounds
-        is_wide = 2 * bounds.width <= room.width
-        self._columns, self._rows = _SIZES[min(is_wide + max(0, self._zoom), NEAREST)]
-        floor = Size(self._columns * bounds.width, self._rows * bounds.height)
+        fitting = self._painter.fitting(Size(bounds.width, bounds.height), room)
+        extent = self._extent = self._painter.extents[min(fitting + max(0, self._zoom), NEAREST)]
+        floor = Size(extent.columns * bounds.width, extent.rows * -(-bounds.height // extent.stacked))
         self.virtual_size = Size(floor.width + self._rulers.x, floor.height + self._rulers.y)
-        self._written = self._labels(self.scale, self._columns) if self._labels else {}
+        self._written = self._labels(self.scale, self._extent.columns) if self._labels else {}
         self._follow(self._followed, centre=True)
+        self._note_hidden()
         self.refresh()
+
+    def _note_hidden(self) -> None:
+        """Which sides of the floor are outside the window."""
+        (left, top), size, floor = self.scroll_offset, self.size, self.virtual_size
+        sides = {
+            "north": top > 0,
+            "east": left + size.width < floor.width,
+            "south": top + size.height < floor.height,
+            "west": left > 0,
+        }
+        hidden = tuple(side for side, is_outside in sides.items() if is_outside and size.area)
+        if hidden != self.hidden:
+            self.hidden = hidden
+            self.post_message(self.EdgesChanged())
 
     def _choose_factor(self, room: Size) -> None:
         from donnie_tui.core.map_scene import factor_for
 
         assert self.scale is not None
         if self.shows_all:
-            self.scale.factor = factor_for(self.scale.scene.bounds, room.width, room.height)
+            stacked = self._painter.extents[0].stacked
+            self.scale.factor = factor_for(self.scale.scene.bounds, room.width, room.height * stacked)
         else:
             self.scale.factor = 2 ** max(0, -self._zoom)
 
@@ -193,7 +229,7 @@ class MapView(PaintedRows, can_focus=True):
         """A name next to a thing that moved moves too."""
         if self._labels is None or self.scale is None:
             return
-        written = self._labels(self.scale, self._columns)
+        written = self._labels(self.scale, self._extent.columns)
         changed = {each for each, _ in written.items() ^ self._written.items()}
         self._written = written
         if changed - squares:
@@ -222,12 +258,14 @@ class MapView(PaintedRows, can_focus=True):
         if not centre:
             place = place.grow((_MARGIN,) * 4)
         self.scroll_to_region(place, animate=False, force=True, center=centre, immediate=True)
+        self._note_hidden()
 
     def _region_of(self, square: Cell, *, scrolled: bool = True) -> Region:
         bounds = self._bounds
-        right, down = (square.x - bounds.left) * self._columns, (bounds.top - square.y) * self._rows
-        place = Offset(right, down) + self._rulers
-        size = Size(self._columns, self._rows)
+        extent = self._extent
+        down = (bounds.top - square.y) // extent.stacked * extent.rows
+        place = Offset((square.x - bounds.left) * extent.columns, down) + self._rulers
+        size = Size(extent.columns, extent.rows)
         return Region.from_offset(place - self.scroll_offset if scrolled else place, size)
 
     @property
@@ -252,7 +290,8 @@ class MapView(PaintedRows, can_focus=True):
             return
         right, down = place - self._rulers + self.scroll_offset
         bounds = self._bounds
-        x, y = bounds.left + right // self._columns, bounds.top - down // self._rows
+        extent = self._extent
+        x, y = bounds.left + right // extent.columns, bounds.top - down // extent.rows * extent.stacked
         if bounds.left <= x <= bounds.right and bounds.bottom <= y <= bounds.top:
             square = scale.robot._replace(x=x, y=y)
             self.explore(lambda pointer: pointer.go(scale.cell_of(square)))
@@ -277,8 +316,8 @@ class MapView(PaintedRows, can_focus=True):
         ruler_x, ruler_y = self._rulers
         if y < ruler_y:
             return self._top_ruler()
-        down, row = divmod(y - ruler_y + self.scroll_offset.y, self._rows)
-        north = self._bounds.top - down
+        down, row = divmod(y - ruler_y + self.scroll_offset.y, self._extent.rows)
+        north = self._bounds.top - down * self._extent.stacked
         floor = self._floor_row(north, row).crop_extend(0, self.size.width - ruler_x, base)
         return Strip.join([self._left_ruler(north, row), floor]) if ruler_x else floor
 
@@ -290,33 +329,28 @@ class MapView(PaintedRows, can_focus=True):
         first, last = self._visible_columns()
         segments = [self._segment(self.scale.robot._replace(x=x, y=north), row) for x in range(first, last)]
         strip = Strip(Segment.simplify(segments))
-        cut = self.scroll_offset.x - (first - self._bounds.left) * self._columns
+        cut = self.scroll_offset.x - (first - self._bounds.left) * self._extent.columns
         return strip.crop_extend(cut, cut + self.size.width, self.painted_as())
 
     def _visible_columns(self) -> tuple[int, int]:
-        first = self._bounds.left + self.scroll_offset.x // self._columns
-        return first, min(self._bounds.right + 1, first + self.size.width // self._columns + 2)
+        first = self._bounds.left + self.scroll_offset.x // self._extent.columns
+        return first, min(self._bounds.right + 1, first + self.size.width // self._extent.columns + 2)
 
     def _segment(self, square: Cell, row: int) -> Segment:
         assert self.scale is not None
-        letter, kind = self.scale.shown(square)
-        label = self._written.get(square) if kind in ("free", "trail") and not row else None
-        look = self._look("name" if label else kind)
-        if self.has_focus and self.is_exploring and square == self._square:
-            look += Style(reverse=True)
-        return Segment(label or self._filled(square, kind, letter, row), look)
-
-    def _filled(self, square: Cell, kind: str, letter: str, row: int) -> str:
-        """All columns of a wide square: walls and things are solid, else a letter and blanks."""
-        assert self.scale is not None
-        _thing, is_thing, colour = kind.partition("thing-")
-        if is_thing and letter in self._mixed and self._columns > 1:
-            letter += self.initials.get(colour, letter)
-        elif kind in ("robot", "other") and self._columns > 1:
-            letter += self.scale.scene.name_of_robot(self.scale.cell_of(square))[:1]
-        if is_thing or kind == "wall":
-            return (letter * self._columns)[: self._columns]
-        return (letter if not row else "").ljust(self._columns)
+        extent = self._extent
+        squares = [square._replace(y=square.y - below) for below in range(extent.stacked)]
+        label = next((self._written[each] for each in squares if each in self._written), None)
+        if label and not row and all(self.scale.shown(each)[1] in ("free", "trail") for each in squares):
+            painted = Segment(label, self._look("name"))
+        else:
+            painted = self._painter.paint(self.scale, square, extent, row, self._look)
+        if self.has_focus and self.is_exploring and self._square in squares:
+            if extent.stacked > 1:  # reversed, half a block would be the other half
+                letter, kind = self.scale.shown(self._square)
+                painted = Segment(letter, self._look(kind))
+            return Segment(painted.text, (painted.style or Style()) + Style(reverse=True))
+        return painted
 
     def _look(self, kind: str) -> Style:
         """Things of a colour that has no look are grey."""
@@ -326,7 +360,8 @@ class MapView(PaintedRows, can_focus=True):
     # --- numbers
 
     def _left_ruler(self, north: int, row: int) -> Strip:
-        place = self._place(self._bounds.left, north)[1]
+        places = [self._place(self._bounds.left, north - below)[1] for below in range(self._extent.stacked)]
+        place = next((each for each in places if each % _EVERY == 0), 1)
         is_numbered = place % _EVERY == 0 and north >= self._bounds.bottom and not row
         words = f"{place:>{RULER - 1}} " if is_numbered else " " * RULER
         return Strip([Segment(words[-RULER:], self._look("ruler"))])
@@ -336,8 +371,8 @@ class MapView(PaintedRows, can_focus=True):
         line = [" "] * (self.size.width + RULER)
         for x in range(first, last):
             place = self._place(x, self._bounds.bottom)[0]
-            at = (x - self._bounds.left) * self._columns - self.scroll_offset.x + RULER
-            if place % (_EVERY if self._columns > 1 else 2 * _EVERY) == 0 and at >= RULER:
+            at = (x - self._bounds.left) * self._extent.columns - self.scroll_offset.x + RULER
+            if place % (_EVERY if self._extent.columns > 1 else 2 * _EVERY) == 0 and at >= RULER:
                 for index, letter in enumerate(str(place)):
                     if at + index < self.size.width:
                         line[at + index] = letter

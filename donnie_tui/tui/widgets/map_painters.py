@@ -1,0 +1,126 @@
+"""How the squares of a map are painted: as letters, or as a picture of coloured blocks.
+
+A painter says which room a square takes and what is seen there; the map does all the rest. In letters nothing
+is said by colour alone. A picture shows twice as many rows of squares, as half blocks, and only where a
+learner asks for it; robots and what lies on the floor are letters there, too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Protocol
+
+from msgspec import Struct
+from rich.segment import Segment
+from rich.style import Style
+from textual.geometry import Size
+
+if TYPE_CHECKING:
+    from donnie_tui.core.map_grid import Cell
+    from donnie_tui.core.map_scene import MapScale
+
+Look = Callable[[str], Style]
+"""The style of a kind, or of ``thing-`` and a colour."""
+
+_UPPER, _LOWER, _FULL = "▀", "▄", "█"
+
+
+class Extent(Struct, frozen=True):
+    """What a square takes: columns and rows; or several squares one above the other take one row."""
+
+    columns: int
+    rows: int
+    stacked: int = 1
+
+
+class Painter(Protocol):
+    """One way to show squares."""
+
+    extents: tuple[Extent, ...]
+    """From far to near."""
+
+    def fitting(self, floor: Size, room: Size) -> int:
+        """Which extent shows a floor of so many squares at zoom 0."""
+
+    def paint(self, scale: MapScale, square: Cell, extent: Extent, row: int, look: Look) -> Segment:
+        """One row of a square, of the upper one where they are stacked."""
+
+
+class Letters:
+    """Things and robots as letters. Where a square has several columns, with initials."""
+
+    extents: tuple[Extent, ...] = (Extent(1, 1), Extent(2, 1), Extent(4, 2), Extent(6, 3))
+
+    def __init__(self) -> None:
+        self.initials: Mapping[str, str] = {}
+        """Of colour words, in the learner's language."""
+        self.mixed: frozenset[str] = frozenset()
+        """The letters of things that come in several colours."""
+
+    def fitting(self, floor: Size, room: Size) -> int:
+        return int(2 * floor.width <= room.width)
+
+    def paint(self, scale: MapScale, square: Cell, extent: Extent, row: int, look: Look) -> Segment:
+        letter, kind = scale.shown(square)
+        return Segment(self._filled(scale, square, kind, letter, extent, row), look(kind))
+
+    def _filled(self, scale: MapScale, square: Cell, kind: str, letter: str, extent: Extent, row: int) -> str:
+        """All columns of a wide square: walls and things are solid, else a letter and blanks."""
+        _thing, is_thing, colour = kind.partition("thing-")
+        if is_thing and letter in self.mixed and extent.columns > 1:
+            letter += self.initials.get(colour, letter)
+        elif kind in _ROBOTS and extent.columns > 1:
+            letter += scale.scene.name_of_robot(scale.cell_of(square))[:1]
+        if is_thing or kind == "wall":
+            return (letter * extent.columns)[: extent.columns]
+        return (letter if not row else "").ljust(extent.columns)
+
+
+_ROBOTS = ("robot", "other")
+
+
+class Blocks:
+    """Walls and things as blocks of their colours, on a blank floor."""
+
+    extents: tuple[Extent, ...] = (Extent(1, 1, 2), Extent(2, 1), Extent(4, 2), Extent(6, 3))
+
+    def fitting(self, floor: Size, room: Size) -> int:
+        return int(2 * floor.width <= room.width and floor.height <= room.height)
+
+    def paint(self, scale: MapScale, square: Cell, extent: Extent, row: int, look: Look) -> Segment:
+        letter, kind = scale.shown(square)
+        below = square._replace(y=square.y - 1)
+        if extent.stacked == 1 or below.y < scale.bounds.bottom:
+            if extent.stacked == 1 and _is_solid(kind):
+                return Segment(_FULL * extent.columns, look(kind))
+            if not _is_solid(kind):
+                return _on_floor(letter if not row else " ", kind, extent.columns, look)
+            return Segment(_UPPER, look(kind))
+        return _stacked((letter, kind), scale.shown(below), look)
+
+
+def _stacked(upper: tuple[str, str], lower: tuple[str, str], look: Look) -> Segment:
+    """Two squares in one row: a robot before all, then blocks, then what lies on the floor."""
+    for letter, kind in (upper, lower):
+        if kind in _ROBOTS:
+            return Segment(letter, look(kind))
+    above, below = (_is_solid(kind) for _, kind in (upper, lower))
+    if not above and not below:
+        letter, kind = upper if upper[1] != "free" else lower
+        return _on_floor(letter, kind, 1, look)
+    if above and below:
+        top, bottom = look(upper[1]), look(lower[1])
+        if top.color == bottom.color:
+            return Segment(_FULL, top)
+        if bottom.color is None or bottom.color.is_default:  # a background can't be the text's own colour
+            return Segment(_LOWER, Style(color=bottom.color, bgcolor=top.color))
+        return Segment(_UPPER, Style(color=top.color, bgcolor=bottom.color))
+    return Segment(_UPPER if above else _LOWER, look(upper[1] if above else lower[1]))
+
+
+def _is_solid(kind: str) -> bool:
+    return kind == "wall" or kind.startswith("thing-")
+
+
+def _on_floor(letter: str, kind: str, columns: int, look: Look) -> Segment:
+    return Segment((" " if kind == "free" else letter).ljust(columns), look(kind))
