@@ -117,6 +117,8 @@ COMMANDS = (
         required=True,
         asked_by_key=True,
     ),
+    Command("copy", "program", _ALWAYS, keys=("ctrl+k shift+u",), argument="lines"),
+    Command("comment", "program", _ALWAYS, keys=("ctrl+k 5",), argument="lines"),
     Command("fix", "program", _ALWAYS, keys=("ctrl+t",)),
     Command("search", "program", _ALWAYS, keys=("ctrl+f",), argument="word"),
     Command("search_again", "program", _ALWAYS, keys=("ctrl+k f3",)),

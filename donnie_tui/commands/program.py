@@ -1,4 +1,4 @@
-"""LIST, CHANGE, MOVE, UNDO, FIX, SEARCH, REPLACE, FORMAT: the program's lines, and the program as a text."""
+"""LIST, CHANGE, MOVE, COPY, COMMENT, UNDO, FIX, SEARCH, REPLACE, FORMAT: the program, its lines, its text."""
 
 from __future__ import annotations
 
@@ -26,6 +26,7 @@ from language.locales import languages
 MOST_AT_ONCE = 20
 """Lines that LIST says one after the other; more are shown as a page, where there are pages."""
 
+_COMMENT = "--"
 
 # --- listing
 
@@ -171,9 +172,7 @@ async def delete(ctx: Context, argument: str) -> None:
         ctx.say(_deleted(ctx, kept + 1, kept + count) if count else ctx.words("nothing-to-delete"))
         return
     first, end = (given[0], given[-1]) if given else (document.place,) * 2
-    last = len(document.lines)
-    if not 1 <= first <= end <= last:
-        ctx.answer_no_line(first if not 1 <= first <= last else end)
+    if not _has_lines(ctx, first, end):
         return
     with _changing(ctx):
         document.delete(first, end)
@@ -210,6 +209,68 @@ async def move(ctx: Context, argument: str) -> None:
             return
         document.place = end = at + last - first
         ctx.say(*(_numbered(ctx, number) for number in range(at, end + 1)))
+
+
+@handles("copy")
+async def copy(ctx: Context, argument: str) -> None:
+    """COPY 5: line 5 once more below it. COPY 5 2: before line 2. COPY 5 7 2: lines 5 to 7."""
+    given, lines = read_numbers(argument, most=3), list(ctx.program.lines)
+    first = given[0] if given else max(1, ctx.program.place)
+    last = given[1] if len(given) > 2 else first
+    to = given[-1] if len(given) > 1 else last + 1
+    if not _has_lines(ctx, first, last):
+        return
+    if not 1 <= to <= len(lines) + 1:
+        ctx.answer_no_line(to)
+        return
+    copied = lines[first - 1 : last]
+    with _changing(ctx):
+        ctx.program.rewrite(_text_of([*lines[: to - 1], *copied, *lines[to - 1 :]]))
+        ctx.program.place = to + len(copied) - 1
+        ctx.say(*(_numbered(ctx, number) for number in range(to, to + len(copied))))
+
+
+@handles("comment")
+async def comment(ctx: Context, argument: str) -> None:
+    """Make comments of lines, which then don't run; or lines of the program again."""
+    given, lines = read_numbers(argument, most=2), list(ctx.program.lines)
+    first, last = (given[0], given[-1]) if given else (max(1, ctx.program.place),) * 2
+    if not _has_lines(ctx, first, last):
+        return
+    chosen = lines[first - 1 : last]
+    written = [each for each in chosen if each.strip()]
+    if not written:
+        raise GivenUp
+    change = _uncommented if all(each.lstrip().startswith(_COMMENT) for each in written) else _commented
+    with _changing(ctx):
+        ctx.program.rewrite(
+            _text_of([*lines[: first - 1], *(change(each) for each in chosen), *lines[last:]])
+        )
+        ctx.program.place = last
+        ctx.say(*ctx.counted([_numbered(ctx, number) for number in range(first, last + 1)]))
+
+
+def _has_lines(ctx: Context, first: int, last: int) -> bool:
+    """Whether there are such lines; answers where there are not."""
+    count = len(ctx.program.lines)
+    if not 1 <= first <= last <= count:
+        ctx.answer_no_line(first if not 1 <= first <= count else last)
+        return False
+    return True
+
+
+def _text_of(lines: list[str]) -> str:
+    return "".join(f"{line}\n" for line in lines)
+
+
+def _commented(line: str) -> str:
+    words = line.lstrip()
+    return f"{line[: len(line) - len(words)]}{_COMMENT} {words}" if words else line
+
+
+def _uncommented(line: str) -> str:
+    indent, _mark, words = line.partition(_COMMENT)
+    return f"{indent}{words.removeprefix(' ')}"
 
 
 # --- undoing

@@ -123,7 +123,8 @@ _ALONE = _listed(
 )
 """Words that run something or end something: each has a session of its own where it can be understood."""
 _ALONE_WITH = _listed(
-    "CHANGE 2 REPEAT 3 TIMES, DELETE, DELETE 2, DELETE 2 3, EXAMPLES 2, FORMAT, INSERT 2 SPEAK 1, MOVE 5 1, "
+    "CHANGE 2 REPEAT 3 TIMES, COMMENT, COMMENT 2, COMMENT 2 3, COPY, COPY 2, COPY 2 3, COPY 3 2, "
+    "DELETE, DELETE 2, DELETE 2 3, EXAMPLES 2, FORMAT, INSERT 2 SPEAK 1, MOVE 5 1, "
     "MOVE 5 6 1, NEW, OPEN kept.gd, REMOVE, TRANSLATE pt, WORLD open_floor, WORLDS open_floor"
 )
 """The same for words with these arguments."""

@@ -144,3 +144,40 @@ def test_a_slip_in_godonnie_or_a_name_of_the_program_is_left_to_the_language(
 
     assert not script.type(typed)
     assert script.printed == []
+
+
+# --- copies and comments
+
+
+@pytest.mark.parametrize(
+    ("typed", "lines", "said"),
+    [
+        ("COPY 1", ["FW 1", "FW 1", "TR 90", "BW 2"], ["Line 2: FW 1"]),
+        ("COPY 3 1", ["BW 2", "FW 1", "TR 90", "BW 2"], ["Line 1: BW 2"]),
+        ("COPY 1 2 4", ["FW 1", "TR 90", "BW 2", "FW 1", "TR 90"], ["Line 4: FW 1", "Line 5: TR 90"]),
+        ("COMMENT 2", ["FW 1", "-- TR 90", "BW 2"], ["Line 2: -- TR 90"]),
+        ("COMMENT 1 2", ["-- FW 1", "-- TR 90", "BW 2"], ["Line 1: -- FW 1", "Line 2: -- TR 90"]),
+        ("COPY 9", ["FW 1", "TR 90", "BW 2"], None),
+        ("COMMENT 2 9", ["FW 1", "TR 90", "BW 2"], None),
+        ("COPY 1 9", ["FW 1", "TR 90", "BW 2"], None),
+    ],
+)
+def test_lines_are_copied_and_become_comments(open_script, typed, lines, said) -> None:
+    script = open_script("FW 1", "TR 90", "BW 2")
+
+    answers = script.answers_to(typed)
+
+    assert list(script.ctx.program.lines) == lines
+    assert answers == said if said else answers[0].startswith("There is no line 9")
+    if said:
+        script.type("UNDO")
+        assert list(script.ctx.program.lines) == ["FW 1", "TR 90", "BW 2"]
+
+
+def test_a_comment_becomes_a_line_again_and_keeps_its_indentation(open_script) -> None:
+    script = open_script("REPEAT 2 TIMES", "  FW 1", "END REPEAT")
+
+    script.type("COMMENT 2")
+    assert script.ctx.program.lines[1] == "  -- FW 1"
+    script.type("COMMENT 2")
+    assert script.ctx.program.lines[1] == "  FW 1"
