@@ -145,9 +145,9 @@ def serve(order: Order) -> int:
     words, arguments = order.words, order.invocation.arguments
     if find_spec("textual_serve") is None:
         raise Unusable(words("serve-missing", command=_installing()))
-    port = _number(words, "serve-bad-port", arguments.port, PORTS)
-    sessions = _number(words, "serve-bad-sessions", arguments.sessions, SESSIONS)
-    idle = _number(words, "serve-bad-idle", arguments.idle, IDLE_MINUTES)
+    port = number_in(words, "serve-bad-port", arguments.port, PORTS)
+    sessions = number_in(words, "serve-bad-sessions", arguments.sessions, SESSIONS)
+    idle = number_in(words, "serve-bad-idle", arguments.idle, IDLE_MINUTES)
     if order.settings.events == "-":
         raise Unusable(words("serve-events"))
     if order.outputs and sessions > 1:
@@ -178,7 +178,8 @@ def serve(order: Order) -> int:
     return ExitCode.DONE
 
 
-def _number(words: Words, complaint: str, typed: str, allowed: range) -> int:
+def number_in(words: Words, complaint: str, typed: str, allowed: range) -> int:
+    """The number that was typed. Raises ``Unusable`` for any other."""
     number = int(typed) if typed.isdecimal() and len(typed) <= _MOST_DIGITS else -1
     if number not in allowed:
         raise Unusable(words(complaint, value=typed[:20], least=allowed[0], most=allowed[-1]))

@@ -179,6 +179,8 @@ def _order(invocation: Invocation, own: _OwnSettings, start: _Start) -> Order:
     """A command reports problems of the settings at once; a front end does so once it listens."""
     is_command = bool(invocation.command or invocation.arguments.run)
     default_speed = None if is_command else FRONT_END_SPEED
+    if invocation.command == "player":
+        default_speed = 1.0  # its clients measure time by their own clocks
     file = {**start.machine, **start.account, **own.settings}
     settings, notices = resolve(invocation.options, os.environ, file, default_speed=default_speed)
     words = Words(settings.language, settings.verbosity)
@@ -221,6 +223,8 @@ def _handler(order: Order) -> Callable[[Order], int]:
             from donnie_tui.cli.calibrate import calibrate as command
         case "serve":
             from donnie_tui.cli.front_end import serve as command
+        case "player":
+            from donnie_tui.cli.player import serve_clients as command
         case "stop":
             from donnie_tui.cli.devices import stop as command
         case _ if order.invocation.arguments.run:

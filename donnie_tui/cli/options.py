@@ -142,6 +142,11 @@ OPTIONS: dict[str, tuple[OptionSpec, ...]] = {
         OptionSpec(("--sessions",), "option-sessions", "N", default="8"),
         OptionSpec(("--idle",), "option-idle", "N", default="60"),
     ),
+    "player": (
+        OptionSpec(("file",), "option-player-file", "FILE.cfg"),
+        OptionSpec(("--port",), "option-player-port", "N", default="6665"),
+        OptionSpec(("--host",), "option-player-host", "ADDRESS", default="127.0.0.1"),
+    ),
 }
 """The options of each command; those of the program itself stand under the empty name."""
 

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from sim.geometry import Placement
     from sim.scene import Model, Scene
     from sim.world import World
-    from sim.worldfile import Offer
+    from sim.worldfile import Configuration, Offer
     from worlds.challenges import BadChallenge, Challenge, Variant
     from worlds.words import About
 
@@ -253,13 +253,7 @@ def _refuse_outside(path: Path, words: Words) -> None:
 
 
 def _configured(path: Path, words: Words, folders: tuple[str, ...]) -> ChosenWorld:
-    from donnie_tui.i18n.mistakes import world_mistake
-    from sim.worldfile import WorldError, load_configuration
-
-    try:
-        found = load_configuration(path, allowed=allowed_folders(folders))
-    except WorldError as error:
-        raise Unusable(world_mistake(error, words)) from None
+    found = configuration_of(path, words, folders)
     if found.scene is not None and found.world is not None:
         name, place, scene = found.world.name, str(found.world), found.scene
         instead_of = ""
@@ -268,6 +262,18 @@ def _configured(path: Path, words: Words, folders: tuple[str, ...]) -> ChosenWor
         name, place = path.name, worlds.path(WITHOUT_WORLD)
         scene = _load(place, words, folders)
     return ChosenWorld(name, place, scene, False, found.offers, found.physical_port, instead_of)
+
+
+def configuration_of(path: Path, words: Words, folders: tuple[str, ...] = ()) -> Configuration:
+    """What a configuration file chose. Raises ``Unusable``."""
+    from donnie_tui.i18n.mistakes import world_mistake
+    from sim.worldfile import WorldError, load_configuration
+
+    _refuse_outside(path, words)
+    try:
+        return load_configuration(path, allowed=allowed_folders(folders))
+    except WorldError as error:
+        raise Unusable(world_mistake(error, words)) from None
 
 
 def _unknown_world(name: str, words: Words, code: str) -> str:

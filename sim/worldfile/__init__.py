@@ -1,6 +1,6 @@
 """World files as Stage has them: text in; a scene, or a mistake with its place, out."""
 
-from sim.worldfile.configuration import Address, Configuration, Offer, load_configuration
+from sim.worldfile.configuration import Address, Configuration, Driver, Offer, load_configuration
 from sim.worldfile.edit import WrittenModel, put_elsewhere, taken_out, written_models
 from sim.worldfile.load import load_text, load_world
 from sim.worldfile.mistakes import Code, WorldError
@@ -9,6 +9,7 @@ __all__ = [
     "Address",
     "Code",
     "Configuration",
+    "Driver",
     "Offer",
     "WorldError",
     "WrittenModel",

@@ -76,6 +76,14 @@ class Offer(Struct, frozen=True):
         return (each for each in self.addresses if each.interface in _ON_WHEELS)
 
 
+class Driver(Struct, frozen=True):
+    """One ``driver`` block: its name, the model that it offers or "", and what it provides."""
+
+    name: str
+    model: str
+    addresses: tuple[Address, ...]
+
+
 class Configuration(Struct, frozen=True):
     """What a configuration file chose."""
 
@@ -86,6 +94,8 @@ class Configuration(Struct, frozen=True):
     offers: tuple[Offer, ...]
     physical_port: str | None
     """The serial port of the real robot that it asks for."""
+    drivers: tuple[Driver, ...] = ()
+    """All that provide something, in their order."""
 
 
 def load_configuration(path: Path, *, allowed: tuple[Path, ...] = ()) -> Configuration:
@@ -108,7 +118,7 @@ def load_configuration(path: Path, *, allowed: tuple[Path, ...] = ()) -> Configu
     notes = (*reader.notes, *expander.notes, *read.notes, *_unknown(placed, scene))
     report = _with(scene.report, tuple(reader.files), notes)
     scene = replace(scene, robots=_offered(scene, offers), report=report)
-    return Configuration(path, world, scene, offers, port)
+    return Configuration(path, world, scene, offers, port, tuple(read.all(drivers)))
 
 
 class _Drivers:
@@ -147,6 +157,11 @@ class _Drivers:
             if self._is_stage(driver) and (setting := driver.settings.get("model")) is not None:
                 name = self._values.string(driver.settings, "model", "")
                 yield Offer(name, self._addresses(driver.settings)), setting
+
+    def all(self, drivers: tuple[Entity, ...]) -> Iterator[Driver]:
+        for driver in drivers:
+            name, model = (self._values.string(driver.settings, each, "") for each in ("name", "model"))
+            yield Driver(name, model, self._addresses(driver.settings))
 
     def _is_stage(self, driver: Entity) -> bool:
         return self._values.string(driver.settings, "name", "") == _STAGE

@@ -1,0 +1,457 @@
+"""The devices that clients open: each answers requests, takes commands and reads its sensor.
+
+Metres and radians here, as on the wire; the port below has degrees.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Callable, Iterator
+from math import atan2, cos, degrees, hypot, isfinite, pi, radians, sin, tau
+from typing import TYPE_CHECKING, Any
+
+from devices.player.codec import MessageType
+from devices.player.interfaces import Interface, body_of
+from devices.ports.drive import TICK, DriveLoop, MetricPose, Velocity, VelocityDrive
+from sim.geometry import Placement, seen_from
+
+if TYPE_CHECKING:
+    from sim.scene import Model, Scene
+
+Values = tuple[Any, ...]
+Datum = tuple[int, bytes]
+"""A subtype and a body."""
+
+
+class Equipment:
+    """A device that anyone may open, that has no data and refuses all requests."""
+
+    interface: int = 0
+
+    def __init__(self, index: int, driver: str) -> None:
+        """``driver``: the name that clients see."""
+        self.index = index
+        self.driver = driver
+        self.users = 0
+
+    def open(self) -> None:
+        self.users += 1
+
+    def close(self) -> None:
+        self.users -= 1
+
+    def command(self, subtype: int, values: Values) -> None:
+        """Only while it is open."""
+
+    def request(self, subtype: int, values: Values) -> bytes | None:  # noqa: ARG002 -- the table's form
+        return None
+
+    def step(self) -> None:
+        """Before each tick."""
+
+    def data(self) -> Iterator[Datum]:
+        yield from ()
+
+    def _datum(self, *values: object, subtype: int = 1) -> Datum:
+        return subtype, body_of(self.interface, MessageType.DATA, subtype, *values)
+
+    def _ack(self, subtype: int, *values: object) -> bytes:
+        return body_of(self.interface, MessageType.ACK, subtype, *values)
+
+
+class MountedDevice(Equipment):
+    """A device on a robot."""
+
+    def __init__(self, index: int, driver: str, model: Model, drive: VelocityDrive, scene: Scene) -> None:
+        super().__init__(index, driver)
+        self._model, self._drive, self._scene = model, drive, scene
+
+    def _nth(self, has: Callable[[Model], object]) -> int:
+        """Which one of its kind it is on its robot; the port has them in the same order."""
+        kin = [each.index for each in self._scene.tree(self._model.root) if has(each)]
+        return kin.index(self._model.index)
+
+    def _pose(self) -> tuple[float, ...]:
+        """On its robot; of a robot itself 0."""
+        return pose3d(relative(self._model.pose, self._scene.models[self._model.root].pose))
+
+
+class WheelDevice(MountedDevice):
+    """A robot. It stands as soon as the last client has closed it."""
+
+    interface = Interface.POSITION2D
+
+    def __init__(self, index: int, driver: str, model: Model, drive: VelocityDrive, scene: Scene) -> None:
+        super().__init__(index, driver, model, drive, scene)
+        self._goal: MetricPose | None = None
+
+    def open(self) -> None:
+        super().open()
+        self._drive.subscribe()
+
+    def close(self) -> None:
+        super().close()
+        self._drive.unsubscribe()
+        if not self.users:
+            self._goal = None
+
+    def command(self, subtype: int, values: Values) -> None:
+        if not all(map(isfinite, values)):
+            return
+        match subtype:
+            case 1:
+                self._go(values[0], values[1], values[2])
+            case 2:
+                self._goal = MetricPose(values[0], values[1], degrees(values[2]))
+            case 3:
+                self._go(values[0], 0.0, values[1])
+
+    def request(self, subtype: int, values: Values) -> bytes | None:
+        match subtype:
+            case 1:
+                return self._ack(1, *self._pose(), *box3d(self._model.size))
+            case 2 | 4:
+                return b""
+            case 5 if all(map(isfinite, values)):
+                self._drive.set_odometry(MetricPose(values[0], values[1], degrees(values[2])))
+                return b""
+            case 6:
+                self._drive.set_odometry(MetricPose())
+                return b""
+        return None
+
+    def step(self) -> None:
+        if self._goal is not None:
+            self._drive.drive(towards(self._goal, self._drive.state().believed))
+
+    def data(self) -> Iterator[Datum]:
+        state = self._drive.state()
+        here, speed = state.believed, state.velocity
+        yield self._datum(
+            here.x,
+            here.y,
+            angle(here.yaw),
+            speed.ahead,
+            speed.left,
+            radians(speed.turn),
+            int(state.is_stalled),
+        )
+
+    def _go(self, ahead: float, left: float, turn: float) -> None:
+        self._goal = None
+        self._drive.drive(Velocity(ahead, left, degrees(turn)))
+
+
+class HeadDevice(MountedDevice):
+    """A part that turns by itself on its robot. What is mounted on it doesn't turn with it."""
+
+    interface = Interface.POSITION2D
+
+    def __init__(self, index: int, driver: str, model: Model, drive: VelocityDrive, scene: Scene) -> None:
+        super().__init__(index, driver, model, drive, scene)
+        self._mount = relative(model.pose, scene.models[model.root].pose)
+        self._turned = self._rate = 0.0
+        self._goal: float | None = None
+
+    def command(self, subtype: int, values: Values) -> None:
+        if not all(map(isfinite, values)):
+            return
+        if subtype in (1, 3):
+            rate = degrees(values[2 if subtype == 1 else 1])
+            self._goal, self._rate = None, max(-FASTEST_TURN, min(FASTEST_TURN, rate))
+        elif subtype == 2:
+            self._goal = degrees(values[2])
+
+    def request(self, subtype: int, values: Values) -> bytes | None:  # noqa: ARG002 -- none is needed
+        if subtype == 1:
+            return self._ack(1, *self._pose(), *box3d(self._model.size))
+        return b"" if subtype in (2, 4, 5, 6) else None
+
+    def close(self) -> None:
+        super().close()
+        if not self.users:
+            self._goal, self._rate = None, 0.0
+
+    def step(self) -> None:
+        if self._goal is not None:
+            self._rate = _turn(self._goal - self._here().yaw)
+        self._turned += self._rate * TICK
+
+    def data(self) -> Iterator[Datum]:
+        here = self._here()
+        yield self._datum(here.x, here.y, angle(here.yaw), 0.0, 0.0, radians(self._rate), 0)
+
+    def _here(self) -> Placement:
+        base = self._drive.state().believed
+        mount = Placement(self._mount.x, self._mount.y, 0.0, self._mount.yaw + self._turned)
+        return Placement(base.x, base.y, 0.0, base.yaw).then(mount)
+
+
+NEAR = 0.02
+"""Metres: so near a goal a robot only turns to its heading."""
+FASTEST, FASTEST_TURN = 0.4, degrees(1.0)
+"""Metres and degrees a second on the way to a goal."""
+
+
+def towards(goal: MetricPose, here: MetricPose) -> Velocity:
+    """The velocity of the next tick on the way to a goal: turn to it, drive, turn to its heading."""
+    dx, dy = goal.x - here.x, goal.y - here.y
+    if abs(dx) <= NEAR and abs(dy) <= NEAR:
+        return Velocity(turn=_turn(goal.yaw - here.yaw))
+    aside = degrees(angle(degrees(atan2(dy, dx)) - here.yaw))
+    if abs(aside) > 5.0:
+        return Velocity(turn=_turn(aside))
+    return Velocity(min(FASTEST, hypot(dx, dy) / TICK), 0.0, _turn(aside))
+
+
+def _turn(by: float) -> float:
+    rate = degrees(angle(by)) / TICK
+    return max(-FASTEST_TURN, min(FASTEST_TURN, rate))
+
+
+class RangeFinder(MountedDevice):
+    """Sonars, or a laser: one sensor with its samples, or several with one each."""
+
+    interface = Interface.RANGER
+
+    def request(self, subtype: int, values: Values) -> bytes | None:  # noqa: ARG002 -- none has any
+        sensors = self._model.sensors
+        if subtype == 1:
+            poses = [pose3d(each.pose) for each in sensors]
+            sizes = [(0.0, 0.0, 0.0) for _ in sensors]
+            return self._ack(1, *self._pose(), *box3d(self._model.size), poses, sizes)
+        if subtype == 5 and sensors:
+            first = sensors[0]
+            view = radians(first.fov)
+            resolution = self._scene.settings.get("resolution", 0.02)
+            step = float(resolution) if isinstance(resolution, (int, float)) else 0.02
+            bounds = (first.minimum, first.maximum, step, 1 / TICK)
+            return self._ack(5, -view / 2, view / 2, view / first.samples, *bounds)
+        return None
+
+    def data(self) -> Iterator[Datum]:
+        sensors = self._drive.rangers()[self._nth(lambda each: each.sensors)].sensors
+        limits = [each.maximum for each in self._model.sensors]
+        several = len(sensors) > 1
+        ranges: list[float] = []
+        seen: list[float] = []
+        for samples, limit in zip(sensors, limits, strict=True):
+            taken = samples[len(samples) // 2 :][:1] if several else samples
+            ranges += taken
+            seen += [float(each < limit) for each in taken]
+        if ranges:
+            yield self._datum(ranges)
+            yield self._datum(seen, subtype=3)
+
+
+class BumperBars(MountedDevice):
+    interface = Interface.BUMPER
+
+    def request(self, subtype: int, values: Values) -> bytes | None:  # noqa: ARG002 -- it has none
+        if subtype != 1:
+            return None
+        return self._ack(1, [(*pose3d(each.pose), each.length, 0.0) for each in self._model.bumpers])
+
+    def data(self) -> Iterator[Datum]:
+        pressed = self._drive.bumpers()[self._nth(lambda each: each.bumpers)].pressed
+        yield self._datum(bytes(pressed))
+
+
+HALF_HEIGHT = 0.3
+"""Metres: a seen thing is taken to be twice as high."""
+
+
+class ColourFinder(MountedDevice):
+    """Coloured things in the columns and rows of a picture."""
+
+    interface = Interface.BLOBFINDER
+
+    def data(self) -> Iterator[Datum]:
+        finder = self._model.blobfinder
+        assert finder is not None
+        width, height = finder.image
+        blobs = []
+        for seen in self._drive.blobs()[self._nth(lambda each: each.blobfinder)].blobs:
+            red, green, blue = seen.colour
+            left, right = (
+                max(0, min(width - 1, int((finder.fov / 2 - each) / finder.fov * width)))
+                for each in (seen.left, seen.right)
+            )
+            rows = degrees(atan2(HALF_HEIGHT, seen.metres)) / finder.fov * width
+            top, bottom = (max(0, min(height - 1, int(height / 2 + each))) for each in (-rows, rows))
+            area = (right - left + 1) * (bottom - top + 1)
+            colour = red << 16 | green << 8 | blue
+            middle = ((left + right) // 2, (top + bottom) // 2)
+            blobs.append((0, colour, area, *middle, left, right, top, bottom, seen.metres))
+        yield self._datum(width, height, blobs)
+
+
+class MarkReader(MountedDevice):
+    """Fiducial marks, and the one that its own robot shows."""
+
+    interface = Interface.FIDUCIAL
+
+    def request(self, subtype: int, values: Values) -> bytes | None:  # noqa: ARG002 -- none is taken
+        if subtype == 1:
+            return self._ack(1, *self._pose(), *box3d(self._model.size), 0.1, 0.1)
+        return self._ack(7, max(0, int(self._model.fiducial_return))) if subtype == 7 else None
+
+    def data(self) -> Iterator[Datum]:
+        marks = []
+        for mark in self._drive.marks()[self._nth(lambda each: each.fiducial_finder)].marks:
+            x, y = mark.metres * cos(radians(mark.degrees)), mark.metres * sin(radians(mark.degrees))
+            marks.append((mark.number, x, y, 0.0, 0.0, 0.0, angle(mark.yaw), *(0.0,) * 6))
+        yield self._datum(marks)
+
+
+OPEN, CLOSED, MOVING = 1, 2, 3
+
+
+class Paddles(MountedDevice):
+    """A gripper that opens and closes. It takes nothing."""
+
+    interface = Interface.GRIPPER
+
+    def __init__(self, index: int, driver: str, model: Model, drive: VelocityDrive, scene: Scene) -> None:
+        super().__init__(index, driver, model, drive, scene)
+        assert model.gripper is not None
+        self._wanted = CLOSED if model.gripper.closed else OPEN
+        self._ticks_left = 0
+
+    def command(self, subtype: int, values: Values) -> None:  # noqa: ARG002 -- it has none
+        wanted = {1: OPEN, 2: CLOSED}.get(subtype, self._wanted)
+        if wanted != self._wanted:
+            self._wanted, self._ticks_left = wanted, round(1.0 / TICK)
+
+    def request(self, subtype: int, values: Values) -> bytes | None:  # noqa: ARG002 -- it has none
+        if subtype != 1:
+            return None
+        outer = box3d(self._model.size)
+        return self._ack(1, *self._pose(), *outer, *outer, 2, 0)
+
+    def step(self) -> None:
+        self._ticks_left = max(0, self._ticks_left - 1)
+
+    def data(self) -> Iterator[Datum]:
+        yield self._datum(MOVING if self._ticks_left else self._wanted, 0, 0)
+
+
+class SpeechDevice(Equipment):
+    """Texts that are said in a robot's name."""
+
+    interface = Interface.SPEECH
+
+    def __init__(self, index: int, driver: str, say: Callable[[str], object]) -> None:
+        super().__init__(index, driver)
+        self._say = say
+
+    def command(self, subtype: int, values: Values) -> None:
+        if subtype == 1 and values[0]:
+            self._say("".join(each if each.isprintable() else " " for each in values[0][:LONGEST_TEXT]))
+
+
+LONGEST_TEXT = 1000
+"""Characters of a text that is said."""
+
+
+class Ignored(Equipment):
+    """A device that takes commands without an effect: sounds, the power of a battery."""
+
+    def __init__(self, index: int, driver: str, interface: int) -> None:
+        super().__init__(index, driver)
+        self.interface = interface
+
+
+class DigitalOutputs(Equipment):
+    """Digital outputs, such as the belt's: they show what was asked for last, and move nothing."""
+
+    interface = Interface.DIO
+
+    def __init__(self, index: int, driver: str) -> None:
+        super().__init__(index, driver)
+        self._last: Values = (0, 0)
+
+    def command(self, subtype: int, values: Values) -> None:
+        if subtype == 1:
+            self._last = values
+
+    def data(self) -> Iterator[Datum]:
+        yield self._datum(*self._last)
+
+
+class Whole(Equipment):
+    """The simulation: where things are, and putting them elsewhere. It works without being opened."""
+
+    interface = Interface.SIMULATION
+
+    def __init__(self, index: int, driver: str, loop: DriveLoop, scene: Scene) -> None:
+        super().__init__(index, driver)
+        self._loop, self._scene = loop, scene
+        self._names = {_whole_name(model, scene): model for model in reversed(scene.models)}
+
+    def request(self, subtype: int, values: Values) -> bytes | None:
+        model = self._names.get(values[0]) if values else None
+        if subtype == 5:
+            return self._property(values, model)
+        if model is None:
+            return None
+        try:
+            match subtype:
+                case 1:
+                    here = self._here(model)
+                    return self._ack(1, values[0], here.x, here.y, angle(here.yaw))
+                case 3:
+                    here = self._here(model)
+                    pose = (here.x, here.y, model.pose.z, 0.0, 0.0, angle(here.yaw))
+                    return self._ack(3, values[0], *pose, self._loop.time * 1e6)
+                case 2 | 4 if model.parent is None and all(map(isfinite, values[1:])):
+                    yaw = values[3] if subtype == 2 else values[6]
+                    self._loop.put(model.name, MetricPose(values[1], values[2], degrees(yaw)))
+                    return b""
+        except KeyError:  # it can't move, or several have this name
+            pass
+        return None
+
+    def _here(self, model: Model) -> MetricPose:
+        if model.parent is None:
+            return self._loop.pose(model.spoken_name)
+        local = relative(model.pose, self._scene.models[model.parent].pose)
+        return MetricPose(local.x, local.y, local.yaw)
+
+    def _property(self, values: Values, model: Model | None) -> bytes | None:
+        """Numbers in the byte order of the clients."""
+        name, what, _, given = values
+        if what == "time" and len(given) == 8:
+            return self._ack(5, name, what, values[2], struct.pack("<Q", round(self._loop.time * 1e6)))
+        if what == "color" and len(given) == 16 and model is not None:
+            colour = model.colour
+            rgba = struct.pack("<ffff", colour.red, colour.green, colour.blue, colour.alpha)
+            return self._ack(5, name, what, values[2], rgba)
+        return None
+
+
+def _whole_name(model: Model, scene: Scene) -> str:
+    if model.parent is None:
+        return model.name
+    return f"{_whole_name(scene.models[model.parent], scene)}.{model.name}"
+
+
+def angle(of_degrees: float) -> float:
+    """In radians, above -pi and up to pi."""
+    turned = radians(of_degrees) % tau
+    return turned - tau if turned > pi else turned
+
+
+def relative(inner: Placement, outer: Placement) -> Placement:
+    """Where something is in the frame of something else."""
+    ((x, y),) = seen_from(((inner.x, inner.y),), outer.x, outer.y, outer.yaw)
+    return Placement(x, y, inner.z - outer.z, inner.yaw - outer.yaw)
+
+
+def pose3d(place: Placement) -> tuple[float, ...]:
+    return place.x, place.y, place.z, 0.0, 0.0, angle(place.yaw)
+
+
+def box3d(size: tuple[float, float, float]) -> tuple[float, float, float]:
+    """The width (y) comes first."""
+    return size[1], size[0], size[2]

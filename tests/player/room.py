@@ -1,0 +1,72 @@
+"""A room for clients of Player, as configuration and world files, and its devices without a socket."""
+
+from pathlib import Path
+
+from donnie_tui.player.stations import Stations
+from sim.velocity import VelocityLoop
+from sim.world import World
+from sim.worldfile import load_configuration
+
+WORLD = """
+define sonar sensor ( range [ 0 5 ] fov 10 )
+define robot position
+(
+  size [ 0.4 0.4 0.3 ]
+  ranger ( sonar( pose [ 0.2 0 0 0 ] ) sonar( pose [ 0 0.2 0 90 ] )
+           sonar( pose [ 0 -0.2 0 -90 ] ) sonar( pose [ -0.2 0 0 180 ] ) )
+)
+model ( name "room" size [ 8 6 1 ] boundary 1 gripper_return 0 )
+model ( name "redbox" color "red" size [ 0.4 0.4 0.6 ] pose [ 0 0 0 0 ] fiducial_return 7 pushable 1 )
+robot
+(
+  name "alice" pose [ -2 0 0 0 ]
+  ranger ( sensor( range [ 0 8 ] fov 180 samples 181 ) )
+  bumper ( bcount 2 blength 0.2 bpose[0] [ 0.24 0.1 0 0 ] bpose[1] [ 0.24 -0.1 0 0 ] )
+  blobfinder ( colors_count 1 colors [ "red" ] range 5 fov 60 image [ 80 60 ] )
+  fiducial ( range_max 8 range_max_id 5 fov 180 )
+  gripper ( pose [ 0.3 0 0 0 ] size [ 0.1 0.2 0.2 ] )
+  position ( name "head" size [ 0.1 0.1 0.1 ] pose [ 0 0 0 0 ] )
+)
+robot ( name "bob" pose [ -2 -2 0 0 ] )
+"""
+CONFIGURATION = """
+driver ( name "stage" plugin "stageplugin" provides [ "7665:simulation:0" ] worldfile "room.world" )
+driver ( name "stage" model "alice" provides [ "7665:position2d:0" "7665:ranger:0" "7665:ranger:1"
+  "7665:bumper:0" "7665:blobfinder:0" "7665:fiducial:0" "7665:speech:0" "7665:position2d:1"
+  "7665:gripper:0" ] )
+driver ( name "stage" model "bob" provides [ "7666:position2d:0" "7666:ranger:0" ] )
+"""
+
+DONNIE_WORLD = """
+define sonar sensor ( range [ 0 3 ] fov 15 )
+position
+(
+  name "alice" size [ 0.2 0.2 0.2 ]
+  ranger ( sonar() sonar() sonar() sonar() sonar() sonar() )
+  bumper ( bcount 4 blength 0.1 bpose[0] [ 0.2 0 0 0 ] bpose[1] [ 0.2 0 0 0 ]
+           bpose[2] [ -0.2 0 0 180 ] bpose[3] [ -0.2 0 0 180 ] )
+  position ( name "head" size [ 0.1 0.1 0.1 ]
+    ranger ( sonar() )
+    blobfinder ( colors_count 1 colors [ "red" ] range 5 fov 60 image [ 160 120 ] ) )
+)
+"""
+DONNIE_CONFIGURATION = """
+driver ( name "stage" plugin "stageplugin" provides [ "6691:simulation:0" ] worldfile "room.world" )
+driver ( name "stage" model "alice" provides [ "6691:position2d:0" "6691:position2d:1" "6691:ranger:0"
+  "6691:ranger:1" "6691:bumper:0" "6691:blobfinder:0" "6691:speech:0" ] )
+driver ( name "gtts" provides [ "6691:dio:1" ] )
+"""
+
+
+def write_room(folder: Path, configuration: str = CONFIGURATION, world: str = WORLD) -> Path:
+    (folder / "room.world").write_text(world, encoding="utf-8")
+    path = folder / "room.cfg"
+    path.write_text(configuration, encoding="utf-8")
+    return path
+
+
+def stations_of(path: Path, said: list[tuple[str, str]] | None = None) -> Stations:
+    found = load_configuration(path)
+    assert found.scene is not None
+    texts = [] if said is None else said
+    return Stations(found, VelocityLoop(World(found.scene)), 6665, lambda *each: texts.append(each))

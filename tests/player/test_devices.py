@@ -1,0 +1,316 @@
+"""What clients get of each interface, by messages; expected values are those of the room and of geometry."""
+
+import struct
+from collections.abc import Callable
+from math import pi
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from devices.player.codec import MessageReader, MessageType, PlayerMessage
+from devices.player.connection import MOST_REPLIES, MOST_WAITING, ClientConnection
+from devices.player.interfaces import FORMS, Interface, body_of, values_of
+from devices.ports.drive import MetricPose
+from donnie_tui.player.equipment import angle, towards
+from donnie_tui.player.stations import BadConfiguration, Stations
+from tests.player.room import CONFIGURATION, stations_of, write_room
+
+DATA, COMMAND, REQUEST, ACK, NACK = (
+    MessageType.DATA,
+    MessageType.COMMAND,
+    MessageType.REQUEST,
+    MessageType.ACK,
+    MessageType.NACK,
+)
+
+
+class Client:
+    """A client in PULL that has opened these devices."""
+
+    def __init__(self, stations: Stations, *opened: tuple[int, int], port: int = 7665) -> None:
+        self._stations, self._station = stations, stations.by_port[port]
+        self.connection = ClientConnection(self._station, "1")
+        self._station.clients.add(self.connection)
+        self.connection.take()
+        self._reader = MessageReader(10**6)
+        self.ask(1, 0, 5, 2)
+        for interface, index in opened:
+            assert self.ask(1, 0, 3, 0, 0, interface, index, 1, "") is not None
+
+    def send(self, interface: int, index: int, type_: int, subtype: int, *values: object) -> None:
+        form = FORMS.get((interface, type_, subtype))
+        body = body_of(interface, type_, subtype, *values) if form else b""
+        self.connection.receive(PlayerMessage(interface, index, type_, subtype, body).encoded())
+
+    def ask(self, interface: int, index: int, subtype: int, *values: object) -> Any:
+        """What is in the reply; None for a refusal."""
+        self.send(interface, index, REQUEST, subtype, *values)
+        [reply] = [each for each in self.take() if each.type != DATA]
+        assert (reply.interface, reply.index, reply.subtype) == (interface, index, subtype)
+        return None if reply.type == NACK else values_of(reply)
+
+    def command(self, interface: int, index: int, subtype: int, *values: object) -> None:
+        self.send(interface, index, COMMAND, subtype, *values)
+
+    def take(self) -> list[PlayerMessage]:
+        return list(self._reader.feed(self.connection.take()))
+
+    def round(self) -> dict[tuple[int, int, int], Any]:
+        """The data of the next tick, by interface, index and subtype."""
+        self.take()
+        self.send(1, 0, REQUEST, 4)
+        self._stations.step()
+        messages = self.take()
+        assert (messages[0].type, messages[-1].type) == (ACK, MessageType.SYNCH)
+        return {(each.interface, each.index, each.subtype): values_of(each) for each in messages[1:-1]}
+
+    def vanish(self) -> None:
+        self._station.clients.discard(self.connection)
+        self.connection.close()
+
+
+@pytest.fixture
+def said() -> list[tuple[str, str]]:
+    return []
+
+
+@pytest.fixture
+def stations(tmp_path: Path, said: list[tuple[str, str]]) -> Stations:
+    return stations_of(write_room(tmp_path), said)
+
+
+WHEELS = (Interface.POSITION2D, 0)
+
+
+def test_a_robot_drives_at_the_velocity_that_it_was_given(stations: Stations) -> None:
+    client = Client(stations, WHEELS)
+    client.command(*WHEELS, 1, 0.5, 0.0, 0.0, 1)
+
+    first = client.round()[4, 0, 1]
+
+    assert first == pytest.approx((-1.95, 0, 0, 0.5, 0, 0, 0))
+
+
+def test_a_robot_goes_to_a_pose_and_turns_to_its_heading(stations: Stations) -> None:
+    client = Client(stations, WHEELS)
+    client.command(*WHEELS, 2, -2.5, 0.5, -1.0, 0.0, 0.0, 0.0, 1)
+    speeds = []
+    for _ in range(150):
+        state = client.round()[4, 0, 1]
+        speeds.append((state[3], abs(state[5])))
+
+    assert state[:2] == pytest.approx((-2.5, 0.5), abs=0.03)
+    assert state[2] == pytest.approx(-1.0, abs=1e-6)
+    assert max(each[0] for each in speeds) <= 0.4 + 1e-9
+    assert max(each[1] for each in speeds) <= 1.0 + 1e-9
+
+
+def test_the_last_client_that_leaves_stops_its_robot(stations: Stations) -> None:
+    one, other = Client(stations, WHEELS), Client(stations, WHEELS)
+    one.command(*WHEELS, 1, 0.2, 0.0, 0.0, 1)
+    one.round()
+    one.vanish()
+    driving = other.round()[4, 0, 1]
+    other.vanish()
+    third = Client(stations, WHEELS)
+    standing = third.round()[4, 0, 1]
+
+    assert driving[3] == pytest.approx(0.2)
+    assert standing[3] == 0.0
+    assert standing[0] == pytest.approx(driving[0])
+
+
+def test_a_command_to_a_robot_that_no_client_has_opened_has_no_effect(stations: Stations) -> None:
+    client = Client(stations)
+    client.command(*WHEELS, 1, 0.2, 0.0, 0.0, 1)
+    opened = Client(stations, WHEELS)
+
+    assert opened.round()[4, 0, 1][3] == 0.0
+
+
+@pytest.mark.parametrize("number", [float("nan"), float("inf")])
+def test_numbers_that_are_not_finite_move_nothing(stations: Stations, number: float) -> None:
+    client = Client(stations, WHEELS, (31, 0))
+    client.command(*WHEELS, 1, number, 0.0, 0.0, 1)
+    client.command(*WHEELS, 2, number, 0.0, 0.0, 0.0, 0.0, 0.0, 1)
+
+    assert client.ask(31, 0, 2, "alice", number, 0.0, 0.0) is None
+    assert client.round()[4, 0, 1][:2] == pytest.approx((-2.0, 0.0))
+
+
+def test_robots_of_two_ports_drive_at_once(stations: Stations) -> None:
+    alice, bob = Client(stations, WHEELS), Client(stations, WHEELS, port=7666)
+    alice.command(*WHEELS, 1, 0.1, 0.0, 0.0, 1)
+    bob.command(*WHEELS, 1, 0.2, 0.0, 0.0, 1)
+
+    assert alice.round()[4, 0, 1][0] == pytest.approx(-1.99)
+    assert bob.round()[4, 0, 1][0] == pytest.approx(-2 + 0.2 * 0.2)
+
+
+def test_a_ranger_measures_in_the_order_of_its_sensors(stations: Stations) -> None:
+    """The red box is from -0.2 to 0.2, Bob from y = -1.8, the walls of the room at x = -4 and y = 3."""
+    client = Client(stations, (62, 0), (62, 1))
+    data = client.round()
+
+    assert data[62, 0, 1] == (pytest.approx((1.6, 2.8, 1.6, 1.8), abs=0.03),)
+    assert data[62, 0, 3] == ((1.0,) * 4,)
+    [laser] = data[62, 1, 1]
+    assert len(laser) == 181
+    assert laser[90] == pytest.approx(1.8, abs=0.03)
+    assert laser[0] == pytest.approx(1.8, abs=0.03)
+    assert client.ask(62, 1, 5)[:3] == pytest.approx((-pi / 2, pi / 2, pi / 181))
+    assert client.ask(62, 0, 1)[9][1] == pytest.approx((0, 0.2, 0, 0, 0, pi / 2))
+    assert client.ask(62, 0, 2, 1) is None
+
+
+def test_a_blobfinder_and_a_mark_finder_see_the_red_box_ahead(stations: Stations) -> None:
+    client = Client(stations, (7, 0), (10, 0))
+    data = client.round()
+
+    width, height, [blob] = data[7, 0, 1]
+    assert (width, height) == (80, 60)
+    assert blob[1] == 0xFF0000
+    assert blob[5] < 40 < blob[6]
+    assert blob[9] == pytest.approx(1.8, abs=0.05)
+    [[[number, x, y, *_]]] = data[10, 0, 1]
+    assert (number, x, y) == (7, pytest.approx(2.0), pytest.approx(0.0))
+
+
+def test_bumpers_say_where_the_robot_touches_the_box(stations: Stations) -> None:
+    client = Client(stations, WHEELS, (14, 0))
+    assert client.round()[14, 0, 1] == (b"\0\0",)
+    client.ask(31, 0, 2, "alice", -0.43, 0.0, 0.0)
+
+    assert client.round()[14, 0, 1] == (b"\1\1",)
+    assert [each[6] for each in client.ask(14, 0, 1)[0]] == pytest.approx([0.2, 0.2])
+
+
+def test_a_gripper_moves_and_is_closed(stations: Stations) -> None:
+    client = Client(stations, (3, 0))
+    client.command(3, 0, 2)
+    states = [client.round()[3, 0, 1][0] for _ in range(15)]
+
+    assert (states[0], states[-1]) == (3, 2)
+
+
+def test_a_text_is_said_in_the_robots_name(stations: Stations, said: list[tuple[str, str]]) -> None:
+    client = Client(stations, (12, 0))
+    client.command(12, 0, 1, "Olá,\x1b[2J aí")
+
+    assert said == [("alice", "Olá, [2J aí")]
+
+
+def test_the_simulation_puts_things_elsewhere_and_knows_the_time(stations: Stations) -> None:
+    client = Client(stations, WHEELS)
+    client.round()
+
+    assert client.ask(31, 0, 2, "redbox", 2.0, 1.0, 0.5) == ()
+    assert client.ask(31, 0, 1, "redbox", 0.0, 0.0, 0.0) == ("redbox", 2.0, 1.0, pytest.approx(0.5))
+    assert client.ask(31, 0, 1, "alice.head", 0.0, 0.0, 0.0)[1:] == pytest.approx((0, 0, 0))
+    assert client.ask(31, 0, 1, "missing", 0.0, 0.0, 0.0) is None
+    assert client.ask(31, 0, 2, "room", 0.0, 0.0, 0.0) is None
+    assert client.ask(31, 0, 5, "redbox", "color", 0, bytes(16))[3] == struct.pack("<ffff", 1, 0, 0, 1)
+    assert client.ask(31, 0, 5, "redbox", "time", 0, bytes(8))[3] == struct.pack("<Q", 100_000)
+    assert client.ask(31, 0, 5, "redbox", "time", 0, bytes(4)) is None
+    assert client.ask(31, 0, 3, "alice", *(0.0,) * 7)[7] == pytest.approx(1e5)
+
+
+def test_a_head_turns_to_a_heading_of_the_world(stations: Stations) -> None:
+    client = Client(stations, (4, 1))
+    client.command(4, 1, 2, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 1)
+    for _ in range(8):
+        state = client.round()[4, 1, 1]
+
+    assert state[2] == pytest.approx(0.5)
+
+
+def test_only_what_a_client_has_opened_is_sent_and_computed(stations: Stations) -> None:
+    client = Client(stations, WHEELS)
+    Client(stations, (62, 0))
+
+    assert set(client.round()) == {(4, 0, 1)}
+
+
+@pytest.mark.parametrize(
+    ("interface", "subtype"), [(4, 3), (4, 77), (7, 1), (14, 9), (99, 1), (40, 1), (12, 1)]
+)
+def test_what_is_not_known_is_refused_at_once(stations: Stations, interface: int, subtype: int) -> None:
+    client = Client(stations)
+    client.send(interface, 0, REQUEST, subtype, *((0,) if interface == 4 and subtype == 3 else ()))
+
+    [reply] = client.take()
+    assert (reply.type, reply.body) == (NACK, b"")
+
+
+def test_the_newest_datum_takes_the_place_of_one_that_waits(stations: Stations) -> None:
+    client = Client(stations, WHEELS)
+    for _ in range(5):
+        stations.step()
+    client.send(1, 0, REQUEST, 4)
+
+    data = [each for each in client.take() if each.type == DATA]
+    assert [each.time for each in data] == [pytest.approx(0.5)]
+
+
+def test_a_client_that_wants_all_data_gets_no_more_than_are_kept(stations: Stations) -> None:
+    client = Client(stations, WHEELS)
+    client.ask(1, 0, 10, -1, -1, -1, -1, 0)
+    for _ in range(MOST_WAITING + 100):
+        stations.step()
+    client.send(1, 0, REQUEST, 4)
+
+    data = [each for each in client.take() if each.type == DATA]
+    assert MOST_WAITING <= len(data) <= MOST_WAITING + 1
+
+
+def test_rules_are_looked_at_in_their_order_and_an_equal_one_is_changed(stations: Stations) -> None:
+    client = Client(stations, WHEELS, (62, 0))
+    client.ask(1, 0, 10, 62, -1, 1, -1, 2)
+    client.ask(1, 0, 10, -1, -1, -1, -1, 1)
+    ignored = set(client.round())
+    client.ask(1, 0, 10, 62, -1, 1, -1, 1)
+
+    assert ignored == {(4, 0, 1)}
+    assert set(client.round()) == {(4, 0, 1), (62, 0, 1), (62, 0, 3)}
+
+
+def test_a_client_that_only_asks_is_read_no_further(stations: Stations) -> None:
+    client = Client(stations)
+    for _ in range(MOST_REPLIES):
+        assert not client.connection.is_behind
+        client.send(1, 0, REQUEST, 1)
+
+    assert client.connection.is_behind
+    assert len(client.take()) == MOST_REPLIES
+    assert not client.connection.is_behind
+
+
+@pytest.mark.parametrize(
+    ("change", "code", "what"),
+    [
+        (lambda text: text.replace("ranger:1", "ranger:0"), "player-address-twice", "7665:ranger:0"),
+        (lambda text: text.replace('model "bob"', 'model "joe"'), "player-no-model", "position2d:0"),
+    ],
+)
+def test_a_configuration_that_does_not_fit_its_world_is_refused(
+    tmp_path: Path, change: Callable[[str], str], code: str, what: str
+) -> None:
+    with pytest.raises(BadConfiguration) as refused:
+        stations_of(write_room(tmp_path, change(CONFIGURATION)))
+    assert (refused.value.code, refused.value.what) == (code, what)
+
+
+def test_devices_that_are_not_offered_are_left_out(tmp_path: Path) -> None:
+    more = CONFIGURATION + 'driver ( name "rangertolaser" provides [ "7665:laser:0" ] )'
+    stations = stations_of(write_room(tmp_path, more.replace('"7665:gripper:0"', '"7665:camera:0"')))
+
+    assert stations.left_out == ["camera:0", "laser:0"]
+
+
+def test_angles_are_above_minus_pi_and_up_to_pi() -> None:
+    assert [angle(each) for each in (0, 180, -180, 190, 540)] == pytest.approx([0, pi, pi, pi / 18 - pi, pi])
+
+
+def test_a_robot_within_two_centimetres_only_turns() -> None:
+    assert towards(MetricPose(0.01, 0.01, 90), MetricPose()).ahead == 0.0

@@ -1,0 +1,212 @@
+"""The server on real sockets: clients that come, read slowly, send rubbish and vanish."""
+
+import asyncio
+import socket
+from collections.abc import AsyncIterator, Callable, Coroutine
+from contextlib import asynccontextmanager, suppress
+from pathlib import Path
+
+import pytest
+
+from devices.player.codec import MessageReader, MessageType, PlayerMessage
+from devices.player.interfaces import body_of
+from donnie_tui.player import server as module
+from donnie_tui.player.server import PlayerServer, PortRefused
+from donnie_tui.player.stations import Stations
+from tests.player.room import CONFIGURATION, stations_of, write_room
+
+HOST = "127.0.0.1"
+
+
+def free_port() -> int:
+    with socket.socket() as bound:
+        bound.bind((HOST, 0))
+        return int(bound.getsockname()[1])
+
+
+class Room:
+    """A server with its stations and what it complained of."""
+
+    def __init__(self, folder: Path) -> None:
+        self.port, self.bobs = free_port(), free_port()
+        text = CONFIGURATION.replace("7665", str(self.port)).replace("7666", str(self.bobs))
+        self.stations: Stations = stations_of(write_room(folder, text))
+        self.complaints: list[str] = []
+        self.server = PlayerServer(self.stations, HOST, "1", self.complaints.append)
+
+    @asynccontextmanager
+    async def running(self) -> AsyncIterator[None]:
+        started = asyncio.Event()
+        task = asyncio.create_task(self.server.run(20.0, started.set))
+        await started.wait()
+        try:
+            yield
+        finally:
+            task.cancel()
+            with suppress(asyncio.CancelledError):
+                await task
+
+    def speed(self) -> float:
+        return self.stations._loop.drives["alice"].state().velocity.ahead
+
+
+class Client:
+    def __init__(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        self._reader, self.writer = reader, writer
+        self._messages = MessageReader(10**6)
+        self._got: list[PlayerMessage] = []
+
+    @classmethod
+    async def connected(cls, port: int) -> "Client":
+        client = cls(*await asyncio.open_connection(HOST, port))
+        assert (await client._reader.readexactly(32)).startswith(b"Player v.")
+        return client
+
+    async def next(self) -> PlayerMessage:
+        while not self._got:
+            data = await asyncio.wait_for(self._reader.read(65536), 10)
+            if not data:
+                raise EOFError
+            self._got.extend(self._messages.feed(data))
+        return self._got.pop(0)
+
+    async def ask(self, subtype: int, *values: object) -> PlayerMessage:
+        self.send(1, 0, 3, subtype, *values)
+        while (message := await self.next()).type not in (MessageType.ACK, MessageType.NACK):
+            pass
+        return message
+
+    def send(self, interface: int, index: int, type_: int, subtype: int, *values: object) -> None:
+        body = body_of(interface, type_, subtype, *values)
+        self.writer.write(PlayerMessage(interface, index, type_, subtype, body).encoded())
+
+    async def drive(self, ahead: float) -> None:
+        assert (await self.ask(3, 0, 0, 4, 0, 1, "")).type == MessageType.ACK
+        self.send(4, 0, 2, 1, ahead, 0.0, 0.0, 1)
+
+    async def is_at_its_end(self) -> bool:
+        with suppress(EOFError, ConnectionError):
+            while True:
+                await self.next()
+        return True
+
+
+Play = Callable[[Room], Coroutine[None, None, None]]
+
+
+def play(folder: Path, story: Play) -> Room:
+    room = Room(folder)
+
+    async def run() -> None:
+        async with room.running():
+            await asyncio.wait_for(story(room), 30)
+
+    asyncio.run(run())
+    return room
+
+
+async def until(condition: Callable[[], bool]) -> None:
+    for _ in range(500):
+        if condition():
+            return
+        await asyncio.sleep(0.01)
+    raise AssertionError("it never came to that")
+
+
+def test_a_client_drives_and_its_death_stops_the_robot(tmp_path: Path) -> None:
+    async def story(room: Room) -> None:
+        client = await Client.connected(room.port)
+        await client.drive(0.05)
+        await until(lambda: room.speed() == pytest.approx(0.05))
+        client.writer.transport.abort()
+        await until(lambda: room.speed() == 0.0)
+
+    play(tmp_path, story)
+
+
+def test_in_push_data_come_by_themselves(tmp_path: Path) -> None:
+    async def story(room: Room) -> None:
+        client = await Client.connected(room.port)
+        await client.drive(0.0)
+        times = [(await client.next()).time for _ in range(3)]
+        assert times[2] - times[0] == pytest.approx(0.2)
+
+    play(tmp_path, story)
+
+
+def test_rubbish_ends_its_connection_and_no_other(tmp_path: Path) -> None:
+    async def story(room: Room) -> None:
+        good = await Client.connected(room.port)
+        for _ in range(3):
+            bad = await Client.connected(room.port)
+            bad.writer.write(b"\xff" * 500)
+            assert await bad.is_at_its_end()
+        half = await Client.connected(room.port)
+        half.writer.write(b"GET / HTTP/1.1\r\n")
+        assert (await good.ask(1)).type == MessageType.ACK
+
+    assert play(tmp_path, story).complaints == ["player-rubbish"]
+
+
+def test_a_client_that_never_reads_delays_no_other(tmp_path: Path) -> None:
+    async def story(room: Room) -> None:
+        slow = await Client.connected(room.port)
+        slow.writer.transport.pause_reading()  # type: ignore[attr-defined] # a socket's
+        for index in (0, 1):
+            slow.send(1, 0, 3, 3, 0, 0, 62, index, 1, "")
+        for _ in range(20_000):
+            slow.send(1, 0, 3, 1)
+        quick = await Client.connected(room.port)
+        for _ in range(20):
+            assert (await quick.ask(1)).type == MessageType.ACK
+
+    play(tmp_path, story)
+
+
+def test_no_more_clients_than_are_allowed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "MOST_CLIENTS", 2)
+
+    async def story(room: Room) -> None:
+        clients = [await Client.connected(room.port) for _ in range(2)]
+        reader, _ = await asyncio.open_connection(HOST, room.port)
+        with suppress(ConnectionError):
+            assert await reader.read(100) == b""
+        clients[0].writer.transport.abort()
+        await until(lambda: len(room.server.clients) == 1)
+        assert (await (await Client.connected(room.bobs)).ask(1)).type == MessageType.ACK
+
+    assert play(tmp_path, story).complaints == ["player-full"]
+
+
+def test_a_client_that_says_nothing_is_sent_away(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "SILENCE", 0.3)
+
+    async def story(room: Room) -> None:
+        silent, speaking = await Client.connected(room.port), await Client.connected(room.port)
+        await speaking.ask(5, 2)
+        assert await silent.is_at_its_end()
+        assert (await speaking.ask(1)).type == MessageType.ACK
+
+    play(tmp_path, story)
+
+
+def test_five_hundred_clients_that_come_and_go_leave_nothing(tmp_path: Path) -> None:
+    async def story(room: Room) -> None:
+        for _ in range(500):
+            (await Client.connected(room.port)).writer.transport.abort()
+        await until(lambda: not room.server.clients)
+        assert not room.stations.by_port[room.port].clients
+
+    play(tmp_path, story)
+
+
+def test_a_port_that_is_taken_is_named(tmp_path: Path) -> None:
+    room = Room(tmp_path)
+    with socket.socket() as taken:
+        taken.bind((HOST, room.bobs))
+        taken.listen()
+        with pytest.raises(PortRefused) as problem:
+            asyncio.run(room.server.run(1.0, lambda: None))
+
+    assert problem.value.port == room.bobs
+    assert problem.value.reason

@@ -1,0 +1,79 @@
+"""``donnie player`` as a command: what it says, and how it ends."""
+
+import signal
+import socket
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.player.room import CONFIGURATION, WORLD, write_room
+
+
+def free_ports() -> list[int]:
+    with socket.socket() as one, socket.socket() as other:
+        for each in (one, other):
+            each.bind(("127.0.0.1", 0))
+        return [one.getsockname()[1], other.getsockname()[1]]
+
+
+def command(*arguments: str) -> list[str]:
+    return [sys.executable, "-m", "donnie_tui", "player", *arguments, "--lang", "en"]
+
+
+def test_it_says_where_it_listens_and_a_signal_ends_it(tmp_path: Path) -> None:
+    one, other = free_ports()
+    text = CONFIGURATION.replace("7665", str(one)).replace("7666", str(other))
+    file = write_room(tmp_path, text)
+    with subprocess.Popen(command(str(file)), stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        line = process.stdout.readline()
+        with socket.create_connection(("127.0.0.1", one), 10) as client:
+            assert client.recv(32).startswith(b"Player v.")
+        process.send_signal(signal.SIGTERM)
+        code = process.wait(20)
+
+    assert line == f"Programs can connect to 127.0.0.1, port {one}, {other}. Ctrl+C ends it.\n"
+    assert code == 0
+
+
+def test_a_taken_port_is_named(tmp_path: Path) -> None:
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        port = taken.getsockname()[1]
+        file = write_room(
+            tmp_path,
+            CONFIGURATION.replace("7665:", "")
+            .replace("7666:", "")
+            .replace('driver ( name "stage" model "bob" provides [ "position2d:0" "ranger:0" ] )', ""),
+        )
+        done = subprocess.run(
+            command(str(file), "--port", str(port)), capture_output=True, text=True, check=False, timeout=60
+        )
+
+    assert done.returncode == 2
+    assert f"Port {port} can't be used: " in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "said"),
+    [
+        ("a.cfg", 'driver ( name "stage" model "alice" provides [ "position2d:0" ] )', "world"),
+        (
+            "b.cfg",
+            CONFIGURATION.replace("ranger:1", "ranger:0"),
+            "Two devices have the address 7665:ranger:0.",
+        ),
+    ],
+)
+def test_a_file_that_does_not_fit_is_refused(tmp_path: Path, name: str, text: str, said: str) -> None:
+    (tmp_path / "room.world").write_text(WORLD, encoding="utf-8")
+    (tmp_path / name).write_text(text, encoding="utf-8")
+    done = subprocess.run(
+        command(str(tmp_path / name)), capture_output=True, text=True, check=False, timeout=60
+    )
+
+    assert done.returncode == 2
+    assert said in done.stderr
