@@ -1,0 +1,81 @@
+"""What the grid finds near a place is what a look at everything finds."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from math import inf
+from random import Random
+from unittest.mock import patch
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from sim.geometry import Placement, Spot
+from sim.ground import Ground
+from sim.motion import Surroundings
+from sim.parts import Part
+from sim.rangers import Cone
+from tests.effort import examples
+from tests.unit.sim.floors import scene
+
+CORNERS = ((0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2))
+L = f"block( points 6 {' '.join(f'point[{i}] [ {x} {y} ]' for i, (x, y) in enumerate(CORNERS))} )"
+"""Not convex."""
+
+
+def a_world(chance: Random) -> str:
+    """Things that stay, large and small, some of which aren't convex, and things that can be moved."""
+    lines = ["position( size [ 0.1 0.1 0.1 ] )"]
+    for _ in range(chance.randrange(60)):
+        x, y, yaw = chance.uniform(-9, 9), chance.uniform(-9, 9), chance.uniform(0, 360)
+        width, depth = chance.choice((0.05, 0.4, 3.0, 40.0)), chance.choice((0.05, 0.4))
+        more = chance.choice(("", "", "pushable 1", "boundary 1", L))
+        lines.append(f"model( size [ {width} {depth} 1 ] pose [ {x:.3f} {y:.3f} 0 {yaw:.1f} ] {more} )")
+    return "\n".join(lines)
+
+
+def comes_into(part: Part, left: float, bottom: float, right: float, top: float) -> bool:
+    """Whether one of its corners does."""
+    return any(left <= x <= right and bottom <= y <= top for x, y in part.points)
+
+
+@settings(max_examples=examples(60), deadline=None)
+@given(st.integers(0, 10**6))
+def test_all_parts_in_a_box_are_found_in_order_wherever_they_were_moved(seed: int) -> None:
+    chance = Random(seed)
+    ground = Ground(scene(a_world(chance)))
+    for root in sorted(ground.movable):
+        if chance.random() < 0.5:
+            ground.put(
+                root, Placement(chance.uniform(-9, 9), chance.uniform(-9, 9), 0, chance.uniform(0, 360))
+            )
+
+    for _ in range(10):
+        x, y, width = chance.uniform(-9, 9), chance.uniform(-9, 9), chance.choice((0.0, 0.2, 3.0, 1e9))
+        box = (x, y, x + width, y + width)
+        found = ground.within(-2, *box, frozenset())
+        ranks = [part.rank for part in found]
+
+        assert ranks == sorted(set(ranks))
+        assert {part.rank for part in ground.parts() if comes_into(part, *box)} <= set(ranks)
+        assert all(ground.parts()[part.rank] is part for part in found)
+
+
+@contextmanager
+def without_rays() -> Iterator[None]:
+    with patch("sim.rangers.WORTH_A_RAY", inf):
+        yield
+
+
+@settings(max_examples=examples(60), deadline=None)
+@given(st.integers(0, 10**6))
+def test_a_ray_that_shortens_a_cone_changes_no_reading(seed: int) -> None:
+    chance = Random(seed)
+    around = Surroundings(Ground(scene(a_world(chance))), 0)
+    cone = Cone(0.05, 0.0, 30.0, chance.choice((1.0, 7.5, 45.0)), 0.0, chance.choice((0.6, 3.0, 8.0)))
+    spots = [Spot(chance.uniform(-9, 9), chance.uniform(-9, 9), chance.uniform(0, 360)) for _ in range(20)]
+
+    readings = [cone.metres(around, spot) for spot in spots]
+    with without_rays():
+        expected = [cone.metres(around, spot) for spot in spots]
+
+    assert readings == expected
