@@ -141,11 +141,12 @@ class Ground:
 
     def _gliding(self, left: float, bottom: float, right: float, top: float) -> list[Glide]:
         """The glides that may lead through a box, each once."""
-        if (right - left + _SQUARE) * (top - bottom + _SQUARE) > _SQUARE * _SQUARE * len(self._glides):
+        squares = (right - left + 2 * _SQUARE) * (top - bottom + 2 * _SQUARE) / _SQUARE**2
+        if squares > len(self._glides):
             glides: Iterable[Glide] = self._glides.values()
         else:
-            squares = self._glide_squares
-            found = [squares[square] for square in _squares(left, bottom, right, top) if square in squares]
+            table = self._glide_squares
+            found = [table[square] for square in _squares(left, bottom, right, top) if square in table]
             glides = {glide.root: glide for each in found for glide in each}.values()
         return [
             glide

@@ -22,6 +22,8 @@ MARGIN = 1e-9
 """Metres by which boxes are taken larger, for what computing errs."""
 LEAST, MOST = 0.25, 2.0
 """Metres of a square's side."""
+FEW = 16
+"""So many roots are looked at one by one."""
 MOST_SQUARES = 256
 """A part that lies in more squares than that is looked at in every question."""
 
@@ -111,6 +113,8 @@ class MovingRoots:
 
     def _near(self, left: float, bottom: float, right: float, top: float) -> Iterable[int]:
         side, widest = self._side, self._widest
+        if len(self._where) <= FEW:
+            return self._where
         first, last = floor((left - widest) / side), floor((right + widest) / side)
         lowest, highest = floor((bottom - widest) / side), floor((top + widest) / side)
         if (last - first + 1) * (highest - lowest + 1) >= len(self._where):
