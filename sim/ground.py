@@ -279,16 +279,22 @@ class Ground:
                 self._update(asker, left - guard, bottom - guard, right + guard, top + guard)
             return (self._layout or self._lay_out()).free_way(asker, x, y, end, guard, but)
 
-    def room(self, asker: int, x: float, y: float, guard: float) -> float:
-        """How far round a place nothing comes nearer than ``guard``, some metres at most; below 0: none."""
+    def still_room(self, x: float, y: float, guard: float) -> float:
+        """How far round a place nothing that never moves comes nearer than ``guard``; below 0: none.
+
+        Some metres at most.
+        """
         with self._lock:
-            room = (self._layout or self._lay_out()).room(asker, x, y, guard)
-            reach = room + guard
-            for glide in self._gliding(x - reach, y - reach, x + reach, y + reach) if self._glides else ():
-                left, bottom, right, top = glide.box
-                if glide.root != asker:
-                    room = min(room, max(left - x, x - right, bottom - y, y - top, 0.0) - guard)
-            return room
+            return (self._layout or self._lay_out()).still_room(x, y, guard)
+
+    def may_meet_others(self, asker: int, x: float, y: float, end: Point, guard: float) -> bool:
+        """Whether anything that may move might be nearer than ``guard`` to a way."""
+        left, right, bottom, top = min(x, end[0]), max(x, end[0]), min(y, end[1]), max(y, end[1])
+        box = left - guard, bottom - guard, right + guard, top + guard
+        with self._lock:
+            if self._glides and any(glide.root != asker for glide in self._gliding(*box)):
+                return True
+            return (self._layout or self._lay_out()).others_within(asker, *box)
 
     def _update_along(self, asker: int, points: Sequence[Point]) -> None:
         xs, ys = zip(*points, strict=True)

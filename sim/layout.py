@@ -65,9 +65,9 @@ class Layer:
         alpha, rank = min((hit for hit in ranked if hit[1] not in but), default=(1.0, None))
         return rank, alpha
 
-    def room(self, x: float, y: float, most: float, group: int) -> float:
+    def room(self, x: float, y: float, most: float) -> float:
         """Metres from a place to the nearest part, at most ``most``; below 0 inside of one."""
-        nearest = self._space.point_query_nearest((x, y), most, pymunk.ShapeFilter(group))
+        nearest = self._space.point_query_nearest((x, y), most, _ANY)
         return most if nearest is None else nearest.distance
 
     def move(self, root: int, now: Placement) -> None:
@@ -108,6 +108,7 @@ class Layer:
             self._space.add(shape)
 
 
+_ANY = pymunk.ShapeFilter()
 _NONE = frozenset[int]()
 _ALIVE: WeakSet[Layer] = WeakSet()
 
@@ -171,28 +172,34 @@ class Layout:
                 self.moving.move(root, place)
                 self._unplaced.add(root)
         self._thin = self._made(self.at_start, 0.0)
-        self._layers = {0.0: self._thin}
+        self._layers: dict[float, _Kept] = {}
+        """Of what may move, by the distance that is kept."""
+        self._still_layers: dict[float, Layer] = {}
+        """The same of what never moves."""
         for guard in guards:
             self.keep(guard)
         self.around_start = {root: self._inside_of(root) for root in start}
         """The parts of others inside which a movable root stands at the start."""
 
     def keep(self, guard: float) -> None:
-        """Have a layer for ``free_way`` and ``room`` with that distance (metres)."""
+        """Have layers for ``free_way`` and ``still_room`` with that distance (metres)."""
         if guard not in self._layers:
             wanted = [part for part in self.at_start if part.solid or part.seen]
-            self._layers[guard] = self._made(wanted, guard)
+            still = [part for part in wanted if part.root not in self._start]
+            self._still_layers[guard] = Layer(still, guard, {})
+            self._layers[guard] = self._made([part for part in wanted if part.root in self._start], guard)
 
     def changed(self, root: int) -> None:
         """It is elsewhere now."""
         self.moving.move(root, self._now[root])
         self._unplaced.add(root)
+        self._thin.stale.add(root)
         for kept in self._layers.values():
             kept.stale.add(root)
 
     def group(self, root: int) -> None:
         """It belongs to another robot now, or to none."""
-        for kept in self._layers.values():
+        for kept in (self._thin, *self._layers.values()):
             kept.layer.group(root, self._groups[root])
 
     def parts(self) -> Sequence[Part]:
@@ -228,7 +235,7 @@ class Layout:
         self, asker: int, x: float, y: float, ends: Sequence[Point], ranging: bool, but: frozenset[int]
     ) -> list[Hit[Part]]:
         category = RANGED if ranging else SIGHT
-        hits = self._layer_for(asker, 0.0).first_hits(x, y, ends, asker + 1, category, but)
+        hits = self._updated(self._thin, asker).first_hits(x, y, ends, asker + 1, category, but)
         return [(None if rank is None else self._placed(rank), way) for rank, way in hits]
 
     def seen_within(self, x: float, y: float, end: Point) -> float:
@@ -240,10 +247,17 @@ class Layout:
     def free_way(
         self, asker: int, x: float, y: float, end: Point, guard: float, but: frozenset[int]
     ) -> float:
-        return self._layer_for(asker, guard).first_hits(x, y, (end,), asker + 1, BODY, but)[0][1]
+        still = self._still_layers[guard].first_hits(x, y, (end,), 0, BODY, but)[0][1]
+        moving = self._updated(self._layers[guard], asker)
+        return min(still, moving.first_hits(x, y, (end,), asker + 1, BODY, but)[0][1])
 
-    def room(self, asker: int, x: float, y: float, guard: float) -> float:
-        return self._layer_for(asker, guard).room(x, y, MOST_ROOM, asker + 1)
+    def still_room(self, x: float, y: float, guard: float) -> float:
+        return self._still_layers[guard].room(x, y, MOST_ROOM)
+
+    def others_within(self, asker: int, left: float, bottom: float, right: float, top: float) -> bool:
+        group, groups = asker + 1, self._groups
+        found = self.moving.within(left, bottom, right, top)
+        return any(groups.get(root, 0) != group for root in found)
 
     # --- inside
 
@@ -252,9 +266,8 @@ class Layout:
         close = self.within(root, here.x, here.y, here.x, here.y, frozenset())
         return tuple(part for part in close if part.root != root and contains(part.points, here.x, here.y))
 
-    def _layer_for(self, asker: int, thickness: float) -> Layer:
-        """Updated for the asker, except the asker's own parts, which it does not see."""
-        kept = self._layers[thickness]
+    def _updated(self, kept: _Kept, asker: int) -> Layer:
+        """The layer for the asker, except the asker's own parts, which it does not see."""
         if kept.stale:
             self._update(kept, asker)
         return kept.layer

@@ -52,19 +52,18 @@ SAFE = 1e-6
 
 
 class _Room(Struct, frozen=True):
-    """A circle in which nothing comes near, as long as nothing has changed."""
+    """A circle in which nothing that never moves comes near."""
 
     x: float
     y: float
     radius2: float
-    changes: int
 
     def holds(self, x: float, y: float) -> bool:
         dx, dy = x - self.x, y - self.y
         return dx * dx + dy * dy < self.radius2
 
 
-_NO_ROOM = _Room(0.0, 0.0, -1.0, -1)
+_NO_ROOM = _Room(0.0, 0.0, -1.0)
 
 
 class OtherRobots:
@@ -157,15 +156,19 @@ class Surroundings:
     def has_room(self, x: float, y: float, to_x: float, to_y: float) -> bool:
         """Whether a way is known to keep the guard distance; False says nothing.
 
-        It is known of all ways within a circle, which is looked for where a way leaves the last one.
+        Of what never moves it is known for all ways within a circle, which is looked for where a way leaves
+        the last one.
         """
-        room = self._room
-        is_inside = room.holds(x, y) and room.changes == self.ground.changes_for(self.root)
-        if is_inside or self._absent:
-            return is_inside and room.holds(to_x, to_y)
-        radius = max(0.0, self.ground.room(self.root, x, y, self._guard) - SAFE)
-        self._room = _Room(x, y, radius * radius, self.ground.changes_for(self.root))
-        return self._room.holds(to_x, to_y)
+        if self._absent:
+            return False
+        if not self._room.holds(x, y):
+            radius = max(0.0, self.ground.still_room(x, y, self._guard) - SAFE)
+            self._room = _Room(x, y, radius * radius)
+        if not self._room.holds(to_x, to_y):
+            return False
+        return not self.has_company or not self.ground.may_meet_others(
+            self.root, x, y, (to_x, to_y), self._guard
+        )
 
     def free_way(self, x: float, y: float, to_x: float, to_y: float) -> float:
         """The part of the way, from 0 to 1, on which nothing comes nearer than the guard distance."""
