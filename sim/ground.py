@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 from devices.ports.robot import STEP
 from sim.geometry import Placement
+from sim.index import FEW
 from sim.scene import Model, Scene
 
 if TYPE_CHECKING:
@@ -142,7 +143,7 @@ class Ground:
     def _gliding(self, left: float, bottom: float, right: float, top: float) -> list[Glide]:
         """The glides that may lead through a box, each once."""
         squares = (right - left + 2 * _SQUARE) * (top - bottom + 2 * _SQUARE) / _SQUARE**2
-        if squares > len(self._glides):
+        if max(squares, FEW) >= len(self._glides):
             glides: Iterable[Glide] = self._glides.values()
         else:
             table = self._glide_squares

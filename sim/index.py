@@ -6,7 +6,7 @@ question comes near it.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from math import dist, floor
 from statistics import median_low
 
@@ -85,8 +85,9 @@ class MovingRoots:
         """``parts``: of each root, where it is ``now``."""
         self._extents = {root: _extent(parts[root], place) + MARGIN for root, place in now.items()}
         self._widest = max(self._extents.values(), default=0.0)
+        self._circles: dict[int, tuple[float, float, float]] = {}
+        """Around each root: place and radius."""
         self._side = max(1.0, 2.0 * self._widest)
-        self._where: dict[int, tuple[float, float]] = {}
         self._square_of: dict[int, tuple[int, int]] = {}
         self._squares: dict[tuple[int, int], set[int]] = {}
         for root, place in now.items():
@@ -101,27 +102,29 @@ class MovingRoots:
                 self._squares[before].discard(root)
             self._square_of[root] = square
             self._squares.setdefault(square, set()).add(root)
-        self._where[root] = now.x, now.y
+        self._circles[root] = now.x, now.y, self._extents[root]
 
-    def within(self, left: float, bottom: float, right: float, top: float) -> Iterator[int]:
+    def within(self, left: float, bottom: float, right: float, top: float) -> list[int]:
         """The roots that may come into a box, in no order."""
-        for root in self._near(left, bottom, right, top):
-            x, y = self._where[root]
-            reach = self._extents[root]
-            if left - reach <= x <= right + reach and bottom - reach <= y <= top + reach:
-                yield root
-
-    def _near(self, left: float, bottom: float, right: float, top: float) -> Iterable[int]:
-        side, widest = self._side, self._widest
-        if len(self._where) <= FEW:
-            return self._where
-        first, last = floor((left - widest) / side), floor((right + widest) / side)
-        lowest, highest = floor((bottom - widest) / side), floor((top + widest) / side)
-        if (last - first + 1) * (highest - lowest + 1) >= len(self._where):
-            return self._where
-        squares = self._squares
         return [
             root
+            for root, (x, y, reach) in self._near(left, bottom, right, top)
+            if left - reach <= x <= right + reach and bottom - reach <= y <= top + reach
+        ]
+
+    def _near(
+        self, left: float, bottom: float, right: float, top: float
+    ) -> Iterable[tuple[int, tuple[float, float, float]]]:
+        side, widest, circles = self._side, self._widest, self._circles
+        if len(circles) <= FEW:
+            return circles.items()
+        first, last = floor((left - widest) / side), floor((right + widest) / side)
+        lowest, highest = floor((bottom - widest) / side), floor((top + widest) / side)
+        if (last - first + 1) * (highest - lowest + 1) >= len(circles):
+            return circles.items()
+        squares = self._squares
+        return [
+            (root, circles[root])
             for column in range(first, last + 1)
             for row in range(lowest, highest + 1)
             for root in squares.get((column, row), ())
