@@ -69,12 +69,12 @@ class Pushing:
         return self._answer
 
     def _found(self, spot: Spot, angle: float, length: float) -> Advance:
-        done, joined = 0.0, dict[int, _Joined]()
+        done, joined, waiting = 0.0, dict[int, _Joined](), list[_Joined]()
         on_the_way = self._mover.on_the_way(spot, angle, length)
         while done < length:
             here = spot.ahead(done, angle) if done else spot
             contact = self._mover.contact_with_any(on_the_way, here, angle, joined)
-            for thing in joined.values():
+            for thing in waiting:
                 contact = thing.nearer(contact, done, joined)
             if contact.metres >= length - done:
                 done = length
@@ -85,6 +85,7 @@ class Pushing:
             if not self._gives_way(contact.part) or len(joined) == MOST:
                 break
             joined[root] = self._join(root, done, angle, length - done)
+            waiting = [thing for thing in (*waiting, joined[root]) if thing.may_meet_more_than(joined)]
         moved = ((root, done - thing.since) for root, thing in joined.items())
         return Advance(done, tuple((root, metres) for root, metres in moved if metres > 0.0))
 
@@ -130,6 +131,10 @@ class _Joined:
         self._angle = angle
         self._outlines = outlines
         self._ahead = ahead
+
+    def may_meet_more_than(self, joined: Container[int]) -> bool:
+        """Whether it may meet something that isn't pushed yet."""
+        return any(part.root not in joined for part, _ in self._ahead)
 
     def nearer(self, nearest: Contact, done: float, joined: Container[int]) -> Contact:
         """What it meets first after ``done`` metres of the robot's way, if that is before ``nearest``."""
