@@ -33,8 +33,8 @@ def a_world(chance: Random) -> str:
     return "\n".join(lines)
 
 
-def comes_into(part: Part, left: float, bottom: float, right: float, top: float) -> bool:
-    """Whether one of its corners does."""
+def has_a_corner_in(part: Part, left: float, bottom: float, right: float, top: float) -> bool:
+    """Whether one of its corners is in the box."""
     return any(left <= x <= right and bottom <= y <= top for x, y in part.points)
 
 
@@ -56,7 +56,7 @@ def test_all_parts_in_a_box_are_found_in_order_wherever_they_were_moved(seed: in
         ranks = [part.rank for part in found]
 
         assert ranks == sorted(set(ranks))
-        assert {part.rank for part in ground.parts() if comes_into(part, *box)} <= set(ranks)
+        assert {part.rank for part in ground.parts() if has_a_corner_in(part, *box)} <= set(ranks)
         assert all(ground.parts()[part.rank] is part for part in found)
 
 
