@@ -244,7 +244,7 @@ def _assembled(
     from sim.world import World
 
     words = Words(settings.language, settings.verbosity)
-    world = inhabited_world(settings.world, words, settings.include_folders)
+    world = inhabited_world(settings.world, words, settings.include_folders, seed=settings.seed)
     speech_wait, shared = SpeechWait(), World(world.scene, seed=settings.seed)
     team = make_team(settings, words, world, terminal, speech_wait=speech_wait, shared=shared)
     connection = Connection(settings, words, world, team.chosen, search=search)
@@ -335,7 +335,7 @@ def _connect_robot(
 
 def colours_of_world(settings: Settings, words: Words) -> frozenset[str]:
     """The colours that the world's robot distinguishes. Raises ``Unusable``."""
-    world = inhabited_world(settings.world, words, settings.include_folders)
+    world = inhabited_world(settings.world, words, settings.include_folders, seed=settings.seed)
     return make_team(settings, words, world, terminal=False).chosen.colours
 
 

@@ -20,8 +20,9 @@ EXAMPLES = ("square", "until_the_wall", "countdown", "turn_or_walk", "spiral", "
 
 WORLD = ".world"
 _ORDER = (
-    *("first_room", "open_floor", "living_room", "corridor", "colour_garden", "object_field"),
-    *("two_robots", "store_room", "race_track", "cave", "factory", "maze"),
+    *("first_room", "open_floor", "living_room", "corridor", "two_rooms", "street"),
+    *("colour_garden", "object_field", "two_robots", "store_room", "storehouse"),
+    *("race_track", "cave", "factory", "wild_garden", "maze"),
     *("empty", "helloworld", "bigbob1", "bigbob2", "bigbob_yaws", "bigbob3", "bigbob_drive"),
     *("bigbob4", "bigbob5", "bigbob6", "bigbob_oranges", "bigbob7"),
 )

@@ -21,7 +21,14 @@ from donnie_tui.core.program_files import DocumentError, checked_path, exists, w
 from donnie_tui.core.wording import name_of, shade
 from donnie_tui.i18n.mistakes import world_note
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.world.loading import WITHOUT_WORLD, ChosenWorld, choose_world, remarks
+from donnie_tui.world.loading import (
+    WITHOUT_WORLD,
+    ChosenWorld,
+    allowed_folders,
+    choose_world,
+    remarks,
+    scattered_by,
+)
 
 if TYPE_CHECKING:
     from sim.geometry import Placement
@@ -107,7 +114,9 @@ def describe_world(order: Order) -> int:
             name = order.settings.world
         case _:
             raise Unusable(words("world-new-usage"))
-    world = choose_world(name, words, order.settings.include_folders)
+    folders = order.settings.include_folders
+    world = choose_world(name, words, folders)
+    world = scattered_by(order.settings.seed, world, words, allowed_folders(folders))
     is_printed = not any(
         getattr(arguments, each) not in (None, False) for each in ("json", "map", "svg", "brf")
     )

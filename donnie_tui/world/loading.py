@@ -96,7 +96,9 @@ class ChosenWorld(Struct, frozen=True):
     before_moves: Scene | None = None
     """The scene as its file says, where a challenge moved things in it."""
     text: str = ""
-    """What its file would be with the Donnie that was put in; empty where the file has a robot."""
+    """What its file would be where Donnie changed it: a robot was put in, or things were scattered."""
+    is_robot_put_in: bool = False
+    """Whether its file has no robot."""
 
     def about(self, language: str) -> About | None:
         """Title, description and task; None for a world file without a file of words."""
@@ -320,25 +322,51 @@ def with_robot(world: ChosenWorld, words: Words, folders: tuple[Path, ...]) -> C
     x, y = free_place(world.scene)
     line = f'include "donnie.inc"\ndonnie( name "donnie" pose [ {x * STEP:.2f} {y * STEP:.2f} 0 90 ] )'
     try:
-        text = f"{read_program(Path(world.path)).rstrip()}\n\n{line}\n"
+        text = f"{(world.text or read_program(Path(world.path))).rstrip()}\n\n{line}\n"
         scene = load_text(text, Path(world.path), allowed=folders)
     except (DocumentError, WorldError):
         scene, text = world.scene, ""
     if not scene.robots or _is_in_other_units(scene):
         raise Unusable(words("world-without-robot", name=world.name))
+    return replace(world, scene=scene, text=text, is_robot_put_in=True)
+
+
+def scattered_by(seed: int, world: ChosenWorld, words: Words, folders: tuple[Path, ...]) -> ChosenWorld:
+    """The world with its things where the seed puts them, if it asks for that. Raises ``Unusable``."""
+    if not seed or "scatter" not in world.scene.settings:
+        return world
+
+    from pathlib import Path
+
+    from donnie_tui.core.program_files import DocumentError, read_program
+    from donnie_tui.i18n.mistakes import world_mistake
+    from sim.worldfile import WorldError, load_text, scattered
+
+    path = Path(world.path)
+    try:
+        text = scattered(read_program(path), world.scene, path, folders, seed)
+        scene = replace(load_text(text, path, allowed=folders), robots=world.scene.robots)
+    except DocumentError as error:
+        raise Unusable(words(error.code, path=error.path, reason=error.reason)) from None
+    except WorldError as error:
+        raise Unusable(world_mistake(error, words)) from None
     return replace(world, scene=scene, text=text)
 
 
-def inhabited_world(name_or_file: str, words: Words, folders: tuple[str, ...] = ()) -> ChosenWorld:
-    """The world of ``--world``, with a Donnie if it has no robot. Raises ``Unusable``."""
-    return with_robot(choose_world(name_or_file, words, folders), words, allowed_folders(folders))
+def inhabited_world(
+    name_or_file: str, words: Words, folders: tuple[str, ...] = (), *, seed: int = 0
+) -> ChosenWorld:
+    """The world of ``--world`` as the seed has it, with a Donnie if it has no robot. Raises ``Unusable``."""
+    allowed = allowed_folders(folders)
+    world = scattered_by(seed, choose_world(name_or_file, words, folders), words, allowed)
+    return with_robot(world, words, allowed)
 
 
 def robot_put_in(world: ChosenWorld, words: Words) -> tuple[str, ...]:
     """The sentence that a Donnie was put in, if it was."""
     place = world.start()
     values = {"name": world.name, "x": round(place.x), "y": round(place.y)}
-    return (words("world-robot-put-in", **values),) if world.text else ()
+    return (words("world-robot-put-in", **values),) if world.is_robot_put_in else ()
 
 
 def _is_in_other_units(scene: Scene) -> bool:

@@ -25,7 +25,7 @@ from donnie_tui.i18n.mistakes import world_mistake
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.process.confinement import confinement, make_folder, open_bytes
 from donnie_tui.settings.settings import Settings
-from donnie_tui.world.loading import ChosenWorld, with_robot
+from donnie_tui.world.loading import ChosenWorld, scattered_by, with_robot
 
 LARGEST = 32 * 1024 * 1024
 """Bytes of all files together; a world with two large pictures has a tenth of it."""
@@ -184,7 +184,7 @@ def unpacked(header: Header, words: Words) -> Iterator[ChosenWorld]:
             main, folders = unpack(bundle, Path(folder))
         except BundleError as error:
             raise Unusable(words(error.code, **error.values)) from None
-        yield _loaded(bundle, main, folders, words)
+        yield _loaded(bundle, main, folders, words, header.seed)
 
 
 def _place_for_unpacking() -> str | None:
@@ -196,14 +196,16 @@ def _place_for_unpacking() -> str | None:
     return limits.own_folder
 
 
-def _loaded(bundle: WorldBundle, main: Path, folders: tuple[Path, ...], words: Words) -> ChosenWorld:
+def _loaded(
+    bundle: WorldBundle, main: Path, folders: tuple[Path, ...], words: Words, seed: int
+) -> ChosenWorld:
     from sim.worldfile import WorldError, load_world
 
     try:
         scene = load_world(main, allowed=folders)
     except WorldError as error:
         raise Unusable(world_mistake(error, words)) from None
-    world = ChosenWorld(bundle.name, str(main), scene, _ships(bundle))
+    world = scattered_by(seed, ChosenWorld(bundle.name, str(main), scene, _ships(bundle)), words, folders)
     scene = (world := with_robot(world, words, folders)).scene
     offered = tuple(index for index in scene.robots if scene.models[index].spoken_name in bundle.robots)
     if not offered:

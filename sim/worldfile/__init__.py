@@ -1,7 +1,7 @@
 """World files as Stage has them: text in; a scene, or a mistake with its place, out."""
 
 from sim.worldfile.configuration import Address, Configuration, Driver, Offer, load_configuration
-from sim.worldfile.edit import WrittenModel, put_elsewhere, taken_out, written_models
+from sim.worldfile.edit import WrittenModel, put_elsewhere, scattered, taken_out, written_models
 from sim.worldfile.load import load_text, load_world
 from sim.worldfile.mistakes import Code, WorldError
 
@@ -17,6 +17,7 @@ __all__ = [
     "load_text",
     "load_world",
     "put_elsewhere",
+    "scattered",
     "taken_out",
     "written_models",
 ]

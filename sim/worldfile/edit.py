@@ -1,15 +1,21 @@
 """Changes the text of a world: models at the top level are added, put elsewhere or taken out.
-
 All else stays as its author wrote it. A model that stands in an included file can't be changed.
+
+``scatter [ west south east north ]`` is a property of Donnie's at the top level: a seed puts the things in
+that rectangle elsewhere in it.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from math import hypot
 from pathlib import Path
 
 from msgspec import Struct
 
+from devices.ports.robot import STEP
 from sim.geometry import Placement
+from sim.scene import Model, Scene
 from sim.worldfile.entities import MODEL_TYPES, Expander, FileReader
 from sim.worldfile.parser import WorldToken, tokens
 
@@ -88,3 +94,53 @@ def taken_out(text: str, model: WrittenModel) -> str:
     if not text[line : model.begin].strip() and not text[model.end : end].strip():
         return text[:line] + text[end:]
     return text[: model.begin] + text[model.end :]
+
+
+_APART = 0.15
+"""Metres between scattered things: three steps, so that Donnie fits between them."""
+_AROUND_ROBOTS = 0.3
+"""Metres that stay free around a robot's start."""
+_TRIES = 500
+
+
+def scattered(text: str, scene: Scene, path: Path, allowed: tuple[Path, ...], seed: int) -> str:
+    """The text with the things in the rectangle of ``scatter`` where the seed puts them."""
+    tops = [each.index for each in scene.models if each.parent is None]
+    written = dict(zip(tops, written_models(text, path, allowed), strict=True))
+    places = _scattered_places(scene, seed)
+    found = [(model, places[index]) for index, model in written.items() if model and index in places]
+    for model, place in sorted(found, key=lambda each: each[0].begin, reverse=True):
+        text = put_elsewhere(text, model, place)
+    return text
+
+
+def _scattered_places(scene: Scene, seed: int) -> Mapping[int, Placement]:
+    """On whole steps, apart from each other and from the robots; what finds no place stays where it is."""
+    from random import Random  # loaded where there is chance
+
+    area = scene.settings.get("scatter", ())
+    if not isinstance(area, tuple) or len(area) != 4 or not all(isinstance(each, float) for each in area):
+        return {}
+    west, south, east, north = (float(str(each)) for each in area)
+    chance = Random(f"scatter {seed}")
+    robots = (scene.models[each] for each in scene.robots)
+    taken = [(each.pose.x, each.pose.y, _half(each) + _AROUND_ROBOTS) for each in robots]
+    places = dict[int, Placement]()
+    for model in scene.models:
+        here = model.pose
+        is_thing = model.parent is None and model.index not in scene.robots and model.kind != "wall"
+        if not is_thing or not (west <= here.x <= east and south <= here.y <= north):
+            continue
+        half = _half(model)
+        for _ in range(_TRIES):
+            x = round(chance.uniform(west + half, east - half) / STEP) * STEP
+            y = round(chance.uniform(south + half, north - half) / STEP) * STEP
+            if all(hypot(x - ax, y - ay) >= half + room + _APART for ax, ay, room in taken):
+                places[model.index] = Placement(x, y, here.z, here.yaw)
+                break
+        taken.append((x, y, half))
+    return places
+
+
+def _half(model: Model) -> float:
+    return max(model.size[:2]) / 2

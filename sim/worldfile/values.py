@@ -25,7 +25,9 @@ def _named(kind: str, names: str) -> dict[str, str]:
 
 SIMULATED = {
     **_named("tuple", "pose origin size color_rgba range colors point z paddle_size paddle_state noise"),
-    **_named("tuple", "odom_error velocity_bounds acceleration_bounds localization_origin bpose image"),
+    **_named(
+        "tuple", "odom_error velocity_bounds acceleration_bounds localization_origin bpose image scatter"
+    ),
     **_named("number", "obstacle_return ranger_return blob_return fiducial_return gripper_return boundary"),
     **_named("number", "fov samples colors_count points fiducial_key pushable mass ignore_zloc pan"),
     **_named("number", "range_min range_max range_max_id range_noise range_noise_const angle_noise"),

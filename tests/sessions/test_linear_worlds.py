@@ -28,11 +28,11 @@ def test_worlds_lists_the_worlds_and_a_name_selects_one_with_the_program(tmp_pat
 
     assert lines[:4] == [
         "I walked 2 steps forward.",
-        "24 worlds. WORLD with a name goes there.",
+        "28 worlds. WORLD with a name goes there.",
         "first_room: First room, easy.",
         "open_floor: Open floor, easy. You are here.",
     ]
-    assert lines[26:] == [
+    assert lines[30:] == [
         "I go to maze.",
         "This is the world maze: Maze.",
         "49 by 41 steps, walls included.",

@@ -86,6 +86,22 @@ def measured() -> Iterator[tuple[str, list[float]]]:
             free("corridor", 6, 31, 1, 0),
         ],
     )
+    it, rooms = "two_rooms", ((0, 0), (20, 0))
+    ball, wall = place(it, "ball"), place(it, "wall south of the door")
+    sides = {across(it, *at, *along) for at in rooms for along in ((1, 0), (0, 1))}
+    assert sides == {21}
+    yield it, [21, 21, wall[0], across(it, 11, 6, 0, 1), 6, ball[0], -ball[1]]
+    it = "street"
+    crossings = [place(it, f"{colour} box")[1] for colour in ("blue", "red")]
+    widths = [across(it, -15, round(y), 0, 1) for y in crossings]
+    yield it, [across(it, 0, 5, 1, 0), widths[0], *crossings]
+    assert widths == [9, 9]
+    it = "storehouse"
+    boxes = [place(it, f"{colour} box")[1] for colour in ("red", "blue")]
+    yield it, [*inner(it), boxes[0], -boxes[1], across(it, 11, 0, 0, 1), place(it, "post")[0]]
+    it = "wild_garden"
+    flowers = [len(things(it, "flower", colour)) for colour in ("red", "blue")]
+    yield it, [*inner(it), *flowers, len(things(it, "stone", "gray"))]
     yield (
         "colour_garden",
         [

@@ -1,0 +1,146 @@
+"""The tasks of the scenes without a challenge are solved by a program, and the wild garden has its seeds."""
+
+import json
+from collections.abc import Sequence
+from math import hypot
+from pathlib import Path
+
+import pytest
+
+from donnie_tui.bootstrap import make_team
+from donnie_tui.core.events import Event, Moved, RunEnded, ThingsMoved
+from donnie_tui.core.recording import Header
+from donnie_tui.core.session import RunOptions
+from donnie_tui.i18n.words import Words
+from donnie_tui.outlets.files import bundle_of
+from donnie_tui.settings.settings import Settings
+from donnie_tui.world.loading import ChosenWorld, inhabited_world
+from donnie_tui.world.recorded import unpacked
+from sim.picture import Thing, picture
+
+WORDS = Words("en", "normal")
+TWO_ROOMS = "FW 6\nTR 90\nFW 18\nTR 90\nFW DISTANCE F - 1"
+STREET = "FW 48\nTR 90\nFW DISTANCE F - 1"
+STOREHOUSE = """VAR way = DISTANCE F - 1
+FW way
+GRIP
+BW way
+TR 90
+FW DISTANCE F - 5
+RELEASE"""
+WILD_GARDEN = """\
+WHILE COLOR orange == 0 DO
+  TR 60
+END WHILE
+WHILE COLOR orange > 0 DO
+  TL 2
+END WHILE
+TR 91
+FW DISTANCE F - 1"""
+"""The ball leaves the view 90 degrees to the right. Where nothing stands in the way, it is ahead then."""
+SEEDS = range(1, 10)
+
+
+def run(name: str, text: str, seed: int = 0) -> tuple[ChosenWorld, list[Event]]:
+    """The world and what happened; the program ends without a mistake."""
+    settings = Settings(world=name, speed=None, seed=seed)
+    world = inhabited_world(name, WORDS, seed=seed)
+    team = make_team(settings, WORDS, world, terminal=False)
+    events: list[Event] = []
+    team.chosen.hub.subscribe(lambda stamped: events.append(stamped.event))
+    team.chosen.start(text, "program", RunOptions(fresh=True)).wait()
+    team.close()
+    assert [each.outcome.value for each in events if isinstance(each, RunEnded)] == ["completed"]
+    return world, events
+
+
+def moves(events: Sequence[Event]) -> list[Moved]:
+    return [each for each in events if isinstance(each, Moved)]
+
+
+def thing(world: ChosenWorld, kind: str, colour: str) -> Thing:
+    (found,) = (each for each in picture(world.scene).things if (each.kind, each.colour) == (kind, colour))
+    return found
+
+
+def away(world: ChosenWorld, events: Sequence[Event], kind: str, colour: str) -> float:
+    """Steps from the robot's middle at the end to that of a thing."""
+    end, it = moves(events)[-1].pose, thing(world, kind, colour)
+    return hypot(end.x - it.x, end.y - it.y)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "kind", "colour"),
+    [("two_rooms", TWO_ROOMS, "ball", "yellow"), ("street", STREET, "box", "red")],
+)
+def test_a_program_comes_to_the_thing_of_the_task_and_touches_nothing(
+    name: str, text: str, kind: str, colour: str
+) -> None:
+    world, events = run(name, text)
+
+    assert away(world, events, kind, colour) < 5  # half a body and half a thing are 2.8 steps
+    assert all(each.stopped_by is None for each in moves(events))
+
+
+def test_the_red_box_of_the_storehouse_is_carried_to_the_post() -> None:
+    world, events = run("storehouse", STOREHOUSE)
+
+    box = thing(world, "box", "red")
+    placed = [each for each in events if isinstance(each, ThingsMoved)][-1].places
+    (end,) = [each.pose for each in placed if each.name == box.name]
+    post = thing(world, "post", "green")
+    assert hypot(end.x - post.x, end.y - post.y) < 6
+    assert (post.x, post.y) == (36, 0)
+
+
+@pytest.mark.parametrize("seed", [0, *SEEDS])
+def test_the_ball_of_the_wild_garden_is_found_with_several_seeds(seed: int) -> None:
+    world, events = run("wild_garden", WILD_GARDEN, seed)
+
+    assert away(world, events, "ball", "orange") < 5
+
+
+def test_with_each_seed_the_things_of_the_wild_garden_stand_elsewhere_and_apart() -> None:
+    layouts = []
+    for seed in (0, *SEEDS):
+        things = picture(inhabited_world("wild_garden", WORDS, seed=seed).scene).things
+        layouts.append(tuple((each.x, each.y) for each in things))
+        assert all(hypot(each.x, each.y) > 6 for each in things)
+        assert all(
+            hypot(one.x - other.x, one.y - other.y) >= 6
+            for at, one in enumerate(things)
+            for other in things[:at]
+        )
+        assert all(max(abs(each.x), abs(each.y)) <= 18 for each in things)
+
+    assert len(set(layouts)) == 1 + len(SEEDS)
+    again = picture(inhabited_world("wild_garden", WORDS, seed=1).scene).things
+    assert tuple((each.x, each.y) for each in again) == layouts[1]
+
+
+def test_a_recording_has_the_garden_of_its_seed() -> None:
+    settings = Settings(world="wild_garden", seed=4)
+    world = inhabited_world("wild_garden", WORDS, seed=4)
+    record = json.loads(json.dumps(bundle_of(world, settings).as_record()))
+
+    with unpacked(Header("0", 4, "sim", {}, record), WORDS) as there:
+        assert there.scene.models == world.scene.models
+
+
+def test_a_scattered_world_of_a_learner_keeps_what_its_author_wrote(tmp_path: Path) -> None:
+    file = tmp_path / "w.world"
+    file.write_text(
+        'include "donnie.inc" # mine\nscatter [ -2 -2 2 2 ]\nmodel( name "in" pose [ 1 1 0 0 ] )\n'
+        'model( name "out" pose [ 3 1 0 0 ] )\ndonnie( pose [ 0 0 0 90 ] )\n'
+    )
+
+    world = inhabited_world(str(file), WORDS, seed=2)
+
+    inside, outside = (
+        next(each for each in world.scene.models if each.name == name) for name in ("in", "out")
+    )
+    assert (outside.pose.x, outside.pose.y) == (3, 1)
+    assert (inside.pose.x, inside.pose.y) != (1, 1)
+    assert 'include "donnie.inc" # mine\nscatter' in world.text
+    assert not world.is_robot_put_in
+    assert inhabited_world(str(file), WORDS).text == ""
