@@ -193,6 +193,7 @@ COMMANDS = (
     Command("save_world", "build", _ALWAYS, argument="world-file"),
     Command("show_program", "program", _ALWAYS, keys=("ctrl+k 1",)),
     Command("show_map", "world", _ALWAYS, keys=("ctrl+k 2",)),
+    Command("show_path", "world", _ALWAYS),
     Command("show_log", "read", _ALWAYS, keys=("ctrl+k 3",)),
     Command("show_variables", "run", _ALWAYS, keys=("f4",)),
     Command("language", "settings", _ALWAYS, keys=("ctrl+k f2",), argument="language"),

@@ -33,7 +33,7 @@ TOPICS = {
     ),
     "looking": (
         ("SCAN", "DISTANCE", "COLOR", "POS", "STATE", "HISTORY"),
-        ("where", "around", "map", "trail", "sensors", "world"),
+        ("where", "around", "map", "trail", "show_path", "sensors", "world"),
     ),
     "editing": (
         (),

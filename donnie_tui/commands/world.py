@@ -1,4 +1,4 @@
-"""WHERE, AROUND, TRAIL, SENSORS, MAP, WORLD, WORLDS: the robot's surroundings, the map, other worlds."""
+"""WHERE, TRAIL, SHOW PATH, SENSORS, MAP, WORLD, WORLDS: the surroundings, the map, other worlds."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import NotUnderstood, Option, Screen
 from donnie_tui.core import map_words
 from donnie_tui.core.events import SoundSwitched
-from donnie_tui.core.map_grid import DEFAULT_MOVES, FREE, Trail, place_in_words
+from donnie_tui.core.map_grid import DEFAULT_MOVES, FREE, MapGrid, Trail, path_in_words, place_in_words
 from donnie_tui.core.pointing import Pointer, legend
 from donnie_tui.core.wording import shown_name
 from donnie_tui.settings.settings import Settings, SettingSource
@@ -62,6 +62,27 @@ async def trail(ctx: Context, argument: str) -> None:
     count = read_count(argument, DEFAULT_MOVES)
     _, moves = _moment(ctx)
     ctx.say_of_robot(*ctx.counted(moves.in_words(count, ctx.words)))
+
+
+@handles("show_path")
+async def show_path(ctx: Context, _: str) -> None:
+    """The way that was driven since the start: leg by leg, and on the map in letters."""
+    pose, moves = _moment(ctx)
+    path = moves.path
+    lines = ctx.counted(path_in_words(path, ctx.words))
+    if len(lines) > 1:
+        donnie = ctx.donnie
+        grid = MapGrid(donnie.picture_now(), path[0], shown_name(donnie.session.name))
+        for each in (*path[1:], pose):
+            grid.move(each)
+        lines = (*lines, *map_words.picture_in_letters(grid, ctx.words, _free(ctx), has_path=True))
+    await ctx.interaction.show_pages(ctx.words("path-title"), lines, ctx.of_robot(*lines))
+
+
+def _free(ctx: Context) -> str:
+    """What is shown for a free square."""
+    letter = ctx.preferences.settings.free
+    return FREE if letter == "dot" else letter
 
 
 @handles("sensors")
@@ -117,8 +138,7 @@ async def map_column(ctx: Context, argument: str) -> None:
 @handles("map_picture")
 async def map_picture(ctx: Context, _: str) -> None:
     """The map as letters, a character a square."""
-    letter = ctx.preferences.settings.free
-    lines = map_words.picture_in_letters(ctx.map_grid(), ctx.words, FREE if letter == "dot" else letter)
+    lines = map_words.picture_in_letters(ctx.map_grid(), ctx.words, _free(ctx))
     with_name = ctx.of_robot(*lines)
     await ctx.interaction.show_pages(ctx.words("key-show_map"), lines, with_name)
 

@@ -1,4 +1,4 @@
-"""The floor of a world as letters, with one robot, its start and its trail; and the trail in words.
+"""The floor of a world as letters, with one robot, its start and its trail; the trail and the path in words.
 
 Cells are counted from the south-west corner of the simulator's picture. A cell is one step wide, or several
 in a very large world. The floor has no end: beyond the picture it is free. The trail is bounded: its oldest
@@ -10,14 +10,15 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable, Sequence
 from enum import Enum
-from math import floor, hypot
+from itertools import pairwise
+from math import atan2, degrees, floor, hypot
 from typing import TYPE_CHECKING, NamedTuple
 
 from msgspec import Struct
 
 from devices.ports.robot import Pose, StoppedBy
-from donnie_tui.core.events import Moved, RunEnded, RunStarted, Stamped, Turned
-from donnie_tui.core.wording import Wording, compass_heading, facing, position_in_words, whole_steps
+from donnie_tui.core.events import Moved, Reset, RunEnded, RunStarted, Stamped, Turned
+from donnie_tui.core.wording import COMPASS, Wording, compass_heading, facing, position_in_words, whole_steps
 
 if TYPE_CHECKING:
     from sim.picture import Picture, Thing
@@ -245,6 +246,12 @@ class Trail:
         self._of = of
         self._moves_of: dict[str | None, deque[Moved | Turned]] = {}
         self._last_poses: dict[str | None, Pose] = {}
+        self._paths: dict[str | None, deque[Pose]] = {}
+
+    @property
+    def path(self) -> tuple[Pose, ...]:
+        """Where the robot was, since it was at its start or put elsewhere; its start first."""
+        return tuple(self._paths.get(self._of(), ()))
 
     @property
     def last_pose(self) -> Pose | None:
@@ -260,11 +267,18 @@ class Trail:
         event = stamped.event
         if isinstance(event, Moved | Turned):
             self._moves_of.setdefault(stamped.robot, deque(maxlen=MOVES_KEPT)).append(event)
+        if isinstance(event, Moved):
+            self._paths.setdefault(stamped.robot, deque(maxlen=MOVES_KEPT)).append(event.pose)
         if isinstance(event, Moved | Turned | RunEnded):
             self._last_poses[stamped.robot] = event.pose
+        elif isinstance(event, Reset):
+            self._paths.pop(stamped.robot, None)
         elif isinstance(event, RunStarted) and event.how is not None:
             robot = stamped.robot if event.how.named else None
             self._last_poses[robot] = event.how.pose
+            path = self._paths.get(robot, ())
+            if not path or _apart(path[-1], event.how.pose) > _SAME_PLACE:
+                self._paths[robot] = deque([event.how.pose], maxlen=MOVES_KEPT)
 
     def in_words(self, count: int, wording: Wording) -> tuple[str, ...]:
         """The last ``count`` moves, a sentence each."""
@@ -284,6 +298,49 @@ class Trail:
             )
             for each in self._moves
         )
+
+
+_SAME_PLACE = 0.01
+"""Steps."""
+
+
+def path_in_words(path: Sequence[Pose], wording: Wording) -> tuple[str, ...]:
+    """A driven path: its start, a sentence for each straight leg, and its length."""
+    places = [pose for before, pose in pairwise(path) if _apart(before, pose) > _SAME_PLACE]
+    if not places:
+        return (wording("trail-none"),)
+    legs: list[tuple[Pose, Pose]] = []
+    for here, there in pairwise((path[0], *places)):
+        if legs and abs(_bearing(*legs[-1]) - _bearing(here, there)) < 1:
+            legs[-1] = legs[-1][0], there
+        else:
+            legs.append((here, there))
+    total = sum(_apart(*each) for each in legs)
+    return (
+        wording("path-start", **_whole(path[0])),
+        *(_leg(*each, wording) for each in legs),
+        wording("path-end", steps=round(total)),
+    )
+
+
+def _leg(here: Pose, there: Pose, wording: Wording) -> str:
+    bearing = round(_bearing(here, there)) % 360
+    point = f"compass-{COMPASS[bearing // 45]}"
+    towards = facing(Pose(0, 0, bearing), wording) if bearing % 45 else wording(point)
+    return wording("path-leg", steps=round(_apart(here, there)), towards=towards, **_whole(there))
+
+
+def _whole(pose: Pose) -> dict[str, int]:
+    return {"x": whole_steps(pose.x), "y": whole_steps(pose.y)}
+
+
+def _apart(here: Pose, there: Pose) -> float:
+    return hypot(there.x - here.x, there.y - here.y)
+
+
+def _bearing(here: Pose, there: Pose) -> float:
+    """Compass degrees."""
+    return degrees(atan2(there.x - here.x, there.y - here.y)) % 360
 
 
 def place_in_words(pose: Pose, trail: Trail, wording: Wording, *, is_full: bool) -> tuple[str, ...]:

@@ -43,6 +43,8 @@ if TYPE_CHECKING:
 WIDEST, HIGHEST = 40, 18
 """Squares of the picture: what a braille display shows of a line, and what a screen reader takes at once."""
 
+_START = "*"
+"""The start of a path: no letter, as things have letters."""
 _OF_THE_ROBOT = "ov"
 """Letters that its trail and its arrow may have."""
 
@@ -130,10 +132,13 @@ def names_of_letters(picture: Picture, wording: Wording) -> dict[str, str]:
     return names
 
 
-def picture_in_letters(grid: MapGrid, wording: Wording, free: str = FREE) -> tuple[str, ...]:
+def picture_in_letters(
+    grid: MapGrid, wording: Wording, free: str = FREE, *, has_path: bool = False
+) -> tuple[str, ...]:
     """What the letters mean, then the squares around the robot, the northern row first.
 
-    ``free`` is shown for a free square: a full stop, or a letter for those who read braille.
+    ``free`` is shown for a free square: a full stop, or a letter for those who read braille. ``has_path``:
+    the start and the trail are drawn, too.
     """
     window = grid.bounds.part(grid.robot, WIDEST, HIGHEST)
     rows = [
@@ -142,11 +147,16 @@ def picture_in_letters(grid: MapGrid, wording: Wording, free: str = FREE) -> tup
     ]
     shown = set("".join(rows)) - {TRAIL, START}
     names = names_of_letters(grid.picture, wording)
-    shown_as = _braille_letters(names) | {FREE: free, START: free}
+    shown_as = _braille_letters(names) | {FREE: free, START: _START if has_path else free}
+    of_path = ({wording("cell-start"): _START} if START in "".join(rows) else {}) | (
+        {wording("cell-trail"): TRAIL} if TRAIL in "".join(rows) else {}
+    )
     legend = [
         wording("picture-letter", name=names[letter], letter=shown_as[letter])
         for letter in sorted(shown & names.keys())
     ]
+    if has_path:
+        legend[:0] = [wording("picture-letter", name=name, letter=sign) for name, sign in of_path.items()]
     title = wording(
         "picture-title-named" if grid.name else "picture-title",
         name=grid.name,

@@ -30,7 +30,7 @@ ELSEWHERE = {"quit", "visual", "connect"}
 NOT_ALONE = {"open", "save_as", "save_log", "run_to", "search"}
 """The linear mode asks for their argument or explains it."""
 SETTING = {"en": ["SET page off"], "pt": ["AJUSTAR página nada"], "es": ["AJUSTAR página nada"]}
-DRAWN = {"map_picture"}
+DRAWN = {"map_picture", "show_path"}
 """A picture is asked for, and is not text."""
 
 

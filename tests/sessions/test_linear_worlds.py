@@ -163,3 +163,20 @@ def test_a_recording_of_a_world_without_a_robot_can_be_run_again(tmp_path: Path)
 
     assert run.stderr == b"The world bare.world has no robot, so I put Donnie in, at 0, 14.\n"
     assert (again.returncode, again.stderr) == (0, b"")
+
+
+def test_the_path_is_said_and_drawn_on_the_map_in_letters(tmp_path: Path) -> None:
+    typed = "FW 3\nTR 90\nFW 2\n\nSHOW PATH\nRESET\nSHOW PATH\n"
+
+    lines = answers_to(tmp_path, typed, "--world", "first_room")
+
+    at = lines.index("The path starts at 0, 0.")
+    assert lines[at + 1 : at + 4] == [
+        "North: 3 steps, to 0, 3.",
+        "East: 2 steps, to 2, 3.",
+        "5 steps in all.",
+    ]
+    rows = [line for line in lines[at:] if line.startswith("#") and line.endswith("#")]
+    drawn = [row.strip("#").strip(".") for row in rows if "o" in row.strip("#") or "*" in row]
+    assert [row.replace("b", "").replace("c", "").strip(".") for row in drawn] == ["oo>", "o", "o", "*"]
+    assert lines[-1] == "I have not moved yet."

@@ -482,3 +482,11 @@ async def test_without_colours_there_is_no_picture(open_screen, monkeypatch):
         await screen.type_line("PICTURE")
         await screen.shows("There are no colours here.")
         assert not screen.main.map.is_picture
+
+
+async def test_the_path_is_shown_on_pages_and_is_in_the_log(open_screen) -> None:  # type: ignore[no-untyped-def]
+    async with open_screen(world="first_room") as screen:
+        await screen.run("FW 3\nTR 90\nFW 2")
+        await screen.type_line("SHOW PATH")
+        await screen.shows("East: 2 steps, to 2, 3.")
+        await screen.shows("oo>")

@@ -86,11 +86,16 @@ def test_a_variant_moves_things(tmp_path: Path, capsys: pytest.CaptureFixture[st
     assert "Solved" in capsys.readouterr().out
 
 
-def test_the_task_of_each_scenario_is_a_challenge() -> None:
-    text = Path("docs/scenarios.md").read_text(encoding="utf-8")
-    named = re.findall(r"^## (\w+), .*?as the challenge `(\w+)`", text, re.DOTALL | re.MULTILINE)
+OTHERS = {"two_rooms", "street", "storehouse", "wild_garden"}
+"""Their tasks are solved in ``test_scene_tasks``."""
 
-    assert {world for world, _ in named} == set(scenarios())
+
+def test_the_task_of_each_other_scenario_is_a_challenge() -> None:
+    sections = Path("docs/scenarios.md").read_text(encoding="utf-8").split("\n## ")
+    found = (re.match(r"(\w+), .*?as the challenge `(\w+)`", each, re.DOTALL) for each in sections)
+    named = [each.groups() for each in found if each]
+
+    assert {world for world, _ in named} == set(scenarios()) - OTHERS
     assert all(challenges.find(name).rules.world == world for world, name in named)
 
 

@@ -1,8 +1,8 @@
 """The last moves in words and as a table."""
 
 from devices.ports.robot import Pose, StoppedBy
-from donnie_tui.core.events import Moved, Outcome, RunEnded, Stamped, Turned
-from donnie_tui.core.map_grid import MOVES_KEPT, Trail
+from donnie_tui.core.events import HowStarted, Moved, Outcome, Reset, RunEnded, RunStarted, Stamped, Turned
+from donnie_tui.core.map_grid import MOVES_KEPT, Trail, path_in_words
 from donnie_tui.i18n.words import Words
 
 WALK = Moved("FW 3", 3, 3, None, Pose(0, 3, 0), True)
@@ -65,3 +65,38 @@ def test_each_robot_has_a_trail_of_its_own() -> None:
     talked_to = "bob"
     assert trail.in_words(5, Words()) == ("I have not moved yet.",)
     assert trail.last_pose is None
+
+
+def started(pose: Pose) -> RunStarted:
+    return RunStarted("program", "w", "donnie", 0, "0", HowStarted("", 1, True, False, False, pose))
+
+
+def test_the_path_has_a_sentence_for_each_straight_leg_and_its_length() -> None:
+    here, there = Pose(0, 0, 0), Pose(4, 3, 90)
+    moves = (
+        WALK,
+        TURN,
+        Moved("FW 2", 2, 2, None, Pose(2, 3, 90), True),
+        Moved("FW 2", 2, 2, None, there, True),
+    )
+    back = Moved("BW 3", 3, 3, None, Pose(4, 0, 0), False)
+
+    path = trail(started(here), *moves, back).path
+
+    assert path_in_words(path, Words()) == (
+        "The path starts at 0, 0.",
+        "North: 3 steps, to 0, 3.",
+        "East: 4 steps, to 4, 3.",
+        "South: 3 steps, to 4, 0.",
+        "10 steps in all.",
+    )
+    assert path_in_words(path, Words("pt"))[1] == "Norte: 3 passos, até 0, 3."
+    assert path_in_words(path, Words("es"))[1] == "Norte: 3 pasos, hasta 0, 3."
+
+
+def test_the_path_continues_in_the_next_run_and_begins_anew_where_the_robot_was_put() -> None:
+    first = (started(Pose(0, 0, 0)), WALK)
+
+    assert len(trail(*first, started(Pose(0, 3, 0)), BLOCKED).path) == 3
+    assert trail(*first, started(Pose(9, 9, 0))).path == (Pose(9, 9, 0),)
+    assert path_in_words(trail(*first, Reset(Pose(0, 0, 0))).path, Words()) == ("I have not moved yet.",)
