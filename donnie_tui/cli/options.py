@@ -131,6 +131,8 @@ OPTIONS: dict[str, tuple[OptionSpec, ...]] = {
         OptionSpec(("--map",), "option-replay-map"),
         OptionSpec(("--check",), "option-recheck"),
         OptionSpec(("--challenge",), "option-replay-challenge", "NAME"),
+        OptionSpec(("--svg",), "option-replay-svg", "FILE"),
+        OptionSpec(("--png",), "option-replay-png", "FILE"),
     ),
     "doctor": (),
     "devices": (OptionSpec(("port",), "option-ports", "PORT", nargs="*"),),
@@ -203,8 +205,8 @@ def _written_as_it_happens(settings: Settings) -> Iterator[tuple[str, str]]:
 
 
 def _pages(invocation: Invocation) -> Iterator[tuple[str, str]]:
-    """What ``donnie world`` writes."""
-    for option in ("svg", "brf"):
+    """What ``donnie world`` and ``donnie replay`` write."""
+    for option in ("svg", "brf", "png"):
         name = getattr(invocation.arguments, option, None)
         if name:
             yield f"--{option}", name

@@ -117,6 +117,8 @@ def replay(order: Order) -> int:
             return run_again(order, recording)
         if arguments.challenge is not None:
             return judge_recording(order, arguments.challenge, recording.events)
+        if arguments.svg is not None or arguments.png is not None:
+            return _draw(order, recording, closing)
         telling = _Player(order, recording, closing)
         code = telling.play()
     return ExitCode.UNUSABLE if telling.has_lost else code
@@ -132,6 +134,8 @@ def _refuse_what_has_no_meaning(order: Order) -> None:
     chosen = [option for option, is_chosen in ways if is_chosen]
     if arguments.challenge is not None:
         chosen.append("--challenge")
+    if arguments.svg is not None or arguments.png is not None:
+        chosen.append("--svg" if arguments.svg is not None else "--png")
     if arguments.check or arguments.challenge is not None:
         others = [
             ("--map", arguments.map),
@@ -161,6 +165,43 @@ def _opened(name: str, words: Words, closing: ExitStack) -> Recording:
     except (OSError, ValueError) as problem:
         reason = getattr(problem, "strerror", None) or str(problem)
         raise Unusable(words("file-unreadable", path=name, reason=reason)) from None
+
+
+# --- a picture of the run
+
+
+def _draw(order: Order, recording: Recording, closing: ExitStack) -> int:
+    """Write the pictures that are asked for, and print the path in words."""
+    from donnie_tui.core.program_files import DocumentError, write_bytes
+    from donnie_tui.world.loading import moved_to
+    from donnie_tui.world.run_picture import DrivenPath, as_png, as_svg, run_picture
+    from sim.picture import drawings
+
+    arguments, words = order.invocation.arguments, order.words
+    if recording.header is None:
+        raise Unusable(words("replay-no-map"))
+    world = closing.enter_context(unpacked(recording.header, words))
+    timeline = Timeline(recording.events)
+    timeline.go_to(len(timeline))
+    trails = ((robot or "", timeline.trail(robot)) for robot in timeline.robots)
+    paths = tuple(DrivenPath(robot, poses) for robot, poses in trails if poses)
+    if not paths:
+        raise Unusable(words("trail-none"))
+    shown = drawings(moved_to(world.scene, timeline.things))
+    picture = run_picture(words("paper-title", name=world.name), shown, paths, words)
+    for option, name in (("--svg", arguments.svg), ("--png", arguments.png)):
+        if name is None:
+            continue
+        if not name:
+            raise Unusable(words("usage-without-value", what=option))
+        try:
+            write_bytes(Path(name), as_svg(picture).encode() if option == "--svg" else as_png(picture))
+        except DocumentError as problem:
+            raise Unusable(words(problem.code, path=problem.path, reason=problem.reason)) from None
+        order.output.line(words("paper-written", path=name))
+    for line in picture.legend:
+        order.output.line(line)
+    return ExitCode.DONE
 
 
 # --- showing

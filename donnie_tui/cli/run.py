@@ -118,6 +118,8 @@ def _is_of_kind(option: str, beginning: bytes, path: Path) -> bool:
     if option == "--brf":
         is_braille = path.suffix.lower() in (".brf", ".brl") and _BRAILLE.issuperset(beginning)
         return is_braille and beginning.startswith(_titles_in_braille())
+    if option == "--png":
+        return beginning.startswith(b"\x89PNG") and b"tEXtSoftware\0donnie" in beginning[:100]
     if option == "--sound":
         return _SOUND.match(beginning) is not None
     return beginning.removeprefix(b"\xef\xbb\xbf").lstrip().startswith(_BEGINNINGS[option])

@@ -260,6 +260,15 @@ def as_lines(text: str) -> str:
 def write_program(path: Path, text: str) -> None:
     """Write a program as UTF-8. Raises ``DocumentError``."""
     try:
+        data = text.encode("utf-8")
+    except ValueError as problem:
+        raise DocumentError("file-unwritable", str(path), _reason(problem)) from None
+    write_bytes(path, data)
+
+
+def write_bytes(path: Path, data: bytes) -> None:
+    """Write a file whole or not at all. Raises ``DocumentError``."""
+    try:
         target = path.resolve()  # in a confined session a link that is made from now on is not followed
         if target.is_dir():
             raise DocumentError("file-is-folder", str(path))
@@ -267,7 +276,7 @@ def write_program(path: Path, text: str) -> None:
             raise DocumentError("file-no-file", str(path))
         if target.exists() and not os.access(target, os.W_OK):
             raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
-        _replace_file(target, text)
+        _replace_file(target, data)
     except OutsideError as problem:
         raise DocumentError(problem.code, str(path)) from None
     except (OSError, ValueError) as problem:
@@ -296,12 +305,12 @@ def _new_file_in(folder: OpenFolder, prefix: str, suffix: str = "") -> tuple[int
     raise AssertionError("numbers have no end")
 
 
-def _replace_file(target: Path, text: str) -> None:
+def _replace_file(target: Path, data: bytes) -> None:
     with OpenFolder(target.parent) as folder:
         handle, second = _new_file_in(folder, f".{target.name}.")
         try:
-            with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as out:
-                out.write(text)
+            with os.fdopen(handle, "wb") as out:
+                out.write(data)
                 out.flush()
                 os.fsync(out.fileno())
                 _set_mode(out.fileno(), target)

@@ -409,6 +409,21 @@ def _pose(placement: Placement) -> Pose:
     return Pose(round(placement.x / STEP, 6) + 0.0, round(placement.y / STEP, 6) + 0.0, heading)
 
 
+def moved_to(scene: Scene, places: tuple[PlacedThing, ...]) -> Scene:
+    """The scene with its things where events say that they are."""
+    from sim.geometry import Placement
+    from sim.scene import moved
+
+    now = {
+        each.index: Placement(
+            each.pose.x * STEP, each.pose.y * STEP, scene.models[each.index].pose.z, 90.0 - each.pose.heading
+        )
+        for each in places
+        if 0 <= each.index < len(scene.models)
+    }
+    return moved(scene, now)
+
+
 def started_at(world: ChosenWorld, variant: Variant) -> ChosenWorld:
     """The world with its first robot and its things as the variant says."""
     from sim.geometry import Placement

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import signal
 from collections.abc import Sequence
+from pathlib import Path
 
 import pytest
 
@@ -227,3 +228,22 @@ def test_a_recording_of_a_newer_format_is_replayed_as_far_as_it_is_known(here: H
     newer = "This recording is of a newer Donnie: there is no map, and some of it may be missing."
 
     assert here.replay(err=[newer]) == ["1"]
+
+
+def test_a_recording_becomes_a_picture_that_is_replaced_only_by_another(tmp_path: Path) -> None:
+    (tmp_path / "p.gd").write_text("FW 6\nTR 90\nFW 4\n")
+    quiet = ("--speech", "off", "--sound", "off")
+    donnie(tmp_path, "run", "p.gd", "--record", "p.rec", "--speed", "max", *quiet)
+
+    for _ in range(2):
+        done = donnie(tmp_path, "replay", "p.rec", "--svg", "p.svg", "--png", "p.png", *quiet)
+        assert (done.returncode, done.stderr) == (0, b"")
+    assert b"I wrote p.svg." in done.stdout
+    assert b"East: 4 steps, to 4, 6." in done.stdout
+    assert (tmp_path / "p.svg").read_text().count("<animate") == 2
+    assert (tmp_path / "p.png").read_bytes().startswith(b"\x89PNG")
+    (tmp_path / "photo.png").write_bytes(b"\x89PNG\r\n\x1a\nsomething else")
+    refused = donnie(tmp_path, "replay", "p.rec", "--png", "photo.png", *quiet)
+    assert refused.returncode == 2
+    assert b"would overwrite photo.png" in refused.stderr
+    assert donnie(tmp_path, "replay", "p.rec", "--png", "q.png", "--step", *quiet).returncode == 2

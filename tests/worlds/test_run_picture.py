@@ -1,0 +1,95 @@
+"""A run as a picture: what is drawn, to scale, in the right places, and said in words."""
+
+import re
+from io import BytesIO
+from itertools import combinations
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+from PIL import Image, ImageFont
+
+import worlds
+from devices.ports.robot import Pose
+from donnie_tui.i18n.words import Words
+from donnie_tui.world.run_picture import LETTER, DrivenPath, RunPicture, as_png, as_svg, run_picture, texts
+from sim.picture import drawings
+from sim.worldfile import load_world
+
+PATH = DrivenPath("", (Pose(0, 0, 0), Pose(0, 6, 0), Pose(18, 6, 90), Pose(18, -2, 180)))
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def drawn(name: str = "two_rooms", path: DrivenPath = PATH, language: str = "en") -> RunPicture:
+    scene = load_world(Path(worlds.path(name)), allowed=(Path(worlds.SCENES),))
+    return run_picture("Two & rooms", drawings(scene), (path,), Words(language))
+
+
+def test_the_path_is_to_scale_and_north_is_up() -> None:
+    it = drawn()
+    line = ElementTree.fromstring(as_svg(it)).find(f"{SVG}polyline")
+    assert line is not None
+    (x0, y0), (x1, y1), (x2, y2), (_x3, y3) = (
+        tuple(map(float, each.split(","))) for each in line.attrib["points"].split()
+    )
+
+    assert (x1 - x0, y2 - y1) == (0, 0)
+    assert (y0 - y1) / 6 == pytest.approx(it.scale, rel=0.01)
+    assert (x2 - x1) / 18 == pytest.approx(it.scale, rel=0.01)
+    assert (y3 - y2) / 8 == pytest.approx(it.scale, rel=0.01)
+
+
+def test_a_dot_drives_the_path_at_an_even_pace_and_stops_at_its_end() -> None:
+    svg = ElementTree.fromstring(as_svg(drawn()))
+    moving = svg.findall(f".//{SVG}animate")
+
+    assert [each.attrib["attributeName"] for each in moving] == ["cx", "cy"]
+    # 6, 18 and 8 of 32 steps, at ten steps a second
+    assert moving[0].attrib["keyTimes"] == "0.0000;0.1875;0.7500;1.0000"
+    assert {(each.attrib["dur"], each.attrib["fill"]) for each in moving} == {("3.2s", "freeze")}
+
+
+def test_the_description_says_the_path_and_every_thing() -> None:
+    svg = ElementTree.fromstring(as_svg(drawn()))
+
+    assert svg.findtext(f"{SVG}title") == "Two & rooms"
+    said = svg.findtext(f"{SVG}desc") or ""
+    for part in ("North: 6 steps, to 0, 6.", "32 steps in all.", "b: ball, yellow", "c: chair, green"):
+        assert part in said
+    assert "Norte: 6 pasos, hasta 0, 6." in " ".join(drawn(language="es").legend)
+
+
+def test_the_png_shows_floor_walls_things_and_the_path_where_they_are() -> None:
+    it = drawn()
+    image = Image.open(BytesIO(as_png(it)))
+
+    def at(x: float, y: float) -> tuple[int, ...]:
+        px, py = it.at(x, y)
+        return image.getpixel((round(px), round(py)))  # type: ignore[return-value]
+
+    assert image.size == (it.width, it.height)
+    assert at(5, -5) == (255, 255, 255)
+    assert at(11, -8) == (0x44, 0x44, 0x44)  # the wall between the rooms
+    assert at(11, 5) == (255, 255, 255)  # the door
+    assert at(18.8, -6.8) == (0xF2, 0xD0, 0x24)  # the ball
+    assert at(10, 6) == (0x7B, 0x2C, 0xBF)  # the path
+
+
+@pytest.mark.parametrize("name", ["two_rooms", "first_room", "living_room", "object_field", "wild_garden"])
+def test_no_text_touches_another_and_all_lies_on_the_picture(name: str) -> None:
+    it = drawn(name)
+    font = ImageFont.load_default(LETTER)
+    boxes = [(font.getbbox(text, anchor="ls"), x, y) for x, y, text, _ in texts(it)]
+    placed = [(x + box[0], y + box[1], x + box[2], y + box[3]) for box, x, y in boxes]
+
+    for one, other in combinations(placed, 2):
+        apart = one[2] <= other[0] or other[2] <= one[0] or one[3] <= other[1] or other[3] <= one[1]
+        assert apart, (one, other)
+    assert all(each[0] >= 0 and each[2] <= it.width and each[3] <= it.height for each in placed)
+
+
+def test_a_robot_that_only_turned_has_a_place_and_no_moving_dot() -> None:
+    svg = as_svg(drawn(path=DrivenPath("", (Pose(0, 0, 90),))))
+
+    assert not re.search("<animate", svg)
+    assert "<polygon" in svg
