@@ -14,6 +14,7 @@ from donnie_tui.cli.streams import on_signals
 from donnie_tui.i18n.words import Unusable
 from donnie_tui.player.server import PlayerServer, PortRefused
 from donnie_tui.player.stations import BadConfiguration, Stations
+from donnie_tui.process import loaded
 from donnie_tui.world.loading import configuration_of
 
 
@@ -43,6 +44,7 @@ def serve_clients(order: Order) -> int:
     server = PlayerServer(stations, arguments.host, __version__, lambda code: output.complaint(words(code)))
 
     def announce() -> None:
+        loaded()
         if not _is_loopback(arguments.host):
             output.line(words("player-open-to-others"))
         ports = ", ".join(map(str, stations.by_port))
