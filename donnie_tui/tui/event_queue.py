@@ -234,6 +234,8 @@ class EventQueue:
                 self._post(RunBegan(program, self._pose(), fresh=how is not None and how.begins_anew))
             case RunEnded():
                 self._post(RunFinished(event, self._taken_errors() if is_chosen else (), robot))
+                if not is_chosen:
+                    self._call()
             case _:
                 self._call()
 

@@ -156,13 +156,17 @@ def test_the_end_of_a_run_brings_its_mistakes():
     assert listener.take().lines[0] == LogLine("Error, line 2, column 5: What?", "error")
 
 
-def test_the_end_of_another_robots_run_is_not_the_end_of_this_one():
+def test_the_end_of_another_robots_run_names_that_robot_and_has_no_mistakes_of_this_one():
+    """A challenge is judged once all of its robots are done."""
     posted: list = []
     listener = EventQueue(posted.append, Words(), lambda: HERE, lambda: "alice")
+    mistake = Error("syntax", 2, 5, "What?", None)
+    listener(Stamped(1, 0.0, mistake, "alice"))
     for robot in ("bob", "alice"):
         listener(Stamped(1, 0.0, RunEnded(Outcome.COMPLETED, Pose(1.0, 0.0, 0.0), {}, 0.0), robot))
 
-        assert any(isinstance(each, RunFinished) for each in posted) == (robot == "alice")
+    ended = [each for each in posted if isinstance(each, RunFinished)]
+    assert [(each.robot, each.errors) for each in ended] == [("bob", ()), ("alice", (mistake,))]
     assert listener.take().others == (("bob", Pose(1.0, 0.0, 0.0)),)
 
 
