@@ -263,7 +263,7 @@ class Display:
         readings = tuple(self._readings.values())
         belt = self._donnie.outlets.belt.rows() if self._has_belt else ()
         frames, changes = self._runs.frames, None if self._place.is_plain else self._changes
-        if changes is not None:
+        if changes is not None and self._runs.state is not RunState.RUNNING:  # a step, and no look on the way
             changes.look(scopes_of(frames, variables), [frame.line for frame in frames])
         self._place.inspector.show(
             inspector_lines(frames, variables, distances, readings, belt, self._words, changes)
