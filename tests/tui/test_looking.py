@@ -484,9 +484,9 @@ async def test_without_colours_there_is_no_picture(open_screen, monkeypatch):
         assert not screen.main.map.is_picture
 
 
-async def test_the_path_is_shown_on_pages_and_is_in_the_log(open_screen) -> None:  # type: ignore[no-untyped-def]
+async def test_the_path_is_shown_on_a_page_in_words_and_as_a_picture(open_screen) -> None:  # type: ignore[no-untyped-def]
     async with open_screen(world="first_room") as screen:
         await screen.run("FW 3\nTR 90\nFW 2")
         await screen.type_line("SHOW PATH")
-        await screen.shows("East: 2 steps, to 2, 3.")
-        await screen.shows("oo>")
+        await screen.until(lambda: "East: 2 steps, to 2, 3." in screen.text, "the legs")
+        await screen.until(lambda: "oo>" in screen.text, "the picture")
