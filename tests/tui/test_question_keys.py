@@ -152,7 +152,7 @@ async def test_esc_after_any_other_key_runs_the_program(open_screen) -> None:  #
         assert not any("Esc again: RUN." in line for line in screen.log)
 
 
-@pytest.mark.parametrize("key", ["5", "ñ", "f8", "tab", "ctrl+q"])
+@pytest.mark.parametrize("key", ["f9", "ñ", "f8", "tab", "ctrl+q"])
 async def test_a_meaningless_key_after_the_menu_key_closes_the_list_and_is_reported(open_screen, key) -> None:  # type: ignore[no-untyped-def]
     async with open_screen("FW 1") as screen:
         burst(screen, "ctrl+k", key, "m", "a")
