@@ -301,10 +301,12 @@ async def results(ctx: Context, _: str) -> None:
     solved = sum(any(each.solved for each in tries) for tries in kept.values())
     shipped = challenges.names()
     lines = [ctx.words("results-total", solved=solved, tried=len(kept))]
+    here = ctx.attempt
     for name, tries in kept.items():
+        given = here.hints if here is not None and here.challenge.name == name else 0
         title = challenges.find(name).text(ctx.words.language).title if name in shipped else name
         code = "results-solved" if any(each.solved for each in tries) else "results-open"
-        hints, bumps = max(each.hints for each in tries), sum(each.bumps for each in tries)
+        hints, bumps = max(given, *(each.hints for each in tries)), sum(each.bumps for each in tries)
         lines.append(ctx.words(code, title=title, tries=len(tries), hints=hints, bumps=bumps))
         best = min((each for each in tries if each.solved), key=lambda each: each.steps, default=None)
         if best is not None and best.shortest:

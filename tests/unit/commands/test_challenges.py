@@ -104,6 +104,13 @@ def test_the_list_says_which_are_solved_and_results_count_tries(open_script: Ope
     ]
 
 
+def test_results_count_a_hint_that_was_asked_for_after_the_last_try(open_script: OpenScript) -> None:
+    script = open_script(world="challenge:first_walk")
+    script.answers_to("FW 4", "HINT")
+
+    assert script.answers_to("RESULTS")[1] == "The first walk: not yet, 1 try, 1 hint, 0 bumps."
+
+
 def test_a_broken_line_of_the_results_is_left_out(open_script: OpenScript, tmp_path: Path) -> None:
     script = open_script(world="challenge:first_walk")
     script.answers_to("FW 5")
