@@ -74,7 +74,9 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         )
         self.key_table = KeyTable(has_terminal=not is_page())
         self._bind(settings.keys)
-        self.session = SessionHandle(search)
+        self.session = SessionHandle(
+            search, lambda: self.main_screen.editor.text, self._state_folder / UNSAVED
+        )
         self._dialogs = Dialogs(self, self.main_screen, self._release_keys)
         self._keyboard = Keyboard(
             self,

@@ -36,9 +36,14 @@ class SessionHandle:
     Keys, signals and faults may come before there is a session. What stops the robots works in any thread.
     """
 
-    def __init__(self, search: Search | None) -> None:
-        """``search`` gives up the first search for a robot, where there is one."""
-        self._search = search
+    def __init__(
+        self, search: Search | None, typed: Callable[[], str] = str, copies: Path | None = None
+    ) -> None:
+        """``search`` gives up the first search for a robot, where there is one.
+
+        ``typed`` is the program that was typed before there is a session; it is kept in ``copies``.
+        """
+        self._search, self._typed, self._copies = search, typed, copies
         self.assembled: Donnie | None = None
         """Kept so that ``close`` ends it, too, where the learner leaves before there is a controller."""
         self.controller: ScreenController | None = None
@@ -93,6 +98,13 @@ class SessionHandle:
         if self.controller is not None:
             self.controller.workspace.write_copies()
             self.controller.donnie.rescue_world()
+        elif self._copies is not None and (text := self._typed()).strip():
+            from donnie_tui.core.recovery import CopyFolder, UnsavedCopy
+
+            copy = UnsavedCopy(CopyFolder(str(self._copies)))
+            copy.want(text if text.endswith("\n") else f"{text}\n")
+            copy.write_quietly()
+            self._copies = None  # once is enough
 
     def code_at_end(self, code: int, report: Callable[[str], object]) -> int:
         """See ``Donnie``; after ``close``."""

@@ -20,6 +20,7 @@ from donnie_tui.tui import environment, shutdown
 from donnie_tui.tui.app import DonnieApp
 from donnie_tui.tui.pane_text import help_text
 from donnie_tui.tui.shutdown import FAULT
+from donnie_tui.tui.startup import SessionHandle
 from language.locales import languages
 from tests.tui.conftest import WAITING, burst
 
@@ -157,6 +158,15 @@ async def test_leaving_at_once_after_typing_asks_to_save(open_screen):
         await screen.until(lambda: screen.app.screen is not screen.main, "the question")
 
         assert screen.main.editor.text == "FW"
+
+
+def test_what_was_typed_before_the_session_is_kept_once(tmp_path):
+    session = SessionHandle(None, lambda: "FW 3", tmp_path / "unsaved")
+
+    session.keep_text()
+    session.keep_text()
+
+    assert [each.read_text() for each in tmp_path.rglob("unsaved-*.gd")] == ["FW 3\n"]
 
 
 # --- the way to the linear mode
