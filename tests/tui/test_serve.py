@@ -26,7 +26,8 @@ pytest.importorskip("textual_serve")
 
 pytestmark = pytest.mark.slow
 
-FIRST_WORDS = "F5 runs the program."
+FIRST_WORDS = "READY"
+"""Shown once the session is loaded."""
 
 ROOT = Path(__file__).resolve().parents[2]
 
