@@ -7,13 +7,13 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Callable, Iterator
-from math import atan2, cos, degrees, hypot, isfinite, pi, radians, sin, tau
+from math import atan2, cos, degrees, hypot, isfinite, radians, sin
 from typing import TYPE_CHECKING, Any
 
 from devices.player.codec import MessageType
 from devices.player.interfaces import Interface, body_of
 from devices.ports.drive import TICK, DriveLoop, MetricPose, Velocity, VelocityDrive
-from sim.geometry import Placement, seen_from
+from sim.geometry import Placement, normal, seen_from
 
 if TYPE_CHECKING:
     from sim.scene import Model, Scene
@@ -438,8 +438,7 @@ def _whole_name(model: Model, scene: Scene) -> str:
 
 def angle(of_degrees: float) -> float:
     """In radians, above -pi and up to pi."""
-    turned = radians(of_degrees) % tau
-    return turned - tau if turned > pi else turned
+    return radians(normal(of_degrees))
 
 
 def relative(inner: Placement, outer: Placement) -> Placement:

@@ -137,7 +137,9 @@ class Stations:
         return (device for station in self.by_port.values() for device in station.devices.values())
 
     def _station(self, address: Address) -> PortStation:
-        port = self._default if address.port == _PLAYERS_PORT else address.port
+        from sim.worldfile.configuration import DEFAULT_PORT
+
+        port = self._default if address.port == DEFAULT_PORT else address.port
         return self.by_port.setdefault(port, PortStation(port, self._loop))
 
     def _device(self, driver: Driver, address: Address, given: set[int]) -> Equipment | None:
@@ -182,9 +184,6 @@ class Stations:
         for child in self._scene.tree(model.root):
             if child.parent == model.index:
                 yield from self._below(child)
-
-
-_PLAYERS_PORT = 6665
 
 
 def _name(interface: int, index: int) -> str:

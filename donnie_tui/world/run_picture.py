@@ -142,11 +142,10 @@ def _svg_shape(it: RunPicture, drawing: Drawing) -> str:
 def _svg_path(it: RunPicture, path: DrivenPath, number: int) -> Iterable[str]:
     colour = _PATHS[number % len(_PATHS)]
     places = [it.at(pose.x, pose.y) for pose in path.poses]
-    line = " ".join(f"{x:g},{y:g}" for x, y in places)
     (x, y), radius = places[0], max(3.0, 1.3 * it.scale)
-    yield f'<polyline points="{line}" fill="none" stroke="{colour}" stroke-width="3"/>'
+    yield f'<polyline points="{_svg_points(places)}" fill="none" stroke="{colour}" stroke-width="3"/>'
     yield f'<circle cx="{x:g}" cy="{y:g}" r="4" fill="white" stroke="{colour}" stroke-width="2"/>'
-    yield from (f'<polygon points="{points}" fill="{colour}"/>' for points in (_svg_points(arrow(it, path)),))
+    yield f'<polygon points="{_svg_points(arrow(it, path))}" fill="{colour}"/>'
     lengths = [0.0, *accumulate(_apart(*each) for each in pairwise(path.poses))]
     if lengths[-1] > 0:
         times = ";".join(f"{each / lengths[-1]:.4f}" for each in lengths)
