@@ -484,8 +484,17 @@ class RunController:
             self._answer_done(record)
         self._say_verdict()
 
+    @property
+    def is_verdict_due(self) -> bool:
+        """Whether all programs have ended that no prompt waited for, and wait for their verdict."""
+        runs = self._unjudged if self.judge is not None else ()
+        return bool(runs) and all(each.is_background and each.has_ended for each in runs)
+
     def say_verdict(self) -> None:
         """Says the verdict about programs that no prompt waited for, once all have ended."""
+        for each in self._unjudged if self.is_verdict_due else ():
+            if each.run is not None:
+                each.run.wait(LAST_WORDS)
         if not self._team.running:
             self._say_verdict()
 

@@ -243,8 +243,6 @@ class Conversation:
         if self.streams.is_attended:
             self.console.once_idle.append(self._donnie.get_ready_to_move)
         while self.leaving.code is None:
-            if self.ctx.attempt is not None:
-                self.ctx.runs.say_verdict()
             depth = self.ctx.program.depth if self.streams.is_attended else 0
             self._take(self.prompter.read(prompt_text(self.streams.settings(), depth), shown=is_shown))
             is_shown = False

@@ -224,6 +224,8 @@ class Prompter:
             typed, self._put_back = self._put_back, None
             return typed
         while True:
+            if self._ctx.attempt is not None:
+                self._ctx.runs.say_verdict()
             typed = self._read(prompt, shown=shown)
             if typed.how not in (How.CHOICES, How.NEWS):
                 return typed

@@ -150,6 +150,8 @@ class RunLoop(RunObserver):
 
     def on_change(self) -> None:
         self._is_new_hold |= self._runs.is_held
+        if self._runs.is_verdict_due and not self._background.is_following:
+            self._console.has_news = True
         self._console.nudge()
 
     def before_stop(self) -> None:

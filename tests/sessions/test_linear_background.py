@@ -112,3 +112,21 @@ def test_a_word_resumes_a_paused_robot_among_running_ones(tmp_path: Path) -> Non
     learner.types("CONTINUE\r")
     learner.sees("bob: Continuing.")
     learner.sees("bob: I walked 9 steps forward.")
+
+
+# --- the verdict of a challenge
+
+
+def test_the_verdict_comes_when_the_background_program_ends(tmp_path: Path) -> None:
+    learner = Learner(tmp_path, "--world", "challenge:first_walk", speed="5")
+    learner.enters("FW 5", "START")
+    learner.sees("Solved, in 1 command.\r\nNEXT CHALLENGE is: To the ball.\r\n> ")
+
+
+def test_a_line_that_is_being_typed_is_kept_under_the_verdict(tmp_path: Path) -> None:
+    learner = Learner(tmp_path, "--world", "challenge:first_walk", speed="1")
+    learner.enters("FW 4", "START")
+    learner.types("WHE")
+    learner.sees("0 of 1 goal. You stop 1 step south of 0, 5.\r\n> WHE")
+    learner.types("RE\r")
+    learner.sees("Position 0, 4.")
