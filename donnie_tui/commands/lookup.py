@@ -92,13 +92,15 @@ def _folded(word: str) -> str:
     return fold_name(word)
 
 
-LINE_WORDS = {
-    word.casefold(): name
-    for name in ("linear", "help", "tour", "examples", "challenge", "recover", "quit")
-    for language in languages()
-    for word in words_of(name, language)
-}
-"""The words that are commands in the editor, too, on a line of their own, and the command of each."""
+def line_command(line: str) -> tuple[Command, str] | None:
+    """The command that a line of the program asks for: one of a few, alone on the line."""
+    found = find(line, _LINE_COMMANDS)
+    return found if found is not None and (found[0].argument or not found[1]) else None
+
+
+_OF_CHALLENGES = ("challenge", "next_challenge", "task", "goals", "hint")
+_ON_A_LINE = ("linear", "help", "tour", "examples", *_OF_CHALLENGES, "recover", "quit")
+_LINE_COMMANDS = tuple(each for each in COMMANDS if each.name in _ON_A_LINE)
 
 
 # --- how a command is typed, and what it is for

@@ -150,7 +150,7 @@ class RunLoop(RunObserver):
 
     def on_change(self) -> None:
         self._is_new_hold |= self._runs.is_held
-        if self._runs.is_verdict_due and not self._background.is_following:
+        if not self._background.is_following and self._runs.is_verdict_due:
             self._console.has_news = True
         self._console.nudge()
 

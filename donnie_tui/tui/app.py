@@ -105,7 +105,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             stop_all=lambda: self.do("stop_all"),
             repaint=self.repaint,
         )
-        self._first_word: str | None = None
+        self._first_word: tuple[str, str | None] | None = None
         """The command that was typed into the program before the session was loaded."""
 
     def _start_controller(self, donnie: Donnie) -> None:
@@ -127,7 +127,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         if opening is not None:
             self.startup.open_with(opening)
         if self._first_word is not None:
-            self.call_later(self.do, self._first_word)
+            self.call_later(self.do, *self._first_word)
 
     @property
     def controller(self) -> ScreenController | None:
@@ -221,10 +221,10 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             if asking is not None:
                 await asking
 
-    def do(self, name: str) -> None:
+    def do(self, name: str, argument: str | None = None) -> None:
         """Run a command of the table."""
         if self.controller is not None:
-            self._await(self.controller.do(name))
+            self._await(self.controller.do(name, argument))
         else:
             self.main_screen.log_lines([(early("screen-starting", self._language), "")])
 
@@ -277,9 +277,9 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
     def on_editor_line_word_typed(self, event: Editor.LineWordTyped) -> None:
         """At the very start it counts too, as soon as the session is loaded."""
         if self.controller is None:
-            self._first_word = event.name
+            self._first_word = (event.name, event.argument)
         else:
-            self.do(event.name)
+            self.do(event.name, event.argument)
 
     def on_editor_line_finished(self, event: Editor.LineFinished) -> None:
         if self.controller is not None:

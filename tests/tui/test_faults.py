@@ -194,6 +194,24 @@ async def test_the_tour_and_the_help_open_from_a_line_of_the_program(open_screen
         assert screen.main.editor.text == f"{PROGRAM}\n"
 
 
+async def test_a_challenge_is_entered_from_a_line_of_the_program(open_screen):
+    async with open_screen(PROGRAM) as screen:
+        type_on_last_line(screen, "challenge 2")
+        await screen.until(lambda: screen.app.controller.next_world == "challenge:2", "the challenge")
+
+        assert screen.main.editor.text == f"{PROGRAM}\n"
+
+
+async def test_the_words_of_a_challenge_work_on_a_line_of_the_program(open_screen):
+    async with open_screen(world="challenge:to_the_ball") as screen:
+        type_on_last_line(screen, "hint")
+        await screen.shows("Turn right by 90 degrees first.")
+        type_on_last_line(screen, "metas")
+        await screen.shows("Goal 1: ")
+
+        assert screen.main.editor.text == ""
+
+
 async def test_recover_on_a_line_of_its_own_gives_the_copy_back(open_screen):
     async with open_screen() as screen:
         type_on_last_line(screen, "recover")
@@ -216,7 +234,7 @@ async def test_quit_between_two_lines_is_taken_out_and_leaves(open_screen, tmp_p
         assert screen.main.editor.text == before
 
 
-@pytest.mark.parametrize("typed", ["QUIT FW 1", "SPEAK linear", "linear = 1"])
+@pytest.mark.parametrize("typed", ["QUIT FW 1", "SPEAK linear", "linear = 1", "tour 2", "challenge = 1"])
 async def test_a_word_with_other_text_on_its_line_is_text(open_screen, typed):
     async with open_screen() as screen:
         type_on_last_line(screen, typed)

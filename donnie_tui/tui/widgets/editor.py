@@ -38,8 +38,8 @@ MARKS = 2
 _EMPTY_LINE = "▌"
 """What Textual paints in a selected line without text, in a colour that may be the background's."""
 
-_LONGEST_WORD = 20
-"""Characters of a line that may hold only the word of a command."""
+_LONGEST_WORD = 80
+"""Characters of a line that may hold only a command."""
 
 LEAST_TYPED = 2
 """Letters before a word is offered, where more than one fits."""
@@ -53,12 +53,11 @@ class Editor(TextArea):
     BINDINGS: ClassVar[list[BindingType]] = [Binding("ctrl+a", "select_all", show=False)]
 
     class LineWordTyped(Message):
-        """Enter on a line that holds only the word of a command; the line is taken out."""
+        """Enter on a line that holds only a command; the line is taken out."""
 
-        def __init__(self, name: str) -> None:
-            """``name`` of its use case."""
+        def __init__(self, name: str, argument: str | None) -> None:
             super().__init__()
-            self.name = name
+            self.name, self.argument = name, argument
 
     class GutterClicked(Message):
         """A click next to that line (from 1), where its marks and its number are."""
@@ -105,12 +104,12 @@ class Editor(TextArea):
 
     async def _on_key(self, event: events.Key) -> None:
         self.is_typed = True
-        name = self._line_word if event.key == "enter" else None
-        if name is not None:
+        command = self._line_command if event.key == "enter" else None
+        if command is not None:
             event.stop()
             event.prevent_default()
             self._take_line_out(self.cursor_location[0])
-            self.post_message(self.LineWordTyped(name))
+            self.post_message(self.LineWordTyped(*command))
         elif event.key == "enter":
             self.post_message(self.LineFinished(self.cursor_location[0]))
             if self.next_line is not None and self.show_line_numbers and self.selection.is_empty:
@@ -136,15 +135,16 @@ class Editor(TextArea):
         self.move_cursor((row + 1, len(found.indent)))
 
     @property
-    def _line_word(self) -> str | None:
-        """The command whose word is all of the line, with the cursor at its end."""
+    def _line_command(self) -> tuple[str, str | None] | None:
+        """The name and the argument of the command that is all of the line, with the cursor at its end."""
         row, column = self.cursor_location
         line = self.document.get_line(row)
         if len(line) >= _LONGEST_WORD or column < len(line.rstrip()) or not self.selection.is_empty:
             return None
-        from donnie_tui.commands.lookup import LINE_WORDS  # not for the first frame
+        from donnie_tui.commands.lookup import line_command  # not for the first frame
 
-        return LINE_WORDS.get(line.strip().casefold())
+        found = line_command(line)
+        return (found[0].name, found[1] or None) if found is not None else None
 
     def _take_line_out(self, row: int) -> None:
         """The last line stays, empty, so that typing continues there."""
