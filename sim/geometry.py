@@ -360,6 +360,12 @@ class Placement(Struct, frozen=True):
         return Placement(self.x, self.y, self.z, self.yaw % 360.0)
 
 
+def relative(inner: Placement, outer: Placement) -> Placement:
+    """Where something is in the frame of something else; the reverse of ``Placement.then``."""
+    ((x, y),) = seen_from(((inner.x, inner.y),), outer.x, outer.y, outer.yaw)
+    return Placement(x, y, inner.z - outer.z, inner.yaw - outer.yaw)
+
+
 class Spot(Struct, frozen=True):
     """Where a robot, or something on it, is and where it looks."""
 

@@ -36,7 +36,7 @@ from sim.geometry import (
 from sim.ground import Ground
 from sim.motion import WIDEST_SKIN, Contact, Mover, less_skin
 from sim.parts import Part
-from sim.rangers import Beams
+from sim.rangers import Bar, Beams
 
 MOST = 20
 """Things that one robot can push at a time; one more is like a wall."""
@@ -221,6 +221,17 @@ class Hand:
             self._ground.attach(self.held, None)
             self.held = None
             self._mover.hold(())
+
+    def beams_broken(self, spot: Spot) -> tuple[bool, bool]:
+        """Whether something is in the outer beam, at the tips of the paddles, and in the inner one."""
+        if self.held is not None:
+            return True, True
+        beams, around = self._beams(), self._mover.around
+        tips = Spot(beams.x, beams.y, beams.yaw).ahead(beams.length / 2, beams.yaw)
+        places = ((tips.x, tips.y), (beams.x, beams.y))
+        bars = (Bar(*at, beams.yaw, beams.width) for at in places)
+        outer, inner = (bar.is_pressed(around, spot, self._ground.grippable) for bar in bars)
+        return outer, inner
 
     def carry(self, spot: Spot) -> None:
         """The robot is there now, and so is what it holds."""

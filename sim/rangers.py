@@ -6,7 +6,7 @@ top it looks. Those rays are computed here, edge by edge; the fast way (``rays``
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Container, Iterable, Iterator, Sequence
 from math import ceil, dist, inf
 from typing import TYPE_CHECKING, Protocol
 
@@ -105,18 +105,28 @@ class Cone(Struct, frozen=True):
 
     def metres(self, around: Around, spot: Spot, turned: float = 0.0) -> float:
         """To the nearest thing in the cone, or infinity; the sensor turned by that many degrees."""
+        return self.nearest(around, spot, turned)[0]
+
+    def hits(self, around: Around, spot: Spot) -> tuple[tuple[float, Part | None], ...]:
+        """The one distance, or infinity, and what is there."""
+        return (self.nearest(around, spot),)
+
+    def nearest(self, around: Around, spot: Spot, turned: float = 0.0) -> tuple[float, Part | None]:
+        """The nearest thing in the cone, if there is any, and how far it is."""
         place = spot.mounted(self.x, self.y, self.yaw + turned)
-        x, y, nearest = place.x, place.y, inf
+        x, y, nearest, found = place.x, place.y, inf, None
         wedges = self._wedges(place.yaw)
         for part in self._candidates(around, place):
             apart = dist(part.middle, (x, y))
             if part.reach + min(nearest, self.maximum) < apart:
                 continue
             if apart <= part.reach + HAIR and contains(part.points, x, y):
-                return 0.0
+                return 0.0, part
             for facing, aside in wedges:
-                nearest = min(nearest, nearest_seen(part.points, x, y, facing, aside))
-        return nearest if nearest <= self.maximum else inf
+                metres = nearest_seen(part.points, x, y, facing, aside)
+                if metres < nearest:
+                    nearest, found = metres, part
+        return (nearest, found) if nearest <= self.maximum else (inf, None)
 
     def centimetres(self, around: Around, spot: Spot) -> int | None:
         """To the nearest thing in the cone, or None. Without noise."""
@@ -196,11 +206,16 @@ class Fan(Struct, frozen=True):
 
     def rays(self, around: Around, spot: Spot, turned: float = 0.0) -> tuple[float, ...]:
         """Metres along each ray to what it meets first, or infinity."""
+        return tuple(metres for metres, _ in self.hits(around, spot, turned))
+
+    def hits(self, around: Around, spot: Spot, turned: float = 0.0) -> tuple[tuple[float, Part | None], ...]:
+        """The same with what each ray meets."""
         place = spot.mounted(self.x, self.y, turned)
-        if self._is_inside(around, place):
-            return (0.0,) * len(self.angles)
+        inside = self._inside(around, place)
+        if inside is not None:
+            return ((0.0, inside),) * len(self.angles)
         hits = first_hits(around, place.x, place.y, self._ray_tips(place), self.height, ranging=True)
-        return tuple(inf if part is None else self.maximum * alpha for part, alpha in hits)
+        return tuple((inf if part is None else self.maximum * alpha, part) for part, alpha in hits)
 
     def metres(self, around: Around, spot: Spot, turned: float = 0.0) -> float:
         """To the nearest thing that a ray meets, or infinity."""
@@ -232,10 +247,11 @@ class Fan(Struct, frozen=True):
         directions = (direction(place.yaw + angle) for angle in self.angles)
         return [(place.x + self.maximum * dx, place.y + self.maximum * dy) for dx, dy in directions]
 
-    def _is_inside(self, around: Around, place: Spot) -> bool:
+    def _inside(self, around: Around, place: Spot) -> Part | None:
+        """What the sensor itself is in."""
         parts = around.within(place.x, place.y, place.x, place.y)
         seen = (part for part in parts if part.seen and at_height(part, self.height))
-        return any(contains(part.points, place.x, place.y) for part in seen)
+        return next((part for part in seen if contains(part.points, place.x, place.y)), None)
 
 
 Ranger = Cone | Fan
@@ -278,10 +294,11 @@ class Bar(Struct, frozen=True):
     yaw: float
     length: float
 
-    def is_pressed(self, around: Around, spot: Spot) -> bool:
-        """Whether something solid touches it."""
+    def is_pressed(self, around: Around, spot: Spot, noticed: Container[int] = ()) -> bool:
+        """Whether something solid touches it, or one of the ``noticed`` roots."""
         bar = self._bar(spot)
-        return any(part.solid and _apart(bar, part) <= TOUCH for part in _near(around, bar))
+        found = (part for part in _near(around, bar) if part.solid or part.root in noticed)
+        return any(_apart(bar, part) <= TOUCH for part in found)
 
     def _bar(self, spot: Spot) -> Edge:
         place = spot.mounted(self.x, self.y, self.yaw)

@@ -21,6 +21,10 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
     from random import Random
 
+    from sim.parts import Part
+
+    Hits = tuple[tuple[float, Part | None], ...]
+
 
 class Instruments:
     """The devices that are mounted in one frame, in the order of the world file."""
@@ -43,10 +47,17 @@ class Instruments:
 
     def rangers(self, around: Surroundings, spot: Spot, chance: Random | None) -> tuple[RangerReading, ...]:
         """``chance``: of their noise; None has none."""
-        return tuple(
-            RangerReading(name, tuple(_samples(each, around, spot, chance) for each in sensors))
-            for name, sensors in self._rangers
-        )
+        found = []
+        for name, sensors in self._rangers:
+            hits = [each.hits(around, spot) for each in sensors]
+            samples = (
+                _samples(each, hit, around, spot, chance) for each, hit in zip(sensors, hits, strict=True)
+            )
+            returns = tuple(
+                tuple(part.model.ranger_return if part else 0.0 for _, part in hit) for hit in hits
+            )
+            found.append(RangerReading(name, tuple(samples), returns))
+        return tuple(found)
 
     def bumpers(self, around: Surroundings, spot: Spot) -> tuple[BumperReading, ...]:
         return tuple(
@@ -81,9 +92,11 @@ class Instruments:
         )
 
 
-def _samples(ranger: Ranger, around: Surroundings, spot: Spot, chance: Random | None) -> tuple[float, ...]:
+def _samples(
+    ranger: Ranger, hits: Hits, around: Surroundings, spot: Spot, chance: Random | None
+) -> tuple[float, ...]:
     least, most = ranger.minimum, ranger.maximum
-    metres = ranger.samples(around, spot, chance)
+    metres = ranger.samples(around, spot, chance) if chance else [each for each, _ in hits]
     return tuple(most if each == inf else max(each, least) for each in metres)
 
 

@@ -8,10 +8,12 @@ at once. Both come to the same place, because the chords of an arc end on the ar
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from math import atan2, ceil, degrees, hypot, isfinite, radians, sin, tan
 from random import Random
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from devices.ports.drive import (
     TICK,
@@ -23,7 +25,8 @@ from devices.ports.drive import (
     RangerReading,
     Velocity,
 )
-from sim.geometry import Placement, Spot
+from devices.ports.robot import GripResult
+from sim.geometry import Placement, Spot, relative
 from sim.motion import TOUCHING, TURN_SKIN
 from sim.readings import Instruments
 from sim.scene import Bounds, Drive, Limits, Localization, Model, Wheels
@@ -43,25 +46,23 @@ MOST = 1000
 STANDING = Velocity()
 
 
-class AtOnce:
-    """A pace that never waits: the loop's caller decides when the next tick is due."""
-
-    def sleep(self, seconds: float) -> bool:  # noqa: ARG002 -- the port gives it
-        return True
-
-
 class VelocityLoop:
     """See ``devices.ports.drive.DriveLoop``. No program may run in this world meanwhile."""
 
     def __init__(self, world: World) -> None:
-        self._scene, self._ground = world.scene, world.ground
-        scene = self._scene
+        self._world = world
         self._ticks = 0
+        self.is_paused = False
+        """Whether time stands still."""
         self._drives: dict[str, RobotDrive] = {}
-        for index, name in zip(scene.robots, scene.robot_names, strict=True):
-            vehicle = world.robot(name, pace=AtOnce()).get_ready()
+        for name in world.scene.robot_names:
             chance = Random(f"{world.seed} {name}") if world.seed else None
-            self._drives[name] = RobotDrive(scene, scene.models[index], vehicle, chance)
+            self._drives[name] = RobotDrive(world, name, chance)
+
+    @property
+    def scene(self) -> Scene:
+        """As it is now, but for where things are."""
+        return self._world.scene
 
     @property
     def drives(self) -> Mapping[str, RobotDrive]:
@@ -72,6 +73,8 @@ class VelocityLoop:
         return self._ticks * TICK
 
     def advance(self) -> None:
+        if self.is_paused:
+            return
         moving = [each for each in self._drives.values() if each.begin_tick()]
         if moving:
             count = min(MOST, max(each.substeps() for each in moving))
@@ -85,21 +88,30 @@ class VelocityLoop:
     def pose(self, name: str) -> MetricPose:
         if name in self._drives:
             return self._drives[name].state().truth
-        model = self._model(name)
-        can_move = model.index in self._ground.movable
-        return _metric(self._ground.place(model.index) if can_move else model.pose)
+        model, ground = self._model(name), self._world.ground
+        return _metric(ground.place(model.index) if model.index in ground.movable else model.pose)
 
     def put(self, name: str, pose: MetricPose) -> None:
         if name in self._drives:
             self._drives[name].set_pose(pose)
             return
-        model = self._model(name)
-        if model.index not in self._ground.movable:
+        model, ground = self._model(name), self._world.ground
+        if model.index not in ground.movable:
             raise KeyError(name)
-        self._ground.put(model.index, Placement(pose.x, pose.y, model.pose.z, pose.yaw))
+        ground.put(model.index, Placement(pose.x, pose.y, model.pose.z, pose.yaw))
+
+    def change(self, index: int, **properties: object) -> None:
+        """A model, by its index, has another colour or mark from now on."""
+        self._world.change(index, **properties)
+
+    def reset(self) -> None:
+        """All robots and things are at their start. Velocities stay."""
+        self._world.reset()
+        for drive in self._drives.values():
+            drive.set_odometry(MetricPose())
 
     def _model(self, name: str) -> Model:
-        for model in self._scene.models:
+        for model in self.scene.models:
             if model.parent is None and model.name == name:
                 return model
         raise KeyError(name)
@@ -108,18 +120,27 @@ class VelocityLoop:
 class RobotDrive:
     """See ``devices.ports.drive.VelocityDrive``."""
 
-    def __init__(self, scene: Scene, model: Model, vehicle: Vehicle, chance: Random | None) -> None:
+    def __init__(self, world: World, name: str, chance: Random | None) -> None:
         """``chance``: of the noise of its sensors."""
-        self.name = model.spoken_name
-        self._ground = vehicle.mover.around.ground
-        self._scene = scene
-        self._vehicle = vehicle
+        self.name = name
+        self._world = world
+        self._robot = world.inhabitant(name)
         self._chance = chance
+        scene, model = world.scene, world.scene.robot(name)
         self._wheels = model.wheels or Wheels()
         self._bounds = self._wheels.velocity_bounds or Limits()
         self._counted = None if self._wheels.localization is Localization.GPS else Spot(0.0, 0.0, 0.0)
         """Where it believes to be, if it counts its wheels' turns."""
-        self._instruments = Instruments(scene.tree(model.index), model.pose)
+        self._mounted: dict[int, _Mounted] = {}
+        for each in scene.tree(model.index):
+            head = _head_of(each, scene)
+            frame = model.pose if head is None else scene.models[head].pose
+            self._mounted[each.index] = _Mounted(
+                Instruments((each,), frame), head, relative(frame, model.pose)
+            )
+        self._turned: dict[int, float] = {}
+        """Degrees that heads have turned, by their models' index."""
+        self.is_held = False
         self._users = 0
         self._asked = STANDING
         self._wanted = STANDING
@@ -156,24 +177,42 @@ class RobotDrive:
         if self._counted is not None:
             self._counted = Spot(pose.x, pose.y, pose.yaw % 360.0)
 
-    def rangers(self) -> tuple[RangerReading, ...]:
-        return self._instruments.rangers(self._around, self._here, self._chance)
+    def rangers(self, part: int | None = None) -> tuple[RangerReading, ...]:
+        around, chance = self._around, self._chance
+        return tuple(each for it, spot in self._at(part) for each in it.rangers(around, spot, chance))
 
-    def bumpers(self) -> tuple[BumperReading, ...]:
-        return self._instruments.bumpers(self._around, self._here)
+    def bumpers(self, part: int | None = None) -> tuple[BumperReading, ...]:
+        return tuple(each for it, spot in self._at(part) for each in it.bumpers(self._around, spot))
 
-    def blobs(self) -> tuple[BlobReading, ...]:
-        return self._instruments.blobs(self._around, self._here)
+    def blobs(self, part: int | None = None) -> tuple[BlobReading, ...]:
+        return tuple(each for it, spot in self._at(part) for each in it.blobs(self._around, spot))
 
-    def marks(self) -> tuple[MarkReading, ...]:
-        return self._instruments.marks(self._around, self._here, self._yaw_of)
+    def marks(self, part: int | None = None) -> tuple[MarkReading, ...]:
+        around, yaw_of = self._around, self._yaw_of
+        return tuple(each for it, spot in self._at(part) for each in it.marks(around, spot, yaw_of))
+
+    def turn_head(self, part: int, degrees: float) -> None:
+        self._turned[part] = degrees
+
+    def grip(self) -> GripResult:
+        return self._robot.grip()
+
+    def release(self) -> GripResult:
+        return self._robot.release()
+
+    def beams(self) -> tuple[bool, bool]:
+        return self._vehicle.hand.beams_broken(self._here)
 
     # --- the loop's
 
     def begin_tick(self) -> bool:
         """The velocity that was asked for counts from now on. Whether there is anything to do."""
         self._is_stalled = self._has_moved = False
-        self._wanted = self._asked
+        self._wanted = STANDING if self.is_held else self._asked
+        if self.is_held:
+            self._speed = STANDING
+        if self._users:
+            self._vehicle.clock.seconds += TICK
         if self._wheels.acceleration_bounds is None:
             self._speed = self._wanted
         return self._speed != STANDING or self._wanted != STANDING
@@ -229,6 +268,22 @@ class RobotDrive:
 
     # --- inside
 
+    def _at(self, part: int | None) -> Iterator[tuple[Instruments, Spot]]:
+        """The devices of one model, or of all, and where that frame is."""
+        for index, it in self._mounted.items():
+            if part in (None, index):
+                turned = self._turned.get(it.head, 0.0) if it.head is not None else 0.0
+                frame, here = it.frame, self._here
+                yield (
+                    it.instruments,
+                    here if it.head is None else here.mounted(frame.x, frame.y, frame.yaw + turned),
+                )
+
+    @property
+    def _vehicle(self) -> Vehicle:
+        """Another one after the world was changed."""
+        return self._robot.get_ready()
+
     @property
     def _around(self) -> Surroundings:
         return self._vehicle.mover.around
@@ -275,10 +330,29 @@ class RobotDrive:
         )
 
     def _yaw_of(self, model: int) -> float:
-        it = self._scene.models[model]
-        if it.root not in self._ground.movable:
+        it, ground = self._world.scene.models[model], self._world.ground
+        if it.root not in ground.movable:
             return it.pose.yaw
-        return it.pose.yaw + self._ground.place(it.root).yaw - self._ground.start(it.root).yaw
+        return it.pose.yaw + ground.place(it.root).yaw - ground.start(it.root).yaw
+
+
+class _Mounted(Struct, frozen=True):
+    """The devices of one model of a robot."""
+
+    instruments: Instruments
+    head: int | None
+    """The model that turns with them on the robot; None: they are on the robot itself."""
+    frame: Placement
+    """Where that is on the robot, before it turns."""
+
+
+def _head_of(model: Model, scene: Scene) -> int | None:
+    """The part of a robot that drives by itself and carries this model, if there is any."""
+    while model.parent is not None:
+        if model.wheels is not None:
+            return model.index
+        model = scene.models[model.parent]
+    return None
 
 
 def _within(bounds: Bounds, value: float, seconds: float = 1.0) -> float:

@@ -8,12 +8,21 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
+from msgspec.structs import replace
+
 from devices.ports.robot import Pace, Watcher
 from sim.clock import Seat, Turns
 from sim.geometry import Placement
 from sim.ground import Ground
 from sim.robot import SimulatedRobot
 from sim.scene import Scene, moved
+
+
+class _AtOnce:
+    """A pace that never waits: the caller decides when the next tick is due."""
+
+    def sleep(self, seconds: float) -> bool:  # noqa: ARG002 -- the port gives it
+        return True
 
 
 class World:
@@ -52,6 +61,16 @@ class World:
         )
         self._robots[index] = robot
         return robot
+
+    def inhabitant(self, name: str) -> SimulatedRobot:
+        """The robot of that name that was made last; where there is none, one that never waits."""
+        return self._robots.get(self._index(name)) or self.robot(name, pace=_AtOnce())
+
+    def change(self, index: int, **properties: object) -> None:
+        """A model has another colour or mark from now on. Only while no robot takes part."""
+        models = list(self.scene.models)
+        models[index] = replace(models[index], **properties)
+        self.rebuild(replace(self.scene, models=tuple(models)), {each.root: each.root for each in models})
 
     def expect(self, names: Iterable[str]) -> None:
         """These robots take part from now on, all from the same moment, whenever their programs come.

@@ -14,6 +14,8 @@ from typing import Protocol
 
 from msgspec import Struct
 
+from devices.ports.robot import GripResult
+
 TICK = 0.1
 """Seconds. The velocities of all robots are taken at its start."""
 
@@ -55,6 +57,8 @@ class RangerReading(Struct, frozen=True):
     name: str
     sensors: tuple[tuple[float, ...], ...]
     """The samples of each of its sensors, counter-clockwise; a sonar has one."""
+    returns: tuple[tuple[float, ...], ...] = ()
+    """How strongly what is there answers, as its world says; 0 where nothing is."""
 
 
 class BumperReading(Struct, frozen=True):
@@ -103,7 +107,10 @@ class MarkReading(Struct, frozen=True):
 
 
 class VelocityDrive(Protocol):
-    """One robot. Its devices are in the order of the world file."""
+    """One robot. Its devices are in the order of the world file; ``part`` is the index of one model of it."""
+
+    is_held: bool
+    """Whether it stands whatever was asked for."""
 
     @property
     def name(self) -> str: ...
@@ -125,13 +132,24 @@ class VelocityDrive(Protocol):
     def set_odometry(self, pose: MetricPose) -> None:
         """It believes to be there from now on. No effect on a robot that knows its true pose."""
 
-    def rangers(self) -> tuple[RangerReading, ...]: ...
+    def turn_head(self, part: int, degrees: float) -> None:
+        """A part with wheels of its own looks so far from its start now, and all that is mounted on it."""
 
-    def bumpers(self) -> tuple[BumperReading, ...]: ...
+    def rangers(self, part: int | None = None) -> tuple[RangerReading, ...]: ...
 
-    def blobs(self) -> tuple[BlobReading, ...]: ...
+    def bumpers(self, part: int | None = None) -> tuple[BumperReading, ...]: ...
 
-    def marks(self) -> tuple[MarkReading, ...]: ...
+    def blobs(self, part: int | None = None) -> tuple[BlobReading, ...]: ...
+
+    def marks(self, part: int | None = None) -> tuple[MarkReading, ...]: ...
+
+    def grip(self) -> GripResult:
+        """Take the thing between the paddles of its first gripper. RobotProblem ``no-gripper``."""
+
+    def release(self) -> GripResult: ...
+
+    def beams(self) -> tuple[bool, bool]:
+        """Whether something is in the outer and in the inner beam of that gripper."""
 
 
 class DriveLoop(Protocol):
@@ -145,8 +163,14 @@ class DriveLoop(Protocol):
     def time(self) -> float:
         """Simulated seconds since the loop began."""
 
+    is_paused: bool
+    """Whether time stands still."""
+
     def advance(self) -> None:
         """One tick: velocities are taken, then all robots move."""
+
+    def reset(self) -> None:
+        """All robots and things are at their start."""
 
     def pose(self, name: str) -> MetricPose:
         """Where a robot or a thing at the top level of the world is. KeyError if there is none."""

@@ -6,17 +6,19 @@ Metres and radians here, as on the wire; the port below has degrees.
 from __future__ import annotations
 
 import struct
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from math import atan2, cos, degrees, hypot, isfinite, radians, sin
 from typing import TYPE_CHECKING, Any
 
 from devices.player.codec import MessageType
 from devices.player.interfaces import Interface, body_of
-from devices.ports.drive import TICK, DriveLoop, MetricPose, Velocity, VelocityDrive
-from sim.geometry import Placement, normal, seen_from
+from devices.ports.drive import TICK, MetricPose, Velocity, VelocityDrive
+from sim.colours import colour_of
+from sim.geometry import Placement, normal, relative
 
 if TYPE_CHECKING:
-    from sim.scene import Model, Scene
+    from sim.scene import Model
+    from sim.velocity import VelocityLoop
 
 Values = tuple[Any, ...]
 Datum = tuple[int, bytes]
@@ -62,18 +64,15 @@ class Equipment:
 class MountedDevice(Equipment):
     """A device on a robot."""
 
-    def __init__(self, index: int, driver: str, model: Model, drive: VelocityDrive, scene: Scene) -> None:
+    def __init__(
+        self, index: int, driver: str, model: Model, drive: VelocityDrive, loop: VelocityLoop
+    ) -> None:
         super().__init__(index, driver)
-        self._model, self._drive, self._scene = model, drive, scene
-
-    def _nth(self, has: Callable[[Model], object]) -> int:
-        """Which one of its kind it is on its robot; the port has them in the same order."""
-        kin = [each.index for each in self._scene.tree(self._model.root) if has(each)]
-        return kin.index(self._model.index)
+        self._model, self._drive, self._loop = model, drive, loop
 
     def _pose(self) -> tuple[float, ...]:
         """On its robot; of a robot itself 0."""
-        return pose3d(relative(self._model.pose, self._scene.models[self._model.root].pose))
+        return pose3d(relative(self._model.pose, self._loop.scene.models[self._model.root].pose))
 
 
 class WheelDevice(MountedDevice):
@@ -81,8 +80,10 @@ class WheelDevice(MountedDevice):
 
     interface = Interface.POSITION2D
 
-    def __init__(self, index: int, driver: str, model: Model, drive: VelocityDrive, scene: Scene) -> None:
-        super().__init__(index, driver, model, drive, scene)
+    def __init__(
+        self, index: int, driver: str, model: Model, drive: VelocityDrive, loop: VelocityLoop
+    ) -> None:
+        super().__init__(index, driver, model, drive, loop)
         self._goal: MetricPose | None = None
 
     def open(self) -> None:
@@ -143,13 +144,15 @@ class WheelDevice(MountedDevice):
 
 
 class HeadDevice(MountedDevice):
-    """A part that turns by itself on its robot. What is mounted on it doesn't turn with it."""
+    """A part that turns by itself on its robot, with all that is mounted on it."""
 
     interface = Interface.POSITION2D
 
-    def __init__(self, index: int, driver: str, model: Model, drive: VelocityDrive, scene: Scene) -> None:
-        super().__init__(index, driver, model, drive, scene)
-        self._mount = relative(model.pose, scene.models[model.root].pose)
+    def __init__(
+        self, index: int, driver: str, model: Model, drive: VelocityDrive, loop: VelocityLoop
+    ) -> None:
+        super().__init__(index, driver, model, drive, loop)
+        self._mount = relative(model.pose, loop.scene.models[model.root].pose)
         self._turned = self._rate = 0.0
         self._goal: float | None = None
 
@@ -175,7 +178,9 @@ class HeadDevice(MountedDevice):
     def step(self) -> None:
         if self._goal is not None:
             self._rate = _turn(self._goal - self._here().yaw)
-        self._turned += self._rate * TICK
+        if self._rate and not (self._loop.is_paused or self._drive.is_held):
+            self._turned += self._rate * TICK
+            self._drive.turn_head(self._model.index, self._turned)
 
     def data(self) -> Iterator[Datum]:
         here = self._here()
@@ -209,13 +214,30 @@ def _turn(by: float) -> float:
     return max(-FASTEST_TURN, min(FASTEST_TURN, rate))
 
 
+SONARS = (-45.0, 0.0, 45.0, 135.0, 180.0, -135.0)
+"""Where the six sonars of Donnie look, in the order that the original's clients know."""
+
+
 class RangeFinder(MountedDevice):
     """Sonars, or a laser: one sensor with its samples, or several with one each."""
 
     interface = Interface.RANGER
 
+    def __init__(
+        self, index: int, driver: str, model: Model, drive: VelocityDrive, loop: VelocityLoop
+    ) -> None:
+        super().__init__(index, driver, model, drive, loop)
+        yaws = [round(normal(each.pose.yaw)) for each in model.sensors]
+        self._is_donnie = sorted(yaws) == sorted(map(round, SONARS))
+        """Whether these are the sonars of the robot Donnie."""
+        self._order = [yaws.index(round(each)) for each in SONARS] if self._is_donnie else [*range(len(yaws))]
+        tree = loop.scene.tree(model.root)
+        others = [each.index for each in tree if len(each.sensors) == 1 and each.parent != model.root]
+        self._seventh = others[0] if self._is_donnie and others else None
+        """The head's sonar, which clients of Donnie's take for one more of these."""
+
     def request(self, subtype: int, values: Values) -> bytes | None:  # noqa: ARG002 -- none has any
-        sensors = self._model.sensors
+        sensors = [self._model.sensors[each] for each in self._order]
         if subtype == 1:
             poses = [pose3d(each.pose) for each in sensors]
             sizes = [(0.0, 0.0, 0.0) for _ in sensors]
@@ -223,22 +245,24 @@ class RangeFinder(MountedDevice):
         if subtype == 5 and sensors:
             first = sensors[0]
             view = radians(first.fov)
-            resolution = self._scene.settings.get("resolution", 0.02)
+            resolution = self._loop.scene.settings.get("resolution", 0.02)
             step = float(resolution) if isinstance(resolution, (int, float)) else 0.02
             bounds = (first.minimum, first.maximum, step, 1 / TICK)
             return self._ack(5, -view / 2, view / 2, view / first.samples, *bounds)
         return None
 
     def data(self) -> Iterator[Datum]:
-        sensors = self._drive.rangers()[self._nth(lambda each: each.sensors)].sensors
-        limits = [each.maximum for each in self._model.sensors]
-        several = len(sensors) > 1
+        (reading,) = self._drive.rangers(self._model.index)
+        pairs = [(reading.sensors[each], reading.returns[each]) for each in self._order]
+        if self._seventh is not None:
+            (head,) = self._drive.rangers(self._seventh)
+            pairs.append((head.sensors[0], head.returns[0]))
         ranges: list[float] = []
         seen: list[float] = []
-        for samples, limit in zip(sensors, limits, strict=True):
-            taken = samples[len(samples) // 2 :][:1] if several else samples
-            ranges += taken
-            seen += [float(each < limit) for each in taken]
+        for samples, returns in pairs:
+            only = slice(len(samples) // 2, len(samples) // 2 + 1) if len(pairs) > 1 else slice(None)
+            ranges += samples[only]
+            seen += returns[only]
         if ranges:
             yield self._datum(ranges)
             yield self._datum(seen, subtype=3)
@@ -253,7 +277,7 @@ class BumperBars(MountedDevice):
         return self._ack(1, [(*pose3d(each.pose), each.length, 0.0) for each in self._model.bumpers])
 
     def data(self) -> Iterator[Datum]:
-        pressed = self._drive.bumpers()[self._nth(lambda each: each.bumpers)].pressed
+        pressed = self._drive.bumpers(self._model.index)[0].pressed
         yield self._datum(bytes(pressed))
 
 
@@ -271,7 +295,7 @@ class ColourFinder(MountedDevice):
         assert finder is not None
         width, height = finder.image
         blobs = []
-        for seen in self._drive.blobs()[self._nth(lambda each: each.blobfinder)].blobs:
+        for seen in self._drive.blobs(self._model.index)[0].blobs:
             red, green, blue = seen.colour
             left, right = (
                 max(0, min(width - 1, int((finder.fov / 2 - each) / finder.fov * width)))
@@ -291,14 +315,17 @@ class MarkReader(MountedDevice):
 
     interface = Interface.FIDUCIAL
 
-    def request(self, subtype: int, values: Values) -> bytes | None:  # noqa: ARG002 -- none is taken
+    def request(self, subtype: int, values: Values) -> bytes | None:
         if subtype == 1:
             return self._ack(1, *self._pose(), *box3d(self._model.size), 0.1, 0.1)
-        return self._ack(7, max(0, int(self._model.fiducial_return))) if subtype == 7 else None
+        if subtype == 8:
+            self._loop.change(self._model.index, fiducial_return=float(values[0]))
+        own = self._loop.scene.models[self._model.index].fiducial_return
+        return self._ack(subtype, max(0, int(own))) if subtype in (7, 8) else None
 
     def data(self) -> Iterator[Datum]:
         marks = []
-        for mark in self._drive.marks()[self._nth(lambda each: each.fiducial_finder)].marks:
+        for mark in self._drive.marks(self._model.index)[0].marks:
             x, y = mark.metres * cos(radians(mark.degrees)), mark.metres * sin(radians(mark.degrees))
             marks.append((mark.number, x, y, 0.0, 0.0, 0.0, angle(mark.yaw), *(0.0,) * 6))
         yield self._datum(marks)
@@ -308,12 +335,14 @@ OPEN, CLOSED, MOVING = 1, 2, 3
 
 
 class Paddles(MountedDevice):
-    """A gripper that opens and closes. It takes nothing."""
+    """A gripper. What is between its paddles when they have closed is carried along."""
 
     interface = Interface.GRIPPER
 
-    def __init__(self, index: int, driver: str, model: Model, drive: VelocityDrive, scene: Scene) -> None:
-        super().__init__(index, driver, model, drive, scene)
+    def __init__(
+        self, index: int, driver: str, model: Model, drive: VelocityDrive, loop: VelocityLoop
+    ) -> None:
+        super().__init__(index, driver, model, drive, loop)
         assert model.gripper is not None
         self._wanted = CLOSED if model.gripper.closed else OPEN
         self._ticks_left = 0
@@ -322,6 +351,8 @@ class Paddles(MountedDevice):
         wanted = {1: OPEN, 2: CLOSED}.get(subtype, self._wanted)
         if wanted != self._wanted:
             self._wanted, self._ticks_left = wanted, round(1.0 / TICK)
+            if wanted == OPEN:
+                self._drive.release()
 
     def request(self, subtype: int, values: Values) -> bytes | None:  # noqa: ARG002 -- it has none
         if subtype != 1:
@@ -330,10 +361,14 @@ class Paddles(MountedDevice):
         return self._ack(1, *self._pose(), *outer, *outer, 2, 0)
 
     def step(self) -> None:
-        self._ticks_left = max(0, self._ticks_left - 1)
+        if self._ticks_left and not self._loop.is_paused:
+            self._ticks_left -= 1
+            if not self._ticks_left and self._wanted == CLOSED:
+                self._drive.grip()
 
     def data(self) -> Iterator[Datum]:
-        yield self._datum(MOVING if self._ticks_left else self._wanted, 0, 0)
+        outer, inner = self._drive.beams()
+        yield self._datum(MOVING if self._ticks_left else self._wanted, outer << 2 | inner << 3, 0)
 
 
 class SpeechDevice(Equipment):
@@ -384,17 +419,25 @@ class Whole(Equipment):
 
     interface = Interface.SIMULATION
 
-    def __init__(self, index: int, driver: str, loop: DriveLoop, scene: Scene) -> None:
+    def __init__(self, index: int, driver: str, loop: VelocityLoop) -> None:
         super().__init__(index, driver)
-        self._loop, self._scene = loop, scene
-        self._names = {_whole_name(model, scene): model for model in reversed(scene.models)}
+        self._loop = loop
+        models = loop.scene.models
+        self._names = {_whole_name(model, models): model.index for model in reversed(models)}
+
+    def command(self, subtype: int, values: Values) -> None:  # noqa: ARG002 -- it has none
+        if subtype == 1:
+            self._loop.is_paused = not self._loop.is_paused
+        elif subtype == 2:
+            self._loop.reset()
 
     def request(self, subtype: int, values: Values) -> bytes | None:
-        model = self._names.get(values[0]) if values else None
-        if subtype == 5:
-            return self._property(values, model)
-        if model is None:
+        index = self._names.get(values[0]) if values else None
+        if subtype in (5, 6):
+            return self._property(subtype, values, index)
+        if index is None:
             return None
+        model = self._loop.scene.models[index]
         try:
             match subtype:
                 case 1:
@@ -415,36 +458,36 @@ class Whole(Equipment):
     def _here(self, model: Model) -> MetricPose:
         if model.parent is None:
             return self._loop.pose(model.spoken_name)
-        local = relative(model.pose, self._scene.models[model.parent].pose)
+        local = relative(model.pose, self._loop.scene.models[model.parent].pose)
         return MetricPose(local.x, local.y, local.yaw)
 
-    def _property(self, values: Values, model: Model | None) -> bytes | None:
+    def _property(self, subtype: int, values: Values, index: int | None) -> bytes | None:
         """Numbers in the byte order of the clients."""
-        name, what, _, given = values
-        if what == "time" and len(given) == 8:
-            return self._ack(5, name, what, values[2], struct.pack("<Q", round(self._loop.time * 1e6)))
-        if what == "color" and len(given) == 16 and model is not None:
-            colour = model.colour
+        name, what, number, given = values
+        if what == "time" and len(given) == 8 and subtype == 5:
+            return self._ack(5, name, what, number, struct.pack("<Q", round(self._loop.time * 1e6)))
+        if what != "color" or len(given) != 16 or index is None:
+            return None
+        if subtype == 5:
+            colour = self._loop.scene.models[index].colour
             rgba = struct.pack("<ffff", colour.red, colour.green, colour.blue, colour.alpha)
-            return self._ack(5, name, what, values[2], rgba)
-        return None
+            return self._ack(5, name, what, number, rgba)
+        parts = struct.unpack("<ffff", given)
+        if not all(0.0 <= each <= 1.0 for each in parts):
+            return None
+        self._loop.change(index, colour=colour_of("", *parts))
+        return b""
 
 
-def _whole_name(model: Model, scene: Scene) -> str:
+def _whole_name(model: Model, models: Sequence[Model]) -> str:
     if model.parent is None:
         return model.name
-    return f"{_whole_name(scene.models[model.parent], scene)}.{model.name}"
+    return f"{_whole_name(models[model.parent], models)}.{model.name}"
 
 
 def angle(of_degrees: float) -> float:
     """In radians, above -pi and up to pi."""
     return radians(normal(of_degrees))
-
-
-def relative(inner: Placement, outer: Placement) -> Placement:
-    """Where something is in the frame of something else."""
-    ((x, y),) = seen_from(((inner.x, inner.y),), outer.x, outer.y, outer.yaw)
-    return Placement(x, y, inner.z - outer.z, inner.yaw - outer.yaw)
 
 
 def pose3d(place: Placement) -> tuple[float, ...]:

@@ -29,8 +29,8 @@ from donnie_tui.player.equipment import (
 )
 
 if TYPE_CHECKING:
-    from devices.ports.drive import DriveLoop
     from sim.scene import Model
+    from sim.velocity import VelocityLoop
     from sim.worldfile import Address, Configuration, Driver
 
 MOUNTED: Mapping[str, tuple[type[MountedDevice], Callable[[Model], object]]] = {
@@ -58,7 +58,7 @@ class BadConfiguration(Exception):
 class PortStation:
     """The devices of one port. See ``devices.player.connection.Station``."""
 
-    def __init__(self, port: int, loop: DriveLoop) -> None:
+    def __init__(self, port: int, loop: VelocityLoop) -> None:
         self.port = port
         self.devices: dict[Key, Equipment] = {}
         self.drivers: dict[Key, str] = {}
@@ -105,7 +105,7 @@ class Stations:
     """All ports of a configuration, and the world that they share."""
 
     def __init__(
-        self, found: Configuration, loop: DriveLoop, port: int, say: Callable[[str, str], object]
+        self, found: Configuration, loop: VelocityLoop, port: int, say: Callable[[str, str], object]
     ) -> None:
         """``port``: of what names no other. ``say``: a robot's name and what it says.
 
@@ -158,7 +158,7 @@ class Stations:
                 else None
             )
         if interface == "simulation":
-            return Whole(index, driver.name, self._loop, self._scene)
+            return Whole(index, driver.name, self._loop)
         if interface not in MOUNTED:
             return None
         kind, has = MOUNTED[interface]
@@ -171,7 +171,7 @@ class Stations:
                     break
                 if kind is WheelDevice and model.parent is not None:
                     kind = HeadDevice
-                return kind(index, driver.name, model, drive, self._scene)
+                return kind(index, driver.name, model, drive, self._loop)
         raise BadConfiguration("player-no-model", f"{interface}:{index}")
 
     def _tree(self, name: str) -> Iterator[Model]:

@@ -314,3 +314,138 @@ def test_angles_are_above_minus_pi_and_up_to_pi() -> None:
 
 def test_a_robot_within_two_centimetres_only_turns() -> None:
     assert towards(MetricPose(0.01, 0.01, 90), MetricPose()).ahead == 0.0
+
+
+HEADED = """
+define sonar sensor ( range [ 0 6 ] fov 1 )
+model ( name "wall" size [ 0.2 8 1 ] pose [ 3.1 0 0 0 ] )
+model ( name "left" size [ 8 0.2 1 ] pose [ 0 2.1 0 0 ] ranger_return 0.5 color "blue" )
+model ( name "can" size [ 0.15 0.1 0.3 ] pose [ 0.3 0 0 0 ]
+        gripper_return 1 obstacle_return 0 ranger_return -1 )
+position
+(
+  name "alice" size [ 0.3 0.3 0.3 ] fiducial_return 3
+  ranger ( sonar( pose [ 0 0 0 0 ] ) sonar( pose [ 0 0 0 -45 ] ) sonar( pose [ 0 0 0 45 ] )
+           sonar( pose [ 0 0 0 180 ] ) sonar( pose [ 0 0 0 -135 ] ) sonar( pose [ 0 0 0 135 ] ) )
+  position ( name "head" size [ 0.1 0.1 0.1 ] ranger ( sonar() )
+             blobfinder ( range 5 fov 60 image [ 80 60 ] colors_count 1 colors [ "green" ] ) )
+  fiducial ( range_max 8 range_max_id 5 fov 180 )
+  gripper ( pose [ 0.3 0 0 0 ] size [ 0.2 0.2 0.2 ] )
+)
+"""
+HEADED_CONFIGURATION = """
+driver ( name "stage" plugin "stageplugin" provides [ "7665:simulation:0" ] worldfile "room.world" )
+driver ( name "stage" model "alice" provides [ "7665:position2d:0" "7665:ranger:0" "7665:position2d:1"
+  "7665:ranger:1" "7665:gripper:0" "7665:blobfinder:0" "7665:fiducial:0" ] )
+"""
+
+
+@pytest.fixture
+def headed(tmp_path: Path) -> Stations:
+    return stations_of(write_room(tmp_path, HEADED_CONFIGURATION, HEADED))
+
+
+def rounds(client: Client, count: int) -> dict[tuple[int, int, int], Any]:
+    return [client.round() for _ in range(count)][-1]
+
+
+def test_what_is_mounted_on_a_head_turns_with_it(headed: Stations) -> None:
+    """The wall is 3 m ahead, another one 2 m to the left."""
+    client = Client(headed, (4, 1), (62, 1), (62, 0))
+    before = client.round()
+    client.command(4, 1, 2, 0.0, 0.0, pi / 2, 0.0, 0.0, 0.0, 1)
+    after = rounds(client, 20)
+
+    assert (before[62, 1, 1][0], after[62, 1, 1][0]) == (
+        pytest.approx([3.0], abs=0.01),
+        pytest.approx([2.0], abs=0.01),
+    )
+    assert before[62, 0, 1][0][:6] == pytest.approx(after[62, 0, 1][0][:6])
+
+
+def test_the_sonars_of_donnie_come_in_the_originals_order_with_the_heads_as_the_seventh(
+    headed: Stations,
+) -> None:
+    """Right ahead, ahead, left ahead, left behind, behind, right behind; 6 m is as far as they reach."""
+    [ranges] = Client(headed, (62, 0)).round()[62, 0, 1]
+
+    assert ranges == pytest.approx([3 * 2**0.5, 3, 2 * 2**0.5, 2 * 2**0.5, 6, 6, 3], abs=0.05)
+    poses = Client(headed).ask(62, 0, 1)[9]
+    assert [each[5] for each in poses] == pytest.approx([-pi / 4, 0, pi / 4, 3 * pi / 4, pi, -3 * pi / 4])
+
+
+def test_intensities_are_what_the_world_gives(headed: Stations) -> None:
+    [seen] = Client(headed, (62, 0)).round()[62, 0, 3]
+
+    assert seen == (1.0, 1.0, 0.5, 0.5, 0.0, 0.0, 1.0)
+
+
+def test_a_gripper_carries_what_it_has_closed_on(headed: Stations) -> None:
+    client = Client(headed, WHEELS, (3, 0))
+    assert client.round()[3, 0, 1] == (1, 1 << 3, 0)
+    client.command(3, 0, 2)
+    assert rounds(client, 12)[3, 0, 1] == (2, 1 << 2 | 1 << 3, 0)
+    client.command(*WHEELS, 1, -0.5, 0.0, 0.0, 1)
+    rounds(client, 10)
+    carried = client.ask(31, 0, 1, "can", 0.0, 0.0, 0.0)[1:3]
+    client.command(3, 0, 1)
+    left = rounds(client, 12)[3, 0, 1]
+
+    assert carried == pytest.approx((-0.2, 0.0))
+    assert client.ask(31, 0, 1, "can", 0.0, 0.0, 0.0)[1:3] == pytest.approx((-0.2, 0.0))
+    assert left == (1, 0, 0)
+
+
+def test_a_finder_sets_the_mark_that_its_own_robot_shows(stations: Stations) -> None:
+    client = Client(stations)
+
+    assert client.ask(10, 0, 8, 42) == (42,)
+    assert client.ask(10, 0, 7) == (42,)
+
+
+def test_a_colour_that_was_set_is_seen(headed: Stations) -> None:
+    client = Client(headed, (7, 0))
+    before = client.round()[7, 0, 1]
+    assert client.ask(31, 0, 6, "wall", "color", 0, struct.pack("<ffff", 0, 1, 0, 1)) == ()
+
+    [blob] = client.round()[7, 0, 1][2]
+    assert before == (80, 60, ())
+    assert blob[1] == 0x00FF00
+    assert client.ask(31, 0, 5, "wall", "color", 0, bytes(16))[3] == struct.pack("<ffff", 0, 1, 0, 1)
+
+
+@pytest.mark.parametrize(
+    ("name", "what", "value"),
+    [
+        ("missing", "color", bytes(16)),
+        ("wall", "color", bytes(12)),
+        ("wall", "color", struct.pack("<ffff", 2, 0, 0, 1)),
+        ("wall", "colour", bytes(16)),
+        ("wall", "time", bytes(8)),
+    ],
+)
+def test_a_property_that_cannot_be_set_is_refused(
+    headed: Stations, name: str, what: str, value: bytes
+) -> None:
+    assert Client(headed).ask(31, 0, 6, name, what, 0, value) is None
+
+
+def test_the_simulation_is_paused_and_resumed(headed: Stations) -> None:
+    client = Client(headed, WHEELS, (31, 0))
+    client.command(*WHEELS, 1, 0.5, 0.0, 0.0, 1)
+    client.command(31, 0, 1)
+    paused = rounds(client, 5)[4, 0, 1][0]
+    client.command(31, 0, 1)
+
+    assert paused == 0.0
+    assert rounds(client, 5)[4, 0, 1][0] == pytest.approx(0.25)
+
+
+def test_the_simulation_is_reset(stations: Stations) -> None:
+    client = Client(stations, WHEELS, (31, 0))
+    client.ask(31, 0, 2, "redbox", 2.0, 1.0, 0.5)
+    client.ask(31, 0, 2, "alice", 1.0, 1.0, 0.0)
+    client.command(31, 0, 2)
+
+    assert client.round()[4, 0, 1][:2] == pytest.approx((-2, 0))
+    assert client.ask(31, 0, 1, "redbox", 0.0, 0.0, 0.0)[1:] == pytest.approx((0, 0, 0))
