@@ -245,6 +245,8 @@ def _assembled(
 
     words = Words(settings.language, settings.verbosity)
     world = inhabited_world(settings.world, words, settings.include_folders, seed=settings.seed)
+    if world.challenge is not None:
+        settings = replace(settings, seed=world.challenge.rules.variant[0].seed)
     speech_wait, shared = SpeechWait(), World(world.scene, seed=settings.seed)
     team = make_team(settings, words, world, terminal, speech_wait=speech_wait, shared=shared)
     connection = Connection(settings, words, world, team.chosen, search=search)
@@ -383,24 +385,35 @@ MOST_STATEMENTS = 20_000
 """Statements after which a judged program counts as endless."""
 
 
+class Start(Struct, frozen=True):
+    """One of the starts of a challenge, with the world as it is there."""
+
+    challenge: Challenge
+    """With this start alone."""
+    world: ChosenWorld
+    room: Inventory
+
+
 def starts_of(
     challenge: Challenge, world: ChosenWorld, words: Words, settings: Settings
-) -> tuple[Challenge, ...]:
-    """The challenge from each of its starts alone. Without goals the end of its solution is the goal.
+) -> tuple[Start, ...]:
+    """All starts of a challenge. Without goals the end of its solution is the goal.
 
     Raises ``Unusable`` if the solution is needed and can't be read.
     """
     from donnie_tui.core.goals import goals_of_end
 
-    rules = challenge.rules
-    starts = tuple(replace(challenge, rules=replace(rules, variant=(each,))) for each in rules.variant)
-    if rules.goal:
-        return starts
-    solution = solution_of(challenge, world, words)
-    ends = (goals_of_end(*_try_from(each, solution, world, words, settings)) for each in starts)
-    return tuple(
-        replace(each, rules=replace(each.rules, goal=goals)) for each, goals in zip(starts, ends, strict=True)
-    )
+    rules, starts = challenge.rules, list[Start]()
+    solution = {} if rules.goal else solution_of(challenge, world, words)
+    for each in rules.variant:
+        there = started_at(world, each, words, settings.include_folders)
+        own = replace(challenge, rules=replace(rules, variant=(each,)))
+        start = Start(own, there, inventory_of(there.scene))
+        if not rules.goal:
+            goals = goals_of_end(start.room, _try_from(start, solution, words, settings))
+            start = replace(start, challenge=replace(own, rules=replace(own.rules, goal=goals)))
+        starts.append(start)
+    return tuple(starts)
 
 
 Programs: TypeAlias = str | Mapping[str, str]
@@ -421,7 +434,7 @@ def solution_of(challenge: Challenge, world: ChosenWorld, words: Words) -> dict[
 
 
 def judge_program(
-    programs: Programs, starts: Sequence[Challenge], world: ChosenWorld, words: Words, settings: Settings
+    programs: Programs, starts: Sequence[Start], words: Words, settings: Settings
 ) -> tuple[Judgment, ...]:
     """The outcome from each start of a challenge, in a world of its own; nothing of it is printed.
 
@@ -432,15 +445,13 @@ def judge_program(
     """
     from donnie_tui.core.goals import judge
 
-    return tuple(judge(each, *_try_from(each, programs, world, words, settings)) for each in starts)
+    return tuple(
+        judge(each.challenge, each.room, _try_from(each, programs, words, settings)) for each in starts
+    )
 
 
 def judge_events(
-    events: Sequence[Stamped],
-    starts: Sequence[Challenge],
-    world: ChosenWorld,
-    words: Words,
-    settings: Settings,
+    events: Sequence[Stamped], starts: Sequence[Start], words: Words, settings: Settings
 ) -> tuple[Judgment, ...]:
     """Of what happened from the start of a challenge where the robot stood first.
 
@@ -448,8 +459,8 @@ def judge_events(
     """
     from donnie_tui.core.goals import judge, last_try
 
-    rooms = [inventory_of(started_at(world, each.rules.variant[0]).scene) for each in starts]
-    first = world.scene.robot_names[0]
+    rooms = [each.room for each in starts]
+    first = starts[0].world.scene.robot_names[0]
     stood, texts = dict[str, Pose](), dict[str, str]()
     for each in last_try(tuple(events)):
         how = each.event.how if isinstance(each.event, RunStarted) else None
@@ -458,22 +469,19 @@ def judge_events(
             stood.setdefault(robot, how.pose)
             texts[robot] = f"{texts[robot]}\n{how.text}" if robot in texts else how.text
     at = next((at for at, room in enumerate(rooms) if stood.items() <= room.robots.items()), 0)
-    here = judge(starts[at], rooms[at], events)
+    here = judge(starts[at].challenge, rooms[at], events)
     if not here.is_solved:
         return (here,)
-    others = judge_program(texts, [*starts[:at], *starts[at + 1 :]], world, words, settings)
+    others = judge_program(texts, [*starts[:at], *starts[at + 1 :]], words, settings)
     return (*others[:at], here, *others[at:])
 
 
-def _try_from(
-    start: Challenge, programs: Programs, world: ChosenWorld, words: Words, settings: Settings
-) -> tuple[Inventory, list[Stamped]]:
-    """What there is in the world of that start, and what the programs do there."""
+def _try_from(start: Start, programs: Programs, words: Words, settings: Settings) -> list[Stamped]:
+    """What the programs do in the world of that start."""
     from donnie_tui.core.runner import Run, RunRequest
 
-    (variant,) = start.rules.variant
-    settings, world = replace(settings, speed=None, seed=variant.seed), started_at(world, variant)
-    team = make_team(settings, words, world, terminal=False)
+    settings = replace(settings, speed=None, seed=start.challenge.rules.variant[0].seed)
+    team = make_team(settings, words, start.world, terminal=False)
     events, first = list[Stamped](), team.chosen_name
 
     def note(stamped: Stamped) -> None:
@@ -496,7 +504,7 @@ def _try_from(
     for each in team.start_together(requests, prepare=limit):
         each.wait()
     team.close()
-    return inventory_of(world.scene), events
+    return events
 
 
 def open_workspace(state_folder: str) -> Workspace:

@@ -496,11 +496,11 @@ class _Judging:
 
     def verdicts(self, programs: Programs) -> tuple[Judgment, ...]:
         """One for each start."""
-        return judge_program(programs, self._starts, self.world, self._words, self._order.settings)
+        return judge_program(programs, self._starts, self._words, self._order.settings)
 
     def _solves(self, programs: Programs) -> bool:
         """Whether they do from every start; asks no further where one fails."""
-        run = partial(judge_program, world=self.world, words=self._words, settings=self._order.settings)
+        run = partial(judge_program, words=self._words, settings=self._order.settings)
         return all(run(programs, (start,))[0].is_solved for start in self._starts)
 
     def verdicts_of(self, path: str, recorded: Sequence[Stamped]) -> tuple[Judgment, ...]:
@@ -510,7 +510,7 @@ class _Judging:
         if other is not None:
             wanted = self.world.name
             raise Unusable(self._words("challenge-other-world", path=path, world=other, wanted=wanted))
-        return judge_events(recorded, self._starts, self.world, self._words, self._order.settings)
+        return judge_events(recorded, self._starts, self._words, self._order.settings)
 
     def spare_line(self, solution: Mapping[str, str]) -> tuple[str, int] | None:
         """The robot and the line of the first command that a solution does not need; None if it needs all."""

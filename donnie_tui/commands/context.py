@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
-from donnie_tui.bootstrap import Donnie, judge_events, judge_program, solution_of, starts_of
+from donnie_tui.bootstrap import Donnie, Start, judge_events, judge_program, solution_of, starts_of
 from donnie_tui.commands.declarations import BY_NAME
 from donnie_tui.commands.interaction import Interaction, Screen
 from donnie_tui.commands.lookup import word_of
@@ -223,7 +223,7 @@ class Attempt:
         """Of what was done from the first start."""
         from donnie_tui.core.goals import judge
 
-        return judge(self._starts[0], self.room, self._happened(), self._no_answers)
+        return judge(self._starts[0].challenge, self.room, self._happened(), self._no_answers)
 
     @property
     def _no_answers(self) -> Mapping[int, bool] | None:
@@ -235,7 +235,7 @@ class Attempt:
         return tuple(self._events) or (Stamped(0, 0.0, Reset(self._donnie.session.pose)),)
 
     @cached_property
-    def _starts(self) -> tuple[Challenge, ...]:
+    def _starts(self) -> tuple[Start, ...]:
         donnie = self._donnie
         return starts_of(self.challenge, donnie.world, donnie.words, self._preferences.settings)
 
@@ -247,7 +247,7 @@ class Attempt:
             solution = solution_of(self.challenge, donnie.world, donnie.words)
         except Unusable:
             return 0
-        return judge_program(solution, self._starts[:1], donnie.world, donnie.words, settings)[0].steps
+        return judge_program(solution, self._starts[:1], donnie.words, settings)[0].steps
 
     def judge(self) -> tuple[str, ...]:
         """What there is to say after a run, which is kept as a try.
@@ -258,8 +258,8 @@ class Attempt:
         donnie, settings = self._donnie, self._preferences.settings
         if self._no_answers is None:
             happened = self._happened()
-            return self._verdict(judge_events(happened, self._starts, donnie.world, donnie.words, settings))
-        goals = enumerate(self._starts[0].rules.goal)
+            return self._verdict(judge_events(happened, self._starts, donnie.words, settings))
+        goals = enumerate(self._starts[0].challenge.rules.goal)
         self.unsensed = {at: goal for at, goal in goals if not goal.is_sensed}
         if not self.unsensed:
             return self.judge_answered({})
@@ -271,7 +271,7 @@ class Attempt:
         from donnie_tui.core.goals import judge
 
         self.unsensed = {}
-        return self._verdict((judge(self._starts[0], self.room, self._happened(), answers),))
+        return self._verdict((judge(self._starts[0].challenge, self.room, self._happened(), answers),))
 
     def _verdict(self, verdicts: Sequence[Judgment]) -> tuple[str, ...]:
         from donnie_tui.core.describe import verdict_in_words

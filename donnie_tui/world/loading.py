@@ -93,8 +93,8 @@ class ChosenWorld(Struct, frozen=True):
     """What there is to do in it."""
     is_rebuilt: bool = False
     """Whether things were added, moved or removed: its author's words don't count any more."""
-    before_moves: Scene | None = None
-    """The scene as its file says, where a challenge moved things in it."""
+    before_moves: ChosenWorld | None = None
+    """The world as its file says, where a challenge moved things in it."""
     text: str = ""
     """What its file would be where Donnie changed it: a robot was put in, or things were scattered."""
     is_robot_put_in: bool = False
@@ -227,7 +227,7 @@ def world_of(found: Challenge, words: Words, folders: tuple[str, ...] = ()) -> C
 
 def _with_challenge(found: Challenge, words: Words, folders: tuple[str, ...]) -> ChosenWorld:
     world = world_of(found, words, folders)
-    return replace(started_at(world, found.rules.variant[0]), challenge=found)
+    return replace(started_at(world, found.rules.variant[0], words, folders), challenge=found)
 
 
 def _in_a_file(name: str, words: Words, folders: tuple[str, ...], unknown: str) -> ChosenWorld:
@@ -332,8 +332,11 @@ def with_robot(world: ChosenWorld, words: Words, folders: tuple[Path, ...]) -> C
 
 
 def scattered_by(seed: int, world: ChosenWorld, words: Words, folders: tuple[Path, ...]) -> ChosenWorld:
-    """The world with its things where the seed puts them, if it asks for that. Raises ``Unusable``."""
-    if not seed or "scatter" not in world.scene.settings:
+    """The world with its things where the seed puts them, if it asks for that. Raises ``Unusable``.
+
+    A challenge has a seed of its own for each start.
+    """
+    if not seed or "scatter" not in world.scene.settings or world.challenge is not None:
         return world
 
     from pathlib import Path
@@ -344,7 +347,7 @@ def scattered_by(seed: int, world: ChosenWorld, words: Words, folders: tuple[Pat
 
     path = Path(world.path)
     try:
-        text = scattered(read_program(path), world.scene, path, folders, seed)
+        text = scattered(world.text or read_program(path), world.scene, path, folders, seed)
         scene = replace(load_text(text, path, allowed=folders), robots=world.scene.robots)
     except DocumentError as error:
         raise Unusable(words(error.code, path=error.path, reason=error.reason)) from None
@@ -424,12 +427,16 @@ def moved_to(scene: Scene, places: tuple[PlacedThing, ...]) -> Scene:
     return moved(scene, now)
 
 
-def started_at(world: ChosenWorld, variant: Variant) -> ChosenWorld:
-    """The world with its first robot and its things as the variant says."""
+def started_at(
+    world: ChosenWorld, variant: Variant, words: Words, folders: tuple[str, ...] = ()
+) -> ChosenWorld:
+    """The world with its first robot and its things as the variant and its seed say. Raises ``Unusable``."""
     from sim.geometry import Placement
     from sim.scene import moved
 
-    scene = world.before_moves or world.scene
+    plain = world.before_moves or world
+    world = scattered_by(variant.seed, replace(plain, challenge=None), words, allowed_folders(folders))
+    scene = world.scene
     models, places = scene.models, dict[int, Placement]()
     robots = dict(zip(scene.robot_names, scene.robots, strict=True))
     for name, (x, y) in variant.things.items():
@@ -441,7 +448,7 @@ def started_at(world: ChosenWorld, variant: Variant) -> ChosenWorld:
         first = scene.robots[0]
         x, y, heading = variant.place
         places[first] = Placement(x * STEP, y * STEP, models[first].pose.z, 90.0 - heading)
-    return replace(world, scene=moved(scene, places), before_moves=scene)
+    return replace(world, scene=moved(scene, places), before_moves=plain)
 
 
 def inventory_of(scene: Scene) -> Inventory:

@@ -533,3 +533,35 @@ def test_a_challenge_without_its_world_is_one_line(
     assert exit_code_of_test(tmp_path, "FW 3", ("first_room", world)) == 2
     (line,) = capsys.readouterr().err.splitlines()
     assert said in line
+
+
+SCATTERED = """\
+format = 1
+world = "wild_garden"
+[en]
+title = "T"
+task = "Do."
+[[goal]]
+said = {}
+[[variant]]
+seed = {}
+"""
+
+
+@pytest.mark.parametrize("seed", [3, 8])
+def test_the_seed_of_a_start_puts_the_things_of_the_world(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], seed: int
+) -> None:
+    """As the same seed puts them without a challenge: in a session, in a folder, and as it is run again."""
+    program, file, kept = tmp_path / "p.gd", tmp_path / "it.toml", tmp_path / "kept.jsonl"
+    program.write_text("SPEAK DISTANCE F")
+    main(["run", str(program), "--world", "wild_garden", "--seed", str(seed), "--lang", "en"])
+    said = capsys.readouterr().out.strip()
+    assert said != "19"  # where nothing is scattered: the wall is 20.5 steps from the middle of a robot 3 wide
+    file.write_text(SCATTERED.format(said, seed), encoding="utf-8")
+
+    assert main(["challenge", "check", str(file), str(program)]) == 0
+    assert main(["run", str(program), "--world", f"challenge:{file}", "--record", str(kept)]) == 0
+    assert f"\n{said}\n" in f"\n{capsys.readouterr().out}"
+    assert main(["replay", str(kept), "--check"]) == 0
+    assert main(["replay", str(kept), "--challenge", str(file)]) == 0

@@ -72,7 +72,7 @@ def verdicts_of(name: str) -> dict[str, str]:
     for what, program in mistakes(found.solution.read_text(encoding="utf-8")):
         judged: list[Judgment] = []
         for start in starts:
-            judged += judge_program(program, (start,), world, words, settings)
+            judged += judge_program(program, (start,), words, settings)
             if not judged[-1].is_solved:
                 break
         is_solved = judged[-1].is_solved
@@ -102,10 +102,10 @@ def test_what_solves_one_start_of_a_looking_challenge_does_not_solve_the_others(
     found, words, settings = challenges.find(name), Words("en"), Settings()
     world, solution = choose_world(found.world, words), found.solution.read_text(encoding="utf-8")
     for start in starts_of(found, world, words, settings):
-        _, events = _try_from(start, solution, world, words, settings)
+        events = _try_from(start, solution, words, settings)
         blind = "\n".join(commands(each.event for each in events))
         free = replace(found, rules=replace(found.rules, required=()))
-        verdicts = judge_program(blind, starts_of(free, world, words, settings), world, words, settings)
+        verdicts = judge_program(blind, starts_of(free, world, words, settings), words, settings)
         assert any(each.is_solved for each in verdicts)
         assert not all(each.is_solved for each in verdicts), blind
 
