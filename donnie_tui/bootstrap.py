@@ -54,7 +54,7 @@ from donnie_tui.world.loading import (
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from donnie_tui.core.goals import Inventory, Judgment
+    from donnie_tui.core.goals import Inventory, Judgment, Unsensed
     from donnie_tui.core.program_files import FilesInUse
     from donnie_tui.world.building import Building
     from sim.picture import Picture
@@ -451,11 +451,15 @@ def judge_program(
 
 
 def judge_events(
-    events: Sequence[Stamped], starts: Sequence[Start], words: Words, settings: Settings
+    events: Sequence[Stamped],
+    starts: Sequence[Start],
+    words: Words,
+    settings: Settings,
+    answers: Mapping[Unsensed, bool] | None = None,
 ) -> tuple[Judgment, ...]:
     """Of what happened from the start of a challenge where the robot stood first.
 
-    Where that solves it, all that ran must solve it from the other starts, too.
+    Where that solves it, all that ran must solve it from the other starts, too. ``answers``: as ``judge``.
     """
     from donnie_tui.core.goals import judge, last_try
 
@@ -469,7 +473,7 @@ def judge_events(
             stood.setdefault(robot, how.pose)
             texts[robot] = f"{texts[robot]}\n{how.text}" if robot in texts else how.text
     at = next((at for at, room in enumerate(rooms) if stood.items() <= room.robots.items()), 0)
-    here = judge(starts[at].challenge, rooms[at], events)
+    here = judge(starts[at].challenge, rooms[at], events, answers)
     if not here.is_solved:
         return (here,)
     others = judge_program(texts, [*starts[:at], *starts[at + 1 :]], words, settings)

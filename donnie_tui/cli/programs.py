@@ -25,7 +25,7 @@ from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.streams import Output
 from donnie_tui.core.describe import verdict_in_words
 from donnie_tui.core.events import RunStarted, Stamped
-from donnie_tui.core.goals import Judgment, folded
+from donnie_tui.core.goals import Judgment, Unsensed, folded
 from donnie_tui.core.program_files import (
     LARGEST,
     DocumentError,
@@ -271,10 +271,12 @@ def check_challenge(order: Order, name: str, files: Sequence[str]) -> int:
     return max(code for code, _ in records)
 
 
-def judge_recording(order: Order, name: str, recorded: Sequence[Stamped]) -> int:
-    """Judge what was recorded; 1 if it does not solve the challenge."""
+def judge_recording(order: Order, name: str, recorded: Sequence[Stamped], *, is_simulated: bool) -> int:
+    """Judge a recording, of a real robot only what it can sense; 1 if it does not solve the challenge."""
     judging = _Judging(order, choose_challenge(name, order.words))
-    verdicts = judging.verdicts_of(order.invocation.arguments.file, tuple(recorded))
+    verdicts = judging.verdicts_of(
+        order.invocation.arguments.file, tuple(recorded), None if is_simulated else {}
+    )
     order.output.line(judging.sentences(verdicts))
     return ExitCode.DONE if all(each.is_solved for each in verdicts) else ExitCode.FAILED
 
@@ -503,14 +505,16 @@ class _Judging:
         run = partial(judge_program, words=self._words, settings=self._order.settings)
         return all(run(programs, (start,))[0].is_solved for start in self._starts)
 
-    def verdicts_of(self, path: str, recorded: Sequence[Stamped]) -> tuple[Judgment, ...]:
+    def verdicts_of(
+        self, path: str, recorded: Sequence[Stamped], answers: Mapping[Unsensed, bool] | None
+    ) -> tuple[Judgment, ...]:
         """Of a recording. Raises ``Unusable`` if it is of another world."""
         began = (each.event.world for each in recorded if isinstance(each.event, RunStarted))
         other = next((each for each in began if each != self.world.name), None)
         if other is not None:
             wanted = self.world.name
             raise Unusable(self._words("challenge-other-world", path=path, world=other, wanted=wanted))
-        return judge_events(recorded, self._starts, self._words, self._order.settings)
+        return judge_events(recorded, self._starts, self._words, self._order.settings, answers)
 
     def spare_line(self, solution: Mapping[str, str]) -> tuple[str, int] | None:
         """The robot and the line of the first command that a solution does not need; None if it needs all."""

@@ -116,7 +116,8 @@ def replay(order: Order) -> int:
         if arguments.check:
             return run_again(order, recording)
         if arguments.challenge is not None:
-            return judge_recording(order, arguments.challenge, recording.events)
+            is_simulated = recording.header is None or recording.header.robot == SIMULATED
+            return judge_recording(order, arguments.challenge, recording.events, is_simulated=is_simulated)
         if arguments.svg is not None or arguments.png is not None:
             return _draw(order, recording, closing)
         telling = _Player(order, recording, closing)

@@ -42,13 +42,13 @@ from donnie_tui.settings.folders import PROGRESS, state_path
 
 if TYPE_CHECKING:
     from donnie_tui.core.document import Document
-    from donnie_tui.core.goals import Judgment
+    from donnie_tui.core.goals import Judgment, Unsensed
     from donnie_tui.core.line_history import LineHistory
     from donnie_tui.core.map_grid import MapGrid
     from donnie_tui.core.program_files import Attempted, ProgressFile
     from donnie_tui.core.questions import Asked
     from donnie_tui.core.workspace import Workspace
-    from worlds.challenges import Challenge, Goal
+    from worlds.challenges import Challenge, Rules
 
 MOST_AT_ONCE = 18
 """Lines of a list that are said without their number before."""
@@ -194,8 +194,8 @@ class Attempt:
         self._events: deque[Stamped] = deque(maxlen=self.MOST_EVENTS)
         self.has_questions = False
         """Whether the last run is followed by questions that were not asked yet."""
-        self.unsensed: dict[int, Goal] = {}
-        """After a run of a real robot, the goals that it can't sense, by their places in the file."""
+        self.unsensed: tuple[Unsensed, ...] = ()
+        """After a run of a real robot, what it can't sense and the learner was not asked yet."""
         self._tried: Attempted | None = None
         """The last run, until it is written."""
         self._unsubscribe = donnie.team.stream.subscribe(self._on_event)
@@ -226,13 +226,18 @@ class Attempt:
         return judge(self._starts[0].challenge, self.room, self._happened(), self._no_answers)
 
     @property
-    def _no_answers(self) -> Mapping[int, bool] | None:
+    def _no_answers(self) -> Mapping[Unsensed, bool] | None:
         """None unless the robot is one that knows no things around it."""
         connection = self._donnie.connection
         return {} if connection.is_real or connection.is_board else None
 
     def _happened(self) -> tuple[Stamped, ...]:
         return tuple(self._events) or (Stamped(0, 0.0, Reset(self._donnie.session.pose)),)
+
+    @property
+    def rules(self) -> Rules:
+        """With the goals of the first start, which the end of the solution may be."""
+        return self._starts[0].challenge.rules
 
     @cached_property
     def _starts(self) -> tuple[Start, ...]:
@@ -253,25 +258,24 @@ class Attempt:
         """What there is to say after a run, which is kept as a try.
 
         A program that solves the challenge from the first start must solve it from the others, too. Where a
-        real robot can't sense all goals, the learner is asked first.
+        real robot can't sense everything, the learner is asked first.
         """
-        donnie, settings = self._donnie, self._preferences.settings
-        if self._no_answers is None:
-            happened = self._happened()
-            return self._verdict(judge_events(happened, self._starts, donnie.words, settings))
-        goals = enumerate(self._starts[0].challenge.rules.goal)
-        self.unsensed = {at: goal for at, goal in goals if not goal.is_sensed}
+        from donnie_tui.core.goals import unsensed
+
+        self.unsensed = unsensed(self.rules) if self._no_answers is not None else ()
         if not self.unsensed:
-            return self.judge_answered({})
+            return self.judge_answered(self._no_answers)
         self.has_questions = True
-        return (donnie.words("goals-asked"),)
+        return (self._donnie.words("goals-asked"),)
 
-    def judge_answered(self, answers: Mapping[int, bool]) -> tuple[str, ...]:
-        """As ``judge``, with what the learner said about the goals that the robot can't sense."""
-        from donnie_tui.core.goals import judge
+    def judge_answered(self, answers: Mapping[Unsensed, bool] | None) -> tuple[str, ...]:
+        """As ``judge``, with what the learner said about what the robot can't sense.
 
-        self.unsensed = {}
-        return self._verdict((judge(self._starts[0].challenge, self.room, self._happened(), answers),))
+        The other starts are those of the simulated world.
+        """
+        self.unsensed = ()
+        words, settings = self._donnie.words, self._preferences.settings
+        return self._verdict(judge_events(self._happened(), self._starts, words, settings, answers))
 
     def _verdict(self, verdicts: Sequence[Judgment]) -> tuple[str, ...]:
         from donnie_tui.core.describe import verdict_in_words

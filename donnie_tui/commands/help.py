@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from donnie_tui.commands.context import Attempt
+    from donnie_tui.core.goals import Unsensed
     from donnie_tui.core.program_files import Attempted
 
 _KEY_LINES = ("enter", "run", "stop", "past", "line", "word", "clear", "tab", "leave")
@@ -277,15 +278,16 @@ async def questions(ctx: Context, _: str) -> None:
 
 
 async def _ask_about_goals(ctx: Context, attempt: Attempt) -> None:
-    """Those that a real robot can't sense; then the verdict."""
-    from donnie_tui.core.questions import goal_question
+    """Those, and the rules, that a real robot can't sense; then the verdict."""
+    from donnie_tui.core.questions import unsensed_question
 
-    answers = dict[int, bool]()
-    for at, goal in attempt.unsensed.items():
-        answer = await ctx.interaction.confirm(goal_question(goal, attempt.room, ctx.words))
+    answers: dict[Unsensed, bool] = {}
+    for each in attempt.unsensed:
+        question = unsensed_question(each, attempt.rules, attempt.room, ctx.words)
+        answer = await ctx.interaction.confirm(question)
         if answer is None:
             break
-        answers[at] = answer
+        answers[each] = answer
     ctx.say(*attempt.judge_answered(answers))
 
 

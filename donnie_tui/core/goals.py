@@ -143,6 +143,15 @@ class Shortfall(Struct, frozen=True):
     values: Mapping[str, object]
 
 
+class Unsensed(Struct, frozen=True):
+    """A goal or a rule that a real robot can't know; the learner is asked about it."""
+
+    rule: str
+    """``goal``, or ``touch`` and ``near`` for what the robot must not do."""
+    at: int
+    """Its place in the file."""
+
+
 class Judgment(Struct, frozen=True):
     """The outcome of a run for a challenge."""
 
@@ -167,22 +176,19 @@ def judge(
     challenge: Challenge,
     room: Inventory,
     events: Iterable[Stamped],
-    answers: Mapping[int, bool] | None = None,
+    answers: Mapping[Unsensed, bool] | None = None,
 ) -> Judgment:
     """What the runs did for the challenge since the robots were put to their starts the last time.
 
-    ``answers``: of a real robot, what the learner said about the goals that it can't sense, by their places
-    in the file. Nothing is known then of what it touched or was near to.
+    ``answers``: of a real robot, what the learner said about what it can't sense.
     """
     track, rules = track_of(room, events), challenge.rules
     missing = [
         _missing(goal, room, track)
         if answers is None or goal.is_sensed or not track.has_run
-        else _answered(answers.get(at), at + 1)
+        else _answered(answers.get(Unsensed("goal", at)), at + 1)
         for at, goal in enumerate(rules.goal)
     ]
-    if answers is not None:
-        rules = replace(rules, never=replace(rules.never, touch=(), near=()))
     failed = [each for each in missing if each is not None]
     return Judgment(
         len(missing),
@@ -194,12 +200,19 @@ def judge(
             *_ended_badly(track),
             *_of_words(challenge, track),
             *failed,
-            *_forbidden(rules, room, track),
+            *_forbidden(rules, room, track, answers),
             *_over_limit(rules, track),
         ),
         tuple(missing),
         round(track.seconds),
     )
+
+
+def unsensed(rules: Rules) -> tuple[Unsensed, ...]:
+    """What a real robot can't know of all that a challenge asks for."""
+    goals = (Unsensed("goal", at) for at, goal in enumerate(rules.goal) if not goal.is_sensed)
+    touched = (Unsensed("touch", at) for at in range(len(rules.never.touch)))
+    return (*goals, *touched, *(Unsensed("near", at) for at in range(len(rules.never.near))))
 
 
 def goals_of_end(room: Inventory, events: Iterable[Stamped]) -> tuple[Goal, ...]:
@@ -544,10 +557,15 @@ def _lesson_of(word: str | None, now: str) -> int:
     return 0
 
 
-def _forbidden(rules: Rules, room: Inventory, track: Track) -> Iterable[Shortfall]:
+def _forbidden(
+    rules: Rules, room: Inventory, track: Track, answers: Mapping[Unsensed, bool] | None
+) -> Iterable[Shortfall]:
     moves = [each for each in track.events if isinstance(each, Moved | Turned)]
     if rules.never.bump and track.bumps:
         yield Shortfall("never-bump", {"times": track.bumps})
+    if answers is not None:
+        yield from _answered_rules(rules, track, answers)
+        return
     for name in rules.never.touch:
         wanted = room.called(name)
         touched = [(each.met.kind, each.met.name) for each in moves if each.met is not None]
@@ -558,6 +576,17 @@ def _forbidden(rules: Rules, room: Inventory, track: Track) -> Iterable[Shortfal
         gap = min(smallest_gap(name, room, way) for way in track.ways.values())
         if gap < rules.never.within:
             yield Shortfall("never-near", {"target": name, "most": round(rules.never.within)})
+
+
+def _answered_rules(rules: Rules, track: Track, answers: Mapping[Unsensed, bool]) -> Iterable[Shortfall]:
+    """What the learner said about the things that a real robot must not touch or come near to."""
+    for each in unsensed(rules) if track.has_run else ():
+        answer = answers.get(each)
+        if each.rule == "goal" or answer is False:
+            continue
+        target = (rules.never.touch if each.rule == "touch" else rules.never.near)[each.at]
+        code = "never-asked" if answer is None else f"never-{each.rule}"
+        yield Shortfall(code, {"target": target, "most": round(rules.never.within)})
 
 
 def _over_limit(rules: Rules, track: Track) -> Iterable[Shortfall]:

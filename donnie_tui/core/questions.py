@@ -13,10 +13,10 @@ from msgspec.structs import replace
 
 from devices.ports.robot import Pose
 from donnie_tui.core.describe import target_in_words
-from donnie_tui.core.goals import Inventory, Item, Track, bearing, gap_to
+from donnie_tui.core.goals import Inventory, Item, Track, Unsensed, bearing, gap_to
 from donnie_tui.core.wording import COMPASS, Wording, called, coloured, meant, the_coloured
 from language import keywords
-from worlds.challenges import Ask, ChallengeQuestion, Goal
+from worlds.challenges import Ask, ChallengeQuestion, Rules
 
 TOLERANCES = {Ask.DIRECTION: 30.0, Ask.DISTANCE: 2.0}
 """Degrees and steps that an answer may be off by where the challenge doesn't say; else nothing."""
@@ -136,8 +136,13 @@ class Asked(Struct, frozen=True):
         return sorted(range(1, len(gaps) + 1), key=lambda number: gaps[number - 1])
 
 
-def goal_question(goal: Goal, room: Inventory, wording: Wording) -> str:
-    """Whether a goal is met, for the learner of a robot that can't sense it."""
+def unsensed_question(asked: Unsensed, rules: Rules, room: Inventory, wording: Wording) -> str:
+    """Whether a goal is met or a rule was broken, for the learner of a robot that can't sense it."""
+    if asked.rule != "goal":
+        name = (rules.never.touch if asked.rule == "touch" else rules.never.near)[asked.at]
+        values = {"target": target_in_words(name, room, wording), "most": round(rules.never.within)}
+        return wording(f"never-ask-{asked.rule}", **values)
+    goal = rules.goal[asked.at]
     listed = ", ".join(goal.robots or ()) or ", ".join(
         target_in_words(each, room, wording) for each in goal.targets if each != goal.at or goal.kind == "at"
     )

@@ -557,7 +557,9 @@ def test_the_seed_of_a_start_puts_the_things_of_the_world(
     program.write_text("SPEAK DISTANCE F")
     main(["run", str(program), "--world", "wild_garden", "--seed", str(seed), "--lang", "en"])
     said = capsys.readouterr().out.strip()
-    assert said != "19"  # where nothing is scattered: the wall is 20.5 steps from the middle of a robot 3 wide
+    assert (
+        said != "19"
+    )  # where nothing is scattered: the wall is 20.5 steps from the middle of a robot 3 wide
     file.write_text(SCATTERED.format(said, seed), encoding="utf-8")
 
     assert main(["challenge", "check", str(file), str(program)]) == 0
@@ -565,3 +567,16 @@ def test_the_seed_of_a_start_puts_the_things_of_the_world(
     assert f"\n{said}\n" in f"\n{capsys.readouterr().out}"
     assert main(["replay", str(kept), "--check"]) == 0
     assert main(["replay", str(kept), "--challenge", str(file)]) == 0
+
+
+def test_of_a_recorded_real_robot_only_what_it_senses_is_judged(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    program, kept = tmp_path / "p.gd", tmp_path / "kept.jsonl"
+    program.write_text("FW DISTANCE F - 1")
+    main(["run", str(program), "--world", "challenge:to_the_cone", "--record", str(kept)])
+    kept.write_text(kept.read_text().replace('"robot":"sim"', '"robot":"serial:/dev/robot"', 1))
+    capsys.readouterr()
+
+    assert main(["replay", str(kept), "--challenge", "to_the_cone", "--lang", "en"]) == 1
+    assert capsys.readouterr().out.startswith("0 of 1 goal. I can't sense goal 1.")

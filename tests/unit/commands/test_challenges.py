@@ -262,16 +262,24 @@ holds = "ball"
 [never]
 touch = ["ball"]
 near = ["chair"]
-within = 100
+within = 3
 """
 
 
 @pytest.mark.parametrize(
     ("answers", "verdict"),
     [
-        (["yes", "yes"], "Solved, in 2 commands."),
-        (["yes", "no"], "2 of 3 goals. You answered no to goal 3."),
-        (["no"], "1 of 3 goals. You answered no to goal 1. I can't sense goal 3."),
+        (["yes", "yes", "no", "no"], "Solved, in 2 commands."),
+        (["yes", "no", "no", "no"], "2 of 3 goals. You answered no to goal 3."),
+        (["yes", "yes", "yes", "no"], "3 of 3 goals. You touched the ball."),
+        (
+            ["yes", "yes", "no", "yes"],
+            "3 of 3 goals. You come nearer than 3 steps to the chair.",
+        ),
+        (
+            ["no"],
+            "1 of 3 goals. You answered no to goal 1. I can't sense goal 3. I can't sense this: ball.",
+        ),
     ],
 )
 def test_a_real_robot_asks_about_the_goals_that_it_can_not_sense(
@@ -294,8 +302,13 @@ def test_a_real_robot_asks_about_the_goals_that_it_can_not_sense(
         "Goal 3: I can't sense goal 3.",
     ]
     assert script.answers_to("QUESTIONS") == [verdict]
-    asked = ["Is the robot there: ball?", "Does the robot hold this: ball?"]
-    assert script.interaction.asked[-2:] == asked
+    asked = [
+        "Is the robot there: ball?",
+        "Does the robot hold this: ball?",
+        "Did the robot touch this: ball?",
+    ]
+    asked += ["Was it nearer than 3 steps: chair?"]
+    assert script.interaction.asked[-4:][: len(answers) + 1] == asked[: len(answers) + 1]
     assert script.answers_to("RESULTS")[0] == f"{int('Solved' in verdict)} of 1 solved."
 
 
@@ -307,3 +320,14 @@ def test_a_real_robot_is_judged_at_once_by_what_it_can_sense(
 
     assert "0 of 1 goal. You stop 1 step south of 0, 5." in script.answers_to("FW 4")
     assert "Solved, in 2 commands." in script.answers_to("FW 1")
+
+
+def test_what_a_real_robot_solved_must_be_solved_from_the_other_starts_in_simulation(
+    open_script: OpenScript, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file = tmp_path / "it.toml"
+    file.write_text(ASKING.split("[[question]]")[0] + "[[variant]]\n[[variant]]\nstart = [0, 0, 90]\n")
+    script = open_script(world=f"challenge:{file}")
+    monkeypatch.setattr(type(script.donnie.connection), "is_real", property(lambda _: True))
+
+    assert script.answers_to("FW 3")[-1].startswith("0 of 1 goal. From start 2: ")
