@@ -151,14 +151,18 @@ def _refuse(ctx: Context) -> None:
         raise Unusable(ctx.words("built-holding"))
 
 
-def undo_building(ctx: Context) -> bool:
-    """Take back what was built last, unless the program was changed after it. Whether it was tried."""
-    past = ctx.donnie.site.past
-    if not past or past[-1].program != ctx.program.text:
+def step_building(ctx: Context, *, is_undo: bool) -> bool:
+    """Take back what was built last, or build it again, unless the program is another one since then.
+
+    Whether it was tried.
+    """
+    site = ctx.donnie.site
+    changes, opposite = (site.past, site.undone) if is_undo else (site.undone, site.past)
+    if not changes or changes[-1].program != ctx.program.text:
         return False
 
     def change(building: Building) -> None:
-        _say_place(ctx, *building.undo())
+        _say_place(ctx, *building.step(changes, opposite))
 
     _build(ctx, change)
     return True

@@ -281,12 +281,13 @@ def _uncommented(line: str) -> str:
 async def undo(ctx: Context, _: str, change: Callable[[Document], int | None]) -> None:
     """Undo the last change, or make it again, and say the first line that differs now.
 
-    What was built after the last change of the program is undone first.
+    What was built after the last change of the program is undone first, and built again last.
     """
-    if change == Document.undo and ctx.donnie.site.past:
-        from donnie_tui.commands.build import undo_building  # few worlds are built
+    is_undo = change == Document.undo
+    if ctx.donnie.site.past if is_undo else ctx.donnie.site.undone:
+        from donnie_tui.commands.build import step_building  # few worlds are built
 
-        if undo_building(ctx):
+        if step_building(ctx, is_undo=is_undo):
             return
     with _changing(ctx):
         _say_changed(ctx, change(ctx.program))

@@ -178,6 +178,7 @@ class Building:
         site, back = self._site, {new: old for old, new in index_of.items()}
         thing = gone if moved_thing is None else moved_thing
         site.past.append(SiteChange(site.world, site.text, site.is_saved, back, thing, self._program))
+        site.undone.clear()
         self._shared.rebuild(scene, index_of)
         site.world = replace(site.world, scene=scene, is_rebuilt=True)
         site.text, site.is_saved = text, False
@@ -186,21 +187,25 @@ class Building:
     def _thing_at(self, index: int | None) -> Thing | None:
         return next((each for each in self.things() if each.index == index), None)
 
-    def undo(self) -> tuple[str, Thing | None]:
-        """Take the last change back: the code of the sentence about the thing, and the thing.
+    def step(self, changes: list[SiteChange], opposite: list[SiteChange]) -> tuple[str, Thing | None]:
+        """Undo the last of the changes, so that it is one of ``opposite``: the code of a sentence, the thing.
 
         Raises ``Unusable`` where something stands at its place now.
         """
-        site, change = self._site, self._site.past[-1]
+        site, change = self._site, changes[-1]
         scene, now = change.world.scene, site.world.scene
+        back = {there: here for here, there in change.index_of.items()}
         if change.changed is None:
             code, tops = "built-removed", (each.index for each in now.models if each.parent is None)
-            thing = self._thing_at(next(each for each in tops if each not in change.index_of))
+            here: int | None = next(each for each in tops if each not in change.index_of)
+            thing = self._thing_at(here)
         else:
-            code = "built-moved" if change.changed in change.index_of.values() else "built-put"
+            here = back.get(change.changed)
+            code = "built-put" if here is None else "built-moved"
             self._check_room(scene, change.index_of, change.changed)
         self._shared.rebuild(scene, change.index_of)
-        site.past.pop()
+        changes.pop()
+        opposite.append(SiteChange(site.world, site.text, site.is_saved, back, here, change.program))
         site.world, site.text, site.is_saved = change.world, change.text, change.is_saved
         return code, thing if change.changed is None else self._thing_at(change.changed)
 
@@ -216,7 +221,8 @@ class Building:
             raise Unusable(world_mistake(error, self._words)) from None
         write_program(target, text)
         self._site.path, self._site.is_saved = target, True
-        self._site.past = [replace(each, is_saved=False) for each in self._site.past]
+        for changes in (self._site.past, self._site.undone):
+            changes[:] = [replace(each, is_saved=False) for each in changes]
 
     # --- room
 

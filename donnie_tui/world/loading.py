@@ -122,16 +122,16 @@ class ChosenWorld(Struct, frozen=True):
 
 
 class SiteChange(Struct, frozen=True):
-    """What a change of the world is undone with."""
+    """What a change of the world is undone with, or made again."""
 
     world: ChosenWorld
-    """The one before."""
+    """The one to go back to."""
     text: str
     is_saved: bool
     index_of: Mapping[int, int]
-    """The index that each model at the top level had, by the one after the change."""
+    """The index there of each model at the top level, by the one it has now."""
     changed: int | None
-    """The index of the thing before; None where it is new."""
+    """The index of the thing there; None where it is gone then."""
     program: str
     """The text of the program at that moment."""
 
@@ -148,6 +148,8 @@ class Site:
         self.is_saved = True
         self.past: list[SiteChange] = []
         """The changes, the oldest first."""
+        self.undone: list[SiteChange] = []
+        """Those that were taken back, the last one last."""
         self.path = None if world.ships else Path(world.path)
         """The file of the learner's own that it was last read from or written to."""
 

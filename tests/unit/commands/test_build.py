@@ -381,6 +381,38 @@ def test_the_program_and_the_world_are_undone_in_the_order_of_their_changes(open
     assert script.answers_to("UNDO") == ["Nothing was changed."]
 
 
+def test_what_was_taken_back_is_built_again_step_by_step(open_script: OpenScript) -> None:
+    script = open_script("FW 1")
+
+    script.answers_to("PUT box red 4 6 AS treasure", "MOVE treasure 2 0", "REMOVE treasure")
+    built = script.donnie.site.text
+    script.answers_to("UNDO", "UNDO", "UNDO")
+    assert script.answers_to("REDO")[0].startswith("Treasure, box, red: at 4, 6.")
+    assert script.answers_to("REDO")[0].startswith("Treasure, box, red: now at 6, 6.")
+    assert script.answers_to("UNDO")[0].startswith("Treasure, box, red: now at 4, 6.")
+    assert script.answers_to("REDO", "REDO")[-1] == "Treasure, box, red: gone from 6, 6."
+    assert script.donnie.site.text == built
+    assert script.answers_to("REDO") == ["Nothing was changed."]
+
+
+def test_the_program_and_the_world_are_built_again_in_the_order_of_their_changes(
+    open_script: OpenScript,
+) -> None:
+    script = open_script("FW 1")
+
+    script.answers_to("CHANGE 1 FW 2", "PUT box red 4 6 AS treasure", "UNDO", "UNDO")
+    assert script.answers_to("REDO") == ["Line 1: FW 2"]
+    assert script.answers_to("REDO")[0].startswith("Treasure, box, red: at 4, 6.")
+
+
+def test_what_is_built_after_an_undo_can_not_be_lost_by_redo(open_script: OpenScript) -> None:
+    script = open_script()
+
+    script.answers_to("PUT box red 4 6", "UNDO", "PUT ball 4 6")
+    assert script.answers_to("REDO") == ["Nothing was changed."]
+    assert script.answers_to("MAP 4 6") == ["4, 6: ball. 4 right, 6 ahead."]
+
+
 def test_nothing_is_put_back_onto_the_robot(open_script: OpenScript) -> None:
     script = open_script()
 
