@@ -115,12 +115,12 @@ _BEARINGS = (
     *(Bearing.FRONT, Bearing.FRONT_RIGHT, Bearing.FRONT_LEFT),
     *(Bearing.BACK, Bearing.BACK_RIGHT, Bearing.BACK_LEFT),
 )
-_COLOURS = ("red", "green", "blue", "yellow", "orange", "pink", "gray")
+COLOURS = ("red", "green", "blue", "yellow", "orange", "pink", "gray")
 
 ARGUMENTS = (
     *_arguments_of("DIRECTION", "DISTANCE", "directions", {each.name.lower(): each for each in _BEARINGS}),
     *_arguments_of("AXIS", "POS", "axes", {each.name.lower(): each for each in Axis}),
-    *_arguments_of("COLOUR", "COLOR", "colours", {each: each for each in _COLOURS}),
+    *_arguments_of("COLOUR", "COLOR", "colours", {each: each for each in COLOURS}),
     *_arguments_of("SWITCH", "SOUND", "switch", {"on": True, "off": False}),
 )
 

@@ -15,10 +15,10 @@ from typing import TYPE_CHECKING
 
 import worlds.words
 from donnie_tui.cli.options import ExitCode, Order
-from donnie_tui.core.chart import shrunk
+from donnie_tui.core.chart import colour_marks, shrunk, with_marks
 from donnie_tui.core.describe import MOST_ROBOTS, describe
 from donnie_tui.core.program_files import DocumentError, checked_path, exists, write_program
-from donnie_tui.core.wording import name_of, shade
+from donnie_tui.core.wording import colour_initials, name_of, shade
 from donnie_tui.i18n.mistakes import world_note
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.world.loading import (
@@ -230,8 +230,14 @@ def _map(world: ChosenWorld, words: Words) -> tuple[str, ...]:
     steps = across * seen.cell
     scale = (words("map-scale", steps=steps),) if steps > 1 else ()
     shown = shrunk(["".join(row) for row in rows], across, across, _ARROWS)
-    colours = _colours_by_letter(seen, shown, across, words)
-    return (*shown, "", *scale, *_legend(world, seen, set("".join(shown)), colours, words))
+    marks = colour_marks(seen, colour_initials(words, {each.letter for each in seen.things}))
+    marked, letters = with_marks(shown, marks, across, across)
+    colours = dict(_colours_by_letter(seen, shown, across, words)) | {each: [] for each in letters}
+    for mark in marks:
+        named = f"{mark.initial} {shade(mark.thing, words)}"
+        if mark.thing.letter in letters and named not in colours[mark.thing.letter]:
+            colours[mark.thing.letter].append(named)
+    return (*marked, "", *scale, *_legend(world, seen, set("".join(shown)), colours, words))
 
 
 MOST_COLOURS = 40
@@ -240,7 +246,7 @@ MOST_COLOURS = 40
 
 def _colours_by_letter(
     seen: Picture, shown: Sequence[str], across: int, words: Words
-) -> Mapping[str, Sequence[str]]:
+) -> Mapping[str, list[str]]:
     """Of the things by their letters, in reading order; one where all have the same."""
     from donnie_tui.world.drawing import groups_in
 

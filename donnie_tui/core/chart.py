@@ -14,15 +14,22 @@ from msgspec import Struct
 
 from devices.ports.robot import Pose
 from donnie_tui.core.map_grid import FREE, WALL
-from donnie_tui.core.wording import Wording, facing, name_of, shade
+from donnie_tui.core.wording import (
+    Wording,
+    colour_initials,
+    facing,
+    letters_of_several_colours,
+    name_of,
+    shade,
+)
 
 if TYPE_CHECKING:
     from sim.picture import Picture, Thing
 
 MOST_ROBOTS = 6
 """Robots with a letter of their own; the others share one."""
-MOST_COLOURS = 3
-"""Colours that the legend names for a letter."""
+MOST_NAMES = 3
+"""Kinds of things that the legend names for a letter."""
 
 
 class ChartedRobot(Struct, frozen=True):
@@ -31,6 +38,16 @@ class ChartedRobot(Struct, frozen=True):
     name: str
     pose: Pose
     letter: str = ""
+
+
+class ColourMark(Struct, frozen=True):
+    """The initial of the colour of a thing that differs from others in colour only."""
+
+    row: int
+    column: int
+    """The middle of the thing, in the cells of the picture."""
+    thing: Thing
+    initial: str
 
 
 class Chart(Struct, frozen=True):
@@ -42,6 +59,7 @@ class Chart(Struct, frozen=True):
     robots: tuple[ChartedRobot, ...]
     legend: Mapping[str, str]
     """The meaning of every letter, and of ``#``."""
+    marks: tuple[ColourMark, ...] = ()
 
 
 def chart(picture: Picture, pose: Pose, robot: str | None, wording: Wording) -> Chart:
@@ -51,8 +69,10 @@ def chart(picture: Picture, pose: Pose, robot: str | None, wording: Wording) -> 
     me = [] if robot is None else [ChartedRobot(robot, pose)]
     robots = _lettered([*me, *others], {each.letter.lower() for each in things})
     legend = {WALL: wording("paper-legend-wall")} if picture.has_walls else {}
-    legend |= _robots_legend(robots, wording) | _things_legend(things, wording)
-    return Chart(_rows(picture, robots, bool(me)), picture.cell, robots, legend)
+    taken = [*(each.letter for each in picture.things), *(each.letter for each in robots)]
+    marks = colour_marks(picture, colour_initials(wording, taken))
+    legend |= _robots_legend(robots, wording) | _things_legend(things, marks, wording)
+    return Chart(_rows(picture, robots, bool(me)), picture.cell, robots, legend, marks)
 
 
 def shrunk(rows: Sequence[str], across: int, down: int, strong: str = "") -> tuple[str, ...]:
@@ -71,6 +91,49 @@ def _strongest(block: Iterable[str], strong: str) -> str:
         return 3 if letter in strong else {FREE: 0, WALL: 1}.get(letter, 2)
 
     return max("".join(block), key=rank)
+
+
+def colour_marks(picture: Picture, initials: Mapping[str, str]) -> tuple[ColourMark, ...]:
+    """In reading order. ``initials``: of the colours."""
+    mixed = letters_of_several_colours(picture.things)
+    found = list[ColourMark]()
+    for each in picture.things:
+        cell = picture.at(each.x, each.y) if each.letter in mixed and not each.is_robot else None
+        if cell is not None and each.colour in initials:
+            found.append(ColourMark(*cell, each, initials[each.colour]))
+    return tuple(sorted(found, key=lambda each: (each.row, each.column)))
+
+
+def with_marks(
+    rows: Sequence[str], marks: Iterable[ColourMark], across: int = 1, down: int = 1
+) -> tuple[tuple[str, ...], frozenset[str]]:
+    """The rows with the initials in the midst of things, and the letters of these things.
+
+    ``across``, ``down``: cells that a letter stands for. All things of a letter are marked, or none: one
+    without room would have no colour.
+    """
+
+    def at(row: int, column: int) -> str:
+        return rows[row][column] if 0 <= row < len(rows) and 0 <= column < len(rows[0]) else ""
+
+    def room(mark: ColourMark) -> tuple[int, int] | None:
+        """Where it is a second letter, after or under the first."""
+        row, column, letter = mark.row // down, mark.column // across, mark.thing.letter.lower()
+        after = (((row, x), (row, x - 1)) for x in (column, column + 1))
+        under = (((y, column), (y - 1, column)) for y in (row, row + 1))
+        for place, first in (*after, *under):
+            if at(*place).lower() == at(*first).lower() == letter:
+                return place
+        return None
+
+    places = [(each, room(each)) for each in marks]
+    letters = {each.thing.letter for each, _ in places}
+    letters -= {each.thing.letter for each, place in places if place is None}
+    drawn = [list(row) for row in rows]
+    for mark, place in places:
+        if place is not None and mark.thing.letter in letters:
+            drawn[place[0]][place[1]] = mark.initial
+    return tuple("".join(row) for row in drawn), frozenset(letters)
 
 
 def _pose(thing: Thing) -> Pose:
@@ -104,22 +167,19 @@ def _robots_legend(robots: Sequence[ChartedRobot], wording: Wording) -> dict[str
     return legend
 
 
-def _things_legend(things: Iterable[Thing], wording: Wording) -> dict[str, str]:
+def _things_legend(things: Iterable[Thing], marks: Iterable[ColourMark], wording: Wording) -> dict[str, str]:
+    """The names and the colours for each letter; the colours after their initials, if they have some."""
+    initials = {each.thing.index: f"{each.initial.lower()} " for each in marks}
     names: dict[str, list[str]] = {}
     colours: dict[str, list[str]] = {}
     for thing in things:
         letter = thing.letter.lower()
-        _add(names.setdefault(letter, []), name_of(thing, wording))
-        _add(colours.setdefault(letter, []), shade(thing, wording))
+        names.setdefault(letter, []).append(name_of(thing, wording))
+        colours.setdefault(letter, []).append(initials.get(thing.index, "") + shade(thing, wording))
     return {
-        letter: ", ".join(dict.fromkeys((*names[letter][:MOST_COLOURS], *colours[letter][:MOST_COLOURS])))
+        letter: ", ".join(dict.fromkeys((*list(dict.fromkeys(names[letter]))[:MOST_NAMES], *colours[letter])))
         for letter in sorted(names)
     }
-
-
-def _add(found: list[str], word: str) -> None:
-    if word not in found and len(found) < MOST_COLOURS:
-        found.append(word)
 
 
 def _rows(picture: Picture, robots: Sequence[ChartedRobot], has_me: bool) -> tuple[str, ...]:

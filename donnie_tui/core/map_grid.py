@@ -154,6 +154,10 @@ class MapGrid:
         alike = [each for each in self.picture.things if each.letter == letter]
         return min(alike, key=lambda each: hypot(each.x - x, each.y - y), default=None)
 
+    def is_wide(self, thing: Thing) -> bool:
+        """Whether it takes several cells: its letter, and the initial of its colour in the middle."""
+        return max(thing.width, thing.depth) >= 1.5 * self.picture.cell
+
     @property
     def bounds(self) -> Bounds:
         """The picture, and all cells beyond it where the robot was."""

@@ -20,7 +20,7 @@ from msgspec.structs import replace
 from devices.ports.robot import Bearing, Pose
 from donnie_tui.core.events import PlacedThing, Read, Scanned
 from donnie_tui.core.map_grid import FREE, Bounds, Cell, Kind, MapGrid, arrow_of, cells_between
-from donnie_tui.core.wording import Wording, coloured_thing, name_of, shade
+from donnie_tui.core.wording import Wording, coloured_thing, letters_of_several_colours, name_of, shade
 
 if TYPE_CHECKING:
     from sim.picture import Picture, Thing
@@ -175,11 +175,13 @@ class MapScene:
 
     @property
     def letters_of_several_colours(self) -> frozenset[str]:
-        """The letters of things that differ in colour only."""
-        colours: dict[str, set[str]] = {}
-        for each in self.picture.things:
-            colours.setdefault(each.letter, set()).add(each.colour)
-        return frozenset(letter for letter, found in colours.items() if len(found) > 1)
+        """See ``wording.letters_of_several_colours``."""
+        return letters_of_several_colours(self.picture.things)
+
+    def has_room_for_colour(self, cell: Cell) -> bool:
+        """Whether it is the middle of a thing of several squares: its colour has room there."""
+        thing = self.thing(cell)
+        return thing is not None and cell == self.cell_at(thing.x, thing.y) and self.grid.is_wide(thing)
 
     def place(self, cell: Cell) -> tuple[int, int]:
         return self.grid.place(cell)

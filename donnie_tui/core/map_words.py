@@ -27,13 +27,16 @@ from donnie_tui.core.wording import (
     COMPASS,
     SIDES,
     Wording,
+    colour_initials,
     coloured_thing,
     keys_of,
+    letters_of_several_colours,
     meant,
     name_of,
     specific_name_of,
     spelled,
 )
+from language.keywords import COLOURS
 
 if TYPE_CHECKING:
     from sim.picture import Picture, Room, Thing
@@ -148,12 +151,19 @@ def picture_in_letters(
     shown = set("".join(rows)) - {TRAIL, START}
     names = names_of_letters(grid.picture, wording)
     shown_as = _braille_letters(names) | {FREE: free, START: _START if has_path else free}
+    colours = _colours_in(grid, window)
+    initials = colour_initials(wording, {*shown_as.values(), *_OF_THE_ROBOT})
+    shown_colours = [each for each in initials if each in colours.values()]
     of_path = ({wording("cell-start"): _START} if START in "".join(rows) else {}) | (
         {wording("cell-trail"): TRAIL} if TRAIL in "".join(rows) else {}
     )
     legend = [
         wording("picture-letter", name=names[letter], letter=shown_as[letter])
         for letter in sorted(shown & names.keys())
+    ]
+    legend += [
+        wording("picture-letter", name=wording(f"colour-{each}"), letter=initials[each].lower())
+        for each in shown_colours
     ]
     if has_path:
         legend[:0] = [wording("picture-letter", name=name, letter=sign) for name, sign in of_path.items()]
@@ -165,7 +175,25 @@ def picture_in_letters(
         height=window.height,
     )
     part = _part_in_words(grid, window, wording)
-    return (title, *part, *legend, *("".join(shown_as.get(each, each) for each in row) for row in rows))
+    drawn = [[shown_as.get(each, each) for each in row] for row in rows]
+    for cell, colour in colours.items():
+        drawn[window.top - cell.y][cell.x - window.left] = initials[colour].lower()
+    return (title, *part, *legend, *("".join(row) for row in drawn))
+
+
+def _colours_in(grid: MapGrid, window: Bounds) -> dict[Cell, str]:
+    """The middles of things that differ in colour only, where an initial has room, with their colours."""
+    mixed = letters_of_several_colours(grid.picture.things)
+    middles = {
+        grid.cell_of(Pose(each.x, each.y, 0.0)): each
+        for each in grid.picture.things
+        if each.letter in mixed and each.colour in COLOURS and grid.is_wide(each)
+    }
+    return {
+        cell: each.colour
+        for cell, each in middles.items()
+        if window.around(cell) == window and grid.letter(cell) == each.letter
+    }
 
 
 def _part_in_words(grid: MapGrid, window: Bounds, wording: Wording) -> tuple[str, ...]:

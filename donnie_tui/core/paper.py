@@ -24,7 +24,7 @@ from xml.sax.saxutils import escape
 
 from msgspec import Struct
 
-from donnie_tui.core.chart import Chart, ChartedRobot, shrunk
+from donnie_tui.core.chart import Chart, ChartedRobot, shrunk, with_marks
 from donnie_tui.core.map_grid import FREE, WALL
 from donnie_tui.core.wording import Wording
 from language.locales import own_words
@@ -107,7 +107,7 @@ def _down(across: int) -> int:
 
 def _map(chart: Chart, across: int, down: int) -> list[str]:
     robots = "".join({each.letter for each in chart.robots})
-    rows = shrunk(chart.rows, across, down, robots)
+    rows, _ = with_marks(shrunk(chart.rows, across, down, robots), chart.marks, across, down)
     return [row.upper().replace(FREE, " ").replace(WALL, FULL_CELL).rstrip() for row in rows]
 
 

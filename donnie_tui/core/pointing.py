@@ -16,7 +16,7 @@ from msgspec.structs import replace
 from donnie_tui.core.describe import place_of
 from donnie_tui.core.map_grid import Cell, Kind
 from donnie_tui.core.map_scene import MapScene
-from donnie_tui.core.wording import Wording, coloured, coloured_thing, name_of, shade
+from donnie_tui.core.wording import Wording, colour_initials, coloured, coloured_thing, name_of, shade
 
 if TYPE_CHECKING:
     from sim.picture import Thing
@@ -118,10 +118,13 @@ def legend(scene: MapScene, wording: Wording) -> tuple[str, ...]:
 
 
 def _in_their_colours(things: Sequence[Thing], wording: Wording) -> str:
-    """ "box, red", or what they are called and each colour once: "flower: red, blue"."""
-    shades = dict.fromkeys(shade(each, wording) for each in things)
-    if len(shades) == 1:
+    """ "box, red", or what they are called and each colour once: "flower: R red, B blue"."""
+    if len({each.colour for each in things}) == 1:
         return coloured_thing(things[0], wording) if len(things) == 1 else _of_all(things[0], wording)
+    initials = colour_initials(wording)
+    shades = dict.fromkeys(
+        f"{initials.get(each.colour, '')} {shade(each, wording)}".strip() for each in things
+    )
     return f"{name_of(things[0], wording)}: {', '.join(shades)}"
 
 

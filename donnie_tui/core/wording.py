@@ -15,8 +15,9 @@ for a thing comes before its kind: "treasure, box, yellow".
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
+from string import ascii_uppercase
 from typing import TYPE_CHECKING, Protocol
 
 from devices.ports.robot import Pose
@@ -242,6 +243,29 @@ def shade(thing: Thing, wording: Wording) -> str:
     known = not thing.is_robot and noun(thing.kind, wording)
     gender = wording(f"gender-{thing.kind}") if known else "m"
     return _agreeing(thing.colour, gender, wording)
+
+
+def colour_initials(wording: Wording, taken: Iterable[str] = ()) -> dict[str, str]:
+    """A capital letter for each colour, its first that is not ``taken`` and not another colour's."""
+    from language.keywords import COLOURS  # the first frame needs none
+
+    used = {each.upper() for each in taken}
+    found: dict[str, str] = {}
+    for colour in COLOURS:
+        name = wording(f"colour-{colour}").upper()
+        wanted = (*name, *ascii_uppercase)
+        found[colour] = next((each for each in wanted if each not in used and each.isalpha()), name[:1])
+        used.add(found[colour])
+    return found
+
+
+def letters_of_several_colours(things: Iterable[Thing]) -> frozenset[str]:
+    """The letters of things that differ in colour only."""
+    colours: dict[str, set[str]] = {}
+    for each in things:
+        if not each.is_robot:
+            colours.setdefault(each.letter, set()).add(each.colour)
+    return frozenset(letter for letter, found in colours.items() if len(found) > 1)
 
 
 def _phrase(form: str, kind: str, name: str, colour: str, wording: Wording) -> str:

@@ -16,14 +16,13 @@ from donnie_tui.core.map_scene import Line, MapScene
 from donnie_tui.core.run_controller import RunController
 from donnie_tui.core.run_state import RunState
 from donnie_tui.core.timeline import Timeline
-from donnie_tui.core.wording import shown_name
+from donnie_tui.core.wording import colour_initials, shown_name
 from donnie_tui.core.workspace import Workspace
 from donnie_tui.settings.settings import speed_words
 from donnie_tui.tui.environment import first_steps
 from donnie_tui.tui.event_queue import EventBatch
 from donnie_tui.tui.pane_text import (
     VariableChanges,
-    colour_initials,
     inspector_lines,
     robot_sentence,
     scopes_of,

@@ -19,7 +19,6 @@ from donnie_tui.i18n.words import Words
 from donnie_tui.settings.settings import speed_words
 from donnie_tui.tui.screens.main_screen import MainScreen
 from donnie_tui.tui.screens.pages import TourPage
-from donnie_tui.tui.themes import COLOURS
 from language.keywords import canonical
 from language.runtime import Frame
 
@@ -59,15 +58,6 @@ def state_badge(state: RunState, past: Timeline | None, words: Wording) -> str:
         main = [is_main_event(each.event) for each in past.events]
         return words("status-past", step=sum(main[: past.at]), steps=sum(main)).rstrip(".").upper()
     return words(f"status-{state.value}").rstrip(".").upper()
-
-
-def colour_initials(words: Wording) -> dict[str, str]:
-    """A letter for each colour, in capitals; of those that begin alike the second one has its next letter."""
-    found: dict[str, str] = {}
-    for colour in COLOURS:
-        name = words(f"colour-{colour}").upper()
-        found[colour] = next((each for each in name if each not in found.values()), name[:1])
-    return found
 
 
 class VariableChanges:

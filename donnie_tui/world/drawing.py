@@ -205,6 +205,24 @@ def _rows_and_legend(text: str) -> tuple[list[str], int, _Legend]:
     return lines[begin:end], begin + 1, legend
 
 
+def _unmarked(rows: Sequence[str], legend: _Legend) -> tuple[list[str], dict[Square, str]]:
+    """The rows with the letter of the thing in place of each mark of a colour, and the colours there."""
+    meant_by: dict[str, dict[str, str]] = {}
+    for letter, (described, _, _) in legend.things.items():
+        for mark, colour in zip(described.marks, described.colours, strict=False):
+            if mark not in legend.things:
+                meant_by.setdefault(mark, {})[letter] = colour
+    drawn, colours = [list(row) for row in rows], dict[Square, str]()
+    for row, line in enumerate(rows):
+        for column, mark in enumerate(line):
+            around = _around(Square(row, column)) if mark in meant_by else ()
+            near = [rows[y][x] for y, x in around if 0 <= y < len(rows) and 0 <= x < len(rows[y])]
+            letter = next((each for each in near if each in meant_by[mark]), "")
+            if letter:
+                drawn[row][column], colours[Square(row, column)] = letter, meant_by[mark][letter]
+    return ["".join(row) for row in drawn], colours
+
+
 def _slips_in(rows: Sequence[str], first: int, legend: _Legend) -> Iterator[Slip]:
     """The mistakes of the rows, each letter without a meaning once."""
     if not rows:
@@ -246,19 +264,22 @@ def _bad_letter(letter: str, line: int, column: int, known: Iterable[str]) -> Sl
 def world_of(text: str) -> Built:
     """The world that a drawing means. Raises ``BadDrawing`` with all mistakes."""
     rows, first, legend = _rows_and_legend(text)
+    rows, colours = _unmarked(rows, legend)
     slips = [*legend.slips, *_slips_in(rows, first, legend)]
     robots = () if slips else _robots(rows, legend)
     if not slips:
         slips += _slips_of_robots(robots, first, legend)
     groups = groups_in(rows) if not slips else ()
     for letter, (described, line, column) in legend.things.items() if not slips else ():
-        count = sum(each.letter == letter for each in groups)
-        if len(described.colours) > 1 and len(described.colours) != count:
-            values = {"count": count, "colours": len(described.colours)}
+        count, known = sum(each.letter == letter for each in groups), len(described.colours)
+        if described.marks:
+            known = sum(each.letter == letter and not each.squares.isdisjoint(colours) for each in groups)
+        if (known > 1 or described.marks) and known != count:
+            values = {"count": count, "colours": known}
             slips.append(Slip("drawing-colours", line, column, values))
     if slips:
         raise BadDrawing(slips)
-    return _Builder(rows, first, legend, robots).built(groups)
+    return _Builder(rows, first, legend, robots, colours).built(groups)
 
 
 def _robots(rows: Sequence[str], legend: _Legend) -> tuple[Square, ...]:
@@ -295,8 +316,17 @@ def _slips_of_robots(robots: Sequence[Square], first: int, legend: _Legend) -> I
 class _Builder:
     """Writes a drawing without mistakes of form as a world file."""
 
-    def __init__(self, rows: Sequence[str], first: int, legend: _Legend, robots: Sequence[Square]) -> None:
+    def __init__(
+        self,
+        rows: Sequence[str],
+        first: int,
+        legend: _Legend,
+        robots: Sequence[Square],
+        colours: Mapping[Square, str],
+    ) -> None:
+        """``colours``: of the things at these squares."""
         self._rows, self._first, self._legend, self._robots = rows, first, legend, robots
+        self._colours = colours
         self._origin = robots[0] if robots else Square(len(rows) // 2, len(rows[0]) // 2)
         self._used: dict[str, int] = {}
 
@@ -395,7 +425,10 @@ class _Builder:
         is_usual = len(group.squares) == 1
         angle, size = (0, "") if is_usual else fitted(described.kind, width * scale, depth * scale, scale)
         colours = described.colours
-        colour = colours[number if len(colours) > 1 else 0] if colours else ""
+        colour = colours[number if len(colours) > 1 else 0] if colours and not described.marks else ""
+        colour = next(
+            (self._colours[each] for each in sorted(group.squares) if each in self._colours), colour
+        )
         return thing_line(described.kind, colour, self._name(described), (*place, angle), size)
 
     def _name(self, described: Description) -> str:

@@ -87,6 +87,8 @@ class Description(Struct, frozen=True):
     kind: str
     colours: tuple[str, ...] = ()
     name: str = ""
+    marks: tuple[str, ...] = ()
+    """The letters in the midst of the things of each colour, if the colours have some."""
 
 
 def kinds() -> tuple[str, ...]:
@@ -136,8 +138,13 @@ def description_of(text: str, line: int = 0, column: int = 1) -> Description:
     words = [word for word, _ in found[:at_name]]
     kind_at, length = _place_of_kind(words)
     colours, unknown = list[str](), list[Slip]()
+    marks = [
+        word
+        for word, following in zip(words[kind_at + length :], words[kind_at + length + 1 :], strict=False)
+        if len(word) == 1 and word.isalpha() and colour_meant(following)
+    ]
     for at, word in enumerate(words):
-        if kind_at <= at < kind_at + length or word == "…":
+        if kind_at <= at < kind_at + length or word == "…" or word in marks:
             continue
         colour = colour_meant(word)
         if colour is None:
@@ -153,7 +160,8 @@ def description_of(text: str, line: int = 0, column: int = 1) -> Description:
         word, start = found[at_name]
         name = text[start + len(word) :].strip().rstrip(".").strip()
     kind = _kinds_by_word()[_joined(words[kind_at : kind_at + length])]
-    return Description(kind, () if "…" in words else tuple(colours), name)
+    is_marked = len(marks) == len(colours)
+    return Description(kind, () if "…" in words else tuple(colours), name, tuple(marks) if is_marked else ())
 
 
 def _place_of_kind(words: Sequence[str]) -> tuple[int, int]:

@@ -1,6 +1,7 @@
 """``donnie world NAME`` as a map, a braille page, a picture: of our worlds and of very large ones."""
 
 import os
+import re
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -65,6 +66,7 @@ def test_below_the_map_every_letter_of_it_is_explained(name: str, capsys: pytest
     general = ("Each letter", "There is no robot")
     legend = [line for line in lines[blank + 1 :] if not line.startswith(general)]
     explained = [letter for line in legend for letter in line.partition(" is ")[0].split(" ")]
+    explained += sorted({each for line in legend for each in re.findall(r"[:,] ([A-Z]) ", line)})
     letters = set("".join(lines[:blank]))
     assert letters <= set(explained)
     assert set(explained) <= letters | set("^>v<")
@@ -85,9 +87,9 @@ def test_the_legend_of_a_map_gives_the_colours_in_reading_order(capsys: pytest.C
     main(["world", "object_field", "--map"])
     lines = capsys.readouterr().out.splitlines()
 
-    assert "b is ball: yellow, red." in lines
-    assert "c is cone: green, orange." in lines
-    assert "x is box: blue, pink." in lines
+    assert "b is ball: Y yellow, R red." in lines
+    assert "c is cone: G green, O orange." in lines
+    assert "x is box: L blue, P pink." in lines
 
 
 def test_the_legend_of_a_crowd_is_short(crowd: str, capsys: pytest.CaptureFixture[str]) -> None:

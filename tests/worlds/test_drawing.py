@@ -1,5 +1,6 @@
 """A floor drawn in letters becomes a world; each mistake has its place; a printed map can be read back."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -98,6 +99,52 @@ def test_several_colours_are_for_the_things_in_reading_order(tmp_path: Path) -> 
         ("blue", 1, 3),
         ("yellow", -3, -2),
     ]
+
+
+GARDEN = """.......
+.fB..f.
+.....R.
+.......
+..^....
+
+f flower: R red, B blue
+"""
+
+
+def test_a_letter_in_the_midst_of_a_thing_is_the_initial_of_its_colour(tmp_path: Path) -> None:
+    """Also where the same colour comes twice, and in any order."""
+    drawing = GARDEN.replace("..^....", "..^....\n.......\n.......\n.fRf...")
+
+    things = written(drawing, tmp_path).things
+
+    assert [(each.colour, each.x, each.y, each.width, each.depth) for each in things] == [
+        ("blue", -0.5, 3, 2, 1),
+        ("red", 3, 2.5, 1, 2),
+        ("red", 0, -3, 3, 1),
+    ]
+
+
+def test_a_thing_without_the_initial_of_a_colour_is_a_mistake() -> None:
+    (mistake,) = (each for each in mistakes_of(GARDEN.replace("R.\n", "f.\n")) if "line 7" in each)
+
+    assert mistake.startswith("Error, map.txt, line 7, column 3: ")
+    assert "2" in mistake
+    assert "1" in mistake
+
+
+@pytest.mark.parametrize(("language", "marks"), [("en", "BBBYYOYYRR"), ("pt", "AAAMMLMMVV")])
+def test_a_printed_map_has_the_initials_of_colours_that_alone_make_a_difference(
+    language: str, marks: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    main(["world", "colour_garden", "--map", "--lang", language])
+    printed = capsys.readouterr().out
+
+    rows = printed.partition("\n\n")[0]
+    assert re.sub(r"[^A-Z]", "", rows) == marks
+    again = written(printed, tmp_path)
+    assert sorted(each.colour for each in again.things) == sorted(
+        ["blue"] * 3 + ["yellow"] * 4 + ["orange"] + ["red"] * 2 + ["gray"]
+    )
 
 
 def test_two_robots_are_named_under_the_drawing(tmp_path: Path) -> None:

@@ -47,7 +47,7 @@ class Painter(Protocol):
 
 
 class Letters:
-    """Things and robots as letters. Where a square has several columns, with initials."""
+    """Things and robots as letters, with initials where they have room: in columns or in squares."""
 
     extents: tuple[Extent, ...] = (Extent(1, 1), Extent(2, 1), Extent(4, 2), Extent(6, 3))
 
@@ -67,8 +67,12 @@ class Letters:
     def _filled(self, scale: MapScale, square: Cell, kind: str, letter: str, extent: Extent, row: int) -> str:
         """All columns of a wide square: walls and things are solid, else a letter and blanks."""
         _thing, is_thing, colour = kind.partition("thing-")
-        if is_thing and letter in self.mixed and extent.columns > 1:
-            letter += self.initials.get(colour, letter)
+        if is_thing and letter in self.mixed:
+            initial = self.initials.get(colour, letter)
+            if extent.columns > 1:
+                letter += initial
+            elif scale.factor == 1 and scale.scene.has_room_for_colour(square):
+                letter = initial
         elif kind in _ROBOTS and extent.columns > 1:
             letter += scale.scene.name_of_robot(scale.cell_of(square))[:1]
         if is_thing or kind == "wall":

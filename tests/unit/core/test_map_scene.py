@@ -187,7 +187,7 @@ def test_things_of_one_letter_are_distinguished_by_their_colours_in_words() -> N
         return "".join(written[each] for each in sorted(written) if each.y == row).strip()
 
     assert (label_of(2), label_of(1)) == ("chair, red", "blue")
-    assert legend(it, Words("en"))[-1] == "c is chair: red, blue."
+    assert legend(it, Words("en"))[-1] == "c is chair: R red, B blue."
 
 
 def test_the_legend_explains_every_letter_of_the_floor() -> None:

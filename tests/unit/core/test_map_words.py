@@ -302,6 +302,21 @@ def test_letters_of_the_picture_are_distinct_without_capitals() -> None:
     assert said[1:] == ("Chair C: a", "Chair: c", "ca^")
 
 
+def test_letters_of_the_picture_say_the_colours_that_alone_make_a_difference() -> None:
+    """The middle of each thing; blue would be ``b``, which is a box."""
+    things = tuple(
+        Thing("", kind, kind[0], colour, x, 1, 3, 3)
+        for kind, colour, x in (("flower", "red", 1), ("flower", "blue", 5), ("box", "red", 9))
+    )
+    picture = Picture(0, 0, 12, 3, 1, ("fff.fff.bbb.",) * 3, things, False)
+    said = picture_in_letters(MapGrid(picture, Pose(11, 0, 0)), Words())
+
+    assert said[1:] == (
+        *("Free: .", "Box: b", "Flower: f", "Red: r", "Blue: l"),
+        *("fff.fff.bbb.", "frf.flf.bbb.", "fff.fff.bbb^"),
+    )
+
+
 def test_a_robot_that_is_not_donnie_stands_on_the_map_by_its_name() -> None:
     pose = Pose(1, 1, 0)
     grid = MapGrid(ROOM, pose, "alice")

@@ -72,7 +72,7 @@ def test_each_robot_has_a_letter_of_its_own() -> None:
 
     assert [(each.name, each.letter) for each in it.robots] == [("alice", "a"), ("bob", "o")]
     assert it.legend["o"] == "bob, looks south"
-    assert it.legend["b"] == "box, red, blue"
+    assert it.legend["b"] == "box, r red, l blue"
     assert sum(row.count("o") for row in it.rows) == 9
     assert sum(row.count("a") for row in it.rows) == 1
 
@@ -158,6 +158,18 @@ def test_the_page_of_the_living_room_has_the_map_and_the_legend_on_one_page() ->
         "S  SMALL SOFA1 BLUE",
         "T  TABLE1 RED",
     ]
+
+
+def test_in_braille_a_second_letter_says_the_colour_where_that_alone_makes_a_difference() -> None:
+    (page,) = pages("colour_garden")
+
+    assert page[3:7] == [
+        "=      FF FF FF      =",
+        "=      FB FB FB      =",
+        "=                FF  =",
+        "=                FY  =",
+    ]
+    assert page[20:22] == ["F  FLOWER1 B BLUE1 Y YELLOW1 R RED1 O", "   ORANGE"]
 
 
 def test_a_legend_that_would_make_the_map_smaller_has_its_own_page() -> None:
