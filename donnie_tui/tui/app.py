@@ -75,7 +75,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         self.key_table = KeyTable(has_terminal=not is_page())
         self._bind(settings.keys)
         self.session = SessionHandle(
-            search, lambda: self.main_screen.editor.text, self._state_folder / UNSAVED
+            search, lambda: self._keyboard.waiting_text, self._state_folder / UNSAVED
         )
         self._dialogs = Dialogs(self, self.main_screen, self._release_keys)
         self._keyboard = Keyboard(
@@ -105,8 +105,6 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             stop_all=lambda: self.do("stop_all"),
             repaint=self.repaint,
         )
-        self._first_word: tuple[str, str | None] | None = None
-        """The command that was typed into the program before the session was loaded."""
 
     def _start_controller(self, donnie: Donnie) -> None:
         from donnie_tui.bootstrap import open_workspace
@@ -126,8 +124,6 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         opening = controller.begin(self._file, self._text, restored, folder)
         if opening is not None:
             self.startup.open_with(opening)
-        if self._first_word is not None:
-            self.call_later(self.do, *self._first_word)
 
     @property
     def controller(self) -> ScreenController | None:
@@ -275,11 +271,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
                 self.do("quit")
 
     def on_editor_line_word_typed(self, event: Editor.LineWordTyped) -> None:
-        """At the very start it counts too, as soon as the session is loaded."""
-        if self.controller is None:
-            self._first_word = (event.name, event.argument)
-        else:
-            self.do(event.name, event.argument)
+        self.do(event.name, event.argument)
 
     def on_editor_line_finished(self, event: Editor.LineFinished) -> None:
         if self.controller is not None:

@@ -17,7 +17,7 @@ from collections.abc import Awaitable, Callable
 from typing import Any, TypeAlias, TypeVar
 
 from textual.app import App
-from textual.events import Event
+from textual.events import Event, Key, Paste
 from textual.message_pump import MessagePump
 from textual.screen import Screen
 from textual.timer import Timer
@@ -59,6 +59,17 @@ class KeyQueue:
     def is_holding(self) -> bool:
         """Whether keys have to wait just now."""
         return self._command is not None or bool(self._held)
+
+    @property
+    def held_text(self) -> str:
+        """What the waiting keys would write. Works in any thread."""
+        text = ""
+        for event in tuple(self._held):
+            if isinstance(event, Paste):
+                text += event.text
+            elif isinstance(event, Key):
+                text = text[:-1] if event.key == "backspace" else text + _written(event)
+        return text
 
     def hold(self, event: Event) -> None:
         """Keep a key until the command before it is done."""
@@ -119,6 +130,10 @@ class KeyQueue:
             self.do(*self._then.popleft())
         while self._held and self._command is None and not self._must_wait():
             await self._feed(self._held.popleft())
+
+
+def _written(key: Key) -> str:
+    return "\n" if key.key == "enter" else key.character or "" if key.is_printable else ""
 
 
 class Dialogs:

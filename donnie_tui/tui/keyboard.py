@@ -74,6 +74,11 @@ class Keyboard:
         self._menu: KeyMenu | None = None
         """The list of the keys after the menu key, while one of them is waited for."""
 
+    @property
+    def waiting_text(self) -> str:
+        """What was typed and can't be taken yet. Works in any thread."""
+        return self._queue.held_text
+
     async def on_event(self, event: events.Event) -> None:
         """Take an event of the application, which may be a key."""
         is_typed = isinstance(event, (events.Key, events.Paste)) and not event.is_forwarded

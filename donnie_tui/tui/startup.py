@@ -141,7 +141,6 @@ class Startup:
         self._app, self._session, self._place, self._settings = app, session, place, settings
         self._search, self._assemble = search, assemble
         self._start_controller, self._release_keys = start_controller, release_keys
-        self._is_searching = False
         self.is_opening = False
         """While the first file is read."""
         self.trouble: Exception | None = None
@@ -153,8 +152,8 @@ class Startup:
 
     @property
     def holds_keys(self) -> bool:
-        """Whether keys wait: while a robot is looked for, or the first file is read."""
-        return self._is_searching or self.is_opening
+        """Whether keys wait: until the session is loaded and the first file is read."""
+        return self._session.controller is None or self.is_opening
 
     def greet(self, key_table: KeyTable, restored: ScreenState | None = None) -> None:
         """Show the titles, and which keys there are or the log of the world before."""
@@ -182,7 +181,6 @@ class Startup:
             if self._search is None and self._has_shipped_world:
                 self._use(self._assemble())
             else:
-                self._is_searching = True
                 if self._settings.robot.startswith(SERIAL):  # of a configuration file that is not known yet
                     self._report_search()
                 self._app.run_worker(self._search_and_begin())
@@ -205,8 +203,6 @@ class Startup:
                 self._use(self._session.assembled)
         except Exception as trouble:  # noqa: BLE001 -- as above
             self._fail(trouble)
-        self._is_searching = False
-        self._release_waiting_keys()
 
     def _assemble_and_keep(self) -> None:
         self._session.assembled = self._assemble()
@@ -214,6 +210,7 @@ class Startup:
     def _use(self, donnie: Donnie) -> None:
         donnie.outlets.audible.say_printed(*self._greeting)
         self._start_controller(donnie)
+        self._release_waiting_keys()
         if self._was_slow:
             donnie.say("slow-world-done", name=self._world_name)
         self._app.call_after_refresh(donnie.get_ready_to_move)

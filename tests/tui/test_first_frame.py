@@ -1,8 +1,10 @@
 """What the first frame shows, and what is not computed twice before it."""
 
+import signal
 from pathlib import Path
 
 import pytest
+from textual import events
 from textual.css.stylesheet import Stylesheet
 from textual.design import ColorSystem
 from textual.pilot import Pilot
@@ -113,3 +115,45 @@ async def test_what_widgets_paint_row_by_row_has_no_styles_of_its_own(app: Donni
                 assert {name.partition("--")[0] for name in widget._component_styles} <= of_textual
     finally:
         app.session.close()
+
+
+# --- what is typed between the first frame and the session
+
+
+async def test_what_is_typed_before_the_session_is_taken_by_it(app: DonnieApp) -> None:
+    begin_now, app.startup.begin = app.startup.begin, lambda: None  # type: ignore[method-assign]
+    try:
+        async with app.run_test(size=(80, 24)) as pilot:
+            await type_early(app, pilot)
+            begin_now()
+            await until_work(app, pilot)
+            await pilot.pause()
+            place = app.main_screen
+
+            if place.is_plain:  # its keys are for the command line
+                assert place.command_line.past.lines[0] == "FW 3"
+            else:
+                assert place.editor.text == EARLY_TEXT
+    finally:
+        app.session.close()
+
+
+async def test_a_signal_before_the_session_keeps_what_was_typed(app: DonnieApp, tmp_path: Path) -> None:
+    app.startup.begin = lambda: None  # type: ignore[method-assign]
+    async with app.run_test(size=(80, 24)) as pilot:
+        await type_early(app, pilot)
+        app.shutdown.leave(signal.SIGTERM)
+
+    assert [each.read_text() for each in tmp_path.rglob("unsaved-*.gd")] == [f"{EARLY_TEXT}\n"]
+
+
+EARLY_TEXT = "FW 3\nBW 1\nTR 90"
+
+
+async def type_early(app: DonnieApp, pilot: Pilot[int]) -> None:
+    """With a slip that is taken back, and a pasted line."""
+    await pilot.pause()
+    for key in (*"FX", "backspace", "W", "space", "3", "enter"):
+        app.post_message(events.Key(key, {"space": " ", "enter": "\r", "backspace": "\x7f"}.get(key, key)))
+    app.post_message(events.Paste("BW 1\nTR 90"))
+    await pilot.pause()

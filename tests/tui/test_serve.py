@@ -26,8 +26,8 @@ pytest.importorskip("textual_serve")
 
 pytestmark = pytest.mark.slow
 
-FIRST_WORDS = "READY"
-"""Shown once the session is loaded."""
+FIRST_WORDS = "F5 runs the program."
+"""Of the first frame: what is typed then waits for the session."""
 
 ROOT = Path(__file__).resolve().parents[2]
 
