@@ -15,7 +15,7 @@ from donnie_tui.commands.context import UNUSABLE, Context
 from donnie_tui.commands.declarations import BY_NAME
 from donnie_tui.commands.dispatch import handler_of, handles
 from donnie_tui.commands.interaction import GivenUp, NotUnderstood
-from donnie_tui.core.wording import coloured_thing, meant
+from donnie_tui.core.wording import meant
 from donnie_tui.i18n.words import Unusable
 
 if TYPE_CHECKING:
@@ -25,9 +25,17 @@ if TYPE_CHECKING:
 
 @handles("put")
 async def put(ctx: Context, argument: str) -> None:
-    """PUT box red 4 6 AS treasure: a new thing. PUT treasure 4 6: one that is there goes to that place."""
-    from donnie_tui.world.things import BadDrawing, description_of, message_of
+    """PUT box red 4 6 AS treasure: a new thing. PUT treasure 4 6: one that is there goes to that place.
 
+    PUT wall -5 8 5 8: a wall between two squares.
+    """
+    from donnie_tui.world.things import BadDrawing, description_of, means_wall, message_of
+
+    if means_wall(argument.partition(" ")[0]):
+        what, corners, name = _parts(argument, 4, 2)
+        if means_wall(what):
+            _build(ctx, lambda building: _say_wall(ctx, building.put_wall((*corners, *corners)[:4], name)))
+            return
     what, (x, y), name = _parts(argument, 2)
 
     def change(building: Building) -> None:
@@ -84,30 +92,47 @@ async def remove(ctx: Context, argument: str) -> None:
 _Change = Callable[["Building"], None]
 
 
-def _parts(argument: str, count: int) -> tuple[str, tuple[int, ...], str]:
-    """What is meant, as many numbers as are wanted, and the name after AS. Raises ``NotUnderstood``."""
+def _parts(argument: str, *counts: int) -> tuple[str, tuple[int, ...], str]:
+    """What is meant, as many numbers as are wanted, and the name after AS. Raises ``NotUnderstood``.
+
+    Numbers before these are part of a name: MOVE box 2 1 0.
+    """
     before, name = argument.split(), ""
     at_name = next((at for at, word in enumerate(before) if meant(word, "building") == "as"), None)
     if at_name is not None:
         before, name = before[:at_name], " ".join(before[at_name + 1 :])
         if not name:
             raise NotUnderstood
-    numbers = [each for each in before if re.fullmatch(r"-?\d+,?", each)]
-    what = " ".join(each for each in before if each not in numbers)
-    found = numbers_in(" ".join(numbers), most=count)
+    places = [at for at, each in enumerate(before) if re.fullmatch(r"-?\d+,?", each)]
+    count = next((each for each in counts if each <= len(places)), counts[-1])
+    places = places[-count:]
+    what = " ".join(each for at, each in enumerate(before) if at not in places)
+    found = numbers_in(" ".join(before[at] for at in places), most=count)
     if not what or found is None or len(found) != count:
         raise NotUnderstood
     return what, found, name
 
 
+def _say_wall(ctx: Context, wall: Thing | None) -> None:
+    from donnie_tui.world.things import thing_in_words
+
+    if wall is not None:
+        (x, to_x), (y, to_y) = (
+            (round(middle - (length - 1) / 2), round(middle + (length - 1) / 2))
+            for middle, length in ((wall.x, wall.width), (wall.y, wall.depth))
+        )
+        ctx.answer("built-wall", thing=thing_in_words(wall, ctx.words), x=x, y=y, to_x=to_x, to_y=to_y)
+
+
 def _say_place(ctx: Context, code: str, thing: Thing | None, **values: object) -> None:
     from donnie_tui.core.describe import place_of
+    from donnie_tui.world.things import thing_in_words
 
     if thing is not None:
         x, y = round(thing.x), round(thing.y)
         ctx.answer(
             code,
-            thing=coloured_thing(thing, ctx.words),
+            thing=thing_in_words(thing, ctx.words),
             x=x,
             y=y,
             width=round(thing.width),

@@ -26,8 +26,8 @@ if TYPE_CHECKING:
 LONGEST_WORD = 24
 """Characters of the longest word of a command, blanks included, with room to spare."""
 _MOST_WORDS = 3
-_HAVE_VALUES = ("report-file",)
-"""Arguments whose first word is one of a few; HELP lists them, ``help-values-ARGUMENT``."""
+_HAVE_VALUES = ("report-file", "new-thing")
+"""Arguments of which HELP says more, ``help-values-ARGUMENT``."""
 LARGEST_PROGRAM = 20_000
 """Characters of a program that is searched for one name."""
 

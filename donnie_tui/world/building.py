@@ -7,7 +7,8 @@ raises ``Unusable`` with the reason, and nothing has changed then.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
+from math import hypot
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
@@ -15,14 +16,18 @@ from msgspec.structs import replace
 
 from devices.ports.robot import STEP
 from donnie_tui.core.program_files import read_program, write_program
-from donnie_tui.core.wording import coloured_thing, the_coloured
+from donnie_tui.core.wording import the_coloured
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.world.loading import Site, SiteChange, allowed_folders
 from donnie_tui.world.things import (
     KINDS,
+    WALL,
+    WALL_HEIGHT,
     BadDrawing,
     Description,
     description_of,
+    means_wall,
+    thing_in_words,
     thing_line,
 )
 from language.source import fold_name
@@ -30,7 +35,7 @@ from language.suggestions import nearest
 from sim.geometry import Placement, Point, contains, overlapping
 from sim.parts import Part, parts_of
 from sim.picture import Thing, is_wall, picture
-from sim.scene import Scene, moved
+from sim.scene import Model, Scene, moved
 
 if TYPE_CHECKING:
     from sim.world import World
@@ -38,7 +43,10 @@ if TYPE_CHECKING:
 
 MOST_STEPS = 1000
 """How far from 0, 0 something may stand on a floor without walls."""
-_SMALLER = 0.97
+_SHRINK, _MOST_SHRUNK = 0.03, 0.005
+"""By how much what is put is taken smaller than it is: part of its size, and metres."""
+_THIN = 0.01
+"""Steps: the width of a look for walls."""
 _MOST_NAMES = 8
 """Names that a sentence lists."""
 
@@ -57,8 +65,10 @@ class Building:
     # --- what is there
 
     def things(self) -> tuple[Thing, ...]:
-        """All but walls and robots, where they are now."""
-        return tuple(each for each in picture(self._shared.scene_now()).things if not each.is_robot)
+        """All but robots, where they are now; walls last."""
+        scene = self._shared.scene_now()
+        seen = tuple(each for each in picture(scene).things if not each.is_robot)
+        return (*seen, *(_wall(each) for each in scene.models if each.parent is None and each.kind == WALL))
 
     def find(self, typed: str) -> Thing:
         """The one thing that a name, or a kind and a colour, means. Raises ``Unusable``."""
@@ -66,11 +76,16 @@ class Building:
         if any(folded == fold_name(name) for name in self._site.world.scene.robot_names):
             raise Unusable(words("built-robot", name=typed.strip()))
         things = self.things()
-        found = [each for each in things if fold_name(each.name) == folded] or [
-            each for each in things if _is_meant(each, typed)
+        found = [
+            each
+            for each in things
+            if folded in (fold_name(each.name), fold_name(thing_in_words(each, words)))
         ]
+        found = found if len(found) == 1 else [each for each in things if _is_meant(each, typed)] or found
         if len(found) == 1:
             return found[0]
+        if found and found[0].kind == WALL:
+            raise Unusable(words("built-which-wall", count=len(found)))
         if found:
             places = (f"{each.name or each.kind}: {round(each.x)}, {round(each.y)}" for each in found)
             listed = "; ".join([*places][:_MOST_NAMES])
@@ -80,22 +95,44 @@ class Building:
 
     def is_named(self, typed: str) -> bool:
         """Whether a thing has exactly that name."""
-        return any(fold_name(each.name) == fold_name(typed).strip() for each in self.things())
+        folded = fold_name(typed).strip()
+        return any(
+            folded in (fold_name(each.name), fold_name(thing_in_words(each, self._words)))
+            for each in self.things()
+        )
 
     # --- changes; each returns the thing as it is afterwards
 
     def put(self, described: Description, x: int, y: int) -> Thing | None:
         """A new thing, its middle at a place in steps."""
-        taken = {fold_name(each.name) for each in self._site.world.scene.models if each.parent is None}
-        plain = described.kind.replace("_", " ")
-        if described.name and fold_name(described.name) in taken:
-            raise Unusable(self._words("built-name-there", name=described.name))
-        numbered = (f"{plain} {number}" for number in range(2, len(taken) + 3))
-        name = described.name or next(each for each in (plain, *numbered) if fold_name(each) not in taken)
+        name = self._new_name(described.kind.replace("_", " "), described.name)
         colour = described.colours[0] if described.colours else ""
-        line = thing_line(described.kind, colour, name, (x * STEP, y * STEP, 0.0))
+        return self._added(
+            thing_line(described.kind, colour, name, (x * STEP, y * STEP, 0.0)), described.kind
+        )
+
+    def put_wall(self, corners: Sequence[int], name: str) -> Thing | None:
+        """A wall on all squares from one to another: east and north of each, in steps."""
+        (left, right), (bottom, top) = sorted(corners[::2]), sorted(corners[1::2])
+        if max(map(abs, corners)) > MOST_STEPS:
+            limits = {"left": -MOST_STEPS, "right": MOST_STEPS, "bottom": -MOST_STEPS, "top": MOST_STEPS}
+            raise Unusable(self._words("built-outside", **limits))
+        size = ((right - left + 1) * STEP, (top - bottom + 1) * STEP, WALL_HEIGHT)
+        pose = ((left + right) / 2 * STEP, (bottom + top) / 2 * STEP, 0.0)
+        sides = " ".join(f"{each:.6g}" for each in size)
+        return self._added(thing_line(WALL, "", self._new_name(WALL, name), pose, f"size [ {sides} ]"), WALL)
+
+    def _new_name(self, plain: str, wanted: str) -> str:
+        """The wanted name, else the kind with a number that is free. Raises ``Unusable``."""
+        taken = {fold_name(each.name) for each in self._site.world.scene.models if each.parent is None}
+        if wanted and fold_name(wanted) in taken:
+            raise Unusable(self._words("built-name-there", name=wanted))
+        numbered = (f"{plain} {number}" for number in range(2, len(taken) + 3))
+        return wanted or next(each for each in (plain, *numbered) if fold_name(each) not in taken)
+
+    def _added(self, line: str, kind: str) -> Thing | None:
         text = self._source().rstrip("\n")
-        return self._changed(f"{text}\n{self._include(described.kind, text)}{line}\n")
+        return self._changed(f"{text}\n{self._include(kind, text)}{line}\n")
 
     def move(self, thing: Thing, east: int, north: int) -> Thing | None:
         """So many steps from where it is."""
@@ -145,12 +182,12 @@ class Building:
         tops = [each.index for each in self._site.world.scene.models if each.parent is None]
         found = written_models(text, self._file, self._allowed)[tops.index(thing.index)]
         if found is None:
-            raise Unusable(self._words("built-included", thing=coloured_thing(thing, self._words)))
+            raise Unusable(self._words("built-included", thing=thing_in_words(thing, self._words)))
         return found
 
     def _include(self, kind: str, text: str) -> str:
         """The line that a world needs for its first thing of a kind; empty where it knows the kind."""
-        file = next(each for each, known in KINDS.items() if kind in known)
+        file = next((each for each, known in KINDS.items() if kind in known), "things.inc")
         files = {PurePath(each).name for each in self._site.world.scene.report.files}
         is_known = file in files or re.search(rf"^\s*define\s+{kind}\s", text, re.MULTILINE)
         return "" if is_known or f'include "{file}"' in text else f'include "{file}"\n'
@@ -235,8 +272,10 @@ class Building:
         solid = [part for part in parts_of(now) if part.root == changed and part.solid]
         self._check_outside(now, solid, changed)
         mine = [_shrunk(part) for part in solid]
+        is_new_wall = scene.models[changed].kind == WALL
         for part in parts_of(now):
             is_floor = any(contains(part.points, *middle) for middle in middles)
+            is_floor |= is_new_wall and scene.models[part.root].kind == WALL  # walls meet in corners
             is_other = part.root != changed and part.solid and (part.root in scene.robots or not is_floor)
             if is_other and any(overlapping(each, part.points) for each in mine):
                 raise Unusable(self._in_the_way(now, part.root))
@@ -256,7 +295,10 @@ class Building:
         return words("built-over-thing", thing=thing)
 
     def _check_outside(self, scene: Scene, mine: list[Part], changed: int) -> None:
-        walls = [point for outline in picture(scene).walls for point in outline]
+        if scene.models[changed].kind == WALL:
+            return
+        outlines = picture(scene).walls
+        walls = [point for outline in outlines for point in outline] if _is_closed(scene, outlines) else []
         points = [(x / STEP, y / STEP) for part in mine for x, y in part.points]
         points = points or [(scene.models[changed].pose.x / STEP, scene.models[changed].pose.y / STEP)]
         left, bottom, right, top = (
@@ -268,14 +310,46 @@ class Building:
             raise Unusable(self._words("built-outside", **limits))
 
 
+def _wall(model: Model) -> Thing:
+    xs, ys = zip(*(point for outline in model.outlines() for point in outline), strict=True)
+    x, y = (min(xs) + max(xs)) / 2 / STEP, (min(ys) + max(ys)) / 2 / STEP
+    width, depth = (max(xs) - min(xs)) / STEP, (max(ys) - min(ys)) / STEP
+    name = "" if ":" in model.name else model.name
+    return Thing(name, WALL, "#", "", x, y, width, depth, index=model.index)
+
+
+def _is_closed(scene: Scene, walls: Iterable[Sequence[Point]]) -> bool:
+    """Whether there are walls on all sides of each robot's start; else the floor has no end."""
+    for each in scene.robots:
+        x, y = scene.models[each].pose.x / STEP, scene.models[each].pose.y / STEP
+        for dx, dy in ((0, 1), (1, 0), (0, -1), (-1, 0)):
+            far_x, far_y = x + MOST_STEPS * dx, y + MOST_STEPS * dy
+            way = ((x, y), (far_x, far_y), (far_x + _THIN * dy, far_y + _THIN * dx))
+            if not any(overlapping(way, outline) for outline in walls):
+                return False
+    return True
+
+
 def _shrunk(part: Part) -> tuple[Point, ...]:
     """Its outline, a little smaller: what stands on the squares of the floor often has borders in common."""
     x, y = part.middle
-    return tuple((x + (px - x) * _SMALLER, y + (py - y) * _SMALLER) for px, py in part.points)
+    less = (
+        (px - x, py - y, 1 - min(_SHRINK, _MOST_SHRUNK / hypot(px - x, py - y))) for px, py in part.points
+    )
+    return tuple((x + dx * size, y + dy * size) for dx, dy, size in less)
 
 
 def _is_meant(thing: Thing, typed: str) -> bool:
-    """Whether a kind, perhaps with a colour, means it."""
+    """Whether a kind, perhaps with a colour, means it; of a wall also a square: wall 4 6."""
+    if thing.kind == WALL:
+        word, _, place = typed.strip().partition(" ")
+        square = re.fullmatch(r"(-?\d+),? (-?\d+)", place.strip())
+        if square is None or not means_wall(word):
+            return means_wall(typed)
+        return (
+            abs(int(square[1]) - thing.x) <= thing.width / 2
+            and abs(int(square[2]) - thing.y) <= thing.depth / 2
+        )
     try:
         described = description_of(typed)
     except BadDrawing:

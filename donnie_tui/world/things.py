@@ -14,12 +14,13 @@ from msgspec import Struct
 
 import worlds
 from devices.ports.robot import STEP
-from donnie_tui.core.wording import Wording, meant
+from donnie_tui.core.wording import Wording, coloured_thing, meant
 from donnie_tui.i18n.words import Words
 from language.keywords import argument, argument_words
 from language.locales import languages
 from language.source import fold_name
 from language.suggestions import nearest
+from sim.picture import Thing
 
 KINDS = {
     "furniture.inc": ("chair", "table", "small_sofa", "large_sofa"),
@@ -27,6 +28,11 @@ KINDS = {
     "juice.inc": ("orange", "carton", "belt"),
 }
 """The things that there are, by the files that define them."""
+
+
+WALL = "wall"
+WALL_HEIGHT = 0.24
+"""Metres."""
 
 
 class Slip(Struct, frozen=True):
@@ -76,7 +82,7 @@ _NAMED = ("thing", "other", "near")
 
 
 def _kind_in_words(kind: str, words: Wording) -> str:
-    if kind == "wall":
+    if kind == WALL:
         return words("cell-wall")
     return words(f"thing-{kind}") if kind in kinds() else kind
 
@@ -125,6 +131,23 @@ def _colours_by_word() -> Mapping[str, str]:
 def colour_meant(word: str) -> str | None:
     """The colour that a word of any language means, as GoDonnie and world files have it."""
     return _colours_by_word().get(fold_name(word))
+
+
+@cache
+def _walls_by_word() -> frozenset[str]:
+    return frozenset(fold_name(Words(each)("cell-wall")) for each in languages())
+
+
+def means_wall(word: str) -> bool:
+    """Whether it is the word for a wall in any language."""
+    return fold_name(word).strip() in _walls_by_word()
+
+
+def thing_in_words(thing: Thing, wording: Wording) -> str:
+    """A thing in a list; a wall without a name of its own with its number: "parede 2"."""
+    if thing.kind != WALL:
+        return coloured_thing(thing, wording)
+    return re.sub(rf"^{WALL}(?=$| \d+$)", wording("cell-wall"), thing.name or WALL)
 
 
 _LONGEST_KIND = 3

@@ -283,6 +283,105 @@ def test_a_robot_lets_go_before_the_world_is_changed(open_script: OpenScript) ->
     assert script.answers_to("MOVE treasure 5 0")[0].startswith("Treasure, box, red: now at 5, ")
 
 
+# --- walls
+
+
+@pytest.mark.parametrize(
+    ("language", "lines", "answers"),
+    [
+        (
+            "en",
+            ("PUT wall -5 8 5 8", "MOVE wall 0 2", "TURN wall 90", "REMOVE wall"),
+            [
+                "Wall: from -5, 8 to 5, 8.",
+                "Wall: now at 0, 10. From the robot: 10 ahead.",
+                "Wall: turned 90 degrees to the right, at 0, 10. It is 1 by 11 steps.",
+                "Wall: gone from 0, 10.",
+            ],
+        ),
+        (
+            "pt",
+            ("COLOCAR parede -5 8 5 8", "COLOCAR parede 9 9", "REMOVER parede 2"),
+            ["Parede: de -5, 8 a 5, 8.", "Parede 2: de 9, 9 a 9, 9.", "Parede 2: não está mais em 9, 9."],
+        ),
+        (
+            "es",
+            ("PONER pared 5 8 -5 8 COMO valla", "QUITAR valla"),
+            ["Valla: de -5, 8 a 5, 8.", "Valla: ya no está en 0, 8."],
+        ),
+    ],
+)
+def test_a_wall_is_put_between_two_squares(
+    open_script: OpenScript, language: str, lines: tuple[str, ...], answers: list[str]
+) -> None:
+    script = open_script(language=language, world="open_floor")
+
+    assert [said for line in lines for said in script.answers_to(line)] == answers
+
+
+def test_a_room_is_built_of_walls_by_words_and_read_back(open_script: OpenScript, tmp_path: Path) -> None:
+    script = open_script(world="open_floor")
+
+    for corners in ("-10 10 10 10", "-10 -10 10 -10", "-10 -10 -10 10", "10 -10 10 10"):
+        assert script.answers_to(f"PUT wall {corners}")[0].startswith("Wall")
+    # The wall fills the square 10: its edge is at 9.5 steps, the robot's at 1.28: 8 whole steps are free.
+    assert script.answers_to("SPEAK DISTANCE F") == ["8"]
+    assert script.answers_to("PUT chair 12 0")[0].startswith("That is outside.")
+    assert script.answers_to("PUT chair 9 0") == ["There is a wall at that place. Nothing changed."]
+    script.type("SAVE WORLD room")
+
+    walls = picture(choose_world(str(tmp_path / "room.world"), Words("en")).scene).walls
+    xs, ys = zip(*(point for outline in walls for point in outline), strict=True)
+    assert [round(each, 6) for each in (min(xs), max(xs), min(ys), max(ys))] == [-10.5, 10.5, -10.5, 10.5]
+
+
+@pytest.mark.parametrize(
+    ("line", "sentence"),
+    [
+        ("PUT wall -3 0 3 0", "The robot donnie stands there. Nothing changed."),
+        ("PUT wall 8 -5 8 5", "The yellow ball is in the way. Nothing changed."),
+        ("PUT wall 0 5000", "That is outside. The floor goes from -1000 to 1000 east and from -1000 to 1000"),
+        ("PUT wall 3", "I did not understand. Type PUT box red 4 6."),
+        ("REMOVE wall", "4 walls are meant. Type one with a square of it, such as wall 4 6."),
+        ("REMOVE wall 4 6", "There is no wall 4 6 here. Nothing changed."),
+        ("PUT wall 1 1 2 2 AS ball", "Ball is there already. Choose another name."),
+    ],
+)
+def test_a_wall_that_is_impossible_changes_nothing(open_script: OpenScript, line: str, sentence: str) -> None:
+    script = open_script(world="first_room")
+    before = script.donnie.picture_now()
+
+    assert script.answers_to(line)[0].startswith(sentence)
+    assert script.donnie.picture_now() == before
+
+
+def test_a_wall_without_a_name_is_removed_by_one_of_its_squares(
+    open_script: OpenScript, tmp_path: Path
+) -> None:
+    """Those of ``donnie world new`` have none."""
+    file = tmp_path / "room.world"
+    file.write_text(
+        'include "donnie.inc"\ninclude "things.inc"\n'
+        "wall( pose [ 0 0.5 0 0 ] size [ 1.05 0.05 0.24 ] )\n"
+        "wall( pose [ 0.5 0 0 0 ] size [ 0.05 0.95 0.24 ] )\n"
+        'donnie( name "donnie" pose [ 0 0 0 90 ] )\n',
+        encoding="utf-8",
+    )
+    script = open_script(world=str(file))
+
+    assert script.answers_to("REMOVE wall 10 4") == ["Wall: gone from 10, 0."]
+    assert len(script.donnie.picture_now().walls) == 1
+    assert script.answers_to("UNDO") == ["Wall: at 10, 0. From the robot: 10 right."]
+    assert script.answers_to("REMOVE east wall", "REMOVE wall 3 3")[-1].startswith("There is no wall 3 3")
+
+
+def test_a_thing_whose_name_has_a_number_is_moved(open_script: OpenScript) -> None:
+    script = open_script(world="first_room")
+    script.answers_to("PUT box red 4 6", "PUT box red 8 6")
+
+    assert script.answers_to("MOVE box 2 1 0")[0].startswith("Box, red: now at 9, 6.")
+
+
 # --- saving
 
 
