@@ -118,7 +118,7 @@ def replay(order: Order) -> int:
         if arguments.challenge is not None:
             is_simulated = recording.header is None or recording.header.robot == SIMULATED
             return judge_recording(order, arguments.challenge, recording.events, is_simulated=is_simulated)
-        if arguments.svg is not None or arguments.png is not None:
+        if any(name is not None for _, name in _pictures(order)):
             return _draw(order, recording, closing)
         telling = _Player(order, recording, closing)
         code = telling.play()
@@ -135,8 +135,7 @@ def _refuse_what_has_no_meaning(order: Order) -> None:
     chosen = [option for option, is_chosen in ways if is_chosen]
     if arguments.challenge is not None:
         chosen.append("--challenge")
-    if arguments.svg is not None or arguments.png is not None:
-        chosen.append("--svg" if arguments.svg is not None else "--png")
+    chosen += [option for option, name in _pictures(order) if name is not None][:1]
     if arguments.check or arguments.challenge is not None:
         others = [
             ("--map", arguments.map),
@@ -171,14 +170,23 @@ def _opened(name: str, words: Words, closing: ExitStack) -> Recording:
 # --- a picture of the run
 
 
+def _pictures(order: Order) -> tuple[tuple[str, str | None], ...]:
+    """The options, and the files that they name."""
+    it = order.invocation.arguments
+    return ("--svg", it.svg), ("--png", it.png), ("--swell", it.swell)
+
+
 def _draw(order: Order, recording: Recording, closing: ExitStack) -> int:
     """Write the pictures that are asked for, and print the path in words."""
+    from donnie_tui.core.chart import chart
+    from donnie_tui.core.paper import raised_picture
     from donnie_tui.core.program_files import DocumentError, write_bytes
     from donnie_tui.world.loading import moved_to
     from donnie_tui.world.run_picture import DrivenPath, as_png, as_svg, run_picture
     from sim.picture import drawings
+    from sim.picture import picture as seen_by_first
 
-    arguments, words = order.invocation.arguments, order.words
+    words = order.words
     if recording.header is None:
         raise Unusable(words("replay-no-map"))
     world = closing.enter_context(unpacked(recording.header, words))
@@ -188,15 +196,25 @@ def _draw(order: Order, recording: Recording, closing: ExitStack) -> int:
     paths = tuple(DrivenPath(robot, poses) for robot, poses in trails if poses)
     if not paths:
         raise Unusable(words("trail-none"))
-    shown = drawings(moved_to(world.scene, timeline.things))
-    picture = run_picture(words("paper-title", name=world.name), shown, paths, words)
-    for option, name in (("--svg", arguments.svg), ("--png", arguments.png)):
+    scene = moved_to(world.scene, timeline.things)
+    title, shown = words("paper-title", name=world.name), drawings(scene)
+    picture = run_picture(title, shown, paths, words)
+    for option, name in _pictures(order):
         if name is None:
             continue
         if not name:
             raise Unusable(words("usage-without-value", what=option))
         try:
-            write_bytes(Path(name), as_svg(picture).encode() if option == "--svg" else as_png(picture))
+            if option == "--png":
+                content = as_png(picture)
+            elif option == "--svg":
+                content = as_svg(picture).encode()
+            else:
+                seen = seen_by_first(scene)
+                plan = chart(seen, world.start(), next(iter(scene.robot_names), None), words)
+                driven = [path.poses for path in paths]
+                content = raised_picture(title, plan, seen, shown, words, driven).encode()
+            write_bytes(Path(name), content)
         except DocumentError as problem:
             raise Unusable(words(problem.code, path=problem.path, reason=problem.reason)) from None
         order.output.line(words("paper-written", path=name))

@@ -91,10 +91,12 @@ _ENOUGH = 4096
 _BRAILLE = frozenset(range(0x20, 0x60)) | frozenset(b"\r\n\f")
 """What ASCII braille is made of."""
 
+_SVG = (b'<svg xmlns="http://www.w3.org/2000/svg" role="img" width="',)
 _BEGINNINGS: Mapping[str, tuple[bytes, ...]] = {
     "--record": (b'{"donnie_recording"',),
     "--events": (b'{"seq"',),
-    "--svg": (b'<svg xmlns="http://www.w3.org/2000/svg" role="img" width="',),
+    "--svg": _SVG,
+    "--swell": _SVG,
 }
 _SOUND = re.compile(rb"RIFF....WAVEfmt \x10\0\0\0\x01\0\x02\0" + SAMPLE_RATE.to_bytes(4, "little"), re.DOTALL)
 """Uncompressed, in two channels, at the rate of Donnie's sounds."""
@@ -127,7 +129,7 @@ def _is_of_kind(option: str, beginning: bytes, path: Path) -> bool:
 
 def _titles_in_braille() -> tuple[bytes, ...]:
     """How the first page of a world begins, in each language."""
-    from donnie_tui.core.paper import braille
+    from donnie_tui.core.chart import braille
 
     titles = ((each, Words(each)("paper-title", name="|").partition("|")[0]) for each in languages())
     return tuple(braille(title, each).encode("ascii") for each, title in titles)

@@ -298,11 +298,17 @@ def _bounded(names: Sequence[str], most: int) -> str:
 
 
 def _braille_pages(world: ChosenWorld, words: Words) -> str:
-    from donnie_tui.core.chart import chart
-    from donnie_tui.core.paper import braille_pages
+    from donnie_tui.core.chart import braille_pages, chart
     from sim.picture import picture
 
-    return braille_pages(world.name, chart(picture(world.scene), world.start(), _robot(world), words), words)
+    plan = chart(picture(world.scene), world.start(), _robot(world), words)
+    return braille_pages(_title(world, words), plan, words)
+
+
+def _title(world: ChosenWorld, words: Words) -> str:
+    """With the author's title, or the name of the world."""
+    about = world.about(words.language)
+    return words("paper-title", name=world.name if about is None else about.title)
 
 
 def _raised_picture(world: ChosenWorld, words: Words) -> str:
@@ -312,7 +318,7 @@ def _raised_picture(world: ChosenWorld, words: Words) -> str:
 
     seen = picture(world.scene)
     plan = chart(seen, world.start(), _robot(world), words)
-    return raised_picture(world.name, plan, seen, drawings(world.scene), words)
+    return raised_picture(_title(world, words), plan, seen, drawings(world.scene), words)
 
 
 def _written(option: str, path: str, text: str, words: Words) -> str:

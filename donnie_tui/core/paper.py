@@ -1,176 +1,89 @@
-"""A world on paper: braille pages for an embosser, and a picture for swell paper.
+"""A world, and the way that a robot drove in it, as a picture for swell paper.
 
-Text is North American ASCII braille, one sign a cell: uncontracted, without signs for capitals, with the
-accents of Portuguese and Spanish braille.
-
-The braille pages have 40 cells by 25 lines: a map to scale, and a legend next to or after it. The file is BRF
-(ASCII braille, a form feed after each page) for an embosser or a braille display.
-
-The picture is a sheet of 210 by 297 millimetres as SVG: heat raises everything black on it. Lines only, at
-least a millimetre thick. Nothing is filled but thin walls, which are lines themselves. Braille names the
-things; it is made of dots, so that no font is needed. No print is raised. The title and description of the
-SVG give screen readers the same in text.
+A sheet of 210 by 297 millimetres as SVG: heat raises everything black on it. Lines are at least a millimetre
+thick. Walls are black bars, or outlines where they are thick on paper; the colours of things are textures
+with a key. Braille names the things by letters with a legend; it is made of dots, so that no font is needed.
+Between a label and everything else are 3 mm. Next to all braille is the same in print for a sighted helper,
+in a grey that does not swell. The title and description of the SVG give screen readers the same in text.
 """
 
 from __future__ import annotations
 
 import textwrap
-import unicodedata
-from collections.abc import Iterable, Iterator, Sequence
-from itertools import chain, islice, pairwise
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import chain, pairwise
 from math import cos, hypot, radians, sin
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape
 
 from msgspec import Struct
 
-from donnie_tui.core.chart import Chart, ChartedRobot, shrunk, with_marks
-from donnie_tui.core.map_grid import FREE, WALL
+from devices.ports.robot import STEP, Pose
+from donnie_tui.core.chart import Chart, braille, dots
+from donnie_tui.core.map_grid import WALL
 from donnie_tui.core.wording import Wording
-from language.locales import own_words
 
 if TYPE_CHECKING:
     from sim.picture import Drawing, Picture
 
-# --- braille pages
-
-ASCII = " A1B'K2L@CIF/MSP\"E3H9O6R^DJG>NTQ,*5<-U8V.%[$+X!&;:4\\0Z7(_?W]#Y)="
-"""The 64 cells in the order of their dots: dot 1 counts 1, dot 2 counts 2, dot 3 counts 4 and so on."""
-FULL_CELL = "="
-NUMBER = "#"
-
-_SIGNS = {",": "1", ";": "2", ":": "3", ".": "'", "-": "-", "'": "'", "_": "-", "/": "-"}
-
-
-def braille(text: str, language: str) -> str:
-    """The text in a language; what has no sign there becomes a blank."""
-    cells: list[str] = []
-    in_number = False
-    for letter in unicodedata.normalize("NFC", text).lower():
-        is_digit = "0" <= letter <= "9"
-        if is_digit and not in_number:
-            cells.append(NUMBER)
-        cells.append(_cell(letter, language))
-        in_number = is_digit
-    return "".join(cells)
-
-
-def _cell(letter: str, language: str) -> str:
-    if "0" <= letter <= "9":
-        return "JABCDEFGHI"[int(letter)]
-    special = own_words(language, "words", "braille", letter)
-    if special or letter in _SIGNS:
-        return special[0] if special else _SIGNS[letter]
-    plain = unicodedata.normalize("NFD", letter)[0]
-    return plain.upper() if "a" <= plain <= "z" else " "
-
-
-def dots(cell: str) -> tuple[int, ...]:
-    """The raised dots of a cell: 1, 2, 3 down the left column, 4, 5, 6 down the right one."""
-    pattern = ASCII.index(cell)
-    return tuple(dot for dot in range(1, 7) if pattern & 1 << (dot - 1))
-
-
-CELLS, LINES = 40, 25
-_HEADING = 2
-"""Lines above the map: its name, its scale."""
-_SLENDER = 5 / 3
-"""A braille cell with its gaps is 6 mm wide and 10 mm high."""
-
-
-def braille_pages(name: str, chart: Chart, wording: Wording) -> str:
-    """The pages of the world ``name``, with line ends and form feeds as embossers want them."""
-    legend = _page_legend(chart, wording)
-    page = LINES - _HEADING
-    across = _scale(chart, page)
-    beside = _scale(chart, page - len(legend)) if len(legend) < page else 0
-    down = _down(across)
-    rows = _map(chart, across, down)
-    heading = _heading(name, across * chart.cell, down * chart.cell, wording)
-    lines = [*heading, *rows]
-    if beside != across:  # the legend would make the map smaller: it has pages of its own
-        lines += [""] * (LINES - len(lines))
-    return _paged([*lines, *legend])
-
-
-def _scale(chart: Chart, most_lines: int) -> int:
-    """How many letters of the chart a cell is wide, so that all of it has its place."""
-    across = 1
-    while len(chart.rows[0]) > CELLS * across or len(chart.rows) > most_lines * _down(across):
-        across += 1
-    return across
-
-
-def _down(across: int) -> int:
-    return max(1, round(across * _SLENDER))
-
-
-def _map(chart: Chart, across: int, down: int) -> list[str]:
-    robots = "".join({each.letter for each in chart.robots})
-    rows, _ = with_marks(shrunk(chart.rows, across, down, robots), chart.marks, across, down)
-    return [row.upper().replace(FREE, " ").replace(WALL, FULL_CELL).rstrip() for row in rows]
-
-
-def _heading(name: str, width: int, height: int, wording: Wording) -> list[str]:
-    title = braille(wording("paper-title", name=name), wording.language)
-    scale = braille(wording("paper-cell", width=width, height=height), wording.language)
-    return [title[:CELLS], scale[:CELLS]]
-
-
-def _page_legend(chart: Chart, wording: Wording) -> list[str]:
-    lines = [braille(wording("paper-north"), wording.language)]
-    for letter, meaning in chart.legend.items():
-        sign = FULL_CELL if letter == WALL else letter.upper()
-        lines.append(f"{sign}  {braille(meaning, wording.language)}")
-    return [part for line in lines for part in textwrap.wrap(line, CELLS, subsequent_indent="   ")]
-
-
-def _paged(lines: list[str]) -> str:
-    return "".join(_page(lines[start : start + LINES]) for start in range(0, len(lines), LINES))
-
-
-def _page(lines: list[str]) -> str:
-    return "".join(f"{line}\r\n" for line in _without_end(lines)) + "\f"
-
-
-def _without_end(lines: list[str]) -> Iterator[str]:
-    """The lines without the blank ones at the foot of the page."""
-    last = max((number for number, line in enumerate(lines) if line), default=-1)
-    yield from lines[: last + 1]
-
-
-# --- the picture for swell paper
-
 A4 = (210.0, 297.0)
-"""Millimetres, upright."""
+"""Millimetres, upright; so are all lengths here."""
 MARGIN = 12.0
 LINE = 1.2
-"""Millimetres: the thickness of every line. Thinner ones do not rise well."""
+"""The thickness of every line. Thinner ones do not rise well."""
+GAP = 3.0
+"""Between a label and everything else: nearer than that fingers take them for one."""
 THICKEST_WALL = 6.0
-"""Millimetres: a wall that is thinner on paper is one black line, a thicker one an outline."""
+"""A wall that is thinner on paper is one black line, a thicker one an outline."""
 SMALLEST = 5.0
-"""Millimetres: what is smaller on paper is a ring of this width."""
+"""What is smaller on paper is a ring of this width."""
+LEAST_TEXTURED = 8.0
+"""A texture on less can't be felt."""
 DOT, DOT_GAP, CELL, ROW = 1.6, 2.5, 6.2, 10.0
-"""Millimetres of braille: a dot, from dot to dot, from cell to cell, from line to line."""
-MOST_LEGEND = 9
+"""Braille: a dot, from dot to dot, from cell to cell, from line to line."""
+HEAD = 2 * ROW
+"""The title, and to its right the arrow to the north."""
+SWATCH = (12.0, 9.0)
+"""A sample in the key."""
+WORD = SWATCH[0] + LINE / 2 + GAP + DOT / 2
+"""From the left end of a sample to the first dot of its word."""
+KEY_ROW = 13.0
+MOST_LEGEND = 10
 """Lines of the legend; a map needs the rest of the sheet."""
-MOST_WALLS = 500
 MOST_LABELS = 60
 """Things that get a letter; more letters would cover each other."""
+PRINT = 3.2
+"""The height of printed letters."""
+PALE = "#b4b4b4"
+"""A grey that heat does not raise."""
+DASHES = "4 3"
+"""Of a driven path."""
+
+TEXTURES = {
+    "red": (3.4, "M1 0V3.4"),
+    "green": (3.4, "M0 1H3.4"),
+    "blue": (3.6, ""),
+    "yellow": (4.6, "M-1 1L1 -1M0 4.6L4.6 0M3.6 5.6L5.6 3.6"),
+    "orange": (5.0, "M1 0V5M0 1H5"),
+    "pink": (5.0, "M0 1H3M2.5 3.5H5M0 3.5H.5"),
+    "rock": (3.2, "M-1 2.2L1 4.2M0 0L3.2 3.2M2.2 -1L4.2 1"),
+}
+"""The side of a tile, and its lines; of blue a dot. Gray things are empty, rock is a wall that is no line."""
 
 _Point = tuple[float, float]
 _Box = tuple[float, float, float, float]
+_Segment = tuple[_Point, _Point]
 
 
 class _Sheet(Struct, frozen=True):
-    """Where the map lies on the paper. Millimetres from the top left corner; the world's places in steps."""
+    """Where the map lies on the paper, from the top left corner; the world's places in steps."""
 
     width: float
     height: float
     left: float
     top: float
     scale: float
-    """Millimetres for a step."""
+    """For a step."""
     west: float
     north: float
 
@@ -178,41 +91,62 @@ class _Sheet(Struct, frozen=True):
         return self.left + (x - self.west) * self.scale, self.top + (self.north - y) * self.scale
 
 
+class _Item(Struct, frozen=True):
+    """A word of the key with the name of its sample."""
+
+    sample: str
+    word: str
+
+
 def raised_picture(
-    name: str, chart: Chart, picture: Picture, drawings: Sequence[Drawing], wording: Wording
+    title: str,
+    chart: Chart,
+    picture: Picture,
+    drawings: Sequence[Drawing],
+    wording: Wording,
+    paths: Sequence[Sequence[Pose]] = (),
 ) -> str:
-    """The sheet. ``drawings``: what stands in the world; its letters and their meanings are the chart's."""
-    sheet, legend = _laid_out(chart, picture, drawings, wording)
-    title = wording("paper-title", name=name)
+    """The sheet. ``drawings``: what stands in the world; its letters and their meanings are the chart's.
+
+    ``paths``: where robots drove from their starts.
+    """
+    sheet, legend = _laid_out(chart, picture, drawings, _key(drawings, None, wording, paths), wording)
+    items = _key(drawings, sheet, wording, paths)
     meanings = "; ".join(f"{letter}: {meaning}" for letter, meaning in chart.legend.items())
+    cells = _cells(sheet.width - 3 * ROW)
     return "\n".join(
         (
             f'<svg xmlns="http://www.w3.org/2000/svg" role="img" width="{sheet.width:g}mm"'
             f' height="{sheet.height:g}mm" viewBox="0 0 {sheet.width:g} {sheet.height:g}">',
             f"<title>{escape(_printable(title))}</title>",
             f"<desc>{escape(_printable(meanings))}</desc>",
+            *_patterns(items),
             f'<rect width="{sheet.width:g}" height="{sheet.height:g}" fill="white"/>',
-            f'<g fill="none" stroke="black" stroke-width="{LINE}" stroke-linejoin="round">',
+            f'<g id="map" fill="none" stroke="black" stroke-width="{LINE}" stroke-linejoin="round">',
             *(_shape(each, sheet) for each in drawings),
-            *(_nose(each, sheet) for each in chart.robots),
+            *(_line(each) for each in _noses(chart, sheet)),
+            *(f'<g stroke-dasharray="{DASHES}">{_line(_on_paper(each, sheet))}</g>' for each in paths),
+            *(_line(each) for path in paths for each in _head(path, sheet)),
             "</g>",
-            *_written(braille(title, wording.language)[: _cells(sheet.width)], MARGIN, MARGIN),
-            *_labels(chart, drawings, sheet),
-            *_legend_block(legend, sheet, wording),
+            *_written(_printable(title), cells, MARGIN, MARGIN, wording),
+            *_north(sheet, wording),
+            *_labels(chart, drawings, sheet, paths),
+            *_legend_block(legend, items, sheet, wording),
             "</svg>\n",
         )
     )
 
 
 def _laid_out(
-    chart: Chart, picture: Picture, drawings: Sequence[Drawing], wording: Wording
+    chart: Chart, picture: Picture, drawings: Sequence[Drawing], items: Sequence[_Item], wording: Wording
 ) -> tuple[_Sheet, list[str]]:
     """The sheet upright or on its side, whichever makes the map larger."""
     box = _extent(picture, drawings)
     sheets = []
     for width, height in (A4, A4[::-1]):
-        legend = _sheet_legend(chart, _cells(width), wording)
-        room = height - 2 * MARGIN - ROW * (len(legend) + 4)
+        legend = _sheet_legend(chart, _cells(width))
+        key = KEY_ROW * len(_key_rows(items, width, wording))
+        room = height - 2 * MARGIN - HEAD - ROW * (len(legend) + 3) - key
         sheets.append((_fitted(box, width, height, room), legend))
     return max(sheets, key=lambda each: each[0].scale)
 
@@ -237,7 +171,10 @@ def _fitted(box: _Box, width: float, height: float, room: float) -> _Sheet:
     west, south, east, north = box
     scale = min((width - 2 * MARGIN) / max(east - west, 1.0), room / max(north - south, 1.0))
     left = (width - scale * (east - west)) / 2
-    return _Sheet(width, height, left, MARGIN + 1.5 * ROW, scale, west, north)
+    return _Sheet(width, height, left, MARGIN + HEAD, scale, west, north)
+
+
+# --- what stands in the world
 
 
 def _shape(drawing: Drawing, sheet: _Sheet) -> str:
@@ -247,7 +184,16 @@ def _shape(drawing: Drawing, sheet: _Sheet) -> str:
         return _ring((box[0] + box[2]) / 2, (box[1] + box[3]) / 2)
     lines = [each for each in outlines if _is_line(drawing, each)]
     areas = [each for each in outlines if not _is_line(drawing, each)]
-    return "".join((_path(lines, ' fill="black"'), _outlined(areas)))
+    return "".join((_path(lines, ' fill="black"'), _outlined(areas, _texture(drawing, box))))
+
+
+def _texture(drawing: Drawing, box: _Box) -> str:
+    """The name of its texture; empty for a robot and for what is too small."""
+    thing = drawing.thing
+    if thing is None:
+        return "rock"
+    is_large = min(box[2] - box[0], box[3] - box[1]) >= LEAST_TEXTURED
+    return thing.colour if not thing.is_robot and is_large else ""
 
 
 def _is_line(drawing: Drawing, points: Sequence[_Point]) -> bool:
@@ -259,12 +205,14 @@ def _is_line(drawing: Drawing, points: Sequence[_Point]) -> bool:
     return area < THICKEST_WALL * hypot(right - left, bottom - top)
 
 
-def _outlined(areas: Sequence[Sequence[_Point]]) -> str:
+def _outlined(areas: Sequence[Sequence[_Point]], texture: str) -> str:
     """The outline of all pieces together: what lies inside of another piece is wiped out by white."""
-    if len(areas) < 2:
-        return _path(areas)
     twice = f' stroke-width="{2 * LINE}"'  # the inner half is wiped out too
-    return _path(areas, twice) + _path(areas, ' fill="white" stroke="none"')
+    outline = (
+        _path(areas) if len(areas) < 2 else _path(areas, twice) + _path(areas, ' fill="white" stroke="none"')
+    )
+    filled = f' fill="url(#{texture})" stroke="none"'
+    return outline + (_path(areas, filled) if texture in TEXTURES else "")
 
 
 def _path(polygons: Iterable[Sequence[_Point]], style: str = "") -> str:
@@ -272,61 +220,160 @@ def _path(polygons: Iterable[Sequence[_Point]], style: str = "") -> str:
     return f'<path d="{"".join(pieces)}"{style}/>' if pieces else ""
 
 
+def _line(points: Sequence[_Point]) -> str:
+    return f'<path d="M{"L".join(f"{x:.2f} {y:.2f}" for x, y in points)}"/>'
+
+
 def _ring(x: float, y: float) -> str:
     return f'<circle cx="{x:.2f}" cy="{y:.2f}" r="{SMALLEST / 2 - LINE / 2:.2f}"/>'
 
 
-def _nose(robot: ChartedRobot, sheet: _Sheet) -> str:
-    """A line from the robot's middle towards what it looks at."""
-    x, y = sheet.point(robot.pose.x, robot.pose.y)
-    turned = radians(robot.pose.heading)
+def _noses(chart: Chart, sheet: _Sheet) -> Iterator[_Segment]:
+    """A line from each robot's middle towards what it looks at."""
+    for robot in chart.robots:
+        x, y = sheet.point(robot.pose.x, robot.pose.y)
+        turned = radians(robot.pose.heading)
+        yield (x, y), (x + SMALLEST * 1.6 * sin(turned), y - SMALLEST * 1.6 * cos(turned))
+
+
+def _on_paper(path: Iterable[Pose], sheet: _Sheet) -> list[_Point]:
+    return [sheet.point(each.x, each.y) for each in path]
+
+
+def _head(path: Sequence[Pose], sheet: _Sheet) -> Iterator[_Segment]:
+    """The head of an arrow where the robot stopped, in its direction."""
+    end = path[-1]
+    x, y = sheet.point(end.x, end.y)
+    for turned in (radians(end.heading + 150), radians(end.heading - 150)):
+        yield (x, y), (x + SMALLEST * sin(turned), y - SMALLEST * cos(turned))
+
+
+# --- labels
+
+
+def _labels(
+    chart: Chart, drawings: Sequence[Drawing], sheet: _Sheet, paths: Sequence[Sequence[Pose]]
+) -> Iterator[str]:
+    """The letters of things and robots, where everything else is far enough; others have none."""
+    things = [(each.thing, _box_on(each, sheet)) for each in drawings if each.thing is not None]
+    if len(things) > MOST_LABELS:
+        return
+    letters = {each.name: each.letter for each in chart.robots}
+    initials = {each.thing.index: each.initial for each in chart.marks}
+    lines = [*_edges(drawings, sheet), *_noses(chart, sheet)]
+    rock = [
+        outline
+        for each in drawings
+        if each.thing is None
+        for outline in each.outlines
+        if not _is_line(each, [sheet.point(x, y) for x, y in outline])
+    ]
+    solid = [[sheet.point(x, y) for x, y in outline] for outline in rock]
+    for path in paths:
+        lines += (*pairwise(_on_paper(path, sheet)), *_head(path, sheet))
+    taken = list[_Box]()
+    for thing, box in things:
+        letter = letters.get(thing.name, thing.letter) if thing.is_robot else thing.letter
+        text = letter.upper() + initials.get(thing.index, "")
+        places = _clear_places(box, len(text), lines, taken, sheet)
+        middles = ((each, ((each[0] + each[2]) / 2, (each[1] + each[3]) / 2)) for each in places)
+        label = next((each for each, at in middles if not any(_is_inside(at, area) for area in solid)), None)
+        if label is not None:
+            taken.append(label)
+            yield f'<g class="label">{_braille(text, label[0] + DOT / 2, label[1] + DOT / 2)}</g>'
+            yield _print(text, label[0], label[1] - 0.6)
+
+
+def _edges(drawings: Iterable[Drawing], sheet: _Sheet) -> Iterator[_Segment]:
+    """The lines on paper."""
+    for each in drawings:
+        left, top, right, bottom = _box_on(each, sheet)
+        if each.thing is not None and right - left <= SMALLEST and bottom - top <= SMALLEST:
+            corners = (left, top), (right, top), (right, bottom), (left, bottom)
+            yield from pairwise((*corners, corners[0]))
+            continue
+        for outline in each.outlines:
+            yield from pairwise([sheet.point(x, y) for x, y in (*outline, outline[0])])
+
+
+_DIRECTIONS = ((1, 0), (-1, 0), (0, 1), (0, -1), (1, -1), (1, 1), (-1, 1), (-1, -1))
+_AWAY = (0.1, 1.0, 2.0, 3.5, 5.0, 7.5)
+"""How much further away than the gap a label may be."""
+
+
+def _clear_places(
+    box: _Box, cells: int, lines: Iterable[_Segment], taken: Sequence[_Box], sheet: _Sheet
+) -> Iterator[_Box]:
+    """The places of a label near a thing with nothing else within the gap; inside of it comes last."""
+    width, height = (cells - 1) * CELL + DOT_GAP + DOT, 2 * DOT_GAP + DOT
+    reach = GAP + LINE / 2
+    far = _AWAY[-1] + 2 * reach + width + height
+    near = [each for each in lines if _apart(_hull(each), box) < far]
+    x, y = (box[0] + box[2] - width) / 2, (box[1] + box[3] - height) / 2
+    half = (box[2] - box[0] + width) / 2, (box[3] - box[1] + height) / 2
+    places = [
+        (x + right * (half[0] + reach + away), y + down * (half[1] + reach + away))
+        for away in _AWAY
+        for right, down in _DIRECTIONS
+    ]
+    for left, top in (*places, (x, y)):
+        label = left, top, left + width, top + height
+        is_on_sheet = left >= MARGIN / 2 and left + width <= sheet.width - MARGIN / 2
+        if (
+            is_on_sheet
+            and all(_apart(label, each) >= GAP for each in taken)
+            and all(_from_segment(label, each) >= reach for each in near)
+        ):
+            yield label
+
+
+def _is_inside(point: _Point, polygon: Sequence[_Point]) -> bool:
+    """By the number of edges to the east of the point."""
+    x, y = point
     return (
-        f'<path d="M{x:.2f} {y:.2f}l{SMALLEST * 1.6 * sin(turned):.2f} {-SMALLEST * 1.6 * cos(turned):.2f}"/>'
+        sum(
+            (ay > y) != (by > y) and x < ax + (y - ay) / (by - ay) * (bx - ax)
+            for (ax, ay), (bx, by) in pairwise((*polygon, polygon[0]))
+        )
+        % 2
+        == 1
     )
 
 
-def _labels(chart: Chart, drawings: Sequence[Drawing], sheet: _Sheet) -> Iterator[str]:
-    """The letters of things and robots, inside or next to them, where they cover as little as possible."""
-    things = [(each.thing, _box_on(each, sheet)) for each in drawings if each.thing is not None]
-    letters = {each.name: each.letter for each in chart.robots}
-    if len(things) > MOST_LABELS:
-        return
-    taken = [box for _, box in things] + list(_wall_boxes(drawings, sheet))
-    for thing, box in things:
-        letter = letters.get(thing.name, thing.letter) if thing.is_robot else thing.letter
-        x, y = _quietest(box, taken, may_be_inside=not thing.is_robot)
-        taken.append(_cell_box(x, y))
-        yield from _written(letter.upper(), x, y)
+def _hull(segment: _Segment) -> _Box:
+    return _box_of(segment)
 
 
-def _wall_boxes(drawings: Sequence[Drawing], sheet: _Sheet) -> Iterator[_Box]:
-    """The boxes of the first walls; where there are very many, a covered one is no harm."""
-    walls = (each for each in drawings if each.thing is None and not each.from_bitmap)
-    outlines = (outline for each in walls for outline in each.outlines)
-    for outline in islice(outlines, MOST_WALLS):
-        yield _box_of(sheet.point(x, y) for x, y in outline)
+def _apart(mine: _Box, other: _Box) -> float:
+    """Between two boxes; 0 where they touch."""
+    return hypot(
+        max(mine[0] - other[2], other[0] - mine[2], 0.0), max(mine[1] - other[3], other[1] - mine[3], 0.0)
+    )
 
 
-def _quietest(box: _Box, taken: Sequence[_Box], *, may_be_inside: bool) -> _Point:
-    """Where the top left dot of a letter covers the least: inside, right, left, below or above."""
+def _from_segment(box: _Box, segment: _Segment) -> float:
+    """The shortest way from a box to a line; 0 where the line crosses it."""
+    (ax, ay), (bx, by) = segment
     left, top, right, bottom = box
-    x, y = (left + right - DOT_GAP) / 2, (top + bottom) / 2 - DOT_GAP
-    gap = DOT + LINE
-    if may_be_inside and right - left > 2 * CELL and bottom - top > 1.5 * ROW:
-        return x, y
-    beside = ((right + gap, y), (left - gap - DOT_GAP, y), (x, bottom + gap), (x, top - gap - 2 * DOT_GAP))
-    return min(beside, key=lambda place: sum(_common(_cell_box(*place), each) for each in taken))
+    first, last = 0.0, 1.0  # the part of the line inside, as Liang and Barsky cut it
+    for step, low, high in ((bx - ax, left - ax, right - ax), (by - ay, top - ay, bottom - ay)):
+        if step:
+            ends = sorted((low / step, high / step))
+            first, last = max(first, ends[0]), min(last, ends[1])
+        elif low > 0 or high < 0:
+            last = -1.0
+    if first <= last:
+        return 0.0
+    ends_apart = (_apart(box, (x, y, x, y)) for x, y in segment)
+    corners = ((left, top), (right, top), (right, bottom), (left, bottom))
+    return min(*ends_apart, *(_to_line(x, y, segment) for x, y in corners))
 
 
-def _cell_box(x: float, y: float) -> _Box:
-    return x - DOT, y - DOT, x + DOT_GAP + DOT, y + 2 * DOT_GAP + DOT
-
-
-def _common(mine: _Box, other: _Box) -> float:
-    """Square millimetres that two boxes share."""
-    width = min(mine[2], other[2]) - max(mine[0], other[0])
-    height = min(mine[3], other[3]) - max(mine[1], other[1])
-    return width * height if width > 0 and height > 0 else 0.0
+def _to_line(x: float, y: float, segment: _Segment) -> float:
+    (ax, ay), (bx, by) = segment
+    length = (bx - ax) ** 2 + (by - ay) ** 2
+    part = max(0.0, min(1.0, ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / length)) if length else 0.0
+    return hypot(ax + part * (bx - ax) - x, ay + part * (by - ay) - y)
 
 
 def _box_on(drawing: Drawing, sheet: _Sheet) -> _Box:
@@ -344,24 +391,105 @@ def _box_of(points: Iterable[_Point]) -> _Box:
     return min(xs), min(ys), max(xs), max(ys)
 
 
-def _sheet_legend(chart: Chart, cells: int, wording: Wording) -> list[str]:
-    lines = [braille(wording("paper-north"), wording.language)]
-    for letter, meaning in chart.legend.items():
-        if letter != WALL:  # a wall is the line that it is
-            lines.append(f"{letter.upper()}  {braille(meaning, wording.language)}")
-    wrapped = (textwrap.wrap(line, cells, subsequent_indent="   ") for line in lines)
+# --- around the map
+
+
+def _north(sheet: _Sheet, wording: Wording) -> Iterator[str]:
+    """An arrow in the top right corner with the first letter of north."""
+    x, top = sheet.width - MARGIN - 3, MARGIN
+    yield (
+        f'<path id="north" d="M{x} {top + 14}L{x} {top}M{x - 3} {top + 4}L{x} {top}L{x + 3} {top + 4}"'
+        f' fill="none" stroke="black" stroke-width="{LINE}" stroke-linejoin="round"/>'
+    )
+    yield from _written(wording("compass-north")[:1].upper(), 1, x - 3 - GAP - 2 * DOT_GAP, top + 6, wording)
+
+
+def _sheet_legend(chart: Chart, cells: int) -> list[str]:
+    """The letters and what they mean, as they are printed; walls are in the key."""
+    lines = [f"{letter}  {meaning}" for letter, meaning in chart.legend.items() if letter != WALL]
+    wrapped = (textwrap.wrap(_printable(line), cells - 3, subsequent_indent="   ") for line in lines)
     return list(chain.from_iterable(wrapped))[:MOST_LEGEND]
 
 
-def _legend_block(legend: Sequence[str], sheet: _Sheet, wording: Wording) -> Iterator[str]:
-    """The legend at the foot of the sheet, and under it a line that shows how long so many steps are."""
-    top = sheet.height - MARGIN - ROW * (len(legend) + 2)
+def _key(
+    drawings: Iterable[Drawing], sheet: _Sheet | None, wording: Wording, paths: Sequence[object]
+) -> list[_Item]:
+    """The samples on a sheet: walls, the textures of the colours, the path; without one all that may be."""
+    samples = set[str]()
+    for each in drawings:
+        if sheet is None:
+            samples |= {"wall", "rock"} if each.thing is None else {each.thing.colour}
+            continue
+        outlines = [[sheet.point(x, y) for x, y in outline] for outline in each.outlines]
+        lines = [_is_line(each, outline) for outline in outlines]
+        samples |= {"wall"} if any(lines) else set()
+        samples |= {_texture(each, _box_on(each, sheet))} if not all(lines) else set()
+    word = {"wall": "paper-legend-wall", "rock": "paper-legend-wall", "path": "cell-trail"}
+    textures = [each for each in TEXTURES if each != "rock"]
+    order = ["wall", "rock", *textures, *(["gray"] if samples & {*textures} else [])]
+    named = [each for each in order if each in samples] + (["path"] if paths else [])
+    return [_Item(each, wording(word.get(each, f"colour-{each}"))) for each in named]
+
+
+def _key_rows(items: Iterable[_Item], width: float, wording: Wording) -> list[list[tuple[_Item, float]]]:
+    """The items in rows, each with its left end."""
+    rows, left = list[list[tuple[_Item, float]]](), width
+    for each in items:
+        wide = WORD + CELL * (len(braille(each.word, wording.language)) + 1)
+        if left + wide > width - MARGIN:
+            rows.append([])
+            left = MARGIN
+        rows[-1].append((each, left))
+        left += wide + GAP
+    return rows
+
+
+def _legend_block(
+    legend: Sequence[str], items: Sequence[_Item], sheet: _Sheet, wording: Wording
+) -> Iterator[str]:
+    """The legend and the key at the foot of the sheet, and a line that shows how long so many steps are."""
+    rows = _key_rows(items, sheet.width, wording)
+    top = sheet.height - MARGIN - ROW * (len(legend) + 2) - KEY_ROW * len(rows)
     steps = _round_number((sheet.width - 2 * MARGIN) / sheet.scale)
-    words = braille(wording("paper-scale", steps=steps), wording.language)
-    for number, line in enumerate([*legend, words]):
-        yield from _written(line, MARGIN, top + number * ROW)
-    bar = f"M{MARGIN} {top + ROW * (len(legend) + 1) + 2:.2f}v-4m0 2h{steps * sheet.scale:.2f}m0 -2v4"
-    yield f'<path d="{bar}" fill="none" stroke="black" stroke-width="{LINE}"/>'
+    words = wording("paper-scale", steps=steps, centimetres=round(steps * STEP * 100))
+    for number, line in enumerate(legend):
+        yield from _written(line, _cells(sheet.width), MARGIN, top + number * ROW, wording)
+    top += ROW * len(legend)
+    for row in rows:
+        for item, left in row:
+            yield _sample(item.sample, left, top - 1)
+            yield from _written(item.word, len(item.word) + 2, left + WORD, top, wording)
+        top += KEY_ROW
+    yield from _written(words, _cells(sheet.width), MARGIN, top, wording)
+    bar = f"M{MARGIN} {top + ROW + 2:.2f}v-4m0 2h{steps * sheet.scale:.2f}m0 -2v4"
+    yield f'<path id="scale" d="{bar}" fill="none" stroke="black" stroke-width="{LINE}"/>'
+
+
+def _sample(name: str, left: float, top: float) -> str:
+    """What the key explains, in a box of its size."""
+    width, height = SWATCH
+    line = f'stroke="black" stroke-width="{LINE}"'
+    if name == "path":
+        way = f"M{left} {top + height / 2:.2f}H{left + width}"
+        return f'<path d="{way}" fill="none" {line} stroke-dasharray="{DASHES}"/>'
+    if name == "wall":
+        return f'<rect x="{left:.2f}" y="{top + 2:.2f}" width="{width}" height="{height - 4}" fill="black"/>'
+    box = f'<rect x="{left:.2f}" y="{top:.2f}" width="{width}" height="{height}"'
+    filled = f'{box} fill="url(#{name})"/>' if name in TEXTURES else ""
+    return f'{box} fill="none" {line}/>{filled}'
+
+
+def _patterns(items: Iterable[_Item]) -> Iterator[str]:
+    tiles: Mapping[str, tuple[float, str]] = TEXTURES
+    for each in items:
+        if each.sample in tiles:
+            side, lines = tiles[each.sample]
+            dot = f'<circle cx="{side / 2}" cy="{side / 2}" r="{DOT / 2}"/>'
+            drawn = f'<path d="{lines}" fill="none" stroke="black"/>' if lines else dot
+            yield (
+                f'<pattern id="{each.sample}" patternUnits="userSpaceOnUse" width="{side}" height="{side}">'
+                f"{drawn}</pattern>"
+            )
 
 
 def _round_number(most: float) -> int:
@@ -370,16 +498,26 @@ def _round_number(most: float) -> int:
     return max((each for each in numbers if each <= most), default=1)
 
 
-def _written(cells: str, x: float, y: float) -> Iterator[str]:
-    """Braille from a place on, as dots; ``x`` and ``y`` are the middle of the first cell's first dot."""
+def _written(text: str, cells: int, x: float, y: float, wording: Wording) -> Iterator[str]:
+    """Braille from a place on, and the same in print under it."""
+    yield _braille(braille(text, wording.language)[:cells], x, y)
+    yield _print(text, x - DOT / 2, y + 2 * DOT_GAP + DOT / 2 + PRINT * 0.85)
+
+
+def _braille(cells: str, x: float, y: float) -> str:
+    """Cells as dots; ``x`` and ``y`` are the middle of the first cell's first dot."""
     centres = [
         (x + number * CELL + (dot > 3) * DOT_GAP, y + (dot - 1) % 3 * DOT_GAP)
         for number, cell in enumerate(cells)
         for dot in dots(cell)
     ]
-    if centres:
-        circles = "".join(f'<circle cx="{cx:.2f}" cy="{cy:.2f}" r="{DOT / 2}"/>' for cx, cy in centres)
-        yield f'<g fill="black">{circles}</g>'
+    circles = "".join(f'<circle cx="{cx:.2f}" cy="{cy:.2f}" r="{DOT / 2}"/>' for cx, cy in centres)
+    return f'<g fill="black">{circles}</g>' if circles else ""
+
+
+def _print(text: str, x: float, y: float) -> str:
+    font = f'font-family="sans-serif" font-size="{PRINT}"'
+    return f'<text x="{x:.2f}" y="{y:.2f}" {font} fill="{PALE}">{escape(text)}</text>'
 
 
 def _printable(text: str) -> str:

@@ -236,11 +236,16 @@ def test_a_recording_becomes_a_picture_that_is_replaced_only_by_another(tmp_path
     donnie(tmp_path, "run", "p.gd", "--record", "p.rec", "--speed", "max", *quiet)
 
     for _ in range(2):
-        done = donnie(tmp_path, "replay", "p.rec", "--svg", "p.svg", "--png", "p.png", *quiet)
+        done = donnie(
+            tmp_path, "replay", "p.rec", "--svg", "p.svg", "--png", "p.png", "--swell", "s.svg", *quiet
+        )
         assert (done.returncode, done.stderr) == (0, b"")
     assert b"I wrote p.svg." in done.stdout
     assert b"East: 4 steps, to 4, 6." in done.stdout
     assert (tmp_path / "p.svg").read_text().count("<animate") == 2
+    raised = (tmp_path / "s.svg").read_text()
+    assert raised.count("stroke-dasharray") == 2  # the path and its place in the key
+    assert 'width="210mm"' in raised
     assert (tmp_path / "p.png").read_bytes().startswith(b"\x89PNG")
     (tmp_path / "photo.png").write_bytes(b"\x89PNG\r\n\x1a\nsomething else")
     refused = donnie(tmp_path, "replay", "p.rec", "--png", "photo.png", *quiet)

@@ -146,7 +146,7 @@ def test_a_picture_is_written_and_replaces_the_one_that_was_there(folder: Path) 
 
     assert main(["world", "cave", "--svg", "a.svg", "--lang", "pt"]) == 0
     root = ElementTree.parse(folder / "a.svg").getroot()
-    assert root.findtext("{http://www.w3.org/2000/svg}title") == "Mapa de cave"
+    assert root.findtext("{http://www.w3.org/2000/svg}title") == "Mapa de Caverna"
 
 
 def test_a_world_of_a_thousand_robots_is_described_in_few_lines(

@@ -1,7 +1,11 @@
 """A world on paper: letters with one meaning each, braille pages of 40 by 25, and swell paper."""
 
 import re
+from collections import Counter
+from collections.abc import Iterator, Sequence
 from functools import cache
+from itertools import combinations, pairwise
+from math import ceil, hypot
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -9,8 +13,8 @@ import pytest
 
 import worlds
 from devices.ports.robot import STEP, Pose
-from donnie_tui.core.chart import Chart, ChartedRobot, chart, shrunk
-from donnie_tui.core.paper import A4, ASCII, LINE, braille, braille_pages, dots, raised_picture
+from donnie_tui.core.chart import ASCII, Chart, ChartedRobot, braille, braille_pages, chart, dots, shrunk
+from donnie_tui.core.paper import A4, LINE, raised_picture
 from donnie_tui.i18n.words import Words
 from sim.picture import Drawing, Picture, Thing, drawings, picture
 from sim.scene import Scene
@@ -40,14 +44,15 @@ def charted(name: str, language: str = "en") -> Chart:
 
 def pages(name: str, language: str = "en") -> list[list[str]]:
     """Lines by page."""
-    text = braille_pages(name, charted(name, language), Words(language))
+    text = braille_pages(f"Map of {name}", charted(name, language), Words(language))
     assert text.endswith("\f")
     return [page.split("\r\n")[:-1] for page in text.split("\f")[:-1]]
 
 
-def sheet(name: str, language: str = "en") -> ElementTree.Element:
+def sheet(name: str, language: str = "en", paths: Sequence[Sequence[Pose]] = ()) -> ElementTree.Element:
     it, plan = scene(name), charted(name, language)
-    return ElementTree.fromstring(raised_picture(name, plan, seen(name), drawings(it), Words(language)))
+    text = raised_picture(f"Map of {name}", plan, seen(name), drawings(it), Words(language), paths)
+    return ElementTree.fromstring(text)
 
 
 # --- letters
@@ -213,6 +218,8 @@ def test_a_picture_is_a_sheet_of_a4_and_everything_black_is_on_it(name: str, lan
     width, height = (float(each) for each in (root.get("viewBox") or "").split()[2:])
 
     assert (width, height) in (A4, A4[::-1])
+    for tile in root.findall(f"{SVG}pattern"):
+        root.remove(tile)
     for circle in root.iter(f"{SVG}circle"):
         assert 0 < float(circle.get("cx") or 0) < width
         assert 0 < float(circle.get("cy") or 0) < height
@@ -222,21 +229,131 @@ def test_a_picture_is_a_sheet_of_a4_and_everything_black_is_on_it(name: str, lan
             assert 0 < float(y) < height
 
 
-@pytest.mark.parametrize("name", ["living_room", "cave", "factory", "two_robots"])
+GRAY = "#b4b4b4"
+
+
+@pytest.mark.parametrize("name", worlds.names())
 def test_every_line_is_thick_enough_to_swell_and_only_walls_and_dots_are_black(name: str) -> None:
     root = sheet(name)
 
     widths = {float(each.get("stroke-width") or LINE) for each in root.iter()}
-    assert min(widths) == LINE
-    assert root.find(f"{SVG}text") is None
+    assert min(widths) >= 1
+    assert {each.get("fill") for each in root.iter(f"{SVG}text")} == {GRAY}
     black = [each for each in root.iter(f"{SVG}path") if each.get("fill") == "black"]
-    assert len(black) == {"living_room": 1, "cave": 0, "factory": 4, "two_robots": 4}[name]
+    if name in (known := {"living_room": 1, "cave": 0, "factory": 4, "two_robots": 4}):
+        assert len(black) == known[name]
+
+
+Dots = list[tuple[float, float]]
+
+
+def dots_of(group: ElementTree.Element) -> Dots:
+    return [(float(c.get("cx") or 0), float(c.get("cy") or 0)) for c in group.iter(f"{SVG}circle")]
+
+
+def labels_of(root: ElementTree.Element) -> list[Dots]:
+    return [dots_of(each) for each in root.iter(f"{SVG}g") if each.get("class") == "label"]
+
+
+def lines_on(root: ElementTree.Element) -> Iterator[tuple[float, float, float]]:
+    """Points every half millimetre on all lines of the map, with half the width of the line."""
+    (plan,) = (each for each in root.iter(f"{SVG}g") if each.get("id") == "map")
+    for path in plan.iter(f"{SVG}path"):
+        if path.get("stroke") == "none":
+            continue
+        for piece in (path.get("d") or "").split("M")[1:]:
+            points = [(float(x), float(y)) for x, y in re.findall(r"(-?[\d.]+) (-?[\d.]+)", piece)]
+            points += points[:1] if piece.endswith("Z") else []
+            for (ax, ay), (bx, by) in pairwise(points):
+                count = ceil(hypot(bx - ax, by - ay) / 0.5) or 1
+                for step in range(count + 1):
+                    yield ax + (bx - ax) * step / count, ay + (by - ay) * step / count, 0.6
+    for ring in plan.iter(f"{SVG}circle"):
+        yield float(ring.get("cx") or 0), float(ring.get("cy") or 0), float(ring.get("r") or 0) + 0.6
+
+
+PATH = [Pose(0, 0, 0), Pose(0, 8, 0), Pose(5, 8, 90)]
+
+
+@pytest.mark.parametrize("paths", [(), (PATH,)])
+@pytest.mark.parametrize("name", worlds.names())
+def test_three_millimetres_are_between_a_label_and_everything_else(
+    name: str, paths: Sequence[Sequence[Pose]]
+) -> None:
+    """As BANA's guidelines for tactile graphics ask; a dot's edge is 0.8 mm from its middle."""
+    root = sheet(name, paths=paths)
+    labels, lines = labels_of(root), list(lines_on(root))
+
+    for label in labels:
+        left, right = min(x for x, _ in label) - 15, max(x for x, _ in label) + 15
+        near = [each for each in lines if left < each[0] < right]
+        for x, y in label:
+            assert all(hypot(x - lx, y - ly) >= 3 + 0.8 + half - 0.01 for lx, ly, half in near)
+    for mine, theirs in combinations(labels, 2):
+        assert all(hypot(ax - bx, ay - by) >= 3 + 1.6 - 0.01 for ax, ay in mine for bx, by in theirs)
+
+
+@pytest.mark.parametrize("name", worlds.names())
+def test_every_thing_and_robot_has_its_label(name: str) -> None:
+    """Between the belts of the factory is no room for the letters of the two cartons in the middle."""
+    things = sum(each.thing is not None for each in drawings(scene(name)))
+
+    assert len(labels_of(sheet(name))) == things - 2 * (name == "factory")
+
+
+def test_a_colour_garden_can_be_felt() -> None:
+    """Each colour has a texture, with a sample and its word in the key, and its initial in the label."""
+    root = sheet("colour_garden")
+    patterns = {each.get("id") for each in root.iter(f"{SVG}pattern")}
+    filled = [each.get("fill") for each in root.iter(f"{SVG}path") if "url" in (each.get("fill") or "")]
+    key = [each.get("fill") for each in root.iter(f"{SVG}rect") if "url" in (each.get("fill") or "")]
+    printed = [each.text or "" for each in root.iter(f"{SVG}text")]
+
+    assert patterns == {"red", "blue", "yellow", "orange"}
+    assert Counter(filled) == {"url(#blue)": 3, "url(#yellow)": 4, "url(#red)": 2, "url(#orange)": 1}
+    assert set(key) == {f"url(#{each})" for each in patterns}
+    assert {"wall", "red", "blue", "yellow", "orange", "gray", "FB", "FY", "FR", "FO", "S", "N"} <= {*printed}
+
+
+def test_the_key_has_what_is_on_the_sheet_and_no_more() -> None:
+    """The rock of a cave is a texture, not a black line; its crystals are too small for one."""
+    assert [each.get("id") for each in sheet("cave").iter(f"{SVG}pattern")] == ["rock"]
+    assert list(sheet("factory").iter(f"{SVG}pattern")) == []
+
+
+def test_a_sheet_has_its_title_north_and_a_scale_in_steps_and_centimetres() -> None:
+    root = sheet("living_room")
+    printed = [each.text for each in root.iter(f"{SVG}text")]
+    (bar,) = (each for each in root.iter(f"{SVG}path") if each.get("id") == "scale")
+    (arrow,) = (each for each in root.iter(f"{SVG}path") if each.get("id") == "north")
+
+    assert printed[:2] == ["Map of living_room", "N"]
+    assert "line: 50 steps, 250 cm" in printed
+    tail, tip = re.findall(r"(-?[\d.]+) (-?[\d.]+)", arrow.get("d") or "")[:2]
+    assert tail[0] == tip[0]
+    assert float(tail[1]) > float(tip[1])  # up
+    length = float(re.findall(r"h([\d.]+)", bar.get("d") or "")[0])
+    walls = [x for x, _, _ in lines_on(root)]
+    assert length / 50 == pytest.approx((max(walls) - min(walls)) / 42, abs=0.05)
+
+
+def test_a_driven_path_is_a_dashed_line_with_its_place_in_the_key() -> None:
+    dashed = [each for each in sheet("open_floor", paths=(PATH,)).iter() if each.get("stroke-dasharray")]
+
+    path = dashed[0].find(f"{SVG}path")
+    assert path is not None
+    points = [(float(x), float(y)) for x, y in re.findall(r"(-?[\d.]+) (-?[\d.]+)", path.get("d") or "")]
+    (ax, ay), (bx, by), (cx, cy) = points
+    assert ax == bx
+    assert by == cy
+    assert (ay - by) / (cx - bx) == pytest.approx(8 / 5, abs=0.01)
+    assert len(dashed) == 2  # the path, and its sample
 
 
 def test_a_picture_describes_itself_in_text() -> None:
     root = sheet("living_room", "pt")
 
-    assert root.findtext(f"{SVG}title") == "Mapa de living_room"
+    assert root.findtext(f"{SVG}title") == "Map of living_room"
     assert "c: cadeira, verde" in (root.findtext(f"{SVG}desc") or "")
 
 
@@ -247,7 +364,7 @@ def test_names_with_characters_that_xml_forbids_are_safe() -> None:
     plan = chart(floor, Pose(3, 3, 0), "\x07<", Words())
 
     root = ElementTree.fromstring(
-        raised_picture(f"<&\x00{'x' * 99}", plan, floor, [Drawing((square,), bad, False)], Words())
+        raised_picture(f"Map of <&\x00{'x' * 99}", plan, floor, [Drawing((square,), bad, False)], Words())
     )
 
     assert root.findtext(f"{SVG}title") == f"Map of <& {'x' * 99}"
@@ -257,7 +374,6 @@ def test_names_with_characters_that_xml_forbids_are_safe() -> None:
 
 def test_the_dots_of_the_legend_can_be_read() -> None:
     """A page of braille is made of dots 2.5 mm apart: the title's first cell is an M, dots 1, 3, 4."""
-    first = next(each for each in sheet("maze").iter(f"{SVG}g") if each.get("fill") == "black")
-    circles = [(float(c.get("cx") or 0), float(c.get("cy") or 0)) for c in first.iter(f"{SVG}circle")]
+    title = next(each for each in sheet("maze").iter(f"{SVG}g") if each.get("fill") == "black")
 
-    assert circles[:3] == [(12, 12), (12, 17), (14.5, 12)]
+    assert dots_of(title)[:3] == [(12, 12), (12, 17), (14.5, 12)]
