@@ -175,6 +175,15 @@ def label(key: str, words: Words) -> str:
     return words(code) if words.knows(code) else spelled(key, words.language, "settings")
 
 
+def setting_word(key: str, words: Words) -> str:
+    """How the name of a setting is typed: the word for it, its label, or its name in the settings file."""
+    try:
+        return spelled(key, words.language, "settings")
+    except KeyError:
+        name = label(key, words).lower()
+        return key if " " in name or "," in name else name
+
+
 def value_label(preference: Preference, value: str, words: Words) -> str:
     """A value in a list."""
     if preference.key == "lang":

@@ -208,12 +208,13 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             self._await(self._choose_command(self.controller))
 
     async def _choose_command(self, controller: ScreenController) -> None:
-        from donnie_tui.tui.pane_text import palette
+        from donnie_tui.tui.pane_text import TYPED_LINE, palette
 
-        options = palette(controller.words, self.key_table)
+        options = palette(controller.words, self.key_table, controller.ctx.preferences)
         chosen = await controller.ctx.interaction.choose(controller.words("palette-ask"), options)
         if chosen is not None:
-            asking = controller.do(chosen)
+            typed = chosen.removeprefix(TYPED_LINE)
+            asking = controller.do(chosen) if typed == chosen else controller.run_line(typed)
             if asking is not None:
                 await asking
 

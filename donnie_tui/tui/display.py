@@ -30,7 +30,7 @@ from donnie_tui.tui.pane_text import (
     state_sentences,
 )
 from donnie_tui.tui.screens.main_screen import MainScreen
-from donnie_tui.tui.widgets.rows import LOOKS
+from donnie_tui.tui.widgets.rows import LOOKS, KeyEntry
 from language.runtime import Frame
 
 _WORDLESS = ("answer",)
@@ -222,12 +222,12 @@ class Display:
         is_wrong = self._runs.state is RunState.READY and bool(self._place.editor.mistakes)
         names = _OFFERED_FIRST if is_beginning else _OFFERED_WRONG if is_wrong else _OFFERED[self._runs.state]
         offered = (name for name in names if self._table.of(name))
-        everything = f"{key_label(PALETTE, self._words.language)} {self._words('key-all')}"
-        self._place.keys.offer([*((name, self._key_entry(name)) for name in offered), (PALETTE, everything)])
+        everything = KeyEntry(PALETTE, key_label(PALETTE, self._words.language), self._words("key-all"))
+        self._place.keys.offer([*map(self._key_entry, offered), everything])
 
-    def _key_entry(self, name: str) -> str:
+    def _key_entry(self, name: str) -> KeyEntry:
         shown_as = "continue_" if name == "pause" and self._runs.state is RunState.PAUSED else name
-        return f"{self._table.label(name, self._words.language)} {self._words(f'key-{shown_as}')}"
+        return KeyEntry(name, self._table.label(name, self._words.language), self._words(f"key-{shown_as}"))
 
     def show_titles(self) -> None:
         """The name of the program, how to begin an empty one, and the keys that fit."""

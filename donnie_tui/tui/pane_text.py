@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from devices.ports.robot import Bearing, Pose
-from donnie_tui.commands.declarations import COMMANDS, Command
+from donnie_tui.commands.declarations import BY_NAME, COMMANDS, Command
 from donnie_tui.commands.help import first_words
 from donnie_tui.commands.interaction import Option
 from donnie_tui.commands.keys import MENU, PALETTE, KeyTable, key_label
 from donnie_tui.commands.lookup import help_line, word_of
+from donnie_tui.commands.preferences import BY_NAME as BY_KEY
+from donnie_tui.commands.preferences import PREFERENCES, Preferences, label, setting_word, value_label
 from donnie_tui.core.events import Read
 from donnie_tui.core.run_state import RunState
 from donnie_tui.core.timeline import Timeline, is_main_event
@@ -324,12 +326,44 @@ def _focused_part(place: MainScreen) -> str:
     return "command" if place.command_line.has_focus else "program"
 
 
-def palette(words: Wording, table: KeyTable) -> tuple[Option, ...]:
-    """Every command, with its keys; it is also found by what people call it elsewhere."""
-    return tuple(
+def palette(words: Words, table: KeyTable, preferences: Preferences) -> tuple[Option, ...]:
+    """Every command, with its keys; it is also found by what people call it elsewhere.
+
+    Then the settings, the looks and the worlds; the value of such an option begins with ``TYPED_LINE``.
+    """
+    commands = (
         Option(each.name, _palette_row(each, words, table), also=_synonyms(each, words))
         for each in _offered(table)
     )
+    return (*commands, *map(_typed_option, _more_lines(words, preferences)))
+
+
+TYPED_LINE = "> "
+"""Before the line that an option of the palette types."""
+
+
+def _typed_option(line: tuple[str, str]) -> Option:
+    typed, purpose = line
+    return Option(f"{TYPED_LINE}{typed}", f"{typed}: {purpose}")
+
+
+def _more_lines(words: Words, preferences: Preferences) -> Iterator[tuple[str, str]]:
+    """What can be typed to change a setting, the look or the world, and what that is about."""
+    import worlds
+    from worlds.words import about
+
+    language = words.language
+    set_, theme, world = (word_of(BY_NAME[name], language) for name in ("set", "theme", "world"))
+    for each in PREFERENCES:
+        if words.knows(f"setting-{each.key}") and each.key not in ("theme", "lang"):
+            value = preferences.value_label(each.key, words)
+            row = words("setting-row", name=label(each.key, words), value=value)
+            yield f"{set_} {setting_word(each.key, words)}", row
+    look = BY_KEY["theme"]
+    for value in look.values:
+        yield f"{theme} {value_label(look, value, words)}", label("theme", words)
+    for name in worlds.names():
+        yield f"{world} {name}", about(name, language).title
 
 
 def _synonyms(command: Command, words: Wording) -> str:

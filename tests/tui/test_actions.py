@@ -227,3 +227,33 @@ async def test_the_palette_finds_what_people_call_it_elsewhere(open_screen, type
         await screen.painted()
 
         assert {each.value for each in screen.app.screen._fitting[: len(names)]} == names
+
+
+@pytest.mark.parametrize(
+    ("language", "typed", "line"),
+    [
+        ("en", "high contrast", "> THEME high contrast"),
+        ("pt", "alto contraste", "> TEMA alto contraste"),
+        ("en", "maze", "> WORLD maze"),
+        ("es", "laberinto", "> MUNDO maze"),
+        ("pt", "movimento", "> AJUSTAR movimento"),
+        ("en", "pitch", "> SET pitch"),
+    ],
+)
+async def test_settings_looks_and_worlds_are_rows_of_the_palette(open_screen, language, typed, line):
+    async with open_screen("FW 1", language=language) as screen:
+        await screen.press("ctrl+p")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the palette")
+        await screen.press(*("space" if each == " " else each for each in typed))
+        await screen.painted()
+
+        assert line in {each.value for each in screen.app.screen._fitting[:2]}
+
+
+async def test_a_look_chosen_from_the_palette_is_there_at_once(open_screen):
+    async with open_screen("FW 1") as screen:
+        await screen.press("ctrl+p")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the palette")
+        await screen.press(*"theme", "space", *"light", "enter")
+        await screen.shows("> THEME light")
+        await screen.until(lambda: screen.app.theme == "donnie-light", "the look")

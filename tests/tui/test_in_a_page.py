@@ -4,7 +4,9 @@ import pytest
 
 from donnie_tui.commands.declarations import COMMANDS
 from donnie_tui.commands.keys import KeyTable
+from donnie_tui.commands.preferences import Preferences
 from donnie_tui.i18n.words import Words
+from donnie_tui.settings.settings import Settings
 from donnie_tui.tui.pane_text import help_text, palette
 from language.locales import languages
 
@@ -22,9 +24,11 @@ def page(monkeypatch, open_screen):
 def test_the_palette_and_the_help_leave_out_what_needs_a_terminal(language):
     words = Words(language)
     of_terminal, of_page = KeyTable(), KeyTable(has_terminal=False)
-    missing = {each.value for each in palette(words, of_terminal)} - {
-        each.value for each in palette(words, of_page)
-    }
+    offered, of_page_offered = (
+        {each.value for each in palette(words, table, Preferences(Settings(), {}))}
+        for table in (of_terminal, of_page)
+    )
+    missing = offered - of_page_offered
 
     assert missing == NEED_A_TERMINAL
     assert len(help_text(words, of_terminal)) - len(help_text(words, of_page)) == len(NEED_A_TERMINAL)

@@ -86,6 +86,7 @@ async def test_the_cursor_follows_the_robot_while_the_map_has_the_focus(open_scr
 
 async def test_the_map_follows_a_robot_that_leaves_the_picture(open_screen):
     async with open_screen("FW 200\nTR 90\nFW 300") as screen:
+        screen.main.map.show_all(False)
         await screen.press("f5")
         await screen.shows("The program is done.")
         await screen.pilot.pause()
@@ -95,6 +96,7 @@ async def test_the_map_follows_a_robot_that_leaves_the_picture(open_screen):
 
 async def test_a_map_that_was_explored_follows_the_robot_again_and_keeps_the_square_for_later(open_screen):
     async with open_screen("TR 90\nFW 28") as screen:
+        screen.main.map.show_all(False)
         await screen.press("tab", "left")
         await screen.until(lambda: screen.main.map.is_exploring, "exploring")
         square = screen.main.map.pointer.cell
@@ -119,6 +121,7 @@ async def test_a_map_that_was_explored_follows_the_robot_again_and_keeps_the_squ
 
 async def test_while_a_square_is_explored_the_map_stays_with_it(open_screen):
     async with open_screen("TR 90\nFW 28") as screen:
+        screen.main.map.show_all(False)
         await screen.press("tab", "left")
         await screen.until(lambda: screen.main.map.is_exploring, "exploring")
         await screen.press("f5")
@@ -132,6 +135,7 @@ async def test_while_a_square_is_explored_the_map_stays_with_it(open_screen):
 
 async def test_exploring_names_the_cell_and_home_goes_back_to_the_robot(open_screen):
     async with open_screen(world="living_room") as screen:
+        screen.main.map.show_all(False)
         await screen.press("tab", "right")
         await screen.pilot.pause()
         assert screen.status.startswith(" Map, 1, 0: free.")
@@ -359,10 +363,38 @@ async def test_the_belt_is_shown_next_to_the_variables_in_words_and_by_motor(ope
         await screen.until(lambda: "Belt: nothing near." in screen.main.inspector.lines, "the end of the run")
 
 
+@pytest.mark.parametrize("size", [(40, 12), (80, 24), (120, 40), (200, 60)])
+@pytest.mark.parametrize("world", ["living_room", "corridor", "open_floor"])
+async def test_the_whole_room_is_seen_at_the_start(open_screen, world, size):
+    async with open_screen(world=world, size=size) as screen:
+        screen.main.go_to(screen.main.map_pane)
+        await screen.painted()
+        view = screen.main.map
+
+        assert not view.hidden
+        assert view.virtual_size.width <= view.size.width
+        assert view.virtual_size.height <= view.size.height
+
+
+async def test_at_two_hundred_columns_a_step_of_the_living_room_is_a_square(open_screen):
+    async with open_screen(world="living_room", size=(200, 60)) as screen:
+        await screen.painted()
+
+        assert screen.main.map.scale.factor == 1
+        assert screen.main.map._extent.columns == 2
+        assert screen.main.log_rows.size.height >= 8
+
+
+async def test_the_plain_layout_shows_a_square_a_step(open_screen):
+    async with open_screen(world="living_room", plain=True) as screen:
+        assert screen.main.map.scale.factor == 1
+
+
 async def test_plus_comes_nearer_and_minus_goes_further_away(open_screen):
     async with open_screen(world="living_room") as screen:
         view = screen.main.map
         view.focus()
+        view.set_zoom(0)
         widths = {0: view.virtual_size.width}
         for key, zoom in (("plus", 1), ("minus", 0), ("minus", -1)):
             await screen.press(key)
@@ -430,8 +462,9 @@ async def test_a_picture_shows_all_of_a_room_that_letters_do_not_and_a_click_fin
     """Its 42 rows of squares, the walls among them, in half as many rows of the map, which has 26."""
     async with open_screen(world="living_room", size=(120, 40)) as screen:
         view = screen.main.map
+        view.show_all(False)
         await screen.until(lambda: view.hidden, "the floor outside")
-        assert screen.main.map_pane._title.startswith("Map: more N")
+        await screen.until(lambda: screen.main.map_pane._title.startswith("Map: more N"), "the title")
 
         await screen.type_line("PICTURE")
         await screen.shows("The map is a picture.")

@@ -31,6 +31,7 @@ async def test_a_click_next_to_the_keys_presses_none(open_screen):
 async def test_a_click_on_the_map_describes_the_square(open_screen):
     async with open_screen(world="living_room") as screen:
         shown = screen.main.map
+        shown.show_all(False)
         robot = shown.cursor_screen_offset - shown.content_region.offset
 
         await screen.pilot.click(shown, offset=robot + Offset(2 * shown._extent.columns, -3))

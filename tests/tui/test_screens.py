@@ -285,11 +285,11 @@ async def test_the_map_as_a_picture(open_screen, same, theme, size):
 
 
 @looks()
-async def test_the_whole_of_a_large_map(open_screen, same, theme, size):
+async def test_a_large_map_that_follows_the_robot(open_screen, same, theme, size):
     async with open_screen(world="living_room", size=size) as screen:
         screen.app.theme = theme
         await screen.press("ctrl+k", "a")
-        await screen.shows("All of the map")
+        await screen.shows("The map follows")
         await same(screen)
 
 

@@ -37,6 +37,10 @@ LONGEST_HELD = 0.15
 
 LEAST_PROGRAM, LEAST_MAP = 39, 20
 """Columns that a program needs to be read, and a map to be one."""
+LEAST_LOG = 9
+"""Rows, with its title."""
+_FIXED_ROWS = 3
+"""The command line, the status line and the keys."""
 
 
 def _is_small(size: Size) -> bool:
@@ -227,17 +231,25 @@ class MainScreen(Screen[None]):
     # --- what it shows
 
     def show_map(self, scene: MapScene) -> None:
-        """A floor; its pane takes what the floor needs, as far as the program keeps its room."""
-        self.map.show(scene)
+        """A floor, whole; its pane takes what the floor needs, as far as the program keeps its room.
+
+        In the plain layout a square is a step: it is explored by ear.
+        """
+        self.map.show(scene, whole=not self.is_plain)
         self._give_room()
 
     def _give_room(self) -> None:
-        """Where the whole width of the floor can be seen, it is."""
+        """Where the whole width of the floor can be seen, it is; where its whole height can, the log has less."""
         grid = self.map.grid
         wanted = grid.bounds.width if grid else 0
         fits = LEAST_PROGRAM + wanted + 1 <= self.size.width < WIDE and wanted >= LEAST_MAP
         free = not self.has_class("-one-pane") and not self.has_class("-inspecting") and not self.is_plain
         self.map_pane.styles.width = wanted if fits and free else None
+        rows = self.size.height - _FIXED_ROWS
+        wanted_rows = grid.bounds.height + 1 if grid else 0
+        has_log = self.has_class("-tall") and rows - wanted_rows >= LEAST_LOG
+        is_more = wanted_rows > rows * 5 // 7  # what the style sheet gives
+        self.query_one("#upper").styles.height = wanted_rows if has_log and is_more and free else None
 
     def log_lines(self, lines: Iterable[tuple[str, str]]) -> None:
         before = self.log_rows.row_count

@@ -86,13 +86,13 @@ class MapView(PaintedRows, can_focus=True):
 
     # --- what is shown
 
-    def show(self, scene: MapScene) -> None:
-        """Another floor."""
+    def show(self, scene: MapScene, *, whole: bool = False) -> None:
+        """Another floor, all of it or as much as has room."""
         from donnie_tui.core.map_scene import MapScale
         from donnie_tui.core.pointing import Pointer
 
         self.scale, self.pointer = MapScale(scene), Pointer(scene)
-        self._zoom, self.shows_all = 0, False
+        self._zoom, self.shows_all = 0, whole
         self._letters.mixed = scene.letters_of_several_colours
         self._fit()
 
@@ -135,7 +135,9 @@ class MapView(PaintedRows, can_focus=True):
 
     @property
     def zoom(self) -> int:
-        """Above 0 nearer, below 0 further away than a square a step."""
+        """Above 0 nearer, below 0 further away than a square a step; of the whole floor what it comes to."""
+        if self.shows_all and self.scale is not None:
+            return -(self.scale.factor - 1).bit_length()
         return self._zoom
 
     def set_zoom(self, zoom: int) -> None:

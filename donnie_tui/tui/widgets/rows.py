@@ -17,6 +17,7 @@ from collections.abc import Collection, Iterable, Sequence
 from itertools import zip_longest
 from typing import ClassVar
 
+from msgspec import Struct
 from rich.cells import cell_len, chop_cells
 from rich.segment import Segment
 from rich.style import Style
@@ -78,7 +79,10 @@ class FixedLine(Static):
         words = next((each for each in self._choices if len(each) <= room), self._choices[-1])
         if (badge, words) != self._shown:
             self._shown, self.words = (badge, words), words
-            self.update(Content.assemble((badge, "reverse"), words) if badge else words, layout=False)
+            self.update(self._painted(badge, words), layout=False)
+
+    def _painted(self, badge: str, words: str) -> Content | str:
+        return Content.assemble((badge, "reverse"), words) if badge else words
 
 
 class StatusLine(FixedLine):
@@ -89,6 +93,18 @@ class StatusLine(FixedLine):
 
     def on_click(self, _event: Click) -> None:
         self.post_message(self.Clicked())
+
+
+class KeyEntry(Struct, frozen=True):
+    """An entry of the bottom line."""
+
+    action: str
+    key: str
+    words: str
+
+    @property
+    def text(self) -> str:
+        return f"{self.key} {self.words}"
 
 
 class KeyLine(FixedLine):
@@ -103,36 +119,45 @@ class KeyLine(FixedLine):
 
     def __init__(self, *, id: str) -> None:  # noqa: A002 -- Textual's own name
         super().__init__(id=id)
-        self._entries: tuple[tuple[str, str], ...] = ()
-        self._seen: tuple[tuple[str, str], ...] = ()
+        self._entries: tuple[KeyEntry, ...] = ()
+        self._seen: tuple[KeyEntry, ...] = ()
 
-    def offer(self, entries: Sequence[tuple[str, str]]) -> None:
-        """Actions with the words that are shown for them. The last one is shown wherever it fits at all."""
+    def offer(self, entries: Sequence[KeyEntry]) -> None:
+        """The last one is shown wherever it fits at all."""
         self._entries = tuple(entries)
         self._fit()
 
     def on_click(self, event: Click) -> None:
         place = event.get_content_offset(self)
         begin = 1
-        for action, entry in self._seen:
-            if place is not None and begin <= place.x < min(begin + len(entry), len(self.words)):
-                self.post_message(self.Clicked(action))
-            begin += len(entry) + len(_GAP)
+        for each in self._seen:
+            if place is not None and begin <= place.x < min(begin + len(each.text), len(self.words)):
+                self.post_message(self.Clicked(each.action))
+            begin += len(each.text) + len(_GAP)
 
     def on_resize(self) -> None:
         self._fit()
 
     def _fit(self) -> None:
-        *entries, last = self._entries or (("", ""),)
-        room = self.size.width - 1 - len(last[1])
-        seen: list[tuple[str, str]] = []
+        if not self._entries:
+            return
+        *entries, last = self._entries
+        room = self.size.width - 1 - len(last.text)
+        seen: list[KeyEntry] = []
         for each in entries:
-            room -= len(each[1]) + len(_GAP)
+            room -= len(each.text) + len(_GAP)
             if room < 0:
                 break
             seen.append(each)
         self._seen = (*seen, last)
-        self.say(f" {_GAP.join(entry for _action, entry in self._seen)}")
+        self.say(f" {_GAP.join(each.text for each in self._seen)}")
+
+    def _painted(self, badge: str, words: str) -> Content:  # noqa: ARG002 -- it has no badge
+        """Keys look like keys."""
+        parts: list[str | tuple[str, str]] = []
+        for each in self._seen:
+            parts += [_GAP if parts else " ", (each.key, "reverse"), f" {each.words}"]
+        return Content.assemble(*parts)
 
 
 MOST_LINES = 100_000
