@@ -109,8 +109,7 @@ async def compare_with_file(ctx: Context) -> None:
 @handles("examples")
 async def examples(ctx: Context, argument: str) -> None:
     """The example programs in the learner's words, to choose one; or one of them by its number."""
-    from language.formatter import formatted
-    from worlds import EXAMPLES, example
+    from worlds import EXAMPLES
 
     words, chosen = ctx.words, ""
     titles = {name: words(f"example-{name}") for name in EXAMPLES}
@@ -121,13 +120,23 @@ async def examples(ctx: Context, argument: str) -> None:
             raise NotUnderstood
     else:
         numbered = list(enumerate(titles.items(), 1))
-        options = [Option(name, title, number=number) for number, (name, title) in numbered]
+        options = [
+            Option(name, title, number=number, detail=partial(_example_lines, name, words.language))
+            for number, (name, title) in numbered
+        ]
         printed = [words("numbered-line", line=number, text=title) for number, (_, title) in numbered]
         chosen = await ctx.interaction.choose(words("ask-examples"), options, printed) or ""
     if chosen and await may_lose_text(ctx):
-        text = formatted(example(chosen), words.language).text or ""
-        ctx.workspace.replace(text, None)
+        ctx.workspace.replace("\n".join(_example_lines(chosen, words.language)), None)
         ctx.answer("answer-opened", name=titles[chosen], lines=len(ctx.program.lines))
+
+
+def _example_lines(name: str, language: str, *_room: int) -> tuple[str, ...]:
+    """An example program with the keywords of a language."""
+    from language.formatter import formatted
+    from worlds import example
+
+    return tuple((formatted(example(name), language).text or "").split("\n"))
 
 
 @handles("new")

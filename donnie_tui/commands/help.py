@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from donnie_tui.commands.context import Attempt
     from donnie_tui.core.goals import Unsensed
     from donnie_tui.core.program_files import Attempted
+    from worlds.challenges import Challenge
 
 _KEY_LINES = ("enter", "run", "stop", "past", "line", "word", "clear", "tab", "leave")
 _MOST_DIGITS = 2
@@ -189,11 +190,19 @@ def _challenge_options(ctx: Context) -> list[Option]:
     solved = {each.name for each in progress().attempts() if each.solved}
     current, options = ctx.donnie.world.challenge, []
     for number, name in enumerate(challenges.names(), start=1):
-        title = challenges.find(name).text(ctx.words.language).title
+        found = challenges.find(name)
+        title = found.text(ctx.words.language).title
         code = "challenge-row-solved" if name in solved else "challenge-row"
         text = ctx.words(code, number=number, title=title)
-        options.append(Option(name, text, current is not None and current.name == name))
+        is_current = current is not None and current.name == name
+        options.append(Option(name, text, is_current, detail=partial(_task_lines, found, ctx.words)))
     return options
+
+
+def _task_lines(found: Challenge, words: Wording, *_room: int) -> tuple[str, ...]:
+    from donnie_tui.core.describe import task_in_words
+
+    return task_in_words(found, words)
 
 
 @handles("next_challenge")

@@ -67,6 +67,10 @@ class Option(Struct, frozen=True):
     """What is typed to choose it where the options are printed; 0 where they can't be chosen so."""
     also: str = ""
     """Other words with which a learner may look for it; they are not shown."""
+    columns: tuple[str, ...] = ()
+    """What ``text`` says, in columns, where a list has room for them; no option has more than the first."""
+    detail: Callable[[int, int], Sequence[str]] | None = None
+    """More about it, in so many columns and rows, where a list has room for that, too."""
 
 
 class Interaction(Protocol):

@@ -110,7 +110,7 @@ async def _list(ctx: Context) -> None:
     chosen: str | None = ""
     while chosen is not None:
         rows = [
-            Option(each.key, _row(ctx, each), each.key == chosen)
+            Option(each.key, _row(ctx, each), each.key == chosen, columns=_columns(ctx, each))
             for each in PREFERENCES
             if words.knows(f"setting-{each.key}")
         ]
@@ -126,6 +126,12 @@ async def _list(ctx: Context) -> None:
 def _row(ctx: Context, preference: Preference) -> str:
     key, words = preference.key, ctx.words
     return words("setting-row", name=label(key, words), value=ctx.preferences.value_label(key, words))
+
+
+def _columns(ctx: Context, preference: Preference) -> tuple[str, str, str]:
+    """Name, value, and what it does."""
+    key, words = preference.key, ctx.words
+    return label(key, words), ctx.preferences.value_label(key, words), words(f"about-setting-{key}")
 
 
 async def _ask_for_value(ctx: Context, preference: Preference) -> None:

@@ -17,11 +17,14 @@ from donnie_tui.core.events import SoundSwitched
 from donnie_tui.core.map_grid import DEFAULT_MOVES, FREE, MapGrid, Trail, path_in_words, place_in_words
 from donnie_tui.core.pointing import Pointer, legend
 from donnie_tui.core.wording import shown_name
+from donnie_tui.i18n.words import Words
 from donnie_tui.settings.settings import Settings, SettingSource
 from language.source import printable
 
 LONGEST_NAME = 40
 """Characters of a typed name that an answer repeats."""
+LEAST_MAP_ROWS = 5
+"""Rows without which a map in a list shows nothing."""
 
 
 @handles("where")
@@ -284,7 +287,7 @@ async def world(ctx: Context, argument: str) -> None:
 async def worlds(ctx: Context, argument: str) -> None:
     """The worlds that ship, with their titles and tasks, to choose one; or one of them by name."""
     import worlds as shipped
-    from donnie_tui.core.describe import world_row, worlds_in_words
+    from donnie_tui.core.describe import world_columns, world_row, worlds_in_words
 
     if argument:
         await enter_world(ctx, argument)
@@ -292,11 +295,37 @@ async def worlds(ctx: Context, argument: str) -> None:
     here = ctx.donnie.world.name
     if ctx.screen is not None and not may_leave_world(ctx):
         return
-    options = [Option(name, world_row(name, ctx.words), name == here) for name in shipped.names()]
+    options = [
+        Option(
+            name,
+            world_row(name, ctx.words),
+            name == here,
+            columns=world_columns(name, ctx.words),
+            detail=partial(_world_detail, name, ctx.words),
+        )
+        for name in shipped.names()
+    ]
     printed = worlds_in_words(here, ctx.words)
     chosen = await ctx.interaction.choose(ctx.words("ask-worlds"), options, printed)
     if chosen:
         await enter_world(ctx, chosen)
+
+
+def _world_detail(name: str, words: Words, columns: int, rows: int) -> tuple[str, ...]:
+    """What is there, a task, and the map as far as there is room."""
+    from textwrap import wrap
+
+    from donnie_tui.core.describe import world_sentences
+    from donnie_tui.core.map_scene import MapScene, floor_rows
+    from donnie_tui.world.loading import choose_world
+    from sim.picture import picture
+
+    found = choose_world(name, words)
+    about = [row for each in world_sentences(name, words) for row in wrap(each, columns)]
+    room = rows - len(about) - 1
+    if room < LEAST_MAP_ROWS:
+        return tuple(about)
+    return (*floor_rows(MapScene(picture(found.scene), found.start()), columns, room), "", *about)
 
 
 async def enter_world(ctx: Context, typed: str) -> None:

@@ -321,6 +321,18 @@ def world_row(name: str, wording: Wording) -> str:
     )
 
 
+def world_columns(name: str, wording: Wording) -> tuple[str, str]:
+    """The title and the difficulty."""
+    about = worlds.words.about(name, wording.language)
+    return about.title, wording(f"difficulty-{about.difficulty.value}")
+
+
+def world_sentences(name: str, wording: Wording) -> tuple[str, ...]:
+    """What is there, and a task."""
+    about = worlds.words.about(name, wording.language)
+    return " ".join(about.sentences), wording("world-task", task=" ".join(about.task.split()))
+
+
 def worlds_in_words(here: str, wording: Wording) -> tuple[str, ...]:
     """The number of worlds and how to open one, then a line for each; ``here`` is the current one."""
     names = worlds.names()

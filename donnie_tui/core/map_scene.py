@@ -351,6 +351,20 @@ def factor_for(bounds: Bounds, columns: int, rows: int) -> int:
     return factor
 
 
+def floor_rows(scene: MapScene, columns: int, rows: int) -> tuple[str, ...]:
+    """The whole floor in letters, two columns a square, in so many columns and rows."""
+    scale = MapScale(scene, factor_for(scene.bounds, columns // 2, rows))
+    bounds = scale.bounds
+    return tuple(
+        "".join(_in_two_columns(*scale.shown(Cell(x, y))) for x in range(bounds.left, bounds.right + 1))
+        for y in range(bounds.top, bounds.bottom - 1, -1)
+    )
+
+
+def _in_two_columns(letter: str, look: str) -> str:
+    return letter * 2 if look == Kind.WALL.value or look.startswith("thing-") else f"{letter} "
+
+
 MOST = 300
 """Names; a floor with more things has no room for them."""
 

@@ -20,6 +20,7 @@ from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.map_scene import Line
 from donnie_tui.core.pointing import Pointer
 from donnie_tui.core.runner import RunRequest
+from donnie_tui.core.wording import spelled
 from donnie_tui.core.workspace import Workspace
 from donnie_tui.i18n.help import manual
 from donnie_tui.i18n.words import Words
@@ -114,7 +115,10 @@ class ScreenInteraction:
         listed = [each for each in options if rows[each.text] is each]
         await asyncio.sleep(0)
         keys, nothing = self._words("chooser-keys"), self._words("palette-nothing")
-        return await self._dialogs.answer_of(Chooser(question, keys, nothing, listed, self._controller.point))
+        is_plain, point = self._place.is_plain, self._controller.point
+        return await self._dialogs.answer_of(
+            Chooser(question, keys, nothing, listed, point, is_plain=is_plain)
+        )
 
     async def press_key(self, question: str, accepts: Callable[[str], str | None]) -> str | None:
         await asyncio.sleep(0)
@@ -127,7 +131,8 @@ class ScreenInteraction:
             is_clear = not typed.strip() or answered(typed) is not None
             return None if is_clear else f"{self._words('yes-or-no')} {question}"
 
-        typed = await self._typed_answer(question, "", unclear)
+        answers = tuple(spelled(each, self._words.language, "answers") for each in ("yes", "no"))
+        typed = await self._typed_answer(question, "", unclear, lambda _typed: answers)
         return None if typed is None else bool(answered(typed))
 
     async def edit_line(self, question: str, text: str = "") -> str | None:

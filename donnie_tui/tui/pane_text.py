@@ -332,7 +332,16 @@ def palette(words: Words, table: KeyTable, preferences: Preferences) -> tuple[Op
     Then the settings, the looks and the worlds; the value of such an option begins with ``TYPED_LINE``.
     """
     commands = (
-        Option(each.name, _palette_row(each, words, table), also=_synonyms(each, words))
+        Option(
+            each.name,
+            _palette_row(each, words, table),
+            also=_synonyms(each, words),
+            columns=(
+                word_of(each, words.language),
+                words(f"action-{each.name}"),
+                table.label(each.name, words.language),
+            ),
+        )
         for each in _offered(table)
     )
     return (*commands, *map(_typed_option, _more_lines(words, preferences)))
@@ -344,7 +353,7 @@ TYPED_LINE = "> "
 
 def _typed_option(line: tuple[str, str]) -> Option:
     typed, purpose = line
-    return Option(f"{TYPED_LINE}{typed}", f"{typed}: {purpose}")
+    return Option(f"{TYPED_LINE}{typed}", f"{typed}: {purpose}", columns=(typed, purpose))
 
 
 def _more_lines(words: Words, preferences: Preferences) -> Iterator[tuple[str, str]]:

@@ -105,10 +105,11 @@ async def test_the_cursor_stands_on_the_row_that_enter_would_choose(open_screen)
         await screen.until(lambda: screen.app.screen is not screen.main, "the palette")
         await screen.press("down", "down")
         await screen.pilot.pause()
-        row = screen.text.splitlines()[screen.app.cursor_position.y]
+        x, y = screen.app.cursor_position
+        first = screen.app.screen.rows.region.y
 
-        assert row.startswith(">")
-        assert [line for line in screen.text.splitlines() if line.startswith(">")] == [row]
+        assert [at for at, row in enumerate(screen.text.splitlines()) if row[x : x + 1] == ">"] == [y]
+        assert y == first + 2
 
 
 async def test_f1_in_the_program_lists_all_its_mistakes_whole(open_screen):

@@ -59,8 +59,8 @@ async def test_the_palette_is_reached_by_a_click_and_its_rows_too(open_screen):
         await screen.pilot.click(keys, offset=Offset(keys.words.index("All"), 0))
         await screen.until(lambda: screen.app.screen is not screen.main, "the palette")
         await screen.painted()
-        row = next(at for at, line in enumerate(screen.text.splitlines()) if "STEP (" in line)
-        await screen.pilot.click(offset=(5, row))
+        row = next(at for at, line in enumerate(screen.text.splitlines()) if " STEP " in line)
+        await screen.pilot.click(offset=(screen.text.splitlines()[row].index(" STEP ") + 2, row))
         await screen.shows("Line 1: FW 2")
 
 
@@ -83,8 +83,8 @@ async def test_a_click_chooses_a_world(open_screen):
         await screen.painted()
         chosen: list[str] = []
         screen.app.screen.dismiss = lambda value: chosen.append(value)
-        row = next(at for at, line in enumerate(screen.text.splitlines()) if " corridor: " in line)
-        await screen.pilot.click(offset=(5, row))
+        row = next(at for at, line in enumerate(screen.text.splitlines()) if " Corridor " in line)
+        await screen.pilot.click(offset=(screen.text.splitlines()[row].index("Corridor"), row))
         await screen.until(lambda: chosen, "the choice")
 
         assert chosen == ["corridor"]
@@ -97,7 +97,7 @@ async def test_examples_and_challenges_are_a_click_away_from_an_empty_program(op
         await screen.pilot.click(keys, offset=Offset(keys.words.index("Examples"), 0))
         await screen.until(lambda: screen.app.screen is not screen.main, "the list")
         await screen.painted()
-        await screen.pilot.click(offset=(3, 2))
+        await screen.pilot.click(screen.app.screen.rows, offset=(3, 0))
         await screen.shows("Opened A square, 4 lines.")
         await screen.until(lambda: "Examples" not in keys.words, "the keys of a program")
 
@@ -119,3 +119,48 @@ async def test_mistakes_worlds_programs_and_settings_are_a_click_away(open_scree
 
         await screen.pilot.click(screen.main.program_pane._heading, offset=Offset(3, 0))
         await screen.until(lambda: screen.app.screen is not screen.main, "the programs to open")
+
+
+async def test_the_list_of_worlds_shows_the_chosen_one_with_its_map_and_task(open_screen):
+    async with open_screen(size=(120, 40)) as screen:
+        await screen.type_line("WORLDS")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the list")
+        await screen.painted()
+        for world, title in (("two_rooms", "Two rooms"), ("maze", "Maze")):
+            while screen.app.screen._fitting[screen.app.screen.rows.line].value != world:
+                await screen.press("down")
+            await screen.painted()
+            about = " ".join(screen.app.screen._detail.lines)
+            floor = [line for line in screen.app.screen._detail.lines if line.startswith("##")]
+
+            assert title in screen.text
+            assert len(floor) >= 10
+            assert "Task: " in about
+        assert "yellow ball" not in about
+
+
+async def test_what_a_dialog_says_of_enter_and_esc_can_be_clicked(open_screen):
+    async with open_screen("FW 1") as screen:
+        for said, name in (("Esc goes", "donnie-dark"), ("Enter takes", "donnie-light")):
+            await screen.type_line("THEME")
+            await screen.until(lambda: screen.app.screen is not screen.main, "the list")
+            await screen.press("down")
+            await screen.painted()
+            y, row = next((y, row) for y, row in enumerate(screen.text.splitlines()) if said in row)
+            await screen.pilot.click(offset=(row.index(said) + 2, y))
+            await screen.until(lambda: screen.app.screen is screen.main, "the main screen")
+            await screen.until(lambda name=name: screen.app.theme == name, name)
+
+
+async def test_yes_and_no_can_be_clicked(open_screen):
+    """No to whether the program is to be saved."""
+    async with open_screen("FW 1") as screen:
+        screen.main.editor.insert("FW 2")
+        await screen.press("ctrl+n")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the question")
+        await screen.until(lambda: screen.app.screen._list.lines == ("yes", "no"), "the answers")
+        await screen.painted()
+        await screen.pilot.click(screen.app.screen._list, offset=(2, 1))
+        await screen.shows("This is a new program.")
+
+        assert screen.main.editor.text == ""

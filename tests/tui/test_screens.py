@@ -194,6 +194,9 @@ async def test_each_screen(open_screen, same, name, theme, size):
         screen.app.theme = theme
         screen.main.editor.move_cursor((2, 0))
         await opened(screen, *SCREENS[name])
+        if name == "unsaved":
+            await screen.until(lambda: screen.app.screen._list.lines, "yes and no")
+            await screen.painted()
         await same(screen)
 
 

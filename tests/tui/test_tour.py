@@ -105,6 +105,7 @@ async def test_what_it_says_to_do_does_it(open_screen) -> None:  # type: ignore[
             screen.main.log_rows,
             screen.main.command_line,
         ]
+        screen.main.map.show_all(False)
         await screen.press("tab", "right")
         await screen.until(lambda: "Map, 1, 3: free." in screen.status, "the square")
         await screen.press("f", "n", "w")

@@ -19,7 +19,7 @@ from rich.cells import cell_len
 from textual import events
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
-from textual.containers import Vertical
+from textual.containers import Horizontal, Vertical
 from textual.geometry import Offset
 from textual.message import Message
 from textual.screen import ModalScreen
@@ -31,6 +31,36 @@ from donnie_tui.tui.widgets.rows import TextRows
 
 MOST_SEEN = 8
 """Rows of a list next to something else."""
+
+
+class DialogKeys(Static):
+    """What can be pressed in a dialog, in words. A click on what is said of Enter or Esc presses it."""
+
+    class Clicked(Message):
+        """Enter or Esc was clicked."""
+
+        def __init__(self, key: str) -> None:
+            super().__init__()
+            self.key = key
+
+    def __init__(self, words: str) -> None:
+        super().__init__(f" {words}", classes="screen-keys", markup=False)
+        self._clauses = tuple(words.split(", "))
+
+    def on_click(self, event: events.Click) -> None:
+        """The clause under the mouse; in a row that was broken, the one that begins nearest before it."""
+        place = event.get_content_offset(self)
+        if place is None:
+            return
+        at, begin = place.y * self.size.width + place.x, 1
+        clause = ""
+        for each in self._clauses:
+            if begin <= at:
+                clause = each
+            begin += cell_len(each) + 2
+        key = next((key for name, key in (("Enter", "enter"), ("Esc", "escape")) if name in clause), None)
+        if key is not None:
+            self.post_message(self.Clicked(key))
 
 
 class Question(ModalScreen[str | None]):
@@ -74,7 +104,13 @@ class Question(ModalScreen[str | None]):
             if self._list is not None:
                 yield self._list
             yield InputLine(self._value, id="answer")
-            yield Static(f" {self._keys}", id="question-keys", markup=False)
+            yield DialogKeys(self._keys)
+
+    def on_dialog_keys_clicked(self, event: DialogKeys.Clicked) -> None:
+        if event.key == "enter":
+            self._submit(self.query_one(InputLine).value)
+        else:
+            self.action_go_back()
 
     def on_mount(self) -> None:
         self.query_one(InputLine).select_all()  # what is proposed is typed over
@@ -115,8 +151,11 @@ class Question(ModalScreen[str | None]):
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         event.stop()
+        self._submit(event.value)
+
+    def _submit(self, value: str) -> None:
         is_listed = self._list is not None and self._list.is_chosen
-        self._answer(self._list.row_text if self._list is not None and is_listed else event.value.strip())
+        self._answer(self._list.row_text if self._list is not None and is_listed else value.strip())
 
     def _answer(self, answer: str) -> None:
         """A folder of the list leads to what is in it."""
@@ -221,6 +260,38 @@ class _Narrowing(InputLine):
         return self._rows.cursor_screen_offset if self.points_at_row else super().cursor_screen_offset
 
 
+class _Detail(TextRows, can_focus=False):
+    """What else there is about a row."""
+
+    class Resized(Message):
+        """There is another room for it."""
+
+    @property
+    def is_read(self) -> bool:
+        return False
+
+    def on_resize(self) -> None:
+        super().on_resize()
+        self.post_message(self.Resized())
+
+
+_LEAST_PANEL, _DETAIL, _MOST_DETAIL = 56, 40, 90
+"""Columns: of a panel, and of what is next to a list, at least and at most."""
+_HIGH = 20
+"""Rows from which on something is left around a panel."""
+_DETAIL_ROWS, _FRAME_ROWS = 16, 3
+"""Of what is next to a list, at least; and of the title, of what is typed and of the keys."""
+
+
+def _columns(choices: Sequence[Option]) -> tuple[int, ...]:
+    """The widths of columns, with the gap between them; empty where a choice has none."""
+    rows = [each.columns or ((each.text,) if each.detail is not None else ()) for each in choices]
+    if not rows or not all(rows):
+        return ()
+    cells = [[row[at] for row in rows if at < len(row)] for at in range(max(map(len, rows)))]
+    return tuple(max(map(cell_len, column)) + 2 for column in cells)
+
+
 class Chooser(ModalScreen[str | None]):
     """Answers the value of the chosen row, None if the learner went back."""
 
@@ -242,27 +313,88 @@ class Chooser(ModalScreen[str | None]):
         nothing: str,
         choices: Sequence[Option],
         point: Callable[[str], object],
+        *,
+        is_plain: bool = False,
     ) -> None:
-        """``nothing`` is shown where no row fits what was typed; ``point`` says the row that is chosen."""
-        super().__init__()
+        """``nothing`` is shown where no row fits what was typed; ``point`` says the row that is chosen.
+
+        A plain list has the whole screen, and rows of text.
+        """
+        super().__init__(classes="-plain" if is_plain else "")
         self._title_words, self._key_words, self._nothing = title, keys, nothing
         self._choices = tuple(choices)
         self._fitting = self._choices
         self._point = point
         self.rows = _Rows(id="choices")
         self._typed = _Narrowing(self.rows)
+        has_detail = not is_plain and any(each.detail is not None for each in choices)
+        self._detail = _Detail(id="detail") if has_detail else None
+        self._columns: tuple[int, ...] = ()
+        """Their widths; empty where rows are texts."""
 
     def compose(self) -> ComposeResult:
-        yield Static(f" {self._title_words}", classes="screen-title", markup=False)
-        yield self._typed
-        yield self.rows
-        yield Static(f" {self._key_words}", classes="screen-keys", markup=False)
+        with Vertical(id="panel"):
+            yield Static(f" {self._title_words}", classes="screen-title", markup=False)
+            yield self._typed
+            with Horizontal(id="listing"):
+                yield self.rows
+                if self._detail is not None:
+                    yield self._detail
+            yield DialogKeys(self._key_words)
 
     def on_mount(self) -> None:
-        self._show()
+        self._lay_out()
         current = next((at for at, each in enumerate(self._choices) if each.is_current), 0)
         self.rows.read_line(current)
         self._say_row(f"{self._title_words} ")
+
+    def on_resize(self) -> None:
+        line = self.rows.line
+        self._lay_out()
+        self.rows.read_line(line)
+        self._show_detail()
+
+    def _lay_out(self) -> None:
+        """The panel is as large as what it lists, and keeps its size while that is narrowed."""
+        width, height = self.size
+        columns = () if self.has_class("-plain") else _columns(self._choices)
+        room = width - (_DETAIL + 1 if self._detail is not None else 0)
+        self._columns = columns if columns and sum(columns) <= room else ()
+        self._show()
+        has_detail = self._detail is not None and bool(self._columns)
+        if self._detail is not None:
+            self._detail.display = has_detail
+        if self.has_class("-plain"):
+            return
+        row_widths = [cell_len(self._row(each)) for each in self._choices]
+        listing = max(max(map(cell_len, (self._title_words, self._key_words))) + 2, _LEAST_PANEL)
+        rows = len(self._choices)
+        if has_detail:
+            self.rows.styles.width = sum(self._columns) + 1
+            listing = max(listing, sum(self._columns) + 1 + max(_DETAIL, min(_MOST_DETAIL, width // 2)))
+            rows = max(rows, _DETAIL_ROWS)
+        else:
+            listing = max(listing, max(row_widths, default=0) + 2)
+            rows = sum(-(-each // max(1, min(width, listing) - 1)) for each in row_widths)
+        panel = self.query_one("#panel")
+        panel.styles.width = listing = min(width, listing + 2)
+        panel.set_class(listing == width, "-wide-as-all")
+        panel.styles.height = min(height - (2 if height >= _HIGH else 0), max(rows, 1) + _FRAME_ROWS)
+
+    def _row(self, choice: Option) -> str:
+        if not self._columns or not choice.columns:
+            return choice.text
+        both = zip(choice.columns, self._columns, strict=False)
+        return "".join(cell + " " * (width - cell_len(cell)) for cell, width in both).rstrip()
+
+    def _show_detail(self) -> None:
+        """What else there is about the row."""
+        if self._detail is None or not self._detail.display or not self._detail.size.area:
+            return
+        chosen = self._fitting[min(self.rows.line, len(self._fitting) - 1)] if self._fitting else None
+        size = self._detail.size
+        about = chosen.detail(size.width - 2, size.height) if chosen and chosen.detail else ()
+        self._detail.show(about)
 
     def on_input_changed(self, event: Input.Changed) -> None:
         from language.source import fold_name
@@ -279,7 +411,7 @@ class Chooser(ModalScreen[str | None]):
         self._say_row()
 
     def _show(self) -> None:
-        self.rows.show([each.text for each in self._fitting] or [self._nothing])
+        self.rows.show([self._row(each) for each in self._fitting] or [self._nothing])
 
     def action_choose_row(self, down: int) -> None:
         self._typed.points_at_row = True
@@ -288,16 +420,28 @@ class Chooser(ModalScreen[str | None]):
 
     def _say_row(self, before: str = "") -> None:
         self._point(before + (self._fitting[self.rows.line].text if self._fitting else self._nothing))
+        self._show_detail()
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         event.stop()
+        self._take(self.rows.line)
+
+    def _take(self, line: int) -> None:
         if self._fitting:
-            self.dismiss(self._fitting[min(self.rows.line, len(self._fitting) - 1)].value)
+            self.dismiss(self._fitting[min(line, len(self._fitting) - 1)].value)
+
+    def on__detail_resized(self) -> None:
+        self._show_detail()
+
+    def on_dialog_keys_clicked(self, event: DialogKeys.Clicked) -> None:
+        if event.key == "enter":
+            self._take(self.rows.line)
+        else:
+            self.action_go_back()
 
     def on__rows_clicked(self, event: _Rows.Clicked) -> None:
         """A click chooses, as Enter does."""
-        if self._fitting:
-            self.dismiss(self._fitting[min(event.line, len(self._fitting) - 1)].value)
+        self._take(event.line)
 
     def action_go_back(self) -> None:
         self.dismiss(None)

@@ -239,7 +239,7 @@ class MainScreen(Screen[None]):
         self._give_room()
 
     def _give_room(self) -> None:
-        """Where the whole width of the floor can be seen, it is; where its whole height can, the log has less."""
+        """Where the whole width of the floor can be seen, it is; for its whole height the log has less."""
         grid = self.map.grid
         wanted = grid.bounds.width if grid else 0
         fits = LEAST_PROGRAM + wanted + 1 <= self.size.width < WIDE and wanted >= LEAST_MAP
