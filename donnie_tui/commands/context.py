@@ -124,7 +124,10 @@ class Context:
         from donnie_tui.core.map_grid import MapGrid
 
         donnie = self.donnie
-        return MapGrid(donnie.picture_now(), donnie.session.pose, shown_name(donnie.session.name))
+        grid = MapGrid(donnie.picture_now(), donnie.session.pose, shown_name(donnie.session.name))
+        if self.attempt is not None:
+            self.attempt.mark_goals(grid)
+        return grid
 
     # --- answers
 
@@ -196,6 +199,7 @@ class Attempt:
         """Whether the last run is followed by questions that were not asked yet."""
         self.unsensed: tuple[Unsensed, ...] = ()
         """After a run of a real robot, what it can't sense and the learner was not asked yet."""
+        self._now: Judgment | None = None
         self._tried: Attempted | None = None
         """The last run, until it is written."""
         self._unsubscribe = donnie.team.stream.subscribe(self._on_event)
@@ -206,7 +210,7 @@ class Attempt:
         if begins_anew(stamped.event):
             others = (each for each in self._events if each.robot != stamped.robot)
             self._events = deque(others, maxlen=self.MOST_EVENTS)
-            self._met = frozenset()
+            self._met, self._now = frozenset(), None
         if not isinstance(stamped.event, TRANSIENT):
             self._events.append(stamped)
         if isinstance(stamped.event, _ACTS) and len(self._events) <= self.MOST_LIVE:
@@ -215,9 +219,23 @@ class Attempt:
     def _chime(self, now: Judgment, event: Event | None = None) -> None:
         """A cue for each goal that is met now and was not; none for those that are met before anything."""
         met = frozenset(at for at, each in enumerate(now.of_goals) if each is None)
+        if self.challenge.rules.goal:
+            self._now = now
         if met - self._met and not isinstance(event, RunStarted):
             self._donnie.session.hub.publish(Chimed("goal"))
         self._met |= met
+
+    def mark_goals(self, grid: MapGrid) -> None:
+        """Draw the places of the goals on a map."""
+        from donnie_tui.core.goals import places_of
+
+        grid.mark_goals(places_of(self.challenge.rules))
+
+    @property
+    def now(self) -> Judgment:
+        """The last judgment, for a screen; while much happens it is not the newest."""
+        self._now = self._now or self.judgment()
+        return self._now
 
     def judgment(self) -> Judgment:
         """Of what was done from the first start."""
@@ -284,6 +302,7 @@ class Attempt:
         donnie, here = self._donnie, verdicts[0]
         is_solved = all(each.is_solved for each in verdicts)
         self.keep_try()
+        self._now = here
         self._tried = self._try_of(here, is_solved=is_solved)
         self.has_questions = is_solved and bool(self.challenge.rules.question)
         if not self.has_questions:

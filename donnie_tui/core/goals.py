@@ -208,6 +208,19 @@ def judge(
     )
 
 
+def places_of(rules: Rules) -> tuple[tuple[int, float, float, float, float], ...]:
+    """The goals with a place or an area, for the map: number, and west, south, east and north of it."""
+    found: list[tuple[int, float, float, float, float]] = []
+    for number, goal in enumerate(rules.goal, start=1):
+        for target in (goal.at, goal.near, *(goal.visited or ())):
+            if target is not None and not isinstance(target, str):
+                found.append((number, *target, *target))
+        if goal.area is not None:
+            (west, east), (south, north) = (sorted(each) for each in zip(*goal.area, strict=True))
+            found.append((number, west, south, east, north))
+    return tuple(found)
+
+
 def unsensed(rules: Rules) -> tuple[Unsensed, ...]:
     """What a real robot can't know of all that a challenge asks for."""
     goals = (Unsensed("goal", at) for at, goal in enumerate(rules.goal) if not goal.is_sensed)

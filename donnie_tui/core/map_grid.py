@@ -8,7 +8,7 @@ cells are forgotten first.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from enum import Enum
 from itertools import pairwise
 from math import atan2, degrees, floor, hypot
@@ -29,6 +29,7 @@ LONGEST_TRAIL = 5000
 FARTHEST = 10**9
 """The distance in cells up to which the map follows the robot."""
 
+_GOALS = "123456789*"
 _ARROWS = ("^", "/", ">", "\\", "v", "/", "<", "\\")
 
 
@@ -44,6 +45,8 @@ class Kind(Enum):
 
     ROBOT = "robot"
     START = "start"
+    GOAL = "goal"
+    """A place of a challenge's goal."""
     TRAIL = "trail"
     WALL = "wall"
     FREE = "free"
@@ -97,6 +100,8 @@ class MapGrid:
         self.name = name
         self._trail: dict[Cell, int] = {}
         self._order: deque[Cell] = deque()
+        self.goals: Mapping[Cell, int] = {}
+        """The number of the goal whose place is there, of those on free floor."""
         self.start = self.robot = self.cell_of(pose)
         self.begin(pose)
 
@@ -148,6 +153,18 @@ class MapGrid:
         picture = self.picture
         return picture.left + cell.x * picture.cell, picture.bottom + cell.y * picture.cell
 
+    def mark_goals(self, places: Iterable[tuple[int, float, float, float, float]]) -> None:
+        """The numbers of goals with the west, south, east and north of their places, in steps."""
+        found: dict[Cell, int] = {}
+        floor = Bounds(0, 0, self.picture.width - 1, self.picture.height - 1)
+        for number, west, south, east, north in places:
+            low, high = self.cell_of(Pose(west, south, 0.0)), self.cell_of(Pose(east, north, 0.0))
+            for x in range(max(low.x, floor.left), min(high.x, floor.right) + 1):
+                for y in range(max(low.y, floor.bottom), min(high.y, floor.top) + 1):
+                    if self.floor_letter(Cell(x, y)) == FREE:
+                        found.setdefault(Cell(x, y), number)
+        self.goals = found
+
     def thing(self, cell: Cell) -> Thing | None:
         """The thing at a cell; of several, the one whose middle is nearest."""
         letter, (x, y) = self.floor_letter(cell), self.place(cell)
@@ -167,6 +184,8 @@ class MapGrid:
         """What the cell shows, one letter."""
         if cell == self.robot:
             return self._arrow
+        if cell in self.goals:
+            return _GOALS[min(self.goals[cell], len(_GOALS)) - 1]
         if cell == self.start:
             return START
         return TRAIL if cell in self._trail else self.floor_letter(cell)
@@ -175,6 +194,8 @@ class MapGrid:
         """What the cell shows, for words and colours."""
         if cell == self.robot:
             return Kind.ROBOT
+        if cell in self.goals:
+            return Kind.GOAL
         if cell == self.start:
             return Kind.START
         if cell in self._trail:

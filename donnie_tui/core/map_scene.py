@@ -288,7 +288,17 @@ def _looks(event: Read | Scanned) -> Iterable[tuple[float, int]]:
 _WEIGHT = {
     kind: weight
     for weight, kind in enumerate(
-        (Kind.FREE, Kind.RAY, Kind.TRAIL, Kind.START, Kind.WALL, Kind.THING, Kind.OTHER, Kind.ROBOT)
+        (
+            Kind.FREE,
+            Kind.RAY,
+            Kind.TRAIL,
+            Kind.START,
+            Kind.GOAL,
+            Kind.WALL,
+            Kind.THING,
+            Kind.OTHER,
+            Kind.ROBOT,
+        )
     )
 }
 """Of several things in one square, the one with the highest rank is shown."""

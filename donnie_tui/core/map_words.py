@@ -122,7 +122,9 @@ def square_content(grid: MapGrid, cell: Cell, wording: Wording) -> str:
         return specific_name_of(thing, wording)
     if kind is Kind.ROBOT:
         return _robot_words(grid, wording)
-    return grid.letter(cell) if kind is Kind.THING else wording(f"cell-{kind.value}")
+    if kind is Kind.THING:
+        return grid.letter(cell)
+    return wording(f"cell-{kind.value}", number=grid.goals.get(cell, 0))
 
 
 def names_of_letters(picture: Picture, wording: Wording) -> dict[str, str]:
@@ -167,6 +169,15 @@ def picture_in_letters(
     ]
     if has_path:
         legend[:0] = [wording("picture-letter", name=name, letter=sign) for name, sign in of_path.items()]
+    goals = sorted({number for cell, number in grid.goals.items() if window.around(cell) == window})
+    letters = {
+        number: next(grid.letter(cell) for cell in grid.goals if grid.goals[cell] == number)
+        for number in goals
+    }
+    legend += [
+        wording("picture-letter", name=wording("cell-goal", number=number), letter=letters[number])
+        for number in goals
+    ]
     title = wording(
         "picture-title-named" if grid.name else "picture-title",
         name=grid.name,

@@ -96,7 +96,7 @@ def content(scene: MapScene, cell: Cell, wording: Wording) -> str:
     if kind is Kind.ROBOT and scene.grid.name:
         return scene.grid.name
     if kind is not Kind.THING:
-        return wording(f"cell-{kind.value}")
+        return wording(f"cell-{kind.value}", number=scene.grid.goals.get(cell, 0))
     if thing is None:
         return scene.letter(cell)
     return coloured_thing(thing, wording)
@@ -107,7 +107,8 @@ def legend(scene: MapScene, wording: Wording) -> tuple[str, ...]:
     letters: dict[str, list[Thing]] = {}
     for thing in scene.things:
         letters.setdefault(thing.letter, []).append(thing)
-    fixed = ("robot", "start", "trail", "wall", "ray", "free")
+    goals = ("goal",) if scene.grid.goals else ()
+    fixed = ("robot", "start", *goals, "trail", "wall", "ray", "free")
     return (
         *(wording(f"legend-{each}", name=scene.grid.name or wording("cell-robot")) for each in fixed),
         *(

@@ -84,7 +84,7 @@ class ScreenController:
         donnie = ctx.donnie
         self.workspace.report_failure = lambda error: donnie.say("answer-not-kept", reason=error.reason)
         self.workspace.attach(main_screen.editor)
-        self.display = Display(main_screen, donnie, ctx.runs, self.workspace, key_table)
+        self.display = Display(main_screen, ctx, key_table)
         queue = EventQueue(
             app.post_message, self.words, lambda: donnie.session.pose, lambda: donnie.session.name
         )

@@ -8,21 +8,20 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from devices.ports.robot import Bearing, Pose
-from donnie_tui.bootstrap import Donnie
+from donnie_tui.commands.context import Context
 from donnie_tui.commands.keys import PALETTE, KeyTable, key_label
 from donnie_tui.core.events import Read
 from donnie_tui.core.map_grid import Cell, floor_size
 from donnie_tui.core.map_scene import Line, MapScene
-from donnie_tui.core.run_controller import RunController
 from donnie_tui.core.run_state import RunState
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.wording import colour_initials, shown_name
-from donnie_tui.core.workspace import Workspace
 from donnie_tui.settings.settings import speed_words
 from donnie_tui.tui.environment import first_steps
 from donnie_tui.tui.event_queue import EventBatch
 from donnie_tui.tui.pane_text import (
     VariableChanges,
+    goal_lines,
     inspector_lines,
     robot_sentence,
     scopes_of,
@@ -52,16 +51,13 @@ _OFFERED_WRONG = ("run", "help", "errors", "fix", "quit", "save", "open")
 class Display:
     """Updates the main screen."""
 
-    def __init__(
-        self, place: MainScreen, donnie: Donnie, runs: RunController, workspace: Workspace, table: KeyTable
-    ) -> None:
+    def __init__(self, place: MainScreen, ctx: Context, table: KeyTable) -> None:
         self._place = place
         self._table = table
-        self._donnie = donnie
-        self._words = donnie.words
-        self._runs = runs
-        self._workspace = workspace
-        self._pose = donnie.session.pose
+        self._attempt = ctx.attempt
+        self._donnie, self._words = ctx.donnie, ctx.words
+        self._runs, self._workspace = ctx.runs, ctx.workspace
+        self._pose = ctx.donnie.session.pose
         self._readings: dict[tuple[str, str], Read] = {}
         self._distances: Mapping[Bearing, int] = {}
         self._has_belt = False
@@ -79,6 +75,8 @@ class Display:
         self._pose = self._donnie.session.pose
         picture = self._donnie.picture()
         self.scene = MapScene(picture, self._pose, shown_name(self._donnie.session.name))
+        if self._attempt is not None:
+            self._attempt.mark_goals(self.scene.grid)
         self._place.map.call_colours(colour_initials(self._words))
         self._place.show_map(self.scene)
         self.entitle_map()
@@ -264,9 +262,13 @@ class Display:
         frames, changes = self._runs.frames, None if self._place.is_plain else self._changes
         if changes is not None and self._runs.state is not RunState.RUNNING:  # a step, and no look on the way
             changes.look(scopes_of(frames, variables), [frame.line for frame in frames])
-        self._place.inspector.show(
-            inspector_lines(frames, variables, distances, readings, belt, self._words, changes)
+        lines = inspector_lines(frames, variables, distances, readings, belt, self._words, changes)
+        goals = (
+            ()
+            if self._attempt is None
+            else goal_lines(self._attempt, self._words, is_seen=changes is not None)
         )
+        self._place.inspector.show((*goals, *lines))
 
     def say_status(self) -> None:
         """Where the focus is, where Donnie is, what the program does.

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from devices.ports.robot import Bearing, Pose
+from donnie_tui.commands.context import Attempt
 from donnie_tui.commands.declarations import BY_NAME, COMMANDS, Command
 from donnie_tui.commands.help import first_words
 from donnie_tui.commands.interaction import Option
@@ -12,6 +13,7 @@ from donnie_tui.commands.keys import MENU, PALETTE, KeyTable, key_label
 from donnie_tui.commands.lookup import help_line, word_of
 from donnie_tui.commands.preferences import BY_NAME as BY_KEY
 from donnie_tui.commands.preferences import PREFERENCES, Preferences, label, setting_word, value_label
+from donnie_tui.core.describe import goals_in_words, task_in_words
 from donnie_tui.core.events import Read
 from donnie_tui.core.run_state import RunState
 from donnie_tui.core.timeline import Timeline, is_main_event
@@ -60,6 +62,18 @@ def state_badge(state: RunState, past: Timeline | None, words: Wording) -> str:
         main = [is_main_event(each.event) for each in past.events]
         return words("status-past", step=sum(main[: past.at]), steps=sum(main)).rstrip(".").upper()
     return words(f"status-{state.value}").rstrip(".").upper()
+
+
+def goal_lines(attempt: Attempt, words: Wording, *, is_seen: bool) -> tuple[str, ...]:
+    """The task of a challenge, and each goal in words; where they are seen, with a mark, too."""
+    judgment = attempt.now
+    goals = goals_in_words(judgment, attempt.room, words)
+    marks = ("[ ] " if each else "[x] " for each in judgment.of_goals)
+    return (
+        *task_in_words(attempt.challenge, words),
+        words("inspector-goals", met=judgment.met, goals=judgment.goals),
+        *(f"{mark}{line}" if is_seen else line for mark, line in zip(marks, goals, strict=True)),
+    )
 
 
 class VariableChanges:

@@ -60,7 +60,7 @@ _LOOKS: dict[str, tuple[str, str, str]] = {
     "note": ("error", "", "italic"), "selected": ("on-chosen", "chosen", ""),
 
     "robot": ("accent", "", "bold reverse"), "other": ("warning", "", "bold reverse"),
-    "start": ("success", "", "bold"),
+    "start": ("success", "", "bold"), "goal": ("warning", "", "bold"),
     "trail": ("success", "", ""), "wall": ("foreground", "", ""), "free": ("faint", "", ""),
     "ray": ("warning", "", ""), "name": ("foreground", "", "italic"), "ruler": ("muted", "panel", ""),
     **{f"thing-{colour}": (colour, "", "bold") for colour in COLOURS},

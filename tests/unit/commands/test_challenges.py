@@ -331,3 +331,29 @@ def test_what_a_real_robot_solved_must_be_solved_from_the_other_starts_in_simula
     monkeypatch.setattr(type(script.donnie.connection), "is_real", property(lambda _: True))
 
     assert script.answers_to("FW 3")[-1].startswith("0 of 1 goal. From start 2: ")
+
+
+def test_the_places_of_goals_are_digits_in_the_map_in_letters(open_script: OpenScript) -> None:
+    script = open_script(world="challenge:there_and_back")
+
+    assert script.answers_to("MAP 0 8") == ["0, 8: goal 1. 8 ahead."]
+    assert script.answers_to("MAP 0 7") == ["0, 7: free. 7 ahead."]
+    drawn = script.answers_to("MAP PICTURE")
+    assert "Goal 1: 1" in drawn
+    rows = [line for line in drawn if line.startswith("#")]
+    robot = next(at for at, row in enumerate(rows) if "^" in row)
+    assert rows[robot - 8][rows[robot].index("^")] == "1"
+
+
+def test_an_area_that_is_a_goal_is_drawn_where_the_floor_is_free(
+    open_script: OpenScript, tmp_path: Path
+) -> None:
+    file = tmp_path / "it.toml"
+    file.write_text(ASKING.replace("at = [0, 3]", "area = [[6, -1], [9, 2]]"))
+    script = open_script(world=f"challenge:{file}")
+
+    assert script.answers_to("MAP 6 2", "MAP 8 0", "MAP 5 0") == [
+        "6, 2: goal 1. 6 right, 2 ahead.",
+        "8, 0: ball. 8 right.",
+        "5, 0: free. 5 right.",
+    ]

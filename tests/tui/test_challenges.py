@@ -1,0 +1,72 @@
+"""A challenge on the full screen: task and goals in the panel, the places of goals on the map."""
+
+from __future__ import annotations
+
+import pytest
+
+from donnie_tui.core.map_grid import Kind
+
+WIDE = (120, 40)
+ROUND_TRIP = "challenge:there_and_back"
+"""To 0, 8 and back to 0, 0, looking north at the end."""
+
+
+def panel(screen) -> str:
+    return " ".join(" ".join(screen.main.inspector.lines).split())
+
+
+async def test_the_panel_shows_task_and_goals_with_signs_and_words(open_screen):
+    async with open_screen(world=ROUND_TRIP, size=WIDE) as screen:
+        await screen.until(lambda: "Goals, 2 of 3 met:" in panel(screen), "the goals")
+        assert "Challenge: There and back." in panel(screen)
+        assert "[ ] Goal 1: You did not come to 0, 8." in panel(screen)
+        assert "[x] Goal 2: met." in panel(screen)
+
+        await screen.type_line("FW 8")
+        await screen.until(lambda: "[x] Goal 1: met." in panel(screen), "the goal that was met")
+        assert "[ ] Goal 2: You stop 8 steps north of 0, 0." in panel(screen)
+
+
+async def test_the_plain_panel_has_words_only(open_screen):
+    async with open_screen(world=ROUND_TRIP, plain=True) as screen:
+        screen.app.do("show_variables")
+        await screen.until(lambda: "Goal 2: met." in panel(screen), "the goals")
+
+        assert "[" not in panel(screen)
+
+
+async def test_the_panel_says_that_a_challenge_begins_anew(open_screen):
+    async with open_screen(world=ROUND_TRIP, size=WIDE) as screen:
+        await screen.type_line("FW 8")
+        await screen.until(lambda: "[x] Goal 1: met." in panel(screen), "the goal that was met")
+        await screen.type_line("RESET")
+        await screen.until(lambda: "[ ] Goal 1:" in panel(screen), "the start")
+
+
+async def test_the_panel_of_a_world_without_a_challenge_has_no_goals(open_screen):
+    async with open_screen(world="first_room", size=WIDE) as screen:
+        await screen.until(lambda: "No variables" in panel(screen), "the panel")
+
+        assert "Goal" not in panel(screen)
+
+
+@pytest.mark.parametrize("picture", [False, True])
+async def test_the_places_of_goals_are_digits_on_the_map(open_screen, picture):
+    async with open_screen(world=ROUND_TRIP, size=WIDE) as screen:
+        view = screen.main.map
+        view.show_picture(picture)
+        scale = view.scale
+        square = scale.square_of(scale.scene.cell_at(0, 8))
+
+        assert scale.shown(square) == ("1", Kind.GOAL.value)
+        row = scale.bounds.top - square.y
+        painted = [view.render_line(y).text for y in range(view.size.height)]
+        assert any("1" in line for line in painted), row
+
+
+async def test_a_goal_of_the_map_is_said_and_explained(open_screen):
+    async with open_screen(world=ROUND_TRIP) as screen:
+        await screen.type_line("MAP 0 8")
+        await screen.shows("0, 8: goal 1. 8 ahead.")
+        screen.app.do("legend")
+        await screen.until(lambda: "A digit is the place of a goal." in screen.text, "the legend")
