@@ -261,6 +261,13 @@ def _assembled(
     outlets = Outlets(audible, BeltAnnouncer(team, words, belt_settings(settings)), written, speech_wait)
     belt_news = connect_belt(settings, team, words, closing)
     about_robot = _connect_robot(connection, settings, words, world, terminal)
+    if settings.served is not None and settings.served.file == settings.world:
+        from donnie_tui.player.service import ClientService
+
+        service = ClientService(settings.served, team, world, shared, words)
+        closing.callback(service.close)
+        service.start()
+        about_robot += service.notices
     notices = Notices(
         (*robot_put_in(world, words), *_task(world, words), *(() if world.ships else _remarks(world, words))),
         tuple(words(each.code, **each.values) for each in settings.notices),

@@ -211,7 +211,7 @@ class RobotDrive:
         self._wanted = STANDING if self.is_held else self._asked
         if self.is_held:
             self._speed = STANDING
-        if self._users:
+        if self._users and not self.is_held:
             self._vehicle.clock.seconds += TICK
         if self._wheels.acceleration_bounds is None:
             self._speed = self._wanted

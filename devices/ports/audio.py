@@ -13,6 +13,23 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 PUNCTUATION = ("none", "some", "all")
+CUES = (
+    *("step-forward", "step-back", "turn-right", "turn-left", "obstacle", "bump", "scan", "found"),
+    *(
+        "grip",
+        "release",
+        "nothing",
+        "belt",
+        "done",
+        "goal",
+        "solved",
+        "error",
+        "waiting",
+        "block-opened",
+        "block-closed",
+    ),
+)
+"""Every cue, in the order in which CUES plays them."""
 
 
 class Urgency(Enum):

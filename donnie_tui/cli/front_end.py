@@ -1,4 +1,4 @@
-"""``donnie``: starts the linear mode or the full screen, and changes between them; ``donnie serve``.
+"""``donnie``: starts the linear mode or the full screen, and changes between them; ``serve`` and ``player``.
 
 The mode is decided once, at the start: by the option, then the environment variables, then the settings file,
 then the kind of terminal. The greeting names the cause.
@@ -9,7 +9,9 @@ from __future__ import annotations
 import os
 import shlex
 import sys
+import threading
 from collections.abc import Mapping
+from contextlib import closing
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -18,12 +20,13 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from donnie_tui.cli.options import ExitCode, Order
-from donnie_tui.cli.streams import is_terminal
+from donnie_tui.cli.streams import is_terminal, on_signals
 from donnie_tui.commands.interaction import SwitchMode
+from donnie_tui.core.events import Announced, Spoke, Stamped
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.process.confinement import confinement, may_run_programs
 from donnie_tui.settings.parsing import read_switch
-from donnie_tui.settings.settings import BY_KEY, CONFINED, DEVICES, Settings
+from donnie_tui.settings.settings import BY_KEY, CONFINED, DEVICES, ServedFile, Settings
 
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
@@ -47,7 +50,8 @@ def start(order: Order) -> int:
     settings = replace(order.settings, plain=True) if arguments.plain else order.settings
     option = True if arguments.linear else False if arguments.visual else None
     cause = cause_of_linear(option, settings.linear, process_environment(order.environment))
-    along = _CarriedOver(arguments.file or None, order.greeting)
+    program = None if order.invocation.command else arguments.file or None
+    along = _CarriedOver(program, order.greeting)
     while True:
         try:
             return _run_screen(settings, along) if cause is None else _run_linear(settings, cause, along)
@@ -133,9 +137,45 @@ def _by_variable(environment: Mapping[str, str]) -> bool | None:
         return True if wanted else None
 
 
-# --- in a browser
+# --- clients of Player
 
 PORTS = range(1, 65536)
+
+
+def serve_clients(order: Order) -> int:
+    """Let clients of Player drive the robots of a world, until a signal or the learner ends it.
+
+    With ``--linear`` or ``--visual`` a front end shows what they do, else only what robots say is printed.
+    Raises ``Unusable``.
+    """
+    from donnie_tui.bootstrap import assemble
+
+    words, arguments, output = order.words, order.invocation.arguments, order.output
+    port = number_in(words, "serve-bad-port", arguments.port, PORTS)
+    served = ServedFile(arguments.file, arguments.host, port)
+    settings = replace(order.settings, world=arguments.file, served=served)
+    if arguments.linear or arguments.visual:
+        return start(replace(order, settings=settings))
+    over = threading.Event()
+
+    def show(stamped: Stamped) -> None:
+        match stamped.event:
+            case Spoke(text=text):
+                name = stamped.robot or donnie.session.name
+                output.line(words("player-said", name=name, text=text))
+            case Announced(code="clients", text=text):
+                output.complaint(text)
+
+    with on_signals(over.set), closing(assemble(replace(settings, speech="off"), terminal=False)) as donnie:
+        donnie.session.hub.subscribe(show)
+        for notice in (*donnie.notices.about_devices, words("player-ending")):
+            output.line(notice)
+        over.wait()
+    return ExitCode.DONE
+
+
+# --- in a browser
+
 SESSIONS = range(1, 101)
 IDLE_MINUTES = range(1441)
 

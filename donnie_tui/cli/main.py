@@ -224,7 +224,7 @@ def _handler(order: Order) -> Callable[[Order], int]:
         case "serve":
             from donnie_tui.cli.front_end import serve as command
         case "player":
-            from donnie_tui.cli.player import serve_clients as command
+            from donnie_tui.cli.front_end import serve_clients as command
         case "stop":
             from donnie_tui.cli.devices import stop as command
         case _ if order.invocation.arguments.run:

@@ -149,6 +149,7 @@ OPTIONS: dict[str, tuple[OptionSpec, ...]] = {
         OptionSpec(("file",), "option-player-file", "FILE.cfg"),
         OptionSpec(("--port",), "option-player-port", "N", default="6665"),
         OptionSpec(("--host",), "option-player-host", "ADDRESS", default="127.0.0.1"),
+        *_MODES,
     ),
 }
 """The options of each command; those of the program itself stand under the empty name."""

@@ -5,6 +5,7 @@ A choice at a prompt or on the screen is kept in the settings file; lines of a f
 
 from __future__ import annotations
 
+from devices.ports.audio import CUES
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.declarations import BY_NAME, COMMANDS
 from donnie_tui.commands.dispatch import handles
@@ -21,7 +22,7 @@ from donnie_tui.commands.preferences import (
     value_typed,
     values_in_words,
 )
-from donnie_tui.commands.sound import CUES, LOUD, chime, cue_meant, cue_volume_typed, cue_word
+from donnie_tui.commands.sound import LOUD, chime, cue_meant, cue_volume_typed, cue_word
 from donnie_tui.core.wording import spelled
 from language.source import printable
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from devices.ports.audio import CUES
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.commands.arguments import switched
 from donnie_tui.commands.context import Context
@@ -10,23 +11,6 @@ from donnie_tui.core.events import Answered, Chimed
 from donnie_tui.core.wording import meant, spelled
 from donnie_tui.settings.parsing import read_percent
 
-CUES = (
-    *("step-forward", "step-back", "turn-right", "turn-left", "obstacle", "bump", "scan", "found"),
-    *(
-        "grip",
-        "release",
-        "nothing",
-        "belt",
-        "done",
-        "goal",
-        "solved",
-        "error",
-        "waiting",
-        "block-opened",
-        "block-closed",
-    ),
-)
-"""Every cue, in the order in which CUES plays them."""
 LOUD, SILENT = 100, 0
 BETWEEN = 0.7
 """Seconds from the end of a cue and of its name to the next one."""

@@ -8,11 +8,13 @@ from __future__ import annotations
 
 from devices.ports.robot import Grip, Met, Pose, Pushed, StoppedBy
 from donnie_tui.core.events import (
+    STANDING,
     Announced,
     Answered,
     BeltShown,
     Chimed,
     CueSounded,
+    Driven,
     Error,
     GripperUsed,
     Link,
@@ -58,6 +60,8 @@ class Announcer:
         self._say = wording
         self._is_talking = False
         """Whether the learner typed the program at a prompt. A script gets only the manual's sentences."""
+        self._robot, self._motion = "", STANDING
+        """The robot's name, and how a client drives it."""
         hub.subscribe_to_own(self._on_event)
 
     def about_to_end(self, outcome: Outcome) -> None:
@@ -67,8 +71,11 @@ class Announcer:
 
     def _on_event(self, stamped: Stamped) -> None:
         match stamped.event:
-            case RunStarted(how=how):
+            case RunStarted(how=how, robot=robot):
                 self._is_talking = how is not None and how.terminal
+                self._robot, self._motion = robot, STANDING
+            case Driven(motion=motion):
+                self._driven(motion)
             case Moved() as moved:
                 self._moved(moved)
             case Turned() as turned:
@@ -131,6 +138,14 @@ class Announcer:
         self._announce_pushed(turned.pushed)
         if turned.turned:
             self._announce_place("turned", turned.pose)
+
+    def _driven(self, motion: str) -> None:
+        if motion == self._motion:
+            return
+        self._motion = motion
+        if motion == "blocked":
+            self._cue("bump", 0.0, 0.0)
+        self._sentences.announce("driven", f"driven-{motion}", name=self._robot)
 
     def _gripped(self, used: GripperUsed) -> None:
         """Announces what the gripper took or released, under the learner's name for it."""

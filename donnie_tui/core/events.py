@@ -137,6 +137,19 @@ class Turned(_Event, frozen=True):
     """Where the robot is, if its odometry has errors: ``pose`` is then where it believes to be."""
 
 
+STANDING = "standing"
+
+
+class Driven(_Event, frozen=True):
+    """A client of Player drives the robot so from here on: ``forward``, ``backward-left``, ``right``, ...
+
+    Also once a second while it drives on.
+    """
+
+    motion: str
+    pose: Pose
+
+
 class SeenGroup(Struct, frozen=True):
     """Things that SCAN sees at one angle."""
 
@@ -315,6 +328,7 @@ RecordedEvent: TypeAlias = (
     | Announced
     | Moved
     | Turned
+    | Driven
     | Scanned
     | Read
     | Waited

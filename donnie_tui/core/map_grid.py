@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from msgspec import Struct
 
 from devices.ports.robot import Pose, StoppedBy
-from donnie_tui.core.events import Moved, Reset, RunEnded, RunStarted, Stamped, Turned
+from donnie_tui.core.events import Driven, Moved, Reset, RunEnded, RunStarted, Stamped, Turned
 from donnie_tui.core.wording import COMPASS, Wording, compass_heading, facing, position_in_words, whole_steps
 
 if TYPE_CHECKING:
@@ -292,9 +292,9 @@ class Trail:
         event = stamped.event
         if isinstance(event, Moved | Turned):
             self._moves_of.setdefault(stamped.robot, deque(maxlen=MOVES_KEPT)).append(event)
-        if isinstance(event, Moved):
+        if isinstance(event, Moved | Driven):
             self._paths.setdefault(stamped.robot, deque(maxlen=MOVES_KEPT)).append(event.pose)
-        if isinstance(event, Moved | Turned | RunEnded):
+        if isinstance(event, Moved | Turned | Driven | RunEnded):
             self._last_poses[stamped.robot] = event.pose
         elif isinstance(event, Reset):
             self._paths.pop(stamped.robot, None)

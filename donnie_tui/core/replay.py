@@ -16,6 +16,7 @@ from donnie_tui.core.events import (
     Announced,
     BeltShown,
     CueSounded,
+    Driven,
     Error,
     Event,
     GripperUsed,
@@ -196,7 +197,7 @@ def _what(event: Event, wording: Wording) -> str:
         case RunStarted(program=program):
             is_typed = program == TYPED
             return wording(f"undone-run-{'typed' if is_typed else 'started'}", program=_quoted(program))
-        case RunEnded() | Scanned() | SoundSwitched() | Link() | Reset():
+        case RunEnded() | Driven() | Scanned() | SoundSwitched() | Link() | Reset():
             return wording(f"undone-{event_name(event).replace('_', '-')}")
         case _:
             return _trifle(event, wording)

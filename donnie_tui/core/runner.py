@@ -96,6 +96,8 @@ class Run:
         self._source_lines = source_lines
         self._first_line = first_line
         self._trace = trace
+        self.has_turns = True
+        """Whether it waits for its robot's turn; not where others drive the robot."""
         self._has_read = threading.Event()
         self._over = threading.Event()
         self.has_begun = False
@@ -154,7 +156,7 @@ class Run:
     def _run_in_turn(self) -> Outcome:
         """Runs the program, and keeps the robot's turn from the first event to the last."""
         robot = self._stage.robot
-        if not takes_turns(robot):
+        if not (self.has_turns and takes_turns(robot)):
             return self._publish_and_run()
         robot.join()
         try:

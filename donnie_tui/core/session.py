@@ -29,7 +29,7 @@ from language.compiler import compile_program
 from language.control import ControlState, ExecutionControl
 from language.diagnostics import Diagnostic, Stopped
 from language.parser import Parsed, parse
-from language.runtime import Frame, Memory
+from language.runtime import Frame, Memory, Runnable
 from language.source import lines_in
 
 
@@ -78,6 +78,8 @@ class RunOptions(Struct, frozen=True):
     """Overrides the session's: the program of an editor is no terminal, the line below it is."""
     together: tuple[str, ...] = ()
     """The robots that start at the same moment."""
+    driver: Runnable | None = None
+    """What runs in place of a text, without turns: others drive the robot meanwhile."""
 
 
 RUN_OPTIONS = RunOptions()
@@ -132,6 +134,8 @@ class Session:
         self._memory = Memory()
         self._lock = threading.Lock()
         self._run: Run | None = None
+        self.is_taken: Callable[[], bool] = lambda: False
+        """Whether others drive robots of this world, so that no program can begin."""
 
     def _since_began(self) -> float:
         """Seconds of robot time; what happens before the first run happens at 0."""
@@ -197,7 +201,7 @@ class Session:
     def claim(self, text: str, name: str, options: RunOptions = RUN_OPTIONS) -> Run:
         """As ``start``, but the run waits for ``begin``: for robots that start together."""
         with self._lock:
-            if self._run is not None:
+            if self._run is not None or (options.driver is None and self.is_taken()):
                 raise Busy
             how = HowStarted(
                 text,
@@ -235,6 +239,8 @@ class Session:
         control = ExecutionControl()
 
         def read() -> Readable:
+            if options.driver is not None:
+                return options.driver
             parsed = self.parse(how.text, how.first_line, fresh=how.fresh)
             if parsed.program is None:
                 return parsed.diagnostics
@@ -244,7 +250,7 @@ class Session:
                 parsed.program, terminal=how.terminal, hooked=options.hooked or options.trace
             )
 
-        return Run(
+        run = Run(
             Stage(
                 self._robot,
                 self._memory,
@@ -255,15 +261,17 @@ class Session:
                 self._about_to_end,
             ),
             name,
-            partial(self._begin, name, how),
+            partial(self._begin, name, how, options),
             read,
             tuple(lines_in(how.text)),
             control=control,
             first_line=how.first_line,
             trace=how.trace,
         )
+        run.has_turns = options.driver is None
+        return run
 
-    def _begin(self, name: str, how: HowStarted, refused: bool) -> RunStarted:
+    def _begin(self, name: str, how: HowStarted, options: RunOptions, refused: bool) -> RunStarted:
         """Prepares the run's first event, in the program's thread and in its turn."""
         how = replace(how, refused=refused)
         if how.begins_anew and not how.is_together:
@@ -271,7 +279,8 @@ class Session:
         self._actions.begin_run()
         self._began = self._robot.time()
         how = replace(how, pose=self._robot.pose())
-        return RunStarted(name, self._setup.world, self.name, self._setup.seed, __version__, how)
+        can_be_repeated = how if options.driver is None else None
+        return RunStarted(name, self._setup.world, self.name, self._setup.seed, __version__, can_be_repeated)
 
     def _about_to_end(self, outcome: Outcome) -> None:
         self._belt.rest()

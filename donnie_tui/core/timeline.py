@@ -19,6 +19,7 @@ from donnie_tui.core.events import (
     Announced,
     BeltShown,
     CueSounded,
+    Driven,
     Event,
     Moved,
     PlacedThing,
@@ -32,7 +33,7 @@ from donnie_tui.core.events import (
     Turned,
 )
 
-_ABOUT_AN_EVENT = ("moved", "turned", "scan", "sound", "link", "gripper", "pushed")
+_ABOUT_AN_EVENT = ("moved", "turned", "driven", "scan", "sound", "link", "gripper", "pushed")
 """Announcements that follow an event of their own; any other is an event in itself."""
 _LEADING_ON = ("step-forward", "step-back", "turn-right", "turn-left", "waiting", "done")
 """Cues that precede the event that they belong to."""
@@ -166,7 +167,9 @@ def _pose_of(event: Event) -> Pose | None:
     match event:
         case RunStarted(how=how):
             return how.pose if how is not None else None
-        case Moved(pose=pose) | Turned(pose=pose) | RunEnded(pose=pose) | Reset(pose=pose):
+        case Moved(pose=pose) | Turned(pose=pose) | Driven(pose=pose):
+            return pose
+        case RunEnded(pose=pose) | Reset(pose=pose):
             return pose
         case _:
             return None

@@ -166,8 +166,8 @@ LONGEST_SOURCE = 60
 MOST_CALLS = 10
 """Calls that are listed for a mistake in a procedure."""
 
-OF_NO_ROBOT = ("help", "more-mistakes", BELT_LINK)
-"""Announcements about the language or the belt, not about a robot."""
+OF_NO_ROBOT = ("help", "more-mistakes", "driven", "clients", BELT_LINK)
+"""Announcements about no robot, or that name it themselves."""
 
 
 def printed_lines(stamped: Stamped, wording: Wording) -> tuple[str, ...]:

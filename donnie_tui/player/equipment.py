@@ -6,13 +6,14 @@ Metres and radians here, as on the wire; the port below has degrees.
 from __future__ import annotations
 
 import struct
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from math import atan2, cos, degrees, hypot, isfinite, radians, sin
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from devices.player.codec import MessageType
 from devices.player.interfaces import Interface, body_of
 from devices.ports.drive import TICK, MetricPose, Velocity, VelocityDrive
+from devices.ports.robot import Grip, GripResult
 from sim.colours import colour_of
 from sim.geometry import Placement, normal, relative
 
@@ -23,6 +24,28 @@ if TYPE_CHECKING:
 Values = tuple[Any, ...]
 Datum = tuple[int, bytes]
 """A subtype and a body."""
+
+
+class Reporter(Protocol):
+    """Learns what clients do with the robots, by their names."""
+
+    def opened(self, name: str) -> bool:
+        """A client opens a robot that no other has opened. False: it can't now."""
+
+    def left(self, name: str) -> None:
+        """No client has it open any more."""
+
+    def said(self, name: str, text: str) -> None: ...
+
+    def sounded(self, name: str, file: str) -> None: ...
+
+    def gripped(self, name: str, result: GripResult) -> None: ...
+
+    def vibrated(self, name: str, motor: int, letter: str) -> None:
+        """A cell of the belt's frame, by its number, which counts the frame's start too."""
+
+    def on_tick(self) -> None:
+        """Before each tick."""
 
 
 class Equipment:
@@ -36,8 +59,10 @@ class Equipment:
         self.driver = driver
         self.users = 0
 
-    def open(self) -> None:
+    def open(self) -> bool:
+        """False: it can't be opened now."""
         self.users += 1
+        return True
 
     def close(self) -> None:
         self.users -= 1
@@ -69,6 +94,7 @@ class MountedDevice(Equipment):
     ) -> None:
         super().__init__(index, driver)
         self._model, self._drive, self._loop = model, drive, loop
+        self.reporter: Reporter
 
     def _pose(self) -> tuple[float, ...]:
         """On its robot; of a robot itself 0."""
@@ -86,15 +112,18 @@ class WheelDevice(MountedDevice):
         super().__init__(index, driver, model, drive, loop)
         self._goal: MetricPose | None = None
 
-    def open(self) -> None:
-        super().open()
+    def open(self) -> bool:
+        if not self.users and not self.reporter.opened(self._drive.name):
+            return False
         self._drive.subscribe()
+        return super().open()
 
     def close(self) -> None:
         super().close()
         self._drive.unsubscribe()
         if not self.users:
             self._goal = None
+            self.reporter.left(self._drive.name)
 
     def command(self, subtype: int, values: Values) -> None:
         if not all(map(isfinite, values)):
@@ -351,8 +380,8 @@ class Paddles(MountedDevice):
         wanted = {1: OPEN, 2: CLOSED}.get(subtype, self._wanted)
         if wanted != self._wanted:
             self._wanted, self._ticks_left = wanted, round(1.0 / TICK)
-            if wanted == OPEN:
-                self._drive.release()
+            if wanted == OPEN and (released := self._drive.release()).outcome is Grip.RELEASED:
+                self.reporter.gripped(self._drive.name, released)
 
     def request(self, subtype: int, values: Values) -> bytes | None:  # noqa: ARG002 -- it has none
         if subtype != 1:
@@ -364,54 +393,86 @@ class Paddles(MountedDevice):
         if self._ticks_left and not self._loop.is_paused:
             self._ticks_left -= 1
             if not self._ticks_left and self._wanted == CLOSED:
-                self._drive.grip()
+                taken = self._drive.grip()
+                if taken.outcome is Grip.GRIPPED:
+                    self.reporter.gripped(self._drive.name, taken)
 
     def data(self) -> Iterator[Datum]:
         outer, inner = self._drive.beams()
         yield self._datum(MOVING if self._ticks_left else self._wanted, outer << 2 | inner << 3, 0)
 
 
-class SpeechDevice(Equipment):
-    """Texts that are said in a robot's name."""
-
-    interface = Interface.SPEECH
-
-    def __init__(self, index: int, driver: str, say: Callable[[str], object]) -> None:
-        super().__init__(index, driver)
-        self._say = say
-
-    def command(self, subtype: int, values: Values) -> None:
-        if subtype == 1 and values[0]:
-            self._say("".join(each if each.isprintable() else " " for each in values[0][:LONGEST_TEXT]))
-
-
 LONGEST_TEXT = 1000
 """Characters of a text that is said."""
 
 
-class Ignored(Equipment):
-    """A device that takes commands without an effect: sounds, the power of a battery."""
+class ServiceDevice(Equipment):
+    """A device that belongs to a robot and is no model of its own."""
 
-    def __init__(self, index: int, driver: str, interface: int) -> None:
+    def __init__(self, index: int, driver: str, robot: str, reporter: Reporter) -> None:
         super().__init__(index, driver)
-        self.interface = interface
+        self._robot, self._reporter = robot, reporter
 
 
-class DigitalOutputs(Equipment):
-    """Digital outputs, such as the belt's: they show what was asked for last, and move nothing."""
+class SpeechDevice(ServiceDevice):
+    """Texts that are said in a robot's name."""
+
+    interface = Interface.SPEECH
+
+    def command(self, subtype: int, values: Values) -> None:
+        if subtype == 1 and values[0]:
+            shown = (each if each.isprintable() else " " for each in values[0][:LONGEST_TEXT])
+            self._reporter.said(self._robot, "".join(shown))
+
+
+class BeltFrames(ServiceDevice):
+    """Texts that are frames of the belt: a letter for each of its cells."""
+
+    interface = Interface.SPEECH
+
+    def command(self, subtype: int, values: Values) -> None:
+        for motor, letter in enumerate(values[0][:LONGEST_FRAME] if subtype == 1 else ""):
+            self._reporter.vibrated(self._robot, motor, letter)
+
+
+LONGEST_FRAME = 36
+
+
+class DigitalOutputs(ServiceDevice):
+    """Digital outputs, such as the belt's: they show what was asked for last."""
 
     interface = Interface.DIO
 
-    def __init__(self, index: int, driver: str) -> None:
-        super().__init__(index, driver)
+    def __init__(self, index: int, driver: str, robot: str, reporter: Reporter) -> None:
+        super().__init__(index, driver, robot, reporter)
         self._last: Values = (0, 0)
 
     def command(self, subtype: int, values: Values) -> None:
         if subtype == 1:
             self._last = values
+            self._reporter.vibrated(self._robot, values[0], chr(values[1] & 0x7F))
 
     def data(self) -> Iterator[Datum]:
         yield self._datum(*self._last)
+
+
+class SoundDevice(ServiceDevice):
+    """Sounds by the names of their files, of which none is opened."""
+
+    interface = Interface.SOUND
+
+    def command(self, subtype: int, values: Values) -> None:
+        if subtype == 1:
+            self._reporter.sounded(self._robot, values[0].partition(b"\0")[0].decode("ascii", "replace"))
+
+
+class Battery(Equipment):
+    """A battery that is always full."""
+
+    interface = Interface.POWER
+
+    def data(self) -> Iterator[Datum]:
+        yield self._datum(8, 0.0, 100.0, 0.0, 0.0, 0)
 
 
 class Whole(Equipment):

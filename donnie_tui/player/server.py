@@ -36,8 +36,8 @@ class PlayerServer:
         self._complaints: set[str] = set()
         self.clients: set[ClientProtocol] = set()
 
-    async def run(self, speed: float | None, on_start: Callable[[], object]) -> None:
-        """``speed``: how often faster than real time; None as fast as possible. Raises ``OSError``."""
+    async def run(self, speed: Callable[[], float | None], on_start: Callable[[], object]) -> None:
+        """``speed``: how often faster than real time; None as fast as possible. Raises ``PortRefused``."""
         loop = asyncio.get_running_loop()
         servers: list[asyncio.Server] = []
         try:
@@ -62,7 +62,7 @@ class PlayerServer:
     def _maker(self, station: PortStation) -> Callable[[], ClientProtocol]:
         return lambda: ClientProtocol(self, station)
 
-    async def _tick(self, speed: float | None) -> None:
+    async def _tick(self, speed: Callable[[], float | None]) -> None:
         loop = asyncio.get_running_loop()
         due = loop.time()
         while True:
@@ -70,7 +70,8 @@ class PlayerServer:
             for client in tuple(self.clients):
                 client.pass_on()
                 client.check(loop.time())
-            due = max(due + (TICK / speed if speed else 0.0), loop.time() - _LATE)
+            times = speed()
+            due = max(due + (TICK / times if times else 0.0), loop.time() - _LATE)
             await asyncio.sleep(max(0.0, due - loop.time()))
 
 

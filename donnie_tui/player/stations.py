@@ -6,22 +6,25 @@ given away yet, the robot itself before its parts.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from devices.player.connection import ClientConnection, Key
 from devices.player.interfaces import Interface
 from donnie_tui.player.equipment import (
+    Battery,
+    BeltFrames,
     BumperBars,
     ColourFinder,
     DigitalOutputs,
     Equipment,
     HeadDevice,
-    Ignored,
     MarkReader,
     MountedDevice,
     Paddles,
     RangeFinder,
+    Reporter,
+    SoundDevice,
     SpeechDevice,
     Values,
     WheelDevice,
@@ -31,7 +34,7 @@ from donnie_tui.player.equipment import (
 if TYPE_CHECKING:
     from sim.scene import Model
     from sim.velocity import VelocityLoop
-    from sim.worldfile import Address, Configuration, Driver
+    from sim.worldfile import Address, Driver
 
 MOUNTED: Mapping[str, tuple[type[MountedDevice], Callable[[Model], object]]] = {
     "position2d": (WheelDevice, lambda each: each.wheels),
@@ -41,9 +44,8 @@ MOUNTED: Mapping[str, tuple[type[MountedDevice], Callable[[Model], object]]] = {
     "fiducial": (MarkReader, lambda each: each.fiducial_finder),
     "gripper": (Paddles, lambda each: each.gripper),
 }
-IGNORED = {"power": Interface.POWER, "sound": Interface.SOUND}
-STAGE = "stage"
-SERVICES = frozenset({STAGE, "soxplayer", "gtts", "vib_belt"})
+STAGE, BELT = "stage", "vib_belt"
+SERVICES = frozenset({STAGE, "soxplayer", "gtts", BELT})
 """Drivers by name; what others provide is left out."""
 
 
@@ -78,8 +80,7 @@ class PortStation:
         self.drivers[key] = device.driver
 
     def open(self, key: Key) -> bool:
-        self.devices[key].open()
-        return True
+        return self.devices[key].open()
 
     def close(self, key: Key) -> None:
         self.devices[key].close()
@@ -104,20 +105,15 @@ class PortStation:
 class Stations:
     """All ports of a configuration, and the world that they share."""
 
-    def __init__(
-        self, found: Configuration, loop: VelocityLoop, port: int, say: Callable[[str, str], object]
-    ) -> None:
-        """``port``: of what names no other. ``say``: a robot's name and what it says.
-
-        Raises ``BadConfiguration``.
-        """
-        assert found.scene is not None
+    def __init__(self, drivers: Sequence[Driver], loop: VelocityLoop, port: int, reporter: Reporter) -> None:
+        """``port``: of what names no other. Raises ``BadConfiguration``."""
         self.by_port: dict[int, PortStation] = {}
+        self._drivers = drivers
         self.left_out: list[str] = []
         """Addresses of what isn't offered here."""
-        self._scene, self._loop, self._say, self._default = found.scene, loop, say, port
+        self._scene, self._loop, self._reporter, self._default = loop.scene, loop, reporter, port
         given: set[int] = set()
-        for driver in found.drivers:
+        for driver in drivers:
             for address in driver.addresses:
                 device = self._device(driver, address, given)
                 if device is None:
@@ -127,6 +123,7 @@ class Stations:
 
     def step(self) -> None:
         """One tick: what the devices want, the world, then the data."""
+        self._reporter.on_tick()
         for device in self._all():
             device.step()
         self._loop.advance()
@@ -137,26 +134,27 @@ class Stations:
         return (device for station in self.by_port.values() for device in station.devices.values())
 
     def _station(self, address: Address) -> PortStation:
-        from sim.worldfile.configuration import DEFAULT_PORT
-
-        port = self._default if address.port == DEFAULT_PORT else address.port
+        port = self._port(address)
         return self.by_port.setdefault(port, PortStation(port, self._loop))
+
+    def _port(self, address: Address) -> int:
+        return address.port if address.has_port else self._default
 
     def _device(self, driver: Driver, address: Address, given: set[int]) -> Equipment | None:
         index, interface = address.index, address.interface
         if driver.name not in SERVICES or index > 0xFFFF:
             return None
         if interface == "dio":
-            return DigitalOutputs(index, driver.name)
-        if interface in IGNORED:
-            return Ignored(index, driver.name, IGNORED[interface])
-        if driver.name != STAGE or interface == "speech":
-            name = driver.model
-            return (
-                SpeechDevice(index, driver.name, lambda text: self._say(name, text))
-                if interface == "speech"
-                else None
-            )
+            return DigitalOutputs(index, driver.name, self._robot_of(address), self._reporter)
+        if interface == "power":
+            return Battery(index, driver.name)
+        if interface == "sound":
+            return SoundDevice(index, driver.name, self._robot_of(address), self._reporter)
+        if interface == "speech":
+            kind_of_speech = BeltFrames if driver.name == BELT else SpeechDevice
+            return kind_of_speech(index, driver.name, self._robot_of(address), self._reporter)
+        if driver.name != STAGE:
+            return None
         if interface == "simulation":
             return Whole(index, driver.name, self._loop)
         if interface not in MOUNTED:
@@ -171,8 +169,20 @@ class Stations:
                     break
                 if kind is WheelDevice and model.parent is not None:
                     kind = HeadDevice
-                return kind(index, driver.name, model, drive, self._loop)
+                mounted = kind(index, driver.name, model, drive, self._loop)
+                mounted.reporter = self._reporter
+                return mounted
         raise BadConfiguration("player-no-model", f"{interface}:{index}")
+
+    def _robot_of(self, address: Address) -> str:
+        """The robot of that port, for what no model of its own provides."""
+        port = self._port(address)
+        for offer in self._drivers:
+            if offer.model and any(self._port(each) == port for each in offer.addresses):
+                top = next((each for each in self._scene.models if each.name == offer.model), None)
+                if top is not None:
+                    return self._scene.models[top.root].spoken_name
+        return ""
 
     def _tree(self, name: str) -> Iterator[Model]:
         """The model of that name and its parts, each before its own."""

@@ -192,6 +192,15 @@ class Notice(Struct, frozen=True):
     values: Mapping[str, str]
 
 
+class ServedFile(Struct, frozen=True):
+    """What ``donnie player`` serves, and where it listens."""
+
+    file: str
+    host: str
+    port: int
+    """Of the robots without a port of their own."""
+
+
 class Settings(Struct, frozen=True):
     """The settings of one start. ``speed`` None is as fast as possible; ``events`` a file or ``-``."""
 
@@ -269,6 +278,8 @@ class Settings(Struct, frozen=True):
     free: str = "dot"
     tour: bool = True
     """Whether the tour may be offered at the first start."""
+    served: ServedFile | None = None
+    """What clients may drive."""
     log: bool = False
     """Whether every sentence also goes to a numbered file, as with the original's ``-l``."""
     notices: tuple[Notice, ...] = ()

@@ -22,6 +22,7 @@ from donnie_tui.core.events import (
     Announced,
     Answered,
     BeltShown,
+    Driven,
     Error,
     Event,
     Moved,
@@ -176,7 +177,7 @@ class EventQueue:
             match event:
                 case Passing(pose=pose):
                     self._go_to(pose)
-                case Moved(pose=pose) | Turned(pose=pose):
+                case Moved(pose=pose) | Turned(pose=pose) | Driven(pose=pose):
                     self._go_to(pose)
                 case Read(sensor=sensor, argument=argument):
                     self._readings[sensor, argument] = event
@@ -204,7 +205,7 @@ class EventQueue:
             match event:
                 case Passing(pose=pose) | Moved(pose=pose) | Turned(pose=pose) | RunEnded(pose=pose):
                     self._others[name] = pose
-                case Reset(pose=pose):
+                case Driven(pose=pose) | Reset(pose=pose):
                     self._others[name] = pose
                 case ThingsMoved(places=places):
                     self._things = places

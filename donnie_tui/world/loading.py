@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from sim.geometry import Placement
     from sim.scene import Model, Scene
     from sim.world import World
-    from sim.worldfile import Configuration, Offer
+    from sim.worldfile import Configuration, Driver, Offer
     from worlds.challenges import BadChallenge, Challenge, Variant
     from worlds.words import About
 
@@ -85,6 +85,8 @@ class ChosenWorld(Struct, frozen=True):
     """Whether it ships with Donnie, with words about it."""
     offers: tuple[Offer, ...] = ()
     """What a configuration file offers, and under which addresses."""
+    drivers: tuple[Driver, ...] = ()
+    """All that it provides."""
     physical_port: str | None = None
     """The serial port of the real robot that a configuration file asks for."""
     stands_in_for: str = ""
@@ -265,7 +267,9 @@ def _configured(path: Path, words: Words, folders: tuple[str, ...]) -> ChosenWor
         instead_of = path.name
         name, place = path.name, worlds.path(WITHOUT_WORLD)
         scene = _load(place, words, folders)
-    return ChosenWorld(name, place, scene, False, found.offers, found.physical_port, instead_of)
+    return ChosenWorld(
+        name, place, scene, False, found.offers, found.drivers, found.physical_port, instead_of
+    )
 
 
 def configuration_of(path: Path, words: Words, folders: tuple[str, ...] = ()) -> Configuration:

@@ -30,6 +30,8 @@ class Address(Struct, frozen=True):
     index: int
     port: int = DEFAULT_PORT
     host: str = LOCAL
+    has_port: bool = False
+    """Whether the file gives it."""
 
 
 def address(text: str) -> Address | None:
@@ -43,7 +45,7 @@ def address(text: str) -> Address | None:
     at = _whole(index, 10**9)
     if number is None or at is None or not re.fullmatch(r"[A-Za-z]\w*", interface):
         return None
-    return Address(interface, at, number, host or LOCAL)
+    return Address(interface, at, number, host or LOCAL, bool(port))
 
 
 def _whole(text: str, most: int) -> int | None:

@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from devices.ports.robot import GripResult
 from donnie_tui.player.stations import Stations
 from sim.velocity import VelocityLoop
 from sim.world import World
@@ -65,8 +66,37 @@ def write_room(folder: Path, configuration: str = CONFIGURATION, world: str = WO
     return path
 
 
-def stations_of(path: Path, said: list[tuple[str, str]] | None = None) -> Stations:
+class Notes:
+    """What a session would learn of its clients."""
+
+    def __init__(self) -> None:
+        self.taken: list[tuple[str, object]] = []
+        self.may_open = True
+
+    def opened(self, name: str) -> bool:
+        self.taken.append((name, "opened"))
+        return self.may_open
+
+    def left(self, name: str) -> None:
+        self.taken.append((name, "left"))
+
+    def said(self, name: str, text: str) -> None:
+        self.taken.append((name, text))
+
+    def sounded(self, name: str, file: str) -> None:
+        self.taken.append((name, file))
+
+    def gripped(self, name: str, result: GripResult) -> None:
+        self.taken.append((name, result.outcome))
+
+    def vibrated(self, name: str, motor: int, letter: str) -> None:
+        self.taken.append((name, (motor, letter)))
+
+    def on_tick(self) -> None:
+        pass
+
+
+def stations_of(path: Path, notes: Notes | None = None, port: int = 6665) -> Stations:
     found = load_configuration(path)
     assert found.scene is not None
-    texts = [] if said is None else said
-    return Stations(found, VelocityLoop(World(found.scene)), 6665, lambda *each: texts.append(each))
+    return Stations(found.drivers, VelocityLoop(World(found.scene)), port, notes or Notes())

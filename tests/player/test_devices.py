@@ -14,7 +14,7 @@ from devices.player.interfaces import FORMS, Interface, body_of, values_of
 from devices.ports.drive import MetricPose
 from donnie_tui.player.equipment import angle, towards
 from donnie_tui.player.stations import BadConfiguration, Stations
-from tests.player.room import CONFIGURATION, stations_of, write_room
+from tests.player.room import CONFIGURATION, Notes, stations_of, write_room
 
 DATA, COMMAND, REQUEST, ACK, NACK = (
     MessageType.DATA,
@@ -71,13 +71,13 @@ class Client:
 
 
 @pytest.fixture
-def said() -> list[tuple[str, str]]:
-    return []
+def notes() -> Notes:
+    return Notes()
 
 
 @pytest.fixture
-def stations(tmp_path: Path, said: list[tuple[str, str]]) -> Stations:
-    return stations_of(write_room(tmp_path), said)
+def stations(tmp_path: Path, notes: Notes) -> Stations:
+    return stations_of(write_room(tmp_path), notes)
 
 
 WHEELS = (Interface.POSITION2D, 0)
@@ -194,11 +194,11 @@ def test_a_gripper_moves_and_is_closed(stations: Stations) -> None:
     assert (states[0], states[-1]) == (3, 2)
 
 
-def test_a_text_is_said_in_the_robots_name(stations: Stations, said: list[tuple[str, str]]) -> None:
+def test_a_text_is_said_in_the_robots_name(stations: Stations, notes: Notes) -> None:
     client = Client(stations, (12, 0))
     client.command(12, 0, 1, "Olá,\x1b[2J aí")
 
-    assert said == [("alice", "Olá, [2J aí")]
+    assert notes.taken == [("alice", "Olá, [2J aí")]
 
 
 def test_the_simulation_puts_things_elsewhere_and_knows_the_time(stations: Stations) -> None:
@@ -299,6 +299,19 @@ def test_a_configuration_that_does_not_fit_its_world_is_refused(
     with pytest.raises(BadConfiguration) as refused:
         stations_of(write_room(tmp_path, change(CONFIGURATION)))
     assert (refused.value.code, refused.value.what) == (code, what)
+
+
+def test_the_default_port_is_that_of_addresses_without_one(tmp_path: Path) -> None:
+    text = """
+    driver ( name "stage" plugin "stageplugin" provides [ "simulation:0" ] worldfile "room.world" )
+    driver ( name "stage" model "alice" provides [ "base:::position2d:0" "6665:ranger:0" "::bumper:0" ] )
+    """
+    stations = stations_of(write_room(tmp_path, text), port=7000)
+
+    assert {port: list(each.drivers) for port, each in stations.by_port.items()} == {
+        7000: [(31, 0), (4, 0), (14, 0)],
+        6665: [(62, 0)],
+    }
 
 
 def test_devices_that_are_not_offered_are_left_out(tmp_path: Path) -> None:

@@ -37,7 +37,7 @@ class Room:
     @asynccontextmanager
     async def running(self) -> AsyncIterator[None]:
         started = asyncio.Event()
-        task = asyncio.create_task(self.server.run(20.0, started.set))
+        task = asyncio.create_task(self.server.run(lambda: 20.0, started.set))
         await started.wait()
         try:
             yield
@@ -206,7 +206,7 @@ def test_a_port_that_is_taken_is_named(tmp_path: Path) -> None:
         taken.bind((HOST, room.bobs))
         taken.listen()
         with pytest.raises(PortRefused) as problem:
-            asyncio.run(room.server.run(1.0, lambda: None))
+            asyncio.run(room.server.run(lambda: 1.0, lambda: None))
 
     assert problem.value.port == room.bobs
     assert problem.value.reason

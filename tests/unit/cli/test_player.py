@@ -34,7 +34,7 @@ def test_it_says_where_it_listens_and_a_signal_ends_it(tmp_path: Path) -> None:
         process.send_signal(signal.SIGTERM)
         code = process.wait(20)
 
-    assert line == f"Programs can connect to 127.0.0.1, port {one}, {other}. Ctrl+C ends it.\n"
+    assert line == f"Programs can connect to 127.0.0.1, port {one}, {other}.\n"
     assert code == 0
 
 

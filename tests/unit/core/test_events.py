@@ -16,6 +16,7 @@ from donnie_tui.core.events import (
     Answered,
     BeltShown,
     CueSounded,
+    Driven,
     Error,
     Event,
     GripperUsed,
@@ -78,6 +79,7 @@ CONTRACT: list[tuple[Event, Mapping[str, object]]] = [
         Turned("TR 9", 9, 9, None, HERE, True),
         {"event": "turned", "command": "TR 9", "asked": 9, "turned": 9, "stopped_by": None, "pose": POSE},
     ),
+    (Driven("forward", HERE), {"event": "driven", "motion": "forward", "pose": POSE}),
     (
         Scanned((SeenGroup("left", 30, 17, ("green", "red")),), (SeenMark(None, "right", 5, 40),)),
         {
