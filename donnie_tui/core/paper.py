@@ -32,7 +32,7 @@ MARGIN = 12.0
 LINE = 1.2
 """The thickness of every line. Thinner ones do not rise well."""
 GAP = 3.0
-"""Between a label and everything else: nearer than that fingers take them for one."""
+"""Between a label and everything else: nearer than that fingers take them for one. Twice between labels."""
 THICKEST_WALL = 6.0
 """A wall that is thinner on paper is one black line, a thicker one an outline."""
 SMALLEST = 5.0
@@ -275,7 +275,12 @@ def _labels(
     for thing, box in things:
         letter = letters.get(thing.name, thing.letter) if thing.is_robot else thing.letter
         text = letter.upper() + initials.get(thing.index, "")
-        places = _clear_places(box, len(text), lines, taken, sheet)
+        others = [each for _, each in things if each != box]
+        places = (
+            each
+            for each in _clear_places(box, len(text), lines, taken, sheet)
+            if all(_apart(each, other) > _apart(each, box) + LINE for other in others)
+        )
         middles = ((each, ((each[0] + each[2]) / 2, (each[1] + each[3]) / 2)) for each in places)
         label = next((each for each, at in middles if not any(_is_inside(at, area) for area in solid)), None)
         if label is not None:
@@ -321,7 +326,7 @@ def _clear_places(
         is_on_sheet = left >= MARGIN / 2 and left + width <= sheet.width - MARGIN / 2
         if (
             is_on_sheet
-            and all(_apart(label, each) >= GAP for each in taken)
+            and all(_apart(label, each) >= 2 * GAP for each in taken)
             and all(_from_segment(label, each) >= reach for each in near)
         ):
             yield label

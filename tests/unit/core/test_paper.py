@@ -290,7 +290,7 @@ def test_three_millimetres_are_between_a_label_and_everything_else(
         for x, y in label:
             assert all(hypot(x - lx, y - ly) >= 3 + 0.8 + half - 0.01 for lx, ly, half in near)
     for mine, theirs in combinations(labels, 2):
-        assert all(hypot(ax - bx, ay - by) >= 3 + 1.6 - 0.01 for ax, ay in mine for bx, by in theirs)
+        assert all(hypot(ax - bx, ay - by) >= 6 + 1.6 - 0.01 for ax, ay in mine for bx, by in theirs)
 
 
 @pytest.mark.parametrize("name", worlds.names())
