@@ -57,7 +57,7 @@ if TYPE_CHECKING:
     from donnie_tui.core.goals import Inventory, Judgment, Unsensed
     from donnie_tui.core.program_files import FilesInUse
     from donnie_tui.world.building import Building
-    from sim.picture import Picture
+    from sim.picture import Drawing, Picture
     from sim.sensors import Mounted
     from sim.world import World
     from worlds.challenges import Challenge
@@ -168,6 +168,12 @@ class Donnie(Struct, frozen=True):
         from sim.picture import picture
 
         return picture(self._shared.scene_now(), self.team.chosen_name)
+
+    def drawings_now(self) -> tuple[Drawing, ...]:
+        """What stands in the world, where it is now, as lines."""
+        from sim.picture import drawings
+
+        return drawings(self._shared.scene_now())
 
     def get_ready_to_move(self) -> None:
         """Load now what the first movement would load, while the prompt is idle."""

@@ -350,8 +350,24 @@ async def report(ctx: Context, argument: str) -> None:
         ctx.trail,
         (*words.help(None)[1:], *commands),
         sections(words),
+        [
+            each
+            for each in ctx.donnie.chronicle.timeline().events
+            if each.robot == ctx.donnie.session.hub.robot
+        ],
+        partial(_run_picture, ctx),
     )
     await _write_page(ctx, wanted[1], reports.report(*wanted, subject, words))
+
+
+def _run_picture(ctx: Context) -> str:
+    """Where the robot that is talked to drove, as SVG that moves."""
+    from donnie_tui.world.run_picture import DrivenPath, as_svg, run_picture
+
+    donnie = ctx.donnie
+    paths = [DrivenPath("", ctx.trail.path)] if ctx.trail.path else []
+    title = ctx.words("paper-title", name=donnie.world.name)
+    return as_svg(run_picture(title, donnie.drawings_now(), paths, ctx.words))
 
 
 async def _write_page(ctx: Context, name: str, text: str) -> None:

@@ -26,8 +26,11 @@ if TYPE_CHECKING:
 LONGEST_WORD = 24
 """Characters of the longest word of a command, blanks included, with room to spare."""
 _MOST_WORDS = 3
-_HAVE_VALUES = ("report-file", "new-thing")
-"""Arguments of which HELP says more, ``help-values-ARGUMENT``."""
+_VALUES = {
+    "report-file": ("help-values-report-file", "help-values-report-picture"),
+    "new-thing": ("help-values-new-thing",),
+}
+"""What HELP says about arguments."""
 LARGEST_PROGRAM = 20_000
 """Characters of a program that is searched for one name."""
 
@@ -133,8 +136,7 @@ def help_of(topic: str, wording: Wording) -> tuple[str, ...]:
     command = found[0]
     form = wording("help-form", form=_form(command, wording)) + "."
     example = wording("help-example", example=typed_form(command, wording)) + "."
-    has_values = command.argument in _HAVE_VALUES
-    values = (wording(f"help-values-{command.argument}"),) if has_values else ()
+    values = (wording(code) for code in _VALUES.get(command.argument, ()))
     return help_line(command, wording), form, *values, example
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 
@@ -208,6 +209,23 @@ def test_a_report_is_written_and_another_file_replaced_only_after_a_question(
 
     assert script.answers_to("REPORT map lines.csv") == [UNCHANGED]
     assert (tmp_path / "lines.csv").read_text() == written
+
+
+def test_a_report_of_a_run_is_a_picture_that_moves_and_of_its_distances_a_plot(
+    open_script: OpenScript, tmp_path: Path
+) -> None:
+    script = open_script()
+    script.run("FW 2\nSPEAK DISTANCE F\nFW 1")
+    script.rest()
+    assert script.answers_to("REPORT run run.svg") == ["Wrote run.svg."]
+    assert script.answers_to("REPORT distances plot.svg") == ["Wrote plot.svg."]
+
+    run = ElementTree.fromstring((tmp_path / "run.svg").read_text())
+    space = "{http://www.w3.org/2000/svg}"
+    assert [each.get("dur") for each in run.iter(f"{space}animate")] == ["0.3s"] * 2
+    assert "3 steps" in (run.findtext(f"{space}desc") or "")
+    plot = ElementTree.fromstring((tmp_path / "plot.svg").read_text())
+    assert "distance F" in [each.text for each in plot.iter(f"{space}text")]
 
 
 def test_the_log_replaces_a_file_only_after_a_yes(open_script: OpenScript, walk: Path) -> None:

@@ -2,8 +2,25 @@
 
 import csv
 from html.parser import HTMLParser
+from xml.etree import ElementTree
 
-from donnie_tui.core.reports import Section, as_csv, as_html
+import pytest
+
+from devices.ports.robot import Pose
+from donnie_tui.core.events import Event, Moved, Outcome, Read, RunEnded, RunStarted, Stamped, Turned
+from donnie_tui.core.map_grid import Trail
+from donnie_tui.core.reports import (
+    Section,
+    Subject,
+    as_csv,
+    as_html,
+    asked,
+    measured,
+    measured_in_words,
+    report,
+)
+from donnie_tui.i18n.words import Words
+from sim.picture import Picture
 
 TABLE = Section("The <map>", ["Two & two."], [("name", "x"), ("a, b", -3)])
 
@@ -48,3 +65,83 @@ def test_a_table_is_valid_csv() -> None:
 
 def test_lines_are_a_table_of_one_column() -> None:
     assert as_csv([Section("Help", ["FW: walks", "TR: turns"])]) == "Help\nFW: walks\nTR: turns\n"
+
+
+# --- measured over the time
+
+
+def walked(t: float, steps: int) -> Stamped:
+    return Stamped(1, t, Moved(f"FW {steps}", steps, steps, None, Pose(0, 0, 0), forward=True))
+
+
+def at(t: float, event: Event) -> Stamped:
+    return Stamped(1, t, event)
+
+
+RUN = [
+    at(0, RunStarted("p", "w", "donnie", 0, "0")),
+    at(0, Read("distance", "front", 34)),
+    walked(10, 10),
+    at(10, Read("distance", "front", 24)),
+    at(12, Turned("TR 90", 90, 90, None, Pose(0, 0, 90), right=True)),
+    at(12, Read("distance", "front", 8)),  # another wall: 16 nearer, though it walked nowhere
+    walked(24, 6),
+    at(24, Read("distance", "front", 2)),
+    at(24, RunEnded(Outcome.COMPLETED, Pose(0, 0, 0), {"a": 3}, 24.0)),
+]
+
+
+def subject() -> Subject:
+    return Subject((), Pose(0, 0, 0), Picture(0, 0, 1, 1, 1, (".",), (), False), Trail(), (), (), RUN)
+
+
+def test_distances_speed_and_variables_over_the_time_are_three_sentences() -> None:
+    """The speed: 10 steps in 10 seconds, 6 in 12."""
+    assert measured_in_words(measured(RUN, Words()), Words()) == (
+        "Distance F falls from 34 to 2 in 24 seconds. 1 jump, the first at second 12.",
+        "The robot drives for 22 of 24 seconds, at most 1 step a second.",
+        "Variables at the end: a = 3.",
+    )
+    assert measured_in_words((), Words()) == ("Nothing was measured yet.",)
+
+
+def test_the_same_is_a_table_for_spreadsheets() -> None:
+    rows = list(csv.reader(report("distances", "d.csv", subject(), Words()).splitlines()))
+
+    assert rows == [
+        ["seconds", "distance F", "speed", "a"],
+        ["0", "34", "1", ""],
+        ["10", "24", "0", ""],
+        ["12", "8", "0.5", ""],
+        ["24", "2", "0.5", "3"],
+    ]
+
+
+def test_the_plot_is_to_scale_and_says_the_sentences() -> None:
+    svg = ElementTree.fromstring(report("distances", "d.svg", subject(), Words()))
+    space = "{http://www.w3.org/2000/svg}"
+    distance, speed, _variable = (
+        [tuple(map(float, each.split(","))) for each in (line.get("points") or "").split()]
+        for line in svg.findall(f"{space}polyline")
+    )
+
+    assert "Distance F falls from 34 to 2" in (svg.findtext(f"{space}desc") or "")
+    (x0, y0), (x1, y1), (x2, y2), (x3, y3) = distance
+    assert (x1 - x0) / (x3 - x0) == pytest.approx(10 / 24, abs=0.01)
+    assert (x2 - x0) / (x3 - x0) == pytest.approx(12 / 24, abs=0.01)
+    assert (y1 - y0) / (y3 - y0) == pytest.approx(10 / 32, abs=0.01)
+    assert (y2 - y0) / (y3 - y0) == pytest.approx(26 / 32, abs=0.01)
+    assert len({y for _, y in speed}) == 3  # 1, 0 and a half
+    assert [each.text for each in svg.findall(f"{space}text")][-4:] == ["0", "12", "24", "seconds"]
+
+
+def test_a_page_has_the_plot_above_the_table() -> None:
+    page = report("distances", "d.html", subject(), Words())
+
+    assert page.index("falls from 34") < page.index("<svg") < page.index("<table")
+
+
+def test_what_has_no_picture_is_no_svg() -> None:
+    assert asked("map map.svg") is None
+    assert asked("run run.svg") == ("run", "run.svg")
+    assert asked("run run") == ("run", "run.html")
