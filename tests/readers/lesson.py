@@ -86,6 +86,15 @@ LONG = (
 OF_A_CHALLENGE = ("TASK", "GOALS", "FW 4", "HINT", "RESET", "FW 5", "RESULTS")
 """Something to do, a step short first."""
 
+FROM_THE_TOUR = (
+    *("TOUR", *(" ",) * 8),
+    *("CHALLENGE 1", "FW 5"),
+    *("NEXT CHALLENGE", "TASK", "TR 90", "FW 4"),
+    *("NEXT CHALLENGE", "GOALS", "FW 8", "BW 8"),
+    "RESULTS",
+)
+"""All pages of the tour, then the first three challenges. A blank turns the page, as nothing does."""
+
 FIRST_HOUR = {
     "en": (
         *("FW 3", "TR 90", "RUN", "WHERE"),

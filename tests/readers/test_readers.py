@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.readers.lesson import FIRST_HOUR, OF_A_CHALLENGE, OF_THE_SCREEN, SHORT
+from tests.readers.lesson import FIRST_HOUR, FROM_THE_TOUR, OF_A_CHALLENGE, OF_THE_SCREEN, SHORT
 from tests.readers.reading import (
     AS_PROMPT,
     BRIEF,
@@ -76,6 +76,18 @@ def test_yasr_says_the_verdict_of_a_challenge_once_and_in_order(tmp_path: Path, 
     heard = score(phases_of("yasr", OF_A_CHALLENGE, tmp_path, options))
     assert (heard.once, heard.in_order) == (1.0, 1.0)
     assert heard.clean >= heard.phases - 1  # on a busy machine it may say a prompt twice
+
+
+@needs("yasr")
+def test_a_pupil_solves_the_first_three_challenges_by_ear_from_the_tour(tmp_path: Path) -> None:
+    """Every line is said once and in order, from the first page to the verdicts and the results."""
+    phases = phases_of("yasr", FROM_THE_TOUR, tmp_path, ("--lang", "en"))
+    heard, said = score(phases), " ".join(" ".join(each.spoken_words) for each in phases)
+    assert (heard.once, heard.in_order) == (1.0, 1.0)
+    assert heard.clean >= heard.phases - 2  # on a busy machine it may say a prompt twice
+    for each in ("type challenge 1 one command solves it", "solved in 1 command", "3 of 3 solved"):
+        assert each in said
+    assert said.count("solved in 2 commands") == 2
 
 
 @needs("fenrir")
