@@ -79,7 +79,7 @@ def test_yasr_says_the_verdict_of_a_challenge_once_and_in_order(tmp_path: Path, 
 
 
 @needs("yasr")
-def test_a_pupil_solves_the_first_three_challenges_by_ear_from_the_tour(tmp_path: Path) -> None:
+def test_a_listening_pupil_solves_the_first_three_challenges_from_the_tour(tmp_path: Path) -> None:
     """Every line is said once and in order, from the first page to the verdicts and the results."""
     phases = phases_of("yasr", FROM_THE_TOUR, tmp_path, ("--lang", "en"))
     heard, said = score(phases), " ".join(" ".join(each.spoken_words) for each in phases)

@@ -580,3 +580,62 @@ def test_of_a_recorded_real_robot_only_what_it_senses_is_judged(
 
     assert main(["replay", str(kept), "--challenge", "to_the_cone", "--lang", "en"]) == 1
     assert capsys.readouterr().out.startswith("0 of 1 goal. I can't sense goal 1.")
+
+
+STEP_BY_STEP = {
+    "en": (Path("docs/challenges.md"), ("TL 90", "FW"), "WHILE 1 == 1 DO\nEND WHILE"),
+    "pt": (Path("docs/pt/desafios.md"), ("GE 90", "PF"), "ENQUANTO 1 == 1 FAÇA\nFIM ENQUANTO"),
+    "es": (Path("docs/es/retos.md"), ("GI 90", "AV"), "MIENTRAS 1 == 1 HACER\nFIN MIENTRAS"),
+}
+
+
+@pytest.mark.parametrize("language", STEP_BY_STEP)
+def test_a_teacher_has_the_table_of_five_pupils_by_the_document_alone(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, language: str
+) -> None:
+    """Its challenge and its solution as they stand there, and the pupils that it describes."""
+    document, (turn, walk), endless = STEP_BY_STEP[language]
+    text = document.read_text(encoding="utf-8")
+    toml, solution, table = (
+        "".join(f"{line[3:]}\n" for line in block.splitlines())
+        for block in re.findall(r"^   ```\w*\n(.*?)^   ```", text, re.DOTALL | re.MULTILINE)
+    )
+    files = re.findall(r"`(\w+/\w+(?:\.solution)?\.(?:toml|gd))`", text)
+    monkeypatch.chdir(tmp_path)
+    for name, content in zip(files[:2], (toml, solution), strict=True):
+        Path(name).parent.mkdir(exist_ok=True)
+        Path(name).write_text(content, encoding="utf-8")
+    tested, checked = (
+        re.search(rf"`donnie (challenge {what} [^`]*)`", text.replace("\n   ", " ")).group(1).split()  # type: ignore[union-attr]
+        for what in ("test", rf"check {files[0]}")
+    )
+    pupils = Path(checked[-1])
+    pupils.mkdir()
+    for name, program in {
+        "ana": f"{turn}\n{walk} 6",
+        "bruno": f"{turn}\n{walk} 5",
+        "carla": f"{turn}\n{walk} 60",
+        "davi": endless,
+        "eva": f"{turn}\nFWW 6",
+    }.items():
+        (pupils / f"{name}.gd").write_text(program, encoding="utf-8")
+
+    assert main([*tested, "--lang", language]) == 0
+    capsys.readouterr()
+    assert main([*checked, "--lang", language, "--csv", "t.csv", "--feedback", "answers"]) == 1
+    assert capsys.readouterr().out == table
+    with Path("t.csv").open(encoding="utf-8", newline="") as file:
+        assert [each["solved"] for each in csv.DictReader(file)] == ["True", *["False"] * 4]
+    assert len(list(Path("answers").iterdir())) == 5
+
+
+@pytest.mark.slow
+def test_a_thousand_programs_have_a_line_each(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for number in range(1000):
+        (tmp_path / f"pupil {number:04}.gd").write_text("FW 5" if number % 2 else "FW 4")
+
+    assert main(["challenge", "check", "first_walk", str(tmp_path), "--lang", "en"]) == 1
+
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.partition(":")[0] for line in lines[:-1]] == [f"pupil {n:04}.gd" for n in range(1000)]
+    assert lines[-1] == "1000 programs. 500 solved."
