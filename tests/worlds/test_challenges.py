@@ -639,3 +639,20 @@ def test_a_thousand_programs_have_a_line_each(tmp_path: Path, capsys: pytest.Cap
     lines = capsys.readouterr().out.splitlines()
     assert [line.partition(":")[0] for line in lines[:-1]] == [f"pupil {n:04}.gd" for n in range(1000)]
     assert lines[-1] == "1000 programs. 500 solved."
+
+
+@pytest.mark.parametrize(
+    ("document", "heading"),
+    [
+        ("docs/teaching.md", "## Ten lessons with challenges"),
+        ("docs/pt/para-professores.md", "## Dez aulas com desafios"),
+        ("docs/es/para-docentes.md", "## Diez clases con retos"),
+    ],
+)
+def test_ten_lessons_use_every_challenge(document: str, heading: str) -> None:
+    section = Path(document).read_text(encoding="utf-8").partition(heading)[2].partition("\n## ")[0]
+    lessons = re.split(r"^(\d+)\. ", section, flags=re.MULTILINE)[1:]
+    named = {int(number) for lesson in lessons[1::2] for number in re.findall(r"\b\d+\b", lesson)}
+
+    assert lessons[::2] == [str(number) for number in range(1, 11)]
+    assert set(range(1, len(challenges.names()) + 1)) <= named
