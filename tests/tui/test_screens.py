@@ -189,13 +189,14 @@ WORDS = {"themes": "SET theme", "languages": "LANGUAGE", "typed": "TYPED", "robo
 
 @looks()
 @pytest.mark.parametrize("name", SCREENS)
-async def test_each_screen(open_screen, same, name, theme, size):
+async def test_each_screen(open_screen, same, name, theme, size, tmp_path):
+    (tmp_path / "unsaved").mkdir()  # where copies are kept: it is in the list of folders, however soon
     async with open_screen(RECTANGLE, size=size, world="living_room") as screen:
         screen.app.theme = theme
         screen.main.editor.move_cursor((2, 0))
         await opened(screen, *SCREENS[name])
-        if name == "unsaved":
-            await screen.until(lambda: screen.app.screen._list.lines, "yes and no")
+        if name in ("save", "unsaved"):
+            await screen.until(lambda: screen.app.screen._list.lines, "the list")
             await screen.painted()
         await same(screen)
 
@@ -230,6 +231,7 @@ async def test_the_list_of_mistakes(open_screen, same, theme, size):
     text = "FW 1\nFWD 3\nREPEAT 2 TIMES\nFW 1\nEND REPEET\nSPEAK a"
     async with open_screen(text, size=size, world="living_room") as screen:
         screen.app.theme = theme
+        await screen.until(lambda: screen.main.editor.mistakes, "the marks")
         await opened(screen, typed="ERRORS")
         await same(screen)
 
