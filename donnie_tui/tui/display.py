@@ -320,6 +320,8 @@ class Display:
             return words("status-inspector")
         if place.command_line.has_focus:
             return words("status-command")
+        if place.tour is not None and place.tour.has_focus:
+            return f"{place.tour.title}."
         line, lines = self._program_line(), place.editor.line_count
         mistake = place.editor.mistake
         if mistake is not None and self._runs.state is RunState.READY:

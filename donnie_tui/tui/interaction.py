@@ -12,9 +12,11 @@ from textual.app import SuspendNotSupported
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.commands.arguments import answered
 from donnie_tui.commands.context import Context
+from donnie_tui.commands.declarations import BY_NAME
 from donnie_tui.commands.files import may_lose_all
 from donnie_tui.commands.interaction import MapPane, Option
 from donnie_tui.commands.keys import KeyTable
+from donnie_tui.commands.lookup import word_of
 from donnie_tui.commands.preferences import Preferences
 from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.map_scene import Line
@@ -22,7 +24,7 @@ from donnie_tui.core.pointing import Pointer
 from donnie_tui.core.runner import RunRequest
 from donnie_tui.core.wording import spelled
 from donnie_tui.core.workspace import Workspace
-from donnie_tui.i18n.help import manual
+from donnie_tui.i18n.help import SCREEN_TOUR_PAGES, manual
 from donnie_tui.i18n.words import Words
 from donnie_tui.tui.controller import ScreenController
 from donnie_tui.tui.environment import PagerError, is_page, pager, run_pager
@@ -30,8 +32,9 @@ from donnie_tui.tui.key_queue import Dialogs
 from donnie_tui.tui.pane_text import help_lines, help_text, keys_here, tour_pages
 from donnie_tui.tui.run_view import Reminder
 from donnie_tui.tui.screens.main_screen import MainScreen
-from donnie_tui.tui.screens.pages import Help, KeyCapture, Tour
+from donnie_tui.tui.screens.pages import Help, KeyCapture, Tour, TourStrip
 from donnie_tui.tui.terminal import TerminalApp
+from donnie_tui.tui.widgets.command_line import CommandLine
 
 if TYPE_CHECKING:
     from donnie_tui.core.runner import Run
@@ -309,13 +312,30 @@ class ScreenInteraction:
         self._open_page(self._words("lines-title", title=heading.rstrip(":.")), lines)
 
     def show_tour(self) -> None:
-        """From the page that was left to try what it says."""
+        """From the page that was left. Where there is room it leaves all else usable; then TOUR turns it."""
 
-        def turned(page: int) -> None:
-            self._tour_page = page
+        place, point = self._place, self._controller.point
+        if place.tour is not None:
+            place.tour.action_turn(1)
+            return
+        has_room = not (place.is_plain or place.is_small)
+        pages = tour_pages(self._words, self.key_table, is_strip=has_room)
+        if has_room:
+            place.show_tour(TourStrip(pages, self._tour_page, self._turned_strip, point))
+        else:
+            self._dialogs.open(Tour(pages, self._tour_page, self._turned_tour, point))
 
-        pages = tour_pages(self._words, self.key_table)
-        self._dialogs.open(Tour(pages, self._tour_page, turned, self._controller.point))
+    def _turned_tour(self, page: int) -> None:
+        """To continue there; after the last page at the first one."""
+        self._tour_page = page % SCREEN_TOUR_PAGES
+
+    def _turned_strip(self, page: int) -> None:
+        self._turned_tour(page)
+        self._controller.display.looked()
+        if page == SCREEN_TOUR_PAGES:
+            self._place.close_tour()
+            word = word_of(BY_NAME["challenge"], self._words.language)
+            self._app.post_message(CommandLine.Typed(f"{word} 1"))
 
     def repaint(self) -> None:
         self._app.repaint()

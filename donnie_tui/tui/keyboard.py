@@ -98,11 +98,22 @@ class Keyboard:
 
     async def _take(self, event: events.Event) -> None:
         """A key whose turn it is. What is no letter to write may mean something further up: the next wait."""
-        if isinstance(event, events.Key) and (self._did_by_menu(event) or self._is_too_late(event)):
+        if isinstance(event, events.Key) and (
+            self._did_by_menu(event) or self._closed_tour(event) or self._is_too_late(event)
+        ):
             return
         await self._feed(event)
         if isinstance(event, events.Key) and not (event.is_printable and self._is_writing):
             self._queue.follow(submits=event.key == "enter" and isinstance(self._app.focused, Input))
+
+    def _closed_tour(self, event: events.Key) -> bool:
+        """Esc in the tour closes it, and the next one may have been meant for it."""
+        tour = self._place.tour if self._app.screen is self._place else None
+        if event.key != "escape" or tour is None or not tour.has_focus:
+            return False
+        self._place.close_tour()
+        self._dialogs.note_gone()
+        return True
 
     @property
     def _is_writing(self) -> bool:

@@ -364,7 +364,7 @@ async def test_the_belt_is_shown_next_to_the_variables_in_words_and_by_motor(ope
 
 
 @pytest.mark.parametrize("size", [(40, 12), (80, 24), (120, 40), (200, 60)])
-@pytest.mark.parametrize("world", ["living_room", "corridor", "open_floor"])
+@pytest.mark.parametrize("world", ["living_room", "corridor", "maze"])
 async def test_the_whole_room_is_seen_at_the_start(open_screen, world, size):
     async with open_screen(world=world, size=size) as screen:
         screen.main.go_to(screen.main.map_pane)
@@ -383,6 +383,11 @@ async def test_at_two_hundred_columns_a_step_of_the_living_room_is_a_square(open
         assert screen.main.map.scale.factor == 1
         assert screen.main.map._extent.columns == 2
         assert screen.main.log_rows.size.height >= 8
+
+
+async def test_on_an_endless_floor_a_square_is_a_step(open_screen):
+    async with open_screen(world="open_floor") as screen:
+        assert screen.main.map.scale.factor == 1
 
 
 async def test_the_plain_layout_shows_a_square_a_step(open_screen):

@@ -176,7 +176,6 @@ SCREENS = {
     "legend": ("ctrl+k", "l"),
     "worlds": ("ctrl+k", "o"),
     "keys": ("ctrl+k", "0"),
-    "tour": ("ctrl+k", "T"),
     "help": ("f1",),
     "programs": ("ctrl+k", "b"),
     "save": ("ctrl+s",),
@@ -317,4 +316,17 @@ async def test_mistakes_and_breakpoints_next_to_the_program(open_screen, same, t
         await screen.press("ctrl+b")
         await screen.until(lambda: "!2" in screen.text, "the mark")
         await screen.shows("Breakpoint at line 4.")
+        await same(screen)
+
+
+@pytest.mark.parametrize("size", ALL_SIZES, ids=by_size)
+@pytest.mark.parametrize("theme", ALL_THEMES)
+async def test_the_tour(open_screen, same, theme, size):
+    async with open_screen("FW 1", size=size, world="living_room") as screen:
+        screen.app.theme = theme
+        await screen.type_line("TOUR")
+        await screen.until(lambda: "Tour, page 1" in screen.text, "the tour")
+        await screen.press("enter")
+        await screen.until(lambda: "Tour, page 2" in screen.text, "the second page")
+        await screen.painted()
         await same(screen)

@@ -11,11 +11,12 @@ from tests.tui.conftest import WAITING
 
 async def touring(screen) -> None:  # type: ignore[no-untyped-def]
     screen.app.controller.do("tour")
-    await screen.until(lambda: "Tour, page" in screen.text and "Enter continues" in screen.text, "the tour")
+    await screen.until(lambda: "Tour, page" in screen.text, "the tour")
 
 
 async def closed(screen) -> None:  # type: ignore[no-untyped-def]
-    await screen.until(lambda: screen.app.screen is screen.main, "the main screen")
+    await screen.until(lambda: screen.app.screen is screen.main and screen.main.tour is None, "no tour")
+    await screen.painted()
 
 
 async def turn_to(screen, page: int, key: str = "enter") -> None:  # type: ignore[no-untyped-def]
@@ -24,7 +25,7 @@ async def turn_to(screen, page: int, key: str = "enter") -> None:  # type: ignor
 
 
 async def test_enter_turns_the_pages_and_closes_behind_the_last_one(open_screen) -> None:  # type: ignore[no-untyped-def]
-    async with open_screen() as screen:
+    async with open_screen(plain=True) as screen:
         await touring(screen)
         seen = [screen.text]
         for page in range(2, SCREEN_TOUR_PAGES + 1):
@@ -63,6 +64,61 @@ async def test_it_names_the_keys_as_they_are(open_screen) -> None:  # type: igno
 
         assert "Ctrl+E runs the program, and so does Esc." in screen.text
         assert "F8 or Ctrl+C stops Donnie" in screen.text
+
+
+async def test_it_is_a_strip_that_leaves_everything_usable(open_screen) -> None:  # type: ignore[no-untyped-def]
+    """Five rows, and what page 2 says is done while it is there."""
+    async with open_screen() as screen:
+        await touring(screen)
+        await screen.painted()
+        assert screen.app.screen is screen.main
+        assert screen.main.tour.size.height <= 6
+        assert screen.status.startswith(" Tour, page 1")
+
+        await turn_to(screen, 2)
+        await screen.press("tab", "tab")
+        assert screen.app.focused is screen.main.editor
+        await screen.press(*"FW", "space", "3", "f5")
+        await screen.shows("I walked 3 steps")
+        await screen.idle()
+        assert screen.main.tour is not None
+        screen.app.controller.do("tour")
+        await screen.until(lambda: "Tour, page 3" in screen.text, "the next page")
+        assert screen.app.focused is screen.main.editor
+
+
+async def test_it_can_be_read_and_left_by_mouse(open_screen) -> None:  # type: ignore[no-untyped-def]
+    async with open_screen("FW 1") as screen:
+        await touring(screen)
+        await screen.painted()
+        for page, said in ((2, "Enter continues"), (3, "F8 or Ctrl+C")):
+            y, row = next((y, row) for y, row in enumerate(screen.text.splitlines()) if said in row)
+            await screen.pilot.click(offset=(row.index(said) + 1, y))
+            await screen.until(lambda page=page: f"Tour, page {page}" in screen.text, str(page))
+            await screen.painted()
+        y, row = next((y, row) for y, row in enumerate(screen.text.splitlines()) if "Esc closes" in row)
+        await screen.pilot.click(offset=(row.index("Esc closes") + 1, y))
+        await closed(screen)
+
+
+async def test_esc_in_it_closes_it_and_runs_nothing(open_screen) -> None:  # type: ignore[no-untyped-def]
+    async with open_screen("FW 1") as screen:
+        await touring(screen)
+        await screen.press("escape", "escape")
+        await closed(screen)
+        await screen.shows("Esc again")
+        assert "I walked 1 step forward." not in screen.log
+        assert screen.app.focused is screen.main.editor
+
+
+async def test_it_ends_in_the_first_challenge(open_screen) -> None:  # type: ignore[no-untyped-def]
+    async with open_screen() as screen:
+        await touring(screen)
+        for page in range(2, SCREEN_TOUR_PAGES + 1):
+            await turn_to(screen, page)
+        assert "Enter begins challenge 1" in screen.text
+        await screen.press("enter")
+        await screen.until(lambda: screen.app.controller.next_world == "challenge:1", "the challenge")
 
 
 @pytest.mark.parametrize(

@@ -27,40 +27,10 @@ from textual.widgets import Input, OptionList, Static
 
 from donnie_tui.commands.interaction import Option
 from donnie_tui.tui.widgets.command_line import InputLine
-from donnie_tui.tui.widgets.rows import TextRows
+from donnie_tui.tui.widgets.rows import DialogKeys, TextRows
 
 MOST_SEEN = 8
 """Rows of a list next to something else."""
-
-
-class DialogKeys(Static):
-    """What can be pressed in a dialog, in words. A click on what is said of Enter or Esc presses it."""
-
-    class Clicked(Message):
-        """Enter or Esc was clicked."""
-
-        def __init__(self, key: str) -> None:
-            super().__init__()
-            self.key = key
-
-    def __init__(self, words: str) -> None:
-        super().__init__(f" {words}", classes="screen-keys", markup=False)
-        self._clauses = tuple(words.split(", "))
-
-    def on_click(self, event: events.Click) -> None:
-        """The clause under the mouse; in a row that was broken, the one that begins nearest before it."""
-        place = event.get_content_offset(self)
-        if place is None:
-            return
-        at, begin = place.y * self.size.width + place.x, 1
-        clause = ""
-        for each in self._clauses:
-            if begin <= at:
-                clause = each
-            begin += cell_len(each) + 2
-        key = next((key for name, key in (("Enter", "enter"), ("Esc", "escape")) if name in clause), None)
-        if key is not None:
-            self.post_message(self.Clicked(key))
 
 
 class Question(ModalScreen[str | None]):

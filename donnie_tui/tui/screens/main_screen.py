@@ -28,6 +28,7 @@ from donnie_tui.tui.widgets.rows import KeyLine, StatusLine, TextRows
 
 if TYPE_CHECKING:
     from donnie_tui.core.map_scene import MapScene
+    from donnie_tui.tui.screens.pages import TourStrip
 
 WIDE, NARROW, LOW = 110, 60, 18
 """From WIDE columns on there is room for the inspector too; below NARROW or LOW for one pane only."""
@@ -85,6 +86,9 @@ class MainScreen(Screen[None]):
         self.inspector_pane = Pane(self.inspector, id="inspector-pane")
         self.log_pane = Pane(self.log_rows, id="log-pane")
         self._shown = self.log_pane if plain else self.program_pane
+        self.tour: TourStrip | None = None
+        """While it is shown."""
+        self._before_tour: Widget | None = None
         self._holding: ExitStack | None = None
         """While it is there nothing is painted."""
         self._entered: Widget | None = None
@@ -131,6 +135,26 @@ class MainScreen(Screen[None]):
         """What had the focus last, also once the screen is gone."""
         return str(self._entered.id) if self._entered is not None else ""
 
+    # --- the tour
+
+    def show_tour(self, strip: TourStrip) -> None:
+        """Below the panes, with the focus."""
+        self._before_tour = self.focused
+        self.tour = strip
+        self.mount(strip, before="#command-row")
+        strip.focus()
+
+    def close_tour(self) -> None:
+        """The focus returns to where it was."""
+        strip, self.tour = self.tour, None
+        if strip is not None:
+            if strip.has_focus:
+                (self._before_tour or self.editor).focus()
+            strip.remove()
+
+    def on_tour_strip_left(self) -> None:
+        self.close_tour()
+
     # --- panes
 
     @property
@@ -160,7 +184,8 @@ class MainScreen(Screen[None]):
     @property
     def focus_chain(self) -> list[Widget]:
         """In the order of reading; the plain layout has the command line first and the map last."""
-        reading = (self.editor, self.map, self.inspector, self.log_rows, self.command_line)
+        tour = () if self.tour is None else (self.tour,)
+        reading = (self.editor, self.map, self.inspector, self.log_rows, *tour, self.command_line)
         plain = (self.command_line, self.editor, self.log_rows, self.map, self.inspector)
         chain = super().focus_chain
         return [each for each in (plain if self.is_plain else reading) if each in chain]
@@ -233,9 +258,10 @@ class MainScreen(Screen[None]):
     def show_map(self, scene: MapScene) -> None:
         """A floor, whole; its pane takes what the floor needs, as far as the program keeps its room.
 
-        In the plain layout a square is a step: it is explored by ear.
+        In the plain layout a square is a step: it is explored by ear. So it is on an endless empty floor.
         """
-        self.map.show(scene, whole=not self.is_plain)
+        is_room = scene.picture.has_walls or bool(scene.picture.things)
+        self.map.show(scene, whole=is_room and not self.is_plain)
         self._give_room()
 
     def _give_room(self) -> None:

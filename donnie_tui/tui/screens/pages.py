@@ -1,10 +1,10 @@
 """Screens to read, and the keys after the menu key.
 
 ``Help`` shows lines; what is shown first is spoken, then each row as it is reached. ``Tour`` shows a page at
-a time: Enter turns the page, Backspace turns back, Esc lets the learner try what it says. ``KeyMenu`` lists
-what each key after the menu key does; the next key does it. ``KeyCapture`` waits for the key that a command
-is to have: Esc goes back, Backspace takes a chosen key away. Its answer is the key as the settings file has
-it, an empty one for none, or None if the learner went back.
+a time: Enter turns the page, Backspace turns back, Esc lets the learner try what it says; ``TourStrip`` is
+the same below the panes. ``KeyMenu`` lists what each key after the menu key does; the next key does it.
+``KeyCapture`` waits for the key that a command is to have: Esc goes back, Backspace takes a chosen key away.
+Its answer is the key as the settings file has it, an empty one for none, or None if the learner went back.
 """
 
 from __future__ import annotations
@@ -17,6 +17,8 @@ from textual import events
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Vertical
+from textual.geometry import Offset
+from textual.message import Message
 from textual.screen import ModalScreen
 from textual.widgets import Static
 
@@ -25,7 +27,7 @@ from donnie_tui.commands.keys import MENU, after_menu, key_label
 from donnie_tui.commands.lookup import word_of
 from donnie_tui.core.wording import Wording
 from donnie_tui.tui.widgets.command_line import InputLine
-from donnie_tui.tui.widgets.rows import TextRows
+from donnie_tui.tui.widgets.rows import DialogKeys, TextRows
 
 
 class Help(ModalScreen[None]):
@@ -110,6 +112,71 @@ class Tour(Help):
             self._show()
         else:
             self.dismiss(None)
+
+
+class TourStrip(Vertical, can_focus=True):
+    """The tour above the command line, while everything else can be used.
+
+    With the focus Enter turns the page and Backspace turns back; a click on it turns the page, too.
+    """
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("enter,pagedown", "turn(1)", show=False),
+        Binding("backspace,pageup", "turn(-1)", show=False),
+    ]
+
+    class Left(Message):
+        """A click on what is said of Esc."""
+
+    def __init__(
+        self,
+        pages: Sequence[TourPage],
+        at: int,
+        turned: Callable[[int], None],
+        point: Callable[[str], object],
+    ) -> None:
+        """``turned`` gets each page, from 0; one after the last one means that the tour is done."""
+        super().__init__(id="tour")
+        self._pages, self._at, self._turned, self._point = pages, at, turned, point
+        self._heading = DialogKeys(pages[at].title)
+        self._body = Static("\n".join(pages[at].lines), id="tour-lines", markup=False)
+
+    def compose(self) -> ComposeResult:
+        yield self._heading
+        yield self._body
+
+    @property
+    def title(self) -> str:
+        return self._heading.words
+
+    @property
+    def cursor_screen_offset(self) -> Offset:
+        return self._body.content_region.offset
+
+    def on_mount(self) -> None:
+        self._show()
+
+    def _show(self) -> None:
+        page = self._pages[self._at]
+        self._heading.say(page.title)
+        self._body.update("\n".join(page.lines))
+        self._point(" ".join((f"{page.title}.", *page.lines)))
+
+    def action_turn(self, pages: int) -> None:
+        at = max(0, self._at + pages)
+        if at < len(self._pages):
+            self._at = at
+            self._show()
+        self._turned(at)
+
+    def on_click(self) -> None:
+        self.action_turn(1)
+
+    def on_dialog_keys_clicked(self, event: DialogKeys.Clicked) -> None:
+        if event.key == "enter":
+            self.action_turn(1)
+        else:
+            self.post_message(self.Left())
 
 
 class KeyMenu(ModalScreen[None]):

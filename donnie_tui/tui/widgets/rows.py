@@ -160,6 +160,42 @@ class KeyLine(FixedLine):
         return Content.assemble(*parts)
 
 
+class DialogKeys(Static):
+    """What can be pressed in a dialog, in words. A click on what is said of Enter or Esc presses it."""
+
+    class Clicked(Message):
+        """Enter or Esc was clicked."""
+
+        def __init__(self, key: str) -> None:
+            super().__init__()
+            self.key = key
+
+    def __init__(self, words: str) -> None:
+        super().__init__(f" {words}", classes="screen-keys", markup=False)
+        self.words = words
+
+    def say(self, words: str) -> None:
+        """Other keys."""
+        self.words = words
+        self.update(f" {words}", layout=False)
+
+    def on_click(self, event: Click) -> None:
+        """The clause under the mouse; in a row that was broken, the one that begins nearest before it."""
+        place = event.get_content_offset(self)
+        if place is None:
+            return
+        at, begin = place.y * self.size.width + place.x, 1
+        clause = ""
+        for each in self.words.split(", "):
+            if begin <= at:
+                clause = each
+            begin += cell_len(each) + 2
+        key = next((key for name, key in (("Enter", "enter"), ("Esc", "escape")) if name in clause), None)
+        if key is not None:
+            event.stop()
+            self.post_message(self.Clicked(key))
+
+
 MOST_LINES = 100_000
 """Lines that are kept; beyond, the oldest tenth is forgotten."""
 
