@@ -289,7 +289,7 @@ def _task(world: ChosenWorld, words: Words) -> tuple[str, ...]:
         return ()
     from donnie_tui.core.describe import task_in_words
 
-    return task_in_words(world.challenge, words)
+    return task_in_words(world.challenge, words, world.title(words.language))
 
 
 def _remarks(world: ChosenWorld, words: Words) -> tuple[str, ...]:

@@ -396,6 +396,8 @@ def say_arrival(donnie: Donnie, *, is_silent: bool) -> None:
         donnie.session.hub.publish(SoundSwitched(False))
     about = donnie.world.about(donnie.words.language)
     if donnie.world.challenge is not None:
-        donnie.publish_answers(*task_in_words(donnie.world.challenge, donnie.words))
-    donnie.publish_answers(*arrived(donnie.world.name, about, donnie.picture(), donnie.words))
+        title = donnie.world.title(donnie.words.language)
+        donnie.publish_answers(*task_in_words(donnie.world.challenge, donnie.words, title))
+    else:
+        donnie.publish_answers(*arrived(donnie.world.name, about, donnie.picture(), donnie.words))
     donnie.publish_answers(*robot_put_in(donnie.world, donnie.words))

@@ -426,9 +426,10 @@ def target_in_words(target: Target, room: Inventory, wording: Wording) -> str:
     return f"{target[0]:g}, {target[1]:g}"
 
 
-def task_in_words(challenge: Challenge, wording: Wording) -> tuple[str, ...]:
-    """Title, task, and the most that a solution may need."""
+def task_in_words(challenge: Challenge, wording: Wording, world: str = "") -> tuple[str, ...]:
+    """Title, task, and the most that a solution may need; on arrival also the title of its world."""
     text, limit = challenge.text(wording.language), challenge.rules.limit
     most = {each: getattr(limit, each) for each in limit.__struct_fields__}
     limits = (wording(f"task-limit-{each}", most=round(n)) for each, n in most.items() if n is not None)
-    return (wording("challenge-here", title=text.title), *text.sentences, *limits)
+    code = "challenge-arrived" if world else "challenge-here"
+    return (wording(code, title=text.title, world=world), *text.sentences, *limits)

@@ -84,9 +84,8 @@ class Display:
     def entitle_map(self) -> None:
         """The world, its size, and where more of it is outside."""
         picture = self.scene.picture
-        about = self._donnie.world.about(self._words.language)
         width, height = floor_size(picture)
-        title = about.title if about else self._donnie.world.name
+        title = self._donnie.world.title(self._words.language)
         where = " ".join(self._words(f"compass-{side}")[:1].upper() for side in self._place.map.hidden)
         values = {"world": title, "width": width, "height": height}
         words = self._words("pane-map-more" if where else "pane-map", where=where, **values)

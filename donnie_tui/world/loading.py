@@ -115,6 +115,11 @@ class ChosenWorld(Struct, frozen=True):
         except BadWords:
             return None  # reported when the world was loaded
 
+    def title(self, language: str) -> str:
+        """What the author calls it, else the name of its file."""
+        about = self.about(language)
+        return about.title if about is not None else self.name
+
     def start(self) -> Pose:
         """Where its first robot stands; the middle, facing north, if it has none."""
         if not self.scene.robots:

@@ -193,7 +193,10 @@ def test_the_tour_leads_to_a_challenge_that_one_command_solves(tmp_path: Path) -
     lines = answers_to(tmp_path, "TOUR", *[""] * 8, "CHALLENGE 1", "FW 5", "")
 
     at = lines.index("Type CHALLENGE 1. One command solves it.")
-    assert "Walk 5 steps to the north." in lines[at:]
+    assert lines[at + 1 : at + 3] == [
+        "Challenge: The first walk. World: First room.",
+        "Walk 5 steps to the north.",
+    ]
     assert lines[-2:] == ["Solved, in 1 command.", "NEXT CHALLENGE is: To the ball."]
 
 
