@@ -19,6 +19,7 @@ from stat import S_ISFIFO
 from typing import TYPE_CHECKING, TextIO, cast
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 import worlds
 from devices.audio.mixer import WavCueWriter
@@ -217,7 +218,9 @@ def bundle_of(world: ChosenWorld, settings: Settings) -> WorldBundle:
 
     robots = list(world.scene.robot_names)
     folders = [*map(Path, (*settings.include_folders, worlds.SCENES))]
-    return pack(world.name, Path(world.path), files_of(world), folders, robots)
+    bundle = pack(world.name, Path(world.path), files_of(world), folders, robots)
+    moves = ((at, each.x, each.y, each.z, each.yaw) for at, each in world.moves.items())
+    return replace(bundle, moves=tuple(moves))
 
 
 def is_named_pipe(out: TextIO) -> bool:

@@ -97,6 +97,8 @@ class ChosenWorld(Struct, frozen=True):
     """Whether things were added, moved or removed: its author's words don't count any more."""
     before_moves: ChosenWorld | None = None
     """The world as its file says, where a challenge moved things in it."""
+    moves: Mapping[int, Placement] = {}
+    """Where a challenge moved the models of these indices."""
     text: str = ""
     """What its file would be where Donnie changed it: a robot was put in, or things were scattered."""
     is_robot_put_in: bool = False
@@ -459,7 +461,7 @@ def started_at(
         first = scene.robots[0]
         x, y, heading = variant.place
         places[first] = Placement(x * STEP, y * STEP, models[first].pose.z, 90.0 - heading)
-    return replace(world, scene=moved(scene, places), before_moves=plain)
+    return replace(world, scene=moved(scene, places), moves=places, before_moves=plain)
 
 
 def inventory_of(scene: Scene) -> Inventory:

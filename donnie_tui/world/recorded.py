@@ -12,6 +12,7 @@ import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from math import isfinite
 from pathlib import Path, PurePosixPath
 from tempfile import TemporaryDirectory
 
@@ -52,6 +53,8 @@ class WorldBundle(Struct, frozen=True):
     files: tuple[tuple[str, bytes], ...]
     robots: tuple[str, ...]
     """The robots that it offers, the learner's first."""
+    moves: tuple[tuple[int, float, float, float, float], ...] = ()
+    """The models that a challenge moved: index, and where in the file's units."""
 
     def as_record(self) -> dict[str, object]:
         """For JSON: texts as they are, everything else in base64."""
@@ -60,6 +63,7 @@ class WorldBundle(Struct, frozen=True):
             "main": self.main,
             "robots": list(self.robots),
             "files": [{"name": name, **_content(data)} for name, data in self.files],
+            **({"moves": [list(each) for each in self.moves]} if self.moves else {}),
         }
 
 
@@ -120,6 +124,7 @@ class _RecordedBundle(Struct, frozen=True):
     main: str
     robots: tuple[str, ...]
     files: tuple[_RecordedFile, ...]
+    moves: tuple[tuple[int, float, float, float, float], ...] = ()
 
 
 def from_record(record: object) -> WorldBundle:
@@ -129,9 +134,11 @@ def from_record(record: object) -> WorldBundle:
     except ValidationError:
         raise BundleError("bundle-damaged") from None
     files = tuple((each.name, each.data) for each in read.files)
+    if not all(isfinite(number) for each in read.moves for number in each):
+        raise BundleError("bundle-damaged")
     if sum(len(data) for _, data in files) > LARGEST:
         raise BundleError("bundle-too-large", limit=LARGEST // 1024**2)
-    return WorldBundle(read.name, read.main, files, read.robots)
+    return WorldBundle(read.name, read.main, files, read.robots, read.moves)
 
 
 def _content(data: bytes) -> dict[str, str]:
@@ -199,6 +206,8 @@ def _place_for_unpacking() -> str | None:
 def _loaded(
     bundle: WorldBundle, main: Path, folders: tuple[Path, ...], words: Words, seed: int
 ) -> ChosenWorld:
+    from sim.geometry import Placement
+    from sim.scene import moved
     from sim.worldfile import WorldError, load_world
 
     try:
@@ -207,6 +216,7 @@ def _loaded(
         raise Unusable(world_mistake(error, words)) from None
     world = scattered_by(seed, ChosenWorld(bundle.name, str(main), scene, _ships(bundle)), words, folders)
     scene = (world := with_robot(world, words, folders)).scene
+    scene = moved(scene, {index: Placement(*place) for index, *place in bundle.moves})
     offered = tuple(index for index in scene.robots if scene.models[index].spoken_name in bundle.robots)
     if not offered:
         raise Unusable(words("world-without-robot", name=bundle.name))

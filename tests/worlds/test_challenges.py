@@ -1,6 +1,7 @@
 """Challenges as files: what ships is proven, and every mistake has its line."""
 
 import csv
+import json
 import re
 from pathlib import Path
 from typing import cast
@@ -656,3 +657,45 @@ def test_ten_lessons_use_every_challenge(document: str, heading: str) -> None:
 
     assert lessons[::2] == [str(number) for number in range(1, 11)]
     assert set(range(1, len(challenges.names()) + 1)) <= named
+
+
+MOVED = """\
+format = 1
+world = "object_field"
+[en]
+title = "T"
+task = "Do."
+[[goal]]
+at = "green cone"
+within = 1.5
+[[variant]]
+start = [2, 1, "north"]
+things = { "green cone" = [2, 7] }
+"""
+
+
+def test_a_recording_of_a_start_that_is_not_the_world_s_own_is_run_again(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file, program, kept = tmp_path / "it.toml", tmp_path / "p.gd", tmp_path / "kept.jsonl"
+    file.write_text(MOVED, encoding="utf-8")
+    program.write_text("FW DISTANCE F - 1")
+
+    main(["run", str(program), "--world", f"challenge:{file}", "--record", str(kept), "--lang", "en"])
+    # The cone is 3 steps wide, as the robot: 6 steps between their middles leave 3.
+    assert capsys.readouterr().out.splitlines()[-1] == "I walked 2 steps forward."
+    assert main(["replay", str(kept), "--check"]) == 0
+    assert main(["replay", str(kept), "--challenge", str(file)]) == 0
+    kept.write_text(kept.read_text().replace('"moves":[[', '"moves":[["x",'))
+    assert main(["replay", str(kept), "--check"]) == 2
+
+
+def test_the_records_of_a_folder_are_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "ana.gd").write_text("FW 5")
+    (tmp_path / "rui.gd").write_bytes(b"\xff\xfe\x00")
+
+    assert main(["challenge", "check", "1", str(tmp_path), "--json", "--lang", "en"]) == 2
+
+    ana, rui = json.loads(capsys.readouterr().out)
+    assert (ana["solved"], ana["goals"], ana["met"], ana["commands"], ana["steps"]) == (True, 1, 1, 1, 5)
+    assert (rui["solved"], rui["verdict"]) == (None, f"{tmp_path}/rui.gd is not a text.")
