@@ -46,6 +46,7 @@ from language.diagnostics import MOST_MISTAKES, Diagnostic, Severity
 from language.formatter import formatted
 from language.locales import ENGLISH
 from language.parser import parse
+from language.source import printable
 from language.syntax import walk
 from worlds import challenges
 
@@ -303,7 +304,7 @@ def _write_table(order: Order, pupils: Sequence[_Pupil], records: Sequence[Mappi
         text = io.StringIO()
         rows = csv.DictWriter(text, _COLUMNS)
         rows.writeheader()
-        rows.writerows({name: each.get(name, "") for name in _COLUMNS} for each in records)
+        rows.writerows({name: _cell(each.get(name, "")) for name in _COLUMNS} for each in records)
         _write(Path(table), text.getvalue(), order.words)
     if folder is not None:
         make_folder(Path(folder))
@@ -313,6 +314,12 @@ def _write_table(order: Order, pupils: Sequence[_Pupil], records: Sequence[Mappi
             used[stem] += 1
             file = f"{stem}-{used[stem]}.txt" if used[stem] > 1 else f"{stem}.txt"
             _write(Path(folder, file), f"{each['verdict']}\n", order.words)
+
+
+def _cell(value: object) -> object:
+    """A pupil's file name is text for a spreadsheet, never a formula."""
+    text = printable(value) if isinstance(value, str) else ""
+    return f"'{text}" if text.startswith(("=", "+", "-", "@")) else text or value
 
 
 def _write(path: Path, text: str, words: Words) -> None:

@@ -699,3 +699,18 @@ def test_the_records_of_a_folder_are_json(tmp_path: Path, capsys: pytest.Capture
     ana, rui = json.loads(capsys.readouterr().out)
     assert (ana["solved"], ana["goals"], ana["met"], ana["commands"], ana["steps"]) == (True, 1, 1, 1, 5)
     assert (rui["solved"], rui["verdict"]) == (None, f"{tmp_path}/rui.gd is not a text.")
+
+
+def test_a_file_name_is_no_formula_of_the_table(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    names = ["=HYPERLINK(1).gd", "@b.gd", "a\x1b[2J.gd"]
+    for name in names:
+        Path(name).write_text("FW 5")
+    Path(names[1]).write_bytes(b"\xff\xfe\x00")
+
+    assert main(["challenge", "check", "1", *names, "--csv", "t.csv", "--lang", "en"]) == 2
+
+    with Path("t.csv").open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert [each["file"] for each in rows] == ["'=HYPERLINK(1).gd", "'@b.gd", "a [2J.gd"]
+    assert [each["verdict"] for each in rows[:2]] == ["Solved, in 1 command.", "'@b.gd is not a text."]
