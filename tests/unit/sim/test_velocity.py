@@ -161,6 +161,28 @@ def test_a_wall_stops_a_robot_at_its_body() -> None:
     assert place(after.truth) == at(0.8999, 0, 0)
 
 
+@pytest.mark.parametrize(
+    ("ahead", "turn", "size"),
+    [(0.15, 900.0, 0.002), (40.0, 20.0, 0.002)],
+    ids=["a tight arc, in pieces of 2 degrees", "a long arc, in pieces of 2 cm"],
+)
+def test_what_lies_on_an_arc_stops_the_robot_however_fast_it_is(
+    ahead: float, turn: float, size: float
+) -> None:
+    """The post is on the arc of one tick, and beside the straight lines between a few points of it."""
+    radius, angle = ahead / radians(turn), radians(turn) * TICK / (2 if turn > 90 else 4)
+    x, y = radius * sin(angle), radius * (1 - cos(angle))
+    text = (
+        f'position( name "it" size [ {size} {size} 0.2 ] velocity_bounds [ -50 50 0 0 0 0 -900 900 ] )\n'
+        f'model( name "post" size [ {size / 2} {size / 2} 1 ] pose [ {x} {y} 0 0 ] )\n'
+    )
+
+    state = driven(text, seconds=TICK, ahead=ahead, turn=turn)
+
+    assert state.is_stalled
+    assert hypot(state.truth.x - x, state.truth.y - y) <= 1.2 * size
+
+
 def test_a_robot_at_a_wall_can_leave_it() -> None:
     loop = loop_of(robot() + WALL)
     drive(loop, "it", ahead=0.5)
