@@ -330,16 +330,23 @@ def with_robot(world: ChosenWorld, words: Words, folders: tuple[Path, ...]) -> C
 
     from donnie_tui.core.program_files import DocumentError, read_program
     from sim.parts import free_place
-    from sim.worldfile import WorldError, load_text
+    from sim.worldfile import WorldError, in_units, load_text, units_of
 
     x, y = free_place(world.scene)
-    line = f'include "donnie.inc"\ndonnie( name "donnie" pose [ {x * STEP:.2f} {y * STEP:.2f} 0 90 ] )'
+    include, line = (
+        'include "donnie.inc"',
+        f'donnie( name "donnie" pose [ {x * STEP:.2f} {y * STEP:.2f} 0 90 ] )',
+    )
+    metres, degrees = units_of(world.scene)
     try:
-        text = f"{(world.text or read_program(Path(world.path))).rstrip()}\n\n{line}\n"
+        if (metres, degrees) != (1.0, 1.0):
+            include = in_units(read_program(Path(worlds.SCENES, "donnie.inc")), metres, degrees)
+            line = in_units(line, metres, degrees)
+        text = f"{(world.text or read_program(Path(world.path))).rstrip()}\n\n{include}\n{line}\n"
         scene = load_text(text, Path(world.path), allowed=folders)
     except (DocumentError, WorldError):
         scene, text = world.scene, ""
-    if not scene.robots or _is_in_other_units(scene):
+    if not scene.robots:
         raise Unusable(words("world-without-robot", name=world.name))
     return replace(world, scene=scene, text=text, is_robot_put_in=True)
 
@@ -383,12 +390,6 @@ def robot_put_in(world: ChosenWorld, words: Words) -> tuple[str, ...]:
     place = world.start()
     values = {"name": world.name, "x": round(place.x), "y": round(place.y)}
     return (words("world-robot-put-in", **values),) if world.is_robot_put_in else ()
-
-
-def _is_in_other_units(scene: Scene) -> bool:
-    """Whether Donnie, who is written in metres and degrees, has another size or direction there."""
-    settings = scene.settings
-    return settings.get("unit_length", "m") != "m" or settings.get("unit_angle", "degrees") != "degrees"
 
 
 def allowed_folders(folders: tuple[str, ...]) -> tuple[Path, ...]:

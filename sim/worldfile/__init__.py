@@ -1,7 +1,15 @@
 """World files as Stage has them: text in; a scene, or a mistake with its place, out."""
 
 from sim.worldfile.configuration import Address, Configuration, Driver, Offer, load_configuration
-from sim.worldfile.edit import WrittenModel, put_elsewhere, scattered, taken_out, written_models
+from sim.worldfile.edit import (
+    WrittenModel,
+    in_units,
+    put_elsewhere,
+    scattered,
+    taken_out,
+    units_of,
+    written_models,
+)
 from sim.worldfile.load import load_text, load_world
 from sim.worldfile.mistakes import Code, WorldError
 
@@ -13,11 +21,13 @@ __all__ = [
     "Offer",
     "WorldError",
     "WrittenModel",
+    "in_units",
     "load_configuration",
     "load_text",
     "load_world",
     "put_elsewhere",
     "scattered",
     "taken_out",
+    "units_of",
     "written_models",
 ]

@@ -7,6 +7,7 @@ that rectangle elsewhere in it.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from math import hypot
 from pathlib import Path
@@ -18,6 +19,7 @@ from sim.geometry import Placement
 from sim.scene import Model, Scene
 from sim.worldfile.entities import MODEL_TYPES, Expander, FileReader
 from sim.worldfile.parser import WorldToken, tokens
+from sim.worldfile.values import ANGLES, UNITS
 
 
 class WrittenModel(Struct, frozen=True):
@@ -96,6 +98,35 @@ def taken_out(text: str, model: WrittenModel) -> str:
     return text[: model.begin] + text[model.end :]
 
 
+def units_of(scene: Scene) -> tuple[float, float]:
+    """The metres and the degrees that numbers of its files count."""
+    length, angle = scene.settings.get("unit_length", "m"), scene.settings.get("unit_angle", "degrees")
+    return UNITS[str(length)], ANGLES[str(angle)]
+
+
+_LENGTHS = ("size", "range", "blength", "pose", "bpose", "velocity_bounds")
+_FIRST_ANGLE = {"fov": 0, "pose": 3, "bpose": 3, "velocity_bounds": 6}
+"""Properties in lengths and angles, and at which of their numbers the angles begin."""
+
+
+def in_units(text: str, metres: float, degrees: float) -> str:
+    """A text in metres and degrees, in other units. A property and its numbers stand on one line."""
+
+    def converted(found: re.Match[str]) -> str:
+        name, values = found["name"], iter(range(len(found["values"])))
+        first_angle = _FIRST_ANGLE.get(name, len(found["values"]))
+
+        def number(each: re.Match[str]) -> str:
+            is_angle = next(values) >= first_angle
+            return f"{float(each[0]) / (degrees if is_angle else metres):.9g}"
+
+        return found["begin"] + re.sub(r"-?\d+(?:\.\d+)?", number, found["values"])
+
+    names = "|".join({*_LENGTHS, *_FIRST_ANGLE})
+    pattern = rf"(?P<begin>\b(?P<name>{names})(?:\[\d+\])?\s+)(?P<values>\[[^\]\n]*\]|-?[\d.]+)"
+    return re.sub(pattern, converted, text)
+
+
 _APART = 0.15
 """Metres between scattered things: three steps, so that Donnie fits between them."""
 _AROUND_ROBOTS = 0.3
@@ -115,7 +146,10 @@ def scattered(text: str, scene: Scene, path: Path, allowed: tuple[Path, ...], se
 
 
 def _scattered_places(scene: Scene, seed: int) -> Mapping[int, Placement]:
-    """On whole steps, apart from each other and from the robots; what finds no place stays where it is."""
+    """On whole steps, apart from each other and from the robots; what finds no place stays where it is.
+
+    From the first robot a straight way leads to each, with room for its body.
+    """
     from random import Random  # loaded where there is chance
 
     area = scene.settings.get("scatter", ())
@@ -123,7 +157,7 @@ def _scattered_places(scene: Scene, seed: int) -> Mapping[int, Placement]:
         return {}
     west, south, east, north = (float(str(each)) for each in area)
     chance = Random(f"scatter {seed}")
-    robots = (scene.models[each] for each in scene.robots)
+    robots = [scene.models[each] for each in scene.robots]
     taken = [(each.pose.x, each.pose.y, _half(each) + _AROUND_ROBOTS) for each in robots]
     places = dict[int, Placement]()
     for model in scene.models:
@@ -135,11 +169,28 @@ def _scattered_places(scene: Scene, seed: int) -> Mapping[int, Placement]:
         for _ in range(_TRIES):
             x = round(chance.uniform(west + half, east - half) / STEP) * STEP
             y = round(chance.uniform(south + half, north - half) / STEP) * STEP
-            if all(hypot(x - ax, y - ay) >= half + room + _APART for ax, ay, room in taken):
+            others = taken[len(robots) :]
+            if all(hypot(x - ax, y - ay) >= half + room + _APART for ax, ay, room in taken) and not (
+                robots and any(_one_behind_the_other((x, y, half), each, robots[0]) for each in others)
+            ):
                 places[model.index] = Placement(x, y, here.z, here.yaw)
                 break
         taken.append((x, y, half))
     return places
+
+
+_Round = tuple[float, float, float]
+"""A place, and half the width of what is there."""
+
+
+def _one_behind_the_other(mine: _Round, other: _Round, robot: Model) -> bool:
+    """Whether the nearer one of two things is in the robot's straight way to the other."""
+    x, y = robot.pose.x, robot.pose.y
+    (ax, ay, half), (bx, by, _) = sorted((mine, other), key=lambda each: hypot(each[0] - x, each[1] - y))
+    away = hypot(bx - x, by - y) or 1.0
+    along = ((ax - x) * (bx - x) + (ay - y) * (by - y)) / away
+    aside = abs((ax - x) * (by - y) - (ay - y) * (bx - x)) / away
+    return along > 0 and aside < half + _half(robot) + _APART
 
 
 def _half(model: Model) -> float:

@@ -85,8 +85,8 @@ LONGEST = 1e5
 """Metres: no world is larger."""
 
 _TYPES = {parser.Number: "number", parser.String: "string", parser.Tuple: "tuple"}
-_UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001}
-_ANGLES = {"degrees": 1.0, "radians": degrees(1.0)}
+UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001}
+ANGLES = {"degrees": 1.0, "radians": degrees(1.0)}
 
 _INDEXED = re.compile(r"(.*)\[[0-9]+\]$")
 
@@ -103,8 +103,8 @@ class ValueReader:
         self._chance: Random | None = None
 
     def use_units(self, settings: Mapping[str, Setting]) -> None:
-        self.metres = _UNITS[self.one_of(settings, "unit_length", "m", tuple(_UNITS))]
-        self.degrees = _ANGLES[self.one_of(settings, "unit_angle", "degrees", tuple(_ANGLES))]
+        self.metres = UNITS[self.one_of(settings, "unit_length", "m", tuple(UNITS))]
+        self.degrees = ANGLES[self.one_of(settings, "unit_angle", "degrees", tuple(ANGLES))]
 
     def one_of(
         self, settings: Mapping[str, Setting], name: str, default: str, choices: tuple[str, ...]

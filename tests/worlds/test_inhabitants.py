@@ -1,13 +1,15 @@
 """A world without a robot gets a Donnie, on a free place, facing north; the session says so."""
 
+from collections.abc import Iterable
 from pathlib import Path
 
 import pytest
+from msgspec import Struct
 
 import worlds
 from devices.ports.robot import STEP, Pose
-from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.world.loading import Site, inhabited_world, robot_put_in
+from donnie_tui.i18n.words import Words
+from donnie_tui.world.loading import ChosenWorld, Site, inhabited_world, robot_put_in
 from sim.geometry import overlapping
 from sim.parts import body_of, parts_of
 from sim.world import World
@@ -76,11 +78,40 @@ def test_the_session_says_it_and_saving_the_world_would_keep_the_donnie(tmp_path
     assert (saved.text, saved.start().y * STEP) == ("", pytest.approx(0.7))
 
 
-def test_a_world_in_centimetres_has_no_donnie_written_in_metres(tmp_path: Path) -> None:
-    with pytest.raises(Unusable) as problem:
-        start(tmp_path, 'unit_length "cm"\nmodel( size [ 40 40 100 ] )')
+PLAIN = (float, int, str, bool, type(None))
 
-    assert str(problem.value) == "The world w.world has no robot with sensors."
+
+def numbers_of(value: object) -> list[object]:
+    """All values of a model, flat."""
+    if isinstance(value, PLAIN):
+        return [value]
+    if isinstance(value, Struct):
+        return [each for name in value.__struct_fields__ for each in numbers_of(getattr(value, name))]
+    if isinstance(value, Iterable):
+        return [each for one in value for each in numbers_of(one)]
+    return [repr(value)]
+
+
+@pytest.mark.parametrize(
+    ("units", "box"),
+    [
+        ('unit_length "cm"', "size [ 40 40 100 ]"),
+        ('unit_length "mm" unit_angle "radians"', "size [ 400 400 1000 ]"),
+        ('unit_angle "radians"', "size [ 0.4 0.4 1 ]"),
+    ],
+)
+def test_a_world_in_other_units_gets_the_same_donnie(tmp_path: Path, units: str, box: str) -> None:
+    def inhabited(text: str) -> ChosenWorld:
+        (tmp_path / "w.world").write_text(text, encoding="utf-8")
+        return inhabited_world(str(tmp_path / "w.world"), WORDS)
+
+    plain = inhabited("model( size [ 0.4 0.4 1 ] )")
+    found = inhabited(f"{units.replace(' unit', chr(10) + 'unit')}\nmodel( {box} )")
+
+    assert found.start() == plain.start() == Pose(0, 14, 0)
+    for mine, other in zip(found.scene.models, plain.scene.models, strict=True):
+        for here, there in zip(numbers_of(mine), numbers_of(other), strict=True):
+            assert here == (pytest.approx(there, abs=1e-6) if isinstance(there, float) else there)
 
 
 def test_the_worlds_that_ship_without_a_robot_are_those_two() -> None:

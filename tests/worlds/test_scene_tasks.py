@@ -38,7 +38,7 @@ END WHILE
 TR 91
 FW DISTANCE F - 1"""
 """The ball leaves the view 90 degrees to the right. Where nothing stands in the way, it is ahead then."""
-SEEDS = range(1, 10)
+SEEDS = range(1, 26)
 
 
 def run(name: str, text: str, seed: int = 0) -> tuple[ChosenWorld, list[Event]]:
@@ -116,6 +116,19 @@ def test_with_each_seed_the_things_of_the_wild_garden_stand_elsewhere_and_apart(
     assert len(set(layouts)) == 1 + len(SEEDS)
     again = picture(inhabited_world("wild_garden", WORDS, seed=1).scene).things
     assert tuple((each.x, each.y) for each in again) == layouts[1]
+
+
+@pytest.mark.parametrize("first", range(26, 126, 20))
+def test_with_every_seed_a_straight_way_leads_to_each_thing_of_the_wild_garden(first: int) -> None:
+    """Half of Donnie's body is 1.28 steps wide."""
+    for seed in range(first, first + 20):
+        things = picture(inhabited_world("wild_garden", WORDS, seed=seed).scene).things
+        for it in things:
+            away = hypot(it.x, it.y)
+            for other in things:
+                along = (other.x * it.x + other.y * it.y) / away
+                aside = abs(other.x * it.y - other.y * it.x) / away
+                assert other is it or not 0 < along < away or aside > other.width / 2 + 1.28
 
 
 def test_a_recording_has_the_garden_of_its_seed() -> None:
