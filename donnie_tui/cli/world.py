@@ -336,6 +336,7 @@ def _report(scene: Scene, words: Words) -> tuple[str, ...]:
     report = scene.report
     names = ", ".join(PurePath(each).name for each in report.files)
     models = ", ".join(f"{count} {type_}" for type_, count in report.loaded)
+    pushable = sum(model.pushable for model in scene.models if model.parent is None)
     remarks = Counter(
         words(f"report-{note.kind.value}", remark=world_note(note, words)) for note in report.notes
     )
@@ -343,5 +344,6 @@ def _report(scene: Scene, words: Words) -> tuple[str, ...]:
         words("report-files", count=len(report.files), files=names),
         words("report-loaded", models=models or "0"),
         *_robots(scene, words),
+        *((words("report-pushable", count=pushable),) if pushable else ()),
         *(remarks or (words("report-clean"),)),
     )

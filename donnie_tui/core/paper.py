@@ -313,7 +313,7 @@ def _clear_places(
     width, height = (cells - 1) * CELL + DOT_GAP + DOT, 2 * DOT_GAP + DOT
     reach = GAP + LINE / 2
     far = _AWAY[-1] + 2 * reach + width + height
-    near = [each for each in lines if _apart(_hull(each), box) < far]
+    near = [each for each in lines if _apart(_box_of(each), box) < far]
     x, y = (box[0] + box[2] - width) / 2, (box[1] + box[3] - height) / 2
     half = (box[2] - box[0] + width) / 2, (box[3] - box[1] + height) / 2
     places = [
@@ -343,10 +343,6 @@ def _is_inside(point: _Point, polygon: Sequence[_Point]) -> bool:
         % 2
         == 1
     )
-
-
-def _hull(segment: _Segment) -> _Box:
-    return _box_of(segment)
 
 
 def _apart(mine: _Box, other: _Box) -> float:

@@ -13,12 +13,14 @@ from rich.style import Style
 from textual.color import Color
 from textual.theme import Theme
 
+from donnie_tui.core.map_grid import PAINTED
+
 DARK, LIGHT, CONTRAST, TERMINAL = "donnie-dark", "donnie-light", "donnie-contrast", "donnie-terminal"
 
 ROLES = ("background", "foreground", "surface", "panel", "muted", "border", "chosen", "on-chosen", "faint")
 """What a text stands on or is; ``chosen`` is the background of the row or the title with the focus."""
 
-COLOURS = ("red", "green", "blue", "yellow", "orange", "pink", "gray")
+COLOURS = tuple(PAINTED)
 """The colour words of the language, as a thing of that colour is painted."""
 
 _PALETTES: dict[str, dict[str, str]] = {
@@ -27,8 +29,7 @@ _PALETTES: dict[str, dict[str, str]] = {
         "muted": "#c4cbd6", "faint": "#606976", "border": "#9aa7b8",
         "chosen": "#f2f4f8", "on-chosen": "#0e1116",
         "accent": "#7fd4ff", "success": "#7ee787", "warning": "#ffd866", "error": "#ffb0a6",
-        "red": "#ff9e94", "green": "#7ee787", "blue": "#9cc4ff", "yellow": "#ffe066",
-        "orange": "#ffb366", "pink": "#ffb3e0", "gray": "#c8c8c8",
+        **PAINTED,
     },
     LIGHT: {
         "background": "#ffffff", "foreground": "#14171a", "surface": "#f6f6f3", "panel": "#e7e7e2",

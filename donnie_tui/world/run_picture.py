@@ -18,7 +18,7 @@ from xml.sax.saxutils import escape
 from msgspec import Struct
 
 from devices.ports.robot import Pose
-from donnie_tui.core.map_grid import path_in_words
+from donnie_tui.core.map_grid import PAINTED, path_in_words
 from donnie_tui.core.wording import Wording, coloured_thing
 from language.source import printable
 
@@ -33,10 +33,6 @@ MARGIN, LETTER, LINE = 24.0, 14.0, 20.0
 """Pixels: around everything, the height of a letter, from line to line of the legend."""
 STEPS_A_SECOND = 10.0
 """How fast the dot drives: ten times the robot's pace."""
-_PALETTE = {
-    **{"red": "#d62728", "green": "#2ca02c", "blue": "#1f77b4", "yellow": "#f2d024", "orange": "#ff7f0e"},
-    **{"pink": "#e377c2", "gray": "#7f7f7f"},
-}
 _WALL, _OTHER, _INK = "#444444", "#bbbbbb", "#000000"
 _PATHS = ("#7b2cbf", "#006d5b", "#9d0208", "#003049")
 """Dark enough on white for lines (at least 4.5 to 1)."""
@@ -162,9 +158,9 @@ def _svg_points(points: Iterable[_Point]) -> str:
     return " ".join(f"{x:g},{y:g}" for x, y in points)
 
 
-def _svg_text(x: float, y: float, text: str, ink: str) -> str:
+def _svg_text(x: float, y: float, text: str) -> str:
     font = f'font-family="sans-serif" font-size="{LETTER:g}"'
-    return f'<text x="{x:g}" y="{y:g}" {font} fill="{ink}">{escape(text)}</text>'
+    return f'<text x="{x:g}" y="{y:g}" {font} fill="{_INK}">{escape(text)}</text>'
 
 
 def as_png(it: RunPicture) -> bytes:
@@ -185,8 +181,8 @@ def as_png(it: RunPicture) -> bytes:
         x, y = places[0]
         draw.ellipse((x - 4, y - 4, x + 4, y + 4), fill="white", outline=colour, width=2)
         draw.polygon(arrow(it, path), fill=colour)
-    for x, y, text, ink in texts(it):
-        draw.text((x, y), text, fill=ink, font=font, anchor="ls")
+    for x, y, text in texts(it):
+        draw.text((x, y), text, fill=_INK, font=font, anchor="ls")
     out, about = BytesIO(), PngImagePlugin.PngInfo()
     about.add_text("Software", "donnie")  # so that only a picture of Donnie's is replaced
     about.add_text("Description", " ".join(it.legend).encode("latin-1", "replace").decode("latin-1"))
@@ -194,12 +190,12 @@ def as_png(it: RunPicture) -> bytes:
     return out.getvalue()
 
 
-def texts(it: RunPicture) -> Iterable[tuple[float, float, str, str]]:
+def texts(it: RunPicture) -> Iterable[tuple[float, float, str]]:
     """The title, a letter on each thing or next to a small one, and the legend.
 
-    Left end and base line of each, and its colour.
+    Left end and base line of each.
     """
-    yield MARGIN, MARGIN, it.title, _INK
+    yield MARGIN, MARGIN, it.title
     for each in it.drawings:
         thing = each.thing
         if thing is None:
@@ -207,19 +203,10 @@ def texts(it: RunPicture) -> Iterable[tuple[float, float, str, str]]:
         x, y = it.at(thing.x, thing.y)
         is_inside = min(thing.width, thing.depth) * it.scale >= 1.5 * LETTER
         right = x - LETTER / 3 if is_inside else x + thing.width * it.scale / 2 + 3
-        yield right, y + LETTER / 3, thing.letter, "#ffffff" if is_inside and _is_dark(each) else _INK
+        yield right, y + LETTER / 3, thing.letter
     below = it.height - LINE * len(it.legend)
     for number, line in enumerate(it.legend):
-        yield MARGIN, below + LINE * number, line, _INK
-
-
-def _is_dark(drawing: Drawing) -> bool:
-    """Whether white is easier to read on it than black: by the brightness of WCAG."""
-    parts = (int(_fill(drawing)[at : at + 2], 16) / 255 for at in (1, 3, 5))
-    red, green, blue = (
-        part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts
-    )
-    return 0.2126 * red + 0.7152 * green + 0.0722 * blue < 0.179
+        yield MARGIN, below + LINE * number, line
 
 
 def arrow(it: RunPicture, path: DrivenPath) -> list[_Point]:
@@ -238,7 +225,7 @@ def arrow(it: RunPicture, path: DrivenPath) -> list[_Point]:
 
 
 def _fill(drawing: Drawing) -> str:
-    return _WALL if drawing.thing is None else _PALETTE.get(drawing.thing.colour, _OTHER)
+    return _WALL if drawing.thing is None else PAINTED.get(drawing.thing.colour, _OTHER)
 
 
 def _apart(here: Pose, there: Pose) -> float:

@@ -6,6 +6,7 @@ import pytest
 
 import worlds.words
 from donnie_tui.bootstrap import assemble
+from donnie_tui.cli.main import main
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.settings import Settings
 from donnie_tui.world.loading import choose_world, remarks
@@ -161,3 +162,12 @@ def test_a_copy_of_a_shipped_world_keeps_its_words(tmp_path: Path) -> None:
 
     assert copied.about("pt") == worlds.words.about("living_room", "pt")
     assert remarks(copied, Words()) == ()
+
+
+def test_the_report_says_that_pushed_things_never_turn(capsys: pytest.CaptureFixture[str]) -> None:
+    assert [main(["world", name, "--report"]) for name in ("storehouse", "living_room")] == [0, 0]
+
+    lines = capsys.readouterr().out.splitlines()
+    assert [line for line in lines if "pushed" in line] == [
+        "2 things can be pushed: always straight on, without turning."
+    ]

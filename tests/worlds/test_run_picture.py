@@ -71,7 +71,7 @@ def test_the_png_shows_floor_walls_things_and_the_path_where_they_are() -> None:
     assert at(5, -5) == (255, 255, 255)
     assert at(11, -8) == (0x44, 0x44, 0x44)  # the wall between the rooms
     assert at(11, 5) == (255, 255, 255)  # the door
-    assert at(18.8, -6.8) == (0xF2, 0xD0, 0x24)  # the ball
+    assert at(18.8, -6.8) == (0xFF, 0xE0, 0x66)  # the ball, as on the dark map
     assert at(10, 6) == (0x7B, 0x2C, 0xBF)  # the path
 
 
@@ -79,7 +79,7 @@ def test_the_png_shows_floor_walls_things_and_the_path_where_they_are() -> None:
 def test_no_text_touches_another_and_all_lies_on_the_picture(name: str) -> None:
     it = drawn(name)
     font = ImageFont.load_default(LETTER)
-    boxes = [(font.getbbox(text, anchor="ls"), x, y) for x, y, text, _ in texts(it)]
+    boxes = [(font.getbbox(text, anchor="ls"), x, y) for x, y, text in texts(it)]
     placed = [(x + box[0], y + box[1], x + box[2], y + box[3]) for box, x, y in boxes]
 
     for one, other in combinations(placed, 2):

@@ -169,7 +169,7 @@ def test_a_wall_stops_a_robot_at_its_body() -> None:
 def test_what_lies_on_an_arc_stops_the_robot_however_fast_it_is(
     ahead: float, turn: float, size: float
 ) -> None:
-    """The post is on the arc of one tick, and beside the straight lines between a few points of it."""
+    """The post is on the arc of one tick, and off the straight lines between a few points of it."""
     radius, angle = ahead / radians(turn), radians(turn) * TICK / (2 if turn > 90 else 4)
     x, y = radius * sin(angle), radius * (1 - cos(angle))
     text = (
