@@ -226,6 +226,7 @@ COMMANDS = (
     Command("to_there", "world", _ALWAYS, keys=("ctrl+k w",), is_visual=True, in_words="map"),
     Command("complete", "program", _ALWAYS, keys=("ctrl+space", "ctrl+@"), is_visual=True),
     Command("go_to", "read", _ALWAYS, keys=("ctrl+g",), argument="line", is_visual=True, in_words="read"),
+    Command("filter", "read", _ALWAYS, is_visual=True, in_words="find"),
     Command("recent", "files", keys=("ctrl+k e",), is_visual=True, in_words="open"),
     Command("programs", "files", keys=("ctrl+k b",), is_visual=True, in_words="robot"),
     Command("theme", "settings", _ALWAYS, keys=("ctrl+k y",), argument="theme", is_visual=True),

@@ -6,7 +6,7 @@ This module imports nothing heavy: the front ends start with it.
 
 from __future__ import annotations
 
-from collections.abc import Awaitable, Callable, Coroutine, Generator, Iterable, Sequence
+from collections.abc import Awaitable, Callable, Coroutine, Generator, Iterable, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
@@ -228,6 +228,17 @@ class Screen(Protocol):
     def show_sensor_ranges(self, lines: Iterable[Line]) -> None: ...
 
     def search_log(self, word: str) -> None: ...
+
+    @property
+    def log_kinds(self) -> Mapping[str, int]:
+        """The words of the kinds of lines in the log, each with the number of its lines."""
+
+    @property
+    def log_filter(self) -> str:
+        """The kind of the lines that the log shows; empty for all."""
+
+    def filter_log(self, kind: str) -> None:
+        """Show only the lines of that kind; empty for all."""
 
     def show_in_pager(self, text: str) -> None: ...
 

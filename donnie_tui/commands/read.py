@@ -245,6 +245,26 @@ async def find_answers(ctx: Context, argument: str) -> None:
         ctx.screen.search_log(argument)
 
 
+@handles("filter")
+async def filter_log(ctx: Context, _: str) -> None:
+    """Show the lines of one kind in the log, or all again; the number of lines is next to each."""
+    assert ctx.screen is not None
+    kinds, words = ctx.screen.log_kinds, ctx.words
+    everything = Option("", words("log-all", lines=sum(kinds.values())), is_current=not ctx.screen.log_filter)
+    rows = [
+        Option(kind, words("log-kind", kind=kind, lines=count), is_current=kind == ctx.screen.log_filter)
+        for kind, count in kinds.items()
+        if kind
+    ]
+    chosen = await ctx.interaction.choose(words("ask-filter"), [everything, *rows])
+    if chosen is not None:
+        ctx.screen.filter_log(chosen)
+        if chosen:
+            ctx.answer("log-filtered", kind=chosen, lines=kinds[chosen])
+        else:
+            ctx.answer("log-unfiltered")
+
+
 @handles("show_log")
 async def show_log(ctx: Context, _: str) -> None:
     """Go to the log; where there is no screen, repeat the last answers, the newest last."""

@@ -162,11 +162,18 @@ class Display:
         self._place.map.call_colours(colour_initials(self._words))
         self._place.map.restart()
         self.entitle_map()
-        self._place.log_pane.entitle(self._words("pane-log"))
+        self.entitle_log()
         self._place.inspector_pane.entitle(self._words("pane-inspector"))
         self.look()
 
     # --- the log
+
+    def entitle_log(self) -> None:
+        """Which lines it shows."""
+        only = self._place.log_rows.only
+        self._place.log_pane.entitle(
+            self._words("pane-log-only", kind=only) if only else self._words("pane-log")
+        )
 
     def write(self, lines: Iterable[tuple[str, str]]) -> None:
         """Lines with the codes of their kinds."""

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import asyncio
 import os
-from collections.abc import Callable, Coroutine, Iterable, Sequence
+from collections import Counter
+from collections.abc import Callable, Coroutine, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from textual.app import SuspendNotSupported
@@ -285,6 +286,19 @@ class ScreenInteraction:
 
     def search_log(self, word: str) -> None:
         self._place.log_rows.search(word)
+        self._controller.display.entitle_log()
+
+    @property
+    def log_kinds(self) -> Mapping[str, int]:
+        return Counter(kind for _text, kind in self._place.log_rows.with_kinds)
+
+    @property
+    def log_filter(self) -> str:
+        return self._place.log_rows.only
+
+    def filter_log(self, kind: str) -> None:
+        self._place.log_rows.filter(kind)
+        self._controller.display.entitle_log()
 
     def show_in_pager(self, text: str) -> None:
         """In the pager, where the terminal's own ways of reading work; without one on a page of our own."""

@@ -171,3 +171,44 @@ async def test_another_size_shows_the_newest_rows():
         await seen.pilot.resize_terminal(50, HEIGHT + 3)
         await seen.until(lambda: seen.rows[-1] == f"Row {HEIGHT}.")
         assert seen.rows[0] == "Row 1."
+
+
+async def test_the_log_is_filtered_by_kind_with_counts_and_shows_all_again(open_screen):
+    async with open_screen() as screen:
+        await screen.run('FW 2 TR 90 SPEAK "one" FW 1 SPEAK "two"')
+        await screen.type_line("FILTER")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the kinds")
+        assert [each.text for each in screen.app.screen._choices if "moved" in each.text] == [
+            "moved, 2 lines."
+        ]
+        await screen.press(*"says", "enter")
+        await screen.shows("Only says: 2 lines.")
+        await screen.until(lambda: screen.main.log_pane._title == "Log: only says", "the title")
+        rows = screen.main.log_rows
+        assert [rows._rows[at] for at in range(rows.row_count)] == ["one", "two"]
+
+        await screen.run('SPEAK "three" FW 1')
+        assert rows._rows == ["one", "two", "three"]
+        assert any("I walked 1 step forward." in line for line in screen.log)
+        rows.focus()
+        await screen.press("f")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the kinds")
+        await screen.press("home", "enter")
+        await screen.until(lambda: screen.main.log_pane._title == "Log", "all lines")
+        assert rows.row_count == len(screen.log)
+
+
+async def test_find_shows_what_a_filter_hides_with_its_count_and_marks(open_screen):
+    async with open_screen() as screen:
+        await screen.run('FW 2 SPEAK "two steps" TR 90')
+        screen.app.controller.ctx.screen.filter_log("turned")
+        await screen.type_line("FIND steps")
+        await screen.shows("2 lines")
+
+        assert not screen.main.log_rows.only
+        marked = [
+            at
+            for at in range(screen.main.log_rows.row_count)
+            if screen.main.log_rows._segments(at)[0].text == "*"
+        ]
+        assert len(marked) >= 2

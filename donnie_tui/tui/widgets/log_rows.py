@@ -9,7 +9,9 @@ the other layout, all rows can be read as in every other list.
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import ClassVar
 
+from textual.binding import Binding, BindingType
 from textual.timer import Timer
 
 from donnie_tui.tui.widgets.rows import TextRows
@@ -26,6 +28,8 @@ _SHORT = 20
 
 class LogRows(TextRows):
     """All lines of the log, the newest being read."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [Binding("f", "app.do('filter')", show=False)]
 
     def __init__(self, *, id: str) -> None:  # noqa: A002 -- Textual's own name
         super().__init__(id=id, follows=True)

@@ -249,6 +249,8 @@ class TextRows(PaintedRows, can_focus=True):
         """Whether there is a column for kinds, where it has room."""
         self._marked = ""
         """What was searched last: the rows that have it begin with ``*``."""
+        self.only = ""
+        """The kind of the lines that are shown; empty for all."""
         self.looks: dict[str, str] = {}
         """Of the words of a kind, where it has a look of its own."""
         self._wrapped_at = (0, True, False)
@@ -374,6 +376,9 @@ class TextRows(PaintedRows, can_focus=True):
         """The lines from there on. What the size says is asked once: it is slow to answer."""
         width, begins_with_kind = self._text_width, self._begins_with_kinds
         for text, kind in zip(self._lines[first:], self._kinds[first:], strict=True):
+            if self.only and kind != self.only:
+                self._heights.append(0)
+                continue
             rows = _wrapped(_with_kind(text, kind) if begins_with_kind else text, width)
             self._rows.extend(rows)
             self._row_kinds.append(kind)
@@ -472,8 +477,20 @@ class TextRows(PaintedRows, can_focus=True):
         begins = self.row == sum(self._heights[:line])
         return self._lines[line] if begins and self._lines else self.row_text
 
+    def filter(self, kind: str) -> None:
+        """Only the lines of that kind, the newest being read; all with an empty one."""
+        self.only = kind
+        self._rewrap()
+        self._lay_out()
+        self.action_newest()
+
     def search(self, wanted: str) -> bool:
-        """Read the nearest older line that has the text, else the newest that has; False if none has."""
+        """Read the nearest older line that has the text, else the newest that has; False if none has.
+
+        What a filter hides is shown again.
+        """
+        if self.only:
+            self.filter("")
         folded = self._marked = wanted.casefold()
         self.refresh()
         hits = [at for at, line in enumerate(self._lines) if folded in line.casefold()]
