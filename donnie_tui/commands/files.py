@@ -244,7 +244,8 @@ async def _save(ctx: Context, name: str) -> bool:
     """Asks before another text than the one last read or written is lost."""
     document, own = ctx.program, str(ctx.program.path or "")
     question, suggest = ctx.words("ask-file-name"), partial(_programs_like, ctx)
-    name = name or await ctx.interaction.ask(question, own, suggest=suggest) or ""
+    proposed = own or (_free_name(ctx) if ctx.screen is not None and not ctx.screen.is_plain else "")
+    name = name or await ctx.interaction.ask(question, proposed, suggest=suggest) or ""
     if not name:
         raise GivenUp
     path = checked_path(Path(own)) if name == own else program_to_save(name, ctx.donnie.in_use)
@@ -257,6 +258,12 @@ async def _save(ctx: Context, name: str) -> bool:
     if asked:
         await _confirm_replacing(ctx, asked, path)
     return await ctx.interaction.finish(_write(ctx, document, path))
+
+
+def _free_name(ctx: Context) -> str:
+    """A name that Enter, or a click, can take as it is."""
+    names = (ctx.words("proposed-name", number=number) for number in range(1, 100))
+    return next((each for each in names if not exists(program_to_save(each, ctx.donnie.in_use))), "")
 
 
 async def _write(ctx: Context, document: Document, path: Path) -> bool:

@@ -22,6 +22,9 @@ from language.source import fold_name
 MOST_WORDS = 50
 """Suggestions; a listener does not follow more."""
 
+USUAL_NUMBERS = ("1", "2", "3", "4", "5", "10", "45", "90")
+"""Of steps, rounds and degrees."""
+
 _FIRST = (
     *("FW", "TR", "TL", "BW", "SPEAK", "REPEAT", "IF", "VAR", "FOR", "WHILE", "PROCEDURE", "WAIT"),
     *("FORWARD", "RIGHT TURN", "LEFT TURN", "BACKWARD", "DISTANCE", "COLOR", "POS"),
@@ -41,6 +44,8 @@ class Completion(msgspec.Struct, frozen=True):
 
     typed: str
     words: tuple[str, ...]
+    numbers: tuple[str, ...] = ()
+    """Usual numbers, where one may stand: for those who choose all words from a list."""
 
 
 def completion(text: str, at: int, language: str, colours: Iterable[str] | None = None) -> Completion:
@@ -52,7 +57,8 @@ def completion(text: str, at: int, language: str, colours: Iterable[str] | None 
     folded = fold_name(typed)
     fitting = (each for each in _words(text, start, at, language, colours) if fold_name(each) != folded)
     found = tuple(dict.fromkeys(each for each in fitting if fold_name(each).startswith(folded)))
-    return Completion(typed, tuple(_as_typed(each, typed) for each in found[:MOST_WORDS]))
+    numbers = () if typed or NUMBER not in kinds_after(lex(text[:start]).tokens) else USUAL_NUMBERS
+    return Completion(typed, tuple(_as_typed(each, typed) for each in found[:MOST_WORDS]), numbers)
 
 
 def _start_of_word(text: str, at: int) -> int:

@@ -256,13 +256,19 @@ class ScreenInteraction:
 
         editor = self._place.editor
         editor.focus()
-        found = self._controller.assistant.completion(editor.text, editor.offset_of_cursor)
-        if not found.words:
+        assistant, text, at = self._controller.assistant, editor.text, editor.offset_of_cursor
+        found = assistant.completion(text, at)
+        if found.typed and not found.words:  # the word is whole: what may follow it
+            found = assistant.completion(f"{text[:at]} {text[at:]}", at + 1)
+            if found.words:
+                editor.insert(" ")
+        shown = (*found.numbers, *found.words)
+        if not shown:
             self._controller.ctx.answer("screen-nothing-to-complete")
             return
         await asyncio.sleep(0)
         below, point = editor.cursor_screen_offset, self._controller.point
-        word, letter = await self._dialogs.answer_of(Completions(found.words, below, point))
+        word, letter = await self._dialogs.answer_of(Completions(shown, below, point))
         if word:
             editor.put_in_place_of(found.typed, word)
         elif letter:

@@ -390,7 +390,6 @@ class Chooser(ModalScreen[str | None]):
 
     def _say_row(self, before: str = "") -> None:
         self._point(before + (self._fitting[self.rows.line].text if self._fitting else self._nothing))
-        self._show_detail()
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         event.stop()
@@ -399,6 +398,10 @@ class Chooser(ModalScreen[str | None]):
     def _take(self, line: int) -> None:
         if self._fitting:
             self.dismiss(self._fitting[min(line, len(self._fitting) - 1)].value)
+
+    def on_text_rows_read(self) -> None:
+        """Another row is chosen, by a key or by the wheel."""
+        self._show_detail()
 
     def on__detail_resized(self) -> None:
         self._show_detail()

@@ -23,7 +23,7 @@ from rich.segment import Segment
 from rich.style import Style
 from textual.binding import Binding, BindingType
 from textual.content import Content
-from textual.events import Click
+from textual.events import Click, MouseScrollDown, MouseScrollUp
 from textual.geometry import Offset, Region, Size
 from textual.message import Message
 from textual.scroll_view import ScrollView
@@ -202,6 +202,8 @@ MOST_LINES = 100_000
 _NOT_KNOWN = 1 << 16
 """The width of a log before there is one: a line is a row."""
 _KIND_WIDTH = 10
+_WHEEL = 3
+"""Rows that the wheel of a mouse goes."""
 _NARROW = 56
 """Columns below which the kinds have no column of their own."""
 
@@ -456,6 +458,15 @@ class TextRows(PaintedRows, can_focus=True):
 
     def action_page(self, down: int) -> None:
         self._read(self.row + down * max(1, self.size.height - 1))
+
+    def on_mouse_scroll_up(self, event: MouseScrollUp) -> None:
+        event.stop()
+        self._read(self.row - _WHEEL)
+
+    def on_mouse_scroll_down(self, event: MouseScrollDown) -> None:
+        """The wheel reads, as the arrows do: what is seen is what Enter, or a click, would take."""
+        event.stop()
+        self._read(self.row + _WHEEL)
 
     def action_oldest(self) -> None:
         self._read(0)
