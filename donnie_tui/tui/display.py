@@ -80,6 +80,11 @@ class Display:
         self._place.map.call_colours(colour_initials(self._words))
         self._place.show_map(self.scene)
         self.entitle_map()
+        self._entitle_inspector()
+
+    def _entitle_inspector(self) -> None:
+        code = "pane-inspector" if self._attempt is None else "pane-goals"
+        self._place.inspector_pane.entitle(self._words(code))
 
     def entitle_map(self) -> None:
         """The world, its size, and where more of it is outside."""
@@ -163,7 +168,7 @@ class Display:
         self._place.map.restart()
         self.entitle_map()
         self.entitle_log()
-        self._place.inspector_pane.entitle(self._words("pane-inspector"))
+        self._entitle_inspector()
         self.look()
 
     # --- the log

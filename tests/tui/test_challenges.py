@@ -18,6 +18,7 @@ def panel(screen) -> str:
 async def test_the_panel_shows_task_and_goals_with_signs_and_words(open_screen):
     async with open_screen(world=ROUND_TRIP, size=WIDE) as screen:
         await screen.until(lambda: "Goals, 2 of 3 met:" in panel(screen), "the goals")
+        assert "Goals and variables" in screen.text
         assert "Challenge: There and back." in panel(screen)
         assert "[ ] Goal 1: You did not come to 0, 8." in panel(screen)
         assert "[x] Goal 2: met." in panel(screen)
