@@ -216,13 +216,13 @@ def outline_contact(mover: Sequence[Edge], obstacle: Sequence[Edge]) -> tuple[fl
     nearest, squarely = inf, 1.0
     if passes_by(mover, obstacle):
         return nearest, squarely
-    starts = [min(other[0], other[2]) for other in obstacle]
+    others = [(other, min(other[0], other[2])) for other in obstacle]
     for mine in mover:
         end = max(mine[0], mine[2])
-        for other, start in zip(obstacle, starts, strict=True):
+        for other, start in others:
             if start - end > nearest + 1e-9:  # farther than what was found
                 continue
-            contact = min(_edge_gap(mine, other), nearest)
+            contact = _edge_gap(mine, other)
             if contact < nearest:
                 nearest, squarely = contact, max(_slope(mine), _slope(other))
     return nearest, squarely
@@ -235,22 +235,34 @@ def passes_by(mover: Iterable[Edge], obstacle: Sequence[Edge]) -> bool:
 
 
 def _edge_gap(mine: Edge, other: Edge) -> float:
-    """The least gap along x between two edges where their heights overlap."""
-    low = max(min(mine[1], mine[3]), min(other[1], other[3]))
-    high = min(max(mine[1], mine[3]), max(other[1], other[3]))
+    """The least gap along x between two edges where their heights overlap.
+
+    Without min and max, which take most of the time: nothing is asked as often as this.
+    """
+    ax, ay, bx, by = mine
+    cx, cy, dx, dy = other
+    low, high = (by, ay) if by < ay else (ay, by)
+    its_low, its_high = (dy, cy) if dy < cy else (cy, dy)
+    if its_low > low:
+        low = its_low
+    if its_high < high:
+        high = its_high
     if low > high:
         return inf
-    gaps = [_x_at(other, y, False) - _x_at(mine, y, True) for y in (low, high)]
-    if max(gaps) < -1e-9:
-        return inf
-    return max(0.0, min(gaps))
-
-
-def _x_at(edge: Edge, y: float, largest: bool) -> float:
-    ax, ay, bx, by = edge
+    if cy == dy:
+        first = last = dx if dx < cx else cx
+    else:
+        first, last = cx + (low - cy) * (dx - cx) / (dy - cy), cx + (high - cy) * (dx - cx) / (dy - cy)
     if ay == by:
-        return max(ax, bx) if largest else min(ax, bx)
-    return ax + (y - ay) * (bx - ax) / (by - ay)
+        end = bx if bx > ax else ax
+        first, last = first - end, last - end
+    else:
+        first -= ax + (low - ay) * (bx - ax) / (by - ay)
+        last -= ax + (high - ay) * (bx - ax) / (by - ay)
+    if first < -1e-9 and last < -1e-9:
+        return inf
+    gap = last if last < first else first
+    return gap if gap > 0.0 else 0.0
 
 
 def _slope(edge: Edge) -> float:

@@ -104,8 +104,9 @@ class Pushing:
         outlines = [part.points for part in self._ground.parts_of(root) if part.solid]
         others = self._in_the_way(root, outlines, length)
         mine = [_seen(points, angle) for points in outlines]
-        ahead = ((part, _least_gap(mine, _seen(part.points, angle))) for part in others)
-        return _Joined(since, angle, outlines, [(part, gap) for part, gap in ahead if gap < length])
+        seen = ((part, _seen(part.points, angle)) for part in others)
+        ahead = ((part, edges_, _least_gap(mine, edges_)) for part, edges_ in seen)
+        return _Joined(since, angle, outlines, mine, [each for each in ahead if each[2] < length])
 
     def _in_the_way(self, root: int, outlines: list[tuple[Point, ...]], length: float) -> list[Part]:
         if not outlines:
@@ -121,30 +122,44 @@ class Pushing:
 class _Joined:
     """A thing that is pushed along, and what it may meet on its way: nothing farther is measured."""
 
-    __slots__ = ("_ahead", "_angle", "_outlines", "since")
+    __slots__ = ("_ahead", "_angle", "_mine", "_outlines", "since")
 
     def __init__(
-        self, since: float, angle: float, outlines: list[tuple[Point, ...]], ahead: list[tuple[Part, float]]
+        self,
+        since: float,
+        angle: float,
+        outlines: list[tuple[Point, ...]],
+        mine: list[tuple[Edge, ...]],
+        ahead: list[tuple[Part, tuple[Edge, ...], float]],
     ) -> None:
-        """``since`` so many metres of the robot's way; the parts ``ahead``, none nearer than that."""
+        """``since`` so many metres of the robot's way; the parts ``ahead``, none nearer than that.
+
+        ``mine`` and the edges of the parts are seen along the way.
+        """
         self.since = since
         self._angle = angle
         self._outlines = outlines
+        self._mine = mine
         self._ahead = ahead
 
     def may_meet_more_than(self, joined: Container[int]) -> bool:
         """Whether it may meet something that isn't pushed yet."""
-        return any(part.root not in joined for part, _ in self._ahead)
+        return any(part.root not in joined for part, _, _ in self._ahead)
 
     def nearer(self, nearest: Contact, done: float, joined: Container[int]) -> Contact:
         """What it meets first after ``done`` metres of the robot's way, if that is before ``nearest``."""
-        moved, outlines = done - self.since, list[tuple[Point, ...]]()
-        for part, gap in self._ahead:
+        moved = done - self.since
+        outlines, mine = self._outlines, self._mine
+        for part, others, gap in self._ahead:
             if gap - moved > nearest.metres or part.root in joined:
                 continue
-            outlines = outlines or self._moved(moved)
+            if moved and outlines is self._outlines:
+                outlines = self._moved(moved)
+                mine = [_seen(points, self._angle) for points in outlines]
             apart = gap - moved + WIDEST_SKIN > SLACK
-            metres = min(_gap(points, part, self._angle, apart) for points in outlines)
+            metres = min(
+                _gap(points, seen, part, others, apart) for points, seen in zip(outlines, mine, strict=True)
+            )
             if metres < nearest.metres:
                 nearest = Contact(metres, part)
         return nearest
@@ -169,12 +184,13 @@ def _shifted(points: tuple[Point, ...], by: Point) -> tuple[Point, ...]:
     return tuple((x + by[0], y + by[1]) for x, y in points)
 
 
-def _gap(points: tuple[Point, ...], other: Part, angle: float, apart: bool) -> float:
-    """Metres that a polygon goes to ``angle`` until it meets a part; none if it reaches into it already.
+def _gap(
+    points: tuple[Point, ...], mine: Sequence[Edge], other: Part, others: Sequence[Edge], apart: bool
+) -> float:
+    """Metres that a polygon can move until it meets a part; none if it reaches into it already.
 
-    ``apart``: it is known not to.
+    ``mine``, ``others``: their edges, seen along the way. ``apart``: they are known not to overlap.
     """
-    mine, others = _seen(points, angle), _seen(other.points, angle)
     if not apart and not passes_by(mine, others) and overlapping(points, other.points):
         return 0.0
     return less_skin(*outline_contact(mine, others))

@@ -135,10 +135,15 @@ def _extent(parts: Iterable[Part], place: Placement) -> float:
     return max((dist(point, (place.x, place.y)) for part in parts for point in part.points), default=0.0)
 
 
-def entries_of(part: Part) -> list[Entry]:
-    """One box for a polygon that is solid for ``layout``, one for each edge of another."""
+def is_whole(part: Part) -> bool:
+    """Whether its polygon is solid for ``layout``."""
+    return abs(signed_area(part.points)) > 1e-9 and is_convex(part.points)
+
+
+def entries_of(part: Part, whole: bool | None = None) -> list[Entry]:
+    """One box for a polygon that is ``whole``, one for each edge of another."""
     points = part.points
-    whole = abs(signed_area(points)) > 1e-9 and is_convex(points)
+    whole = is_whole(part) if whole is None else whole
     pieces = (points,) if whole else tuple(((ax, ay), (bx, by)) for ax, ay, bx, by in edges(points))
     found = list[Entry]()
     for piece in pieces:

@@ -21,7 +21,7 @@ from weakref import WeakSet
 import pymunk
 
 from sim.geometry import Placement, Point, contains, edges, is_convex, placed, signed_area
-from sim.index import MovingRoots, StillParts, entries_of
+from sim.index import MovingRoots, StillParts, entries_of, is_whole
 from sim.parts import BODY, RANGED, SIGHT, Part, parts_of
 from sim.rays import Hit, Rays
 from sim.scene import Scene
@@ -163,6 +163,8 @@ class Layout:
             root: [entry for part in parts for entry in entries_of(part)] for root, parts in at_start.items()
         }
         """Of the parts of movable roots, where these were when they were last placed."""
+        self._frames: dict[int, tuple[tuple[Point, ...], bool]] = {}
+        """Of parts that have moved, by rank: as seen from their roots, and whether they are whole."""
         self._seen_still: Layer | None = None
         """What rangers see and what never moves; made when it is first asked for."""
         self._unplaced = set[int]()
@@ -301,8 +303,11 @@ class Layout:
         entries = self._entries[root] = []
         for rank in self._ranks[root]:
             part = self.at_start[rank]
-            self._parts[rank] = part = part if now == start else part.moved(start, now)
-            entries.extend(entries_of(part))
+            if rank not in self._frames:
+                self._frames[rank] = part.seen_from(start), is_whole(part)
+            local, whole = self._frames[rank]
+            self._parts[rank] = part = part if now == start else part.moved(local, now)
+            entries.extend(entries_of(part, whole))
 
 
 class _Kept:

@@ -50,9 +50,12 @@ class Part(Struct, frozen=True):
     __eq__ = object.__eq__
     __hash__ = object.__hash__
 
-    def moved(self, start: Placement, now: Placement) -> Part:
-        """The same polygon after its top-level model went from ``start`` to ``now``."""
-        local = seen_from((*self.points, self.place), start.x, start.y, start.yaw)
+    def seen_from(self, start: Placement) -> tuple[Point, ...]:
+        """Its points and the place of its model, in the frame of a top-level model."""
+        return seen_from((*self.points, self.place), start.x, start.y, start.yaw)
+
+    def moved(self, local: Sequence[Point], now: Placement) -> Part:
+        """The same polygon where its top-level model is ``now``. ``local``: as ``seen_from`` gave it."""
         *points, place = placed(local, now.x, now.y, now.yaw)
         return Part(
             self.rank,
