@@ -392,8 +392,8 @@ class Spot(Struct, frozen=True):
 
     def mounted(self, x: float, y: float, yaw: float) -> Spot:
         """The spot of something that is mounted there, in the frame of this one."""
-        ((outer_x, outer_y),) = placed(((x, y),), self.x, self.y, self.yaw)
-        return Spot(outer_x, outer_y, self.yaw + yaw)
+        c, s = direction(self.yaw)  # as ``placed`` does it
+        return Spot(self.x + c * x - s * y, self.y + s * x + c * y, self.yaw + yaw)
 
 
 def pose_of(spot: Spot | Placement) -> Pose:

@@ -250,7 +250,8 @@ class Ground:
     ) -> list[Part]:
         """All parts that come into a box, and perhaps some more, in order; without the ranks ``but``."""
         with self._lock:
-            self._update(asker, left, bottom, right, top)
+            if self._glides:
+                self._update(asker, left, bottom, right, top)
             return (self._layout or self._lay_out()).within(asker, left, bottom, right, top, but)
 
     def first_hits(

@@ -48,10 +48,11 @@ class StillParts:
 
     def within(self, left: float, bottom: float, right: float, top: float) -> dict[int, Part]:
         """By rank, in no order."""
-        columns, rows = self._reach(left, bottom, right, top)
-        if len(columns) * len(rows) > len(self._squares):
+        side, squares = self._side, self._squares
+        columns = range(floor(left / side), floor(right / side) + 1)
+        rows = range(floor(bottom / side), floor(top / side) + 1)
+        if len(columns) * len(rows) > len(squares):
             return _inside(self._entries, left, bottom, right, top)
-        squares = self._squares
         found = _inside(self._large, left, bottom, right, top) if self._large else {}
         for column in columns:
             for row in rows:

@@ -145,8 +145,11 @@ class Cone(Struct, frozen=True):
 
     def _wedges(self, yaw: float) -> list[tuple[Point, Point]]:
         """The cone as parts of at most a half circle: the directions of middle and half angle of each."""
-        count = max(1, ceil(self.half_angle / 90.0))
-        half = self.half_angle / count
+        half = self.half_angle
+        if half <= 90.0:
+            return [(direction(yaw - half + half), direction(half))]
+        count = ceil(half / 90.0)
+        half /= count
         aside = direction(half)
         return [(direction(yaw - self.half_angle + (2 * i + 1) * half), aside) for i in range(count)]
 
@@ -161,20 +164,16 @@ class Cone(Struct, frozen=True):
         if maximum > WORTH_A_RAY and height is None:
             seen = around.seen_within(x, y, (x + maximum * ahead[0], y + maximum * ahead[1]))
             maximum = min(maximum, seen * maximum + TOUCH)
-        parts = around.within(*_box(x, y, ahead, aside, maximum))
-        return [
-            part
-            for part in parts
-            if part.seen and at_height(part, height) and _may_reach(part, x, y, ahead, aside)
-        ]
-
-
-def _may_reach(part: Part, x: float, y: float, ahead: Point, aside: Point) -> bool:
-    """Whether the circle round the part comes into a narrow cone: a quick look before the exact one."""
-    dx, dy = part.middle[0] - x, part.middle[1] - y
-    along = dx * ahead[0] + dy * ahead[1]
-    across = abs(dy * ahead[0] - dx * ahead[1])
-    return across * aside[0] - along * aside[1] <= part.reach + 1e-9 and along >= -part.reach
+        (c, s), (wc, ws), found = ahead, aside, list[Part]()
+        for part in around.within(*_box(x, y, ahead, aside, maximum)):
+            if part.seen and (height is None or at_height(part, height)):
+                middle_x, middle_y = part.middle
+                dx, dy, reach = middle_x - x, middle_y - y, part.reach
+                along = dx * c + dy * s
+                # whether the circle around it comes into the cone: a quick look before the exact one
+                if along >= -reach and abs(dy * c - dx * s) * wc - along * ws <= reach + 1e-9:
+                    found.append(part)
+        return found
 
 
 def _box(x: float, y: float, ahead: Point, aside: Point, maximum: float) -> tuple[float, float, float, float]:
