@@ -89,6 +89,8 @@ def main() -> None:
     else:
         _commands()
         _pushing()
+        _sonars()
+        _loading()
         for option, counts in (("--robots", COUNTS), ("--programs", COUNTS), ("--wander", WANDERED)):
             for count in counts:
                 subprocess.run([sys.executable, __file__, option, str(count)], check=True)
@@ -186,6 +188,37 @@ def _pushing() -> None:
         pushed = robot.forward(PUSHED_STEPS).pushed
         took = time.process_time() - began
         print(f"pushing {len(pushed)} things: {took / PUSHED_STEPS * 1e3:.1f} ms a step")
+
+
+def _sonars() -> None:
+    """Eight readings of one robot among 60 boxes."""
+    robot = World(_floor(1, boxes=60)).robot(pace=Freely())
+    robot.forward(1)
+    bearings = (*Bearing, Bearing.FRONT, Bearing.BACK)
+
+    def read() -> None:
+        for _ in range(COMMANDS):
+            for bearing in bearings:
+                robot.distance(bearing)
+
+    took = statistics.median(_seconds(read) for _ in range(ROUNDS)) / COMMANDS
+    print(f"{len(bearings)} sonars: {took * 1e6:.0f} us")
+
+
+def _loading() -> None:
+    """Ten thousand models: a hundred rows of a hundred, as a macro makes them."""
+    boxes = "".join(f"box( pose [ {x / 2} 0 0 0 ] )\n" for x in range(99))
+    rows = "".join(f"row( pose [ 0 {1 + y / 2} 0 0 ] )\n" for y in range(100))
+    text = f"{ROBOT}define row model ( size [ .01 .01 .01 ] {boxes} )\n{rows}tester( pose [ -1 -1 0 0 ] )\n"
+    began = time.process_time()
+    scene = load_text(text, Path("rows.world"))
+    loaded = time.process_time() - began
+    World(scene).robot(pace=Freely()).forward(1)
+    walked = time.process_time() - began
+    print(
+        f"{len(scene.models)} models: loaded in {loaded:.2f} s of processor time,"
+        f" {walked:.2f} s to the end of a step"
+    )
 
 
 def _row(count: int) -> str:
