@@ -20,9 +20,11 @@ from donnie_tui.settings.settings import speed_words
 from donnie_tui.tui.environment import first_steps
 from donnie_tui.tui.event_queue import EventBatch
 from donnie_tui.tui.pane_text import (
+    Histories,
     VariableChanges,
     goal_lines,
     inspector_lines,
+    reading_name,
     robot_sentence,
     scopes_of,
     state_badge,
@@ -31,6 +33,9 @@ from donnie_tui.tui.pane_text import (
 from donnie_tui.tui.screens.main_screen import MainScreen
 from donnie_tui.tui.widgets.rows import LOOKS, KeyEntry
 from language.runtime import Frame
+
+LEAST_CHART = 24
+"""Columns of a chart, however little room there is before the inspector is shown."""
 
 _WORDLESS = ("answer",)
 """Kinds of lines in the log that have no words before them."""
@@ -63,6 +68,7 @@ class Display:
         self._has_belt = False
         """Whether a belt has shown anything yet."""
         self._changes = VariableChanges()
+        self._histories = Histories()
         self._kinds: dict[str, str] = {}
         self._answer = ""
         """The last answer, until the learner looks elsewhere."""
@@ -111,6 +117,7 @@ class Display:
             self._place.map.begin(self.scene.begin(pose) | self._show_others())
             self._readings.clear()
             self._changes.forget()
+            self._histories.forget()
 
     def _show_others(self) -> frozenset[Cell]:
         """The robots that are not chosen stay where they are when this one begins anew."""
@@ -132,6 +139,8 @@ class Display:
             self._place.map.update_cells(self.scene.move_other(name, pose))
         for look in batch.looks:
             self._place.map.update_cells(self.scene.look_along(look))
+        for each in batch.measured:
+            self._histories.add(reading_name(each, self._words), each.value)
         self._readings.update({(each.sensor, each.argument): each for each in batch.readings})
         self._has_belt = self._has_belt or batch.belt is not None
         self._distances = self._distances if batch.distances is None else batch.distances
@@ -273,13 +282,17 @@ class Display:
         frames, changes = self._runs.frames, None if self._place.is_plain else self._changes
         if changes is not None and self._runs.state is not RunState.RUNNING:  # a step, and no look on the way
             changes.look(scopes_of(frames, variables), [frame.line for frame in frames])
+        if changes is not None and self._runs.past is None:
+            self._histories.look(scopes_of(frames, variables))
         lines = inspector_lines(frames, variables, distances, readings, belt, self._words, changes)
         goals = (
             ()
             if self._attempt is None
             else goal_lines(self._attempt, self._words, is_seen=changes is not None)
         )
-        self._place.inspector.show((*goals, *lines))
+        columns = max(self._place.inspector.size.width, LEAST_CHART) - 1
+        charts = self._histories.charts(columns, self._words) if changes is not None else ()
+        self._place.inspector.show((*goals, *lines, *charts))
 
     def say_status(self) -> None:
         """Where the focus is, where Donnie is, what the program does.

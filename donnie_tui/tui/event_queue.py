@@ -47,6 +47,8 @@ from donnie_tui.core.wording import Wording
 MOST_LINES = 100_000
 """Lines that wait for the screen at most: as many as the log keeps, so that it misses none it could show."""
 MOST_POSES = 5_000
+MOST_MEASURED = 100
+"""Readings between two looks."""
 MOST_LOOKS = 50
 
 
@@ -85,6 +87,8 @@ class EventBatch(Struct, frozen=True):
     """What is elsewhere than at the start of the world; None if nothing was moved since."""
     distances: Mapping[Bearing, int] | None = None
     """What is known of them now; None if that is what it was."""
+    measured: tuple[Read, ...] = ()
+    """All readings in their order, but for the oldest of very many."""
 
 
 NOTHING = EventBatch((), 0, (), (), None)
@@ -143,6 +147,7 @@ class EventQueue:
         self._poses: deque[Pose] = deque(maxlen=MOST_POSES)
         self._readings: dict[tuple[str, str], Read] = {}
         self._belt: tuple[int, ...] | None = None
+        self._measured: deque[Read] = deque(maxlen=MOST_MEASURED)
         self._looks: deque[Read | Scanned] = deque(maxlen=MOST_LOOKS)
         self._others: dict[str, Pose] = {}
         self._things: tuple[PlacedThing, ...] | None = None
@@ -181,6 +186,7 @@ class EventQueue:
                     self._go_to(pose)
                 case Read(sensor=sensor, argument=argument):
                     self._readings[sensor, argument] = event
+                    self._measured.append(event)
                     self._looks.append(event)
                 case Scanned():
                     self._looks.append(event)
@@ -279,7 +285,9 @@ class EventQueue:
                 tuple(self._others.items()),
                 self._things,
                 self._distances,
+                tuple(self._measured),
             )
+            self._measured.clear()
             self._lines.clear()
             self._poses.clear()
             self._readings.clear()

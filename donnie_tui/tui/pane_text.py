@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections import deque
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from devices.ports.robot import Bearing, Pose
 from donnie_tui.commands.context import Attempt
@@ -100,6 +101,60 @@ class VariableChanges:
     def forget(self) -> None:
         """A program begins anew."""
         self.__init__()  # type: ignore[misc]
+
+
+class Histories:
+    """What was measured and what variables were, in their order: for charts."""
+
+    def __init__(self) -> None:
+        self._series: dict[str, deque[int]] = {}
+
+    def add(self, name: str, value: int) -> None:
+        """A reading."""
+        self._series.setdefault(name, deque(maxlen=_MOST_MOMENTS)).append(value)
+
+    def look(self, scopes: Sequence[tuple[str, Sequence[tuple[str, int]]]]) -> None:
+        """The variables as they are: only a change is a moment of its own."""
+        for _scope, variables in scopes:
+            for name, value in variables:
+                if self._series.get(name, [None])[-1] != value:
+                    self.add(name, value)
+
+    def charts(self, columns: int, words: Wording) -> tuple[str, ...]:
+        """Some that changed, as letters in so many columns: the highest value above, the lowest below."""
+        changing = [
+            (name, values)
+            for name, values in self._series.items()
+            if len(values) >= _LEAST_MOMENTS and len(set(values)) > 1 and max(map(abs, values)) < 10**6
+        ]
+        return tuple(
+            line
+            for name, values in changing[:_MOST_CHARTS]
+            for line in (words("inspector-over-time", what=name), *_chart(values, columns))
+        )
+
+    def forget(self) -> None:
+        """A program begins anew."""
+        self._series.clear()
+
+
+_MOST_MOMENTS, _LEAST_MOMENTS, _MOST_CHARTS, _CHART_ROWS = 200, 3, 3, 4
+
+
+def _chart(values: Iterable[int], columns: int) -> tuple[str, ...]:
+    """A ``*`` for each moment, the newest at the right."""
+    shown = list(values)
+    labels = str(max(shown)), str(min(shown))
+    width = max(map(len, labels))
+    shown = shown[-max(1, columns - width - 1) :]
+    low, high = min(shown), max(shown)
+    labels = str(high), str(low)
+    heights = [round((each - low) * (_CHART_ROWS - 1) / max(1, high - low)) for each in shown]
+    sides = (labels[0], *[""] * (_CHART_ROWS - 2), labels[1])
+    return tuple(
+        f"{side:>{width}}|{''.join('*' if height == row else ' ' for height in heights)}".rstrip()
+        for side, row in zip(sides, reversed(range(_CHART_ROWS)), strict=True)
+    )
 
 
 def scopes_of(
@@ -244,12 +299,17 @@ def _readings(readings: Sequence[Read], words: Wording) -> tuple[str, ...]:
 
 
 def _reading(read: Read, words: Wording) -> str:
+    return words("inspector-reading", what=reading_name(read, words), value=read.value)
+
+
+def reading_name(read: Read, words: Wording) -> str:
+    """Which sensor was read, and where it looks or for what."""
     where = read.argument
     if read.sensor == "distance":
         where = _where(read.argument, words)
     elif read.sensor == "colour":
         where = words(f"colour-{read.argument}")
-    return words("inspector-reading", what=words(f"reading-{read.sensor}", where=where), value=read.value)
+    return words(f"reading-{read.sensor}", where=where)
 
 
 # --- the help, the tour, the keys and the palette

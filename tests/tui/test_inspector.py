@@ -5,7 +5,7 @@ import pytest
 from donnie_tui.core.events import Sensed
 from donnie_tui.core.run_state import RunState
 from donnie_tui.i18n.words import Words
-from donnie_tui.tui.pane_text import VariableChanges, inspector_lines
+from donnie_tui.tui.pane_text import Histories, VariableChanges, inspector_lines
 from language.runtime import Frame
 
 
@@ -176,3 +176,57 @@ async def test_a_step_marks_the_variable_that_it_changed(open_screen):
 
         assert "*sum       7    6" in lines
         assert " a         5" in lines
+
+
+def test_a_chart_has_the_highest_value_above_and_the_newest_at_the_right():
+    histories = Histories()
+    for value in (0, 10, 20, 30):
+        histories.add("ahead", value)
+
+    assert histories.charts(20, Words()) == ("ahead over time:", "30|   *", "  |  *", "  | *", " 0|*")
+    assert histories.charts(5, Words())[1:] == ("30| *", "  |", "  |", "20|*")
+
+
+def test_what_never_changed_has_no_chart():
+    histories = Histories()
+    for _ in range(5):
+        histories.look((("", (("a", 3),)),))
+        histories.add("ahead", 7)
+
+    assert histories.charts(20, Words()) == ()
+
+
+async def test_distances_and_variables_are_charts_over_time(open_screen):
+    text = "VAR a = 0\nREPEAT 4 TIMES\na = a + 1\nFW 5\nSPEAK DISTANCE F\nEND REPEAT"
+    async with open_screen(text, world="living_room", size=(120, 40)) as screen:
+        screen.main.editor.go_to(5)
+        for round_ in (1, 2, 3, 4):
+            await screen.press("f10")
+            await screen.until(
+                lambda value=str(round_): (
+                    value in screen.main.inspector.lines[1].replace("*", " ").split()[1:2]
+                ),
+                "it",
+            )
+        await screen.press("f6")
+        await screen.shows("The program is done.")
+        await screen.idle()
+        lines = screen.main.inspector.lines
+        of_a = lines.index("a over time:") + 1
+        of_distance = next(at for at, line in enumerate(lines) if "over time" in line and at != of_a - 1) + 1
+
+        assert [line.rstrip() for line in lines[of_a : of_a + 4]] == ["4|   *", " |  *", " | *", "1|*"]
+        assert [line.partition("|")[2] for line in lines[of_distance : of_distance + 4]] == [
+            "*",
+            " *",
+            "  *",
+            "   *",
+        ]
+
+
+async def test_the_plain_layout_has_no_charts(open_screen):
+    async with open_screen("REPEAT 4 TIMES\nFW 1\nSPEAK DISTANCE F\nEND REPEAT", plain=True) as screen:
+        await screen.press("f5")
+        await screen.shows("The program is done.")
+
+        assert not any("over time" in line for line in screen.main.inspector.lines)

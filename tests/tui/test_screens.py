@@ -330,3 +330,19 @@ async def test_the_tour(open_screen, same, theme, size):
         await screen.until(lambda: "Tour, page 2" in screen.text, "the second page")
         await screen.painted()
         await same(screen)
+
+
+@pytest.mark.parametrize("size", ALL_SIZES, ids=by_size)
+@pytest.mark.parametrize("theme", ALL_THEMES)
+async def test_charts_of_what_was_measured(open_screen, same, theme, size):
+    text = "REPEAT 6 TIMES\nFW 2\nSPEAK DISTANCE F\nEND REPEAT"
+    async with open_screen(text, size=size, world="living_room") as screen:
+        screen.app.theme = theme
+        await screen.press("f5")
+        await screen.shows("The program is done.")
+        await screen.idle()
+        if size != (200, 60):
+            screen.main.go_to(screen.main.inspector_pane)
+            await screen.press("end")
+        await screen.painted()
+        await same(screen)
