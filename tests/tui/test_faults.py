@@ -189,7 +189,10 @@ async def test_linear_on_a_line_of_its_own_changes_the_mode(open_screen, text, w
 async def test_the_tour_and_the_help_open_from_a_line_of_the_program(open_screen, word):
     async with open_screen(PROGRAM) as screen:
         type_on_last_line(screen, word)
-        await screen.until(lambda: screen.app.screen is not screen.main, "another screen")
+        await screen.until(
+            lambda: screen.app.screen is not screen.main or "Tour, page 1" in screen.text,
+            "what was asked for",
+        )
 
         assert screen.main.editor.text == f"{PROGRAM}\n"
 
