@@ -12,7 +12,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain, pairwise
-from math import cos, hypot, radians, sin
+from math import cos, floor, hypot, radians, sin
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape
 
@@ -261,16 +261,11 @@ def _labels(
     letters = {each.name: each.letter for each in chart.robots}
     initials = {each.thing.index: each.initial for each in chart.marks}
     lines = [*_edges(drawings, sheet), *_noses(chart, sheet)]
-    rock = [
-        outline
-        for each in drawings
-        if each.thing is None
-        for outline in each.outlines
-        if not _is_line(each, [sheet.point(x, y) for x, y in outline])
-    ]
-    solid = [[sheet.point(x, y) for x, y in outline] for outline in rock]
     for path in paths:
         lines += (*pairwise(_on_paper(path, sheet)), *_head(path, sheet))
+    walls = [each for each in drawings if each.thing is None]
+    solid = ([sheet.point(x, y) for x, y in outline] for each in walls for outline in each.outlines)
+    near_lines, near_walls = _Near(lines), _Near(solid)
     taken = list[_Box]()
     for thing, box in things:
         letter = letters.get(thing.name, thing.letter) if thing.is_robot else thing.letter
@@ -278,11 +273,14 @@ def _labels(
         others = [each for _, each in things if each != box]
         places = (
             each
-            for each in _clear_places(box, len(text), lines, taken, sheet)
+            for each in _clear_places(box, len(text), near_lines, taken, sheet)
             if all(_apart(each, other) > _apart(each, box) + LINE for other in others)
         )
         middles = ((each, ((each[0] + each[2]) / 2, (each[1] + each[3]) / 2)) for each in places)
-        label = next((each for each, at in middles if not any(_is_inside(at, area) for area in solid)), None)
+        label = next(
+            (each for each, at in middles if not any(_is_inside(at, wall) for wall in near_walls.of(each))),
+            None,
+        )
         if label is not None:
             taken.append(label)
             yield f'<g class="label">{_braille(text, label[0] + DOT / 2, label[1] + DOT / 2)}</g>'
@@ -307,13 +305,11 @@ _AWAY = (0.1, 1.0, 2.0, 3.5, 5.0, 7.5)
 
 
 def _clear_places(
-    box: _Box, cells: int, lines: Iterable[_Segment], taken: Sequence[_Box], sheet: _Sheet
+    box: _Box, cells: int, lines: _Near, taken: Sequence[_Box], sheet: _Sheet
 ) -> Iterator[_Box]:
     """The places of a label near a thing with nothing else within the gap; inside of it comes last."""
     width, height = (cells - 1) * CELL + DOT_GAP + DOT, 2 * DOT_GAP + DOT
     reach = GAP + LINE / 2
-    far = _AWAY[-1] + 2 * reach + width + height
-    near = [each for each in lines if _apart(_box_of(each), box) < far]
     x, y = (box[0] + box[2] - width) / 2, (box[1] + box[3] - height) / 2
     half = (box[2] - box[0] + width) / 2, (box[3] - box[1] + height) / 2
     places = [
@@ -327,9 +323,37 @@ def _clear_places(
         if (
             is_on_sheet
             and all(_apart(label, each) >= 2 * GAP for each in taken)
-            and all(_from_segment(label, each) >= reach for each in near)
+            and all(
+                _apart(label, _box_of(each)) >= reach or _from_segment(label, each) >= reach
+                for each in lines.of(label, reach)
+            )
         ):
             yield label
+
+
+class _Near:
+    """Which lines or outlines are near a box: in squares of the sheet, because a plan may have thousands."""
+
+    _SIDE = 8.0
+
+    def __init__(self, shapes: Iterable[Sequence[_Point]]) -> None:
+        self._squares: dict[tuple[int, int], list[Sequence[_Point]]] = {}
+        for shape in shapes:
+            for square in self._of_box(_box_of(shape), 0.0):
+                self._squares.setdefault(square, []).append(shape)
+
+    def of(self, box: _Box, away: float = 0.0) -> Iterator[Sequence[_Point]]:
+        """Some of them more than once."""
+        for square in self._of_box(box, away):
+            yield from self._squares.get(square, ())
+
+    def _of_box(self, box: _Box, away: float) -> Iterator[tuple[int, int]]:
+        left, top, right, bottom = (
+            floor(each / self._SIDE) for each in (box[0] - away, box[1] - away, box[2] + away, box[3] + away)
+        )
+        for column in range(left, right + 1):
+            for row in range(top, bottom + 1):
+                yield column, row
 
 
 def _is_inside(point: _Point, polygon: Sequence[_Point]) -> bool:
@@ -352,7 +376,7 @@ def _apart(mine: _Box, other: _Box) -> float:
     )
 
 
-def _from_segment(box: _Box, segment: _Segment) -> float:
+def _from_segment(box: _Box, segment: Sequence[_Point]) -> float:
     """The shortest way from a box to a line; 0 where the line crosses it."""
     (ax, ay), (bx, by) = segment
     left, top, right, bottom = box
@@ -370,7 +394,7 @@ def _from_segment(box: _Box, segment: _Segment) -> float:
     return min(*ends_apart, *(_to_line(x, y, segment) for x, y in corners))
 
 
-def _to_line(x: float, y: float, segment: _Segment) -> float:
+def _to_line(x: float, y: float, segment: Sequence[_Point]) -> float:
     (ax, ay), (bx, by) = segment
     length = (bx - ax) ** 2 + (by - ay) ** 2
     part = max(0.0, min(1.0, ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / length)) if length else 0.0
