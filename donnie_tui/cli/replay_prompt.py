@@ -42,7 +42,7 @@ class ReplayMap:
         if not timeline.trail(robot):
             return ()
         scene = map_at(timeline, self._picture(robot), robot)
-        rows = rows_of(scene) if scene is not None else ()
+        rows = rows_of(scene, self._words) if scene is not None else ()
         if robot is None or not rows:
             return rows
         return (self._words("replay-map-of", robot=printable(robot)), *rows)

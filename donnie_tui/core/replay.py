@@ -40,7 +40,7 @@ from donnie_tui.core.map_grid import Cell
 from donnie_tui.core.map_scene import MapScene
 from donnie_tui.core.timeline import Timeline, is_main_event
 from donnie_tui.core.transcript import printed_lines, with_robot_name
-from donnie_tui.core.wording import Wording, facing, whole_steps
+from donnie_tui.core.wording import Wording, colour_initials, facing, whole_steps
 from language.control import ExecutionControl
 from language.source import printable
 
@@ -132,11 +132,24 @@ def map_at(timeline: Timeline, picture: Picture, robot: str | None) -> MapScene 
     return scene
 
 
-def rows_of(scene: MapScene) -> tuple[str, ...]:
-    """The map's rows, the northern one first; of a large map the part around the robot."""
+def rows_of(scene: MapScene, wording: Wording) -> tuple[str, ...]:
+    """The map's rows, the northern one first; of a large map the part around the robot.
+
+    In the middle of a thing that differs from others in colour only is the initial of its colour.
+    """
     part = scene.bounds.part(scene.robot, WIDEST, HIGHEST)
+    mixed, initials = scene.letters_of_several_colours, colour_initials(wording)
+
+    def shown(cell: Cell) -> str:
+        letter = scene.letter(cell)
+        return (
+            initials.get(scene.colour(cell), letter)
+            if letter in mixed and scene.has_room_for_colour(cell)
+            else letter
+        )
+
     return tuple(
-        "".join(scene.letter(Cell(x, y)) for x in range(part.left, part.right + 1))
+        "".join(shown(Cell(x, y)) for x in range(part.left, part.right + 1))
         for y in range(part.top, part.bottom - 1, -1)
     )
 

@@ -252,3 +252,15 @@ def test_a_recording_becomes_a_picture_that_is_replaced_only_by_another(tmp_path
     assert refused.returncode == 2
     assert b"would overwrite photo.png" in refused.stderr
     assert donnie(tmp_path, "replay", "p.rec", "--png", "q.png", "--step", *quiet).returncode == 2
+
+
+def test_the_map_of_a_replay_has_the_initials_of_colours(tmp_path: Path) -> None:
+    (tmp_path / "p.gd").write_text("FW 1\n")
+    quiet = ("--speech", "off", "--sound", "off", "--speed", "max")
+    donnie(tmp_path, "run", "p.gd", "--world", "colour_garden", "--record", "p.rec", *quiet)
+
+    shown = donnie(tmp_path, "replay", "p.rec", "--map", *quiet).stdout.decode()
+
+    assert "fBf" in shown
+    assert "fYf" in shown
+    assert "sSs" not in shown  # there is one stone
