@@ -317,6 +317,16 @@ class RunController:
 
         return (*begun, undo_event(past, self._words))
 
+    def look_at(self, step: int) -> tuple[str, ...]:
+        """Go back or forward to the moment after so many steps; the sentences of the last one on the way."""
+        sentences: tuple[str, ...] = ()
+        at = -1
+        while self.past is not None and self.past.at != at and self.past.steps[0] != step:
+            at = self.past.at
+            is_back = self.past.steps[0] > step
+            sentences = self.step_back() if is_back else self._step_forward(self.past)
+        return sentences
+
     def _step_forward(self, past: Timeline) -> tuple[str, ...]:
         """The sentences for one step from the past to the present, which ends the way back."""
         stepping = self._record.narrator.stepping if self._record is not None else None

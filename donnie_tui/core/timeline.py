@@ -135,6 +135,12 @@ class Timeline:
         return self._things[-1][1] if self._things else ()
 
     @property
+    def steps(self) -> tuple[int, int]:
+        """How many steps are before this position, and how many there are."""
+        main = [is_main_event(each.event) for each in self.events]
+        return sum(main[: self.at]), sum(main)
+
+    @property
     def is_between_steps(self) -> bool:
         """Whether a step ended just before this position."""
         if self.at in (0, len(self.events)):

@@ -30,7 +30,7 @@ from donnie_tui.tui.startup import SessionHandle, Startup
 from donnie_tui.tui.terminal import TerminalApp
 from donnie_tui.tui.widgets.command_line import CommandLine, Pane
 from donnie_tui.tui.widgets.editor import Editor
-from donnie_tui.tui.widgets.rows import KeyLine, TextRows
+from donnie_tui.tui.widgets.rows import KeyLine, Slider, TextRows
 
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
@@ -230,6 +230,10 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             self.action_command_palette()
         else:
             self._keyboard.act(event.action)
+
+    def on_slider_moved(self, event: Slider.Moved) -> None:
+        if self.controller is not None:
+            self.controller.look_at(event.step)
 
     def on_command_line_typed(self, event: CommandLine.Typed) -> None:
         if self.controller is not None:

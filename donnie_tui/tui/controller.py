@@ -166,6 +166,13 @@ class ScreenController:
         self.run_view.show_past()
         self.display.update()
 
+    def look_at(self, step: int) -> None:
+        """The moment of the run so far after so many steps."""
+        self._end_answer()
+        self.ctx.say(*self.ctx.runs.look_at(step))
+        self.run_view.show_past()
+        self.display.update()
+
     def run_line(self, text: str) -> Awaitable[None] | None:
         """Run a line of the command line: a command of the screen, or one of GoDonnie."""
         self._end_answer()

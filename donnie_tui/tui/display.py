@@ -43,7 +43,17 @@ _WORDLESS = ("answer",)
 _OFFERED = {
     RunState.READY: ("run", "help", "quit", "step", "save", "open", "show_variables"),
     RunState.RUNNING: ("stop", "help", "quit", "pause", "slower", "faster", "show_variables"),
-    RunState.PAUSED: ("pause", "help", "quit", "stop", "step", "step_over", "run_to", "show_variables"),
+    RunState.PAUSED: (
+        "pause",
+        "help",
+        "quit",
+        "stop",
+        "step",
+        "step_back",
+        "step_over",
+        "run_to",
+        "show_variables",
+    ),
     RunState.STOPPING: ("help", "quit"),
 }
 """The keys that the bottom line shows, by what the program does; what there is no room for goes last."""
@@ -154,7 +164,10 @@ class Display:
     def show_past(self, timeline: Timeline) -> None:
         """The map as it was at that position, or is at the end."""
         robot = self._donnie.session.name if self._donnie.team.has_several else None
+        at = timeline.at
+        timeline.go_to(max(1, at))  # where the robot was at first is known from the beginning of the run
         walked = timeline.trail(robot)
+        timeline.go_to(at)
         if walked:
             self.scene.begin(walked[0])
             for pose in walked:
@@ -167,6 +180,10 @@ class Display:
                 self.scene.move_other(other, place)
         self._place.map.restart()
         self.look()
+
+    def show_slider(self, past: Timeline | None) -> None:
+        """Where in the run so far the learner looks."""
+        self._place.show_slider(past.steps if past is not None else None)
 
     # --- the language
 

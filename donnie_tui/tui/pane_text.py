@@ -17,7 +17,7 @@ from donnie_tui.commands.preferences import PREFERENCES, Preferences, label, set
 from donnie_tui.core.describe import goals_in_words, task_in_words
 from donnie_tui.core.events import Read
 from donnie_tui.core.run_state import RunState
-from donnie_tui.core.timeline import Timeline, is_main_event
+from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.wording import Wording, compass_heading, facing, whole_steps
 from donnie_tui.i18n.help import SCREEN_TOUR_PAGES, screen_tour_page
 from donnie_tui.i18n.words import Words
@@ -60,8 +60,8 @@ def state_sentences(state: str, speed: float | None, words: Wording) -> tuple[st
 def state_badge(state: RunState, past: Timeline | None, words: Wording) -> str:
     """What the program does, or how far back the learner looks, in capitals."""
     if past is not None:
-        main = [is_main_event(each.event) for each in past.events]
-        return words("status-past", step=sum(main[: past.at]), steps=sum(main)).rstrip(".").upper()
+        step, steps = past.steps
+        return words("status-past", step=step, steps=steps).rstrip(".").upper()
     return words(f"status-{state.value}").rstrip(".").upper()
 
 

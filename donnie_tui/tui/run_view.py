@@ -131,6 +131,8 @@ class RunView(RunObserver):
         """The map as STEP BACK left it, or as it is now."""
         past, before = self._runs.past, self._past
         self._past = past
+        if past is not None or before is not None:
+            self._display.show_slider(past)
         if past is not None:
             self._display.show_past(past)
             if self._runs.is_whole and self._runs.frames:

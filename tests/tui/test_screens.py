@@ -346,3 +346,18 @@ async def test_charts_of_what_was_measured(open_screen, same, theme, size):
             await screen.press("end")
         await screen.painted()
         await same(screen)
+
+
+@pytest.mark.parametrize("size", ALL_SIZES, ids=by_size)
+@pytest.mark.parametrize("theme", ALL_THEMES)
+async def test_looking_back(open_screen, same, theme, size):
+    async with open_screen(RECTANGLE, size=size, world="living_room") as screen:
+        screen.app.theme = theme
+        await screen.press("f5")
+        await screen.shows("The program is done.")
+        await screen.idle()
+        for _ in range(4):
+            await screen.type_line("STEP BACK")
+        await screen.until(lambda: "LOOKING BACK" in screen.text, "the badge")
+        await screen.painted()
+        await same(screen)

@@ -71,3 +71,31 @@ async def test_resuming_after_steps_back_continues_from_the_present(open_screen,
         screen.app.controller.do("stop")
         await screen.idle()
         assert trail(screen) == here
+
+
+async def test_a_slider_shows_how_far_back_one_looks_and_a_click_goes_there(open_screen):
+    async with open_screen("FW 1\nFW 2\nFW 3\nFW 4", size=(80, 24)) as screen:
+        await screen.press("f5")
+        await screen.shows("The program is done.")
+        await screen.idle()
+        assert "| >" not in screen.text
+        await screen.type_line("STEP BACK")
+        await screen.until(lambda: "-| >" in screen.text, "the slider")
+        slider = screen.main._slider
+        whole = slider._at[1]
+        await screen.painted()
+        await screen.pilot.click(slider, offset=(4, 0))
+        await screen.until(lambda: slider._at[0] == 0, "the start")
+        assert screen.main.map.scale.robot == screen.main.map.scale.square_of(
+            screen.main.map.scale.scene.cell_at(0, 0)
+        )
+        assert " < |O--" in screen.text
+        await screen.pilot.click(slider, offset=(79, 0))
+        await screen.until(lambda: slider._at[0] == 1, "one step")
+        await screen.pilot.click(slider, offset=(1, 0))
+        await screen.until(lambda: slider._at[0] == 0, "one step back")
+        await screen.pilot.click(slider, offset=(40, 0))
+        await screen.until(lambda: slider._at[0] == round(whole / 2), "the middle")
+        await screen.pilot.click(slider, offset=(75, 0))
+        await screen.until(lambda: "| >" not in screen.text, "the present")
+        assert "LOOKING BACK" not in screen.text

@@ -24,7 +24,7 @@ from donnie_tui.tui.widgets.command_line import CommandLine, Pane
 from donnie_tui.tui.widgets.editor import Editor
 from donnie_tui.tui.widgets.log_rows import LogRows
 from donnie_tui.tui.widgets.map_view import MapView
-from donnie_tui.tui.widgets.rows import KeyLine, StatusLine, TextRows
+from donnie_tui.tui.widgets.rows import KeyLine, Slider, StatusLine, TextRows
 
 if TYPE_CHECKING:
     from donnie_tui.core.map_scene import MapScene
@@ -89,6 +89,7 @@ class MainScreen(Screen[None]):
         self.tour: TourStrip | None = None
         """While it is shown."""
         self._before_tour: Widget | None = None
+        self._slider: Slider | None = None
         self._holding: ExitStack | None = None
         """While it is there nothing is painted."""
         self._entered: Widget | None = None
@@ -154,6 +155,20 @@ class MainScreen(Screen[None]):
 
     def on_tour_strip_left(self) -> None:
         self.close_tour()
+
+    # --- the run so far
+
+    def show_slider(self, steps: tuple[int, int] | None) -> None:
+        """Below the panes, where the learner looks back; None for the present."""
+        if steps is None or self.is_plain or self.is_small:
+            slider, self._slider = self._slider, None
+            if slider is not None:
+                slider.remove()
+            return
+        if self._slider is None:
+            self._slider = Slider()
+            self.mount(self._slider, before="#command-row")
+        self._slider.show(*steps)
 
     # --- panes
 

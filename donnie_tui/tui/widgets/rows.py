@@ -160,6 +160,53 @@ class KeyLine(FixedLine):
         return Content.assemble(*parts)
 
 
+class Slider(FixedLine):
+    """Where in the run so far the learner looks. A click goes there; at the ends it goes a step."""
+
+    class Moved(Message):
+        """To the moment after so many steps."""
+
+        def __init__(self, step: int) -> None:
+            super().__init__()
+            self.step = step
+
+    def __init__(self) -> None:
+        super().__init__(id="slider")
+        self._at = (0, 0)
+
+    def show(self, step: int, steps: int) -> None:
+        self._at = step, steps
+        self._draw()
+
+    def on_resize(self) -> None:
+        self._draw()
+
+    @property
+    def _cells(self) -> int:
+        return max(1, self.size.width - 2 * len(_BACK))
+
+    def _draw(self) -> None:
+        step, steps = self._at
+        before = round(step * (self._cells - 1) / max(1, steps))
+        self.say(f"{_BACK}{'=' * before}O{'-' * (self._cells - 1 - before)}{_FORWARD}")
+
+    def on_click(self, event: Click) -> None:
+        place, (step, steps) = event.get_content_offset(self), self._at
+        if place is None:
+            return
+        cell = place.x - len(_BACK)
+        if cell < 0:
+            wanted = step - 1
+        elif cell >= self._cells:
+            wanted = step + 1
+        else:
+            wanted = round(cell * steps / max(1, self._cells - 1))
+        self.post_message(self.Moved(min(max(0, wanted), steps)))
+
+
+_BACK, _FORWARD = " < |", "| > "
+
+
 class DialogKeys(Static):
     """What can be pressed in a dialog, in words. A click on what is said of Enter or Esc presses it."""
 
