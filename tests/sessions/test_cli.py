@@ -266,7 +266,6 @@ def test_a_report_lists_ignored_properties(printed: Printed) -> None:
             "The option --robot can't be bogus. It takes sim, serial, serial:PORT, double.",
         ),
         (("run", "a.gd", "--speed", "fast"), "The option --speed can't be fast. It takes 0.1-1000, max."),
-        (("run", "a.gd", "--world", "cm.world"), "The world cm.world has no robot with sensors."),
         (("run", "a.gd", "--events", "no/such"), "I can't write no/such: there is no such folder."),
         (("run", "a.gd", "--foo"), "I do not understand --foo. The option --help says more."),
         (("run", "--lang", "pt"), "Falta: FILE. A opção --help diz mais."),
@@ -284,7 +283,6 @@ def test_an_unusable_argument_is_one_sentence_and_exit_code_2(
     printed: Printed, arguments: tuple[str, ...], sentence: str
 ) -> None:
     write("a.gd", "FW 1")
-    write("cm.world", 'unit_length "cm" model( name "x" )')
 
     assert printed.by(*arguments) == 2
     assert (printed.out, printed.err) == ("", f"{sentence}\n")

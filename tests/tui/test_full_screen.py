@@ -5,7 +5,6 @@ import sys
 
 import pytest
 
-from donnie_tui.core.run_state import RunState
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui import full_screen
 from tests.tui.conftest import ScreenDriver
@@ -74,9 +73,9 @@ def test_a_typed_name_selects_that_world_and_keeps_the_log_and_the_history(monke
         if len(seen) == 1:
             await screen.type_line('SPEAK "before"')
             await screen.shows("before")
-            screen.load("WHILE 1 == 1 DO\nWAIT 1\nEND WHILE")
+            screen.load('SPEAK "running"\nWHILE 1 == 1 DO\nWAIT 1\nEND WHILE')
             await screen.press("f5")
-            await screen.until(lambda: screen.app.controller.ctx.runs.state is not RunState.READY, "the run")
+            await screen.shows("running")
             await screen.type_line("WORLDS living room")
         else:
             await screen.shows("5 things. WORLD says more.")

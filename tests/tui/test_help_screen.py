@@ -106,10 +106,11 @@ async def test_the_cursor_stands_on_the_row_that_enter_would_choose(open_screen)
         await screen.press("down", "down")
         await screen.pilot.pause()
         x, y = screen.app.cursor_position
-        first = screen.app.screen.rows.region.y
+        rows = screen.app.screen.rows.region
+        lines = screen.text.splitlines()
 
-        assert [at for at, row in enumerate(screen.text.splitlines()) if row[x : x + 1] == ">"] == [y]
-        assert y == first + 2
+        assert [at for at in range(rows.y, rows.bottom) if lines[at][x : x + 1] == ">"] == [y]
+        assert y == rows.y + 2
 
 
 async def test_f1_in_the_program_lists_all_its_mistakes_whole(open_screen):

@@ -31,9 +31,9 @@ def robots(it: Configuration) -> list[str]:
     ("text", "expected"),
     [
         ("position2d:0", Address("position2d", 0)),
-        ("6666:ranger:1", Address("ranger", 1, 6666)),
-        ("localhost:6665:ranger:0", Address("ranger", 0)),
-        ("robot.school:6670:ranger:3", Address("ranger", 3, 6670, "robot.school")),
+        ("6666:ranger:1", Address("ranger", 1, 6666, has_port=True)),
+        ("localhost:6665:ranger:0", Address("ranger", 0, has_port=True)),
+        ("robot.school:6670:ranger:3", Address("ranger", 3, 6670, "robot.school", has_port=True)),
         ("odometry:::position2d:0", Address("position2d", 0)),
         ("position2d", None),
         ("position2d:x", None),
@@ -62,7 +62,7 @@ def test_the_offered_robots_can_be_programmed_in_the_order_of_their_ports(tmp_pa
     it = load(tmp_path, STAGE + second + first)
 
     assert robots(it) == ["cid", "ann"]
-    addresses = (Address("position2d", 0, 6666), Address("ranger", 0, 6666))
+    addresses = tuple(Address(each, 0, 6666, has_port=True) for each in ("position2d", "ranger"))
     assert it.offers[0] == Offer("ann", addresses)
     assert [(offer.model, offer.port) for offer in it.offers] == [("ann", 6666), ("cid", 6665)]
 
