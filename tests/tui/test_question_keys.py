@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import asyncio
+import gc
+import warnings
 
 import pytest
 from textual import events
@@ -32,6 +34,17 @@ async def test_a_name_that_comes_with_the_key_that_asks_for_it_is_the_answer(
 
         assert screen.main.editor.text == LINES
     assert (tmp_path / "lesson.gd").read_text(encoding="utf-8").splitlines() == LINES.splitlines()
+
+
+async def test_a_question_answered_at_once_leaves_no_search_for_names_unawaited(open_screen) -> None:  # type: ignore[no-untyped-def]
+    with warnings.catch_warnings(record=True) as warned:
+        warnings.simplefilter("always")
+        async with open_screen(LINES) as screen:
+            burst(screen, "ctrl+s", *"lesson", "enter")
+            await screen.shows("Saved lesson.gd")
+        gc.collect()
+
+    assert not [str(each.message) for each in warned if "never awaited" in str(each.message)]
 
 
 async def test_what_comes_behind_an_answer_in_the_same_burst_goes_where_it_leads(open_screen) -> None:  # type: ignore[no-untyped-def]

@@ -16,7 +16,7 @@ from collections.abc import Callable, Sequence
 from typing import ClassVar
 
 from rich.cells import cell_len
-from textual import events
+from textual import events, work
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Horizontal, Vertical
@@ -86,8 +86,9 @@ class Question(ModalScreen[str | None]):
         self.query_one(InputLine).select_all()  # what is proposed is typed over
         self._point(f"{self._asked} {self._value}".strip())
         if self._suggest is not None:
-            self.run_worker(self._look_up(""), exclusive=True)
+            self._look_up("")
 
+    @work(exclusive=True)  # makes the coroutine only when it begins, and it may be cancelled before
     async def _look_up(self, typed: str) -> None:
         """A slow folder delays no key."""
         assert self._suggest is not None and self._list is not None
@@ -97,7 +98,7 @@ class Question(ModalScreen[str | None]):
     def on_input_changed(self, event: Input.Changed) -> None:
         if self._list is not None and event.value != self._value:
             self._list.leave()
-            self.run_worker(self._look_up(event.value.strip()), exclusive=True)
+            self._look_up(event.value.strip())
 
     def action_choose_row(self, down: int) -> None:
         if self._list is not None and self._list.lines:
