@@ -1,6 +1,7 @@
 """The keys: named for the focused pane, changed by command and in the file, shown everywhere."""
 
 import inspect
+import re
 import tomllib
 from collections.abc import Iterator
 
@@ -168,7 +169,7 @@ async def test_the_help_and_the_palette_show_the_chosen_keys(open_screen):
         assert "F5, Ctrl+S, F2: Saves the program." in screen.text
         await screen.press("escape")
         await screen.press("ctrl+p", *"saves the")
-        await screen.until(lambda: "SAVE (F5): Saves the program." in screen.text, "the palette")
+        await screen.until(lambda: re.search(r"SAVE +Saves the program. +F5", screen.text), "the palette")
 
 
 async def test_a_chosen_key_for_stop_stops_at_once(open_screen):
@@ -217,10 +218,10 @@ async def test_a_list_opens_at_what_is_chosen_now_and_stays_there_when_the_termi
         await screen.press("ctrl+k", "o")
         await screen.until(lambda: screen.app.screen is not screen.main, "the worlds")
         await screen.pilot.pause()
-        assert screen.app.screen.rows.row_text.startswith("factory")
+        assert screen.app.screen.rows.row_text.startswith("Orange-juice factory")
         await screen.pilot.resize_terminal(50, 20)
         await screen.until(lambda: screen.app.screen.rows.size.width < 60, "the new size")
-        assert screen.app.screen.rows.row_text.startswith("factory")
+        assert "Orange-juice factory" in screen.app.screen.rows.row_text
 
 
 async def test_the_chosen_line_of_a_list_is_seen_as_far_as_a_small_terminal_has_room(open_screen):
@@ -275,9 +276,11 @@ async def test_home_and_end_go_to_the_ends_of_a_list(open_screen):
         await screen.press("ctrl+k", "o")
         await screen.until(lambda: screen.app.screen is not screen.main, "the worlds")
         await screen.press("end")
-        await screen.until(lambda: screen.app.screen.rows.row_text.startswith("bigbob7"), "the last one")
+        await screen.until(
+            lambda: screen.app.screen.rows.row_text.startswith("BigBob's full world"), "the last one"
+        )
         await screen.press("home")
-        await screen.until(lambda: screen.app.screen.rows.row_text.startswith("first_room"), "the first one")
+        await screen.until(lambda: screen.app.screen.rows.row_text.startswith("First room"), "the first one")
 
 
 async def test_a_question_and_its_keys_are_whole_on_a_small_terminal(open_screen):
@@ -287,7 +290,7 @@ async def test_a_question_and_its_keys_are_whole_on_a_small_terminal(open_screen
         await screen.pilot.pause()
         shown = " ".join(screen.text.split())
         assert "1 line is not saved. Save first, y or n? Enter means no." in shown
-        assert "Enter answers, Esc goes back" in shown
+        assert "Enter answers, arrows choose, Tab writes the row, Esc goes back" in shown
         await screen.press("escape", "ctrl+p")
         await screen.until(lambda: "Type what to do" in screen.text, "the list")
         assert "Enter takes it, Esc goes back" in " ".join(screen.text.split())

@@ -102,7 +102,7 @@ async def test_keys_do_not_wait_for_what_takes_long_without_asking(open_screen, 
     """As looking for a robot does: the text is there to be typed in meanwhile."""
     monkeypatch.setattr(key_queue, "SLOW", 0.01)
     async with open_screen() as screen:
-        monkeypatch.setattr(screen.app.controller, "do", lambda _name: asyncio.Event().wait())
+        monkeypatch.setattr(screen.app.controller, "do", lambda _name, _argument: asyncio.Event().wait())
         burst(screen, "ctrl+n", *"FW")
         await screen.until(lambda: screen.main.editor.text == "FW", "the letters")
 

@@ -358,6 +358,9 @@ async def test_looking_back(open_screen, same, theme, size):
         await screen.idle()
         for _ in range(4):
             await screen.type_line("STEP BACK")
+        await screen.until(
+            lambda: sum(line.startswith(("Back: ", "Before ")) for line in screen.log) == 4, "the answers"
+        )
         await screen.until(lambda: "LOOKING BACK" in screen.text, "the badge")
         await screen.painted()
         await same(screen)

@@ -11,8 +11,8 @@ from donnie_tui.tui import themes
 pytestmark = pytest.mark.slow
 
 LEAST_TEXT, LEAST_BORDER, LEAST_FLOOR = 7.0, 4.5, 3.0
-FLOOR = {"."}
-BORDERS = set("▔▁▊▎─│┌┐└┘━┃▀▄█▌▐")
+FLOOR = {".", " "}
+BORDERS = set("|▔▁▊▎─│┌┐└┘━┃▀▄█▌▐")
 RGB = tuple(name for name in themes.NAMES if name != themes.TERMINAL)
 
 KINDS = ("error", "obstacle", "spoke", "typed", "moved")
