@@ -106,7 +106,9 @@ class Stream:
     def publish(self, event: Event, t: float, robot: str | None, own: _Listeners) -> int:
         """Publishes to the ``own`` listeners, then to all. Returns the event's place in the order."""
         with self._lock:
-            is_ours = self._queue(self._stamp(event, t, robot), own)
+            is_numbered = not isinstance(event, TRANSIENT)
+            self._seq += is_numbered
+            is_ours = self._queue(Stamped(self._seq if is_numbered else 0, t, event, robot), own)
             place = self._queued
         if is_ours:
             self._deliver()
@@ -126,8 +128,9 @@ class Stream:
         """Waits after the event at ``place``, in that program's thread; never during a delivery."""
         if self._delivers_here():
             return
-        if self._delivered < place and self._delivered != self._hangs_at:
-            self._wait_for_delivery(place)
+        may_wait = self._delivered < place and self._delivered != self._hangs_at
+        if may_wait and not self._wait_for(lambda: self._delivered >= place, LONGEST_TURN):
+            self._hangs_at = self._delivered
         if len(self._waiting) > MOST_WAITING:
             self._wait_for(lambda: len(self._waiting) <= MOST_WAITING, LONGEST_HOLD)
         for gate in self._gates:
@@ -139,10 +142,6 @@ class Stream:
             return
         until = self._queued
         self._wait_for(lambda: self._delivered >= until, seconds)
-
-    def _wait_for_delivery(self, place: int) -> None:
-        if not self._wait_for(lambda: self._delivered >= place, LONGEST_TURN):
-            self._hangs_at = self._delivered
 
     def _wait_for(self, happened: Callable[[], bool], seconds: float) -> bool:
         """Waits; returns whether it happened in time."""
@@ -168,16 +167,18 @@ class Stream:
             self._last_own = max(self._last_own, self._queued)
         return False
 
-    def _stamp(self, event: Event, t: float, robot: str | None) -> Stamped:
-        if isinstance(event, TRANSIENT):
-            return Stamped(0, t, event, robot)
-        self._seq += 1
-        return Stamped(self._seq, t, event, robot)
-
     def _deliver(self) -> None:
         """Delivers up to the last event of this thread; then another thread continues."""
         while not isinstance(entry := self._next(), _End):
-            self._call(*entry)
+            stamped, listeners = entry
+            try:
+                for listener in listeners:
+                    listener(stamped)
+            except BaseException:
+                with self._lock:
+                    self._delivered += 1
+                    self._deliverer = _NO_THREAD
+                raise
             self._delivered += 1
         if entry is _End.OTHERS_WAIT:
             threading.Thread(target=self._deliver_rest, name="stream", daemon=True).start()
@@ -207,16 +208,6 @@ class Stream:
             import logging  # slow to load, and never needed as long as all is well
 
             logging.getLogger(__name__).exception("a listener failed")
-
-    def _call(self, stamped: Stamped, listeners: tuple[Listener, ...]) -> None:
-        try:
-            for listener in listeners:
-                listener(stamped)
-        except BaseException:
-            with self._lock:
-                self._delivered += 1
-                self._deliverer = _NO_THREAD
-            raise
 
 
 class HasHub(Protocol):

@@ -186,9 +186,6 @@ class Session:
         run.control.look_before_each(each_statement if options.hooked else None)
         if when_read is not None:
             run.when_read = partial(when_read, run)
-        return self._begun(run, prepare)
-
-    def _begun(self, run: Run, prepare: Callable[[ExecutionControl], None] | None = None) -> Run:
         try:
             if prepare:
                 prepare(run.control)

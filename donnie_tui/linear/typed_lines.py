@@ -182,7 +182,7 @@ class RunLoop(RunObserver):
         console.before_suspending = self._stop_real_robot
         self._was_suspended = False
         self._expect_report(FIRST_REPORT)
-        while not self._is_over(run):
+        while not run.is_over and not (self._runs.has_ended(self._robot) and run.wait(LONGEST_STOP)):
             if console.leaving is not None:
                 self._stop()
                 run.wait(LONGEST_STOP)
@@ -202,9 +202,6 @@ class RunLoop(RunObserver):
             self._sum_up(run)
         if run.outcome is Outcome.QUIT:
             self._leaving.code = 0
-
-    def _is_over(self, run: Run) -> bool:
-        return run.is_over or (self._runs.has_ended(self._robot) and run.wait(LONGEST_STOP))
 
     def _sum_up(self, run: Run) -> None:
         self._leave_out()
