@@ -328,7 +328,7 @@ async def fix(ctx: Context, _: str) -> None:
 
     The mistake in the line that was read last, else the one that ERROR speaks of, else the next one. A line
     that was rejected is offered again, fixed as far as that is known. A line that has run stays as it is:
-    otherwise the robot would repeat what it has done.
+    otherwise the robot would repeat what it has done. The line at which the program failed waits again.
     """
     document, session = ctx.program, ctx.donnie.session
     if document.rejected is not None:
@@ -337,6 +337,8 @@ async def fix(ctx: Context, _: str) -> None:
     found = [each for _, each in sorted(mistakes(session.check(document.text), ctx.words).items())]
     waiting = [each for each in found if each.fixed_line > document.ran]
     known = [each for each in waiting if each.meant]
+    if not known and (failed := document.failed_line) is not None:
+        known = [each for each in found if each.fixed_line == failed and each.meant]
     if not known:
         if found and not waiting:
             now = ctx.errors.now
@@ -346,9 +348,11 @@ async def fix(ctx: Context, _: str) -> None:
             ctx.answer("screen-no-fix" if found else "screen-nothing-to-fix")
         return
     mistake = _next_mistake(ctx, known)
-    before = document.place
+    before, has_failed = document.place, mistake.fixed_line <= document.ran
     with _changing(ctx):
         document.replace_range(mistake.start, mistake.end, mistake.replacement)
+        if has_failed:
+            document.wait_from(mistake.fixed_line)
         if not document.is_in_editor:  # an editor keeps its cursor at its letter
             document.place = mistake.fixed_line
         say_line(ctx, mistake.fixed_line, before)

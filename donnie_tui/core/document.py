@@ -326,6 +326,16 @@ class Document:
         if 0 < line <= len(text) and text.line(line).level == 0 and text.down(line) is None:
             self._report_wrong({line: ""})
 
+    @property
+    def failed_line(self) -> int | None:
+        """The line at which the last batch failed, as long as nothing has changed it."""
+        failed = (at for at, (line, _) in self._wrong.items() if self._lines[at - 1 : at] == [line])
+        return next((at for at in failed if at <= self._ran), None)
+
+    def wait_from(self, number: int) -> None:
+        """Line ``number``, which had failed and is corrected, waits with the lines after it."""
+        self._ran = number - 1
+
     def _report_wrong(self, wrong: Mapping[int, str]) -> None:
         lines = self._lines
         self._wrong = {at: (lines[at - 1], meant) for at, meant in wrong.items() if 0 < at <= len(lines)}

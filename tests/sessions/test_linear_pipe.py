@@ -82,6 +82,18 @@ def test_fix_leaves_a_line_that_failed_and_quit_repeats_nothing(tmp_path: Path) 
     assert done.stdout.decode().splitlines()[-2:] == ["Line 2 has run. CHANGE 2 changes it.", "Goodbye."]
 
 
+def test_fix_lets_the_line_that_failed_wait_again_and_runs_it_alone(tmp_path: Path) -> None:
+    done = _piped(b"FW 3\nRUN\nFW two\nRUN\nFIX\nRUN\nWHERE\nQUIT\n", tmp_path)
+
+    assert done.stdout.decode().splitlines()[-5:] == [
+        "Line 2: FW two",
+        "Line 2: FW 2",
+        "I walked 2 steps forward.",
+        "Position 0, 5. Facing north.",
+        "Goodbye.",
+    ]
+
+
 def test_a_missing_program_ends_with_2(tmp_path: Path) -> None:
     done = donnie(tmp_path, "--linear", "nofile.gd", *QUIET)
 
