@@ -133,6 +133,7 @@ OPTIONS: dict[str, tuple[OptionSpec, ...]] = {
         OptionSpec(("--challenge",), "option-replay-challenge", "NAME"),
         OptionSpec(("--svg",), "option-replay-svg", "FILE"),
         OptionSpec(("--png",), "option-replay-png", "FILE"),
+        OptionSpec(("--gif",), "option-replay-gif", "FILE"),
         OptionSpec(("--swell",), "option-replay-swell", "FILE"),
     ),
     "doctor": (),
@@ -208,7 +209,7 @@ def _written_as_it_happens(settings: Settings) -> Iterator[tuple[str, str]]:
 
 def _pages(invocation: Invocation) -> Iterator[tuple[str, str]]:
     """What ``donnie world`` and ``donnie replay`` write."""
-    for option in ("svg", "brf", "png", "swell"):
+    for option in ("svg", "brf", "png", "gif", "swell"):
         name = getattr(invocation.arguments, option, None)
         if name:
             yield f"--{option}", name

@@ -115,11 +115,11 @@ def replay(order: Order) -> int:
             order.output.complaint(words(f"damaged-{damage.code}", line=damage.line, count=damage.last))
         if arguments.check:
             return run_again(order, recording)
+        if any(name is not None for _, name in _pictures(order)):
+            return _draw(order, recording, closing)
         if arguments.challenge is not None:
             is_simulated = recording.header is None or recording.header.robot == SIMULATED
             return judge_recording(order, arguments.challenge, recording.events, is_simulated=is_simulated)
-        if any(name is not None for _, name in _pictures(order)):
-            return _draw(order, recording, closing)
         telling = _Player(order, recording, closing)
         code = telling.play()
     return ExitCode.UNUSABLE if telling.has_lost else code
@@ -133,9 +133,10 @@ def _refuse_what_has_no_meaning(order: Order) -> None:
         raise Unusable(words("replay-fixed", option=f"--{fixed}"))
     ways = ("--check", arguments.check), ("--step", arguments.step), ("--backwards", arguments.backwards)
     chosen = [option for option, is_chosen in ways if is_chosen]
-    if arguments.challenge is not None:
+    pictures = [option for option, name in _pictures(order) if name is not None]
+    if arguments.challenge is not None and not pictures:
         chosen.append("--challenge")
-    chosen += [option for option, name in _pictures(order) if name is not None][:1]
+    chosen += pictures[:1]
     if arguments.check or arguments.challenge is not None:
         others = [
             ("--map", arguments.map),
@@ -173,16 +174,17 @@ def _opened(name: str, words: Words, closing: ExitStack) -> Recording:
 def _pictures(order: Order) -> tuple[tuple[str, str | None], ...]:
     """The options, and the files that they name."""
     it = order.invocation.arguments
-    return ("--svg", it.svg), ("--png", it.png), ("--swell", it.swell)
+    return ("--svg", it.svg), ("--png", it.png), ("--gif", it.gif), ("--swell", it.swell)
 
 
 def _draw(order: Order, recording: Recording, closing: ExitStack) -> int:
-    """Write the pictures that are asked for, and print the path in words."""
+    """Write the pictures that are asked for, with the goals of a challenge, and print the path in words."""
     from donnie_tui.core.chart import chart
+    from donnie_tui.core.goals import places_of
     from donnie_tui.core.paper import raised_picture
     from donnie_tui.core.program_files import DocumentError, write_bytes
-    from donnie_tui.world.loading import moved_to
-    from donnie_tui.world.run_picture import DrivenPath, as_png, as_svg, run_picture
+    from donnie_tui.world.loading import choose_challenge, moved_to
+    from donnie_tui.world.run_picture import DrivenPath, as_picture, run_picture
     from sim.picture import drawings
     from sim.picture import picture as seen_by_first
 
@@ -197,18 +199,18 @@ def _draw(order: Order, recording: Recording, closing: ExitStack) -> int:
     if not paths:
         raise Unusable(words("trail-none"))
     scene = moved_to(world.scene, timeline.things)
-    title, shown = words("paper-title", name=world.name), drawings(scene)
-    picture = run_picture(title, shown, paths, words)
+    title, shown = words("paper-title", name=world.title(words.language)), drawings(scene)
+    challenge = order.invocation.arguments.challenge
+    goals = () if challenge is None else places_of(choose_challenge(challenge, words).rules)
+    picture = run_picture(title, shown, paths, words, goals)
     for option, name in _pictures(order):
         if name is None:
             continue
         if not name:
             raise Unusable(words("usage-without-value", what=option))
         try:
-            if option == "--png":
-                content = as_png(picture)
-            elif option == "--svg":
-                content = as_svg(picture).encode()
+            if option != "--swell":
+                content = as_picture(picture, f".{option.removeprefix('--')}")
             else:
                 seen = seen_by_first(scene)
                 plan = chart(seen, world.start(), next(iter(scene.robot_names), None), words)

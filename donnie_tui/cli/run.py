@@ -122,6 +122,8 @@ def _is_of_kind(option: str, beginning: bytes, path: Path) -> bool:
         return is_braille and beginning.startswith(_titles_in_braille())
     if option == "--png":
         return beginning.startswith(b"\x89PNG") and b"tEXtSoftware\0donnie" in beginning[:100]
+    if option == "--gif":
+        return beginning.startswith(b"GIF8") and b"\x06donnie\0" in beginning
     if option == "--sound":
         return _SOUND.match(beginning) is not None
     return beginning.removeprefix(b"\xef\xbb\xbf").lstrip().startswith(_BEGINNINGS[option])

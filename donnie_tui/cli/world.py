@@ -307,8 +307,7 @@ def _braille_pages(world: ChosenWorld, words: Words) -> str:
 
 def _title(world: ChosenWorld, words: Words) -> str:
     """With the author's title, or the name of the world."""
-    about = world.about(words.language)
-    return words("paper-title", name=world.name if about is None else about.title)
+    return words("paper-title", name=world.title(words.language))
 
 
 def _raised_picture(world: ChosenWorld, words: Words) -> str:

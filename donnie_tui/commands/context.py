@@ -42,7 +42,7 @@ from donnie_tui.settings.folders import PROGRESS, state_path
 
 if TYPE_CHECKING:
     from donnie_tui.core.document import Document
-    from donnie_tui.core.goals import Judgment, Unsensed
+    from donnie_tui.core.goals import GoalPlace, Judgment, Unsensed
     from donnie_tui.core.line_history import LineHistory
     from donnie_tui.core.map_grid import MapGrid
     from donnie_tui.core.program_files import Attempted, ProgressFile
@@ -227,9 +227,14 @@ class Attempt:
 
     def mark_goals(self, grid: MapGrid) -> None:
         """Draw the places of the goals on a map."""
+        grid.mark_goals(self.goal_places)
+
+    @property
+    def goal_places(self) -> tuple[GoalPlace, ...]:
+        """The places of the goals."""
         from donnie_tui.core.goals import places_of
 
-        grid.mark_goals(places_of(self.challenge.rules))
+        return places_of(self.challenge.rules)
 
     @property
     def now(self) -> Judgment:

@@ -6,11 +6,13 @@ nothing else, and what is being saved is saved to its end, whatever is asked mea
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from donnie_tui.commands.arguments import read_count
+from donnie_tui.commands.context import UNUSABLE, Context
 from donnie_tui.commands.declarations import COMMANDS
 from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import GivenUp, NotUnderstood, Option
@@ -30,12 +32,12 @@ from donnie_tui.core.program_files import (
     read_program,
     save_question,
     saved_text,
-    write_program,
+    write_bytes,
 )
 
 if TYPE_CHECKING:
-    from donnie_tui.commands.context import Context
     from donnie_tui.core.document import Document
+    from donnie_tui.world.run_picture import RunPicture
 
 
 MOST_SUGGESTED = 200
@@ -337,58 +339,66 @@ async def save_log(ctx: Context, argument: str) -> None:
     name = argument or await ctx.interaction.ask(ctx.words("ask-save-log"), "log.txt")
     if not name:
         raise GivenUp
-    await _write_page(ctx, reports.with_suffix(name, ".txt"), text)
+    await _write_page(ctx, reports.with_suffix(name, ".txt"), partial(text.encode, "utf-8", "replace"))
 
 
 @handles("report")
 async def report(ctx: Context, argument: str) -> None:
-    """REPORT map map.html; with .csv a table."""
+    """REPORT map map.html; with .csv a table, with .txt sentences. A run is said where no file is named."""
     from donnie_tui.i18n.help import sections
+    from donnie_tui.world.run_picture import as_picture, plot_as_png
 
     wanted = reports.asked(argument)
     if wanted is None:
         raise NotUnderstood
-    words = ctx.words
-    commands = (help_line(each, words) for each in COMMANDS if not each.is_visual)
+    (what, name), words = wanted, ctx.words
+    robot = ctx.donnie.session.hub.robot
     subject = reports.Subject(
         ctx.program.lines,
         ctx.donnie.session.pose,
         ctx.donnie.picture_now(),
         ctx.trail,
-        (*words.help(None)[1:], *commands),
+        (*words.help(None)[1:], *(help_line(each, words) for each in COMMANDS if not each.is_visual)),
         sections(words),
-        [
-            each
-            for each in ctx.donnie.chronicle.timeline().events
-            if each.robot == ctx.donnie.session.hub.robot
-        ],
-        partial(_run_picture, ctx),
+        [each for each in ctx.donnie.chronicle.timeline().events if each.robot == robot],
+        dict(ctx.runs.variables_during),
+        partial(as_picture, _run_picture(ctx)),
+        plot_as_png,
     )
-    await _write_page(ctx, wanted[1], reports.report(*wanted, subject, words))
+    suffix, suffixes = Path(name).suffix.lower(), reports.suffixes_of(what)
+    if not name:
+        ctx.say(*ctx.counted(reports.in_sentences(what, subject, words)))
+    elif suffix not in suffixes:
+        typed = argument.split()[0].lower()
+        ctx.answer("report-suffix", what=typed, suffix=suffix, suffixes=", ".join(suffixes))
+        ctx.refuse(UNUSABLE)
+    else:
+        await _write_page(ctx, name, partial(reports.report, what, name, subject, words))
 
 
-def _run_picture(ctx: Context) -> str:
-    """Where the robot that is talked to drove, as SVG that moves."""
-    from donnie_tui.world.run_picture import DrivenPath, as_svg, run_picture
+def _run_picture(ctx: Context) -> RunPicture:
+    """Where the robot that is talked to drove, what stands there now, and the places of goals."""
+    from donnie_tui.world.run_picture import DrivenPath, run_picture
 
     donnie = ctx.donnie
     paths = [DrivenPath("", ctx.trail.path)] if ctx.trail.path else []
-    title = ctx.words("paper-title", name=donnie.world.name)
-    return as_svg(run_picture(title, donnie.drawings_now(), paths, ctx.words))
+    title = ctx.words("paper-title", name=donnie.world.title(ctx.words.language))
+    goals = ctx.attempt.goal_places if ctx.attempt is not None else ()
+    return run_picture(title, donnie.drawings_now(), paths, ctx.words, goals)
 
 
-async def _write_page(ctx: Context, name: str, text: str) -> None:
+async def _write_page(ctx: Context, name: str, content: Callable[[], bytes]) -> None:
     """Asks before it replaces a file. Raises ``DocumentError``."""
     path = page_to_save(name, ctx.workspace.files, ctx.donnie.in_use)
     if exists(path):
         await _confirm_replacing(ctx, "ask-replace", path)
-    await ctx.interaction.finish(_finish_page(ctx, path, text))
+    await ctx.interaction.finish(_finish_page(ctx, path, content))
 
 
-async def _finish_page(ctx: Context, path: Path, text: str) -> None:
+async def _finish_page(ctx: Context, path: Path, content: Callable[[], bytes]) -> None:
     slow = ctx.words("slow-report", name=path.name)
     try:
-        await ctx.interaction.background(lambda: write_program(path, text), slow)
+        await ctx.interaction.background(lambda: write_bytes(path, content()), slow)
     except DocumentError as error:  # whatever the learner asked for meanwhile
         ctx.answer(error.code, path=error.path, reason=error.reason)
     else:

@@ -11,6 +11,7 @@ import unicodedata
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import combinations, pairwise
 from math import atan2, ceil, degrees, hypot
+from typing import TypeAlias
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -208,9 +209,13 @@ def judge(
     )
 
 
-def places_of(rules: Rules) -> tuple[tuple[int, float, float, float, float], ...]:
-    """The goals with a place or an area, for the map: number, and west, south, east and north of it."""
-    found: list[tuple[int, float, float, float, float]] = []
+GoalPlace: TypeAlias = tuple[int, float, float, float, float]
+"""The number of a goal, and west, south, east and north of its place."""
+
+
+def places_of(rules: Rules) -> tuple[GoalPlace, ...]:
+    """The goals with a place or an area, for the map."""
+    found: list[GoalPlace] = []
     for number, goal in enumerate(rules.goal, start=1):
         for target in (goal.at, goal.near, *(goal.visited or ())):
             if target is not None and not isinstance(target, str):

@@ -1,19 +1,20 @@
 """REPORT: help, manual, program, map, trail, run or distances as a file.
 
 A web page has headings for screen readers that jump by them; a name that ends in ``.csv`` gives a table for
-spreadsheets. What has a picture is the picture alone where the name ends in ``.svg``: the run as it was
-driven, and the distances, the speed and the variables over the time.
+spreadsheets, one that ends in ``.txt`` the sentences. What has a picture is the picture alone where the name
+ends as pictures do: the run as it was driven, and the distances, the speed and the variables over the time.
 """
 
 from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from html import escape
 from itertools import pairwise
 from pathlib import Path
-from typing import TYPE_CHECKING
+from types import MappingProxyType
+from typing import TYPE_CHECKING, TypeAlias
 
 from msgspec import Struct
 
@@ -32,6 +33,8 @@ if TYPE_CHECKING:
     from sim.picture import Picture
 
 
+Variables: TypeAlias = Sequence[tuple[str, int]]
+
 _COLUMNS = {
     "help": ("how", "purpose"),
     "list": ("line", "level", "text"),
@@ -39,7 +42,8 @@ _COLUMNS = {
     "trail": ("command", "done", "x", "y", "heading", "blocked"),
 }
 _MOST_MOVES = 1000
-_WITH_PICTURE = ("run", "distances")
+_PAGES = (".html", ".htm", ".csv", ".txt")
+_PICTURES = {"run": (".svg", ".png", ".gif"), "distances": (".svg", ".png")}
 
 
 class Subject(Struct, frozen=True):
@@ -56,18 +60,28 @@ class Subject(Struct, frozen=True):
     """Its chapters."""
     events: Sequence[Stamped] = ()
     """What the robot did and read."""
-    run_picture: Callable[[], str] = str
-    """The run as SVG."""
+    variables: Mapping[int, Variables] = {}
+    """Their values during movements, by the number of the event."""
+    run_picture: Callable[[str], bytes] = lambda _suffix: b""
+    """The run as a picture, for the end of a file's name."""
+    plot_as_png: Callable[[Plot], bytes] = lambda _plot: b""
 
 
 def asked(typed: str) -> tuple[str, str] | None:
-    """What the report is about, and the name of its file, of ``map map.html``; None if that is not clear."""
+    """What the report is about, and the name of its file, of ``map map.html``; None if that is not clear.
+
+    What can be said in some sentences needs no file: its name is empty then.
+    """
     word, _blank, name = typed.strip().partition(" ")
     what = meant(word, "reports")
-    if what is None or not name.strip():
+    if what is None or not (name.strip() or what in _PICTURES):
         return None
-    file = with_suffix(name.strip(), ".html")
-    return None if file.lower().endswith(".svg") and what not in _WITH_PICTURE else (what, file)
+    return what, with_suffix(name.strip(), ".html")
+
+
+def suffixes_of(what: str) -> tuple[str, ...]:
+    """How the name of its file may end."""
+    return (*_PAGES, *_PICTURES.get(what, ()))
 
 
 def with_suffix(typed: str, suffix: str) -> str:
@@ -76,15 +90,27 @@ def with_suffix(typed: str, suffix: str) -> str:
     return name + suffix if name and not Path(name).suffix else name
 
 
-def report(what: str, name: str, subject: Subject, wording: Wording) -> str:
-    """The text of the file ``name``."""
+def report(what: str, name: str, subject: Subject, wording: Wording) -> bytes:
+    """What the file ``name`` has in it."""
+    suffix = Path(name).suffix.lower()
+    if suffix in _PICTURES.get(what, ()):
+        if what == "run":
+            return subject.run_picture(suffix)
+        plot = _plot(subject, wording)
+        return subject.plot_as_png(plot) if suffix == ".png" else plot_as_svg(plot).encode()
     sections = subject.manual if what == "manual" else (_SECTIONS[what](subject, wording),)
-    if name.lower().endswith(".csv"):
-        return as_csv(sections)
-    if name.lower().endswith(".svg"):
-        return "".join(each.drawing for each in sections)
+    if suffix == ".csv":
+        return as_csv(sections).encode("utf-8", "replace")
+    if suffix == ".txt":
+        return as_text(sections).encode("utf-8", "replace")
     heading = wording("report-manual") if what == "manual" else sections[0].heading
-    return as_html(wording("report-title", what=heading), wording.language, sections)
+    page = as_html(wording("report-title", what=heading), wording.language, sections)
+    return page.encode("utf-8", "replace")
+
+
+def in_sentences(what: str, subject: Subject, wording: Wording) -> Sequence[str]:
+    """What a report without a file says."""
+    return _SECTIONS[what](subject, wording).lines
 
 
 def _columns(wording: Wording, what: str) -> list[str]:
@@ -132,18 +158,28 @@ def _run(subject: Subject, wording: Wording) -> Section:
     """The path leg by leg, the picture, and the moves as a table."""
     lines = path_in_words(subject.trail.path, wording)
     rows = _trail(subject, wording).rows
-    return Section(wording("report-run"), lines, rows, subject.run_picture())
+    return Section(wording("report-run"), lines, rows, subject.run_picture(".svg").decode())
 
 
 def _distances(subject: Subject, wording: Wording) -> Section:
-    series = measured(subject.events, wording)
-    lines = measured_in_words(series, wording)
+    series = _measured(subject, wording)
     times = sorted({t for each in series for t, _ in each.points})
     at = [dict(each.points) for each in series]
     rows = [(_number(t), *(_number(each[t]) if t in each else "" for each in at)) for t in times]
     columns = [wording("report-column-seconds"), *(each.name for each in series)]
-    heading = wording("report-distances")
-    return Section(heading, lines, [columns, *rows], as_plot(heading, series, lines, wording))
+    drawing = plot_as_svg(_plot(subject, wording))
+    lines = measured_in_words(series, wording)
+    return Section(wording("report-distances"), lines, [columns, *rows], drawing)
+
+
+def _measured(subject: Subject, wording: Wording) -> tuple[Series, ...]:
+    return measured(subject.events, wording, subject.variables)
+
+
+def _plot(subject: Subject, wording: Wording) -> Plot:
+    series = _measured(subject, wording)
+    about = " ".join(measured_in_words(series, wording))
+    return plotted(wording("report-distances"), series, about, wording("report-column-seconds"))
 
 
 _SECTIONS = {
@@ -163,8 +199,12 @@ class Series(Struct, frozen=True):
     """Seconds of the robot, and the value then."""
     kind: str
     """``distance``, ``speed`` or ``variable``."""
-    jumps: tuple[float, ...] = ()
-    """When a distance changed by more than the robot walked meanwhile."""
+    spoken: str = ""
+    """What sentences call it, if not by its name."""
+    steps: int = 0
+    """How far the robot walked between the first and the last reading."""
+    jumps: tuple[int, ...] = ()
+    """After how many of these steps a distance had changed by more than the robot walked meanwhile."""
 
 
 JUMP = 3
@@ -172,10 +212,13 @@ JUMP = 3
 _BEARINGS = {each.words: each for each in Bearing}
 
 
-def measured(events: Iterable[Stamped], wording: Wording) -> tuple[Series, ...]:
-    """The distances that the program read, the speed, and the variables at the end of each run.
+def measured(
+    events: Iterable[Stamped], wording: Wording, during: Mapping[int, Variables] = MappingProxyType({})
+) -> tuple[Series, ...]:
+    """The distances that the program read, the speed, and the variables.
 
-    Of all runs since the robot was put to its start last.
+    ``during``: the variables during movements, by the event; at the end of a run its event has them. Of all
+    runs since the robot was put to its start last.
     """
     distances: dict[str, list[tuple[float, float, float]]] = {}
     speed: list[tuple[float, float]] = []
@@ -191,6 +234,8 @@ def measured(events: Iterable[Stamped], wording: Wording) -> tuple[Series, ...]:
         if isinstance(event, Moved | Turned | Waited) and t > since:
             pace = event.walked / (t - since) if isinstance(event, Moved) else 0.0
             speed += (since, pace), (t, pace)
+            for name, value in during.get(stamped.seq, ()):
+                variables.setdefault(name, []).extend(((since, value), (t, value)))
         if isinstance(event, Moved):
             walked += event.walked
         if isinstance(event, RunEnded):
@@ -201,19 +246,29 @@ def measured(events: Iterable[Stamped], wording: Wording) -> tuple[Series, ...]:
     found = [_distance(where, readings, wording) for where, readings in distances.items()]
     if speed:
         found.append(Series(wording("measured-speed-name"), tuple(speed), "speed"))
-    found += (Series(name, tuple(points), "variable") for name, points in variables.items())
+    found += (Series(name, tuple(dict.fromkeys(points)), "variable") for name, points in variables.items())
     return tuple(found)
 
 
 def _distance(where: str, readings: Sequence[tuple[float, float, float]], wording: Wording) -> Series:
-    short = argument_spelling(_BEARINGS[where], wording.language) if where in _BEARINGS else where
+    short, spoken = where, where
+    if where in _BEARINGS:
+        short = argument_spelling(_BEARINGS[where], wording.language)
+        spoken = wording(f"around-{where.replace(' ', '-')}")
+    begin = readings[0][2]
     jumps = tuple(
-        later
-        for (_, before, here), (later, after, there) in pairwise(readings)
+        round(there - begin)
+        for (_, before, here), (_, after, there) in pairwise(readings)
         if abs(after - before) > there - here + JUMP
     )
-    points = tuple((t, value) for t, value, _ in readings)
-    return Series(wording("reading-distance", where=short), points, "distance", jumps)
+    return Series(
+        wording("reading-distance", where=short),
+        tuple((t, value) for t, value, _ in readings),
+        "distance",
+        wording("reading-distance", where=spoken),
+        round(readings[-1][2] - begin),
+        jumps,
+    )
 
 
 def measured_in_words(series: Sequence[Series], wording: Wording) -> tuple[str, ...]:
@@ -223,13 +278,12 @@ def measured_in_words(series: Sequence[Series], wording: Wording) -> tuple[str, 
         kind: [each for each in series if each.kind == kind] for kind in ("distance", "speed", "variable")
     }
     for each in sorted(of_kind["distance"], key=lambda each: -len(each.points))[:1]:
-        (begin, first), (end, last) = each.points[0], each.points[-1]
+        first, last = each.points[0][1], each.points[-1][1]
         change = "falls" if last < first else "rises" if last > first else "same"
-        values = {"name": each.name, "first": _number(first), "last": _number(last)}
+        values = {"name": each.spoken, "first": _number(first), "last": _number(last), "steps": each.steps}
         jumps = len(each.jumps)
-        code = f"measured-{change}" + ("-jumps" if jumps else "")
-        at = round(each.jumps[0]) if jumps else 0
-        said.append(wording(code, **values, seconds=round(end - begin), count=jumps, at=at))
+        code = f"measured-{change}" + ("-jumps" if jumps > 1 else "-jump" if jumps else "")
+        said.append(wording(code, **values, count=jumps, at=each.jumps[0] if jumps else 0))
     for each in of_kind["speed"]:
         legs = list(zip(each.points[::2], each.points[1::2], strict=True))
         moving = sum(end - begin for (begin, pace), (end, _) in legs if pace)
@@ -247,60 +301,105 @@ def _number(value: float) -> str:
     return f"{round(value, 3):g}" if value % 1 else str(int(value))
 
 
-_WIDTH, _PANEL, _LEFT, _ROW = 720.0, 130.0, 60.0, 20.0
-"""Pixels: the plot, the height of one thing's part of it, the numbers to its left, a line of text."""
+_Point: TypeAlias = tuple[float, float]
 
 
-def as_plot(title: str, series: Sequence[Series], lines: Sequence[str], wording: Wording) -> str:
-    """Each series in a part of its own, all over the same time, as SVG."""
+class PlotText(Struct, frozen=True):
+    """A word, with the place of its base line."""
+
+    x: float
+    y: float
+    text: str
+    anchor: str
+    """What is at ``x``: its ``start``, its ``middle`` or its ``end``."""
+
+
+class Plot(Struct, frozen=True):
+    """A drawing of what was measured. Places are pixels from the top left corner."""
+
+    title: str
+    about: str
+    width: float
+    height: float
+    axes: tuple[tuple[_Point, ...], ...]
+    curves: tuple[tuple[_Point, ...], ...]
+    dots: tuple[_Point, ...]
+    texts: tuple[PlotText, ...]
+
+
+PLOT_LETTER = 14.0
+"""The height of its letters."""
+_WIDTH, _PANEL, _LEFT, _RIGHT, _ROW = 720.0, 130.0, 96.0, 40.0, 20.0
+"""Pixels: the plot, the height of one thing's part of it, what is left and right of it, a line of text."""
+_LONGEST_NUMBER = 9
+
+
+def plotted(title: str, series: Sequence[Series], about: str, seconds: str) -> Plot:
+    """Each series in a part of its own, all over the same time."""
     height = _ROW * 3 + _PANEL * len(series)
-    size = f'width="{_WIDTH:g}" height="{height:g}" viewBox="0 0 {_WIDTH:g} {height:g}"'
     times = [t for each in series for t, _ in each.points] or [0.0]
-    span = min(times), max(max(times), min(times) + 1)
-    panels = (line for number, each in enumerate(series) for line in _panel(each, number, span))
+    first, last = min(times), max(max(times), min(times) + 1)
+    width = _WIDTH - _LEFT - _RIGHT
+    axes, curves, dots, texts = list[tuple[_Point, ...]](), list[tuple[_Point, ...]](), list[_Point](), []
+    for number, each in enumerate(series):
+        top, bottom = _PANEL * number + 1.7 * _ROW, _PANEL * (number + 1)
+        values = [value for _, value in each.points]
+        low, high = min(*values, 0), max(*values, min(*values, 0) + 1)
+        curve = tuple(
+            (
+                round(_LEFT + (t - first) / (last - first) * width, 1),
+                round(bottom - (value - low) / (high - low) * (bottom - top), 1),
+            )
+            for t, value in each.points
+        )
+        axes.append(((_LEFT, top), (_LEFT, bottom), (_LEFT + width, bottom)))
+        curves.append(curve)
+        dots += curve if each.kind == "distance" or len(curve) == 1 else ()
+        texts += [
+            PlotText(_LEFT, top - 0.5 * _ROW, each.name, "start"),
+            PlotText(_LEFT - 8, bottom + 5, _on_axis(low), "end"),
+            PlotText(_LEFT - 8, top + 5, _on_axis(high), "end"),
+        ]
+    texts += [
+        PlotText(_LEFT + width * part, height - 1.6 * _ROW, _number(round(t, 1)), "middle")
+        for part, t in ((0.0, first), (0.5, (first + last) / 2), (1.0, last))
+    ]
+    texts.append(PlotText(_LEFT + width / 2, height - 0.6 * _ROW, seconds, "middle"))
+    return Plot(title, about, _WIDTH, height, tuple(axes), tuple(curves), tuple(dots), tuple(texts))
+
+
+def _on_axis(value: float) -> str:
+    text = _number(round(value, 1))
+    return text if len(text) <= _LONGEST_NUMBER else f"{value:.2e}"
+
+
+def plot_as_svg(plot: Plot) -> str:
+    """For a page, or a file of its own."""
+    size = f'width="{plot.width:g}" height="{plot.height:g}" viewBox="0 0 {plot.width:g} {plot.height:g}"'
+    font = f'font-family="sans-serif" font-size="{PLOT_LETTER:g}"'
     return "\n".join(
         (
-            f'<svg xmlns="http://www.w3.org/2000/svg" role="img" {size}',
-            ' font-family="sans-serif" font-size="14">',
-            f"<title>{_shown(title)}</title>",
-            f"<desc>{_shown(' '.join(lines))}</desc>",
-            f'<rect width="{_WIDTH:g}" height="{height:g}" fill="white"/>',
-            *panels,
+            f'<svg xmlns="http://www.w3.org/2000/svg" role="img" {size} {font}>',
+            f"<title>{_shown(plot.title)}</title>",
+            f"<desc>{_shown(plot.about)}</desc>",
+            f'<rect width="{plot.width:g}" height="{plot.height:g}" fill="white"/>',
             *(
-                _text(
-                    _LEFT + (_WIDTH - 2 * _LEFT) * part, height - 1.6 * _ROW, _number(round(t, 1)), "middle"
-                )
-                for part, t in ((0.0, span[0]), (0.5, sum(span) / 2), (1.0, span[1]))
+                f'<path d="M{"L".join(f"{x:g} {y:g}" for x, y in each)}" fill="none" stroke="black"/>'
+                for each in plot.axes
             ),
-            _text(_WIDTH / 2, height - 0.6 * _ROW, wording("report-column-seconds"), "middle"),
+            *(
+                f'<polyline points="{" ".join(f"{x:g},{y:g}" for x, y in each)}" fill="none"'
+                ' stroke="black" stroke-width="2"/>'
+                for each in plot.curves
+            ),
+            *(f'<circle cx="{x:g}" cy="{y:g}" r="3"/>' for x, y in plot.dots),
+            *(
+                f'<text x="{each.x:g}" y="{each.y:g}" text-anchor="{each.anchor}">{_shown(each.text)}</text>'
+                for each in plot.texts
+            ),
             "</svg>\n",
         )
     )
-
-
-def _panel(series: Series, number: int, span: tuple[float, float]) -> Iterator[str]:
-    top, bottom = _PANEL * number + 1.5 * _ROW, _PANEL * (number + 1)
-    right, values = _WIDTH - _LEFT, [value for _, value in series.points]
-    low, high = min(*values, 0), max(*values, min(*values, 0) + 1)
-    places = [
-        (
-            round(_LEFT + (t - span[0]) / (span[1] - span[0]) * (right - _LEFT), 1),
-            round(bottom - (value - low) / (high - low) * (bottom - top), 1),
-        )
-        for t, value in series.points
-    ]
-    yield _text(_LEFT, top - 0.4 * _ROW, series.name, "start")
-    yield _text(_LEFT - 8, bottom + 5, _number(low), "end")
-    yield _text(_LEFT - 8, top + 5, _number(round(high, 1)), "end")
-    yield f'<path d="M{_LEFT:g} {top:g}V{bottom:g}H{right:g}" fill="none" stroke="black"/>'
-    line = " ".join(f"{x:g},{y:g}" for x, y in places)
-    yield f'<polyline points="{line}" fill="none" stroke="black" stroke-width="2"/>'
-    if series.kind != "speed":
-        yield from (f'<circle cx="{x:g}" cy="{y:g}" r="3"/>' for x, y in places)
-
-
-def _text(x: float, y: float, text: str, anchor: str) -> str:
-    return f'<text x="{x:g}" y="{y:g}" text-anchor="{anchor}">{_shown(text)}</text>'
 
 
 # --- files
@@ -338,6 +437,14 @@ def as_csv(sections: Iterable[Section]) -> str:
     for section in sections:
         writer.writerows(section.rows or [[section.heading], *([line] for line in section.lines)])
     return out.getvalue()
+
+
+def as_text(sections: Iterable[Section]) -> str:
+    """The sentences under their headings; where there are none, the rows of the table."""
+    blocks = (
+        [each.heading, *(each.lines or (", ".join(map(str, row)) for row in each.rows))] for each in sections
+    )
+    return "".join(f"{cleaned(line)}\n" for block in blocks for line in block)
 
 
 def _section(section: Section) -> str:

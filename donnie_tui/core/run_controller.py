@@ -7,7 +7,7 @@ about both as a ``RunObserver``, and calls ``sum_up`` when a run is over.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -16,12 +16,15 @@ from donnie_tui.core.events import (
     Announced,
     Answered,
     Error,
+    Moved,
     Outcome,
     Read,
     RunEnded,
     RunStarted,
     Spoke,
     Stamped,
+    Turned,
+    Waited,
 )
 from donnie_tui.core.run_state import (
     STATE_OF,
@@ -49,6 +52,8 @@ from language.source import fold_name
 if TYPE_CHECKING:
     from donnie_tui.core.timeline import Timeline
 
+MOST_KEPT = 20_000
+"""Movements whose variables are kept."""
 LONGEST_PAUSE = 1.0
 """Seconds that the answer to PAUSE waits for a program in the background."""
 LONGEST_READING = 2.0
@@ -88,6 +93,8 @@ class RunController:
         """What there is to say about a run that ended by itself, where the learner solves a challenge."""
         self._unjudged: list[RunRecord] = []
         """The runs since the last verdict."""
+        self.variables_during: dict[int, tuple[tuple[str, int], ...]] = {}
+        """The program's variables during movements, by the number of the event; in runs of several lines."""
         self._unsubscribe = team.stream.subscribe(self._on_event)
 
     def close(self) -> None:
@@ -461,6 +468,8 @@ class RunController:
                 own.is_silent = True
             case Read() if own.narrator.stepping is not None:
                 own.narrator.stepping.on_read(event)
+            case Moved() | Turned() | Waited() if "\n" in own.request.text:
+                self._keep_variables(stamped.seq, own.session.frames)
             case RunEnded():
                 self._answer(*own.narrator.on_end(event))
                 if event.outcome is Outcome.COMPLETED and own.is_silent and own.is_background:
@@ -469,6 +478,13 @@ class RunController:
                 self.observer.on_change()
             case _:
                 pass
+
+    def _keep_variables(self, seq: int, frames: Sequence[Frame]) -> None:
+        """They can't have changed during the movement: the program waits for its end."""
+        if frames and frames[-1].variables:
+            self.variables_during[seq] = frames[-1].variables
+        if len(self.variables_during) > MOST_KEPT:
+            del self.variables_during[next(iter(self.variables_during))]
 
     # --- after the end of a run
 

@@ -1,13 +1,13 @@
-"""A run as a picture for those who see: walls, things where they ended, and the path of each robot.
+"""A run as a picture for those who see: walls, things where they ended, goals, and the path of each robot.
 
-As SVG a dot drives along each path at the pace of the run, the title and the description say the path in
-words, and letters stand in for colours. As PNG the same picture stands still. Lengths are pixels, places in
-the world steps; the northern edge is up.
+As SVG and as GIF a dot drives along each path at the pace of the run; title and description of the SVG say
+the path in words, and letters stand in for colours. As PNG the same picture stands still. Lengths are pixels,
+places in the world steps; the northern edge is up. A plot of what was measured is drawn as PNG, too.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from io import BytesIO
 from itertools import accumulate, pairwise
 from math import cos, hypot, radians, sin
@@ -19,11 +19,21 @@ from msgspec import Struct
 
 from devices.ports.robot import Pose
 from donnie_tui.core.map_grid import PAINTED, path_in_words
-from donnie_tui.core.wording import Wording, coloured_thing
+from donnie_tui.core.wording import (
+    Wording,
+    colour_initials,
+    coloured_thing,
+    letters_of_several_colours,
+)
 from language.source import printable
 
 if TYPE_CHECKING:
-    from sim.picture import Drawing
+    from PIL.Image import Image
+    from PIL.ImageDraw import ImageDraw
+
+    from donnie_tui.core.goals import GoalPlace
+    from donnie_tui.core.reports import Plot
+    from sim.picture import Drawing, Thing
 
 _Point = tuple[float, float]
 
@@ -31,8 +41,14 @@ LARGEST = 900.0
 """Pixels that the map is wide or high."""
 MARGIN, LETTER, LINE = 24.0, 14.0, 20.0
 """Pixels: around everything, the height of a letter, from line to line of the legend."""
+LEAST_GOAL = 10.0
+"""Half the width and height of the place of a goal on the picture."""
 STEPS_A_SECOND = 10.0
 """How fast the dot drives: ten times the robot's pace."""
+MOST_FRAMES = 60
+"""Pictures of a GIF."""
+FRAME = 0.1
+"""Seconds that each is shown, at least."""
 _WALL, _OTHER, _INK = "#444444", "#bbbbbb", "#000000"
 _PATHS = ("#7b2cbf", "#006d5b", "#9d0208", "#003049")
 """Dark enough on white for lines (at least 4.5 to 1)."""
@@ -50,6 +66,16 @@ class DrivenPath(Struct, frozen=True):
         return max(0.1, sum(_apart(*each) for each in pairwise(self.poses)) / STEPS_A_SECOND)
 
 
+class ShownGoal(Struct, frozen=True):
+    """A place: the numbers of its goals, its middle, and half its width and height."""
+
+    numbers: str
+    x: float
+    y: float
+    across: float
+    down: float
+
+
 class RunPicture(Struct, frozen=True):
     """What is drawn, and where: the scale and the edges of the world's part that is shown."""
 
@@ -63,6 +89,9 @@ class RunPicture(Struct, frozen=True):
     width: float
     height: float
     legend: tuple[str, ...]
+    letters: Mapping[int, str]
+    """Those of each thing, by its index: a second one is the initial of its colour where that is needed."""
+    goals: tuple[GoalPlace, ...] = ()
 
     def at(self, x: float, y: float) -> _Point:
         return round(MARGIN + (x - self.west) * self.scale, 1), round(
@@ -71,18 +100,26 @@ class RunPicture(Struct, frozen=True):
 
 
 def run_picture(
-    title: str, drawings: Sequence[Drawing], paths: Sequence[DrivenPath], wording: Wording
+    title: str,
+    drawings: Sequence[Drawing],
+    paths: Sequence[DrivenPath],
+    wording: Wording,
+    goals: Sequence[GoalPlace] = (),
 ) -> RunPicture:
     """``drawings``: what stands there at the end, without the robots of ``paths``."""
     shown = tuple(each for each in drawings if each.thing is None or not each.thing.is_robot)
     points = [point for each in shown for outline in each.outlines for point in outline]
     points += [(pose.x, pose.y) for path in paths for pose in path.poses] or [(0.0, 0.0)]
+    points += [point for _, west, south, east, north in goals for point in ((west, south), (east, north))]
     xs, ys = zip(*points, strict=True)
     west, east, south, north = min(xs) - 2, max(xs) + 2, min(ys) - 2, max(ys) + 2
     scale = min(LARGEST / (east - west), LARGEST / (north - south), 24.0)
     width = round(max((east - west) * scale, 320) + 2 * MARGIN)
-    letters = int((width - 2 * MARGIN) / (LETTER * 0.55))
-    legend = tuple(part for line in _legend(shown, paths, wording) for part in wrap(line, letters))
+    most = int((width - 2 * MARGIN) / (LETTER * 0.55))
+    things = [each.thing for each in shown if each.thing is not None]
+    letters = _letters(things, wording)
+    said = _legend(things, letters, goals, paths, wording)
+    legend = tuple(part for line in said for part in wrap(line, most))
     return RunPicture(
         printable(title),
         shown,
@@ -93,20 +130,55 @@ def run_picture(
         width=width,
         height=round((north - south) * scale + 3 * MARGIN + LINE * len(legend)),
         legend=legend,
+        letters=letters,
+        goals=tuple(goals),
     )
 
 
-def _legend(drawings: Iterable[Drawing], paths: Iterable[DrivenPath], wording: Wording) -> Iterable[str]:
+def _letters(things: Sequence[Thing], wording: Wording) -> dict[int, str]:
+    mixed = letters_of_several_colours(things)
+    initials = colour_initials(wording, {each.letter for each in things})
+    return {
+        each.index: each.letter + (initials.get(each.colour, "") if each.letter in mixed else "")
+        for each in things
+    }
+
+
+def _legend(
+    things: Iterable[Thing],
+    letters: Mapping[int, str],
+    goals: Iterable[GoalPlace],
+    paths: Iterable[DrivenPath],
+    wording: Wording,
+) -> Iterable[str]:
     yield wording("paper-north")
     named: dict[str, list[str]] = {}
-    for each in drawings:
-        if each.thing is not None:
-            named.setdefault(each.thing.letter, []).append(coloured_thing(each.thing, wording))
+    for each in things:
+        named.setdefault(letters[each.index], []).append(coloured_thing(each, wording))
     for letter, names in sorted(named.items()):
         yield printable(f"{letter}: {'; '.join(dict.fromkeys(names))}")
+    yield from (wording("cell-goal", number=number) for number in dict.fromkeys(each[0] for each in goals))
     for path in paths:
         words = " ".join(path_in_words(path.poses, wording))
         yield printable(f"{path.robot}: {words}" if path.robot else words)
+
+
+def as_picture(it: RunPicture, suffix: str) -> bytes:
+    """The picture as the file that ends so: ``.svg``, ``.png`` or ``.gif``."""
+    if suffix == ".svg":
+        return as_svg(it).encode()
+    return as_png(it) if suffix == ".png" else as_gif(it)
+
+
+def goals_on(it: RunPicture) -> Iterable[ShownGoal]:
+    """The places of goals on the picture; a place may be that of several."""
+    numbers: dict[tuple[float, ...], list[str]] = {}
+    for number, *place in it.goals:
+        numbers.setdefault(tuple(place), []).append(str(number))
+    for (west, south, east, north), those in numbers.items():
+        x, y = it.at((west + east) / 2, (south + north) / 2)
+        across, down = (east - west) * it.scale / 2, (north - south) * it.scale / 2
+        yield ShownGoal(", ".join(those), x, y, max(across, LEAST_GOAL), max(down, LEAST_GOAL))
 
 
 def as_svg(it: RunPicture) -> str:
@@ -119,6 +191,7 @@ def as_svg(it: RunPicture) -> str:
             f"<desc>{escape(' '.join(it.legend))}</desc>",
             f'<rect width="{it.width:g}" height="{it.height:g}" fill="white"/>',
             *(_svg_shape(it, each) for each in it.drawings),
+            *(_svg_goal(each) for each in goals_on(it)),
             *(line for number, path in enumerate(it.paths) for line in _svg_path(it, path, number)),
             *(_svg_text(*each) for each in texts(it)),
             "</svg>\n",
@@ -133,6 +206,13 @@ def _svg_shape(it: RunPicture, drawing: Drawing) -> str:
         for outline in drawing.outlines
     )
     return f'<path d="{d}" fill="{fill}" stroke="{_INK}" stroke-width="1"/>'
+
+
+def _svg_goal(goal: ShownGoal) -> str:
+    left, top = goal.x - goal.across, goal.y - goal.down
+    size = f'width="{2 * goal.across:g}" height="{2 * goal.down:g}"'
+    style = f'fill="none" stroke="{_INK}" stroke-width="2" stroke-dasharray="6 3"'
+    return f'<rect class="goal" x="{left:g}" y="{top:g}" {size} {style}/>'
 
 
 def _svg_path(it: RunPicture, path: DrivenPath, number: int) -> Iterable[str]:
@@ -165,14 +245,70 @@ def _svg_text(x: float, y: float, text: str) -> str:
 
 def as_png(it: RunPicture) -> bytes:
     """The picture as PNG, drawn by Pillow."""
-    from PIL import Image, ImageDraw, ImageFont, PngImagePlugin  # slow to load
+    image, draw = _canvas(it.width, it.height)
+    _draw_run(it, draw)
+    return _png(image, " ".join(it.legend))
 
-    image = Image.new("RGB", (round(it.width), round(it.height)), "white")
-    draw = ImageDraw.Draw(image)
-    font = ImageFont.load_default(LETTER)
+
+def as_gif(it: RunPicture) -> bytes:
+    """The picture as GIF: dots drive along the paths once, all beginning together."""
+    from PIL.ImageDraw import Draw  # slow to load
+
+    image, draw = _canvas(it.width, it.height)
+    _draw_run(it, draw)
+    base = image.quantize(64)
+    seconds = max((path.seconds for path in it.paths), default=FRAME)
+    count = max(2, min(MOST_FRAMES, round(seconds / FRAME) + 1))
+    frames = []
+    for number in range(count):
+        frame = base.copy()
+        pen = Draw(frame)
+        for place in driven_to(it, seconds * number / (count - 1)):
+            radius = max(3.0, 1.3 * it.scale)
+            box = (place[0] - radius, place[1] - radius, place[0] + radius, place[1] + radius)
+            pen.ellipse(box, outline=_darkest(base), width=3)
+        frames.append(frame)
+    out = BytesIO()
+    pause = round(1000 * seconds / (count - 1))
+    frames[0].save(out, "GIF", save_all=True, append_images=frames[1:], duration=pause, comment=b"donnie")
+    return out.getvalue()
+
+
+def driven_to(it: RunPicture, seconds: float) -> Iterable[_Point]:
+    """Where the dot of each path is on the picture after that time."""
+    for path in it.paths:
+        left = seconds * STEPS_A_SECOND
+        x, y = path.poses[0].x, path.poses[0].y
+        for here, there in pairwise(path.poses):
+            length = _apart(here, there)
+            part = min(1.0, left / length) if length else 1.0
+            x, y = here.x + (there.x - here.x) * part, here.y + (there.y - here.y) * part
+            left -= length
+            if left <= 0:
+                break
+        yield it.at(x, y)
+
+
+def _darkest(image: Image) -> int:
+    """The number of the darkest colour in the palette."""
+    palette = image.getpalette() or [0, 0, 0]
+    return min(range(len(palette) // 3), key=lambda at: sum(palette[3 * at : 3 * at + 3]))
+
+
+def _canvas(width: float, height: float) -> tuple[Image, ImageDraw]:
+    from PIL import Image, ImageDraw  # slow to load
+
+    image = Image.new("RGB", (round(width), round(height)), "white")
+    return image, ImageDraw.Draw(image)
+
+
+def _draw_run(it: RunPicture, draw: ImageDraw) -> None:
     for each in it.drawings:
         for outline in each.outlines:
             draw.polygon([it.at(*point) for point in outline], fill=_fill(each), outline=_INK)
+    for goal in goals_on(it):
+        box = (goal.x - goal.across, goal.y - goal.down, goal.x + goal.across, goal.y + goal.down)
+        draw.rectangle(box, outline=_INK, width=2)
     for number, path in enumerate(it.paths):
         colour = _PATHS[number % len(_PATHS)]
         places = [it.at(pose.x, pose.y) for pose in path.poses]
@@ -182,16 +318,41 @@ def as_png(it: RunPicture) -> bytes:
         draw.ellipse((x - 4, y - 4, x + 4, y + 4), fill="white", outline=colour, width=2)
         draw.polygon(arrow(it, path), fill=colour)
     for x, y, text in texts(it):
-        draw.text((x, y), text, fill=_INK, font=font, anchor="ls")
-    out, about = BytesIO(), PngImagePlugin.PngInfo()
-    about.add_text("Software", "donnie")  # so that only a picture of Donnie's is replaced
-    about.add_text("Description", " ".join(it.legend).encode("latin-1", "replace").decode("latin-1"))
-    image.save(out, "PNG", pnginfo=about)
+        _write(draw, x, y, text, "ls")
+
+
+def _write(draw: ImageDraw, x: float, y: float, text: str, anchor: str) -> None:
+    from PIL import ImageFont  # slow to load
+
+    draw.text((x, y), text, fill=_INK, font=ImageFont.load_default(LETTER), anchor=anchor)
+
+
+def _png(image: Image, about: str) -> bytes:
+    from PIL import PngImagePlugin  # slow to load
+
+    out, info = BytesIO(), PngImagePlugin.PngInfo()
+    info.add_text("Software", "donnie")  # so that only a picture of Donnie's is replaced
+    info.add_text("Description", about.encode("latin-1", "replace").decode("latin-1"))
+    image.save(out, "PNG", pnginfo=info)
     return out.getvalue()
 
 
+def plot_as_png(plot: Plot) -> bytes:
+    """A plot of what was measured."""
+    image, draw = _canvas(plot.width, plot.height)
+    for each in plot.axes:
+        draw.line(each, fill=_INK, width=1)
+    for each in plot.curves:
+        draw.line(each, fill=_INK, width=2)
+    for x, y in plot.dots:
+        draw.ellipse((x - 3, y - 3, x + 3, y + 3), fill=_INK)
+    for text in plot.texts:
+        _write(draw, text.x, text.y, text.text, {"start": "ls", "middle": "ms", "end": "rs"}[text.anchor])
+    return _png(image, plot.about)
+
+
 def texts(it: RunPicture) -> Iterable[tuple[float, float, str]]:
-    """The title, a letter on each thing or next to a small one, and the legend.
+    """The title, a letter on each thing or next to a small one, the numbers of goals, and the legend.
 
     Left end and base line of each.
     """
@@ -201,9 +362,13 @@ def texts(it: RunPicture) -> Iterable[tuple[float, float, str]]:
         if thing is None:
             continue
         x, y = it.at(thing.x, thing.y)
-        is_inside = min(thing.width, thing.depth) * it.scale >= 1.5 * LETTER
-        right = x - LETTER / 3 if is_inside else x + thing.width * it.scale / 2 + 3
-        yield right, y + LETTER / 3, thing.letter
+        letters = it.letters[thing.index]
+        half = len(letters) * LETTER * 0.28
+        is_inside = min(thing.width, thing.depth) * it.scale >= 1.5 * LETTER * max(1, 2 * half / LETTER)
+        right = x - half if is_inside else x + thing.width * it.scale / 2 + 3
+        yield right, y + LETTER / 3, letters
+    for goal in goals_on(it):
+        yield goal.x - goal.across, goal.y - goal.down - 4, goal.numbers
     below = it.height - LINE * len(it.legend)
     for number, line in enumerate(it.legend):
         yield MARGIN, below + LINE * number, line

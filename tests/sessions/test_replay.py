@@ -237,7 +237,8 @@ def test_a_recording_becomes_a_picture_that_is_replaced_only_by_another(tmp_path
 
     for _ in range(2):
         done = donnie(
-            tmp_path, "replay", "p.rec", "--svg", "p.svg", "--png", "p.png", "--swell", "s.svg", *quiet
+            *(tmp_path, "replay", "p.rec", "--svg", "p.svg", "--png", "p.png", "--gif", "p.gif"),
+            *("--swell", "s.svg", *quiet),
         )
         assert (done.returncode, done.stderr) == (0, b"")
     assert b"I wrote p.svg." in done.stdout
@@ -247,11 +248,28 @@ def test_a_recording_becomes_a_picture_that_is_replaced_only_by_another(tmp_path
     assert raised.count("stroke-dasharray") == 2  # the path and its place in the key
     assert 'width="210mm"' in raised
     assert (tmp_path / "p.png").read_bytes().startswith(b"\x89PNG")
+    assert (tmp_path / "p.gif").read_bytes().startswith(b"GIF89a")
     (tmp_path / "photo.png").write_bytes(b"\x89PNG\r\n\x1a\nsomething else")
     refused = donnie(tmp_path, "replay", "p.rec", "--png", "photo.png", *quiet)
     assert refused.returncode == 2
     assert b"would overwrite photo.png" in refused.stderr
     assert donnie(tmp_path, "replay", "p.rec", "--png", "q.png", "--step", *quiet).returncode == 2
+    (tmp_path / "film.gif").write_bytes(b"GIF89a of a cat")
+    assert donnie(tmp_path, "replay", "p.rec", "--gif", "film.gif", *quiet).returncode == 2
+
+
+def test_pictures_of_a_run_have_the_title_of_the_author_and_the_goals_of_a_challenge(tmp_path: Path) -> None:
+    (tmp_path / "p.gd").write_text("FW 6\n")
+    quiet = ("--speech", "off", "--sound", "off", "--lang", "pt")
+    donnie(tmp_path, "run", "p.gd", "--world", "race_track", "--record", "p.rec", "--speed", "max", *quiet)
+    given = ("--svg", "p.svg", "--swell", "s.svg", "--challenge", "one_lap")
+
+    done = donnie(tmp_path, "replay", "p.rec", *given, *quiet)
+
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert "<title>Mapa de Pista de corrida</title>" in (tmp_path / "p.svg").read_text()
+    assert "<title>Mapa de Pista de corrida</title>" in (tmp_path / "s.svg").read_text()
+    assert (tmp_path / "p.svg").read_text().count('class="goal"') == 5
 
 
 def test_the_map_of_a_replay_has_the_initials_of_colours(tmp_path: Path) -> None:

@@ -1,6 +1,7 @@
 """A run as a picture: what is drawn, to scale, in the right places, and said in words."""
 
 import re
+from collections.abc import Sequence
 from io import BytesIO
 from itertools import combinations
 from pathlib import Path
@@ -11,8 +12,19 @@ from PIL import Image, ImageFont
 
 import worlds
 from devices.ports.robot import Pose
+from donnie_tui.core.goals import GoalPlace
 from donnie_tui.i18n.words import Words
-from donnie_tui.world.run_picture import LETTER, DrivenPath, RunPicture, as_png, as_svg, run_picture, texts
+from donnie_tui.world.run_picture import (
+    LETTER,
+    DrivenPath,
+    RunPicture,
+    as_gif,
+    as_png,
+    as_svg,
+    driven_to,
+    run_picture,
+    texts,
+)
 from sim.picture import drawings
 from sim.worldfile import load_world
 
@@ -20,9 +32,14 @@ PATH = DrivenPath("", (Pose(0, 0, 0), Pose(0, 6, 0), Pose(18, 6, 90), Pose(18, -
 SVG = "{http://www.w3.org/2000/svg}"
 
 
-def drawn(name: str = "two_rooms", path: DrivenPath = PATH, language: str = "en") -> RunPicture:
+def drawn(
+    name: str = "two_rooms",
+    path: DrivenPath = PATH,
+    language: str = "en",
+    goals: Sequence[GoalPlace] = (),
+) -> RunPicture:
     scene = load_world(Path(worlds.path(name)), allowed=(Path(worlds.SCENES),))
-    return run_picture("Two & rooms", drawings(scene), (path,), Words(language))
+    return run_picture("Two & rooms", drawings(scene), (path,), Words(language), goals)
 
 
 def test_the_path_is_to_scale_and_north_is_up() -> None:
@@ -75,9 +92,13 @@ def test_the_png_shows_floor_walls_things_and_the_path_where_they_are() -> None:
     assert at(10, 6) == (0x7B, 0x2C, 0xBF)  # the path
 
 
-@pytest.mark.parametrize("name", ["two_rooms", "first_room", "living_room", "object_field", "wild_garden"])
-def test_no_text_touches_another_and_all_lies_on_the_picture(name: str) -> None:
-    it = drawn(name)
+PLACES = ((1, -5.0, -5.0, 5.0, 5.0), (2, -8.0, 8.0, -8.0, 8.0), (3, -8.0, 8.0, -8.0, 8.0))
+
+
+@pytest.mark.parametrize("goals", [(), PLACES])
+@pytest.mark.parametrize("name", worlds.scenarios())
+def test_no_text_touches_another_and_all_lies_on_the_picture(name: str, goals: Sequence[GoalPlace]) -> None:
+    it = drawn(name, goals=goals)
     font = ImageFont.load_default(LETTER)
     boxes = [(font.getbbox(text, anchor="ls"), x, y) for x, y, text in texts(it)]
     placed = [(x + box[0], y + box[1], x + box[2], y + box[3]) for box, x, y in boxes]
@@ -93,3 +114,53 @@ def test_a_robot_that_only_turned_has_a_place_and_no_moving_dot() -> None:
 
     assert not re.search("<animate", svg)
     assert "<polygon" in svg
+
+
+# --- goals, colours, GIF
+
+
+def test_goals_are_dashed_boxes_with_their_numbers_and_a_place_has_all_of_them() -> None:
+    it = drawn(goals=PLACES)
+    svg = ElementTree.fromstring(as_svg(it))
+    boxes = [
+        tuple(float(each.attrib[name]) for name in ("x", "y", "width", "height"))
+        for each in svg.iter(f"{SVG}rect")
+        if each.get("class") == "goal"
+    ]
+
+    (x, y, width, height), small = boxes
+    assert (x, y) == pytest.approx(it.at(-5, 5), abs=0.2)
+    assert (width, height) == pytest.approx((10 * it.scale, 10 * it.scale), abs=0.2)
+    assert (small[0] + small[2] / 2, small[1] + small[3] / 2) == pytest.approx(it.at(-8, 8), abs=0.2)
+    assert [text for _, _, text in texts(it) if text in ("1", "2", "3", "2, 3")] == ["1", "2, 3"]
+    assert [each for each in it.legend if each.startswith("goal")] == ["goal 1", "goal 2", "goal 3"]
+
+
+def test_things_that_differ_in_colour_only_have_the_initial_of_the_colour() -> None:
+    it = drawn("colour_garden")
+
+    assert sorted(text for _, _, text in texts(it) if len(text) == 2) == [
+        *("fB", "fB", "fB", "fO", "fR", "fR", "fY", "fY", "fY", "fY"),
+    ]
+    assert {"fB: flower, blue", "fY: flower, yellow", "s: stone, gray"} < {*it.legend}
+
+
+def test_a_gif_moves_a_dot_from_the_start_to_the_end_in_the_time_of_the_svg() -> None:
+    it = drawn()
+    image = Image.open(BytesIO(as_gif(it)))
+    durations = []
+    for frame in range(image.n_frames):
+        image.seek(frame)
+        durations.append(image.info["duration"])
+
+    assert image.size == (it.width, it.height)
+    assert sum(durations[:-1]) == pytest.approx(3200, abs=200)  # 32 steps, ten a second
+    assert [*driven_to(it, 0)] == [it.at(0, 0)]
+    assert [*driven_to(it, 1.6)] == [it.at(10, 6)]
+    assert [*driven_to(it, 99)] == [it.at(18, -2)]
+
+
+def test_a_long_run_has_no_more_frames_than_one_of_six_seconds() -> None:
+    long = DrivenPath("", (Pose(0, 0, 0), *(Pose(5 * (at % 2), 0, 90) for at in range(1, 200))))
+
+    assert Image.open(BytesIO(as_gif(drawn(path=long)))).n_frames == 60

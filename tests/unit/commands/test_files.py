@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import csv
 import os
 from collections.abc import Callable
 from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
+from PIL import Image
 
 from donnie_tui.commands.lookup import words_of
 from tests.unit.commands.scripted import Script
@@ -226,6 +228,68 @@ def test_a_report_of_a_run_is_a_picture_that_moves_and_of_its_distances_a_plot(
     assert "3 steps" in (run.findtext(f"{space}desc") or "")
     plot = ElementTree.fromstring((tmp_path / "plot.svg").read_text())
     assert "distance F" in [each.text for each in plot.iter(f"{space}text")]
+
+
+def test_pictures_of_a_run_are_what_their_names_say(open_script: OpenScript, tmp_path: Path) -> None:
+    script = open_script()
+    script.run("FW 2\nSPEAK DISTANCE F\nFW 1")
+    script.rest()
+    for what, name, form in (
+        ("run", "run.png", "PNG"),
+        ("run", "run.gif", "GIF"),
+        ("distances", "plot.png", "PNG"),
+    ):
+        assert script.answers_to(f"REPORT {what} {name}") == [f"Wrote {name}."]
+        assert Image.open(tmp_path / name).format == form
+    assert (script.answers_to("REPORT distances d.txt"), (tmp_path / "d.txt").read_text()[:23]) == (
+        ["Wrote d.txt."],
+        "Distances over the time",
+    )
+
+
+@pytest.mark.parametrize(
+    ("typed", "answer"),
+    [
+        ("map m.png", "A report of map can't end in .png. It can in .html, .htm, .csv, .txt."),
+        (
+            "distances d.gif",
+            "A report of distances can't end in .gif. It can in .html, .htm, .csv, .txt, .svg, .png.",
+        ),
+    ],
+)
+def test_what_has_no_such_form_is_refused(
+    open_script: OpenScript, tmp_path: Path, typed: str, answer: str
+) -> None:
+    assert open_script().answers_to(f"REPORT {typed}") == [answer]
+    assert not [*tmp_path.glob("*.png"), *tmp_path.glob("*.gif")]
+
+
+def test_a_run_without_a_file_is_said(open_script: OpenScript) -> None:
+    script = open_script()
+    assert script.answers_to("REPORT distances") == ["Nothing was measured yet."]
+    script.run("VAR n = 1\nFW 2\nn = 2\nSPEAK DISTANCE F\nFW 1")
+    script.rest()
+
+    assert script.answers_to("REPORT run")[-1] == "3 steps in all."
+    assert script.answers_to("REPORT distances")[1:] == [
+        "The robot drives for 3 of 3 seconds, at most 1 step a second.",
+        "Variables at the end: n = 2.",
+    ]
+
+
+def test_the_table_has_a_variable_as_it_was_at_each_moment(open_script: OpenScript, tmp_path: Path) -> None:
+    script = open_script()
+    script.run("VAR n = 1\nFW 2\nn = 2\nFW 1\nn = 7\nFW 1")
+    script.rest()
+    script.type("REPORT distances d.csv")
+
+    assert list(csv.reader((tmp_path / "d.csv").read_text().splitlines())) == [
+        ["seconds", "speed", "n"],
+        ["0", "1", "1"],
+        ["2", "1", "2"],
+        ["3", "1", "7"],
+        ["4", "1", "7"],
+    ]
 
 
 def test_the_log_replaces_a_file_only_after_a_yes(open_script: OpenScript, walk: Path) -> None:

@@ -2,22 +2,28 @@
 
 import csv
 from html.parser import HTMLParser
+from itertools import combinations
 from xml.etree import ElementTree
 
 import pytest
+from PIL import ImageFont
 
 from devices.ports.robot import Pose
 from donnie_tui.core.events import Event, Moved, Outcome, Read, RunEnded, RunStarted, Stamped, Turned
 from donnie_tui.core.map_grid import Trail
 from donnie_tui.core.reports import (
+    PLOT_LETTER,
     Section,
+    Series,
     Subject,
     as_csv,
     as_html,
     asked,
     measured,
     measured_in_words,
+    plotted,
     report,
+    suffixes_of,
 )
 from donnie_tui.i18n.words import Words
 from sim.picture import Picture
@@ -70,8 +76,8 @@ def test_lines_are_a_table_of_one_column() -> None:
 # --- measured over the time
 
 
-def walked(t: float, steps: int) -> Stamped:
-    return Stamped(1, t, Moved(f"FW {steps}", steps, steps, None, Pose(0, 0, 0), forward=True))
+def walked(t: float, steps: int, seq: int = 1) -> Stamped:
+    return Stamped(seq, t, Moved(f"FW {steps}", steps, steps, None, Pose(0, 0, 0), forward=True))
 
 
 def at(t: float, event: Event) -> Stamped:
@@ -81,51 +87,83 @@ def at(t: float, event: Event) -> Stamped:
 RUN = [
     at(0, RunStarted("p", "w", "donnie", 0, "0")),
     at(0, Read("distance", "front", 34)),
-    walked(10, 10),
+    walked(10, 10, 4),
     at(10, Read("distance", "front", 24)),
     at(12, Turned("TR 90", 90, 90, None, Pose(0, 0, 90), right=True)),
     at(12, Read("distance", "front", 8)),  # another wall: 16 nearer, though it walked nowhere
-    walked(24, 6),
+    walked(24, 6, 7),
     at(24, Read("distance", "front", 2)),
     at(24, RunEnded(Outcome.COMPLETED, Pose(0, 0, 0), {"a": 3}, 24.0)),
 ]
 
 
 def subject() -> Subject:
-    return Subject((), Pose(0, 0, 0), Picture(0, 0, 1, 1, 1, (".",), (), False), Trail(), (), (), RUN)
+    picture = Picture(0, 0, 1, 1, 1, (".",), (), False)
+    return Subject((), Pose(0, 0, 0), picture, Trail(), (), (), RUN, {4: (("a", 1),), 7: (("a", 2),)})
+
+
+def written(name: str) -> str:
+    return report("distances", name, subject(), Words()).decode()
 
 
 def test_distances_speed_and_variables_over_the_time_are_three_sentences() -> None:
     """The speed: 10 steps in 10 seconds, 6 in 12."""
     assert measured_in_words(measured(RUN, Words()), Words()) == (
-        "Distance F falls from 34 to 2 in 24 seconds. 1 jump, the first at second 12.",
+        "Distance ahead falls from 34 to 2 in 16 steps, one jump at 10.",
         "The robot drives for 22 of 24 seconds, at most 1 step a second.",
         "Variables at the end: a = 3.",
     )
     assert measured_in_words((), Words()) == ("Nothing was measured yet.",)
 
 
+@pytest.mark.parametrize(
+    ("language", "sentence"),
+    [
+        ("pt", "Distância à frente cai de 34 para 2 em 16 passos, um salto em 10."),
+        ("es", "Distancia al frente baja de 34 a 2 en 16 pasos, un salto en 10."),
+    ],
+)
+def test_the_sentences_are_in_the_learners_language(language: str, sentence: str) -> None:
+    words = Words(language)
+
+    assert measured_in_words(measured(RUN, words), words)[0] == sentence
+
+
+def test_two_jumps_are_counted_and_the_first_has_its_step() -> None:
+    again = [*RUN[:-1], at(24, Read("distance", "front", 9)), RUN[-1]]
+
+    (sentence, *_) = measured_in_words(measured(again, Words()), Words())
+    assert sentence == "Distance ahead falls from 34 to 9 in 16 steps, 2 jumps, the first at 10."
+
+
+def test_a_variable_is_known_during_each_movement() -> None:
+    """During the turn between them nothing was looked at."""
+    series = {each.name: each.points for each in measured(RUN, Words(), subject().variables)}
+
+    assert series["a"] == ((0, 1), (10, 1), (12, 2), (24, 2), (24, 3))
+
+
 def test_the_same_is_a_table_for_spreadsheets() -> None:
-    rows = list(csv.reader(report("distances", "d.csv", subject(), Words()).splitlines()))
+    rows = list(csv.reader(written("d.csv").splitlines()))
 
     assert rows == [
         ["seconds", "distance F", "speed", "a"],
-        ["0", "34", "1", ""],
-        ["10", "24", "0", ""],
-        ["12", "8", "0.5", ""],
+        ["0", "34", "1", "1"],
+        ["10", "24", "0", "1"],
+        ["12", "8", "0.5", "2"],
         ["24", "2", "0.5", "3"],
     ]
 
 
 def test_the_plot_is_to_scale_and_says_the_sentences() -> None:
-    svg = ElementTree.fromstring(report("distances", "d.svg", subject(), Words()))
+    svg = ElementTree.fromstring(written("d.svg"))
     space = "{http://www.w3.org/2000/svg}"
     distance, speed, _variable = (
         [tuple(map(float, each.split(","))) for each in (line.get("points") or "").split()]
         for line in svg.findall(f"{space}polyline")
     )
 
-    assert "Distance F falls from 34 to 2" in (svg.findtext(f"{space}desc") or "")
+    assert "Distance ahead falls from 34 to 2" in (svg.findtext(f"{space}desc") or "")
     (x0, y0), (x1, y1), (x2, y2), (x3, y3) = distance
     assert (x1 - x0) / (x3 - x0) == pytest.approx(10 / 24, abs=0.01)
     assert (x2 - x0) / (x3 - x0) == pytest.approx(12 / 24, abs=0.01)
@@ -136,12 +174,39 @@ def test_the_plot_is_to_scale_and_says_the_sentences() -> None:
 
 
 def test_a_page_has_the_plot_above_the_table() -> None:
-    page = report("distances", "d.html", subject(), Words())
+    page = written("d.html")
 
     assert page.index("falls from 34") < page.index("<svg") < page.index("<table")
 
 
-def test_what_has_no_picture_is_no_svg() -> None:
-    assert asked("map map.svg") is None
-    assert asked("run run.svg") == ("run", "run.svg")
+def test_a_text_has_the_sentences_alone() -> None:
+    assert written("d.txt").splitlines() == [
+        "Distances over the time",
+        "Distance ahead falls from 34 to 2 in 16 steps, one jump at 10.",
+        "The robot drives for 22 of 24 seconds, at most 1 step a second.",
+        "Variables at the end: a = 3.",
+    ]
+
+
+def test_how_the_name_of_a_file_may_end_depends_on_what_it_is_about() -> None:
     assert asked("run run") == ("run", "run.html")
+    assert asked("run") == ("run", "")
+    assert asked("map") is None
+    assert ".svg" not in suffixes_of("map")
+    assert {".svg", ".png", ".gif"} < {*suffixes_of("run")}
+    assert {".svg", ".png"} < {*suffixes_of("distances")}
+
+
+def test_no_word_of_a_plot_touches_another_and_all_is_on_it() -> None:
+    many = [Series(f"a_long_name_{each}", ((0, -2147483648), (9, each)), "variable") for each in range(4)]
+    plot = plotted("t", [*measured(RUN, Words()), *many], "", "seconds")
+    font, boxes = ImageFont.load_default(PLOT_LETTER), []
+    for each in plot.texts:
+        x0, y0, x1, y1 = font.getbbox(
+            each.text, anchor={"start": "ls", "middle": "ms", "end": "rs"}[each.anchor]
+        )
+        boxes.append((each.x + x0, each.y + y0, each.x + x1, each.y + y1))
+
+    assert all(x0 >= 0 and y0 >= 0 and x1 <= plot.width and y1 <= plot.height for x0, y0, x1, y1 in boxes)
+    for one, other in combinations(boxes, 2):
+        assert one[2] <= other[0] or other[2] <= one[0] or one[3] <= other[1] or other[3] <= one[1]
