@@ -13,8 +13,8 @@ if TYPE_CHECKING:
     from donnie_tui.linear.greeting import Greeting
 
 
-def main() -> int:
-    """Everything that ``donnie``, ``godonnie`` and ``GoDonnie`` do; the exit code."""
+def main(*, joins_server: bool = False) -> int:
+    """Everything that ``donnie`` does; the exit code."""
     try:
         load_undisturbed()
         _open_what_is_closed()
@@ -22,9 +22,22 @@ def main() -> int:
         greeting = _greet_early()
         from donnie_tui.cli.main import main as command
 
-        return command(sys.argv[1:], greeting)
+        return command(sys.argv[1:], greeting, joins_server=joins_server)
     except KeyboardInterrupt:
         return 130
+
+
+def godonnie() -> int:
+    """The same, with the robot of a Player server that runs here, as the original's client."""
+    return main(joins_server=True)
+
+
+def donnie_player() -> int:
+    """``donnie player`` with the world that ships for it; options may follow."""
+    from worlds import PLAYER
+
+    sys.argv[1:1] = ["player", PLAYER]
+    return main()
 
 
 def _open_what_is_closed() -> None:

@@ -161,6 +161,8 @@ class Donnie(Struct, frozen=True):
         """What the robot that is talked to has, in its world; a board has its own."""
         from sim.sensors import mounted
 
+        if self.connection.mounted is not None:
+            return self.connection.mounted
         return () if self.connection.is_board else mounted(self.world.scene, self.session.name)
 
     def picture_now(self) -> Picture:

@@ -15,6 +15,10 @@ SCENES = f"{_HERE}/scenes"
 MANUAL = f"{_HERE}/manual"
 """The folder with the worlds of the manual."""
 
+PLAYER = f"{SCENES}/donnie.cfg"
+"""Donnie for programs of the Player server, in the world PLAYED."""
+PLAYED = "living_room"
+
 EXAMPLES = ("square", "until_the_wall", "countdown", "turn_or_walk", "spiral", "rectangle", "blue_things")
 """The names of the example programs, easy ones first."""
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from enum import IntEnum
+from typing import Any
 
 from devices.player.codec import BadBody, MessageType, PlayerMessage, decode, encode
 
@@ -145,7 +146,7 @@ def form_of(message: PlayerMessage) -> str | None:
     return "II" if message.type == REQUEST and message.subtype == CAN_YOU else None
 
 
-def values_of(message: PlayerMessage) -> tuple[object, ...]:
+def values_of(message: PlayerMessage) -> tuple[Any, ...]:
     """What is in its body. Raises ``BadBody``, also for a message of which nothing is known."""
     form = form_of(message)
     if form is None:

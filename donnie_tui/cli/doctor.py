@@ -254,7 +254,8 @@ def look_at_chosen_ports(
     from devices.serial_ports.listing import list_ports
     from devices.serial_ports.port import is_named, is_same_port
 
-    chosen = {"robot": settings.robot.partition(":")[2], "belt": settings.belt or ""}
+    kind, _, port = settings.robot.partition(":")
+    chosen = {"robot": port if kind == "serial" else "", "belt": settings.belt or ""}
     for setting, port in chosen.items():
         if not (port and is_named(port)) or "://" in port or os.path.exists(port):  # noqa: PTH110 -- any text may stand there
             continue

@@ -26,7 +26,7 @@ from donnie_tui.core.events import Announced, Spoke, Stamped
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.process.confinement import confinement, may_run_programs
 from donnie_tui.settings.parsing import read_switch
-from donnie_tui.settings.settings import BY_KEY, CONFINED, DEVICES, ServedFile, Settings
+from donnie_tui.settings.settings import BY_KEY, CONFINED, DEVICES, ServedFile, Settings, SettingSource
 
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
@@ -166,12 +166,19 @@ def serve_clients(order: Order) -> int:
             case Announced(code="clients", text=text):
                 output.complaint(text)
 
-    with on_signals(over.set), closing(assemble(replace(settings, speech="off"), terminal=False)) as donnie:
+    settings = replace(settings, speech="robot" if _speaks(settings) else "off")
+    with on_signals(over.set), closing(assemble(settings, terminal=False)) as donnie:
         donnie.session.hub.subscribe(show)
         for notice in (*donnie.notices.about_devices, words("player-ending")):
             output.line(notice)
         over.wait()
     return ExitCode.DONE
+
+
+def _speaks(settings: Settings) -> bool:
+    """Whether what robots say is spoken too: where a terminal shows it, or if a voice was asked for."""
+    is_chosen = settings.source_of("speech") is not SettingSource.DEFAULT
+    return settings.speech not in ("off", "text") and (is_chosen or is_terminal(sys.stdout))
 
 
 # --- in a browser

@@ -36,6 +36,7 @@ from donnie_tui.settings.settings import (
     BadOption,
     Notice,
     Settings,
+    SettingSource,
     limits_of,
     resolve,
 )
@@ -55,6 +56,7 @@ class _Start(Struct, frozen=True):
     troubles: tuple[Notice, ...]
     """What is wrong with the settings of the account."""
     greeting: Greeting | None
+    joins_server: bool
 
 
 class _OwnSettings(Struct, frozen=True):
@@ -69,14 +71,15 @@ TEACHERS = (CONFINED.key, DEVICES.key)
 """Settings that a learner can't make."""
 
 
-def main(arguments: list[str], greeting: Greeting | None = None) -> int:
+def main(arguments: list[str], greeting: Greeting | None = None, *, joins_server: bool = False) -> int:
     """Do it, and give the exit code. Prints; never raises for what the user did.
 
-    ``greeting``: what the linear mode printed before anything was loaded.
+    ``greeting``: what the linear mode printed before anything was loaded. ``joins_server``: a Player server
+    that runs on this machine has the robot, if no other one is chosen.
     """
     _lift_limits()
     machine, damages = read_file(machine_settings_file())
-    start = _Start(Output(), machine, *read_settings(os.environ), greeting)
+    start = _Start(Output(), machine, *read_settings(os.environ), greeting, joins_server)
     words = Words(language_before_parsing(arguments, os.environ, {**machine, **start.account}))
     try:
         for damage in damages:  # it may be the line that limits the learner
@@ -188,7 +191,22 @@ def _order(invocation: Invocation, own: _OwnSettings, start: _Start) -> Order:
         start.output.complaint(words(notice.code, **notice.values))
     settings = replace(settings, notices=() if is_command else own.troubles + notices)
     settings = _with_original_flags(settings, invocation)
+    if start.joins_server and not invocation.command:
+        settings = _at_server(settings)
     return Order(invocation, settings, words, start.output, os.environ, start.greeting)
+
+
+def _at_server(settings: Settings) -> Settings:
+    """With the robot of the server that runs, in the world that ``donnie_player`` serves."""
+    import worlds
+    from donnie_tui.robot.search import running_server
+
+    is_open = settings.source_of("robot") is SettingSource.DEFAULT
+    server = running_server(os.environ) if is_open else None
+    if server is None:
+        return settings
+    has_world = settings.source_of("world") is not SettingSource.DEFAULT
+    return replace(settings, robot=server, world=settings.world if has_world else worlds.PLAYED)
 
 
 def _with_original_flags(settings: Settings, invocation: Invocation) -> Settings:

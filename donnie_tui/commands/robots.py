@@ -117,7 +117,7 @@ def _connections(ctx: Context) -> list[Option]:
 
 
 def _option_in_words(ctx: Context, number: int, option: RobotOption) -> str:
-    port = option.robot.partition(":")[2]
+    port = "" if "://" in option.robot else option.robot.partition(":")[2]
     if option.robot == ctx.donnie.connection.robot:
         code = "connect-option-now"
     elif port and not exists(Path(port)):

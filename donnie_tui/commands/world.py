@@ -94,7 +94,7 @@ async def sensors(ctx: Context, _: str) -> None:
     from donnie_tui.core.describe import sensors_in_words, sensors_of_board
 
     name = shown_name(ctx.donnie.session.name)
-    if ctx.donnie.connection.is_board:
+    if ctx.donnie.connection.is_board and ctx.donnie.connection.mounted is None:
         ctx.say(*sensors_of_board(name, ctx.words, has_camera=ctx.donnie.connection.has_camera))
         return
     devices = ctx.donnie.mounted()

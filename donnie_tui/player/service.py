@@ -35,8 +35,7 @@ from donnie_tui.core.hub import Hub
 from donnie_tui.core.session import Busy, RunOptions, Session
 from donnie_tui.core.team import Team
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.player.server import PlayerServer, PortRefused
-from donnie_tui.player.stations import BadConfiguration, Stations
+from donnie_tui.player.server import BadConfiguration, PlayerServer, PortRefused, Stations
 from donnie_tui.settings.settings import ServedFile
 from language.control import FOREVER, ControlState, ExecutionControl
 from language.diagnostics import Stopped

@@ -19,14 +19,14 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from devices.ports.robot import LinkNotice, Pace, Pose, RobotProblem, Watcher
-from donnie_tui.core.events import Link
+from donnie_tui.core.events import Link, Spoke, Stamped
 from donnie_tui.core.session import Busy, ResettableRobot, Session
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.outlets.belt import refuse_shared_port
+from donnie_tui.outlets.belt import ChosenBelt, refuse_shared_port
 from donnie_tui.process.confinement import check_name, open_bytes
 from donnie_tui.process.signals import timeout_factor
 from donnie_tui.robot.search import Search
-from donnie_tui.settings.parsing import DOUBLE, SERIAL, SIMULATED
+from donnie_tui.settings.parsing import DOUBLE, PLAYER, SERIAL, SIMULATED
 from donnie_tui.settings.settings import Settings
 from donnie_tui.world.loading import ChosenWorld
 
@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     from devices.serial_robot.robot import SerialRobot
     from devices.wire.telemetry import Telemetry
     from donnie_tui.robot.search import Lister, RobotOption
+    from sim.sensors import Mounted
 
 
 AUTOMATIC, NEWER = "auto", "2018"
@@ -141,6 +142,11 @@ class Connection:
         return self.robot != SIMULATED
 
     @property
+    def mounted(self) -> tuple[Mounted, ...] | None:
+        """The devices of a robot that says which it has."""
+        return getattr(self._now.robot, "mounted", None)
+
+    @property
     def has_camera(self) -> bool:
         """Whether the robot is one with a camera, which may fail."""
         return self.is_board and self._settings.camera is not None
@@ -235,6 +241,12 @@ class Connection:
     def _maker(self, robot: str) -> tuple[Callable[[Pace, Watcher], Connectable], str]:
         if robot == DOUBLE:
             return self._make_double, DOUBLE
+        if robot.startswith(PLAYER):
+            from devices.serial_ports.port import PortFault, is_named
+
+            if not is_named(robot.replace(PLAYER, "socket", 1)):
+                raise RobotProblem(PortFault.NOT_NAMED.value, port=robot)
+            return lambda pace, watcher: self._make_player(robot, pace, watcher), robot
         from devices.serial_ports.listing import list_ports, stable_name
         from donnie_tui.robot.search import find_port
 
@@ -256,6 +268,25 @@ class Connection:
         )
         robot.camera = make_camera(self._settings)
         return robot
+
+    def _make_player(self, robot: str, pace: Pace, watcher: Watcher) -> Connectable:
+        """What the program says, and what the belt shows, goes there too."""
+        from donnie_tui.robot.player_robot import PlayerRobot, ServerLink
+
+        host, _, port = robot.partition("://")[2].rpartition(":")
+        link = ServerLink(host.strip("[]"), int(port), self._report)
+        made = PlayerRobot(link, pace=pace, watcher=watcher, start=self._world.start())
+
+        def say(stamped: Stamped) -> None:
+            if isinstance(stamped.event, Spoke):
+                made.say(stamped.event.text)
+
+        hub = self._session.hub
+        made.leave = (
+            hub.subscribe_to_own(say),
+            hub.subscribe_to_own(ChosenBelt(lambda: hub.robot, made.show_belt)),
+        )
+        return made
 
     def _make_double(self, pace: Pace, watcher: Watcher) -> Connectable:
         from devices.board_simulator.board import QUICK_PASSES, SimulatedBoard

@@ -6,16 +6,17 @@ calls it.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from contextlib import suppress
 from typing import Protocol
 
 from msgspec import Struct
 
 from devices.ports.robot import RobotProblem
 from devices.serial_ports.listing import FoundPort, list_ports
-from devices.serial_ports.port import PortFault, PortProblem, group_of, is_same_port
+from devices.serial_ports.port import PortFault, PortProblem, group_of, is_named, is_same_port
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.settings.parsing import DOUBLE, SERIAL, SIMULATED
+from donnie_tui.settings.parsing import DOUBLE, PLAYER, PLAYER_PORT, SERIAL, SIMULATED, read_server
 from donnie_tui.settings.settings import Settings
 
 
@@ -73,6 +74,31 @@ def _nothing() -> None: ...
 Lister = Callable[[], tuple[FoundPort, ...]]
 
 
+def running_server(environment: Mapping[str, str]) -> str | None:
+    """The Player server that the original's variables name, or one that runs on this machine."""
+    host, port = environment.get("DONNIE_IP", ""), environment.get("DONNIE_PORT", "")
+    try:
+        server = read_server(f"{host or LOCAL_SERVER}:{port or PLAYER_PORT}")
+    except ValueError:
+        return None
+    if host:
+        return server
+    place = server.partition("://")[2]
+    with suppress(OSError):
+        if is_named(f"socket://{place}"):
+            import socket
+
+            with socket.create_connection((LOCAL_SERVER, int(place.rpartition(":")[2])), HERE) as connected:
+                return server if connected.recv(len(_BANNER)) == _BANNER else None
+    return None
+
+
+LOCAL_SERVER = "127.0.0.1"
+HERE = 1.0
+"""Seconds that a server on this machine may take."""
+_BANNER = b"Player v."
+
+
 class RobotOption(Struct, frozen=True):
     """One robot that a learner may choose."""
 
@@ -85,7 +111,8 @@ def robot_options(settings: Settings, words: Words, found: Lister = list_ports) 
     """The simulator, the boards that are plugged in and the one of the settings, and the simulated board."""
     ports = dict.fromkeys(each.stable for each in _boards(settings, found))
     may_be_belt = len(ports) > 1 and not settings.belt
-    configured = settings.robot.partition(":")[2]
+    server = settings.robot if settings.robot.startswith(PLAYER) else ""
+    configured = "" if server else settings.robot.partition(":")[2]
     if configured and not any(is_same_port(configured, port) for port in ports):
         ports[configured] = None
     return (
@@ -94,6 +121,7 @@ def robot_options(settings: Settings, words: Words, found: Lister = list_ports) 
             RobotOption(f"{SERIAL}:{port}", words(_kind(port, configured, may_be_belt), port=port))
             for port in ports
         ),
+        *((RobotOption(server, words("connect-option-port", port=server)),) if server else ()),
         RobotOption(DOUBLE, words("connect-option-double")),
     )
 

@@ -173,10 +173,12 @@ _NONE = "none"
 _PINS = range(2, 28)
 """The Raspberry Pi's lines that a person can wire; 0 and 1 belong to its boards."""
 
-SIMULATED, DOUBLE, SERIAL = "sim", "double", "serial"
-"""What ``--robot`` takes; ``serial`` alone finds the port by itself, ``serial:PORT`` names it."""
+SIMULATED, DOUBLE, SERIAL, PLAYER = "sim", "double", "serial", "player"
+"""What ``--robot`` takes; ``serial`` alone finds the port by itself, ``serial:PORT`` names it, and
+``player://HOST:PORT`` is a server of robots."""
+PLAYER_PORT = 6665
 
-ROBOT_WANTED = "sim, serial, serial:PORT, double"
+ROBOT_WANTED = "sim, serial, serial:PORT, double, player://HOST:PORT"
 PORT_WANTED = "DEVICE, socket://HOST:PORT, rfc2217://HOST:PORT"
 STEPS_WANTED = "5 10 20"
 COLUMNS_WANTED = "front 3, front-right 4, back 0 6"
@@ -196,13 +198,27 @@ BUMPERS_WANTED = "front front front back back back"
 
 
 def read_robot(text: str) -> str:
-    """Which robot: a simulated one, a real one, or the simulated board of a real one."""
+    """Which robot: a simulated one, a real one, the simulated board of a real one, or a server's."""
     kind, colon, port = text.strip().partition(":")
+    if kind.lower() == PLAYER and port.startswith("//"):
+        return read_server(port.removeprefix("//"))
     if kind.lower() not in (SIMULATED, DOUBLE, SERIAL) or "\0" in text:
         raise ValueError(text)
     if colon and (kind.lower() != SERIAL or not read_port(port)):
         raise ValueError(text)
     return f"{kind.lower()}{colon}{port}"
+
+
+def read_server(text: str) -> str:
+    """``HOST:PORT`` or ``HOST``, as the address of a robot."""
+    host, colon, number = text.rstrip("/").rpartition(":")
+    if not colon or number.endswith("]"):  # of an address that has colons itself
+        host, number = text.rstrip("/"), str(PLAYER_PORT)
+    is_address = host.startswith("[") and host.endswith("]")
+    is_plain = all(each.isalnum() or each in "-._" for each in host) and host.isascii()
+    if not host or not (is_address or is_plain) or not 1 <= int(number) <= 65535:
+        raise ValueError(text)
+    return f"{PLAYER}://{host}:{int(number)}"
 
 
 def read_port(text: str) -> str:

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from donnie_tui.robot.search import Search
-from donnie_tui.settings.parsing import SERIAL
+from donnie_tui.settings.parsing import PLAYER, SERIAL
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui.app import DonnieApp
 from donnie_tui.tui.environment import print_last_lines, wants_mouse
@@ -105,7 +105,7 @@ def _in_next_world(app: DonnieApp) -> tuple[Settings, ScreenState]:
 
 def _takes_time(settings: Settings) -> bool:
     """Whether a real robot is looked for, as a configuration file may ask for one too."""
-    return settings.robot.startswith(SERIAL) or settings.world.endswith(".cfg")
+    return settings.robot.startswith((SERIAL, PLAYER)) or settings.world.endswith(".cfg")
 
 
 def _assembled(settings: Settings, search: Search | None) -> Donnie:

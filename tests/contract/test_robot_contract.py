@@ -11,10 +11,13 @@ late, so only the side and the whole steps are checked there.
 
 from __future__ import annotations
 
+import contextlib
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
 from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import pytest
 
@@ -26,7 +29,9 @@ from devices.serial_robot.config import RobotConfig
 from devices.serial_robot.link import SerialLink
 from devices.serial_robot.robot import SerialRobot
 from devices.wire.link_state import LinkConfig
+from donnie_tui.robot.player_robot import PlayerRobot, ServerLink
 from sim.world import World
+from tests.player.room import HOST, ServedRoom
 from tests.unit.devices.robots import Real, Sonars, wall_ahead
 from tests.unit.sim.floors import IDEAL, scene
 
@@ -95,6 +100,22 @@ def on_a_device_path(closing: ExitStack, pace: Pace, progress: Progress) -> Robo
     return robot
 
 
+PLAYER = """
+driver ( name "stage" plugin "stageplugin" provides [ "7665:simulation:0" ] worldfile "room.world" )
+driver ( name "stage" model "donnie" provides [ "7665:position2d:0" "7665:ranger:0" "7665:blobfinder:0" ] )
+"""
+
+
+def on_a_player_server(closing: ExitStack, pace: Pace, progress: Progress) -> Robot:
+    """In the same world as the simulator, four times as fast as a real server."""
+    folder = closing.enter_context(TemporaryDirectory())
+    room = closing.enter_context(contextlib.closing(ServedRoom(Path(folder), PLAYER, IDEAL_WORLD, 4.0)))
+    robot = PlayerRobot(ServerLink(HOST, room.port), pace=pace, watcher=progress)
+    robot.connect()
+    closing.callback(robot.close)
+    return robot
+
+
 def in_virtual_time(
     noise: float = 0.0, cut: float = 0.0, torn: bool = False
 ) -> Callable[[ExitStack, Pace, Progress], Robot]:
@@ -123,6 +144,7 @@ class Tearing:
 ROBOTS = {
     "simulator": simulator,
     "device-path": on_a_device_path,
+    "player-server": on_a_player_server,
     "good-line": in_virtual_time(),
     "noise": in_virtual_time(noise=0.0005),
     "half-frames": in_virtual_time(cut=0.1),
@@ -132,7 +154,7 @@ ROBOTS = {
 
 @pytest.fixture(params=ROBOTS)
 def tested(request: pytest.FixtureRequest) -> Iterator[RobotUnderTest]:
-    pace, progress = Pace(waits=request.param == "device-path"), Progress()
+    pace, progress = Pace(waits=request.param in ("device-path", "player-server")), Progress()
     with ExitStack() as closing:
         yield RobotUnderTest(ROBOTS[request.param](closing, pace, progress), pace, progress)
 

@@ -1,9 +1,14 @@
 """A room for clients of Player, as configuration and world files, and its devices without a socket."""
 
+import asyncio
+import socket
+import threading
+from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 
 from devices.ports.robot import GripResult
-from donnie_tui.player.stations import Stations
+from donnie_tui.player.server import PlayerServer, Stations
 from sim.velocity import VelocityLoop
 from sim.world import World
 from sim.worldfile import load_configuration
@@ -100,3 +105,51 @@ def stations_of(path: Path, notes: Notes | None = None, port: int = 6665) -> Sta
     found = load_configuration(path)
     assert found.scene is not None
     return Stations(found.drivers, VelocityLoop(World(found.scene)), port, notes or Notes())
+
+
+HOST = "127.0.0.1"
+
+
+def free_port() -> int:
+    with socket.socket() as bound:
+        bound.bind((HOST, 0))
+        return int(bound.getsockname()[1])
+
+
+class ServedRoom:
+    """A server in a thread of its own, on a port that was free. ``7665`` in the configuration becomes it."""
+
+    def __init__(
+        self, folder: Path, configuration: str, world: str, speed: float | None = 20.0, port: int = 0
+    ) -> None:
+        self.port = port or free_port()
+        self.notes = Notes()
+        path = write_room(folder, configuration.replace("7665", str(self.port)), world)
+        self.stations = stations_of(path, self.notes)
+        self._server = PlayerServer(self.stations, HOST, "1", lambda code: None)
+        self.gate: Callable[[], object] = lambda: None
+        """Called after each tick; the next one waits for it."""
+        self._speed, self._started = speed, threading.Event()
+        self._end: Callable[[], object] = lambda: None
+        self._thread = threading.Thread(target=self._run, daemon=True)
+        self._thread.start()
+        assert self._started.wait(20)
+
+    def _run(self) -> None:
+        async def serve() -> None:
+            running, loop = asyncio.current_task(), asyncio.get_running_loop()
+            assert running is not None
+            self._end = lambda: loop.call_soon_threadsafe(running.cancel)
+            await self._server.run(self._pace, self._started.set)
+
+        with suppress(asyncio.CancelledError):
+            asyncio.run(serve())
+
+    def _pace(self) -> float | None:
+        self.gate()
+        return self._speed
+
+    def close(self) -> None:
+        if self._thread.is_alive():
+            self._end()
+        self._thread.join(20)

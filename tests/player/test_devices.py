@@ -13,7 +13,7 @@ from devices.player.connection import MOST_REPLIES, MOST_WAITING, ClientConnecti
 from devices.player.interfaces import FORMS, Interface, body_of, values_of
 from devices.ports.drive import MetricPose
 from donnie_tui.player.equipment import angle, towards
-from donnie_tui.player.stations import BadConfiguration, Stations
+from donnie_tui.player.server import BadConfiguration, Stations
 from tests.player.room import CONFIGURATION, Notes, stations_of, write_room
 
 DATA, COMMAND, REQUEST, ACK, NACK = (

@@ -9,7 +9,7 @@ import pytest
 from devices.player.codec import LONGEST_REPLY, MessageReader, MessageType, PlayerMessage, TooLong
 from devices.player.connection import ClientConnection
 from devices.player.interfaces import Interface
-from donnie_tui.player.stations import PortStation, Stations
+from donnie_tui.player.server import PortStation, Stations
 from tests.player.recordings import NAMES, Side, sides
 from tests.player.room import DONNIE_CONFIGURATION, DONNIE_WORLD, stations_of, write_room
 

@@ -11,8 +11,7 @@ import pytest
 from devices.player.codec import MessageReader, MessageType, PlayerMessage
 from devices.player.interfaces import body_of
 from donnie_tui.player import server as module
-from donnie_tui.player.server import PlayerServer, PortRefused
-from donnie_tui.player.stations import Stations
+from donnie_tui.player.server import PlayerServer, PortRefused, Stations
 from tests.player.room import CONFIGURATION, stations_of, write_room
 
 HOST = "127.0.0.1"

@@ -345,7 +345,10 @@ def test_settings_describe_a_robot_and_a_belt() -> None:
         ("robot", "serial:"),
         ("robot", "sim:x"),
         ("robot", "robot"),
-        ("robot", "player://host"),
+        ("robot", "player:host"),
+        ("robot", "player://"),
+        ("robot", "player://host:0"),
+        ("robot", "player://ho st:6665"),
         ("belt", ""),
         ("belt_steps", "5 10"),
         ("belt_steps", "10 5 20"),
@@ -402,3 +405,18 @@ def test_a_profile_and_settings_say_how_a_robot_is_wired(
 
     assert (config.wiring.encoders, config.wiring.motors) == (encoders, motors)
     assert (config.head_is_mirrored, config.finds_profile) == (is_mirrored, is_found_out)
+
+
+@pytest.mark.parametrize(
+    ("typed", "robot"),
+    [
+        ("player://localhost", "player://localhost:6665"),
+        ("PLAYER://192.168.1.20:7000/", "player://192.168.1.20:7000"),
+        ("player://[::1]:6666", "player://[::1]:6666"),
+        ("player://[::1]", "player://[::1]:6665"),
+    ],
+)
+def test_a_server_is_an_address_with_a_port(typed: str, robot: str) -> None:
+    settings, _ = resolve({"robot": typed}, {}, {})
+
+    assert settings.robot == robot

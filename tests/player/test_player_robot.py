@@ -1,0 +1,381 @@
+"""GoDonnie's robot at a Player server: at our own, at one that plays recorded bytes, and at bad ones."""
+
+import socket
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import closing, suppress
+from pathlib import Path
+
+import pytest
+
+from devices.player.codec import BANNER_SIZE, MessageReader, MessageType, PlayerMessage, banner
+from devices.player.interfaces import body_of
+from devices.ports.robot import Bearing, LinkNotice, Motion, Pose, RobotProblem, StoppedBy
+from donnie_tui.robot import player_robot as module
+from donnie_tui.robot.player_robot import PlayerRobot, ServerLink, Stretch, WheelState, things_of
+from tests.player.recordings import sides
+from tests.player.room import DONNIE_CONFIGURATION, HOST, ServedRoom
+
+SCENE = """
+define sonar sensor ( range [ 0.02 3 ] fov 15 )
+model ( name "red wall" size [ 0.1 0.5 1 ] pose [ 1.05 0 0 0 ] color "red" )
+model ( name "blue wall" size [ 0.5 0.1 1 ] pose [ 0 1.55 0 0 ] color "blue" )
+model ( name "green wall" size [ 0.5 0.1 1 ] pose [ 0 -1.05 0 0 ] color "green" )
+model ( name "low" size [ 0.1 1 1 ] pose [ -0.55 0 0 0 ] ranger_return -1 )
+position
+(
+  name "alice" size [ 0.1 0.1 0.2 ] pose [ 0 0 0 0 ] localization "gps"
+  ranger ( sonar( pose [ 0 0 0 -45 ] ) sonar( pose [ 0.05 0 0 0 ] ) sonar( pose [ 0 0 0 45 ] )
+           sonar( pose [ 0 0 0 135 ] ) sonar( pose [ 0 0 0 180 ] ) sonar( pose [ 0 0 0 -135 ] ) )
+  bumper ( size [ 0.01 0.01 0.01 ] bcount 4 blength 0.1 bpose[0] [ 0.06 0.03 0 0 ] bpose[1] [ 0.06 -0.03 0 0 ]
+           bpose[2] [ -0.06 0.03 0 180 ] bpose[3] [ -0.06 -0.03 0 180 ] )
+  position ( name "head" size [ 0.02 0.02 0.1 ] obstacle_return 0 blob_return 0 ranger ( sonar() )
+    blobfinder ( range 5 fov 60 image [ 160 120 ] colors_count 3 colors [ "red" "green" "blue" ] ) )
+)
+"""
+
+
+SERVED = (
+    DONNIE_CONFIGURATION.replace("6691", "7665").partition('driver ( name "gtts"')[0]
+    + 'driver ( name "vib_belt" provides [ "7665:speech:1" "7665:dio:1" ] )'
+)
+
+
+class Pace:
+    """A program's pace that never waits; ``on_sleep`` may make it stop."""
+
+    def __init__(self) -> None:
+        self.on_sleep: Callable[[], bool] = lambda: True
+
+    def sleep(self, seconds: float) -> bool:
+        return self.on_sleep()
+
+
+class Reports:
+    def __init__(self) -> None:
+        self.motions: list[Motion] = []
+        self.passed: list[Pose] = []
+        self.on_progress: Callable[[], object] = lambda: None
+
+    def progressed(self, motion: Motion, pose: Pose) -> None:
+        self.motions.append(motion)
+        self.on_progress()
+
+    def passing(self, pose: Pose) -> None:
+        self.passed.append(pose)
+
+    def sense_failed(self, problem: RobotProblem) -> None:
+        raise problem
+
+
+class SteppedLink(ServerLink):
+    """A link with which the server waits until the program has answered the newest datum."""
+
+    after = -1.0
+
+    def wait_for_data(self, after: float) -> WheelState | None:
+        with self._changed:
+            self.after = after
+            self._changed.notify_all()
+        return super().wait_for_data(after)
+
+    def hold(self, time: float) -> None:
+        """Return once it has, or no program waits for data."""
+        with self._changed:
+            self._changed.wait_for(lambda: self.after >= time - 1e-6, 0.2 if self.after >= 0.0 else 0.0)
+
+    def drive(self, permit: int, ahead: float, turn: float = 0.0) -> None:
+        super().drive(permit, ahead, turn)
+        if ahead == turn == 0.0:  # a movement is over
+            self.after = -1.0
+
+
+class Driven:
+    """A robot at a server of a room."""
+
+    def __init__(self, folder: Path, scene: str = SCENE) -> None:
+        self.room = ServedRoom(folder, SERVED, scene)
+        self.pace, self.reports = Pace(), Reports()
+        self.notices: list[LinkNotice] = []
+        self.link = SteppedLink(HOST, self.room.port, lambda notice, _: self.notices.append(notice))
+        self.room.gate = lambda: self.link.hold(self.room.stations.by_port[self.room.port].time)
+        self.robot = PlayerRobot(self.link, pace=self.pace, watcher=self.reports, start=Pose(0, 0, 90))
+
+    def truth(self) -> tuple[float, float, float]:
+        here = self.room.stations._loop.drives["alice"].state().truth
+        return here.x, here.y, here.yaw
+
+    def close(self) -> None:
+        self.robot.close()
+        self.room.close()
+
+
+@pytest.fixture
+def driven(tmp_path: Path) -> Iterator[Driven]:
+    with closing(Driven(tmp_path)) as made:
+        made.robot.connect()
+        yield made
+
+
+def wait_until(condition: Callable[[], bool]) -> None:
+    tick = threading.Event()
+    for _ in range(1000):
+        if condition():
+            return
+        tick.wait(0.01)
+    raise AssertionError("it never came to that")
+
+
+def test_a_walk_ends_within_a_fiftieth_of_a_step_of_where_it_should(driven: Driven) -> None:
+    for _ in range(4):
+        assert driven.robot.forward(2).stopped_by is None
+
+    assert driven.truth()[0] == pytest.approx(0.4, abs=0.0015)
+    assert driven.robot.pose().x == pytest.approx(8, abs=1e-6)
+    assert driven.robot.pose().heading == pytest.approx(90, abs=0.01)
+    assert driven.reports.motions == [Motion.FORWARD] * 8
+
+
+def test_turns_add_up(driven: Driven) -> None:
+    for _ in range(5):
+        assert driven.robot.turn(90).turned == 90
+    assert driven.robot.turn(-400).turned == -400
+
+    assert driven.truth()[2] == pytest.approx((360 - 450 + 400) % 360, abs=0.6)
+    assert driven.robot.pose().heading == pytest.approx(90 + 450 - 400, abs=1e-6)
+    assert driven.truth()[:2] == pytest.approx((0, 0), abs=1e-6)
+
+
+def test_sonars_are_in_steps_by_their_direction(driven: Driven) -> None:
+    """Walls are 20 steps ahead and 30 to the left; the sonar is a step ahead of the middle."""
+    driven.robot.turn(-90)
+    assert driven.robot.distance(Bearing.FRONT) == 29
+    driven.robot.turn(90)
+    assert driven.robot.distance(Bearing.FRONT) == 19
+    assert driven.robot.distance(Bearing.BACK) == 60
+    assert set(driven.robot.known_distances()) == set(Bearing)
+
+
+def test_a_walk_ends_before_a_wall_and_at_one_that_no_sonar_sees(driven: Driven) -> None:
+    ahead = driven.robot.forward(30)
+    behind = driven.robot.backward(40)
+
+    assert (ahead.stopped_by, ahead.walked) == (StoppedBy.OBSTACLE, 18)
+    assert behind.stopped_by is StoppedBy.COLLISION
+    assert behind.met is not None
+    assert abs(behind.met.degrees) == 180
+    assert driven.truth()[0] == pytest.approx(-0.45, abs=0.02)
+
+
+def test_a_scan_turns_the_head_and_sees_colours_with_their_directions(driven: Driven) -> None:
+    seen = driven.robot.scan()
+
+    assert [(each.colour, round(each.steps)) for each in seen] == [("blue", 30), ("red", 20), ("green", 20)]
+    assert [each.degrees for each in seen] == pytest.approx([-90, 0, 90], abs=8)
+    assert driven.robot.colours >= {"red", "green", "blue"}
+    head = driven.link.values(module.HEAD)
+    assert head is not None
+    assert head[1][2] == pytest.approx(0.0, abs=0.02)
+
+
+def test_a_pause_stops_the_robot_and_a_continuation_lets_it_walk_on(driven: Driven) -> None:
+    halted = threading.Event()
+
+    def hold() -> bool:
+        if driven.reports.motions and not halted.is_set():
+            wait_until(lambda: not driven.link.wheels().is_moving)
+            halted.set()
+        return True
+
+    driven.pace.on_sleep = hold
+    done = driven.robot.forward(5)
+
+    assert halted.is_set()
+    assert (done.walked, done.stopped_by) == (5, None)
+
+
+def test_a_halt_ends_a_turn_and_the_robot_stands(driven: Driven) -> None:
+    driven.reports.on_progress = driven.robot.halt
+    done = driven.robot.turn(180)
+    driven.robot.wait_until_standing()
+
+    assert done.stopped_by is StoppedBy.USER
+    assert 8 <= done.turned < 180
+    assert not driven.link.wheels().is_moving
+
+
+def test_what_is_said_and_what_the_belt_shows_reaches_the_servers_devices(driven: Driven) -> None:
+    driven.robot.say("Olá")
+    driven.robot.show_belt((0, 0, 0, 3, 0, 0, 0, 0, 2, 1, 0, 0, 0, 0))
+    wait_until(lambda: len(driven.room.notes.taken) >= 16)
+
+    motors = dict(each for _, each in driven.room.notes.taken if isinstance(each, tuple))
+    assert ("alice", "Olá") in driven.room.notes.taken
+    assert len(motors) == 14
+    assert {cell: letter for cell, letter in motors.items() if letter != "P"} == {11: "A", 23: "B", 24: "C"}
+
+
+def test_a_server_that_ends_is_a_lost_link_and_one_that_is_back_is_used_again(
+    driven: Driven, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(module, "AGAIN", 0.05)
+    driven.reports.on_progress = driven.room.close
+    assert driven.robot.forward(9).stopped_by is StoppedBy.LINK
+    for command in (lambda: driven.robot.turn(9), lambda: driven.robot.wait(1), driven.robot.scan):
+        with pytest.raises(RobotProblem) as problem:
+            command()
+        assert problem.value.code == "link-lost"
+    wait_until(lambda: driven.notices == [LinkNotice.LOST])
+    with closing(ServedRoom(tmp_path, SERVED, SCENE, port=driven.room.port)):
+        wait_until(lambda: driven.notices == [LinkNotice.LOST, LinkNotice.RESTORED])
+        driven.reports.on_progress = lambda: None
+        assert driven.robot.forward(1).walked == 1
+
+
+def test_the_end_of_the_robot_leaves_the_server_with_a_robot_that_stands(driven: Driven) -> None:
+    def leave() -> bool:
+        if driven.reports.motions:
+            driven.link._shut()
+        return True
+
+    driven.pace.on_sleep = leave
+    assert driven.robot.forward(9).stopped_by is StoppedBy.LINK
+    drive = driven.room.stations._loop.drives["alice"]
+    wait_until(lambda: drive.state().velocity.ahead == 0.0)
+
+
+# --- other servers
+
+
+class PlayedServer:
+    """Answers as a recorded server did: each request by its subtype, and each opened device with its data.
+
+    ``refuses``: devices that it does not let open. ``is_silent``: it answers no request.
+    """
+
+    def __init__(self, messages: list[PlayerMessage], *, is_silent: bool = False, says: bytes = b"") -> None:
+        self._listener = socket.create_server((HOST, 0))
+        self.port = self._listener.getsockname()[1]
+        self._messages, self._is_silent = messages, is_silent
+        self._says = says or banner("3.1.1-dev")
+        self.got: list[PlayerMessage] = []
+        self._thread = threading.Thread(target=self._serve, daemon=True)
+        self._thread.start()
+
+    def _serve(self) -> None:
+        with suppress(OSError):
+            connected, _ = self._listener.accept()
+            with connected:
+                connected.sendall(self._says)
+                reader = MessageReader(1 << 20)
+                while data := connected.recv(65536):
+                    for message in reader.feed(data):
+                        self.got.append(message)
+                        self._answer(connected, message)
+
+    def _answer(self, connected: socket.socket, message: PlayerMessage) -> None:
+        if message.type != MessageType.REQUEST or self._is_silent:
+            return
+        kind = (message.interface, message.index, message.subtype)
+        replies = [
+            each
+            for each in self._messages
+            if each.type in (MessageType.ACK, MessageType.NACK)
+            and (each.interface, each.index, each.subtype) == kind
+        ]
+        if message.interface == 1 and message.subtype == 3:
+            replies = [each for each in replies if each.body[8:16] == message.body[8:16]]
+        reply = replies[0] if replies else PlayerMessage(*kind[:2], MessageType.NACK, kind[2])
+        connected.sendall(reply.encoded())
+        if message.interface == 1 and message.subtype == 3 and reply.type == MessageType.ACK:
+            device = (int.from_bytes(message.body[8:12]), int.from_bytes(message.body[12:16]))
+            data = [
+                e for e in self._messages if e.type == MessageType.DATA and (e.interface, e.index) == device
+            ]
+            connected.sendall(b"".join(each.encoded() for each in data[:3]))
+
+    def close(self) -> None:
+        self._listener.close()
+
+
+def recorded(shared: Path, name: str) -> list[PlayerMessage]:
+    return [each for side in sides(shared, name) if side.sender == "server" for each in side.messages()]
+
+
+def test_the_bytes_of_the_real_server_are_a_robot_with_its_devices(shared: Path) -> None:
+    """Of the original's world: readings as its server sent them, in the original's order."""
+    messages = recorded(shared, "godonnie")
+    listed = body_of(
+        1,
+        MessageType.ACK,
+        1,
+        [(0, 6691, *key) for key in ((4, 0), (4, 1), (62, 0), (62, 1), (14, 0), (7, 0))],
+    )
+    messages.append(PlayerMessage(1, 0, MessageType.ACK, 1, listed))
+    with closing(PlayedServer(messages)) as server:
+        robot = PlayerRobot(ServerLink(HOST, server.port), pace=Pace())
+        robot.connect()
+        link = robot._link
+        wait_until(lambda: link.values(module.SONARS) is not None)
+        with closing(robot):
+            first = next(
+                e for e in reversed([m for m in messages if (m.interface, m.index, m.type) == (4, 0, 1)][:3])
+            )
+            assert set(robot.known_distances()) == set(Bearing)
+            assert link.wheels().time == first.time
+            assert set(link.devices) >= {module.WHEELS, module.SONARS, module.BUMPERS}
+
+
+@pytest.mark.parametrize(
+    ("messages", "code", "options"),
+    [
+        ([PlayerMessage(1, 0, MessageType.ACK, 1, body_of(1, MessageType.ACK, 1, []))], "no-wheels", {}),
+        ([], "no-answer", {"is_silent": True}),
+        ([], "no-answer", {"says": b"HTTP/1.1 400 Bad Request\r\n\r\n...."}),
+        ([], "no-answer", {"says": bytes(BANNER_SIZE)}),
+    ],
+    ids=["no wheels", "silent", "web", "zeros"],
+)
+def test_a_server_that_is_none_is_said_to_be(
+    monkeypatch: pytest.MonkeyPatch, messages: list[PlayerMessage], code: str, options: dict[str, object]
+) -> None:
+    monkeypatch.setattr(module, "ANSWERING", 0.2)
+    with closing(PlayedServer(messages, **options)) as server:  # type: ignore[arg-type]
+        robot = PlayerRobot(ServerLink(HOST, server.port), pace=Pace())
+        with pytest.raises(RobotProblem) as problem:
+            robot.connect()
+        robot.close()
+    assert problem.value.code == code
+
+
+def test_a_port_at_which_nothing_listens_is_named() -> None:
+    with socket.socket() as unused:
+        unused.bind((HOST, 0))
+        port = unused.getsockname()[1]
+        with pytest.raises(RobotProblem) as problem:
+            PlayerRobot(ServerLink(HOST, port), pace=Pace()).connect()
+    assert problem.value.code == "no-server"
+    assert problem.value.values["port"] == f"player://{HOST}:{port}"
+
+
+def test_what_crosses_the_border_of_two_pictures_is_one_thing() -> None:
+    parts = [Stretch(20, 30, 1.0, "red"), Stretch(30.2, 40, 0.9, "red"), Stretch(30.5, 35, 2.0, "blue")]
+
+    assert [(each.colour, each.degrees, each.steps) for each in things_of(parts)] == [
+        ("red", 30.0, pytest.approx(18.0)),
+        ("blue", 32.75, 40.0),
+    ]
+
+
+def test_a_robot_that_counts_from_zero_is_at_the_start_of_its_world(tmp_path: Path) -> None:
+    """It starts at 3 4, looking west: a step ahead leads west, a turn to the right makes it look north."""
+    with closing(
+        Driven(tmp_path, SCENE.replace("gps", "odom").replace("[ 0 0 0 0 ] loc", "[ 0.2 0.1 0 90 ] loc"))
+    ) as driven:
+        driven.robot._start = Pose(3.0, 4.0, 270.0)
+        driven.robot.connect()
+        walked = driven.robot.forward(1).pose
+        turned = driven.robot.turn(90).pose
+
+    assert (walked.x, walked.y, walked.heading) == pytest.approx((2.0, 4.0, 270.0), abs=0.05)
+    assert (turned.heading + 90) % 360 == pytest.approx(90, abs=0.6)
