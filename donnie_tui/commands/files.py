@@ -365,10 +365,12 @@ async def report(ctx: Context, argument: str) -> None:
         partial(as_picture, _run_picture(ctx)),
         plot_as_png,
     )
-    suffix, suffixes = Path(name).suffix.lower(), reports.suffixes_of(what)
     if not name:
         ctx.say(*ctx.counted(reports.in_sentences(what, subject, words)))
-    elif suffix not in suffixes:
+        return
+    path, suffixes = page_to_save(name, ctx.workspace.files, ctx.donnie.in_use), reports.suffixes_of(what)
+    suffix = path.suffix.lower()
+    if suffix not in suffixes:
         typed = argument.split()[0].lower()
         ctx.answer("report-suffix", what=typed, suffix=suffix, suffixes=", ".join(suffixes))
         ctx.refuse(UNUSABLE)

@@ -195,14 +195,15 @@ def test_no_page_replaces_an_open_program(word: str, tmp_path: Path) -> None:
     assert Path("a.gd").read_text() == "FW 1\n"
 
 
-@pytest.mark.parametrize("word", ["SAVE AS", "SAVE LOG", "REPORT LIST"])
-def test_lines_of_a_file_replace_no_file_because_no_question_is_possible(word: str, tmp_path: Path) -> None:
-    Path("mine.gd").write_text("BW 1\n")
+@pytest.mark.parametrize("words", ["SAVE AS mine.gd", "SAVE LOG mine.gd", "REPORT LIST mine.txt"])
+def test_lines_of_a_file_replace_no_file_because_no_question_is_possible(words: str, tmp_path: Path) -> None:
+    mine = words.split()[-1]
+    Path(mine).write_text("BW 1\n")
 
-    done = donnie(tmp_path, "--linear", "a.gd", *QUIET, typed=f"{word} mine.gd\nREPORT MAP mine.html\n")
+    done = donnie(tmp_path, "--linear", "a.gd", *QUIET, typed=f"{words}\nREPORT MAP mine.html\n")
 
-    assert "mine.gd exists already. Give another name." in done.stdout.decode()
-    assert Path("mine.gd").read_text() == "BW 1\n"
+    assert f"{mine} exists already. Give another name." in done.stdout.decode()
+    assert Path(mine).read_text() == "BW 1\n"
     assert Path("mine.html").exists()
 
 

@@ -86,7 +86,7 @@ async def test_leaving_waits_for_what_is_being_saved(open_screen, tmp_path, slow
 
 async def test_the_log_is_saved_to_a_slow_disk_in_the_background(open_screen, monkeypatch, tmp_path, gate):
     """What has no suffix is a text, as in the linear mode."""
-    monkeypatch.setattr(files, "write_program", _once_open(gate, files.write_program))
+    monkeypatch.setattr(files, "write_bytes", _once_open(gate, files.write_bytes))
     path = tmp_path / "my notes.txt"
     async with open_screen("FW 1") as screen:
         await screen.type_line(f'SAVE LOG "{path.with_suffix("")}"')
@@ -297,11 +297,11 @@ async def test_a_formatting_that_another_word_replaces_is_still_answered(
 async def test_a_report_is_written_to_its_end_whatever_is_asked_meanwhile(
     open_screen, monkeypatch, gate, tmp_path
 ):
-    def slowly(path, text):
+    def slowly(path, content):
         gate.wait(TIMEOUT)
-        path.write_text(text)
+        path.write_bytes(content)
 
-    monkeypatch.setattr(files, "write_program", slowly)
+    monkeypatch.setattr(files, "write_bytes", slowly)
     async with open_screen("FW 1") as screen:
         await screen.type_line(f"REPORT list {tmp_path / 'list.html'}")
         await screen.shows("list.html, it takes a while.")

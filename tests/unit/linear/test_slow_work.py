@@ -13,7 +13,7 @@ import pytest
 from donnie_tui.commands import files, program
 from donnie_tui.commands.interaction import GivenUp, drive
 from donnie_tui.core.document import Document
-from donnie_tui.core.program_files import write_program
+from donnie_tui.core.program_files import write_bytes
 from donnie_tui.linear.console import Gone, run_in_background
 from donnie_tui.linear.conversation import LinearInteraction
 from language.formatter import formatted
@@ -140,8 +140,8 @@ def context(console: Any, answers: list[str]) -> Any:
 
 def test_a_slow_report_is_reported(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     console, answers = Console(5), list[str]()
-    monkeypatch.setattr(files, "write_program", Slowly(console, write_program))
-    drive(files._write_page(context(console, answers), str(tmp_path / "map.html"), "a map"))
+    monkeypatch.setattr(files, "write_bytes", Slowly(console, write_bytes))
+    drive(files._write_page(context(console, answers), str(tmp_path / "map.html"), lambda: b"a map"))
 
     assert answers == ["slow-report", "answer-written"]
 
