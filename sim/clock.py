@@ -12,9 +12,11 @@ from __future__ import annotations
 
 import threading
 from bisect import bisect_left
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
+from enum import Enum
+from functools import cached_property
 from heapq import heapify, heappop, heappush, heapreplace
-from math import inf
+from math import hypot, inf
 
 from devices.ports.robot import Pace
 from sim.geometry import Placement
@@ -23,41 +25,72 @@ Now = tuple[float, float]
 """The world's time, and the rank of the robot whose turn it is."""
 
 
-class Glide:
-    """A robot's way of several ticks during which nothing can come near it.
+class Landing(Enum):
+    """How a glide ended."""
 
-    The robot that glides hands over its turn once, and not in every tick. Meanwhile it is where its ticks up
-    to now have led: the ground puts it there when another robot asks about the place. If something moves out
-    of turn, the glide is cut at the tick that is due, so that the run is the same as without glides.
+    WHOLE = "whole"
+    CUT = "cut"
+    """Something came near: its last tick has only taken its time."""
+    HALTED = "halted"
+
+
+class Glide:
+    """A robot's way of several ticks, whose turn it hands over once and not in every tick.
+
+    When it begins, nothing is near its way. Meanwhile the robot is where its ticks up to now have led: the
+    ground puts it there when another robot asks about the place. Whatever comes near cuts the glide at the
+    tick that is due, so that the run is the same as without glides.
     """
 
     def __init__(
         self,
         root: int,
-        rank: int,
-        ends: Sequence[float],
+        clock: Clock,
+        times: Callable[[], Sequence[float]],
         places: Callable[[int], Placement],
-        box: tuple[float, float, float, float],
+        way: tuple[float, float, float],
+        guard: float,
     ) -> None:
-        """``ends``: the world's time at the end of each tick; ``places``: where so many ticks lead."""
+        """``times``: of the robot, at the end of each tick; ``places``: where so many ticks lead.
+
+        ``way``: a circle around all of the way of the robot's centre. ``guard``: metres from there in which
+        nothing may come.
+        """
         self.root = root
-        self.rank = rank
-        self.ends = ends
+        self.clock = clock
+        self._make_times = times
         self._places = places
-        self.box = box
-        """Left, bottom, right and top of all places that its body may touch."""
+        self.x, self.y, self.half = way
+        self.guard = guard
         self._shown = 0
+        self.count: int | None = None
+        """Ticks after which it was cut or halted."""
+
+    @cached_property
+    def times(self) -> Sequence[float]:
+        """Most glides end without anyone's asking."""
+        return self._make_times()
+
+    @cached_property
+    def _ends(self) -> Sequence[float]:
+        return [self.clock.in_the_world(each) for each in self.times]
+
+    def is_near(self, x: float, y: float, reach: float) -> bool:
+        """Whether what is within ``reach`` of a place is too near to its way."""
+        return hypot(x - self.x, y - self.y) < self.half + self.guard + reach
 
     def ticks(self, now: Now) -> int:
         """How many ticks are over."""
         time, rank = now
-        count = bisect_left(self.ends, time)
-        is_before = count < len(self.ends) and self.ends[count] == time and self.rank < rank
+        ends = self._ends
+        count = bisect_left(ends, time)
+        is_before = count < len(ends) and ends[count] == time and self.clock.rank < rank
         return count + is_before
 
-    def next_end(self, now: Now) -> float:
-        """The end of the tick that is due, or of the last one."""
-        return self.ends[min(self.ticks(now), len(self.ends) - 1)]
+    def cut(self, now: Now) -> float:
+        """It ends with the tick that is due. Answers when that is, for the robot."""
+        self.count = min(self.ticks(now) + 1, len(self._ends))
+        return self.times[self.count - 1]
 
     def new_place(self, now: Now) -> Placement | None:
         """Where it is now; None if it was asked before and has not moved since."""
@@ -77,7 +110,7 @@ class Turns:
         """The time up to which the world has come, and has been waited for in real time."""
         self.holder: Seat | None = None
         self.queue: list[tuple[float, int, Seat]] = []
-        self.glides: dict[Seat, tuple[Glide, Clock]] = {}
+        self.glides: dict[Seat, Glide] = {}
         """Of robots that glide, whose seat waits for the end of it."""
 
     def now(self) -> Now:
@@ -85,15 +118,15 @@ class Turns:
         holder = self.holder
         return (self.present, inf) if holder is None else (holder.time, holder.rank)
 
-    def cut_glides(self) -> None:
-        """Something moves out of turn: robots that glide act again at the end of the tick that is due."""
+    def cut(self, glides: Collection[Glide]) -> None:
+        """Something has come near to robots that glide: they act again at the end of the tick that is due."""
         with self.lock:
             now = self.now()
-            for seat, (glide, clock) in self.glides.items():
-                if any(entry[2] is seat for entry in self.queue):
-                    clock.cut(glide.next_end(now))
-                    self.queue = [entry for entry in self.queue if entry[2] is not seat]
-                    self.queue.append((seat.time, seat.rank, seat))
+            cut = {seat for seat, glide in self.glides.items() if glide in glides and glide.count is None}
+            cut.discard(self.holder)
+            for seat in cut:
+                self.glides[seat].clock.cut(self.glides[seat].cut(now))
+            self.queue = [(seat.time, seat.rank, seat) for _, _, seat in self.queue]
             heapify(self.queue)
 
     def expect(self, seats: Iterable[Seat]) -> None:
@@ -187,23 +220,18 @@ class Seat:
             self.time = time
             return turns.holder is self and not self._is_overtaken()
 
-    def free_until(self, enough: float) -> float:
-        """The time at which another robot can act, infinity if there is none; perhaps a later one.
+    def free_until(self) -> float:
+        """The time at which another robot can act, infinity if there is none.
 
-        That is where it is below ``enough``. A robot that glides could act at the end of each of its ticks.
+        A robot that glides could act at the end of each of its ticks: soon.
         """
         turns = self.turns
         if not self.takes_part or not turns.queue:
             return inf
         with turns.lock:
-            until = turns.queue[0][0] if turns.queue else inf
-            now = (self.time, self.rank)
-            for seat, (glide, _) in turns.glides.items():
-                if until < enough:
-                    break
-                if seat is not self:
-                    until = min(until, glide.next_end(now))
-            return until
+            if turns.glides:
+                return self.time
+            return turns.queue[0][0] if turns.queue else inf
 
     def nudge(self) -> None:
         """Make a waiting ``take`` check whether it was halted. Any thread."""
@@ -248,8 +276,6 @@ class Clock:
         self._turns = self._seat.turns
         self._joined_at = 0.0
         """What the world's time is ahead of this clock's."""
-        self._times: Sequence[float] = ()
-        """Of the glide: the times at which its ticks end."""
 
     def join(self) -> None:
         """Take part in the world's order; returns when it is this robot's turn, or after a stop."""
@@ -290,21 +316,22 @@ class Clock:
         self._joined_at += self.seconds
         self.seconds = 0.0
 
-    def undisturbed(self, enough: float = inf) -> float:
-        """Seconds in which no other robot can act; perhaps more than that if it is below ``enough``."""
-        until = self._seat.free_until(enough + self._joined_at + self.seconds)
+    def undisturbed(self) -> float:
+        """Seconds in which no other robot can act."""
+        until = self._seat.free_until()
         return until if until == inf else until - self._joined_at - self.seconds
 
-    def leap(self, seconds: float) -> bool:
-        """Begin and spend, if no other robot waits or takes part. False: did nothing."""
+    def may_leap(self) -> bool:
+        """Whether time may be spent at once: no other robot waits or takes part."""
         seat, turns = self._seat, self._turns
-        if self.speed is not None or (seat.takes_part and (turns.queue or turns.holder is not seat)):
-            return False
+        return self.speed is None and (not seat.takes_part or (not turns.queue and turns.holder is seat))
+
+    def leap(self, seconds: float) -> None:
+        """Begin and spend."""
         self._halted = False
         self.seconds += seconds
-        if seat.takes_part:
-            turns.present = self.seconds + self._joined_at
-        return True
+        if self._seat.takes_part:
+            self._turns.present = self.seconds + self._joined_at
 
     def spend(
         self, seconds: float, marks: Sequence[Mark], passing: Passing | None = None, end: float | None = None
@@ -345,37 +372,34 @@ class Clock:
         self.seconds = min(self.seconds, max(began, self._turns.present - self._joined_at))
         return False
 
-    def glide(self, times: Sequence[float], make: Callable[[int, Sequence[float]], Glide]) -> Glide | None:
-        """A glide whose ticks end at these times of the robot; None if it must not begin.
+    @property
+    def rank(self) -> int:
+        """Of its seat, which decides among equal times."""
+        return self._seat.rank
 
-        ``make`` gets this robot's rank and the same times as times of the world.
-        """
-        if self.speed is not None or not self._seat.takes_part or not self.is_active():
-            return None
-        joined_at = self._joined_at
-        return make(self._seat.rank, [each + joined_at for each in times])
+    def in_the_world(self, time: float) -> float:
+        """The world's time at a time of this robot."""
+        return time + self._joined_at
 
-    def follow(self, glide: Glide, times: Sequence[float]) -> tuple[int, bool]:
-        """Let the others act until a glide is over. How many ticks are over, and whether it was not halted.
-
-        The last of these ticks has only taken its time yet.
-        """
-        began, self._times = self.seconds, times
-        with self._turns.lock:
-            self._turns.glides[self._seat] = glide, self
-            self.seconds = times[-1]
+    def follow(self, glide: Glide, last: float) -> Landing:
+        """Let the others act until a glide is over, at the time ``last``."""
+        began, turns, seat = self.seconds, self._turns, self._seat
+        with turns.lock:
+            turns.glides[seat] = glide
+            self.seconds = last
         is_over = self._take_turn() and self._catch_up()
-        with self._turns.lock:
-            del self._turns.glides[self._seat]
+        with turns.lock:
+            del turns.glides[seat]
         if is_over:
-            return times.index(self.seconds) + 1, True
-        self.seconds = min(self.seconds, max(began, self._turns.present - self._joined_at))
-        return sum(each <= self.seconds for each in times), False
+            return Landing.WHOLE if glide.count is None else Landing.CUT
+        self.seconds = min(self.seconds, max(began, turns.present - self._joined_at))
+        glide.count = sum(each <= self.seconds for each in glide.times)
+        return Landing.HALTED
 
     def cut(self, end: float) -> None:
-        """The glide ends at that time of the world, the end of one of its ticks. Under the lock."""
-        self.seconds = next(each for each in self._times if each + self._joined_at == end)
-        self._seat.time = end
+        """The glide ends at that time. Under the lock."""
+        self.seconds = end
+        self._seat.time = end + self._joined_at
 
     def was_halted(self) -> bool:
         """Whether a stop ended what went on since the last command began."""

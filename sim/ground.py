@@ -8,13 +8,11 @@ out (``layout``).
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from math import ceil, floor, hypot, inf, log
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from math import ceil, log
 from typing import TYPE_CHECKING
 
-from devices.ports.robot import STEP
 from sim.geometry import Placement
-from sim.index import FEW
 from sim.scene import Model, Scene
 
 if TYPE_CHECKING:
@@ -50,13 +48,9 @@ class Ground:
         """Counts what moved out of turn, or became faster: what was known to be far may be near now."""
         self._glides: dict[int, Glide] = {}
         """Of the robots that glide, which are put to where they are now when that matters."""
-        self._glide_squares: dict[tuple[int, int], list[Glide]] = {}
-        """The same by the squares of a grid through which they glide."""
         self._now_in_turn: Callable[[], Now] = _at_once
-        self._cut_glides: Callable[[], None] = _nothing
+        self._cut: Callable[[Collection[Glide]], None] = _nothing
         self._widest_guard = 0.0
-        self._extents: dict[int, float] = {}
-        """Metres from the place of each movable root to its farthest point; empty before it was asked."""
         self._layout: Layout | None = None
         self._guards: dict[float, None] = {}
         """The guard distances that were asked for before all was laid out."""
@@ -69,97 +63,72 @@ class Ground:
 
     # --- robots that glide
 
-    def follow(self, now: Callable[[], Now], cut_glides: Callable[[], None]) -> None:
-        """``now``: the time of the world; ``cut_glides``: to be called where something moves out of turn."""
-        self._now_in_turn, self._cut_glides = now, cut_glides
+    def follow(self, now: Callable[[], Now], cut: Callable[[Collection[Glide]], None]) -> None:
+        """``now``: the time of the world; ``cut``: to be called with glides to which something comes near."""
+        self._now_in_turn, self._cut = now, cut
 
     def jump(self) -> None:
         """Something moves out of turn, or becomes faster."""
         self.jumps += 1
-        if self._glides:
-            self._cut_glides()
-
-    def begin_glide(self, glide: Glide) -> None:
-        """From now on the robot is where the glide leads."""
         with self._lock:
-            self._glides[glide.root] = glide
-            for square in _squares(*glide.box):
-                self._glide_squares.setdefault(square, []).append(glide)
-            self._change(glide.root)
+            if self._glides:
+                self._cut(self._glides.values())
 
-    def end_glide(self, root: int) -> None:
-        """The robot is where it is put again."""
+    def begin_glide(self, glide: Glide) -> bool:
+        """From now on the robot is where the glide leads. False: another glide leads too near."""
         with self._lock:
-            glide = self._glides.pop(root)
-            for square in _squares(*glide.box):
-                self._glide_squares[square].remove(glide)
-
-    def is_alone(self, asker: int, x: float, y: float, reach: float, seconds: float) -> bool:
-        """Whether nothing that may move comes within ``reach`` of a place in so many seconds.
-
-        And no sensor or body of another robot finds anything there that is ``reach`` less its own guard away.
-        """
-        margin = reach + self._widest_guard + seconds * self.fastest + 1.5 * STEP
-        with self._lock:
-            self._measure_extents()
             layout = self._layout or self._lay_out()
-            for root in layout.moving.within(x - margin, y - margin, x + margin, y + margin):
-                now = self._now[root]
-                if root != asker and hypot(now.x - x, now.y - y) < margin + self._extents[root]:
+            x, y, half, extent = glide.x, glide.y, glide.half, layout.moving.extent(glide.root)
+            for other in self._gliding_near(x, y, half + extent):
+                if glide.is_near(other.x, other.y, other.half + layout.moving.extent(other.root)):
                     return False
-        return True
+            self._cut_near(x, y, half + extent)
+            self._glides[glide.root] = glide
+            layout.moving.cover(glide.root, x, y, half)
+            return True
+
+    def end_glide(self, root: int, now: Placement | None) -> None:
+        """The robot is there; None: it is where it was, until it is put elsewhere."""
+        with self._lock:
+            del self._glides[root]
+            self._put(root, self._now[root] if now is None else now)
+
+    def _cut_near(self, x: float, y: float, reach: float) -> None:
+        """Something comes within ``reach`` of a place. Under the lock."""
+        near = [each for each in self._gliding_near(x, y, reach) if each.is_near(x, y, reach)]
+        if near:
+            self._cut(near)
+
+    def _gliding_near(self, x: float, y: float, reach: float) -> list[Glide]:
+        """The glides that may be near to what comes within ``reach`` of a place."""
+        assert self._layout is not None
+        reach += self._widest_guard
+        glides = self._glides
+        near = self._layout.moving.within(x - reach, y - reach, x + reach, y + reach)
+        return [glides[root] for root in near if root in glides]
+
+    def _catch_up(self, asker: int, roots: Iterable[int]) -> None:
+        """Put robots that glide to where they are now. Under the lock."""
+        glides = self._glides
+        gliding = [root for root in roots if root in glides and root != asker]
+        if gliding:
+            now = self._now_in_turn()
+            for root in gliding:
+                if (place := glides[root].new_place(now)) is not None:
+                    self._place(root, place)
 
     def roots_within(self, asker: int, x: float, y: float, reach: float) -> list[int]:
         """What may move, and comes within ``reach`` of a place; perhaps some more, in no order."""
         with self._lock:
-            self._update(asker, x - reach, y - reach, x + reach, y + reach)
-            layout = self._layout or self._lay_out()
-            return [
-                root
-                for root in layout.moving.within(x - reach, y - reach, x + reach, y + reach)
-                if root != asker
-            ]
+            roots = self._others(asker, x - reach, y - reach, x + reach, y + reach)
+            return [root for root in roots if root != asker]
 
-    def _measure_extents(self) -> None:
-        """Of all roots that may move."""
-        if not self._extents:
-            self._extents = dict.fromkeys(self._start, 0.0)
-            for part in (self._layout or self._lay_out()).at_start:
-                if part.root in self._start:
-                    start = self._start[part.root]
-                    far = max(hypot(px - start.x, py - start.y) for px, py in part.points)
-                    self._extents[part.root] = max(self._extents[part.root], far)
-
-    def _update(self, asker: int, left: float, bottom: float, right: float, top: float) -> None:
-        """Put the robots that glide through a box to where they are now. Under the lock."""
-        if not self._glides:
-            return
-        met = self._gliding(left, bottom, right, top)
-        now = self._now_in_turn() if met else (0.0, 0.0)
-        for glide in met:
-            if glide.root != asker and (place := glide.new_place(now)) is not None:
-                self._put(glide.root, place)
-
-    def _gliding(self, left: float, bottom: float, right: float, top: float) -> list[Glide]:
-        """The glides that may lead through a box, each once."""
-        squares = (right - left + 2 * _SQUARE) * (top - bottom + 2 * _SQUARE) / _SQUARE**2
-        if max(squares, FEW) >= len(self._glides):
-            glides: Iterable[Glide] = self._glides.values()
-        else:
-            table = self._glide_squares
-            found = [table[square] for square in _squares(left, bottom, right, top) if square in table]
-            glides = {glide.root: glide for each in found for glide in each}.values()
-        return [
-            glide
-            for glide in glides
-            if glide.box[0] <= right
-            and left <= glide.box[2]
-            and glide.box[1] <= top
-            and bottom <= glide.box[3]
-        ]
-
-    def _update_all(self) -> None:
-        self._update(-1, -inf, -inf, inf, inf)
+    def _others(self, asker: int, left: float, bottom: float, right: float, top: float) -> list[int]:
+        """What may move and may come into a box, where it is now, in no order. Under the lock."""
+        roots = (self._layout or self._lay_out()).moving.within(left, bottom, right, top)
+        if self._glides:
+            self._catch_up(asker, roots)
+        return roots
 
     # --- where things are
 
@@ -185,18 +154,22 @@ class Ground:
         """Put a movable root there."""
         with self._lock:
             self._put(root, now)
+            if self._glides and self._layout is not None:
+                self._cut_near(now.x, now.y, self._layout.moving.extent(root))
 
     def _put(self, root: int, now: Placement) -> None:
         if now != self._now[root]:
             self.begin()
-        self._now[root] = now
-        self._change(root)
+        self._place(root, now)
         if self._layout is not None:
-            self._layout.changed(root)
+            self._layout.moving.move(root, now)
 
-    def _change(self, root: int) -> None:
+    def _place(self, root: int, now: Placement) -> None:
+        self._now[root] = now
         self._changes += 1
         self._own_changes[root] = self._own_changes.get(root, 0) + 1
+        if self._layout is not None:
+            self._layout.changed(root)
 
     def quicken(self, speed: float) -> None:
         """Something may be that fast from now on (metres a second)."""
@@ -214,8 +187,7 @@ class Ground:
     def moved(self) -> Mapping[int, Placement]:
         """The movable roots that are not where they started, and where they are."""
         with self._lock:
-            if self._glides:
-                self._update_all()
+            self._catch_up(-1, self._glides)
             return {root: now for root, now in self._now.items() if now != self._start[root]}
 
     def attach(self, root: int, robot: int | None) -> None:
@@ -236,8 +208,7 @@ class Ground:
     def parts(self) -> tuple[Part, ...]:
         """Everything, in order."""
         with self._lock:
-            if self._glides:
-                self._update_all()
+            self._catch_up(-1, self._glides)
             return tuple((self._layout or self._lay_out()).parts())
 
     def parts_of(self, root: int) -> tuple[Part, ...]:
@@ -250,9 +221,8 @@ class Ground:
     ) -> list[Part]:
         """All parts that come into a box, and perhaps some more, in order; without the ranks ``but``."""
         with self._lock:
-            if self._glides:
-                self._update(asker, left, bottom, right, top)
-            return (self._layout or self._lay_out()).within(asker, left, bottom, right, top, but)
+            roots = self._others(asker, left, bottom, right, top)
+            return (self._layout or self._lay_out()).within(asker, roots, (left, bottom, right, top), but)
 
     def first_hits(
         self, asker: int, x: float, y: float, ends: Sequence[Point], ranging: bool, but: frozenset[int]
@@ -260,7 +230,8 @@ class Ground:
         """What looks from one place to each of ``ends`` meet first, and where on the way."""
         with self._lock:
             if self._glides:
-                self._update_along(asker, ((x, y), *ends))
+                xs, ys = zip((x, y), *ends, strict=True)
+                self._others(asker, min(xs), min(ys), max(xs), max(ys))
             return (self._layout or self._lay_out()).first_hits(asker, x, y, ends, ranging, but)
 
     def seen_within(self, x: float, y: float, end: Point) -> float:
@@ -276,10 +247,11 @@ class Ground:
         That is one that ``guarded`` has answered.
         """
         with self._lock:
-            if self._glides:
-                left, right, bottom, top = min(x, end[0]), max(x, end[0]), min(y, end[1]), max(y, end[1])
-                self._update(asker, left - guard, bottom - guard, right + guard, top + guard)
-            return (self._layout or self._lay_out()).free_way(asker, x, y, end, guard, but)
+            layout = self._layout or self._lay_out()
+            way = layout.free_of_still(x, y, end, guard, but)
+            if layout.has_others(asker, self._others(asker, *_around(x, y, end, guard))):
+                way = min(way, layout.free_of_moving(asker, x, y, end, guard, but))
+            return way
 
     def still_room(self, x: float, y: float, guard: float) -> float:
         """How far round a place nothing that never moves comes nearer than ``guard``; below 0: none.
@@ -291,20 +263,22 @@ class Ground:
 
     def may_meet_others(self, asker: int, x: float, y: float, end: Point, guard: float) -> bool:
         """Whether anything that may move might be nearer than ``guard`` to a way."""
-        left, right, bottom, top = min(x, end[0]), max(x, end[0]), min(y, end[1]), max(y, end[1])
-        box = left - guard, bottom - guard, right + guard, top + guard
         with self._lock:
-            if self._glides and any(glide.root != asker for glide in self._gliding(*box)):
-                return True
-            return (self._layout or self._lay_out()).others_within(asker, *box)
+            layout = self._layout or self._lay_out()
+            return layout.has_others(asker, layout.moving.within(*_around(x, y, end, guard)))
 
-    def _update_along(self, asker: int, points: Sequence[Point]) -> None:
-        xs, ys = zip(*points, strict=True)
-        self._update(asker, min(xs), min(ys), max(xs), max(ys))
+    def moment(self, asker: int) -> Moment:
+        """What ``is_unchanged`` takes."""
+        now = self._now_in_turn() if self._glides else _AT_REST
+        return self._changes - self._own_changes.get(asker, 0), now
 
-    def changes_for(self, asker: int) -> int:
-        """Another number whenever something was moved that is not the asker itself."""
-        return self._changes - self._own_changes.get(asker, 0)
+    def is_unchanged(self, asker: int, since: Moment) -> bool:
+        """Whether nothing has moved since that moment but the asker itself."""
+        with self._lock:
+            changes, now = self.moment(asker)
+            return changes == since[0] and not any(
+                each.ticks(since[1]) < each.ticks(now) for each in self._glides.values() if each.root != asker
+            )
 
     def guarded(self, guard: float) -> float:
         """Prepare for ``free_way`` with that distance (metres). Answers the one that is really kept."""
@@ -325,21 +299,22 @@ class Ground:
         return self._layout
 
 
-_SQUARE = 1.0
-"""Metres: the side of a square in which glides are looked for."""
+Moment = tuple[int, "Now"]
+"""How often something was moved, and the world's time if a robot glides."""
+_AT_REST: Now = (0.0, 0.0)
 
 
-def _squares(left: float, bottom: float, right: float, top: float) -> list[tuple[int, int]]:
-    columns = range(floor(left / _SQUARE), floor(right / _SQUARE) + 1)
-    rows = range(floor(bottom / _SQUARE), floor(top / _SQUARE) + 1)
-    return [(column, row) for column in columns for row in rows]
+def _around(x: float, y: float, end: Point, guard: float) -> tuple[float, float, float, float]:
+    """Left, bottom, right and top of what is nearer than ``guard`` to a way."""
+    to_x, to_y = end
+    return min(x, to_x) - guard, min(y, to_y) - guard, max(x, to_x) + guard, max(y, to_y) + guard
 
 
 def _at_once() -> Now:
-    return 0.0, 0.0
+    return _AT_REST
 
 
-def _nothing() -> None: ...
+def _nothing(_glides: Collection[Glide]) -> None: ...
 
 
 def _things(scene: Scene) -> list[Model]:

@@ -33,8 +33,8 @@ from sim.geometry import (
     placed,
     seen_from,
 )
-from sim.ground import Ground
-from sim.motion import WIDEST_SKIN, Contact, Mover, less_skin
+from sim.ground import Ground, Moment
+from sim.motion import TOUCHING, WIDEST_SKIN, Contact, Mover, less_skin
 from sim.parts import Part
 from sim.rangers import Bar, Beams
 
@@ -58,13 +58,16 @@ class Pushing:
     def __init__(self, ground: Ground, mover: Mover) -> None:
         self._ground = ground
         self._mover = mover
-        self._asked: tuple[Spot, float, float, int] | None = None
+        self._asked: tuple[Spot, float, float] | None = None
+        self._when: Moment = (-1, (0.0, 0.0))
         self._answer = Advance(0.0, ())
 
     def advance(self, spot: Spot, angle: float, length: float) -> Advance:
         """What would become of ``length`` metres (at most a step) to ``angle``; nothing moves yet."""
-        asked = (spot, angle, length, self._ground.changes_for(self._mover.around.root))
-        if asked != self._asked:  # a tick asks before and after the others have had their turn
+        asked, ground, root = (spot, angle, length), self._ground, self._mover.around.root
+        # a tick asks before and after the others have had their turn
+        if asked != self._asked or not ground.is_unchanged(root, self._when):
+            self._when = ground.moment(root)
             self._answer, self._asked = self._found(spot, angle, length), asked
         return self._answer
 
@@ -76,7 +79,7 @@ class Pushing:
             contact = self._mover.contact_with_any(on_the_way, here, angle, joined)
             for thing in waiting:
                 contact = thing.nearer(contact, done, joined)
-            if contact.metres >= length - done:
+            if contact.metres >= length - done - TOUCHING:
                 done = length
                 break
             done += contact.metres

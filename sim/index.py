@@ -94,16 +94,26 @@ class MovingRoots:
         for root, place in now.items():
             self.move(root, place)
 
+    def extent(self, root: int) -> float:
+        """Metres from its place to its farthest point."""
+        return self._extents[root]
+
     def move(self, root: int, now: Placement) -> None:
         """It is there now."""
-        square = floor(now.x / self._side), floor(now.y / self._side)
+        self.cover(root, now.x, now.y, 0.0)
+
+    def cover(self, root: int, x: float, y: float, reach: float) -> None:
+        """From now on it is within ``reach`` of a place, until it is moved."""
+        square = floor(x / self._side), floor(y / self._side)
         before = self._square_of.get(root)
         if square != before:
             if before is not None:
                 self._squares[before].discard(root)
             self._square_of[root] = square
             self._squares.setdefault(square, set()).add(root)
-        self._circles[root] = now.x, now.y, self._extents[root]
+        radius = self._extents[root] + reach
+        self._widest = max(self._widest, radius)
+        self._circles[root] = x, y, radius
 
     def within(self, left: float, bottom: float, right: float, top: float) -> list[int]:
         """The roots that may come into a box, in no order."""

@@ -21,7 +21,7 @@ from weakref import WeakSet
 import pymunk
 
 from sim.geometry import Placement, Point, contains, edges, is_convex, placed, signed_area
-from sim.index import MovingRoots, StillParts, entries_of, is_whole
+from sim.index import Box, MovingRoots, StillParts, entries_of, is_whole
 from sim.parts import BODY, RANGED, SIGHT, Part, parts_of
 from sim.rays import Hit, Rays
 from sim.scene import Scene
@@ -193,7 +193,6 @@ class Layout:
 
     def changed(self, root: int) -> None:
         """It is elsewhere now."""
-        self.moving.move(root, self._now[root])
         self._unplaced.add(root)
         self._thin.stale.add(root)
         for kept in self._layers.values():
@@ -216,12 +215,12 @@ class Layout:
             self._place_parts(root)
         return tuple(self._parts[rank] for rank in self._ranks[root])
 
-    def within(
-        self, asker: int, left: float, bottom: float, right: float, top: float, but: frozenset[int]
-    ) -> list[Part]:
+    def within(self, asker: int, roots: Iterable[int], box: Box, but: frozenset[int]) -> list[Part]:
+        """``roots``: what may move and may come into the box."""
+        left, bottom, right, top = box
         found = self._still.within(left, bottom, right, top)
         group, groups = asker + 1, self._groups
-        for root in self.moving.within(left, bottom, right, top):
+        for root in roots:
             if groups.get(root, 0) == group:
                 continue
             if root in self._unplaced:
@@ -246,26 +245,29 @@ class Layout:
             self._seen_still = Layer(still, 0.0, {})
         return self._seen_still.first_hits(x, y, (end,), 0, RANGED, _NONE)[0][1]
 
-    def free_way(
+    def free_of_still(self, x: float, y: float, end: Point, guard: float, but: frozenset[int]) -> float:
+        return self._still_layers[guard].first_hits(x, y, (end,), 0, BODY, but)[0][1]
+
+    def free_of_moving(
         self, asker: int, x: float, y: float, end: Point, guard: float, but: frozenset[int]
     ) -> float:
-        still = self._still_layers[guard].first_hits(x, y, (end,), 0, BODY, but)[0][1]
         moving = self._updated(self._layers[guard], asker)
-        return min(still, moving.first_hits(x, y, (end,), asker + 1, BODY, but)[0][1])
+        return moving.first_hits(x, y, (end,), asker + 1, BODY, but)[0][1]
 
     def still_room(self, x: float, y: float, guard: float) -> float:
         return self._still_layers[guard].room(x, y, MOST_ROOM)
 
-    def others_within(self, asker: int, left: float, bottom: float, right: float, top: float) -> bool:
+    def has_others(self, asker: int, roots: Iterable[int]) -> bool:
+        """Whether any of these is not of the asker's body."""
         group, groups = asker + 1, self._groups
-        found = self.moving.within(left, bottom, right, top)
-        return any(groups.get(root, 0) != group for root in found)
+        return any(groups.get(root, 0) != group for root in roots)
 
     # --- inside
 
     def _inside_of(self, root: int) -> tuple[Part, ...]:
         here = self._start[root]
-        close = self.within(root, here.x, here.y, here.x, here.y, frozenset())
+        box = (here.x, here.y, here.x, here.y)
+        close = self.within(root, self.moving.within(*box), box, frozenset())
         return tuple(part for part in close if part.root != root and contains(part.points, here.x, here.y))
 
     def _updated(self, kept: _Kept, asker: int) -> Layer:

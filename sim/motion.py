@@ -269,12 +269,29 @@ class Mover:
             return degrees
         return (1 if degrees > 0 else -1) * max(0, floor(nearest - TURN_SKIN))
 
+    @property
+    def turning_guard(self) -> float:
+        """Metres from its centre beyond which nothing touches a robot that turns."""
+        return self.body.radius + 2 * SKIN
+
+    def has_free_step(self, spot: Spot, bearing: Bearing) -> bool:
+        """Whether a whole step is free, and is the same however it is divided."""
+        there = spot.ahead(STEP, spot.yaw + (180.0 if bearing is Bearing.BACK else 0.0))
+        if self.around.has_room(spot.x, spot.y, there.x, there.y):
+            return True
+        return not self._reaches_into_any(spot) and self.walk(spot, bearing, 1).steps == 1
+
+    def has_free_turn(self, spot: Spot, degrees: int) -> bool:
+        """The same of a turn."""
+        return not self._reaches_into_any(spot) and self.turn(spot, degrees) == degrees
+
     def turn_contact(self, spot: Spot, sign: int) -> float:
         """Degrees (1: counter-clockwise, -1: clockwise) until the body touches something, or infinity."""
         if self.body.is_round and not self.around.has_company:
             return inf
-        outline, nearest = self.body.outline(spot.yaw), inf
-        for part in self._in_the_way_of_turning(spot):
+        close, nearest = self._in_the_way_of_turning(spot), inf
+        outline = self.body.outline(spot.yaw) if close else ()
+        for part in close:
             shifted = edges(seen_from(part.points, spot.x, spot.y, 0.0))
             nearest = min(nearest, turn_contact(outline, shifted, sign))
         return nearest
@@ -317,7 +334,7 @@ class Mover:
 
     def is_far(self, spot: Spot, metres: float) -> bool:
         """Whether nothing can stop the next step or turn, even if all that is around came so much nearer."""
-        close = self.around.near(spot.x, spot.y, self._guard + metres)
+        close = self.around.near(spot.x, spot.y, self.guard + metres)
         return not any(part.solid or part.seen for part in close)
 
     def is_blocked(self, spot: Spot, bearing: Bearing) -> bool:
@@ -327,7 +344,7 @@ class Mover:
     def is_met(self, spot: Spot, bearing: Bearing, rest: float) -> bool:
         """The same for the ``rest`` of a step, because of a robot that has come near meanwhile."""
         others = self._others
-        return others.is_any_near(spot, self._guard) and self._sees(others, spot, bearing, rest + 1.0)
+        return others.is_any_near(spot, self.guard) and self._sees(others, spot, bearing, rest + 1.0)
 
     def _sees(self, around: Around, spot: Spot, bearing: Bearing, steps: float) -> bool:
         near = steps * CENTIMETRES_A_STEP
@@ -356,6 +373,9 @@ class Mover:
     def _touchable(self, spot: Spot, reach: float) -> list[Part]:
         return [part for part in self.around.near(spot.x, spot.y, reach) if part.solid]
 
+    def _reaches_into_any(self, spot: Spot) -> bool:
+        return any(self._overlaps(spot, part) for part in self._touchable(spot, self.body.radius))
+
     def _overlaps(self, spot: Spot, part: Part) -> bool:
         """Whether the robot already reaches into the thing: its world put it there. It may only leave."""
         if dist(part.middle, (spot.x, spot.y)) > part.reach + self.body.radius + SKIN:
@@ -376,8 +396,8 @@ class Mover:
         return self.around.without(gives_way) if gives_way else self.around
 
     def _keep_guard(self) -> None:
-        self._guard = guard_distance(self.body, self.senses.rangers)
-        self.around.keep(self._guard)
+        self.guard = guard_distance(self.body, self.senses.rangers)
+        self.around.keep(self.guard)
 
 
 def _short_sighted(ranger: Ranger) -> Ranger:

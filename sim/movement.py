@@ -15,7 +15,8 @@ from collections.abc import Callable, Sequence
 from math import ceil, inf, radians, sin
 
 from devices.ports.robot import STEP, Bearing, Motion, StoppedBy
-from sim.clock import Mark
+from sim.clock import Landing, Mark
+from sim.ground import Moment
 from sim.motion import TOUCHING
 from sim.vehicle import NEARLY, TICK, Rate, Vehicle, Whereabouts, moving, turning
 
@@ -24,10 +25,6 @@ MOST_REPORTS = 1000
 
 Going = tuple[int, StoppedBy | None]
 """Whole steps or degrees done, and why no more."""
-
-
-Glided = tuple[Sequence[float], int, bool]
-"""Steps or degrees that are done after each tick, how many ticks are over, and whether it was not halted."""
 
 
 class Movement(ABC):
@@ -89,16 +86,40 @@ class Sweeping(Movement):
         room = self._room()
         if room:
             return self._sweep(room)
-        glide = self._glide() if self._vehicle.clock.speed is None else None
-        return self._tick() if glide is None else self._land(*glide)
+        end = self._free_to() if self._vehicle.may_glide() else self._whole
+        landed = self._glide(end) if end > self._whole else None
+        return self._tick() if landed is None else self._land(end, *landed)
+
+    def _glide(self, end: int) -> tuple[Landing, int] | None:
+        """Go on to so many steps or degrees, see ``Vehicle.glide``."""
+        return self._vehicle.glide(
+            self._at(end),
+            self._when(end),
+            lambda: self._course.times(self._began, self._stops(end)),
+            lambda count: self._at(self._stops(end)[count - 1]),
+            self._guard,
+        )
+
+    @property
+    @abstractmethod
+    def _guard(self) -> float:
+        """Metres from the robot's centre beyond which nothing can interfere."""
 
     @abstractmethod
-    def _glide(self) -> Glided | None:
-        """Go on for some ticks, if nothing can interfere. None: nothing has happened."""
+    def _at(self, done: float) -> Whereabouts:
+        """Where so many steps or degrees lead."""
 
     @abstractmethod
-    def _land(self, ends: Sequence[float], count: int, is_active: bool) -> StoppedBy | None:
-        """After ``count`` ticks of a glide, of which the last has only taken its time."""
+    def _free_to(self) -> int:
+        """How many steps or degrees are done after the next glide. Nothing is in the way up to there now."""
+
+    @abstractmethod
+    def _stops(self, end: int) -> Sequence[float]:
+        """Steps or degrees that are done after each tick up to ``end``."""
+
+    @abstractmethod
+    def _land(self, end: int, landing: Landing, count: int) -> StoppedBy | None:
+        """After a glide to ``end``. ``count``: its ticks, if not all; see ``Landing``."""
 
     @abstractmethod
     def _sweep(self, room: int) -> StoppedBy | None:
@@ -111,7 +132,7 @@ class Sweeping(Movement):
     def _room(self) -> int:
         """Whole steps or degrees that can be gone at once."""
         left = self._asked - self._whole
-        seconds = self._vehicle.clock.undisturbed(self._course.seconds(self._whole, 0.5))
+        seconds = self._vehicle.clock.undisturbed()
         if seconds == inf:
             return left
         return min(left, int(self._course.further(self._whole, seconds) + NEARLY))
@@ -169,7 +190,8 @@ class Walk(Sweeping):
         """Steps, with fractions."""
         self._must_push = False
         self._is_clear = False
-        self._changes = -1
+        self._looked: Moment = (-1, (0.0, 0.0))
+        """When the sensors were looked at before this step."""
 
     def _room(self) -> int:
         return super()._room() if self._is_whole and not self._must_push else 0
@@ -210,34 +232,34 @@ class Walk(Sweeping):
         self._go(following, length, free)
         return None
 
-    def _glide(self) -> Glided | None:
-        """Up to the next whole step, where it is free."""
+    @property
+    def _guard(self) -> float:
+        return self._vehicle.mover.guard
+
+    def _free_to(self) -> int:
+        """The next whole step."""
         vehicle = self._vehicle
         if self._must_push or not self._is_whole:
-            return None
-        end = min(self._asked, self._whole + 1)
-        if not vehicle.is_alone(STEP, self._when(end) - vehicle.clock.seconds):
-            return None
-        if vehicle.mover.walk(vehicle.here.truth, self._bearing, 1).steps == 0:
-            return None
-        ends = self._course.stops(self._done, end)
-        done = vehicle.glide(
-            self._course.times(self._began, ends), lambda count: self._at(ends[count - 1]), STEP
-        )
-        return None if done is None else (ends, *done)
+            return self._whole
+        return self._whole + vehicle.mover.has_free_step(vehicle.here.truth, self._bearing)
 
-    def _land(self, ends: Sequence[float], count: int, is_active: bool) -> StoppedBy | None:
-        if not is_active:
-            self._done = ends[count - 1] if count else self._done
-            self._vehicle.go_to(self._at(self._done))
+    def _stops(self, end: int) -> Sequence[float]:
+        return self._course.stops(self._whole, end)
+
+    def _land(self, end: int, landing: Landing, count: int) -> StoppedBy | None:
+        if landing is Landing.WHOLE:
+            self._done = end
+            self._arrive(end)
+            return None
+        stops = (self._done, *self._stops(end))
+        over = count if landing is Landing.HALTED else count - 1
+        self._done = stops[over]
+        self._vehicle.go_to(self._at(self._done))
+        if landing is Landing.HALTED:
             return StoppedBy.USER
-        self._is_clear = count == len(ends)
-        before = ends[count - 2] if count > 1 else self._done
-        length = (ends[count - 1] - before) * STEP
-        if not self._is_clear:
-            self._done = before
-            self._vehicle.go_to(self._at(before))
-        self._go(ends[count - 1], length, length, has_glided=True)
+        self._is_clear = False
+        length = (stops[count] - self._done) * STEP
+        self._go(stops[count], length, length)
         return None
 
     def _push(self, free: float) -> float:
@@ -248,18 +270,18 @@ class Walk(Sweeping):
 
     def _is_barred(self) -> bool:
         """Sensors are looked at before every step, and within it when something else has moved meanwhile."""
-        mover, here, changes = self._vehicle.mover, self._vehicle.here.truth, self._vehicle.changes_around
+        vehicle, mover, here = self._vehicle, self._vehicle.mover, self._vehicle.here.truth
         if self._is_whole:
-            self._changes = changes
+            self._looked = vehicle.moment
             return mover.is_blocked(here, self._bearing)
-        if changes == self._changes:
+        if vehicle.is_unchanged(self._looked):
             return False
         return mover.is_met(here, self._bearing, self._whole + 1 - self._done)
 
-    def _go(self, following: float, length: float, free: float, has_glided: bool = False) -> None:
+    def _go(self, following: float, length: float, free: float) -> None:
         """As far as was free before this robot's turn came, and still is."""
         vehicle = self._vehicle
-        metres = free if self._is_clear and (has_glided or vehicle.is_clear()) else self._push(free)
+        metres = free if self._is_clear and vehicle.is_clear() else self._push(free)
         has_come = metres >= length - TOUCHING
         self._done = following if has_come else self._done + metres / STEP
         if not has_come:
@@ -267,12 +289,16 @@ class Walk(Sweeping):
         vehicle.go_to(self._at(self._done))
         vehicle.show()
         if has_come and following == round(following):
-            self._whole, self._must_push = round(following), False
-            self._report_progress()
+            self._arrive(round(following))
+
+    def _arrive(self, whole: int) -> None:
+        """A step is done."""
+        self._whole, self._must_push = whole, False
+        self._report_progress()
 
 
 DEGREES_A_REPORT = 10
-MOST_GLIDED = 40
+MOST_GLIDED = 360
 """Degrees of a turn that no watcher sees, in one glide."""
 
 
@@ -291,7 +317,7 @@ class Turn(Sweeping):
         """All or nothing, so that others see the same headings however the turn is divided."""
         left = self._asked - self._whole
         seconds = self._course.seconds(self._whole, left)
-        return left if self._vehicle.clock.undisturbed(seconds) >= seconds else 0
+        return left if self._vehicle.clock.undisturbed() >= seconds else 0
 
     def _sweep(self, room: int) -> StoppedBy | None:
         vehicle, begun = self._vehicle, self._whole
@@ -307,53 +333,55 @@ class Turn(Sweeping):
     def _tick(self) -> StoppedBy | None:
         vehicle = self._vehicle
         wanted = self._in_a_tick(self._whole)
-        is_clear = vehicle.is_clear()
-        free = wanted if is_clear else self._free(wanted)
+        free = self._free(wanted)
         if free == 0:
             return StoppedBy.COLLISION
         if not vehicle.clock.elapse_until(self._when(self._whole + free)):
             return StoppedBy.USER
-        done = free if is_clear and vehicle.is_clear() else self._free(free)
-        self._whole += done
-        if done < free:
-            self._come_to(self._whole)
-        vehicle.go_to(self._at(self._whole))
+        self._turn_on(free)
         vehicle.show()
         self._report_progress()
         return None
 
-    def _glide(self) -> Glided | None:
-        """Up to the next report, where there is room to turn."""
-        vehicle, begun = self._vehicle, self._whole
-        most = MOST_GLIDED if vehicle.watcher is None else DEGREES_A_REPORT - begun % DEGREES_A_REPORT
-        end = min(self._asked, begun + most)
-        whole, last = begun, self._when(end)
-        if not vehicle.is_alone(0.0, last - vehicle.clock.seconds) or self._free(end - begun) < end - begun:
-            return None
-        ends = list[int]()
+    @property
+    def _guard(self) -> float:
+        return self._vehicle.mover.turning_guard
+
+    def _free_to(self) -> int:
+        """The next report, or the end; the same where there is no room to turn."""
+        begun = self._whole
+        most = MOST_GLIDED if self._vehicle.watcher is None else DEGREES_A_REPORT - begun % DEGREES_A_REPORT
+        wanted, here = min(self._asked - begun, most), self._vehicle.here.truth
+        return begun + wanted * self._vehicle.mover.has_free_turn(here, self._sign * wanted)
+
+    def _stops(self, end: int) -> Sequence[int]:
+        stops, whole = list[int](), self._whole
         while whole < end:
             whole += self._in_a_tick(whole)
-            ends.append(whole)
-        done = vehicle.glide(
-            self._course.times(self._began, ends), lambda count: self._at(ends[count - 1]), 0.0
-        )
-        return None if done is None else (ends, *done)
+            stops.append(whole)
+        return stops
 
-    def _land(self, ends: Sequence[float], count: int, is_active: bool) -> StoppedBy | None:
-        vehicle, begun = self._vehicle, self._whole
-        before = int(ends[count - 2]) if count > 1 else begun
-        self._whole = int(ends[count - 1]) if count else begun
-        if is_active and count < len(ends):
-            vehicle.go_to(self._at(before))
-            wanted, self._whole = self._whole - before, before
-            self._whole += self._free(wanted)
-            self._come_to(self._whole)
-        vehicle.go_to(self._at(self._whole))
-        if not is_active:
-            return StoppedBy.USER
-        vehicle.show()
+    def _land(self, end: int, landing: Landing, count: int) -> StoppedBy | None:
+        vehicle = self._vehicle
+        if landing is Landing.WHOLE:
+            self._whole = end
+        else:
+            stops = (self._whole, *self._stops(end))
+            self._whole = stops[count if landing is Landing.HALTED else count - 1]
+            vehicle.go_to(self._at(self._whole))
+            if landing is Landing.HALTED:
+                return StoppedBy.USER
+            self._turn_on(stops[count] - self._whole)
         self._report_progress()
         return None
+
+    def _turn_on(self, wanted: int) -> None:
+        """So many degrees, of which perhaps fewer are free now."""
+        done = self._free(wanted)
+        self._whole += done
+        if done < wanted:
+            self._come_to(self._whole)
+        self._vehicle.go_to(self._at(self._whole))
 
     def _in_a_tick(self, whole: int) -> int:
         """Degrees of the tick that begins there."""

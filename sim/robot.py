@@ -28,7 +28,7 @@ from devices.ports.robot import (
 from sim.clock import Clock, Seat
 from sim.colours import families
 from sim.geometry import Placement, pose_of
-from sim.ground import Ground
+from sim.ground import Ground, Moment
 
 if TYPE_CHECKING:
     from random import Random
@@ -64,7 +64,7 @@ class SimulatedRobot:
         self._making = threading.Lock()
         """Held while the vehicle is made or reset."""
         self._vehicle: Vehicle | None = None
-        self._seen: tuple[Spot, int, dict[Bearing, int]] | None = None
+        self._seen: tuple[Spot, Moment, dict[Bearing, int]] | None = None
         """The last result of ``known_distances``, its pose, and the number of changes in the world then."""
 
     @property
@@ -236,11 +236,11 @@ class SimulatedRobot:
     def known_distances(self) -> dict[Bearing, int]:
         """If nothing has moved since the last call, the distances are unchanged."""
         vehicle = self.get_ready()
-        spot, changes = vehicle.here.truth, vehicle.changes_around
+        spot, moment = vehicle.here.truth, vehicle.moment
         seen = self._seen
-        if seen is None or seen[:2] != (spot, changes):
+        if seen is None or seen[0] != spot or not vehicle.is_unchanged(seen[1]):
             mover = vehicle.mover
-            seen = self._seen = spot, changes, mover.senses.all_steps(mover.around, spot)
+            seen = self._seen = spot, moment, mover.senses.all_steps(mover.around, spot)
         return dict(seen[2])
 
     def scan(self) -> tuple[Sighting, ...]:

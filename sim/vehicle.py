@@ -10,15 +10,15 @@ Stage.
 from __future__ import annotations
 
 from functools import cache, cached_property
-from math import degrees, floor, inf, radians, sqrt
+from math import degrees, floor, hypot, inf, radians, sqrt
 from typing import TYPE_CHECKING, Protocol
 
 from msgspec import Struct
 
 from devices.ports.robot import STEP, Grip, Motion, RobotProblem, Watcher
-from sim.clock import SLICE, Clock, Glide
+from sim.clock import SLICE, Clock, Glide, Landing
 from sim.geometry import Placement, Spot, pose_of
-from sim.ground import Ground
+from sim.ground import Ground, Moment
 from sim.handling import Hand
 from sim.motion import Mover
 from sim.scene import Bounds, Drive, Limits, Localization, Wheels
@@ -348,9 +348,13 @@ class Vehicle:
         self._ground.quicken(max(rates.forward.top, rates.backward.top) * STEP + turning)
 
     @property
-    def changes_around(self) -> int:
-        """Another number whenever something else was moved."""
-        return self._ground.changes_for(self._root)
+    def moment(self) -> Moment:
+        """See ``Ground.moment``."""
+        return self._ground.moment(self._root)
+
+    def is_unchanged(self, since: Moment) -> bool:
+        """Whether nothing else has moved since that moment."""
+        return self._ground.is_unchanged(self._root, since)
 
     def is_clear(self) -> bool:
         """Whether nothing can come in the way of the next tick.
@@ -378,13 +382,14 @@ class Vehicle:
         The same result as a ``Walk``; this is the fast way for most commands of most programs.
         RobotProblem ``cannot-drive`` if the rate is 0.
         """
-        if not self._leaps:
+        if not self._leaps or not self.clock.may_leap():
             return False
         here, metres = self.here.truth, steps * STEP
         there = here.ahead(metres, here.yaw + turned)
         seconds = moving(rate).over(steps).seconds(0.0, metres / STEP)
-        if not self.mover.around.has_room(here.x, here.y, there.x, there.y) or not self.clock.leap(seconds):
+        if not self.mover.around.has_room(here.x, here.y, there.x, there.y):
             return False
+        self.clock.leap(seconds)
         self.go_to(Whereabouts(there, there))
         return True
 
@@ -396,37 +401,44 @@ class Vehicle:
             return Whereabouts(truth, truth)
         return Whereabouts(truth, self.odometry.turned(start.belief, degrees))
 
-    def is_alone(self, metres: float, seconds: float) -> bool:
-        """Whether nothing that may move can come near on the next ``metres``, which take so many seconds."""
-        if self.hand.held is not None or not self.clock.takes_part:
-            return False
-        spot, radius = self.here.truth, self.mover.body.radius + metres
-        return self._ground.is_alone(self._root, spot.x, spot.y, radius, seconds)
+    def may_glide(self) -> bool:
+        """Whether it shares its world, at unlimited speed, and holds nothing."""
+        clock = self.clock
+        return clock.speed is None and clock.takes_part and self.hand.held is None and clock.is_active()
 
     def glide(
-        self, times: Sequence[float], at: Callable[[int], Whereabouts], metres: float
-    ) -> tuple[int, bool] | None:
-        """Go on for so many ticks, which end at ``times``, ``metres`` in all; ``at``: where they lead.
+        self,
+        there: Whereabouts,
+        last: float,
+        times: Callable[[], Sequence[float]],
+        at: Callable[[int], Whereabouts],
+        guard: float,
+    ) -> tuple[Landing, int] | None:
+        """Go straight on to a place, or turn there, until the time ``last``; ``guard`` as for ``Glide``.
 
-        It ``is_alone``. Answers as ``Clock.follow``; None, and nothing has happened, where it must not begin.
+        ``times``: at the end of each tick; ``at``: where so many ticks lead. Answers how it ended, and after
+        how many ticks if not as a whole; None, and nothing has happened, where it must not begin.
         """
-        ground, root, spot = self._ground, self._root, self.here.truth
-        radius = self.mover.body.radius + metres
-        z, jumps = ground.start(root).z, ground.jumps
+        ground, root, here = self._ground, self._root, self.here.truth
+        z = ground.start(root).z
 
-        def place(count: int) -> Placement:
-            there = at(count).truth
-            return Placement(there.x, there.y, z, there.yaw)
+        def place(where: Whereabouts) -> Placement:
+            spot = where.truth
+            return Placement(spot.x, spot.y, z, spot.yaw)
 
-        box = (spot.x - radius, spot.y - radius, spot.x + radius, spot.y + radius)
-        glide = self.clock.glide(times, lambda rank, ends: Glide(root, rank, ends, place, box))
-        if glide is None or jumps != ground.jumps:
+        x, y = (here.x + there.truth.x) / 2, (here.y + there.truth.y) / 2
+        way = x, y, hypot(x - here.x, y - here.y)
+        glide = Glide(root, self.clock, times, lambda count: place(at(count)), way, guard)
+        if not ground.begin_glide(glide):
             return None
-        ground.begin_glide(glide)
+        landing, end = Landing.HALTED, None
         try:
-            return self.clock.follow(glide, times)
+            landing = self.clock.follow(glide, last)
+            if landing is Landing.WHOLE:
+                self.here, end = there, place(there)
         finally:
-            ground.end_glide(root)
+            ground.end_glide(root, end)
+        return landing, glide.count or 0
 
     def way(self, angle: float, length: float) -> Advance:
         """What would become of so many metres (at most a step) to ``angle``, from here."""

@@ -34,7 +34,7 @@ class World:
         self.seed = seed
         self._ground = Ground(scene)
         self._turns = Turns()
-        self._ground.follow(self._turns.now, self._turns.cut_glides)
+        self._ground.follow(self._turns.now, self._turns.cut)
         self._seats = {index: Seat(self._turns, rank) for rank, index in enumerate(scene.robots)}
         self._robots: dict[int, SimulatedRobot] = {}
 
