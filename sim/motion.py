@@ -343,8 +343,11 @@ class Mover:
 
     def is_met(self, spot: Spot, bearing: Bearing, rest: float) -> bool:
         """The same for the ``rest`` of a step, because of a robot that has come near meanwhile."""
-        others = self._others
-        return others.is_any_near(spot, self.guard) and self._sees(others, spot, bearing, rest + 1.0)
+        return self.is_robot_near(spot, 0.0) and self._sees(self._others, spot, bearing, rest + 1.0)
+
+    def is_robot_near(self, spot: Spot, metres: float) -> bool:
+        """Whether another robot can stop the next step, or could if it came so much nearer."""
+        return self._others.is_any_near(spot, self.guard + metres)
 
     def _sees(self, around: Around, spot: Spot, bearing: Bearing, steps: float) -> bool:
         near = steps * CENTIMETRES_A_STEP

@@ -222,7 +222,7 @@ class Walk(Sweeping):
         self._is_clear = (self._is_clear or self._is_whole) and vehicle.is_clear()
         if not self._is_clear and self._is_barred():
             return StoppedBy.OBSTACLE
-        following = min(self._asked, self._course.next_stop(self._done))
+        following = self._next_stop()
         length = (following - self._done) * STEP
         free = length if self._is_clear else vehicle.way(self._angle, length).metres
         if free < TOUCHING:
@@ -261,6 +261,14 @@ class Walk(Sweeping):
         length = (stops[count] - self._done) * STEP
         self._go(stops[count], length, length)
         return None
+
+    def _next_stop(self) -> float:
+        """A step on where no other robot acts or is near, and no moving picture is shown; else a tick on."""
+        vehicle = self._vehicle
+        is_alone = vehicle.clock.speed is None and self._is_whole and super()._room() > 0
+        if is_alone and not vehicle.mover.is_robot_near(vehicle.here.truth, STEP):
+            return self._whole + 1
+        return min(self._asked, self._course.next_stop(self._done))
 
     def _push(self, free: float) -> float:
         """Take along what is in the way. Answers how many metres of it are free now."""

@@ -280,7 +280,7 @@ def test_an_endless_push_can_be_stopped(joined: bool) -> None:
     moved = robot.forward(1_000_000_000)
 
     assert moved.stopped_by is StoppedBy.USER
-    assert 5 < moved.walked < 300
+    assert 5 < moved.walked < 310, "it asks at least once a step"
 
 
 @pytest.mark.parametrize(("count", "is_stopped"), [(20, False), (21, True)])
