@@ -72,7 +72,7 @@ class Glide:
         return self._make_times()
 
     @cached_property
-    def _ends(self) -> Sequence[float]:
+    def _world_times(self) -> Sequence[float]:
         return [self.clock.in_the_world(each) for each in self.times]
 
     def is_near(self, x: float, y: float, reach: float) -> bool:
@@ -82,14 +82,14 @@ class Glide:
     def ticks(self, now: Now) -> int:
         """How many ticks are over."""
         time, rank = now
-        ends = self._ends
-        count = bisect_left(ends, time)
-        is_before = count < len(ends) and ends[count] == time and self.clock.rank < rank
+        times = self._world_times
+        count = bisect_left(times, time)
+        is_before = count < len(times) and times[count] == time and self.clock.rank < rank
         return count + is_before
 
     def cut(self, now: Now) -> float:
         """It ends with the tick that is due. Answers when that is, for the robot."""
-        self.count = min(self.ticks(now) + 1, len(self._ends))
+        self.count = min(self.ticks(now) + 1, len(self._world_times))
         return self.times[self.count - 1]
 
     def new_place(self, now: Now) -> Placement | None:
