@@ -10,6 +10,7 @@ from textual.geometry import Region
 from textual.widget import Widget
 from textual.widgets.text_area import Selection
 
+from donnie_tui.tui import themes
 from donnie_tui.tui.highlighting import highlights
 from donnie_tui.tui.run_view import SELDOM, SOON, Polling
 from donnie_tui.tui.widgets.map_view import MapView
@@ -183,6 +184,38 @@ async def test_the_selection_is_located_once_a_frame_and_not_for_each_row(
 
         assert len(strips) > 5
         assert len(asked) <= most
+
+
+async def test_a_key_in_a_huge_line_wraps_nothing_and_the_cursor_is_seen(
+    open_screen, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    wrapped: list[str] = []
+    monkeypatch.setattr(
+        "textual.document._wrapped_document.compute_wrap_offsets",
+        lambda text, *_, **__: wrapped.append(text) or [],
+    )
+    async with open_screen() as screen:
+        editor = screen.main.editor
+        screen.load(f'SPEAK "{"a" * 200_000}"\nFW 1\n')
+        await screen.press("end")
+        wrapped.clear()
+        await screen.press("x", "y", "backspace")
+        await screen.painted()
+
+        assert wrapped == []
+        assert screen.text.splitlines()[1].split()[:2] == ["1", f'{"a" * 31}"x']
+        assert editor.cursor_screen_offset.x < editor.size.width
+
+        await screen.press("shift+left", "shift+left")
+        await screen.painted()
+        look = themes.looks(screen.app.theme)["selected"]
+        chosen = [
+            each.text for each in editor.render_line(0) if each.style and each.style.bgcolor == look.bgcolor
+        ]
+        assert "".join(chosen) == '"x'
+
+        screen.load("FW 1")
+        assert editor.soft_wrap
 
 
 def test_a_line_of_any_length_is_shown_plainly_and_the_others_are_not() -> None:

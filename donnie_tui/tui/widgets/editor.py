@@ -41,6 +41,9 @@ _EMPTY_LINE = "▌"
 _LONGEST_WORD = 80
 """Characters of a line that may hold only a command."""
 
+LONGEST_WRAPPED = 20_000
+"""Characters beyond which a line is one row that scrolls sideways: each key wraps all of its line anew."""
+
 LEAST_TYPED = 2
 """Letters before a word is offered, where more than one fits."""
 LEAST_NOTE = 12
@@ -218,6 +221,7 @@ class Editor(TextArea):
         """Another program, from its first line; the history begins again."""
         self.is_typed = False
         self.load_text(text)
+        self._choose_wrapping()
         self.breakpoints = breakpoints
         self.move_cursor((0, 0))
 
@@ -228,6 +232,7 @@ class Editor(TextArea):
         first, last = (start[0], end[0]) if whole_lines else (start[0] + 1, end[0] + 1)
         before, was_empty = self.document.line_count, not self.text
         result = super().edit(edit)
+        self._choose_wrapping()
         if was_empty != (not self.text):
             self._refresh_first_steps()
         self._shift_breakpoints(first, last, self.document.line_count - before)
@@ -238,13 +243,19 @@ class Editor(TextArea):
         self.is_typed = False
         before = list(self.document.lines) if self.breakpoints else []
         super().undo()
+        self._choose_wrapping()
         self._follow(before)
 
     def redo(self) -> None:
         self.is_typed = False
         before = list(self.document.lines) if self.breakpoints else []
         super().redo()
+        self._choose_wrapping()
         self._follow(before)
+
+    def _choose_wrapping(self) -> None:
+        """Rows as wide as the window, unless a line is so long that each key would take a moment."""
+        self.soft_wrap = max(map(len, self.document.lines)) <= LONGEST_WRAPPED
 
     def _follow(self, before: Sequence[str]) -> None:
         """The text was ``before`` and is another one now: what differs is all that is known."""
@@ -386,7 +397,10 @@ class Editor(TextArea):
             self._chosen_painted = None
 
     def render_line(self, y: int) -> Strip:
-        strip = self._with_selection(self._with_gutter(super().render_line(y)), y)
+        painted = super().render_line(y)
+        if not self.soft_wrap:
+            painted = painted.crop(0, self.size.width)
+        strip = self._with_selection(self._with_gutter(painted), y)
         if y and self.first_steps and self.show_line_numbers and not self.text:
             return self._with_first_step(strip, y - 1)
         line, is_first, is_last = self._line_at(y)
@@ -422,8 +436,9 @@ class Editor(TextArea):
         if first == last or not first.y <= row <= last.y:
             return strip
         text_end = max(cell_len(strip.text.rstrip()), self.gutter_width + 1)
-        begin = self.gutter_width + (first.x if row == first.y else 0)
-        end = self.gutter_width + last.x if row == last.y else max(text_end, begin)
+        shift = self.gutter_width - self.scroll_offset.x
+        begin = max(self.gutter_width, shift + (first.x if row == first.y else 0))
+        end = max(begin, shift + last.x if row == last.y else text_end)
         look = themes.looks(self.app.theme)["selected"]
         chosen = strip.crop(begin, end)
         painted = Strip([Segment(each.text, (each.style or Style()) + look) for each in chosen])
