@@ -24,6 +24,16 @@ MOST_WORDS = 50
 
 USUAL_NUMBERS = ("1", "2", "3", "4", "5", "10", "45", "90")
 """Of steps, rounds and degrees."""
+_SIGNS = {
+    "COMPARATOR": ("==", "<", ">", "<=", ">=", "<>"),
+    "ASSIGN": ("=",),
+    "LSQB": ("[",),
+    "COLON": (":",),
+    "SEMICOLON": (";",),
+}
+"""What continues a command and is no word."""
+_COUNTED = frozenset(KIND[each] for each in ("FW", "BW", "TR", "TL", "WAIT", "REPEAT", "COMPARATOR", "LSQB"))
+"""After what a number is likelier than a word."""
 
 _FIRST = (
     *("FW", "TR", "TL", "BW", "SPEAK", "REPEAT", "IF", "VAR", "FOR", "WHILE", "PROCEDURE", "WAIT"),
@@ -44,8 +54,8 @@ class Completion(msgspec.Struct, frozen=True):
 
     typed: str
     words: tuple[str, ...]
-    numbers: tuple[str, ...] = ()
-    """Usual numbers, where one may stand: for those who choose all words from a list."""
+    listed: tuple[str, ...] = ()
+    """The words, and usual numbers and signs where one may stand: for those who choose from a list."""
 
 
 def completion(text: str, at: int, language: str, colours: Iterable[str] | None = None) -> Completion:
@@ -57,8 +67,23 @@ def completion(text: str, at: int, language: str, colours: Iterable[str] | None 
     folded = fold_name(typed)
     fitting = (each for each in _words(text, start, at, language, colours) if fold_name(each) != folded)
     found = tuple(dict.fromkeys(each for each in fitting if fold_name(each).startswith(folded)))
-    numbers = () if typed or NUMBER not in kinds_after(lex(text[:start]).tokens) else USUAL_NUMBERS
-    return Completion(typed, tuple(_as_typed(each, typed) for each in found[:MOST_WORDS]), numbers)
+    words = tuple(_as_typed(each, typed) for each in found[:MOST_WORDS])
+    return Completion(typed, words, words if typed else tuple(_listed(text[:start], words)))
+
+
+def _listed(before: str, words: tuple[str, ...]) -> Iterator[str]:
+    """The likelier first: a number after FW, a sensor after IF."""
+    tokens = lex(before).tokens
+    kinds = kinds_after(tokens)
+    last = tokens[-1] if tokens else None
+    if last is not None and "\n" not in before[last[2] :]:
+        procedures, variables = _declared(tokens)
+        wrong = "ASSIGN" if last[5] in procedures else "LSQB" if last[5] in variables else ""
+        fitting = (signs for name, signs in _SIGNS.items() if KIND[name] in kinds and name != wrong)
+        yield from chain.from_iterable(fitting)
+    numbers = USUAL_NUMBERS if NUMBER in kinds else ()
+    is_counted = last is not None and last[0] in _COUNTED
+    yield from (*numbers, *words) if is_counted else (*words, *numbers)
 
 
 def _start_of_word(text: str, at: int) -> int:

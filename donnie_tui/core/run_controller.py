@@ -157,6 +157,17 @@ class RunController:
         return None if stepping is None or self.past is None else stepping.frames_at(self.past)
 
     @property
+    def worked_out(self) -> tuple[tuple[str, ...], ...]:
+        """Of each expression of the statement that is next: its text, then its text with values, to the end.
+
+        Empty while the program is not held, and at a moment of the past before which it was not.
+        """
+        record = self._record
+        stepping = record.narrator.stepping if record is not None else None
+        is_known = stepping is not None and (self.past is not None or self.is_held)
+        return stepping.worked_out(self.past) if is_known and stepping is not None else ()
+
+    @property
     def knows_variables(self) -> bool:
         """False at a moment of the past before which the program was not held."""
         return self.past is None or self._past_frames is not None

@@ -25,8 +25,11 @@ from language.numbers import divide
 from language.runtime import Frame
 from language.source import fold_name
 from language.syntax import (
+    Assign,
     Binary,
+    Call,
     Condition,
+    Declare,
     Expression,
     For,
     If,
@@ -35,7 +38,12 @@ from language.syntax import (
     NumberLiteral,
     Program,
     Repeat,
+    SpeakCommand,
     Statement,
+    TextLiteral,
+    TurnCommand,
+    WaitCommand,
+    WalkCommand,
     While,
     blocks_of,
 )
@@ -47,6 +55,10 @@ MOST_READS = 1000
 """Readings between two holds that are remembered: no statement has so many."""
 MOST_UNDONE = 5
 """Events that are listed when one step is undone: a procedure that was stepped over has many."""
+MOST_OPERATIONS = 5
+"""Operations of an expression that are shown one by one; of a longer one the result is shown after these."""
+LARGEST_SHOWN = 10**15
+"""Results beyond this are not worked out: nobody reads them."""
 
 
 class _Hold(Struct, frozen=True):
@@ -59,6 +71,8 @@ class _Hold(Struct, frozen=True):
     """The open calls, innermost first."""
     is_next: bool
     """Whether the hold before it led here by one step."""
+    worked_out: tuple[tuple[str, ...], ...] = ()
+    """What ``worked_out`` has of each expression of the statement."""
 
     @property
     def variables(self) -> Mapping[str, int]:
@@ -108,7 +122,8 @@ class Stepping:
             return ()
         sentences = self._narrator.on_hold(*place, frames)
         calls = tuple(frames[:MOST_CALLS])
-        self._holds.append(_Hold(self._last_seq(), sentences, calls, is_next=not self._ran_on))
+        hold = _Hold(self._last_seq(), sentences, calls, not self._ran_on, self._narrator.worked_out)
+        self._holds.append(hold)
         self._ran_on, self._at = False, None
         return sentences
 
@@ -164,6 +179,12 @@ class Stepping:
         if self._at is None or not self._is_at_hold(timeline):
             return None
         return self._holds[self._at].frames
+
+    def worked_out(self, past: Timeline | None) -> tuple[tuple[str, ...], ...]:
+        """The expressions of the statement that is next, now or at that position."""
+        if past is None:
+            return self._holds[-1].worked_out if self._holds else ()
+        return self._holds[self._at].worked_out if self._at is not None and self._is_at_hold(past) else ()
 
     def _is_at_hold(self, timeline: Timeline) -> bool:
         at = self._at
@@ -248,6 +269,8 @@ class StepNarrator:
         self._before: Statement | None = None
         self._variables: Mapping[str, int] = {}
         """The variables at that statement."""
+        self.worked_out: tuple[tuple[str, ...], ...] = ()
+        """The expressions of that statement."""
         self._is_first = is_first
         self._level = self._calls = 0
 
@@ -268,6 +291,13 @@ class StepNarrator:
         sentences = [*self._condition()]
         sentences += self._round(statement, len(frames), variables)
         sentences.append(self._next(statement, line, level))
+        known = {fold_name(name): value for name, value in frames[-1].variables} if frames else {}
+        self.worked_out = tuple(self._work_out(statement, known | variables))
+        if self._say.detail == "full":
+            sentences += [
+                self._say("step-worked-out", expression=typed, values=", ".join(values))
+                for typed, *values in self.worked_out
+            ]
         self._before, self._variables = statement, variables
         self._level, self._calls = level, len(frames)
         self._reads.clear()
@@ -294,6 +324,30 @@ class StepNarrator:
         inside = next((block[0] for block in blocks_of(statement) if block), None)
         end = statement.span.end if inside is None else inside.span.start
         return " ".join(self._program.source[statement.span.start : end].split())
+
+    def _work_out(
+        self, statement: Statement | None, variables: Mapping[str, int]
+    ) -> Iterator[tuple[str, ...]]:
+        """What the statement computes before it does anything, as far as no sensor is needed."""
+        expressions: tuple[Expression | TextLiteral | None, ...] = ()
+        match statement:
+            case Declare(value=value) | Assign(value=value) | SpeakCommand(what=value):
+                expressions = (value,)
+            case WalkCommand(steps=value) | TurnCommand(degrees=value) | WaitCommand(seconds=value):
+                expressions = (value,)
+            case Repeat(times=value) if not (self._rounds and self._rounds[-1].has_gone_round):
+                expressions = (value,)
+            case Call(arguments=arguments):
+                expressions = arguments
+            case If(condition=condition) | While(condition=condition):
+                expressions = condition.left, condition.right
+            case For(start=start, step=step):
+                expressions = ((step if self._rounds[-1].has_gone_round else start).value,)
+        for each in expressions:
+            if each is not None and not isinstance(each, TextLiteral) and self._program is not None:
+                texts = tuple(worked_out(each, self._program, variables))
+                if len(texts) > 1:
+                    yield texts
 
     # --- rounds
 
@@ -400,6 +454,88 @@ def _computed(operator: str, left: int, right: int) -> int | None:
                 return divide(left, right)
     except (LanguageError, ZeroDivisionError):
         return None
+
+
+def worked_out(expression: Expression, program: Program, variables: Mapping[str, int]) -> Iterator[str]:
+    """The expression as it is typed, then with the values of its variables, then operation by operation."""
+    yield program.typed(expression.span)
+    known = _with_values(expression, variables)
+    if known != _with_values(expression, {}):
+        yield _expression_text(known, program)
+    for _ in range(MOST_OPERATIONS):
+        operated = _operated(known)
+        if operated is None:
+            return
+        known = operated
+        yield _expression_text(known, program)
+    while (operated := _operated(known)) is not None:
+        known = operated
+    if isinstance(known, NumberLiteral):
+        yield str(known.value)
+
+
+def _with_values(expression: Expression, variables: Mapping[str, int]) -> Expression:
+    """With numbers in place of the variables that have a value; signs belong to their numbers."""
+    match expression:
+        case Name(name=name) if fold_name(name) in variables:
+            return NumberLiteral(expression.span, variables[fold_name(name)])
+        case Negative(operand=operand):
+            known = _with_values(operand, variables)
+            if isinstance(known, NumberLiteral):
+                return NumberLiteral(expression.span, -known.value)
+            return Negative(expression.span, known)
+        case Binary(operator=operator, left=left, right=right):
+            sides = _with_values(left, variables), _with_values(right, variables)
+            return Binary(expression.span, operator, *sides)
+        case _:
+            return expression
+
+
+def _operated(expression: Expression) -> Expression | None:
+    """With the first operation done that can be; None where there is none."""
+    match expression:
+        case Negative(operand=operand):
+            inner = _operated(operand)
+            if isinstance(inner, NumberLiteral):
+                return NumberLiteral(expression.span, -inner.value)
+            return None if inner is None else Negative(expression.span, inner)
+        case Binary(operator=operator, left=NumberLiteral(value=one), right=NumberLiteral(value=other)):
+            value = _computed(operator, one, other)
+            is_shown = value is not None and abs(value) <= LARGEST_SHOWN
+            return NumberLiteral(expression.span, value) if is_shown and value is not None else None
+        case Binary(operator=operator, left=left, right=right):
+            inner = _operated(left)
+            if inner is not None:
+                return Binary(expression.span, operator, inner, right)
+            inner = _operated(right)
+            return None if inner is None else Binary(expression.span, operator, left, inner)
+        case _:
+            return None
+
+
+_STRENGTH = {"+": 1, "-": 1, "*": 2, "/": 2}
+
+
+def _expression_text(expression: Expression, program: Program) -> str:
+    """With as few brackets as keep its meaning."""
+    match expression:
+        case NumberLiteral(value=value):
+            return str(value)
+        case Negative(operand=operand):
+            inner = _expression_text(operand, program)
+            return f"-({inner})" if isinstance(operand, Binary) else f"-{inner}"
+        case Binary(operator=operator, left=left, right=right):
+            after = _side(right, operator, program, is_right=True)
+            return f"{_side(left, operator, program)} {operator} {after}"
+        case _:
+            return program.typed(expression.span)
+
+
+def _side(side: Expression, operator: str, program: Program, *, is_right: bool = False) -> str:
+    text = _expression_text(side, program)
+    is_weaker = isinstance(side, Binary) and _STRENGTH[side.operator] < _STRENGTH[operator] + is_right
+    is_signed = is_right and text.startswith("-")
+    return f"({text})" if is_weaker or is_signed else text
 
 
 def _by_place(

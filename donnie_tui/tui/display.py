@@ -29,6 +29,8 @@ from donnie_tui.tui.pane_text import (
     scopes_of,
     state_badge,
     state_sentences,
+    working_choices,
+    working_lines,
 )
 from donnie_tui.tui.screens.main_screen import MainScreen
 from donnie_tui.tui.widgets.rows import LOOKS, KeyEntry
@@ -103,14 +105,15 @@ class Display:
         self._place.inspector_pane.entitle(self._words(code))
 
     def entitle_map(self) -> None:
-        """The world, its size, and where more of it is outside."""
+        """The world, its size, where more of it is outside, and that north is above."""
         picture = self.scene.picture
         width, height = floor_size(picture)
         title = self._donnie.world.title(self._words.language)
         where = " ".join(self._words(f"compass-{side}")[:1].upper() for side in self._place.map.hidden)
         values = {"world": title, "width": width, "height": height}
         words = self._words("pane-map-more" if where else "pane-map", where=where, **values)
-        self._place.map_pane.entitle(self._with_robot(words))
+        north = f"{self._words('compass-north')[:1].upper()} ^"
+        self._place.map_pane.entitle(self._with_robot(words), north)
 
     def _with_robot(self, title: str) -> str:
         """A title that says of which robot it is, where there are several."""
@@ -279,7 +282,8 @@ class Display:
 
     def _show_marks(self) -> None:
         lines = [frame.line for frame in self._program_frames()]
-        self._place.editor.mark(lines[0] if lines else None, frozenset(lines[1:]))
+        working = working_choices(self._runs.worked_out) if lines else ()
+        self._place.editor.mark(lines[0] if lines else None, frozenset(lines[1:]), working)
 
     def _program_frames(self) -> tuple[Frame, ...]:
         """Where the editor's program is; empty while it is not running."""
@@ -309,7 +313,8 @@ class Display:
         )
         columns = max(self._place.inspector.size.width, LEAST_CHART) - 1
         charts = self._histories.charts(columns, self._words) if changes is not None else ()
-        self._place.inspector.show((*goals, *lines, *charts))
+        working = working_lines(self._runs.worked_out, self._words) if frames else ()
+        self._place.inspector.show((*goals, *lines, *working, *charts))
 
     def say_status(self) -> None:
         """Where the focus is, where Donnie is, what the program does.

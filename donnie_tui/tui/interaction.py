@@ -260,9 +260,9 @@ class ScreenInteraction:
         found = assistant.completion(text, at)
         if found.typed and not found.words:  # the word is whole: what may follow it
             found = assistant.completion(f"{text[:at]} {text[at:]}", at + 1)
-            if found.words:
+            if found.listed:
                 editor.insert(" ")
-        shown = (*found.numbers, *found.words)
+        shown = found.listed
         if not shown:
             self._controller.ctx.answer("screen-nothing-to-complete")
             return

@@ -264,6 +264,23 @@ def _short(value: int) -> str:
     return f"{'-' if value < 0 else ''}{digits[:6]}... ({len(digits)})"
 
 
+def working_lines(worked_out: Sequence[Sequence[str]], words: Wording) -> tuple[str, ...]:
+    """How the expressions of the statement that is next come to their values."""
+    if not worked_out:
+        return ()
+    rows = (text if not at else f"= {text}" for texts in worked_out for at, text in enumerate(texts))
+    return (words("inspector-worked-out"), *rows)
+
+
+def working_choices(worked_out: Sequence[Sequence[str]]) -> tuple[str, ...]:
+    """The same in one row, from the longest to the shortest."""
+    if not worked_out:
+        return ()
+    whole = "; ".join(" = ".join(texts) for texts in worked_out)
+    results = "; ".join(f"{texts[0]} = {texts[-1]}" for texts in worked_out)
+    return tuple(dict.fromkeys((whole, results, "; ".join(f"= {texts[-1]}" for texts in worked_out))))
+
+
 def _calls(frames: Sequence[Frame], words: Wording) -> tuple[str, ...]:
     if not frames:
         return ()

@@ -476,7 +476,7 @@ async def test_a_picture_shows_all_of_a_room_that_letters_do_not_and_a_click_fin
         await screen.until(lambda: not view.hidden, "the whole floor")
         await screen.painted()
 
-        assert screen.main.map_pane._title == "Map: Living room, 40 by 40 steps"
+        assert screen.main.map_pane._title == "Map: Living room, 40 by 40"
         assert view.scale.bounds.height == 42
         rows = [view.render_line(y).text for y in range(21)]
         assert rows[0].startswith("█▀▀▀")

@@ -99,3 +99,23 @@ async def test_a_slider_shows_how_far_back_one_looks_and_a_click_goes_there(open
         await screen.pilot.click(slider, offset=(75, 0))
         await screen.until(lambda: "| >" not in screen.text, "the present")
         assert "LOOKING BACK" not in screen.text
+
+
+async def test_what_the_next_line_computes_is_shown_after_it_and_in_the_inspector(open_screen):
+    async with open_screen("VAR n = 3\nSPEAK n * 2 + 1\nFW n\nFW 1", size=(120, 40)) as screen:
+        for line in (1, 2):
+            await screen.press("f7")
+            await screen.shows(f"Line {line}:")
+        await screen.until(lambda: "> 2  SPEAK n * 2 + 1  > " in screen.text, "the sum")
+        assert "n * 2 + 1 = 7" in screen.text
+        rows = [row.strip() for row in screen.main.inspector.lines]
+        at = rows.index("Worked out in this line:")
+        assert rows[at + 1 : at + 5] == ["n * 2 + 1", "= 3 * 2 + 1", "= 6 + 1", "= 7"]
+
+        await screen.press("f7")
+        await screen.until(lambda: "> 3  FW n  > n = 3" in screen.text, "the value")
+        assert "= 7" not in screen.text
+
+        await screen.press("ctrl+k", "k")  # back, to what it was
+        await screen.until(lambda: "n * 2 + 1 = 3 * 2 + 1" in screen.text or "= 7" in screen.text, "the past")
+        await screen.press("f5")

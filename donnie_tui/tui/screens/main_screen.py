@@ -30,8 +30,9 @@ if TYPE_CHECKING:
     from donnie_tui.core.map_scene import MapScene
     from donnie_tui.tui.screens.pages import TourStrip
 
-WIDE, NARROW, LOW = 110, 60, 18
-"""From WIDE columns on there is room for the inspector too; below NARROW or LOW for one pane only."""
+WIDE, NARROW, LOW, LOWEST = 110, 60, 18, 10
+"""From WIDE columns on there is room for the inspector too; below NARROW or LOW for one pane only; below
+LOWEST rows not for the keys."""
 
 LONGEST_HELD = 0.15
 """Seconds."""
@@ -52,7 +53,7 @@ class MainScreen(Screen[None]):
     """The main screen."""
 
     HORIZONTAL_BREAKPOINTS = [(0, "-narrow"), (NARROW, "-normal"), (WIDE, "-wide")]  # noqa: RUF012 -- Textual's
-    VERTICAL_BREAKPOINTS = [(0, "-low"), (LOW, "-high"), (32, "-tall")]  # noqa: RUF012
+    VERTICAL_BREAKPOINTS = [(0, "-lowest"), (LOWEST, "-low"), (LOW, "-high"), (32, "-tall")]  # noqa: RUF012
 
     class Looked(Message):
         """The focus, or what is read in it, is elsewhere."""

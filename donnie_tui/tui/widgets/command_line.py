@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import ClassVar, Self
 
-from rich.cells import cell_len
+from rich.cells import cell_len, set_cell_size
 from textual import events
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
@@ -26,6 +26,24 @@ from donnie_tui.core.line_history import LineHistory, Recall
 from language.source import cleaned
 
 
+class Heading(Static):
+    """A title, and perhaps a mark at the right end that is seen however long the title is."""
+
+    _title = _corner = ""
+
+    def write(self, title: str, corner: str) -> None:
+        self._title, self._corner = title, corner
+        room = self.size.width - cell_len(corner) - 1
+        if corner and room > 1:
+            title = title if cell_len(title) < room else f"{set_cell_size(title, room - 2)}… "
+            title = f"{set_cell_size(title, room)}{corner}"
+        self.update(title, layout=False)
+
+    def on_resize(self) -> None:
+        if self._corner:
+            self.write(self._title, self._corner)
+
+
 class Pane(Vertical):
     """One titled part of the main screen."""
 
@@ -39,17 +57,17 @@ class Pane(Vertical):
     def __init__(self, content: Widget, *, id: str) -> None:  # noqa: A002 -- Textual's own name
         super().__init__(id=id)
         self.content = content
-        self._title = ""
-        self._heading = Static(classes="title", markup=False)
+        self._title = self._corner = ""
+        self._heading = Heading(classes="title", markup=False)
 
     def compose(self) -> ComposeResult:
         yield self._heading
         yield self.content
 
-    def entitle(self, title: str) -> None:
-        """Another title, plain text."""
-        if title != self._title:
-            self._title = title
+    def entitle(self, title: str, corner: str = "") -> None:
+        """Another title, plain text; ``corner`` is at the right end, however long the title is."""
+        if (title, corner) != (self._title, self._corner):
+            self._title, self._corner = title, corner
             self._write()
 
     def on_click(self, event: Click) -> None:
@@ -69,7 +87,7 @@ class Pane(Vertical):
 
     def _write(self) -> None:
         mark = ">" if self.content.has_focus else " "
-        self._heading.update(f"{mark}{self._title}", layout=False)
+        self._heading.write(f"{mark}{self._title}", self._corner)
 
 
 class InputLine(Input):

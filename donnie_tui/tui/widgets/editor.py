@@ -84,6 +84,7 @@ class Editor(TextArea):
         self._chosen_painted: tuple[Offset, Offset] | None = None
         """Where the selection is, while rows are painted."""
         self._marks: dict[int, str] = {}
+        self._working: tuple[str, ...] = ()
         self._notes: dict[int, LineMistake] = {}
         self._breakpoints: frozenset[int] = frozenset()
         self.complete: Callable[[str, int], Completion] | None = None
@@ -173,12 +174,20 @@ class Editor(TextArea):
 
     # --- marks
 
-    def mark(self, line: int | None, callers: frozenset[int] = frozenset()) -> None:
-        """Mark the line being run (from 1; None: nothing is run) and those that called it."""
+    def mark(
+        self, line: int | None, callers: frozenset[int] = frozenset(), working: tuple[str, ...] = ()
+    ) -> None:
+        """Mark the line being run (from 1; None: nothing is run) and those that called it.
+
+        ``working`` is what the line computes, in a few lengths, the longest first.
+        """
         marks = dict.fromkeys(callers, CALLER)
         if line is not None:
             marks[line] = HERE
         changed = {each for each, _ in self._marks.items() ^ marks.items()}
+        if working != self._working:
+            self._working = working
+            self.refresh()
         self._marks = marks
         gutters = [self._gutter_of(each) for each in changed if each <= self.document.line_count]
         if gutters:  # none would mean all of the text
@@ -404,8 +413,11 @@ class Editor(TextArea):
         if y and self.first_steps and self.show_line_numbers and not self.text:
             return self._with_first_step(strip, y - 1)
         line, is_first, is_last = self._line_at(y)
-        if line and is_last and line in self._notes:
-            strip = self._with_note(strip, self._notes[line])
+        if line and is_last and self._working and self._marks.get(line) == HERE:
+            strip = self._with_note(strip, "kind", *(f"{HERE} {each}" for each in self._working))
+        elif line and is_last and line in self._notes:
+            note = self._notes[line]
+            strip = self._with_note(strip, "note", f"{HINT if note.is_hint else MISTAKE} {note.message}")
         marks = self._marks_of(line) if line and is_first else ""
         if not marks.strip():
             return strip
@@ -468,15 +480,15 @@ class Editor(TextArea):
         is_last = row + 1 >= wrapped.height or wrapped.offset_to_location(Offset(0, row + 1))[0] != line
         return line + 1, column == 0, is_last
 
-    def _with_note(self, strip: Strip, note: LineMistake) -> Strip:
-        """The sentence after the line, as far as there is room for more than a word of it."""
+    def _with_note(self, strip: Strip, look: str, *choices: str) -> Strip:
+        """The first that fits after the line, else the last as far as there is room for more than a word."""
         used = len(strip.text.rstrip()) + 2
         room = strip.cell_length - used
-        if room < LEAST_NOTE or not strip.text.isascii():
+        words = next((each for each in choices if len(each) <= room), choices[-1])
+        if room < min(LEAST_NOTE, len(words)) or not strip.text.isascii():
             return strip
-        words = f"{HINT if note.is_hint else MISTAKE} {note.message}"
         shown = words if len(words) <= room else f"{words[: room - 3]}..."
-        style = self.rich_style + themes.looks(self.app.theme)["note"]
+        style = self.rich_style + themes.looks(self.app.theme)[look]
         segment = Segment(shown.ljust(room), style)
         return Strip.join([strip.crop(0, used), Strip([segment])])
 

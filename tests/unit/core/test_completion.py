@@ -68,6 +68,29 @@ def test_on_an_empty_line_the_commonest_commands_come_first(text: str) -> None:
     assert not {"QUIT", "EXIT", "END IF", "ELSE", "THEN", "DO"} & set(found)
 
 
+@pytest.mark.parametrize(
+    ("text", "first"),
+    [
+        ("FW ", ("1", "2", "3")),
+        ("IF ", ("DISTANCE",)),
+        ("VAR a = 1\nIF ", ("a", "DISTANCE")),
+        ("VAR a = 1\nIF a ", ("==", "<", ">")),
+        ("IF DISTANCE F > ", ("1", "2")),
+        ("VAR a ", ("=",)),
+        ("VAR a = 1\na ", ("=",)),
+        ("PROCEDURE SQUARE: side DO\nFW side\nEND PROCEDURE\nSQUARE ", ("[",)),
+        ("FOR VAR i = 1 ", (";",)),
+        ("VAR a\n", ("FW", "TR")),
+        ("SPEAK ", ("DISTANCE",)),
+    ],
+)
+def test_the_list_has_the_likelier_of_words_numbers_and_signs_first(
+    text: str, first: tuple[str, ...]
+) -> None:
+    """By the forms in the manual."""
+    assert completion(text, len(text), "en").listed[: len(first)] == first
+
+
 def test_an_open_block_is_ended_first_and_a_finished_one_last() -> None:
     assert words("REPEAT 4 TIMES\n")[:2] == ("END REPEAT", "FW")
     finished = words("REPEAT 4 TIMES\n|\nEND REPEAT")

@@ -3,7 +3,7 @@
 import pytest
 
 from donnie_tui.core.events import Read
-from donnie_tui.core.stepping import StepNarrator, changes
+from donnie_tui.core.stepping import StepNarrator, changes, worked_out
 from donnie_tui.i18n.words import Words
 from language.compiler import compile_program
 from language.control import ControlState, ExecutionControl
@@ -249,3 +249,59 @@ def test_a_reading_in_the_head_of_a_for_is_not_part_of_its_condition() -> None:
 
 def test_the_end_of_a_program_names_the_condition_that_ended_it() -> None:
     assert step_lines("VAR x = 1\nWHILE x < 2 DO\nx = x + 1\nEND WHILE")[-1] == "2 is less than 2: false."
+
+
+@pytest.mark.parametrize(
+    "expression, steps",
+    [
+        ("a * b + 1", ["5 * 3 + 1", "15 + 1", "16"]),
+        ("1 + a * b", ["1 + 5 * 3", "1 + 15", "16"]),
+        ("10 - (b - a)", ["10 - (3 - 5)", "10 - (-2)", "12"]),
+        ("-a", ["-5"]),
+        ("a", ["5"]),
+        ("7 / -2", ["-3"]),
+        ("2 * (DISTANCE F + a * 2)", ["2 * (DISTANCE F + 5 * 2)", "2 * (DISTANCE F + 10)"]),
+        ("1 / (a - 5)", ["1 / (5 - 5)", "1 / 0"]),
+        (
+            "1+1+1+1+1+1+1+1",
+            [
+                "2 + 1 + 1 + 1 + 1 + 1 + 1",
+                "3 + 1 + 1 + 1 + 1 + 1",
+                "4 + 1 + 1 + 1 + 1",
+                "5 + 1 + 1 + 1",
+                "6 + 1 + 1",
+                "8",
+            ],
+        ),
+        ("7", []),
+        ("DISTANCE F", []),
+    ],
+)
+def test_an_expression_is_worked_out_operation_by_operation(expression: str, steps: list[str]) -> None:
+    program = parse(f"SPEAK {expression}").program
+    assert program is not None
+    [speak] = program.body
+
+    assert list(worked_out(speak.what, program, {"a": 5, "b": 3})) == [expression, *steps]  # type: ignore[union-attr]
+
+
+def test_in_full_detail_a_step_says_what_it_computes() -> None:
+    source = "VAR n = 3\nREPEAT n - 1 TIMES\nFW n * 2 + 1\nEND REPEAT\nIF n > 4 THEN\nFW 1\nEND IF"
+
+    assert [line for line in step_lines(source, detail="full") if ": " in line and "Line" not in line] == [
+        "n - 1: 3 - 1, 2.",
+        "n * 2 + 1: 3 * 2 + 1, 6 + 1, 7.",
+        "n * 2 + 1: 3 * 2 + 1, 6 + 1, 7.",
+        "n: 3.",
+        "3 is greater than 4: false.",
+    ]
+
+
+def test_a_for_loop_computes_the_start_once_and_then_its_step() -> None:
+    source = "FOR VAR i = 1 + 1; i <= 3; i = i + 1 DO\nEND FOR"
+
+    assert [line for line in step_lines(source, detail="full") if "+" in line and "Line" not in line] == [
+        "1 + 1: 2.",
+        "i + 1: 2 + 1, 3.",
+        "i + 1: 3 + 1, 4.",
+    ]
