@@ -45,6 +45,7 @@ from donnie_tui.tui.run_view import RunView
 from donnie_tui.tui.screens.main_screen import MainScreen
 from donnie_tui.tui.terminal import TerminalApp
 from donnie_tui.tui.widgets.editor import Editor
+from donnie_tui.tui.widgets.rows import TYPED_MARK
 from language.diagnostics import MistakeKind
 from language.keywords import spelling
 from language.outline import block_depth
@@ -176,7 +177,7 @@ class ScreenController:
     def run_line(self, text: str) -> Awaitable[None] | None:
         """Run a line of the command line: a command of the screen, or one of GoDonnie."""
         self._end_answer()
-        self.display.write([(f"> {text}", "typed")])
+        self.display.write([(f"{TYPED_MARK}{text}", "typed")])
         found = find(text)
         if found is not None:
             return self.do(found[0].name, found[1])

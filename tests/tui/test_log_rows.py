@@ -212,3 +212,20 @@ async def test_find_shows_what_a_filter_hides_with_its_count_and_marks(open_scre
             if screen.main.log_rows._segments(at)[0].text == "*"
         ]
         assert len(marked) >= 2
+
+
+async def test_what_find_typed_and_answered_has_no_mark(open_screen):
+    async with open_screen() as screen:
+        await screen.run('SPEAK "Maçã"')
+        rows = screen.main.log_rows
+
+        def marked() -> list[str]:
+            return [rows._rows[at] for at in range(rows.row_count) if rows._segments(at)[0].text == "*"]
+
+        await screen.type_line("FIND pear")
+        await screen.shows("I have not said pear.")
+        assert marked() == []
+
+        await screen.type_line("FIND maca")
+        await screen.shows("1 line")
+        assert marked() == ["Maçã"]

@@ -31,6 +31,7 @@ from textual.strip import Strip
 from textual.widgets import Static
 
 from donnie_tui.tui import themes
+from language.source import fold_name
 
 
 class PaintedRows(ScrollView):
@@ -83,6 +84,10 @@ class FixedLine(Static):
 
     def _painted(self, badge: str, words: str) -> Content | str:
         return Content.assemble((badge, "reverse"), words) if badge else words
+
+
+TYPED_MARK = "> "
+"""What a typed line begins with."""
 
 
 class StatusLine(FixedLine):
@@ -297,7 +302,9 @@ class TextRows(PaintedRows, can_focus=True):
         self._has_kinds = follows
         """Whether there is a column for kinds, where it has room."""
         self._marked = ""
-        """What was searched last: the rows that have it begin with ``*``."""
+        """What was searched last: the rows that had it then begin with ``*``."""
+        self._searched = self._marked_rows = 0
+        """How many lines and rows there were then."""
         self.only = ""
         """The kind of the lines that are shown; empty for all."""
         self.looks: dict[str, str] = {}
@@ -396,6 +403,10 @@ class TextRows(PaintedRows, can_focus=True):
                 (self._row_kinds, rows),
             ):
                 del column[:count]
+            self._searched, self._marked_rows = (
+                max(0, self._searched - lines),
+                max(0, self._marked_rows - rows),
+            )
             if self._row is not None:
                 self._row = max(0, self._row - rows)
         return rows
@@ -437,6 +448,7 @@ class TextRows(PaintedRows, can_focus=True):
     def _rewrap(self) -> None:
         self._rows, self._row_kinds, self._heights = [], [], []
         self._wrap_from(0)
+        self._marked_rows = sum(self._heights[: self._searched])
         if self._row is not None:
             self._row = min(self._row, max(0, len(self._rows) - 1))
 
@@ -549,14 +561,19 @@ class TextRows(PaintedRows, can_focus=True):
         """
         if self.only:
             self.filter("")
-        folded = self._marked = wanted.casefold()
+        self._marked = fold_name(wanted)
+        self._searched, self._marked_rows = len(self._lines), len(self._rows)
         self.refresh()
-        hits = [at for at, line in enumerate(self._lines) if folded in line.casefold()]
+        hits = [at for at, line in enumerate(self._lines) if self._is_found(line)]
         if not hits:
             return False
         older = [at for at in hits if at < self.line]
         self.read_line((older or hits)[-1])
         return True
+
+    def _is_found(self, text: str) -> bool:
+        """Whether it has what was searched; that it was typed is not worth a mark."""
+        return bool(self._marked) and self._marked in fold_name(text) and not text.startswith(TYPED_MARK)
 
     # --- painting
 
@@ -576,7 +593,7 @@ class TextRows(PaintedRows, can_focus=True):
         here = self.is_read and row == self.row
         kind = self._row_kinds[row][:_KIND_WIDTH]
         look = style if here else self.painted_as(self.looks.get(self._row_kinds[row], "kind"))
-        is_found = bool(self._marked) and self._marked in text.casefold()
+        is_found = row < self._marked_rows and self._is_found(text)
         before = Segment(">" if here else "*" if is_found else " ", style)
         if kind and self._begins_with_kinds:
             return [before, Segment(text[: len(kind)], look), Segment(text[len(kind) :], style)]
