@@ -333,14 +333,14 @@ class Display:
         if self._place.is_plain:
             whole = [f"{focus} {robot} {each}" for each in states]
             short = [f"{focus} {states[1]}", *([states[1], ""] if answer else [focus])]
-            badge = ""
+            badge = colour = ""
         else:
             speed = self._words("status-speed", speed=speed_words(session.speed, self._words))
             whole = [f"{focus} {robot} {speed}", f"{focus} {robot}"]
             short = [focus, *([""] if answer else [])]
-            badge = state_badge(self._runs.state, past, self._words)
+            badge, colour = state_badge(self._runs.state, past, session.speed, self._words)
         choices = (f" {answer} {rest}".replace("  ", " ") for rest in (*whole, *short))
-        self._place.status.say(*choices, badge=badge)
+        self._place.status.say(*choices, badge=badge, colour=colour)
 
     def acted(self) -> None:
         """The learner pressed a key or the mouse."""

@@ -57,12 +57,26 @@ def state_sentences(state: str, speed: float | None, words: Wording) -> tuple[st
     )
 
 
-def state_badge(state: RunState, past: Timeline | None, words: Wording) -> str:
-    """What the program does, or how far back the learner looks, in capitals."""
+_BADGE_LOOKS = {
+    RunState.READY: "$success",
+    RunState.RUNNING: "$accent",
+    RunState.PAUSED: "$warning",
+    RunState.STOPPING: "$error",
+}
+
+
+def state_badge(
+    state: RunState, past: Timeline | None, speed: float | None, words: Wording
+) -> tuple[str, str]:
+    """What the program does and how fast, or how far back the learner looks, in capitals; and its colour."""
     if past is not None:
         step, steps = past.steps
-        return words("status-past", step=step, steps=steps).rstrip(".").upper()
-    return words(f"status-{state.value}").rstrip(".").upper()
+        return words("status-past", step=step, steps=steps).rstrip(".").upper(), "$warning"
+    badge = words(f"status-{state.value}").rstrip(".").upper()
+    if state is RunState.RUNNING:
+        fast = speed_words(speed, words)
+        badge = f"{badge} {fast.upper() if speed is None else f'x{fast}'}"
+    return badge, _BADGE_LOOKS[state]
 
 
 def goal_lines(attempt: Attempt, words: Wording, *, is_seen: bool) -> tuple[str, ...]:

@@ -67,6 +67,7 @@ _LOOKS: dict[str, tuple[str, str, str]] = {
     **{f"thing-{colour}": (colour, "", "bold") for colour in COLOURS},
 
     "kind": ("muted", "", "italic"), "error": ("error", "", "bold"), "warning": ("warning", "", "bold"),
+    "heading": ("accent", "", "bold"), "changed": ("warning", "", "bold"), "chart": ("success", "", ""),
     "says": ("accent", "", ""), "typed": ("success", "", "italic"), "row": ("on-chosen", "chosen", ""),
 }  # fmt: skip
 """What the widgets paint row by row, by its name: in the editor, on the map, in rows of text. Its role, that

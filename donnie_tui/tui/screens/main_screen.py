@@ -24,7 +24,7 @@ from donnie_tui.tui.widgets.command_line import CommandLine, Pane
 from donnie_tui.tui.widgets.editor import Editor
 from donnie_tui.tui.widgets.log_rows import LogRows
 from donnie_tui.tui.widgets.map_view import MapView
-from donnie_tui.tui.widgets.rows import KeyLine, Slider, StatusLine, TextRows
+from donnie_tui.tui.widgets.rows import KeyLine, Slider, StatusLine, TextRows, inspector_look
 
 if TYPE_CHECKING:
     from donnie_tui.core.map_scene import MapScene
@@ -78,6 +78,7 @@ class MainScreen(Screen[None]):
         self.editor = Editor(id="editor")
         self.map = MapView(id="map")
         self.inspector = TextRows(id="inspector")
+        self.inspector.look_of = inspector_look
         self.log_rows = LogRows(id="log")
         self.command_line = CommandLine(id="command", send=self._await_answer)
         self.status = StatusLine(id="status")

@@ -13,7 +13,8 @@ the learner reads further up. ``LogRows`` is for screen readers too.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+import re
+from collections.abc import Callable, Collection, Iterable, Sequence
 from itertools import zip_longest
 from typing import ClassVar
 
@@ -63,12 +64,12 @@ class FixedLine(Static):
         super().__init__(id=id, markup=False)
         self.words = ""
         self._choices: tuple[str, ...] = ("",)
-        self.badge = ""
+        self.badge = self._colour = ""
         self._shown = ("", "")
 
-    def say(self, *choices: str, badge: str = "") -> None:
+    def say(self, *choices: str, badge: str = "", colour: str = "") -> None:
         """The first of the choices for which there is room, or the last."""
-        self._choices, self.badge = choices, badge
+        self._choices, self.badge, self._colour = choices, badge, colour
         self._write()
 
     def on_resize(self) -> None:
@@ -83,9 +84,10 @@ class FixedLine(Static):
             self.update(self._painted(badge, words), layout=False)
 
     def _painted(self, badge: str, words: str) -> Content | str:
-        return Content.assemble((badge, "reverse"), words) if badge else words
+        return Content.assemble((badge, f"{self._colour} reverse".strip()), words) if badge else words
 
 
+_CHART = re.compile(r" *-?\d* *\|")
 TYPED_MARK = "> "
 """What a typed line begins with."""
 
@@ -309,6 +311,8 @@ class TextRows(PaintedRows, can_focus=True):
         """The kind of the lines that are shown; empty for all."""
         self.looks: dict[str, str] = {}
         """Of the words of a kind, where it has a look of its own."""
+        self.look_of: Callable[[str], str] = lambda _text: ""
+        """Of a row that is not being read."""
         self._wrapped_at = (0, True, False)
         self._row: int | None = None if follows else 0
         """The row being read; None is the newest, whatever comes."""
@@ -598,7 +602,7 @@ class TextRows(PaintedRows, can_focus=True):
         if kind and self._begins_with_kinds:
             return [before, Segment(text[: len(kind)], look), Segment(text[len(kind) :], style)]
         if not self._shows_kinds:
-            return [before, Segment(text, style)]
+            return [before, Segment(text, style if here else self.painted_as(self.look_of(text)))]
         gap = " " * (_KIND_WIDTH + 1 - cell_len(kind))
         return [before, Segment(kind, look), Segment(gap + text, style)]
 
@@ -635,3 +639,12 @@ def _pieces(text: str, width: int) -> Iterable[str]:
     """The words, those that are wider than a row cut."""
     for word in text.split():
         yield from chop_cells(word, width) if cell_len(word) > width else (word,)
+
+
+def inspector_look(text: str) -> str:
+    """Headings, what the last step changed, and charts: what their signs say, in colours."""
+    if text.endswith(":"):
+        return "heading"
+    if text.startswith("*"):
+        return "changed"
+    return "chart" if _CHART.match(text) else ""
