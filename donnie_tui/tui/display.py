@@ -61,6 +61,8 @@ _OFFERED = {
 """The keys that the bottom line shows, by what the program does; what there is no room for goes last."""
 _OFFERED_FIRST = ("run", "help", "examples", "challenge", "quit", "open", "show_variables")
 """The same while the program is empty."""
+_OFFERED_PAST = ("run", "help", "quit", "step_back", "step", "show_variables")
+"""The same while the learner looks back at a run that is over."""
 _OFFERED_WRONG = ("run", "help", "errors", "fix", "quit", "save", "open")
 """The same while lines are marked as wrong."""
 
@@ -259,6 +261,8 @@ class Display:
         is_beginning = self._runs.state is RunState.READY and not self._place.editor.text
         is_wrong = self._runs.state is RunState.READY and bool(self._place.editor.mistakes)
         names = _OFFERED_FIRST if is_beginning else _OFFERED_WRONG if is_wrong else _OFFERED[self._runs.state]
+        if self._runs.past is not None and self._runs.state is RunState.READY:
+            names = _OFFERED_PAST
         offered = (name for name in names if self._table.of(name))
         everything = KeyEntry(PALETTE, key_label(PALETTE, self._words.language), self._words("key-all"))
         self._place.keys.offer([*map(self._key_entry, offered), everything])

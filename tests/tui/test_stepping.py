@@ -119,3 +119,12 @@ async def test_what_the_next_line_computes_is_shown_after_it_and_in_the_inspecto
         await screen.press("ctrl+k", "k")  # back, to what it was
         await screen.until(lambda: "n * 2 + 1 = 3 * 2 + 1" in screen.text or "= 7" in screen.text, "the past")
         await screen.press("f5")
+
+
+async def test_who_looks_back_at_a_run_that_is_over_is_offered_the_keys_back_and_forward(open_screen):
+    async with open_screen("FW 1\nFW 2") as screen:
+        await screen.press("f5")
+        await screen.shows("The program is done.")
+        await screen.idle()
+        await screen.type_line("STEP BACK")
+        await screen.until(lambda: "Ctrl+K K Back  F7 Step" in screen.text, "the keys")
