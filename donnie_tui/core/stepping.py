@@ -58,7 +58,7 @@ MOST_UNDONE = 5
 MOST_OPERATIONS = 5
 """Operations of an expression that are shown one by one; of a longer one the result is shown after these."""
 LARGEST_SHOWN = 10**15
-"""Results beyond this are not worked out: nobody reads them."""
+"""Larger results are not worked out: they are too long to read."""
 
 
 class _Hold(Struct, frozen=True):

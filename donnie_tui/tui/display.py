@@ -29,7 +29,7 @@ from donnie_tui.tui.pane_text import (
     scopes_of,
     state_badge,
     state_sentences,
-    working_choices,
+    working_in_a_row,
     working_lines,
 )
 from donnie_tui.tui.screens.main_screen import MainScreen
@@ -286,7 +286,7 @@ class Display:
 
     def _show_marks(self) -> None:
         lines = [frame.line for frame in self._program_frames()]
-        working = working_choices(self._runs.worked_out) if lines else ()
+        working = working_in_a_row(self._runs.worked_out) if lines else ()
         self._place.editor.mark(lines[0] if lines else None, frozenset(lines[1:]), working)
 
     def _program_frames(self) -> tuple[Frame, ...]:

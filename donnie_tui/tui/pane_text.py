@@ -286,7 +286,7 @@ def working_lines(worked_out: Sequence[Sequence[str]], words: Wording) -> tuple[
     return (words("inspector-worked-out"), *rows)
 
 
-def working_choices(worked_out: Sequence[Sequence[str]]) -> tuple[str, ...]:
+def working_in_a_row(worked_out: Sequence[Sequence[str]]) -> tuple[str, ...]:
     """The same in one row, from the longest to the shortest."""
     if not worked_out:
         return ()

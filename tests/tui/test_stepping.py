@@ -121,7 +121,7 @@ async def test_what_the_next_line_computes_is_shown_after_it_and_in_the_inspecto
         await screen.press("f5")
 
 
-async def test_who_looks_back_at_a_run_that_is_over_is_offered_the_keys_back_and_forward(open_screen):
+async def test_the_keys_back_and_forward_are_offered_while_looking_back_at_a_finished_run(open_screen):
     async with open_screen("FW 1\nFW 2") as screen:
         await screen.press("f5")
         await screen.shows("The program is done.")
