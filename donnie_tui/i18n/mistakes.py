@@ -423,11 +423,11 @@ _WITHOUT_PLACE = ("is-folder", "file-not-found", "file-unreadable", "file-too-la
 
 
 def world_mistake(error: WorldError, words: Wording) -> str:
-    """One sentence with the place."""
-    message = _world_message(error, words)
+    """One sentence with the place; what the file has of control characters is only text in it."""
+    message = printable(_world_message(error, words))
     nearest = error.details.get("nearest")
     if nearest:
-        message = words("world-meant", message=message, near=nearest)
+        message = words("world-meant", message=message, near=printable(str(nearest)))
     if error.code.value in _WITHOUT_PLACE and error.details.get("path") == error.file:
         return message
     return words("world-error-at", file=error.file, line=error.line, column=error.column, message=message)
@@ -439,7 +439,7 @@ def world_note(note: Note, words: Wording) -> str:
     if note.code == "unknown-colour":
         details["nearest"] = _colour_in_english(str(details.get("name", ""))) or details.get("nearest", "")
     near = "-near" if details.get("nearest") and words.knows(f"note-{note.code}-near") else ""
-    remark = words(f"note-{note.code}{near}", **details)
+    remark = printable(words(f"note-{note.code}{near}", **details))
     if not note.line:
         return remark
     return words("note-at", line=note.line, file=PurePath(note.file).name, remark=remark)

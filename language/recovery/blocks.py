@@ -6,9 +6,8 @@ is read so that the fewest mistakes follow.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from enum import Enum
-from itertools import islice
 
 from language.diagnostics import MistakeKind
 from language.keywords import END_WORDS, all_words, folded_word, spelling
@@ -107,7 +106,7 @@ def _closing(reader: TokenReader, token: Token, end: str, meant: str, width: int
     block = reader.blocks[-1]
     if token[0] in ENDS and block.kind in (end, ""):
         return _Closing.INNERMOST
-    closing = _best_closing(_kinds_of(reader.blocks), end, reader.tokens[reader.at + width :])
+    closing = _best_closing(_kinds_of(reader.blocks), end, _borders_ahead(reader, width))
     if block.kind:
         is_other = token[0] in ENDS and closing is _Closing.INNERMOST
         meant = spelling(f"END {block.kind}", reader.language) if is_other else meant
@@ -117,9 +116,8 @@ def _closing(reader: TokenReader, token: Token, end: str, meant: str, width: int
     return _Closing.INNERMOST if token[0] not in ENDS and closing is _Closing.STRAY else closing
 
 
-def _best_closing(open_kinds: list[str], end: str, rest: Sequence[Token]) -> _Closing:
-    """The reading of an END after which the fewest mistakes follow in ``rest``."""
-    ahead = _borders_ahead(rest)
+def _best_closing(open_kinds: list[str], end: str, ahead: Sequence[int]) -> _Closing:
+    """The reading of an END after which the fewest mistakes follow ``ahead``."""
     left = {_Closing.INNERMOST: open_kinds[:-1], _Closing.STRAY: open_kinds}
     if end in open_kinds:
         index = _innermost(open_kinds, end)
@@ -189,7 +187,7 @@ def read_split_else(reader: TokenReader) -> None:
 
 def _close_blocks_in_if(reader: TokenReader) -> None:
     """Before an ELSE: end the blocks inside the innermost IF, if fewer mistakes follow then."""
-    kinds, ahead = _kinds_of(reader.blocks), _borders_ahead(reader.tokens[reader.at :])
+    kinds, ahead = _kinds_of(reader.blocks), _borders_ahead(reader)
     outer = kinds[: _innermost(kinds, "IF") + 1] if "IF" in kinds else kinds
     if len(outer) == len(kinds) or _mistakes_ahead(outer, ahead) >= _mistakes_ahead(kinds, ahead):
         return
@@ -211,10 +209,9 @@ def _innermost(kinds: list[str], kind: str) -> int:
     return len(kinds) - 1 - kinds[::-1].index(kind)
 
 
-def _borders_ahead(rest: Iterable[Token]) -> list[int]:
-    """The opening words and ENDs that come next; only the first ones of a long text."""
-    kinds = (token[0] for token in rest if token[0] in OPENERS or token[0] in ENDS or token[0] == END)
-    return list(islice(kinds, _LOOK_AHEAD))
+def _borders_ahead(reader: TokenReader, width: int = 0) -> list[int]:
+    """The opening words and ENDs after ``width`` tokens; only the first ones of a long text."""
+    return reader.borders_ahead(reader.at + width, _LOOK_AHEAD)
 
 
 def _mistakes_ahead(open_kinds: list[str], kinds: Sequence[int]) -> int:
@@ -248,7 +245,7 @@ def can_open(reader: TokenReader, terminal: str, width: int) -> bool:
     """Whether a word of ``width`` tokens opens no block, or one whose END follows."""
     if KIND[terminal] not in OPENERS:
         return True
-    kinds, ahead = _kinds_of(reader.blocks), _borders_ahead(reader.tokens[reader.at + width :])
+    kinds, ahead = _kinds_of(reader.blocks), _borders_ahead(reader, width)
     return _mistakes_ahead([*kinds, terminal], ahead) <= _mistakes_ahead(kinds, ahead)
 
 

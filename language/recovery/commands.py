@@ -6,6 +6,7 @@ A word that is near to an acceptable one is reported and read as that one.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import takewhile
 
 from language.diagnostics import MistakeKind
 from language.keywords import (
@@ -69,6 +70,8 @@ _TAKE_VALUE = frozenset(KIND[name] for name in (*SAMPLES, "SPEAK"))
 _TAKE_MORE = _TAKE_VALUE | OPENERS.keys() | {VAR}
 """The words after which something else than a direction, an axis, a colour or a switch must come."""
 
+_LONGEST_EVERYDAY_LINE = 40
+"""Tokens that are looked at of a line that begins like an everyday one."""
 _SCALE, _RPAR = KIND["SCALE"], KIND["RPAR"]
 _BEFORE_VALUE = frozenset((SIGN, ASSIGN, COMPARATOR, _SCALE))
 _COMPLETE_ALONE = frozenset(
@@ -218,10 +221,9 @@ def _read_everyday(reader: TokenReader) -> bool:
 
 
 def _rest_of_line(reader: TokenReader) -> list[Token]:
-    at = reader.at
-    while reader.tokens[at][0] and reader.tokens[at][3] == reader.token[3]:
-        at += 1
-    return reader.tokens[reader.at : at]
+    """As much of it as an everyday line can have."""
+    near = reader.tokens[reader.at : reader.at + _LONGEST_EVERYDAY_LINE]
+    return list(takewhile(lambda each: each[0] and each[3] == reader.token[3], near))
 
 
 def _line_meant(reader: TokenReader, line: Sequence[Token], said: Everyday, word: str) -> tuple[str, int]:

@@ -79,6 +79,10 @@ class TokenReader:
         self.language = language_of(lexed.tokens, lexed.source)
         self.tokens = [*lexed.tokens, _end_token(lexed)]
         _split_lone_end_words(self.tokens, self._flaws, lexed)
+        borders = [at for at, token in enumerate(self.tokens) if _is_border(token[0])]
+        self._borders = [at - len(self.tokens) for at in borders]
+        """The opening words and ENDs, by their distances from the end: what is replaced before changes none."""
+        self._kinds_of_borders = [self.tokens[at][0] for at in borders]
         self.at = 0
         """The index of the next token."""
         self.begun = 0
@@ -182,13 +186,26 @@ class TokenReader:
         elif token[0] in HEAD_ENDS:
             self.head = None
 
+    def borders_ahead(self, at: int, most: int) -> list[int]:
+        """The kinds of so many opening words and ENDs at most, from the token ``at`` on."""
+        first = bisect_left(self._borders, at - len(self.tokens))
+        return self._kinds_of_borders[first : first + most]
+
     def replace(self, width: int, terminal: str) -> None:
         """Read ``width`` tokens as one of another kind, after a mistake was reported there."""
         _, start, _, line, column, text = self.token
         end = self.tokens[self.at + width - 1][2]
+        self._replace_borders(width, KIND[terminal])
         self.tokens[self.at : self.at + width] = [(KIND[terminal], start, end, line, column, text)]
         self._flaws = [each if each <= self.at else each - width + 1 for each in self._flaws]
         self.mark_flaw()
+
+    def _replace_borders(self, width: int, kind: int) -> None:
+        after = self.at + width - len(self.tokens)
+        replaced = slice(bisect_left(self._borders, after - width), bisect_left(self._borders, after))
+        is_border = _is_border(kind)
+        self._borders[replaced] = [after - 1] if is_border else []
+        self._kinds_of_borders[replaced] = [kind] if is_border else []
 
     # --- reporting
 
@@ -221,6 +238,10 @@ class TokenReader:
             return False
         flaw = self.tokens[max(self.begun, self._flaws[index] - 1)]
         return not self.automaton.is_between_commands() or flaw[3] == self.token[3]
+
+
+def _is_border(kind: int) -> bool:
+    return kind in OPENERS or kind in ENDS or kind == END
 
 
 def _end_token(lexed: Lexed) -> Token:

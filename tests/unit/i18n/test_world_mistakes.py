@@ -34,6 +34,7 @@ EXPECTED = {
     "model( block( points 2 ) )": "A block needs 3 to 2000 points, not 2.",
     "model( \x07 )": "I can't use a control character here.",
     "\x1b[2J": "I can't use a control character here.",
+    '"\x00\x9b2J"': "I expected end of file, define, include or a name, not   2J.",
 }
 
 

@@ -1,6 +1,9 @@
 """A program beyond a limit has a mistake, and long texts have a result."""
 
+import sys
 import tracemalloc
+from types import FrameType
+from typing import Any
 
 import pytest
 
@@ -124,3 +127,30 @@ def check_form(text: str) -> None:
 def test_prompts_and_outlines_have_no_limit() -> None:
     assert block_depth(REPEAT * 5_000) == 5_000
     assert len(outline(nested(5_000))) == 5_000
+
+
+def lines_run(text: str) -> int:
+    """How many lines of Python reading a program takes."""
+    count = 0
+
+    def trace(frame: FrameType, event: str, argument: object) -> Any:
+        nonlocal count
+        count += event == "line"
+        return trace
+
+    before = sys.gettrace()
+    sys.settrace(trace)
+    try:
+        parse(text)
+    finally:
+        sys.settrace(before)
+    return count
+
+
+def test_a_row_of_wrong_blocks_on_one_line_takes_as_much_as_it_is_long() -> None:
+    piece = "#ENTÃOFOR VAR i = 0; i < 2; i = i + 1 DO"
+    parse(piece)
+
+    once, four_times = (lines_run(f"PARA TRÁS{piece * count}") for count in (50, 200))
+
+    assert four_times < 6 * once
