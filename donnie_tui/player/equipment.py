@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Iterator, Sequence
-from math import atan2, cos, degrees, hypot, isfinite, radians, sin
+from math import atan2, cos, degrees, hypot, radians, sin
 from typing import TYPE_CHECKING, Any, Protocol
 
 from devices.player.codec import MessageType
@@ -24,6 +24,14 @@ if TYPE_CHECKING:
 Values = tuple[Any, ...]
 Datum = tuple[int, bytes]
 """A subtype and a body."""
+
+
+_FARTHEST = 1e6
+"""Metres, radians and their speeds; a number beyond is rubbish, as one is that isn't finite."""
+
+
+def _is_usable(value: float) -> bool:
+    return abs(value) <= _FARTHEST
 
 
 class Reporter(Protocol):
@@ -126,7 +134,7 @@ class WheelDevice(MountedDevice):
             self.reporter.left(self._drive.name)
 
     def command(self, subtype: int, values: Values) -> None:
-        if not all(map(isfinite, values)):
+        if not all(map(_is_usable, values)):
             return
         match subtype:
             case 1:
@@ -142,7 +150,7 @@ class WheelDevice(MountedDevice):
                 return self._ack(1, *self._pose(), *box3d(self._model.size))
             case 2 | 4:
                 return b""
-            case 5 if all(map(isfinite, values)):
+            case 5 if all(map(_is_usable, values)):
                 self._drive.set_odometry(MetricPose(values[0], values[1], degrees(values[2])))
                 return b""
             case 6:
@@ -186,7 +194,7 @@ class HeadDevice(MountedDevice):
         self._goal: float | None = None
 
     def command(self, subtype: int, values: Values) -> None:
-        if not all(map(isfinite, values)):
+        if not all(map(_is_usable, values)):
             return
         if subtype in (1, 3):
             rate = degrees(values[2 if subtype == 1 else 1])
@@ -508,7 +516,7 @@ class Whole(Equipment):
                     here = self._here(model)
                     pose = (here.x, here.y, model.pose.z, 0.0, 0.0, angle(here.yaw))
                     return self._ack(3, values[0], *pose, self._loop.time * 1e6)
-                case 2 | 4 if model.parent is None and all(map(isfinite, values[1:])):
+                case 2 | 4 if model.parent is None and all(map(_is_usable, values[1:])):
                     yaw = values[3] if subtype == 2 else values[6]
                     self._loop.put(model.name, MetricPose(values[1], values[2], degrees(yaw)))
                     return b""

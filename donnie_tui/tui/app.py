@@ -25,7 +25,7 @@ from donnie_tui.tui.environment import is_page, is_plain, may_need_linear
 from donnie_tui.tui.key_queue import Dialogs
 from donnie_tui.tui.keyboard import STOPS, Keyboard, bindings
 from donnie_tui.tui.screens.main_screen import MainScreen
-from donnie_tui.tui.shutdown import Shutdown
+from donnie_tui.tui.shutdown import CRASHED, Shutdown
 from donnie_tui.tui.startup import SessionHandle, Startup
 from donnie_tui.tui.terminal import TerminalApp
 from donnie_tui.tui.widgets.command_line import CommandLine, Pane
@@ -337,6 +337,8 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             self._driver.write(WIPE)
 
     def panic(self, *_renderables: object) -> None:
+        """A fault in a thread of Textual's, which counts as one here."""
+        self._return_code = CRASHED
         self._fatal_error()
 
     def _fatal_error(self) -> None:

@@ -15,6 +15,7 @@ from donnie_tui.settings.parsing import PLAYER, SERIAL
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui.app import DonnieApp
 from donnie_tui.tui.environment import print_last_lines, wants_mouse
+from donnie_tui.tui.shutdown import CRASHED
 
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
@@ -23,9 +24,6 @@ if TYPE_CHECKING:
 SWITCH = 0.0002
 """Seconds that a program which computes may keep the interpreter from the screen. A key passes from thread to
 thread some five times until it is seen, so Python's own 0.005 would be felt."""
-
-CRASHED = 1
-"""The return code of Textual after an internal error; the text is kept for the next start."""
 
 
 def run_full_screen(

@@ -40,6 +40,8 @@ from donnie_tui.process.signals import (
 from donnie_tui.tui.environment import is_page
 from donnie_tui.tui.startup import SessionHandle
 
+CRASHED = 1
+"""The return code of Textual after an internal error; the text is kept for the next start."""
 FAULT = "fault.txt"
 """In the folder of the copies: what went wrong at last."""
 

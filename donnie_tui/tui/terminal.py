@@ -6,10 +6,13 @@ show as letters, and the terminal's own cursor is where the focus is.
 
 from __future__ import annotations
 
+import codecs
 import os
 import re
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import partial
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from rich.cells import cell_len
@@ -63,6 +66,18 @@ def use_mouse(driver: object, *, wanted: bool) -> None:
         terminal._mouse = False
 
 
+def take_any_bytes(driver: type) -> None:
+    """A byte that is no UTF-8, as terminals of other encodings send it, is a sign like "\ufffd".
+
+    Textual's driver for terminals would end the screen.
+    """
+    module: Any = sys.modules[driver.__module__]
+    if hasattr(module, "getincrementaldecoder"):
+        module.getincrementaldecoder = lambda name: partial(
+            codecs.getincrementaldecoder(name), errors="replace"
+        )
+
+
 SHOW_CURSOR = "\x1b[?25h"
 
 _HARMFUL = re.compile(HARMFUL)
@@ -75,6 +90,7 @@ class TerminalApp(App[int], inherit_bindings=False):
         self._variables_of: dict[str, dict[str, str]] = {}
         """By theme. They are asked for again and again before the first frame."""
         super().__init__(ansi_color=True if "NO_COLOR" in os.environ else None)  # the filters ask at once
+        take_any_bytes(self.driver_class)
         self.animation_level = "none"
         for name in themes.NAMES:
             self.register_theme(themes.theme(name))

@@ -11,7 +11,7 @@ from enum import Enum
 
 from language.diagnostics import MistakeKind
 from language.keywords import END_WORDS, all_words, folded_word, spelling
-from language.lexer import END, FRAGMENT, KIND, NAME, NUMBER, Token
+from language.lexer import FRAGMENT, KIND, NAME, NUMBER, Token
 from language.outline import ENDS, OPENERS, SENSOR_WORDS, SIMPLE
 from language.recovery.reader import (
     AFTER_FIRST_NAME,

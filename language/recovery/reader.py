@@ -81,7 +81,7 @@ class TokenReader:
         _split_lone_end_words(self.tokens, self._flaws, lexed)
         borders = [at for at, token in enumerate(self.tokens) if _is_border(token[0])]
         self._borders = [at - len(self.tokens) for at in borders]
-        """The opening words and ENDs, by their distances from the end: what is replaced before changes none."""
+        """The opening words and ENDs, by their distances from the end, which stay as they are."""
         self._kinds_of_borders = [self.tokens[at][0] for at in borders]
         self.at = 0
         """The index of the next token."""

@@ -129,10 +129,11 @@ def test_a_command_to_a_robot_that_no_client_has_opened_has_no_effect(stations: 
     assert opened.round()[4, 0, 1][3] == 0.0
 
 
-@pytest.mark.parametrize("number", [float("nan"), float("inf")])
-def test_numbers_that_are_not_finite_move_nothing(stations: Stations, number: float) -> None:
+@pytest.mark.parametrize("number", [float("nan"), float("inf"), 1e308])
+def test_numbers_that_no_robot_can_have_move_nothing(stations: Stations, number: float) -> None:
     client = Client(stations, WHEELS, (31, 0))
     client.command(*WHEELS, 1, number, 0.0, 0.0, 1)
+    client.command(*WHEELS, 1, 0.0, 0.0, number, 1)
     client.command(*WHEELS, 2, number, 0.0, 0.0, 0.0, 0.0, 0.0, 1)
 
     assert client.ask(31, 0, 2, "alice", number, 0.0, 0.0) is None

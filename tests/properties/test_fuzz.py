@@ -10,7 +10,9 @@ from tests.effort import examples
 from tests.tools import fuzz
 from tests.tools.fuzz import KINDS, Input, Kind
 
-QUICK = [name for name in KINDS if name != "sessions"]
+SLOW = {"sessions": 3, "screens": 3, "frames": 100}
+"""Kinds that need processes or sockets, and how many cases of them are tried."""
+QUICK = [name for name in KINDS if name not in SLOW]
 
 
 @pytest.mark.hypothesis  # random, though seeded: the slow check tries more
@@ -20,8 +22,9 @@ def test_cases_of_each_kind_hold(name: str) -> None:
 
 
 @pytest.mark.slow
-def test_typed_sessions_hold() -> None:
-    assert fuzz.fuzz("sessions", 0, range(3)) == 0
+@pytest.mark.parametrize("name", SLOW)
+def test_cases_of_each_slow_kind_hold(name: str) -> None:
+    assert fuzz.fuzz(name, 0, range(SLOW[name])) == 0
 
 
 def refuse_x(case: Input) -> None:

@@ -52,7 +52,7 @@ from tests.properties import test_language_garbage as garbage
 from tests.properties.random_programs import ProgramWriter, mixed
 from tests.properties.test_language_compiler import compare
 from tests.sessions.command import QUIET, donnie
-from tests.tools import fuzz_files
+from tests.tools import fuzz_files, fuzz_screens, fuzz_sockets
 from tests.tools.fuzz_files import Input
 from tests.worlds import test_garbage as damaged_worlds
 
@@ -365,6 +365,10 @@ def _check_session(text: Input) -> None:
         _is_harmless(line)
 
 
+def _screen(chance: random.Random) -> bytes:
+    return fuzz_screens.make_keys(chance, _line, _LINES)
+
+
 # --- serial bytes -------------------------------------------------------------------------------------
 
 
@@ -415,12 +419,15 @@ KINDS: dict[str, Kind] = {
     "worlds": Kind(_world, _check_world),
     "recordings": Kind(_damaged_recording, _check_recording),
     "sessions": Kind(_session, _check_session, 30.0, share=1 / _LINES),
+    "screens": Kind(_screen, fuzz_screens.check_keys, 30.0, share=1 / _LINES),
     "serial": Kind(_serial, _check_serial),
     "challenges": Kind(fuzz_files.make_challenge, fuzz_files.check_challenge),
     "settings": Kind(fuzz_files.make_settings, fuzz_files.check_settings),
     "translations": Kind(fuzz_files.make_translation, fuzz_files.check_translation),
     "pictures": Kind(fuzz_files.make_picture, fuzz_files.check_picture),
     "messages": Kind(fuzz_files.make_messages, fuzz_files.check_messages),
+    "packets": Kind(fuzz_sockets.make_packets, fuzz_sockets.check_packets),
+    "frames": Kind(fuzz_sockets.make_frames, fuzz_sockets.check_frames, 5.0),
 }
 
 

@@ -25,7 +25,8 @@ _KITTY = re.compile(rb"\x1b\[[<>=][0-9;]*u")
 """Keyboard protocols that the emulator takes for text."""
 
 
-F5, F8, F12, CTRL_Q, CTRL_S, CTRL_Z, CTRL_SPACE, TAB, SHIFT_TAB, ENTER = (
+BACKSPACE, F5, F8, F12, CTRL_Q, CTRL_S, CTRL_Z, CTRL_SPACE, TAB, SHIFT_TAB, ENTER = (
+    "\x7f",
     "\x1b[15~",
     "\x1b[19~",
     "\x1b[24~",
@@ -78,7 +79,10 @@ class Terminal:
         )
 
     def type(self, text: str) -> None:
-        os.write(self._master, text.encode())
+        self.types_bytes(text.encode())
+
+    def types_bytes(self, data: bytes) -> None:
+        os.write(self._master, data)
 
     def read(self, seconds: float) -> bytes:
         """What comes within that time at most, given to the emulator too."""

@@ -19,7 +19,7 @@ from donnie_tui.settings.settings import Settings
 from donnie_tui.tui import environment, shutdown
 from donnie_tui.tui.app import DonnieApp
 from donnie_tui.tui.pane_text import help_text
-from donnie_tui.tui.shutdown import FAULT
+from donnie_tui.tui.shutdown import CRASHED, FAULT
 from donnie_tui.tui.startup import SessionHandle
 from language.locales import languages
 from tests.tui.conftest import WAITING, burst
@@ -65,6 +65,19 @@ async def test_an_internal_fault_is_one_sentence_and_the_text_is_kept(tmp_path: 
     assert app.return_code == 1
     assert [each.read_text(encoding="utf-8") for each in copies] == ["FW 3\n"]
     assert "RuntimeError" in (tmp_path / "unsaved" / FAULT).read_text(encoding="utf-8")
+
+
+async def test_a_fault_in_a_thread_of_the_screen_has_the_code_of_a_fault(tmp_path: Path):
+    settings = Settings(speech="off", sound=False)
+    app = DonnieApp(settings, assemble=lambda: assemble(settings, terminal=True), folder=tmp_path)
+    app._print_error_renderables = lambda: None
+    async with app.run_test() as pilot:
+        while app.controller is None:
+            await pilot.pause(0.01)
+        app.panic("a page of traceback")
+
+    assert app.return_code == CRASHED
+    assert (tmp_path / "unsaved" / FAULT).exists()
 
 
 async def test_an_internal_fault_halts_the_robot_before_the_text_is_saved(open_screen):

@@ -7,6 +7,7 @@ import pytest
 
 from tests.timeouts import TIMEOUT
 from tests.tui.terminal import (
+    BACKSPACE,
     CTRL_Q,
     CTRL_S,
     CTRL_SPACE,
@@ -71,6 +72,16 @@ def test_linear_and_visual_change_the_mode_and_keep_the_program_and_the_robot(te
     donnie.type("n" + ENTER)
     donnie.shows("2  TR 90")
     donnie.shows("Donnie at 0, 2 facing east.")
+
+
+def test_bytes_of_another_encoding_are_signs_like_others(terminal):
+    """As from a terminal of Latin letters, or a half of a letter."""
+    donnie = terminal()
+    donnie.types_bytes(b"SPEAK 1\xe9\xff")
+    donnie.shows("1  SPEAK 1\ufffd\ufffd")
+    donnie.type(BACKSPACE * 2 + F5)
+
+    donnie.shows("The program is done.")
 
 
 def test_an_idle_screen_writes_nothing(terminal):

@@ -1,0 +1,155 @@
+"""Random keys for the full screen on a real terminal, for ``tests.tools.fuzz``."""
+
+from __future__ import annotations
+
+import contextlib
+import fcntl
+import os
+import pty
+import random
+import select
+import signal
+import struct
+import subprocess
+import tempfile
+import termios
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from donnie_tui.tui.shutdown import FAULT
+from tests.sessions.command import COMMAND, QUIET, environment
+from tests.timeouts import TIMEOUT
+
+_IS_THERE, _IS_LOADED = b"Screen reader?", b"READY"
+"""Shown once keys are taken, and once they are answered."""
+_QUIET_FOR = 0.3
+"""Seconds without output after which the screen has answered all that was typed; nothing depends on it."""
+_BUSY_FOR = 10.0
+"""Seconds after which a screen that paints on and on, as a running program does, is ended too."""
+_PIECE = 200
+"""Bytes that are typed at once."""
+
+_CTRL_Q = 17
+_KEYS = (
+    *(f"\x1b[{number}~" for number in (15, 17, 18, 19, 20, 21, 23, 24, 2, 3, 5, 6)),  # F5 to F12, Insert ...
+    *(f"\x1bO{letter}" for letter in "PQRS"),  # F1 to F4
+    *(f"\x1b[{letter}" for letter in "ABCDHFZ"),
+    *(f"\x1b[1;{number}{letter}" for number in (2, 3, 5, 6) for letter in "ABCD"),
+    *(chr(number) for number in range(32) if number != _CTRL_Q),
+    *(f"\x0b{letter}" for letter in "abcdefghijklmnopqrstuvwxyz0123456789"),  # after Ctrl+K
+    *("\t", "\r", "\r", "\r", "\x1b", "\x1b", "\x7f", "y", "n", "1"),
+    *("\x1b[<0;10;5M\x1b[<0;10;5m", "\x1b[<64;40;10M", "\x1b[<0;79;24M", "\x1b[<2;1;1M", "\x1b[<35;20;3M"),
+    *(
+        "\x1b[I",
+        "\x1b[O",
+        "\x1b[200~FW 1\nTR 90\x1b[201~",
+        "\x1b[200~\x1b[2J",
+        "\x1b[97;5u",
+        "\x1b[?2026;1$y",
+    ),
+)
+
+
+def make_keys(chance: random.Random, line: Callable[[random.Random], str], count: int) -> bytes:
+    """So many lines and keys, in any order."""
+    pieces = []
+    for _ in range(count):
+        kind = chance.randrange(10)
+        typed = (
+            f"{line(chance)[:400]}\r"
+            if kind < 4
+            else "".join(chance.choices(_KEYS, k=chance.randrange(1, 4)))
+        )
+        pieces.append(typed.encode("utf-8", "replace") if kind < 9 else chance.randbytes(5))
+    return b"".join(pieces)
+
+
+def check_keys(data: str | bytes) -> None:
+    """No traceback; it ends by itself or in time after SIGTERM, and leaves the terminal as it was."""
+    assert isinstance(data, bytes)
+    with tempfile.TemporaryDirectory() as place:
+        work = Path(place, "work")
+        work.mkdir()
+        screen = _Screen(work)
+        try:
+            screen.type_all(data)
+            code = screen.end()
+        finally:
+            screen.close()
+        for fault in work.rglob(FAULT):
+            raise AssertionError(fault.read_text(encoding="utf-8"))
+    shown = screen.shown[-3000:].decode("utf-8", "replace")
+    assert b"Traceback" not in screen.shown, shown
+    assert code in (0, 1, 128 + signal.SIGTERM), f"exit code {code}: {shown}"
+    assert screen.is_as_before, "the terminal is left as the screen had it"
+
+
+class _Screen:
+    """The full screen on a terminal, as a job that no shell is above."""
+
+    def __init__(self, folder: Path) -> None:
+        self._terminal, self._line = pty.openpty()
+        fcntl.ioctl(self._line, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
+        self._before = termios.tcgetattr(self._line)
+        self.shown = b""
+        self._process = subprocess.Popen(
+            [*COMMAND, "--visual", *QUIET, "--speed", "max", "--robot", "sim"],
+            stdin=self._line,
+            stdout=self._line,
+            stderr=self._line,
+            cwd=folder,
+            env=environment(folder),
+            start_new_session=True,
+        )
+
+    def type_all(self, data: bytes) -> None:
+        """Some before the session is loaded."""
+        self._read_until(lambda: _IS_THERE in self.shown, TIMEOUT)
+        at = os.write(self._terminal, data[: len(data) % _PIECE])
+        self._read_until(lambda: _IS_LOADED in self.shown or self._process.poll() is not None, TIMEOUT)
+        while at < len(data) and self._process.poll() is None:
+            os.write(self._terminal, data[at : at + _PIECE])
+            at += _PIECE
+            self._read_until(self._has_taken_all, TIMEOUT)
+        began = time.monotonic()
+        while self._process.poll() is None and time.monotonic() < began + _BUSY_FOR:
+            if not self._read(_QUIET_FOR):
+                break
+
+    def end(self) -> int:
+        if self._process.poll() is None:
+            self._process.send_signal(signal.SIGTERM)
+        self._read_until(lambda: self._process.poll() is not None, TIMEOUT)
+        while self._read(0.0):
+            pass
+        return self._process.returncode
+
+    @property
+    def is_as_before(self) -> bool:
+        return self._after == self._before
+
+    def close(self) -> None:
+        if self._process.poll() is None:
+            self._process.kill()
+        self._process.wait()
+        self._after = termios.tcgetattr(self._line)
+        os.close(self._terminal)
+        os.close(self._line)
+
+    def _has_taken_all(self) -> bool:
+        waiting = fcntl.ioctl(self._line, termios.FIONREAD, bytes(4))
+        return not int.from_bytes(waiting, "little") or self._process.poll() is not None
+
+    def _read_until(self, condition: Callable[[], bool], seconds: float) -> None:
+        until = time.monotonic() + seconds
+        while not condition():
+            assert time.monotonic() < until, f"it hangs: {self.shown[-2000:]!r}"
+            self._read(0.05)
+
+    def _read(self, seconds: float) -> bool:
+        if not select.select([self._terminal], [], [], seconds)[0]:
+            return False
+        with contextlib.suppress(OSError):
+            self.shown += os.read(self._terminal, 1 << 16)
+        return True

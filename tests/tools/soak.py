@@ -1,0 +1,195 @@
+"""Runs a program without end for many hours of robot time. ``python -m tests.tools.soak --mode linear``.
+
+Not part of the check. A real session, whose program runs at unlimited speed, writes its events to a named
+pipe, which says how much robot time has passed. At each simulated hour the process's memory, threads and
+open files are printed. All of them must be at the end what they were after the first hour; memory may differ
+by as much as ``MOST_GROWTH``, because Python keeps a few pages more or less. Linux only (``/proc``).
+"""
+
+from __future__ import annotations
+
+import argparse
+import fcntl
+import os
+import pty
+import re
+import struct
+import subprocess
+import tempfile
+import termios
+import threading
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from tests.sessions.command import COMMAND, QUIET, environment
+
+HOUR = 3600.0
+MOST_GROWTH = 2.0
+"""MB between the first hour and the last."""
+MOST_MEMORY = 200.0
+"""MB, at any time."""
+
+PROGRAMS = {
+    "turning": "WHILE 1 == 1 DO TR 1 END WHILE",
+    "lesson": """VAR n = 0
+PROCEDURE side: steps DO
+FW steps TR 90
+END PROCEDURE
+WHILE 1 == 1 DO
+n = n + 1
+REPEAT 4 TIMES side [2] END REPEAT
+FOR VAR i = 0; i < 3; i = i + 1 DO BW 1 FW 1 END FOR
+SCAN
+STATE
+SPEAK "turn"
+SPEAK n
+SPEAK DISTANCE F
+SPEAK POS X
+IF DISTANCE F > 9 THEN FW 1 BW 1 ELSE TL 90 TR 90 END IF
+WAIT 5
+END WHILE
+""",
+}
+TIME = re.compile(rb'"t":([0-9.]+)')
+
+
+@dataclass(frozen=True)
+class Sample:
+    """What a process has at one moment."""
+
+    hours: float
+    memory: float
+    threads: int
+    files: int
+
+    def __str__(self) -> str:
+        return f"{self.hours:5.1f} h: {self.memory:.2f} MB, {self.threads} threads, {self.files} open files"
+
+
+def sample(pid: int, hours: float) -> Sample:
+    status = Path(f"/proc/{pid}/status").read_text(encoding="ascii")
+    found = dict(re.findall(r"^(VmRSS|Threads):\s+(\d+)", status, re.MULTILINE))
+    files = sum(1 for _ in Path(f"/proc/{pid}/fd").iterdir())
+    return Sample(hours, int(found["VmRSS"]) / 1024, int(found["Threads"]), files)
+
+
+def soaked(mode: str, program: str, hours: float, interval: float = 1.0) -> Iterator[Sample]:
+    """A sample at each interval of robot time, in hours, until so many have passed."""
+    with tempfile.TemporaryDirectory() as place:
+        folder = Path(place)
+        (folder / "a.gd").write_text(program, encoding="utf-8")
+        pipe = folder / "events"
+        os.mkfifo(pipe)
+        process, close = _STARTS[mode](folder, ("--speed", "max", *QUIET, "--events", str(pipe)))
+        try:
+            with pipe.open("rb") as events:
+                due = interval
+                while due <= hours + 1e-9:
+                    data = events.read(1 << 16)
+                    if not data:
+                        raise AssertionError(f"the program ended after {due - interval:.1f} hours")
+                    if (times := TIME.findall(data)) and float(times[-1]) >= due * HOUR:
+                        yield sample(process.pid, due)
+                        due += interval
+        finally:
+            process.kill()
+            process.wait()
+            close()
+
+
+Started = tuple["subprocess.Popen[bytes]", Callable[[], None]]
+
+
+def _run(folder: Path, options: tuple[str, ...]) -> Started:
+    """``donnie run``."""
+    process = subprocess.Popen(
+        [*COMMAND, "run", "a.gd", *options],
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        cwd=folder,
+        env=environment(folder),
+    )
+    return process, lambda: None
+
+
+def _linear(folder: Path, options: tuple[str, ...]) -> Started:
+    """Lines through a pipe, as a screen reader's add-on or a teacher's script has them."""
+    process = subprocess.Popen(
+        [*COMMAND, "--linear", *options],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.DEVNULL,
+        cwd=folder,
+        env=environment(folder),
+    )
+    assert process.stdin is not None
+    process.stdin.write(b"OPEN a\nRUN\n")
+    process.stdin.flush()
+    return process, process.stdin.close
+
+
+def _visual(folder: Path, options: tuple[str, ...]) -> Started:
+    """A terminal, where F5 is pressed once the screen is there."""
+    terminal, line = pty.openpty()
+    fcntl.ioctl(line, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
+    process = subprocess.Popen(
+        [*COMMAND, "--visual", *options, "a.gd"],
+        stdin=line,
+        stdout=line,
+        stderr=line,
+        cwd=folder,
+        env=environment(folder, {"DONNIE_TOUR": "off"}),
+        start_new_session=True,
+    )
+    os.close(line)
+    threading.Thread(target=_press_once_and_read, args=(terminal,), daemon=True).start()
+    return process, lambda: None
+
+
+def _press_once_and_read(terminal: int) -> None:
+    seen, is_pressed = b"", False
+    try:
+        while data := os.read(terminal, 1 << 16):
+            if not is_pressed and b"Screen reader?" in (seen := seen + data):
+                os.write(terminal, b"\x1b[15~")  # F5
+                is_pressed = True
+    except OSError:  # the session is gone
+        os.close(terminal)
+
+
+_STARTS = {"run": _run, "linear": _linear, "visual": _visual}
+
+
+def growth(samples: list[Sample]) -> list[str]:
+    """What is not as it was after the first hour."""
+    first, last = samples[0], samples[-1]
+    found = []
+    if last.memory > first.memory + MOST_GROWTH:
+        found.append(f"memory grew by {last.memory - first.memory:.2f} MB")
+    if max(each.memory for each in samples) > MOST_MEMORY:
+        found.append(f"more than {MOST_MEMORY:.0f} MB")
+    if last.threads > first.threads:
+        found.append(f"{last.threads - first.threads} threads more")
+    if last.files > first.files:
+        found.append(f"{last.files - first.files} open files more")
+    return found
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("--mode", choices=sorted(_STARTS), default="linear")
+    parser.add_argument("--program", choices=sorted(PROGRAMS), default="turning")
+    parser.add_argument("--hours", type=float, default=24.0, help="of robot time")
+    parser.add_argument("--interval", type=float, default=1.0, metavar="HOURS", help="between two samples")
+    options = parser.parse_args()
+    samples = []
+    for each in soaked(options.mode, PROGRAMS[options.program], options.hours, options.interval):
+        print(each, flush=True)
+        samples.append(each)
+    found = growth(samples)
+    print(f"{options.mode}, {options.program}: {', '.join(found) or 'nothing grew'}", flush=True)
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
