@@ -147,12 +147,14 @@ class Stations:
 
     def _device(self, driver: Driver, address: Address, given: set[int]) -> Equipment | None:
         index, interface = address.index, address.interface
-        if driver.name not in SERVICES or index > 0xFFFF:
+        if index > 0xFFFF:
+            return None
+        if interface == "power" and driver.name != STAGE:
+            return Battery(index, driver.name)
+        if driver.name not in SERVICES:
             return None
         if interface == "dio":
             return DigitalOutputs(index, driver.name, self._robot_of(address), self._reporter)
-        if interface == "power":
-            return Battery(index, driver.name)
         if interface == "sound":
             return SoundDevice(index, driver.name, self._robot_of(address), self._reporter)
         if interface == "speech":

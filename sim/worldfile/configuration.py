@@ -52,7 +52,8 @@ def _whole(text: str, most: int) -> int | None:
     return int(text) if _INDEX.fullmatch(text) and int(text) <= most else None
 
 
-_TYPES = frozenset({"driver"})
+_TYPES = frozenset({"driver", "interface"})
+"""The second is read over."""
 _STAGE = "stage"
 _ON_WHEELS = frozenset({"position2d", "position", "position3d"})
 _SERIAL = re.compile(r"(?i)/dev/\S+|COM[0-9]+|\\\\\.\\COM[0-9]+")
@@ -106,7 +107,7 @@ def load_configuration(path: Path, *, allowed: tuple[Path, ...] = ()) -> Configu
     The scene's robots are those that are offered as such, the lowest port first; all, if none is.
     """
     reader, expander = FileReader(path, allowed), Expander(_TYPES)
-    drivers = expander.expand(reader.read(path))
+    drivers = tuple(each for each in expander.expand(reader.read(path)) if each.type == "driver")
     read = _Drivers(ValueReader())
     world = read.world(drivers, reader)
     port = read.physical_port(drivers)

@@ -1,9 +1,14 @@
 """The server on real sockets: clients that come, read slowly, send rubbish and vanish."""
 
 import asyncio
+import gc
+import random
 import socket
+import sys
+import tracemalloc
 from collections.abc import AsyncIterator, Callable, Coroutine
 from contextlib import asynccontextmanager, suppress
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -12,15 +17,7 @@ from devices.player.codec import MessageReader, MessageType, PlayerMessage
 from devices.player.interfaces import body_of
 from donnie_tui.player import server as module
 from donnie_tui.player.server import PlayerServer, PortRefused, Stations
-from tests.player.room import CONFIGURATION, stations_of, write_room
-
-HOST = "127.0.0.1"
-
-
-def free_port() -> int:
-    with socket.socket() as bound:
-        bound.bind((HOST, 0))
-        return int(bound.getsockname()[1])
+from tests.player.room import CONFIGURATION, HOST, Notes, free_port, stations_of, write_room
 
 
 class Room:
@@ -29,14 +26,15 @@ class Room:
     def __init__(self, folder: Path) -> None:
         self.port, self.bobs = free_port(), free_port()
         text = CONFIGURATION.replace("7665", str(self.port)).replace("7666", str(self.bobs))
-        self.stations: Stations = stations_of(write_room(folder, text))
+        self.notes = Notes()
+        self.stations: Stations = stations_of(write_room(folder, text), self.notes)
         self.complaints: list[str] = []
         self.server = PlayerServer(self.stations, HOST, "1", self.complaints.append)
 
     @asynccontextmanager
-    async def running(self) -> AsyncIterator[None]:
+    async def running(self, speed: float | None = 20.0) -> AsyncIterator[None]:
         started = asyncio.Event()
-        task = asyncio.create_task(self.server.run(lambda: 20.0, started.set))
+        task = asyncio.create_task(self.server.run(lambda: speed, started.set))
         await started.wait()
         try:
             yield
@@ -93,19 +91,19 @@ class Client:
 Play = Callable[[Room], Coroutine[None, None, None]]
 
 
-def play(folder: Path, story: Play) -> Room:
+def play(folder: Path, story: Play, speed: float | None = 20.0, seconds: float = 30) -> Room:
     room = Room(folder)
 
     async def run() -> None:
-        async with room.running():
-            await asyncio.wait_for(story(room), 30)
+        async with room.running(speed):
+            await asyncio.wait_for(story(room), seconds)
 
     asyncio.run(run())
     return room
 
 
-async def until(condition: Callable[[], bool]) -> None:
-    for _ in range(500):
+async def until(condition: Callable[[], bool], tries: int = 1000) -> None:
+    for _ in range(tries):
         if condition():
             return
         await asyncio.sleep(0.01)
@@ -209,3 +207,118 @@ def test_a_port_that_is_taken_is_named(tmp_path: Path) -> None:
 
     assert problem.value.port == room.bobs
     assert problem.value.reason
+
+
+def test_the_banner_comes_alone_and_small_messages_do_not_wait(tmp_path: Path) -> None:
+    async def story(room: Room) -> None:
+        loop = asyncio.get_running_loop()
+        with socket.create_connection((HOST, room.port)) as client:
+            client.setblocking(False)
+            assert len(await loop.sock_recv(client, 1000)) == 32
+            [served] = room.server.clients
+            assert served._transport is not None
+            theirs = served._transport.get_extra_info("socket")
+            assert theirs.getsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY)
+
+    play(tmp_path, story)
+
+
+def test_a_client_that_reads_again_gets_the_newest_data(tmp_path: Path) -> None:
+    """Memory stays bounded meanwhile: the socket takes no more, and of each kind one datum waits."""
+
+    async def story(room: Room) -> None:
+        slow = await Client.connected(room.port)
+        await slow.ask(10, -1, -1, -1, -1, 1)
+        await slow.ask(3, 0, 0, 62, 1, 1, "")
+        slow.writer.transport.pause_reading()  # type: ignore[attr-defined] # a socket's
+        [served] = room.server.clients
+        await until(lambda: not served._may_write, tries=4000)
+        assert len(served._connection._queue) <= 2
+        stopped_at = room.stations._loop.time
+        await until(lambda: room.stations._loop.time > stopped_at + 5.0)
+        assert len(served._connection._queue) <= 2
+        now = room.stations._loop.time
+        slow.writer.transport.resume_reading()  # type: ignore[attr-defined]
+        times = [(await slow.next()).time]
+        while times[-1] < now:
+            times.append((await slow.next()).time)
+        gaps = [after - before for before, after in pairwise(times)]
+        assert max(gaps) > 4.0
+
+    play(tmp_path, story, speed=None, seconds=60)
+
+
+@pytest.mark.slow
+def test_a_client_that_is_killed_leaves_a_robot_that_stands_and_no_other(tmp_path: Path) -> None:
+    """Two processes have one robot: only the end of the last one stops it, and never the other robot."""
+    program = (
+        "import socket, sys\n"
+        "from devices.player.codec import PlayerMessage\n"
+        "from devices.player.interfaces import body_of\n"
+        "s = socket.create_connection(('127.0.0.1', int(sys.argv[1])))\n"
+        "s.sendall(PlayerMessage(1, 0, 3, 3, body_of(1, 3, 3, 0, 0, 4, 0, 1, '')).encoded())\n"
+        "s.sendall(PlayerMessage(4, 0, 2, 1, body_of(4, 2, 1, 0.01, 0.0, 0.0, 1)).encoded())\n"
+        "print('there', flush=True)\n"
+        "while s.recv(4096): pass\n"
+    )
+
+    async def begun(port: int) -> asyncio.subprocess.Process:
+        process = await asyncio.create_subprocess_exec(
+            sys.executable, "-c", program, str(port), stdout=asyncio.subprocess.PIPE
+        )
+        assert process.stdout is not None
+        assert await process.stdout.readline() == b"there\n"
+        return process
+
+    async def story(room: Room) -> None:
+        def bobs_speed() -> float:
+            return room.stations._loop.drives["bob"].state().velocity.ahead
+
+        one, two, bob = await begun(room.port), await begun(room.port), await begun(room.bobs)
+        await until(lambda: len(room.server.clients) == 3 and room.speed() > 0 and bobs_speed() > 0)
+        one.kill()
+        await until(lambda: len(room.server.clients) == 2)
+        later = room.stations._loop.time + 1.0
+        await until(lambda: room.stations._loop.time > later)
+        assert room.speed() == pytest.approx(0.01)
+        two.kill()
+        await until(lambda: room.speed() == 0.0)
+        assert bobs_speed() == pytest.approx(0.01)
+        bob.kill()
+        for each in (one, two, bob):
+            await each.wait()
+
+    play(tmp_path, story)
+
+
+@pytest.mark.slow
+def test_ten_thousand_connections_leave_no_memory_behind(tmp_path: Path) -> None:
+    """A third of them say nothing, a third send rubbish, a third open a robot and vanish."""
+    opening = PlayerMessage(1, 0, 3, 3, body_of(1, 3, 3, 0, 0, 4, 0, 1, "")).encoded()
+    said = (b"", random.Random(1).randbytes(300), opening)
+
+    def memory() -> int:
+        gc.collect()
+        return tracemalloc.get_traced_memory()[0]
+
+    async def story(room: Room) -> None:
+        used: list[int] = []
+        for number in range(10_000):
+            reader, writer = await asyncio.open_connection(HOST, room.port)
+            await reader.readexactly(32)
+            writer.write(said[number % 3])
+            writer.transport.abort()
+            if number % 2500 == 2499:
+                await until(lambda: not room.server.clients)
+                room.notes.taken.clear()
+                used.append(memory())
+        assert used[-1] - used[0] < 30_000, used
+        assert not room.stations.by_port[room.port].clients
+
+    tracemalloc.start()
+    try:
+        complaints = play(tmp_path, story, seconds=400).complaints
+    finally:
+        tracemalloc.stop()
+    assert set(complaints) <= {"player-rubbish"}
+    assert len(complaints) <= 1

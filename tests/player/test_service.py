@@ -32,8 +32,7 @@ from donnie_tui.core.session import Busy
 from donnie_tui.core.transcript import printed_lines
 from donnie_tui.player.service import motion_of
 from donnie_tui.settings.settings import ServedFile, Settings
-from tests.player.room import CONFIGURATION, write_room
-from tests.player.test_server import HOST, free_port
+from tests.player.room import CONFIGURATION, HOST, free_port, write_room
 
 BELT = """
 driver ( name "vib_belt" provides [ "7665:speech:1" "7665:dio:1" ] )
