@@ -26,9 +26,10 @@ from donnie_tui.core.events import Announced, Spoke, Stamped
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.process.confinement import confinement, may_run_programs
 from donnie_tui.settings.parsing import read_switch
-from donnie_tui.settings.settings import BY_KEY, CONFINED, DEVICES, ServedFile, Settings, SettingSource
+from donnie_tui.settings.settings import BY_KEY, CONFINED, DEVICES, ServedFile, Settings
 
 if TYPE_CHECKING:
+    from devices.audio.channel import DetectedEnvironment
     from donnie_tui.bootstrap import Donnie
     from donnie_tui.linear.greeting import Greeting
 
@@ -148,6 +149,7 @@ def serve_clients(order: Order) -> int:
     With ``--linear`` or ``--visual`` a front end shows what they do, else only what robots say is printed.
     Raises ``Unusable``.
     """
+    from devices.audio.channel import DetectedEnvironment
     from donnie_tui.bootstrap import assemble
 
     words, arguments, output = order.words, order.invocation.arguments, order.output
@@ -166,7 +168,8 @@ def serve_clients(order: Order) -> int:
             case Announced(code="clients", text=text):
                 output.complaint(text)
 
-    settings = replace(settings, speech="robot" if _speaks(settings) else "off")
+    speaks = speaks_for_robots(settings.speech, DetectedEnvironment())
+    settings = replace(settings, speech="robot" if speaks else "off")
     with on_signals(over.set), closing(assemble(settings, terminal=False)) as donnie:
         donnie.session.hub.subscribe(show)
         for notice in (*donnie.notices.about_devices, words("player-ending")):
@@ -175,10 +178,11 @@ def serve_clients(order: Order) -> int:
     return ExitCode.DONE
 
 
-def _speaks(settings: Settings) -> bool:
-    """Whether what robots say is spoken too: where a terminal shows it, or if a voice was asked for."""
-    is_chosen = settings.source_of("speech") is not SettingSource.DEFAULT
-    return settings.speech not in ("off", "text") and (is_chosen or is_terminal(sys.stdout))
+def speaks_for_robots(speech: str, facts: DetectedEnvironment) -> bool:
+    """Whether what robots say is spoken too: where the linear mode would speak."""
+    from devices.audio.channel import Channel, choose_channel
+
+    return speech == "robot" or choose_channel(speech, facts).channel is not Channel.TEXT
 
 
 # --- in a browser

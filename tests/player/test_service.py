@@ -11,10 +11,12 @@ from pathlib import Path
 import pexpect
 import pytest
 
+from devices.audio.channel import DetectedEnvironment, SpeakPlace, choose_channel
 from devices.player.codec import MessageReader, MessageType, PlayerMessage
 from devices.player.interfaces import body_of
 from devices.ports.drive import DriveState, MetricPose, Velocity
 from donnie_tui.bootstrap import Donnie, assemble
+from donnie_tui.cli.front_end import speaks_for_robots
 from donnie_tui.core.events import (
     Announced,
     BeltShown,
@@ -33,6 +35,7 @@ from donnie_tui.core.transcript import printed_lines
 from donnie_tui.player.service import motion_of
 from donnie_tui.settings.settings import ServedFile, Settings
 from tests.player.room import CONFIGURATION, HOST, free_port, write_room
+from tests.tui.terminal import CTRL_Q, ENTER, TAB, Terminal
 
 BELT = """
 driver ( name "vib_belt" provides [ "7665:speech:1" "7665:dio:1" ] )
@@ -301,3 +304,53 @@ def test_the_linear_mode_says_what_a_client_does_and_stop_stops_it(tmp_path: Pat
         learner.expect(pexpect.EOF)
     learner.close()
     assert learner.exitstatus == 0
+
+
+@pytest.mark.slow
+def test_the_full_screen_shows_what_clients_do_and_stop_all_stops_all_robots(tmp_path: Path) -> None:
+    port, other = sorted((free_port(), free_port()))
+    text = CONFIGURATION.replace("7665", str(port)).replace("7666", str(other))
+    file = str(write_room(tmp_path, text))
+    arguments = ["player", file, "--visual", "--lang", "en", "--speed", "2"]
+    screen = Terminal(arguments, tmp_path, columns=110, rows=32)
+    with closing(screen):
+        screen.shows("Programs can connect")
+        with closing(Client(port)) as one, closing(Client(other)) as two:
+            for client in (one, two):
+                assert client.open(4)
+                client.drive(0.02)
+            screen.shows("A client drives alice: forward.")
+            screen.shows("A client drives bob: forward.")
+            assert one.open(12)
+            one.send(12, 0, 2, 1, "bom dia")
+            screen.shows("bom dia")
+            screen.type(TAB * 4)
+            screen.shows(" Command line.")
+            screen.type("stop all" + ENTER)
+            screen.shows("All robots")
+            screen.shows("READY")
+        screen.type(CTRL_Q)
+        assert screen.ended() == 0
+
+
+@pytest.mark.parametrize(
+    ("speech", "terminal", "reader", "speaks"),
+    [
+        ("off", True, None, False),
+        ("text", True, None, False),
+        ("auto", True, None, True),
+        ("auto", False, None, False),
+        ("auto", True, "orca", False),
+        ("tts", False, None, True),
+        ("robot", False, None, True),
+    ],
+)
+def test_without_a_front_end_what_robots_say_is_spoken_where_the_linear_mode_would_speak(
+    speech: str, terminal: bool, reader: str | None, speaks: bool
+) -> None:
+    facts = DetectedEnvironment({})
+    facts.__dict__ |= {"stdout_is_terminal": terminal, "screen_reader": reader, "has_ssip": False}
+    facts.__dict__ |= {"has_voice": True, "has_sound_device": True}
+
+    assert speaks_for_robots(speech, facts) is speaks
+    assert choose_channel("robot", facts).speak is SpeakPlace.ROBOT
