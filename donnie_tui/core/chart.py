@@ -11,6 +11,7 @@ braille display.
 
 from __future__ import annotations
 
+import re
 import textwrap
 import unicodedata
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -252,6 +253,8 @@ def dots(cell: str) -> tuple[int, ...]:
     return tuple(dot for dot in range(1, 7) if pattern & 1 << (dot - 1))
 
 
+_INITIAL = re.compile(r"((?:, |1 )\w) (?=\w)")
+"""A letter alone after a comma, which in braille is a 1."""
 CELLS, LINES = 40, 25
 _HEADING = 2
 """Lines above the map: its name, its scale."""
@@ -302,7 +305,14 @@ def _page_legend(chart: Chart, wording: Wording) -> list[str]:
     for letter, meaning in chart.legend.items():
         sign = FULL_CELL if letter == WALL else letter.upper()
         lines.append(f"{sign}  {braille(meaning, wording.language)}")
-    return [part for line in lines for part in textwrap.wrap(line, CELLS, subsequent_indent="   ")]
+    return [part for line in lines for part in wrapped(line, CELLS)]
+
+
+def wrapped(line: str, width: int) -> list[str]:
+    """A line of a legend in several; the initial of a colour stays with its colour."""
+    kept = _INITIAL.sub("\\1\N{NO-BREAK SPACE}", line)
+    parts = textwrap.wrap(kept, width, subsequent_indent="   ")
+    return [part.replace("\N{NO-BREAK SPACE}", " ") for part in parts]
 
 
 def _paged(lines: list[str]) -> str:

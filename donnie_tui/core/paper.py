@@ -19,7 +19,7 @@ from xml.sax.saxutils import escape
 from msgspec import Struct
 
 from devices.ports.robot import STEP, Pose
-from donnie_tui.core.chart import Chart, braille, dots
+from donnie_tui.core.chart import Chart, braille, dots, wrapped
 from donnie_tui.core.map_grid import WALL
 from donnie_tui.core.wording import Wording
 
@@ -50,6 +50,8 @@ WORD = SWATCH[0] + LINE / 2 + GAP + DOT / 2
 KEY_ROW = 13.0
 MOST_LEGEND = 10
 """Lines of the legend; a map needs the rest of the sheet."""
+MOST_TITLE = 2
+"""Lines of the title."""
 MOST_LABELS = 60
 """Things that get a letter; more letters would cover each other."""
 PRINT = 3.2
@@ -128,7 +130,7 @@ def raised_picture(
             *(f'<g stroke-dasharray="{DASHES}">{_line(_on_paper(each, sheet))}</g>' for each in paths),
             *(_line(each) for path in paths for each in _head(path, sheet)),
             "</g>",
-            *_written(_printable(title), cells, MARGIN, MARGIN, wording),
+            *_titled(_printable(title), cells, wording),
             *_north(sheet, wording),
             *_labels(chart, drawings, sheet, paths),
             *_legend_block(legend, items, sheet, wording),
@@ -429,11 +431,17 @@ def _north(sheet: _Sheet, wording: Wording) -> Iterator[str]:
     yield from _written(wording("compass-north")[:1].upper(), 1, x - 3 - GAP - 2 * DOT_GAP, top + 6, wording)
 
 
+def _titled(title: str, cells: int, wording: Wording) -> Iterator[str]:
+    """The title, in two lines where one is too short for it."""
+    lines = textwrap.wrap(title, cells - 1)[:MOST_TITLE]  # a number needs a sign before it
+    for number, line in enumerate(lines):
+        yield from _written(line, cells, MARGIN, MARGIN + number * ROW, wording)
+
+
 def _sheet_legend(chart: Chart, cells: int) -> list[str]:
     """The letters and what they mean, as they are printed; walls are in the key."""
     lines = [f"{letter}  {meaning}" for letter, meaning in chart.legend.items() if letter != WALL]
-    wrapped = (textwrap.wrap(_printable(line), cells - 3, subsequent_indent="   ") for line in lines)
-    return list(chain.from_iterable(wrapped))[:MOST_LEGEND]
+    return list(chain.from_iterable(wrapped(_printable(line), cells - 3) for line in lines))[:MOST_LEGEND]
 
 
 def _key(
@@ -486,7 +494,7 @@ def _legend_block(
             yield from _written(item.word, len(item.word) + 2, left + WORD, top, wording)
         top += KEY_ROW
     yield from _written(words, _cells(sheet.width), MARGIN, top, wording)
-    bar = f"M{MARGIN} {top + ROW + 2:.2f}v-4m0 2h{steps * sheet.scale:.2f}m0 -2v4"
+    bar = f"M{MARGIN} {top + ROW + 5:.2f}v-4m0 2h{steps * sheet.scale:.2f}m0 -2v4"
     yield f'<path id="scale" d="{bar}" fill="none" stroke="black" stroke-width="{LINE}"/>'
 
 
@@ -526,7 +534,7 @@ def _round_number(most: float) -> int:
 def _written(text: str, cells: int, x: float, y: float, wording: Wording) -> Iterator[str]:
     """Braille from a place on, and the same in print under it."""
     yield _braille(braille(text, wording.language)[:cells], x, y)
-    yield _print(text, x - DOT / 2, y + 2 * DOT_GAP + DOT / 2 + PRINT * 0.85)
+    yield _print(text, x - DOT / 2, y + 2 * DOT_GAP + DOT / 2 + PRINT * 0.8)
 
 
 def _braille(cells: str, x: float, y: float) -> str:

@@ -4,21 +4,23 @@ import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from functools import cache
-from itertools import combinations, pairwise
+from itertools import combinations, pairwise, product
 from math import ceil, hypot
 from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
+from PIL import ImageFont
 
 import worlds
 from devices.ports.robot import STEP, Pose
 from donnie_tui.core.chart import ASCII, Chart, ChartedRobot, braille, braille_pages, chart, dots, shrunk
-from donnie_tui.core.paper import A4, LINE, raised_picture
+from donnie_tui.core.paper import A4, LINE, PRINT, raised_picture
 from donnie_tui.i18n.words import Words
 from sim.picture import Drawing, Picture, Thing, drawings, picture
 from sim.scene import Scene
 from sim.worldfile import load_world
+from worlds.words import about
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -174,7 +176,7 @@ def test_in_braille_a_second_letter_says_the_colour_where_that_alone_makes_a_dif
         "=                FF  =",
         "=                FY  =",
     ]
-    assert page[20:22] == ["F  FLOWER1 B BLUE1 Y YELLOW1 R RED1 O", "   ORANGE"]
+    assert page[20:22] == ["F  FLOWER1 B BLUE1 Y YELLOW1 R RED1", "   O ORANGE"]
 
 
 def test_a_legend_that_would_make_the_map_smaller_has_its_own_page() -> None:
@@ -335,6 +337,54 @@ def test_a_sheet_has_its_title_north_and_a_scale_in_steps_and_centimetres() -> N
     length = float(re.findall(r"h([\d.]+)", bar.get("d") or "")[0])
     walls = [x for x, _, _ in lines_on(root)]
     assert length / 50 == pytest.approx((max(walls) - min(walls)) / 42, abs=0.05)
+
+
+@pytest.mark.parametrize("name", worlds.names())
+@pytest.mark.parametrize("language", ["en", "pt", "es"])
+def test_no_printed_word_touches_another_a_dot_or_a_line(name: str, language: str) -> None:
+    root = sheet(name, language, (PATH,))
+    font = ImageFont.load_default(PRINT * 20)
+    printed = []
+    for each in root.iter(f"{SVG}text"):
+        x, y = float(each.get("x") or 0), float(each.get("y") or 0)
+        left, top, right, bottom = (edge / 20 for edge in font.getbbox(each.text or "", anchor="ls"))
+        printed.append((x + left, y + top, x + right, y + bottom))
+    width, height = (float(each) for each in (root.get("viewBox") or "").split()[2:])
+    things = [(x - half, y - half, x + half, y + half) for x, y, half in lines_on(root)]
+    for tile in root.findall(f"{SVG}pattern"):
+        root.remove(tile)
+    for group in root.iter(f"{SVG}g"):
+        if group.get("id") != "map":
+            things += [(x - 0.8, y - 0.8, x + 0.8, y + 0.8) for x, y in dots_of(group)]
+    (bar,) = (each for each in root.iter(f"{SVG}path") if each.get("id") == "scale")
+    (at, low), length = re.findall(r"M([\d.]+) ([\d.]+)", bar.get("d") or "")[0], bar_length(bar)
+    things.append((float(at) - 0.6, float(low) - 4, float(at) + length + 0.6, float(low)))
+
+    for mine in printed:
+        assert 0 < mine[0] < mine[2] < width
+        assert 0 < mine[1] < mine[3] < height
+    for one, other in (*combinations(printed, 2), *product(printed, things)):
+        apart = one[2] <= other[0] or other[2] <= one[0] or one[3] <= other[1] or other[3] <= one[1]
+        assert apart, (one, other)
+
+
+def bar_length(bar: ElementTree.Element) -> float:
+    return float(re.findall(r"h([\d.]+)", bar.get("d") or "")[0])
+
+
+@pytest.mark.parametrize(("name", "language"), [("street", "en"), ("storehouse", "es"), ("bigbob6", "pt")])
+def test_the_whole_title_is_in_braille(name: str, language: str) -> None:
+    """In one line of 25 cells, or in two."""
+    title = Words(language)("paper-title", name=about(name, language).title)
+    it, plan = scene(name), charted(name, language)
+    root = ElementTree.fromstring(raised_picture(title, plan, seen(name), drawings(it), Words(language)))
+    groups = [dots_of(each) for each in root.iter(f"{SVG}g") if each.get("fill") == "black"]
+    (arrow,) = (at for at, each in enumerate(root) if each.get("id") == "north")
+    before = [dots_of(each) for each in list(root)[:arrow] if each.get("fill") == "black"]
+
+    cells = braille(title, language).replace(" ", "")
+    assert sum(map(len, before)) == sum(len(dots(each)) for each in cells)
+    assert groups[: len(before)] == before
 
 
 def test_a_driven_path_is_a_dashed_line_with_its_place_in_the_key() -> None:
