@@ -244,6 +244,8 @@ class Device(Enum):
     EYES = "eyes"
     """Distinguishes colours: a blobfinder."""
     CAMERA = "camera"
+    MARKS = "marks"
+    """Finds fiducial marks."""
     BUMPER = "bumper"
     GRIPPER = "gripper"
 
@@ -260,6 +262,8 @@ class Mounted(Struct, frozen=True):
     """How far it looks."""
     lines: tuple[Line, ...] = ()
     """What a map shows of it: the border of a field of view, the paddles of a gripper."""
+    name: str = ""
+    """By which a program reads it."""
 
 
 def mounted(scene: Scene, robot: str) -> tuple[Mounted, ...]:
@@ -272,8 +276,13 @@ def mounted(scene: Scene, robot: str) -> tuple[Mounted, ...]:
             0.0 - normal(each.yaw if isinstance(each, Cone) else (each.angles[0] + each.angles[-1]) / 2),
             2 * each.half_angle if isinstance(each, Cone) else abs(each.angles[-1] - each.angles[0]),
             each.maximum,
+            name=next((name for name, those in senses.by_name.items() if each in those), ""),
         )
         for each in senses.rangers
+    )
+    finders = (
+        Mounted(Device.MARKS, 0.0 - normal(each.yaw), each.finder.fov, each.finder.maximum)
+        for each in senses.finders
     )
     eyes = (
         _field(Device.EYES, each.x, each.y, each.yaw, 2 * each.half_angle, each.maximum, 0.0, each.offset)
@@ -281,7 +290,7 @@ def mounted(scene: Scene, robot: str) -> tuple[Mounted, ...]:
     )
     bumpers = (Mounted(Device.BUMPER, 0.0 - normal(each.yaw)) for each in senses.bumpers)
     gripper = [_gripper(senses.beams)] if senses.beams else []
-    return (*rangers, *eyes, *_cameras(scene, model), *bumpers, *gripper)
+    return (*rangers, *eyes, *finders, *_cameras(scene, model), *bumpers, *gripper)
 
 
 def _cameras(scene: Scene, robot: Model) -> Iterator[Mounted]:

@@ -121,7 +121,8 @@ def sensors_of_board(name: str, wording: Wording, *, has_camera: bool) -> tuple[
 
 def _sensor_phrase(device: Mounted, wording: Wording) -> str:
     return wording(
-        f"sensors-{device.device.value}",
+        f"sensors-{device.device.value}" + ("-named" if device.name else ""),
+        name=device.name,
         where=_where(device.degrees, wording),
         width=round(device.width),
         metres=f"{device.metres:.2f}".rstrip("0").rstrip("."),

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from donnie_tui.bootstrap import make_team
-from donnie_tui.core.events import Event, Moved, RunEnded, ThingsMoved
+from donnie_tui.core.events import Event, Moved, RunEnded, Spoke, ThingsMoved
 from donnie_tui.core.recording import Header
 from donnie_tui.core.session import RunOptions
 from donnie_tui.i18n.words import Words
@@ -38,7 +38,7 @@ END WHILE
 TR 91
 FW DISTANCE F - 1"""
 """The ball leaves the view 90 degrees to the right. Where nothing stands in the way, it is ahead then."""
-SEEDS = range(1, 26)
+SEEDS = range(1, 31)
 
 
 def run(name: str, text: str, seed: int = 0) -> tuple[ChosenWorld, list[Event]]:
@@ -93,6 +93,55 @@ def test_the_red_box_of_the_storehouse_is_carried_to_the_post() -> None:
     assert (post.x, post.y) == (36, 0)
 
 
+# --- the worlds of the manual
+
+
+def spoken(name: str, text: str) -> list[str]:
+    return [each.text for each in run(name, text)[1] if isinstance(each, Spoke)]
+
+
+def test_bigbob_drives_until_a_wall_is_nearer_than_twenty_steps() -> None:
+    (nearest,) = spoken("bigbob4", "WHILE DISTANCE F > 19 DO\nFW 1\nEND WHILE\nSPEAK DISTANCE F")
+
+    assert int(nearest) == 19
+
+
+def test_bigbob_sees_no_orange_where_none_is_and_four_in_the_full_world() -> None:
+    assert spoken("bigbob5", "SPEAK COLOR orange") == ["0"]
+    assert spoken("bigbob7", "SPEAK COLOR orange") == ["4"]
+
+
+def test_bigbob_counts_the_cartons_from_where_all_four_are_in_view() -> None:
+    assert spoken("bigbob7", "TR 45\nFW 40\nTL 60\nSPEAK COLOR blue") == ["4"]
+
+
+def test_bigbob_drives_from_the_chamber_in_the_south_west_to_that_in_the_north_west() -> None:
+    _world, events = run("bigbob6", "TR 45\nFW 50\nTL 90\nFW 190")
+
+    assert moves(events)[-1].stopped_by is None
+    assert (round(moves(events)[-1].pose.x), round(moves(events)[-1].pose.y)) == (-50, 70)
+
+
+def test_bigbob_sees_the_orange_and_drives_to_it() -> None:
+    text = "SPEAK COLOR orange\nTR 45\nFW 60\nTL 90\nFW 3"
+    world, events = run("bigbob_oranges", text)
+
+    assert [each.text for each in events if isinstance(each, Spoke)] == ["1"]
+    # 15 steps from the middle to the teeth, 1.5 to the edge of the orange
+    assert 0 <= away(world, events, "orange", "orange") - 16.5 < 1
+    assert all(each.stopped_by is None for each in moves(events))
+
+
+def test_bigbob_walks_a_square_of_forty_steps() -> None:
+    _world, events = run("bigbob_drive", "REPEAT 4 TIMES\nFW 40\nTR 90\nEND REPEAT")
+
+    corners = [(round(each.pose.x), round(each.pose.y)) for each in moves(events)]
+    assert corners == [(40, 0), (40, -40), (0, -40), (0, 0)]
+
+
+# --- the wild garden
+
+
 @pytest.mark.parametrize("seed", [0, *SEEDS])
 def test_the_ball_of_the_wild_garden_is_found_with_several_seeds(seed: int) -> None:
     world, events = run("wild_garden", WILD_GARDEN, seed)
@@ -118,7 +167,7 @@ def test_with_each_seed_the_things_of_the_wild_garden_stand_elsewhere_and_apart(
     assert tuple((each.x, each.y) for each in again) == layouts[1]
 
 
-@pytest.mark.parametrize("first", range(26, 126, 20))
+@pytest.mark.parametrize("first", range(31, 131, 20))
 def test_with_every_seed_a_straight_way_leads_to_each_thing_of_the_wild_garden(first: int) -> None:
     """Half of Donnie's body is 1.28 steps wide."""
     for seed in range(first, first + 20):

@@ -31,6 +31,24 @@ def test_each_device_is_described_with_its_view() -> None:
     )
 
 
+def test_a_sensor_with_a_name_is_described_by_it_and_a_finder_of_marks_is_there() -> None:
+    """Only so does a learner know what DISTANCE can be asked for."""
+    devices = mounted(
+        scene(
+            'define it position ( ranger( name "left eye" sensor( range [ 0 3 ] fov 15 pose [ 0 0 0 90 ] ) )'
+            " ranger( sensor( range [ 0 2 ] fov 15 ) ) fiducial( range_max 5 fov 90 ) )"
+            ' it( name "al" )'
+        ),
+        "al",
+    )
+
+    assert sensors_in_words(devices, "al", Words("en", "normal"))[1:] == (
+        'Distance sensor "left eye", 90 left, 15 degrees wide, range 3 m.',
+        "Distance sensor ahead, 15 degrees wide, range 2 m.",
+        "Finder of marks ahead, 90 degrees wide, range 5 m.",
+    )
+
+
 def test_a_robot_without_sensors_says_so() -> None:
     it = scene('define it position( size [ 0.1 0.1 0.1 ] bumper( bcount 0 ) ) it( name "al" )')
 
