@@ -36,8 +36,7 @@ from devices.player.interfaces import ADDRESS, CAN_YOU, FORMS, Interface, values
 from donnie_tui.cli.page_server import PageServer
 from donnie_tui.cli.page_session import PageLimits
 from donnie_tui.i18n.words import Words
-from donnie_tui.player.server import ClientProtocol, PlayerServer
-from donnie_tui.player.stations import Stations
+from donnie_tui.player.server import ClientProtocol, PlayerServer, Stations
 from sim.velocity import VelocityLoop
 from sim.world import World
 from sim.worldfile import load_configuration
