@@ -70,20 +70,8 @@ class PlayerMessage(Struct, frozen=True):
     sequence: int = 0
 
     def encoded(self) -> bytes:
-        return (
-            _HEADER.pack(
-                self.host,
-                self.robot,
-                self.interface,
-                self.index,
-                self.type,
-                self.subtype,
-                self.time,
-                self.sequence,
-                len(self.body),
-            )
-            + self.body
-        )
+        place = (self.host, self.robot, self.interface, self.index, self.type, self.subtype)
+        return _HEADER.pack(*place, self.time, self.sequence, len(self.body)) + self.body
 
 
 def banner(version: str) -> bytes:
@@ -110,9 +98,8 @@ class MessageReader:
         held += data
         try:
             while len(held) - start >= HEADER_SIZE:
-                host, robot, interface, index, type_, subtype, time, sequence, size = _HEADER.unpack_from(
-                    held, start
-                )
+                host, robot, *kind, time, sequence, size = _HEADER.unpack_from(held, start)
+                interface, index, type_, subtype = kind
                 if size > self._longest:
                     start = len(held)
                     raise TooLong(f"a body of {size} bytes; at most {self._longest} are read")
@@ -121,9 +108,7 @@ class MessageReader:
                     return
                 body = bytes(held[start + HEADER_SIZE : end])
                 start = end
-                yield PlayerMessage(
-                    interface, index, type_, subtype, body, time, host=host, robot=robot, sequence=sequence
-                )
+                yield PlayerMessage(interface, index, type_, subtype, body, time, host, robot, sequence)
         finally:
             del held[:start]
 
@@ -177,11 +162,8 @@ def decode(form: str, body: bytes) -> tuple[object, ...]:
         else:
             numbers = struct.unpack(f">{part.letters * count}", data)
             width = part.width
-            values.append(
-                numbers
-                if width == 1
-                else tuple(numbers[i : i + width] for i in range(0, len(numbers), width))
-            )
+            groups = tuple(numbers[i : i + width] for i in range(0, len(numbers), width))
+            values.append(numbers if width == 1 else groups)
     if at != len(body):
         raise BadBody(f"{len(body)} bytes, and {at} in its form")
     return tuple(values)

@@ -7,17 +7,10 @@ waits. Replies are never dropped, and each request gets exactly one.
 from __future__ import annotations
 
 from itertools import count
-from typing import Protocol
+from typing import Any, Protocol
 
-from devices.player.codec import (
-    LOCAL_HOST,
-    BadBody,
-    MessageReader,
-    MessageType,
-    PlayerMessage,
-    banner,
-)
-from devices.player.interfaces import CAN_YOU, Access, DataMode, Interface, body_of, form_of, values_of
+from devices.player.codec import LOCAL_HOST, BadBody, MessageReader, MessageType, PlayerMessage, banner
+from devices.player.interfaces import CAN_YOU, Access, DataMode, Interface, body_of, values_of
 
 MOST_WAITING = 1024
 """Data that wait for a client that wants all of them; from then on the newest of a kind replaces one."""
@@ -149,12 +142,12 @@ class ClientConnection:
             case 1, _:
                 addresses = [self._address(key) for key in self._station.drivers]
                 self._reply(message, body_of(Interface.PLAYER, MessageType.ACK, 1, addresses))
-            case 2, (_, _, int(interface), int(index), _):
+            case 2, (_, _, interface, index, _):
                 name = self._station.drivers.get((interface, index))
                 address = self._address((interface, index))
                 body = body_of(Interface.PLAYER, MessageType.ACK, 2, *address, name or "")
                 self._reply(message, None if name is None else body)
-            case 3, (_, _, int(interface), int(index), int(access), _):
+            case 3, (_, _, interface, index, access, _):
                 self._subscribe(message, (interface, index), access)
             case 4, _:
                 self._begin_round(message)
@@ -162,7 +155,7 @@ class ClientConnection:
                 self._mode = DataMode.PULL if mode == DataMode.PULL else DataMode.PUSH
                 self._reply(message, b"")
             case 10, (*pattern, rule):
-                self._set_rule(tuple(int(str(each)) for each in pattern), int(str(rule)))
+                self._set_rule(tuple(pattern), rule)
                 self._reply(message, b"")
             case _:
                 self._reply(message, None)
@@ -182,10 +175,8 @@ class ClientConnection:
             body = body_of(Interface.PLAYER, MessageType.NACK, 3, *self._address(key), int(Access.ERROR), "")
             self._queue_reply(message, MessageType.NACK, body)
         else:
-            self._reply(
-                message,
-                body_of(Interface.PLAYER, MessageType.ACK, 3, *self._address(key), granted, name or ""),
-            )
+            granted_to = (*self._address(key), granted, name or "")
+            self._reply(message, body_of(Interface.PLAYER, MessageType.ACK, 3, *granted_to))
 
     def _begin_round(self, message: PlayerMessage) -> None:
         """Its reply precedes all that waits."""
@@ -217,21 +208,16 @@ class ClientConnection:
         self._replies += 1
         self._must_go = True
 
-    def _message(
-        self, interface: int, index: int, type_: MessageType, subtype: int, body: bytes
-    ) -> PlayerMessage:
-        return PlayerMessage(
-            interface, index, type_, subtype, body, self._station.time, LOCAL_HOST, self._station.port
-        )
+    def _message(self, interface: int, index: int, type_: int, subtype: int, body: bytes) -> PlayerMessage:
+        here = (self._station.time, LOCAL_HOST, self._station.port)
+        return PlayerMessage(interface, index, type_, subtype, body, *here)
 
     def _address(self, key: Key) -> tuple[int, int, int, int]:
         return (LOCAL_HOST, self._station.port, *key)
 
 
-def _values(message: PlayerMessage) -> tuple[object, ...] | None:
+def _values(message: PlayerMessage) -> tuple[Any, ...] | None:
     """None if nothing is known of such a message, or its body is not what it should be."""
-    if form_of(message) is None:
-        return None
     try:
         return values_of(message)
     except BadBody:

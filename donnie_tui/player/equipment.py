@@ -103,6 +103,10 @@ class MountedDevice(Equipment):
         super().__init__(index, driver)
         self._model, self._drive, self._loop = model, drive, loop
         self.reporter: Reporter
+        self.begin()
+
+    def begin(self) -> None:
+        """As it is before any client has opened it."""
 
     def _pose(self) -> tuple[float, ...]:
         """On its robot; of a robot itself 0."""
@@ -114,10 +118,7 @@ class WheelDevice(MountedDevice):
 
     interface = Interface.POSITION2D
 
-    def __init__(
-        self, index: int, driver: str, model: Model, drive: VelocityDrive, loop: VelocityLoop
-    ) -> None:
-        super().__init__(index, driver, model, drive, loop)
+    def begin(self) -> None:
         self._goal: MetricPose | None = None
 
     def open(self) -> bool:
@@ -165,15 +166,8 @@ class WheelDevice(MountedDevice):
     def data(self) -> Iterator[Datum]:
         state = self._drive.state()
         here, speed = state.believed, state.velocity
-        yield self._datum(
-            here.x,
-            here.y,
-            angle(here.yaw),
-            speed.ahead,
-            speed.left,
-            radians(speed.turn),
-            int(state.is_stalled),
-        )
+        rates = (speed.ahead, speed.left, radians(speed.turn))
+        yield self._datum(here.x, here.y, angle(here.yaw), *rates, int(state.is_stalled))
 
     def _go(self, ahead: float, left: float, turn: float) -> None:
         self._goal = None
@@ -185,11 +179,8 @@ class HeadDevice(MountedDevice):
 
     interface = Interface.POSITION2D
 
-    def __init__(
-        self, index: int, driver: str, model: Model, drive: VelocityDrive, loop: VelocityLoop
-    ) -> None:
-        super().__init__(index, driver, model, drive, loop)
-        self._mount = relative(model.pose, loop.scene.models[model.root].pose)
+    def begin(self) -> None:
+        self._mount = relative(self._model.pose, self._loop.scene.models[self._model.root].pose)
         self._turned = self._rate = 0.0
         self._goal: float | None = None
 
@@ -260,16 +251,14 @@ class RangeFinder(MountedDevice):
 
     interface = Interface.RANGER
 
-    def __init__(
-        self, index: int, driver: str, model: Model, drive: VelocityDrive, loop: VelocityLoop
-    ) -> None:
-        super().__init__(index, driver, model, drive, loop)
-        yaws = [round(normal(each.pose.yaw)) for each in model.sensors]
+    def begin(self) -> None:
+        yaws = [round(normal(each.pose.yaw)) for each in self._model.sensors]
         self._is_donnie = sorted(yaws) == sorted(map(round, SONARS))
         """Whether these are the sonars of the robot Donnie."""
         self._order = [yaws.index(round(each)) for each in SONARS] if self._is_donnie else [*range(len(yaws))]
-        tree = loop.scene.tree(model.root)
-        others = [each.index for each in tree if len(each.sensors) == 1 and each.parent != model.root]
+        root = self._model.root
+        tree = self._loop.scene.tree(root)
+        others = [each.index for each in tree if len(each.sensors) == 1 and each.parent != root]
         self._seventh = others[0] if self._is_donnie and others else None
         """The head's sonar, which clients of Donnie's take for one more of these."""
 
@@ -376,12 +365,9 @@ class Paddles(MountedDevice):
 
     interface = Interface.GRIPPER
 
-    def __init__(
-        self, index: int, driver: str, model: Model, drive: VelocityDrive, loop: VelocityLoop
-    ) -> None:
-        super().__init__(index, driver, model, drive, loop)
-        assert model.gripper is not None
-        self._wanted = CLOSED if model.gripper.closed else OPEN
+    def begin(self) -> None:
+        gripper = self._model.gripper
+        self._wanted = CLOSED if gripper is not None and gripper.closed else OPEN
         self._ticks_left = 0
 
     def command(self, subtype: int, values: Values) -> None:  # noqa: ARG002 -- it has none

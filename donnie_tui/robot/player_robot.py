@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from math import cos, degrees, hypot, inf, radians, sin
 from time import monotonic
-from typing import Any
+from typing import Any, TypeAlias
 
 from msgspec import Struct
 
@@ -82,6 +82,10 @@ class WheelState(Struct, frozen=True):
     is_moving: bool
 
 
+Advance: TypeAlias = Callable[[WheelState], StoppedBy | bool]
+"""Takes a datum; True once it is over, or why it can't go on."""
+
+
 class ServerLink:
     """The connection to a server and its newest data. A thread reads, any thread may write."""
 
@@ -91,7 +95,7 @@ class ServerLink:
         """``on_notice`` is called in the thread that reads."""
         self.name = f"player://{host}:{port}"
         self._address = (host, port)
-        self._on_notice = on_notice
+        self._report = on_notice or (lambda *_: None)
         self._changed = threading.Condition(threading.RLock())
         self._socket: socket.socket | None = None
         self._reader = MessageReader(LONGEST_REPLY)
@@ -133,18 +137,12 @@ class ServerLink:
     def values(self, key: Key, subtype: int = 1) -> tuple[float, tuple[Any, ...]] | None:
         """The time and the content of its newest datum."""
         message = self._data.get((*key, subtype))
-        if message is None:
-            return None
         with suppress(BadBody):
-            return message.time, values_of(message)
+            return None if message is None else (message.time, values_of(message))
         return None
 
     def wheels(self) -> WheelState:
-        newest = self.values(WHEELS)
-        if newest is None:
-            return WheelState(0.0, 0.0, 0.0, 0.0, False, False)
-        at, numbers = newest
-        x, y, yaw, ahead, left, turn, stall = (float(each) for each in numbers)
+        at, (x, y, yaw, ahead, left, turn, stall) = self.values(WHEELS) or (0.0, (0.0,) * 7)
         is_moving = hypot(ahead, left) > STANDING or abs(turn) > STANDING
         return WheelState(at, x, y, degrees(yaw), bool(stall), is_moving)
 
@@ -296,9 +294,10 @@ class ServerLink:
                 connected.shutdown(socket.SHUT_RDWR)
             connected.close()
 
-    def _report(self, notice: LinkNotice, reason: str) -> None:
-        if self._on_notice is not None:
-            self._on_notice(notice, reason)
+
+def _met(end: StoppedBy | None, way: float) -> Met | None:
+    """It can't know what it met."""
+    return Met("something", "", way) if end in (StoppedBy.OBSTACLE, StoppedBy.COLLISION) else None
 
 
 def _reason(problem: Exception) -> str:
@@ -325,8 +324,6 @@ FRAME = 1 / 20
 """Seconds between two poses for a moving picture."""
 VIEW, REACH = 60.0, 5.0
 """Degrees and metres: no request asks for a blobfinder's view; this is that of the original's."""
-SOMETHING = "something"
-"""What the robot met: it can't know."""
 LONGEST_STANDING = 2.2
 """Seconds that a stop may take."""
 
@@ -449,9 +446,10 @@ class PlayerRobot:
                 done += 1
                 self._progress(motion)
             left = length - extra - gone
-            if self._touches(in_front=sense > 0) or now.is_stalled:
+            if self._touches(in_front=sense > 0) or (now.is_stalled and now.time > first.time):
                 return StoppedBy.COLLISION
-            free = self._free(side)
+            known = self._nearest(side)
+            free = inf if known is None else known
             if begun < steps and reason is None and gone >= begun * STEP - FASTEST * POLL:
                 if free + gone - begun * STEP < NEXT_STEP * STEP:
                     length, reason = begun * STEP + extra, StoppedBy.OBSTACLE
@@ -468,7 +466,7 @@ class PlayerRobot:
 
         end = self._move(advance, permit)
         self._owed_way = left * sense if end in (None, StoppedBy.OBSTACLE) and abs(left) < STEP / 2 else 0.0
-        met = self._met(end, 0.0 if sense > 0 else 180.0)
+        met = _met(end, 0.0 if sense > 0 else 180.0)
         return WalkResult(steps, steps if end is None else done, end, self.pose(), met)
 
     def turn(self, degrees: int) -> TurnResult:
@@ -479,7 +477,8 @@ class PlayerRobot:
             return TurnResult(0, 0, None, self.pose())
         motion = Motion.RIGHT if sense > 0 else Motion.LEFT
         permit, asked = self._link.permit, abs(degrees)
-        last, done, reported = self._link.wheels().yaw, 0.0, 0
+        first, done, reported = self._link.wheels(), 0.0, 0
+        last = first.yaw
         left = asked + self._owed_turn * sense
         self._owed_turn = 0.0
         pressed = self._pressed()
@@ -491,7 +490,7 @@ class PlayerRobot:
             while reported < asked and done >= min(asked, reported + DEGREES_A_REPORT) - NEAR_TURN:
                 reported = min(asked, reported + DEGREES_A_REPORT)
                 self._progress(motion)
-            if now.is_stalled or self._pressed() > pressed:
+            if (now.is_stalled and now.time > first.time) or self._pressed() > pressed:
                 return StoppedBy.COLLISION
             if abs(left) < NEAR_TURN and abs(left) >= abs(before) - 0.01:  # it comes no nearer
                 return True
@@ -501,17 +500,18 @@ class PlayerRobot:
         end = self._move(advance, permit)
         self._owed_turn = left * sense if end is None else 0.0
         whole = asked if end is None else max(0, min(asked, int(done)))
-        return TurnResult(degrees, sense * whole, end, self.pose(), self._met(end, sense * 90.0))
+        return TurnResult(degrees, sense * whole, end, self.pose(), _met(end, sense * 90.0))
 
-    def _move(self, advance: Callable[[WheelState], StoppedBy | bool], permit: int) -> StoppedBy | None:
+    def _move(self, advance: Advance, permit: int) -> StoppedBy | None:
         """Until ``advance`` says that it is over, or why; then the robot stands."""
         try:
             return self._follow(advance, permit)
         finally:
             self._link.drive(permit, 0.0)
 
-    def _follow(self, advance: Callable[[WheelState], StoppedBy | bool], permit: int) -> StoppedBy | None:
-        """Call ``advance`` with each datum, the last one first."""
+    def _follow(self, advance: Advance, permit: int, *, is_waiting: bool = False) -> StoppedBy | None:
+        """Call ``advance`` with each datum, the last one first. ``is_waiting``: it may stand as long as it
+        likes."""
         epoch, at, last, moved_at = self._link.epoch, -1.0, None, inf
         while True:
             if not self._pace.sleep(0.0) or permit != self._link.permit:
@@ -529,12 +529,8 @@ class PlayerRobot:
             end = advance(now)
             if end is not False:
                 return None if end is True else end
-            if now.time - moved_at > STUCK:
+            if now.time - moved_at > STUCK and not is_waiting:
                 return StoppedBy.STALL
-
-    def _met(self, end: StoppedBy | None, way: float) -> Met | None:
-        is_something = end in (StoppedBy.OBSTACLE, StoppedBy.COLLISION)
-        return Met(SOMETHING, "", way) if is_something else None
 
     def _require_link(self) -> None:
         if self._is_lost or not self._link.is_there:
@@ -560,13 +556,7 @@ class PlayerRobot:
 
     def _wait(self, is_over: Callable[[WheelState], bool]) -> bool:
         """False if it was cut short. RobotProblem ``link-lost``."""
-        permit = self._link.permit
-
-        def advance(now: WheelState) -> StoppedBy | bool:
-            return is_over(now) or (StoppedBy.STALL if permit != self._link.permit else False)
-
-        while (end := self._follow(advance, permit)) is StoppedBy.STALL:
-            pass  # it waits on purpose
+        end = self._follow(is_over, self._link.permit, is_waiting=True)
         if end is StoppedBy.LINK:
             self._require_link()
         return end is None
@@ -596,28 +586,22 @@ class PlayerRobot:
         return known[bearing]
 
     def known_distances(self) -> Mapping[Bearing, int]:
-        nearest: dict[Bearing, float] = {}
-        for yaw, metres, width in self._readings(SONARS):
-            for bearing in Bearing:
-                if abs(normal(-yaw - bearing.value)) <= width:
-                    nearest[bearing] = min(metres, nearest.get(bearing, inf))
+        known = {bearing: self._nearest(bearing) for bearing in Bearing}
         return {
-            bearing: FARTHEST if nearest[bearing] == inf else round(nearest[bearing] * 100) // 5
-            for bearing in Bearing
-            if bearing in nearest
+            bearing: FARTHEST if metres == inf else round(metres * 100) // 5
+            for bearing, metres in known.items()
+            if metres is not None
         }
 
-    def _free(self, side: Bearing) -> float:
-        """Metres, as far as is known."""
-        ahead = (m for yaw, m, width in self._readings(SONARS) if abs(normal(-yaw - side.value)) <= width)
-        return min(ahead, default=inf)
+    def _nearest(self, side: Bearing) -> float | None:
+        """Metres; None where no sensor looks."""
+        readings = self._readings(SONARS)
+        return min((m for yaw, m, width in readings if abs(normal(-yaw - side.value)) <= width), default=None)
 
     def _readings(self, key: Key) -> Iterator[tuple[float, float, float]]:
         """Of each sample of a ranger: its direction, its metres, and how far from a bearing it may be."""
         newest, geometry = self._link.values(key), self._link.devices.get(key)
-        if newest is None:
-            return
-        [ranges] = newest[1]
+        [ranges] = newest[1] if newest else ((),)
         config = self._link.configurations.get(key, ())
         farthest = config[4] - 0.005 if config else inf
         poses = geometry[-2] if geometry else ()
@@ -638,8 +622,7 @@ class PlayerRobot:
     def _touches(self, *, in_front: bool) -> bool:
         """Whether a bar on that side is pressed; where bars are unknown, the first two are in front."""
         geometry = self._link.devices.get(BUMPERS)
-        poses = geometry[0] if geometry else ((1.0,), (1.0,), (-1.0,), (-1.0,))
-        places = [float(each[0]) for each in poses]
+        places = [each[0] for each in geometry[0]] if geometry else [1.0, 1.0, -1.0, -1.0]
         return any((places[each] >= 0.0) is in_front for each in self._pressed() if each < len(places))
 
     # --- looking round
@@ -683,15 +666,15 @@ class PlayerRobot:
         return self._wait(is_over)
 
     def _stretches(self, direction: float) -> Iterator[Stretch]:
-        newest = self._link.values(CAMERA)
-        if newest is None:
-            return
-        width, _, blobs = newest[1]
+        """As far as the head's sonar would measure it, which is not in the middle."""
+        _, (width, _, blobs) = self._link.values(CAMERA) or (0.0, (1, 1, ()))
+        sonar = self._link.devices.get(HEAD_SONAR)
+        ahead = sonar[-2][0][0] if sonar and sonar[-2] else 0.0
         for _, rgb, _, _, _, left, right, _, _, metres in blobs:
             parts = (rgb >> 16 & 255, rgb >> 8 & 255, rgb & 255)
             family = colour_of("", *(each / 255 for each in parts)).family
             first, last = (direction + (each / width - 0.5) * VIEW for each in (left, right + 1))
-            yield Stretch(first, last, metres, family)
+            yield Stretch(first, last, max(0.0, metres - ahead), family)
 
     # --- what is shown and said there
 

@@ -29,7 +29,8 @@ position
            sonar( pose [ 0 0 0 135 ] ) sonar( pose [ 0 0 0 180 ] ) sonar( pose [ 0 0 0 -135 ] ) )
   bumper ( size [ 0.01 0.01 0.01 ] bcount 4 blength 0.1 bpose[0] [ 0.06 0.03 0 0 ] bpose[1] [ 0.06 -0.03 0 0 ]
            bpose[2] [ -0.06 0.03 0 180 ] bpose[3] [ -0.06 -0.03 0 180 ] )
-  position ( name "head" size [ 0.02 0.02 0.1 ] obstacle_return 0 blob_return 0 ranger ( sonar() )
+  position ( name "head" size [ 0.02 0.02 0.1 ] obstacle_return 0 blob_return 0
+    ranger ( sonar( pose [ 0.05 0 0 0 ] ) )
     blobfinder ( range 5 fov 60 image [ 160 120 ] colors_count 3 colors [ "red" "green" "blue" ] ) )
 )
 """
@@ -167,10 +168,29 @@ def test_a_walk_ends_before_a_wall_and_at_one_that_no_sonar_sees(driven: Driven)
     assert driven.truth()[0] == pytest.approx(-0.45, abs=0.02)
 
 
+def test_a_robot_that_was_blocked_walks_away_and_turns(driven: Driven) -> None:
+    assert driven.robot.backward(40).stopped_by is StoppedBy.COLLISION
+    assert driven.robot.forward(3).walked == 3
+    assert driven.robot.turn(90).stopped_by is None
+
+
+def test_a_wait_may_be_longer_than_a_robot_may_be_stuck(driven: Driven) -> None:
+    before = driven.robot.time()
+
+    assert driven.robot.wait(module.STUCK + 2.0)
+    assert driven.robot.time() - before >= module.STUCK + 2.0 - 1e-6
+
+
+def test_a_robot_that_does_not_move_is_stuck(driven: Driven) -> None:
+    driven.room.stations._loop.drives["alice"].is_held = True
+
+    assert driven.robot.forward(1).stopped_by is StoppedBy.STALL
+
+
 def test_a_scan_turns_the_head_and_sees_colours_with_their_directions(driven: Driven) -> None:
     seen = driven.robot.scan()
 
-    assert [(each.colour, round(each.steps)) for each in seen] == [("blue", 30), ("red", 20), ("green", 20)]
+    assert [(each.colour, round(each.steps)) for each in seen] == [("blue", 29), ("red", 19), ("green", 19)]
     assert [each.degrees for each in seen] == pytest.approx([-90, 0, 90], abs=8)
     assert driven.robot.colours >= {"red", "green", "blue"}
     head = driven.link.values(module.HEAD)

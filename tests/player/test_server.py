@@ -322,3 +322,15 @@ def test_ten_thousand_connections_leave_no_memory_behind(tmp_path: Path) -> None
         tracemalloc.stop()
     assert set(complaints) <= {"player-rubbish"}
     assert len(complaints) <= 1
+
+
+def test_the_simulation_is_no_faster_than_it_should_be(tmp_path: Path) -> None:
+    """A busy machine makes it slower, and what was lost of more than a second is not made up for."""
+
+    async def story(room: Room) -> None:
+        began, time = asyncio.get_running_loop().time(), room.stations._loop.time
+        await until(lambda: room.stations._loop.time > time + 4.0)
+        simulated = room.stations._loop.time - time
+        assert simulated <= 20.0 * (asyncio.get_running_loop().time() - began + module._LATE) + 0.2
+
+    play(tmp_path, story)

@@ -226,6 +226,7 @@ def test_a_belt_a_sound_and_a_gripper_are_events(lesson: Lesson) -> None:
         frame = "".join("B" if cell == 25 else "P" for cell in range(36))
         client.send(12, 1, 2, 1, frame)
         other = lesson.wait_for(lambda event: isinstance(event, BeltShown)).event
+        client.send(66, 0, 2, 1, b"/etc/passwd".ljust(64, b"\0"))  # no cue, and no file is opened
         client.send(66, 0, 2, 1, b"/home/donnie/sounds/bump.wav".ljust(64, b"\0"))
         cue = lesson.wait_for(lambda event: isinstance(event, CueSounded)).event
 

@@ -77,3 +77,20 @@ def test_a_file_that_does_not_fit_is_refused(tmp_path: Path, name: str, text: st
 
     assert done.returncode == 2
     assert said in done.stderr
+
+
+def test_another_address_than_that_of_this_machine_is_said_to_be_open(tmp_path: Path) -> None:
+    one, other = free_ports()
+    text = CONFIGURATION.replace("7665", str(one)).replace("7666", str(other))
+    arguments = command(str(write_room(tmp_path, text)), "--host", "0.0.0.0")
+    with subprocess.Popen(arguments, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        lines = [process.stdout.readline() for _ in range(2)]
+        process.send_signal(signal.SIGINT)
+        code = process.wait(20)
+
+    assert lines == [
+        "Every program that reaches this address can drive the robots. No password protects it.\n",
+        f"Programs can connect to 0.0.0.0, port {one}, {other}.\n",
+    ]
+    assert code == 0
