@@ -179,14 +179,11 @@ def _pictures(order: Order) -> tuple[tuple[str, str | None], ...]:
 
 def _draw(order: Order, recording: Recording, closing: ExitStack) -> int:
     """Write the pictures that are asked for, with the goals of a challenge, and print the path in words."""
-    from donnie_tui.core.chart import chart
     from donnie_tui.core.goals import places_of
-    from donnie_tui.core.paper import raised_picture
     from donnie_tui.core.program_files import DocumentError, write_bytes
     from donnie_tui.world.loading import choose_challenge, moved_to
-    from donnie_tui.world.run_picture import DrivenPath, as_picture, run_picture
+    from donnie_tui.world.run_picture import DrivenPath, as_picture, on_swell_paper, run_picture
     from sim.picture import drawings
-    from sim.picture import picture as seen_by_first
 
     words = order.words
     if recording.header is None:
@@ -198,8 +195,8 @@ def _draw(order: Order, recording: Recording, closing: ExitStack) -> int:
     paths = tuple(DrivenPath(robot, poses) for robot, poses in trails if poses)
     if not paths:
         raise Unusable(words("trail-none"))
-    scene = moved_to(world.scene, timeline.things)
-    title, shown = words("paper-title", name=world.title(words.language)), drawings(scene)
+    title = words("paper-title", name=world.title(words.language))
+    shown = drawings(moved_to(world.scene, timeline.things))
     challenge = order.invocation.arguments.challenge
     goals = () if challenge is None else places_of(choose_challenge(challenge, words).rules)
     picture = run_picture(title, shown, paths, words, goals)
@@ -212,10 +209,8 @@ def _draw(order: Order, recording: Recording, closing: ExitStack) -> int:
             if option != "--swell":
                 content = as_picture(picture, f".{option.removeprefix('--')}")
             else:
-                seen = seen_by_first(scene)
-                plan = chart(seen, world.start(), next(iter(scene.robot_names), None), words)
                 driven = [path.poses for path in paths]
-                content = raised_picture(title, plan, seen, shown, words, driven).encode()
+                content = on_swell_paper(world, timeline.things, driven, words).encode()
             write_bytes(Path(name), content)
         except DocumentError as problem:
             raise Unusable(words(problem.code, path=problem.path, reason=problem.reason)) from None

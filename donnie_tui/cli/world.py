@@ -311,13 +311,9 @@ def _title(world: ChosenWorld, words: Words) -> str:
 
 
 def _raised_picture(world: ChosenWorld, words: Words) -> str:
-    from donnie_tui.core.chart import chart
-    from donnie_tui.core.paper import raised_picture
-    from sim.picture import drawings, picture
+    from donnie_tui.world.run_picture import on_swell_paper
 
-    seen = picture(world.scene)
-    plan = chart(seen, world.start(), _robot(world), words)
-    return raised_picture(_title(world, words), plan, seen, drawings(world.scene), words)
+    return on_swell_paper(world, (), (), words)
 
 
 def _written(option: str, path: str, text: str, words: Words) -> str:

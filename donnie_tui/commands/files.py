@@ -346,13 +346,14 @@ async def save_log(ctx: Context, argument: str) -> None:
 async def report(ctx: Context, argument: str) -> None:
     """REPORT map map.html; with .csv a table, with .txt sentences. A run is said where no file is named."""
     from donnie_tui.i18n.help import sections
-    from donnie_tui.world.run_picture import as_picture, plot_as_png
+    from donnie_tui.world.run_picture import as_picture, on_swell_paper, plot_as_png
 
     wanted = reports.asked(argument)
     if wanted is None:
         raise NotUnderstood
     (what, name), words = wanted, ctx.words
-    robot = ctx.donnie.session.hub.robot
+    robot, timeline = ctx.donnie.session.hub.robot, ctx.donnie.chronicle.timeline()
+    paths = [ctx.trail.path] if ctx.trail.path else []
     subject = reports.Subject(
         ctx.program.lines,
         ctx.donnie.session.pose,
@@ -360,10 +361,11 @@ async def report(ctx: Context, argument: str) -> None:
         ctx.trail,
         (*words.help(None)[1:], *(help_line(each, words) for each in COMMANDS if not each.is_visual)),
         sections(words),
-        [each for each in ctx.donnie.chronicle.timeline().events if each.robot == robot],
+        [each for each in timeline.events if each.robot == robot],
         dict(ctx.runs.variables_during),
         partial(as_picture, _run_picture(ctx)),
         plot_as_png,
+        partial(on_swell_paper, ctx.donnie.world, timeline.things, paths, words),
     )
     if not name:
         ctx.say(*ctx.counted(reports.in_sentences(what, subject, words)))

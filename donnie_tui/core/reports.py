@@ -1,4 +1,4 @@
-"""REPORT: help, manual, program, map, trail, run or distances as a file.
+"""REPORT: help, manual, program, map, trail, run, distances or a sheet for swell paper as a file.
 
 A web page has headings for screen readers that jump by them; a name that ends in ``.csv`` gives a table for
 spreadsheets, one that ends in ``.txt`` the sentences. What has a picture is the picture alone where the name
@@ -44,6 +44,7 @@ _COLUMNS = {
 _MOST_MOVES = 1000
 _PAGES = (".html", ".htm", ".csv", ".txt")
 _PICTURES = {"run": (".svg", ".png", ".gif"), "distances": (".svg", ".png")}
+_PAPER = "paper"
 
 
 class Subject(Struct, frozen=True):
@@ -65,6 +66,8 @@ class Subject(Struct, frozen=True):
     run_picture: Callable[[str], bytes] = lambda _suffix: b""
     """The run as a picture, for the end of a file's name."""
     plot_as_png: Callable[[Plot], bytes] = lambda _plot: b""
+    paper: Callable[[], str] = str
+    """The world with the driven path for swell paper, as SVG."""
 
 
 def asked(typed: str) -> tuple[str, str] | None:
@@ -76,12 +79,12 @@ def asked(typed: str) -> tuple[str, str] | None:
     what = meant(word, "reports")
     if what is None or not (name.strip() or what in _PICTURES):
         return None
-    return what, with_suffix(name.strip(), ".html")
+    return what, with_suffix(name.strip(), ".svg" if what == _PAPER else ".html")
 
 
 def suffixes_of(what: str) -> tuple[str, ...]:
     """How the name of its file may end."""
-    return (*_PAGES, *_PICTURES.get(what, ()))
+    return (".svg",) if what == _PAPER else (*_PAGES, *_PICTURES.get(what, ()))
 
 
 def with_suffix(typed: str, suffix: str) -> str:
@@ -93,6 +96,8 @@ def with_suffix(typed: str, suffix: str) -> str:
 def report(what: str, name: str, subject: Subject, wording: Wording) -> bytes:
     """What the file ``name`` has in it."""
     suffix = Path(name).suffix.lower()
+    if what == _PAPER:
+        return subject.paper().encode()
     if suffix in _PICTURES.get(what, ()):
         if what == "run":
             return subject.run_picture(suffix)

@@ -31,8 +31,10 @@ if TYPE_CHECKING:
     from PIL.Image import Image
     from PIL.ImageDraw import ImageDraw
 
+    from donnie_tui.core.events import PlacedThing
     from donnie_tui.core.goals import GoalPlace
     from donnie_tui.core.reports import Plot
+    from donnie_tui.world.loading import ChosenWorld
     from sim.picture import Drawing, Thing
 
 _Point = tuple[float, float]
@@ -52,6 +54,25 @@ FRAME = 0.1
 _WALL, _OTHER, _INK = "#444444", "#bbbbbb", "#000000"
 _PATHS = ("#7b2cbf", "#006d5b", "#9d0208", "#003049")
 """Dark enough on white for lines (at least 4.5 to 1)."""
+
+
+def on_swell_paper(
+    world: ChosenWorld, things: tuple[PlacedThing, ...], paths: Sequence[Sequence[Pose]], wording: Wording
+) -> str:
+    """A sheet for swell paper: the world with these things moved, and where robots drove from their starts.
+
+    ``things`` that are not named stand where they did at the start.
+    """
+    from donnie_tui.core.chart import chart
+    from donnie_tui.core.paper import raised_picture
+    from donnie_tui.world.loading import moved_to
+    from sim.picture import drawings, picture
+
+    scene = moved_to(world.scene, things)
+    seen = picture(scene)
+    plan = chart(seen, world.start(), next(iter(scene.robot_names), None), wording)
+    title = wording("paper-title", name=world.title(wording.language))
+    return raised_picture(title, plan, seen, drawings(scene), wording, paths)
 
 
 class DrivenPath(Struct, frozen=True):

@@ -36,7 +36,7 @@ ARGUMENTS = {
     "language": ("en", "nonsense"),
     "line": ("2", "99", "0", "nonsense"),
     "lines": ("2", "2 3", "3 2", "99", "nonsense"),
-    "report-file": ("list list.html", "map map.csv", "nonsense"),
+    "report-file": ("list list.html", "map map.csv", "map map.png", "paper sheet", "nonsense"),
     "robot": ("donnie", "nonsense"),
     "row": ("0", "999", "nonsense"),
     "setting": ("speech", "speech off", "speech nonsense", "page ask", "clock on", "theme light", "nonsense"),

@@ -127,6 +127,6 @@ def test_help_of_report_lists_the_possible_reports(language: str) -> None:
 
     subjects = [asked(f"{word} x") for line in said for word in re.findall(r"\w+", line)[1:]]
     assert sorted(found[0] for found in subjects if found) == [
-        *("distances", "help", "list", "manual", "map", "run", "trail")
+        *("distances", "help", "list", "manual", "map", "paper", "run", "trail")
     ]
     assert max(map(len, said)) <= 40

@@ -264,6 +264,21 @@ def test_what_has_no_such_form_is_refused(
     assert not [*tmp_path.glob("*.png"), *tmp_path.glob("*.gif")]
 
 
+def test_the_driven_path_is_felt_on_a_sheet_for_swell_paper(open_script: OpenScript, tmp_path: Path) -> None:
+    script = open_script()
+    script.run("FW 2\nTR 90\nFW 1")
+    script.rest()
+
+    assert script.answers_to("REPORT paper sheet") == ["Wrote sheet.svg."]
+    assert script.answers_to("REPORT paper sheet.png") == [
+        "A report of paper can't end in .png. It can in .svg."
+    ]
+
+    sheet = (tmp_path / "sheet.svg").read_text()
+    assert 'width="210mm"' in sheet
+    assert sheet.count("stroke-dasharray") == 2  # the path, and its sample in the key
+
+
 def test_a_run_without_a_file_is_said(open_script: OpenScript) -> None:
     script = open_script()
     assert script.answers_to("REPORT distances") == ["Nothing was measured yet."]
