@@ -337,6 +337,15 @@ def has_shell_above() -> bool:
         return False
 
 
+def has_unread(number: int) -> bool:
+    """Whether something waits in that terminal or pipe and was not read yet."""
+    try:
+        ready, _, _ = select.select([number], [], [], 0)
+        return bool(ready) and not is_hung_up(number)
+    except (OSError, ValueError):
+        return False
+
+
 def is_hung_up(number: int) -> bool:
     """Whether that file is a terminal that is gone; a pipe whose writer is done is none."""
     poll = select.poll()

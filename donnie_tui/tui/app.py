@@ -104,6 +104,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             self._state_folder / UNSAVED,
             stop_all=lambda: self.do("stop_all"),
             repaint=self.repaint,
+            after_keys=self._keyboard.when_taken,
         )
 
     def _start_controller(self, donnie: Donnie) -> None:
@@ -220,6 +221,8 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
 
     def do(self, name: str, argument: str | None = None) -> None:
         """Run a command of the table."""
+        if self.session.is_leaving:
+            return
         if self.controller is not None:
             self._await(self.controller.do(name, argument))
         else:
@@ -236,7 +239,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             self.controller.look_at(event.step)
 
     def on_command_line_typed(self, event: CommandLine.Typed) -> None:
-        if self.controller is not None:
+        if self.controller is not None and not self.session.is_leaving:
             self._await(self.controller.run_line(event.text))
 
     def _await(self, asking: Awaitable[None] | None) -> None:

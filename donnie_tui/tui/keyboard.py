@@ -14,6 +14,7 @@ from textual.binding import Binding, BindingsMap
 from textual.widgets import Input, TextArea
 
 from donnie_tui.commands.keys import MENU, PALETTE, KeyTable, after_menu, key_label
+from donnie_tui.process.signals import has_unread
 from donnie_tui.tui.key_queue import Dialogs, KeyQueue
 from donnie_tui.tui.screens.main_screen import MainScreen
 from donnie_tui.tui.startup import SessionHandle
@@ -21,6 +22,9 @@ from donnie_tui.tui.startup import SessionHandle
 if TYPE_CHECKING:
     from donnie_tui.i18n.words import Words
     from donnie_tui.tui.screens.pages import KeyMenu
+
+LOOK, LOOKS = 0.02, 25
+"""Seconds between two looks whether all that was typed is taken, and how many looks there are."""
 
 STOPS = ("stop", "stop_all")
 """Commands that run at once, whatever was typed before."""
@@ -146,6 +150,19 @@ class Keyboard:
     def release(self) -> None:
         """Take the keys that had to wait."""
         self._queue.do(lambda: None)
+
+    def when_taken(self, command: Callable[[], None], looks: int = LOOKS) -> None:
+        """Do it once what was typed has been taken, which has to be soon: some keys may never be."""
+        self._app.call_later(self._when_taken, command, looks)
+
+    def _when_taken(self, command: Callable[[], None], looks: int) -> None:
+        is_read = looks < LOOKS and not has_unread(0)  # at the second look what was read is here, too
+        if looks and (self._must_wait() or not is_read):
+            self._app.set_timer(LOOK, lambda: self.when_taken(command, looks - 1))
+        elif looks:
+            self._queue.do(command)
+        else:
+            command()
 
     def act(self, name: str) -> None:
         """A key of this command was pressed. Stopping comes first, all else after what was typed before."""

@@ -57,10 +57,14 @@ class Shutdown:
         *,
         stop_all: Callable[[], object],
         repaint: Callable[[], object],
+        after_keys: Callable[[Callable[[], None]], object],
     ) -> None:
-        """``folder`` holds the copies; ``stop_all`` is as the key of that name."""
+        """``folder`` holds the copies; ``stop_all`` is as the key of that name.
+
+        ``after_keys`` does something once what was typed before has been taken.
+        """
         self._app, self._session, self._folder = app, session, folder
-        self._stop_all, self._repaint = stop_all, repaint
+        self._stop_all, self._repaint, self._after_keys = stop_all, repaint, after_keys
         self._watchdog: ScreenWatchdog | None = None
         self._readers: ReaderWatch | None = None
         """Of a page: the server may be gone."""
@@ -130,8 +134,13 @@ class Shutdown:
             self._watchdog.answered.set()
 
     def leave(self, number: int) -> None:
-        """As that signal wants it."""
+        """As that signal wants it. What was typed before may still be on its way to the program."""
         self._session.halt()
+        self._session.keep_text()
+        self._session.is_leaving = True
+        self._after_keys(lambda: self._go(number))
+
+    def _go(self, number: int) -> None:
         self._session.keep_text()
         self._app.exit(128 + number)
 

@@ -24,6 +24,7 @@ from donnie_tui.tui.screens.main_screen import MainScreen
 
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
+    from donnie_tui.core.recovery import UnsavedCopy
     from donnie_tui.tui.controller import ScreenController, ScreenState
 
 _TITLES = ("pane-program-empty", "pane-map-empty", "pane-inspector", "pane-log")
@@ -44,10 +45,14 @@ class SessionHandle:
         ``typed`` is the program that was typed before there is a session; it is kept in ``copies``.
         """
         self._search, self._typed, self._copies = search, typed, copies
+        self._copy: UnsavedCopy | None = None
+        """Of what was typed before there is a session, once it was written."""
         self.assembled: Donnie | None = None
         """Kept so that ``close`` ends it, too, where the learner leaves before there is a controller."""
         self.controller: ScreenController | None = None
         """None until it is loaded."""
+        self.is_leaving = False
+        """After a signal: what was typed before is text, and no command any more."""
 
     @property
     def runs(self) -> bool:
@@ -97,14 +102,17 @@ class SessionHandle:
         """Write the unsaved copies, for the next start."""
         if self.controller is not None:
             self.controller.workspace.write_copies()
+            if self._copy is not None:
+                self._copy.want_none()
+                self._copy.write_quietly()
             self.controller.donnie.rescue_world()
         elif self._copies is not None and (text := self._typed()).strip():
             from donnie_tui.core.recovery import CopyFolder, UnsavedCopy
 
-            copy = UnsavedCopy(CopyFolder(str(self._copies)))
-            copy.want(text if text.endswith("\n") else f"{text}\n")
-            copy.write_quietly()
-            self._copies = None  # once is enough
+            if self._copy is None:
+                self._copy = UnsavedCopy(CopyFolder(str(self._copies)))
+            self._copy.want(text if text.endswith("\n") else f"{text}\n")
+            self._copy.write_quietly()
 
     def code_at_end(self, code: int, report: Callable[[str], object]) -> int:
         """See ``Donnie``; after ``close``."""

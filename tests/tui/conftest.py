@@ -190,10 +190,12 @@ def terminal(tmp_path: Path) -> Iterator[Callable[..., Any]]:
         rows: int = 24,
         controls: bool = False,
         is_job: bool = False,
+        until: str = "",
         **environment: str,
     ) -> Terminal:
+        """``until``: what it shows when it is returned; by default that it is ready."""
         opened.append(Terminal(list(arguments), tmp_path, columns, rows, environment, controls, is_job))
-        opened[-1].shows("Command line." if "--plain" in arguments else "READY")
+        opened[-1].shows(until or ("Command line." if "--plain" in arguments else "READY"))
         return opened[-1]
 
     yield open_one

@@ -104,6 +104,18 @@ def test_a_signal_halts_keeps_the_text_and_gives_the_terminal_back(terminal, tmp
     assert [each.read_text(encoding="utf-8") for each in copies] == ["FW 1000\n"]
 
 
+def test_what_is_typed_before_the_session_is_loaded_is_kept_at_a_signal_in_the_same_moment(
+    terminal, tmp_path
+):
+    donnie = terminal(until="Screen reader?")
+    donnie.type("FW 123")
+    donnie.process.send_signal(signal.SIGHUP)
+
+    assert donnie.ended() == 128 + signal.SIGHUP
+    copies = list((tmp_path / ".local/state/donnie/unsaved").glob("*.gd"))
+    assert [each.read_text(encoding="utf-8") for each in copies] == ["FW 123\n"]
+
+
 @pytest.mark.parametrize("controls", [True, False], ids=["heard", "unheard"])
 def test_a_lost_line_halts_and_keeps_the_text(terminal, tmp_path, controls):
     """As when SSH breaks off: no reader and no keys, with and without the hang-up signal."""
