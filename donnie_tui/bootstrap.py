@@ -32,6 +32,7 @@ from donnie_tui.robot.connection import Connection
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.folders import (
     BREAKPOINTS,
+    PROGRESS,
     RECENT,
     UNSAVED,
     UNSAVED_WORLD,
@@ -48,6 +49,7 @@ from donnie_tui.world.loading import (
     inhabited_world,
     inventory_of,
     robot_put_in,
+    solution_of,
     started_at,
 )
 
@@ -55,7 +57,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from donnie_tui.core.goals import Inventory, Judgment, Unsensed
-    from donnie_tui.core.program_files import FilesInUse
+    from donnie_tui.core.program_files import FilesInUse, ProgressFile
     from donnie_tui.world.building import Building
     from sim.picture import Drawing, Picture
     from sim.sensors import Mounted
@@ -277,7 +279,11 @@ def _assembled(
         service.start()
         about_robot += service.notices
     notices = Notices(
-        (*robot_put_in(world, words), *_task(world, words), *(() if world.ships else _remarks(world, words))),
+        (
+            *robot_put_in(world, words),
+            *task_on_arrival(world, words),
+            *(() if world.ships else _remarks(world, words)),
+        ),
         tuple(words(each.code, **each.values) for each in settings.notices),
         audible.notices + (_decided(audible, words) if terminal else ()),
         belt_news() + about_robot,
@@ -285,13 +291,24 @@ def _assembled(
     return Donnie(words, Site(world), team, connection, chronicle, outlets, notices, shared, closing)
 
 
-def _task(world: ChosenWorld, words: Words) -> tuple[str, ...]:
-    """What the challenge asks for, if there is one."""
+def task_on_arrival(world: ChosenWorld, words: Words) -> tuple[str, ...]:
+    """What the challenge asks for, if there is one, and the challenges that should be solved before."""
     if world.challenge is None:
         return ()
     from donnie_tui.core.describe import task_in_words
 
-    return task_in_words(world.challenge, words, world.title(words.language))
+    solved = progress().solved
+    before = [each for each in world.challenge.rules.after if each not in solved]
+    titles = ", ".join(world.challenge.title_of(each, words.language) for each in before)
+    advice = (words("challenge-after", titles=titles),) if titles else ()
+    return (*task_in_words(world.challenge, words, world.title(words.language)), *advice)
+
+
+def progress() -> ProgressFile:
+    """What was done for challenges, in all sessions."""
+    from donnie_tui.core.program_files import ProgressFile
+
+    return ProgressFile(f"{state_path(os.environ)}/{PROGRESS}")
 
 
 def _remarks(world: ChosenWorld, words: Words) -> tuple[str, ...]:
@@ -433,19 +450,6 @@ def starts_of(
 
 Programs: TypeAlias = str | Mapping[str, str]
 """The program of the first robot, or those of several, by the robots' names."""
-
-
-def solution_of(challenge: Challenge, world: ChosenWorld, words: Words) -> dict[str, str]:
-    """The solution, for each robot that needs one. Raises ``Unusable`` if that of the first can't be read."""
-    from donnie_tui.core.program_files import DocumentError, checked_path, exists, read_to_the_end
-
-    first, *others = world.scene.robot_names
-    files = {each: challenge.solution_of(each) for each in others}
-    files = {first: challenge.solution, **{name: file for name, file in files.items() if exists(file)}}
-    try:
-        return {name: read_to_the_end(checked_path(file)) for name, file in files.items()}
-    except DocumentError as error:
-        raise Unusable(words(error.code, path=error.path, reason=error.reason)) from None
 
 
 def judge_program(

@@ -255,6 +255,17 @@ class Challenge(Struct, frozen=True):
         """In English where the language is missing."""
         return self.texts.get(language, self.texts[ENGLISH])
 
+    def title_of(self, name: str, language: str) -> str:
+        """Of another challenge, which ships or is next to this one; its name if it can't be read."""
+        try:
+            return (
+                find(name if name in names() else str(self.path.with_name(f"{name}{SUFFIX}")))
+                .text(language)
+                .title
+            )
+        except BadChallenge:
+            return name
+
     @property
     def world(self) -> str:
         """The name of a built-in world, or the path of a file in the folder."""
@@ -323,8 +334,11 @@ def find(name: str) -> Challenge:
     path = Path(name)
     if path.suffix == SUFFIX:
         return read(path)
-    if len(files_in(name)) == 1:
-        return read(files_in(name)[0])
+    found = files_in(name)
+    if len(found) == 1:
+        return read(found[0])
+    if is_allowed(path) and f"{path.name}{SUFFIX}" in _files_in_folder(path, SUFFIX):
+        return read(path.with_name(f"{path.name}{SUFFIX}"))
     raise BadChallenge("challenge-unknown", path, what=name, known=ours)
 
 

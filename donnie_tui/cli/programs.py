@@ -20,10 +20,10 @@ from pathlib import Path
 
 from msgspec import Struct
 
-from donnie_tui.bootstrap import Programs, judge_events, judge_program, solution_of, starts_of
+from donnie_tui.bootstrap import Programs, judge_events, judge_program, starts_of
 from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.streams import Output
-from donnie_tui.core.describe import verdict_in_words
+from donnie_tui.core.describe import task_in_words, verdict_in_words
 from donnie_tui.core.events import RunStarted, Stamped
 from donnie_tui.core.goals import Judgment, Unsensed, folded
 from donnie_tui.core.program_files import (
@@ -40,7 +40,7 @@ from donnie_tui.i18n.mistakes import remark
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.process.confinement import is_allowed, make_folder
 from donnie_tui.settings.settings import SettingSource
-from donnie_tui.world.loading import choose_challenge, inventory_of, world_of
+from donnie_tui.world.loading import choose_challenge, inventory_of, solution_of, world_of
 from language.checker import check as hints_for
 from language.diagnostics import MOST_MISTAKES, Diagnostic, Severity
 from language.formatter import formatted
@@ -251,7 +251,9 @@ def _list_challenges(order: Order) -> int:
             ladder = challenges.ladder_of(name)
             order.output.line(order.words(f"ladder-{ladder}"))
         title = found.text(order.words.language).title
-        order.output.line(order.words("challenge-listed", number=number, name=name, title=title))
+        level = order.words(f"difficulty-{found.rules.difficulty.value}")
+        values = {"name": name, "title": title, "difficulty": level}
+        order.output.line(order.words("challenge-listed", number=number, **values))
     return ExitCode.DONE
 
 
@@ -408,6 +410,8 @@ def _test_challenge(order: Order, name: str) -> int:
     return ExitCode.DONE
 
 
+MOST_SENTENCES = 5
+"""On arrival: title and world, the task, and its limits."""
 LONGEST_LINE = 80
 """Characters of a line that is spoken at once."""
 
@@ -419,6 +423,10 @@ def _faults_of_words(found: challenges.Challenge, words: Words) -> Iterator[str]
         if len(text.hint) != wanted:
             values = {"language": language, "count": len(text.hint), "wanted": wanted}
             yield words("challenge-test-hints", name=found.name, **values)
+        count = len(task_in_words(found, Words(language)))
+        if count > MOST_SENTENCES:
+            values = {"language": language, "count": count - 1, "most": MOST_SENTENCES - 1}
+            yield words("challenge-test-sentences", name=found.name, **values)
         for line in (text.title, *text.sentences, *(each.text for each in text.hint)):
             if len(line) > LONGEST_LINE:
                 values = {"count": len(line), "most": LONGEST_LINE, "text": line}

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections import deque
 from collections.abc import Mapping, Sequence
 from functools import cached_property
@@ -10,7 +9,14 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
-from donnie_tui.bootstrap import Donnie, Start, judge_events, judge_program, solution_of, starts_of
+from donnie_tui.bootstrap import (
+    Donnie,
+    Start,
+    judge_events,
+    judge_program,
+    progress,
+    starts_of,
+)
 from donnie_tui.commands.declarations import BY_NAME
 from donnie_tui.commands.interaction import Interaction, Screen
 from donnie_tui.commands.lookup import word_of
@@ -38,14 +44,14 @@ from donnie_tui.core.run_state import RunErrors
 from donnie_tui.core.transcript import lines_with_robot_name, with_robot_name
 from donnie_tui.core.wording import shown_name
 from donnie_tui.i18n.words import Unusable
-from donnie_tui.settings.folders import PROGRESS, state_path
+from donnie_tui.world.loading import solution_of
 
 if TYPE_CHECKING:
     from donnie_tui.core.document import Document
     from donnie_tui.core.goals import GoalPlace, Judgment, Unsensed
     from donnie_tui.core.line_history import LineHistory
     from donnie_tui.core.map_grid import MapGrid
-    from donnie_tui.core.program_files import Attempted, ProgressFile
+    from donnie_tui.core.program_files import Attempted
     from donnie_tui.core.questions import Asked
     from donnie_tui.core.workspace import Workspace
     from worlds.challenges import Challenge, Rules
@@ -234,7 +240,7 @@ class Attempt:
         """The places of the goals."""
         from donnie_tui.core.goals import places_of
 
-        return places_of(self.challenge.rules)
+        return places_of(self.rules)
 
     @property
     def now(self) -> Judgment:
@@ -361,10 +367,3 @@ class Attempt:
     def close(self) -> None:
         self.keep_try()
         self._unsubscribe()
-
-
-def progress() -> ProgressFile:
-    """What was done for challenges, in all sessions."""
-    from donnie_tui.core.program_files import ProgressFile
-
-    return ProgressFile(f"{state_path(os.environ)}/{PROGRESS}")

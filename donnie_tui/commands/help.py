@@ -5,7 +5,8 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING
 
-from donnie_tui.commands.context import Context, progress
+from donnie_tui.bootstrap import progress
+from donnie_tui.commands.context import Context
 from donnie_tui.commands.declarations import BY_NAME, COMMANDS
 from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import Option
@@ -187,7 +188,7 @@ async def _enter_challenge(ctx: Context, typed: str) -> None:
 
 
 def _challenge_options(ctx: Context) -> list[Option]:
-    solved = {each.name for each in progress().attempts() if each.solved}
+    solved = progress().solved
     current, options = ctx.donnie.world.challenge, []
     for number, name in enumerate(challenges.names(), start=1):
         found = challenges.find(name)
@@ -210,7 +211,7 @@ async def next_challenge(ctx: Context, _: str) -> None:
     """The challenge after this one; outside of a challenge the first one that is not solved."""
     current = ctx.donnie.world.challenge
     if current is None:
-        solved = {each.name for each in progress().attempts() if each.solved}
+        solved = progress().solved
         following = next((each for each in challenges.names() if each not in solved), None)
     else:
         following = challenges.after(current.name)
@@ -320,9 +321,11 @@ async def results(ctx: Context, _: str) -> None:
         hints, bumps = max(given, *(each.hints for each in tries)), sum(each.bumps for each in tries)
         lines.append(ctx.words(code, title=title, tries=len(tries), hints=hints, bumps=bumps))
         best = min((each for each in tries if each.solved), key=lambda each: each.steps, default=None)
-        if best is not None and best.shortest:
-            values = {"steps": best.steps, "shortest": best.shortest, "seconds": best.seconds}
-            lines.append(ctx.words("results-way", **values))
+        one = best or tries[-1]
+        if one.seconds:
+            code = "results-way" if one.shortest else "results-time"
+            values = {"steps": one.steps, "shortest": one.shortest, "seconds": one.seconds}
+            lines.append(ctx.words(code, **values))
         asked = max((each for each in tries if each.questions), key=lambda each: each.right, default=None)
         if asked is not None:
             lines.append(ctx.words("questions-done", right=asked.right, questions=asked.questions))

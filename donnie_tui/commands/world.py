@@ -7,7 +7,7 @@ from functools import partial
 from msgspec.structs import replace
 
 from devices.ports.robot import Pose
-from donnie_tui.bootstrap import Donnie
+from donnie_tui.bootstrap import Donnie, task_on_arrival
 from donnie_tui.commands.arguments import read_count, read_numbers
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.dispatch import handles
@@ -389,15 +389,14 @@ def settings_there(donnie: Donnie, settings: Settings, name: str) -> Settings:
 
 def say_arrival(donnie: Donnie, *, is_silent: bool) -> None:
     """Say what the other world has. ``is_silent``: SOUND OFF was typed in the one before."""
-    from donnie_tui.core.describe import arrived, task_in_words
+    from donnie_tui.core.describe import arrived
     from donnie_tui.world.loading import robot_put_in
 
     if is_silent:
         donnie.session.hub.publish(SoundSwitched(False))
     about = donnie.world.about(donnie.words.language)
     if donnie.world.challenge is not None:
-        title = donnie.world.title(donnie.words.language)
-        donnie.publish_answers(*task_in_words(donnie.world.challenge, donnie.words, title))
+        donnie.publish_answers(*task_on_arrival(donnie.world, donnie.words))
     else:
         donnie.publish_answers(*arrived(donnie.world.name, about, donnie.picture(), donnie.words))
     donnie.publish_answers(*robot_put_in(donnie.world, donnie.words))

@@ -22,6 +22,7 @@ import worlds.words
 from devices.ports.robot import Pose
 from donnie_tui.core.transcript import with_robot_name
 from donnie_tui.core.wording import (
+    COMPASS,
     Wording,
     called,
     coloured,
@@ -369,7 +370,6 @@ def _folded(typed: str) -> str:
 
 # --- challenges
 
-_COMPASS = ("north", "northeast", "east", "southeast", "south", "southwest", "west", "northwest")
 MOST_SENTENCES = 4
 """Of one verdict."""
 
@@ -401,7 +401,7 @@ def shortfall_in_words(shortfall: Shortfall, room: Inventory, wording: Wording) 
     values = dict(shortfall.values)
     if "direction" in values:
         at = round(cast("float", values["direction"]) / 45) % 8
-        values["direction"] = wording(f"compass-{_COMPASS[at]}")
+        values["direction"] = wording(f"compass-{COMPASS[at]}")
     if "word" in values:
         values["word"] = keywords.spelling(str(values["word"]), wording.language)
     if "target" in values:

@@ -452,6 +452,11 @@ class ProgressFile:
                     found.append(convert(named, Attempted, strict=False))
         return tuple(found)
 
+    @property
+    def solved(self) -> frozenset[str]:
+        """The names of the challenges that were solved."""
+        return frozenset(each.name for each in self.attempts() if each.solved)
+
     def add(self, attempt: Attempted) -> None:
         from pathlib import Path
 

@@ -16,6 +16,7 @@ from donnie_tui.core.describe import target_in_words
 from donnie_tui.core.goals import Inventory, Item, Track, Unsensed, bearing, gap_to
 from donnie_tui.core.wording import COMPASS, Wording, called, coloured, meant, the_coloured
 from language import keywords
+from language.suggestions import number_in_digits
 from worlds.challenges import Ask, ChallengeQuestion, Rules
 
 TOLERANCES = {Ask.DIRECTION: 30.0, Ask.DISTANCE: 2.0}
@@ -65,15 +66,17 @@ class Asked(Struct, frozen=True):
                 return wording(code, numbers=" ".join(map(str, self._order())))
 
     def is_right(self, typed: str) -> bool:
-        """Whether the learner knows it."""
+        """Whether the learner knows it. Numbers may be words."""
+        typed = " ".join(number_in_digits(each.strip(".,")) or each for each in typed.split())
         question = self.question
         default = TOLERANCES.get(question.ask, 0.0)
         tolerance = default if question.tolerance is None else question.tolerance
         numbers = [float(each.replace(",", ".")) for each in _NUMBER.findall(typed)]
         match question.ask:
             case Ask.DIRECTION:
-                point = meant(typed, "compass")
-                degrees = COMPASS.index(point) * 45.0 if point in COMPASS else next(iter(numbers), None)
+                named = (meant(each, "compass") for each in typed.replace("-", "").strip(".").split())
+                points = [COMPASS.index(each) * 45.0 for each in named if each is not None]
+                degrees = next(iter(points + numbers), None)
                 if degrees is None:
                     return False
                 return abs((degrees - self._direction() + 180) % 360 - 180) <= tolerance

@@ -236,8 +236,23 @@ def world_of(found: Challenge, words: Words, folders: tuple[str, ...] = ()) -> C
     return world
 
 
+def solution_of(challenge: Challenge, world: ChosenWorld, words: Words) -> dict[str, str]:
+    """The solution, for each robot that needs one. Raises ``Unusable`` if that of the first can't be read."""
+    from donnie_tui.core.program_files import DocumentError, checked_path, exists, read_to_the_end
+
+    first, *others = world.scene.robot_names
+    files = {each: challenge.solution_of(each) for each in others}
+    files = {first: challenge.solution, **{name: file for name, file in files.items() if exists(file)}}
+    try:
+        return {name: read_to_the_end(checked_path(file)) for name, file in files.items()}
+    except DocumentError as error:
+        raise Unusable(words(error.code, path=error.path, reason=error.reason)) from None
+
+
 def _with_challenge(found: Challenge, words: Words, folders: tuple[str, ...]) -> ChosenWorld:
     world = world_of(found, words, folders)
+    if not found.rules.goal:
+        solution_of(found, world, words)
     return replace(started_at(world, found.rules.variant[0], words, folders), challenge=found)
 
 

@@ -104,6 +104,34 @@ def test_the_list_says_which_are_solved_and_results_count_tries(open_script: Ope
     ]
 
 
+def test_what_should_be_solved_before_is_said_on_arrival_until_it_is_solved(
+    open_script: OpenScript, tmp_path: Path
+) -> None:
+    file = tmp_path / "it.toml"
+    file.write_text(ASKING.replace("[en]", 'after = ["first_walk", "other", "bad"]\n[en]', 1))
+    file.with_name("other.toml").write_text(ASKING.replace('"T"', '"Before"'))
+    file.with_name("bad.toml").write_text("?")
+
+    def said_first() -> list[str]:
+        return list(open_script(world=f"challenge:{file}").donnie.notices.about_world)
+
+    arrival = ["Challenge: T. World: First room.", "Do."]
+    assert said_first() == [*arrival, "Best solved after: The first walk, Before, bad."]
+    open_script(world="challenge:first_walk").answers_to("FW 5")
+    assert said_first() == [*arrival, "Best solved after: Before, bad."]
+
+
+def test_results_say_the_time_where_there_is_no_way_to_compare(open_script: OpenScript) -> None:
+    script = open_script(world="challenge:first_walk")
+    script.answers_to("FW 4")
+
+    # 4 steps at a step a second.
+    assert script.answers_to("RESULTS")[1:] == [
+        "The first walk: not yet, 1 try, 0 hints, 0 bumps.",
+        "4 seconds.",
+    ]
+
+
 def test_results_count_a_hint_that_was_asked_for_after_the_last_try(open_script: OpenScript) -> None:
     script = open_script(world="challenge:first_walk")
     script.answers_to("FW 4", "HINT")
@@ -151,6 +179,16 @@ def test_a_goal_that_is_met_and_a_solved_challenge_have_cues(open_script: OpenSc
     script.answers_to("FW 4", "SPEAK 4")
 
     assert [each for each in cues if each in ("goal", "solved")] == ["goal", "goal", "solved"]
+
+
+def test_a_challenge_whose_end_is_unknown_is_not_entered(open_script: OpenScript, tmp_path: Path) -> None:
+    """Without goals the end of the solution is the goal."""
+    file = tmp_path / "it.toml"
+    file.write_text('format = 1\nworld = "first_room"\n[en]\ntitle = "T"\ntask = "Do."\n')
+    file.with_name("it.solution.gd").write_bytes(b"\xff\xfe\x00")
+    script = open_script()
+
+    assert script.answers_to(f"CHALLENGE {file}") == [f"{file.with_name('it.solution.gd')} is not a text."]
 
 
 ASKING = """\
@@ -343,6 +381,13 @@ def test_the_places_of_goals_are_digits_in_the_map_in_letters(open_script: OpenS
     rows = [line for line in drawn if line.startswith("#")]
     robot = next(at for at, row in enumerate(rows) if "^" in row)
     assert rows[robot - 8][rows[robot].index("^")] == "1"
+
+
+def test_the_end_of_a_solution_is_on_the_map_where_it_is_the_goal(open_script: OpenScript) -> None:
+    """Its task is to go to 16, 16, and its file names no goal."""
+    script = open_script(world="challenge:blue_things")
+
+    assert script.answers_to("MAP 16 16") == ["16, 16: goal 1. 16 right, 16 ahead."]
 
 
 def test_an_area_that_is_a_goal_is_drawn_where_the_floor_is_free(

@@ -36,16 +36,17 @@ def asked(
     ("question", "right", "wrong"),
     [
         # From 0, 0 to 10, 10 it is northeast, 45 degrees.
-        (asked(Ask.DIRECTION, "green chair"), ["45", "northeast", "nordeste", "70 degrees"], ["80", "?"]),
+        (asked(Ask.DIRECTION, "green chair"), ["45", "NE", "nordeste", "70 degrees"], ["80", "SO", "?"]),
+        (asked(Ask.DIRECTION, "green chair"), ["to the north-east"], ["to the south"]),
         (asked(Ask.DIRECTION, "green chair", tolerance=10), ["40"], ["70"]),
         # From 0, 5 the box at 0, 20 is straight north; 350 is only 10 degrees off.
-        (asked(Ask.DIRECTION, "red box", "end"), ["0", "350", "norte"], ["90"]),
+        (asked(Ask.DIRECTION, "red box", "end"), ["0", "350", "norte", "N"], ["90"]),
         # From 0, 0 to the box's south side at 19, less the body's 3: 16; from 0, 5 it is 11.
         (asked(Ask.DISTANCE, "red box"), ["16", "15 steps", "18"], ["19", "13", ""]),
         (asked(Ask.DISTANCE, "red box", "end"), ["11"], ["16"]),
         # From the middle of the blue box, at -30, 0, to 8, 8: hypot(38, 8) is 38.8.
         (asked(Ask.DISTANCE, "green chair", "blue box"), ["39"], ["36"]),
-        (asked(Ask.COUNT, "box"), ["2", "2.0", "there are 2"], ["3", "two"]),
+        (asked(Ask.COUNT, "box"), ["2", "2.0", "there are 2", "Two.", "dois"], ["3", "some"]),
         (asked(Ask.COLOUR, "chair"), ["green", "It is green.", "verde", "VERDE"], ["red", ""]),
         # The chair is 11.3 - 3 away, the red box 16, the blue one 26.
         (asked(Ask.ORDER, ("blue box", "chair", "red box")), ["2 3 1", "231", "2, 3, 1"], ["1 2 3", "2 3"]),
