@@ -121,7 +121,8 @@ def _nearest_keyword(folded: str, terminals: frozenset[str], language: str) -> S
     candidates = [each for each in words if terminal_of[each] in terminals]
     preferred = [each for each in candidates if language in languages_of(each)]
     found = nearest(folded, candidates, preferred)
-    return Suggestion(_in_language(found, language), terminal_of[found]) if found else None
+    meant = _in_language(found, language) if found else ""
+    return Suggestion(meant, terminal_of[found]) if found and _folded(meant) != _folded(folded) else None
 
 
 def _in_language(found: str, language: str) -> str:

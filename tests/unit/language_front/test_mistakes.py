@@ -612,3 +612,8 @@ def test_an_else_if_without_its_own_end_says_so() -> None:
     only = the_mistake("IF 1 < 2 THEN\nFW 1\nELSE IF 2 < 3 THEN\nFW 2\nELSE IF 3 < 3 THEN\nEND IF\nEND IF")
 
     assert (only.kind, only.code) == (MistakeKind.MISSING_END, "else-if")
+
+
+@pytest.mark.parametrize("source", ["GRIP + 1", "VAR SOLTAR = 1\nSOLTAR + 1"])
+def test_a_word_of_the_gripper_is_not_proposed_in_place_of_itself(source: str) -> None:
+    assert the_mistake(source).meant == ""
