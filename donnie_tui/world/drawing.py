@@ -1,7 +1,7 @@
 """A floor drawn in letters: a text in; the text of a world file, or all mistakes with their places, out.
 
 ``#`` is a wall, ``.`` free floor, ``^ > v <`` a robot and where it looks; other letters are things. Under the
-drawing, after an empty line, each letter has a line: ``c chair green AS throne``. A letter alone is a thing
+drawing each letter has a line: ``c chair green AS throne``. A letter alone is a thing
 of its usual size; letters that touch are one thing as large as they are. Of several colours each is for one
 thing, in reading order. The first robot is at 0 0. What ``donnie world NAME --map`` prints is such a text.
 """
@@ -195,11 +195,18 @@ def _around(cell: Square) -> Iterator[Square]:
                 yield Square(cell.row + down, cell.column + right)
 
 
+_MEANING = re.compile(rf"(\w|[{re.escape(ARROWS)}])\s+\w\w")
+"""How a line says what a letter means: ``c chair green``. A row has no blanks."""
+
+
 def _rows_and_legend(text: str) -> tuple[list[str], int, _Legend]:
     """The rows, the number of the first one's line, and what is under them."""
     lines = [each.rstrip(" ") for each in text.splitlines()]
     begin = next((number for number, each in enumerate(lines) if each), len(lines))
-    end = next((number for number in range(begin, len(lines)) if not lines[number]), len(lines))
+    ends = (
+        number for number in range(begin, len(lines)) if not lines[number] or _MEANING.match(lines[number])
+    )
+    end = next(ends, len(lines))
     legend = _Legend()
     legend.read(lines[end:], end + 1)
     return lines[begin:end], begin + 1, legend

@@ -83,6 +83,14 @@ def test_the_legend_is_understood_in_every_language(tmp_path: Path, legend: str)
     assert (thing.kind, thing.colour) == ("chair", "green")
 
 
+@pytest.mark.parametrize("first", ["", "^ anna\n"])
+def test_the_legend_may_begin_without_an_empty_line(tmp_path: Path, first: str) -> None:
+    assert (
+        written(ROOM.replace("\n\nc chair", f"\n{first}c chair"), tmp_path).rows
+        == written(ROOM, tmp_path).rows
+    )
+
+
 def test_an_orange_box_is_a_box_and_an_orange_is_an_orange(tmp_path: Path) -> None:
     seen = written(ROOM.replace("chair green AS throne", "orange").replace("box red", "orange box"), tmp_path)
 
