@@ -204,9 +204,10 @@ class Attempt:
         self.has_questions = False
         """Whether the last run is followed by questions that were not asked yet."""
         self.unsensed: tuple[Unsensed, ...] = ()
-        """After a run of a real robot, what it can't sense and the learner was not asked yet."""
+        """After a run of a real robot, what it can't sense and the learner has not answered yet."""
+        self._answers: dict[Unsensed, bool] = {}
         self._now: Judgment | None = None
-        self._tried: Attempted | None = None
+        self.tried: Attempted | None = None
         """The last run, until it is written."""
         self._unsubscribe = donnie.team.stream.subscribe(self._on_event)
 
@@ -291,20 +292,24 @@ class Attempt:
         """
         from donnie_tui.core.goals import unsensed
 
+        self.keep_try()
+        self._answers = {}
         self.unsensed = unsensed(self.rules) if self._no_answers is not None else ()
         if not self.unsensed:
-            return self.judge_answered(self._no_answers)
+            return self.judge_answered({})
         self.has_questions = True
         return (self._donnie.words("goals-asked"),)
 
-    def judge_answered(self, answers: Mapping[Unsensed, bool] | None) -> tuple[str, ...]:
+    def judge_answered(self, answers: Mapping[Unsensed, bool]) -> tuple[str, ...]:
         """As ``judge``, with what the learner said about what the robot can't sense.
 
-        The other starts are those of the simulated world.
+        The other starts are those of the simulated world. What was not answered can be asked again.
         """
-        self.unsensed = ()
+        self._answers.update(answers)
+        self.unsensed = tuple(each for each in self.unsensed if each not in answers)
+        known = None if self._no_answers is None else self._answers
         words, settings = self._donnie.words, self._preferences.settings
-        return self._verdict(judge_events(self._happened(), self._starts, words, settings, answers))
+        return self._verdict(judge_events(self._happened(), self._starts, words, settings, known))
 
     def _verdict(self, verdicts: Sequence[Judgment]) -> tuple[str, ...]:
         from donnie_tui.core.describe import verdict_in_words
@@ -312,11 +317,10 @@ class Attempt:
 
         donnie, here = self._donnie, verdicts[0]
         is_solved = all(each.is_solved for each in verdicts)
-        self.keep_try()
         self._now = here
-        self._tried = self._try_of(here, is_solved=is_solved)
+        self.tried = self._try_of(here, is_solved=is_solved)
         self.has_questions = is_solved and bool(self.challenge.rules.question)
-        if not self.has_questions:
+        if not (self.has_questions or self.unsensed):
             self.keep_try()
         if is_solved:
             donnie.session.hub.publish(CueSounded("solved", 0.0, None))
@@ -360,9 +364,9 @@ class Attempt:
     def keep_try(self, questions: int = 0, right: int = 0) -> None:
         """Write the last run into the progress file, with the questions that followed it."""
         self.has_questions = False
-        if self._tried is not None:
-            progress().add(replace(self._tried, questions=questions, right=right))
-            self._tried = None
+        if self.tried is not None:
+            progress().add(replace(self.tried, questions=questions, right=right))
+            self.tried = None
 
     def close(self) -> None:
         self.keep_try()

@@ -266,7 +266,7 @@ async def questions(ctx: Context, _: str) -> None:
     attempt = ctx.attempt
     if attempt is not None and attempt.unsensed:
         await _ask_about_goals(ctx, attempt)
-        if not attempt.has_questions:
+        if attempt.unsensed or not attempt.has_questions:
             return
     asked = attempt.questions() if attempt is not None else ()
     if attempt is None or not asked:
@@ -305,7 +305,9 @@ async def _ask_about_goals(ctx: Context, attempt: Attempt) -> None:
 async def results(ctx: Context, _: str) -> None:
     """What was tried and solved. Compares no learners."""
     kept: dict[str, list[Attempted]] = {}
-    for each in progress().attempts():
+    here = ctx.attempt
+    waiting = here.tried if here is not None else None
+    for each in (*progress().attempts(), *((waiting,) if waiting is not None else ())):
         kept.setdefault(each.name, []).append(each)
     if not kept:
         ctx.answer("results-none")
@@ -313,7 +315,6 @@ async def results(ctx: Context, _: str) -> None:
     solved = sum(any(each.solved for each in tries) for tries in kept.values())
     shipped = challenges.names()
     lines = [ctx.words("results-total", solved=solved, tried=len(kept))]
-    here = ctx.attempt
     for name, tries in kept.items():
         given = here.hints if here is not None and here.challenge.name == name else 0
         title = challenges.find(name).text(ctx.words.language).title if name in shipped else name

@@ -350,6 +350,23 @@ def test_a_real_robot_asks_about_the_goals_that_it_can_not_sense(
     assert script.answers_to("RESULTS")[0] == f"{int('Solved' in verdict)} of 1 solved."
 
 
+def test_questions_that_were_left_are_asked_again_for_the_same_try(
+    open_script: OpenScript, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file = tmp_path / "it.toml"
+    file.write_text(UNSENSED.replace('said = "here"', "facing = 0"))
+    script = open_script(answers=["yes", None, "yes", "no", "no"], world=f"challenge:{file}")
+    monkeypatch.setattr(type(script.donnie.connection), "is_real", property(lambda _: True))
+
+    script.answers_to("FW 1")
+    assert script.answers_to("QUESTIONS") == [
+        "2 of 3 goals. I can't sense goal 3. I can't sense this: ball. I can't sense this: chair."
+    ]
+    assert script.answers_to("QUESTIONS") == ["Solved, in 1 command."]
+    assert script.answers_to("QUESTIONS") == ["There are no questions here."]
+    assert script.answers_to("RESULTS")[:2] == ["1 of 1 solved.", "it: solved, 1 try, 0 hints, 0 bumps."]
+
+
 def test_a_real_robot_is_judged_at_once_by_what_it_can_sense(
     open_script: OpenScript, monkeypatch: pytest.MonkeyPatch
 ) -> None:
