@@ -50,6 +50,7 @@ _LADDERS = {
         "meet",
         "box_for_bob",
     ),
+    "elsewhere": ("through_the_door", "second_crossing", "through_the_gate", "orange_ball"),
 }
 """As a pupil solves them, from the easy to the hard ones; what is not named here follows by name."""
 

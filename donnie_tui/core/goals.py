@@ -593,7 +593,7 @@ def _forbidden(
     for name in rules.never.near:
         gap = min(smallest_gap(name, room, way) for way in track.ways.values())
         if gap < rules.never.within:
-            yield Shortfall("never-near", {"target": name, "most": round(rules.never.within)})
+            yield Shortfall("never-near", {"target": name, "most": _whole(rules.never.within)})
 
 
 def _answered_rules(rules: Rules, track: Track, answers: Mapping[Unsensed, bool]) -> Iterable[Shortfall]:
@@ -604,7 +604,7 @@ def _answered_rules(rules: Rules, track: Track, answers: Mapping[Unsensed, bool]
             continue
         target = (rules.never.touch if each.rule == "touch" else rules.never.near)[each.at]
         code = "never-asked" if answer is None else f"never-{each.rule}"
-        yield Shortfall(code, {"target": target, "most": round(rules.never.within)})
+        yield Shortfall(code, {"target": target, "most": _whole(rules.never.within)})
 
 
 def _over_limit(rules: Rules, track: Track) -> Iterable[Shortfall]:

@@ -143,7 +143,7 @@ def unsensed_question(asked: Unsensed, rules: Rules, room: Inventory, wording: W
     """Whether a goal is met or a rule was broken, for the learner of a robot that can't sense it."""
     if asked.rule != "goal":
         name = (rules.never.touch if asked.rule == "touch" else rules.never.near)[asked.at]
-        values = {"target": target_in_words(name, room, wording), "most": round(rules.never.within)}
+        values = {"target": target_in_words(name, room, wording), "most": max(1, round(rules.never.within))}
         return wording(f"never-ask-{asked.rule}", **values)
     goal = rules.goal[asked.at]
     listed = ", ".join(goal.robots or ()) or ", ".join(

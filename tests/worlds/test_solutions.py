@@ -42,6 +42,19 @@ TOLERATED = {
     "push_the_orange": {"1. FW 20, as FW 19": "bob is 20 steps wide, and pushes with his teeth"},
     "tidy_up": {"3. VAR way = DISTANCE F - 1, as VAR way = DISTANCE F - 0": REACH},
     "meet": {"1. FW DISTANCE F - 1, twice": ZERO},
+    "through_the_door": {
+        **dict.fromkeys(("1. FW 6, as FW 5", "1. FW 6, as FW 7"), "the door is 2 steps wider than Donnie"),
+        **dict.fromkeys(("3. FW 18, as FW 17", "3. FW 18, as FW 19"), "the ball is 3 steps wide"),
+        "5. FW DISTANCE F - 1, twice": ZERO,
+    },
+    "second_crossing": {
+        **dict.fromkeys(("1. FW 48, as FW 47", "1. FW 48, as FW 49"), "the street is 9 steps wide"),
+        "3. FW DISTANCE F - 1, twice": ZERO,
+    },
+    "orange_ball": {
+        "2. TR 60, twice": "it turns until the ball is in view, however far each time",
+        "5. TL 2, twice": "the ball is then 1 or 2 degrees further aside, and wide enough",
+    },
 }
 """The mistakes that change nothing of what the goals ask, apart from angles, and why."""
 

@@ -1,0 +1,3 @@
+FW 48
+TR 90
+FW DISTANCE F - 1

@@ -1,0 +1,5 @@
+FW 6
+TR 90
+FW 18
+TR 90
+FW DISTANCE F - 1

@@ -1,0 +1,7 @@
+VAR way = DISTANCE F - 1
+FW way
+GRIP
+BW way
+TR 90
+FW DISTANCE F - 5
+RELEASE
