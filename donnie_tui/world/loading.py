@@ -196,12 +196,15 @@ def choose_world(
 
 
 def choose_challenge(name: str, words: Words) -> Challenge:
-    """The challenge of that name, number or file. Raises ``Unusable`` with the line of a mistake in it."""
+    """The challenge of that name, number, title or file.
+
+    Raises ``Unusable`` with the line of a mistake in it.
+    """
     from language.keywords import all_words, canonical
     from worlds.challenges import BadChallenge, find
 
     try:
-        found = find(name)
+        found = _titled(name) or find(name)
         for word in (*found.rules.words, *found.rules.required):
             if canonical(word) is None:
                 known = all_words("en")
@@ -209,6 +212,19 @@ def choose_challenge(name: str, words: Words) -> Challenge:
         return found
     except BadChallenge as bad:
         raise Unusable(_in_words(bad, words)) from None
+
+
+def _titled(title: str) -> Challenge | None:
+    """The one that ships with that title, in any language."""
+    from donnie_tui.core.goals import folded
+    from worlds.challenges import find, names
+
+    if not title or title.isdigit() or title in names():
+        return None
+    found = map(find, names())
+    return next(
+        (it for it in found if folded(title) in (folded(each.title) for each in it.texts.values())), None
+    )
 
 
 def _in_words(bad: BadChallenge, words: Words) -> str:

@@ -9,6 +9,8 @@ import pytest
 
 from donnie_tui.commands.interaction import EnterWorld
 from donnie_tui.core.events import Chimed, CueSounded, RunEnded, Stamped
+from donnie_tui.i18n.words import Words
+from donnie_tui.world.loading import choose_world
 from tests.unit.commands.scripted import Script
 from worlds import challenges
 
@@ -160,6 +162,17 @@ def test_a_challenge_is_entered_by_its_number_and_the_next_one_by_its_word(
     with pytest.raises(EnterWorld) as entered:
         script.type(typed)
     assert entered.value.name == world
+
+
+@pytest.mark.parametrize("typed", ["CHALLENGE the maze", "DESAFIO o labirinto", "RETO El laberinto"])
+def test_a_challenge_is_entered_by_its_title(open_script: OpenScript, typed: str) -> None:
+    script = open_script()
+
+    with pytest.raises(EnterWorld) as entered:
+        script.type(typed)
+    challenge = choose_world(entered.value.name, Words("en")).challenge
+    assert challenge is not None
+    assert challenge.name == "maze"
 
 
 def test_a_challenge_that_is_not_there_changes_nothing(open_script: OpenScript) -> None:
