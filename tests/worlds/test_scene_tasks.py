@@ -1,4 +1,4 @@
-"""The wild garden has its seeds, and its task is solved with each of them."""
+"""The wild garden has its seeds, and its task is solved with each; so are tasks of the manual's worlds."""
 
 import json
 from collections.abc import Sequence
