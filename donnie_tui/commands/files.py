@@ -353,7 +353,6 @@ async def report(ctx: Context, argument: str) -> None:
         raise NotUnderstood
     (what, name), words = wanted, ctx.words
     robot, timeline = ctx.donnie.session.hub.robot, ctx.donnie.chronicle.timeline()
-    paths = [ctx.trail.path] if ctx.trail.path else []
     subject = reports.Subject(
         ctx.program.lines,
         ctx.donnie.session.pose,
@@ -365,7 +364,7 @@ async def report(ctx: Context, argument: str) -> None:
         dict(ctx.runs.variables_during),
         partial(as_picture, _run_picture(ctx)),
         plot_as_png,
-        partial(on_swell_paper, ctx.donnie.world, timeline.things, paths, words),
+        partial(on_swell_paper, ctx.donnie.world, timeline.things, [*ctx.trail.paths.values()], words),
     )
     if not name:
         ctx.say(*ctx.counted(reports.in_sentences(what, subject, words)))
@@ -381,11 +380,11 @@ async def report(ctx: Context, argument: str) -> None:
 
 
 def _run_picture(ctx: Context) -> RunPicture:
-    """Where the robot that is talked to drove, what stands there now, and the places of goals."""
+    """Where the robots drove, what stands there now, and the places of goals."""
     from donnie_tui.world.run_picture import DrivenPath, run_picture
 
     donnie = ctx.donnie
-    paths = [DrivenPath("", ctx.trail.path)] if ctx.trail.path else []
+    paths = [DrivenPath(robot or "", path) for robot, path in ctx.trail.paths.items()]
     title = ctx.words("paper-title", name=donnie.world.title(ctx.words.language))
     goals = ctx.attempt.goal_places if ctx.attempt is not None else ()
     return run_picture(title, donnie.drawings_now(), paths, ctx.words, goals)

@@ -284,6 +284,11 @@ class Trail:
         return tuple(self._paths.get(self._of(), ()))
 
     @property
+    def paths(self) -> dict[str | None, tuple[Pose, ...]]:
+        """As ``path``, of each robot that drove, by its name in events."""
+        return {robot: tuple(path) for robot, path in self._paths.items() if len(path) > 1}
+
+    @property
     def last_pose(self) -> Pose | None:
         """The robot's last pose; None before anything ran."""
         return self._last_poses.get(self._of())

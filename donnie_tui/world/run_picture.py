@@ -127,8 +127,13 @@ def run_picture(
     wording: Wording,
     goals: Sequence[GoalPlace] = (),
 ) -> RunPicture:
-    """``drawings``: what stands there at the end, without the robots of ``paths``."""
-    shown = tuple(each for each in drawings if each.thing is None or not each.thing.is_robot)
+    """``drawings``: what stands there at the end. A robot that drove is the arrow of its path."""
+    driven = {path.robot for path in paths}
+    shown = tuple(
+        each
+        for each in drawings
+        if each.thing is None or not each.thing.is_robot or not {"", each.thing.name} & driven
+    )
     points = [point for each in shown for outline in each.outlines for point in outline]
     points += [(pose.x, pose.y) for path in paths for pose in path.poses] or [(0.0, 0.0)]
     points += [point for _, west, south, east, north in goals for point in ((west, south), (east, north))]

@@ -116,7 +116,19 @@ def test_a_robot_that_only_turned_has_a_place_and_no_moving_dot() -> None:
     assert "<polygon" in svg
 
 
-# --- goals, colours, GIF
+# --- robots, goals, colours, GIF
+
+
+def test_a_robot_that_stood_still_is_drawn_and_one_that_drove_is_the_arrow_of_its_path() -> None:
+    paths = DrivenPath("alice", (Pose(0, 0, 0), Pose(0, 6, 0)))
+
+    letters = [text for _, _, text in texts(drawn("two_robots", paths)) if len(text) <= 2]
+
+    assert len(letters) == 3  # bob and two boxes
+    assert "alice: The path starts at 0, 0. North: 6 steps, to 0, 6. 6 steps in all." in " ".join(
+        drawn("two_robots", paths).legend
+    )
+    assert any(line.endswith(": bob, blue") for line in drawn("two_robots", paths).legend)
 
 
 def test_goals_are_dashed_boxes_with_their_numbers_and_a_place_has_all_of_them() -> None:
