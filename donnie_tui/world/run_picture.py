@@ -378,7 +378,7 @@ def plot_as_png(plot: Plot) -> bytes:
 
 
 def texts(it: RunPicture) -> Iterable[tuple[float, float, str]]:
-    """The title, a letter on each thing or next to a small one, the numbers of goals, and the legend.
+    """The title, a letter on each thing or next to a small one, the names of robots, the numbers of goals, and the legend.
 
     Left end and base line of each.
     """
@@ -393,6 +393,9 @@ def texts(it: RunPicture) -> Iterable[tuple[float, float, str]]:
         is_inside = min(thing.width, thing.depth) * it.scale >= 1.5 * LETTER * max(1, 2 * half / LETTER)
         right = x - half if is_inside else x + thing.width * it.scale / 2 + 3
         yield right, y + LETTER / 3, letters
+    for path in it.paths:
+        x, y = it.at(path.poses[0].x, path.poses[0].y)
+        yield from [(x + 8, y + LETTER / 3, printable(path.robot))] if path.robot else []
     for goal in goals_on(it):
         yield goal.x - goal.across, goal.y - goal.down - 4, goal.numbers
     below = it.height - LINE * len(it.legend)

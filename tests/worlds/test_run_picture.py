@@ -125,6 +125,7 @@ def test_a_robot_that_stood_still_is_drawn_and_one_that_drove_is_the_arrow_of_it
     letters = [text for _, _, text in texts(drawn("two_robots", paths)) if len(text) <= 2]
 
     assert len(letters) == 3  # bob and two boxes
+    assert "alice" in [text for _, _, text in texts(drawn("two_robots", paths))]
     assert "alice: The path starts at 0, 0. North: 6 steps, to 0, 6. 6 steps in all." in " ".join(
         drawn("two_robots", paths).legend
     )
