@@ -378,7 +378,7 @@ def plot_as_png(plot: Plot) -> bytes:
 
 
 def texts(it: RunPicture) -> Iterable[tuple[float, float, str]]:
-    """The title, a letter on each thing or next to a small one, the names of robots, the numbers of goals, and the legend.
+    """The title, a letter on each thing or next to a small one, robots, the numbers of goals, and the legend.
 
     Left end and base line of each.
     """
