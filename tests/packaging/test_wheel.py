@@ -63,12 +63,12 @@ def test_the_wheel_has_what_is_compiled_of_each_language_and_not_what_translator
     assert names == {f"compiled/{each}" for each in compiled}
 
 
-def test_the_three_commands_are_installed(wheel: Path) -> None:
+def test_the_commands_are_installed(wheel: Path) -> None:
     archive = zipfile.ZipFile(wheel)
     entry_points = next(name for name in archive.namelist() if name.endswith("entry_points.txt"))
     lines = archive.read(entry_points).decode().splitlines()
 
-    assert {"donnie", "godonnie", "GoDonnie"} <= {line.split(" = ")[0] for line in lines}
+    assert {"donnie", "godonnie", "GoDonnie", "donnie_player"} <= {line.split(" = ")[0] for line in lines}
 
 
 def test_what_is_installed_from_the_wheel_runs_a_program(wheel: Path, tmp_path: Path) -> None:

@@ -11,8 +11,12 @@ import pytest
 from devices.player.codec import BANNER_SIZE, MessageReader, MessageType, PlayerMessage, banner
 from devices.player.interfaces import body_of
 from devices.ports.robot import Bearing, LinkNotice, Motion, Pose, RobotProblem, StoppedBy
+from donnie_tui.bootstrap import assemble
+from donnie_tui.core.events import BeltShown, Spoke
 from donnie_tui.robot import player_robot as module
 from donnie_tui.robot.player_robot import PlayerRobot, ServerLink, Stretch, WheelState, things_of
+from donnie_tui.settings.settings import Settings
+from sim.sensors import Device
 from tests.player.recordings import sides
 from tests.player.room import DONNIE_CONFIGURATION, HOST, ServedRoom
 
@@ -262,6 +266,27 @@ def test_the_end_of_the_robot_leaves_the_server_with_a_robot_that_stands(driven:
     assert driven.robot.forward(9).stopped_by is StoppedBy.LINK
     drive = driven.room.stations._loop.drives["alice"]
     wait_until(lambda: drive.state().velocity.ahead == 0.0)
+
+
+def test_a_session_shows_its_belt_at_the_server_and_leaves_it_at_its_end(tmp_path: Path) -> None:
+    room = ServedRoom(tmp_path, SERVED, SCENE)
+    address = f"player://{HOST}:{room.port}"
+    with closing(room):
+        with closing(
+            assemble(Settings(robot=address, world="open_floor", speech="off", sound=False), terminal=True)
+        ) as donnie:
+            donnie.session.hub.publish(BeltShown((0, 0, 0, 3, *(0,) * 10)))
+            wait_until(lambda: ("alice", (11, "A")) in room.notes.taken)
+            donnie.session.hub.publish(Spoke("bom dia"))
+            wait_until(lambda: ("alice", "bom dia") in room.notes.taken)
+            assert donnie.connection.is_real
+            assert [each.robot for each in donnie.connection.options()].count(address) == 1
+            kinds = [each.device for each in donnie.mounted()]
+            assert [kinds.count(each) for each in (Device.RANGER, Device.EYES, Device.BUMPER)] == [7, 1, 4]
+            donnie.connection.connect("sim")
+            wait_until(lambda: room.notes.taken[-1] == ("alice", "left"))
+            donnie.session.hub.publish(Spoke("unheard"))
+        assert ("alice", "unheard") not in room.notes.taken
 
 
 # --- other servers

@@ -8,10 +8,11 @@ import pytest
 
 from devices.player.codec import LONGEST_REPLY, MessageReader, MessageType, PlayerMessage, TooLong
 from devices.player.connection import ClientConnection
-from devices.player.interfaces import Interface
+from devices.player.interfaces import Interface, values_of
 from donnie_tui.player.server import PortStation, Stations
 from tests.player.recordings import NAMES, Side, sides
 from tests.player.room import DONNIE_CONFIGURATION, DONNIE_WORLD, stations_of, write_room
+from worlds import PLAYER
 
 Reply = tuple[int, int, int, int, int]
 """Interface, index, type, subtype, and the size of the body."""
@@ -130,3 +131,21 @@ def test_every_byte_of_rubbish_that_was_recorded_leaves_other_clients_alone(
     other.tick()
 
     assert [each.interface for each in other.got[before:]] == [Interface.POSITION2D]
+
+
+def test_donnie_player_has_all_that_the_original_client_opens_and_the_reading_that_it_looks_for(
+    shared: Path,
+) -> None:
+    """The recorded client found no belt; here it does. It reads ranger:0[6], which no world has."""
+    stations = stations_of(Path(PLAYER))
+    client = Replayed(stations, stations.by_port[6665])
+    for side in sides(shared, "godonnie"):
+        if side.sender == "client":
+            for message in side.messages():
+                client.send(message)
+    opened = [each.type for each in client.got if (each.interface, each.subtype, each.type) == (1, 3, 4)]
+    ranges = [each for each in client.got if (each.interface, each.index, each.subtype) == (62, 0, 1)]
+
+    assert len(opened) >= 6
+    assert not any(each.type == MessageType.NACK for each in client.got if each.subtype == 3)
+    assert {len(values_of(each)[0]) for each in ranges if each.type == MessageType.DATA} == {7}

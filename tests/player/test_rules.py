@@ -1,15 +1,17 @@
 """The rules of the wire that no other file of these tests has, message by message."""
 
+import re
 import struct
 from collections.abc import Callable
 from math import pi
 from pathlib import Path
+from random import Random
 
 import pytest
 
-from devices.player.codec import LOCAL_HOST, MessageType, PlayerMessage
+from devices.player.codec import LOCAL_HOST, MessageType, PlayerMessage, encode
 from devices.player.connection import ClientConnection
-from devices.player.interfaces import body_of, values_of
+from devices.player.interfaces import FORMS, body_of, values_of
 from devices.ports.drive import RangerReading
 from donnie_tui.player.server import BadConfiguration, Stations
 from tests.player.room import CONFIGURATION, WORLD, Notes, stations_of, write_room
@@ -431,3 +433,52 @@ def test_every_reply_can_be_read_again(stations: Stations) -> None:
         client.send(interface, 0, REQUEST, 1)
         [reply] = client.take()
         assert values_of(reply)
+
+
+def _number(chance: Random, letter: str) -> float:
+    if letter in "df":
+        return chance.choice([0.0, 1.0, -1.0, chance.uniform(-9, 9), float("nan"), float("inf"), 1e38])
+    return chance.choice([0, 1, 2, 7, 255, 2**31 - 1, chance.randrange(300)])
+
+
+def _values(chance: Random, form: str) -> list[object]:
+    found: list[object] = []
+    for group, counted, fixed in re.findall(r"\[([Iifd]+)\]|([bt])|([Iifd]+|\d+s)", form.replace(" ", "")):
+        if group:
+            rows = [[_number(chance, each) for each in group] for _ in range(chance.randrange(3))]
+            found.append([row[0] for row in rows] if len(group) == 1 else rows)
+        elif counted == "t":
+            found.append(
+                chance.choice(["", "alice", "redbox", "alice.head", "color", "time", "\N{SNOWMAN}" * 99])
+            )
+        elif counted == "b" or fixed.endswith("s"):
+            found.append(chance.randbytes(64 if fixed else chance.choice([0, 8, 16, 33])))
+        else:
+            found += [_number(chance, each) for each in fixed]
+    return found
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_whatever_clients_send_every_request_has_one_reply_and_the_world_goes_on(
+    tmp_path: Path, seed: int
+) -> None:
+    """Known messages with odd values, and rubbish in their place, from clients that have devices open."""
+    chance = Random(seed)
+    stations = stations_of(write_room(tmp_path, CONFIGURATION + SERVICES.replace("interface", "driver")))
+    kinds = [(key, form) for key, form in sorted(FORMS.items()) if key[1] in (COMMAND, REQUEST)]
+    for _ in range(40):
+        opened = chance.sample(list(stations.by_port[7665].drivers), 3)
+        client = Client(stations, *opened)
+        for _ in range(20):
+            (interface, type_, subtype), form = chance.choice(kinds)
+            is_rubbish = chance.random() < 0.2
+            body = (
+                chance.randbytes(chance.randrange(60)) if is_rubbish else encode(form, _values(chance, form))
+            )
+            message = PlayerMessage(interface, chance.choice([0, 0, 1, 65535]), type_, subtype, body)
+            client.connection.receive(message.encoded())
+            replies = [each.type for each in client.take() if each.type in (ACK, NACK)]
+            assert len(replies) == (type_ == REQUEST), message
+            stations.step()
+        client.vanish()
+    assert not any(each.users for each in stations._all())
