@@ -294,6 +294,13 @@ class _Pupil(Struct, frozen=True):
     """The file, or the folder with a program for each robot."""
     files: Mapping[str | None, str]
     """By robot; None for the first one."""
+    folder: str = ""
+    """The pupil's own, where the file is in one."""
+
+    @property
+    def label(self) -> str:
+        """What is printed of its name."""
+        return "/".join(filter(None, (Path(self.folder).name, Path(self.name).name)))
 
 
 def _write_table(order: Order, pupils: Sequence[_Pupil], records: Sequence[Mapping[str, object]]) -> None:
@@ -312,7 +319,7 @@ def _write_table(order: Order, pupils: Sequence[_Pupil], records: Sequence[Mappi
         make_folder(Path(folder))
         used = Counter[str]()
         for pupil, each in zip(pupils, records, strict=True):
-            stem = Path(pupil.name).stem
+            stem = Path(pupil.label.replace("/", "-")).stem
             used[stem] += 1
             file = f"{stem}-{used[stem]}.txt" if used[stem] > 1 else f"{stem}.txt"
             _write(Path(folder, file), f"{each['verdict']}\n", order.words)
@@ -473,8 +480,12 @@ class _Judging:
         if own:
             yield _Pupil(name, own)
             return
-        folders = (each for each in folders_in(name) if self._files_of_robots(each))
-        yield from (_Pupil(each, self._files_of_robots(each)) for each in folders)
+        for folder in folders_in(name):
+            own = self._files_of_robots(folder)
+            if own:
+                yield _Pupil(folder, own)
+            else:
+                yield from (_Pupil(each, {None: each}, folder) for each in programs_in(folder))
         yield from (_Pupil(each, {None: each}) for each in programs_in(name))
 
     def _files_of_robots(self, folder: str) -> Mapping[str | None, str]:
@@ -494,7 +505,7 @@ class _Judging:
             return ExitCode.UNUSABLE, {"file": name, "solved": None, "verdict": unusable.sentence}
         verdicts = self.verdicts({robot: each.text for robot, each in sources.items()})
         sentence, solved = self.sentences(verdicts), all(each.is_solved for each in verdicts)
-        self._print(self._words("challenge-verdict", file=Path(name).name, verdict=sentence))
+        self._print(self._words("challenge-verdict", file=pupil.label, verdict=sentence))
         worst = next((each for each in verdicts if not each.is_solved), verdicts[0])
         return ExitCode.DONE if solved else ExitCode.FAILED, {
             "file": name,

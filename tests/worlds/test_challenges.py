@@ -267,6 +267,27 @@ def test_the_verdicts_are_a_table_and_a_text_for_each_pupil(tmp_path: Path) -> N
     assert "1 step south" in (answers / "rui.txt").read_text(encoding="utf-8")
 
 
+def test_each_pupil_may_have_a_folder(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    for pupil, text in {"ana": "FW 5", "joão": "FW 4"}.items():
+        Path("class", pupil).mkdir(parents=True)
+        Path("class", pupil, "first.gd").write_text(text)
+
+    code = main(["challenge", "check", "1", "class", "--feedback", "answers", "--lang", "en"])
+
+    assert (code, capsys.readouterr().out.splitlines()) == (
+        1,
+        [
+            "ana/first.gd: Solved, in 1 command.",
+            "joão/first.gd: 0 of 1 goal. You stop 1 step south of 0, 5.",
+            "2 programs. 1 solved.",
+        ],
+    )
+    assert sorted(each.name for each in Path("answers").iterdir()) == ["ana-first.txt", "joão-first.txt"]
+
+
 def test_the_table_never_replaces_a_program(tmp_path: Path) -> None:
     program = tmp_path / "ana.gd"
     program.write_text("FW 5")
