@@ -93,9 +93,6 @@ FORMS: dict[tuple[int, int, int], str] = {
     (Interface.POSITION2D, REQUEST, 4): "I",  # position mode
     (Interface.POSITION2D, REQUEST, 5): POSE2D,  # set odometry
     (Interface.POSITION2D, REQUEST, 6): "",  # reset odometry
-    (Interface.SONAR, DATA, 1): "[f]",
-    (Interface.SONAR, REQUEST, 1): "",
-    (Interface.SONAR, ACK, 1): f"[{POSE3D}]",
     (Interface.BLOBFINDER, DATA, 1): "I I [IIIIIIIIIf]",
     (Interface.FIDUCIAL, DATA, 1): f"[i{POSE3D}{POSE3D}]",
     (Interface.FIDUCIAL, REQUEST, 1): "",  # geometry
@@ -110,8 +107,6 @@ FORMS: dict[tuple[int, int, int], str] = {
     (Interface.BUMPER, ACK, 1): f"[{POSE3D}ff]",
     (Interface.DIO, DATA, 1): "I I",
     (Interface.DIO, COMMAND, 1): "I I",
-    (Interface.AIO, DATA, 1): "[f]",
-    (Interface.AIO, COMMAND, 1): "I f",
     (Interface.SIMULATION, COMMAND, 1): "",  # pause, resume
     (Interface.SIMULATION, COMMAND, 2): "",  # reset
     (Interface.SIMULATION, COMMAND, 3): "",  # save
@@ -124,7 +119,6 @@ FORMS: dict[tuple[int, int, int], str] = {
     (Interface.SIMULATION, REQUEST, 5): "t t I b",  # get a property
     (Interface.SIMULATION, ACK, 5): "t t I b",
     (Interface.SIMULATION, REQUEST, 6): "t t I b",  # set it
-    (Interface.CAMERA, DATA, 1): "IIIIII b",
     (Interface.RANGER, DATA, 1): "[d]",
     (Interface.RANGER, DATA, 3): "[d]",  # intensities
     (Interface.RANGER, REQUEST, 1): "",  # geometry
@@ -133,7 +127,7 @@ FORMS: dict[tuple[int, int, int], str] = {
     (Interface.RANGER, ACK, 5): "ddddddd",
     (Interface.SOUND, COMMAND, 1): "64s",
 }
-"""By interface, type and subtype. A reply that isn't here has no body."""
+"""By interface, type and subtype, of what is served. A reply that isn't here has no body."""
 
 
 def form_of(message: PlayerMessage) -> str | None:

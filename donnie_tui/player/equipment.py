@@ -79,6 +79,10 @@ class Equipment:
         """Only while it is open."""
 
     def request(self, subtype: int, values: Values) -> bytes | None:  # noqa: ARG002 -- the table's form
+        """The body of the reply; None: refused."""
+        return self.geometry() if subtype == 1 else None
+
+    def geometry(self) -> bytes | None:
         return None
 
     def step(self) -> None:
@@ -108,9 +112,13 @@ class MountedDevice(Equipment):
     def begin(self) -> None:
         """As it is before any client has opened it."""
 
-    def _pose(self) -> tuple[float, ...]:
-        """On its robot; of a robot itself 0."""
-        return pose3d(relative(self._model.pose, self._loop.scene.models[self._model.root].pose))
+    def geometry(self) -> bytes | None:
+        return self._ack(1, *self._place()) if self.interface == Interface.POSITION2D else None
+
+    def _place(self) -> tuple[float, ...]:
+        """Its pose on its robot, of a robot itself 0, and its size."""
+        on_robot = relative(self._model.pose, self._loop.scene.models[self._model.root].pose)
+        return (*pose3d(on_robot), *box3d(self._model.size))
 
 
 class WheelDevice(MountedDevice):
@@ -147,8 +155,6 @@ class WheelDevice(MountedDevice):
 
     def request(self, subtype: int, values: Values) -> bytes | None:
         match subtype:
-            case 1:
-                return self._ack(1, *self._pose(), *box3d(self._model.size))
             case 2 | 4:
                 return b""
             case 5 if all(map(_is_usable, values)):
@@ -157,7 +163,7 @@ class WheelDevice(MountedDevice):
             case 6:
                 self._drive.set_odometry(MetricPose())
                 return b""
-        return None
+        return super().request(subtype, values)
 
     def step(self) -> None:
         if self._goal is not None:
@@ -193,10 +199,8 @@ class HeadDevice(MountedDevice):
         elif subtype == 2:
             self._goal = degrees(values[2])
 
-    def request(self, subtype: int, values: Values) -> bytes | None:  # noqa: ARG002 -- none is needed
-        if subtype == 1:
-            return self._ack(1, *self._pose(), *box3d(self._model.size))
-        return b"" if subtype in (2, 4, 5, 6) else None
+    def request(self, subtype: int, values: Values) -> bytes | None:
+        return b"" if subtype in (2, 4, 5, 6) else super().request(subtype, values)
 
     def close(self) -> None:
         super().close()
@@ -262,20 +266,20 @@ class RangeFinder(MountedDevice):
         self._seventh = others[0] if self._is_donnie and others else None
         """The head's sonar, which clients of Donnie's take for one more of these."""
 
-    def request(self, subtype: int, values: Values) -> bytes | None:  # noqa: ARG002 -- none has any
+    def geometry(self) -> bytes | None:
         sensors = [self._model.sensors[each] for each in self._order]
-        if subtype == 1:
-            poses = [pose3d(each.pose) for each in sensors]
-            sizes = [(0.0, 0.0, 0.0) for _ in sensors]
-            return self._ack(1, *self._pose(), *box3d(self._model.size), poses, sizes)
-        if subtype == 5 and sensors:
-            first = sensors[0]
-            view = radians(first.fov)
-            resolution = self._loop.scene.settings.get("resolution", 0.02)
-            step = float(resolution) if isinstance(resolution, (int, float)) else 0.02
-            bounds = (first.minimum, first.maximum, step, 1 / TICK)
-            return self._ack(5, -view / 2, view / 2, view / first.samples, *bounds)
-        return None
+        sizes = [(0.0, 0.0, 0.0) for _ in sensors]
+        return self._ack(1, *self._place(), [pose3d(each.pose) for each in sensors], sizes)
+
+    def request(self, subtype: int, values: Values) -> bytes | None:
+        if subtype != 5:
+            return super().request(subtype, values)
+        first = self._model.sensors[self._order[0]]
+        view = radians(first.fov)
+        resolution = self._loop.scene.settings.get("resolution", 0.02)
+        step = float(resolution) if isinstance(resolution, (int, float)) else 0.02
+        bounds = (first.minimum, first.maximum, step, 1 / TICK)
+        return self._ack(5, -view / 2, view / 2, view / first.samples, *bounds)
 
     def data(self) -> Iterator[Datum]:
         (reading,) = self._drive.rangers(self._model.index)
@@ -297,9 +301,7 @@ class RangeFinder(MountedDevice):
 class BumperBars(MountedDevice):
     interface = Interface.BUMPER
 
-    def request(self, subtype: int, values: Values) -> bytes | None:  # noqa: ARG002 -- it has none
-        if subtype != 1:
-            return None
+    def geometry(self) -> bytes | None:
         return self._ack(1, [(*pose3d(each.pose), each.length, 0.0) for each in self._model.bumpers])
 
     def data(self) -> Iterator[Datum]:
@@ -342,12 +344,14 @@ class MarkReader(MountedDevice):
     interface = Interface.FIDUCIAL
 
     def request(self, subtype: int, values: Values) -> bytes | None:
-        if subtype == 1:
-            return self._ack(1, *self._pose(), *box3d(self._model.size), 0.1, 0.1)
         if subtype == 8:
             self._loop.change(self._model.index, fiducial_return=float(values[0]))
         own = self._loop.scene.models[self._model.index].fiducial_return
-        return self._ack(subtype, max(0, int(own))) if subtype in (7, 8) else None
+        found = max(0, int(own))
+        return self._ack(subtype, found) if subtype in (7, 8) else super().request(subtype, values)
+
+    def geometry(self) -> bytes | None:
+        return self._ack(1, *self._place(), 0.1, 0.1)
 
     def data(self) -> Iterator[Datum]:
         marks = []
@@ -377,11 +381,8 @@ class Paddles(MountedDevice):
             if wanted == OPEN and (released := self._drive.release()).outcome is Grip.RELEASED:
                 self.reporter.gripped(self._drive.name, released)
 
-    def request(self, subtype: int, values: Values) -> bytes | None:  # noqa: ARG002 -- it has none
-        if subtype != 1:
-            return None
-        outer = box3d(self._model.size)
-        return self._ack(1, *self._pose(), *outer, *outer, 2, 0)
+    def geometry(self) -> bytes | None:
+        return self._ack(1, *self._place(), *box3d(self._model.size), 2, 0)
 
     def step(self) -> None:
         if self._ticks_left and not self._loop.is_paused:

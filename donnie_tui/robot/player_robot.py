@@ -12,7 +12,7 @@ import socket
 import threading
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
-from math import cos, degrees, hypot, inf, radians, sin
+from math import cos, degrees, hypot, inf, isfinite, radians, sin
 from time import monotonic
 from typing import Any, TypeAlias
 
@@ -142,7 +142,8 @@ class ServerLink:
         return None
 
     def wheels(self) -> WheelState:
-        at, (x, y, yaw, ahead, left, turn, stall) = self.values(WHEELS) or (0.0, (0.0,) * 7)
+        at, numbers = self.values(WHEELS) or (0.0, (0.0,) * 7)
+        x, y, yaw, ahead, left, turn, stall = numbers if all(map(isfinite, numbers)) else (0.0,) * 7
         is_moving = hypot(ahead, left) > STANDING or abs(turn) > STANDING
         return WheelState(at, x, y, degrees(yaw), bool(stall), is_moving)
 

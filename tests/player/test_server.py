@@ -187,6 +187,19 @@ def test_a_client_that_says_nothing_is_sent_away(tmp_path: Path, monkeypatch: py
     play(tmp_path, story)
 
 
+def test_a_client_that_reads_nothing_is_sent_away(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    async def story(room: Room) -> None:
+        slow = await Client.connected(room.port)
+        await slow.ask(3, 0, 0, 62, 1, 1, "")
+        slow.writer.transport.pause_reading()  # type: ignore[attr-defined] # a socket's
+        [served] = room.server.clients
+        await until(lambda: not served._may_write, tries=4000)
+        monkeypatch.setattr(module, "SILENCE", 0.2)
+        await until(lambda: not room.server.clients)
+
+    play(tmp_path, story, speed=None, seconds=60)
+
+
 def test_five_hundred_clients_that_come_and_go_leave_nothing(tmp_path: Path) -> None:
     async def story(room: Room) -> None:
         for _ in range(500):
