@@ -19,8 +19,8 @@ from tests.timeouts import TIMEOUT
 pytestmark = pytest.mark.slow
 
 SENTENCE = "It does not stop. Switch it off."
-SOON = {"DONNIE_ROBOT_TIMEOUTS": "2"}
-"""The wheels are watched for three seconds."""
+SOON = {"DONNIE_ROBOT_TIMEOUTS": "6"}
+"""The wheels are watched for nine seconds."""
 
 
 def test_a_run_whose_robot_does_not_stop_says_so_and_fails(tmp_path: Path, robot: PtyBoard) -> None:

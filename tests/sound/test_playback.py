@@ -166,7 +166,8 @@ def test_the_cue_of_the_programs_end_sounds_to_its_end(recorder: Recorder, tmp_p
             silent = 0 if max(recorder.next_chunk()) > LOUD else silent + 1
             loud += not silent
     assert run.returncode == 0
-    assert loud * CHUNK / RATE >= seconds_of("done")
+    # its last part fades, and may be below what counts as loud
+    assert (loud + 1) * CHUNK / RATE >= seconds_of("done")
 
 
 # --- the sound server hangs, or is gone

@@ -201,10 +201,12 @@ async def test_each_screen(open_screen, same, name, theme, size, tmp_path):
 
 
 @looks((40, 12))
-async def test_the_programs_to_open(open_screen, same, theme, size, tmp_path):
-    (tmp_path / "lessons").mkdir()
+async def test_the_programs_to_open(open_screen, same, theme, size, tmp_path, monkeypatch):
+    programs = tmp_path / "programs"
+    (programs / "lessons").mkdir(parents=True)
     for name in ("square.gd", "stairs.gd", "lessons/first.gd"):
-        (tmp_path / name).write_text("FW 1\n")
+        (programs / name).write_text("FW 1\n")
+    monkeypatch.chdir(programs)
     async with open_screen(RECTANGLE, size=size, world="living_room") as screen:
         screen.app.theme = theme
         await opened(screen, "ctrl+o")
