@@ -103,26 +103,65 @@ def nearest_on_edge(edge: Edge) -> Point:
     return ax + t * dx, ay + t * dy
 
 
-def nearest_seen(points: Sequence[Point], x: float, y: float, facing: Point, aside: Point) -> float:
+def nearest_seen(
+    points: Sequence[Point], x: float, y: float, facing: Point, aside: Point, most: float = inf
+) -> float:
     """``nearest_in_wedge`` of a polygon from (x, y), where the wedge's middle and half angle are directions.
 
-    The same to the last bit; this is the way of most readings.
+    The same to the last bit, but nothing beyond ``most`` is looked for. Most readings are made this way.
     """
     (c, s), (wc, ws) = facing, aside
     px, py = points[-1]
     bx, by = c * (px - x) + s * (py - y), c * (py - y) - s * (px - x)
     left_b, right_b = ws * bx - wc * by, ws * bx + wc * by
-    nearest = inf
+    nearest = most
     for px, py in points:
         ax, ay, left_a, right_a = bx, by, left_b, right_b
         bx, by = c * (px - x) + s * (py - y), c * (py - y) - s * (px - x)
         left_b, right_b = ws * bx - wc * by, ws * bx + wc * by
-        if (left_a < 0.0 and left_b < 0.0) or (right_a < 0.0 and right_b < 0.0) or (ax < 0.0 and bx < 0.0):
+        if (
+            (left_a < 0.0 and left_b < 0.0)
+            or (right_a < 0.0 and right_b < 0.0)
+            or (ax < 0.0 and bx < 0.0)
+            or (ax > nearest and bx > nearest)
+        ):
             continue
         part = _in_wedge((ax, ay, bx, by), wc, ws)
         if part is not None:
             nearest = min(nearest, hypot(*nearest_on_edge(part)))
     return nearest
+
+
+class Wedge(Struct, frozen=True):
+    """A narrow cone on the floor: up to 45 degrees to either side of its middle."""
+
+    x: float
+    y: float
+    facing: Point
+    """The direction of its middle."""
+    aside: Point
+    """The direction of its half angle."""
+    reach: float
+
+    def touches(self, middle: Point, radius: float) -> bool:
+        """Whether a circle may come into it: a quick look before an exact one."""
+        (x, y), (c, s), (wc, ws) = middle, self.facing, self.aside
+        dx, dy = x - self.x, y - self.y
+        along = dx * c + dy * s
+        return (
+            -radius <= along <= self.reach + radius + HAIR
+            and abs(dy * c - dx * s) * wc - along * ws <= radius + HAIR
+        )
+
+    def box(self) -> tuple[float, float, float, float]:
+        """Left, bottom, right and top."""
+        x, y, (c, s), (wc, ws) = self.x, self.y, self.facing, self.aside
+        tangent = ws / wc
+        ahead_x, ahead_y = x + self.reach * c, y + self.reach * s
+        aside_x, aside_y = self.reach * abs(s) * tangent + HAIR, self.reach * abs(c) * tangent + HAIR
+        left, right = (x, ahead_x) if c > 0.0 else (ahead_x, x)
+        bottom, top = (y, ahead_y) if s > 0.0 else (ahead_y, y)
+        return left - aside_x, bottom - aside_y, right + aside_x, top + aside_y
 
 
 def nearest_in_wedge(outline: Iterable[Edge], half_angle: float) -> float:

@@ -17,7 +17,7 @@ from sim.scene import Model, Scene
 
 if TYPE_CHECKING:
     from sim.clock import Glide, Now
-    from sim.geometry import Point
+    from sim.geometry import Point, Wedge
     from sim.layout import Layout
     from sim.parts import Part
     from sim.rays import Hit
@@ -234,10 +234,14 @@ class Ground:
                 self._others(asker, min(xs), min(ys), max(xs), max(ys))
             return (self._layout or self._lay_out()).first_hits(asker, x, y, ends, ranging, but)
 
-    def seen_within(self, x: float, y: float, end: Point) -> float:
-        """The part of a way up to something that a ranger sees and that never moves, or 1."""
+    def seen_in(self, asker: int, wedge: Wedge, all_heights: bool, but: frozenset[int]) -> list[Part]:
+        """What a ranger sees and may come into a wedge, as ``rangers.Around`` says."""
         with self._lock:
-            return (self._layout or self._lay_out()).seen_within(x, y, end)
+            layout = self._layout or self._lay_out()
+            if all_heights and not but:
+                wedge = layout.up_to_still(wedge)
+            box = wedge.box()
+            return layout.seen_in(asker, self._others(asker, *box), wedge, box, but)
 
     def free_way(
         self, asker: int, x: float, y: float, end: Point, guard: float, but: frozenset[int]

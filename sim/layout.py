@@ -16,11 +16,12 @@ import gc
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from math import radians
+from operator import attrgetter
 from weakref import WeakSet
 
 import pymunk
 
-from sim.geometry import Placement, Point, contains, edges, is_convex, placed, signed_area
+from sim.geometry import Placement, Point, Wedge, contains, edges, is_convex, placed, signed_area
 from sim.index import Box, MovingRoots, StillParts, entries_of, is_whole
 from sim.parts import BODY, RANGED, SIGHT, Part, parts_of
 from sim.rays import Hit, Rays
@@ -133,6 +134,13 @@ def _shapes(body: pymunk.Body, points: tuple[Point, ...], radius: float) -> Iter
     return [pymunk.Segment(body, (ax, ay), (bx, by), radius) for ax, ay, bx, by in edges(points)]
 
 
+_rank = attrgetter("rank")
+
+
+WORTH_A_RAY = 0.5
+"""Metres: in a longer wedge, a ray finds out first how far it has to be looked into."""
+SLACK = 0.01
+"""Metres that it is looked into farther than the ray says."""
 MOST_ROOM = 5.0
 """Metres: no more room than that is looked for."""
 
@@ -239,11 +247,36 @@ class Layout:
         hits = self._updated(self._thin, asker).first_hits(x, y, ends, asker + 1, category, but)
         return [(None if rank is None else self._placed(rank), way) for rank, way in hits]
 
-    def seen_within(self, x: float, y: float, end: Point) -> float:
+    def up_to_still(self, wedge: Wedge) -> Wedge:
+        """The wedge up to what is seen in its middle and never moves."""
+        if wedge.reach <= WORTH_A_RAY:
+            return wedge
         if self._seen_still is None:
             still = [part for part in self.at_start if part.seen and part.root not in self._start]
             self._seen_still = Layer(still, 0.0, {})
-        return self._seen_still.first_hits(x, y, (end,), 0, RANGED, _NONE)[0][1]
+        x, y, (c, s), reach = wedge.x, wedge.y, wedge.facing, wedge.reach
+        end = (x + reach * c, y + reach * s)
+        seen = self._seen_still.first_hits(x, y, (end,), 0, RANGED, _NONE)[0][1]
+        return (
+            wedge if seen >= 1.0 else Wedge(x, y, wedge.facing, wedge.aside, min(reach, seen * reach + SLACK))
+        )
+
+    def seen_in(
+        self, asker: int, roots: Iterable[int], wedge: Wedge, box: Box, but: frozenset[int]
+    ) -> list[Part]:
+        """``roots``: what may move and may come into the ``box`` of the wedge."""
+        touches, group, groups, moving = wedge.touches, asker + 1, self._groups, self.moving
+        near = list(self._still.within(*box).values())
+        for root in roots:
+            now = self._now[root]
+            if touches((now.x, now.y), moving.extent(root)) and groups.get(root, 0) != group:
+                near.extend(self.parts_of(root))
+        near = [part for part in near if part.seen and touches(part.middle, part.reach)]
+        if but:
+            near = [part for part in near if part.rank not in but]
+        if len(near) > 1:
+            near.sort(key=_rank)
+        return near
 
     def free_of_still(self, x: float, y: float, end: Point, guard: float, but: frozenset[int]) -> float:
         return self._still_layers[guard].first_hits(x, y, (end,), 0, BODY, but)[0][1]

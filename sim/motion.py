@@ -22,6 +22,7 @@ from devices.ports.robot import STEP, Bearing, Met, StoppedBy
 from sim.geometry import (
     Point,
     Spot,
+    Wedge,
     angle_of,
     disc_contact,
     edges,
@@ -90,9 +91,10 @@ class OtherRobots:
         hits = self._around.first_hits(x, y, ends, ranging)
         return [hit if hit[0] and hit[0].root in self._robots else (None, 1.0) for hit in hits]
 
-    def seen_within(self, x: float, y: float, end: Point) -> float:  # noqa: ARG002 -- see Around
-        """Not known of robots alone."""
-        return 1.0
+    def seen_in(self, wedge: Wedge, all_heights: bool) -> list[Part]:  # noqa: ARG002 -- nothing hides a robot
+        """The robots that may come into a wedge, in order."""
+        found = self._around.seen_in(wedge, False)
+        return [part for part in found if part.root in self._robots]
 
 
 class Surroundings:
@@ -149,9 +151,9 @@ class Surroundings:
         """
         return self.ground.first_hits(self.root, x, y, ends, ranging, self._absent)
 
-    def seen_within(self, x: float, y: float, end: Point) -> float:
-        """The part of a way up to something that a ranger sees and that never moves."""
-        return 1.0 if self._absent else self.ground.seen_within(x, y, end)
+    def seen_in(self, wedge: Wedge, all_heights: bool) -> list[Part]:
+        """What a ranger sees and may come into a wedge, in order; perhaps some more."""
+        return self.ground.seen_in(self.root, wedge, all_heights, self._absent)
 
     def has_room(self, x: float, y: float, to_x: float, to_y: float) -> bool:
         """Whether a way is known to keep the guard distance; False says nothing.

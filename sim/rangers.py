@@ -18,6 +18,7 @@ from sim.geometry import (
     Edge,
     Point,
     Spot,
+    Wedge,
     along,
     contains,
     direction,
@@ -46,12 +47,11 @@ class Around(Protocol):
     def first_hits(self, x: float, y: float, ends: Sequence[Point], ranging: bool = False) -> list[Hit[Part]]:
         """The parts that looks from one place to each of ``ends`` meet first, and where on the way."""
 
-    def seen_within(self, x: float, y: float, end: Point) -> float:
-        """The part of a way up to something that a ranger sees, not always the first; 1: none is known."""
+    def seen_in(self, wedge: Wedge, all_heights: bool) -> Iterable[Part]:
+        """What a ranger sees and may come into a wedge, in order; perhaps some more.
 
-
-WORTH_A_RAY = 0.5
-"""Metres: in a longer cone, a ray finds out first how far it has to be looked into."""
+        ``all_heights``: things of every height hide what is beyond them, which may be left out.
+        """
 
 
 def at_height(part: Part, height: Height) -> bool:
@@ -123,7 +123,7 @@ class Cone(Struct, frozen=True):
             if apart <= part.reach + HAIR and contains(part.points, x, y):
                 return 0.0, part
             for facing, aside in wedges:
-                metres = nearest_seen(part.points, x, y, facing, aside)
+                metres = nearest_seen(part.points, x, y, facing, aside, nearest)
                 if metres < nearest:
                     nearest, found = metres, part
         return (nearest, found) if nearest <= self.maximum else (inf, None)
@@ -153,42 +153,17 @@ class Cone(Struct, frozen=True):
         aside = direction(half)
         return [(direction(yaw - self.half_angle + (2 * i + 1) * half), aside) for i in range(count)]
 
-    def _candidates(self, around: Around, place: Spot) -> list[Part]:
+    def _candidates(self, around: Around, place: Spot) -> Iterable[Part]:
         """What may be the nearest thing in the cone."""
         height = self.height
         x, y, maximum = place.x, place.y, self.maximum
         if self.half_angle > 45.0:
             parts = around.within(x - maximum, y - maximum, x + maximum, y + maximum)
             return [part for part in parts if part.seen and at_height(part, height)]
-        ahead, aside = direction(place.yaw), direction(self.half_angle)
-        if maximum > WORTH_A_RAY and height is None:
-            seen = around.seen_within(x, y, (x + maximum * ahead[0], y + maximum * ahead[1]))
-            maximum = min(maximum, seen * maximum + TOUCH)
-        (c, s), (wc, ws), found = ahead, aside, list[Part]()
-        for part in around.within(*_box(x, y, ahead, aside, maximum)):
-            if part.seen and (height is None or at_height(part, height)):
-                middle_x, middle_y = part.middle
-                dx, dy, reach = middle_x - x, middle_y - y, part.reach
-                along = dx * c + dy * s
-                # whether the circle around it comes into the cone: a quick look before the exact one
-                if along >= -reach and abs(dy * c - dx * s) * wc - along * ws <= reach + 1e-9:
-                    found.append(part)
-        return found
-
-
-def _box(x: float, y: float, ahead: Point, aside: Point, maximum: float) -> tuple[float, float, float, float]:
-    """Left, bottom, right and top of a narrow cone."""
-    (c, s), (wc, ws) = ahead, aside
-    ahead_x, ahead_y, tangent = maximum * c, maximum * s, ws / wc
-    left_x, left_y = x + ahead_x - tangent * ahead_y, y + ahead_y + tangent * ahead_x
-    right_x, right_y = x + ahead_x + tangent * ahead_y, y + ahead_y - tangent * ahead_x
-    reach_x, reach_y = x + ahead_x / wc, y + ahead_y / wc
-    return (
-        min(x, left_x, right_x, reach_x) - HAIR,
-        min(y, left_y, right_y, reach_y) - HAIR,
-        max(x, left_x, right_x, reach_x) + HAIR,
-        max(y, left_y, right_y, reach_y) + HAIR,
-    )
+        wedge = Wedge(x, y, direction(place.yaw), direction(self.half_angle), maximum)
+        if height is None:
+            return around.seen_in(wedge, True)
+        return [part for part in around.seen_in(wedge, False) if at_height(part, height)]
 
 
 class Fan(Struct, frozen=True):

@@ -90,14 +90,14 @@ class Senses(Struct, frozen=True):
 
 
 def _steps(rangers: tuple[Ranger, ...], around: Around, spot: Spot, chance: Random | None) -> int:
-    readings = [_reading(each, around, spot, chance) for each in rangers]
-    near = [reading for reading in readings if reading is not None]
-    farthest = max(int(each.maximum * 100 + 0.5) for each in rangers)
-    return min(near, default=farthest) // CENTIMETRES_A_STEP
-
-
-def _reading(ranger: Ranger, around: Around, spot: Spot, chance: Random | None) -> int | None:
-    return ranger.centimetres(around, spot) if chance is None else ranger.noisy(around, spot, chance)
+    nearest: int | None = None
+    for each in rangers:
+        reading = each.centimetres(around, spot) if chance is None else each.noisy(around, spot, chance)
+        if reading is not None and (nearest is None or reading < nearest):
+            nearest = reading
+    if nearest is None:
+        nearest = max(int(each.maximum * 100 + 0.5) for each in rangers)
+    return nearest // CENTIMETRES_A_STEP
 
 
 def senses_of(scene: Scene, robot: int) -> Senses:
