@@ -73,7 +73,7 @@ class Glide:
 
     @cached_property
     def _world_times(self) -> Sequence[float]:
-        return [self.clock.in_the_world(each) for each in self.times]
+        return self.clock.in_the_world(self.times)
 
     def is_near(self, x: float, y: float, reach: float) -> bool:
         """Whether what is within ``reach`` of a place is too near to its way."""
@@ -213,12 +213,10 @@ class Seat:
 
     def is_next(self, time: float) -> bool:
         """Whether it would have the turn at ``time`` without any wait."""
-        turns = self.turns
         if not self.takes_part:
             return True
-        with turns.lock:
-            self.time = time
-            return turns.holder is self and not self._is_overtaken()
+        self.time = time
+        return self.turns.holder is self and not self._is_overtaken()
 
     def free_until(self) -> float:
         """The time at which another robot can act, infinity if there is none.
@@ -377,9 +375,10 @@ class Clock:
         """Of its seat, which decides among equal times."""
         return self._seat.rank
 
-    def in_the_world(self, time: float) -> float:
-        """The world's time at a time of this robot."""
-        return time + self._joined_at
+    def in_the_world(self, times: Sequence[float]) -> Sequence[float]:
+        """The world's times at times of this robot."""
+        joined_at = self._joined_at
+        return [each + joined_at for each in times]
 
     def follow(self, glide: Glide, last: float) -> Landing:
         """Let the others act until a glide is over, at the time ``last``."""

@@ -38,6 +38,8 @@ class Ground:
         self._lock = threading.RLock()
         movable = sorted({*scene.robots, *self.pushable, *self.grippable})
         self._start = {root: scene.models[root].pose.within_a_turn() for root in movable}
+        self.movable = frozenset(movable)
+        """The roots that may be put elsewhere: robots, and things to push or to grip."""
         self._now = dict(self._start)
         self._groups: dict[int, int] = {root: root + 1 for root in scene.robots}
         self._changes = 0
@@ -79,10 +81,11 @@ class Ground:
         with self._lock:
             layout = self._layout or self._lay_out()
             x, y, half, extent = glide.x, glide.y, glide.half, layout.moving.extent(glide.root)
-            for other in self._gliding_near(x, y, half + extent):
+            near = self._gliding_near(x, y, half + extent)
+            for other in near:
                 if glide.is_near(other.x, other.y, other.half + layout.moving.extent(other.root)):
                     return False
-            self._cut_near(x, y, half + extent)
+            self._cut_near(near, x, y, half + extent)
             self._glides[glide.root] = glide
             layout.moving.cover(glide.root, x, y, half)
             return True
@@ -93,9 +96,9 @@ class Ground:
             del self._glides[root]
             self._put(root, self._now[root] if now is None else now)
 
-    def _cut_near(self, x: float, y: float, reach: float) -> None:
+    def _cut_near(self, glides: Iterable[Glide], x: float, y: float, reach: float) -> None:
         """Something comes within ``reach`` of a place. Under the lock."""
-        near = [each for each in self._gliding_near(x, y, reach) if each.is_near(x, y, reach)]
+        near = [each for each in glides if each.is_near(x, y, reach)]
         if near:
             self._cut(near)
 
@@ -132,11 +135,6 @@ class Ground:
 
     # --- where things are
 
-    @property
-    def movable(self) -> frozenset[int]:
-        """The roots that may be put elsewhere: robots, and things to push or to grip."""
-        return frozenset(self._start)
-
     def place(self, root: int) -> Placement:
         """Where a movable root is now."""
         return self._now[root]
@@ -155,7 +153,8 @@ class Ground:
         with self._lock:
             self._put(root, now)
             if self._glides and self._layout is not None:
-                self._cut_near(now.x, now.y, self._layout.moving.extent(root))
+                extent = self._layout.moving.extent(root)
+                self._cut_near(self._gliding_near(now.x, now.y, extent), now.x, now.y, extent)
 
     def _put(self, root: int, now: Placement) -> None:
         if now != self._now[root]:
@@ -241,7 +240,10 @@ class Ground:
             if all_heights and not but:
                 wedge = layout.up_to_still(wedge)
             box = wedge.box()
-            return layout.seen_in(asker, self._others(asker, *box), wedge, box, but)
+            roots = layout.moving.in_wedge(wedge, box)
+            if self._glides:
+                self._catch_up(asker, roots)
+            return layout.seen_in(asker, roots, wedge, box, but)
 
     def free_way(
         self, asker: int, x: float, y: float, end: Point, guard: float, but: frozenset[int]

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from math import dist, floor
 from statistics import median_low
 
-from sim.geometry import Placement, edges, is_convex, signed_area
+from sim.geometry import Placement, Wedge, edges, is_convex, signed_area
 from sim.parts import Part
 
 Box = tuple[float, float, float, float]
@@ -122,6 +122,11 @@ class MovingRoots:
             for root, (x, y, reach) in self._near(left, bottom, right, top)
             if left - reach <= x <= right + reach and bottom - reach <= y <= top + reach
         ]
+
+    def in_wedge(self, wedge: Wedge, box: Box) -> list[int]:
+        """The roots that may come into a wedge, which fits into the box, in no order."""
+        touches = wedge.touches
+        return [root for root, (x, y, reach) in self._near(*box) if touches((x, y), reach)]
 
     def _near(
         self, left: float, bottom: float, right: float, top: float

@@ -264,12 +264,11 @@ class Layout:
     def seen_in(
         self, asker: int, roots: Iterable[int], wedge: Wedge, box: Box, but: frozenset[int]
     ) -> list[Part]:
-        """``roots``: what may move and may come into the ``box`` of the wedge."""
-        touches, group, groups, moving = wedge.touches, asker + 1, self._groups, self.moving
+        """``roots``: what may move and may come into the wedge, which fits into the ``box``."""
+        touches, group, groups = wedge.touches, asker + 1, self._groups
         near = list(self._still.within(*box).values())
         for root in roots:
-            now = self._now[root]
-            if touches((now.x, now.y), moving.extent(root)) and groups.get(root, 0) != group:
+            if groups.get(root, 0) != group:
                 near.extend(self.parts_of(root))
         near = [part for part in near if part.seen and touches(part.middle, part.reach)]
         if but:

@@ -222,6 +222,8 @@ class Mover:
         self.senses: Senses = senses_of(ground.scene, robot)
         self.body: Body = body_of(ground.scene, robot)
         self._bare = self.body
+        self._apart_since = -1
+        """The ground's ``jumps`` when the robot was known to reach into nothing."""
         self.around = Surroundings(ground, robot)
         self._keep_guard()
         self._barring = self._without_what_gives_way(ground)
@@ -379,10 +381,20 @@ class Mover:
         return [part for part in self.around.near(spot.x, spot.y, reach) if part.solid]
 
     def _reaches_into_any(self, spot: Spot) -> bool:
-        return any(self._overlaps(spot, part) for part in self._touchable(spot, self.body.radius))
+        close = self._touchable(spot, self.body.radius)
+        if any(self._overlaps(spot, part) for part in close):
+            return True
+        self._apart_since = self.around.ground.jumps
+        return False
 
     def _overlaps(self, spot: Spot, part: Part) -> bool:
-        """Whether the robot already reaches into the thing: its world put it there. It may only leave."""
+        """Whether the robot already reaches into the thing: its world put it there. It may only leave.
+
+        If it reaches into nothing, it can't come into what lies still but by a jump.
+        """
+        ground = self.around.ground
+        if self._apart_since == ground.jumps and part.root not in ground.movable:
+            return False
         if dist(part.middle, (spot.x, spot.y)) > part.reach + self.body.radius + SKIN:
             return False
         mine = (placed(points, spot.x, spot.y, spot.yaw) for points in self.body.polygons)

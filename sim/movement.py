@@ -12,13 +12,14 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
+from functools import lru_cache
 from math import ceil, inf, radians, sin
 
 from devices.ports.robot import STEP, Bearing, Motion, StoppedBy
 from sim.clock import Landing, Mark
 from sim.ground import Moment
 from sim.motion import TOUCHING
-from sim.vehicle import NEARLY, TICK, Rate, Vehicle, Whereabouts, moving, turning
+from sim.vehicle import NEARLY, TICK, Course, Rate, Vehicle, Whereabouts, moving, turning
 
 MOST_REPORTS = 1000
 """A longer movement reports only every n-th step, so that a huge one has few reports."""
@@ -86,7 +87,8 @@ class Sweeping(Movement):
         room = self._room()
         if room:
             return self._sweep(room)
-        end = self._free_to() if self._vehicle.may_glide() else self._whole
+        is_gliding = self._vehicle.glides and self._vehicle.clock.is_active()
+        end = self._free_to() if is_gliding else self._whole
         landed = self._glide(end) if end > self._whole else None
         return self._tick() if landed is None else self._land(end, *landed)
 
@@ -340,7 +342,7 @@ class Turn(Sweeping):
 
     def _tick(self) -> StoppedBy | None:
         vehicle = self._vehicle
-        wanted = self._in_a_tick(self._whole)
+        wanted = _in_a_tick(self._course, self._whole, self._asked)
         free = self._free(wanted)
         if free == 0:
             return StoppedBy.COLLISION
@@ -363,11 +365,7 @@ class Turn(Sweeping):
         return begun + wanted * self._vehicle.mover.has_free_turn(here, self._sign * wanted)
 
     def _stops(self, end: int) -> Sequence[int]:
-        stops, whole = list[int](), self._whole
-        while whole < end:
-            whole += self._in_a_tick(whole)
-            stops.append(whole)
-        return stops
+        return _turned(self._course, self._whole, end)
 
     def _land(self, end: int, landing: Landing, count: int) -> StoppedBy | None:
         vehicle = self._vehicle
@@ -391,14 +389,24 @@ class Turn(Sweeping):
             self._come_to(self._whole)
         self._vehicle.go_to(self._at(self._whole))
 
-    def _in_a_tick(self, whole: int) -> int:
-        """Degrees of the tick that begins there."""
-        to_report = DEGREES_A_REPORT - whole % DEGREES_A_REPORT
-        in_a_tick = max(1, int(self._course.further(whole, TICK)))
-        return min(in_a_tick, self._asked - whole, to_report)
-
     def _free(self, degrees: int) -> int:
         return abs(self._vehicle.mover.turn(self._vehicle.here.truth, self._sign * degrees))
+
+
+def _in_a_tick(course: Course, whole: int, end: int) -> int:
+    """Degrees of the tick that begins there."""
+    to_report = DEGREES_A_REPORT - whole % DEGREES_A_REPORT
+    return min(max(1, int(course.further(whole, TICK))), end - whole, to_report)
+
+
+@lru_cache(maxsize=100)
+def _turned(course: Course, whole: int, end: int) -> Sequence[int]:
+    """Degrees that are done after each tick up to ``end``."""
+    stops = list[int]()
+    while whole < end:
+        whole += _in_a_tick(course, whole, end)
+        stops.append(whole)
+    return stops
 
 
 class Bend(Movement):

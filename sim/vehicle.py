@@ -66,6 +66,8 @@ def _stops(course: Course, done: float, end: float) -> tuple[float, ...]:
 class Course(Protocol):
     """Way and time of one movement."""
 
+    def __hash__(self) -> int: ...
+
     def seconds(self, done: float, further: float) -> float:
         """How long it takes to go ``further`` where ``done`` was gone before."""
 
@@ -357,7 +359,7 @@ class Vehicle:
         return self._ground.is_unchanged(self._root, since)
 
     def is_clear(self) -> bool:
-        """Whether nothing can come in the way of the next tick.
+        """Whether nothing can come in the way of the next tick, as far as that is worth a look.
 
         Known for a while after it was found out; what others do in their last tick takes a step at most.
         """
@@ -365,7 +367,7 @@ class Vehicle:
         if self._clear_until >= seconds + TICK and self._jumps == ground.jumps:
             return True
         self._clear_until, self._jumps = -inf, ground.jumps
-        if self.clock.takes_part and self.mover.is_far(self.here.truth, CLEARANCE + STEP):
+        if self.clock.takes_part and not self.glides and self.mover.is_far(self.here.truth, CLEARANCE + STEP):
             self._clear_until = seconds + CLEARANCE / (2 * ground.fastest)
         return self._clear_until >= seconds + TICK
 
@@ -401,10 +403,11 @@ class Vehicle:
             return Whereabouts(truth, truth)
         return Whereabouts(truth, self.odometry.turned(start.belief, degrees))
 
-    def may_glide(self) -> bool:
-        """Whether it shares its world, at unlimited speed, and holds nothing."""
+    @property
+    def glides(self) -> bool:
+        """Whether it glides where nothing is near: in company, at unlimited speed, with empty hands."""
         clock = self.clock
-        return clock.speed is None and clock.takes_part and self.hand.held is None and clock.is_active()
+        return clock.speed is None and clock.takes_part and self.hand.held is None
 
     def glide(
         self,

@@ -98,7 +98,7 @@ def run(text: str, seed: int, commands: int) -> Trace:
 
 @contextmanager
 def only_ticks() -> Iterator[None]:
-    with patch.object(Vehicle, "may_glide", lambda _: False):
+    with patch.object(Vehicle, "glides", False):
         yield
 
 
