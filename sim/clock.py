@@ -84,7 +84,7 @@ class Glide:
         time, rank = now
         times = self._world_times
         count = bisect_left(times, time)
-        is_before = count < len(times) and times[count] == time and self.clock.rank < rank
+        is_before = count < len(times) and times[count] == time and self.clock.seat.rank < rank
         return count + is_before
 
     def cut(self, now: Now) -> float:
@@ -122,11 +122,12 @@ class Turns:
         """Something has come near to robots that glide: they act again at the end of the tick that is due."""
         with self.lock:
             now = self.now()
-            cut = {seat for seat, glide in self.glides.items() if glide in glides and glide.count is None}
-            cut.discard(self.holder)
-            for seat in cut:
-                self.glides[seat].clock.cut(self.glides[seat].cut(now))
-            self.queue = [(seat.time, seat.rank, seat) for _, _, seat in self.queue]
+            for glide in glides:
+                seat = glide.clock.seat
+                if self.glides.get(seat) is glide and glide.count is None and seat.waits:
+                    place = self.queue.index((seat.time, seat.rank, seat))
+                    glide.clock.cut(glide.cut(now))
+                    self.queue[place] = (seat.time, seat.rank, seat)
             heapify(self.queue)
 
     def expect(self, seats: Iterable[Seat]) -> None:
@@ -230,6 +231,11 @@ class Seat:
             if turns.glides:
                 return self.time
             return turns.queue[0][0] if turns.queue else inf
+
+    @property
+    def waits(self) -> bool:
+        """Whether it is in the queue."""
+        return self.takes_part and self.turns.holder is not self
 
     def nudge(self) -> None:
         """Make a waiting ``take`` check whether it was halted. Any thread."""
@@ -371,9 +377,9 @@ class Clock:
         return False
 
     @property
-    def rank(self) -> int:
-        """Of its seat, which decides among equal times."""
-        return self._seat.rank
+    def seat(self) -> Seat:
+        """Its place among the robots of its world."""
+        return self._seat
 
     def in_the_world(self, times: Sequence[float]) -> Sequence[float]:
         """The world's times at times of this robot."""

@@ -137,6 +137,8 @@ def _shapes(body: pymunk.Body, points: tuple[Point, ...], radius: float) -> Iter
 _rank = attrgetter("rank")
 
 
+_THIN = 0.0
+"""Metres by which everything is thickened for rays."""
 WORTH_A_RAY = 0.5
 """Metres: in a longer wedge, a ray finds out first how far it has to be looked into."""
 SLACK = 0.01
@@ -181,9 +183,8 @@ class Layout:
             if place != start[root]:
                 self.moving.move(root, place)
                 self._unplaced.add(root)
-        self._thin = self._made(self.at_start, 0.0)
         self._layers: dict[float, _Kept] = {}
-        """Of what may move, by the distance that is kept."""
+        """Of what may move, by the distance that is kept; of everything, for the distance 0."""
         self._still_layers: dict[float, Layer] = {}
         """The same of what never moves."""
         for guard in guards:
@@ -202,13 +203,12 @@ class Layout:
     def changed(self, root: int) -> None:
         """It is elsewhere now."""
         self._unplaced.add(root)
-        self._thin.stale.add(root)
         for kept in self._layers.values():
             kept.stale.add(root)
 
     def group(self, root: int) -> None:
         """It belongs to another robot now, or to none."""
-        for kept in (self._thin, *self._layers.values()):
+        for kept in self._layers.values():
             kept.layer.group(root, self._groups[root])
 
     def parts(self) -> Sequence[Part]:
@@ -244,7 +244,9 @@ class Layout:
         self, asker: int, x: float, y: float, ends: Sequence[Point], ranging: bool, but: frozenset[int]
     ) -> list[Hit[Part]]:
         category = RANGED if ranging else SIGHT
-        hits = self._updated(self._thin, asker).first_hits(x, y, ends, asker + 1, category, but)
+        if _THIN not in self._layers:  # many robots never look along rays
+            self._layers[_THIN] = self._made(self.at_start, _THIN)
+        hits = self._updated(self._layers[_THIN], asker).first_hits(x, y, ends, asker + 1, category, but)
         return [(None if rank is None else self._placed(rank), way) for rank, way in hits]
 
     def up_to_still(self, wedge: Wedge) -> Wedge:
