@@ -7,13 +7,14 @@ terminal is given back.
 from __future__ import annotations
 
 import os
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rich.console import RenderableType
 from rich.text import Text
 from textual import events
+from textual.message import Message
 from textual.screen import Screen
 
 from donnie_tui.commands.keys import PALETTE, KeyTable
@@ -56,11 +57,12 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         search: Search | None = None,
         folder: Path | None = None,
         restored: ScreenState | None = None,
+        typed: Sequence[events.Event] = (),
     ) -> None:
         """``text``: what the other mode left, unsaved changes included. ``folder`` holds the copies.
 
         ``search`` gives up the search for a robot, where ``assemble`` looks for one. ``restored`` is kept
-        from the world before.
+        from the world before, and ``typed`` are the keys that were not taken there.
         """
         super().__init__(settings)
         self._settings, self._file, self._text, self._restored = settings, file, text, restored
@@ -85,9 +87,12 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             self.key_table,
             dialogs=self._dialogs,
             feed=super().on_event,
-            must_wait=lambda: self.startup.holds_keys or self._dialogs.holds_keys,
+            must_wait=lambda: (
+                self.startup.holds_keys or self._dialogs.holds_keys or bool(self.session.next_world)
+            ),
             do=self.do,
         )
+        self._keyboard.hold(typed)
         self.startup = Startup(
             self,
             self.session,
@@ -255,6 +260,10 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         if self.controller is not None and self.is_running:
             self.controller.display.update()
 
+    def keys_not_taken(self) -> list[events.Event]:
+        """What was typed for the next world, once this screen is gone."""
+        return [*filter(None, map(_typed_again, (*self._keyboard.give_up(), *self.messages_not_taken())))]
+
     # --- messages
 
     def on_run_began(self, event: RunBegan) -> None:
@@ -350,3 +359,10 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         if not self._exit_renderables:
             self._exit_renderables.append(Text(early("screen-fault", self._language)))
         self._close_messages_no_wait()
+
+
+def _typed_again(message: Message | None) -> events.Event | None:
+    """A key or a paste as if it came just now; None for what is neither."""
+    if isinstance(message, events.Key):
+        return events.Key(message.key, message.character)
+    return events.Paste(message.text) if isinstance(message, events.Paste) else None

@@ -278,6 +278,7 @@ class ScreenController:
         self.events.flush()
         self.assistant.stop_copying()
         self.next_world = name
+        self.app.keep_input()  # what is typed from now on is for that world
         self.app.exit(0)
 
     def hand_over(self) -> Donnie:

@@ -10,6 +10,8 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from textual.events import Event
+
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.parsing import PLAYER, SERIAL
 from donnie_tui.settings.settings import Settings
@@ -47,11 +49,13 @@ def _through_worlds(settings: Settings, file: Path | None, text: str | None, don
     if donnie:
         donnie.outlets.audible.move_to(is_linear=False)
     restored: ScreenState | None = None
+    typed = list[Event]()
     while True:
-        app = _shown(settings, file, text, donnie, restored)
+        app = _shown(settings, file, text, donnie, restored, typed)
         if not app.session.next_world:
             break
         settings, restored = _in_next_world(app)
+        typed = app.keys_not_taken()
         file = text = donnie = None
     print_last_lines(app.main_screen.log_rows.lines)
     code = CRASHED if app.return_code == CRASHED else app.return_value or 0
@@ -64,6 +68,7 @@ def _shown(
     text: str | None,
     donnie: Donnie | None,
     restored: ScreenState | None,
+    typed: list[Event],
 ) -> DonnieApp:
     """The screen until it is left. Raises as ``run_full_screen`` does."""
     search = Search(is_pending=True) if donnie is None and _takes_time(settings) else None
@@ -74,6 +79,7 @@ def _shown(
         assemble=lambda: donnie or _assembled(settings, search),
         search=search,
         restored=restored,
+        typed=typed,
     )
     try:
         app.run(mouse=wants_mouse(settings))

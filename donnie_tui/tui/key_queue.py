@@ -71,9 +71,14 @@ class KeyQueue:
                 text = text[:-1] if event.key == "backspace" else text + _written(event)
         return text
 
-    def hold(self, event: Event) -> None:
-        """Keep a key until the command before it is done."""
-        self._held.append(event)
+    def hold(self, *events: Event) -> None:
+        """Keep keys until the command before them is done."""
+        self._held.extend(events)
+
+    def give_up(self) -> list[Event]:
+        """The keys that wait; they wait here no more."""
+        held, self._held = [*self._held], deque()
+        return held
 
     def do(self, command: KeyCommand, rounds: int = ROUNDS) -> None:
         """Do it once everything that came before has been."""

@@ -5,7 +5,7 @@ A stop waits for nothing. Whatever else a key does comes after what was typed be
 
 from __future__ import annotations
 
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Iterable
 from typing import TYPE_CHECKING
 
 from textual import events
@@ -82,6 +82,14 @@ class Keyboard:
     def waiting_text(self) -> str:
         """What was typed and can't be taken yet. Works in any thread."""
         return self._queue.held_text
+
+    def hold(self, typed: Iterable[events.Event]) -> None:
+        """Take these first, once there is something that keys are for."""
+        self._queue.hold(*typed)
+
+    def give_up(self) -> list[events.Event]:
+        """What was typed and not taken."""
+        return self._queue.give_up()
 
     async def on_event(self, event: events.Event) -> None:
         """Take an event of the application, which may be a key."""

@@ -22,6 +22,7 @@ from textual.app import App
 from textual.color import Color
 from textual.filter import LineFilter
 from textual.geometry import Offset
+from textual.message import Message
 from textual.screen import Screen
 from textual.widgets import Input, TextArea
 
@@ -78,6 +79,22 @@ def take_any_bytes(driver: type) -> None:
         )
 
 
+def _stop_reading(driver: Any) -> None:
+    """As Textual's driver does, which also throws away what was typed and not read yet."""
+    import signal
+
+    if driver.exit_event.is_set():
+        return
+    signal.signal(signal.SIGWINCH, signal.SIG_DFL)
+    driver._disable_mouse_support()
+    driver.exit_event.set()
+    if driver._key_thread is not None:
+        driver._key_thread.join()
+
+
+LONGEST_READ = 1.0
+"""Seconds in which the thread that reads the terminal ends."""
+
 SHOW_CURSOR = "\x1b[?25h"
 
 _HARMFUL = re.compile(HARMFUL)
@@ -91,6 +108,7 @@ class TerminalApp(App[int], inherit_bindings=False):
         """By theme. They are asked for again and again before the first frame."""
         super().__init__(ansi_color=True if "NO_COLOR" in os.environ else None)  # the filters ask at once
         take_any_bytes(self.driver_class)
+        self._kept_input: list[Message] = []
         self.animation_level = "none"
         for name in themes.NAMES:
             self.register_theme(themes.theme(name))
@@ -126,6 +144,27 @@ class TerminalApp(App[int], inherit_bindings=False):
         if variables != self._read_with:
             self._read_with = variables
             super().refresh_css(animate)
+
+    # --- the input
+
+    def keep_input(self) -> None:
+        """From now on nothing that comes from the terminal is taken here."""
+        driver: Any = self._driver
+        if driver is None:
+            return
+        driver.send_message = self._kept_input.append
+        if hasattr(driver, "attrs_before"):
+            driver.disable_input = partial(_stop_reading, driver)
+
+    def messages_not_taken(self) -> list[Message]:
+        """In the order in which they came, once the screen is gone; no thread reads the terminal then."""
+        thread = getattr(self._driver, "_key_thread", None)
+        if thread is not None:
+            thread.join(LONGEST_READ)
+        waiting: list[Message | None] = []
+        while not self._message_queue.empty():
+            waiting.append(self._message_queue.get_nowait())
+        return [each for each in (*waiting, *self._kept_input) if each is not None]
 
     # --- the output
 

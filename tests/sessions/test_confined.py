@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import subprocess
 import sys
 from pathlib import Path
 
@@ -88,6 +89,58 @@ def test_no_word_of_the_linear_mode_reads_or_writes_outside(ana: Path) -> None:
     assert outside(ana) == before
     assert "4711" not in done.stdout.decode()
     assert (ana / "coração.gd").read_text() == "FW 2\n"
+
+
+STARTED = ("subprocess.Popen", "os.system", "os.exec", "os.fork", "os.forkpty", "os.posix_spawn", "os.spawn")
+NOTES_STARTS = f"""
+import os, sys
+def note(event, arguments):
+    if event in {STARTED!r}:
+        with open(os.environ["STARTS"], "a") as file:
+            file.write(event + " " + repr(arguments) + "\\n")
+sys.addaudithook(note)
+"""
+"""What Python imports by itself at its start, where it finds it."""
+
+
+def test_a_session_of_a_forced_command_starts_no_process(ana: Path, tmp_path: Path) -> None:
+    """No voice, no sound and no guard: over SSH nobody hears them, and there is no real robot."""
+    (tmp_path / "site").mkdir()
+    (tmp_path / "site/sitecustomize.py").write_text(NOTES_STARTS)
+    path = os.pathsep.join((str(tmp_path / "site"), os.environ.get("PYTHONPATH", "")))
+    changes = {"PYTHONPATH": path, "STARTS": str(tmp_path / "starts"), "SSH_CONNECTION": "1 2 3 4"}
+    words = [
+        "FW 1",
+        "SPEAK 1",
+        "",
+        "LOG",
+        "REPORT MAP",
+        "SAVE LOG a",
+        "HELP",
+        "DOCTOR",
+        "VOICE",
+        "MAP",
+        "QUIT",
+    ]
+
+    typed = "\n".join(words) + "\n"
+    done = donnie(ana, "--linear", "--confined", str(ana), typed=typed, changes=changes)
+    again = donnie(ana, "run", "mine.gd", "--confined", str(ana), changes=changes)
+
+    assert b"I walked 1 step forward." in done.stdout
+    assert b"I walked 1 step forward." in again.stdout
+    assert not (tmp_path / "starts").exists(), (tmp_path / "starts").read_text()
+
+
+def test_the_note_of_started_processes_notes_them(tmp_path: Path) -> None:
+    """Otherwise the test before could not fail."""
+    (tmp_path / "sitecustomize.py").write_text(NOTES_STARTS)
+    changes = {"PYTHONPATH": str(tmp_path), "STARTS": str(tmp_path / "starts")}
+    subprocess.run(
+        [sys.executable, "-c", "import subprocess; subprocess.run(['true'])"], env={**os.environ, **changes}
+    )
+
+    assert "true" in (tmp_path / "starts").read_text()
 
 
 @pytest.mark.parametrize("word", ["OPEN", "SAVE AS", "SAVE LOG", "REPORT LIST", "WORLD"])

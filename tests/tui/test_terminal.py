@@ -116,6 +116,21 @@ def test_what_is_typed_before_the_session_is_loaded_is_kept_at_a_signal_in_the_s
     assert [each.read_text(encoding="utf-8") for each in copies] == ["FW 123\n"]
 
 
+def test_what_is_typed_on_the_way_to_another_world_is_typed_there(terminal):
+    """All in one burst, as from a script; then letter by letter while the screen changes."""
+    donnie = terminal()
+    donnie.type(SHIFT_TAB + "WORLDS living room" + ENTER + "WHERE" + ENTER)
+    donnie.shows("Position 0, 0. Facing north.")
+    donnie.shows("living_room")
+    donnie.type("WORLDS maze" + ENTER)
+    typed = "HELP SPEAK"
+    for letter in typed:
+        donnie.type(letter)
+        donnie.read(0.05)
+    donnie.shows("maze")
+    donnie.shows(f"> {typed}")
+
+
 @pytest.mark.parametrize("controls", [True, False], ids=["heard", "unheard"])
 def test_a_lost_line_halts_and_keeps_the_text(terminal, tmp_path, controls):
     """As when SSH breaks off: no reader and no keys, with and without the hang-up signal."""
