@@ -104,7 +104,7 @@ sys.addaudithook(note)
 
 
 def test_a_session_of_a_forced_command_starts_no_process(ana: Path, tmp_path: Path) -> None:
-    """No voice, no sound and no guard: over SSH nobody hears them, and there is no real robot."""
+    """No voice, no sound and no guard: over SSH no one hears them, and there is no real robot."""
     (tmp_path / "site").mkdir()
     (tmp_path / "site/sitecustomize.py").write_text(NOTES_STARTS)
     path = os.pathsep.join((str(tmp_path / "site"), os.environ.get("PYTHONPATH", "")))

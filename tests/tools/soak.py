@@ -149,7 +149,7 @@ def _visual(folder: Path, options: tuple[str, ...]) -> Started:
 
 
 def _pipe(folder: Path) -> str:
-    """A session gives up a named pipe that nobody reads for long: this tool must not be starved."""
+    """A session gives up a named pipe that no one reads for long: this tool must not be starved."""
     os.mkfifo(folder / _EVENTS)
     return str(folder / _EVENTS)
 
