@@ -63,8 +63,8 @@ class RangeSensor(Struct, frozen=True):
     samples: int = 1
     """1: a cone, covered whole. More: so many thin rays, spread evenly over the field of view."""
     noise: RangeNoise = field(default_factory=RangeNoise)
-    thickness: float = 0.02
-    """Metres up and down; it looks from the middle of that."""
+    size: tuple[float, float, float] = (0.02, 0.02, 0.02)
+    """Metres ahead, across and up; it looks from the middle of its height."""
 
 
 class Blobfinder(Struct, frozen=True):

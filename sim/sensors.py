@@ -123,7 +123,7 @@ def rangers_of(models: tuple[Model, ...], frame: Placement) -> Iterator[Ranger]:
     for model in models:
         for sensor in model.sensors:
             x, y, yaw = _mounted(model.pose.then(sensor.pose), frame)
-            yield _ranger(sensor, x, y, yaw, _height(model, sensor.pose.z + sensor.thickness / 2))
+            yield _ranger(sensor, x, y, yaw, _height(model, sensor.pose.z + sensor.size[2] / 2))
 
 
 def _ranger(sensor: RangeSensor, x: float, y: float, yaw: float, height: Height) -> Ranger:

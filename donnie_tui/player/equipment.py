@@ -268,7 +268,7 @@ class RangeFinder(MountedDevice):
 
     def geometry(self) -> bytes | None:
         sensors = [self._model.sensors[each] for each in self._order]
-        sizes = [(0.0, 0.0, 0.0) for _ in sensors]
+        sizes = [each.size for each in sensors]
         return self._ack(1, *self._place(), [pose3d(each.pose) for each in sensors], sizes)
 
     def request(self, subtype: int, values: Values) -> bytes | None:

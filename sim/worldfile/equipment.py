@@ -38,9 +38,9 @@ def range_sensor(read: ValueReader, settings: Settings) -> RangeSensor:
     minimum, maximum = read.span(settings, "range", (usual.minimum, usual.maximum))
     fov = _fov(read.angle(settings, "fov", usual.fov))
     samples = read.whole(settings, "samples", 1, MOST_SAMPLES)
-    thickness = read.size(settings, (0.02, 0.02, usual.thickness))[2]
+    size = read.size(settings, usual.size)
     noise = _noise(read, settings)
-    return RangeSensor(read.place(settings, "pose"), minimum, maximum, fov, samples, noise, thickness)
+    return RangeSensor(read.place(settings, "pose"), minimum, maximum, fov, samples, noise, size)
 
 
 def _noise(read: ValueReader, settings: Settings) -> RangeNoise:

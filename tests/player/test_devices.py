@@ -162,6 +162,7 @@ def test_a_ranger_measures_in_the_order_of_its_sensors(stations: Stations) -> No
     assert laser[0] == pytest.approx(1.8, abs=0.03)
     assert client.ask(62, 1, 5)[:3] == pytest.approx((-pi / 2, pi / 2, pi / 181))
     assert client.ask(62, 0, 1)[9][1] == pytest.approx((0, 0.2, 0, 0, 0, pi / 2))
+    assert client.ask(62, 0, 1)[10] == ((0.02, 0.02, 0.02),) * 4
     assert client.ask(62, 0, 2, 1) is None
 
 

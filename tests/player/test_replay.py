@@ -149,3 +149,25 @@ def test_donnie_player_has_all_that_the_original_client_opens_and_the_reading_th
     assert len(opened) >= 6
     assert not any(each.type == MessageType.NACK for each in client.got if each.subtype == 3)
     assert {len(values_of(each)[0]) for each in ranges if each.type == MessageType.DATA} == {7}
+
+
+def test_the_sensors_of_a_ranger_have_the_poses_and_sizes_of_the_real_server(shared: Path) -> None:
+    """Of Stage's own example, as its recorded server sent them: 16 sonars, and a laser."""
+    stations = stations_of(shared / "stage" / "worlds" / "simple.cfg")
+    client = Replayed(stations, stations.by_port[6665])
+    for index in (0, 1):
+        client.send(PlayerMessage(62, index, MessageType.REQUEST, 1))
+    ours = [values_of(each) for each in client.got if each.type == MessageType.ACK]
+    recorded = [
+        values_of(each)
+        for side in sides(shared, "stage-simple")
+        if side.sender == "server"
+        for each in side.messages()
+        if (each.interface, each.type, each.subtype) == (62, MessageType.ACK, 1)
+    ]
+
+    assert len(ours) == len(recorded) == 2
+    for mine, theirs in zip(ours, recorded, strict=True):
+        for one, other in zip(mine[9], theirs[9], strict=True):
+            assert one == pytest.approx(other)
+        assert list(mine[10]) == [pytest.approx(each) for each in theirs[10]]

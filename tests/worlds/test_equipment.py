@@ -110,13 +110,13 @@ def test_the_angles_of_a_camera_are_stored_in_degrees() -> None:
     assert model(text).camera == Camera(0.1, 9, (60, 30), 20, 10)
 
 
-def test_a_sensor_has_a_noise_and_a_height() -> None:
+def test_a_sensor_has_a_noise_and_a_size() -> None:
     text = (
         "ranger ( sensor ( size [ 0.01 0.05 0.03 ] range_noise 0.1 range_noise_const 0.02 angle_noise 3 ) )"
     )
     (sensor,) = model(text).sensors
 
-    assert (sensor.thickness, sensor.noise) == (0.03, RangeNoise(0.02, 0.1, 3))
+    assert (sensor.size, sensor.noise) == ((0.01, 0.05, 0.03), RangeNoise(0.02, 0.1, 3))
 
 
 def test_a_thing_is_pushed_gripped_and_weighed_only_where_its_file_says_so() -> None:

@@ -79,7 +79,7 @@ def _sensor(it: RangeSensor) -> str:
     noise = it.noise
     return (
         f"sensor ( pose {place(it.pose)} range {numbers((it.minimum, it.maximum))} fov {it.fov!r}"
-        f" samples {it.samples} size {numbers((0.01, 0.01, it.thickness))}"
+        f" samples {it.samples} size {numbers(it.size)}"
         f" noise {numbers((noise.proportional, noise.constant, noise.angle))} )"
     )
 
