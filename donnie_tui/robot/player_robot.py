@@ -46,6 +46,7 @@ from devices.ports.robot import (
     Watcher,
 )
 from devices.serial_robot.senses import scan_angles, sightings
+from donnie_tui.process.signals import timeout_factor
 from sim.colours import FAMILIES, colour_of
 from sim.geometry import normal
 from sim.sensors import Device, Mounted
@@ -102,6 +103,7 @@ class ServerLink:
         self._data: dict[tuple[int, int, int], PlayerMessage] = {}
         self._replies: dict[tuple[int, int, int], PlayerMessage] = {}
         self._closed = threading.Event()
+        self._factor = timeout_factor()
         self._driven_until = inf
         self._read_at = 0.0
         self.permit = 0
@@ -208,7 +210,7 @@ class ServerLink:
         if WHEELS not in self.devices:
             self._shut()
             raise RobotProblem("no-wheels", port=self.name)
-        limit = monotonic() + ANSWERING
+        limit = monotonic() + ANSWERING * self._factor
         while self.values(WHEELS) is None:
             self._pump(limit)
         self.is_there = True
@@ -217,7 +219,7 @@ class ServerLink:
         """What is in the reply; None for a refusal."""
         self._replies.pop((*key, subtype), None)
         self._send(key, MessageType.REQUEST, subtype, *values)
-        limit = monotonic() + ANSWERING
+        limit = monotonic() + ANSWERING * self._factor
         while (reply := self._replies.get((*key, subtype))) is None:
             self._pump(limit)
         return None if reply.type == MessageType.NACK else values_of(reply)
@@ -272,7 +274,7 @@ class ServerLink:
             if now > self._driven_until:
                 self._driven_until = inf
                 self.command(WHEELS, 1, 0.0, 0.0, 0.0, 1)
-        if now - self._read_at > LOST:
+        if now - self._read_at > LOST * self._factor:
             raise TimeoutError
         if now - self._read_at > SILENCE:
             self._send((Interface.PLAYER, 0), MessageType.REQUEST, 1)
@@ -321,6 +323,8 @@ NEXT_STEP, WATCHED = 1.8, 0.75
 """Steps that must be free to begin one, and beyond the one that is walked."""
 STUCK = 3.0
 """Seconds without any movement that end one."""
+GAP = 1.0
+"""Seconds between two data after which the program was held meanwhile, and the robot stood."""
 FRAME = 1 / 20
 """Seconds between two poses for a moving picture."""
 VIEW, REACH = 60.0, 5.0
@@ -523,9 +527,10 @@ class PlayerRobot:
                 return StoppedBy.LINK
             if now is None:
                 continue
-            at, place = now.time, (now.x, now.y, now.yaw)
-            moved_at = moved_at if place == last else now.time
-            last = place
+            place = (now.x, now.y, now.yaw)
+            if place != last or now.time - at > GAP:
+                moved_at = now.time
+            at, last = now.time, place
             self._report_passing()
             end = advance(now)
             if end is not False:

@@ -125,7 +125,7 @@ def driven(tmp_path: Path) -> Iterator[Driven]:
 
 def wait_until(condition: Callable[[], bool]) -> None:
     tick = threading.Event()
-    for _ in range(1000):
+    for _ in range(6000):
         if condition():
             return
         tick.wait(0.01)
@@ -393,7 +393,7 @@ NOWHERE = PlayerMessage(4, 0, MessageType.DATA, 1, body_of(4, 1, 1, *(float("nan
 def test_a_server_that_is_none_is_said_to_be(
     monkeypatch: pytest.MonkeyPatch, messages: list[PlayerMessage], code: str, options: dict[str, object]
 ) -> None:
-    monkeypatch.setattr(module, "ANSWERING", 0.2)
+    monkeypatch.setattr(module, "ANSWERING", 0.02)
     found = ""
     with closing(PlayedServer(messages, **options)) as server:  # type: ignore[arg-type]
         robot = PlayerRobot(ServerLink(HOST, server.port), pace=Pace())

@@ -91,7 +91,7 @@ class Client:
 Play = Callable[[Room], Coroutine[None, None, None]]
 
 
-def play(folder: Path, story: Play, speed: float | None = 20.0, seconds: float = 30) -> Room:
+def play(folder: Path, story: Play, speed: float | None = 20.0, seconds: float = 120) -> Room:
     room = Room(folder)
 
     async def run() -> None:
@@ -102,7 +102,7 @@ def play(folder: Path, story: Play, speed: float | None = 20.0, seconds: float =
     return room
 
 
-async def until(condition: Callable[[], bool], tries: int = 1000) -> None:
+async def until(condition: Callable[[], bool], tries: int = 6000) -> None:
     for _ in range(tries):
         if condition():
             return
@@ -197,7 +197,7 @@ def test_a_client_that_reads_nothing_is_sent_away(tmp_path: Path, monkeypatch: p
         monkeypatch.setattr(module, "SILENCE", 0.2)
         await until(lambda: not room.server.clients)
 
-    play(tmp_path, story, speed=None, seconds=60)
+    play(tmp_path, story, speed=None)
 
 
 def test_five_hundred_clients_that_come_and_go_leave_nothing(tmp_path: Path) -> None:
@@ -258,7 +258,7 @@ def test_a_client_that_reads_again_gets_the_newest_data(tmp_path: Path) -> None:
         gaps = [after - before for before, after in pairwise(times)]
         assert max(gaps) > 4.0
 
-    play(tmp_path, story, speed=None, seconds=60)
+    play(tmp_path, story, speed=None)
 
 
 @pytest.mark.slow
