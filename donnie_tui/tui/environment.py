@@ -27,6 +27,20 @@ def prepare(settings: Settings, environment: MutableMapping[str, str] = os.envir
     environment.setdefault("TEXTUAL_ANIMATIONS", "none")
     if is_plain(settings) or environment.get("TERM", "").startswith(_WITHOUT_KEY_REPORTS):
         environment.setdefault("TEXTUAL_DISABLE_KITTY_KEY", "1")
+    if _has_no_size():
+        environment.setdefault("COLUMNS", "80")
+        environment.setdefault("LINES", "24")
+
+
+def _has_no_size() -> bool:
+    """Whether the terminal says it has no rows, as a serial one does.
+
+    Rich and Textual take different numbers of rows for it then, and lay out the screen again without end.
+    """
+    try:
+        return os.get_terminal_size(0) == (0, 0)
+    except OSError:
+        return False
 
 
 def is_page(environment: Mapping[str, str] = os.environ) -> bool:

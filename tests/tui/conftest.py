@@ -191,10 +191,13 @@ def terminal(tmp_path: Path) -> Iterator[Callable[..., Any]]:
         controls: bool = False,
         is_job: bool = False,
         until: str = "",
+        has_size: bool = True,
         **environment: str,
     ) -> Terminal:
         """``until``: what it shows when it is returned; by default that it is ready."""
-        opened.append(Terminal(list(arguments), tmp_path, columns, rows, environment, controls, is_job))
+        opened.append(
+            Terminal(list(arguments), tmp_path, columns, rows, environment, controls, is_job, has_size)
+        )
         opened[-1].shows(until or ("Command line." if "--plain" in arguments else "READY"))
         return opened[-1]
 

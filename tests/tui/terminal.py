@@ -52,8 +52,11 @@ class Terminal:
         more: dict[str, str] | None = None,
         controls: bool = False,
         is_job: bool = False,
+        has_size: bool = True,
     ) -> None:
-        """``controls``: the line belongs to the program's session, which notices its loss.
+        """``has_size``: whether it says its size, as a serial one doesn't.
+
+        ``controls``: the line belongs to the program's session, which notices its loss.
 
         ``is_job``: this process is the shell above, to which Ctrl+Z leads back.
         """
@@ -61,7 +64,9 @@ class Terminal:
         self._stream = pyte.ByteStream(self.screen)
         self.raw = b""
         self._master, slave = pty.openpty()
-        fcntl.ioctl(self._master, termios.TIOCSWINSZ, struct.pack("HHHH", rows, columns, 0, 0))
+        fcntl.ioctl(
+            self._master, termios.TIOCSWINSZ, struct.pack("HHHH", rows * has_size, columns * has_size, 0, 0)
+        )
         self.attributes = termios.tcgetattr(slave)
         self._slave = slave
         self._open = [slave, self._master]

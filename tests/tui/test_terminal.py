@@ -84,6 +84,13 @@ def test_bytes_of_another_encoding_are_signs_like_others(terminal):
     donnie.shows("The program is done.")
 
 
+def test_a_terminal_that_does_not_say_its_size_has_an_ordinary_screen(terminal):
+    donnie = terminal(has_size=False)
+
+    donnie.shows("F5 Run")
+    assert falls_silent(donnie, 1.0)
+
+
 def test_an_idle_screen_writes_nothing(terminal):
     """A blinking cursor or a clock would write at least each second."""
     assert falls_silent(terminal(), 3.0)
