@@ -341,7 +341,7 @@ class Display:
         else:
             speed = self._words("status-speed", speed=speed_words(session.speed, self._words))
             whole = [f"{focus} {robot} {speed}", f"{focus} {robot}"]
-            short = [focus, *([""] if answer else [])]
+            short = [focus, *self._mistake_in_short, *([""] if answer else [])]
             badge, colour = state_badge(self._runs.state, past, session.speed, self._words)
         choices = (f" {answer} {rest}".replace("  ", " ") for rest in (*whole, *short))
         self._place.status.say(*choices, badge=badge, colour=colour)
@@ -379,6 +379,16 @@ class Display:
             code = "status-mistake-meant" if mistake.meant and key else "status-mistake"
             return words(code, line=line, lines=lines, message=mistake.message, meant=mistake.meant, key=key)
         return words("status-program", line=line, lines=lines)
+
+    @property
+    def _mistake_in_short(self) -> tuple[str, ...]:
+        """What is wrong in the cursor's line, for where its number has no room: that is next to the line."""
+        mistake, words = self._place.editor.mistake, self._words
+        if mistake is None or self._runs.state is not RunState.READY or not self._place.editor.has_focus:
+            return ()
+        key = self._table.label("fix", words.language)
+        meant = words("status-meant", message=mistake.message, key=key, meant=mistake.meant)
+        return (*((meant,) if mistake.meant and key else ()), mistake.message)
 
     def _program_line(self) -> int:
         """The line being run, or the one of the cursor."""

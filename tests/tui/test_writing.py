@@ -144,6 +144,15 @@ async def test_a_mistake_is_marked_with_its_sentence_while_the_learner_types(ope
         assert "Ctrl+T puts FW." in screen.status
 
 
+async def test_a_long_mistake_and_its_key_are_whole_in_eighty_columns(open_screen):
+    async with open_screen("REPEAT 4 TIMES FW 2 TR 90 END") as screen:
+        await screen.until(lambda: screen.main.editor.mistakes, "the mark")
+        await screen.painted()
+
+        status = screen.text.splitlines()[-2]
+        assert "END does not close REPEAT of line 1. Ctrl+T: END REPEAT." in status
+
+
 async def test_one_key_fixes_a_mistake(open_screen):
     async with open_screen("FW 1\nREPEAT 2 TIMS FW 1 END REPEAT") as screen:
         await screen.press("ctrl+t")
