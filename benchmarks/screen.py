@@ -117,9 +117,15 @@ def walking(app: DonnieApp) -> None:
     app.set_interval(1 / 20, lambda: app.controller.display.move((Pose(float(next(poses) % 20), 5.0, 90.0),)))
 
 
+def load(app: DonnieApp, text: str) -> None:
+    """Another program in the editor."""
+    app.main_screen.editor.show(text, frozenset())
+    app.controller.display.update()
+
+
 def computing(app: DonnieApp) -> None:
     sys.setswitchinterval(SWITCH)
-    app.controller.load("VAR x = 0\nWHILE 1 == 1 DO\nx = x + 1\nEND WHILE")
+    load(app, "VAR x = 0\nWHILE 1 == 1 DO\nx = x + 1\nEND WHILE")
     app.do("run")
 
 
@@ -150,7 +156,7 @@ async def lost_to_the_screen() -> Lost:
     async with screen() as app:
         Bytes(app, whole=False)
         sys.setswitchinterval(SWITCH)
-        app.controller.load(COUNTED)
+        load(app, COUNTED)
         await asyncio.sleep(0.5)
         first = _spent()
         app.do("run")

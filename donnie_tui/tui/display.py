@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping
 from devices.ports.robot import Bearing, Pose
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.keys import PALETTE, KeyTable, key_label
-from donnie_tui.core.events import Read
+from donnie_tui.core.events import Outcome, Read, RunEnded
 from donnie_tui.core.map_grid import Cell, floor_size
 from donnie_tui.core.map_scene import Line, MapScene
 from donnie_tui.core.run_state import RunState
@@ -84,6 +84,8 @@ class Display:
         self._changes = VariableChanges()
         self._histories = Histories()
         self._kinds: dict[str, str] = {}
+        self._was_stopped = False
+        """Whether the latest run was stopped."""
         self._answer = ""
         """The last answer, until the learner looks elsewhere."""
         self._has_acted = False
@@ -127,12 +129,17 @@ class Display:
 
     def begin(self, pose: Pose, *, fresh: bool) -> None:
         """A run begins with the robot here; a fresh one has no trail and no readings."""
-        self._pose = pose
+        self._pose, self._was_stopped = pose, False
         if fresh:
             self._place.map.begin(self.scene.begin(pose) | self._show_others())
             self._readings.clear()
             self._changes.forget()
             self._histories.forget()
+
+    def end(self, event: RunEnded) -> None:
+        """The run is over; the robot stands here."""
+        self._was_stopped = event.outcome is Outcome.STOPPED
+        self.move((event.pose,))
 
     def _show_others(self) -> frozenset[Cell]:
         """The robots that are not chosen stay where they are when this one begins anew."""
@@ -342,7 +349,9 @@ class Display:
             speed = self._words("status-speed", speed=speed_words(session.speed, self._words))
             whole = [f"{focus} {robot} {speed}", f"{focus} {robot}"]
             short = [focus, *self._mistake_in_short, *([""] if answer else [])]
-            badge, colour = state_badge(self._runs.state, past, session.speed, self._words)
+            badge, colour = state_badge(
+                self._runs.state, past, session.speed, self._words, was_stopped=self._was_stopped
+            )
         choices = (f" {answer} {rest}".replace("  ", " ") for rest in (*whole, *short))
         self._place.status.say(*choices, badge=badge, colour=colour)
 

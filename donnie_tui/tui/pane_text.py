@@ -66,12 +66,14 @@ _BADGE_LOOKS = {
 
 
 def state_badge(
-    state: RunState, past: Timeline | None, speed: float | None, words: Wording
+    state: RunState, past: Timeline | None, speed: float | None, words: Wording, *, was_stopped: bool = False
 ) -> tuple[str, str]:
     """What the program does and how fast, or how far back the learner looks, in capitals; and its colour."""
     if past is not None:
         step, steps = past.steps
         return words("status-past", step=step, steps=steps).rstrip(".").upper(), "$warning"
+    if was_stopped and state is RunState.READY:
+        return words("status-stopped").rstrip(".").upper(), "$error"
     badge = words(f"status-{state.value}").rstrip(".").upper()
     if state is RunState.RUNNING:
         fast = speed_words(speed, words)

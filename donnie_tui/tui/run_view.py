@@ -96,7 +96,7 @@ class RunView(RunObserver):
         self.show_past()
         display.ask_distances()
         self._events.take()
-        display.move((event.event.pose,))
+        display.end(event.event)
         self.polling.end()
         if event.errors and self._runs.is_whole:
             self._editor.go_to(event.errors[0].line, event.errors[0].column)

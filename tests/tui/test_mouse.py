@@ -164,3 +164,21 @@ async def test_yes_and_no_can_be_clicked(open_screen):
         await screen.shows("This is a new program.")
 
         assert screen.main.editor.text == ""
+
+
+async def test_a_small_list_has_one_row_a_world_and_what_is_there_below(open_screen) -> None:  # type: ignore[no-untyped-def]
+    async with open_screen(size=(40, 12)) as screen:
+        screen.app.do("worlds")
+        await screen.until(lambda: "Open floor" in screen.text, "the list")
+        await screen.press("home", "down", "down")
+        await screen.painted()
+        rows = [row.rstrip() for row in screen.text.splitlines()]
+
+        assert rows[2:6] == [
+            " First room             easy",
+            " Open floor             easy",
+            ">Living room            easy",
+            " Corridor               easy",
+        ]
+        assert rows[6] == " A room of 40 by 40 steps with walls"
+        assert rows[9].endswith(" ...")

@@ -234,6 +234,22 @@ async def test_what_the_program_does_is_the_first_of_the_status_line_and_never_c
         await screen.until(lambda: "\n PAUSED " in screen.text, "the pause")
 
 
+async def test_running_says_how_fast_and_a_stopped_program_says_so_until_the_next_one(open_screen):
+    async with open_screen(WAITING, speed=5.0) as screen:
+        badge = screen.main.status
+        await screen.press("f5")
+        await screen.until(lambda: badge.badge == "RUNNING x5", "the running program")
+        await screen.press("f12")
+        await screen.until(lambda: badge.badge not in ("RUNNING x5", "READY"), "another speed")
+        assert badge.badge.startswith("RUNNING ")
+
+        await screen.press("f8")
+        await screen.idle()
+        await screen.until(lambda: badge.badge == "STOPPED", "the stopped program")
+        await screen.type_line("RESET")
+        await screen.until(lambda: badge.badge == "READY", "the start")
+
+
 async def test_looking_back_is_a_state_of_its_own(open_screen):
     async with open_screen() as screen:
         await screen.run("FW 1\nFW 2")

@@ -117,6 +117,38 @@ async def test_a_pause_inside_a_procedure(open_screen, same, theme, size):
         await same(screen)
 
 
+@pytest.mark.parametrize("size", ALL_SIZES, ids=by_size)
+@pytest.mark.parametrize("theme", ALL_THEMES)
+async def test_what_a_line_computes(open_screen, same, theme, size):
+    text = "VAR n = 3\nREPEAT 2 TIMES\nn = n * 2 + 1\nFW n\nEND REPEAT"
+    async with open_screen(text, size=size, world="living_room") as screen:
+        screen.app.theme = theme
+        for step in ("Line 1", "Line 2", "Line 3", "Line 4", "Line 2", "Line 3, "):
+            count = len([line for line in screen.log if line.startswith(step)])
+            await screen.press("f7")
+            await screen.until(
+                lambda step=step, count=count: len([x for x in screen.log if x.startswith(step)]) > count,
+                step,
+            )
+        await screen.until(lambda: "n * 2 + 1 = 15" in screen.text or "= 7 * 2 + 1" in screen.text, "the sum")
+        if size[0] < 110:
+            screen.main.toggle_inspector()
+        await screen.painted()
+        await same(screen)
+
+
+@pytest.mark.parametrize("size", ALL_SIZES, ids=by_size)
+@pytest.mark.parametrize("theme", ALL_THEMES)
+async def test_the_list_of_worlds(open_screen, same, theme, size):
+    async with open_screen(size=size, world="living_room") as screen:
+        screen.app.theme = theme
+        screen.app.do("worlds")
+        await screen.until(lambda: "Living room" in screen.text and "Worlds" in screen.text, "the list")
+        await screen.press("down", "down")
+        await screen.painted()
+        await same(screen)
+
+
 @looks()
 async def test_a_mistake(open_screen, same, theme, size):
     async with open_screen(RECTANGLE.replace("TR", "RIGTH"), world="living_room", size=size) as screen:

@@ -247,7 +247,7 @@ def test_a_lesson_from_typing_to_leaving(terminal):
     donnie.type(F7)
     donnie.shows("Line 2, level 1: REPEAT 2 TIMES")
     donnie.type(F8)
-    donnie.shows("READY")
+    donnie.shows("STOPPED")
     donnie.type(CTRL_K + "2")
     donnie.shows("Map. Donnie")
     donnie.type("\x1b[C")

@@ -250,6 +250,8 @@ _LEAST_PANEL, _DETAIL, _MOST_DETAIL = 56, 40, 90
 """Columns: of a panel, and of what is next to a list, at least and at most."""
 _HIGH = 20
 """Rows from which on something is left around a panel."""
+_LEAST_BOTH = 10
+"""Rows from which on what is about a row may be below the list, where it has no room next to it."""
 _DETAIL_ROWS, _FRAME_ROWS = 16, 3
 """Of what is next to a list, at least; and of the title, of what is typed and of the keys."""
 
@@ -330,7 +332,9 @@ class Chooser(ModalScreen[str | None]):
         width, height = self.size
         columns = () if self.has_class("-plain") else _columns(self._choices)
         room = width - (_DETAIL + 1 if self._detail is not None else 0)
-        self._columns = columns if columns and sum(columns) <= room else ()
+        is_below = self._detail is not None and room < sum(columns) <= width - 1 and height >= _LEAST_BOTH
+        self._columns = columns if columns and (sum(columns) <= room or is_below) else ()
+        self.query_one("#listing").set_class(is_below, "-below")
         self._show()
         has_detail = self._detail is not None and bool(self._columns)
         if self._detail is not None:
@@ -340,7 +344,11 @@ class Chooser(ModalScreen[str | None]):
         row_widths = [cell_len(self._row(each)) for each in self._choices]
         listing = max(max(map(cell_len, (self._title_words, self._key_words))) + 2, _LEAST_PANEL)
         rows = len(self._choices)
-        if has_detail:
+        if self._detail is not None:
+            self._detail.styles.height = (height - _FRAME_ROWS) // 2 if is_below else None
+        if is_below:
+            self.rows.styles.width, listing, rows = None, width, height
+        elif has_detail:
             self.rows.styles.width = sum(self._columns) + 1
             listing = max(listing, sum(self._columns) + 1 + max(_DETAIL, min(_MOST_DETAIL, width // 2)))
             rows = max(rows, _DETAIL_ROWS)
@@ -364,7 +372,9 @@ class Chooser(ModalScreen[str | None]):
             return
         chosen = self._fitting[min(self.rows.line, len(self._fitting) - 1)] if self._fitting else None
         size = self._detail.size
-        about = chosen.detail(size.width - 2, size.height) if chosen and chosen.detail else ()
+        about = list(chosen.detail(size.width - 2, size.height)) if chosen and chosen.detail else []
+        if len(about) > size.height:  # all of it is said once the row is taken
+            about[size.height - 1 :] = [f"{about[size.height - 1][: size.width - 6]} ..."]
         self._detail.show(about)
 
     def on_input_changed(self, event: Input.Changed) -> None:
