@@ -374,7 +374,8 @@ class Chooser(ModalScreen[str | None]):
         size = self._detail.size
         about = list(chosen.detail(size.width - 2, size.height)) if chosen and chosen.detail else []
         if len(about) > size.height:  # all of it is said once the row is taken
-            about[size.height - 1 :] = [f"{about[size.height - 1][: size.width - 6]} ..."]
+            last = about[size.height - 1][: size.width - 6]
+            about[size.height - 1 :] = [f"{last.rpartition(' ')[0] or last} ..."]
         self._detail.show(about)
 
     def on_input_changed(self, event: Input.Changed) -> None:
