@@ -51,6 +51,8 @@ class PageLimits(Struct, frozen=True):
     """After so long in which a page takes no output its robot stops."""
     lost: float = 20
     """After so long more it counts as gone."""
+    late: float = 2
+    """Until a page that is gone before its process took its keys is given up."""
     end: float = 5
     """Until a process that should end is killed."""
 
@@ -81,6 +83,9 @@ class PageSession(AppService):
         """Whether the driver in the process reads: not before it began, nor between two worlds."""
         self._held: list[bytes] = []
         """Packets for the driver that begins next."""
+        self._all_passed = asyncio.Event()
+        """Set while no key is held."""
+        self._all_passed.set()
         self._size = (80, 24)
         self._has_focus = False
         self._has_painted = False
@@ -123,6 +128,9 @@ class PageSession(AppService):
         self.is_ending = True
         if process is None or task is None:
             return
+        if process.returncode is None:
+            with suppress(TimeoutError):  # what was typed before the driver began is text to keep, too
+                await asyncio.wait_for(self._all_passed.wait(), self._limits.late)
         self._hang_up()
         try:
             await asyncio.wait_for(process.wait(), self._limits.end)
@@ -188,6 +196,8 @@ class PageSession(AppService):
         if not self._is_listening:
             if sum(map(len, self._held)) < self._limits.frame:
                 self._held.append(packet)
+                if kind == b"D":
+                    self._all_passed.clear()
             return
         with suppress(ConnectionError, RuntimeError):
             self.stdin.write(packet)
@@ -240,6 +250,7 @@ class PageSession(AppService):
             await self._report(type="focus")
         for packet in held:
             self.stdin.write(packet)
+        self._all_passed.set()
 
     async def on_data(self, payload: bytes) -> None:
         """To the page. While that takes nothing, the process waits and can't see a key: its robot stops."""

@@ -34,12 +34,14 @@ from donnie_tui.cli.page_session import IDLE_CODE, PageLimits  # noqa: E402
 HUNG_UP, INTERRUPTED = f"signal {int(signal.SIGHUP)}", f"signal {int(signal.SIGINT)}"
 
 DRIVER = """
-import json, os, signal, sys
+import json, os, signal, sys, time
 
 log = open(sys.argv[1], "a", buffering=1)
 ignores = "ignores" in sys.argv
 
 def signalled(number, frame):
+    if "late" in sys.argv:
+        print("typed", os.read(0, 99).decode().split("\\n")[-1], file=log)
     print("signal", number, file=log)
     if number == signal.SIGHUP and not ignores:
         os._exit(129)
@@ -58,7 +60,12 @@ def begin():
 
 print("a warning of a library")
 sys.stdout.flush()
+if "late" in sys.argv:
+    while not os.path.exists(sys.argv[1] + ".go"):
+        time.sleep(0.01)
 begin()
+while "late" in sys.argv:
+    signal.pause()
 read = sys.stdin.buffer.read
 while head := read(5):
     payload = read(int.from_bytes(head[1:], "big"))
@@ -506,6 +513,23 @@ async def test_a_page_whose_process_can_not_start_says_why(serving: Any, client:
     code = "import sys; sys.exit('The world maze2 is unknown.')"
     async with serving(command=[sys.executable, "-c", code]) as served, served.page(client) as page:
         assert await until_closed(page) == (4001, "The world maze2 is unknown.")
+
+
+async def test_what_was_typed_before_the_process_listens_reaches_it_although_the_page_is_gone(
+    serving: Callable[..., Any], client: ClientSession, tmp_path: Path
+) -> None:
+    async with serving("late", late=TIMEOUT) as served:
+        async with served.page(client) as page:
+            await page.send_json(["stdin", "FW 1"])
+            await page.send_json(["ping", "1"])
+            assert await page.receive_json() == ["pong", "1"]  # the key was taken before
+        (tmp_path / "signals.go").touch()
+        async with asyncio.timeout(TIMEOUT), served.server._ended:
+            await served.server._ended.wait_for(lambda: not served.server._sessions)
+
+        typed, signalled = served.signals
+        assert typed.endswith("FW 1")
+        assert signalled == HUNG_UP
 
 
 async def test_another_world_keeps_the_page_with_its_size_and_focus(
