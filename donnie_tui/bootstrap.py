@@ -6,6 +6,7 @@ What is heavy is imported where it is used, so that a command loads no more than
 from __future__ import annotations
 
 import os
+from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import ExitStack
 from functools import partial
@@ -16,7 +17,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from devices.ports.robot import Pace, Pose, Watcher
-from donnie_tui.core.events import Announced, Answered, RunStarted, Stamped
+from donnie_tui.core.events import Announced, Answered, Read, RunStarted, Stamped
 from donnie_tui.core.hub import Stream
 from donnie_tui.core.outlets import SpeechWait
 from donnie_tui.core.session import ResettableRobot, Session, SessionSetup
@@ -415,6 +416,8 @@ LONGEST_TRY = 3600.0
 """Seconds of robot time after which a judged program counts as endless."""
 MOST_STATEMENTS = 20_000
 """Statements after which a judged program counts as endless."""
+MOST_READINGS = 2_000
+"""Readings of sensors after which it does: one of the camera takes as long as hundreds of statements."""
 
 
 class Start(Struct, frozen=True):
@@ -506,10 +509,12 @@ def _try_from(start: Start, programs: Programs, words: Words, settings: Settings
     settings = replace(settings, speed=None, seed=start.challenge.rules.variant[0].seed)
     team = make_team(settings, words, start.world, terminal=False)
     events, first = list[Stamped](), team.chosen_name
+    readings = Counter[str | None]()
 
     def note(stamped: Stamped) -> None:
         events.append(stamped)
-        if stamped.t > LONGEST_TRY:
+        readings[stamped.robot] += isinstance(stamped.event, Read)
+        if stamped.t > LONGEST_TRY or readings[stamped.robot] > MOST_READINGS:
             team.session(stamped.robot or first).stop()
 
     def limit(session: Session, run: Run) -> None:

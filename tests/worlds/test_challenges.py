@@ -8,10 +8,13 @@ from typing import cast
 
 import pytest
 
+from donnie_tui import bootstrap
 from donnie_tui.cli.main import main
 from donnie_tui.cli.options import understand
 from donnie_tui.core.describe import task_in_words
 from donnie_tui.i18n.words import Words
+from donnie_tui.settings.settings import Settings
+from donnie_tui.world.loading import choose_world
 from language.locales import languages, table
 from worlds import challenges, scenarios
 from worlds.challenges import BadChallenge
@@ -286,6 +289,22 @@ def test_each_pupil_may_have_a_folder(
         ],
     )
     assert sorted(each.name for each in Path("answers").iterdir()) == ["ana-first.txt", "joão-first.txt"]
+
+
+@pytest.mark.parametrize(("most", "solved"), [(6, True), (5, False)])
+def test_a_program_that_only_senses_ends_after_so_many_readings(
+    monkeypatch: pytest.MonkeyPatch, most: int, solved: bool
+) -> None:
+    """A reading of the camera is much more work than a statement."""
+    monkeypatch.setattr(bootstrap, "MOST_READINGS", most)
+    words, settings = Words("en"), Settings()
+    found = challenges.find("first_walk")
+    starts = bootstrap.starts_of(found, choose_world(found.world, words), words, settings)
+
+    text = "VAR n = 0\nREPEAT 6 TIMES\nn = DISTANCE F\nEND REPEAT\nFW 5"
+    (judged,) = bootstrap.judge_program(text, starts, words, settings)
+    assert judged.is_solved == solved
+    assert [each.code for each in judged.shortfalls[:1]] == [*(["goal-endless"] if not solved else [])]
 
 
 def test_the_table_never_replaces_a_program(tmp_path: Path) -> None:
