@@ -76,7 +76,7 @@ class Diagnostic(Struct, frozen=True):
     meant_end: int | None = None
     """The end of the text that ``meant`` replaces, if that is more than the span."""
     meant_at: int | None = None
-    """The offset where ``meant`` is missing and replaces nothing."""
+    """The offset where ``meant`` begins, if not at the span; without ``meant_end`` it replaces nothing."""
 
 
 def mistake_at(

@@ -7,7 +7,7 @@ For any text the result is a program or mistakes, in time and memory linear in i
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Any
 
 from msgspec import Struct
@@ -16,6 +16,7 @@ from language.diagnostics import Diagnostic, MistakeKind
 from language.keywords import argument
 from language.lexer import END as END_WORD
 from language.lexer import KIND, Lexed, Token, lex, span_of
+from language.locales import ENGLISH
 from language.outline import ENDS, OPENERS
 from language.syntax import DeclaredProcedure, Program
 from language.tables import ACTIONS, END, GOTOS, RULES, START, TERMINALS
@@ -54,12 +55,15 @@ def parse(
     first_line: int = 1,
     colours: frozenset[str] | None = None,
     declared: Mapping[str, DeclaredProcedure] | None = None,
+    variables: Collection[str] = (),
+    learner: str = ENGLISH,
 ) -> Parsed:
     """Read a program.
 
     ``first_line`` is the number of its first line. ``colours`` are the colours that the robot can see, as
     English words; another one is a mistake. None allows all. ``declared`` are the procedures of earlier
-    batches, by folded name: a mistake about a wrong call of one shows the right call.
+    batches, by folded name: a mistake about a wrong call of one shows the right call. ``variables`` are the
+    folded names of their variables, ``learner`` is the learner's language; both help to guess what was meant.
     """
     lexed = lex(source, first_line)
     mistakes = _unseen_colours(lexed, colours)
@@ -73,9 +77,11 @@ def parse(
             if body is not None:
                 return Parsed(Program(source, body), ())
     from language.recovery import mistakes_in  # only texts with mistakes need it
+    from language.recovery.reader import Known
 
-    known = mistakes + _nested_too_deeply(lexed.tokens)
-    return Parsed(None, mistakes_in(lexed, known, colours, declared or {}))
+    others = mistakes + _nested_too_deeply(lexed.tokens)
+    known = Known(colours, declared or {}, variables, learner)
+    return Parsed(None, mistakes_in(lexed, others, known))
 
 
 def _tree(lexed: Lexed) -> tuple[Any, ...] | None:

@@ -211,9 +211,11 @@ class Everyday(Struct, frozen=True):
     language: str
     width: int
     """How many of the words of the line it takes."""
+    number: str = ""
+    """The number among these words, in digits: ANDE 3 PASSOS PARA TRÁS; or the one that they mean."""
 
 
-_MOST_EVERYDAY = 6
+_MOST_EVERYDAY = 8
 """Words of a line that are compared."""
 
 
@@ -221,20 +223,32 @@ def everyday(line: Sequence[str], spoken: Iterable[str] = ()) -> Everyday | None
     """What the folded words of a line begin with; the longest, first in a language spoken."""
     found = None
     for each in (*(one for one in spoken if one != ENGLISH), *languages()):
-        phrases, fillers = _everyday_words(each), fillers_of(each)
-        said: list[str] = []
-        for width, word in enumerate(line[:_MOST_EVERYDAY], start=1):
-            if word in fillers and said:
-                continue
-            said.append(word)
-            terminal = phrases.get(" ".join(said))
-            if terminal and (found is None or width > found.width):
-                found = Everyday(terminal, each, width)
+        longest = _everyday_in(each, line)
+        if longest is not None and (found is None or longest.width > found.width):
+            found = longest
+    return found
+
+
+def _everyday_in(language: str, line: Sequence[str]) -> Everyday | None:
+    """The longest phrase of one language. One number may be among its words, and then none after it."""
+    phrases, fillers = _everyday_words(language), fillers_of(language)
+    said, number, found = "", "", None
+    for width, word in enumerate(line[:_MOST_EVERYDAY], start=1):
+        digits = word if word.isdecimal() else number_in_digits(word)
+        if said and not number and digits:
+            number = digits
+        elif word not in fillers:
+            said = f"{said} {word}".strip()
+            terminal, _, meant = phrases.get(said, "").partition(" ")
+            is_number_after = number and line[width : width + 1] and line[width].isdecimal()
+            if terminal and not is_number_after:
+                found = Everyday(terminal, language, width, number or meant)
     return found
 
 
 @cache
 def _everyday_words(language: str) -> dict[str, str]:
+    """The terminal by phrase; also with a number after it, which is meant where none is said."""
     return {
         folded_word(phrase): terminal
         for terminal in keys(language, "keywords", "everyday")
@@ -305,6 +319,8 @@ def undeclared_variable(
         digits = "" if meant else number_in_digits(name.name)
         if digits:
             return _number_in_letters(program, name, digits)
+        if not meant and (spoken := _spoken_alone(program, name)):
+            return _text_without_quotes(program, name, spoken)
     return mistake_at(program, name.span, MistakeKind.UNDECLARED_VARIABLE, details, meant)
 
 
@@ -315,6 +331,21 @@ def _number_in_letters(program: Program, name: Name, digits: str) -> Diagnostic:
     details = {"name": program.typed(name.span), "written": " ".join(written.split())}
     mistake = mistake_at(program, name.span, MistakeKind.UNDECLARED_VARIABLE, details, digits)
     return replace(mistake, code="number-word")
+
+
+def _spoken_alone(program: Program, name: Name) -> str:
+    """SPEAK as it was typed, if it says this name and nothing more; else empty."""
+    before = re.search(r"([^\W\d_]+)[ \t]+\Z", program.source[: name.span.start])
+    is_over = re.match(r"[ \t;]*(\n|\r|--|\Z)", program.source[name.span.end :])
+    return before[1] if before and is_over and canonical(before[1]) == "SPEAK" else ""
+
+
+def _text_without_quotes(program: Program, name: Name, speak: str) -> Diagnostic:
+    """SPEAK hello: the text in quotation marks may be meant, or a variable."""
+    text = f'"{program.typed(name.span)}"'
+    details: dict[str, str | int] = {"name": program.typed(name.span), "written": f"{speak} {text}"}
+    mistake = mistake_at(program, name.span, MistakeKind.UNDECLARED_VARIABLE, details, text)
+    return replace(mistake, code="spoken")
 
 
 def undeclared_procedure(

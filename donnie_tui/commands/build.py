@@ -17,6 +17,7 @@ from donnie_tui.commands.dispatch import handler_of, handles
 from donnie_tui.commands.interaction import GivenUp, NotUnderstood
 from donnie_tui.core.wording import meant
 from donnie_tui.i18n.words import Unusable
+from language import keywords
 
 if TYPE_CHECKING:
     from donnie_tui.world.building import Building
@@ -65,6 +66,8 @@ async def move_thing(ctx: Context, argument: str) -> None:
 @handles("turn")
 async def turn(ctx: Context, argument: str) -> None:
     """TURN treasure 90: to the right where it stands."""
+    if not argument:
+        ctx.answer("built-turn-robot", example=f"{keywords.spelling('TR', ctx.words.language)} 90")
     what, (degrees,), _ = _parts(argument, 1)
 
     def change(building: Building) -> None:

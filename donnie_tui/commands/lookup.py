@@ -63,8 +63,10 @@ def find(line: str, commands: tuple[Command, ...] = COMMANDS) -> tuple[Command, 
             argument = following[0] if following else ""
             is_assignment = argument.startswith(("=", "["))
             is_statement = bool(argument) and command.is_godonnie and not command.argument
-            is_everyday = argument[:1].isalpha() and _is_everyday(words, length)
-            is_everyday |= command.needs_name and argument[:1] in tuple("-0123456789")
+            is_everyday = argument[:1].isalpha() and _is_everyday(words, length)  # BACK 2 too, which is BW 2
+            is_number = argument[:1] in tuple("-0123456789")
+            takes_none = length == 1 and not command.argument
+            is_everyday |= is_number and (command.needs_name or (takes_none and _is_everyday(words[:1], 0)))
             return None if is_assignment or is_statement or is_everyday else (command, argument)
     return None
 

@@ -313,7 +313,9 @@ def mistakes(found: Iterable[Diagnostic], wording: Wording) -> dict[int, LineMis
         message = (wording.hint(each) if is_hint else None) or wording.mistake(each)
         meant = each.meant if each.found and span.end > span.start else ""
         start, end = (
-            (span.start, each.meant_end or span.end) if each.meant_at is None else (each.meant_at,) * 2
+            (span.start, each.meant_end or span.end)
+            if each.meant_at is None
+            else (each.meant_at, each.meant_end or each.meant_at)
         )
         fixed_line = int(each.details.get("line", span.line))
         found_there = LineMistake(span.line, message, is_hint, start, end, meant, fixed_line)

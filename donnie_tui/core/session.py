@@ -123,6 +123,7 @@ class Session:
         """When the last run of this robot began, by its clock; None before the first one."""
         self.hub = Hub(self._since_began, setup.name, stream)
         self.wording = wording
+        self._wording = wording
         self.sentences = SentencePublisher(self.hub, wording)
         self._setup = setup
         self._own_robot, self._speech_wait = make_robot, speech_wait
@@ -163,8 +164,15 @@ class Session:
 
         A robot without a camera reports that at run time. ``fresh``: nothing was declared before.
         """
-        colours, declared = self._robot.colours or None, {} if fresh else self._memory.procedures
-        return parse(text, first_line=first_line, colours=colours, declared=declared)
+        memory = Memory() if fresh else self._memory
+        return parse(
+            text,
+            first_line=first_line,
+            colours=self._robot.colours or None,
+            declared=memory.procedures,
+            variables=memory.variables,
+            learner=self._wording.language,
+        )
 
     def start(
         self,

@@ -38,7 +38,7 @@ LONGEST_QUOTE = 24
 MOST_EXPECTED = 4
 """More things than these are no help: the sentence names none."""
 
-_SAYS_WHAT_IS_MEANT = ("missing-argument", "number-word", "short-change")
+_SAYS_WHAT_IS_MEANT = ("missing-argument", "number-word", "short-change", "text-quotes", "filler")
 """Codes with a sentence that says already what was meant."""
 
 _ARGUMENTS_OF = {"direction": "DIRECTION", "axis": "AXIS", "colour": "COLOUR", "on-or-off": "SWITCH"}
@@ -57,7 +57,7 @@ def hint(diagnostic: Diagnostic, words: Wording) -> str | None:
         return None
     if diagnostic.meant == "--":
         return words("hint-comment")
-    if not diagnostic.meant or diagnostic.meant_at is not None or diagnostic.code == "other-end":
+    if not diagnostic.meant or diagnostic.meant_at is not None or diagnostic.code in ("other-end", "spoken"):
         return make(diagnostic, words) if make else None
     meant = words("hint-meant", meant=diagnostic.meant)
     allowed = _hint_for_argument(diagnostic, words) if diagnostic.kind is MistakeKind.BAD_ARGUMENT else None
@@ -247,6 +247,8 @@ def _hint_for_robot(diagnostic: Diagnostic, words: Wording) -> str | None:
 def _hint_for_variable(diagnostic: Diagnostic, words: Wording) -> str | None:
     if "in_procedure" in diagnostic.details:
         return words("hint-own-variables")
+    if diagnostic.code:
+        return _hint_by_code(diagnostic, words)
     return words("hint-declare", var=_spelled("VAR", words), name=_name(diagnostic))
 
 

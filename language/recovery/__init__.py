@@ -14,7 +14,6 @@ Reads the tokens as the parser does, but continues after a mistake:
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from itertools import pairwise
 
 from language.diagnostics import MOST_MISTAKES, Diagnostic, MistakeKind
@@ -43,10 +42,10 @@ from language.recovery.reader import (
     ELSE,
     SEMICOLON,
     VAR,
+    Known,
     TokenReader,
 )
 from language.source import line_breaks
-from language.syntax import DeclaredProcedure
 from language.tree_builder import MOST_LEVELS
 
 _BEGIN_COMMANDS = BEGINNERS | SENSOR_WORDS | {NAME, VAR, SEMICOLON}
@@ -55,20 +54,12 @@ _DEEPEST = 4000
 """States of the automaton; only a text that is too deep anyway reaches them."""
 
 
-def mistakes_in(
-    lexed: Lexed,
-    others: tuple[Diagnostic, ...],
-    colours: frozenset[str] | None,
-    declared: Mapping[str, DeclaredProcedure],
-) -> tuple[Diagnostic, ...]:
-    """The mistakes in a text, together with ``others`` that are known, in the order of the text.
-
-    For ``colours`` and ``declared`` see ``TokenReader``.
-    """
-    found = _found_in(lexed, colours, declared)
+def mistakes_in(lexed: Lexed, others: tuple[Diagnostic, ...], known: Known) -> tuple[Diagnostic, ...]:
+    """The mistakes in a text, together with ``others`` that were found before, in the order of the text."""
+    found = _found_in(lexed, known)
     if lexed.open_quote is not None and len(found) > len(lexed.mistakes):
         again = _with_another_quote_open(lexed)
-        found_again = _found_in(again, colours, declared) if again else found
+        found_again = _found_in(again, known) if again else found
         found = found_again if len(found_again) <= len(found) else found
     if any(each.kind is MistakeKind.TOO_DEEP for each in others):
         found = [each for each in found if each.kind is not MistakeKind.TOO_DEEP]
@@ -91,11 +82,9 @@ def _with_another_quote_open(lexed: Lexed) -> Lexed | None:
     return None
 
 
-def _found_in(
-    lexed: Lexed, colours: frozenset[str] | None, declared: Mapping[str, DeclaredProcedure]
-) -> list[Diagnostic]:
+def _found_in(lexed: Lexed, known: Known) -> list[Diagnostic]:
     """Reads to the end of the text, unless there are too many mistakes before, or it is too deep."""
-    reader = TokenReader(lexed, colours, declared)
+    reader = TokenReader(lexed, known)
     is_too_deep = False
     while not (reader.is_at_end or is_too_deep or len(reader.found) >= MOST_MISTAKES):
         _read_next(reader)

@@ -18,7 +18,7 @@ from language.keywords import (
     spelling,
 )
 from language.lexer import END, FRAGMENT, KIND, NAME, NEEDS_NO_ARGUMENT, NUMBER, SENSORS, STRING, TAKES, Token
-from language.locales import ENGLISH
+from language.locales import ENGLISH, languages
 from language.outline import ENDS, OPENERS
 from language.recovery.automaton import CLASSES, Automaton
 from language.recovery.blocks import (
@@ -66,6 +66,7 @@ _CALL_PUNCTUATION = (LPAR, *(KIND[name] for name in ("COLON", "COMMA", "RPAR")))
 """May separate the values of a call without brackets."""
 
 
+_SPEAK = KIND["SPEAK"]
 _TAKE_VALUE = frozenset(KIND[name] for name in (*SAMPLES, "SPEAK"))
 _TAKE_MORE = _TAKE_VALUE | OPENERS.keys() | {VAR}
 """The words after which something else than a direction, an axis, a colour or a switch must come."""
@@ -88,7 +89,9 @@ def read_unknown_command(reader: TokenReader) -> None:
     if _follows_taker(reader):
         _read_bad_argument(reader)
         return
-    if _read_misspelt_sensor(reader) or _read_call_without_brackets(reader) or _read_everyday(reader):
+    if _read_misspelt_sensor(reader) or _read_call_without_brackets(reader):
+        return
+    if _read_text_without_quotes(reader) or _read_filler(reader) or _read_everyday(reader):
         return
     if reader.following[0] == COMPARATOR and reader.following[5] == "==":
         _read_two_equals_signs(reader)
@@ -156,9 +159,9 @@ def read_unknown_pair(reader: TokenReader) -> None:
     if _follows_taker(reader):
         _read_bad_argument(reader)
         return
-    if _read_everyday(reader):
-        return
     near, width = pair_meant(reader)
+    if width == 1 and _read_everyday(reader):
+        return
     reader.begun = reader.at
     if reader.tokens[reader.at + width][0] == ASSIGN:
         _report_reserved(reader, token)
@@ -203,11 +206,10 @@ def _with_number(reader: TokenReader, near: Suggestion, width: int) -> str:
 def _read_everyday(reader: TokenReader) -> bool:
     """If an everyday word is here, report it with the line that was probably meant."""
     line = _rest_of_line(reader)
-    said = everyday([each[5] for each in line], (reader.language, *reader.spoken))
+    said = everyday([each[5] for each in line], reader.spoken_first)
     if said is None:
         return False
-    language = said.language if reader.language == ENGLISH else reader.language
-    meant, width = _line_meant(reader, line, said, spelling(canonical_of_terminal(said.terminal), language))
+    meant, width = _line_meant(reader, line, said)
     reader.begun = reader.at
     reader.report(MistakeKind.UNKNOWN_COMMAND, reader.token, "everyday", ("command",), meant, width=width)
     is_opener, blocks = KIND[said.terminal] in OPENERS, len(reader.blocks)
@@ -226,22 +228,74 @@ def _rest_of_line(reader: TokenReader) -> list[Token]:
     return list(takewhile(lambda each: each[0] and each[3] == reader.token[3], near))
 
 
-def _line_meant(reader: TokenReader, line: Sequence[Token], said: Everyday, word: str) -> tuple[str, int]:
+def _line_meant(reader: TokenReader, line: Sequence[Token], said: Everyday) -> tuple[str, int]:
     """What replaces how many tokens: the command with its value, or the word alone before a longer one."""
+    language = said.language if reader.language == ENGLISH else reader.language
+    word = spelling(canonical_of_terminal(said.terminal), language)
+    if said.terminal == "SPEAK" and (text := _text_meant(reader, line[said.width :])):
+        return f"{word} {text}", len(line)
     fillers = fillers_of(said.language)
     values = [at for at in range(said.width, len(line)) if line[at][5] not in fillers]
-    sample = SAMPLES.get(said.terminal)
+    sample = said.number or SAMPLES.get(said.terminal)
     if not values:
         return f"{word} {sample}" if sample else word, len(line)
     first, following = line[values[0]], line[values[1]] if len(values) > 1 else None
+    if said.number and _begins_another(line, values[0]):
+        return f"{word} {said.number}", values[0]
     is_whole = following is None or following[0] in BEGINNERS or following[0] in (SEMICOLON, VAR)
     if not is_whole or first[0] not in (NUMBER, NAME, STRING):
         return word, values[0]
     value = number_in_digits(first[5]) or reader.typed(first)
     width = values[1] if following else len(line)
     if said.terminal == "REPEAT":
-        return f"{word} {value} {spelling('TIMES', reader.language)}", width
+        return f"{word} {value} {spelling('TIMES', language)}", width
     return f"{word} {value}", width
+
+
+def _text_meant(reader: TokenReader, words: Sequence[Token]) -> str:
+    """The words of a text without quotation marks, in such marks; empty for what may be anything else."""
+    if not words or any(each[0] != NAME for each in words) or any(reader.declares(each[5]) for each in words):
+        return ""
+    return f'"{reader.source_of(words[0], words[-1])}"'
+
+
+# --- words too many: SPEAK hello Donnie, FW 3 steps
+
+
+def _read_text_without_quotes(reader: TokenReader) -> bool:
+    """If the second word of a text without quotation marks is here, report the text."""
+    if reader.at - 2 != reader.begun or reader.tokens[reader.begun][0] != _SPEAK:
+        return False
+    words = [reader.before, *_rest_of_line(reader)]
+    text = _text_meant(reader, words) if words[0][3] == words[1][3] else ""
+    if not text:
+        return False
+    details: dict[str, str | int] = {"written": f"{reader.typed(reader.tokens[reader.begun])} {text}"}
+    width = len(words) - 1
+    reader.report(MistakeKind.UNKNOWN_COMMAND, reader.token, "text-quotes", (), text, details, width)
+    reader.at += width
+    return True
+
+
+def _read_filler(reader: TokenReader) -> bool:
+    """If a word is here that beginners write after a whole command, report it with the command alone."""
+    token, begun = reader.token, reader.tokens[reader.begun]
+    if begun[3] != token[3] or reader.at == reader.begun or begun[0] not in _TAKE_VALUE:
+        return False
+    if not _is_filler(reader, token):
+        return False
+    written, value = reader.source_of(begun, reader.before), reader.typed(reader.before)
+    details: dict[str, str | int] = {"written": written, "word": reader.typed(token)}
+    line = _rest_of_line(reader)
+    width = next((at for at, each in enumerate(line) if not _is_filler(reader, each)), len(line))
+    reader.report(MistakeKind.UNKNOWN_COMMAND, token, "filler", (), value, details, width)
+    reader.at += width
+    return True
+
+
+def _is_filler(reader: TokenReader, token: Token) -> bool:
+    is_declared = reader.declares(token[5])
+    return not is_declared and any(token[5] in fillers_of(each) for each in languages())
 
 
 # --- calls without brackets: AB 2, AB: 2, AB (2), CD --------------------------------------------------

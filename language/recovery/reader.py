@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_left, insort
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from functools import cached_property
 from itertools import pairwise
 
@@ -28,6 +28,7 @@ from language.lexer import (
     span_of,
     without_comments,
 )
+from language.locales import ENGLISH
 from language.outline import ENDS, OPENERS, SIMPLE
 from language.recovery.automaton import Automaton
 from language.source import Lines
@@ -49,6 +50,9 @@ BEGINNERS = SIMPLE | OPENERS.keys() | ENDS.keys() | {ELSE, END}
 _INSERTED = ("head-end", "head-end-before")
 """Codes of mistakes where the meant word is missing after the token before."""
 
+_FROM_TOKEN_BEFORE = ("text-quotes", "filler")
+"""Codes of mistakes where the meant text replaces the token before, too."""
+
 
 class OpenBlock(Struct):
     """An open block."""
@@ -62,20 +66,27 @@ class OpenBlock(Struct):
     """Of the automaton, after the opening word."""
 
 
+class Known(Struct, frozen=True):
+    """What is known before a text is read."""
+
+    colours: frozenset[str] | None = None
+    """The ones that the robot can see; None if that is unknown."""
+    procedures: Mapping[str, DeclaredProcedure] = {}
+    """Those declared before the text, by folded name."""
+    variables: Collection[str] = ()
+    """Folded names, declared before the text."""
+    learner: str = ENGLISH
+    """The learner's language: of words that several languages have, its word is meant."""
+
+
 class TokenReader:
     """Reads the tokens of one text and collects the mistakes in it."""
 
-    def __init__(
-        self, lexed: Lexed, colours: frozenset[str] | None, declared: Mapping[str, DeclaredProcedure]
-    ) -> None:
-        """``colours``: the ones that the robot can see, or None if that is unknown.
-
-        ``declared``: the procedures that were declared before the text, by folded name.
-        """
+    def __init__(self, lexed: Lexed, known: Known) -> None:
         self._lexed = lexed
-        self._declared = declared
+        self._known = known
         self._flaws = list(lexed.flaws)
-        self.colours = colours
+        self.colours = known.colours
         self.language = language_of(lexed.tokens, lexed.source)
         self.tokens = [*lexed.tokens, _end_token(lexed)]
         _split_lone_end_words(self.tokens, self._flaws, lexed)
@@ -133,20 +144,26 @@ class TokenReader:
         """Every language that has a keyword in the text."""
         return sorted(languages_in(self._lexed.tokens, self._lexed.source))
 
+    @property
+    def spoken_first(self) -> tuple[str, ...]:
+        """The languages in which a beginner's words are looked for first: of the text, then the learner's."""
+        of_text = (each for each in (self.language, *self.spoken) if each != ENGLISH)
+        return (*of_text, self._known.learner)
+
     @cached_property
     def procedures(self) -> dict[str, tuple[str, ...]]:
         """The names of the parameters of each procedure, declared before the text or anywhere in it."""
         before = {
             name: tuple(each.program.typed(value.span) for value in each.procedure.parameters)
-            for name, each in self._declared.items()
+            for name, each in self._known.procedures.items()
         }
         heads = (at + 1 for at, token in enumerate(self.tokens) if token[0] == _PROCEDURE)
         here = {self.tokens[at][5]: self._parameters(at + 1) for at in heads if self.tokens[at][0] == NAME}
         return before | here
 
     def declares(self, name: str) -> bool:
-        """Whether the text declares a variable or a parameter of that folded name."""
-        return name in self._declared_names
+        """Whether a variable or a parameter of that folded name is declared in the text or before it."""
+        return name in self._declared_names or name in self._known.variables
 
     @cached_property
     def _declared_names(self) -> frozenset[str]:
@@ -159,6 +176,10 @@ class TokenReader:
             found.append(self.typed(self.tokens[at + 1]))
             at += 2
         return tuple(found)
+
+    def source_of(self, first: Token, last: Token) -> str:
+        """The text from one token to another, both included, as typed."""
+        return self._lexed.source[first[1] : last[2]]
 
     def typed(self, token: Token) -> str:
         typed = self._lexed.source[token[1] : token[2]]
@@ -226,9 +247,10 @@ class TokenReader:
         """Add a mistake, unless it may follow from an earlier one. ``meant`` replaces ``width`` tokens."""
         if kind is not MistakeKind.MISSING_END and self._is_flawed():
             return
-        end = self.tokens[self.at + width - 1][2] if meant and width > 1 else None
+        begins_before = code in _FROM_TOKEN_BEFORE
+        end = self.tokens[self.at + width - 1][2] if meant and (width > 1 or begins_before) else None
         of_meant = (code, self.typed(token), expected, meant, details or {})
-        meant_at = self.before[2] if code in _INSERTED else None
+        meant_at = self.before[2] if code in _INSERTED else self.before[1] if begins_before else None
         self.found.append(Diagnostic(kind, span_of(token), *of_meant, meant_end=end, meant_at=meant_at))
 
     def _is_flawed(self) -> bool:

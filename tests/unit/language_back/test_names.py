@@ -113,7 +113,7 @@ def test_a_variable_of_the_program_is_named_as_such_in_a_procedure(make: Make) -
 def test_a_near_name_is_offered_as_it_was_typed(make: Make) -> None:
     assert run("VAR Direção = 1 SPEAK direcoa", make).diagnostic.meant == "Direção"
     assert run("PROCEDURE Square DO END PROCEDURE Squre []", make).diagnostic.meant == "Square"
-    assert run("VAR total SPEAK something", make).diagnostic.meant == ""
+    assert run("VAR total SPEAK 1 + something", make).diagnostic.meant == ""
     assert run("PROCEDURE P: length DO SPEAK lenght END PROCEDURE P [1]", make).diagnostic.meant == "length"
 
 

@@ -92,7 +92,8 @@ def test_a_near_name_is_offered() -> None:
     ("source", "name", "meant"),
     [
         ("Pê [1]", "Pê", ""),
-        ("SPEAK Época", "Época", ""),
+        ("SPEAK Época", "Época", '"Época"'),
+        ("SPEAK Época + 1", "Época", ""),
         ("VAR Ação SPEAK acaos", "acaos", "Ação"),
         ("PROCEDURE Dança DO END PROCEDURE Danca [1]", "Danca", ""),
         ("PROCEDURE Dança DO END PROCEDURE Dancas []", "Dancas", "Dança"),

@@ -274,15 +274,15 @@ def test_the_found_text_is_quoted_as_it_was_typed(source: str, found: str) -> No
         ("pf10", "PF 10"),
         ("SOUNDON", "SOUND ON"),
         ("RIGHTTURN 90", "RIGHT TURN"),
-        ("RIGHT 90", "RIGHT TURN"),
+        ("RIGHT 90", "TR 90"),
         ("GIRAR DERECH 90", "GIRAR DERECHA"),
-        ("FRENTE 3", "PARA FRENTE"),
-        ("TRÁS 3", "PARA TRÁS"),
-        ("PF 1 DIREITA 90", "GIRAR DIREITA"),
-        ("IZQUIERDA 90", "GIRAR IZQUIERDA"),
-        ("GIRA DIREITA 90", "GIRAR DIREITA"),
+        ("FRENTE 3", "PF 3"),
+        ("TRÁS 3", "PT 3"),
+        ("PF 1 DIREITA 90", "GD 90"),
+        ("IZQUIERDA 90", "GI 90"),
+        ("GIRA DIREITA 90", "GD 90"),
         ("GIRRA DERECHA 90", "GIRAR DERECHA"),
-        ("TURN 90", ""),
+        ("TURN 90", "TR 90"),
         ("SPEAK COLOR gren", "GREEN"),
         ("FALAR COR vermelo", "VERMELHO"),
         ("IF a = 1 THEN FW 1 END IF", "=="),
@@ -296,7 +296,7 @@ def test_the_found_text_is_quoted_as_it_was_typed(source: str, found: str) -> No
         ("JUMP 3", ""),
         ("FOO 3", ""),
         ("x 3", ""),
-        ("SPEAK hello world", ""),
+        ("SPEAK hello world", '"hello world"'),
         ("a" * 100_000, ""),
         ("SPEAK DISTANCE Z", ""),
     ],
@@ -481,10 +481,10 @@ def test_a_number_is_offered_where_one_is_missing(source: str, meant: str) -> No
         ("TURN LEFT", "TL 90"),
         ("TURN RIGHT 30", "TR 30"),
         ("TURN TO THE LEFT", "TL 90"),
-        ("LEFT", "LEFT TURN 90"),
-        ("RIGHT", "RIGHT TURN 90"),
+        ("LEFT", "TL 90"),
+        ("RIGHT", "TR 90"),
         ('SAY "hello"', 'SPEAK "hello"'),
-        ("PRINT n", "SPEAK n"),
+        ("PRINT n + 1", "SPEAK"),
         ("ANDAR 3", "PF 3"),
         ("ANDE 3 passos", "PF 3"),
         ("VIRAR ESQUERDA", "GE 90"),
@@ -505,6 +505,98 @@ def test_a_number_is_offered_where_one_is_missing(source: str, meant: str) -> No
 def test_an_everyday_word_is_answered_with_the_line_that_was_meant(line: str, meant: str) -> None:
     for source in (line, f"{line}\nSCAN", f"REPEAT 2 TIMES\n{line}\nEND REPEAT"):
         assert the_mistake(source).meant == meant
+
+
+@pytest.mark.parametrize(
+    ("line", "meant"),
+    [
+        ("please walk 3", "FW 3"),
+        ("Donnie go forward 2 steps", "FW 2"),
+        ("walk 3 steps forward", "FW 3"),
+        ("go back three steps", "BW 3"),
+        ("turn 90 degrees to the left", "TL 90"),
+        ("turn", "TR 90"),
+        ("turn around", "TR 180"),
+        ("spin", "TR 360"),
+        ("rt 45", "TR 45"),
+        ("look", "SCAN"),
+        ("grab", "GRIP"),
+        ("sleep 2", "WAIT 2"),
+        ("say hello", 'SPEAK "hello"'),
+        ("say Good morning, Donnie", "SPEAK"),
+        ("print hello big world", 'SPEAK "hello big world"'),
+        ("andar 3 passos para frente", "PF 3"),
+        ("ande três passos para trás", "PT 3"),
+        ("vá para frente", "PF 2"),
+        ("vá à direita", "GD 90"),
+        ("gire 90 graus para a direita", "GD 90"),
+        ("vira à esquerda", "GE 90"),
+        ("gire noventa graus", "GD 90"),
+        ("pd 90", "GD 90"),
+        ("dar meia volta", "GD 180"),
+        ("olhe", "ESPIAR"),
+        ("diga oi", 'FALAR "oi"'),
+        ("por favor ande 2", "PF 2"),
+        ("camina 3 pasos hacia adelante", "AV 3"),
+        ("camina dos pasos hacia atrás", "RE 2"),
+        ("gira 90 grados a la izquierda", "GI 90"),
+        ("da media vuelta", "GD 180"),
+        ("di hola", 'HABLAR "hola"'),
+    ],
+)
+def test_a_whole_sentence_of_a_child_is_answered_with_one_line(line: str, meant: str) -> None:
+    for source in (line, f"{line}\nSCAN"):
+        assert the_mistake(source).meant == meant
+
+
+@pytest.mark.parametrize(
+    ("line", "learner", "meant"),
+    [
+        ("ANDAR 3", "pt", "PF 3"),
+        ("ANDAR 3", "es", "AV 3"),
+        ("IR", "es", "AV 2"),
+        ("GIRAR", "es", "GD 90"),
+        ('IMPRIMIR "hola"', "es", 'HABLAR "hola"'),
+        ('IMPRIMIR "oi"', "pt", 'FALAR "oi"'),
+        ("REPITE 3", "es", "REPETIR 3 VECES"),
+        ("WALK 3", "pt", "FW 3"),
+    ],
+)
+def test_a_word_of_two_languages_is_read_in_the_learners(line: str, learner: str, meant: str) -> None:
+    (only,) = parse(line, learner=learner).diagnostics
+
+    assert only.meant == meant
+
+
+def test_the_language_of_the_program_comes_before_the_learners() -> None:
+    (only,) = parse("PF 1\nANDAR 3", learner="es").diagnostics
+
+    assert only.meant == "PF 3"
+
+
+def test_a_variable_is_said_without_quotation_marks() -> None:
+    (of_text,) = parse("VAR n\nPRINT n").diagnostics
+    (of_earlier,) = parse("PRINT n", variables=["n"]).diagnostics
+
+    assert [of_text.meant, of_earlier.meant] == ["SPEAK n"] * 2
+
+
+@pytest.mark.parametrize(
+    ("line", "written"),
+    [
+        ("FW 3 steps", "FW 3"),
+        ("PF 3 passos", "PF 3"),
+        ("AV 3 pasos por favor", "AV 3"),
+        ("TR 90 degrees", "TR 90"),
+        ("FW 2 and TR 90", "FW 2"),
+        ("WAIT 2 seconds FW 1", "WAIT 2"),
+    ],
+)
+def test_a_word_that_is_not_needed_is_named_with_the_command_alone(line: str, written: str) -> None:
+    first = mistakes_in(line)[0]
+
+    assert (first.code, first.details["written"]) == ("filler", written)
+    assert len(mistakes_in(line)) == 1
 
 
 @pytest.mark.parametrize(
