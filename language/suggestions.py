@@ -337,7 +337,8 @@ def _spoken_alone(program: Program, name: Name) -> str:
     """SPEAK as it was typed, if it says this name and nothing more; else empty."""
     before = re.search(r"([^\W\d_]+)[ \t]+\Z", program.source[: name.span.start])
     is_over = re.match(r"[ \t;]*(\n|\r|--|\Z)", program.source[name.span.end :])
-    return before[1] if before and is_over and canonical(before[1]) == "SPEAK" else ""
+    is_word = len(name.name) > 1  # a name of one letter is rather a variable
+    return before[1] if before and is_over and is_word and canonical(before[1]) == "SPEAK" else ""
 
 
 def _text_without_quotes(program: Program, name: Name, speak: str) -> Diagnostic:

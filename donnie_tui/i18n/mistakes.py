@@ -386,8 +386,10 @@ def explanation(error: Error, words: Wording) -> tuple[str, ...]:
         return words("explain-whole-numbers"), words("advice-whole-numbers")
     code = f"explain-{error.kind}-{error.code}"
     meaning = words(code if error.code and words.knows(code) else f"explain-{error.kind}")
-    if error.kind == MistakeKind.UNDECLARED_VARIABLE.value and error.topic == "SPEAK" and not error.meant:
-        return meaning, *_advice(error, "", words), words("advice-text-without-quotes")
+    if error.code == "spoken" or (
+        error.kind == MistakeKind.UNDECLARED_VARIABLE.value and error.topic == "SPEAK" and not error.meant
+    ):
+        return meaning, words(f"advice-{error.kind}"), words("advice-text-without-quotes")
     topic = _topic(error)
     example = words("help-example", example=helping.example(topic, words)) + "." if topic else ""
     return tuple(filter(None, (meaning, *_advice(error, topic, words), example)))

@@ -12,8 +12,8 @@ from tests.parity.compare import in_linear_mode, on_full_screen
 
 PROGRAMS = {
     "solved": ("FW 5\n", 0, "Solved, in 1 command."),
-    "a step short": ("FW 4\n", 1, "0 of 1 goal. You stop 1 step south of 0, 5."),
-    "bumping": ("FW 40\n", 1, "0 of 1 goal. You stop 8 steps north of 0, 5. You bumped 1 time."),
+    "a step short": ("FW 4\n", 1, "0 of 1 goal. You stopped 1 step south of 0, 5."),
+    "bumping": ("FW 40\n", 1, "0 of 1 goal. You stopped 8 steps north of 0, 5. You bumped 1 time."),
 }
 
 

@@ -83,7 +83,7 @@ def test_a_server_that_was_named_and_is_not_there_is_said_to_be_missing() -> Non
     typed = godonnie({"DONNIE_IP": HOST, "DONNIE_PORT": str(port)}, "-t", typed="quit\n")
 
     assert any(f"No robot answers at player://{HOST}:{port}" in line for line in typed)
-    assert "I use the simulator instead. CONNECT tries again." in typed
+    assert "I will use the simulator. CONNECT tries again." in typed
 
 
 def test_a_server_that_runs_is_found_and_another_program_is_none(tmp_path: Path) -> None:

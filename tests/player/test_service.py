@@ -136,7 +136,7 @@ def test_what_a_client_does_is_an_event_and_a_sentence(lesson: Lesson) -> None:
         client.drive(0.0)
         stood = lesson.wait_for(is_driven("standing"))
 
-    assert printed_lines(said, lesson.donnie.words) == ("A client drives alice: forward.",)
+    assert printed_lines(said, lesson.donnie.words) == ("Another program drives alice forward.",)
     assert isinstance(driven.event, Driven)
     assert isinstance(stood.event, Driven)
     assert stood.event.pose.x > driven.event.pose.x >= -40
@@ -254,7 +254,7 @@ def test_a_recording_replays_what_clients_did(tmp_path: Path) -> None:
     )
 
     assert replayed.returncode == 0, replayed.stderr
-    assert replayed.stdout.splitlines() == ["A client drives alice: forward.", "alice: hello"]
+    assert replayed.stdout.splitlines() == ["Another program drives alice forward.", "alice: hello"]
 
 
 @pytest.mark.parametrize(
@@ -298,7 +298,7 @@ def test_the_linear_mode_says_what_a_client_does_and_stop_stops_it(tmp_path: Pat
     with closing(Client(port)) as client:
         assert client.open(4)
         client.drive(0.05)
-        learner.expect("A client drives alice: forward.")
+        learner.expect("Another program drives alice forward.")
         learner.sendline("stop")
         learner.expect("topped.")
         learner.sendline("quit")

@@ -88,7 +88,7 @@ def test_the_robot_can_not_be_connected_at_the_port_of_the_belt(tmp_path: Path, 
 
     assert said == (
         f"Robot and belt can't both be at {robot.path}.",
-        "I use the simulator instead. CONNECT tries again.",
+        "I will use the simulator. CONNECT tries again.",
     )
 
 

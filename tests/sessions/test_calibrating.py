@@ -79,10 +79,10 @@ class DeafOnceItDrives(SimulatedBoard):
             [
                 "My wheels count the wrong way.",
                 "See encoders, motors and profile in the settings.",
-                "Something stopped the robot. I leave this walk or turn out.",
+                "Something stopped the robot. I do not count this walk or turn.",
             ],
         ),
-        (True, ["It does not stop. Switch it off.", "I stop here. Nothing has changed."]),
+        (True, ["It does not stop. Switch it off.", "I have stopped here. Nothing has changed."]),
     ],
     ids=["swapped", "deaf"],
 )
@@ -142,7 +142,7 @@ def test_a_number_before_the_walk_moves_nothing_and_is_reported_as_too_early(tmp
     lines = said.splitlines()
     assert lines[1:4] == [
         "Mark where the robot is. Press Enter, and it walks 20 steps.",
-        "Press Enter alone, please. I ask for the number afterwards.",
+        "Press Enter alone, please. I will ask for the number after that.",
         "How many centimetres did it walk? Enter alone skips this.",
     ]
     assert any(line.startswith("Wheel radius 20.") for line in lines)
@@ -182,7 +182,7 @@ def test_control_z_in_the_middle_of_a_calibration_stops_the_robot(tmp_path: Path
     process.send_signal(signal.SIGCONT)
 
     said, _ = process.communicate(b"", timeout=TIMEOUT)
-    assert "Something stopped the robot. I leave this walk or turn out." in said.decode().splitlines()
+    assert "Something stopped the robot. I do not count this walk or turn." in said.decode().splitlines()
 
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGQUIT], ids=lambda each: each.name)
@@ -206,7 +206,7 @@ def test_a_cable_pulled_during_the_walk_is_reported_at_once_and_ends_the_calibra
     assert process.stdout is not None
     assert process.stdout.read().decode().splitlines()[2:] == [
         "Robot lost. If it moves, switch it off.",
-        "I stop here. Nothing has changed.",
+        "I have stopped here. Nothing has changed.",
     ]
 
 
@@ -230,4 +230,4 @@ def test_control_c_in_the_walk_halts_the_robot_and_says_so(tmp_path: Path, robot
     assert process.wait(TIMEOUT) == 130
     assert not robot.board.is_driving
     assert process.stdout is not None
-    assert process.stdout.read().decode().splitlines()[2:] == ["I stop here. Nothing has changed."]
+    assert process.stdout.read().decode().splitlines()[2:] == ["I have stopped here. Nothing has changed."]

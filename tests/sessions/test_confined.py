@@ -353,7 +353,7 @@ def test_confinement_can_only_be_narrowed(
     assert main(["run", f"{here}/mine.gd", "--confined", f"{here}/sub", *QUIET]) == 2
     assert main(["run", "mine.gd", "--confined", "/", "--confined", ".", *QUIET]) == 2
     assert main(["run", "mine.gd", "--confined=/", "--confined", ".", *QUIET]) == 2
-    assert "--confined can be given once only." in capsys.readouterr().err
+    assert "Give --confined only once." in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("value", ["", "none", "mine.gd", "~", "a\tb"])

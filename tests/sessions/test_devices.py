@@ -176,7 +176,7 @@ def test_a_front_end_continues_with_the_simulator(tmp_path: Path) -> None:
 
     lines = done.stdout.decode().splitlines()
     assert "Nothing is plugged in at /dev/nothing." in lines
-    assert "I use the simulator instead. CONNECT tries again." in lines
+    assert "I will use the simulator. CONNECT tries again." in lines
     assert "I walked 1 step forward." in lines
 
 
@@ -185,7 +185,7 @@ def test_the_learner_changes_to_another_robot_and_finds_it_again_the_next_time(t
     done = donnie(tmp_path, "--linear", "--speed", "max", *QUIET, typed=typed)
 
     lines = done.stdout.decode().splitlines()
-    assert "1: the simulator, now." in lines
+    assert "1: the simulator, in use now." in lines
     assert "2: a simulated board, to try without a robot." in lines
     assert "Robot connected." in lines
     assert "I walked 1 step forward." in lines
@@ -214,7 +214,7 @@ def test_events_of_the_robot_are_printed_in_the_middle_of_a_typed_line(
     tmp_path: Path, robot: PtyBoard
 ) -> None:
     learner = Learner(tmp_path, *serial(robot))
-    learner.sees("Linear mode, from the option.\r\nI look for the robot for some seconds.\r\n")
+    learner.sees("Linear mode, from the option.\r\nI am looking for the robot. Please wait.\r\n")
     learner.sees("Robot connected.")
     learner.sees_prompt()
     learner.types("WHE")
@@ -236,4 +236,4 @@ def test_a_missing_robot_is_reported_before_any_line_is_typed(tmp_path: Path) ->
     learner = Learner(tmp_path, "--robot", "serial:/dev/nothing")
 
     learner.sees("Nothing is plugged in at /dev/nothing.\r\n")
-    learner.sees("I use the simulator instead. CONNECT tries again.\r\n> ")
+    learner.sees("I will use the simulator. CONNECT tries again.\r\n> ")

@@ -127,6 +127,6 @@ def test_a_line_that_is_being_typed_is_kept_under_the_verdict(tmp_path: Path) ->
     learner = Learner(tmp_path, "--world", "challenge:first_walk", speed="1")
     learner.enters("FW 4", "START")
     learner.types("WHE")
-    learner.sees("0 of 1 goal. You stop 1 step south of 0, 5.\r\n> WHE")
+    learner.sees("0 of 1 goal. You stopped 1 step south of 0, 5.\r\n> WHE")
     learner.types("RE\r")
     learner.sees("Position 0, 4.")

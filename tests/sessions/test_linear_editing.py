@@ -254,7 +254,7 @@ def test_a_missing_number_is_explained_with_its_line(tmp_path: Path) -> None:
 
     assert lines[-4:] == [
         "Something is missing or out of place.",
-        "Form: FW value, or FORWARD value.",
+        "You write: FW value, or FORWARD value.",
         "Example: FW 5.",
         "Line 1: FW",
     ]
@@ -331,7 +331,7 @@ def test_a_program_that_can_not_run_again_changes_nothing(tmp_path: Path) -> Non
     assert answers_to(
         tmp_path, "VAR a = 2", "FW a", "WATCH a", "RUN", "FWD 2", "AGAIN", "DELETE 3", "FW 1", "RUN"
     ) == [
-        "I watch a.",
+        "I will say when a changes.",
         "a is 2.",
         "I walked 2 steps forward.",
         "Error, line 3, column 1: I do not know FWD.",

@@ -202,6 +202,6 @@ def test_stop_and_help_mean_themselves_in_an_open_block(tmp_path: Path) -> None:
     learner.enters("REPEAT 2 TIMES", "STOP")
     learner.sees("Nothing is running.\r\n1 line waits. DELETE drops it.\r\n1> ")
     learner.types("HELP REPEAT\r")
-    learner.sees("Form: REPEAT value TIMES commands END REPEAT.")
+    learner.sees("You write: REPEAT value TIMES commands END REPEAT.")
     learner.enters("LIST")
     learner.sees("1: REPEAT 2 TIMES\r\n1> ")

@@ -162,7 +162,7 @@ def test_enter_runs_each_complete_line_where_that_is_set(learner: Learner) -> No
 def test_the_last_line_of_an_answer_is_the_prompt_where_that_is_set(learner: Learner) -> None:
     """The cursor of a braille display stays on it."""
     learner.enters("SET prompt answer")
-    learner.sees("Before the line, prompt: answer. ")
+    learner.sees("Start of the line, prompt: answer. ")
     learner.types("FW 3\r")
     learner.sees("\r\n> ")
     learner.types("\r")
@@ -184,7 +184,7 @@ def test_each_line_waits_for_enter_where_that_is_set(learner: Learner) -> None:
     """For a braille display: one line at a time."""
     enter_and_wait(learner, "SET hold on")
     learner.types("AROUND\r")
-    learner.sees("No things within 10 steps. ")
+    learner.sees("There is nothing within 10 steps. ")
     learner.types("\r")
     learner.sees("Ahead: free, 10 steps. ")
     learner.types("WHERE\r")
@@ -350,11 +350,11 @@ def test_words_of_the_full_screen_are_answered_with_their_linear_words(learner: 
     answers = [line for line in learner.lines if line and not line.startswith("> ")]
 
     assert answers[2:] == [
-        "Here you type READ 3.",
+        "In linear mode, type READ 3.",
         "Only in the full screen: type VISUAL.",
         "Only in the full screen: type VISUAL.",
         "Speed: max.",
-        "Here you type SHOW LOG.",
+        "In linear mode, type SHOW LOG.",
     ]
 
 

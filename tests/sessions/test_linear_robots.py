@@ -92,7 +92,7 @@ def test_answers_about_the_world_name_their_robot(tmp_path: Path) -> None:
     assert [line for line in sentences if line.startswith("bob: ")] == [
         "bob: 33 by 43 steps, walls included.",
         "bob: Row 30, from -16: wall, 15 free, bob, 15 free, wall.",
-        "bob: No things within 10 steps.",
+        "bob: There is nothing within 10 steps.",
         "bob: I have not moved yet.",
     ]
 
@@ -102,7 +102,7 @@ def test_answers_about_sensors_mistakes_and_the_tour_name_their_robot(tmp_path: 
     sentences = _lines(tmp_path, "--world", "two_robots", typed=typed)
 
     assert "bob has:" in sentences
-    assert "bob: No things within 10 steps." in sentences
+    assert "bob: There is nothing within 10 steps." in sentences
     assert "bob: Donnie does not know this word." in sentences
     assert sentences[sentences.index("Welcome. Donnie is a robot in a room.") - 1] == "Now you talk to bob."
 

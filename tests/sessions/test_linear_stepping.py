@@ -117,7 +117,7 @@ def test_all_answers_are_about_the_moment_to_which_step_back_leads(tmp_path: Pat
         "x has no value yet.",
         "Line 1: VAR x = 1",
         "Position 0, 0. Facing north.",
-        "No variables.",
+        "There are no variables.",
         "Line 2: FW 1",
         "Position 0, 0. Facing north.",
         "I walked 1 step forward.",
@@ -184,8 +184,8 @@ def test_only_what_can_be_a_variable_is_watched(tmp_path: Path) -> None:
     assert answers_to(tmp_path, "WATCH 3", "WATCH x y", "WATCH lado", "WATCH") == [
         "I did not understand. Type WATCH x.",
         "I did not understand. Type WATCH x.",
-        "I watch lado.",
-        "I watch lado.",
+        "I will say when lado changes.",
+        "I will say when lado changes.",
     ]
 
 

@@ -33,7 +33,7 @@ def test_worlds_lists_the_worlds_and_a_name_selects_one_with_the_program(tmp_pat
         "open_floor: Open floor, easy. You are here.",
     ]
     assert lines[30:] == [
-        "I go to maze.",
+        "I am going to maze.",
         "This is the world maze: Maze.",
         "49 by 41 steps, walls included.",
         "1 thing. WORLD says more.",
@@ -41,7 +41,7 @@ def test_worlds_lists_the_worlds_and_a_name_selects_one_with_the_program(tmp_pat
         "1: FW 2",
         "Position 0, 0. Facing north.",
         "I walked 2 steps forward.",
-        "I go to maze.",
+        "I am going to maze.",
         "This is the world maze: Maze.",
         "49 by 41 steps, walls included.",
         "1 thing. WORLD says more.",
@@ -85,7 +85,7 @@ def test_a_user_world_is_selected_by_its_file(tmp_path: Path) -> None:
     )
 
     assert answers_to(tmp_path, "WORLD my.world\nFW 1\n\n")[:2] == [
-        "I go to my.world.",
+        "I am going to my.world.",
         "This is the world my.world.",
     ]
 
@@ -93,7 +93,7 @@ def test_a_user_world_is_selected_by_its_file(tmp_path: Path) -> None:
 def test_running_robots_are_stopped_first_and_reported(tmp_path: Path) -> None:
     lines = answers_to(tmp_path, "REPEAT 9999 TIMES\nWAIT 1\nEND REPEAT\nSTART\nWORLD maze\n", "--speed", "1")
 
-    assert lines[lines.index("I go to maze.") - 1] == "Stopped at line 2."
+    assert lines[lines.index("I am going to maze.") - 1] == "Stopped at line 2."
 
 
 def test_a_program_that_is_held_is_stopped_for_another_world(tmp_path: Path) -> None:

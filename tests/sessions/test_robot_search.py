@@ -62,12 +62,12 @@ def test_control_c_ends_a_command_that_looks_for_a_robot(
 @pytest.mark.parametrize("keys", ["\x03", "\x1b[19~"], ids=["ctrl-c", "f8"])
 def test_a_stop_key_cancels_the_search_of_the_full_screen(tmp_path: Path, mute_port: str, keys: str) -> None:
     front_end = at_terminal(tmp_path, "--visual", *QUIET, "--robot", f"serial:{mute_port}")
-    front_end.expect("I look for the robot")
-    front_end.expect("I wait for the robot. Ctrl\\+C gives up.")
+    front_end.expect("I am looking for the robot")
+    front_end.expect("Waiting for the robot. Ctrl\\+C gives up.")
     front_end.send("SPEAK 12")
     front_end.send(keys)
-    front_end.expect("I no longer look for the robot")
-    front_end.expect("I use the simulator instead")
+    front_end.expect("I have stopped looking for the robot")
+    front_end.expect("I will use the simulator")
     front_end.send("\x11")
     front_end.expect("is not saved")  # what was typed meanwhile is there
     end(front_end)
@@ -77,11 +77,11 @@ def test_a_stop_key_cancels_the_search_of_the_full_screen(tmp_path: Path, mute_p
 def test_control_c_cancels_the_search_of_the_linear_mode(tmp_path: Path, mute_port: str, moment: str) -> None:
     learner = Learner(tmp_path, "--robot", f"serial:{mute_port}")
     for _ in range(1 if moment == "at the start" else 2):
-        learner.sees("I look for the robot for some seconds.")
-        learner.sees("I wait for the robot. Ctrl+C gives up.")
+        learner.sees("I am looking for the robot. Please wait.")
+        learner.sees("Waiting for the robot. Ctrl+C gives up.")
         learner.child.sendintr()
-        learner.sees("I no longer look for the robot.")
-        learner.sees("I use the simulator instead. CONNECT tries again.")
+        learner.sees("I have stopped looking for the robot.")
+        learner.sees("I will use the simulator. CONNECT tries again.")
         learner.sees_prompt()
         learner.types("WHERE\r")
         learner.sees("north")

@@ -132,7 +132,7 @@ def test_a_stop_for_services_waits_for_a_robot_that_is_unplugged(tmp_path: Path,
     robot.unplug()
     waiting = start(tmp_path, "stop", "--wait", robot.path)
     assert waiting.stdout is not None
-    assert waiting.stdout.readline().decode() == f"I wait for {robot.path}, a minute at most.\n"
+    assert waiting.stdout.readline().decode() == f"I will wait for {robot.path}, a minute at most.\n"
     robot.plug()
 
     assert waiting.communicate(timeout=TIMEOUT)[0].decode() == f"The robot has stopped. Port {robot.path}.\n"

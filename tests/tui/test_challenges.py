@@ -20,12 +20,12 @@ async def test_the_panel_shows_task_and_goals_with_signs_and_words(open_screen):
         await screen.until(lambda: "Goals, 2 of 3 met:" in panel(screen), "the goals")
         assert "Goals and variables" in screen.text
         assert "Challenge: There and back." in panel(screen)
-        assert "[ ] Goal 1: You did not come to 0, 8." in panel(screen)
+        assert "[ ] Goal 1: You did not get to 0, 8." in panel(screen)
         assert "[x] Goal 2: met." in panel(screen)
 
         await screen.type_line("FW 8")
         await screen.until(lambda: "[x] Goal 1: met." in panel(screen), "the goal that was met")
-        assert "[ ] Goal 2: You stop 8 steps north of 0, 0." in panel(screen)
+        assert "[ ] Goal 2: You stopped 8 steps north of 0, 0." in panel(screen)
 
 
 async def test_the_plain_panel_has_words_only(open_screen):
@@ -46,7 +46,7 @@ async def test_the_panel_says_that_a_challenge_begins_anew(open_screen):
 
 async def test_the_panel_of_a_world_without_a_challenge_has_no_goals(open_screen):
     async with open_screen(world="first_room", size=WIDE) as screen:
-        await screen.until(lambda: "No variables" in panel(screen), "the panel")
+        await screen.until(lambda: "There are no variables" in panel(screen), "the panel")
 
         assert "Goal" not in panel(screen)
 

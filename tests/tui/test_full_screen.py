@@ -87,8 +87,8 @@ def test_a_typed_name_selects_that_world_and_keeps_the_log_and_the_history(monke
 
     assert begin(monkeypatch, work_through) == 0
     assert seen[:2] == ["open_floor", "living_room"]
-    assert seen.index("before") < seen.index("I go to living_room.")
-    assert seen[seen.index("I go to living_room.") - 1].startswith("Stopped at line ")
+    assert seen.index("before") < seen.index("I am going to living_room.")
+    assert seen[seen.index("I am going to living_room.") - 1].startswith("Stopped at line ")
     assert seen[-3:] == [
         "This is the world living_room: Living room.",
         "42 by 42 steps, walls included.",

@@ -148,8 +148,8 @@ async def test_all_keys_can_be_reset(open_screen, tmp_path):
         change(screen.app.controller.ctx, "keys", "run f9")
         await screen.shows("Keys: F9 RUN.")
         await open_keys(screen)
-        await choose(screen, *"as they came")
-        await screen.shows("Keys: as they came.")
+        await choose(screen, *"the usual ones")
+        await screen.shows("Keys: the usual ones.")
         assert screen.app.key_table.of("run") == ("f5", "escape")
     assert kept(tmp_path)["keys"] == ""
 
@@ -187,7 +187,7 @@ async def test_a_chosen_key_for_stop_stops_at_once(open_screen):
 @pytest.mark.parametrize(
     ("pane", "heading", "line"),
     [
-        ("editor", "In the program", "Ctrl+B: Holds at that line, or not."),
+        ("editor", "In the program", "Ctrl+B: Pauses at that line, or not."),
         ("map", "On the map", "N and P: the next thing and the one before."),
         ("log_rows", "In the log", "End: the newest line."),
         ("command_line", "In the command line", "Up and Down: what was typed before."),

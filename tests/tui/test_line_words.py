@@ -104,7 +104,7 @@ async def test_mistakes_are_visited_and_explained_as_in_the_linear_mode(open_scr
 async def test_last_says_the_whole_answer_again_and_the_one_before_it(open_screen):
     async with open_screen() as screen:
         await screen.type_line("SPELL 9")
-        await screen.shows("Nothing was said yet.")
+        await screen.shows("Nothing has been said yet.")
         await screen.type_line("FW 1 SPEAK 7")
         await screen.shows("7")
         await screen.idle()

@@ -518,7 +518,7 @@ async def test_without_colours_there_is_no_picture(open_screen, monkeypatch):
     monkeypatch.setenv("NO_COLOR", "1")
     async with open_screen(world="living_room") as screen:
         await screen.type_line("PICTURE")
-        await screen.shows("There are no colours here.")
+        await screen.shows("There are no colors here.")
         assert not screen.main.map.is_picture
 
 

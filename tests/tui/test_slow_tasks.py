@@ -273,7 +273,7 @@ async def test_a_program_that_changes_during_formatting_is_not_formatted(open_sc
     monkeypatch.setattr(program, "formatted", slowly)
     async with open_screen("fw 1   tr 90") as screen:
         await screen.press("ctrl+k", "m")
-        await screen.shows("Laying the program out, it takes a while.")
+        await screen.shows("Tidying the program, it takes a while.")
         await screen.press("home")
         screen.main.editor.insert("-- mine\n", (0, 0))
         gate.set()
@@ -287,7 +287,7 @@ async def test_a_formatting_that_another_word_replaces_is_still_answered(
     monkeypatch.setattr(program, "formatted", lambda *_: gate.wait(TIMEOUT))
     async with open_screen("fw 1   tr 90") as screen:
         await screen.type_line("FORMAT")
-        await screen.shows("Laying the program out, it takes a while.")
+        await screen.shows("Tidying the program, it takes a while.")
         await screen.type_line(f"SAVE {tmp_path / 'mine'}")
         await screen.shows("Nothing was changed.")
         await screen.shows("Saved mine.gd, 1 line.")

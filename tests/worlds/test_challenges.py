@@ -206,17 +206,17 @@ def test_a_misspelt_name_is_reported_with_the_nearest_one(
 
 PUPILS = {
     "ana.gd": (b"FW 5", "ana.gd: Solved, in 1 command."),
-    "bia.gd": (b"FW 4", "bia.gd: 0 of 1 goal. You stop 1 step south of 0, 5."),
+    "bia.gd": (b"FW 4", "bia.gd: 0 of 1 goal. You stopped 1 step south of 0, 5."),
     "caio.gd": (b"\xff\xfe\x00", "caio.gd is not a text."),
     "endless.gd": (
         b"VAR A = 1\nWHILE A > 0 DO\nEND WHILE",
-        "endless.gd: 0 of 1 goal. The program does not come to an end. You stop 5 steps south of 0, 5.",
+        "endless.gd: 0 of 1 goal. The program does not come to an end. You stopped 5 steps south of 0, 5.",
     ),
     "misspelt.gd": (
         b"FWW 3",
-        "misspelt.gd: 0 of 1 goal. Mistake in line 1: I do not know FWW. You stop 5 steps south of 0, 5.",
+        "misspelt.gd: 0 of 1 goal. Mistake in line 1: I do not know FWW. You stopped 5 steps south of 0, 5.",
     ),
-    "rui.gd": (b"FW 40", "rui.gd: 0 of 1 goal. You stop 8 steps north of 0, 5. You bumped 1 time."),
+    "rui.gd": (b"FW 40", "rui.gd: 0 of 1 goal. You stopped 8 steps north of 0, 5. You bumped 1 time."),
 }
 
 
@@ -395,7 +395,7 @@ def test_without_goals_the_end_of_the_solution_is_the_goal_from_each_start(
     (tmp_path / "p.gd").write_text('FW 1\nSPEAK "Done!"')
     capsys.readouterr()
     assert main(["challenge", "check", str(file), str(tmp_path / "p.gd"), "--lang", "en"]) == 1
-    assert capsys.readouterr().out == "p.gd: 1 of 2 goals. You stop 2 steps south of 0, 3.\n"
+    assert capsys.readouterr().out == "p.gd: 1 of 2 goals. You stopped 2 steps south of 0, 3.\n"
 
 
 BOTH_COME = """\
@@ -561,11 +561,11 @@ def test_no_program_of_a_folder_stops_the_rest(tmp_path: Path, capsys: pytest.Ca
 
     assert main(["challenge", "check", "first_walk", str(tmp_path), "--lang", "en"]) == 2
 
-    endless = "0 of 1 goal. The program does not come to an end. You stop 5 steps south of 0, 5."
+    endless = "0 of 1 goal. The program does not come to an end. You stopped 5 steps south of 0, 5."
     assert capsys.readouterr().out.replace(f"{tmp_path}/", "").splitlines() == [
         "big.gd is too large for a program.",
         f"computes.gd: {endless}",
-        "empty.gd: 0 of 1 goal. You stop 5 steps south of 0, 5.",
+        "empty.gd: 0 of 1 goal. You stopped 5 steps south of 0, 5.",
         "jos\u00e9 da silva (2).gd: Solved, in 1 command.",
         "no text.gd is not a text.",
         f"waits.gd: {endless}",

@@ -167,7 +167,7 @@ def test_two_robots_are_named_under_the_drawing(tmp_path: Path) -> None:
     [
         ("", ["Error, map.txt: There is no drawing. # is wall, . is free floor, ^ is a robot."]),
         ("\n\n", ["Error, map.txt: There is no drawing. # is wall, . is free floor, ^ is a robot."]),
-        ("....\n", ["Error, map.txt: There is no robot. Put ^, >, v or < where it stands."]),
+        ("....\n", ["Error, map.txt: There is no robot. Put ^, >, v or < where it is."]),
         (
             "......\n.^..>.\n......\n",
             ["Error, map.txt, line 2, column 5: 2 robots need names. Write under the drawing: ^ alice, bob."],
@@ -210,19 +210,17 @@ def test_two_robots_are_named_under_the_drawing(tmp_path: Path) -> None:
         (
             ROOM.replace("chair green", "chiar gren").replace("box", "sofa"),
             [
-                "Error, map.txt, line 11, column 3: chiar is neither a thing nor a colour. "
+                "Error, map.txt, line 11, column 3: chiar is neither a thing nor a color. "
                 "Did you mean chair?",
-                "Error, map.txt, line 11, column 9: gren is neither a thing nor a colour. "
-                "Did you mean green?",
-                "Error, map.txt, line 12, column 3: sofa is neither a thing nor a colour. "
+                "Error, map.txt, line 11, column 9: gren is neither a thing nor a color. Did you mean green?",
+                "Error, map.txt, line 12, column 3: sofa is neither a thing nor a color. "
                 "Did you mean small sofa?",
             ],
         ),
         (
             ROOM.replace("chair green", "chair gren"),
             [
-                "Error, map.txt, line 11, column 9: gren is neither a thing nor a colour. "
-                "Did you mean green?",
+                "Error, map.txt, line 11, column 9: gren is neither a thing nor a color. Did you mean green?",
             ],
         ),
         (
@@ -237,14 +235,14 @@ def test_two_robots_are_named_under_the_drawing(tmp_path: Path) -> None:
         (
             ROOM.replace("chair green AS throne", "green"),
             [
-                "Error, map.txt, line 11, column 3: No thing is named. Things are: chair, table, "
-                "small sofa, large sofa, box, ball, cone, post, flower, stone, crystal, orange, "
+                "Error, map.txt, line 11, column 3: The name of the thing is missing. Things are: chair, "
+                "table, small sofa, large sofa, box, ball, cone, post, flower, stone, crystal, orange, "
                 "juice carton, conveyor belt."
             ],
         ),
         (
             ROOM.replace("box red", "box red blue"),
-            ["Error, map.txt, line 12, column 3: 1 thing, but 2 colours. Give one colour, or one for each."],
+            ["Error, map.txt, line 12, column 3: 1 thing, but 2 colors. Give one color, or one for each."],
         ),
         (
             "#####\n#.^.#\n#...#\n#####\n",

@@ -37,7 +37,7 @@ def remarks_on(folder: Path, text: str, language: str = "en") -> tuple[str, ...]
     ],
 )
 def test_a_robot_that_starts_inside_a_thing_is_reported(tmp_path: Path, text: str, thing: str) -> None:
-    said = f"Robot Ana begins inside {thing}. One of them needs another pose."
+    said = f"Robot Ana and {thing} begin at the same place. Move one of them."
     assert remarks_on(tmp_path, ANA + text) == (said,)
 
 
@@ -87,9 +87,9 @@ def test_both_front_ends_and_a_run_report_it_at_the_start(tmp_path: Path) -> Non
     )
     donnie.close()
 
-    assert donnie.notices.all[0].startswith("Robot Ana begins inside box.")
+    assert donnie.notices.all[0].startswith("Robot Ana and box begin at the same place.")
     ran = command.donnie(tmp_path, "run", "-", "--world", "my.world", *command.QUIET, typed="FW 1")
-    assert ran.stderr.startswith(b"Robot Ana begins inside box.")
+    assert ran.stderr.startswith(b"Robot Ana and box begin at the same place.")
 
 
 WORDS = """difficulty = "easy"

@@ -66,10 +66,10 @@ def test_the_measured_colours_are_kept_once_the_person_agrees(
 
     said = capsys.readouterr().out.splitlines()
     show = "Show the camera something {}, close and in the middle. Enter measures it, NO skips it."
-    assert said[:2] == ["I measure colors. Use the light of the lesson.", show.format("red")]
+    assert said[:2] == ["I will measure colors. Use the light of the lesson.", show.format("red")]
     # pure hues: (230, 20, 90) is 170, (20, 160, 40) is 64, (20, 60, 200) is 113 of 180
     assert said[2].startswith("Measured red: hue 164 to 176, saturation from ")
-    assert said[2].endswith("I see 1 thing of it.")
+    assert said[2].endswith("I see 1 thing of that color.")
     assert said[3] == "Replace what counts as red now? Yes or no."
     assert show.format("green") in said
     assert said[-1] == "I saved it in the settings."
@@ -149,7 +149,7 @@ def test_a_sentence_is_spoken_too(calibration: Calibration, monkeypatch: pytest.
 
     calibration.run("no\nno\nno\n")
 
-    assert spoken[0] == "I measure colors. Use the light of the lesson."
+    assert spoken[0] == "I will measure colors. Use the light of the lesson."
     assert spoken[-1] == "Nothing was measured. Nothing has changed."
 
 

@@ -73,7 +73,7 @@ def test_boards_are_asked_and_other_ports_are_only_named() -> None:
         "Drive it: donnie --robot serial:/dev/serial/by-id/robot",
         "/dev/serial/by-id/belt: belt.",
         "Feel it: donnie --belt /dev/serial/by-id/belt",
-        "/dev/ttyS0: no Arduino, not asked.",
+        "/dev/ttyS0: not an Arduino, so I did not ask.",
     ]
 
 
@@ -234,7 +234,7 @@ def test_a_stop_without_a_board_does_not_suggest_the_simulator(
 
     with pytest.raises(Unusable) as said:
         stop(made, lambda _, **__: HaltOutcome.STANDS)
-    assert said.value.sentence == "I find no robot. Is it plugged in? If a robot moves, switch it off."
+    assert said.value.sentence == "I can't find a robot. Is it plugged in? If a robot moves, switch it off."
 
 
 def test_a_stop_for_services_waits_for_the_port_and_says_so_once() -> None:
@@ -249,7 +249,7 @@ def test_a_stop_for_services_waits_for_the_port_and_says_so_once() -> None:
 
     assert stop(made, halted, lambda _: None) == 0
     assert out.getvalue().splitlines() == [
-        "I wait for here, a minute at most.",
+        "I will wait for here, a minute at most.",
         "The robot has stopped. Port here.",
     ]
 
@@ -271,7 +271,7 @@ def test_the_one_board_that_is_no_belt_is_the_robot() -> None:
 
 
 def test_no_board_and_several_boards_are_reported() -> None:
-    with pytest.raises(Unusable, match="I find no robot"):
+    with pytest.raises(Unusable, match="I can't find a robot"):
         find_port(Settings(robot="serial"), Words(), lambda: (OTHER,))
     with pytest.raises(Unusable, match=r"several: .*robot, .*belt\. Choose one\. donnie devices says which"):
         find_port(Settings(robot="serial"), Words(), lambda: (ROBOT, BELT))

@@ -138,7 +138,7 @@ def test_a_pushed_thing_is_moved_from_where_it_is(open_script: OpenScript) -> No
 @pytest.mark.parametrize(
     ("line", "sentence"),
     [
-        ("PUT chair 0 1", "The robot donnie stands there. Nothing changed."),
+        ("PUT chair 0 1", "The robot donnie is at that place. Nothing changed."),
         ("PUT chair 15 5", "There is a wall at that place. Nothing changed."),
         (
             "PUT chair 99 5",
@@ -146,8 +146,8 @@ def test_a_pushed_thing_is_moved_from_where_it_is(open_script: OpenScript) -> No
         ),
         ("PUT chair 8 0", "The yellow ball is in the way. Nothing changed."),
         ("MOVE ball 7 0", "There is a wall at that place. Nothing changed."),
-        ("MOVE ball -8 0", "The robot donnie stands there. Nothing changed."),
-        ("PUT chiar 4 6", "chiar is neither a thing nor a colour. Did you mean chair?"),
+        ("MOVE ball -8 0", "The robot donnie is at that place. Nothing changed."),
+        ("PUT chiar 4 6", "chiar is neither a thing nor a color. Did you mean chair?"),
         ("PUT box 4 6 AS ball", "Ball is there already. Choose another name."),
         ("MOVE bal 1 0", "There is no bal here. Did you mean ball?"),
         ("REMOVE treasure", "There is no treasure here. Nothing changed."),
@@ -173,7 +173,7 @@ def test_the_place_where_a_robot_starts_stays_free(open_script: OpenScript) -> N
     script = open_script(world="first_room")
     script.answers_to("FW 6")
 
-    assert script.answers_to("PUT box 0 0") == ["The robot donnie starts there. Nothing changed."]
+    assert script.answers_to("PUT box 0 0") == ["The robot donnie starts at that place. Nothing changed."]
 
 
 def test_of_several_things_the_names_are_said(open_script: OpenScript) -> None:
@@ -186,7 +186,7 @@ def test_of_several_things_the_names_are_said(open_script: OpenScript) -> None:
         "Box, red: now at 5, 6. From the robot: 5 right, 6 ahead."
     ]
     assert script.answers_to("REMOVE blue box") == [
-        "2 things are meant: box 2: 8, 6; box 3: 8, 12. Type the name."
+        "There are 2: box 2: 8, 6; box 3: 8, 12. Type the name of one."
     ]
     assert script.answers_to("REMOVE box 3") == ["Box, blue: gone from 8, 12."]
 
@@ -338,11 +338,11 @@ def test_a_room_is_built_of_walls_by_words_and_read_back(open_script: OpenScript
 @pytest.mark.parametrize(
     ("line", "sentence"),
     [
-        ("PUT wall -3 0 3 0", "The robot donnie stands there. Nothing changed."),
+        ("PUT wall -3 0 3 0", "The robot donnie is at that place. Nothing changed."),
         ("PUT wall 8 -5 8 5", "The yellow ball is in the way. Nothing changed."),
         ("PUT wall 0 5000", "That is outside. The floor goes from -1000 to 1000 east and from -1000 to 1000"),
         ("PUT wall 3", "I did not understand. Type PUT box red 4 6."),
-        ("REMOVE wall", "4 walls are meant. Type one with a square of it, such as wall 4 6."),
+        ("REMOVE wall", "There are 4 walls. Type one with a square of it, such as wall 4 6."),
         ("REMOVE wall 4 6", "There is no wall 4 6 here. Nothing changed."),
         ("PUT wall 1 1 2 2 AS ball", "Ball is there already. Choose another name."),
     ],

@@ -20,7 +20,7 @@ OpenScript = Callable[..., Script]
 def test_the_verdict_follows_each_run_and_counts_from_the_start(open_script: OpenScript) -> None:
     script = open_script(world="challenge:first_walk")
 
-    assert script.answers_to("FW 4")[1:] == ["0 of 1 goal. You stop 1 step south of 0, 5."]
+    assert script.answers_to("FW 4")[1:] == ["0 of 1 goal. You stopped 1 step south of 0, 5."]
     assert script.answers_to("FW 1")[1:] == ["Solved, in 2 commands.", "NEXT CHALLENGE is: To the ball."]
     script.type("RESET")
     assert script.answers_to("FW 5")[1:2] == ["Solved, in 1 command."]
@@ -64,14 +64,14 @@ def test_goals_say_what_is_met_and_what_is_missing_at_any_time(open_script: Open
     script = open_script(world="challenge:there_and_back")
 
     assert script.answers_to("GOALS") == [
-        "Goal 1: You did not come to 0, 8.",
+        "Goal 1: You did not get to 0, 8.",
         "Goal 2: met.",
         "Goal 3: met.",
     ]
     script.answers_to("FW 8", "TR 90")
     assert script.answers_to("GOALS") == [
         "Goal 1: met.",
-        "Goal 2: You stop 8 steps north of 0, 0.",
+        "Goal 2: You stopped 8 steps north of 0, 0.",
         "Goal 3: You must turn 90 degrees more to the left.",
     ]
 
@@ -102,7 +102,7 @@ def test_the_list_says_which_are_solved_and_results_count_tries(open_script: Ope
     assert script.answers_to("RESULTS") == [
         "1 of 1 solved.",
         "The first walk: solved, 2 tries, 1 hint, 0 bumps.",
-        "5 steps, the shortest way is 5, 5 seconds.",
+        "5 steps in 5 seconds. The shortest way takes 5.",
     ]
 
 
@@ -228,16 +228,20 @@ def test_questions_are_asked_and_counted_with_the_run_before(open_script: OpenSc
     script = open_script(answers=["yellow", "7"], world=f"challenge:{file}")
 
     script.answers_to("TR 90", "TL 90", "FW 3")
-    assert script.answers_to("QUESTIONS") == ["Right.", "No. There is 1.", "1 of 2 questions right."]
+    assert script.answers_to("QUESTIONS") == [
+        "Right.",
+        "No. There is 1.",
+        "You answered 1 of 2 questions right.",
+    ]
     assert script.interaction.asked[-2:] == [
-        "Which colour is the ball?",
+        "Which color is the ball?",
         "How many of these are there: ball?",
     ]
     assert script.answers_to("RESULTS") == [
         "1 of 1 solved.",
         "it: solved, 3 tries, 0 hints, 0 bumps.",
-        "3 steps, the shortest way is 3, 7 seconds.",
-        "1 of 2 questions right.",
+        "3 steps in 7 seconds. The shortest way takes 3.",
+        "You answered 1 of 2 questions right.",
     ]
 
 
@@ -247,7 +251,7 @@ def test_questions_that_are_left_keep_the_try(open_script: OpenScript, tmp_path:
     script = open_script(world=f"challenge:{file}")
 
     script.answers_to("FW 3", "QUESTIONS")
-    assert script.answers_to("RESULTS")[-1] == "0 of 2 questions right."
+    assert script.answers_to("RESULTS")[-1] == "You answered 0 of 2 questions right."
     script.answers_to("FW 1", "BW 1")
     script.close()
     (kept,) = tmp_path.rglob("challenges.txt")
@@ -325,7 +329,7 @@ within = 3
         (["yes", "yes", "yes", "no"], "3 of 3 goals. You touched the ball."),
         (
             ["yes", "yes", "no", "yes"],
-            "3 of 3 goals. You come nearer than 3 steps to the chair.",
+            "3 of 3 goals. You came nearer than 3 steps to the chair.",
         ),
         (
             ["no"],
@@ -386,7 +390,7 @@ def test_a_real_robot_is_judged_at_once_by_what_it_can_sense(
     script = open_script(world="challenge:first_walk")
     monkeypatch.setattr(type(script.donnie.connection), "is_real", property(lambda _: True))
 
-    assert "0 of 1 goal. You stop 1 step south of 0, 5." in script.answers_to("FW 4")
+    assert "0 of 1 goal. You stopped 1 step south of 0, 5." in script.answers_to("FW 4")
     assert "Solved, in 2 commands." in script.answers_to("FW 1")
 
 

@@ -116,9 +116,12 @@ def test_a_command_without_a_key_is_listed_by_its_word() -> None:
 def test_the_form_shows_required_and_optional_arguments() -> None:
     words = Words("en")
 
-    assert help_of("move", words)[1:] == ("Form: MOVE line before or thing east north.", "Example: MOVE 5 2.")
-    assert help_of("LIST", words)[1] == "Form: LIST, or LIST first last."
-    assert help_of("STEP", words)[1:] == ("Form: STEP.", "Example: STEP.")
+    assert help_of("move", words)[1:] == (
+        "You write: MOVE line before or thing east north.",
+        "Example: MOVE 5 2.",
+    )
+    assert help_of("LIST", words)[1] == "You write: LIST, or LIST first last."
+    assert help_of("STEP", words)[1:] == ("You write: STEP.", "Example: STEP.")
     assert help_of("FW", words) == help_of("RUN", words) == ()
 
 

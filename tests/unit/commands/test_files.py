@@ -243,7 +243,7 @@ def test_pictures_of_a_run_are_what_their_names_say(open_script: OpenScript, tmp
         assert Image.open(tmp_path / name).format == form
     assert (script.answers_to("REPORT distances d.txt"), (tmp_path / "d.txt").read_text()[:23]) == (
         ["Wrote d.txt."],
-        "Distances over the time",
+        "Distances over time",
     )
 
 
@@ -287,7 +287,7 @@ def test_a_run_without_a_file_is_said(open_script: OpenScript) -> None:
 
     assert script.answers_to("REPORT run")[-1] == "3 steps in all."
     assert script.answers_to("REPORT distances")[1:] == [
-        "The robot drives for 3 of 3 seconds, at most 1 step a second.",
+        "The robot moves for 3 of 3 seconds, at most 1 step a second.",
         "Variables at the end: n = 2.",
     ]
 

@@ -55,7 +55,7 @@ def test_a_topic_that_is_a_word_of_godonnie_is_explained_first_and_listed_once(
 
     assert said[:4] == [
         "SOUND: Turns voice and sounds on or off.",
-        "Form: SOUND ON, OFF.",
+        "You write: SOUND ON, OFF.",
         "Example: SOUND OFF.",
         "9 words for sound and the belt:",
     ]
@@ -123,6 +123,6 @@ def test_more_than_an_everyday_word_is_not_known(open_script: OpenScript) -> Non
 
 def test_distance_names_both_of_its_forms(open_script: OpenScript) -> None:
     assert open_script().answers_to("HELP DISTANCE")[1:3] == [
-        "Form: DISTANCE direction.",
-        'Form: DISTANCE "sensor\'s name".',
+        "You write: DISTANCE direction.",
+        'You write: DISTANCE "sensor\'s name".',
     ]

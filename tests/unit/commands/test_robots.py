@@ -85,13 +85,13 @@ def test_connect_lists_the_robots_with_their_state_and_takes_one(
 
     assert script.interaction.asked == [
         "Robots to connect to",
-        "1: the simulator, now.",
+        "1: the simulator, in use now.",
         f"2: robot at {missing}, not plugged in.",
         "3: a simulated board, to try without a robot.",
     ]
     assert "Robot connected." in script.printed
     assert connection.robot == "double"
-    assert script.answers_to("CONNECT 1") == ["I use the simulator."]
+    assert script.answers_to("CONNECT 1") == ["I will use the simulator."]
 
 
 def test_a_world_is_listed_with_its_difficulty_and_its_task(open_script: OpenScript) -> None:

@@ -118,10 +118,13 @@ def test_a_watched_variable_is_printed_at_each_change_and_no_other(open_script: 
     script = open_script("VAR a = 3", "VAR b = 1", "a = a + 1", "FW 1", "a = 7")
 
     assert script.answers_to("WATCH a", "AGAIN") == [
-        "I watch a.",
+        "I will say when a changes.",
         "a is 3.",
         "a is 4.",
         "I walked 1 step forward.",
         "a is 7.",
     ]
-    assert script.answers_to("WATCH a", "AGAIN") == ["I no longer watch a.", "I walked 1 step forward."]
+    assert script.answers_to("WATCH a", "AGAIN") == [
+        "I will no longer say when a changes.",
+        "I walked 1 step forward.",
+    ]

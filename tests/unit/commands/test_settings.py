@@ -15,7 +15,7 @@ OpenScript = Callable[..., Script]
 @pytest.mark.parametrize(
     ("typed", "answer"),
     [
-        ("FEEL sí", "I say what the belt shows."),
+        ("FEEL sí", "I will say what the belt shows."),
         ("SET wait ligado", "Set wait: on."),
         ("LANGUAGE inglés", "Language: English."),
         ("LANGUAGE espanhol", "Idioma: español."),

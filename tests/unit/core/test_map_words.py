@@ -122,7 +122,7 @@ def test_everything_in_range_is_named_exactly_once(
     ]
 
     assert sum(" chair" in line or " table" in line for line in said) == len(near)
-    assert said[0].startswith(f"{len(near)} thing" if near else "No things")
+    assert said[0].startswith(f"{len(near)} thing" if near else "There is nothing")
     assert all(len(line) <= (40 if detail == "brief" else 80) for line in said)
 
 
@@ -232,7 +232,7 @@ def test_a_free_direction_is_described_as_free() -> None:
     pose = Pose(0, 0, 0)
 
     assert around_in_words(MapGrid(picture, pose), pose, Words("pt")) == (
-        "Nenhum objeto até 10 passos.",
+        "Nenhum objeto a 10 passos ou menos.",
         "À frente: livre, 10 passos.",
         "À direita: livre, 10 passos.",
         "Atrás: livre, 10 passos.",
@@ -284,7 +284,7 @@ def test_a_picture_of_a_part_names_the_part() -> None:
 
     assert said[1:3] == (
         "Only a part: x 0 to 39, y 1 to 18.",
-        "The whole: x 0 to 49, y 0 to 29. MAP ROW says the rest.",
+        "The whole map: x 0 to 49, y 0 to 29. MAP ROW says the rest.",
     )
 
 

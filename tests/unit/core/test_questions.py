@@ -71,7 +71,7 @@ def test_an_answer_is_right_within_the_tolerance(question: Asked, right: list[st
             "It is 11 steps.",
         ),
         (asked(Ask.COUNT, "blue box"), "How many of these are there: box, blue?", "There is 1."),
-        (asked(Ask.COLOUR, "chair"), "Which colour is the chair?", "It is green."),
+        (asked(Ask.COLOUR, "chair"), "Which color is the chair?", "It is green."),
         (
             asked(Ask.ORDER, ("red box", "chair"), (1, 2)),
             "From 1, 2: which is nearer? Type the numbers, the nearest first: 1 box, red; 2 chair.",

@@ -110,7 +110,7 @@ def test_distances_speed_and_variables_over_the_time_are_three_sentences() -> No
     """The speed: 10 steps in 10 seconds, 6 in 12."""
     assert measured_in_words(measured(RUN, Words()), Words()) == (
         "Distance ahead falls from 34 to 2 in 16 steps, one jump at 10.",
-        "The robot drives for 22 of 24 seconds, at most 1 step a second.",
+        "The robot moves for 22 of 24 seconds, at most 1 step a second.",
         "Variables at the end: a = 3.",
     )
     assert measured_in_words((), Words()) == ("Nothing was measured yet.",)
@@ -181,9 +181,9 @@ def test_a_page_has_the_plot_above_the_table() -> None:
 
 def test_a_text_has_the_sentences_alone() -> None:
     assert written("d.txt").splitlines() == [
-        "Distances over the time",
+        "Distances over time",
         "Distance ahead falls from 34 to 2 in 16 steps, one jump at 10.",
-        "The robot drives for 22 of 24 seconds, at most 1 step a second.",
+        "The robot moves for 22 of 24 seconds, at most 1 step a second.",
         "Variables at the end: a = 3.",
     ]
 

@@ -228,14 +228,14 @@ def test_a_statement_without_effect_is_a_hint_after_the_run() -> None:
 
 def test_a_watched_variable_is_described_at_each_change_and_known_from_before() -> None:
     lesson = Lesson()
-    assert lesson.runs.toggle_watch("n") == ("I watch n.",)
+    assert lesson.runs.toggle_watch("n") == ("I will say when n changes.",)
     lesson.start("VAR n = 1\nn = 2\nn = 2\nSPEAK n")
     assert lesson.ended() == ["n is 1.", "n is 2."]
     lesson.start("SPEAK n", is_whole=False)
     lesson.ended()
 
     assert lesson.answers == ["n is 1.", "n is 2."]
-    assert lesson.runs.toggle_watch("N") == ("I no longer watch N.",)
+    assert lesson.runs.toggle_watch("N") == ("I will no longer say when N changes.",)
     assert lesson.runs.toggle_watch("") == ("I watch no variable.",)
 
 

@@ -52,5 +52,9 @@ def test_help_shows_the_form_of_a_word_without_a_purpose(monkeypatch: pytest.Mon
     knows = Words.knows
     monkeypatch.setattr(Words, "knows", lambda self, code: code != "purpose-POS" and knows(self, code))
 
-    assert words.help("POS") == ("POS.", "Form: POS X, Y, A, or POSITION X, Y, A.", "Example: SPEAK POS X.")
+    assert words.help("POS") == (
+        "POS.",
+        "You write: POS X, Y, A, or POSITION X, Y, A.",
+        "Example: SPEAK POS X.",
+    )
     assert "POS." in words.help(None)

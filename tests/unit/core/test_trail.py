@@ -21,7 +21,7 @@ def test_moves_are_listed_oldest_first_with_their_final_places() -> None:
     assert trail(WALK, TURN, BLOCKED).in_words(5, Words()) == (
         "FW 3: 3 steps, to 0, 3.",
         "TR 90: now facing east.",
-        "FW 9: blocked after 2, at 2, 3.",
+        "FW 9: blocked after 2 steps, at 2, 3.",
     )
     assert trail(WALK, TURN, BLOCKED).in_words(1, Words("pt")) == ("FW 9: obstáculo após 2 passos, em 2, 3.",)
 
@@ -29,7 +29,7 @@ def test_moves_are_listed_oldest_first_with_their_final_places() -> None:
 def test_a_move_that_was_stopped_is_not_called_blocked() -> None:
     stopped = Moved("FW 9", 9, 2, StoppedBy.USER, Pose(0, 2, 0), True)
 
-    assert trail(stopped).in_words(1, Words()) == ("FW 9: stopped after 2, at 0, 2.",)
+    assert trail(stopped).in_words(1, Words()) == ("FW 9: stopped after 2 steps, at 0, 2.",)
 
 
 def test_a_trail_without_moves_says_so() -> None:

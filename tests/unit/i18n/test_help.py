@@ -42,7 +42,7 @@ def test_an_example_shows_its_command_in_the_learners_words(topic: str, language
 def test_help_for_a_word_has_its_purpose_its_form_and_one_example() -> None:
     assert Words("en").help("forward") == (
         "FW: Walks forward, in steps.",
-        "Form: FW value, or FORWARD value.",
+        "You write: FW value, or FORWARD value.",
         "Example: FW 5.",
     )
 

@@ -137,7 +137,7 @@ MEANT = [
     (
         meaning(MistakeKind.RECURSION_LIMIT, "P", limit=20000),
         "P calls itself too often.",
-        "At most 20000 calls fit in each other.",
+        "It may call itself 20000 times, no more.",
     ),
     (
         meaning(MistakeKind.NUMBER_TOO_LARGE, "FW a", limit=10**9),

@@ -73,6 +73,7 @@ AS_IN_ENGLISH = {
     "cue-volume": ("pt",),
     "doctor-reset-package-remedy": ("pt", "es"),
     "doctor-version": ("pt", "es"),
+    "form-colour": ("es",),
     "help-program-words": ("pt", "es"),
     "help-typed-robot": ("pt", "es"),
     "help-typed-text-file": ("pt", "es"),

@@ -94,6 +94,7 @@ def test_a_near_name_is_offered() -> None:
         ("Pê [1]", "Pê", ""),
         ("SPEAK Época", "Época", '"Época"'),
         ("SPEAK Época + 1", "Época", ""),
+        ("SPEAK q", "q", ""),
         ("VAR Ação SPEAK acaos", "acaos", "Ação"),
         ("PROCEDURE Dança DO END PROCEDURE Danca [1]", "Danca", ""),
         ("PROCEDURE Dança DO END PROCEDURE Dancas []", "Dancas", "Dança"),
