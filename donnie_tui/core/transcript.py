@@ -164,6 +164,9 @@ LONGEST_SOURCE = 60
 """Characters of a source line that are quoted with a mistake."""
 
 MOST_CALLS = 10
+
+BRAILLE_CELLS = 40
+"""Characters of a line that a braille display shows whole."""
 """Calls that are listed for a mistake in a procedure."""
 
 OF_NO_ROBOT = ("help", "more-mistakes", "driven", "clients", BELT_LINK)
@@ -200,9 +203,16 @@ def lines_of(event: Event, wording: Wording) -> tuple[str, ...]:
 
 
 def _lines_of_error(error: Error, wording: Wording) -> tuple[str, ...]:
-    """At most three lines: place and mistake, the source line, what was meant; at full also the calls."""
+    """At most three lines: place and mistake, the source line, what was meant; at full also the calls.
+
+    At brief a mistake that is too long beside its place comes after the source line, on a line of its own.
+    """
     lines = [wording("error-at", line=error.line, column=error.column, message=error.message)]
-    if error.source_line:
+    is_too_long = wording.detail == "brief" and len(lines[0]) > BRAILLE_CELLS
+    if error.source_line and is_too_long:
+        at = wording("error-at", line=error.line, column=error.column, message=_quoted(error))
+        lines = [at, error.message]
+    elif error.source_line:
         lines.append(wording("error-line", line=error.line, text=_quoted(error)))
     if error.hint:
         lines.append(error.hint)

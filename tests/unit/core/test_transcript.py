@@ -94,6 +94,31 @@ def test_the_voice_says_what_is_printed_in_the_learners_language() -> None:
     ]
 
 
+@pytest.mark.parametrize(
+    ("language", "message", "lines"),
+    [
+        (
+            "es",
+            "AV necesita un número, como AV 2.",
+            ("Error, línea 2: AV", "AV necesita un número, como AV 2.", "pista"),
+        ),
+        ("es", "No conozco FWD.", ("Error, línea 2: No conozco FWD.", "Línea 2: AV", "pista")),
+        (
+            "pt",
+            "Não existe a variável oi.",
+            ("Erro na linha 2: AV", "Não existe a variável oi.", "pista"),
+        ),
+    ],
+)
+def test_at_detail_brief_no_line_of_a_mistake_is_wider_than_a_braille_display(
+    language: str, message: str, lines: tuple[str, ...]
+) -> None:
+    error = Error("syntax", 2, 1, message, "pista", "AV")
+
+    assert lines_of(error, Words(language, "brief")) == lines
+    assert max(map(len, lines)) <= 40
+
+
 def test_sound_off_silences_voice_and_cues_at_once_until_sound_on() -> None:
     diary, voice, cues = listening()
 
