@@ -205,7 +205,7 @@ def lines_of(event: Event, wording: Wording) -> tuple[str, ...]:
 def _lines_of_error(error: Error, wording: Wording) -> tuple[str, ...]:
     """At most three lines: place and mistake, the source line, what was meant; at full also the calls.
 
-    At brief a mistake that is too long for the line of its place comes after the source line, on a line of its own.
+    At brief a mistake that makes its line too long is on a line of its own, after the source line.
     """
     lines = [wording("error-at", line=error.line, column=error.column, message=error.message)]
     is_too_long = wording.detail == "brief" and len(lines[0]) > BRAILLE_CELLS
