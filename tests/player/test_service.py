@@ -320,8 +320,8 @@ def test_the_full_screen_shows_what_clients_do_and_stop_all_stops_all_robots(tmp
             for client in (one, two):
                 assert client.open(4)
                 client.drive(0.02)
-            screen.shows("A client drives alice: forward.")
-            screen.shows("A client drives bob: forward.")
+            screen.shows("Another program drives alice forward.")
+            screen.shows("Another program drives bob forward.")
             assert one.open(12)
             one.send(12, 0, 2, 1, "bom dia")
             screen.shows("bom dia")

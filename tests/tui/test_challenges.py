@@ -46,7 +46,7 @@ async def test_the_panel_says_that_a_challenge_begins_anew(open_screen):
 
 async def test_the_panel_of_a_world_without_a_challenge_has_no_goals(open_screen):
     async with open_screen(world="first_room", size=WIDE) as screen:
-        await screen.until(lambda: "There are no variables" in panel(screen), "the panel")
+        await screen.until(lambda: "No variables" in panel(screen), "the panel")
 
         assert "Goal" not in panel(screen)
 

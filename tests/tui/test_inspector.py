@@ -103,7 +103,7 @@ async def test_the_distances_change_when_another_robot_approaches(open_screen):
 
 async def test_a_robot_without_rangers_has_no_distances(open_screen):
     async with open_screen(world="bigbob1", size=(120, 40)) as screen:
-        assert screen.main.inspector.lines == ("There are no variables.",)
+        assert screen.main.inspector.lines == ("No variables.",)
 
 
 async def test_a_reader_is_not_given_each_distance_of_a_moving_robot(open_screen):

@@ -127,7 +127,7 @@ async def test_reset_puts_the_robot_back_and_forgets_the_variables(open_screen):
         await screen.idle()
         await screen.press("ctrl+r")
         await screen.shows("I am back at the start.")
-        await screen.until(lambda: "There are no variables." in screen.main.inspector.lines, "no variables")
+        await screen.until(lambda: "No variables." in screen.main.inspector.lines, "no variables")
 
         assert "Donnie at 0, 0 facing north." in screen.status
         assert "o" not in "".join(screen.map_rows())

@@ -48,7 +48,7 @@ def test_the_size_of_the_terminal_may_change(terminal):
         donnie.process.send_signal(signal.SIGWINCH)
         donnie.shows("READY")
 
-    donnie.shows("There are no variables.")
+    donnie.shows("No variables.")
 
 
 def written_over(donnie: Terminal) -> tuple[str, ...]:

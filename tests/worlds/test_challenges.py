@@ -284,7 +284,7 @@ def test_each_pupil_may_have_a_folder(
         1,
         [
             "ana/first.gd: Solved, in 1 command.",
-            "joão/first.gd: 0 of 1 goal. You stop 1 step south of 0, 5.",
+            "joão/first.gd: 0 of 1 goal. You stopped 1 step south of 0, 5.",
             "2 programs. 1 solved.",
         ],
     )
