@@ -148,8 +148,8 @@ async def test_all_keys_can_be_reset(open_screen, tmp_path):
         change(screen.app.controller.ctx, "keys", "run f9")
         await screen.shows("Keys: F9 RUN.")
         await open_keys(screen)
-        await choose(screen, *"usual keys")
-        await screen.shows("Keys: the usual ones.")
+        await choose(screen, *"as usual")
+        await screen.shows("Keys: as usual.")
         assert screen.app.key_table.of("run") == ("f5", "escape")
     assert kept(tmp_path)["keys"] == ""
 
