@@ -92,7 +92,7 @@ def test_a_variant_moves_things(tmp_path: Path, capsys: pytest.CaptureFixture[st
 
 def test_the_task_of_each_scenario_is_a_challenge() -> None:
     sections = Path("docs/scenarios.md").read_text(encoding="utf-8").split("\n## ")
-    found = (re.match(r"(\w+), .*?as the challenge `(\w+)`", each, re.DOTALL) for each in sections)
+    found = (re.match(r"(\w+), .*?as\s+the\s+challenge\s+`(\w+)`", each, re.DOTALL) for each in sections)
     named = [each.groups() for each in found if each]
 
     assert {world for world, _ in named} == set(scenarios())
