@@ -168,7 +168,7 @@ async def test_a_typed_line_is_done_before_the_key_after_it(open_screen):
 async def test_leaving_at_once_after_typing_asks_to_save(open_screen):
     async with open_screen() as screen:
         burst(screen, *"FW", "ctrl+q")
-        await screen.until(lambda: screen.app.screen is not screen.main, "the question")
+        await screen.until(lambda: "Save first, y or n?" in screen.text, "the question")
 
         assert screen.main.editor.text == "FW"
 
