@@ -12,7 +12,7 @@ import tokenize
 from collections.abc import Iterator
 from pathlib import Path
 
-from tests.architecture.house import tracked
+from tests.architecture.house import tracked, tree_of
 from tests.conftest import ROOT
 
 WORDS = frozenset(
@@ -83,7 +83,7 @@ def _of_module(path: str) -> Iterator[str]:
     text = (ROOT / path).read_text(encoding="utf-8")
     if bad := parts(Path(path).stem) & WORDS:
         yield f"{path}:1: module {bad}"
-    for node in ast.walk(ast.parse(text)):
+    for node in ast.walk(tree_of(path)):
         match node:
             case ast.ClassDef(name=name) | ast.FunctionDef(name=name) | ast.AsyncFunctionDef(name=name):
                 if bad := wrong_words(name):
