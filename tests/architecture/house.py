@@ -37,8 +37,10 @@ def lines_of(path: str) -> int:
 
 @cache
 def tree_of(path: str) -> ast.Module:
-    """No garbage is collected meanwhile: a finalizer that fails is reported with a traceback, for which
-    Python 3.11 parses a line, and that confuses the parse that goes on around it.
+    """Collects no garbage during the parse.
+
+    Python reports a finalizer that fails with a traceback, and 3.11 parses a line for it. A parse inside
+    another one makes the outer one fail.
     """
     text = (ROOT / path).read_text(encoding="utf-8")
     gc.disable()
