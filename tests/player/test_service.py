@@ -329,7 +329,7 @@ def test_the_full_screen_shows_what_clients_do_and_stop_all_stops_all_robots(tmp
             screen.shows(" Command line.")
             screen.type("stop all" + ENTER)
             screen.shows("All robots")
-            screen.shows("READY")
+            screen.shows("STOPPED")
         screen.type(CTRL_Q)
         assert screen.ended() == 0
 

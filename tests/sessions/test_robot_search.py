@@ -42,7 +42,7 @@ def at_terminal(folder: Path, *arguments: str) -> pexpect.spawn:
 
 @pytest.mark.parametrize(
     ("command", "announced"),
-    [("devices {}", "I ask 1 port"), ("calibrate --robot serial:{}", "I connect")],
+    [("devices {}", "I ask 1 port"), ("calibrate --robot serial:{}", "I will connect")],
     ids=["devices", "calibrate"],
 )
 def test_control_c_ends_a_command_that_looks_for_a_robot(
@@ -90,7 +90,7 @@ def test_control_c_cancels_the_search_of_the_linear_mode(tmp_path: Path, mute_po
 
 
 def test_a_signal_ends_a_front_end_that_looks_for_a_robot(tmp_path: Path, mute_port: str) -> None:
-    for mode, announced in (("--linear", "I look for"), ("--visual", "tarting")):
+    for mode, announced in (("--linear", "Waiting for the robot"), ("--visual", "tarting")):
         front_end = at_terminal(tmp_path, mode, *QUIET, "--robot", f"serial:{mute_port}")
         front_end.expect(announced)
         front_end.kill(signal.SIGTERM)
