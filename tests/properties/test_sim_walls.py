@@ -42,10 +42,10 @@ programs = st.lists(
 
 
 class Bounded:
-    """A pace that stops an endless program. The longest of these programs calls it some thousand times."""
+    """A pace that stops an endless program. The slowest robot calls it some ten thousand times."""
 
     def __init__(self) -> None:
-        self._left = 10_000
+        self._left = 200_000
 
     @property
     def is_over(self) -> bool:
