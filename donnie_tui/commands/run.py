@@ -145,9 +145,20 @@ def _say_what_ran(ctx: Context, first: int) -> None:
     end = structure.end_of(begin)
     ran = 0 if begin < line else sum(bool(each.strip()) for each in program.lines[first - 1 : begin - 1])
     left = sum(bool(each.strip()) for each in program.lines[end:])
-    code = f"lines{'-ran' if ran else ''}-failed{'-left' if left else ''}"
     if ran or left:
+        code = f"lines{'-ran' if ran else ''}-failed{'-left' if left else ''}"
         ctx.answer(code, ran=ran, line=line, unrun=left)
+    elif error is not None:
+        is_all = begin == line and not error.calls and _is_one_statement(ctx, line)
+        ctx.answer("line-failed" if is_all else "line-failed-within", line=error.line)
+
+
+def _is_one_statement(ctx: Context, line: int) -> bool:
+    """Whether nothing can have run before a mistake in the line: it is one statement without a block."""
+    from language.syntax import walk
+
+    program = ctx.donnie.session.parse(ctx.program.lines[line - 1]).program
+    return program is not None and len(tuple(walk(program.body))) == 1
 
 
 def _line_to_change(error: Error) -> int:

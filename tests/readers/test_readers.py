@@ -24,10 +24,12 @@ from tests.readers.reading import (
 )
 from tests.readers.scoring import Phase, is_whole, score, shown
 from tests.sessions.learner import until
+from tests.sessions.test_first_hours import PEOPLE, typed
 
 pytestmark = pytest.mark.slow
 
 OPTIONS = ("--world", "living_room")
+QUITS = {"QUIT", "SAIR", "SALIR"}
 ORCA = ("orca", "lxterminal", "xvfb-run", "dbus-run-session", "openbox", "xdotool")
 """The reader, and the programs of its graphical session."""
 
@@ -67,6 +69,21 @@ def test_yasr_says_the_first_hour_once_and_in_order(tmp_path: Path, language: st
     heard = score(phases_of("yasr", FIRST_HOUR[language], tmp_path, (*OPTIONS, "--lang", language), {}))
     assert (heard.once, heard.in_order) == (1.0, 1.0)
     assert heard.clean >= heard.phases - 1
+
+
+@needs("yasr")
+@pytest.mark.parametrize("person", PEOPLE, ids=lambda path: path.stem)
+def test_yasr_says_what_each_person_was_answered_once_and_in_order(tmp_path: Path, person: Path) -> None:
+    """The typed first hours, in the language and with the options of each, up to QUIT."""
+    first, *lines = person.read_text(encoding="utf-8").splitlines()
+    language, *options = first.split()
+    commands = [line or " " for line in typed(lines)]  # a blank runs what waits, as nothing does
+    *lesson, _ = commands[: commands.index(*QUITS & set(commands)) + 1]
+
+    heard = score(phases_of("yasr", lesson, tmp_path, (*options, "--lang", language), {}))
+
+    assert (heard.once, heard.in_order) == (1.0, 1.0)
+    assert heard.clean >= heard.phases - 1  # on a busy machine it may say a prompt twice
 
 
 @needs("yasr")

@@ -22,11 +22,9 @@ BRAILLE_CELLS = 40
 _PROMPT = re.compile(r"[0-9]*> ")
 
 
-def follow(learner: Learner, lines: list[str]) -> None:
-    """Type what the lines say, each at its prompt."""
-    for line in lines:
-        if prompt := _PROMPT.match(line):
-            learner.enters(line[prompt.end() :])
+def typed(lines: list[str]) -> list[str]:
+    """What the lines say is typed, each at its prompt."""
+    return [line[prompt.end() :] for line in lines if (prompt := _PROMPT.match(line))]
 
 
 @pytest.mark.parametrize("person", PEOPLE, ids=lambda path: path.stem)
@@ -35,7 +33,7 @@ def test_a_first_hour_is_printed_as_it_was_read(person: Path, tmp_path: Path) ->
     language, *options = first.split()
     learner = Learner(tmp_path, *options, language=language)
 
-    follow(learner, lines)
+    learner.enters(*typed(lines))
 
     assert learner.leaves() == 0
     assert learner.lines[: len(lines)] == lines

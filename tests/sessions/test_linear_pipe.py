@@ -86,7 +86,7 @@ def test_fix_lets_the_line_that_failed_wait_again_and_runs_it_alone(tmp_path: Pa
     done = _piped(b"FW 3\nRUN\nFW two\nRUN\nFIX\nRUN\nWHERE\nQUIT\n", tmp_path)
 
     assert done.stdout.decode().splitlines()[-5:] == [
-        "Line 2: FW two",
+        "Nothing ran, line 2 failed.",
         "Line 2: FW 2",
         "I walked 2 steps forward.",
         "Position 0, 5. Facing north.",

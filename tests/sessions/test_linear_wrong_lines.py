@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from tests.sessions.learner import Learner
 from tests.sessions.typed_lines import answers_to
 
@@ -145,6 +147,31 @@ def test_a_single_wrong_line_is_dropped_and_said_to_be(tmp_path: Path) -> None:
         "Nothing ran, line 1 was dropped.",
         "I walked 2 steps forward.",
     ]
+
+
+@pytest.mark.parametrize(
+    ("typed", "said"),
+    [
+        (("FW two",), "Nothing ran, line 1 failed."),
+        (("SPEAK x",), "Nothing ran, line 1 failed."),
+        (("FW 1 SPEAK x",), "The program ran up to the mistake in line 1."),
+        (("REPEAT 2 TIMES FW 1 SPEAK 1 / 0 END REPEAT",), "The program ran up to the mistake in line 1."),
+        (
+            ("REPEAT 2 TIMES", "FW 1", "SPEAK 1 / 0", "END REPEAT"),
+            "The program ran up to the mistake in line 3.",
+        ),
+    ],
+)
+def test_a_single_statement_that_fails_is_said_to_be_all(
+    tmp_path: Path, typed: tuple[str, ...], said: str
+) -> None:
+    assert answers_to(tmp_path, *typed, "RUN")[-1] == said
+
+
+def test_what_a_called_procedure_did_before_it_failed_is_not_denied(tmp_path: Path) -> None:
+    boxes = ("PROCEDURE BOX: n DO", "FW n", "SPEAK n / 0", "END PROCEDURE", "RUN", "BOX [1]", "RUN")
+
+    assert answers_to(tmp_path, *boxes)[-1] == "The program ran up to the mistake in line 3."
 
 
 def test_a_block_that_is_run_before_its_end_is_kept(tmp_path: Path) -> None:

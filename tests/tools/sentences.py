@@ -26,6 +26,7 @@ FOLDER = Path("build/sentences")
 EXAMPLES = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
 
 _REFERENCE = re.compile(r"([$^&@])([\w.-]*\w)")
+_OF_A_GENDER = re.compile(r"@(?:(article-m)|colour-\w+)")
 _KEYS = {each.name: each.keys[0] for each in COMMANDS if each.keys}
 _ENTRIES = po.read(Path(BUILT_IN, ENGLISH, SOURCE))[1:]
 _TOPICS = {each.context: each.topic for each in _ENTRIES}
@@ -66,12 +67,20 @@ def rendered(code: str, topic: str, language: str, detail: str = "normal") -> tu
     values = {name: found for name in places(sentence.text) if (found := examples(name, code, topic))}
     agrees = re.search(r"\{\w+:[^{}]*\|", sentence.text)
     rounds = max(map(len, values.values()), default=1)
+    gender = _gender_of(values.get("name", ()), language)
     return tuple(
         filled(
-            sentence, {name: _value(each[min(at, len(each) - 1)], language) for name, each in values.items()}
+            sentence,
+            {name: _value(each[min(at, len(each) - 1)], language, gender) for name, each in values.items()},
         )
         for at in range(0 if agrees else rounds - 1, rounds)
     )
+
+
+def _gender_of(name: tuple[Value, ...], language: str) -> str:
+    """Of the thing that a sentence names, with which its article and its colour agree; else m."""
+    thing = re.fullmatch(r"@thing-(\w+)", str(name[0])) if name else None
+    return rendered(f"gender-{thing[1]}", "things", language)[0] if thing else "m"
 
 
 def places(text: str) -> set[str]:
@@ -90,10 +99,12 @@ def examples(name: str, code: str, topic: str) -> tuple[Value, ...]:
     return tuple(found) if isinstance(found, list) else (found,)
 
 
-def _value(value: Value, language: str) -> Value:
-    """A value in the words of a language."""
+def _value(value: Value, language: str, gender: str) -> Value:
+    """A value in the words of a language; its article and its colour in that gender."""
     if not isinstance(value, str):
         return value
+    if gender == "f":
+        value = _OF_A_GENDER.sub(lambda found: "@article-f" if found[1] else f"{found[0]}-f", value)
     return _REFERENCE.sub(lambda found: _named(*found.groups(), language), value)
 
 

@@ -24,7 +24,14 @@ WORDS = [
 
 @pytest.mark.parametrize(("command", "word"), WORDS)
 def test_a_word_of_godonnie_is_a_command_only_if_it_means_the_same(command: Command, word: str) -> None:
-    assert keywords.is_reserved(word.split()[0]) == command.is_godonnie
+    assert command.is_godonnie or not keywords.is_reserved(word.split()[0])
+
+
+@pytest.mark.parametrize(
+    "command", [each for each in COMMANDS if each.is_godonnie], ids=lambda each: each.name
+)
+def test_a_command_of_godonnie_is_listed_by_the_word_of_godonnie(command: Command) -> None:
+    assert all(keywords.is_reserved(words_of(command.name, each)[0]) for each in languages())
 
 
 def test_no_word_means_two_things() -> None:

@@ -88,6 +88,7 @@ AS_IN_ENGLISH = {
     "report-column-color": ("es",),
     "report-title": ("pt", "es"),
     "setting-mouse": ("pt",),
+    "spell-ampersand": ("es",),
     "speed-max": ("es",),
     "status-inspector": ("es",),
     "thing-cone": ("pt",),

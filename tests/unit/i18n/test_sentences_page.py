@@ -55,6 +55,19 @@ def test_a_value_is_in_the_language_of_the_page(language: str, word: str) -> Non
     assert word in rendered("hint-write-closer", "mistakes", language)[0]
 
 
+@pytest.mark.parametrize(
+    ("language", "chair", "red"),
+    [
+        ("en", "the chair", "the red chair"),
+        ("pt", "a cadeira", "a cadeira vermelha"),
+        ("es", "la silla", "la silla roja"),
+    ],
+)
+def test_the_article_and_the_colour_agree_with_the_thing(language: str, chair: str, red: str) -> None:
+    assert rendered("the-one-colour", "things", language) == (chair,)
+    assert rendered("the-coloured", "things", language) == (red,)
+
+
 @pytest.mark.parametrize("language", languages())
 def test_the_page_has_every_sentence_and_no_empty_place(language: str) -> None:
     page = document(language)
