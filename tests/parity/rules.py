@@ -12,7 +12,7 @@ from tests.parity.outcome import Outcome
 
 PANES = ("SHOW PROGRAM", "SHOW MAP", "SHOW LOG", "SHOW VARIABLES", "VARIABLES", "VARIÁVEIS")
 """The screen goes to that part of it, the linear mode reads it out."""
-OF_ITSELF = ("HELP", "TOUR", "MANUAL", "SET", "CONFIGURE", "SETTINGS")
+OF_ITSELF = ("HELP", "HELP ME", "TOUR", "MANUAL", "SET", "CONFIGURE", "SETTINGS")
 """Each front end has pages of its own about itself: its keys, its first lesson, its settings."""
 CHOSEN_FROM_A_LIST = ("LANGUAGE", "DETAIL", "SET speech")
 """The screen lists what can be chosen; the linear mode says what is chosen, and which choices there are."""
