@@ -215,7 +215,7 @@ class Listener:
         )
         return self._script(
             "program.sh",
-            f'unset DONNIE_READER; export PYTHONPATH="{ROOT}" DONNIE_TOUR=off '
+            f'cd "{self._folder}"; unset DONNIE_READER; export PYTHONPATH="{ROOT}" DONNIE_TOUR=off '
             f'XDG_STATE_HOME="{self._folder}/state" '
             f'XDG_CONFIG_HOME="{self._folder}/config"\n{variables}'
             f'exec "{sys.executable}" -m donnie_tui {options}',
