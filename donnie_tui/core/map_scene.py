@@ -174,6 +174,12 @@ class MapScene:
         )
 
     @property
+    def standing(self) -> frozenset[Cell]:
+        """The cells of all things and robots, where they are now, and of goals."""
+        things = frozenset(self._things) - self._lifted
+        return things.union(self._drawn, self.others.values(), self.grid.goals, (self.robot,))
+
+    @property
     def letters_of_several_colours(self) -> frozenset[str]:
         """See ``wording.letters_of_several_colours``."""
         return letters_of_several_colours(self.picture.things)

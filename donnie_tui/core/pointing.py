@@ -108,7 +108,7 @@ def legend(scene: MapScene, wording: Wording) -> tuple[str, ...]:
     for thing in scene.things:
         letters.setdefault(thing.letter, []).append(thing)
     goals = ("goal",) if scene.grid.goals else ()
-    fixed = ("robot", "start", *goals, "trail", "wall", "ray", "free")
+    fixed = ("robot", "start", *goals, "trail", "wall", "ray", "free", "outside")
     return (
         *(wording(f"legend-{each}", name=scene.grid.name or wording("cell-robot")) for each in fixed),
         *(

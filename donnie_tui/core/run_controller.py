@@ -157,6 +157,14 @@ class RunController:
         return None if stepping is None or self.past is None else stepping.frames_at(self.past)
 
     @property
+    def past_steps(self) -> tuple[int, int] | None:
+        """How many steps are before the moment that STEP BACK has led to, and how many there are; or None."""
+        stepping = self._record.narrator.stepping if self._record is not None else None
+        if self.past is None or stepping is None:
+            return self.past.steps if self.past is not None else None
+        return stepping.counted(self.past)
+
+    @property
     def worked_out(self) -> tuple[tuple[str, ...], ...]:
         """Of each expression of the statement that is next: its text, then its text with values, to the end.
 
@@ -336,13 +344,18 @@ class RunController:
         return (*begun, undo_event(past, self._words))
 
     def look_at(self, step: int) -> tuple[str, ...]:
-        """Go back or forward to the moment after so many steps; the sentences of the last one on the way."""
+        """Go back or forward to the moment after so many steps; the sentences of the last one on the way.
+
+        A step that did several things is undone at once: then it goes past that moment.
+        """
         sentences: tuple[str, ...] = ()
-        at = -1
-        while self.past is not None and self.past.at != at and self.past.steps[0] != step:
-            at = self.past.at
-            is_back = self.past.steps[0] > step
+        here = self.past_steps
+        is_back = here is not None and here[0] > step
+        while self.past is not None and here is not None and (here[0] > step if is_back else here[0] < step):
             sentences = self.step_back() if is_back else self._step_forward(self.past)
+            before, here = here, self.past_steps
+            if here == before:
+                break
         return sentences
 
     def _step_forward(self, past: Timeline) -> tuple[str, ...]:

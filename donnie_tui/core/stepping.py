@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import pairwise
 
 from msgspec import Struct
 
@@ -173,6 +174,12 @@ class Stepping:
         """Whether steps forward have come to the last hold, or to the last event."""
         is_last = self._at is not None and self._at >= len(self._holds) - 1
         return is_last and timeline.at == len(timeline)
+
+    def counted(self, timeline: Timeline) -> tuple[int, int]:
+        """How many steps are before that position, and how many there are. A hold without an event is one."""
+        step, steps = timeline.steps
+        quiet = [before.seq == hold.seq for before, hold in pairwise(self._holds)]
+        return step + sum(quiet if self._at is None else quiet[: self._at]), steps + sum(quiet)
 
     def frames_at(self, timeline: Timeline) -> tuple[Frame, ...] | None:
         """The open calls at that position; None between two holds, where they are not known."""

@@ -193,9 +193,9 @@ class Display:
         self._place.map.restart()
         self.look()
 
-    def show_slider(self, past: Timeline | None) -> None:
+    def show_slider(self) -> None:
         """Where in the run so far the learner looks."""
-        self._place.show_slider(past.steps if past is not None else None)
+        self._place.show_slider(self._runs.past_steps)
 
     # --- the language
 
@@ -337,7 +337,7 @@ class Display:
             return
         session = self._donnie.session
         robot = robot_sentence(session.hub.robot, self._pose, self._words)
-        past = self._runs.past
+        past = self._runs.past_steps
         state = "looking-back" if past is not None else self._runs.state.value
         states = state_sentences(state, session.speed, self._words)
         focus, answer = self.focus_sentence, self._answer

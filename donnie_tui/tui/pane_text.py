@@ -17,7 +17,6 @@ from donnie_tui.commands.preferences import PREFERENCES, Preferences, label, set
 from donnie_tui.core.describe import goals_in_words, task_in_words
 from donnie_tui.core.events import Read
 from donnie_tui.core.run_state import RunState
-from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.wording import Wording, compass_heading, facing, whole_steps
 from donnie_tui.i18n.help import SCREEN_TOUR_PAGES, screen_tour_page
 from donnie_tui.i18n.words import Words
@@ -66,11 +65,16 @@ _BADGE_LOOKS = {
 
 
 def state_badge(
-    state: RunState, past: Timeline | None, speed: float | None, words: Wording, *, was_stopped: bool = False
+    state: RunState,
+    past: tuple[int, int] | None,
+    speed: float | None,
+    words: Wording,
+    *,
+    was_stopped: bool = False,
 ) -> tuple[str, str]:
     """What the program does and how fast, or how far back the learner looks, in capitals; and its colour."""
     if past is not None:
-        step, steps = past.steps
+        step, steps = past
         return words("status-past", step=step, steps=steps).rstrip(".").upper(), "$warning"
     if was_stopped and state is RunState.READY:
         return words("status-stopped").rstrip(".").upper(), "$error"

@@ -132,7 +132,7 @@ class RunView(RunObserver):
         past, before = self._runs.past, self._past
         self._past = past
         if past is not None or before is not None:
-            self._display.show_slider(past)
+            self._display.show_slider()
         if past is not None:
             self._display.show_past(past)
             if self._runs.is_whole and self._runs.frames:

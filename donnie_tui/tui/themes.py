@@ -64,6 +64,7 @@ _LOOKS: dict[str, tuple[str, str, str]] = {
     "start": ("success", "", "bold"), "goal": ("warning", "", "bold"),
     "trail": ("success", "", ""), "wall": ("foreground", "", ""), "free": ("faint", "", ""),
     "ray": ("warning", "", ""), "name": ("foreground", "", "italic"), "ruler": ("muted", "panel", ""),
+    "outside": ("warning", "", "bold"),
     **{f"thing-{colour}": (colour, "", "bold") for colour in COLOURS},
 
     "kind": ("muted", "", "italic"), "error": ("error", "", "bold"), "warning": ("warning", "", "bold"),

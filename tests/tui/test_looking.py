@@ -488,7 +488,7 @@ async def test_a_picture_shows_all_of_a_room_that_letters_do_not_and_a_click_fin
 
         await screen.type_line("PICTURE")
         await screen.shows("The map is in letters.")
-        assert view.render_line(0).text.startswith("#...")
+        assert view.render_line(1).text.startswith("#...")
 
 
 async def test_a_picture_paints_two_squares_in_their_own_colours(open_screen):
@@ -528,3 +528,63 @@ async def test_the_path_is_shown_on_a_page_in_words_and_as_a_picture(open_screen
         await screen.type_line("SHOW PATH")
         await screen.until(lambda: "East: 2 steps, to 2, 3." in screen.text, "the legs")
         await screen.until(lambda: "oo>" in screen.text, "the picture")
+
+
+@pytest.mark.parametrize("size", [(40, 12), (80, 24), (120, 40)])
+async def test_a_sign_on_the_edge_says_where_things_are_outside(open_screen, size):
+    """Found by looking through the whole floor: a thing's row or column of the window leads to it."""
+    async with open_screen(world="living_room", size=size) as screen:
+        screen.main.go_to(screen.main.map_pane)
+        view = screen.main.map
+        view.set_zoom(2)
+        await screen.until(lambda: view.hidden, "floor outside")
+        await screen.painted()
+        window = [view.render_line(y).text for y in range(view.size.height)]
+        (right, down), (width, height) = view.scroll_offset, view.size
+        scene, bounds, extent = view.scale.scene, view.scale.bounds, view._extent
+        wanted = set()
+        for x in range(bounds.left, bounds.right + 1):
+            for y in range(bounds.bottom, bounds.top + 1):
+                cell = scene.robot._replace(x=x, y=y)
+                if scene.kind(cell).value != "thing":
+                    continue
+                left, top = (x - bounds.left) * extent.columns - right, (bounds.top - y) * extent.rows - down
+                is_seen = -extent.columns < left < width and -extent.rows < top < height
+                if not is_seen:
+                    column = max(0, min(width - 1, left + extent.columns // 2))
+                    wanted.add((column, max(0, min(height - 1, top + extent.rows // 2))))
+
+        signs = {(x, y) for y, row in enumerate(window) for x, letter in enumerate(row) if letter == "+"}
+        covering = {(x, y) for x, y in wanted if window[y][x] != "+"}
+        assert wanted and signs == wanted - covering
+        assert all(window[y][x].isalpha() or window[y][x] in "^A" for x, y in covering)
+
+        view.show_all(True)
+        await screen.until(lambda: not view.hidden, "the whole floor")
+        await screen.painted()
+        assert "+" not in "".join(view.render_line(y).text for y in range(view.size.height))
+
+
+async def test_a_robot_that_walks_outside_moves_its_sign_and_paints_nothing_else(open_screen, monkeypatch):
+    async with open_screen("FW 1", world="two_robots", size=(80, 24)) as screen:
+        screen.main.go_to(screen.main.map_pane)
+        view = screen.main.map
+        view.set_zoom(3)
+        await screen.until(lambda: view.hidden, "floor outside")
+        await screen.painted()
+        scene = view.scale.scene
+        bob = next(each for each in scene.things if each.is_robot)
+        before = view._marks
+        painted = []
+        monkeypatch.setattr(view, "refresh", lambda *regions, **_: painted.extend(regions))
+        view.update_cells(scene.move_other("bob", Pose(bob.x, bob.y + 4, 180.0)))
+
+        gone_or_new = {region.offset for region in painted if region.area == 1}
+        assert view._marks != before
+        assert gone_or_new == before ^ view._marks
+
+
+async def test_the_legend_names_the_sign_of_the_edge(open_screen):
+    async with open_screen(world="living_room") as screen:
+        await screen.press("ctrl+k", "l")
+        await screen.until(lambda: "+ at the edge: more lies outside there." in screen.text, "the legend")

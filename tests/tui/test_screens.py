@@ -149,7 +149,8 @@ async def test_the_list_of_worlds(open_screen, same, theme, size):
         await same(screen)
 
 
-@looks()
+@pytest.mark.parametrize("size", ALL_SIZES, ids=by_size)
+@pytest.mark.parametrize("theme", ALL_THEMES)
 async def test_a_mistake(open_screen, same, theme, size):
     async with open_screen(RECTANGLE.replace("TR", "RIGTH"), world="living_room", size=size) as screen:
         screen.app.theme = theme
@@ -218,7 +219,7 @@ WORDS = {"themes": "SET theme", "languages": "LANGUAGE", "typed": "TYPED", "robo
 """Lists that have no key."""
 
 
-@looks()
+@looks((40, 12))
 @pytest.mark.parametrize("name", SCREENS)
 async def test_each_screen(open_screen, same, name, theme, size, tmp_path):
     (tmp_path / "unsaved").mkdir()  # where copies are kept: it is in the list of folders, however soon

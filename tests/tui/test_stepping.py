@@ -101,6 +101,39 @@ async def test_a_slider_shows_how_far_back_one_looks_and_a_click_goes_there(open
         assert "LOOKING BACK" not in screen.text
 
 
+async def test_the_slider_moves_over_lines_that_nothing_was_seen_or_heard_of(open_screen):
+    """Five lines are stepped over, of which one walks: four steps back pass the three that only compute."""
+    async with open_screen("VAR a = 1\nVAR b = 2\nFW 1\na = 3\nb = 4\nFW 2", size=(80, 24)) as screen:
+        for line in range(1, 7):
+            await screen.press("f7")
+            await screen.shows(f"Line {line}:")
+        seen = []
+        for _ in range(4):
+            screen.app.controller.do("step_back")
+            seen.append(screen.main._slider._at)
+        whole = seen[0][1]
+        assert [at for at, _ in seen] == [whole - 1, whole - 2, whole - 3, whole - 4]
+        assert {of for _, of in seen} == {whole}
+        assert screen.main.status.badge == f"LOOKING BACK, {whole - 4} OF {whole}"
+        for _ in range(2):
+            screen.app.controller.do("step")
+        assert screen.main._slider._at == (whole - 2, whole)
+
+
+async def test_a_click_on_the_slider_within_a_step_of_many_things_ends_before_or_after_it(open_screen):
+    text = "PROCEDURE P DO\nFW 1 TR 90 FW 1 TR 90\nEND PROCEDURE\nFW 1\nP []\nFW 2"
+    async with open_screen(text, size=(80, 24)) as screen:
+        for line in (1, 4, 5, 6):
+            await screen.press("f9")
+            await screen.shows(f"Line {line}:")
+        screen.app.controller.do("step_back")
+        slider = screen.main._slider
+        at, whole = slider._at
+        assert whole - at == 4
+        screen.app.controller.runs.look_at(whole - 2)
+        assert screen.app.controller.runs.past is None  # forward over all of it, to the present
+
+
 async def test_what_the_next_line_computes_is_shown_after_it_and_in_the_inspector(open_screen):
     async with open_screen("VAR n = 3\nSPEAK n * 2 + 1\nFW n\nFW 1", size=(120, 40)) as screen:
         for line in (1, 2):

@@ -300,10 +300,11 @@ class Chooser(ModalScreen[str | None]):
         self._point = point
         self.rows = _Rows(id="choices")
         self._typed = _Narrowing(self.rows)
-        has_detail = not is_plain and any(each.detail is not None for each in choices)
-        self._detail = _Detail(id="detail") if has_detail else None
+        self._has_details = not is_plain and any(each.detail is not None for each in choices)
+        may_drop = not is_plain and any(len(each.columns) > 1 for each in choices)
+        self._detail = _Detail(id="detail") if self._has_details or may_drop else None
         self._columns: tuple[int, ...] = ()
-        """Their widths; empty where rows are texts."""
+        """Their widths; empty where rows are texts. What else there are is below the list."""
 
     def compose(self) -> ComposeResult:
         with Vertical(id="panel"):
@@ -331,12 +332,15 @@ class Chooser(ModalScreen[str | None]):
         """The panel is as large as what it lists, and keeps its size while that is narrowed."""
         width, height = self.size
         columns = () if self.has_class("-plain") else _columns(self._choices)
-        room = width - (_DETAIL + 1 if self._detail is not None else 0)
-        is_below = self._detail is not None and room < sum(columns) <= width - 1 and height >= _LEAST_BOTH
+        room = width - (_DETAIL + 1 if self._has_details else 0)
+        is_below = self._has_details and room < sum(columns) <= width - 1 and height >= _LEAST_BOTH
+        if not self._has_details and height >= _LEAST_BOTH and sum(columns) > width - 1:
+            fitting = [at for at in range(1, len(columns)) if sum(columns[:at]) <= width - 1]
+            columns, is_below = columns[: max(fitting, default=0)], bool(fitting)
         self._columns = columns if columns and (sum(columns) <= room or is_below) else ()
         self.query_one("#listing").set_class(is_below, "-below")
         self._show()
-        has_detail = self._detail is not None and bool(self._columns)
+        has_detail = bool(self._columns) and (self._has_details or is_below)
         if self._detail is not None:
             self._detail.display = has_detail
         if self.has_class("-plain"):
@@ -345,7 +349,7 @@ class Chooser(ModalScreen[str | None]):
         listing = max(max(map(cell_len, (self._title_words, self._key_words))) + 2, _LEAST_PANEL)
         rows = len(self._choices)
         if self._detail is not None:
-            self._detail.styles.height = (height - _FRAME_ROWS) // 2 if is_below else None
+            self._detail.styles.height = self._rows_below(width, height) if is_below else None
         if is_below:
             self.rows.styles.width, listing, rows = None, width, height
         elif has_detail:
@@ -360,6 +364,21 @@ class Chooser(ModalScreen[str | None]):
         panel.set_class(listing == width, "-wide-as-all")
         panel.styles.height = min(height - (2 if height >= _HIGH else 0), max(rows, 1) + _FRAME_ROWS)
 
+    def _rows_below(self, width: int, height: int) -> int:
+        """Half of the rows, or as many as the columns need that have no room in the list."""
+        half = (height - _FRAME_ROWS) // 2
+        if self._has_details:
+            return half
+        needed = (
+            sum(-(-cell_len(cell) // max(1, width - 2)) for cell in self._dropped(each))
+            for each in self._choices
+        )
+        return min(half, max(needed, default=1) + 1)
+
+    def _dropped(self, choice: Option) -> tuple[str, ...]:
+        """The columns that have no room in the list."""
+        return tuple(filter(None, choice.columns[len(self._columns) :]))
+
     def _row(self, choice: Option) -> str:
         if not self._columns or not choice.columns:
             return choice.text
@@ -372,7 +391,9 @@ class Chooser(ModalScreen[str | None]):
             return
         chosen = self._fitting[min(self.rows.line, len(self._fitting) - 1)] if self._fitting else None
         size = self._detail.size
-        about = list(chosen.detail(size.width - 2, size.height)) if chosen and chosen.detail else []
+        about: list[str] = []
+        if chosen is not None:
+            about += chosen.detail(size.width - 2, size.height) if chosen.detail else self._dropped(chosen)
         if len(about) > size.height:  # all of it is said once the row is taken
             last = about[size.height - 1][: size.width - 6]
             about[size.height - 1 :] = [f"{last.rpartition(' ')[0] or last} ..."]

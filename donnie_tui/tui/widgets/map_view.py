@@ -39,6 +39,11 @@ _EVERY = 5
 
 NEAREST = len(Letters.extents) - 1
 
+OUTSIDE = "+"
+"""At the edge: a thing, a robot or a goal lies outside there. No thing has this letter."""
+_COVERED = ("free", "trail", "wall", "ray")
+"""What such a mark may cover."""
+
 
 class MapView(PaintedRows, can_focus=True):
     """Shows a ``MapScene``. Empty until it is given one."""
@@ -81,6 +86,8 @@ class MapView(PaintedRows, can_focus=True):
         self._extent = self._painter.extents[0]
         self.hidden: tuple[str, ...] = ()
         """The sides on which more floor is outside."""
+        self._marks: frozenset[Offset] = frozenset()
+        """The places on the edge with ``OUTSIDE``."""
         self._bounds: Bounds
         """Of the floor as it was laid out last, once there is one."""
 
@@ -120,6 +127,7 @@ class MapView(PaintedRows, can_focus=True):
         elif squares:
             self.refresh(*map(self._region_of, squares))
             self._write_names(squares)
+            self._mark_edges(squares)
             if self._followed == self.scale.robot:
                 self._follow(self.scale.robot)
 
@@ -195,7 +203,8 @@ class MapView(PaintedRows, can_focus=True):
         self._choose_factor(room)
         bounds = self._bounds = self.scale.bounds
         fitting = self._painter.fitting(Size(bounds.width, bounds.height), room)
-        extent = self._extent = self._painter.extents[min(fitting + max(0, self._zoom), NEAREST)]
+        nearer = 0 if self.shows_all else max(0, self._zoom)
+        extent = self._extent = self._painter.extents[min(fitting + nearer, NEAREST)]
         floor = Size(extent.columns * bounds.width, extent.rows * -(-bounds.height // extent.stacked))
         self.virtual_size = Size(floor.width + self._rulers.x, floor.height + self._rulers.y)
         self._written = self._labels(self.scale, self._extent.columns) if self._labels else {}
@@ -216,6 +225,35 @@ class MapView(PaintedRows, can_focus=True):
         if hidden != self.hidden:
             self.hidden = hidden
             self.post_message(self.EdgesChanged())
+        self._mark_edges()
+
+    @property
+    def _window(self) -> Region:
+        """Where floor is seen, in the widget."""
+        return self.size.region.shrink((self._rulers.y, 0, 0, self._rulers.x))
+
+    def _mark_edges(self, changed: frozenset[Cell] | None = None) -> None:
+        """Marks anew after a scroll; else only if one of the squares that changed is outside."""
+        if not self.hidden and not self._marks:
+            return
+        assert self.scale is not None
+        window = self._window
+        if changed is not None and all(window.overlaps(self._region_of(each)) for each in changed):
+            return
+        standing = self.scale.squares_of(self.scale.scene.standing) if self.hidden else frozenset()
+        places = (self._region_of(square) for square in standing)
+        middles = (
+            place.offset + Offset(place.width // 2, place.height // 2)
+            for place in places
+            if not window.overlaps(place)
+        )
+        marks = frozenset(
+            window.offset + (middle - window.offset).clamp(window.width, window.height) for middle in middles
+        )
+        if marks != self._marks:
+            gone_or_new = marks ^ self._marks
+            self._marks = marks
+            self.refresh(*(Region(*place, 1, 1) for place in gone_or_new))
 
     def _choose_factor(self, room: Size) -> None:
         from donnie_tui.core.map_scene import factor_for
@@ -290,13 +328,18 @@ class MapView(PaintedRows, can_focus=True):
         place, scale = event.get_content_offset(self), self.scale
         if place is None or scale is None:
             return
-        right, down = place - self._rulers + self.scroll_offset
-        bounds = self._bounds
-        extent = self._extent
-        x, y = bounds.left + right // extent.columns, bounds.top - down // extent.rows * extent.stacked
-        if bounds.left <= x <= bounds.right and bounds.bottom <= y <= bounds.top:
-            square = scale.robot._replace(x=x, y=y)
+        square, bounds = self._square_at(place), self._bounds
+        if bounds.left <= square.x <= bounds.right and bounds.bottom <= square.y <= bounds.top:
             self.explore(lambda pointer: pointer.go(scale.cell_of(square)))
+
+    def _square_at(self, place: Offset) -> Cell:
+        """The square that is painted there, or would be if there were floor."""
+        assert self.scale is not None
+        right, down = place - self._rulers + self.scroll_offset
+        bounds, extent = self._bounds, self._extent
+        return self.scale.robot._replace(
+            x=bounds.left + right // extent.columns, y=bounds.top - down // extent.rows * extent.stacked
+        )
 
     def explore(self, change: Callable[[Pointer], object]) -> None:
         """Move the pointer."""
@@ -321,7 +364,20 @@ class MapView(PaintedRows, can_focus=True):
         down, row = divmod(y - ruler_y + self.scroll_offset.y, self._extent.rows)
         north = self._bounds.top - down * self._extent.stacked
         floor = self._floor_row(north, row).crop_extend(0, self.size.width - ruler_x, base)
-        return Strip.join([self._left_ruler(north, row), floor]) if ruler_x else floor
+        strip = Strip.join([self._left_ruler(north, row), floor]) if ruler_x else floor
+        return self._with_marks(strip, y) if self._marks else strip
+
+    def _with_marks(self, strip: Strip, y: int) -> Strip:
+        """The row with its marks, which cover no thing, robot or goal."""
+        assert self.scale is not None
+        window = self._window
+        is_end = y in (window.y, window.bottom - 1)
+        for x in range(window.x, window.right) if is_end else (window.x, window.right - 1):
+            place = Offset(x, y)
+            if place in self._marks and self.scale.shown(self._square_at(place))[1] in _COVERED:
+                mark = Strip([Segment(OUTSIDE, self._look("outside"))])
+                strip = Strip.join([strip.crop(0, x), mark, strip.crop(x + 1)])
+        return strip
 
     def _floor_row(self, north: int, row: int) -> Strip:
         """One of the rows of the squares of a latitude."""
