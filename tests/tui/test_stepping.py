@@ -101,8 +101,8 @@ async def test_a_slider_shows_how_far_back_one_looks_and_a_click_goes_there(open
         assert "LOOKING BACK" not in screen.text
 
 
-async def test_the_slider_moves_over_lines_that_nothing_was_seen_or_heard_of(open_screen):
-    """Five lines are stepped over, of which one walks: four steps back pass the three that only compute."""
+async def test_the_slider_moves_over_lines_that_only_compute(open_screen):
+    """Four steps back pass the two lines that compute, the one that walks, and one more that computes."""
     async with open_screen("VAR a = 1\nVAR b = 2\nFW 1\na = 3\nb = 4\nFW 2", size=(80, 24)) as screen:
         for line in range(1, 7):
             await screen.press("f7")
