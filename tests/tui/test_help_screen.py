@@ -123,3 +123,23 @@ async def test_f1_in_the_program_lists_all_its_mistakes_whole(open_screen):
 
         assert [each.partition(":")[0] for each in lines] == ["Line 1", "Line 2", "Line 4"]
         assert all("FWD" in each or "BWD" in each for each in lines)
+
+
+@pytest.mark.parametrize("language", ["en", "pt", "es"])
+async def test_on_a_small_screen_the_palette_has_a_row_each_and_the_rest_is_below(open_screen, language):
+    async with open_screen(size=(40, 12), language=language) as screen:
+        await screen.press("ctrl+p")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the palette")
+        await screen.painted()
+        panel = screen.app.screen
+        chosen = panel._fitting[0]
+        word, purpose, key = chosen.columns
+        rows = [line.strip(" >") for line in screen.text.splitlines()]
+
+        assert rows[2] == word
+        assert [each for each in rows[3:7] if each] == [each.columns[0] for each in panel._fitting[1:5]]
+        below = " ".join(panel._detail.lines)
+        assert purpose in below and key in below
+        await screen.press("down")
+        await screen.painted()
+        assert panel._fitting[1].columns[1] in " ".join(panel._detail.lines)

@@ -336,6 +336,10 @@ class Chooser(ModalScreen[str | None]):
         is_below = self._has_details and room < sum(columns) <= width - 1 and height >= _LEAST_BOTH
         if not self._has_details and height >= _LEAST_BOTH and sum(columns) > width - 1:
             fitting = [at for at in range(1, len(columns)) if sum(columns[:at]) <= width - 1]
+            if not fitting and 4 * sum(cell_len(each.text) >= width for each in self._choices) > len(
+                self._choices
+            ):
+                fitting = [1]  # a few long names take two rows, rather than most of the texts
             columns, is_below = columns[: max(fitting, default=0)], bool(fitting)
         self._columns = columns if columns and (sum(columns) <= room or is_below) else ()
         self.query_one("#listing").set_class(is_below, "-below")
