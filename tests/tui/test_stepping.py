@@ -130,8 +130,8 @@ async def test_a_click_on_the_slider_within_a_step_of_many_things_ends_before_or
         slider = screen.main._slider
         at, whole = slider._at
         assert whole - at == 4
-        screen.app.controller.runs.look_at(whole - 2)
-        assert screen.app.controller.runs.past is None  # forward over all of it, to the present
+        screen.app.controller.ctx.runs.look_at(whole - 2)
+        assert screen.app.controller.ctx.runs.past is None  # forward over all of it, to the present
 
 
 async def test_what_the_next_line_computes_is_shown_after_it_and_in_the_inspector(open_screen):
