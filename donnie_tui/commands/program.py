@@ -340,7 +340,7 @@ async def fix(ctx: Context, _: str) -> None:
     if not known and (failed := document.failed_line) is not None:
         known = [each for each in found if each.fixed_line == failed and each.meant]
     if not known:
-        if found and not waiting:
+        if found and not waiting and document.failed_line is None:
             now = ctx.errors.now
             has_failed = now is not None and 0 < now.line <= document.ran
             ctx.answer("fix-has-run", line=now.line if now and has_failed else found[0].fixed_line)

@@ -79,7 +79,7 @@ def test_a_script_may_open_a_program_and_quit_without_running_it(tmp_path: Path)
 def test_fix_leaves_a_line_that_failed_and_quit_repeats_nothing(tmp_path: Path) -> None:
     done = _piped(b"FW -3\nRUN\nx = 3\nRUN\nFIX\nQUIT\n", tmp_path)
 
-    assert done.stdout.decode().splitlines()[-2:] == ["Line 2 has run. CHANGE 2 changes it.", "Goodbye."]
+    assert done.stdout.decode().splitlines()[-2:] == ["I don't know what was meant.", "Goodbye."]
 
 
 def test_fix_lets_the_line_that_failed_wait_again_and_runs_it_alone(tmp_path: Path) -> None:
