@@ -1,4 +1,4 @@
-"""What the documents name exists: links, paths, and modules that are run."""
+"""What the documents name exists: links, paths, and modules that are run. How they are wrapped."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ TOP = {each.partition("/")[0] for each in tracked()}
 
 LINK = re.compile(r"\]\(([^)#\s]+)[^)]*\)")
 QUOTED = re.compile(r"`([^`\n]+)`")
+QUOTED_LINES = re.compile(r"^ *```.*?^ *```", re.DOTALL | re.MULTILINE)
 PATH = re.compile(r"(?<![\w./-])[\w.-]+(?:/[\w.*-]*)+")
 MODULE = re.compile(r"python -m ([a-z0-9_.]+)")
 OUTSIDE = ("http:", "https:", "mailto:")
@@ -66,6 +67,15 @@ def test_every_module_in_the_table_of_rooms_exists(folder: str, modules: str) ->
     named = [f"{folder}/{each}" for each in QUOTED.findall(modules) if "/" not in each]
 
     assert [each for each in named if not exists(each) and not exists(f"{each}.py")] == []
+
+
+@pytest.mark.parametrize("document", [*DOCUMENTS, "CHANGELOG.md", "SECURITY.md"])
+def test_a_document_is_wrapped_at_100_columns(document: str) -> None:
+    """Its sentences; rows of tables, quoted programs and the generated list of commands are longer."""
+    lines = QUOTED_LINES.sub("", (ROOT / document).read_text(encoding="utf-8")).splitlines()
+    is_generated = document == "docs/commands.md"
+
+    assert [each for each in lines if len(each) > 100 and not each.startswith("|") and not is_generated] == []
 
 
 def test_paths_are_found() -> None:
