@@ -587,4 +587,4 @@ async def test_a_robot_that_walks_outside_moves_its_sign_and_paints_nothing_else
 async def test_the_legend_names_the_sign_of_the_edge(open_screen):
     async with open_screen(world="living_room") as screen:
         await screen.press("ctrl+k", "l")
-        await screen.until(lambda: "+ at the edge: more lies outside there." in screen.text, "the legend")
+        await screen.until(lambda: "A plus at the edge: more lies outside." in screen.text, "the legend")
