@@ -70,6 +70,10 @@ def motor_cells(cells: bytes) -> tuple[int, ...]:
     return (*cells[_UPPER : _UPPER + COLUMNS], *cells[_LOWER : _LOWER + COLUMNS])
 
 
+MOTOR_PLACES = tuple(len(START) + cell for cell in motor_cells(bytes(range(CELLS))))
+"""Where the letter of each motor is in a frame, in the order of the levels; other programs number them so."""
+
+
 def contains_complaint(received: bytes | bytearray) -> bool:
     """Whether a belt's board sent this: no other device does."""
     return any(each in received for each in COMPLAINTS)

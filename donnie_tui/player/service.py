@@ -17,10 +17,11 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
+from devices.belt.protocol import MOTOR_PLACES
 from devices.ports.audio import CUES
 from devices.ports.robot import GripResult, Pose
 from donnie_tui import __version__
-from donnie_tui.core.belt import COLUMNS, MEDIUM, OFF, STRONG, WEAK
+from donnie_tui.core.belt import MEDIUM, OFF, STRONG, WEAK
 from donnie_tui.core.events import (
     STANDING,
     Announced,
@@ -57,8 +58,6 @@ SLOWEST, SLOWEST_TURN = 0.005, 2.0
 """Metres and degrees a second: what is slower stands."""
 STARTING, ENDING = 20.0, 2.0
 """Seconds that the server may take."""
-_UPPER, _LOWER = range(8, 8 + COLUMNS), range(22, 22 + COLUMNS)
-"""The numbers of the belt's motors among the cells of its frame, of which the first begins it."""
 _LEVELS = {"A": STRONG, "B": MEDIUM, "P": 0}
 
 
@@ -220,10 +219,9 @@ class ClientService:
 
     def vibrated(self, name: str, motor: int, letter: str) -> None:
         """A cell of the belt's frame was set; its event comes with the next tick."""
-        for row, first in ((_UPPER, 0), (_LOWER, COLUMNS)):
-            if motor in row:
-                levels = self._belts.setdefault(name, list(self._shown_levels.get(name, OFF)))
-                levels[first + row.index(motor)] = _LEVELS.get(letter, WEAK)
+        if motor in MOTOR_PLACES:
+            levels = self._belts.setdefault(name, list(self._shown_levels.get(name, OFF)))
+            levels[MOTOR_PLACES.index(motor)] = _LEVELS.get(letter, WEAK)
 
     # --- what becomes of it
 

@@ -18,7 +18,7 @@ from typing import Any, TypeAlias
 
 from msgspec import Struct
 
-from devices.belt.protocol import COLUMNS, LETTERS, MOTORS
+from devices.belt.protocol import LETTERS, MOTOR_PLACES
 from devices.player.codec import (
     BANNER_SIZE,
     LONGEST_REPLY,
@@ -30,7 +30,6 @@ from devices.player.codec import (
 )
 from devices.player.interfaces import Access, Interface, body_of, values_of
 from devices.ports.robot import (
-    FARTHEST,
     STEP,
     Bearing,
     LinkNotice,
@@ -45,7 +44,7 @@ from devices.ports.robot import (
     WalkResult,
     Watcher,
 )
-from devices.serial_robot.senses import scan_angles, sightings
+from devices.serial_robot.senses import scan_angles, sightings, to_steps
 from donnie_tui.process.signals import timeout_factor
 from sim.colours import FAMILIES, colour_of
 from sim.geometry import normal
@@ -594,7 +593,7 @@ class PlayerRobot:
     def known_distances(self) -> Mapping[Bearing, int]:
         known = {bearing: self._nearest(bearing) for bearing in Bearing}
         return {
-            bearing: FARTHEST if metres == inf else round(metres * 100) // 5
+            bearing: to_steps(metres if metres == inf else round(metres * 100))
             for bearing, metres in known.items()
             if metres is not None
         }
@@ -688,11 +687,10 @@ class PlayerRobot:
         self._link.command(SPEECH, 1, text)
 
     def show_belt(self, levels: tuple[int, ...]) -> None:
-        """14 levels; each motor has its number among the cells of the belt's frame."""
-        for motor, level in enumerate(levels[:MOTORS]):
-            cell = (8 if motor < COLUMNS else 22) + motor % COLUMNS
+        """14 levels."""
+        for place, level in zip(MOTOR_PLACES, levels, strict=False):
             for index in (0, 1):
-                self._link.command((Interface.DIO, index), 1, cell, LETTERS[level])
+                self._link.command((Interface.DIO, index), 1, place, LETTERS[level])
 
 
 ORIGINAL_SONARS = (-45.0, 0.0, 45.0, 135.0, 180.0, -135.0)
