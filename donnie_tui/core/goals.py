@@ -384,9 +384,9 @@ def _elsewhere(here: Pose, target: Target, within: float, room: Inventory, track
     if item is None:
         assert not isinstance(target, str)
         direction = bearing(*target, here.x, here.y)
-        return Shortfall("goal-at-place", {"steps": _whole(gap), "direction": direction, "target": target})
+        return Shortfall("goal-at-place", {"steps": in_steps(gap), "direction": direction, "target": target})
     direction = bearing(here.x, here.y, item.x, item.y)
-    return Shortfall("goal-at-thing", {"steps": _whole(gap), "direction": direction, "target": target})
+    return Shortfall("goal-at-thing", {"steps": in_steps(gap), "direction": direction, "target": target})
 
 
 def _facing(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
@@ -418,7 +418,7 @@ def _near(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
     gap = smallest_gap(goal.near, room, _way(goal.robot, room, track))
     if gap <= goal.within + NEARLY:
         return None
-    return Shortfall("goal-near", {"steps": _whole(gap), "target": goal.near})
+    return Shortfall("goal-near", {"steps": in_steps(gap), "target": goal.near})
 
 
 def _area(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
@@ -432,7 +432,7 @@ def _area(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
         is_inside = is_inside or gap <= NEARLY
     if is_inside:
         return None
-    return Shortfall("goal-area", {"steps": _whole(gap), "direction": direction, "area": goal.area})
+    return Shortfall("goal-area", {"steps": in_steps(gap), "direction": direction, "area": goal.area})
 
 
 def _thing(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:  # noqa: ARG001
@@ -451,7 +451,7 @@ def _thing(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:  # no
     if gap <= NEARLY + (goal.within if goal.area is None else 0):
         return None
     code = "goal-thing" if goal.area is None else "goal-thing-area"
-    return Shortfall(code, {"steps": _whole(gap), "direction": direction, "target": goal.thing})
+    return Shortfall(code, {"steps": in_steps(gap), "direction": direction, "target": goal.thing})
 
 
 def _middle(target: Target | None, track: Track) -> tuple[float, float]:
@@ -510,7 +510,7 @@ def _robots(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
         ]
         gap = max(min(gaps, default=0.0), 0.0)
         if gap > goal.within + NEARLY:
-            return Shortfall("goal-not-together", {"first": one, "second": other, "steps": _whole(gap)})
+            return Shortfall("goal-not-together", {"first": one, "second": other, "steps": in_steps(gap)})
     return None
 
 
@@ -593,7 +593,7 @@ def _forbidden(
     for name in rules.never.near:
         gap = min(smallest_gap(name, room, way) for way in track.ways.values())
         if gap < rules.never.within:
-            yield Shortfall("never-near", {"target": name, "most": _whole(rules.never.within)})
+            yield Shortfall("never-near", {"target": name, "most": in_steps(rules.never.within)})
 
 
 def _answered_rules(rules: Rules, track: Track, answers: Mapping[Unsensed, bool]) -> Iterable[Shortfall]:
@@ -604,7 +604,7 @@ def _answered_rules(rules: Rules, track: Track, answers: Mapping[Unsensed, bool]
             continue
         target = (rules.never.touch if each.rule == "touch" else rules.never.near)[each.at]
         code = "never-asked" if answer is None else f"never-{each.rule}"
-        yield Shortfall(code, {"target": target, "most": _whole(rules.never.within)})
+        yield Shortfall(code, {"target": target, "most": in_steps(rules.never.within)})
 
 
 def _over_limit(rules: Rules, track: Track) -> Iterable[Shortfall]:
@@ -669,7 +669,8 @@ def bearing(x: float, y: float, to_x: float, to_y: float) -> float:
 # --- numbers and texts
 
 
-def _whole(steps: float) -> int:
+def in_steps(steps: float) -> int:
+    """A distance as it is said: whole steps, and never none."""
     return max(1, round(steps))
 
 

@@ -12,7 +12,7 @@ from itertools import chain
 
 import msgspec
 
-from donnie_tui.core.wording import Wording
+from donnie_tui.core.wording import BRAILLE_CELLS, Wording
 from language import keywords
 from language.diagnostics import Diagnostic, Severity
 from language.lexer import lex
@@ -22,7 +22,6 @@ from language.tables import TERMINALS
 
 WIDEST = 80
 """Characters of a line of the outline."""
-WIDEST_BRIEF = 40
 LONGEST_WORD = 40
 """Characters of a searched word that a message repeats."""
 ALIKE = 0.6
@@ -199,7 +198,7 @@ def outline_in_words(text: ProgramText, wording: Wording) -> tuple[str, ...]:
 def _opening_in_words(line: ProgramLine, wording: Wording) -> str:
     """Cuts what is longer than a line of print; READ says all of it."""
     row = wording("line-level", line=line.number, level=line.level, text=line.text)
-    widest = WIDEST_BRIEF if wording.detail == "brief" else WIDEST
+    widest = BRAILLE_CELLS if wording.detail == "brief" else WIDEST
     return row if len(row) <= widest else f"{row[: widest - 1].rstrip()}…"
 
 

@@ -13,7 +13,7 @@ from msgspec.structs import replace
 
 from devices.ports.robot import Pose
 from donnie_tui.core.describe import target_in_words
-from donnie_tui.core.goals import Inventory, Item, Track, Unsensed, bearing, gap_to
+from donnie_tui.core.goals import Inventory, Item, Track, Unsensed, bearing, gap_to, in_steps
 from donnie_tui.core.wording import COMPASS, Wording, called, coloured, meant, the_coloured
 from language import keywords
 from language.suggestions import number_in_digits
@@ -143,7 +143,7 @@ def unsensed_question(asked: Unsensed, rules: Rules, room: Inventory, wording: W
     """Whether a goal is met or a rule was broken, for the learner of a robot that can't sense it."""
     if asked.rule != "goal":
         name = (rules.never.touch if asked.rule == "touch" else rules.never.near)[asked.at]
-        values = {"target": target_in_words(name, room, wording), "most": max(1, round(rules.never.within))}
+        values = {"target": target_in_words(name, room, wording), "most": in_steps(rules.never.within)}
         return wording(f"never-ask-{asked.rule}", **values)
     goal = rules.goal[asked.at]
     listed = ", ".join(goal.robots or ()) or ", ".join(

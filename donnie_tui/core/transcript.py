@@ -40,7 +40,7 @@ from donnie_tui.core.events import (
     Turned,
 )
 from donnie_tui.core.hub import Hub
-from donnie_tui.core.wording import Wording, compass_heading, position_in_words, whole_steps
+from donnie_tui.core.wording import BRAILLE_CELLS, Wording, compass_heading, position_in_words, whole_steps
 from language.source import printable
 
 
@@ -164,9 +164,6 @@ LONGEST_SOURCE = 60
 """Characters of a source line that are quoted with a mistake."""
 
 MOST_CALLS = 10
-
-BRAILLE_CELLS = 40
-"""Characters of a line that a braille display shows whole."""
 """Calls that are listed for a mistake in a procedure."""
 
 OF_NO_ROBOT = ("help", "more-mistakes", "driven", "clients", BELT_LINK)

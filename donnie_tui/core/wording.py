@@ -30,6 +30,9 @@ if TYPE_CHECKING:
     from donnie_tui.core.events import Error
     from sim.picture import Thing
 
+BRAILLE_CELLS = 40
+"""Characters of a line that a braille display shows whole."""
+
 
 class Wording(Protocol):
     """The learner's language."""

@@ -16,7 +16,7 @@ from types import MappingProxyType
 from msgspec import Struct
 
 from donnie_tui.core.reports import Section
-from donnie_tui.core.wording import Wording
+from donnie_tui.core.wording import BRAILLE_CELLS, Wording
 from language import keywords
 from language.locales import first_page
 from language.source import fold_name
@@ -189,8 +189,6 @@ def _unknown(topic: str, words: Wording) -> tuple[str, ...]:
 # --- the manual
 
 CHAPTERS = ("begin", "move", "look", "numbers", "decide", "repeat", "procedures", "mistakes")
-BRAILLE = 40
-"""Cells of a braille display."""
 
 
 def manual(words: Wording) -> tuple[str, ...]:
@@ -221,7 +219,7 @@ def chapter_lines(words: Wording, chapter: str) -> tuple[str, ...]:
     stripped = (line.strip() for line in lines if line)
     if words.detail != "brief":
         return tuple(stripped)
-    return tuple(part for line in stripped for part in wrap(line, BRAILLE))
+    return tuple(part for line in stripped for part in wrap(line, BRAILLE_CELLS))
 
 
 # --- the tour: ``tour-1-2`` is the second line of page 1; the full screen has its own, ``screen-tour-1-2``

@@ -26,7 +26,7 @@ from donnie_tui.outlets.belt import ChosenBelt, refuse_shared_port
 from donnie_tui.process.confinement import check_name, open_bytes
 from donnie_tui.process.signals import timeout_factor
 from donnie_tui.robot.search import Search
-from donnie_tui.settings.parsing import DOUBLE, PLAYER, SERIAL, SIMULATED
+from donnie_tui.settings.parsing import DOUBLE, PLAYER, SERIAL, SIMULATED, address_of
 from donnie_tui.settings.settings import Settings
 from donnie_tui.world.loading import ChosenWorld
 
@@ -273,8 +273,7 @@ class Connection:
         """What the program says, and what the belt shows, goes there too."""
         from donnie_tui.robot.player_robot import PlayerRobot, ServerLink
 
-        host, _, port = robot.partition("://")[2].rpartition(":")
-        link = ServerLink(host.strip("[]"), int(port), self._report)
+        link = ServerLink(*address_of(robot), self._report)
         made = PlayerRobot(link, pace=pace, watcher=watcher, start=self._world.start())
 
         def say(stamped: Stamped) -> None:

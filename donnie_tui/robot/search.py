@@ -16,7 +16,15 @@ from devices.ports.robot import RobotProblem
 from devices.serial_ports.listing import FoundPort, list_ports
 from devices.serial_ports.port import PortFault, PortProblem, group_of, is_named, is_same_port
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.settings.parsing import DOUBLE, PLAYER, PLAYER_PORT, SERIAL, SIMULATED, read_server
+from donnie_tui.settings.parsing import (
+    DOUBLE,
+    PLAYER,
+    PLAYER_PORT,
+    SERIAL,
+    SIMULATED,
+    address_of,
+    read_server,
+)
 from donnie_tui.settings.settings import Settings
 
 
@@ -88,7 +96,7 @@ def running_server(environment: Mapping[str, str]) -> str | None:
         if is_named(f"socket://{place}"):
             import socket
 
-            with socket.create_connection((LOCAL_SERVER, int(place.rpartition(":")[2])), HERE) as connected:
+            with socket.create_connection(address_of(server), HERE) as connected:
                 return server if connected.recv(len(_BANNER)) == _BANNER else None
     return None
 

@@ -209,6 +209,17 @@ def read_robot(text: str) -> str:
     return f"{kind.lower()}{colon}{port}"
 
 
+def is_far(robot: str) -> bool:
+    """Whether it has to be looked for, and may not answer."""
+    return robot.startswith((SERIAL, PLAYER))
+
+
+def address_of(server: str) -> tuple[str, int]:
+    """Host and port of a robot ``player://HOST:PORT``."""
+    host, _, port = server.partition("://")[2].rpartition(":")
+    return host.strip("[]"), int(port)
+
+
 def read_server(text: str) -> str:
     """``HOST:PORT`` or ``HOST``, as the address of a robot."""
     host, colon, number = text.rstrip("/").rpartition(":")

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from textual.events import Event
 
 from donnie_tui.robot.search import Search
-from donnie_tui.settings.parsing import PLAYER, SERIAL
+from donnie_tui.settings.parsing import is_far
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui.app import DonnieApp
 from donnie_tui.tui.environment import print_last_lines, wants_mouse
@@ -109,7 +109,7 @@ def _in_next_world(app: DonnieApp) -> tuple[Settings, ScreenState]:
 
 def _takes_time(settings: Settings) -> bool:
     """Whether a real robot is looked for, as a configuration file may ask for one too."""
-    return settings.robot.startswith((SERIAL, PLAYER)) or settings.world.endswith(".cfg")
+    return is_far(settings.robot) or settings.world.endswith(".cfg")
 
 
 def _assembled(settings: Settings, search: Search | None) -> Donnie:

@@ -17,7 +17,7 @@ from donnie_tui.commands.interaction import SLOW
 from donnie_tui.commands.keys import KeyTable
 from donnie_tui.i18n.first_words import early
 from donnie_tui.robot.search import Search
-from donnie_tui.settings.parsing import PLAYER, SERIAL
+from donnie_tui.settings.parsing import is_far
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui.environment import first_steps, is_page, with_keys
 from donnie_tui.tui.screens.main_screen import MainScreen
@@ -189,9 +189,7 @@ class Startup:
             if self._search is None and self._has_shipped_world:
                 self._use(self._assemble())
             else:
-                if self._settings.robot.startswith(
-                    (SERIAL, PLAYER)
-                ):  # of a configuration file that is not known yet
+                if is_far(self._settings.robot):  # of a configuration file that is not known yet
                     self._report_search()
                 self._app.run_worker(self._search_and_begin())
         except Exception as trouble:  # noqa: BLE001 -- raised again once the terminal is given back
