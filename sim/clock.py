@@ -30,7 +30,7 @@ class Landing(Enum):
 
     WHOLE = "whole"
     CUT = "cut"
-    """Something came near: its last tick has only taken its time."""
+    """Something came near. The time of the last tick is spent, but its movement is not done."""
     HALTED = "halted"
 
 
@@ -68,7 +68,7 @@ class Glide:
 
     @cached_property
     def times(self) -> Sequence[float]:
-        """Most glides end without anyone's asking."""
+        """Made when first needed: most glides end without it."""
         return self._make_times()
 
     @cached_property
@@ -88,7 +88,7 @@ class Glide:
         return count + is_before
 
     def cut(self, now: Now) -> float:
-        """It ends with the tick that is due. Answers when that is, for the robot."""
+        """Ends the glide with the tick that is due. Returns the robot's time at its end."""
         self.count = min(self.ticks(now) + 1, len(self._world_times))
         return self.times[self.count - 1]
 
@@ -331,7 +331,7 @@ class Clock:
         return self.speed is None and (not seat.takes_part or (not turns.queue and turns.holder is seat))
 
     def leap(self, seconds: float) -> None:
-        """Begin and spend."""
+        """Begins a command and spends its time at once."""
         self._halted = False
         self.seconds += seconds
         if self._seat.takes_part:

@@ -279,7 +279,7 @@ class Ground:
         return self._changes - self._own_changes.get(asker, 0), now
 
     def is_unchanged(self, asker: int, since: Moment) -> bool:
-        """Whether nothing has moved since that moment but the asker itself."""
+        """Whether nothing but the asker has moved since that moment."""
         with self._lock:
             changes, now = self.moment(asker)
             return changes == since[0] and not any(

@@ -140,9 +140,9 @@ _rank = attrgetter("rank")
 _THIN = 0.0
 """Metres by which everything is thickened for rays."""
 WORTH_A_RAY = 0.5
-"""Metres: in a longer wedge, a ray finds out first how far it has to be looked into."""
+"""Metres: a longer wedge is first shortened by a ray along its middle."""
 SLACK = 0.01
-"""Metres that it is looked into farther than the ray says."""
+"""Metres: a wedge is searched so much farther than the ray's hit."""
 MOST_ROOM = 5.0
 """Metres: no more room than that is looked for."""
 

@@ -263,7 +263,7 @@ class Mounted(Struct, frozen=True):
     lines: tuple[Line, ...] = ()
     """What a map shows of it: the border of a field of view, the paddles of a gripper."""
     name: str = ""
-    """By which a program reads it."""
+    """The name by which a program reads it."""
 
 
 def mounted(scene: Scene, robot: str) -> tuple[Mounted, ...]:

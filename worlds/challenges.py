@@ -257,7 +257,7 @@ class Challenge(Struct, frozen=True):
         return self.texts.get(language, self.texts[ENGLISH])
 
     def title_of(self, name: str, language: str) -> str:
-        """Of another challenge, which ships or is next to this one; its name if it can't be read."""
+        """The title of another challenge, shipped or next to this one; its name if it can't be read."""
         try:
             return (
                 find(name if name in names() else str(self.path.with_name(f"{name}{SUFFIX}")))

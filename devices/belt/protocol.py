@@ -71,7 +71,7 @@ def motor_cells(cells: bytes) -> tuple[int, ...]:
 
 
 MOTOR_PLACES = tuple(len(START) + cell for cell in motor_cells(bytes(range(CELLS))))
-"""Where the letter of each motor is in a frame, in the order of the levels; other programs number them so."""
+"""The index of each motor's letter in a frame. Clients of Player use it as the motor's number."""
 
 
 def contains_complaint(received: bytes | bytearray) -> bool:

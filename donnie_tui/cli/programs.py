@@ -299,7 +299,7 @@ class _Pupil(Struct, frozen=True):
 
     @property
     def label(self) -> str:
-        """What is printed of its name."""
+        """Its name as the table prints it."""
         return "/".join(filter(None, (Path(self.folder).name, Path(self.name).name)))
 
 

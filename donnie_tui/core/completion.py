@@ -31,9 +31,9 @@ _SIGNS = {
     "COLON": (":",),
     "SEMICOLON": (";",),
 }
-"""What continues a command and is no word."""
+"""Signs that continue a command, by their terminals."""
 _COUNTED = frozenset(KIND[each] for each in ("FW", "BW", "TR", "TL", "WAIT", "REPEAT", "COMPARATOR", "LSQB"))
-"""After what a number is likelier than a word."""
+"""Kinds of tokens after which a number is likelier than a word."""
 
 _FIRST = (
     *("FW", "TR", "TL", "BW", "SPEAK", "REPEAT", "IF", "VAR", "FOR", "WHILE", "PROCEDURE", "WAIT"),

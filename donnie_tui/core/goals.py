@@ -670,7 +670,7 @@ def bearing(x: float, y: float, to_x: float, to_y: float) -> float:
 
 
 def in_steps(steps: float) -> int:
-    """A distance as it is said: whole steps, and never none."""
+    """A distance for a sentence: whole steps, at least 1."""
     return max(1, round(steps))
 
 

@@ -205,7 +205,7 @@ class Series(Struct, frozen=True):
     kind: str
     """``distance``, ``speed`` or ``variable``."""
     spoken: str = ""
-    """What sentences call it, if not by its name."""
+    """Its name in sentences, if that is another one."""
     steps: int = 0
     """How far the robot walked between the first and the last reading."""
     jumps: tuple[int, ...] = ()

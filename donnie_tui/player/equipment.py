@@ -27,7 +27,7 @@ Datum = tuple[int, bytes]
 
 
 _FARTHEST = 1e6
-"""Metres, radians and their speeds; a number beyond is rubbish, as one is that isn't finite."""
+"""The largest number of metres, radians or their speeds that a command may have."""
 
 
 def _is_usable(value: float) -> bool:
@@ -110,7 +110,7 @@ class MountedDevice(Equipment):
         self.begin()
 
     def begin(self) -> None:
-        """As it is before any client has opened it."""
+        """Sets the state that it has before a client opens it."""
 
     def geometry(self) -> bytes | None:
         return self._ack(1, *self._place()) if self.interface == Interface.POSITION2D else None

@@ -55,7 +55,7 @@ SONARS, HEAD_SONAR = (Interface.RANGER, 0), (Interface.RANGER, 1)
 BUMPERS, CAMERA = (Interface.BUMPER, 0), (Interface.BLOBFINDER, 0)
 SPEECH = (Interface.SPEECH, 0)
 WANTED = (WHEELS, HEAD, SONARS, HEAD_SONAR, BUMPERS, CAMERA, SPEECH, (Interface.DIO, 0), (Interface.DIO, 1))
-"""What is opened of what the server has."""
+"""The devices that are opened if the server has them."""
 
 CONNECTING, ANSWERING = 2.0, 5.0
 """Seconds that the server may take to accept a connection, and to answer a request."""
@@ -65,7 +65,7 @@ AGAIN = 1.0
 """Seconds between two tries to connect again."""
 POLL = 0.1
 LEASE = 0.5
-"""Seconds for which a command drives it: a program that is paused gives no further one."""
+"""Seconds for which one command drives the robot. A paused program sends no further one."""
 
 Key = tuple[int, int]
 """The interface and the index of a device."""
@@ -106,7 +106,7 @@ class ServerLink:
         self._driven_until = inf
         self._read_at = 0.0
         self.permit = 0
-        """A halt makes another one; commands with an older one are not sent."""
+        """The number of the last halt. Commands that began before it are not sent."""
         self.epoch = 0
         """How often the server was lost."""
         self.is_there = False
@@ -149,7 +149,7 @@ class ServerLink:
         return WheelState(at, x, y, degrees(yaw), bool(stall), is_moving)
 
     def wait_for_data(self, after: float) -> WheelState | None:
-        """A state that is newer, once there is one; None if none comes within a tenth of a second."""
+        """Waits for a newer state; None if none comes within a tenth of a second."""
         with self._changed:
             self._changed.wait_for(lambda: self.wheels().time > after or not self.is_there, POLL)
         state = self.wheels()
@@ -161,7 +161,7 @@ class ServerLink:
         self._steer(permit, 1, ahead, 0.0, turn, 1)
 
     def turn_to(self, permit: int, state: WheelState, yaw: float) -> None:
-        """Where it is, to this heading."""
+        """Turns the robot to this heading, at its place."""
         self._steer(permit, 2, state.x, state.y, radians(normal(yaw)), 0.0, 0.0, 0.0, 1)
 
     def halt(self) -> None:
@@ -186,7 +186,7 @@ class ServerLink:
     # --- inside
 
     def _open(self) -> None:
-        """Connect, and open what is wanted of what is there."""
+        """Connects, and opens the devices of ``WANTED`` that the server has."""
         self._socket = socket.create_connection(self._address, CONNECTING)
         self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         banner = b""
@@ -231,7 +231,7 @@ class ServerLink:
             self._socket.sendall(message.encoded())
 
     def _pump(self, limit: float = inf) -> None:
-        """Take what came, for a tenth of a second at most. Raises ``OSError``."""
+        """Reads what has arrived; waits a tenth of a second at most. Raises ``OSError``."""
         connected = self._socket
         if self._closed.is_set() or connected is None:
             raise ConnectionAbortedError
@@ -249,7 +249,7 @@ class ServerLink:
             raise TimeoutError
 
     def _read(self) -> None:
-        """The thread: until it is closed, connected anew whenever the server was lost."""
+        """The reading thread: runs until ``close``, and connects again whenever the server is lost."""
         while not self._closed.is_set():
             try:
                 while True:
@@ -298,32 +298,32 @@ class ServerLink:
 
 
 def _met(end: StoppedBy | None, way: float) -> Met | None:
-    """It can't know what it met."""
+    """Stands for an obstacle: a robot at a server can't know what it met."""
     return Met("something", "", way) if end in (StoppedBy.OBSTACLE, StoppedBy.COLLISION) else None
 
 
 def _reason(problem: Exception) -> str:
-    """The system's own; empty where it is a matter of what was sent, or not."""
+    """The system's reason; empty if the server sent something wrong or nothing."""
     return getattr(problem, "strerror", None) or ""
 
 
 STANDING = 0.005
-"""Metres or radians a second: what is slower stands."""
+"""Metres or radians a second: a slower robot counts as standing."""
 FASTEST = STEP
 """Metres a second: a step a second, as the original."""
 GAIN, SLOWEST = 4.0, 0.006
 """The speed near the end, a second, of what is left; and the least of it, in metres a second."""
 NEAR_WAY, NEAR_TURN, NEAR_HEAD = 0.001, 0.5, 0.7
-"""Metres and degrees from the end that count as there."""
+"""Metres and degrees: a robot that is so near to its goal has reached it."""
 LARGEST_TURN = 170.0
 """Degrees of a turn to a pose: what is more could go either way round."""
 DEGREES_A_REPORT = 10
 NEXT_STEP, WATCHED = 1.8, 0.75
 """Steps that must be free to begin one, and beyond the one that is walked."""
 STUCK = 3.0
-"""Seconds without any movement that end one."""
+"""Seconds without progress after which a movement ends."""
 GAP = 1.0
-"""Seconds between two data after which the program was held meanwhile, and the robot stood."""
+"""Seconds between two data from which on the program was held meanwhile, and the robot stood."""
 FRAME = 1 / 20
 """Seconds between two poses for a moving picture."""
 VIEW, REACH = 60.0, 5.0
@@ -338,7 +338,7 @@ class PlayerRobot:
 
     name = "donnie"
     may_drive_on = has_run_away = False
-    """The server stops what no client has open."""
+    """The server stops a robot when its last client leaves."""
 
     def __init__(
         self, link: ServerLink, *, pace: Pace, watcher: Watcher | None = None, start: Pose | None = None
@@ -350,11 +350,11 @@ class PlayerRobot:
         """Degrees between its own counting and the world."""
         self._began = 0.0
         self._owed_way = self._owed_turn = 0.0
-        """Metres ahead and degrees to the right that the last movement lacked."""
+        """Metres ahead and degrees to the right by which the last movement was too short."""
         self._is_lost = False
         self._passing_at = 0.0
         self.leave: tuple[Callable[[], object], ...] = ()
-        """What ends with it."""
+        """Called when the robot is closed."""
 
     @property
     def port(self) -> str:
@@ -366,12 +366,12 @@ class PlayerRobot:
 
     @property
     def speed(self) -> float | None:
-        """The server has the only one."""
+        """Always 1: the server alone sets its pace."""
         return 1.0
 
     @speed.setter
     def speed(self, speed: float | None) -> None:
-        """Has no effect."""
+        """Does nothing: only the server can change its speed."""
 
     def connect(self) -> None:
         """Some seconds at most. Raises ``RobotProblem``."""
@@ -397,7 +397,7 @@ class PlayerRobot:
             pause.wait(0.02)
 
     def reset(self) -> None:
-        """It stays where it is; its time begins at 0."""
+        """Sets the time to 0. The robot stays at its place."""
         self._began = self._link.wheels().time
         self._owed_way = self._owed_turn = 0.0
         self._is_lost = False
@@ -507,7 +507,7 @@ class PlayerRobot:
         return TurnResult(degrees, sense * whole, end, self.pose(), _met(end, sense * 90.0))
 
     def _move(self, advance: Advance, permit: int) -> StoppedBy | None:
-        """Until ``advance`` says that it is over, or why; then the robot stands."""
+        """Calls ``advance`` with each datum until it ends the movement, then stops the robot."""
         try:
             return self._follow(advance, permit)
         finally:
@@ -570,7 +570,7 @@ class PlayerRobot:
         return self._link.wheels().time - self._began
 
     def pose(self) -> Pose:
-        """A robot that stands is taken to be where it should be: its next movement makes up for the rest."""
+        """Where the last movement should have ended: the next movement corrects the difference."""
         now, turned, start = self._link.wheels(), radians(self._turned_by), self._start
         yaw = now.yaw - self._owed_turn
         x, y = now.x + self._owed_way * cos(radians(yaw)), now.y + self._owed_way * sin(radians(yaw))

@@ -210,7 +210,7 @@ def read_robot(text: str) -> str:
 
 
 def is_far(robot: str) -> bool:
-    """Whether it has to be looked for, and may not answer."""
+    """Whether it is a real robot or a server, which must be searched for and may not answer."""
     return robot.startswith((SERIAL, PLAYER))
 
 

@@ -349,7 +349,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             self._driver.write(WIPE)
 
     def panic(self, *_renderables: object) -> None:
-        """A fault in a thread of Textual's, which counts as one here."""
+        """Ends the screen as after any other fault: one of Textual's threads has failed."""
         self._return_code = CRASHED
         self._fatal_error()
 
@@ -362,7 +362,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
 
 
 def _typed_again(message: Message | None) -> events.Event | None:
-    """A key or a paste as if it came just now; None for what is neither."""
+    """The same key or paste as a new event; None for any other message."""
     if isinstance(message, events.Key):
         return events.Key(message.key, message.character)
     return events.Paste(message.text) if isinstance(message, events.Paste) else None

@@ -72,11 +72,11 @@ class KeyQueue:
         return text
 
     def hold(self, *events: Event) -> None:
-        """Keep keys until the command before them is done."""
+        """Keeps keys until the command before them is done."""
         self._held.extend(events)
 
     def give_up(self) -> list[Event]:
-        """The keys that wait; they wait here no more."""
+        """Returns the waiting keys and forgets them."""
         held, self._held = [*self._held], deque()
         return held
 

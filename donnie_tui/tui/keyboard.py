@@ -84,7 +84,7 @@ class Keyboard:
         return self._queue.held_text
 
     def hold(self, typed: Iterable[events.Event]) -> None:
-        """Take these first, once there is something that keys are for."""
+        """Takes these keys before any others, once the session is loaded."""
         self._queue.hold(*typed)
 
     def give_up(self) -> list[events.Event]:
@@ -160,7 +160,7 @@ class Keyboard:
         self._queue.do(lambda: None)
 
     def when_taken(self, command: Callable[[], None], looks: int = LOOKS) -> None:
-        """Do it once what was typed has been taken, which has to be soon: some keys may never be."""
+        """Runs ``command`` once all keys were taken, or after ``looks`` looks: some keys may never be."""
         self._app.call_later(self._when_taken, command, looks)
 
     def _when_taken(self, command: Callable[[], None], looks: int) -> None:

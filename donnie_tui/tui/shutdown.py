@@ -134,7 +134,7 @@ class Shutdown:
             self._watchdog.answered.set()
 
     def leave(self, number: int) -> None:
-        """As that signal wants it. What was typed before may still be on its way to the program."""
+        """Leaves because of a signal, after the keys that were typed before it."""
         self._session.halt()
         self._session.keep_text()
         self._session.is_leaving = True

@@ -52,7 +52,7 @@ class SessionHandle:
         self.controller: ScreenController | None = None
         """None until it is loaded."""
         self.is_leaving = False
-        """After a signal: what was typed before is text, and no command any more."""
+        """Whether a signal came. From then on keys write text and run no command."""
 
     @property
     def runs(self) -> bool:

@@ -215,7 +215,7 @@ def choose_challenge(name: str, words: Words) -> Challenge:
 
 
 def _titled(title: str) -> Challenge | None:
-    """The one that ships with that title, in any language."""
+    """The shipped challenge with that title, in any language."""
     from donnie_tui.core.goals import folded
     from worlds.challenges import find, names
 

@@ -89,7 +89,7 @@ class FixedLine(Static):
 
 _CHART = re.compile(r" *-?\d* *\|")
 TYPED_MARK = "> "
-"""What a typed line begins with."""
+"""The beginning of each line that the learner typed."""
 
 
 class StatusLine(FixedLine):
@@ -304,7 +304,7 @@ class TextRows(PaintedRows, can_focus=True):
         self._has_kinds = follows
         """Whether there is a column for kinds, where it has room."""
         self._marked = ""
-        """What was searched last: the rows that had it then begin with ``*``."""
+        """The text of the last search. The rows that had it then begin with ``*``."""
         self._searched = self._marked_rows = 0
         """How many lines and rows there were then."""
         self.only = ""
@@ -576,7 +576,7 @@ class TextRows(PaintedRows, can_focus=True):
         return True
 
     def _is_found(self, text: str) -> bool:
-        """Whether it has what was searched; that it was typed is not worth a mark."""
+        """Whether the line has the searched text. A line that the learner typed is not marked."""
         return bool(self._marked) and self._marked in fold_name(text) and not text.startswith(TYPED_MARK)
 
     # --- painting
