@@ -11,15 +11,19 @@ from __future__ import annotations
 
 import multiprocessing
 import statistics
+import sys
 import time
 from collections.abc import Callable
 from multiprocessing.connection import Connection
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from devices.board_simulator.board import SimulatedBoard
-from devices.board_simulator.pty import PtyBoard
 from devices.serial_robot.link import SerialLink
 from devices.wire.commands import STOP, MotorDrive
 from devices.wire.reports import Decoder
+from tests.board_on_pty import PtyBoard
 
 FAR = 1e9
 SECONDS = 5.0

@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
 from msgspec import Struct
 
 from devices.ports.robot import RobotProblem
-from devices.serial_ports.port import is_named
+from devices.serial_ports import is_named
 
 if TYPE_CHECKING:
     import numpy as np

@@ -19,9 +19,9 @@ from typing import Protocol
 
 from msgspec import Struct
 
-from devices.belt.protocol import BAUD as BELT_BAUD
-from devices.belt.protocol import RESYNC, contains_complaint
-from devices.serial_ports.port import GONE, PortFault, PortProblem, SerialPort, reason_of
+from devices.belt import BAUD as BELT_BAUD
+from devices.belt import RESYNC, contains_complaint
+from devices.serial_ports import GONE, PortFault, PortProblem, SerialPort, reason_of
 from devices.wire.commands import BAUD as ROBOT_BAUD
 from devices.wire.commands import CONFIGURE, FILLER, STOP
 from devices.wire.reports import ConfigWanted, Decoder, Encoders, Power, Report

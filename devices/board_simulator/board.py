@@ -16,7 +16,7 @@ from typing import Any
 
 from msgspec import Struct
 
-from devices.belt.protocol import CELLS, COMPLAINTS, DARK, START, motor_cells
+from devices.belt import CELLS, COMPLAINTS, DARK, START, motor_cells
 from devices.board_simulator.floor import (
     CHASSIS_2018,
     AxlePose,

@@ -14,6 +14,7 @@ from threading import Event
 from time import monotonic
 from typing import Any
 
+from devices.board_reset import GpioReset, reset_of
 from devices.port_exchange import (
     RETURNS,
     TRIES,
@@ -24,9 +25,7 @@ from devices.port_exchange import (
     halt_when_back,
     identify,
 )
-from devices.serial_ports.listing import FoundPort, list_ports
-from devices.serial_ports.port import PortProblem
-from devices.serial_ports.reset import GpioReset, reset_of
+from devices.serial_ports import FoundPort, PortProblem, list_ports
 from devices.wire.link_state import LinkConfig
 from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.streams import Input

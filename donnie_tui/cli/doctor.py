@@ -36,7 +36,7 @@ from language import keywords
 from language.locales import languages
 
 if TYPE_CHECKING:
-    from devices.serial_ports.listing import FoundPort
+    from devices.serial_ports import FoundPort
 
 
 PACKAGES = (
@@ -232,8 +232,7 @@ def look_at_own_sounds(folder: Path) -> Iterator[Finding]:
 
 def look_at_ports(found: Callable[[], tuple[FoundPort, ...]] | None = None) -> Iterator[Finding]:
     """Which ports are plugged in and whether we may use them; ``donnie devices`` identifies the devices."""
-    from devices.serial_ports.listing import list_ports
-    from devices.serial_ports.port import group_of
+    from devices.serial_ports import group_of, list_ports
 
     ports = (found or list_ports)()
     for port in ports:
@@ -251,8 +250,7 @@ def look_at_chosen_ports(
     settings: Settings, found: Callable[[], tuple[FoundPort, ...]] | None = None
 ) -> Iterator[Finding]:
     """Whether there is something where the robot and the belt are said to be; not of ports with addresses."""
-    from devices.serial_ports.listing import list_ports
-    from devices.serial_ports.port import is_named, is_same_port
+    from devices.serial_ports import is_named, is_same_port, list_ports
 
     kind, _, port = settings.robot.partition(":")
     chosen = {"robot": port if kind == "serial" else "", "belt": settings.belt or ""}
@@ -265,7 +263,7 @@ def look_at_chosen_ports(
 
 def look_at_reset(settings: Settings, reset: Callable[[str, str], object] | None = None) -> Iterator[Finding]:
     """Whether the pin that restarts the robot's board can be driven, where a pin does that."""
-    from devices.serial_ports.reset import GpioReset, reset_of
+    from devices.board_reset import GpioReset, reset_of
 
     kind, _, port = settings.robot.partition(":")
     line = (reset or reset_of)(settings.reset_line, port) if kind == "serial" else None

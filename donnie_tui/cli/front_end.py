@@ -262,7 +262,7 @@ def _confine_pages() -> None:
     """
     here = confinement()
     if here is not None:
-        from devices.serial_ports.port import named_ports
+        from devices.serial_ports import named_ports
 
         os.environ[CONFINED.variable] = here.folder
         if ports := named_ports():

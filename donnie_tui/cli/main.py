@@ -126,7 +126,7 @@ def _limit(invocation: Invocation, words: Words, start: _Start) -> _OwnSettings:
     """
     limits = limits_of(start.machine, os.environ, start.account, invocation.options)
     if limits.devices is not None:
-        from devices.serial_ports.port import allow_only
+        from devices.serial_ports import allow_only
 
         allow_only(limits.devices)
     if limits.folder is None:
@@ -173,7 +173,7 @@ def _lift_limits() -> None:
     """A process of its own has none yet; several commands may run in one process, one after the other."""
     confine(None)
     keep_in(None)
-    port = sys.modules.get("devices.serial_ports.port")
+    port = sys.modules.get("devices.serial_ports")
     if port is not None:
         port.allow_only(None)
 

@@ -20,7 +20,7 @@ from donnie_tui.settings.parsing import SERIAL
 from donnie_tui.settings.settings import Settings
 
 if TYPE_CHECKING:
-    from devices.belt.serial_belt import BeltNotice
+    from devices.belt import BeltNotice
 
 
 class ChosenBelt:
@@ -85,7 +85,7 @@ def belt_settings(settings: Settings) -> BeltSettings:
 
 def refuse_shared_port(settings: Settings, words: Words) -> None:
     """Robot and belt can't have the same port. Raises ``Unusable``."""
-    from devices.serial_ports.port import is_same_port
+    from devices.serial_ports import is_same_port
 
     kind, _, port = settings.robot.partition(":")
     if kind == SERIAL and port and settings.belt and is_same_port(port, settings.belt):
@@ -125,9 +125,8 @@ def connect_belt(
     if settings.belt is None:
         return tuple
     refuse_shared_port(settings, words)
-    from devices.belt.serial_belt import BeltNotice, SerialBelt, open_belt_port
-    from devices.serial_ports.listing import SameBoard, stable_name
-    from devices.serial_ports.port import PortProblem
+    from devices.belt import BeltNotice, SerialBelt, open_belt_port
+    from devices.serial_ports import PortProblem, SameBoard, stable_name
 
     news = _News(settings.belt, team, words)
     try:

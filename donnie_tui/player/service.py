@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from devices.belt.protocol import MOTOR_PLACES
+from devices.belt import MOTOR_PLACES
 from devices.ports.audio import CUES
 from devices.ports.robot import GripResult, Pose
 from donnie_tui import __version__

@@ -153,7 +153,7 @@ class Connection:
 
     def options(self) -> tuple[RobotOption, ...]:
         """The robots that a learner may choose among."""
-        from devices.serial_ports.listing import list_ports
+        from devices.serial_ports import list_ports
         from donnie_tui.robot.search import robot_options
 
         return robot_options(self._settings, self._words, self._found or list_ports)
@@ -242,12 +242,12 @@ class Connection:
         if robot == DOUBLE:
             return self._make_double, DOUBLE
         if robot.startswith(PLAYER):
-            from devices.serial_ports.port import PortFault, is_named
+            from devices.serial_ports import PortFault, is_named
 
             if not is_named(robot.replace(PLAYER, "socket", 1)):
                 raise RobotProblem(PortFault.NOT_NAMED.value, port=robot)
             return lambda pace, watcher: self._make_player(robot, pace, watcher), robot
-        from devices.serial_ports.listing import list_ports, stable_name
+        from devices.serial_ports import list_ports, stable_name
         from donnie_tui.robot.search import find_port
 
         settings = replace(self._settings, robot=robot)
@@ -366,8 +366,8 @@ def _serial_robot(
     on_notice: Callable[[LinkNotice, str], None] | None = None,
     on_slow: Callable[[], object] | None = None,
 ) -> SerialRobot:
-    from devices.serial_ports.listing import SameBoard
-    from devices.serial_ports.reset import reset_of
+    from devices.board_reset import reset_of
+    from devices.serial_ports import SameBoard
     from devices.serial_robot.link import SerialLink, open_board_port
     from devices.serial_robot.robot import SerialRobot
     from devices.wire.link_state import LinkConfig

@@ -18,7 +18,7 @@ from typing import Any, TypeAlias
 
 from msgspec import Struct
 
-from devices.belt.protocol import LETTERS, MOTOR_PLACES
+from devices.belt import LETTERS, MOTOR_PLACES
 from devices.player.codec import (
     BANNER_SIZE,
     LONGEST_REPLY,

@@ -13,8 +13,15 @@ from typing import Protocol
 from msgspec import Struct
 
 from devices.ports.robot import RobotProblem
-from devices.serial_ports.listing import FoundPort, list_ports
-from devices.serial_ports.port import PortFault, PortProblem, group_of, is_named, is_same_port
+from devices.serial_ports import (
+    FoundPort,
+    PortFault,
+    PortProblem,
+    group_of,
+    is_named,
+    is_same_port,
+    list_ports,
+)
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.settings.parsing import (
     DOUBLE,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from random import Random
 
-from devices.belt.protocol import HOLD, LETTERS, MOTORS, OFF, BeltSender
+from devices.belt import HOLD, LETTERS, MOTORS, OFF, BeltSender
 from devices.board_simulator.board import SimulatedBelt
 
 STEP = 0.01

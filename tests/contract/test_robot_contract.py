@@ -23,7 +23,6 @@ import pytest
 
 from devices.board_simulator.board import SimulatedBoard
 from devices.board_simulator.floor import BumperSwitch, WalledFloor
-from devices.board_simulator.pty import PtyBoard
 from devices.ports.robot import Bearing, Motion, Pose, Robot, RobotProblem, StoppedBy
 from devices.serial_robot.config import RobotConfig
 from devices.serial_robot.link import SerialLink
@@ -31,6 +30,7 @@ from devices.serial_robot.robot import SerialRobot
 from devices.wire.link_state import LinkConfig
 from donnie_tui.robot.player_robot import PlayerRobot, ServerLink
 from sim.world import World
+from tests.board_on_pty import PtyBoard
 from tests.player.room import HOST, ServedRoom
 from tests.unit.devices.robots import Real, Sonars, wall_ahead
 from tests.unit.sim.floors import IDEAL, scene

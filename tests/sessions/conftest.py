@@ -12,14 +12,14 @@ from devices.board_simulator.board import SimulatedBoard
 from tests.sessions.here import Here
 
 if TYPE_CHECKING:
-    from devices.board_simulator.pty import PtyBoard
+    from tests.board_on_pty import PtyBoard
     from tests.sessions.learner import Learner
 
 
 @pytest.fixture
 def robot() -> Iterator[PtyBoard]:
     """A simulated board at the other end of a line; not every system has such lines."""
-    from devices.board_simulator.pty import PtyBoard
+    from tests.board_on_pty import PtyBoard
 
     with PtyBoard(SimulatedBoard(boot_loader=0.1)) as double:
         yield double

@@ -7,9 +7,9 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-from devices.board_simulator.pty import PtyBoard
 from donnie_tui.bootstrap import Donnie, assemble
 from donnie_tui.settings.settings import Settings
+from tests.board_on_pty import PtyBoard
 from tests.timeouts import TIMEOUT
 
 LONG_WALK = "FW 100\n"

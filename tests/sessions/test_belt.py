@@ -11,10 +11,10 @@ from pathlib import Path
 import pytest
 
 from devices.board_simulator.board import SimulatedBelt
-from devices.board_simulator.pty import PtyBoard
-from devices.serial_ports.port import PortFault, PortProblem
+from devices.serial_ports import PortFault, PortProblem
 from donnie_tui.bootstrap import assemble
 from donnie_tui.settings.settings import Settings
+from tests.board_on_pty import PtyBoard
 from tests.sessions.command import QUIET, donnie, start
 from tests.sessions.real_robot import program, serial, until
 from tests.sessions.test_double import world as near_world
@@ -43,7 +43,7 @@ def test_the_start_does_not_wait_for_a_belt_at_an_address_and_reports_a_missing_
         assert answers.wait(TIMEOUT)
         raise PortProblem(port, PortFault.UNUSABLE, "timed out")
 
-    monkeypatch.setattr("devices.belt.serial_belt.open_belt_port", no_answer)
+    monkeypatch.setattr("devices.belt.open_belt_port", no_answer)
     donnie = assemble(Settings(belt="socket://far:1", speech="off", sound=False), terminal=True)
     donnie.session.hub.subscribe(lambda stamped: said.append(getattr(stamped.event, "text", "")))
     answers.set()

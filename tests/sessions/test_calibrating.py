@@ -14,7 +14,6 @@ from typing import Any
 import pytest
 
 from devices.board_simulator.board import SimulatedBoard
-from devices.board_simulator.pty import PtyBoard
 from devices.board_simulator.robot import SimulatedSerialRobot
 from devices.ports.robot import Pace
 from donnie_tui.cli.calibrate import calibrate
@@ -23,6 +22,7 @@ from donnie_tui.cli.streams import Output
 from donnie_tui.i18n.words import Words
 from donnie_tui.robot.connection import robot_config
 from donnie_tui.settings.settings import Settings
+from tests.board_on_pty import PtyBoard
 from tests.sessions.command import COMMAND, donnie, environment
 from tests.sessions.real_robot import is_suspended, serial, until
 from tests.timeouts import TIMEOUT

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from devices.serial_ports.port import allow_only
+from devices.serial_ports import allow_only
 from donnie_tui.cli import front_end
 from donnie_tui.cli.main import main
 from donnie_tui.process.confinement import Confinement, confine

@@ -9,7 +9,6 @@ from pathlib import Path
 
 import pytest
 
-from devices.board_simulator.pty import PtyBoard
 from devices.ports.robot import Pose
 from donnie_tui.bootstrap import assemble
 from donnie_tui.core.events import Link, Moved, RunEnded, Stamped
@@ -17,6 +16,7 @@ from donnie_tui.core.session import RunOptions
 from donnie_tui.robot.connection import Connection
 from donnie_tui.robot.search import Search, Searchable
 from donnie_tui.settings.settings import Settings
+from tests.board_on_pty import PtyBoard
 from tests.sessions.command import QUIET, donnie, start
 from tests.sessions.learner import Learner
 from tests.sessions.real_robot import LONG_WALK, assembled, program, serial, until

@@ -13,9 +13,9 @@ from pathlib import Path
 import pexpect
 import pytest
 
-from devices.board_simulator.pty import PtyBoard
 from donnie_tui.process import signals
 from donnie_tui.tui import shutdown
+from tests.board_on_pty import PtyBoard
 from tests.sessions.command import QUIET, donnie, environment
 from tests.sessions.hanging import HANG, HANGING
 from tests.sessions.real_robot import LONG_WALK, program, serial, until

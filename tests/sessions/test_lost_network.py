@@ -7,11 +7,11 @@ from pathlib import Path
 
 import pytest
 
-from devices.board_simulator.pty import PtyBoard
 from donnie_tui.core.events import Announced, Stamped
 from donnie_tui.core.session import RunOptions
 from donnie_tui.process import disconnection
 from donnie_tui.process.disconnection import attempts, ssh_connections_of
+from tests.board_on_pty import PtyBoard
 from tests.sessions.real_robot import assembled, until
 
 BY_SSH = {"SSH_CONNECTION": "10.77.0.2 42475 10.77.0.1 40223"}

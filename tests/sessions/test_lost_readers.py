@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from devices.board_simulator.pty import PtyBoard
+from tests.board_on_pty import PtyBoard
 from tests.sessions.command import COMMAND, QUIET, environment, start
 from tests.sessions.real_robot import LONG_WALK, program, serial, until
 from tests.timeouts import TIMEOUT

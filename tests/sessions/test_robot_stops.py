@@ -11,10 +11,10 @@ from pathlib import Path
 import pexpect
 import pytest
 
-from devices.board_simulator.pty import PtyBoard
 from devices.wire.commands import CONFIGURE, STOP
 from donnie_tui.core.events import CueSounded, Outcome, Stamped
 from donnie_tui.core.session import RunOptions
+from tests.board_on_pty import PtyBoard
 from tests.sessions.command import COMMAND, QUIET, donnie, environment, start
 from tests.sessions.learner import CTRL_C, CTRL_Z, Learner
 from tests.sessions.real_robot import LONG_WALK, assembled, half_a_frame, is_suspended, program, serial, until

@@ -14,8 +14,8 @@ from pathlib import Path
 import pexpect
 import pytest
 
-from devices.board_simulator.pty import PtyBoard
 from devices.wire.commands import CONFIGURE, STOP
+from tests.board_on_pty import PtyBoard
 from tests.sessions.command import COMMAND, QUIET, environment
 from tests.sessions.learner import Learner
 from tests.sessions.real_robot import half_a_frame, program, serial, until

@@ -10,7 +10,7 @@ from pathlib import Path
 import pexpect
 import pytest
 
-from devices.board_simulator.pty import PtyBoard
+from tests.board_on_pty import PtyBoard
 from tests.sessions.command import COMMAND, QUIET, donnie, environment, start
 from tests.sessions.learner import Learner
 from tests.sessions.real_robot import LONG_WALK, program, serial, until

@@ -13,8 +13,8 @@ from pathlib import Path
 import pexpect
 import pytest
 
-from devices.board_simulator.pty import PtyBoard
 from devices.wire.commands import STOP
+from tests.board_on_pty import PtyBoard
 from tests.sessions.real_robot import LONG_WALK, program, serial, until
 from tests.sessions.ssh_line import MISSING, SshLine
 from tests.timeouts import TIMEOUT

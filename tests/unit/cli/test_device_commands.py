@@ -10,11 +10,10 @@ from pathlib import Path
 
 import pytest
 
+from devices.board_reset import GpioReset
 from devices.port_exchange import DeviceKind, HaltOutcome, IdentifiedDevice
 from devices.ports.robot import Bearing
-from devices.serial_ports.listing import FoundPort
-from devices.serial_ports.port import PortFault, PortProblem
-from devices.serial_ports.reset import GpioReset
+from devices.serial_ports import FoundPort, PortFault, PortProblem
 from donnie_tui.cli.devices import list_devices, stop
 from donnie_tui.cli.options import Invocation, Order
 from donnie_tui.cli.streams import Output

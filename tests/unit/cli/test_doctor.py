@@ -10,13 +10,13 @@ from pathlib import Path
 
 import pytest
 
+import devices.serial_ports
 from devices.audio import service
 from devices.audio.channel import SpeakPlace, SpeechOption, choose_channel
 from devices.audio.players import NO_DEVICE
 from devices.audio.service import AudioService
-from devices.serial_ports import port as serial_port
-from devices.serial_ports.listing import FoundPort
-from devices.serial_ports.reset import GpioReset, PinFault
+from devices.board_reset import GpioReset, PinFault
+from devices.serial_ports import FoundPort
 from donnie_tui.cli import doctor
 from donnie_tui.cli.doctor import (
     Finding,
@@ -125,7 +125,7 @@ def test_a_forbidden_port_is_reported_with_the_group_or_the_person_to_ask(
     monkeypatch: pytest.MonkeyPatch, group: str | None
 ) -> None:
     monkeypatch.setattr(os, "access", lambda *_: False)
-    monkeypatch.setattr(serial_port, "group_of", lambda _: group)
+    monkeypatch.setattr(devices.serial_ports, "group_of", lambda _: group)
     (finding,) = look_at_ports(lambda: (FoundPort("/dev/ttyS0", "/dev/ttyS0", True),))
     assert not finding.is_well
     remedy = Words()(f"{finding.code}-remedy", **finding.values)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from devices.belt.protocol import BAUD
+from devices.belt import BAUD
 from devices.board_simulator.board import SimulatedBelt, SimulatedBoard
 from devices.port_exchange import READ_TIMEOUT
 from devices.wire.commands import CONFIGURE

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from devices.belt.protocol import encode_frame
+from devices.belt import encode_frame
 from devices.board_simulator.board import SimulatedBelt
 
 ONE = encode_frame((0, 0, 0, 3) + (0,) * 10)

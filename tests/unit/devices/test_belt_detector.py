@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from devices.belt.protocol import ASKED_AGAIN, GIVEN_UP, RESYNC, BeltCheck, BeltDetector
+from devices.belt import ASKED_AGAIN, GIVEN_UP, RESYNC, BeltCheck, BeltDetector
 from devices.board_simulator.board import SimulatedBelt
 
 SOON = 0.1

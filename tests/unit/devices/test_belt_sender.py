@@ -6,7 +6,7 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from devices.belt.protocol import AFTER_RESYNC, HOLD, MOTORS, OFF, PERIOD, RESYNC, BeltSender, encode_frame
+from devices.belt import AFTER_RESYNC, HOLD, MOTORS, OFF, PERIOD, RESYNC, BeltSender, encode_frame
 from devices.board_simulator.board import SimulatedBelt
 
 DARK = encode_frame(OFF)

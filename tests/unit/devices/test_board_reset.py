@@ -17,8 +17,7 @@ from typing import Self
 
 import pytest
 
-from devices.serial_ports.port import SerialPort
-from devices.serial_ports.reset import (
+from devices.board_reset import (
     DTR_PULSE,
     PIN_PULSE,
     PIN_RISES,
@@ -28,6 +27,7 @@ from devices.serial_ports.reset import (
     PinFault,
     reset_of,
 )
+from devices.serial_ports import SerialPort
 
 
 class Value(Enum):

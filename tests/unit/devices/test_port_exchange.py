@@ -15,7 +15,7 @@ from devices.port_exchange import (
     halt_when_back,
     identify,
 )
-from devices.serial_ports.port import PortFault, PortProblem
+from devices.serial_ports import PortFault, PortProblem
 from devices.wire.commands import FILLER, STOP, MotorDrive, drive_frame
 from tests.unit.devices.board_ports import BeltOnly, BoardPort, opener, running
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from devices.serial_ports.listing import FoundPort, list_ports, stable_name
+from devices.serial_ports import FoundPort, list_ports, stable_name
 
 
 @dataclass

@@ -10,12 +10,11 @@ from collections.abc import Iterator
 import pytest
 
 from devices.board_simulator.board import SimulatedBoard
-from devices.board_simulator.pty import PtyBoard
 from devices.ports.robot import LinkNotice
-from devices.serial_ports.listing import SameBoard
-from devices.serial_ports.port import PortFault, PortProblem
+from devices.serial_ports import PortFault, PortProblem, SameBoard
 from devices.serial_robot.link import SerialLink, open_board_port
 from devices.wire.link_state import LinkConfig
+from tests.board_on_pty import PtyBoard
 from tests.timeouts import TIMEOUT
 from tests.unit.devices.test_port_listing import Plugged
 

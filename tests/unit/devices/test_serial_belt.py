@@ -11,17 +11,16 @@ from time import monotonic
 
 import pytest
 
-from devices.belt.protocol import MOTORS, OFF, RESYNC, encode_frame
-from devices.belt.serial_belt import BeltNotice, SerialBelt
+from devices.belt import MOTORS, OFF, RESYNC, BeltNotice, SerialBelt, encode_frame
 from devices.board_simulator.board import SimulatedBelt
-from devices.serial_ports.port import PortFault, PortProblem
+from devices.serial_ports import PortFault, PortProblem
 from tests.timeouts import TIMEOUT
 
 
 @pytest.fixture(autouse=True)
 def _no_belt_is_reported_missing(monkeypatch: pytest.MonkeyPatch) -> None:
     """These ports answer nothing, and a test may take its time on a busy machine."""
-    monkeypatch.setattr("devices.belt.protocol.ASKED_AGAIN", 1e9)
+    monkeypatch.setattr("devices.belt.ASKED_AGAIN", 1e9)
 
 
 FRONT = (0, 0, 0, 3, 0, 0, 0) * 2
@@ -155,7 +154,7 @@ def test_the_last_pulse_is_felt_before_the_port_is_closed(belt: SerialBelt, port
 def test_a_lost_belt_is_reported_once_and_once_when_it_is_back(
     port: FakePort, notices: Notices, fault: Exception, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("devices.belt.serial_belt.RETRY", 0.001)
+    monkeypatch.setattr("devices.belt.RETRY", 0.001)
     ports, is_back = [port], threading.Event()
 
     def open_port(address: str) -> FakePort:
@@ -193,7 +192,7 @@ def test_a_board_that_answers_late_gets_one_resync_and_then_frames(notices: Noti
 def test_an_idle_belt_that_is_unplugged_is_reported_and_found_again(
     port: FakePort, notices: Notices, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("devices.belt.serial_belt.RETRY", 0.001)
+    monkeypatch.setattr("devices.belt.RETRY", 0.001)
     ports = [FakePort(), port]
     belt = SerialBelt("nowhere", notices, lambda _: ports.pop())
     assert port.wait_for(lambda: port.written == [RESYNC])
@@ -207,7 +206,7 @@ def test_an_idle_belt_that_is_unplugged_is_reported_and_found_again(
 def test_a_listener_that_hangs_does_not_hold_up_the_belt(
     port: FakePort, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("devices.belt.serial_belt.RETRY", 0.001)
+    monkeypatch.setattr("devices.belt.RETRY", 0.001)
     may_return, second = threading.Event(), FakePort()
     ports = [second, port]
     belt = SerialBelt("nowhere", lambda *notice: may_return.wait() and None, lambda _: ports.pop())
@@ -330,8 +329,8 @@ def test_a_real_port_carries_frames_to_a_board(notices: Notices) -> None:
 def test_a_port_on_which_no_belt_answers_is_reported(
     monkeypatch: pytest.MonkeyPatch, notices: Notices
 ) -> None:
-    monkeypatch.setattr("devices.belt.protocol.ASKED_AGAIN", 0.0)
-    monkeypatch.setattr("devices.belt.protocol.GIVEN_UP", 0.0)
+    monkeypatch.setattr("devices.belt.ASKED_AGAIN", 0.0)
+    monkeypatch.setattr("devices.belt.GIVEN_UP", 0.0)
     belt = SerialBelt("belt", notices, lambda _: FakePort())
     try:
         assert notices.wait_for(BeltNotice.UNANSWERED)

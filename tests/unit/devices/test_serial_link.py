@@ -12,17 +12,17 @@ from collections.abc import Callable, Iterator
 
 import pytest
 
+import devices.serial_ports
+from devices.board_reset import Pause
 from devices.board_simulator.board import SimulatedBoard
-from devices.board_simulator.pty import PtyBoard
 from devices.ports.robot import LinkNotice, RobotProblem, StoppedBy
-from devices.serial_ports import port
-from devices.serial_ports.port import SerialPort
-from devices.serial_ports.reset import Pause
+from devices.serial_ports import SerialPort
 from devices.serial_robot.config import RobotConfig
 from devices.serial_robot.link import SerialLink, open_board_port
 from devices.serial_robot.robot import SerialRobot
 from devices.wire.commands import BAUD, PING, STOP, MotorDrive, head_frame
 from devices.wire.link_state import LinkConfig, LinkState
+from tests.board_on_pty import PtyBoard
 from tests.timeouts import TIMEOUT
 
 FAR = 1e9
@@ -40,7 +40,7 @@ def started() -> SimulatedBoard:
 
 @pytest.fixture(autouse=True)
 def _loops(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(port, "OTHER_SCHEMES", ("loop",))
+    monkeypatch.setattr(devices.serial_ports, "OTHER_SCHEMES", ("loop",))
 
 
 @pytest.fixture

@@ -12,11 +12,11 @@ from collections.abc import Iterator
 
 import pytest
 
-from devices.board_simulator.pty import PtyBoard
 from devices.ports.robot import LinkNotice
 from devices.serial_robot.link import SerialLink, open_board_port
 from devices.wire.commands import STOP, MotorDrive, drive_frame
 from devices.wire.link_state import LinkConfig, LinkState
+from tests.board_on_pty import PtyBoard
 from tests.conftest import ROOT
 from tests.timeouts import TIMEOUT
 from tests.unit.devices.test_serial_link import FAR, HALF_A_FRAME, Notices, has_driven, started, until

@@ -14,7 +14,7 @@ import pytest
 import serial
 
 from devices.port_exchange import identify
-from devices.serial_ports.port import (
+from devices.serial_ports import (
     GONE,
     PortFault,
     PortProblem,

@@ -1,7 +1,6 @@
 """Restarts a robot's board by force, its motors off: by the port's DTR wire or a pin of a Raspberry Pi.
 
-Rule: a pin that can't be driven is logged once, and never makes the caller fail.
-"""
+Rule: a pin that can't be driven is logged once, and never makes the caller fail."""
 
 from __future__ import annotations
 
@@ -14,7 +13,7 @@ from fnmatch import fnmatch
 from pathlib import Path
 from typing import Any, Protocol
 
-from devices.serial_ports.port import GONE, SerialPort
+from devices.serial_ports import GONE, SerialPort
 
 AUTOMATIC, DTR, NONE, GPIO = "auto", "dtr", "none", "gpio"
 """What the setting may say; a pin is ``gpio:22``."""

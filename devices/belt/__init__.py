@@ -1,1 +1,0 @@
-"""The vibration belt on its serial connection."""

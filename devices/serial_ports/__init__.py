@@ -1,1 +1,0 @@
-"""Serial ports: opening, classifying faults, listing, and resetting the board behind one."""
