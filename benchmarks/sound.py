@@ -23,7 +23,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from devices.audio.cues import SAMPLE_RATE
-from devices.audio.messages import (
+from devices.audio.process import (
     Say,
     Silenced,
     SpeechFinished,
@@ -33,8 +33,8 @@ from devices.audio.messages import (
     to_line,
 )
 from devices.audio.service import AudioService, AudioSettings
+from devices.audio.supervisor import WorkerState
 from devices.audio.worker import AudioWorker
-from devices.audio.worker_state import WorkerState
 from devices.ports.audio import Cue, Urgency, Utterance
 
 SENTENCES, SILENCES, CUES, UTTERANCES = 30, 30, 100, 1000

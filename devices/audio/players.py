@@ -25,9 +25,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
 
-from devices.audio.cue_queue import MOST_SIMULTANEOUS, NEVER_DROPPED
 from devices.audio.cues import SAMPLE_RATE
-from devices.audio.mixer import Mixer, in_stereo
+from devices.audio.mixer import MOST_SIMULTANEOUS, NEVER_DROPPED, Mixer, in_stereo
 from devices.audio.process import CAN_DIE_WITH_PARENT, die_with_parent
 
 AUTO_DEVICE = "auto"

@@ -19,12 +19,18 @@ from typing import assert_never
 
 from msgspec import Struct, field
 
-from devices.audio.messages import AudioResponse
 from devices.audio.players import AUTO_DEVICE
-from devices.audio.process import WorkerProcess
+from devices.audio.process import AudioResponse, WorkerProcess
 from devices.audio.pronunciation import ENGLISH_ONLY, SpokenLanguage
-from devices.audio.supervisor import KillWorker, Notify, SendRequest, StartWorker, Step, WorkerSupervisor
-from devices.audio.worker_state import WorkerState
+from devices.audio.supervisor import (
+    KillWorker,
+    Notify,
+    SendRequest,
+    StartWorker,
+    Step,
+    WorkerState,
+    WorkerSupervisor,
+)
 from devices.ports.audio import (
     AudioNotice,
     Cue,

@@ -21,7 +21,7 @@ from devices.audio import ssip
 from devices.audio.pronunciation import ENGLISH_ONLY, SpokenLanguage, sign_words, speakable_text
 from devices.audio.speech_queue import QueueResult, SpeechQueue, interrupts
 from devices.audio.ssip import SsipAddress, SsipEvent, SsipEventKind, SsipProtocolError, SsipReply
-from devices.audio.worker_state import FailureCounter
+from devices.audio.supervisor import FailureCounter
 from devices.ports.audio import AudioNotice, NoticeCode, Utterance, VoiceSettings
 
 REPLY_SECONDS = 3.0

@@ -20,7 +20,9 @@ from pathlib import Path
 from typing import BinaryIO
 
 from devices.audio.cues import CUE_NAMES, SAMPLE_RATE, UserSounds, load_user_sounds, render_cue
-from devices.audio.messages import (
+from devices.audio.players import Player, open_player
+from devices.audio.process import (
+    CAN_DIE_WITH_PARENT,
     AudioResponse,
     Ping,
     PlayCue,
@@ -33,11 +35,10 @@ from devices.audio.messages import (
     SpeechRefused,
     SpeechStarted,
     VoiceReady,
+    die_with_parent,
     request_from,
     to_line,
 )
-from devices.audio.players import Player, open_player
-from devices.audio.process import CAN_DIE_WITH_PARENT, die_with_parent
 from devices.audio.renderer import NoVoice, Renderer
 from devices.ports.audio import Cue, VoiceSettings
 

@@ -1,7 +1,8 @@
 """The commands of GoDonnie that a robot carries out.
 
 ``RobotActions`` asks the robot and publishes what happened, no more. ``Announcer`` decides which sentences
-and cues follow.
+and cues follow. ``LoopHints`` notices loops that get nowhere: walks that can't begin, and a wait for a wall
+that isn't there. It gives each hint once a run.
 """
 
 from __future__ import annotations
@@ -29,7 +30,6 @@ from donnie_tui.core.events import (
     Waited,
 )
 from donnie_tui.core.hub import Hub
-from donnie_tui.core.loop_hints import LoopHints
 from donnie_tui.core.outlets import SpeechWait
 from donnie_tui.core.transcript import History, SentencePublisher
 from donnie_tui.core.wording import compass_heading, whole_steps
@@ -415,3 +415,54 @@ def _to_five(degrees: float) -> int:
     """The nearest multiple of five; halves round away from straight ahead."""
     fives = int(abs(degrees) / 5 + 0.5)
     return 5 * fives if degrees > 0 else -5 * fives
+
+
+HINT_AFTER_WALKS = 3
+"""Walks of 0 steps by one command, without another walk between them."""
+HINT_AFTER_READINGS = 200
+"""Readings of one distance."""
+
+
+class _Simulated(Protocol):
+    """A robot that knows its world."""
+
+    @property
+    def is_in_the_open(self) -> bool:
+        """Whether its world has nothing that a distance sensor could ever find."""
+
+
+def _knows_its_world(robot: object) -> TypeGuard[_Simulated]:
+    return hasattr(robot, "is_in_the_open")
+
+
+class LoopHints:
+    """Counts one robot's walks and readings in a run."""
+
+    def __init__(self, robot: Robot, sentences: SentencePublisher) -> None:
+        self._robot = robot
+        self._sentences = sentences
+        self._command = ""
+        self.begin_run()
+
+    def begin_run(self) -> None:
+        self._walks = 0
+        self._readings: dict[Bearing, int] = {}
+
+    def walked(self, moved: Moved) -> None:
+        is_blocked = moved.asked > 0 and moved.walked == 0
+        if not is_blocked or moved.command != self._command:
+            self._walks = 0
+        self._walks += is_blocked
+        self._command = moved.command
+        if self._walks == HINT_AFTER_WALKS:
+            ahead = Bearing.FRONT if moved.forward else Bearing.BACK
+            steps = self._robot.known_distances().get(ahead)
+            if steps is not None:
+                self._sentences.announce("hint", "hint-no-nearer", steps=steps)
+
+    def read(self, bearing: Bearing) -> None:
+        self._readings[bearing] = self._readings.get(bearing, 0) + 1
+        if self._readings[bearing] != HINT_AFTER_READINGS or not _knows_its_world(self._robot):
+            return
+        if self._robot.is_in_the_open:
+            self._sentences.announce("hint", "hint-no-wall")

@@ -22,7 +22,6 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 import worlds
-from devices.audio.mixer import WavCueWriter
 from devices.ports.audio import Cue
 from donnie_tui import __version__
 from donnie_tui.core.events import Answered, CueSounded, RunEnded, SoundSwitched, Stamped
@@ -46,6 +45,8 @@ class SoundFile:
 
     def __init__(self, path: str, tell: Callable[[OSError], None]) -> None:
         """Raises ``OSError`` where it can't be written at all."""
+        from devices.audio.mixer import WavCueWriter
+
         self._renderer, self._tell = WavCueWriter(open_bytes(path, "wb")), tell
         self._on = True
         self._began = 0.0

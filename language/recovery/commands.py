@@ -20,7 +20,6 @@ from language.keywords import (
 from language.lexer import END, FRAGMENT, KIND, NAME, NEEDS_NO_ARGUMENT, NUMBER, SENSORS, STRING, TAKES, Token
 from language.locales import ENGLISH, languages
 from language.outline import ENDS, OPENERS
-from language.recovery.automaton import CLASSES, Automaton
 from language.recovery.blocks import (
     can_open,
     end_of_head,
@@ -35,6 +34,7 @@ from language.recovery.reader import (
     AFTER_FIRST_NAME,
     ASSIGN,
     BEGINNERS,
+    CLASSES,
     COMPARATOR,
     ELSE,
     HEAD_ENDS,
@@ -42,6 +42,7 @@ from language.recovery.reader import (
     SEMICOLON,
     SIGN,
     VAR,
+    Automaton,
     TokenReader,
 )
 from language.suggestions import (

@@ -20,10 +20,10 @@ import pytest
 
 from devices.audio import process, worker
 from devices.audio.cues import CUE_NAMES
-from devices.audio.messages import AudioResponse, Say, Silence, Silenced, SpeechStarted, to_line
+from devices.audio.process import AudioResponse, Say, Silence, Silenced, SpeechStarted, to_line
 from devices.audio.service import AudioService, AudioSettings, make_cue_player, make_speaker
+from devices.audio.supervisor import WorkerState
 from devices.audio.worker import AudioWorker
-from devices.audio.worker_state import WorkerState
 from devices.ports.audio import (
     AudioNotice,
     Cue,

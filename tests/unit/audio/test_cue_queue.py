@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from devices.audio.cue_queue import PLAYBACK_LATENCY, STALE_CUE, CueQueue, CueScheduler
 from devices.audio.cues import seconds_of
-from devices.audio.messages import PlayCue, SoundReady, VoiceReady
+from devices.audio.mixer import PLAYBACK_LATENCY, STALE_CUE, CueQueue, CueScheduler
+from devices.audio.process import PlayCue, SoundReady, VoiceReady
 from devices.audio.supervisor import SendRequest, WorkerSupervisor
 from devices.ports.audio import Cue, Urgency, Utterance, VoiceSettings
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from devices.audio.messages import (
+from devices.audio.process import (
     AudioRequest,
     AudioResponse,
     PlayCue,

@@ -13,7 +13,7 @@ import pytest
 
 from devices.audio.cues import SAMPLE_RATE, render_cue
 from devices.audio.players import NO_DEVICE, NULL_DEVICE, MiniaudioPlayer, open_player
-from devices.audio.worker_state import SILENCE_LIMIT
+from devices.audio.supervisor import SILENCE_LIMIT
 from devices.ports.audio import Cue
 from tests.timeouts import TIMEOUT
 

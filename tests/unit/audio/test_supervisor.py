@@ -2,7 +2,7 @@
 
 import pytest
 
-from devices.audio.messages import (
+from devices.audio.process import (
     AudioResponse,
     Ping,
     PlayCue,

@@ -2,7 +2,7 @@
 
 import pytest
 
-from devices.audio.messages import (
+from devices.audio.process import (
     PlayCue,
     Pong,
     Say,
@@ -11,8 +11,15 @@ from devices.audio.messages import (
     SpeechStarted,
     VoiceReady,
 )
-from devices.audio.supervisor import KillWorker, Notify, SendRequest, StartWorker, Step
-from devices.audio.worker_state import FailureCounter, WorkerState
+from devices.audio.supervisor import (
+    FailureCounter,
+    KillWorker,
+    Notify,
+    SendRequest,
+    StartWorker,
+    Step,
+    WorkerState,
+)
 from devices.ports.audio import AudioNotice, NoticeCode
 from tests.unit.audio.test_supervisor import KILL_AND_START, Supervised
 
