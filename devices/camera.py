@@ -78,8 +78,10 @@ class Blob(Struct, frozen=True):
     colour: str
     left: float
     right: float
-    top: float
-    bottom: float
+    top: float = 0.0
+    bottom: float = 1.0
+    metres: float | None = None
+    """To its nearest point, where the finder knows it."""
 
     @property
     def is_whole(self) -> bool:
@@ -95,6 +97,8 @@ class ColouredThing(Struct, frozen=True):
     low: float
     """The directions of its left and its right border."""
     high: float
+    metres: float | None = None
+    """As of its blobs."""
 
 
 class FileAccess(Protocol):
@@ -253,14 +257,20 @@ class _Glimpse(Struct, frozen=True):
         return min(self.high, other.high) - max(self.low, other.low) + _SERVO
 
 
-def things_in(looks: Iterable[tuple[int, tuple[Blob, ...]]], view: float) -> tuple[ColouredThing, ...]:
+def things_in(
+    looks: Iterable[tuple[float, tuple[Blob, ...]]], view: float, *, is_even: bool = False
+) -> tuple[ColouredThing, ...]:
     """Each thing once, from left to right.
 
     Two blobs of one picture are two things; those of neighbouring pictures are one where they overlap.
+    ``is_even``: all columns are equally wide, as of a finder that turns, and not as of a lens.
     """
+    angle = _even_angle if is_even else _angle
     found: list[list[_Glimpse]] = []
     for direction, blobs in looks:
-        glimpses = [_glimpse(each, direction, view) for each in blobs]
+        glimpses = [
+            _glimpse(each, direction, (angle(each.left, view), angle(each.right, view))) for each in blobs
+        ]
         pairs = [
             (overlap, index, glimpse)
             for index, thing in enumerate(found)
@@ -278,8 +288,8 @@ def things_in(looks: Iterable[tuple[int, tuple[Blob, ...]]], view: float) -> tup
     return tuple(each for each in things if abs(each.degrees) <= FARTHEST_LOOK + _SERVO)
 
 
-def _glimpse(blob: Blob, direction: int, view: float) -> _Glimpse:
-    low, high = _angle(blob.left, view), _angle(blob.right, view)
+def _glimpse(blob: Blob, direction: float, borders: tuple[float, float]) -> _Glimpse:
+    low, high = borders
     return _Glimpse(blob, direction + low, direction + high, abs(low + high) / 2)
 
 
@@ -288,12 +298,17 @@ def _angle(share: float, view: float) -> float:
     return degrees(atan((2 * share - 1) * tan(radians(view / 2))))
 
 
+def _even_angle(share: float, view: float) -> float:
+    return (share - 0.5) * view
+
+
 def _thing(glimpses: list[_Glimpse]) -> ColouredThing:
     """As the picture shows it that has it whole and nearest to its middle, or else as all together."""
     whole = [each for each in glimpses if each.blob.is_whole]
     best = [min(whole, key=lambda each: each.off_middle)] if whole else glimpses
     low, high = min(each.low for each in best), max(each.high for each in best)
-    return ColouredThing(glimpses[0].blob.colour, (low + high) / 2, low, high)
+    metres = min((each.blob.metres for each in glimpses if each.blob.metres is not None), default=None)
+    return ColouredThing(glimpses[0].blob.colour, (low + high) / 2, low, high, metres)
 
 
 # --- measuring a colour

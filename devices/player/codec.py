@@ -1,8 +1,8 @@
 """Messages of Player: a header of 40 bytes and a body in XDR, big-endian, in multiples of four bytes.
 
-A form says what a body holds, in the letters of ``struct``, each of four bytes (I, i, f) or eight (d), and
-three more: ``[…]`` is an array of such groups, ``b`` are bytes and ``t`` is a text. These three have their
-count before them, twice.
+A table has the form of the body of each message of each interface: the letters of ``struct``, each of four
+bytes (I, i, f) or eight (d), and three more. ``[…]`` is an array of such groups, ``b`` are bytes and ``t`` is
+a text. These three have their count before them, twice.
 
 Any chunking of a stream gives the same messages. A reader never holds more than one message, and no count is
 believed before it was compared with the body.
@@ -12,10 +12,11 @@ from __future__ import annotations
 
 import re
 import struct
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from enum import IntEnum
 from functools import lru_cache
 from itertools import chain
+from typing import Any
 
 from msgspec import Struct
 
@@ -43,6 +44,50 @@ class MessageType(IntEnum):
     ACK = 4
     SYNCH = 5
     NACK = 6
+
+
+DATA, COMMAND, REQUEST, ACK, SYNCH, NACK = MessageType
+
+
+class Interface(IntEnum):
+    """Kinds of devices, by the code that the header has. The name in a configuration file is the same."""
+
+    PLAYER = 1
+    POWER = 2
+    GRIPPER = 3
+    POSITION2D = 4
+    SONAR = 5
+    LASER = 6
+    BLOBFINDER = 7
+    FIDUCIAL = 10
+    SPEECH = 12
+    BUMPER = 14
+    DIO = 20
+    AIO = 21
+    SIMULATION = 31
+    CAMERA = 40
+    GRAPHICS2D = 55
+    RANGER = 62
+    SOUND = 66
+
+
+class Access(IntEnum):
+    """How a client opens a device."""
+
+    OPEN = 1
+    CLOSE = 2
+    ERROR = 3
+
+
+class DataMode(IntEnum):
+    PUSH = 1
+    """Data go out when they are there."""
+    PULL = 2
+    """Data go out when the client asks for a round."""
+
+
+CAN_YOU = 255
+"""The subtype of a request, of any interface: is this type and subtype known?"""
 
 
 class BadBody(ValueError):
@@ -204,3 +249,92 @@ def _parts(form: str) -> tuple[struct.Struct | _Array | str, ...]:
         else:
             parts.append(counted or struct.Struct(f">{fixed}"))
     return tuple(parts)
+
+
+# --- the forms of bodies
+
+ADDRESS = "IIII"
+POSE2D, POSE3D = "ddd", "dddddd"
+BOX2D, BOX3D = "dd", "ddd"
+
+REQUESTS: Mapping[tuple[int, int], tuple[str, str]] = {
+    (Interface.PLAYER, 1): ("", f"[{ADDRESS}]"),  # device list
+    (Interface.PLAYER, 2): (f"{ADDRESS} t", f"{ADDRESS} t"),  # driver
+    (Interface.PLAYER, 3): (f"{ADDRESS} I t", f"{ADDRESS} I t"),  # open, close
+    (Interface.PLAYER, 4): ("", ""),  # a round of data
+    (Interface.PLAYER, 5): ("I", ""),  # data mode
+    (Interface.PLAYER, 10): ("iiiii", ""),  # replace rule
+    (Interface.GRIPPER, 1): ("", f"{POSE3D} {BOX3D} {BOX3D} I I"),  # geometry
+    (Interface.POSITION2D, 1): ("", f"{POSE3D} {BOX3D}"),  # geometry
+    (Interface.POSITION2D, 2): ("I", ""),  # motor power
+    (Interface.POSITION2D, 3): ("I", ""),  # velocity mode
+    (Interface.POSITION2D, 4): ("I", ""),  # position mode
+    (Interface.POSITION2D, 5): (POSE2D, ""),  # set odometry
+    (Interface.POSITION2D, 6): ("", ""),  # reset odometry
+    (Interface.FIDUCIAL, 1): ("", f"{POSE3D} {BOX3D} {BOX2D}"),  # geometry
+    (Interface.FIDUCIAL, 7): ("", "I"),  # get the mark of its own model
+    (Interface.FIDUCIAL, 8): ("I", "I"),  # set it
+    (Interface.BUMPER, 1): ("", f"[{POSE3D}ff]"),  # geometry
+    (Interface.SIMULATION, 1): (f"t {POSE2D}", f"t {POSE2D}"),  # get a pose
+    (Interface.SIMULATION, 2): (f"t {POSE2D}", ""),  # set it
+    (Interface.SIMULATION, 3): (f"t {POSE3D} d", f"t {POSE3D} d"),  # get a pose
+    (Interface.SIMULATION, 4): (f"t {POSE3D} d", ""),  # set it
+    (Interface.SIMULATION, 5): ("t t I b", "t t I b"),  # get a property
+    (Interface.SIMULATION, 6): ("t t I b", ""),  # set it
+    (Interface.RANGER, 1): ("", f"{POSE3D} {BOX3D} [{POSE3D}] [{BOX3D}]"),  # geometry
+    (Interface.RANGER, 5): ("", "ddddddd"),  # configuration
+}
+"""By interface and subtype: the forms of the request and of the reply."""
+
+FORMS: Mapping[tuple[int, int, int], str] = {
+    **{(key[0], REQUEST, key[1]): forms[0] for key, forms in REQUESTS.items()},
+    **{(key[0], ACK, key[1]): forms[1] for key, forms in REQUESTS.items()},
+    (Interface.PLAYER, NACK, 3): f"{ADDRESS} I t",
+    (Interface.PLAYER, SYNCH, 1): "",
+    (Interface.PLAYER, SYNCH, 2): "I",
+    (Interface.POWER, DATA, 1): "I ffff i",
+    (Interface.GRIPPER, DATA, 1): "I I I",
+    # open, close, stop, store, retrieve
+    **dict.fromkeys(((Interface.GRIPPER, COMMAND, each) for each in range(1, 6)), ""),
+    (Interface.POSITION2D, DATA, 1): f"{POSE2D} {POSE2D} I",
+    (Interface.POSITION2D, COMMAND, 1): f"{POSE2D} I",  # velocity
+    (Interface.POSITION2D, COMMAND, 2): f"{POSE2D} {POSE2D} I",  # position
+    (Interface.POSITION2D, COMMAND, 3): "dd",  # velocity and angle, as a car
+    (Interface.POSITION2D, COMMAND, 4): "dd",  # velocity and heading
+    (Interface.BLOBFINDER, DATA, 1): "I I [IIIIIIIIIf]",
+    (Interface.FIDUCIAL, DATA, 1): f"[i{POSE3D}{POSE3D}]",
+    (Interface.SPEECH, COMMAND, 1): "t",
+    (Interface.BUMPER, DATA, 1): "b",
+    (Interface.DIO, DATA, 1): "I I",
+    (Interface.DIO, COMMAND, 1): "I I",
+    # pause or resume, reset, save
+    **dict.fromkeys(((Interface.SIMULATION, COMMAND, each) for each in range(1, 4)), ""),
+    (Interface.RANGER, DATA, 1): "[d]",
+    (Interface.RANGER, DATA, 3): "[d]",  # intensities
+    (Interface.SOUND, COMMAND, 1): "64s",
+}
+"""By interface, type and subtype, of what is served. A reply that isn't here has no body."""
+
+
+def form_of(message: PlayerMessage) -> str | None:
+    """The form of its body; None if nothing is known of such a message."""
+    form = FORMS.get((message.interface, message.type, message.subtype))
+    if form is not None:
+        return form
+    if message.type in (ACK, NACK):
+        return ""
+    return "II" if message.type == REQUEST and message.subtype == CAN_YOU else None
+
+
+def values_of(message: PlayerMessage) -> tuple[Any, ...]:
+    """What is in its body. Raises ``BadBody``, also for a message of which nothing is known."""
+    form = form_of(message)
+    if form is None:
+        raise BadBody(f"no form for {message.interface}, {message.type}, {message.subtype}")
+    return decode(form, message.body)
+
+
+def body_of(interface: int, type_: int, subtype: int, *values: object) -> bytes:
+    """The body of such a message; empty if it has no form."""
+    form = FORMS.get((interface, type_, subtype))
+    return encode(form, values) if form else b""

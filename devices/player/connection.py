@@ -9,8 +9,20 @@ from __future__ import annotations
 from itertools import count
 from typing import Any, Protocol
 
-from devices.player.codec import LOCAL_HOST, BadBody, MessageReader, MessageType, PlayerMessage, banner
-from devices.player.interfaces import CAN_YOU, Access, DataMode, Interface, body_of, values_of
+from devices.player.codec import (
+    CAN_YOU,
+    LOCAL_HOST,
+    Access,
+    BadBody,
+    DataMode,
+    Interface,
+    MessageReader,
+    MessageType,
+    PlayerMessage,
+    banner,
+    body_of,
+    values_of,
+)
 
 MOST_WAITING = 1024
 """Data that wait for a client that wants all of them; from then on the newest of a kind replaces one."""

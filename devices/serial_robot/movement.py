@@ -1,4 +1,5 @@
-"""One movement of the real robot, a walk or a turn, from its first count to its last; and the odometry.
+"""Movements of a robot at the end of a link; and those of the real robot, from the first count to the last,
+with the odometry.
 
 The link stops the wheels by itself at the end of what was allowed, at most one step ahead. This module
 decides whether another step is allowed, and why a movement ends early. The pace does all waiting.
@@ -7,12 +8,24 @@ decides whether another step is allowed, and why a movement ends early. The pace
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterable
 from math import cos, degrees, pi, radians, sin
 
 from msgspec import Struct
 
-from devices.ports.robot import STEP, Motion, Pace, Pose, StoppedBy
+from devices.ports.robot import (
+    STEP,
+    Met,
+    Motion,
+    Pace,
+    Pose,
+    RobotProblem,
+    StoppedBy,
+    TurnResult,
+    WalkResult,
+    Watcher,
+)
 from devices.serial_robot.config import RobotConfig
 from devices.serial_robot.link import RobotLink
 from devices.serial_robot.senses import Clearance
@@ -56,6 +69,131 @@ class Progress:
                 return
             self._reported = following
             self._report(self._motion, pose)
+
+    def finished(self, units: float, stopped_by: StoppedBy | None, pose: Pose) -> int:
+        """The whole steps or degrees that were done: all of them, if nothing ended the movement early."""
+        if stopped_by is not None:
+            return min(self._amount, whole(units))
+        self.reached(self._amount, pose)
+        return self._amount
+
+
+class Ending(Struct, frozen=True):
+    """What became of a movement."""
+
+    done: int
+    """Whole steps or degrees."""
+    stopped_by: StoppedBy | None
+    met: Met | None
+
+
+def met_something(stopped_by: StoppedBy | None, way: float, sides: Iterable[float] = ()) -> Met | None:
+    """What ended a movement, as far as a real robot senses it: a sonar or a bumper knows only the side.
+
+    ``way``: the direction of the movement, in degrees from the front. ``sides``: those of the bumpers that
+    are pressed; the nearest to the way counts.
+    """
+    if stopped_by not in (StoppedBy.OBSTACLE, StoppedBy.COLLISION):
+        return None
+    nearest = min(sides, key=lambda side: abs((side - way + 180.0) % 360.0 - 180.0), default=way)
+    return Met("something", "", way if stopped_by is StoppedBy.OBSTACLE else nearest)
+
+
+DEGREES_A_REPORT = 10
+PASSING_INTERVAL = 0.05
+"""Seconds between two poses that are reported for a moving picture."""
+
+
+class LinkedRobot(ABC):
+    """What the commands of robots at the end of a link have in common, whatever drives them.
+
+    A movement that loses the link ends with ``StoppedBy.LINK``, and the next command raises ``link-lost``,
+    even if the link is back by then. Nothing resumes by itself.
+    """
+
+    name = "donnie"
+
+    def __init__(self, port: str, pace: Pace, watcher: Watcher | None) -> None:
+        """``port``: as it is named to a person."""
+        self.port = port
+        self._pace, self._watcher = pace, watcher
+        self._is_link_lost = False
+        self._passing_at = 0.0
+
+    @property
+    def speed(self) -> float | None:
+        """A multiple of the robot's own pace; it has only this one."""
+        return 1.0
+
+    @speed.setter  # noqa: B027 -- some robots can do it
+    def speed(self, speed: float | None) -> None:
+        """Has no effect."""
+
+    def forward(self, steps: int) -> WalkResult:
+        """Walk forward. ``ValueError`` if ``steps`` is negative; ``RobotProblem`` if the link is lost."""
+        return self._walked(Motion.FORWARD, steps, 1)
+
+    def backward(self, steps: int) -> WalkResult:
+        """Walk backward. ``ValueError`` if ``steps`` is negative; ``RobotProblem`` if the link is lost."""
+        return self._walked(Motion.BACKWARD, steps, -1)
+
+    def turn(self, degrees: int) -> TurnResult:
+        """``RobotProblem`` if the link is lost."""
+        self._require_link()
+        if degrees == 0:
+            return TurnResult(0, 0, None, self.pose())
+        sense, motion = (1, Motion.RIGHT) if degrees > 0 else (-1, Motion.LEFT)
+        report = Progress(motion, abs(degrees), DEGREES_A_REPORT, self._report_progress)
+        end = self._turn(report, abs(degrees), sense)
+        return TurnResult(degrees, sense * end.done, end.stopped_by, self.pose(), end.met)
+
+    def _walked(self, motion: Motion, steps: int, sense: int) -> WalkResult:
+        if steps < 0:
+            raise ValueError("a walk has no negative steps")
+        self._require_link()
+        if steps == 0:
+            return WalkResult(0, 0, None, self.pose())
+        end = self._walk(Progress(motion, steps, 1, self._report_progress), steps, sense)
+        return WalkResult(steps, end.done, end.stopped_by, self.pose(), end.met)
+
+    def true_pose(self) -> Pose | None:
+        """Unknown."""
+        return None
+
+    @abstractmethod
+    def pose(self) -> Pose: ...
+
+    @abstractmethod
+    def _walk(self, report: Progress, steps: int, sense: int) -> Ending:
+        """``sense``: 1 forward, -1 backward."""
+
+    @abstractmethod
+    def _turn(self, report: Progress, asked: int, sense: int) -> Ending:
+        """``asked`` degrees; ``sense``: 1 to the right, -1 to the left."""
+
+    @abstractmethod
+    def _is_linked(self) -> bool: ...
+
+    def _link_lost(self) -> RobotProblem:
+        return RobotProblem("link-lost", port=self.port)
+
+    def _require_link(self) -> None:
+        if self._is_link_lost or not self._is_linked():
+            self._is_link_lost = False
+            raise self._link_lost()
+
+    def _report_progress(self, motion: Motion, pose: Pose) -> None:
+        if self._watcher is not None:
+            self._watcher.progressed(motion, pose)
+
+    def _report_passing(self, pose: Pose, now: float) -> None:
+        """``now``: seconds on any clock."""
+        if self._watcher is not None and now - self._passing_at >= PASSING_INTERVAL:
+            self._passing_at = now
+            self._watcher.passing(pose)
+
+
+# --- movements that the wheels' encoders count
 
 
 class MovementPlan(Struct, frozen=True):

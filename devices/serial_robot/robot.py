@@ -1,38 +1,26 @@
 """The real robot: the port's commands, executed over a link and counted by the encoders.
 
-A movement that loses the link ends with ``StoppedBy.LINK``, and the next command raises ``link-lost``, even
-if the link is back by then. Waiting and measuring raise it at once. Nothing resumes by itself. ``halt``, as
-at the end of a run, makes the robot usable again.
+Waiting and measuring raise ``link-lost`` at once when the link is lost. ``halt``, as at the end of a run,
+makes the robot usable again.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 
 from devices.camera import CameraSweep, ColourCamera
-from devices.ports.robot import (
-    Bearing,
-    LinkNotice,
-    Met,
-    Motion,
-    Pace,
-    Pose,
-    RobotProblem,
-    Sighting,
-    StoppedBy,
-    TurnResult,
-    WalkResult,
-    Watcher,
-)
+from devices.ports.robot import Bearing, LinkNotice, Pace, Pose, RobotProblem, Sighting, StoppedBy, Watcher
 from devices.serial_robot.config import RobotConfig
 from devices.serial_robot.link import RobotLink
 from devices.serial_robot.movement import (
+    Ending,
     HeadingTracker,
+    LinkedRobot,
     MovementPlan,
     Progress,
     RobotMovement,
     WheelOdometry,
-    whole,
+    met_something,
 )
 from devices.serial_robot.senses import (
     BoardSensors,
@@ -48,7 +36,6 @@ from devices.wire.commands import AS_ORIGINAL, MotorDrive
 from devices.wire.link_state import LinkState
 from devices.wire.telemetry import REMEMBERED, Telemetry
 
-DEGREES_A_REPORT = 10
 SLICE = 0.05
 """Seconds between two checks during a wait."""
 MOST_OVERSHOOT = 100.0
@@ -57,11 +44,9 @@ WATCHED = 0.75
 """Steps that must be free at the end of the step that is being walked. A step is only begun if one would be;
 the rest allows for the sonars' resolution."""
 _DIAGONALS = (Bearing.FRONT_RIGHT, Bearing.FRONT_LEFT)
-PASSING_INTERVAL = 0.05
-"""Seconds between two poses that are reported for a moving picture."""
 
 
-class SerialRobot:
+class SerialRobot(LinkedRobot):
     """One robot at the end of a link. Only the program's thread may call its methods, except ``halt``,
     ``pose``, ``time``, ``speed`` and ``known_distances``."""
 
@@ -77,18 +62,15 @@ class SerialRobot:
     ) -> None:
         """``start``: the pose that it is taken to have when it is connected or reset. ``on_notice``: as of
         its link, for what only a movement shows; called in the program's thread."""
+        super().__init__(link.name, pace, watcher)
         self._link = link
         self._start_pose = start or Pose(0.0, 0.0, 0.0)
         self._config = config or RobotConfig()
-        self._pace = pace
-        self._watcher = watcher
         self._sensors = BoardSensors(self._config)
         self._odometry = WheelOdometry(self._config)
         self._began = link.now()
         self._heading = HeadingTracker(link.telemetry)
         self._overshoot = 0.0
-        self._is_link_lost = False
-        self._passing_at = 0.0
         self._on_notice = on_notice
         self._has_moved = False
         """Whether a movement has shown that the wheels count the right way."""
@@ -96,10 +78,6 @@ class SerialRobot:
         """On its head, if there is one; set after construction."""
         if self._config.wiring != AS_ORIGINAL:
             link.rewire(self._config.wiring)
-
-    @property
-    def port(self) -> str:
-        return self._link.name
 
     @property
     def may_drive_on(self) -> bool:
@@ -112,10 +90,6 @@ class SerialRobot:
         return self._link.has_run_away
 
     @property
-    def name(self) -> str:
-        return "donnie"
-
-    @property
     def colours(self) -> frozenset[str]:
         """Those of its camera."""
         return frozenset() if self.camera is None else self.camera.colours
@@ -124,15 +98,6 @@ class SerialRobot:
     def telemetry(self) -> Telemetry:
         """What its board last reported: counts of the wheels, sonars, bumpers, battery."""
         return self._link.telemetry
-
-    @property
-    def speed(self) -> float | None:
-        """A multiple of the real robot's pace; it has only this one."""
-        return 1.0
-
-    @speed.setter
-    def speed(self, speed: float | None) -> None:
-        """Has no effect."""
 
     def connect(self) -> None:
         """Open the link and wait for the robot, some six seconds at most. Raises ``RobotProblem``."""
@@ -163,57 +128,16 @@ class SerialRobot:
 
     # --- moving
 
-    def forward(self, steps: int) -> WalkResult:
-        """Walk forward. ``ValueError`` if ``steps`` is negative; ``RobotProblem`` if the link is lost."""
-        return self._walk(Motion.FORWARD, steps)
-
-    def backward(self, steps: int) -> WalkResult:
-        """Walk backward. ``ValueError`` if ``steps`` is negative; ``RobotProblem`` if the link is lost."""
-        return self._walk(Motion.BACKWARD, steps)
-
-    def turn(self, degrees: int) -> TurnResult:
-        """``RobotProblem`` if the link is lost."""
-        self._require_link()
-        sense = 1 if degrees >= 0 else -1
-        if degrees == 0:
-            return TurnResult(0, 0, None, self.pose())
-        drive, motion = (MotorDrive.RIGHT, Motion.RIGHT) if sense > 0 else (MotorDrive.LEFT, Motion.LEFT)
-        asked, unit = abs(degrees), self._config.counts_a_degree
-        deviation = self._heading.deviation(self._link.telemetry)
-        plan = MovementPlan(drive, asked, unit, asked, self._config.turn_coast, sense * deviation)
-        already = self._link.telemetry.bumpers
-        report = Progress(motion, asked, DEGREES_A_REPORT, self._report_progress)
-        movement = self._movement(
-            plan,
-            clearance=lambda *_: Clearance.FREE,
-            is_blocked=lambda *_: False,
-            bumps=lambda now: any(new and not old for new, old in zip(now.bumpers, already, strict=True)),
-            report=report,
-        )
-        done = self._run(movement, report, asked)
-        self._update_heading(movement, sense * done * unit)
-        new = [
-            place for place, pressed in enumerate(self._link.telemetry.bumpers) if pressed > already[place]
-        ]
-        met = self._met(movement, sense * 90.0, new)
-        return TurnResult(degrees, sense * done, self._end_of(movement), self.pose(), met)
-
     def halt(self) -> None:
         self._is_link_lost = False
         self._link.stop()
 
-    def _walk(self, motion: Motion, steps: int) -> WalkResult:
-        if steps < 0:
-            raise ValueError("a walk has no negative steps")
-        self._require_link()
-        if steps == 0:
-            return WalkResult(0, 0, None, self.pose())
-        is_forward = motion is Motion.FORWARD
-        sense, drive = (1, MotorDrive.FORWARD) if is_forward else (-1, MotorDrive.BACKWARD)
+    def _walk(self, report: Progress, steps: int, sense: int) -> Ending:
+        is_forward = sense > 0
+        drive = MotorDrive.FORWARD if is_forward else MotorDrive.BACKWARD
         bumpers = self._config.front_bumpers if is_forward else self._config.back_bumpers
         sonar = self._sensors.sonar_at(Bearing.FRONT if is_forward else Bearing.BACK)
         unit = self._config.counts_a_step
-        report = Progress(motion, steps, 1, self._report_progress)
         movement = self._movement(
             MovementPlan(drive, steps, unit, 1, self._config.walk_coast, sense * self._overshoot),
             clearance=lambda now, left: self._sensors.ahead(now, sonar, left + 2.0, sense),
@@ -222,12 +146,35 @@ class SerialRobot:
             report=report,
         )
         self._heading.deviation(self._link.telemetry)
-        done = self._run(movement, report, steps)
+        done = self._run(movement, report)
         self._update_heading(movement, 0.0)
         self._overshoot = sense * _overshoot_of(movement, done * unit)
         pressed = [place for place in sorted(bumpers) if self._link.telemetry.bumpers[place]]
-        met = self._met(movement, self._side_of_obstacle(is_forward=is_forward), pressed)
-        return WalkResult(steps, done, self._end_of(movement), self.pose(), met)
+        return self._ended(movement, done, self._side_of_obstacle(is_forward=is_forward), pressed)
+
+    def _turn(self, report: Progress, asked: int, sense: int) -> Ending:
+        drive, unit = MotorDrive.RIGHT if sense > 0 else MotorDrive.LEFT, self._config.counts_a_degree
+        deviation = self._heading.deviation(self._link.telemetry)
+        already = self._link.telemetry.bumpers
+        movement = self._movement(
+            MovementPlan(drive, asked, unit, asked, self._config.turn_coast, sense * deviation),
+            clearance=lambda *_: Clearance.FREE,
+            is_blocked=lambda *_: False,
+            bumps=lambda now: any(new and not old for new, old in zip(now.bumpers, already, strict=True)),
+            report=report,
+        )
+        done = self._run(movement, report)
+        self._update_heading(movement, sense * done * unit)
+        bumpers = enumerate(self._link.telemetry.bumpers)
+        pressed = [place for place, is_pressed in bumpers if is_pressed > already[place]]
+        return self._ended(movement, done, sense * 90.0, pressed)
+
+    def _ended(self, movement: RobotMovement, done: int, way: float, pressed: list[int]) -> Ending:
+        if movement.stopped_by is StoppedBy.LINK:
+            self._is_link_lost = True
+            self._link.wait_until_notified()
+        sides = [self._config.bumper_degrees[place] for place in pressed]
+        return Ending(done, movement.stopped_by, met_something(movement.stopped_by, way, sides))
 
     def _is_blocked(self, now: Telemetry, sonar: int | None, left: float, sense: int) -> bool:
         """Whether a walk must end in the middle of a step, because something is closer than the step allows.
@@ -249,19 +196,6 @@ class SerialRobot:
         close = self._close_diagonal(self._link.telemetry)
         return 0.0 if close is None else (close.value + 180.0) % 360.0 - 180.0
 
-    def _met(self, movement: RobotMovement, way: float, touched: Iterable[int]) -> Met | None:
-        """What ended the movement, as far as it can be sensed: a sonar or a bumper knows only the side.
-
-        ``way``: the direction of the movement, in degrees from the front. Of several bumpers, the nearest to
-        it.
-        """
-        if movement.stopped_by not in (StoppedBy.OBSTACLE, StoppedBy.COLLISION):
-            return None
-        sides = [self._config.bumper_degrees[place] for place in touched]
-        if movement.stopped_by is StoppedBy.OBSTACLE or not sides:
-            return Met(SOMETHING, "", way)
-        return Met(SOMETHING, "", min(sides, key=lambda side: abs((side - way + 180.0) % 360.0 - 180.0)))
-
     def _movement(
         self,
         plan: MovementPlan,
@@ -274,7 +208,7 @@ class SerialRobot:
         def on_poll(telemetry: Telemetry, units: float) -> None:
             pose = self._odometry.follow(telemetry)
             report.reached(units, pose)
-            self._report_passing(pose)
+            self._report_passing(pose, self._link.now())
 
         return RobotMovement(
             plan,
@@ -287,17 +221,14 @@ class SerialRobot:
             on_poll=on_poll,
         )
 
-    def _run(self, movement: RobotMovement, report: Progress, asked: int) -> int:
+    def _run(self, movement: RobotMovement, report: Progress) -> int:
         """The whole steps or degrees that were done: all of them, if nothing ended the movement early."""
         began = self.pose()
         movement.run()
         if movement.is_reversed and self._config.finds_profile and not self._has_moved:
             self._take_profile_of_2018(began)
         self._has_moved = self._has_moved or movement.counts > self._config.wrong_way
-        if movement.stopped_by is None:
-            report.reached(asked, self.pose())
-            return asked
-        return min(asked, whole(movement.units))
+        return report.finished(movement.units, movement.stopped_by, self.pose())
 
     def _take_profile_of_2018(self, began: Pose) -> None:
         """Both wheels counted backward in the first half step of all: its firmware is the newer one.
@@ -317,27 +248,19 @@ class SerialRobot:
         else:
             self._heading.begin(self._link.telemetry)
 
-    def _end_of(self, movement: RobotMovement) -> StoppedBy | None:
-        if movement.stopped_by is StoppedBy.LINK:
-            self._is_link_lost = True
-            self._link.wait_until_notified()
-        return movement.stopped_by
-
-    def _require_link(self) -> None:
-        if self._is_link_lost or self._link.state is not LinkState.STREAMING:
-            self._is_link_lost = False
-            raise self._link_lost()
+    def _is_linked(self) -> bool:
+        return self._link.state is LinkState.STREAMING
 
     def _require_same_link(self, epoch: int) -> None:
         """A link that was lost meanwhile doesn't count as the same, even if it is back by now."""
-        if self._link.telemetry.epoch != epoch or self._link.state is not LinkState.STREAMING:
+        if self._link.telemetry.epoch != epoch or not self._is_linked():
             self._is_link_lost = True
             raise self._link_lost()
 
     def _link_lost(self) -> RobotProblem:
         """The listener receives the loss before the error that follows from it."""
         self._link.wait_until_notified()
-        return RobotProblem("link-lost", port=self._link.name)
+        return super()._link_lost()
 
     # --- waiting and sensing
 
@@ -361,10 +284,6 @@ class SerialRobot:
 
     def pose(self) -> Pose:
         return self._odometry.follow(self._link.telemetry)
-
-    def true_pose(self) -> Pose | None:
-        """Unknown."""
-        return None
 
     def distance(self, bearing: Bearing) -> int:
         """``RobotProblem`` ``no-sensor`` where no sensor looks there, ``link-lost`` without a link."""
@@ -420,17 +339,6 @@ class SerialRobot:
                 break
         return measured
 
-    # --- reporting
-
-    def _report_progress(self, motion: Motion, pose: Pose) -> None:
-        if self._watcher is not None:
-            self._watcher.progressed(motion, pose)
-
-    def _report_passing(self, pose: Pose) -> None:
-        if self._watcher is not None and self._link.now() - self._passing_at >= PASSING_INTERVAL:
-            self._passing_at = self._link.now()
-            self._watcher.passing(pose)
-
 
 def _mirrored(pose: Pose, began: Pose) -> Pose:
     """As far on the other side of ``began``."""
@@ -446,7 +354,3 @@ def _overshoot_of(movement: RobotMovement, counts: float) -> float:
 
 def _ended_as_planned(movement: RobotMovement) -> bool:
     return movement.stopped_by in (None, StoppedBy.OBSTACLE)
-
-
-SOMETHING = "something"
-"""What the robot met, where it can't know."""

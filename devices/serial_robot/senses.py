@@ -157,7 +157,8 @@ def _sighting(thing: Sequence[tuple[int, float]]) -> Sighting:
 def coloured_sightings(
     things: Iterable[ColouredThing], measurements: Sequence[tuple[int, float | None]]
 ) -> tuple[Sighting, ...]:
-    """What a camera saw, as far as the sonar measures in its direction; without an echo it is far."""
+    """What a camera saw, as far as it knows, or the sonar measures in its direction; without an echo it is
+    far."""
     return tuple(
         Sighting(
             min(HEAD_AHEAD, max(-HEAD_AHEAD, each.degrees)), _steps_to(each, measurements), each.colour, ""
@@ -168,6 +169,8 @@ def coloured_sightings(
 
 def _steps_to(thing: ColouredThing, measurements: Sequence[tuple[int, float | None]]) -> float:
     """The nearest echo between its borders; of a narrow thing, that in the nearest direction."""
+    if thing.metres is not None:
+        return thing.metres / STEP
     across = [measured for degrees, measured in measurements if thing.low <= degrees <= thing.high]
     if not across:
         nearest = min(measurements, key=lambda each: abs(each[0] - thing.degrees), default=(0, None))

@@ -10,8 +10,7 @@ from collections.abc import Iterator, Sequence
 from math import atan2, cos, degrees, hypot, radians, sin
 from typing import TYPE_CHECKING, Any, Protocol
 
-from devices.player.codec import MessageType
-from devices.player.interfaces import Interface, body_of
+from devices.player.codec import Interface, MessageType, body_of
 from devices.ports.drive import TICK, MetricPose, Velocity, VelocityDrive
 from devices.ports.robot import Grip, GripResult
 from sim.colours import colour_of

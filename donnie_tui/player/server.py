@@ -12,9 +12,8 @@ import asyncio
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, cast
 
-from devices.player.codec import TooLong
+from devices.player.codec import Interface, TooLong
 from devices.player.connection import ClientConnection, Key
-from devices.player.interfaces import Interface
 from devices.ports.drive import TICK
 from donnie_tui.player.equipment import (
     Battery,

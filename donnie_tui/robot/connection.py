@@ -271,7 +271,8 @@ class Connection:
 
     def _make_player(self, robot: str, pace: Pace, watcher: Watcher) -> Connectable:
         """What the program says, and what the belt shows, goes there too."""
-        from donnie_tui.robot.player_robot import PlayerRobot, ServerLink
+        from donnie_tui.robot.player_robot import PlayerRobot
+        from donnie_tui.robot.server_link import ServerLink
 
         link = ServerLink(*address_of(robot), self._report)
         made = PlayerRobot(link, pace=pace, watcher=watcher, start=self._world.start())

@@ -28,7 +28,8 @@ from devices.serial_robot.config import RobotConfig
 from devices.serial_robot.link import SerialLink
 from devices.serial_robot.robot import SerialRobot
 from devices.wire.link_state import LinkConfig
-from donnie_tui.robot.player_robot import PlayerRobot, ServerLink
+from donnie_tui.robot.player_robot import PlayerRobot
+from donnie_tui.robot.server_link import ServerLink
 from sim.world import World
 from tests.board_on_pty import PtyBoard
 from tests.player.room import HOST, ServedRoom

@@ -10,18 +10,22 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from devices.player.codec import (
+    FORMS,
     HEADER_SIZE,
     LONGEST_REQUEST,
     BadBody,
+    Interface,
     MessageReader,
     MessageType,
     PlayerMessage,
     TooLong,
     banner,
+    body_of,
     decode,
     encode,
+    form_of,
+    values_of,
 )
-from devices.player.interfaces import FORMS, Interface, body_of, form_of, values_of
 from tests.effort import examples
 from tests.player.recordings import NAMES, sides
 

@@ -8,9 +8,16 @@ from typing import Any
 
 import pytest
 
-from devices.player.codec import MessageReader, MessageType, PlayerMessage
+from devices.player.codec import (
+    FORMS,
+    Interface,
+    MessageReader,
+    MessageType,
+    PlayerMessage,
+    body_of,
+    values_of,
+)
 from devices.player.connection import MOST_REPLIES, MOST_WAITING, ClientConnection
-from devices.player.interfaces import FORMS, Interface, body_of, values_of
 from devices.ports.drive import MetricPose
 from donnie_tui.player.equipment import angle, towards
 from donnie_tui.player.server import BadConfiguration, Stations

@@ -9,8 +9,16 @@ from typing import Any
 
 import pytest
 
-from devices.player.codec import BANNER_SIZE, MessageReader, MessageType, PlayerMessage
-from devices.player.interfaces import FORMS, Interface, body_of, values_of
+from devices.player.codec import (
+    BANNER_SIZE,
+    FORMS,
+    Interface,
+    MessageReader,
+    MessageType,
+    PlayerMessage,
+    body_of,
+    values_of,
+)
 from devices.ports.robot import Grip
 from tests.player.room import CONFIGURATION, HOST, WORLD, ServedRoom
 

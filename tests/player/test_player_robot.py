@@ -9,13 +9,13 @@ from pathlib import Path
 
 import pytest
 
-from devices.player.codec import BANNER_SIZE, MessageReader, MessageType, PlayerMessage, banner
-from devices.player.interfaces import body_of
+from devices.player.codec import BANNER_SIZE, MessageReader, MessageType, PlayerMessage, banner, body_of
 from devices.ports.robot import Bearing, LinkNotice, Motion, Pose, RobotProblem, StoppedBy
 from donnie_tui.bootstrap import assemble
 from donnie_tui.core.events import BeltShown, Spoke
-from donnie_tui.robot import player_robot as module
-from donnie_tui.robot.player_robot import PlayerRobot, ServerLink, Stretch, WheelState, things_of
+from donnie_tui.robot import server_link as module
+from donnie_tui.robot.player_robot import STUCK, PlayerRobot
+from donnie_tui.robot.server_link import ServerLink, WheelState
 from donnie_tui.settings.settings import Settings
 from sim.sensors import Device
 from tests.player.recordings import sides
@@ -182,8 +182,8 @@ def test_a_robot_that_was_blocked_walks_away_and_turns(driven: Driven) -> None:
 def test_a_wait_may_be_longer_than_a_robot_may_be_stuck(driven: Driven) -> None:
     before = driven.robot.time()
 
-    assert driven.robot.wait(module.STUCK + 2.0)
-    assert driven.robot.time() - before >= module.STUCK + 2.0 - 1e-6
+    assert driven.robot.wait(STUCK + 2.0)
+    assert driven.robot.time() - before >= STUCK + 2.0 - 1e-6
 
 
 def test_a_robot_that_does_not_move_is_stuck(driven: Driven) -> None:
@@ -415,15 +415,6 @@ def test_a_port_at_which_nothing_listens_is_named() -> None:
             PlayerRobot(ServerLink(HOST, port), pace=Pace()).connect()
     assert problem.value.code == "no-server"
     assert problem.value.values["port"] == f"player://{HOST}:{port}"
-
-
-def test_what_crosses_the_border_of_two_pictures_is_one_thing() -> None:
-    parts = [Stretch(20, 30, 1.0, "red"), Stretch(30.2, 40, 0.9, "red"), Stretch(30.5, 35, 2.0, "blue")]
-
-    assert [(each.colour, each.degrees, each.steps) for each in things_of(parts)] == [
-        ("red", 30.0, pytest.approx(18.0)),
-        ("blue", 32.75, 40.0),
-    ]
 
 
 def test_a_robot_that_counts_from_zero_is_at_the_start_of_its_world(tmp_path: Path) -> None:

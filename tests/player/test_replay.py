@@ -6,9 +6,16 @@ from pathlib import Path
 
 import pytest
 
-from devices.player.codec import LONGEST_REPLY, MessageReader, MessageType, PlayerMessage, TooLong
+from devices.player.codec import (
+    LONGEST_REPLY,
+    Interface,
+    MessageReader,
+    MessageType,
+    PlayerMessage,
+    TooLong,
+    values_of,
+)
 from devices.player.connection import ClientConnection
-from devices.player.interfaces import Interface, values_of
 from donnie_tui.player.server import PortStation, Stations
 from tests.player.recordings import NAMES, Side, sides
 from tests.player.room import DONNIE_CONFIGURATION, DONNIE_WORLD, stations_of, write_room

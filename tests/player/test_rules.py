@@ -9,9 +9,8 @@ from random import Random
 
 import pytest
 
-from devices.player.codec import LOCAL_HOST, MessageType, PlayerMessage, encode
+from devices.player.codec import FORMS, LOCAL_HOST, MessageType, PlayerMessage, body_of, encode, values_of
 from devices.player.connection import ClientConnection
-from devices.player.interfaces import FORMS, body_of, values_of
 from devices.ports.drive import RangerReading
 from donnie_tui.player.server import BadConfiguration, Stations
 from tests.player.room import CONFIGURATION, WORLD, Notes, stations_of, write_room

@@ -13,8 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from devices.player.codec import MessageReader, MessageType, PlayerMessage
-from devices.player.interfaces import body_of
+from devices.player.codec import MessageReader, MessageType, PlayerMessage, body_of
 from donnie_tui.player import server as module
 from donnie_tui.player.server import PlayerServer, PortRefused, Stations
 from tests.player.room import CONFIGURATION, HOST, Notes, free_port, stations_of, write_room
@@ -267,7 +266,7 @@ def test_a_client_that_is_killed_leaves_a_robot_that_stands_and_no_other(tmp_pat
     program = (
         "import socket, sys\n"
         "from devices.player.codec import PlayerMessage\n"
-        "from devices.player.interfaces import body_of\n"
+        "from devices.player.codec import body_of\n"
         "s = socket.create_connection(('127.0.0.1', int(sys.argv[1])))\n"
         "s.sendall(PlayerMessage(1, 0, 3, 3, body_of(1, 3, 3, 0, 0, 4, 0, 1, '')).encoded())\n"
         "s.sendall(PlayerMessage(4, 0, 2, 1, body_of(4, 2, 1, 0.01, 0.0, 0.0, 1)).encoded())\n"

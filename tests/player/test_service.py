@@ -12,8 +12,7 @@ import pexpect
 import pytest
 
 from devices.audio.channel import DetectedEnvironment, SpeakPlace, choose_channel
-from devices.player.codec import MessageReader, MessageType, PlayerMessage
-from devices.player.interfaces import body_of
+from devices.player.codec import MessageReader, MessageType, PlayerMessage, body_of
 from devices.ports.drive import DriveState, MetricPose, Velocity
 from donnie_tui.bootstrap import Donnie, assemble
 from donnie_tui.cli.front_end import speaks_for_robots

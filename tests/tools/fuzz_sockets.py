@@ -22,17 +22,21 @@ from typing import Any
 from aiohttp.http_exceptions import HttpProcessingError
 
 from devices.player.codec import (
+    ADDRESS,
     BANNER_SIZE,
+    CAN_YOU,
+    FORMS,
     HEADER_SIZE,
     LONGEST_REPLY,
     LONGEST_REQUEST,
+    Interface,
     MessageReader,
     MessageType,
     PlayerMessage,
     TooLong,
     encode,
+    values_of,
 )
-from devices.player.interfaces import ADDRESS, CAN_YOU, FORMS, Interface, values_of
 from donnie_tui.cli.page_server import PageServer
 from donnie_tui.cli.page_session import PageLimits
 from donnie_tui.i18n.words import Words

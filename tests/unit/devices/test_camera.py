@@ -24,6 +24,7 @@ from devices.camera import (
     things_in,
 )
 from devices.ports.robot import RobotProblem
+from devices.serial_robot.senses import coloured_sightings
 from donnie_tui.robot.connection import make_camera
 from donnie_tui.settings.settings import Settings
 from tests.unit.devices.pictures import BLUE, GREEN, RED, drawn, save
@@ -185,6 +186,18 @@ def test_a_thing_wider_than_a_picture_is_one_thing_in_the_middle_of_all() -> Non
     (thing,) = things_in(pictures, 60)
 
     assert (thing.degrees, thing.low, thing.high) == pytest.approx((0, -60, 60))
+
+
+def test_what_a_finder_of_equal_columns_sees_across_a_border_is_one_thing_as_near_as_its_nearest() -> None:
+    """A sixth of a picture of 60 degrees is 10 degrees, also at its border."""
+    ahead = (Blob("red", 5 / 6, 1.0, metres=1.0),)
+    aside = (Blob("red", 0.0, 1 / 6, metres=0.9), Blob("blue", 1 / 3, 1 / 2, metres=2.0))
+
+    red, blue = things_in([(0.0, ahead), (60.0, aside)], 60, is_even=True)
+
+    assert (red.colour, red.low, red.high, red.metres) == ("red", *map(pytest.approx, (20, 40)), 0.9)
+    assert (blue.colour, blue.degrees, blue.metres) == ("blue", pytest.approx(55), 2.0)
+    assert [each.steps for each in coloured_sightings((red, blue), ())] == pytest.approx([18, 40])
 
 
 def test_two_things_in_one_direction_are_two_where_a_picture_shows_both() -> None:

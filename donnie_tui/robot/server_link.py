@@ -1,0 +1,285 @@
+"""The connection to a Player server: it opens a robot's devices, keeps their newest data and drives it.
+
+Its time is the server's, which all data carry, so a server may run at any pace. What is commanded names the
+number of the last halt that it knows; a command that is older than a halt is not sent. The server stops a
+robot that its last client has left.
+"""
+
+from __future__ import annotations
+
+import select
+import socket
+import threading
+from collections.abc import Callable
+from contextlib import suppress
+from math import degrees, hypot, inf, isfinite, radians
+from time import monotonic
+from typing import Any
+
+from msgspec import Struct
+
+from devices.player.codec import (
+    BANNER_SIZE,
+    LONGEST_REPLY,
+    Access,
+    BadBody,
+    Interface,
+    MessageReader,
+    MessageType,
+    PlayerMessage,
+    TooLong,
+    body_of,
+    values_of,
+)
+from devices.ports.robot import LinkNotice, RobotProblem
+from donnie_tui.process.signals import timeout_factor
+from sim.geometry import normal
+
+WHEELS, HEAD = (Interface.POSITION2D, 0), (Interface.POSITION2D, 1)
+SONARS, HEAD_SONAR = (Interface.RANGER, 0), (Interface.RANGER, 1)
+BUMPERS, CAMERA = (Interface.BUMPER, 0), (Interface.BLOBFINDER, 0)
+SPEECH = (Interface.SPEECH, 0)
+WANTED = (WHEELS, HEAD, SONARS, HEAD_SONAR, BUMPERS, CAMERA, SPEECH, (Interface.DIO, 0), (Interface.DIO, 1))
+"""The devices that are opened if the server has them."""
+
+CONNECTING, ANSWERING = 2.0, 5.0
+"""Seconds that the server may take to accept a connection, and to answer a request."""
+SILENCE, LOST = 2.0, 5.0
+"""Seconds without data after which the server is asked for a sign of life, and after which it is lost."""
+AGAIN = 1.0
+"""Seconds between two tries to connect again."""
+POLL = 0.1
+LEASE = 0.5
+"""Seconds for which one command drives the robot. A paused program sends no further one."""
+
+Key = tuple[int, int]
+"""The interface and the index of a device."""
+STANDING = 0.005
+"""Metres or radians a second: a slower robot counts as standing."""
+
+
+class WheelState(Struct, frozen=True):
+    """One datum of the wheels: simulated seconds, metres and degrees counter-clockwise."""
+
+    time: float
+    x: float
+    y: float
+    yaw: float
+    is_stalled: bool
+    is_moving: bool
+
+
+class ServerLink:
+    """The connection to a server and its newest data. A thread reads, any thread may write."""
+
+    def __init__(
+        self, host: str, port: int, on_notice: Callable[[LinkNotice, str], None] | None = None
+    ) -> None:
+        """``on_notice`` is called in the thread that reads."""
+        self.name = f"player://{host}:{port}"
+        self._address = (host, port)
+        self._report = on_notice or (lambda *_: None)
+        self._changed = threading.Condition(threading.RLock())
+        self._socket: socket.socket | None = None
+        self._reader = MessageReader(LONGEST_REPLY)
+        self._data: dict[tuple[int, int, int], PlayerMessage] = {}
+        self._replies: dict[tuple[int, int, int], PlayerMessage] = {}
+        self._closed = threading.Event()
+        self._factor = timeout_factor()
+        self._driven_until = inf
+        self._read_at = 0.0
+        self.permit = 0
+        """The number of the last halt. Commands that began before it are not sent."""
+        self.epoch = 0
+        """How often the server was lost."""
+        self.is_there = False
+        self.devices: dict[Key, tuple[Any, ...]] = {}
+        """Those that were opened, with the geometry of each that has one."""
+        self.configurations: dict[Key, tuple[Any, ...]] = {}
+
+    def connect(self) -> None:
+        """Raises ``RobotProblem``."""
+        try:
+            self._open()
+        except (OSError, TooLong, BadBody) as problem:
+            self._shut()
+            reason = _reason(problem)
+            code = "given-up" if self._closed.is_set() else "no-server" if reason else "no-answer"
+            raise RobotProblem(code, port=self.name, reason=reason) from None
+        threading.Thread(target=self._read, name="server", daemon=True).start()
+
+    def give_up(self) -> None:
+        self._closed.set()
+
+    def close(self) -> None:
+        self.halt()
+        self._closed.set()
+        self._shut()
+
+    # --- data
+
+    def values(self, key: Key, subtype: int = 1) -> tuple[float, tuple[Any, ...]] | None:
+        """The time and the content of its newest datum."""
+        message = self._data.get((*key, subtype))
+        with suppress(BadBody):
+            return None if message is None else (message.time, values_of(message))
+        return None
+
+    def wheels(self) -> WheelState:
+        at, numbers = self.values(WHEELS) or (0.0, (0.0,) * 7)
+        x, y, yaw, ahead, left, turn, stall = numbers if all(map(isfinite, numbers)) else (0.0,) * 7
+        is_moving = hypot(ahead, left) > STANDING or abs(turn) > STANDING
+        return WheelState(at, x, y, degrees(yaw), bool(stall), is_moving)
+
+    def wait_for_data(self, after: float) -> WheelState | None:
+        """Waits for a newer state; None if none comes within a tenth of a second."""
+        with self._changed:
+            self._changed.wait_for(lambda: self.wheels().time > after or not self.is_there, POLL)
+        state = self.wheels()
+        return state if state.time > after else None
+
+    # --- commands
+
+    def drive(self, permit: int, ahead: float, turn: float = 0.0) -> None:
+        self._steer(permit, 1, ahead, 0.0, turn, 1)
+
+    def turn_to(self, permit: int, state: WheelState, yaw: float) -> None:
+        """Turns the robot to this heading, at its place."""
+        self._steer(permit, 2, state.x, state.y, radians(normal(yaw)), 0.0, 0.0, 0.0, 1)
+
+    def halt(self) -> None:
+        """Any thread; never raises."""
+        with self._changed:
+            self.permit += 1
+            self._driven_until = inf
+            self.command(WHEELS, 1, 0.0, 0.0, 0.0, 1)
+
+    def command(self, key: Key, subtype: int, *values: object) -> None:
+        """Has no effect without a connection, or for a device that isn't open."""
+        if key in self.devices:
+            with suppress(OSError):
+                self._send(key, MessageType.COMMAND, subtype, *values)
+
+    def _steer(self, permit: int, subtype: int, *values: object) -> None:
+        with self._changed:
+            if permit == self.permit:
+                self.command(WHEELS, subtype, *values)
+                self._driven_until = monotonic() + LEASE
+
+    # --- inside
+
+    def _open(self) -> None:
+        """Connects, and opens the devices of ``WANTED`` that the server has."""
+        self._socket = socket.create_connection(self._address, CONNECTING)
+        self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        banner = b""
+        while len(banner) < BANNER_SIZE and (part := self._socket.recv(BANNER_SIZE - len(banner))):
+            banner += part
+        if not banner.startswith(b"Player"):
+            raise BadBody("no Player server")
+        self._reader = MessageReader(LONGEST_REPLY)
+        self._data.clear()
+        self.devices.clear()
+        self._ask((Interface.PLAYER, 0), 10, -1, -1, MessageType.DATA, -1, 1)  # the newest is enough
+        offered = self._ask((Interface.PLAYER, 0), 1)
+        there = {tuple(each[2:]) for each in offered[0]} if offered else set()
+        for key in WANTED:
+            if key in there and self._ask((Interface.PLAYER, 0), 3, 0, 0, *key, Access.OPEN, "") is not None:
+                has_shape = key[0] in (Interface.RANGER, Interface.BUMPER)
+                self.devices[key] = (self._ask(key, 1) if has_shape else None) or ()
+                if key[0] == Interface.RANGER:
+                    self.configurations[key] = self._ask(key, 5) or ()
+        if WHEELS not in self.devices:
+            self._shut()
+            raise RobotProblem("no-wheels", port=self.name)
+        limit = monotonic() + ANSWERING * self._factor
+        while self.values(WHEELS) is None:
+            self._pump(limit)
+        self.is_there = True
+
+    def _ask(self, key: Key, subtype: int, *values: object) -> tuple[Any, ...] | None:
+        """What is in the reply; None for a refusal."""
+        self._replies.pop((*key, subtype), None)
+        self._send(key, MessageType.REQUEST, subtype, *values)
+        limit = monotonic() + ANSWERING * self._factor
+        while (reply := self._replies.get((*key, subtype))) is None:
+            self._pump(limit)
+        return None if reply.type == MessageType.NACK else values_of(reply)
+
+    def _send(self, key: Key, type_: int, subtype: int, *values: object) -> None:
+        message = PlayerMessage(*key, type_, subtype, body_of(key[0], type_, subtype, *values))
+        with self._changed:
+            if self._socket is None:
+                raise ConnectionResetError
+            self._socket.sendall(message.encoded())
+
+    def _pump(self, limit: float = inf) -> None:
+        """Reads what has arrived; waits a tenth of a second at most. Raises ``OSError``."""
+        connected = self._socket
+        if self._closed.is_set() or connected is None:
+            raise ConnectionAbortedError
+        if select.select([connected], [], [], POLL)[0]:
+            data = connected.recv(1 << 16)
+            if not data:
+                raise ConnectionResetError
+            self._read_at = monotonic()
+            with self._changed:
+                for message in self._reader.feed(data):
+                    kind = (message.interface, message.index, message.subtype)
+                    (self._data if message.type == MessageType.DATA else self._replies)[kind] = message
+                self._changed.notify_all()
+        elif monotonic() > limit:
+            raise TimeoutError
+
+    def _read(self) -> None:
+        """The reading thread: runs until ``close``, and connects again whenever the server is lost."""
+        while not self._closed.is_set():
+            try:
+                while True:
+                    self._pump()
+                    self._look_after()
+            except (OSError, TooLong) as problem:
+                self._lose(_reason(problem))
+            while not self._closed.wait(AGAIN):
+                try:
+                    self._open()
+                except (OSError, TooLong, BadBody, RobotProblem):
+                    self._shut()
+                    continue
+                self._report(LinkNotice.RESTORED, self.name)
+                break
+
+    def _look_after(self) -> None:
+        """Stop a robot whose program gives no more commands; ask for a sign of life."""
+        now = monotonic()
+        with self._changed:
+            if now > self._driven_until:
+                self._driven_until = inf
+                self.command(WHEELS, 1, 0.0, 0.0, 0.0, 1)
+        if now - self._read_at > LOST * self._factor:
+            raise TimeoutError
+        if now - self._read_at > SILENCE:
+            self._send((Interface.PLAYER, 0), MessageType.REQUEST, 1)
+
+    def _lose(self, reason: str) -> None:
+        with self._changed:
+            was_there, self.is_there = self.is_there, False
+            self.epoch += 1
+            self._changed.notify_all()
+        self._shut()
+        if was_there and not self._closed.is_set():
+            self._report(LinkNotice.LOST, reason)
+
+    def _shut(self) -> None:
+        with self._changed:
+            connected, self._socket = self._socket, None
+            self.is_there = False
+        if connected is not None:
+            with suppress(OSError):
+                connected.shutdown(socket.SHUT_RDWR)
+            connected.close()
+
+
+def _reason(problem: Exception) -> str:
+    """The system's reason; empty if the server sent something wrong or nothing."""
+    return getattr(problem, "strerror", None) or ""
