@@ -21,8 +21,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from devices.board_simulator.board import SimulatedBoard
 from devices.serial_robot.link import SerialLink
-from devices.wire.commands import STOP, MotorDrive
-from devices.wire.reports import Decoder
+from devices.wire.frames import STOP, Decoder, MotorDrive
 from tests.board_on_pty import PtyBoard
 
 FAR = 1e9

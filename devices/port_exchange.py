@@ -22,9 +22,8 @@ from msgspec import Struct
 from devices.belt import BAUD as BELT_BAUD
 from devices.belt import RESYNC, contains_complaint
 from devices.serial_ports import GONE, PortFault, PortProblem, SerialPort, reason_of
-from devices.wire.commands import BAUD as ROBOT_BAUD
-from devices.wire.commands import CONFIGURE, FILLER, STOP
-from devices.wire.reports import ConfigWanted, Decoder, Encoders, Power, Report
+from devices.wire.frames import BAUD as ROBOT_BAUD
+from devices.wire.frames import CONFIGURE, FILLER, STOP, ConfigWanted, Decoder, Encoders, Power, Report
 from devices.wire.telemetry import unwrapped
 
 READ_TIMEOUT = 0.02

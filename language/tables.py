@@ -1,4 +1,4 @@
-"""The parser's tables, made from grammar.lark by ``python -m language.make_tables``.
+"""The parser's tables, made from grammar.lark by ``python -m tests.tools.make_tables``.
 
 An action above 0 shifts to that state, one below 0 reduces by RULES[action], 0 is a mistake.
 """

@@ -26,8 +26,7 @@ from devices.board_simulator.floor import (
     Floor,
     SimulatedWheels,
 )
-from devices.wire.commands import HEADER, LONGEST, CommandKind, checksum, encode_frame
-from devices.wire.reports import SONARS, ReportKind
+from devices.wire.frames import HEADER, LONGEST, SONARS, CommandKind, ReportKind, checksum, encode_frame
 
 PASSES = 750
 """Passes of the loop in a second, and so encoder frames sent and bytes read."""

@@ -12,7 +12,7 @@ from typing import Protocol
 
 from msgspec import Struct
 
-from devices.wire.commands import MotorDrive
+from devices.wire.frames import MotorDrive
 
 
 class AxlePose(Struct, frozen=True):

@@ -13,8 +13,8 @@ from devices.ports.robot import LinkNotice, Pace, Pose, RobotProblem, Watcher
 from devices.serial_robot.config import RobotConfig
 from devices.serial_robot.link import ConnectionState
 from devices.serial_robot.robot import SerialRobot
-from devices.wire.commands import MotorDrive, Wiring
 from devices.wire.connection import Action, BoardConnection, PortAction, Write
+from devices.wire.frames import MotorDrive, Wiring
 from devices.wire.link_state import LinkConfig, LinkState
 
 POLL = 0.01

@@ -11,7 +11,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from devices.ports.robot import STEP, Bearing
-from devices.wire.commands import AS_ORIGINAL, Wiring
+from devices.wire.frames import AS_ORIGINAL, Wiring
 
 _CLOCKWISE_FROM_FRONT_RIGHT = (
     Bearing.FRONT_RIGHT,

@@ -29,8 +29,8 @@ from devices.ports.robot import (
 from devices.serial_robot.config import RobotConfig
 from devices.serial_robot.link import RobotLink
 from devices.serial_robot.senses import Clearance
-from devices.wire.commands import MotorDrive
 from devices.wire.connection import travelled
+from devices.wire.frames import MotorDrive
 from devices.wire.link_state import LinkState
 from devices.wire.telemetry import Telemetry
 

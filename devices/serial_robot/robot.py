@@ -31,8 +31,8 @@ from devices.serial_robot.senses import (
     sightings,
     to_steps,
 )
-from devices.wire import commands
-from devices.wire.commands import AS_ORIGINAL, MotorDrive
+from devices.wire import frames
+from devices.wire.frames import AS_ORIGINAL, MotorDrive
 from devices.wire.link_state import LinkState
 from devices.wire.telemetry import REMEMBERED, Telemetry
 
@@ -325,7 +325,7 @@ class SerialRobot(LinkedRobot):
 
     def _look(self, degrees: int) -> None:
         angle = head_angle(degrees, is_mirrored=self._config.head_is_mirrored)
-        self._link.put(commands.head_frame(angle))
+        self._link.put(frames.head_frame(angle))
 
     def _measured(self, sonar: int, epoch: int) -> float | None:
         """Centimetres; waits two refreshes at most for a sonar that has measured nothing yet."""

@@ -15,21 +15,23 @@ from typing import TypeAlias, assert_never
 from msgspec import Struct
 
 from devices.ports.robot import LinkNotice
-from devices.wire.commands import PING, MotorDrive, Wiring
-from devices.wire.link_state import LinkConfig, LinkState, LinkTrigger, next_state
-from devices.wire.outbox import Outbox, StopSequence
-from devices.wire.reports import (
+from devices.wire.frames import (
+    PING,
     Bumpers,
     ConfigWanted,
     Decoder,
     Encoders,
     Message,
+    MotorDrive,
     Outputs,
     Pinged,
     Power,
     Ranges,
     Report,
+    Wiring,
 )
+from devices.wire.link_state import LinkConfig, LinkState, LinkTrigger, next_state
+from devices.wire.outbox import Outbox, StopSequence
 from devices.wire.telemetry import TelemetryTracker
 
 

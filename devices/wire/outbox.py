@@ -14,7 +14,7 @@ from __future__ import annotations
 from enum import Enum, auto
 from math import inf
 
-from devices.wire.commands import AS_ORIGINAL, CONFIGURE, FILLER, STOP, MotorDrive, drive_frame
+from devices.wire.frames import AS_ORIGINAL, CONFIGURE, FILLER, STOP, MotorDrive, drive_frame
 from devices.wire.link_state import LinkConfig
 
 STOPS = 2

@@ -10,9 +10,8 @@ from collections import deque
 
 from msgspec import Struct
 
-from devices.wire.commands import AS_ORIGINAL
+from devices.wire.frames import AS_ORIGINAL, BUMPERS
 from devices.wire.link_state import LinkConfig
-from devices.wire.reports import BUMPERS
 
 REFRESH = 0.2
 """Seconds in which every sonar has measured once more."""

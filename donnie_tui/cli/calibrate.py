@@ -22,7 +22,7 @@ from devices.serial_robot.config import RobotConfig, axle_length, wheel_radius
 from devices.wire.telemetry import Telemetry
 from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.streams import Input, let_sound, stopped_by_suspension
-from donnie_tui.commands.arguments import answered
+from donnie_tui.commands.interaction import answered
 from donnie_tui.core.hub import Hub, Stream
 from donnie_tui.core.program_files import DocumentError
 from donnie_tui.i18n.words import Unusable
@@ -36,8 +36,7 @@ from donnie_tui.robot.connection import (
     start_guard,
 )
 from donnie_tui.robot.search import sentences_of
-from donnie_tui.settings.file import remember
-from donnie_tui.settings.parsing import DOUBLE, SIMULATED, colours_text
+from donnie_tui.settings.parsing import DOUBLE, SIMULATED, colours_text, remember
 from language.keywords import argument_spelling
 
 if TYPE_CHECKING:

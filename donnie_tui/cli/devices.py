@@ -29,7 +29,7 @@ from devices.serial_ports import FoundPort, PortProblem, list_ports
 from devices.wire.link_state import LinkConfig
 from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.streams import Input
-from donnie_tui.commands.arguments import answered
+from donnie_tui.commands.interaction import answered
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.robot.search import find_port, sentences_of
 from donnie_tui.settings.settings import Settings

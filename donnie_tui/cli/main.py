@@ -26,15 +26,14 @@ from donnie_tui.cli.streams import Output
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.process.confinement import IS_POSSIBLE, Confinement, confine, part_below
 from donnie_tui.process.signals import numbers_of
-from donnie_tui.settings.file import read_file, read_settings
 from donnie_tui.settings.folders import keep_in, machine_settings_file, settings_file
+from donnie_tui.settings.parsing import Notice, read_file, read_settings
 from donnie_tui.settings.settings import (
     CONFINED,
     DEVICES,
     FRONT_END_SPEED,
     BadLimitsError,
     BadOption,
-    Notice,
     Settings,
     SettingSource,
     limits_of,

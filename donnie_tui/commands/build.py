@@ -10,11 +10,10 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from donnie_tui.commands.arguments import numbers_in
 from donnie_tui.commands.context import UNUSABLE, Context
 from donnie_tui.commands.declarations import BY_NAME
 from donnie_tui.commands.dispatch import handler_of, handles
-from donnie_tui.commands.interaction import GivenUp, NotUnderstood
+from donnie_tui.commands.interaction import GivenUp, NotUnderstood, numbers_in
 from donnie_tui.core.wording import meant
 from donnie_tui.i18n.words import Unusable
 from language import keywords

@@ -11,11 +11,10 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from donnie_tui.commands.arguments import read_count
 from donnie_tui.commands.context import UNUSABLE, Context
 from donnie_tui.commands.declarations import COMMANDS
 from donnie_tui.commands.dispatch import handles
-from donnie_tui.commands.interaction import GivenUp, NotUnderstood, Option
+from donnie_tui.commands.interaction import GivenUp, NotUnderstood, Option, read_count
 from donnie_tui.commands.lookup import help_line
 from donnie_tui.commands.program import say_restored
 from donnie_tui.core import reports

@@ -14,7 +14,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from donnie_tui import DETAILS
-from donnie_tui.commands.arguments import detail_named, switched
+from donnie_tui.commands.interaction import detail_named, switched
 from donnie_tui.core.wording import language_named, meant, name_of_language, spelled
 from donnie_tui.settings.parsing import PERCENTS, RATES
 from donnie_tui.settings.settings import (
@@ -129,7 +129,7 @@ class Preferences:
 
     def keep(self, key: str) -> None:
         """Write it into the settings file. Raises ``DocumentError``."""
-        from donnie_tui.settings.file import remember
+        from donnie_tui.settings.parsing import remember
 
         value = getattr(self.settings, BY_KEY[key].name)
         written = value if isinstance(value, bool | int | float) else as_text(value)

@@ -5,10 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-from donnie_tui.commands.arguments import number_and_text, read_numbers, replacement
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.dispatch import handles
-from donnie_tui.commands.interaction import GivenUp, NotUnderstood, Option
+from donnie_tui.commands.interaction import (
+    GivenUp,
+    NotUnderstood,
+    Option,
+    number_and_text,
+    read_numbers,
+    replacement,
+)
 from donnie_tui.core.document import ANOTHER_PROGRAM, Document, ProgramTooLong
 from donnie_tui.core.program_text import (
     LineMistake,

@@ -8,10 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from donnie_tui.commands.arguments import read_count, read_numbers
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.dispatch import handles
-from donnie_tui.commands.interaction import NotUnderstood, Option
+from donnie_tui.commands.interaction import NotUnderstood, Option, read_count, read_numbers
 from donnie_tui.commands.lookup import find
 from donnie_tui.commands.program import say_line
 from donnie_tui.core.answer_log import found_in_words, none_so_far, spelled

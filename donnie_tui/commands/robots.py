@@ -12,8 +12,7 @@ from donnie_tui.core.program_files import DocumentError, exists
 from donnie_tui.core.session import Busy, Session
 from donnie_tui.core.wording import facing, no_such_robot, whole_steps
 from donnie_tui.robot.search import RobotOption
-from donnie_tui.settings.file import remember
-from donnie_tui.settings.parsing import SIMULATED
+from donnie_tui.settings.parsing import SIMULATED, remember
 
 MOST_ROBOTS = 30
 """Robots that are listed one by one."""

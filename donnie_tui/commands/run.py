@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from donnie_tui.commands.arguments import read_numbers
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.dispatch import handles
-from donnie_tui.commands.interaction import NotUnderstood
+from donnie_tui.commands.interaction import NotUnderstood, read_numbers
 from donnie_tui.core.events import TYPED, Error, Outcome
 from donnie_tui.core.run_controller import RunController
 from donnie_tui.core.run_state import Begin, NothingRuns, NothingToRun, Request, RunState

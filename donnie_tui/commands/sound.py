@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from devices.ports.audio import CUES
 from donnie_tui.bootstrap import Donnie
-from donnie_tui.commands.arguments import switched
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.dispatch import handles
+from donnie_tui.commands.interaction import switched
 from donnie_tui.core.events import Answered, Chimed
 from donnie_tui.core.wording import meant, spelled
 from donnie_tui.settings.parsing import read_percent

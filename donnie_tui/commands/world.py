@@ -8,10 +8,9 @@ from msgspec.structs import replace
 
 from devices.ports.robot import Pose
 from donnie_tui.bootstrap import Donnie, task_on_arrival
-from donnie_tui.commands.arguments import read_count, read_numbers
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.dispatch import handles
-from donnie_tui.commands.interaction import NotUnderstood, Option, Screen
+from donnie_tui.commands.interaction import NotUnderstood, Option, Screen, read_count, read_numbers
 from donnie_tui.core import map_words
 from donnie_tui.core.events import SoundSwitched
 from donnie_tui.core.map_grid import DEFAULT_MOVES, FREE, MapGrid, Trail, path_in_words, place_in_words

@@ -15,7 +15,7 @@ from donnie_tui.core.document import Document
 from donnie_tui.core.program_files import DocumentError
 from donnie_tui.linear.output import BackgroundRobots
 from donnie_tui.linear.prompter import Printer, Prompter, Streams
-from donnie_tui.settings.file import remember
+from donnie_tui.settings.parsing import remember
 from language.keywords import spelling
 
 _CHECK = 0.05

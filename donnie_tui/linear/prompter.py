@@ -7,8 +7,8 @@ from enum import Enum
 
 from msgspec import Struct
 
-from donnie_tui.commands.arguments import answered
 from donnie_tui.commands.context import Context
+from donnie_tui.commands.interaction import answered
 from donnie_tui.commands.lookup import find
 from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.wording import meant

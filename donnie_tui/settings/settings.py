@@ -37,6 +37,7 @@ from donnie_tui.settings.parsing import (
     WHEELS_WANTED,
     ColourRanges,
     Columns,
+    Notice,
     Sonars,
     Sound,
     folders_of,
@@ -183,13 +184,6 @@ class SettingSource(Enum):
     ENVIRONMENT = "environment"
     FILE = "file"
     DEFAULT = "default"
-
-
-class Notice(Struct, frozen=True):
-    """A problem of the settings that is reported once: a code and its values."""
-
-    code: str
-    values: Mapping[str, str]
 
 
 class ServedFile(Struct, frozen=True):

@@ -11,11 +11,10 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from textual.app import SuspendNotSupported
 
 from donnie_tui.bootstrap import Donnie
-from donnie_tui.commands.arguments import answered
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.declarations import BY_NAME
 from donnie_tui.commands.files import may_lose_all
-from donnie_tui.commands.interaction import MapPane, Option
+from donnie_tui.commands.interaction import MapPane, Option, answered
 from donnie_tui.commands.keys import KeyTable
 from donnie_tui.commands.lookup import word_of
 from donnie_tui.commands.preferences import Preferences

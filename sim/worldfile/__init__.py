@@ -1,6 +1,5 @@
 """World files as Stage has them: text in; a scene, or a mistake with its place, out."""
 
-from sim.worldfile.configuration import Address, Configuration, Driver, Offer, load_configuration
 from sim.worldfile.edit import (
     WrittenModel,
     in_units,
@@ -10,7 +9,15 @@ from sim.worldfile.edit import (
     units_of,
     written_models,
 )
-from sim.worldfile.load import load_text, load_world
+from sim.worldfile.load import (
+    Address,
+    Configuration,
+    Driver,
+    Offer,
+    load_configuration,
+    load_text,
+    load_world,
+)
 from sim.worldfile.mistakes import Code, WorldError
 
 __all__ = [

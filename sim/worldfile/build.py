@@ -1,4 +1,6 @@
-"""Entities become models: units, poses, shapes and sensors, as Stage builds them."""
+"""Entities become models: units, poses, shapes, and what is mounted on them, as Stage builds them.
+
+Wheels, sensors and grippers are read from the settings; the defaults are Stage's."""
 
 from __future__ import annotations
 
@@ -7,12 +9,29 @@ from collections.abc import Callable, Iterable, Mapping
 
 from sim.colours import colour_of
 from sim.geometry import Placement, Point, placed
-from sim.scene import Gripper, Model, Note, NoteKind, Polygon, RangeSensor
-from sim.worldfile import equipment
+from sim.scene import (
+    Blobfinder,
+    Bounds,
+    Bumper,
+    Camera,
+    Drive,
+    FiducialFinder,
+    Gripper,
+    Limits,
+    Localization,
+    Model,
+    Note,
+    NoteKind,
+    OdometryError,
+    Polygon,
+    RangeNoise,
+    RangeSensor,
+    Wheels,
+)
 from sim.worldfile.entities import MODEL_TYPES, Entity, Setting
 from sim.worldfile.floor_plans import NOTHING, Plan, rectangle
 from sim.worldfile.mistakes import Code, WorldError
-from sim.worldfile.values import ValueReader
+from sim.worldfile.values import ValueReader, mistake
 
 Trace = Callable[[Setting, tuple[float, float, float]], Plan]
 """The dark pixels of the picture that a ``bitmap`` names, for a model of that size."""
@@ -86,7 +105,7 @@ class Builder:
         origin = read.place(settings, "origin")
         walled = read.number(settings, "boundary", 0) != 0
         walls = boundary_walls(size, origin) if walled else ()
-        gripper = equipment.gripper(read, settings) if entity.type == "gripper" else None
+        gripper = read_gripper(read, settings) if entity.type == "gripper" else None
         if gripper is not None:
             drawn = gripper_blocks(gripper, float(gripper.closed), float(gripper.lifted))
         else:
@@ -118,12 +137,12 @@ class Builder:
             stage_blocks=len(polygons) - len(plan.polygons) + plan.outlines + (0 if blocks else len(walls)),
             walls=walls,
             sensors=tuple(self._sensors(entity)),
-            blobfinder=equipment.blobfinder(read, settings) if entity.type == "blobfinder" else None,
-            fiducial_finder=equipment.fiducial_finder(read, settings) if entity.type == "fiducial" else None,
-            bumpers=tuple(equipment.bumpers(read, settings)) if entity.type == "bumper" else (),
+            blobfinder=read_blobfinder(read, settings) if entity.type == "blobfinder" else None,
+            fiducial_finder=read_fiducial_finder(read, settings) if entity.type == "fiducial" else None,
+            bumpers=tuple(read_bumpers(read, settings)) if entity.type == "bumper" else (),
             gripper=gripper,
-            camera=equipment.camera(read, settings) if entity.type == "camera" else None,
-            wheels=equipment.wheels(read, settings) if entity.type == "position" else None,
+            camera=read_camera(read, settings) if entity.type == "camera" else None,
+            wheels=read_wheels(read, settings) if entity.type == "position" else None,
         )
 
     def _shape(
@@ -151,7 +170,7 @@ class Builder:
             if child.type == "sensor" and entity.type == "ranger":
                 sensor = self._sensor(child)
                 self._samples += sensor.samples
-                self._bound(entity, "samples", self._samples, equipment.MOST_SAMPLES_OF_ALL)
+                self._bound(entity, "samples", self._samples, MOST_SAMPLES_OF_ALL)
                 yield sensor
 
     def _sensor(self, entity: Entity) -> RangeSensor:
@@ -159,7 +178,7 @@ class Builder:
         key = tuple(id(setting.property) for setting in entity.settings.values())
         if key not in self._sensors_made:
             self._reader.check(entity.settings)
-            self._sensors_made[key] = equipment.range_sensor(self._reader, entity.settings)
+            self._sensors_made[key] = read_range_sensor(self._reader, entity.settings)
         return self._sensors_made[key]
 
     def _remark(self, code: str, entity: Entity, kind: NoteKind = NoteKind.IGNORED, **details: str) -> None:
@@ -266,3 +285,140 @@ def boundary_walls(size: tuple[float, float, float], origin: Placement) -> tuple
 def has_default_block(kind: str, walled: bool) -> bool:
     """Whether a model without blocks is a box; what only looks has no body, what has walls is just these."""
     return kind not in ("ranger", "blobfinder", "fiducial") and not walled
+
+
+MOST_BUMPERS = 1000
+MOST_SAMPLES = 10_000
+"""Of one sensor."""
+MOST_SAMPLES_OF_ALL = 2_000_000
+_SHORTEST_PADDLE, _LONGEST_PADDLE = 0.01, 0.99
+
+_Settings = Mapping[str, Setting]
+
+
+def read_range_sensor(read: ValueReader, settings: _Settings) -> RangeSensor:
+    usual = RangeSensor()
+    minimum, maximum = read.span(settings, "range", (usual.minimum, usual.maximum))
+    fov = _fov(read.angle(settings, "fov", usual.fov))
+    samples = read.whole(settings, "samples", 1, MOST_SAMPLES)
+    size = read.size(settings, usual.size)
+    noise = _noise(read, settings)
+    return RangeSensor(read.place(settings, "pose"), minimum, maximum, fov, samples, noise, size)
+
+
+def _noise(read: ValueReader, settings: _Settings) -> RangeNoise:
+    """Stage's three numbers, or one tuple of them: in parts of the distance, in metres, in degrees."""
+    proportional, constant, angle = 0.0, 0.0, 0.0
+    if (setting := settings.get("noise")) is not None:
+        proportional, constant, angle = read.numbers(setting, 3, 3)
+        constant, angle = constant * read.metres, angle * read.degrees
+    return RangeNoise(
+        constant=abs(read.length(settings, "range_noise_const", constant)),
+        proportional=min(1.0, abs(read.number(settings, "range_noise", proportional))),
+        angle=min(360.0, abs(read.angle(settings, "angle_noise", angle))),
+    )
+
+
+def read_blobfinder(read: ValueReader, settings: _Settings) -> Blobfinder:
+    maximum, fov = read.length(settings, "range", 12.0), _fov(read.angle(settings, "fov", 60.0))
+    image = (80, 60)
+    if (setting := settings.get("image")) is not None:
+        across, down = (int(min(100_000, max(1, each))) for each in read.numbers(setting, 2, 2))
+        image = (across, down)
+    pan = read.angle(settings, "pan", 0.0) % 360.0
+    return Blobfinder(max(0.0, maximum), fov, read.colours(settings), pan, image)
+
+
+def read_fiducial_finder(read: ValueReader, settings: _Settings) -> FiducialFinder:
+    usual = FiducialFinder()
+    minimum = max(0.0, read.length(settings, "range_min", usual.minimum))
+    maximum = max(minimum, read.length(settings, "range_max", usual.maximum))
+    maximum_id = max(0.0, read.length(settings, "range_max_id", usual.maximum_id))
+    return FiducialFinder(minimum, maximum, maximum_id, _fov(read.angle(settings, "fov", usual.fov)))
+
+
+def read_bumpers(read: ValueReader, settings: _Settings) -> Iterable[Bumper]:
+    """Without a ``bcount`` as many as there are poses."""
+    given = sum(1 for name in settings if name.startswith("bpose["))
+    common = max(0.0, read.length(settings, "blength", 0.1))
+    for i in range(read.whole(settings, "bcount", given, MOST_BUMPERS, least=0)):
+        length = max(0.0, read.length(settings, f"blength[{i}]", common))
+        yield Bumper(read.place(settings, f"bpose[{i}]"), length)
+
+
+def read_gripper(read: ValueReader, settings: _Settings) -> Gripper:
+    usual = Gripper()
+    sizes = [usual.paddle_length, usual.paddle_width, usual.paddle_height]
+    if (setting := settings.get("paddle_size")) is not None:
+        sizes = [min(_LONGEST_PADDLE, max(_SHORTEST_PADDLE, each)) for each in read.numbers(setting, 3, 3)]
+    closed, lifted = _paddle_state(read, settings)
+    snatches = read.number(settings, "autosnatch", 0) != 0
+    return Gripper(sizes[0], min(0.49, sizes[1]), sizes[2], closed, lifted, snatches)
+
+
+def _paddle_state(read: ValueReader, settings: _Settings) -> tuple[bool, bool]:
+    setting = settings.get("paddle_state")
+    if setting is None:
+        return False, False
+    states = read.words(setting, ("open", "closed", "up", "down"))
+    return "closed" in states, "up" in states
+
+
+def read_camera(read: ValueReader, settings: _Settings) -> Camera:
+    usual = Camera()
+    minimum, maximum = read.span(settings, "range", (usual.minimum, usual.maximum))
+    fov, pan, tilt = usual.fov, usual.pan, usual.tilt
+    if (setting := settings.get("fov")) is not None:
+        across, *up = read.numbers(setting, 1, 2)  # degrees, whatever the file's unit (manual, 3.2.1.1)
+        fov = (_fov(across), _fov(up[0]) if up else usual.fov[1])
+    if (setting := settings.get("pantilt")) is not None:
+        pan, tilt = read.numbers(setting, 2, 2)
+    return Camera(minimum, maximum, fov, pan % 360.0, tilt % 360.0)
+
+
+def read_wheels(read: ValueReader, settings: _Settings) -> Wheels:
+    drive = read.one_of(settings, "drive", "diff", tuple(each.value for each in Drive))
+    localization = read.one_of(settings, "localization", "gps", tuple(each.value for each in Localization))
+    origin = read.place(settings, "localization_origin") if "localization_origin" in settings else None
+    return Wheels(
+        Drive(drive),
+        Localization(localization),
+        origin,
+        _odometry_error(read, settings),
+        _limits(read, settings, "velocity_bounds"),
+        _limits(read, settings, "acceleration_bounds"),
+        max(1e-3, read.length(settings, "wheelbase", 1.0)),
+    )
+
+
+def _odometry_error(read: ValueReader, settings: _Settings) -> OdometryError:
+    """``[x y z angle]``, or the manual's ``[x y angle]``. Parts, not lengths; Stage reads four."""
+    if (setting := settings.get("odom_error")) is None:
+        return OdometryError()
+    numbers = read.numbers(setting, 3, 6)
+    if len(numbers) > 4:
+        read.note(NoteKind.REPAIRED, "first-four", setting, name="odom_error")
+    x, y, *_, yaw = (min(2.0, abs(each)) for each in numbers[:4])
+    return OdometryError(x, y, yaw)
+
+
+def _limits(read: ValueReader, settings: _Settings, name: str) -> Limits | None:
+    """``[xmin xmax ymin ymax zmin zmax amin amax]``."""
+    if (setting := settings.get(name)) is None:
+        return None
+    values = read.numbers(setting, 8, 8)
+    x, y = _bounds(setting, values[0:2], read.metres), _bounds(setting, values[2:4], read.metres)
+    return Limits(x, y, _bounds(setting, values[6:8], read.degrees))
+
+
+def _bounds(setting: Setting, pair: tuple[float, ...], unit: float) -> Bounds:
+    low, high = pair[0] * unit, pair[1] * unit
+    if low > high:
+        raise mistake(Code.WRONG_ORDER, setting, name=setting.property.name)
+    if not -1e6 <= low <= high <= 1e6:
+        raise mistake(Code.OUT_OF_RANGE, setting, name=setting.property.name)
+    return low, high
+
+
+def _fov(degrees: float) -> float:
+    return min(360.0, max(0.0, degrees))

@@ -17,7 +17,7 @@ PACKAGES = ("donnie_tui", "language", "sim", "devices", "worlds")
 OWNERS = {
     "textual": ("donnie_tui.tui",),
     "rich": ("donnie_tui.tui",),
-    "lark": ("sim.", "language.make_tables"),
+    "lark": ("sim.",),
     "pymunk": ("sim.",),
     "PIL": ("sim.",),
     "serial": (),

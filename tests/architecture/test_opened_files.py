@@ -30,7 +30,6 @@ ALLOWED = {
     "sim/worldfile/parser.py": "the grammar",
     "worlds/__init__.py": "programs that come with Donnie",
     "language/locales.py": "words of a language",
-    "language/make_tables.py": "the tool of developers",
 }
 """Modules that open something by themselves, and what."""
 

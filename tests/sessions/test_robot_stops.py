@@ -11,7 +11,7 @@ from pathlib import Path
 import pexpect
 import pytest
 
-from devices.wire.commands import CONFIGURE, STOP
+from devices.wire.frames import CONFIGURE, STOP
 from donnie_tui.core.events import CueSounded, Outcome, Stamped
 from donnie_tui.core.session import RunOptions
 from tests.board_on_pty import PtyBoard

@@ -14,7 +14,7 @@ from pathlib import Path
 import pexpect
 import pytest
 
-from devices.wire.commands import CONFIGURE, STOP
+from devices.wire.frames import CONFIGURE, STOP
 from tests.board_on_pty import PtyBoard
 from tests.sessions.command import COMMAND, QUIET, environment
 from tests.sessions.learner import Learner

@@ -13,7 +13,7 @@ from pathlib import Path
 import pexpect
 import pytest
 
-from devices.wire.commands import STOP
+from devices.wire.frames import STOP
 from tests.board_on_pty import PtyBoard
 from tests.sessions.real_robot import LONG_WALK, program, serial, until
 from tests.sessions.ssh_line import MISSING, SshLine

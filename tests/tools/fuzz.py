@@ -29,8 +29,7 @@ from types import FrameType
 from typing import TYPE_CHECKING
 
 import worlds
-from devices.wire.commands import HEADER, encode_frame
-from devices.wire.reports import Decoder
+from devices.wire.frames import HEADER, Decoder, encode_frame
 from donnie_tui.core.events import as_line
 from donnie_tui.core.recording import NoRecordingError, Recording
 from donnie_tui.core.replay import redone_in_words, undone_in_words

@@ -21,7 +21,7 @@ from donnie_tui.cli.page_session import PageLimits, PageSession
 from donnie_tui.i18n import po
 from donnie_tui.i18n.translations import SOURCE
 from donnie_tui.i18n.words import CODES, Words
-from donnie_tui.settings.file import read_file
+from donnie_tui.settings.parsing import read_file
 from donnie_tui.settings.settings import KEYS, resolve
 from language.locales import languages
 from sim.worldfile.floor_plans import MOST_PIXELS, UnreadableBitmapError, read_bitmap

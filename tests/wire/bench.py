@@ -6,8 +6,8 @@ from devices.board_simulator.board import NoisyWire, SimulatedBoard
 from devices.board_simulator.floor import Floor
 from devices.board_simulator.robot import VirtualLink
 from devices.ports.robot import LinkNotice
-from devices.wire.commands import MotorDrive, encode_frame
 from devices.wire.connection import BoardConnection
+from devices.wire.frames import MotorDrive, encode_frame
 from devices.wire.link_state import LinkConfig, LinkState
 
 FAR = 1e9

@@ -17,7 +17,7 @@ import pytest
 
 from devices.board_simulator.board import NoisyWire, SimulatedBoard
 from devices.board_simulator.floor import AxlePose, BumperSwitch, Chassis
-from devices.wire.reports import Bumpers, Decoder, Encoders, Message, Outputs, Power, Ranges, Report
+from devices.wire.frames import Bumpers, Decoder, Encoders, Message, Outputs, Power, Ranges, Report
 from tests.wire.recordings import ROBOT_TRACES, RecordedRow, recording
 
 RECORDED = Chassis(walking=(340.5, 326.6), walking_back=(340.5, 340.5), turning=(170.5, 162.0))

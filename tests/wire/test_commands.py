@@ -2,8 +2,8 @@
 
 import pytest
 
-from devices.wire import commands
-from devices.wire.commands import MotorDrive, checksum
+from devices.wire import frames
+from devices.wire.frames import MotorDrive, checksum
 
 
 def test_the_checksum_is_the_dallas_one() -> None:
@@ -21,21 +21,21 @@ def test_the_checksum_is_the_dallas_one() -> None:
     ],
 )
 def test_each_drive_is_its_recorded_frame(drive: MotorDrive, frame: str) -> None:
-    assert commands.drive_frame(drive) == bytes.fromhex(frame)
+    assert frames.drive_frame(drive) == bytes.fromhex(frame)
 
 
 @pytest.mark.parametrize(
     ("made", "frame"),
     [
-        (commands.CONFIGURE, "aabb13c03f800000000000000000000040a0000003fdef"),
-        (commands.PING, "aabb02412b5c"),
-        (commands.head_frame(90), "aabb0330105a97"),
-        (commands.head_frame(0), "aabb0330100032"),
-        (commands.outputs_frame(buzzer=True), "aabb02150472"),
-        (commands.outputs_frame(vibrate_left=True), "aabb021508d1"),
-        (commands.outputs_frame(vibrate_right=True), "aabb0215108e"),
-        (commands.outputs_frame(), "aabb02150013"),
-        (commands.beep_frame(440, 300), "aabb071701b80000012c4a"),
+        (frames.CONFIGURE, "aabb13c03f800000000000000000000040a0000003fdef"),
+        (frames.PING, "aabb02412b5c"),
+        (frames.head_frame(90), "aabb0330105a97"),
+        (frames.head_frame(0), "aabb0330100032"),
+        (frames.outputs_frame(buzzer=True), "aabb02150472"),
+        (frames.outputs_frame(vibrate_left=True), "aabb021508d1"),
+        (frames.outputs_frame(vibrate_right=True), "aabb0215108e"),
+        (frames.outputs_frame(), "aabb02150013"),
+        (frames.beep_frame(440, 300), "aabb071701b80000012c4a"),
     ],
     ids=["config", "ping", "head-90", "head-0", "buzzer", "vib-l", "vib-r", "outputs-off", "beep"],
 )
@@ -46,14 +46,14 @@ def test_each_command_is_its_recorded_frame(made: bytes, frame: str) -> None:
 @pytest.mark.parametrize("angle", [-1, 181])
 def test_a_head_angle_that_would_wrap_is_refused(angle: int) -> None:
     with pytest.raises(ValueError, match="0 to 180"):
-        commands.head_frame(angle)
+        frames.head_frame(angle)
 
 
 def test_a_frame_that_is_too_long_for_the_board_is_refused() -> None:
     with pytest.raises(ValueError, match="too long"):
-        commands.encode_frame(0x15, bytes(50))
+        frames.encode_frame(0x15, bytes(50))
 
 
 def test_a_beep_that_does_not_fit_its_bytes_is_refused() -> None:
     with pytest.raises(ValueError, match="no such beep"):
-        commands.beep_frame(70_000, 1)
+        frames.beep_frame(70_000, 1)

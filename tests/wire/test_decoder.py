@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from devices.wire.commands import HEADER, encode_frame
-from devices.wire.reports import (
+from devices.wire.frames import (
+    HEADER,
     Bumpers,
     ConfigWanted,
     Decoder,
@@ -19,6 +19,7 @@ from devices.wire.reports import (
     Power,
     Ranges,
     Report,
+    encode_frame,
 )
 from tests.effort import examples
 from tests.wire.listing import ListedFrame, crc, listed

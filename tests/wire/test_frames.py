@@ -6,7 +6,7 @@ Each test is named after its row of the table of weaknesses in docs/wire-protoco
 from __future__ import annotations
 
 from devices.ports.robot import LinkNotice
-from devices.wire.commands import PING, encode_frame
+from devices.wire.frames import PING, encode_frame
 from devices.wire.telemetry import WheelCounter
 from tests.wire.bench import Bench, streaming
 

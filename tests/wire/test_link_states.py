@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 import pytest
 
-from devices.wire.commands import MotorDrive
 from devices.wire.connection import BoardConnection
+from devices.wire.frames import MotorDrive
 from devices.wire.link_state import TRANSITIONS, LinkConfig, LinkState, LinkTrigger, next_state
 from tests.wire.bench import FAR
 

@@ -8,8 +8,8 @@ from __future__ import annotations
 import pytest
 
 from devices.ports.robot import LinkNotice
-from devices.wire.commands import CONFIGURE, FILLER, STOP, MotorDrive, encode_frame
 from devices.wire.connection import BoardConnection
+from devices.wire.frames import CONFIGURE, FILLER, STOP, MotorDrive, encode_frame
 from tests.wire.bench import FAR, Bench, streaming
 
 # --- host watchdog

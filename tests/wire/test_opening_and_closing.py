@@ -10,8 +10,8 @@ import pytest
 from devices.board_simulator.board import NoisyWire, SimulatedBoard
 from devices.board_simulator.robot import VirtualLink
 from devices.ports.robot import LinkNotice, RobotProblem
-from devices.wire.commands import CONFIGURE, FILLER, STOP, MotorDrive, drive_frame, encode_frame
 from devices.wire.connection import BoardConnection
+from devices.wire.frames import CONFIGURE, FILLER, STOP, MotorDrive, drive_frame, encode_frame
 from devices.wire.link_state import LinkConfig, LinkState
 from tests.wire.bench import HALF_A_FRAME, Bench, abandoned_board
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from devices.ports.robot import LinkNotice
-from devices.wire.commands import STOP, MotorDrive, Wiring, drive_frame
+from devices.wire.frames import STOP, MotorDrive, Wiring, drive_frame
 from tests.wire.bench import Bench
 
 

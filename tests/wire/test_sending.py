@@ -9,7 +9,7 @@ from itertools import pairwise
 
 import pytest
 
-from devices.wire.commands import FILLER, STOP, MotorDrive, drive_frame, head_frame
+from devices.wire.frames import FILLER, STOP, MotorDrive, drive_frame, head_frame
 from devices.wire.link_state import LinkConfig
 from devices.wire.outbox import Outbox
 from tests.wire.bench import FAR, HALF_A_FRAME, Bench

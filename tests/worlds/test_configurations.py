@@ -6,7 +6,7 @@ import pytest
 
 from sim.scene import NoteKind
 from sim.worldfile import Address, Code, Configuration, Offer, WorldError, load_configuration
-from sim.worldfile.configuration import address
+from sim.worldfile.load import address
 
 WORLD = """
 define bob position ( ranger ( sensor ( ) ) )

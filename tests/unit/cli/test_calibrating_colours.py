@@ -15,7 +15,7 @@ from donnie_tui.cli.options import ExitCode, Invocation, Order
 from donnie_tui.cli.streams import Output
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.audible import Audible
-from donnie_tui.settings.file import read_settings
+from donnie_tui.settings.parsing import read_settings
 from donnie_tui.settings.settings import Settings, resolve
 from tests.unit.devices.pictures import drawn, save
 

@@ -8,9 +8,8 @@ import pytest
 
 from donnie_tui.core.program_files import DocumentError
 from donnie_tui.i18n.words import Words
-from donnie_tui.settings.file import read_settings, remember, with_setting
 from donnie_tui.settings.folders import settings_file, state_folder
-from donnie_tui.settings.parsing import colours_text
+from donnie_tui.settings.parsing import colours_text, read_settings, remember, with_setting
 from donnie_tui.settings.settings import KEYS, BadOption, Settings, SettingSource, language_of, resolve
 
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from donnie_tui.commands.arguments import count_in, number_and_text, number_in, numbers_in
+from donnie_tui.commands.interaction import count_in, number_and_text, number_in, numbers_in
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,7 @@
 
 import pytest
 
-from donnie_tui.commands.arguments import answered, detail_named, switched
+from donnie_tui.commands.interaction import answered, detail_named, switched
 from donnie_tui.commands.preferences import BY_NAME, value_typed
 from donnie_tui.commands.sound import cue_volume_typed
 from donnie_tui.core.wording import language_named, spelled

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from devices.belt import BAUD
 from devices.board_simulator.board import SimulatedBelt, SimulatedBoard
 from devices.port_exchange import READ_TIMEOUT
-from devices.wire.commands import CONFIGURE
+from devices.wire.frames import CONFIGURE
 
 
 class BoardPort:

@@ -16,7 +16,7 @@ from devices.port_exchange import (
     identify,
 )
 from devices.serial_ports import PortFault, PortProblem
-from devices.wire.commands import FILLER, STOP, MotorDrive, drive_frame
+from devices.wire.frames import FILLER, STOP, MotorDrive, drive_frame
 from tests.unit.devices.board_ports import BeltOnly, BoardPort, opener, running
 
 FORWARD = drive_frame(MotorDrive.FORWARD)

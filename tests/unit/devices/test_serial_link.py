@@ -20,7 +20,7 @@ from devices.serial_ports import SerialPort
 from devices.serial_robot.config import RobotConfig
 from devices.serial_robot.link import SerialLink, open_board_port
 from devices.serial_robot.robot import SerialRobot
-from devices.wire.commands import BAUD, PING, STOP, MotorDrive, head_frame
+from devices.wire.frames import BAUD, PING, STOP, MotorDrive, head_frame
 from devices.wire.link_state import LinkConfig, LinkState
 from tests.board_on_pty import PtyBoard
 from tests.timeouts import TIMEOUT

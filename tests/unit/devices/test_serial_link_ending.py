@@ -14,7 +14,7 @@ import pytest
 
 from devices.ports.robot import LinkNotice
 from devices.serial_robot.link import SerialLink, open_board_port
-from devices.wire.commands import STOP, MotorDrive, drive_frame
+from devices.wire.frames import STOP, MotorDrive, drive_frame
 from devices.wire.link_state import LinkConfig, LinkState
 from tests.board_on_pty import PtyBoard
 from tests.conftest import ROOT
@@ -117,7 +117,7 @@ def test_process_killed_the_hang_up_flag_of_the_port_is_left_alone(pty_board: Pt
 DRIVER = """
 import select, signal, sys, time
 from devices.serial_robot.link import SerialLink
-from devices.wire.commands import MotorDrive
+from devices.wire.frames import MotorDrive
 from devices.wire.link_state import LinkConfig
 link = SerialLink(sys.argv[1], LinkConfig(silence=60.0, lease=60.0)); link.connect()
 signal.signal(signal.SIGTERM, lambda *_: (link.close(), sys.exit(3)))

@@ -12,7 +12,7 @@ from devices.board_simulator.floor import AxlePose
 from devices.ports.robot import STEP, LinkNotice, Met, StoppedBy
 from devices.serial_robot.config import RobotConfig
 from devices.serial_robot.senses import head_angle
-from devices.wire.commands import Wiring, head_frame
+from devices.wire.frames import Wiring, head_frame
 from tests.unit.devices.robots import NEAR, Real, Sonars, wall_ahead
 
 KNOWN = RobotConfig(finds_profile=False)

@@ -2,14 +2,14 @@
 
 import subprocess
 import sys
-from pathlib import Path
 
-from language import make_tables, tables
+from language import tables
 from language.lexer import NAME
 from language.parser import parse
 from language.tree_builder import TreeBuilder
+from tests.tools import make_tables
 
-FOLDER = Path(make_tables.__file__).parent
+FOLDER = make_tables.FOLDER
 
 
 def test_the_shipped_tables_are_those_of_the_grammar() -> None:
@@ -17,7 +17,9 @@ def test_the_shipped_tables_are_those_of_the_grammar() -> None:
 
 
 def test_the_tables_do_not_depend_on_the_order_of_sets() -> None:
-    code = "from language import make_tables as m; import zlib; print(zlib.crc32(m.make_tables().encode()))"
+    code = (
+        "from tests.tools import make_tables as m; import zlib; print(zlib.crc32(m.make_tables().encode()))"
+    )
     made = {
         subprocess.run(
             [sys.executable, "-c", code],

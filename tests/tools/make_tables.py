@@ -1,7 +1,7 @@
-"""Makes tables.py from grammar.lark with lark. Run ``python -m language.make_tables`` after a change.
+"""Makes ``language/tables.py`` from grammar.lark. Run ``python -m tests.tools.make_tables`` after a change.
 
-Only this module imports lark, so the parser runs without it. States are numbered in the order in which they
-are reached over sorted symbols, because lark's own numbers change from run to run.
+The parser runs without lark. States are numbered in the order in which they are reached over sorted symbols,
+because lark's own numbers change from run to run.
 """
 
 from __future__ import annotations
@@ -14,9 +14,9 @@ from typing import Any
 from lark import Lark
 from lark.parsers.lalr_analysis import Shift
 
-HERE = Path(__file__).parent
+FOLDER = Path(__file__).parents[2] / "language"
 
-_HEADER = '''"""The parser's tables, made from grammar.lark by ``python -m language.make_tables``.
+_HEADER = '''"""The parser's tables, made from grammar.lark by ``python -m tests.tools.make_tables``.
 
 An action above 0 shifts to that state, one below 0 reduces by RULES[action], 0 is a mistake.
 """
@@ -28,7 +28,7 @@ An action above 0 shifts to that state, one below 0 reduces by RULES[action], 0 
 
 def make_tables() -> str:
     """The text that tables.py must have."""
-    grammar = (HERE / "grammar.lark").read_text(encoding="utf-8")
+    grammar = (FOLDER / "grammar.lark").read_text(encoding="utf-8")
     terminals = ["$END", *_declared(grammar)]
     table = Lark(grammar, parser="lalr", lexer="basic", start="program").parser.parser._parse_table
     return _HEADER + "\n".join(_tables(table, terminals))
@@ -112,4 +112,4 @@ def _rows(name: str, values: Any) -> str:
 
 
 if __name__ == "__main__":
-    (HERE / "tables.py").write_text(make_tables(), encoding="utf-8")
+    (FOLDER / "tables.py").write_text(make_tables(), encoding="utf-8")
