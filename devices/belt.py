@@ -19,8 +19,7 @@ from enum import Enum, auto
 from math import inf
 from time import monotonic
 
-from devices.notifier import Notifier
-from devices.serial_ports import GONE, PortProblem, SerialPort
+from devices.serial_ports import GONE, Notifier, PortProblem, SerialPort
 
 BAUD = 9600
 """8N1: a frame takes 37.5 ms."""

@@ -16,9 +16,8 @@ from math import inf
 from typing import Protocol
 
 from devices.board_reset import AUTOMATIC, BoardReset, reset_of
-from devices.notifier import Notifier
 from devices.ports.robot import LinkNotice, RobotProblem
-from devices.serial_ports import GONE, PortProblem, SerialPort, reason_of
+from devices.serial_ports import GONE, Notifier, PortProblem, SerialPort, reason_of
 from devices.wire.connection import BoardConnection, PortAction, Write
 from devices.wire.frames import BAUD, STOP, MotorDrive, Wiring
 from devices.wire.link_state import LinkConfig, LinkState

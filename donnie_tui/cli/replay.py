@@ -26,8 +26,7 @@ from donnie_tui.core.events import Answered, Moved, RunStarted, Stamped, Turned,
 from donnie_tui.core.hub import Hub, Stream
 from donnie_tui.core.recheck import Result, Verdict, recheck
 from donnie_tui.core.recording import LARGEST, Header, NoRecordingError, Recording
-from donnie_tui.core.replay import Replay, map_at, redone_in_words, rows_of, undone_in_words
-from donnie_tui.core.timeline import Timeline
+from donnie_tui.core.timeline import Replay, Timeline, map_at, redone_in_words, rows_of, undone_in_words
 from donnie_tui.core.transcript import printed_lines, with_robot_name
 from donnie_tui.core.wording import keys_of, meant, position_in_words, spelled
 from donnie_tui.i18n.words import Unusable, Words

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from donnie_tui.commands.keys import KeyTable
     from donnie_tui.core.map_grid import Cell
     from donnie_tui.core.map_scene import Line, MapScale
-    from donnie_tui.core.pointing import Pointer
+    from donnie_tui.core.map_words import Pointer
     from donnie_tui.core.runner import Run
 
 

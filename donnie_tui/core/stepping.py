@@ -17,8 +17,7 @@ from itertools import pairwise
 from msgspec import Struct
 
 from donnie_tui.core.events import Read
-from donnie_tui.core.replay import redone_in_words, undone_in_words
-from donnie_tui.core.timeline import Timeline
+from donnie_tui.core.timeline import Timeline, redone_in_words, undone_in_words
 from donnie_tui.core.transcript import printed_lines
 from donnie_tui.core.wording import Wording
 from language.diagnostics import LanguageError

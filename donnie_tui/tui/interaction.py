@@ -20,7 +20,7 @@ from donnie_tui.commands.lookup import word_of
 from donnie_tui.commands.preferences import Preferences
 from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.map_scene import Line
-from donnie_tui.core.pointing import Pointer
+from donnie_tui.core.map_words import Pointer
 from donnie_tui.core.runner import RunRequest
 from donnie_tui.core.wording import spelled
 from donnie_tui.core.workspace import Workspace

@@ -6,7 +6,7 @@ from statistics import median
 
 from tests.architecture.house import functions, lines_of, modules, places_of_public_classes
 
-MOST_MODULES = 253
+MOST_MODULES = 249
 MOST_SMALL_MODULES = 29
 SMALL = 60
 LEAST_MEDIAN, MOST_MEDIAN = 100, 300

@@ -20,7 +20,7 @@ PLACES = {
     "close": ("donnie_tui.tui.startup", "SessionHandle", "close"),
     "run": ("donnie_tui.cli.run", "", "_await_end"),
     "calibrate": ("donnie_tui.cli.calibrate", "_Steady", "sleep"),
-    "replay": ("donnie_tui.core.replay", "Replay", "forwards"),
+    "replay": ("donnie_tui.core.timeline", "Replay", "forwards"),
     "serve": ("donnie_tui.cli.page_server", "Gate", "objection"),
     "check": ("donnie_tui.cli.replay", "", "recheck"),
 }

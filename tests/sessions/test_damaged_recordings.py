@@ -13,8 +13,7 @@ import pytest
 import worlds
 from donnie_tui.cli.replay import ReplayMap
 from donnie_tui.core.recording import NoRecordingError, Recording
-from donnie_tui.core.replay import redone_in_words, undone_in_words
-from donnie_tui.core.timeline import Timeline
+from donnie_tui.core.timeline import Timeline, redone_in_words, undone_in_words
 from donnie_tui.core.transcript import printed_lines
 from donnie_tui.i18n.words import Words
 from sim.worldfile import load_world

@@ -32,8 +32,7 @@ import worlds
 from devices.wire.frames import HEADER, Decoder, encode_frame
 from donnie_tui.core.events import as_line
 from donnie_tui.core.recording import NoRecordingError, Recording
-from donnie_tui.core.replay import redone_in_words, undone_in_words
-from donnie_tui.core.timeline import Timeline
+from donnie_tui.core.timeline import Timeline, redone_in_words, undone_in_words
 from donnie_tui.core.transcript import printed_lines
 from donnie_tui.i18n.mistakes import world_mistake, world_note
 from donnie_tui.i18n.words import Words

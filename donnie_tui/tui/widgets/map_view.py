@@ -27,7 +27,7 @@ from donnie_tui.tui.widgets.rows import PaintedRows
 if TYPE_CHECKING:
     from donnie_tui.core.map_grid import Bounds, Cell, MapGrid
     from donnie_tui.core.map_scene import MapScale, MapScene
-    from donnie_tui.core.pointing import Pointer
+    from donnie_tui.core.map_words import Pointer
 
 _MARGIN = 3
 """Cells that stay visible between the robot and the border, where there is more floor beyond."""
@@ -96,7 +96,7 @@ class MapView(PaintedRows, can_focus=True):
     def show(self, scene: MapScene, *, whole: bool = False) -> None:
         """Another floor, all of it or as much as has room."""
         from donnie_tui.core.map_scene import MapScale
-        from donnie_tui.core.pointing import Pointer
+        from donnie_tui.core.map_words import Pointer
 
         self.scale, self.pointer = MapScale(scene), Pointer(scene)
         self._zoom, self.shows_all = 0, whole

@@ -226,7 +226,7 @@ def test_without_a_worker_speaker_and_cue_player_are_silent() -> None:
 RENDER = """
 import json, sys
 from devices.audio.cues import SAMPLE_RATE
-from devices.audio.renderer import NoVoice, Renderer
+from devices.audio.worker import NoVoice, Renderer
 from devices.ports.audio import VoiceSettings
 try:
     renderer = Renderer(dict(en=("en", "en-gb"), pt=("pt-br",), es=("es",)), {bundled})
@@ -305,7 +305,7 @@ def test_after_every_kind_of_trouble_the_worker_speaks_again() -> None:
 GROWTH = """
 import os, sys
 from pathlib import Path
-from devices.audio.renderer import NoVoice, Renderer
+from devices.audio.worker import NoVoice, Renderer
 from devices.ports.audio import VoiceSettings
 def resident():
     return int(Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")

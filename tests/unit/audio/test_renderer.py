@@ -7,9 +7,9 @@ from types import SimpleNamespace
 
 import pytest
 
-from devices.audio import renderer
+from devices.audio import worker
 from devices.audio.cues import SAMPLE_RATE
-from devices.audio.renderer import NoVoice, Renderer
+from devices.audio.worker import NoVoice, Renderer
 from devices.ports.audio import VoiceSettings
 
 VOICES = {"en": ("en",), "pt": ("pt-br",), "es": ("es",)}
@@ -48,8 +48,8 @@ class Engine:
 @pytest.fixture
 def engine(monkeypatch: pytest.MonkeyPatch) -> Engine:
     made = Engine("en", "pt-br")
-    monkeypatch.setattr(renderer, "_make_espeak_findable", lambda _: None)
-    monkeypatch.setattr(renderer, "_start_engine", lambda: made)
+    monkeypatch.setattr(worker, "_make_espeak_findable", lambda _: None)
+    monkeypatch.setattr(worker, "_start_engine", lambda: made)
     return made
 
 

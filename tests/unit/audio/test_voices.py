@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from devices.audio.renderer import InstalledVoice, choose_voice
+from devices.audio.worker import InstalledVoice, choose_voice
 from devices.ports.audio import VoiceSettings, base_language
 from donnie_tui.outlets.audible import spoken_languages
 

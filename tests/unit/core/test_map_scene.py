@@ -7,7 +7,7 @@ from devices.ports.robot import Pose
 from donnie_tui.core.events import PlacedThing, Read, Scanned, SeenGroup
 from donnie_tui.core.map_grid import Bounds, Cell, Kind
 from donnie_tui.core.map_scene import RAY, MapScale, MapScene, factor_for, labels
-from donnie_tui.core.pointing import Pointer, legend
+from donnie_tui.core.map_words import Pointer, legend
 from donnie_tui.i18n.words import Words
 from sim.picture import Picture, Thing
 

@@ -6,10 +6,9 @@ import pytest
 
 from donnie_tui.core.events import TRANSIENT, Moved, RunStarted, Spoke, Stamped
 from donnie_tui.core.recheck import Result, Verdict, recheck
-from donnie_tui.core.replay import LONGEST_PAUSE, Replay, moments_of
 from donnie_tui.core.runner import RunRequest
 from donnie_tui.core.session import RunOptions
-from donnie_tui.core.timeline import Timeline
+from donnie_tui.core.timeline import LONGEST_PAUSE, Replay, Timeline, moments_of
 from donnie_tui.i18n.words import Words
 from language.control import ExecutionControl
 from tests.timeouts import TIMEOUT

@@ -39,8 +39,7 @@ from donnie_tui.core.events import (
     as_line,
 )
 from donnie_tui.core.recording import DamagedLineError, stamped_in
-from donnie_tui.core.replay import undone_in_words
-from donnie_tui.core.timeline import Timeline
+from donnie_tui.core.timeline import Timeline, undone_in_words
 from donnie_tui.i18n.words import Words
 from tests.unit.core.values import HERE
 

@@ -19,8 +19,7 @@ from donnie_tui.core.events import (
     Statement,
     ThingsMoved,
 )
-from donnie_tui.core.replay import undone_in_words
-from donnie_tui.core.timeline import Chronicle, Timeline
+from donnie_tui.core.timeline import Chronicle, Timeline, undone_in_words
 from donnie_tui.i18n.words import Words
 from tests.floor import Floor
 from tests.unit.core.values import HERE

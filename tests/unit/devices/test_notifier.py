@@ -6,7 +6,7 @@ import threading
 
 import pytest
 
-from devices.notifier import MOST_PENDING, Notifier
+from devices.serial_ports import MOST_PENDING, Notifier
 from tests.timeouts import TIMEOUT
 
 
