@@ -357,6 +357,8 @@ def read(path: Path) -> Challenge:
             data = stream.read(LARGEST + 1)
     except (OSError, ValueError):
         raise BadChallenge("challenge-unreadable", path) from None
+    if len(data) > LARGEST:
+        raise BadChallenge("challenge-too-large", path, what=f"{LARGEST:,}".replace(",", " "))
     try:
         content = parsed(data)
     except (ValueError, RecursionError) as problem:

@@ -60,13 +60,15 @@ def about(name: str, language: str) -> About:
 class BadWords(Exception):
     """A file of words that can't be used."""
 
-    def __init__(self, file: Path, key: str = "", line: str = "") -> None:
+    def __init__(self, file: Path, key: str = "", line: str = "", limit: int = 0) -> None:
         super().__init__(f"{file}: {key or line}")
         self.file = file
         self.key = key
         """What is missing in it or is no text, such as ``en.title``; empty if it can't be read at all."""
         self.line = line
         """Where it can't be read, if that is known."""
+        self.limit = limit
+        """How many bytes it may have, if it has more."""
 
 
 def words_file(world: str) -> str | None:
@@ -104,7 +106,10 @@ def _file_of(world: str) -> Path:
 def _read(file: Path) -> dict[str, Any]:
     try:
         with open_bytes(file) as stream:
-            return parsed(stream.read(LARGEST + 1))
+            data = stream.read(LARGEST + 1)
+        if len(data) > LARGEST:
+            raise BadWords(file, limit=LARGEST)
+        return parsed(data)
     except OSError:
         raise BadWords(file) from None
     except (ValueError, RecursionError) as problem:
@@ -114,8 +119,6 @@ def _read(file: Path) -> dict[str, Any]:
 
 def parsed(data: bytes) -> dict[str, Any]:
     """Raises ``ValueError``, also for too many dots in a line: such a key takes tomllib minutes."""
-    if len(data) > LARGEST:
-        raise ValueError(f"more than {LARGEST} bytes")
     text = data.decode("utf-8-sig").replace("\r\n", "\n")
     for number, line in enumerate(text.split("\n"), start=1):
         if line.count(".") > MOST_DOTS:

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from donnie_tui.commands.context import UNUSABLE, Context
@@ -208,7 +207,7 @@ async def save_world(ctx: Context, argument: str) -> None:
 
 
 async def _save(ctx: Context, argument: str) -> bool:
-    from donnie_tui.core.program_files import DocumentError, checked_path, save_question
+    from donnie_tui.core.program_files import file_to_save, save_question
 
     donnie, own = ctx.donnie, ctx.donnie.site.path
     name = argument or str(own or "")
@@ -217,9 +216,7 @@ async def _save(ctx: Context, argument: str) -> bool:
     name = name or await ctx.interaction.ask(ctx.words("ask-world-name")) or ""
     if not name:
         raise GivenUp
-    path = checked_path(Path(name if Path(name).suffix else f"{name}{SUFFIX}"))
-    if str(path) in donnie.in_use and path != own:
-        raise DocumentError("file-in-use", str(path))
+    path = file_to_save(name, donnie.in_use, SUFFIX, own)
     question = save_question(path, own, "") if path != own else ""
     if question and not await ctx.interaction.confirm(ctx.words(question, name=path.name)):
         raise GivenUp

@@ -29,7 +29,7 @@ from donnie_tui.process.confinement import (
     open_descriptor,
     open_text,
 )
-from language.source import cleaned, lines_in, with_newlines
+from language.source import cleaned, lines_in, printable, with_newlines
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -92,9 +92,16 @@ def program_to_save(name: str, in_use: FilesInUse) -> Path:
     Raises ``DocumentError``, also for a file in use and for a folder: the learner is not asked whether to
     replace these.
     """
+    return file_to_save(name, in_use, SUFFIX)
+
+
+def file_to_save(name: str, in_use: FilesInUse, suffix: str, own: Path | None = None) -> Path:
+    """The same for another suffix; ``own`` is in use by what is saved. A new file has a printable name."""
     path = _typed_path(name)
-    meant = path if path.suffix or exists(path) else _checked_again(path.with_name(path.name + SUFFIX))
-    if str(meant) in in_use:
+    meant = path if path.suffix or exists(path) else _checked_again(path.with_name(path.name + suffix))
+    if not exists(meant) and printable(meant.name) != meant.name:
+        meant = _checked_again(meant.with_name(printable(meant.name).strip()))
+    if str(meant) in in_use and meant != own:
         raise DocumentError("file-in-use", str(meant))
     if is_folder(meant):
         raise DocumentError("file-is-folder", str(meant))

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import errno
 import os
+import stat
 
 TYPE_CHECKING = False  # that of typing takes longer to load than all that is here
 if TYPE_CHECKING:
@@ -156,9 +157,23 @@ def open_descriptor(path: AnyPath, flags: int, permissions: int = 0o666) -> int:
 
 
 def open_bytes(path: AnyPath, mode: str = "rb") -> BinaryIO:
-    """A file to read, or with ``wb`` to begin anew. Raises ``OSError`` or ``ValueError``."""
+    """A file to read, or with ``wb`` to begin anew. Raises ``OSError`` or ``ValueError``.
+
+    Refuses to read a named pipe, which may be opened and read without end.
+    """
+    opener = _open_without_waiting if mode == "rb" else open_descriptor
     # pathlib knows no opener; the mode says of which type it is
-    return open(path, mode, opener=open_descriptor)  # type: ignore[return-value]
+    return open(path, mode, opener=opener)  # type: ignore[return-value]
+
+
+def _open_without_waiting(path: AnyPath, flags: int) -> int:
+    number = open_descriptor(path, flags | getattr(os, "O_NONBLOCK", 0))
+    if stat.S_ISFIFO(os.fstat(number).st_mode):
+        os.close(number)
+        raise OSError(errno.EINVAL, "is a pipe", os.fspath(path))
+    if hasattr(os, "O_NONBLOCK"):
+        os.set_blocking(number, True)
+    return number
 
 
 def open_text(path: AnyPath, mode: str = "r", *, errors: str = "strict") -> TextIO:

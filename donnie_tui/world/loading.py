@@ -65,9 +65,9 @@ def _bad_words(world: ChosenWorld, words: Wording) -> tuple[str, ...]:
         worlds.words.about_file(world.path, words.language)
     except worlds.words.BadWords as problem:
         code = "key" if problem.key else "line" if problem.line else "file"
-        code = "difficulty" if problem.key == "difficulty" else code
+        code = "difficulty" if problem.key == "difficulty" else "large" if problem.limit else code
         values = {"file": problem.file.name, "key": problem.key, "line": problem.line}
-        return (words(f"world-words-{code}", **values),)
+        return (words(f"world-words-{code}", **values, limit=problem.limit),)
     return ()
 
 

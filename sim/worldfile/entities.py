@@ -73,6 +73,11 @@ class FileReader:
             return candidates[0]
         return next(iter(inside or existing), None)
 
+    def is_special(self, name: str, including: Path) -> bool:
+        """Whether ``name`` means a pipe or a device, which ``find`` never finds."""
+        found = _within((including.resolve().parent, *self.folders), name)
+        return any(_is_special(each) and self.is_allowed(each) for each in found)
+
     def is_allowed(self, path: Path) -> bool:
         try:
             resolved = path.resolve()
@@ -91,10 +96,9 @@ class FileReader:
     def _checked(self, include: parser.Include, path: Path, above: tuple[Path, ...]) -> Path:
         found = self.find(include.path, path)
         if found is None:
-            folders = (path.resolve().parent, *self.folders)
-            if any(_is_special(each) and self.is_allowed(each) for each in _within(folders, include.path)):
+            if self.is_special(include.path, path):
                 raise self._mistake(Code.FILE_UNREADABLE, include, path)
-            nearest = near_file(include.path, folders)
+            nearest = near_file(include.path, (path.resolve().parent, *self.folders))
             raise self._mistake(Code.FILE_NOT_FOUND, include, path, nearest=nearest)
         if not self.is_allowed(found):
             raise self._mistake(Code.INCLUDE_OUTSIDE, include, path, folder=self.folder_outside(found))

@@ -151,7 +151,9 @@ class Plans:
     def _path(self, setting: Setting, name: str) -> Path:
         path = self._reader.find(name, Path(setting.file))
         if path is None:
-            raise mistake(Code.BITMAP_NOT_FOUND, setting, path=name[:200])
+            is_special = self._reader.is_special(name, Path(setting.file))
+            code = Code.FILE_UNREADABLE if is_special else Code.BITMAP_NOT_FOUND
+            raise mistake(code, setting, path=name[:200])
         if not self._reader.is_allowed(path):
             folder = self._reader.folder_outside(path)
             raise mistake(Code.BITMAP_OUTSIDE, setting, path=name[:200], folder=folder)

@@ -10,7 +10,7 @@ from tests.effort import examples
 from tests.tools import fuzz
 from tests.tools.fuzz import KINDS, Input, Kind
 
-SLOW = {"sessions": 3, "screens": 3, "frames": 100}
+SLOW = {"sessions": 3, "screens": 3, "frames": 5}
 """Kinds that need processes or sockets, and how many cases of them are tried."""
 QUICK = [name for name in KINDS if name not in SLOW]
 
@@ -56,6 +56,21 @@ def test_a_failure_is_made_small_kept_and_printed_with_the_way_to_try_it_again(
 def test_many_failures_end_the_kind(capsys: pytest.CaptureFixture[str]) -> None:
     assert fuzz.fuzz("broken", 1, range(1000)) == fuzz.MOST_FAILURES
     assert capsys.readouterr().out.endswith("10 cases, 10 failed\n")
+
+
+def test_an_interrupted_kind_says_how_many_cases_were_tried(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def interrupt_at(case: Input) -> None:
+        if case == "3":
+            raise KeyboardInterrupt
+
+    numbers = iter("0123456")
+    monkeypatch.setitem(KINDS, "broken", Kind(lambda _: next(numbers), interrupt_at))
+
+    with pytest.raises(KeyboardInterrupt):
+        fuzz.fuzz("broken", 7, range(10))
+    assert capsys.readouterr().out == "broken: seed 7, 3 cases, 0 failed\n"
 
 
 def test_a_case_that_takes_too_long_fails() -> None:

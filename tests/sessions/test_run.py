@@ -5,14 +5,17 @@ from __future__ import annotations
 import json
 import os
 import signal
+import subprocess
+import sys
 import threading
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from tests.conftest import ROOT
 from tests.floor import Floor
-from tests.sessions.command import QUIET, donnie, start
+from tests.sessions.command import QUIET, donnie, environment, start
 from tests.sessions.here import PROGRAM
 from tests.timeouts import TIMEOUT
 
@@ -298,6 +301,35 @@ def test_a_signal_stops_every_robot(tmp_path: Path) -> None:
     ended = [each for each in records(b"".join(seen) + rest) if each["event"] == "run_ended"]
     assert (running.returncode, complaints) == (130, b"")
     assert {(each["robot"], each["outcome"]) for each in ended} == {("alice", "stopped"), ("bob", "stopped")}
+
+
+MEASURED = """
+import re, runpy, sys
+try:
+    runpy.run_module("donnie_tui", run_name="__main__")
+finally:
+    print(re.search(r"VmHWM:\\s+(\\d+)", open("/proc/self/status").read())[1], file=sys.stderr)
+"""
+
+
+def most_memory(folder: Path, movements: int) -> float:
+    """MB that a run of so many movements took at most."""
+    (folder / "a.gd").write_text(f"REPEAT {movements} TIMES TR 1 END REPEAT")
+    done = subprocess.run(
+        [sys.executable, "-c", MEASURED, "run", "a.gd", *QUIET, "--speed", "max"],
+        cwd=folder,
+        env=environment(folder, {"PYTHONPATH": str(ROOT)}),
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+    )
+    assert done.returncode == 0
+    return int(done.stderr) / 1024
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="/proc says how much memory was used")
+def test_a_program_that_turns_and_turns_takes_bounded_memory(tmp_path: Path) -> None:
+    """Before HISTORY had a bound, a movement took 275 bytes: 11 MB more. By 40,000 all is full."""
+    assert most_memory(tmp_path, 80_000) < most_memory(tmp_path, 40_000) + 3
 
 
 @pytest.mark.parametrize("is_read", [True, False])

@@ -203,6 +203,8 @@ _HEAD = (
 )
 _SILENCE = 0.05
 """Seconds after which a server that waits for more is left alone; nothing depends on it."""
+_REFUSAL = 10.0
+"""Seconds until the answer to a request without the cookie must be there."""
 _TEXT, _BINARY, _CLOSE, _PING, _PONG = 1, 2, 8, 9, 10
 _CONTENTS = (
     b'["stdin", "FW 1"]',
@@ -213,7 +215,17 @@ _CONTENTS = (
 )
 
 
+CONNECTIONS = 20
+"""Of one case, all at the same time."""
+_NEXT = b"\r\n\0next\0\r\n"
+"""Between the bytes of two connections."""
+
+
 def make_frames(chance: random.Random) -> bytes:
+    return _NEXT.join(_connection(chance) for _ in range(CONNECTIONS))
+
+
+def _connection(chance: random.Random) -> bytes:
     """A byte that says whether the cookie is there and what was damaged; then frames."""
     frames = [_frame(chance) for _ in range(chance.randrange(1, 12))]
     first = bytes([chance.choice((0, 0, 0, 1, 2, 3))])
@@ -239,7 +251,7 @@ def _frame(chance: random.Random) -> bytes:
 def check_frames(data: Input) -> None:
     """Without the cookie nothing comes in; whatever a page sends, the server serves on."""
     assert isinstance(data, bytes)
-    asyncio.run(_serve_frames(data[0] if data else 0, data[1:]))
+    asyncio.run(_serve_frames(data.split(_NEXT)))
 
 
 class _Faults(logging.Handler):
@@ -256,9 +268,9 @@ class _Faults(logging.Handler):
             self.found.append("".join((record.getMessage(), *trace)))
 
 
-async def _serve_frames(damage: int, frames: bytes) -> None:
+async def _serve_frames(connections: list[bytes]) -> None:
     log: list[str] = []
-    limits = PageLimits(frame=2000, sessions=2, end=2)
+    limits = PageLimits(frame=2000, sessions=CONNECTIONS, end=2)
     server = PageServer(["/bin/cat"], Words("en"), log.append, limits, address="127.0.0.1", port=0)
     await server.start()
     assert server._runner is not None
@@ -268,16 +280,7 @@ async def _serve_frames(damage: int, frames: bytes) -> None:
         port = server._listeners[0].sockets[0].getsockname()[1]
         server.gate._port = port
         cookie = f"{server.gate.cookie_name}={server.gate.cookie}"
-        chance = random.Random(frames)
-        key = base64.b64encode(chance.randbytes(16)).decode()
-        wrong = (cookie, cookie[:-1], "", cookie.swapcase())[damage % 4]
-        head = _HEAD.format(port=port, cookie=wrong, key=key).encode()
-        if damage % 4 == 0 and chance.randrange(4) == 0:
-            head = damaged(head, chance)
-            wrong = ""
-        answer = await _answer_to(port, head + frames, _SILENCE)
-        if damage % 4:
-            assert b" 101 " not in answer.split(b"\r\n")[0], "a page came in without the cookie"
+        await asyncio.gather(*(_send_frames(port, cookie, each[:1], each[1:]) for each in connections))
         proper = f"GET / HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nCookie: {cookie}\r\nConnection: close\r\n\r\n"
         assert (await _answer_to(port, proper.encode())).startswith(b"HTTP/1.1 200 ")
         async with asyncio.timeout(10), server._ended:
@@ -285,6 +288,21 @@ async def _serve_frames(damage: int, frames: bytes) -> None:
         assert not faults.found, faults.found
     finally:
         await server.close()
+
+
+async def _send_frames(port: int, cookie: str, first: bytes, frames: bytes) -> None:
+    """The first byte is the one that ``_connection`` makes."""
+    damage = int.from_bytes(first) % 4
+    chance = random.Random(frames)
+    key = base64.b64encode(chance.randbytes(16)).decode()
+    wrong = (cookie, cookie[:-1], "", cookie.swapcase())[damage]
+    head = _HEAD.format(port=port, cookie=wrong, key=key).encode()
+    if damage == 0 and chance.randrange(4) == 0:
+        head = damaged(head, chance)
+    answer = await _answer_to(port, head + frames, _REFUSAL if damage else _SILENCE)
+    if damage:
+        assert answer, "no answer came"
+        assert b" 101 " not in answer.split(b"\r\n")[0], "a page came in without the cookie"
 
 
 async def _answer_to(port: int, data: bytes, patience: float = 5.0) -> bytes:

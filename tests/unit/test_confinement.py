@@ -288,6 +288,20 @@ def test_a_relative_name_means_a_file_inside(
     assert Path.cwd() == folder / "sub"
 
 
+@pytest.mark.parametrize("is_confined", [True, False])
+def test_a_pipe_that_no_one_writes_into_is_refused_and_not_waited_for(
+    folder: Path, tmp_path: Path, is_confined: bool
+) -> None:
+    confine(Confinement(str(folder)) if is_confined else None)
+    os.mkfifo(folder / "pipe")
+    reader = os.open(folder / "pipe", os.O_RDWR)  # with it, no one waits to open the pipe, whatever is broken
+
+    with pytest.raises(OSError, match="pipe"):
+        confinement.open_bytes(folder / "pipe")
+    assert not confinement.open_bytes(folder / "mine.gd").closed
+    os.close(reader)
+
+
 def test_an_unconfined_process_opens_what_it_is_given(folder: Path, tmp_path: Path) -> None:
     confine(None)
 

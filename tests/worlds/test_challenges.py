@@ -158,6 +158,15 @@ def test_a_mistake_has_its_line(tmp_path: Path, old: str, new: str, code: str, l
     assert (bad.value.code, bad.value.line) == (code, line)
 
 
+def test_a_file_beyond_the_limit_is_refused_with_the_true_cause(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "it.toml").write_text(GOOD + "#" * 100_000)
+
+    assert main(["challenge", "test", str(tmp_path / "it.toml"), "--lang", "en"]) == 2
+    assert capsys.readouterr().err == "it.toml is too large, at most 100 000 bytes.\n"
+
+
 def test_a_file_without_mistakes_is_read(tmp_path: Path) -> None:
     found = read(tmp_path, GOOD)
 

@@ -4,6 +4,8 @@ Time and memory stay bounded."""
 
 import random
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -12,7 +14,9 @@ import worlds
 from donnie_tui.i18n.mistakes import world_mistake
 from donnie_tui.i18n.words import Words
 from sim.worldfile import WorldError, load_configuration, load_text
+from tests.conftest import ROOT
 from tests.effort import examples
+from tests.sessions.command import environment
 
 MUTATIONS = examples(10_000)
 PIECES = (
@@ -185,6 +189,41 @@ def test_a_world_beyond_a_limit_is_refused_with_the_true_cause(limit: str) -> No
         load_text(text, Path("large.world"))
 
     assert world_mistake(mistake.value, Words()).endswith(sentence)
+
+
+PROCESSOR_SECONDS = 5
+"""At most, with the start of Donnie; then the system ends the process. The processor's time hardly depends on
+how busy the machine is. A refusal takes some .3 seconds of it, and took 34 before there were limits.
+"""
+LIMITED = f"""
+import resource, runpy
+resource.setrlimit(resource.RLIMIT_CPU, ({PROCESSOR_SECONDS}, {PROCESSOR_SECONDS}))
+runpy.run_module("donnie_tui", run_name="__main__")
+"""
+OVER_LIMIT = {
+    **{limit: text for limit, (text, _) in LIMITS.items()},
+    "models in a file": "model ( )\n" * 90_000,
+    "bytes": "a 1 " * 2_000_001,
+    "depth": "model ( " * 100_000,
+    "digits": "a " + "1" * 7_000_000 + "x",
+    "macros of macros": macro_bomb(17),
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("limit", OVER_LIMIT)
+def test_a_world_beyond_a_limit_is_refused_without_much_work(limit: str, tmp_path: Path) -> None:
+    (tmp_path / "large.world").write_text(OVER_LIMIT[limit], encoding="utf-8")
+
+    done = subprocess.run(
+        [sys.executable, "-c", LIMITED, "world", "large.world"],
+        cwd=tmp_path,
+        env=environment(tmp_path, {"PYTHONPATH": str(ROOT)}),
+        capture_output=True,
+    )
+
+    assert done.returncode == 2, done
+    assert done.stderr.count(b"\n") == 1
 
 
 def test_the_words_of_all_files_of_a_world_are_counted_together(tmp_path: Path) -> None:

@@ -131,7 +131,7 @@ def test_a_file_next_to_a_user_world_gives_its_words(tmp_path: Path, language: s
         ('a = "\0"', "I can't read line 1 of my.toml"),
         ("a = " + "[" * 50_000, "I can't read my.toml"),
         ("\udcff", "I can't read my.toml"),
-        (WORDS + "#" * 100_000, "I can't read my.toml"),
+        (WORDS + "#" * 100_000, "my.toml has more than 100 000 bytes"),
         (WORDS + "\n" + "a." * 40_000 + "a = 1", f"I can't read line {WORDS.count(chr(10)) + 2} of my.toml"),
     ],
     ids=range(11),

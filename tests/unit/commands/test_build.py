@@ -415,6 +415,19 @@ def test_saving_asks_before_another_file_is_replaced(open_script: OpenScript, tm
     assert len(script.interaction.asked) == 2
 
 
+def test_the_name_of_a_world_is_read_as_that_of_a_program(
+    open_script: OpenScript, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("HOME", str(tmp_path))
+    (tmp_path / "folder.world").mkdir()
+    script = open_script(world="first_room")
+    script.type("PUT box red 4 6")
+
+    assert script.answers_to("SAVE WORLD folder.world") == ["folder.world is a folder."]
+    assert script.answers_to('SAVE WORLD "~/a\x1bb"')[0].startswith("World saved as a b.world.")
+    assert (tmp_path / "a b.world").is_file()
+
+
 def test_a_world_of_the_learner_is_saved_to_its_file(open_script: OpenScript, tmp_path: Path) -> None:
     file = tmp_path / "room.world"
     file.write_text('include "donnie.inc"\ndonnie( name "donnie" pose [ 0 0 0 90 ] )\n', encoding="utf-8")

@@ -124,6 +124,15 @@ def test_a_file_is_read_without_its_control_characters() -> None:
     assert decode(dangerous.encode(), "a.gd") == 'SPEAK " ]0;x  5m"\tFW 1  \r\nFW 2\n'
 
 
+def test_a_new_file_has_the_name_that_is_printed_of_it(tmp_path: Path) -> None:
+    """A terminal obeys what lists its folder, too."""
+    saved = program_to_save(f"{tmp_path}/a\x1b]0;x\x07\u202eb", FilesInUse())
+    assert saved == tmp_path / "a ]0;x  b.gd"
+
+    (tmp_path / "c\x07.gd").write_text("")
+    assert program_to_save(f"{tmp_path}/c\x07.gd", FilesInUse()) == tmp_path / "c\x07.gd"
+
+
 def test_a_pipe_is_not_opened_because_reading_it_may_wait_for_ever(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe")
 
