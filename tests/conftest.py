@@ -9,7 +9,9 @@ from pathlib import Path
 
 import pytest
 
-from donnie_tui.i18n.translations import compile_all, is_compiled
+from donnie_tui.i18n.translations import TABLES, compile_all
+from donnie_tui.i18n.words import COMPILED, SOURCE
+from language.locales import compiled_file, folders
 from tests.effort import register_profiles
 from tests.environment import isolate
 
@@ -29,10 +31,21 @@ ROOT = Path(__file__).resolve().parent.parent
 
 def pytest_configure(config: pytest.Config) -> None:
     """Compile the sentences and words of the languages where that is due, once for all workers."""
-    if not hasattr(config, "workerinput") and not is_compiled():
+    if not hasattr(config, "workerinput") and not _is_compiled():
         mistakes = compile_all()
         if mistakes:
             raise pytest.UsageError("\n".join(map(str, mistakes)))
+
+
+def _is_compiled() -> bool:
+    """Whether everything is compiled and up to date."""
+    sources = {SOURCE: COMPILED, **{f"{name}.toml": f"{name}.json" for name in TABLES}}
+    return all(
+        compiled_file(language, source, compiled) is not None
+        for language, folder in folders().items()
+        for source, compiled in sources.items()
+        if Path(folder, source).exists()
+    )
 
 
 def pytest_collection_finish() -> None:

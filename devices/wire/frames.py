@@ -124,20 +124,6 @@ def head_frame(angle: int) -> bytes:
     return encode_frame(CommandKind.SERVO.value, bytes((0x10, angle)))
 
 
-def outputs_frame(*, buzzer: bool = False, vibrate_left: bool = False, vibrate_right: bool = False) -> bytes:
-    """Switches the digital outputs. The board controls its two lamps itself."""
-    return encode_frame(
-        CommandKind.OUTPUTS.value, bytes((buzzer << 2 | vibrate_left << 3 | vibrate_right << 4,))
-    )
-
-
-def beep_frame(hertz: int, milliseconds: int) -> bytes:
-    """``ValueError`` if a number doesn't fit into its 16 or 32 bits."""
-    if not (0 <= hertz < 1 << 16 and 0 <= milliseconds < 1 << 32):
-        raise ValueError("no such beep")
-    return encode_frame(CommandKind.BEEP.value, struct.pack(">HI", hertz, milliseconds))
-
-
 SONARS = 7
 BUMPERS = 6
 

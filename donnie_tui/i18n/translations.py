@@ -19,7 +19,7 @@ from typing import Any
 from donnie_tui.i18n import first_words, po
 from donnie_tui.i18n.po import Mistake
 from donnie_tui.i18n.words import CODES, COMPILED, SOURCE, codes
-from language.locales import BUILT_IN, ENGLISH, compiled_file, folders, languages, search_path, table, toml_in
+from language.locales import BUILT_IN, ENGLISH, folders, languages, search_path, table, toml_in
 
 TABLES = ("keywords", "commands", "words")
 """The tables of words, without ``.toml``."""
@@ -191,17 +191,6 @@ def _without(english: Mapping[str, Any], other: Mapping[str, Any], section: str 
 
 
 # --- what Donnie loads
-
-
-def is_compiled() -> bool:
-    """Whether everything is compiled and up to date."""
-    sources = {SOURCE: COMPILED, **{f"{name}.toml": f"{name}.json" for name in TABLES}}
-    return all(
-        compiled_file(language, source, compiled) is not None
-        for language, folder in folders().items()
-        for source, compiled in sources.items()
-        if Path(folder, source).exists()
-    )
 
 
 def compile_all() -> tuple[Mistake, ...]:

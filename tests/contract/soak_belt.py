@@ -6,7 +6,7 @@ from collections.abc import Callable
 from random import Random
 
 from devices.belt import HOLD, LETTERS, MOTORS, OFF, BeltSender
-from devices.board_simulator.board import SimulatedBelt
+from tests.simulated_belt import SimulatedBelt
 
 STEP = 0.01
 SHOWN_WITHIN = 0.5

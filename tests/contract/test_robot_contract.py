@@ -22,7 +22,7 @@ from tempfile import TemporaryDirectory
 import pytest
 
 from devices.board_simulator.board import SimulatedBoard
-from devices.board_simulator.floor import BumperSwitch, WalledFloor
+from devices.board_simulator.floor import BumperSwitch
 from devices.ports.robot import Bearing, Motion, Pose, Robot, RobotProblem, StoppedBy
 from devices.serial_robot.config import RobotConfig
 from devices.serial_robot.link import SerialLink
@@ -35,6 +35,7 @@ from tests.board_on_pty import PtyBoard
 from tests.player.room import HOST, ServedRoom
 from tests.unit.devices.robots import Real, Sonars, wall_ahead
 from tests.unit.sim.floors import IDEAL, scene
+from tests.walled_floor import WalledFloor
 
 STEPS_TO_THE_WALL = 4
 IDEAL_WORLD = (

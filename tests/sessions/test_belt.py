@@ -10,7 +10,6 @@ from pathlib import Path
 
 import pytest
 
-from devices.board_simulator.board import SimulatedBelt
 from devices.serial_ports import PortFault, PortProblem
 from donnie_tui.bootstrap import assemble
 from donnie_tui.settings.settings import Settings
@@ -18,6 +17,7 @@ from tests.board_on_pty import PtyBoard
 from tests.sessions.command import QUIET, donnie, start
 from tests.sessions.real_robot import program, serial, until
 from tests.sessions.test_double import world as near_world
+from tests.simulated_belt import SimulatedBelt
 from tests.timeouts import TIMEOUT
 
 pytestmark = pytest.mark.slow

@@ -31,13 +31,8 @@ def test_each_drive_is_its_recorded_frame(drive: MotorDrive, frame: str) -> None
         (frames.PING, "aabb02412b5c"),
         (frames.head_frame(90), "aabb0330105a97"),
         (frames.head_frame(0), "aabb0330100032"),
-        (frames.outputs_frame(buzzer=True), "aabb02150472"),
-        (frames.outputs_frame(vibrate_left=True), "aabb021508d1"),
-        (frames.outputs_frame(vibrate_right=True), "aabb0215108e"),
-        (frames.outputs_frame(), "aabb02150013"),
-        (frames.beep_frame(440, 300), "aabb071701b80000012c4a"),
     ],
-    ids=["config", "ping", "head-90", "head-0", "buzzer", "vib-l", "vib-r", "outputs-off", "beep"],
+    ids=["config", "ping", "head-90", "head-0"],
 )
 def test_each_command_is_its_recorded_frame(made: bytes, frame: str) -> None:
     assert made == bytes.fromhex(frame)
@@ -52,8 +47,3 @@ def test_a_head_angle_that_would_wrap_is_refused(angle: int) -> None:
 def test_a_frame_that_is_too_long_for_the_board_is_refused() -> None:
     with pytest.raises(ValueError, match="too long"):
         frames.encode_frame(0x15, bytes(50))
-
-
-def test_a_beep_that_does_not_fit_its_bytes_is_refused() -> None:
-    with pytest.raises(ValueError, match="no such beep"):
-        frames.beep_frame(70_000, 1)

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from devices.belt import BAUD
-from devices.board_simulator.board import SimulatedBelt, SimulatedBoard
+from devices.board_simulator.board import SimulatedBoard
 from devices.port_exchange import READ_TIMEOUT
 from devices.wire.frames import CONFIGURE
+from tests.simulated_belt import SimulatedBelt
 
 
 class BoardPort:

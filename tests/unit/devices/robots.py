@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from devices.board_simulator.board import SimulatedBoard
-from devices.board_simulator.floor import AxlePose, BumperSwitch, EmptyFloor, Floor, WalledFloor
+from devices.board_simulator.floor import AxlePose, BumperSwitch, EmptyFloor, Floor
 from devices.board_simulator.robot import SimulatedSerialRobot
 from devices.ports.robot import STEP, LinkNotice, Motion, Pose, RobotProblem
 from devices.serial_robot.config import RobotConfig
+from tests.walled_floor import WalledFloor
 
 NEAR = 0.1
 """Steps by which the board's true place may differ from what was asked, after a walk."""

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from devices.belt import encode_frame
-from devices.board_simulator.board import SimulatedBelt
+from tests.simulated_belt import SimulatedBelt
 
 ONE = encode_frame((0, 0, 0, 3) + (0,) * 10)
 ALL = encode_frame((3,) * 14)

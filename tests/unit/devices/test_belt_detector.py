@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from devices.belt import ASKED_AGAIN, GIVEN_UP, RESYNC, BeltCheck, BeltDetector
-from devices.board_simulator.board import SimulatedBelt
+from tests.simulated_belt import SimulatedBelt
 
 SOON = 0.1
 

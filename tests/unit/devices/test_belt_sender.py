@@ -7,7 +7,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from devices.belt import AFTER_RESYNC, HOLD, MOTORS, OFF, PERIOD, RESYNC, BeltSender, encode_frame
-from devices.board_simulator.board import SimulatedBelt
+from tests.simulated_belt import SimulatedBelt
 
 DARK = encode_frame(OFF)
 FRONT = (0, 0, 0, 3, 0, 0, 0) * 2

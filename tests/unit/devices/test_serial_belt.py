@@ -12,8 +12,8 @@ from time import monotonic
 import pytest
 
 from devices.belt import MOTORS, OFF, RESYNC, BeltNotice, SerialBelt, encode_frame
-from devices.board_simulator.board import SimulatedBelt
 from devices.serial_ports import PortFault, PortProblem
+from tests.simulated_belt import SimulatedBelt
 from tests.timeouts import TIMEOUT
 
 

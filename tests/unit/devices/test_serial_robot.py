@@ -7,10 +7,11 @@ from math import degrees
 
 import pytest
 
-from devices.board_simulator.floor import AxlePose, Chassis, WalledFloor
+from devices.board_simulator.floor import AxlePose, Chassis
 from devices.ports.robot import STEP, Motion, StoppedBy
 from devices.serial_robot.config import RobotConfig
 from tests.unit.devices.robots import NEAR, Real
+from tests.walled_floor import WalledFloor
 
 
 def test_the_documented_constants_make_341_counts_a_step_and_4_a_degree() -> None:
