@@ -1,5 +1,6 @@
 """A language is a folder; what is missing in it is English."""
 
+import os
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -70,3 +71,94 @@ def test_a_word_that_english_lacks_is_a_mistake_of_the_caller() -> None:
 )
 def test_a_locale_names_a_language(locale: str, language: str | None) -> None:
     assert language_of_locale(locale) == language
+
+
+def test_the_first_folder_that_has_a_language_is_used(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in ("one", "two"):
+        (tmp_path / name / "eu").mkdir(parents=True)
+    places = f"{tmp_path / 'one'}{os.pathsep}{os.pathsep}{tmp_path / 'two'}"
+    monkeypatch.setenv(locales.SEARCH_PATH, places)
+    locales.forget()
+
+    assert locales.folders()["eu"] == f"{tmp_path / 'one'}/eu"
+    monkeypatch.undo()
+    locales.forget()
+
+
+@pytest.mark.parametrize(("name", "is_one"), [("pt-br", True), ("PT", False), ("pt_br", False), ("a.b", False)])
+def test_the_code_of_a_language_is_small_letters(own_folder: Path, name: str, is_one: bool) -> None:
+    (own_folder / name).mkdir()
+
+    assert (name in languages()) is is_one
+
+
+def test_a_language_of_ones_own_is_behind_the_ones_with_a_rank(own_folder: Path) -> None:
+    for name, rank in (("ab", ""), ("zz", "rank = 0\n"), ("ba", 'rank = "first"\n'), ("ac", "rank = 99\n")):
+        (own_folder / name).mkdir()
+        (own_folder / name / "keywords.toml").write_text(rank)
+
+    assert languages()[0] == "zz"
+    assert languages()[-3:] == ("ac", "ab", "ba")
+
+
+def test_what_is_compiled_is_used_where_the_source_is_not_newer(own_folder: Path) -> None:
+    folder = own_folder / "eu"
+    (folder / "compiled").mkdir(parents=True)
+    (folder / "compiled" / "commands.json").write_text('{"run": ["BAI"]}')
+    source = folder / "commands.toml"
+
+    assert locales.compiled_file("eu", "commands.toml", "commands.json") == f"{folder}/compiled/commands.json"
+    assert words("eu", "commands", "run") == ("BAI",)  # as in a wheel, which has no source
+
+    source.write_text('run = ["JOAN"]')
+    made = (folder / "compiled" / "commands.json").stat().st_mtime_ns
+    os.utime(source, ns=(made, made))
+    assert locales.compiled_file("eu", "commands.toml", "commands.json") is not None
+
+    os.utime(source, ns=(made + 1, made + 1))
+    assert locales.compiled_file("eu", "commands.toml", "commands.json") is None
+    locales.forget()
+    assert words("eu", "commands", "run") == ("JOAN",)
+
+
+def test_a_file_of_a_language_has_a_million_bytes_at_most(tmp_path: Path) -> None:
+    file = tmp_path / "words.toml"
+    file.write_bytes(b"#" * 1_000_000)
+    assert len(locales.content_of(str(file))) == 1_000_000
+
+    file.write_bytes(b"#" * 1_000_001)
+    with pytest.raises(ValueError, match="more than 1000000 bytes"):
+        locales.content_of(str(file))
+
+
+def test_a_line_of_toml_has_two_hundred_dots_at_most() -> None:
+    assert locales.toml_in("a = 1\n# " + "." * 200) == {"a": 1}
+
+    with pytest.raises(ValueError, match=r"too many dots \(at line 2, column 1\)"):
+        locales.toml_in("a = 1\n# " + "." * 201)
+
+
+def test_the_keys_and_the_words_of_an_entry(own_folder: Path) -> None:
+    (own_folder / "eu").mkdir()
+    (own_folder / "eu" / "words.toml").write_text('[values.speech]\non = ["BAI"]\noff = ["EZ", 1]\nall = "DENA"\n')
+
+    assert locales.keys("eu", "words", "values", "speech") == ("on", "off", "all")
+    assert locales.keys("eu", "words", "values", "speech", "on") == ()
+    assert locales.keys("eu", "words", "nothing") == ()
+    own = [locales.own_words("eu", "words", "values", "speech", each) for each in ("on", "off", "all")]
+    assert own == [("BAI",), (), ()]
+    assert locales.own_words("eu", "words", "values", "speech", "on", "off") == ()
+
+
+def test_the_document_for_beginners_is_that_of_the_language_or_the_english_one(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(locales, "DOCUMENTS", (str(tmp_path / "wheel"), str(tmp_path / "docs")))
+    assert locales.first_page("pt") == ""
+
+    for place in ("docs/en", "docs/pt", "wheel/en"):
+        (tmp_path / place).mkdir(parents=True)
+        (tmp_path / place / "README.md").touch()
+
+    assert locales.first_page("pt") == f"{tmp_path}/docs/pt/README.md"
+    assert locales.first_page("es") == f"{tmp_path}/wheel/en/README.md"
