@@ -3,8 +3,11 @@
 1. Runs the tests that need no other program once and writes down which test runs which line, in child
    processes too (coverage).
 2. Draws COUNT mutations at random from all modules of the product.
-3. Makes each of them in a copy of the repository and runs the tests that run its line; if all pass, mypy
-   checks the types, as the check does.
+3. Makes each of them in a copy of the repository and runs the tests that run its line, the shortest of each
+   file first, until one fails; if all pass, mypy checks the types, as the check does.
+
+A test notices a mutation if it fails, or doesn't end, twice with it, and passes without it. What can't change
+what Donnie does isn't drawn; the rules are in ``mutations.py``, and nothing is left out by hand.
 
 Why no ready tool: mutmut and cosmic-ray mutate everything or a hand-written list, neither draws a sample by a
 seed; mutmut runs all in one process and misses what a child process does; cosmic-ray runs the same tests for
@@ -14,6 +17,8 @@ every mutation. coverage does the hard part here.
 from __future__ import annotations
 
 import argparse
+import ast
+import difflib
 import json
 import os
 import random
@@ -22,58 +27,73 @@ import shutil
 import subprocess
 import sys
 import tempfile
-import threading
 import time
 from collections import defaultdict
-from collections.abc import Iterable
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import cache
+from itertools import count
 from pathlib import Path
-from queue import SimpleQueue
 
 from tests.architecture.house import modules, tracked
 from tests.conftest import ROOT
+from tests.tools.forked_tests import ForkedTests
 from tests.tools.mutations import Mutation, mutations
 
 FOLDER = ROOT / ".mutants"
-DATA, PASSED, REPORT = FOLDER / "coverage", FOLDER / "passed.json", FOLDER / "report.txt"
+REPORT = FOLDER / "report.txt"
 CONFIG = Path(__file__).with_name("coverage.toml")
 MOST_SECONDS = 150.0
 """Of tests a mutation."""
 WANTED = 0.92
+TYPES = "(types)"
+"""In place of a test's name, if mypy noticed it."""
 
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
     mutation: Mutation
     by: str
-    """The test that noticed it, or ``(types)``; empty if none did."""
+    """The test that noticed it, or ``TYPES``; empty if none did."""
     tests: int
     """How many run its line."""
 
 
 def main() -> int:
     options = _options()
-    FOLDER.mkdir(exist_ok=True)
-    if options.map is not None or not PASSED.exists():
-        write_map(*options.map or ())
+    maps = _maps()
+    if options.map is not None or not maps:
+        for old in () if options.map else maps:
+            shutil.rmtree(old)
+        write_map(FOLDER / f"map-{time.time_ns()}", *options.map or ())
     sample = draw(options.seed, options.count, options.below)
     print(f"{len(sample)} mutations, seed {options.seed}", flush=True)
-    verdicts = try_all(sample, Map(), options.jobs)
-    return report(verdicts)
+    if not sample:
+        return 0
+    return report(try_all(sample, [Map(each) for each in _maps()], options.tests))
+
+
+def _maps() -> list[Path]:
+    return sorted(each.parent for each in FOLDER.glob(f"map-*/{_PASSED}"))
 
 
 def _options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--count", type=int, default=150)
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--below", default="", metavar="PATH", help="only modules whose path begins so")
+    parser.add_argument(
+        "--tests",
+        nargs="*",
+        default=(),
+        metavar="TESTS",
+        help="try only these: a quick look at a few modules",
+    )
     parser.add_argument(
         "--map",
         nargs="*",
         metavar="TESTS",
-        help="write down anew which test runs which line; of these tests only",
+        help="write down anew which test runs which line; with names, of these tests only",
     )
     return parser.parse_args()
 
@@ -81,17 +101,22 @@ def _options() -> argparse.Namespace:
 # --- which test runs which line
 
 
-def write_map(*tests: str) -> None:
+def write_map(folder: Path, *tests: str) -> None:
     """Runs the tests under coverage, or those that are named."""
-    for old in FOLDER.glob("coverage*"):
-        old.unlink()
+    folder.mkdir(parents=True)
     command = [
         *_PYTEST, *_LEFT_OUT, "-n", "auto", "--dist", "worksteal", "-p", "tests.tools.mutants",
         "--cov", "--cov-config", str(CONFIG), "--cov-context", "test", "--cov-report", "", *tests,
     ]  # fmt: skip
-    environment = {**os.environ, "COVERAGE_FILE": str(DATA), "MUTANTS_MAP": str(PASSED)}
+    environment = {
+        **os.environ, "COVERAGE_FILE": str(folder / _COVERAGE), "MUTANTS_MAP": str(folder / _PASSED)
+    }  # fmt: skip
+    sources = {path: _source(path).decode() for path in modules()}
+    (folder / _SOURCES).write_text(json.dumps(sources), encoding="utf-8")
     subprocess.run(command, cwd=ROOT, env=environment, check=False)
 
+
+_COVERAGE, _PASSED, _SOURCES = "coverage", "passed.json", "sources.json"
 
 _LEFT_OUT = (
     *(
@@ -125,42 +150,43 @@ def pytest_sessionfinish(session: object) -> None:
 
 
 class Map:
-    """The tests that run a line: the shortest of each file first, then the next of each."""
+    """Which test runs which line, by the lines of the modules that were there then."""
 
-    def __init__(self) -> None:
+    def __init__(self, folder: Path) -> None:
         from coverage import CoverageData
 
-        self._seconds: dict[str, float] = json.loads(PASSED.read_text(encoding="utf-8"))
-        self._data = CoverageData(str(DATA))
+        self.seconds: dict[str, float] = json.loads((folder / _PASSED).read_text(encoding="utf-8"))
+        self._sources: dict[str, str] = json.loads((folder / _SOURCES).read_text(encoding="utf-8"))
+        self._data = CoverageData(str(folder / _COVERAGE))
         self._data.read()
-        self._lock = threading.Lock()
 
-    def tests_of(self, mutation: Mutation) -> list[str]:
-        with self._lock:
-            by_line = self._data.contexts_by_lineno(str(ROOT / mutation.path))
-        contexts = by_line.get(mutation.line, [])
-        names = {_test_of(each) for each in contexts}
-        if "" in names:  # run while it was imported: any test of the module may notice
+    def tests_of(self, mutation: Mutation) -> tuple[set[str], bool]:
+        """The names of the tests that run that line, and whether it runs while it is imported."""
+        by_line = self._data.contexts_by_lineno(str(ROOT / mutation.path))
+        line = self._line_then(mutation)
+        names = {_test_of(each) for each in by_line.get(line, [])}
+        is_imported = "" in names
+        if is_imported or not names:  # any test of the module may notice
             names |= {_test_of(each) for line in by_line.values() for each in line}
-        known = (
-            names & self._seconds.keys() or self._seconds.keys()
-        )  # a table that no test runs: any may notice
-        chosen, seconds = [], 0.0
-        for name in self._in_turn(known):
-            seconds += self._seconds[name]
-            if seconds > MOST_SECONDS:
-                break
-            chosen.append(name)
-        return chosen
+        return names, is_imported
 
-    def _in_turn(self, names: Iterable[str]) -> list[str]:
-        files: dict[str, int] = defaultdict(int)
-        turns = {}
-        for name in sorted(names, key=self._seconds.__getitem__):
-            file = name.partition("::")[0]
-            turns[name] = files[file]
-            files[file] += 1
-        return sorted(turns, key=lambda name: (turns[name], self._seconds[name]))
+    def _line_then(self, mutation: Mutation) -> int:
+        return _lines_then(self._sources.get(mutation.path, ""), _source(mutation.path).decode()).get(
+            mutation.line, 0
+        )
+
+
+@cache
+def _lines_then(old: str, new: str) -> dict[int, int]:
+    """The number in the old text for the number of each line that the new text has kept."""
+    if old == new:
+        return {number: number for number in range(1, len(new.splitlines()) + 1)}
+    same = difflib.SequenceMatcher(None, old.splitlines(), new.splitlines(), autojunk=False)
+    return {
+        there + each + 1: here + each + 1
+        for here, there, number in same.get_matching_blocks()
+        for each in range(number)
+    }
 
 
 def _test_of(context: str) -> str:
@@ -193,22 +219,17 @@ def _source(path: str) -> bytes:
 # --- trying
 
 
-def try_all(sample: list[Mutation], tests: Map, jobs: int) -> list[Verdict]:
-    with tempfile.TemporaryDirectory(prefix="mutants-") as folder, ThreadPoolExecutor(jobs) as pool:
-        copies: SimpleQueue[Path] = SimpleQueue()
-        for number in range(jobs):
-            copies.put(_copy_of_the_repository(Path(folder) / str(number)))
-
-        def attempt(mutation: Mutation) -> Verdict:
-            copy = copies.get()
-            try:
-                verdict = _tried(mutation, tests.tests_of(mutation), copy)
-            finally:
-                copies.put(copy)
-            print("killed  " if verdict.by else "SURVIVED", mutation, f"({verdict.tests} tests)", flush=True)
-            return verdict
-
-        return list(pool.map(attempt, sample))
+def try_all(sample: Sequence[Mutation], maps: Sequence[Map], tests: Sequence[str] = ()) -> list[Verdict]:
+    with tempfile.TemporaryDirectory(prefix="mutants-") as folder:
+        trial = Trial(_copy_of_the_repository(Path(folder)), maps, tests)
+        verdicts = []
+        for each in sample:
+            verdict = trial.of(each)
+            word = "killed  " if verdict.by else "SURVIVED"
+            print(word, each, f"({verdict.tests} tests)", verdict.by, flush=True)
+            verdicts.append(verdict)
+        trial.close()
+        return verdicts
 
 
 def _copy_of_the_repository(folder: Path) -> Path:
@@ -219,67 +240,166 @@ def _copy_of_the_repository(folder: Path) -> Path:
     if (ROOT.parent / "shared").exists():
         (folder / "shared").symlink_to((ROOT.parent / "shared").resolve())
     subprocess.run(["git", "init", "--quiet"], cwd=copy, check=True)
+    if (ROOT / ".mypy_cache").exists():
+        shutil.copytree(ROOT / ".mypy_cache", copy / ".mypy_cache")
     return copy
 
 
-def _tried(mutation: Mutation, names: list[str], copy: Path) -> Verdict:
-    source = _source(mutation.path)
-    file = copy / mutation.path
-    file.write_bytes(mutation.applied(source))
-    try:
-        by = _first_failure(names, copy) if names else ""
-        if by and by != _TIMEOUT and by in names and not _first_failure([by], copy):
-            rest = names[names.index(by) + 1 :]  # it failed by chance
-            by = _first_failure(rest, copy) if rest else ""
-        if not by and not _has_its_types(copy):
-            by = "(types)"
+class Trial:
+    """Makes mutations, one after the other, in a copy of the repository."""
+
+    def __init__(self, copy: Path, maps: Sequence[Map], tests: Sequence[str]) -> None:
+        self._copy, self._maps, self._asks_mypy = copy, maps, not tests
+        self._warm = ForkedTests(copy, (*_LEFT_OUT, *tests))
+        self._seconds = defaultdict(lambda: 1.0)
+        for each in maps:
+            self._seconds.update(each.seconds)
+        self._limits = {name: 30 + 10 * self._seconds[name] for name in self._warm.names}
+        self._times = count(int(time.time()) - 1_000_000_000)
+
+    def close(self) -> None:
+        self._warm.close()
+
+    def of(self, mutation: Mutation) -> Verdict:
+        names, is_imported = self._tests_of(mutation)
+        source = _source(mutation.path)
+        self._write(mutation.path, mutation.applied(source))
+        try:
+            by = self._noticed(mutation, names, is_imported)
+            if not by and self._asks_mypy and not self._has_its_types():
+                by = TYPES
+        finally:
+            self._write(mutation.path, source)
         return Verdict(mutation, by, len(names))
-    finally:
-        file.write_bytes(source)
 
+    def _tests_of(self, mutation: Mutation) -> tuple[list[str], bool]:
+        """Those that run its line, in their turn, and whether it runs while it is imported."""
+        found = [each.tests_of(mutation) for each in self._maps]
+        run = {name for names, _ in found for name in names}
+        known = run & self._warm.names & self._seconds.keys()
+        chosen, seconds = [], 0.0
+        for name in self._in_turn(known or self._warm.names & self._seconds.keys()):
+            seconds += self._seconds[name]
+            if seconds > MOST_SECONDS:
+                break
+            chosen.append(name)
+        is_imported = any(each for _, each in found) or not _is_in_a_function(mutation)
+        return chosen, is_imported
 
-def _has_its_types(copy: Path) -> bool:
-    mypy = [sys.executable, "-m", "mypy", "--cache-dir", ".mypy_cache"]
-    return subprocess.run(mypy, cwd=copy, capture_output=True, check=False).returncode == 0
+    def _in_turn(self, names: Iterable[str]) -> list[str]:
+        """The shortest of each file first, then the next of each."""
+        files: dict[str, int] = defaultdict(int)
+        turns = {}
+        for name in sorted(names, key=lambda name: (self._seconds[name], name)):
+            file = name.partition("::")[0]
+            turns[name] = files[file]
+            files[file] += 1
+        return sorted(turns, key=lambda name: (turns[name], self._seconds[name], name))
 
-
-_TIMEOUT = "(no end)"
-
-
-def _first_failure(names: list[str], copy: Path) -> str:
-    """The first of these tests that fails in the copy; empty if all pass."""
-    listed = copy / ".tests"
-    listed.write_text("\n".join(names), encoding="utf-8")
-    environment = {**os.environ, "PYTHONPATH": str(copy), "PYTHONDONTWRITEBYTECODE": "1"}
-    command = [*_PYTEST, "-x", "-p", "no:xdist", f"@{listed}"]
-    process = subprocess.Popen(
-        command, cwd=copy, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-        start_new_session=True,
-    )  # fmt: skip
-    try:
-        printed, _ = process.communicate(timeout=60 + 4 * MOST_SECONDS)
-    except subprocess.TimeoutExpired:
-        os.killpg(process.pid, 9)
-        process.communicate()
-        return _TIMEOUT
-    if process.returncode == 0:
+    def _noticed(self, mutation: Mutation, names: list[str], is_imported: bool) -> str:
+        """The first test that fails each time with the mutation, and passes without it."""
+        while names:
+            by = None if is_imported else self._first_failure(mutation.path, names)
+            if by is None:
+                is_imported, by = True, self._first_failure_anew(names)
+            if not by:
+                return ""
+            again = (
+                self._first_failure_anew([by]) if is_imported else self._first_failure(mutation.path, [by])
+            )
+            if again and self._passes_without(mutation.path, by):
+                return by
+            names = names[names.index(by) + 1 :] if by in names else []
         return ""
-    failed = re.search(r"^(?:FAILED|ERROR) (.+?)(?: - |$)", printed, re.MULTILINE)
-    return failed[1] if failed else "(no collection)"
+
+    def _first_failure(self, path: str, names: list[str]) -> str | None:
+        return self._warm.first_failure(self._copy / path, names, self._limits)
+
+    def _passes_without(self, path: str, name: str) -> bool:
+        file = self._copy / path
+        mutated = file.read_bytes()
+        self._write(path, _source(path))
+        try:
+            return name not in self._warm.names or not self._warm.first_failure(None, [name], self._limits)
+        finally:
+            self._write(path, mutated)
+
+    def _write(self, path: str, source: bytes) -> None:
+        """With a time of its own, or Python takes what it compiled before from its cache."""
+        file = self._copy / path
+        file.write_bytes(source)
+        moment = next(self._times)
+        os.utime(file, (moment, moment))
+
+    def _first_failure_anew(self, names: list[str]) -> str:
+        """In a new process: few files first, whose collection takes less time."""
+        for some in (names[:10], names[10:100], names[100:]):
+            by = self._failure_of_pytest(some) if some else ""
+            if by:
+                return by
+        return ""
+
+    def _failure_of_pytest(self, names: list[str]) -> str:
+        listed = self._copy / ".tests"
+        listed.write_text("\n".join(names), encoding="utf-8")
+        environment = {**os.environ, "PYTHONPATH": str(self._copy), "PYTHONDONTWRITEBYTECODE": "1"}
+        limits = [self._limits.get(each, 30.0) for each in names]
+        command = [*_PYTEST, "-x", "-p", "no:xdist", f"--timeout={max(limits):.0f}", f"@{listed}"]
+        process = subprocess.Popen(
+            command, cwd=self._copy, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+            text=True, start_new_session=True,
+        )  # fmt: skip
+        try:
+            printed, _ = process.communicate(timeout=60 + min(sum(limits), 600))
+        except subprocess.TimeoutExpired:  # while it is imported, or it is slow: it is tried alone
+            os.killpg(process.pid, 9)
+            process.communicate()
+            return names[0]
+        if process.returncode == 0:
+            return ""
+        failed = re.search(r"^(?:FAILED|ERROR) (.+?)(?: - |$)", printed, re.MULTILINE)
+        return failed[1] if failed else "(no collection)"
+
+    def _has_its_types(self) -> bool:
+        mypy = [sys.executable, "-m", "mypy", "--cache-dir", ".mypy_cache"]
+        return subprocess.run(mypy, cwd=self._copy, capture_output=True, check=False).returncode == 0
+
+
+def _is_in_a_function(mutation: Mutation) -> bool:
+    """And not in a default of a parameter."""
+    return any(first <= mutation.start < end for first, end in _bodies(mutation.path))
+
+
+@cache
+def _bodies(path: str) -> list[tuple[int, int]]:
+    """The first and the last byte of each body of a function."""
+    source = _source(path)
+    starts = [0]
+    for line in source.split(b"\n"):
+        starts.append(starts[-1] + len(line) + 1)
+    return [
+        (starts[node.body[0].lineno - 1], starts[node.end_lineno or 0])
+        for node in ast.walk(ast.parse(source))
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
+    ]
 
 
 # --- the report
 
 
-def report(verdicts: list[Verdict]) -> int:
-    killed = sum(bool(each.by) for each in verdicts)
+def report(verdicts: Sequence[Verdict]) -> int:
+    by_tests = sum(bool(each.by) and each.by != TYPES for each in verdicts)
+    by_types = sum(each.by == TYPES for each in verdicts)
     lines = []
     for each in verdicts:
         if not each.by:
             old = _source(each.mutation.path)[each.mutation.start : each.mutation.end].decode()
             lines += [f"{each.mutation} ({each.tests} tests)", f"  - {old}", f"  + {each.mutation.text}"]
-    share = killed / len(verdicts)
-    lines.append(f"{killed} of {len(verdicts)} were noticed: {share:.0%}; wanted {WANTED:.0%}")
+    share = (by_tests + by_types) / len(verdicts)
+    lines.append(
+        f"{by_tests} of {len(verdicts)} were noticed by tests, {by_types} more by types:"
+        f" {share:.1%}; wanted {WANTED:.0%}"
+    )
     REPORT.write_text("\n".join(lines) + "\n", encoding="utf-8")
     print(*lines, sep="\n")
     return int(share < WANTED)

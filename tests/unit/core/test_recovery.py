@@ -4,13 +4,15 @@ import contextlib
 import os
 import subprocess
 import sys
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from donnie_tui.core.program_files import DocumentError
-from donnie_tui.core.recovery import MOST_COPIES, CopyFolder, UnsavedCopy, read_copy
+from donnie_tui.core.recovery import MOST_COPIES, CopyFolder, CopyWriter, UnsavedCopy, read_copy
+from tests.timeouts import TIMEOUT
 
 
 def write_copy(folder: Path, text: str, path: Path | None = None) -> UnsavedCopy:
@@ -180,3 +182,129 @@ def test_a_folder_that_cannot_be_made_is_a_document_error(tmp_path: Path) -> Non
 
     with pytest.raises(DocumentError):
         write_copy(tmp_path / "file" / "folder", "FW 1")
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
+def test_a_running_donnie_is_known_by_its_arguments_and_not_by_its_python(tmp_path: Path) -> None:
+    """``python .../bin/donnie`` is one; another program of an environment that is called donnie is none."""
+    script = tmp_path / "donnie"
+    script.write_text("print(flush=True); input()")
+    of_donnie = tmp_path / "donnie-python"
+    of_donnie.symlink_to(sys.executable)
+    for command, offered in (([sys.executable, script], 0), ([of_donnie, "-c", script.read_text()], 1)):
+        with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as running:
+            assert running.stdout is not None
+            running.stdout.readline()
+            copy = copy_of(running, tmp_path)
+            assert len(CopyFolder(str(tmp_path)).offered()) == offered
+            running.communicate(b"\n")
+        copy.unlink()
+
+
+@pytest.mark.parametrize("name", ["unsaved-0-abc.gd", "unsaved-x-abc.gd", f"unsaved-{os.getpid()}-abc.gd"])
+def test_a_copy_without_the_number_of_another_process_is_offered(tmp_path: Path, name: str) -> None:
+    (tmp_path / name).write_text("FW 1")
+
+    assert [each.name for each in CopyFolder(str(tmp_path)).rescued()] == [name]
+
+
+@pytest.mark.skipif(os.name != "posix", reason="processes have signals")
+def test_elsewhere_a_copy_of_any_running_process_is_in_use(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with process("another") as other:
+        copy = copy_of(other, tmp_path)
+        monkeypatch.setattr(sys, "platform", "darwin")
+        assert CopyFolder(str(tmp_path)).offered() == []
+
+    (tmp_path / f"unsaved-{10**30}-abc.gd").write_text("FW 2")  # more than the system counts
+    copy.touch()
+    assert copy in CopyFolder(str(tmp_path)).offered()
+    assert len(CopyFolder(str(tmp_path)).offered()) == 2
+
+
+def test_only_files_that_are_called_as_copies_are_offered(tmp_path: Path) -> None:
+    for name in ("unsaved-0-a.txt", "other-0-a.gd", "unsaved-0-b.gd"):
+        (tmp_path / name).write_text("FW 1")
+
+    assert [each.name for each in CopyFolder(str(tmp_path)).offered()] == ["unsaved-0-b.gd"]
+    assert CopyFolder(str(tmp_path / "nowhere")).offered() == []
+
+
+def test_a_copy_that_was_kept_without_a_question_is_offered_once(tmp_path: Path) -> None:
+    for text in ("FW 1", "FW 2"):
+        copy = write_copy(tmp_path, text)
+        copy.leave(is_offered=True)
+        copy.write()
+    folder = CopyFolder(str(tmp_path))
+    assert [read_copy(each).text for each in folder.rescued()] == ["FW 2", "FW 1"]
+
+    opened = folder.rescued()[1]
+    folder.withdraw_offers([opened])
+    assert folder.rescued() == [opened]
+    assert [read_copy(each).text for each in folder.left()] == ["FW 2"]
+
+
+def test_offers_that_are_withdrawn_keep_their_order(tmp_path: Path) -> None:
+    for text in ("FW 1", "FW 2", "FW 3"):
+        copy = write_copy(tmp_path, text)
+        copy.leave(is_offered=True)
+        copy.write()
+    folder = CopyFolder(str(tmp_path))
+    folder.withdraw_offers([])
+
+    assert folder.rescued() == []
+    assert [read_copy(each).text for each in folder.left()] == ["FW 3", "FW 2", "FW 1"]
+
+
+def test_a_blank_program_has_no_copy(tmp_path: Path) -> None:
+    copy = write_copy(tmp_path, "FW 1")
+    assert not copy.is_removal
+    copy.follow(" \n", is_saved=False)
+    assert copy.is_removal
+    copy.write()
+    assert list(tmp_path.iterdir()) == []
+
+    copy.follow("FW 2", tmp_path / "walk.gd", is_saved=False)
+    copy.write()
+    (only,) = tmp_path.iterdir()
+    assert read_copy(only).text == "FW 2"
+    assert read_copy(only).path == tmp_path / "walk.gd"
+
+
+def test_a_path_that_is_no_line_of_text_is_left_out(tmp_path: Path) -> None:
+    write_copy(tmp_path, "FW 1", tmp_path / "two\nlines.gd")
+    (only,) = tmp_path.iterdir()
+
+    assert only.read_text() == "FW 1"
+
+
+def test_the_writer_reports_one_failure_and_goes_on(tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    reported = []
+    written = threading.Event()
+
+    class LastCopy(UnsavedCopy):
+        def write(self) -> None:
+            super().write()
+            written.set()
+
+    writer = CopyWriter(reported.append)
+    bad = [UnsavedCopy(CopyFolder(str(tmp_path / "file" / "folder"))) for _ in range(2)]
+    good, unchanged = LastCopy(CopyFolder(str(tmp_path / "good"))), LastCopy(CopyFolder(str(tmp_path)))
+    for each in (*bad, good):
+        each.want("FW 1")
+    writer.write([*bad, unchanged])
+    writer.write([good])
+
+    assert written.wait(TIMEOUT)
+    assert [each.code for each in reported] == ["file-unwritable"]
+    assert len(list((tmp_path / "good").iterdir())) == 1
+
+
+def test_what_cannot_be_written_at_an_end_is_not_reported(tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    copy = UnsavedCopy(CopyFolder(str(tmp_path / "file" / "folder")))
+    copy.want("FW 1")
+
+    copy.write_quietly()

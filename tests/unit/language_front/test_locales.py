@@ -73,7 +73,9 @@ def test_a_locale_names_a_language(locale: str, language: str | None) -> None:
     assert language_of_locale(locale) == language
 
 
-def test_the_first_folder_that_has_a_language_is_used(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_first_folder_that_has_a_language_is_used(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     for name in ("one", "two"):
         (tmp_path / name / "eu").mkdir(parents=True)
     places = f"{tmp_path / 'one'}{os.pathsep}{os.pathsep}{tmp_path / 'two'}"
@@ -85,7 +87,9 @@ def test_the_first_folder_that_has_a_language_is_used(tmp_path: Path, monkeypatc
     locales.forget()
 
 
-@pytest.mark.parametrize(("name", "is_one"), [("pt-br", True), ("PT", False), ("pt_br", False), ("a.b", False)])
+@pytest.mark.parametrize(
+    ("name", "is_one"), [("pt-br", True), ("PT", False), ("pt_br", False), ("a.b", False)]
+)
 def test_the_code_of_a_language_is_small_letters(own_folder: Path, name: str, is_one: bool) -> None:
     (own_folder / name).mkdir()
 
@@ -140,7 +144,9 @@ def test_a_line_of_toml_has_two_hundred_dots_at_most() -> None:
 
 def test_the_keys_and_the_words_of_an_entry(own_folder: Path) -> None:
     (own_folder / "eu").mkdir()
-    (own_folder / "eu" / "words.toml").write_text('[values.speech]\non = ["BAI"]\noff = ["EZ", 1]\nall = "DENA"\n')
+    (own_folder / "eu" / "words.toml").write_text(
+        '[values.speech]\non = ["BAI"]\noff = ["EZ", 1]\nall = "DENA"\n'
+    )
 
     assert locales.keys("eu", "words", "values", "speech") == ("on", "off", "all")
     assert locales.keys("eu", "words", "values", "speech", "on") == ()

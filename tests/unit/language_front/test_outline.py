@@ -59,3 +59,20 @@ def test_an_else_in_two_words_opens_no_block() -> None:
     assert block_depth("si 3 > 2 entonces\nhablar 1\nsi no\nhablar 2\nfin si") == 0
     assert block_depth("si 3 > 2 entonces hablar 1 si no hablar 2 fin si") == 0
     assert block_depth("si no > 2 entonces") == 1
+
+
+@pytest.mark.parametrize(
+    ("source", "depth"),
+    [
+        ("si 3 > 2 entonces\nsi", 2),  # nothing follows: a second block begins
+        ("si 3 > 2 entonces\nsi x\n", 2),  # a name that is not NO
+        ("si 3 > 2 entonces\nsi no > 2", 2),  # a condition of a variable that is called NO
+        ("si 3 > 2 entonces\nsi 5\n", 2),
+        ("si no\n", 1),  # outside of a block
+        ("repetir 2 veces\nsi no\n", 2),
+        ("si 3 > 2 entonces\nsi no repetir 2 veces", 2),  # the loop
+        ("si 3 > 2 entonces\nsi no var a = 1", 1),
+    ],
+)
+def test_only_if_and_no_alone_are_an_else_in_two_words(source: str, depth: int) -> None:
+    assert block_depth(source) == depth
