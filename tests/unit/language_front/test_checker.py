@@ -25,6 +25,7 @@ def hints(source: str, *, whole: bool = True) -> list[tuple[str, int, int]]:
         ("AV 1 POS X", "HABLAR POS X"),
         ("PF -2", "PT 2"),
         ("TR -90 BW - 5", "FW 5"),
+        ('DISTANCE "left"', 'SPEAK DISTANCE "left"'),
     ],
 )
 def test_a_command_that_does_nothing_has_a_hint_with_a_suggestion(source: str, meant: str) -> None:
@@ -34,6 +35,34 @@ def test_a_command_that_does_nothing_has_a_hint_with_a_suggestion(source: str, m
     (hint,) = check(program, whole=False)
 
     assert (hint.kind.value, hint.meant) == ("unused-value", meant)
+
+
+@pytest.mark.parametrize(
+    ("source", "word", "speak", "value"),
+    [
+        ('DISTANCIA "izquierda" AV 1', "DISTANCE", "HABLAR", 'DISTANCIA "izquierda"'),
+        ("DISTANCE f", "DISTANCE", "SPEAK", "DISTANCE F"),
+        ("PF 1 POS y", "POS", "FALAR", "POS Y"),
+        ("PF 1 COR verde", "COLOR", "FALAR", "COR VERDE"),
+    ],
+)
+def test_the_hint_about_a_value_names_its_sensor(source: str, word: str, speak: str, value: str) -> None:
+    program = parse(source).program
+    assert program is not None
+
+    (hint,) = check(program, whole=False)
+
+    assert (hint.code, hint.details) == ("", {"word": word, "speak": speak, "value": value})
+
+
+def test_a_walk_of_no_steps_has_no_hint_and_one_backwards_says_what_it_is() -> None:
+    assert hints("FW 0 BW -0 FW 2") == []
+    program = parse("FW 1\nFW -2").program
+    assert program is not None
+
+    (hint,) = check(program)
+
+    assert (hint.code, hint.found, hint.span.line) == ("steps", "FW -2", 2)
 
 
 @pytest.mark.parametrize(
