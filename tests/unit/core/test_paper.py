@@ -427,3 +427,112 @@ def test_the_dots_of_the_legend_can_be_read() -> None:
     title = next(each for each in sheet("maze").iter(f"{SVG}g") if each.get("fill") == "black")
 
     assert dots_of(title)[:3] == [(12, 12), (12, 17), (14.5, 12)]
+
+
+def small_sheet(*more: Drawing, has_walls: bool = False) -> ElementTree.Element:
+    """A floor of 10 by 10 steps with a red crate of 4 by 4, and a robot that drove 4 steps to the north.
+
+    The map is 186 of 210 mm wide, so a step is 18.6 mm; its top left corner is at 12, 32, in the world at
+    -5.5, 4.5.
+    """
+    crate = Thing("crate", "crate", "c", "red", 1, 1, 4, 4)
+    floor = Picture(-5, -5, 10, 10, 1, ("." * 10,) * 10, (crate,), has_walls=has_walls)
+    square = ((-1.0, -1.0), (3.0, -1.0), (3.0, 3.0), (-1.0, 3.0))
+    plan = chart(floor, Pose(-3, -3, 90), "donnie", Words())
+    way = [Pose(-3, -3, 0), Pose(-3, 1, 0)]
+    return ElementTree.fromstring(
+        raised_picture("Map", plan, floor, [Drawing((square,), crate, False), *more], Words(), [way])
+    )
+
+
+def test_a_sheet_is_drawn_to_scale() -> None:
+    root = small_sheet()
+    (plan,) = (each for each in root.iter(f"{SVG}g") if each.get("id") == "map")
+
+    square = "M95.70 134.30L170.10 134.30L170.10 59.90L95.70 59.90Z"
+    assert [(each.get("d"), each.get("fill")) for each in plan.iter(f"{SVG}path")] == [
+        (square, None),
+        (square, "url(#red)"),
+        ("M58.50 171.50L66.50 171.50", None),  # the robot's nose: 8 mm to the east
+        ("M58.50 171.50L58.50 97.10", None),
+        ("M58.50 97.10L61.00 101.43", None),  # the head of the arrow: 5 mm, 30 degrees to each side
+        ("M58.50 97.10L56.00 101.43", None),
+    ]
+    (pattern,) = root.iter(f"{SVG}pattern")
+    assert (pattern.get("id"), pattern.get("width"), pattern.get("height")) == ("red", "3.4", "3.4")
+
+
+def test_a_label_is_beside_its_thing_with_its_letter_in_print_above() -> None:
+    root = small_sheet()
+
+    # 3.7 mm and half a line to the right of 170.1, in the middle of its height; a C is dots 1 and 4
+    assert labels_of(root) == [[(174.6, 94.6), (177.1, 94.6)]]
+    (printed,) = (each for each in root.iter(f"{SVG}text") if each.text == "C")
+    assert (printed.get("x"), printed.get("y")) == ("173.80", "93.20")
+
+
+def test_the_foot_of_a_sheet_has_the_legend_the_key_and_the_scale() -> None:
+    root = small_sheet()
+    printed = {each.text: (each.get("x"), each.get("y")) for each in root.iter(f"{SVG}text")}
+    groups = [dots_of(each) for each in root.iter(f"{SVG}g") if each.get("fill") == "black"]
+    first = {each[0] for each in groups}
+    (bar,) = (each for each in root.iter(f"{SVG}path") if each.get("id") == "scale")
+    (arrow,) = (each for each in root.iter(f"{SVG}path") if each.get("id") == "north")
+    (box, _) = (each for each in root.iter(f"{SVG}rect") if each.get("x"))
+    sample = [each.get("d") for each in root.iter(f"{SVG}path") if each.get("stroke-dasharray")]
+
+    assert printed["Map"] == ("11.20", "20.36")
+    assert printed["N"] == ("183.20", "26.36")
+    assert printed["d  donnie, looks east"] == ("11.20", "240.36")
+    assert printed["c  crate, red"] == ("11.20", "250.36")
+    assert printed["red"] == ("27.60", "260.36")
+    assert printed["line: 10 steps, 50 cm"] == ("11.20", "273.36")
+    assert {(12.0, 12.0), (184.0, 18.0), (28.4, 252.0)} <= first  # M, N and R have dot 1
+    assert bar.get("d") == "M12.0 280.00v-4m0 2h186.00m0 -2v4"
+    assert arrow.get("d") == "M195.0 26.0L195.0 12.0M192.0 16.0L195.0 12.0L198.0 16.0"
+    assert (box.get("x"), box.get("y"), box.get("width"), box.get("height")) == (
+        "12.00",
+        "251.00",
+        "12.0",
+        "9.0",
+    )
+    assert sample == ["M56.2 255.50H68.2"]
+
+
+def test_a_wall_is_a_black_line_where_it_is_thin_and_an_outline_where_it_is_thick() -> None:
+    """Two rows of the key leave 17.7 mm for a step: 0.3 are 5.3 mm, 0.4 are 7.1; lines are thinner than 6."""
+    thin = ((-5.0, 2.0), (-5.0, 4.0), (-4.7, 4.0), (-4.7, 2.0))
+    thick = ((-4.0, 2.0), (-4.0, 4.0), (-3.6, 4.0), (-3.6, 2.0))
+    (plan,) = (
+        each
+        for each in small_sheet(Drawing((thin, thick), None, False)).iter(f"{SVG}g")
+        if each.get("id") == "map"
+    )
+    fills = {(each.get("d") or "").partition("L")[0]: each.get("fill") for each in plan.iter(f"{SVG}path")}
+
+    assert fills["M25.35 76.25"] == "black"
+    assert fills["M43.05 76.25"] == "url(#rock)"
+
+
+def test_what_is_small_on_paper_is_a_ring_and_has_no_texture_below_eight_millimetres() -> None:
+    def drawing(x: float, size: float) -> Drawing:
+        thing = Thing("cup", "cup", "u", "red", x, -4, size, size)
+        half = size / 2
+        corners = ((x - half, -4 - half), (x + half, -4 - half), (x + half, -4 + half), (x - half, -4 + half))
+        return Drawing((corners,), thing, False)
+
+    root = small_sheet(drawing(0, 0.26), drawing(1.5, 0.28), drawing(3, 0.42), drawing(4, 0.44))
+    (plan,) = (each for each in root.iter(f"{SVG}g") if each.get("id") == "map")
+    (ring,) = plan.iter(f"{SVG}circle")
+    filled = [each for each in plan.iter(f"{SVG}path") if each.get("fill") == "url(#red)"]
+
+    assert (ring.get("cx"), ring.get("cy"), ring.get("r")) == ("114.30", "190.10", "1.90")
+    assert len(filled) == 2  # the crate, and the cup of 0.44 steps, which is 8.2 mm wide
+
+
+def test_the_extent_of_a_world_with_walls_is_what_stands_there() -> None:
+    """The crate alone is 4 by 4 steps: upright it is 186 mm wide, 46.5 mm a step."""
+    root = small_sheet(has_walls=True)
+    (bar,) = (each for each in root.iter(f"{SVG}path") if each.get("id") == "scale")
+
+    assert bar_length(bar) == pytest.approx(2 * 46.5)
