@@ -181,3 +181,195 @@ def test_a_comment_becomes_a_line_again_and_keeps_its_indentation(open_script) -
     assert script.ctx.program.lines[1] == "  -- FW 1"
     script.type("COMMENT 2")
     assert script.ctx.program.lines[1] == "  FW 1"
+
+
+# --- reading
+
+NESTED = (
+    *("REPEAT 2 TIMES", "FW 1", "IF 1 == 1 THEN", "TR 90", "END IF", "BW 1", "END REPEAT"),
+    "FW 2",
+)
+
+
+def check_conversation(script: Script, *lines: tuple[str, list[str]]) -> None:
+    for typed, answers in lines:
+        assert (typed, script.answers_to(typed)) == (typed, answers)
+
+
+def test_a_program_is_read_along_its_blocks(open_script: OpenScript) -> None:
+    check_conversation(
+        open_script(*NESTED),
+        ("PLACE", ["Line 1 of 8, level 0."]),
+        ("READ 4", ["Line 4, level 2: TR 90"]),
+        ("PLACE", ["Line 4 of 8, level 2.", "In IF from line 3.", "In REPEAT from line 1."]),
+        ("UP", ["Line 3, level 1: IF 1 == 1 THEN"]),
+        ("UP", ["Line 1, level 0: REPEAT 2 TIMES"]),
+        ("UP", ["This line is in no block."]),
+        ("DOWN", ["Line 2, level 1: FW 1"]),
+        ("DOWN", ["No block opens here."]),
+        ("NEXT SAME", ["Line 3: IF 1 == 1 THEN"]),
+        ("NEXT SAME", ["Line 6: BW 1"]),
+        ("NEXT SAME", ["There is no later line on this level."]),
+        ("BACK SAME", ["Line 3: IF 1 == 1 THEN"]),
+        ("BACK SAME", ["Line 2: FW 1"]),
+        ("BACK SAME", ["There is no earlier line on this level."]),
+    )
+
+
+def test_a_program_is_read_line_by_line_between_its_ends(open_script: OpenScript) -> None:
+    check_conversation(
+        open_script(*NESTED),
+        ("FIRST", ["Line 1: REPEAT 2 TIMES"]),
+        ("BACK", ["That is the first line."]),
+        ("NEXT", ["Line 2, level 1: FW 1"]),
+        ("LAST LINE", ["Line 8, level 0: FW 2"]),
+        ("NEXT", ["That is the last line."]),
+        ("BACK", ["Line 7: END REPEAT"]),
+        ("READ", ["Line 7: END REPEAT"]),
+        ("LIST 2 3", ["2: FW 1", "3: IF 1 == 1 THEN"]),
+        ("LIST 7", ["7: END REPEAT"]),
+    )
+
+
+def test_the_outline_goes_to_the_block_that_is_chosen(open_script: OpenScript) -> None:
+    rows = ["2 blocks.", "Line 1, level 0: REPEAT 2 TIMES", "Line 3, level 1: IF 1 == 1 THEN"]
+    script = open_script(*NESTED, answers=[None, "3"])
+
+    check_conversation(script, ("OUTLINE", rows), ("READ", ["Line 1: REPEAT 2 TIMES"]))
+    check_conversation(script, ("OUTLINE", [*rows, rows[2]]), ("READ", ["Line 3: IF 1 == 1 THEN"]))
+
+
+@pytest.mark.parametrize(
+    ("answer", "typed"),
+    [
+        (
+            "There are no lines yet.",
+            "PLACE,UP,DOWN,FIRST,LAST LINE,NEXT,BACK,LIST,READ,FORMAT,COPY,COMMENT,SHOW PROGRAM",
+        ),
+        ("There are no blocks.", "OUTLINE"),
+        ("There are no errors.", "ERROR,ERRORS,ERROR NEXT,ERROR PREVIOUS,EXPLAIN"),
+        ("Nothing has been said yet.", "LAST,LAST WORD,SPELL,SHOW LOG"),
+        ("I have not said wall.", "FIND wall"),
+        ("Nothing was typed yet.", "TYPED"),
+        ("wall is not in the program.", "SEARCH wall,SEARCH AGAIN,REPLACE wall"),
+        ("Nothing was changed.", "UNDO,REDO"),
+        ("There is nothing to delete.", "DELETE"),
+        ("There is nothing to save.", "SAVE"),
+        ("Nothing is running.", "STOP,STOP ALL,PAUSE,CONTINUE"),
+        ("There are no breakpoints.", "BREAK"),
+    ],
+)
+def test_without_a_program_a_command_says_what_is_missing(
+    open_script: OpenScript, answer: str, typed: str
+) -> None:
+    script = open_script()
+    for word in typed.split(","):
+        check_conversation(script, (word, [answer]))
+
+
+def test_what_was_typed_is_listed_and_the_line_that_is_chosen_is_typed_again(open_script: OpenScript) -> None:
+    script = open_script(answers=[None, "FW 1"])
+    for line in ("FW 1", "TR 90", "TYPED"):
+        script.ctx.past.remember(line)
+
+    check_conversation(script, ("TYPED", ["1: FW 1", "2: TR 90"]), ("TYPED 1", ["2: TR 90"]))
+    assert script.interaction.asked == [*("Typed before", "TR 90", "FW 1"), "Typed before", "TR 90", "> FW 1"]
+
+
+# --- mistakes
+
+FW, FWD, SPEAK = (
+    ["Error, line 1, column 1: FW needs a number, such as FW 2.", "Line 1: FW"],
+    ["Error, line 3, column 1: I do not know FWD.", "Line 3: FWD 2", "Did you mean FW?"],
+    ['Error, line 4, column 1: SPEAK needs a text, such as SPEAK "hello".', "Line 4: SPEAK"],
+)
+EXPLAINED = [
+    "Something is missing or out of place.",
+    "You write: FW value, or FORWARD value.",
+    "Example: FW 5.",
+]
+
+
+def test_the_errors_of_a_run_are_said_one_by_one(open_script: OpenScript) -> None:
+    check_conversation(
+        open_script("FW", "TR 90", "FWD 2", "SPEAK"),
+        ("AGAIN", [*FW, *FWD, *SPEAK]),
+        ("ERROR", FW),
+        ("ERROR NEXT", FWD),
+        ("READ", ["Line 3: FWD 2"]),
+        ("ERROR NEXT", SPEAK),
+        ("ERROR NEXT", ["No more errors. That is 3 of 3."]),
+        ("ERROR PREVIOUS", FWD),
+        ("ERROR PREVIOUS", FW),
+        ("ERROR PREVIOUS", ["No more errors. That is 1 of 3."]),
+        ("READ", ["Line 1: FW"]),
+        ("ERRORS", [*FW, *FWD, *SPEAK]),
+    )
+
+
+def test_an_explanation_shows_the_line_as_it_was_when_it_failed(open_script: OpenScript) -> None:
+    script = open_script("TR 90", "FW")
+    script.type("AGAIN")
+    check_conversation(script, ("EXPLAIN", [*EXPLAINED, "Line 2: FW"]), ("READ", ["Line 2: FW"]))
+
+    script.type("CHANGE 2 FW 1")
+    script.type("FIRST")
+    check_conversation(script, ("EXPLAIN", [*EXPLAINED, "Line 2: FW"]), ("READ", ["Line 2: FW 1"]))
+
+
+# --- searching and replacing
+
+
+def test_a_word_is_searched_from_the_place_on_and_again_from_the_start(open_script: OpenScript) -> None:
+    check_conversation(
+        open_script("FW wall", "TR 90", "SPEAK wall", "FW 1"),
+        ("SEARCH wall", ["Line 1: FW wall"]),
+        ("SEARCH AGAIN", ["Line 3: SPEAK wall"]),
+        ("SEARCH AGAIN", ["Line 1: FW wall"]),
+        ("SEARCH nothing", ["nothing is not in the program."]),
+    )
+
+
+def test_a_word_is_replaced_everywhere_and_undo_takes_it_back(open_script: OpenScript) -> None:
+    script = open_script("FW wall", "TR 90", "SPEAK wall", answers=["w2", "none"])
+
+    check_conversation(
+        script,
+        ("REPLACE wall", ["Replaced 2 times."]),
+        ("LIST", ["1: FW w2", "2: TR 90", "3: SPEAK w2"]),
+        ("UNDO", ["Line 1: FW wall"]),
+        ("REDO", ["Line 1: FW w2"]),
+        ("LIST 3", ["3: SPEAK w2"]),
+    )
+    assert script.interaction.asked == ['Instead of wall, everywhere; Enter leaves it, "" deletes it:']
+    check_conversation(script, ("SEARCH", ["none is not in the program."]))
+    assert script.interaction.asked[1:] == ["Search for:"]
+
+
+# --- the words of another language
+
+
+def test_keywords_are_translated_where_the_language_is_named_or_chosen(open_script: OpenScript) -> None:
+    script = open_script("REPEAT 2 TIMES", "FW 1", "END REPEAT", answers=["es", None])
+
+    check_conversation(script, ("TRANSLATE pt", ["The program is tidy now."]))
+    assert script.ctx.program.lines == ("REPITA 2 VEZES", "  PF 1", "FIM REPITA")
+    check_conversation(
+        script, ("TRANSLATE", ["1: English", "2: Portuguese", "3: Spanish", "The program is tidy now."])
+    )
+    assert script.ctx.program.lines == ("REPETIR 2 VECES", "  AV 1", "FIN REPETIR")
+    check_conversation(
+        script,
+        ("TRANSLATE", ["1: English", "2: Portuguese", "3: Spanish"]),
+        ("TRANSLATE xx", ["I did not understand. Type TRANSLATE pt."]),
+    )
+    assert script.interaction.asked.count("English") == 2
+
+
+def test_a_program_with_a_mistake_is_not_tidied(open_script: OpenScript) -> None:
+    script = open_script("FW 1", "FW")
+
+    (answer,) = script.answers_to("FORMAT")
+
+    assert "2" in answer
+    assert script.ctx.program.lines == ("FW 1", "FW")

@@ -128,3 +128,54 @@ def test_a_watched_variable_is_printed_at_each_change_and_no_other(open_script: 
         "I will no longer say when a changes.",
         "I walked 1 step forward.",
     ]
+
+
+# --- stepping, and looking back
+
+
+def test_a_held_program_is_stepped_and_looked_back_at(open_script: OpenScript) -> None:
+    script = open_script("FW 1", "SPEAK 2", "TR 90", "SPEAK 3")
+    for typed, answers in (
+        ("BREAK 2", ["Breakpoint at line 2."]),
+        ("BREAK 2", ["Line 2 has no breakpoint now."]),
+        ("BREAK 3", ["Breakpoint at line 3."]),
+        ("BREAK", ["Breakpoints: 3."]),
+        ("AGAIN", ["I walked 1 step forward.", "2", "Line 3: TR 90"]),
+        ("SHOW VARIABLES", ["There are no variables."]),
+        ("WHERE", ["Position 0, 1. Facing north."]),
+        ("STEP", ["I turned 90 degrees to the right.", "Line 4: SPEAK 3"]),
+        ("OVER", ["3", "Done."]),
+        (
+            "STEP BACK",
+            [
+                "Looking back. The robot stays where it is.",
+                "Back: end of the program. Position 0, 1.",
+                *("Back: 3.", "Line 4: SPEAK 3"),
+            ],
+        ),
+        ("STEP BACK", ["Before TR 90: facing north.", "Line 3: TR 90"]),
+        ("STEP", ["I turned 90 degrees to the right.", "Line 4: SPEAK 3"]),
+        ("CONTINUE", ["Nothing is running."]),
+    ):
+        assert (typed, script.answers_to(typed)) == (typed, answers)
+
+
+def test_run_continues_what_is_held_and_a_stop_says_where(open_script: OpenScript) -> None:
+    script = open_script("FW 1", "SPEAK 2", "SPEAK 3")
+    script.answers_to("STEP", "STEP")
+
+    assert script.answers_to("RUN") == ["2", "3"]
+    script.answers_to("STEP", "STEP")
+    assert script.answers_to("STOP") == ["Stopped at line 2."]
+    assert script.answers_to("RESET", "WHERE") == ["I am back at the start.", "Position 0, 0. Facing north."]
+
+
+@pytest.mark.parametrize(("typed", "speed"), [("0.1", 0.1), ("1000", 1000.0), ("2.5", 2.5)])
+def test_a_speed_may_be_from_a_tenth_to_a_thousand(open_script: OpenScript, typed: str, speed: float) -> None:
+    script = open_script()
+
+    assert script.answers_to(f"SPEED {typed}", "SPEED") == [f"Speed {typed}."] * 2
+    assert script.donnie.session.speed == speed
+    for wrong in ("0.09", "1000.1", "0", "-1"):
+        assert script.answers_to(f"SPEED {wrong}") == ["A speed is a number from 0.1 to 1000, or max."]
+    assert script.donnie.session.speed == speed
