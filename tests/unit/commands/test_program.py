@@ -224,8 +224,8 @@ def test_a_program_is_read_line_by_line_between_its_ends(open_script: OpenScript
         ("NEXT", ["Line 2, level 1: FW 1"]),
         ("LAST LINE", ["Line 8, level 0: FW 2"]),
         ("NEXT", ["That is the last line."]),
-        ("BACK", ["Line 7: END REPEAT"]),
-        ("READ", ["Line 7: END REPEAT"]),
+        ("BACK", ["Line 7: END REPEAT, closes line 1."]),
+        ("READ", ["Line 7: END REPEAT, closes line 1."]),
         ("LIST 2 3", ["2: FW 1", "3: IF 1 == 1 THEN"]),
         ("LIST 7", ["7: END REPEAT"]),
     )

@@ -46,3 +46,42 @@ def test_the_names_of_the_cues_are_printed_where_sound_is_off(open_script: OpenS
 
     assert lines[0].startswith("Sounds are off here.")
     assert {"forward: A step forward.", "close: A block ends."} <= set(lines)
+
+
+@pytest.mark.parametrize(
+    ("typed", "answers", "changed"),
+    [
+        ("LANGUAGE pt", ["Idioma: português."], ["lang"]),
+        ("LANGUAGE", ["Language: English."], []),
+        ("LANGUAGE xx", ["I did not understand. Type LANGUAGE pt."], []),
+        ("DETAIL", ["Detail: normal."], []),
+        ("DETAIL brief", ["Detail: brief."], ["verbosity"]),
+        ("DETAIL x", ["I did not understand. Type DETAIL brief."], []),
+        ("SET page ask", ["Long answers, page: ask."], ["page"]),
+        ("SET page", ["Long answers, page: rest.", "Choose: rest, ask, off."], []),
+        ("SET page never", ["Long answers, page: rest.", "Choose: rest, ask, off."], []),
+        ("SET volume 50", ["Set volume: 50."], ["volume"]),
+        ("SET nothing 1", ["No setting is called nothing. SET lists them."], []),
+        ("SET speech off", ["Set speech: off."], ["speech"]),
+        ("SET sound on", ["Sound: on."], ["sound"]),
+        ("SET speed 3", ["Speed: 3."], ["speed"]),
+        ("SET keys", ["Only in the full screen: type VISUAL."], []),
+    ],
+)
+def test_a_setting_is_changed_or_what_it_can_be_is_said(
+    open_script: OpenScript, typed: str, answers: list[str], changed: list[str]
+) -> None:
+    script = open_script()
+
+    assert script.answers_to(typed) == answers
+    assert script.interaction.changed == changed
+
+
+def test_all_settings_are_listed_with_their_values(open_script: OpenScript) -> None:
+    assert open_script().answers_to("SET") == [
+        *("Long answers, page: rest.", "Start of the line, prompt: short.", "Wait at each line, hold: off."),
+        *("Typing, editor: own.", "Enter key, enter: waits.", "Progress reports, progress: 10 seconds."),
+        *("Directions as a clock, clock: off.", "Free squares, free: dot."),
+        *("Set speech: off.", "Set speak: here.", "Set rate: 180.", "Set pitch: 50.", "Set volume: 100."),
+        *("Set punctuation: some.", "Set echo: none.", "Set wait: off."),
+    ]
