@@ -462,7 +462,7 @@ def test_a_sheet_is_drawn_to_scale() -> None:
     assert (pattern.get("id"), pattern.get("width"), pattern.get("height")) == ("red", "3.4", "3.4")
 
 
-def test_a_label_is_beside_its_thing_with_its_letter_in_print_above() -> None:
+def test_a_label_is_next_to_its_thing_with_its_letter_in_print_above() -> None:
     root = small_sheet()
 
     # 3.7 mm and half a line to the right of 170.1, in the middle of its height; a C is dots 1 and 4

@@ -201,11 +201,12 @@ def test_a_running_donnie_is_known_by_its_arguments_and_not_by_its_python(tmp_pa
         copy.unlink()
 
 
-@pytest.mark.parametrize("name", ["unsaved-0-abc.gd", "unsaved-x-abc.gd", f"unsaved-{os.getpid()}-abc.gd"])
+@pytest.mark.parametrize("name", ["unsaved-0-abc.gd", "unsaved-x-abc.gd", "unsaved-{own}-abc.gd"])
 def test_a_copy_without_the_number_of_another_process_is_offered(tmp_path: Path, name: str) -> None:
-    (tmp_path / name).write_text("FW 1")
+    copy = tmp_path / name.format(own=os.getpid())
+    copy.write_text("FW 1")
 
-    assert [each.name for each in CopyFolder(str(tmp_path)).rescued()] == [name]
+    assert CopyFolder(str(tmp_path)).rescued() == [copy]
 
 
 @pytest.mark.skipif(os.name != "posix", reason="processes have signals")
