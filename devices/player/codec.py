@@ -13,9 +13,10 @@ from __future__ import annotations
 import re
 import struct
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from enum import IntEnum
 from functools import lru_cache
-from itertools import chain
+from itertools import chain, islice
 from typing import Any
 
 from msgspec import Struct
@@ -50,23 +51,18 @@ DATA, COMMAND, REQUEST, ACK, SYNCH, NACK = MessageType
 
 
 class Interface(IntEnum):
-    """Kinds of devices, by the code that the header has. The name in a configuration file is the same."""
+    """What is served, by the code that the header has. The name in a configuration file is the same."""
 
     PLAYER = 1
     POWER = 2
     GRIPPER = 3
     POSITION2D = 4
-    SONAR = 5
-    LASER = 6
     BLOBFINDER = 7
     FIDUCIAL = 10
     SPEECH = 12
     BUMPER = 14
     DIO = 20
-    AIO = 21
     SIMULATION = 31
-    CAMERA = 40
-    GRAPHICS2D = 55
     RANGER = 62
     SOUND = 66
 
@@ -79,15 +75,17 @@ class Access(IntEnum):
     ERROR = 3
 
 
-class DataMode(IntEnum):
-    PUSH = 1
-    """Data go out when they are there."""
-    PULL = 2
-    """Data go out when the client asks for a round."""
-
+PULL = 2
+"""The data mode in which data go out when the client asks for a round; else when they are there."""
 
 CAN_YOU = 255
 """The subtype of a request, of any interface: is this type and subtype known?"""
+
+
+Key = tuple[int, int]
+"""The interface and the index of a device."""
+Values = tuple[Any, ...]
+"""What is in a body."""
 
 
 class BadBody(ValueError):
@@ -163,52 +161,47 @@ def encode(form: str, values: Sequence[object]) -> bytes:
 
     An array is a sequence of numbers, or of sequences of numbers if its group has several.
     """
-    body, at = bytearray(), 0
-    for part in _parts(form):
-        if isinstance(part, struct.Struct):
-            count = len(part.unpack(bytes(part.size)))
-            body += part.pack(*values[at : at + count])
-            at += count
+    parts, rest, body = _parts(form), iter(values), bytearray()
+    if len(values) != (number := sum(1 if each.kind else each.width for each in parts)):
+        raise BadBody(f"{len(values)} values, and {number} in its form")
+    for part in parts:
+        group, width = part.group, part.width
+        if not part.kind:
+            body += group.pack(*islice(rest, width))
             continue
-        value = values[at]
-        at += 1
-        if isinstance(part, str):
-            data = value if isinstance(value, bytes) else _text(str(value))
-            body += _COUNTS.pack(len(data), len(data)) + data + bytes(-len(data) % 4)
+        value: Any = next(rest)
+        if part.kind == "[":
+            data = b"".join(group.pack(*each) if width > 1 else group.pack(each) for each in value)
         else:
-            items: list[object] = list(value)  # type: ignore[call-overload] # a sequence, as the form says
-            numbers = chain.from_iterable(items) if part.width > 1 else items  # type: ignore[arg-type]
-            body += _COUNTS.pack(len(items), len(items))
-            body += struct.pack(f">{part.letters * len(items)}", *numbers)
-    if at != len(values):
-        raise BadBody(f"{len(values)} values, and {at} in its form")
+            data = value if isinstance(value, bytes) else _text(str(value))
+        count = len(data) // group.size
+        body += _COUNTS.pack(count, count) + data + bytes(-len(data) % 4)
     return bytes(body)
 
 
-def decode(form: str, body: bytes) -> tuple[object, ...]:
+def decode(form: str, body: bytes) -> Values:
     """The values of a body, as ``encode`` takes them. Raises ``BadBody``."""
     values: list[object] = []
     at = 0
     for part in _parts(form):
-        if isinstance(part, struct.Struct):
-            if len(body) - at < part.size:
-                raise BadBody(f"{len(body)} bytes, and its form has more")
-            values += part.unpack_from(body, at)
-            at += part.size
-            continue
-        count, size = _counted(body, at, 1 if isinstance(part, str) else part.size)
-        at += _COUNTS.size
+        size = part.group.size
+        if part.kind:
+            size *= _count(body, at)
+            at += _COUNTS.size
+        if size + -size % 4 > len(body) - at:
+            raise BadBody(f"{len(body)} bytes, and its form has more")
         data = body[at : at + size]
         at += size + -size % 4
-        if part == "t":
-            values.append(data.partition(b"\0")[0].decode("utf-8", "replace"))
-        elif isinstance(part, str):
-            values.append(data)
-        else:
-            numbers = struct.unpack(f">{part.letters * count}", data)
-            width = part.width
-            groups = tuple(numbers[i : i + width] for i in range(0, len(numbers), width))
-            values.append(numbers if width == 1 else groups)
+        match part.kind:
+            case "":
+                values += part.group.unpack(data)
+            case "b":
+                values.append(data)
+            case "t":
+                values.append(data.partition(b"\0")[0].decode("utf-8", "replace"))
+            case _:
+                groups = tuple(part.group.iter_unpack(data))
+                values.append(groups if part.width > 1 else tuple(chain.from_iterable(groups)))
     if at != len(body):
         raise BadBody(f"{len(body)} bytes, and {at} in its form")
     return tuple(values)
@@ -219,35 +212,31 @@ def _text(text: str) -> bytes:
     return text.encode("utf-8", "replace") + b"\0" if text else b""
 
 
-def _counted(body: bytes, at: int, size: int) -> tuple[int, int]:
-    """How many things of that size follow, and their bytes. Raises ``BadBody``."""
+def _count(body: bytes, at: int) -> int:
+    """How many things follow. Raises ``BadBody``."""
     if len(body) - at < _COUNTS.size:
         raise BadBody("it ends within a count")
     count, again = _COUNTS.unpack_from(body, at)
     if count != again:
         raise BadBody(f"{count} and {again} are counts of one array")
-    whole = count * size
-    if whole + -whole % 4 > len(body) - at - _COUNTS.size:
-        raise BadBody(f"an array of {count}, and {len(body)} bytes in all")
-    return count, whole
+    return int(count)
 
 
-class _Array(Struct, frozen=True):
-    letters: str
+class _Part(Struct, frozen=True):
+    kind: str
+    """Empty for a fixed group, ``[`` for an array of groups; ``b`` and ``t``, whose group is a byte."""
+    group: struct.Struct
     width: int
-    """Numbers in a group."""
-    size: int
-    """Bytes of a group."""
+    """Values in a group."""
 
 
 @lru_cache(maxsize=256)
-def _parts(form: str) -> tuple[struct.Struct | _Array | str, ...]:
-    parts: list[struct.Struct | _Array | str] = []
+def _parts(form: str) -> tuple[_Part, ...]:
+    parts = []
     for group, counted, fixed in _PART.findall(form.replace(" ", "")):
-        if group:
-            parts.append(_Array(group, len(group), struct.calcsize(f">{group}")))
-        else:
-            parts.append(counted or struct.Struct(f">{fixed}"))
+        letters = group or fixed or "s"
+        width = len(letters.strip("0123456789"))
+        parts.append(_Part(counted or ("[" if group else ""), struct.Struct(f">{letters}"), width))
     return tuple(parts)
 
 
@@ -266,9 +255,8 @@ REQUESTS: Mapping[tuple[int, int], tuple[str, str]] = {
     (Interface.PLAYER, 10): ("iiiii", ""),  # replace rule
     (Interface.GRIPPER, 1): ("", f"{POSE3D} {BOX3D} {BOX3D} I I"),  # geometry
     (Interface.POSITION2D, 1): ("", f"{POSE3D} {BOX3D}"),  # geometry
-    (Interface.POSITION2D, 2): ("I", ""),  # motor power
-    (Interface.POSITION2D, 3): ("I", ""),  # velocity mode
-    (Interface.POSITION2D, 4): ("I", ""),  # position mode
+    # motor power, velocity mode, position mode
+    **{(Interface.POSITION2D, each): ("I", "") for each in (2, 3, 4)},
     (Interface.POSITION2D, 5): (POSE2D, ""),  # set odometry
     (Interface.POSITION2D, 6): ("", ""),  # reset odometry
     (Interface.FIDUCIAL, 1): ("", f"{POSE3D} {BOX3D} {BOX2D}"),  # geometry
@@ -326,12 +314,12 @@ def form_of(message: PlayerMessage) -> str | None:
     return "II" if message.type == REQUEST and message.subtype == CAN_YOU else None
 
 
-def values_of(message: PlayerMessage) -> tuple[Any, ...]:
-    """What is in its body. Raises ``BadBody``, also for a message of which nothing is known."""
+def values_of(message: PlayerMessage) -> Values | None:
+    """What is in its body; None if it is not of its form, or nothing is known of such a message."""
     form = form_of(message)
-    if form is None:
-        raise BadBody(f"no form for {message.interface}, {message.type}, {message.subtype}")
-    return decode(form, message.body)
+    with suppress(BadBody):
+        return None if form is None else decode(form, message.body)
+    return None
 
 
 def body_of(interface: int, type_: int, subtype: int, *values: object) -> bytes:

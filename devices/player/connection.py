@@ -6,19 +6,21 @@ waits. Replies are never dropped, and each request gets exactly one.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from itertools import count
-from typing import Any, Protocol
+from typing import Protocol
 
 from devices.player.codec import (
     CAN_YOU,
     LOCAL_HOST,
+    PULL,
     Access,
-    BadBody,
-    DataMode,
     Interface,
+    Key,
     MessageReader,
     MessageType,
     PlayerMessage,
+    Values,
     banner,
     body_of,
     values_of,
@@ -30,10 +32,26 @@ MOST_REPLIES = 256
 """Replies that wait; from then on nothing more is read from the client."""
 MOST_RULES = 64
 
-Key = tuple[int, int]
-"""The interface and the index of a device."""
-
 ACCEPT, REPLACE, IGNORE = 0, 1, 2
+
+
+class Device(Protocol):
+    """What clients open, by an interface and an index."""
+
+    driver: str
+    users: int
+
+    def open(self) -> bool:
+        """One more user. False if it can't be opened."""
+
+    def close(self) -> None:
+        """One less."""
+
+    def command(self, subtype: int, values: Values) -> None:
+        """Only while it has users."""
+
+    def request(self, subtype: int, values: Values) -> Values | None:
+        """What is in the reply; None for a refusal."""
 
 
 class Station(Protocol):
@@ -47,19 +65,8 @@ class Station(Protocol):
         """Simulated seconds."""
 
     @property
-    def drivers(self) -> dict[Key, str]:
-        """The devices in the order of the configuration, each with the name of its driver."""
-
-    def open(self, key: Key) -> bool:
-        """One more subscriber. False if the device can't be opened."""
-
-    def close(self, key: Key) -> None:
-        """One less."""
-
-    def command(self, key: Key, subtype: int, values: tuple[object, ...]) -> None: ...
-
-    def request(self, key: Key, subtype: int, values: tuple[object, ...]) -> bytes | None:
-        """The body of the reply; None for a refusal."""
+    def devices(self) -> Mapping[Key, Device]:
+        """In the order of the configuration."""
 
 
 class ClientConnection:
@@ -69,7 +76,8 @@ class ClientConnection:
         self._station = station
         self._reader = MessageReader()
         self._first = banner(version)
-        self._mode = DataMode.PUSH
+        self._is_pull = False
+        """Whether data wait until the client asks for a round."""
         self._queue: dict[object, PlayerMessage] = {}
         self._numbers = count()
         self._replies = 0
@@ -110,7 +118,7 @@ class ClientConnection:
     def take(self) -> bytes:
         """What goes out now. To be called only while the client reads."""
         first, self._first = self._first, b""
-        if not (self._must_go or self._is_round_open or self._mode is DataMode.PUSH):
+        if not (self._must_go or self._is_round_open or not self._is_pull):
             return first
         queued = list(self._queue.values())
         self._queue.clear()
@@ -123,80 +131,70 @@ class ClientConnection:
     def close(self) -> None:
         """The client has gone, or is sent away."""
         while self._opened:
-            self._station.close(self._opened.pop())
+            self._station.devices[self._opened.pop()].close()
         self._queue.clear()
 
     # --- what a client sends
 
     def _obey(self, message: PlayerMessage) -> None:
-        key = (message.interface, message.index)
-        is_server = message.interface == Interface.PLAYER
-        if message.type == MessageType.COMMAND and key in self._station.drivers:
-            values = _values(message)
-            if values is not None:
-                self._station.command(key, message.subtype, values)
-        elif message.type == MessageType.REQUEST and is_server:
-            self._answer(message)
-        elif message.type == MessageType.REQUEST:
-            values = _values(message)
-            known = values is not None and message.subtype != CAN_YOU and key in self._station.drivers
-            self._reply(message, self._station.request(key, message.subtype, values or ()) if known else None)
+        is_server, is_request = message.interface == Interface.PLAYER, message.type == MessageType.REQUEST
+        device = self._station.devices.get((message.interface, message.index))
+        values = values_of(message)
+        if is_server and is_request:
+            self._answer(message, values)
+        elif is_request:
+            if device is None or values is None or message.subtype == CAN_YOU:
+                self._reply(message, None)
+            else:
+                self._reply(message, device.request(message.subtype, values))
         elif is_server and message.type > MessageType.NACK:
             self._reply(message, None)
+        elif message.type == MessageType.COMMAND and device and device.users and values is not None:
+            device.command(message.subtype, values)
 
-    def _answer(self, message: PlayerMessage) -> None:
+    def _answer(self, message: PlayerMessage, values: Values | None) -> None:
         """A request to the server itself."""
-        values = _values(message)
-        if values is None:
-            self._reply(message, None)
-            return
+        devices = self._station.devices
+        reply: Values | None = None
         match message.subtype, values:
+            case _, None:
+                pass
             case 1, _:
-                addresses = [self._address(key) for key in self._station.drivers]
-                self._reply(message, body_of(Interface.PLAYER, MessageType.ACK, 1, addresses))
-            case 2, (_, _, interface, index, _):
-                name = self._station.drivers.get((interface, index))
-                address = self._address((interface, index))
-                body = body_of(Interface.PLAYER, MessageType.ACK, 2, *address, name or "")
-                self._reply(message, None if name is None else body)
+                reply = ([self._address(key) for key in devices],)
+            case 2, (_, _, interface, index, _) if device := devices.get((interface, index)):
+                reply = (*self._address((interface, index)), device.driver)
             case 3, (_, _, interface, index, access, _):
-                self._subscribe(message, (interface, index), access)
+                return self._subscribe(message, (interface, index), access)
             case 4, _:
-                self._begin_round(message)
+                return self._begin_round(message)
             case 5, (mode,):
-                self._mode = DataMode.PULL if mode == DataMode.PULL else DataMode.PUSH
-                self._reply(message, b"")
+                self._is_pull, reply = mode == PULL, ()
             case 10, (*pattern, rule):
                 self._set_rule(tuple(pattern), rule)
-                self._reply(message, b"")
-            case _:
-                self._reply(message, None)
+                reply = ()
+        return self._reply(message, reply)
 
     def _subscribe(self, message: PlayerMessage, key: Key, access: int) -> None:
-        name = self._station.drivers.get(key)
-        is_refused = name is None
-        granted = access if access in (Access.OPEN, Access.CLOSE) else int(Access.ERROR)
-        if name is not None and access == Access.OPEN:
-            is_refused = len(self._opened) >= MOST_WAITING or not self._station.open(key)
-            if not is_refused:
+        device = self._station.devices.get(key)
+        if device is not None and access == Access.OPEN:
+            if len(self._opened) < MOST_WAITING and device.open():
                 self._opened.append(key)
-        elif access == Access.CLOSE and key in self._opened:
+            else:
+                device = None
+        elif device is not None and access == Access.CLOSE and key in self._opened:
             self._opened.remove(key)
-            self._station.close(key)
-        if is_refused:
-            body = body_of(Interface.PLAYER, MessageType.NACK, 3, *self._address(key), int(Access.ERROR), "")
-            self._queue_reply(message, MessageType.NACK, body)
-        else:
-            granted_to = (*self._address(key), granted, name or "")
-            self._reply(message, body_of(Interface.PLAYER, MessageType.ACK, 3, *granted_to))
+            device.close()
+        is_right = device is not None and access in (Access.OPEN, Access.CLOSE)
+        values = (*self._address(key), access if is_right else Access.ERROR, device.driver if device else "")
+        self._queue_reply(message, MessageType.ACK if device else MessageType.NACK, *values)
 
     def _begin_round(self, message: PlayerMessage) -> None:
         """Its reply precedes all that waits."""
         waiting = dict(self._queue)
         self._queue.clear()
-        self._reply(message, b"")
+        self._reply(message, ())
         self._queue.update(waiting)
-        self._is_round_open = self._mode is DataMode.PULL
+        self._is_round_open = self._is_pull
 
     def _set_rule(self, pattern: tuple[int, ...], rule: int) -> None:
         if rule in (ACCEPT, REPLACE, IGNORE) and (pattern in self._rules or len(self._rules) < MOST_RULES):
@@ -210,11 +208,12 @@ class ClientConnection:
 
     # --- what it gets
 
-    def _reply(self, message: PlayerMessage, body: bytes | None) -> None:
+    def _reply(self, message: PlayerMessage, values: Values | None) -> None:
         """``None``: refused."""
-        self._queue_reply(message, MessageType.NACK if body is None else MessageType.ACK, body or b"")
+        self._queue_reply(message, MessageType.NACK if values is None else MessageType.ACK, *(values or ()))
 
-    def _queue_reply(self, message: PlayerMessage, type_: MessageType, body: bytes) -> None:
+    def _queue_reply(self, message: PlayerMessage, type_: MessageType, *values: object) -> None:
+        body = body_of(message.interface, type_, message.subtype, *values) if values else b""
         reply = self._message(message.interface, message.index, type_, message.subtype, body)
         self._queue[next(self._numbers)] = reply
         self._replies += 1
@@ -226,11 +225,3 @@ class ClientConnection:
 
     def _address(self, key: Key) -> tuple[int, int, int, int]:
         return (LOCAL_HOST, self._station.port, *key)
-
-
-def _values(message: PlayerMessage) -> tuple[Any, ...] | None:
-    """None if nothing is known of such a message, or its body is not what it should be."""
-    try:
-        return values_of(message)
-    except BadBody:
-        return None

@@ -11,6 +11,7 @@ import threading
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable
 from math import cos, degrees, pi, radians, sin
+from typing import Generic, Protocol, TypeVar
 
 from msgspec import Struct
 
@@ -104,30 +105,65 @@ PASSING_INTERVAL = 0.05
 """Seconds between two poses that are reported for a moving picture."""
 
 
-class LinkedRobot(ABC):
+class Link(Protocol):
+    """What every link to a robot can do. Any thread and any signal handler may call it."""
+
+    @property
+    def name(self) -> str:
+        """As it is named to a person."""
+
+    def give_up(self) -> None:
+        """End connecting at once, with the problem ``given-up``."""
+
+    def stop(self) -> None:
+        """At once. Never raises."""
+
+    def wait_until_standing(self) -> None:
+        """Wait until the robot stands after a stop."""
+
+
+LinkType = TypeVar("LinkType", bound=Link)
+
+
+class LinkedRobot(ABC, Generic[LinkType]):
     """What the commands of robots at the end of a link have in common, whatever drives them.
 
     A movement that loses the link ends with ``StoppedBy.LINK``, and the next command raises ``link-lost``,
-    even if the link is back by then. Nothing resumes by itself.
+    even if the link is back by then. Nothing resumes by itself. ``halt``, as at the end of a run, makes the
+    robot usable again.
     """
 
     name = "donnie"
 
-    def __init__(self, port: str, pace: Pace, watcher: Watcher | None) -> None:
-        """``port``: as it is named to a person."""
-        self.port = port
-        self._pace, self._watcher = pace, watcher
+    def __init__(self, link: LinkType, pace: Pace, watcher: Watcher | None) -> None:
+        self._link, self._pace, self._watcher = link, pace, watcher
         self._is_link_lost = False
         self._passing_at = 0.0
+
+    @property
+    def port(self) -> str:
+        return self._link.name
 
     @property
     def speed(self) -> float | None:
         """A multiple of the robot's own pace; it has only this one."""
         return 1.0
 
-    @speed.setter  # noqa: B027 -- some robots can do it
+    @speed.setter
     def speed(self, speed: float | None) -> None:
         """Has no effect."""
+
+    def give_up(self) -> None:
+        """End ``connect`` at once. Any thread and any signal handler may call it."""
+        self._link.give_up()
+
+    def halt(self) -> None:
+        self._is_link_lost = False
+        self._link.stop()
+
+    def wait_until_standing(self) -> None:
+        """Wait until the robot stands after a stop. Any thread and any signal handler may call it."""
+        self._link.wait_until_standing()
 
     def forward(self, steps: int) -> WalkResult:
         """Walk forward. ``ValueError`` if ``steps`` is negative; ``RobotProblem`` if the link is lost."""

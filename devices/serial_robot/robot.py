@@ -1,7 +1,6 @@
 """The real robot: the port's commands, executed over a link and counted by the encoders.
 
-Waiting and measuring raise ``link-lost`` at once when the link is lost. ``halt``, as at the end of a run,
-makes the robot usable again.
+Waiting and measuring raise ``link-lost`` at once when the link is lost.
 """
 
 from __future__ import annotations
@@ -46,7 +45,7 @@ the rest allows for the sonars' resolution."""
 _DIAGONALS = (Bearing.FRONT_RIGHT, Bearing.FRONT_LEFT)
 
 
-class SerialRobot(LinkedRobot):
+class SerialRobot(LinkedRobot[RobotLink]):
     """One robot at the end of a link. Only the program's thread may call its methods, except ``halt``,
     ``pose``, ``time``, ``speed`` and ``known_distances``."""
 
@@ -62,8 +61,7 @@ class SerialRobot(LinkedRobot):
     ) -> None:
         """``start``: the pose that it is taken to have when it is connected or reset. ``on_notice``: as of
         its link, for what only a movement shows; called in the program's thread."""
-        super().__init__(link.name, pace, watcher)
-        self._link = link
+        super().__init__(link, pace, watcher)
         self._start_pose = start or Pose(0.0, 0.0, 0.0)
         self._config = config or RobotConfig()
         self._sensors = BoardSensors(self._config)
@@ -104,14 +102,6 @@ class SerialRobot(LinkedRobot):
         self._link.connect()
         self.reset()
 
-    def give_up(self) -> None:
-        """End ``connect`` at once, with ``given-up``. Any thread and any signal handler may call it."""
-        self._link.give_up()
-
-    def wait_until_standing(self) -> None:
-        """Wait until the robot stands after a stop. Any thread and any signal handler may call it."""
-        self._link.wait_until_standing()
-
     def close(self) -> None:
         """Stop the robot, wait until it stands, and close the port. Any thread; never raises."""
         self._link.close()
@@ -127,10 +117,6 @@ class SerialRobot(LinkedRobot):
         self._is_link_lost = False
 
     # --- moving
-
-    def halt(self) -> None:
-        self._is_link_lost = False
-        self._link.stop()
 
     def _walk(self, report: Progress, steps: int, sense: int) -> Ending:
         is_forward = sense > 0

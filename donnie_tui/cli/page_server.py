@@ -27,6 +27,7 @@ from aiohttp import WSCloseCode, web
 from donnie_tui.cli.page_session import FAILED_CODE, PageLimits, PageSession, as_reason, size_of
 from donnie_tui.cli.streams import on_signals
 from donnie_tui.core.wording import Wording
+from donnie_tui.settings.parsing import is_loopback
 
 LOCALHOST = "localhost"
 _LOOPBACKS = ("127.0.0.1", "::1")
@@ -90,7 +91,7 @@ class Gate:
         A name that anyone can buy and let point here is none of them; an address is never such a name.
         """
         ours = str((request.get_extra_info("sockname") or ("",))[0])
-        names = {_in_host(ours), LOCALHOST} if _is_loopback(ours) else {_in_host(ours), *_names_of_machine()}
+        names = {_in_host(ours), LOCALHOST} if is_loopback(ours) else {_in_host(ours), *_names_of_machine()}
         if not _is_unspecified(self._address):
             names.add(_in_host(self._address).lower())
         return frozenset(f"{name}{suffix}" for name in names for suffix in self._suffixes)
@@ -109,13 +110,6 @@ def _is_same(given: str, secret: str) -> bool:
 
 def _in_host(address: str) -> str:
     return f"[{address}]" if ":" in address else address
-
-
-def _is_loopback(address: str) -> bool:
-    try:
-        return ip_address(address).is_loopback
-    except ValueError:
-        return False
 
 
 def _is_unspecified(address: str) -> bool:
@@ -185,7 +179,7 @@ class PageServer:
     def is_open_to_others(self) -> bool:
         """Whether it listens on more than this machine."""
         sockets = (each.getsockname()[0] for listener in self._listeners for each in listener.sockets)
-        return not all(map(_is_loopback, sockets))
+        return not all(map(is_loopback, sockets))
 
     async def start(self) -> None:
         """Raises ``OSError``."""

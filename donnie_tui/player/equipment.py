@@ -6,13 +6,18 @@ Metres and radians here, as on the wire; the port below has degrees.
 from __future__ import annotations
 
 import struct
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from math import atan2, cos, degrees, hypot, radians, sin
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Protocol
 
-from devices.player.codec import Interface, MessageType, body_of
-from devices.ports.drive import TICK, MetricPose, Velocity, VelocityDrive
+from msgspec import Struct
+
+from devices.player.codec import Interface, Values
+from devices.ports.audio import CUES
+from devices.ports.drive import TICK, MetricPose, Velocity
 from devices.ports.robot import Grip, GripResult
+from donnie_tui.core.events import CueSounded, Event, GripperUsed, Spoke
 from sim.colours import colour_of
 from sim.geometry import Placement, normal, relative
 
@@ -20,17 +25,15 @@ if TYPE_CHECKING:
     from sim.scene import Model
     from sim.velocity import VelocityLoop
 
-Values = tuple[Any, ...]
-Datum = tuple[int, bytes]
-"""A subtype and a body."""
-
+Datum = tuple[int, Values]
+"""A subtype and its values."""
 
 _FARTHEST = 1e6
 """The largest number of metres, radians or their speeds that a command may have."""
 
 
-def _is_usable(value: float) -> bool:
-    return abs(value) <= _FARTHEST
+def _are_usable(values: Values) -> bool:
+    return all(abs(each) <= _FARTHEST for each in values)
 
 
 class Reporter(Protocol):
@@ -42,11 +45,7 @@ class Reporter(Protocol):
     def left(self, name: str) -> None:
         """No client has it open any more."""
 
-    def said(self, name: str, text: str) -> None: ...
-
-    def sounded(self, name: str, file: str) -> None: ...
-
-    def gripped(self, name: str, result: GripResult) -> None: ...
+    def happened(self, name: str, event: Event) -> None: ...
 
     def vibrated(self, name: str, motor: int, letter: str) -> None:
         """A cell of the belt's frame, by its number, which counts the frame's start too."""
@@ -55,16 +54,26 @@ class Reporter(Protocol):
         """Before each tick."""
 
 
+class Fitting(Struct):
+    """Where a device is, and what it works with."""
+
+    interface: Interface
+    index: int
+    driver: str
+    """The name that clients see."""
+    robot: str
+    """The name of its robot; empty if it belongs to none."""
+    loop: VelocityLoop
+    reporter: Reporter
+
+
 class Equipment:
     """A device that anyone may open, that has no data and refuses all requests."""
 
-    interface: int = 0
-
-    def __init__(self, index: int, driver: str) -> None:
-        """``driver``: the name that clients see."""
-        self.index = index
-        self.driver = driver
-        self.users = 0
+    def __init__(self, fitting: Fitting) -> None:
+        self.interface, self.index = fitting.interface, fitting.index
+        self.driver, self.users = fitting.driver, 0
+        self._robot, self._loop, self._reporter = fitting.robot, fitting.loop, fitting.reporter
 
     def open(self) -> bool:
         """False: it can't be opened now."""
@@ -77,11 +86,11 @@ class Equipment:
     def command(self, subtype: int, values: Values) -> None:
         """Only while it is open."""
 
-    def request(self, subtype: int, values: Values) -> bytes | None:  # noqa: ARG002 -- the table's form
-        """The body of the reply; None: refused."""
+    def request(self, subtype: int, values: Values) -> Values | None:  # noqa: ARG002 -- the table's form
+        """What is in the reply; None: refused."""
         return self.geometry() if subtype == 1 else None
 
-    def geometry(self) -> bytes | None:
+    def geometry(self) -> Values | None:
         return None
 
     def step(self) -> None:
@@ -90,46 +99,52 @@ class Equipment:
     def data(self) -> Iterator[Datum]:
         yield from ()
 
-    def _datum(self, *values: object, subtype: int = 1) -> Datum:
-        return subtype, body_of(self.interface, MessageType.DATA, subtype, *values)
-
-    def _ack(self, subtype: int, *values: object) -> bytes:
-        return body_of(self.interface, MessageType.ACK, subtype, *values)
-
 
 class MountedDevice(Equipment):
-    """A device on a robot."""
+    """A device on a robot, or the robot itself."""
 
-    def __init__(
-        self, index: int, driver: str, model: Model, drive: VelocityDrive, loop: VelocityLoop
-    ) -> None:
-        super().__init__(index, driver)
-        self._model, self._drive, self._loop = model, drive, loop
-        self.reporter: Reporter
+    def __init__(self, fitting: Fitting, model: Model) -> None:
+        super().__init__(fitting)
+        self._model, self._drive = model, fitting.loop.drives[fitting.robot]
+        self._on_robot = relative(model.pose, fitting.loop.scene.models[model.root].pose)
         self.begin()
 
     def begin(self) -> None:
         """Sets the state that it has before a client opens it."""
 
-    def geometry(self) -> bytes | None:
-        return self._ack(1, *self._place()) if self.interface == Interface.POSITION2D else None
-
     def _place(self) -> tuple[float, ...]:
         """Its pose on its robot, of a robot itself 0, and its size."""
-        on_robot = relative(self._model.pose, self._loop.scene.models[self._model.root].pose)
-        return (*pose3d(on_robot), *box3d(self._model.size))
+        return (*pose3d(self._on_robot), *box3d(self._model.size))
 
 
-class WheelDevice(MountedDevice):
+class PositionDevice(MountedDevice):
+    """What drives or turns by velocities, or to a goal."""
+
+    _goal: MetricPose | None = None
+
+    def geometry(self) -> Values | None:
+        return self._place()
+
+    def command(self, subtype: int, values: Values) -> None:
+        if subtype == 2 and _are_usable(values):
+            self._goal = MetricPose(values[0], values[1], degrees(values[2]))
+        elif subtype in (1, 3) and _are_usable(values):
+            ahead, left, turn = values[:3] if subtype == 1 else (values[0], 0.0, values[1])
+            self._goal = None
+            self.drive(Velocity(ahead, left, degrees(turn)))
+
+    def drive(self, velocity: Velocity) -> None:
+        """Until the next command."""
+
+    def request(self, subtype: int, values: Values) -> Values | None:
+        return () if subtype in (2, 4, 5, 6) else super().request(subtype, values)
+
+
+class WheelDevice(PositionDevice):
     """A robot. It stands as soon as the last client has closed it."""
 
-    interface = Interface.POSITION2D
-
-    def begin(self) -> None:
-        self._goal: MetricPose | None = None
-
     def open(self) -> bool:
-        if not self.users and not self.reporter.opened(self._drive.name):
+        if not self.users and not self._reporter.opened(self._robot):
             return False
         self._drive.subscribe()
         return super().open()
@@ -139,29 +154,17 @@ class WheelDevice(MountedDevice):
         self._drive.unsubscribe()
         if not self.users:
             self._goal = None
-            self.reporter.left(self._drive.name)
+            self._reporter.left(self._robot)
 
-    def command(self, subtype: int, values: Values) -> None:
-        if not all(map(_is_usable, values)):
-            return
-        match subtype:
-            case 1:
-                self._go(values[0], values[1], values[2])
-            case 2:
-                self._goal = MetricPose(values[0], values[1], degrees(values[2]))
-            case 3:
-                self._go(values[0], 0.0, values[1])
+    def drive(self, velocity: Velocity) -> None:
+        self._drive.drive(velocity)
 
-    def request(self, subtype: int, values: Values) -> bytes | None:
-        match subtype:
-            case 2 | 4:
-                return b""
-            case 5 if all(map(_is_usable, values)):
-                self._drive.set_odometry(MetricPose(values[0], values[1], degrees(values[2])))
-                return b""
-            case 6:
-                self._drive.set_odometry(MetricPose())
-                return b""
+    def request(self, subtype: int, values: Values) -> Values | None:
+        if subtype in (5, 6):
+            x, y, yaw = values or (0.0, 0.0, 0.0)
+            if not _are_usable(values):
+                return None
+            self._drive.set_odometry(MetricPose(x, y, degrees(yaw)))
         return super().request(subtype, values)
 
     def step(self) -> None:
@@ -172,34 +175,16 @@ class WheelDevice(MountedDevice):
         state = self._drive.state()
         here, speed = state.believed, state.velocity
         rates = (speed.ahead, speed.left, radians(speed.turn))
-        yield self._datum(here.x, here.y, angle(here.yaw), *rates, int(state.is_stalled))
-
-    def _go(self, ahead: float, left: float, turn: float) -> None:
-        self._goal = None
-        self._drive.drive(Velocity(ahead, left, degrees(turn)))
+        yield 1, (here.x, here.y, angle(here.yaw), *rates, int(state.is_stalled))
 
 
-class HeadDevice(MountedDevice):
+class HeadDevice(PositionDevice):
     """A part that turns by itself on its robot, with all that is mounted on it."""
 
-    interface = Interface.POSITION2D
+    _turned = _rate = 0.0
 
-    def begin(self) -> None:
-        self._mount = relative(self._model.pose, self._loop.scene.models[self._model.root].pose)
-        self._turned = self._rate = 0.0
-        self._goal: float | None = None
-
-    def command(self, subtype: int, values: Values) -> None:
-        if not all(map(_is_usable, values)):
-            return
-        if subtype in (1, 3):
-            rate = degrees(values[2 if subtype == 1 else 1])
-            self._goal, self._rate = None, max(-FASTEST_TURN, min(FASTEST_TURN, rate))
-        elif subtype == 2:
-            self._goal = degrees(values[2])
-
-    def request(self, subtype: int, values: Values) -> bytes | None:
-        return b"" if subtype in (2, 4, 5, 6) else super().request(subtype, values)
+    def drive(self, velocity: Velocity) -> None:
+        self._rate = max(-FASTEST_TURN, min(FASTEST_TURN, velocity.turn))
 
     def close(self) -> None:
         super().close()
@@ -208,19 +193,19 @@ class HeadDevice(MountedDevice):
 
     def step(self) -> None:
         if self._goal is not None:
-            self._rate = _turn(self._goal - self._here().yaw)
+            self._rate = _turn(self._goal.yaw - self._here().yaw)
         if self._rate and not (self._loop.is_paused or self._drive.is_held):
             self._turned += self._rate * TICK
             self._drive.turn_head(self._model.index, self._turned)
 
     def data(self) -> Iterator[Datum]:
         here = self._here()
-        yield self._datum(here.x, here.y, angle(here.yaw), 0.0, 0.0, radians(self._rate), 0)
+        yield 1, (here.x, here.y, angle(here.yaw), 0.0, 0.0, radians(self._rate), 0)
 
     def _here(self) -> Placement:
-        base = self._drive.state().believed
-        mount = Placement(self._mount.x, self._mount.y, 0.0, self._mount.yaw + self._turned)
-        return Placement(base.x, base.y, 0.0, base.yaw).then(mount)
+        base, mount = self._drive.state().believed, self._on_robot
+        turned = Placement(mount.x, mount.y, 0.0, mount.yaw + self._turned)
+        return Placement(base.x, base.y, 0.0, base.yaw).then(turned)
 
 
 NEAR = 0.02
@@ -252,8 +237,6 @@ SONARS = (-45.0, 0.0, 45.0, 135.0, 180.0, -135.0)
 class RangeFinder(MountedDevice):
     """Sonars, or a laser: one sensor with its samples, or several with one each."""
 
-    interface = Interface.RANGER
-
     def begin(self) -> None:
         yaws = [round(normal(each.pose.yaw)) for each in self._model.sensors]
         self._is_donnie = sorted(yaws) == sorted(map(round, SONARS))
@@ -265,12 +248,12 @@ class RangeFinder(MountedDevice):
         self._seventh = others[0] if self._is_donnie and others else None
         """The head's sonar, which clients of Donnie's take for one more of these."""
 
-    def geometry(self) -> bytes | None:
+    def geometry(self) -> Values | None:
         sensors = [self._model.sensors[each] for each in self._order]
         sizes = [each.size for each in sensors]
-        return self._ack(1, *self._place(), [pose3d(each.pose) for each in sensors], sizes)
+        return (*self._place(), [pose3d(each.pose) for each in sensors], sizes)
 
-    def request(self, subtype: int, values: Values) -> bytes | None:
+    def request(self, subtype: int, values: Values) -> Values | None:
         if subtype != 5:
             return super().request(subtype, values)
         first = self._model.sensors[self._order[0]]
@@ -278,7 +261,7 @@ class RangeFinder(MountedDevice):
         resolution = self._loop.scene.settings.get("resolution", 0.02)
         step = float(resolution) if isinstance(resolution, (int, float)) else 0.02
         bounds = (first.minimum, first.maximum, step, 1 / TICK)
-        return self._ack(5, -view / 2, view / 2, view / first.samples, *bounds)
+        return (-view / 2, view / 2, view / first.samples, *bounds)
 
     def data(self) -> Iterator[Datum]:
         (reading,) = self._drive.rangers(self._model.index)
@@ -293,19 +276,16 @@ class RangeFinder(MountedDevice):
             ranges += samples[only]
             seen += returns[only]
         if ranges:
-            yield self._datum(ranges)
-            yield self._datum(seen, subtype=3)
+            yield 1, (ranges,)
+            yield 3, (seen,)
 
 
 class BumperBars(MountedDevice):
-    interface = Interface.BUMPER
-
-    def geometry(self) -> bytes | None:
-        return self._ack(1, [(*pose3d(each.pose), each.length, 0.0) for each in self._model.bumpers])
+    def geometry(self) -> Values | None:
+        return ([(*pose3d(each.pose), each.length, 0.0) for each in self._model.bumpers],)
 
     def data(self) -> Iterator[Datum]:
-        pressed = self._drive.bumpers(self._model.index)[0].pressed
-        yield self._datum(bytes(pressed))
+        yield 1, (bytes(self._drive.bumpers(self._model.index)[0].pressed),)
 
 
 HALF_HEIGHT = 0.3
@@ -315,8 +295,6 @@ HALF_HEIGHT = 0.3
 class ColourFinder(MountedDevice):
     """Coloured things in the columns and rows of a picture."""
 
-    interface = Interface.BLOBFINDER
-
     def data(self) -> Iterator[Datum]:
         finder = self._model.blobfinder
         assert finder is not None
@@ -324,40 +302,38 @@ class ColourFinder(MountedDevice):
         blobs = []
         for seen in self._drive.blobs(self._model.index)[0].blobs:
             red, green, blue = seen.colour
-            left, right = (
-                max(0, min(width - 1, int((finder.fov / 2 - each) / finder.fov * width)))
-                for each in (seen.left, seen.right)
-            )
-            rows = degrees(atan2(HALF_HEIGHT, seen.metres)) / finder.fov * width
-            top, bottom = (max(0, min(height - 1, int(height / 2 + each))) for each in (-rows, rows))
+            left, right = (_pixel(0.5 - each / finder.fov, width) for each in (seen.left, seen.right))
+            rows = degrees(atan2(HALF_HEIGHT, seen.metres)) / finder.fov * width / height
+            top, bottom = (_pixel(0.5 + each, height) for each in (-rows, rows))
             area = (right - left + 1) * (bottom - top + 1)
             colour = red << 16 | green << 8 | blue
             middle = ((left + right) // 2, (top + bottom) // 2)
             blobs.append((0, colour, area, *middle, left, right, top, bottom, seen.metres))
-        yield self._datum(width, height, blobs)
+        yield 1, (width, height, blobs)
+
+
+def _pixel(share: float, size: int) -> int:
+    return max(0, min(size - 1, int(share * size)))
 
 
 class MarkReader(MountedDevice):
     """Fiducial marks, and the one that its own robot shows."""
 
-    interface = Interface.FIDUCIAL
-
-    def request(self, subtype: int, values: Values) -> bytes | None:
+    def request(self, subtype: int, values: Values) -> Values | None:
         if subtype == 8:
             self._loop.change(self._model.index, fiducial_return=float(values[0]))
         own = self._loop.scene.models[self._model.index].fiducial_return
-        found = max(0, int(own))
-        return self._ack(subtype, found) if subtype in (7, 8) else super().request(subtype, values)
+        return (max(0, int(own)),) if subtype in (7, 8) else super().request(subtype, values)
 
-    def geometry(self) -> bytes | None:
-        return self._ack(1, *self._place(), 0.1, 0.1)
+    def geometry(self) -> Values | None:
+        return (*self._place(), 0.1, 0.1)
 
     def data(self) -> Iterator[Datum]:
         marks = []
         for mark in self._drive.marks(self._model.index)[0].marks:
             x, y = mark.metres * cos(radians(mark.degrees)), mark.metres * sin(radians(mark.degrees))
             marks.append((mark.number, x, y, 0.0, 0.0, 0.0, angle(mark.yaw), *(0.0,) * 6))
-        yield self._datum(marks)
+        yield 1, (marks,)
 
 
 OPEN, CLOSED, MOVING = 1, 2, 3
@@ -365,8 +341,6 @@ OPEN, CLOSED, MOVING = 1, 2, 3
 
 class Paddles(MountedDevice):
     """A gripper. What is between its paddles when they have closed is carried along."""
-
-    interface = Interface.GRIPPER
 
     def begin(self) -> None:
         gripper = self._model.gripper
@@ -377,52 +351,43 @@ class Paddles(MountedDevice):
         wanted = {1: OPEN, 2: CLOSED}.get(subtype, self._wanted)
         if wanted != self._wanted:
             self._wanted, self._ticks_left = wanted, round(1.0 / TICK)
-            if wanted == OPEN and (released := self._drive.release()).outcome is Grip.RELEASED:
-                self.reporter.gripped(self._drive.name, released)
+            if wanted == OPEN:
+                self._report(self._drive.release(), Grip.RELEASED)
 
-    def geometry(self) -> bytes | None:
-        return self._ack(1, *self._place(), *box3d(self._model.size), 2, 0)
+    def geometry(self) -> Values | None:
+        return (*self._place(), *box3d(self._model.size), 2, 0)
 
     def step(self) -> None:
         if self._ticks_left and not self._loop.is_paused:
             self._ticks_left -= 1
             if not self._ticks_left and self._wanted == CLOSED:
-                taken = self._drive.grip()
-                if taken.outcome is Grip.GRIPPED:
-                    self.reporter.gripped(self._drive.name, taken)
+                self._report(self._drive.grip(), Grip.GRIPPED)
+
+    def _report(self, done: GripResult, success: Grip) -> None:
+        if done.outcome is success:
+            event = GripperUsed(done.outcome, done.name, done.kind, done.colour)
+            self._reporter.happened(self._robot, event)
 
     def data(self) -> Iterator[Datum]:
         outer, inner = self._drive.beams()
-        yield self._datum(MOVING if self._ticks_left else self._wanted, outer << 2 | inner << 3, 0)
+        yield 1, (MOVING if self._ticks_left else self._wanted, outer << 2 | inner << 3, 0)
 
 
 LONGEST_TEXT = 1000
 """Characters of a text that is said."""
 
 
-class ServiceDevice(Equipment):
-    """A device that belongs to a robot and is no model of its own."""
-
-    def __init__(self, index: int, driver: str, robot: str, reporter: Reporter) -> None:
-        super().__init__(index, driver)
-        self._robot, self._reporter = robot, reporter
-
-
-class SpeechDevice(ServiceDevice):
+class SpeechDevice(Equipment):
     """Texts that are said in a robot's name."""
-
-    interface = Interface.SPEECH
 
     def command(self, subtype: int, values: Values) -> None:
         if subtype == 1 and values[0]:
             shown = (each if each.isprintable() else " " for each in values[0][:LONGEST_TEXT])
-            self._reporter.said(self._robot, "".join(shown))
+            self._reporter.happened(self._robot, Spoke("".join(shown)))
 
 
-class BeltFrames(ServiceDevice):
+class BeltFrames(Equipment):
     """Texts that are frames of the belt: a letter for each of its cells."""
-
-    interface = Interface.SPEECH
 
     def command(self, subtype: int, values: Values) -> None:
         for motor, letter in enumerate(values[0][:LONGEST_FRAME] if subtype == 1 else ""):
@@ -432,14 +397,10 @@ class BeltFrames(ServiceDevice):
 LONGEST_FRAME = 36
 
 
-class DigitalOutputs(ServiceDevice):
+class DigitalOutputs(Equipment):
     """Digital outputs, such as the belt's: they show what was asked for last."""
 
-    interface = Interface.DIO
-
-    def __init__(self, index: int, driver: str, robot: str, reporter: Reporter) -> None:
-        super().__init__(index, driver, robot, reporter)
-        self._last: Values = (0, 0)
+    _last: Values = (0, 0)
 
     def command(self, subtype: int, values: Values) -> None:
         if subtype == 1:
@@ -447,37 +408,33 @@ class DigitalOutputs(ServiceDevice):
             self._reporter.vibrated(self._robot, values[0], chr(values[1] & 0x7F))
 
     def data(self) -> Iterator[Datum]:
-        yield self._datum(*self._last)
+        yield 1, self._last
 
 
-class SoundDevice(ServiceDevice):
-    """Sounds by the names of their files, of which none is opened."""
-
-    interface = Interface.SOUND
+class SoundDevice(Equipment):
+    """Built-in sounds by the names of files, of which none is opened."""
 
     def command(self, subtype: int, values: Values) -> None:
         if subtype == 1:
-            self._reporter.sounded(self._robot, values[0].partition(b"\0")[0].decode("ascii", "replace"))
+            file = values[0].partition(b"\0")[0].decode("ascii", "replace").replace("\\", "/")
+            base = file.rpartition("/")[2].partition(".")[0].lower()
+            if base in CUES:
+                self._reporter.happened(self._robot, CueSounded(base, 0.0, None))
 
 
 class Battery(Equipment):
     """A battery that is always full."""
 
-    interface = Interface.POWER
-
     def data(self) -> Iterator[Datum]:
-        yield self._datum(8, 0.0, 100.0, 0.0, 0.0, 0)
+        yield 1, (8, 0.0, 100.0, 0.0, 0.0, 0)
 
 
 class Whole(Equipment):
     """The simulation: where things are, and putting them elsewhere. It works without being opened."""
 
-    interface = Interface.SIMULATION
-
-    def __init__(self, index: int, driver: str, loop: VelocityLoop) -> None:
-        super().__init__(index, driver)
-        self._loop = loop
-        models = loop.scene.models
+    def __init__(self, fitting: Fitting) -> None:
+        super().__init__(fitting)
+        models = fitting.loop.scene.models
         self._names = {_whole_name(model, models): model.index for model in reversed(models)}
 
     def command(self, subtype: int, values: Values) -> None:  # noqa: ARG002 -- it has none
@@ -486,28 +443,25 @@ class Whole(Equipment):
         elif subtype == 2:
             self._loop.reset()
 
-    def request(self, subtype: int, values: Values) -> bytes | None:
+    def request(self, subtype: int, values: Values) -> Values | None:
         index = self._names.get(values[0]) if values else None
         if subtype in (5, 6):
             return self._property(subtype, values, index)
         if index is None:
             return None
         model = self._loop.scene.models[index]
-        try:
-            match subtype:
-                case 1:
-                    here = self._here(model)
-                    return self._ack(1, values[0], here.x, here.y, angle(here.yaw))
-                case 3:
-                    here = self._here(model)
-                    pose = (here.x, here.y, model.pose.z, 0.0, 0.0, angle(here.yaw))
-                    return self._ack(3, values[0], *pose, self._loop.time * 1e6)
-                case 2 | 4 if model.parent is None and all(map(_is_usable, values[1:])):
-                    yaw = values[3] if subtype == 2 else values[6]
+        here = self._here(model)
+        match subtype:
+            case 1:
+                return (values[0], here.x, here.y, angle(here.yaw))
+            case 3:
+                pose = (here.x, here.y, model.pose.z, 0.0, 0.0, angle(here.yaw))
+                return (values[0], *pose, self._loop.time * 1e6)
+            case 2 | 4 if model.parent is None and _are_usable(values[1:]):
+                yaw = values[3] if subtype == 2 else values[6]
+                with suppress(KeyError):  # it can't move, or several have this name
                     self._loop.put(model.name, MetricPose(values[1], values[2], degrees(yaw)))
-                    return b""
-        except KeyError:  # it can't move, or several have this name
-            pass
+                    return ()
         return None
 
     def _here(self, model: Model) -> MetricPose:
@@ -516,28 +470,58 @@ class Whole(Equipment):
         local = relative(model.pose, self._loop.scene.models[model.parent].pose)
         return MetricPose(local.x, local.y, local.yaw)
 
-    def _property(self, subtype: int, values: Values, index: int | None) -> bytes | None:
+    def _property(self, subtype: int, values: Values, index: int | None) -> Values | None:
         """Numbers in the byte order of the clients."""
         name, what, number, given = values
         if what == "time" and len(given) == 8 and subtype == 5:
-            return self._ack(5, name, what, number, struct.pack("<Q", round(self._loop.time * 1e6)))
+            return (name, what, number, struct.pack("<Q", round(self._loop.time * 1e6)))
         if what != "color" or len(given) != 16 or index is None:
             return None
         if subtype == 5:
             colour = self._loop.scene.models[index].colour
             rgba = struct.pack("<ffff", colour.red, colour.green, colour.blue, colour.alpha)
-            return self._ack(5, name, what, number, rgba)
+            return (name, what, number, rgba)
         parts = struct.unpack("<ffff", given)
         if not all(0.0 <= each <= 1.0 for each in parts):
             return None
         self._loop.change(index, colour=colour_of("", *parts))
-        return b""
+        return ()
 
 
 def _whole_name(model: Model, models: Sequence[Model]) -> str:
     if model.parent is None:
         return model.name
     return f"{_whole_name(models[model.parent], models)}.{model.name}"
+
+
+STAGE, BELT = "stage", "vib_belt"
+
+
+def _position_device(fitting: Fitting, model: Model) -> MountedDevice:
+    return (WheelDevice if model.parent is None else HeadDevice)(fitting, model)
+
+
+MOUNTED: Mapping[str, tuple[Callable[[Fitting, Model], MountedDevice], Callable[[Model], object]]] = {
+    "position2d": (_position_device, lambda each: each.wheels),
+    "ranger": (RangeFinder, lambda each: each.sensors),
+    "bumper": (BumperBars, lambda each: each.bumpers),
+    "blobfinder": (ColourFinder, lambda each: each.blobfinder),
+    "fiducial": (MarkReader, lambda each: each.fiducial_finder),
+    "gripper": (Paddles, lambda each: each.gripper),
+}
+"""What a driver of Stage's provides: the device, and whether a model can be one."""
+_SERVICES = {"dio": DigitalOutputs, "sound": SoundDevice, "speech": SpeechDevice}
+
+
+def service_of(interface: str, driver: str) -> type[Equipment] | None:
+    """The device that such a driver provides without a model of its own; what others provide is left out."""
+    if interface == "power":
+        return None if driver == STAGE else Battery
+    if interface == "simulation":
+        return Whole if driver == STAGE else None
+    if (interface, driver) == ("speech", BELT):
+        return BeltFrames
+    return _SERVICES.get(interface) if driver in (STAGE, "soxplayer", "gtts", BELT) else None
 
 
 def angle(of_degrees: float) -> float:

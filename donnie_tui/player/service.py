@@ -11,32 +11,22 @@ import asyncio
 import threading
 from collections.abc import Callable
 from contextlib import suppress
-from ipaddress import ip_address
 from time import monotonic
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
 from devices.belt import MOTOR_PLACES
-from devices.ports.audio import CUES
-from devices.ports.robot import GripResult, Pose
+from devices.ports.robot import Pose
 from donnie_tui import __version__
 from donnie_tui.core.belt import MEDIUM, OFF, STRONG, WEAK
-from donnie_tui.core.events import (
-    STANDING,
-    Announced,
-    BeltShown,
-    CueSounded,
-    Driven,
-    GripperUsed,
-    Passing,
-    Spoke,
-)
+from donnie_tui.core.events import STANDING, Announced, BeltShown, Driven, Event, GripperUsed, Passing
 from donnie_tui.core.hub import Hub
 from donnie_tui.core.session import Busy, RunOptions, Session
 from donnie_tui.core.team import Team
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.player.server import BadConfiguration, PlayerServer, PortRefused, Stations
+from donnie_tui.settings.parsing import is_loopback
 from donnie_tui.settings.settings import ServedFile
 from language.control import FOREVER, ControlState, ExecutionControl
 from language.diagnostics import Stopped
@@ -150,7 +140,7 @@ class ClientService:
         left_out = self.stations.left_out
         return (
             *((words("player-left-out", names=", ".join(left_out[:10])),) if left_out else ()),
-            *(() if _is_loopback(host) else (words("player-open-to-others"),)),
+            *(() if is_loopback(host) else (words("player-open-to-others"),)),
             words("player-serving", host=host, ports=", ".join(map(str, self.stations.by_port))),
         )
 
@@ -203,19 +193,10 @@ class ClientService:
     def _hub_of(self, name: str) -> Hub:
         return self._sessions.get(name, self._team.chosen).hub
 
-    def said(self, name: str, text: str) -> None:
-        self._hub_of(name).publish(Spoke(text))
-
-    def sounded(self, name: str, file: str) -> None:
-        """A built-in sound, if there is one of that name."""
-        base = file.replace("\\", "/").rpartition("/")[2].partition(".")[0].lower()
-        if base in CUES:
-            self._hub_of(name).publish(CueSounded(base, 0.0, None))
-
-    def gripped(self, name: str, result: GripResult) -> None:
-        session = self._sessions[name]
-        session.hub.publish(GripperUsed(result.outcome, result.name, result.kind, result.colour))
-        session.publish_things()
+    def happened(self, name: str, event: Event) -> None:
+        self._hub_of(name).publish(event)
+        if isinstance(event, GripperUsed):
+            self._sessions[name].publish_things()
 
     def vibrated(self, name: str, motor: int, letter: str) -> None:
         """A cell of the belt's frame was set; its event comes with the next tick."""
@@ -264,10 +245,3 @@ def motion_of(state: DriveState) -> str:
     if abs(velocity.turn) >= SLOWEST_TURN:
         parts.append("left" if velocity.turn > 0 else "right")
     return "-".join(parts) or STANDING
-
-
-def _is_loopback(host: str) -> bool:
-    try:
-        return ip_address(host).is_loopback
-    except ValueError:
-        return host == "localhost"

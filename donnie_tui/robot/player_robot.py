@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Callable, Iterator, Mapping
 from math import cos, degrees, inf, radians, sin
 from time import monotonic
@@ -10,24 +9,12 @@ from typing import TypeAlias
 
 from devices.belt import LETTERS, MOTOR_PLACES
 from devices.camera import Blob, things_in
-from devices.player.codec import Interface
 from devices.ports.robot import STEP, Bearing, Pace, Pose, RobotProblem, Sighting, StoppedBy, Watcher
 from devices.serial_robot.movement import Ending, LinkedRobot, Progress, met_something
 from devices.serial_robot.senses import coloured_sightings, scan_angles, sightings, to_steps
-from donnie_tui.robot.server_link import (
-    BUMPERS,
-    CAMERA,
-    HEAD,
-    HEAD_SONAR,
-    POLL,
-    SONARS,
-    SPEECH,
-    Key,
-    ServerLink,
-    WheelState,
-)
+from donnie_tui.robot.server_link import POLL, Part, ServerLink, WheelState
 from sim.colours import FAMILIES, colour_of
-from sim.geometry import normal
+from sim.geometry import Spot, normal, pose_of
 from sim.sensors import Device, Mounted
 
 Advance: TypeAlias = Callable[[WheelState], StoppedBy | bool]
@@ -49,11 +36,9 @@ GAP = 1.0
 """Seconds between two data from which on the program was held meanwhile, and the robot stood."""
 VIEW, REACH = 60.0, 5.0
 """Degrees and metres: no request asks for a blobfinder's view; this is that of the original's."""
-LONGEST_STANDING = 2.2
-"""Seconds that a stop may take."""
 
 
-class PlayerRobot(LinkedRobot):
+class PlayerRobot(LinkedRobot[ServerLink]):
     """One robot of a server. Only the program's thread may call its methods, except ``halt``, ``pose``,
     ``time``, ``speed`` and ``known_distances``."""
 
@@ -64,11 +49,10 @@ class PlayerRobot(LinkedRobot):
         self, link: ServerLink, *, pace: Pace, watcher: Watcher | None = None, start: Pose | None = None
     ) -> None:
         """``start``: where a robot is that counts from 0 0 0."""
-        super().__init__(link.name, pace, watcher)
-        self._link = link
+        super().__init__(link, pace, watcher)
         self._start = start or Pose(0.0, 0.0, 0.0)
-        self._turned_by = 0.0
-        """Degrees between its own counting and the world."""
+        self._origin = Spot(0.0, 0.0, 0.0)
+        """Where the world has the 0 0 0 of the robot's own counting."""
         self._began = 0.0
         self._owed_way = self._owed_turn = 0.0
         """Metres ahead and degrees to the right by which the last movement was too short."""
@@ -77,30 +61,20 @@ class PlayerRobot(LinkedRobot):
 
     @property
     def colours(self) -> frozenset[str]:
-        return frozenset(FAMILIES) if CAMERA in self._link.devices else frozenset()
+        return frozenset(FAMILIES) if Part.CAMERA in self._link.shapes else frozenset()
 
     def connect(self) -> None:
         """Some seconds at most. Raises ``RobotProblem``."""
         self._link.connect()
         first = self._link.wheels()
         if first.x == first.y == first.yaw == 0.0:
-            self._turned_by = 90.0 - self._start.heading
-        else:
-            self._start = Pose(0.0, 0.0, 90.0)
+            self._origin = Spot(self._start.x * STEP, self._start.y * STEP, 90.0 - self._start.heading)
         self.reset()
-
-    def give_up(self) -> None:
-        self._link.give_up()
 
     def close(self) -> None:
         for leave in self.leave:
             leave()
         self._link.close()
-
-    def wait_until_standing(self) -> None:
-        ends, pause = monotonic() + LONGEST_STANDING, threading.Event()
-        while self._link.is_there and self._link.wheels().is_moving and monotonic() < ends:
-            pause.wait(0.02)
 
     def reset(self) -> None:
         """Sets the time to 0. The robot stays at its place."""
@@ -108,23 +82,20 @@ class PlayerRobot(LinkedRobot):
         self._owed_way = self._owed_turn = 0.0
         self._is_link_lost = False
 
-    def halt(self) -> None:
-        self._is_link_lost = False
-        self._link.halt()
-
     @property
     def mounted(self) -> tuple[Mounted, ...]:
         """What the server says that it has."""
         found = []
-        for key in (SONARS, HEAD_SONAR):
-            config = self._link.configurations.get(key) or (0.0,) * 5
-            for each in self._link.devices.get(key, ((),) * 2)[-2]:
-                width = degrees(config[1] - config[0])
-                found.append(Mounted(Device.RANGER, 0.0 - normal(degrees(each[5])), width, config[4]))
-        if CAMERA in self._link.devices:
+        for part in (Part.SONARS, Part.HEAD_SONAR):
+            first, last, _, _, reach = (self._link.shape(part, 5) or (0.0,) * 5)[:5]
+            for each in (self._link.shape(part) or ((), ()))[-2]:
+                yaw = 0.0 - normal(degrees(each[5]))
+                found.append(Mounted(Device.RANGER, yaw, degrees(last - first), reach))
+        if Part.CAMERA in self._link.shapes:
             found.append(Mounted(Device.EYES, 0.0, VIEW, REACH))
-        bars = self._link.devices.get(BUMPERS, ((),))[0]
-        return (*found, *(Mounted(Device.BUMPER, 0.0 - normal(degrees(each[5]))) for each in bars))
+        for each in next(iter(self._link.shape(Part.BUMPERS)), ()):
+            found.append(Mounted(Device.BUMPER, 0.0 - normal(degrees(each[5]))))
+        return tuple(found)
 
     # --- moving
 
@@ -240,12 +211,10 @@ class PlayerRobot(LinkedRobot):
 
     def pose(self) -> Pose:
         """Where the last movement should have ended: the next movement corrects the difference."""
-        now, turned, start = self._link.wheels(), radians(self._turned_by), self._start
-        yaw = now.yaw - self._owed_turn
-        x, y = now.x + self._owed_way * cos(radians(yaw)), now.y + self._owed_way * sin(radians(yaw))
-        x, y = x * cos(turned) - y * sin(turned), x * sin(turned) + y * cos(turned)
-        heading = (90.0 - yaw - self._turned_by) % 360.0
-        return Pose(start.x + x / STEP, start.y + y / STEP, heading)
+        now = self._link.wheels()
+        here = Spot(now.x, now.y, now.yaw - self._owed_turn)
+        ended = here.ahead(self._owed_way, here.yaw)
+        return pose_of(self._origin.mounted(ended.x, ended.y, ended.yaw))
 
     def distance(self, bearing: Bearing) -> int:
         """RobotProblem ``no-sensor`` where no sensor looks there, ``link-lost`` without a server."""
@@ -265,33 +234,29 @@ class PlayerRobot(LinkedRobot):
 
     def _nearest(self, side: Bearing) -> float | None:
         """Metres; None where no sensor looks."""
-        readings = self._readings(SONARS)
+        readings = self._readings(Part.SONARS)
         return min((m for yaw, m, width in readings if abs(normal(-yaw - side.value)) <= width), default=None)
 
-    def _readings(self, key: Key) -> Iterator[tuple[float, float, float]]:
+    def _readings(self, part: Part) -> Iterator[tuple[float, float, float]]:
         """Of each sample of a ranger: its direction, its metres, and how far from a bearing it may be."""
-        newest, geometry = self._link.values(key), self._link.devices.get(key)
-        [ranges] = newest[1] if newest else ((),)
-        config = self._link.configurations.get(key, ())
-        farthest = config[4] - 0.005 if config else inf
-        poses = geometry[-2] if geometry else ()
-        yaws = [degrees(each[5]) for each in poses]
-        many = len(yaws) == 1 < len(ranges) and config
-        if many:
-            yaws = [yaws[0] + degrees(config[0] + (i + 0.5) * config[2]) for i in range(len(ranges))]
-        elif not yaws:
-            yaws = list(ORIGINAL_SONARS)
+        newest, config = self._link.values(part), self._link.shape(part, 5)
+        ranges = newest[1][0] if newest else ()
+        yaws = [degrees(each[5]) for each in (self._link.shape(part) or ((), ()))[-2]] or ORIGINAL_SONARS
+        farthest, width = config[4] - 0.005 if config else inf, WIDE
+        if len(yaws) == 1 < len(ranges) and config:
+            width, first = NARROW, yaws[0] + degrees(config[0] + config[2] / 2)
+            yaws = [first + degrees(i * config[2]) for i in range(len(ranges))]
         for yaw, metres in zip(yaws, ranges, strict=False):
-            yield yaw, (metres if metres < farthest else inf), NARROW if many else WIDE
+            yield yaw, (metres if metres < farthest else inf), width
 
     def _pressed(self) -> frozenset[int]:
-        newest = self._link.values(BUMPERS)
+        newest = self._link.values(Part.BUMPERS)
         bars = newest[1][0] if newest else b""
         return frozenset(i for i, each in enumerate(bars) if each)
 
     def _touches(self, *, in_front: bool) -> bool:
         """Whether a bar on that side is pressed; where bars are unknown, the first two are in front."""
-        geometry = self._link.devices.get(BUMPERS)
+        geometry = self._link.shape(Part.BUMPERS)
         places = [each[0] for each in geometry[0]] if geometry else [1.0, 1.0, -1.0, -1.0]
         return any((places[each] >= 0.0) is in_front for each in self._pressed() if each < len(places))
 
@@ -300,8 +265,8 @@ class PlayerRobot(LinkedRobot):
     def scan(self) -> tuple[Sighting, ...]:
         """Turns the head, if it has one. RobotProblem ``no-eyes`` without a camera or a sonar on the head."""
         self._require_link()
-        has_head, has_camera = HEAD in self._link.devices, CAMERA in self._link.devices
-        if not has_camera and not (has_head and HEAD_SONAR in self._link.devices):
+        has_head, has_camera = Part.HEAD in self._link.shapes, Part.CAMERA in self._link.shapes
+        if not has_camera and not (has_head and Part.HEAD_SONAR in self._link.shapes):
             raise RobotProblem("no-eyes")
         directions = (-VIEW, 0.0, VIEW) if has_camera else tuple(map(float, scan_angles(15)))
         looks: list[tuple[float, tuple[Blob, ...]]] = []
@@ -312,7 +277,7 @@ class PlayerRobot(LinkedRobot):
             if has_camera:
                 looks.append((direction, tuple(self._blobs())))
             else:
-                echo = min((metres for _, metres, _ in self._readings(HEAD_SONAR)), default=inf)
+                echo = min((metres for _, metres, _ in self._readings(Part.HEAD_SONAR)), default=inf)
                 measured.append((int(direction), echo * 100))
         if has_head:
             self._look(0.0)
@@ -326,20 +291,20 @@ class PlayerRobot(LinkedRobot):
 
         def is_over(now: WheelState) -> bool:
             nonlocal there
-            head = self._link.values(HEAD)
+            head = self._link.values(Part.HEAD)
             yaw = degrees(head[1][2]) if head else degrees(goal)
             if there == inf and abs(normal(yaw - degrees(goal))) < NEAR_HEAD:
                 there = now.time
-            self._link.command(HEAD, 2, base.x, base.y, goal, 0.0, 0.0, 0.0, 1)
-            eye = self._link.values(CAMERA) or self._link.values(HEAD_SONAR)
+            self._link.command(Part.HEAD, 2, base.x, base.y, goal, 0.0, 0.0, 0.0, 1)
+            eye = self._link.values(Part.CAMERA) or self._link.values(Part.HEAD_SONAR)
             return (eye is not None and eye[0] > there) or now.time > base.time + LONGEST_LOOK
 
         return self._wait(is_over)
 
     def _blobs(self) -> Iterator[Blob]:
         """As far as the head's sonar would measure it, which is not in the middle."""
-        _, (width, _, blobs) = self._link.values(CAMERA) or (0.0, (1, 1, ()))
-        sonar = self._link.devices.get(HEAD_SONAR)
+        _, (width, _, blobs) = self._link.values(Part.CAMERA) or (0.0, (1, 1, ()))
+        sonar = self._link.shape(Part.HEAD_SONAR)
         ahead = sonar[-2][0][0] if sonar and sonar[-2] else 0.0
         for _, rgb, _, _, _, left, right, _, _, metres in blobs:
             parts = ((rgb >> shift & 255) / 255 for shift in (16, 8, 0))
@@ -349,16 +314,16 @@ class PlayerRobot(LinkedRobot):
     # --- what is shown and said there
 
     def say(self, text: str) -> None:
-        self._link.command(SPEECH, 1, text)
+        self._link.command(Part.SPEECH, 1, text)
 
     def show_belt(self, levels: tuple[int, ...]) -> None:
         """14 levels."""
         for place, level in zip(MOTOR_PLACES, levels, strict=False):
-            for index in (0, 1):
-                self._link.command((Interface.DIO, index), 1, place, LETTERS[level])
+            for belt in (Part.BELT, Part.SECOND_BELT):
+                self._link.command(belt, 1, place, LETTERS[level])
 
 
-ORIGINAL_SONARS = (-45.0, 0.0, 45.0, 135.0, 180.0, -135.0)
+ORIGINAL_SONARS = [-45.0, 0.0, 45.0, 135.0, 180.0, -135.0]
 """Where the sonars of a server look that doesn't say it."""
 WIDE, NARROW = 22.5, 7.5
 """Degrees from a bearing: of one of several sensors, and of a sample of one."""

@@ -12,22 +12,26 @@ import socket
 import threading
 from collections.abc import Callable
 from contextlib import suppress
+from enum import Enum
 from math import degrees, hypot, inf, isfinite, radians
 from time import monotonic
-from typing import Any
 
 from msgspec import Struct
 
 from devices.player.codec import (
     BANNER_SIZE,
+    COMMAND,
+    DATA,
     LONGEST_REPLY,
+    NACK,
+    REQUEST,
     Access,
-    BadBody,
     Interface,
+    Key,
     MessageReader,
-    MessageType,
     PlayerMessage,
     TooLong,
+    Values,
     body_of,
     values_of,
 )
@@ -35,12 +39,23 @@ from devices.ports.robot import LinkNotice, RobotProblem
 from donnie_tui.process.signals import timeout_factor
 from sim.geometry import normal
 
-WHEELS, HEAD = (Interface.POSITION2D, 0), (Interface.POSITION2D, 1)
-SONARS, HEAD_SONAR = (Interface.RANGER, 0), (Interface.RANGER, 1)
-BUMPERS, CAMERA = (Interface.BUMPER, 0), (Interface.BLOBFINDER, 0)
-SPEECH = (Interface.SPEECH, 0)
-WANTED = (WHEELS, HEAD, SONARS, HEAD_SONAR, BUMPERS, CAMERA, SPEECH, (Interface.DIO, 0), (Interface.DIO, 1))
-"""The devices that are opened if the server has them."""
+
+class Part(Enum):
+    """A device of the robot: its interface, its index, and the requests that ask for its shape.
+
+    It is opened if the server has it.
+    """
+
+    WHEELS = (Interface.POSITION2D, 0)
+    HEAD = (Interface.POSITION2D, 1)
+    SONARS = (Interface.RANGER, 0, 1, 5)
+    HEAD_SONAR = (Interface.RANGER, 1, 1, 5)
+    BUMPERS = (Interface.BUMPER, 0, 1)
+    CAMERA = (Interface.BLOBFINDER, 0)
+    SPEECH = (Interface.SPEECH, 0)
+    BELT = (Interface.DIO, 0)
+    SECOND_BELT = (Interface.DIO, 1)
+
 
 CONNECTING, ANSWERING = 2.0, 5.0
 """Seconds that the server may take to accept a connection, and to answer a request."""
@@ -52,10 +67,15 @@ POLL = 0.1
 LEASE = 0.5
 """Seconds for which one command drives the robot. A paused program sends no further one."""
 
-Key = tuple[int, int]
-"""The interface and the index of a device."""
+SERVER = (Interface.PLAYER, 0)
+LONGEST_STANDING = 2.2
+"""Seconds that a stop may take."""
 STANDING = 0.005
 """Metres or radians a second: a slower robot counts as standing."""
+
+
+def _key(part: Part) -> Key:
+    return part.value[0], part.value[1]
 
 
 class WheelState(Struct, frozen=True):
@@ -93,15 +113,14 @@ class ServerLink:
         self.epoch = 0
         """How often the server was lost."""
         self.is_there = False
-        self.devices: dict[Key, tuple[Any, ...]] = {}
-        """Those that were opened, with the geometry of each that has one."""
-        self.configurations: dict[Key, tuple[Any, ...]] = {}
+        self.shapes: dict[Part, dict[int, Values]] = {}
+        """Of what was opened: what is in the reply to each request for its shape, empty if it was refused."""
 
     def connect(self) -> None:
         """Raises ``RobotProblem``."""
         try:
             self._open()
-        except (OSError, TooLong, BadBody) as problem:
+        except (OSError, TooLong) as problem:
             self._shut()
             reason = _reason(problem)
             code = "given-up" if self._closed.is_set() else "no-server" if reason else "no-answer"
@@ -112,21 +131,24 @@ class ServerLink:
         self._closed.set()
 
     def close(self) -> None:
-        self.halt()
+        self.stop()
         self._closed.set()
         self._shut()
 
     # --- data
 
-    def values(self, key: Key, subtype: int = 1) -> tuple[float, tuple[Any, ...]] | None:
+    def values(self, part: Part, subtype: int = 1) -> tuple[float, Values] | None:
         """The time and the content of its newest datum."""
-        message = self._data.get((*key, subtype))
-        with suppress(BadBody):
-            return None if message is None else (message.time, values_of(message))
-        return None
+        message = self._data.get((*_key(part), subtype))
+        found = values_of(message) if message is not None else None
+        return None if message is None or found is None else (message.time, found)
+
+    def shape(self, part: Part, subtype: int = 1) -> Values:
+        """Empty if nothing is known."""
+        return self.shapes.get(part, {}).get(subtype, ())
 
     def wheels(self) -> WheelState:
-        at, numbers = self.values(WHEELS) or (0.0, (0.0,) * 7)
+        at, numbers = self.values(Part.WHEELS) or (0.0, (0.0,) * 7)
         x, y, yaw, ahead, left, turn, stall = numbers if all(map(isfinite, numbers)) else (0.0,) * 7
         is_moving = hypot(ahead, left) > STANDING or abs(turn) > STANDING
         return WheelState(at, x, y, degrees(yaw), bool(stall), is_moving)
@@ -147,64 +169,67 @@ class ServerLink:
         """Turns the robot to this heading, at its place."""
         self._steer(permit, 2, state.x, state.y, radians(normal(yaw)), 0.0, 0.0, 0.0, 1)
 
-    def halt(self) -> None:
+    def stop(self) -> None:
         """Any thread; never raises."""
         with self._changed:
             self.permit += 1
             self._driven_until = inf
-            self.command(WHEELS, 1, 0.0, 0.0, 0.0, 1)
+            self.command(Part.WHEELS, 1, 0.0, 0.0, 0.0, 1)
 
-    def command(self, key: Key, subtype: int, *values: object) -> None:
+    def wait_until_standing(self) -> None:
+        ends, pause = monotonic() + LONGEST_STANDING, threading.Event()
+        while self.is_there and self.wheels().is_moving and monotonic() < ends:
+            pause.wait(0.02)
+
+    def command(self, part: Part, subtype: int, *values: object) -> None:
         """Has no effect without a connection, or for a device that isn't open."""
-        if key in self.devices:
+        if part in self.shapes:
             with suppress(OSError):
-                self._send(key, MessageType.COMMAND, subtype, *values)
+                self._send(_key(part), COMMAND, subtype, *values)
 
     def _steer(self, permit: int, subtype: int, *values: object) -> None:
         with self._changed:
             if permit == self.permit:
-                self.command(WHEELS, subtype, *values)
+                self.command(Part.WHEELS, subtype, *values)
                 self._driven_until = monotonic() + LEASE
 
     # --- inside
 
     def _open(self) -> None:
-        """Connects, and opens the devices of ``WANTED`` that the server has."""
+        """Connects, and opens the devices that the server has."""
         self._socket = socket.create_connection(self._address, CONNECTING)
         self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         banner = b""
-        while len(banner) < BANNER_SIZE and (part := self._socket.recv(BANNER_SIZE - len(banner))):
-            banner += part
+        while len(banner) < BANNER_SIZE and (received := self._socket.recv(BANNER_SIZE - len(banner))):
+            banner += received
         if not banner.startswith(b"Player"):
-            raise BadBody("no Player server")
+            raise ConnectionError("no Player server")
         self._reader = MessageReader(LONGEST_REPLY)
         self._data.clear()
-        self.devices.clear()
-        self._ask((Interface.PLAYER, 0), 10, -1, -1, MessageType.DATA, -1, 1)  # the newest is enough
-        offered = self._ask((Interface.PLAYER, 0), 1)
+        self.shapes.clear()
+        self._ask(SERVER, 10, -1, -1, DATA, -1, 1)  # the newest is enough
+        offered = self._ask(SERVER, 1)
         there = {tuple(each[2:]) for each in offered[0]} if offered else set()
-        for key in WANTED:
-            if key in there and self._ask((Interface.PLAYER, 0), 3, 0, 0, *key, Access.OPEN, "") is not None:
-                has_shape = key[0] in (Interface.RANGER, Interface.BUMPER)
-                self.devices[key] = (self._ask(key, 1) if has_shape else None) or ()
-                if key[0] == Interface.RANGER:
-                    self.configurations[key] = self._ask(key, 5) or ()
-        if WHEELS not in self.devices:
+        for part in Part:
+            key = _key(part)
+            if key in there and self._ask(SERVER, 3, 0, 0, *key, Access.OPEN, "") is not None:
+                self.shapes[part] = {each: self._ask(key, each) or () for each in part.value[2:]}
+        if Part.WHEELS not in self.shapes:
             self._shut()
             raise RobotProblem("no-wheels", port=self.name)
         limit = monotonic() + ANSWERING * self._factor
-        while self.values(WHEELS) is None:
+        while self.values(Part.WHEELS) is None:
             self._pump(limit)
         self.is_there = True
 
-    def _ask(self, key: Key, subtype: int, *values: object) -> tuple[Any, ...] | None:
+    def _ask(self, key: Key, subtype: int, *values: object) -> Values | None:
         """What is in the reply; None for a refusal."""
         self._replies.pop((*key, subtype), None)
-        self._send(key, MessageType.REQUEST, subtype, *values)
+        self._send(key, REQUEST, subtype, *values)
         limit = monotonic() + ANSWERING * self._factor
         while (reply := self._replies.get((*key, subtype))) is None:
             self._pump(limit)
-        return None if reply.type == MessageType.NACK else values_of(reply)
+        return None if reply.type == NACK else values_of(reply)
 
     def _send(self, key: Key, type_: int, subtype: int, *values: object) -> None:
         message = PlayerMessage(*key, type_, subtype, body_of(key[0], type_, subtype, *values))
@@ -226,7 +251,7 @@ class ServerLink:
             with self._changed:
                 for message in self._reader.feed(data):
                     kind = (message.interface, message.index, message.subtype)
-                    (self._data if message.type == MessageType.DATA else self._replies)[kind] = message
+                    (self._data if message.type == DATA else self._replies)[kind] = message
                 self._changed.notify_all()
         elif monotonic() > limit:
             raise TimeoutError
@@ -243,7 +268,7 @@ class ServerLink:
             while not self._closed.wait(AGAIN):
                 try:
                     self._open()
-                except (OSError, TooLong, BadBody, RobotProblem):
+                except (OSError, TooLong, RobotProblem):
                     self._shut()
                     continue
                 self._report(LinkNotice.RESTORED, self.name)
@@ -255,11 +280,11 @@ class ServerLink:
         with self._changed:
             if now > self._driven_until:
                 self._driven_until = inf
-                self.command(WHEELS, 1, 0.0, 0.0, 0.0, 1)
+                self.command(Part.WHEELS, 1, 0.0, 0.0, 0.0, 1)
         if now - self._read_at > LOST * self._factor:
             raise TimeoutError
         if now - self._read_at > SILENCE:
-            self._send((Interface.PLAYER, 0), MessageType.REQUEST, 1)
+            self._send(SERVER, REQUEST, 1)
 
     def _lose(self, reason: str) -> None:
         with self._changed:

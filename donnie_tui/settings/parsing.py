@@ -222,6 +222,16 @@ def is_far(robot: str) -> bool:
     return robot.startswith((SERIAL, PLAYER))
 
 
+def is_loopback(host: str) -> bool:
+    """Whether only this machine reaches that address."""
+    from ipaddress import ip_address  # few starts need it
+
+    try:
+        return ip_address(host).is_loopback
+    except ValueError:
+        return host == "localhost"
+
+
 def address_of(server: str) -> tuple[str, int]:
     """Host and port of a robot ``player://HOST:PORT``."""
     host, _, port = server.partition("://")[2].rpartition(":")

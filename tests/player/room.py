@@ -7,7 +7,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 
-from devices.ports.robot import GripResult
+from donnie_tui.core.events import CueSounded, GripperUsed, Spoke
 from donnie_tui.player.server import PlayerServer, Stations
 from sim.velocity import VelocityLoop
 from sim.world import World
@@ -85,14 +85,10 @@ class Notes:
     def left(self, name: str) -> None:
         self.taken.append((name, "left"))
 
-    def said(self, name: str, text: str) -> None:
-        self.taken.append((name, text))
-
-    def sounded(self, name: str, file: str) -> None:
-        self.taken.append((name, file))
-
-    def gripped(self, name: str, result: GripResult) -> None:
-        self.taken.append((name, result.outcome))
+    def happened(self, name: str, event: object) -> None:
+        """A text that is said, the name of a sound, or the outcome of a grip."""
+        taken = {Spoke: "text", CueSounded: "name", GripperUsed: "outcome"}[type(event)]
+        self.taken.append((name, getattr(event, taken)))
 
     def vibrated(self, name: str, motor: int, letter: str) -> None:
         self.taken.append((name, (motor, letter)))

@@ -317,7 +317,7 @@ def test_the_default_port_is_that_of_addresses_without_one(tmp_path: Path) -> No
     """
     stations = stations_of(write_room(tmp_path, text), port=7000)
 
-    assert {port: list(each.drivers) for port, each in stations.by_port.items()} == {
+    assert {port: list(each.devices) for port, each in stations.by_port.items()} == {
         7000: [(31, 0), (4, 0), (14, 0)],
         6665: [(62, 0)],
     }

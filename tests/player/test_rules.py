@@ -319,7 +319,7 @@ def test_services_are_known_by_their_names_and_the_rest_is_read_over(tmp_path: P
     client.command(20, 1, 1, 11, ord("A"))
     client.command(66, 0, 1, b"bump.wav".ljust(64, b"\0"))
 
-    assert notes.taken == [("alice", "bom dia"), ("alice", (11, "A")), ("alice", "bump.wav")]
+    assert notes.taken == [("alice", "bom dia"), ("alice", (11, "A")), ("alice", "bump")]
     data = client.round()
     assert data[20, 1, 1] == (11, ord("A"))
     assert data[2, 0, 1] == (8, 0.0, 100.0, 0.0, 0.0, 0)
@@ -466,7 +466,7 @@ def test_whatever_clients_send_every_request_has_one_reply_and_the_world_goes_on
     stations = stations_of(write_room(tmp_path, CONFIGURATION + SERVICES.replace("interface", "driver")))
     kinds = [(key, form) for key, form in sorted(FORMS.items()) if key[1] in (COMMAND, REQUEST)]
     for _ in range(40):
-        opened = chance.sample(list(stations.by_port[7665].drivers), 3)
+        opened = chance.sample(list(stations.by_port[7665].devices), 3)
         client = Client(stations, *opened)
         for _ in range(20):
             (interface, type_, subtype), form = chance.choice(kinds)
@@ -480,4 +480,4 @@ def test_whatever_clients_send_every_request_has_one_reply_and_the_world_goes_on
             assert len(replies) == (type_ == REQUEST), message
             stations.step()
         client.vanish()
-    assert not any(each.users for each in stations._all())
+    assert not any(device.users for port in stations.by_port.values() for device in port.devices.values())
