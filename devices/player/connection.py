@@ -35,7 +35,7 @@ MOST_RULES = 64
 ACCEPT, REPLACE, IGNORE = 0, 1, 2
 
 
-class Device(Protocol):
+class ServedDevice(Protocol):
     """What clients open, by an interface and an index."""
 
     driver: str
@@ -65,7 +65,7 @@ class Station(Protocol):
         """Simulated seconds."""
 
     @property
-    def devices(self) -> Mapping[Key, Device]:
+    def devices(self) -> Mapping[Key, ServedDevice]:
         """In the order of the configuration."""
 
 

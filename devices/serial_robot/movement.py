@@ -105,7 +105,7 @@ PASSING_INTERVAL = 0.05
 """Seconds between two poses that are reported for a moving picture."""
 
 
-class Link(Protocol):
+class StoppableLink(Protocol):
     """What every link to a robot can do. Any thread and any signal handler may call it."""
 
     @property
@@ -122,7 +122,7 @@ class Link(Protocol):
         """Wait until the robot stands after a stop."""
 
 
-LinkType = TypeVar("LinkType", bound=Link)
+LinkType = TypeVar("LinkType", bound=StoppableLink)
 
 
 class LinkedRobot(ABC, Generic[LinkType]):

@@ -12,7 +12,7 @@ from devices.camera import Blob, things_in
 from devices.ports.robot import STEP, Bearing, Pace, Pose, RobotProblem, Sighting, StoppedBy, Watcher
 from devices.serial_robot.movement import Ending, LinkedRobot, Progress, met_something
 from devices.serial_robot.senses import coloured_sightings, scan_angles, sightings, to_steps
-from donnie_tui.robot.server_link import POLL, Part, ServerLink, WheelState
+from donnie_tui.robot.server_link import POLL, RobotPart, ServerLink, WheelState
 from sim.colours import FAMILIES, colour_of
 from sim.geometry import Spot, normal, pose_of
 from sim.sensors import Device, Mounted
@@ -61,7 +61,7 @@ class PlayerRobot(LinkedRobot[ServerLink]):
 
     @property
     def colours(self) -> frozenset[str]:
-        return frozenset(FAMILIES) if Part.CAMERA in self._link.shapes else frozenset()
+        return frozenset(FAMILIES) if RobotPart.CAMERA in self._link.shapes else frozenset()
 
     def connect(self) -> None:
         """Some seconds at most. Raises ``RobotProblem``."""
@@ -86,14 +86,14 @@ class PlayerRobot(LinkedRobot[ServerLink]):
     def mounted(self) -> tuple[Mounted, ...]:
         """What the server says that it has."""
         found = []
-        for part in (Part.SONARS, Part.HEAD_SONAR):
+        for part in (RobotPart.SONARS, RobotPart.HEAD_SONAR):
             first, last, _, _, reach = (self._link.shape(part, 5) or (0.0,) * 5)[:5]
             for each in (self._link.shape(part) or ((), ()))[-2]:
                 yaw = 0.0 - normal(degrees(each[5]))
                 found.append(Mounted(Device.RANGER, yaw, degrees(last - first), reach))
-        if Part.CAMERA in self._link.shapes:
+        if RobotPart.CAMERA in self._link.shapes:
             found.append(Mounted(Device.EYES, 0.0, VIEW, REACH))
-        for each in next(iter(self._link.shape(Part.BUMPERS)), ()):
+        for each in next(iter(self._link.shape(RobotPart.BUMPERS)), ()):
             found.append(Mounted(Device.BUMPER, 0.0 - normal(degrees(each[5]))))
         return tuple(found)
 
@@ -234,10 +234,10 @@ class PlayerRobot(LinkedRobot[ServerLink]):
 
     def _nearest(self, side: Bearing) -> float | None:
         """Metres; None where no sensor looks."""
-        readings = self._readings(Part.SONARS)
+        readings = self._readings(RobotPart.SONARS)
         return min((m for yaw, m, width in readings if abs(normal(-yaw - side.value)) <= width), default=None)
 
-    def _readings(self, part: Part) -> Iterator[tuple[float, float, float]]:
+    def _readings(self, part: RobotPart) -> Iterator[tuple[float, float, float]]:
         """Of each sample of a ranger: its direction, its metres, and how far from a bearing it may be."""
         newest, config = self._link.values(part), self._link.shape(part, 5)
         ranges = newest[1][0] if newest else ()
@@ -250,13 +250,13 @@ class PlayerRobot(LinkedRobot[ServerLink]):
             yield yaw, (metres if metres < farthest else inf), width
 
     def _pressed(self) -> frozenset[int]:
-        newest = self._link.values(Part.BUMPERS)
+        newest = self._link.values(RobotPart.BUMPERS)
         bars = newest[1][0] if newest else b""
         return frozenset(i for i, each in enumerate(bars) if each)
 
     def _touches(self, *, in_front: bool) -> bool:
         """Whether a bar on that side is pressed; where bars are unknown, the first two are in front."""
-        geometry = self._link.shape(Part.BUMPERS)
+        geometry = self._link.shape(RobotPart.BUMPERS)
         places = [each[0] for each in geometry[0]] if geometry else [1.0, 1.0, -1.0, -1.0]
         return any((places[each] >= 0.0) is in_front for each in self._pressed() if each < len(places))
 
@@ -265,8 +265,8 @@ class PlayerRobot(LinkedRobot[ServerLink]):
     def scan(self) -> tuple[Sighting, ...]:
         """Turns the head, if it has one. RobotProblem ``no-eyes`` without a camera or a sonar on the head."""
         self._require_link()
-        has_head, has_camera = Part.HEAD in self._link.shapes, Part.CAMERA in self._link.shapes
-        if not has_camera and not (has_head and Part.HEAD_SONAR in self._link.shapes):
+        has_head, has_camera = RobotPart.HEAD in self._link.shapes, RobotPart.CAMERA in self._link.shapes
+        if not has_camera and not (has_head and RobotPart.HEAD_SONAR in self._link.shapes):
             raise RobotProblem("no-eyes")
         directions = (-VIEW, 0.0, VIEW) if has_camera else tuple(map(float, scan_angles(15)))
         looks: list[tuple[float, tuple[Blob, ...]]] = []
@@ -277,7 +277,7 @@ class PlayerRobot(LinkedRobot[ServerLink]):
             if has_camera:
                 looks.append((direction, tuple(self._blobs())))
             else:
-                echo = min((metres for _, metres, _ in self._readings(Part.HEAD_SONAR)), default=inf)
+                echo = min((metres for _, metres, _ in self._readings(RobotPart.HEAD_SONAR)), default=inf)
                 measured.append((int(direction), echo * 100))
         if has_head:
             self._look(0.0)
@@ -291,20 +291,20 @@ class PlayerRobot(LinkedRobot[ServerLink]):
 
         def is_over(now: WheelState) -> bool:
             nonlocal there
-            head = self._link.values(Part.HEAD)
+            head = self._link.values(RobotPart.HEAD)
             yaw = degrees(head[1][2]) if head else degrees(goal)
             if there == inf and abs(normal(yaw - degrees(goal))) < NEAR_HEAD:
                 there = now.time
-            self._link.command(Part.HEAD, 2, base.x, base.y, goal, 0.0, 0.0, 0.0, 1)
-            eye = self._link.values(Part.CAMERA) or self._link.values(Part.HEAD_SONAR)
+            self._link.command(RobotPart.HEAD, 2, base.x, base.y, goal, 0.0, 0.0, 0.0, 1)
+            eye = self._link.values(RobotPart.CAMERA) or self._link.values(RobotPart.HEAD_SONAR)
             return (eye is not None and eye[0] > there) or now.time > base.time + LONGEST_LOOK
 
         return self._wait(is_over)
 
     def _blobs(self) -> Iterator[Blob]:
         """As far as the head's sonar would measure it, which is not in the middle."""
-        _, (width, _, blobs) = self._link.values(Part.CAMERA) or (0.0, (1, 1, ()))
-        sonar = self._link.shape(Part.HEAD_SONAR)
+        _, (width, _, blobs) = self._link.values(RobotPart.CAMERA) or (0.0, (1, 1, ()))
+        sonar = self._link.shape(RobotPart.HEAD_SONAR)
         ahead = sonar[-2][0][0] if sonar and sonar[-2] else 0.0
         for _, rgb, _, _, _, left, right, _, _, metres in blobs:
             parts = ((rgb >> shift & 255) / 255 for shift in (16, 8, 0))
@@ -314,12 +314,12 @@ class PlayerRobot(LinkedRobot[ServerLink]):
     # --- what is shown and said there
 
     def say(self, text: str) -> None:
-        self._link.command(Part.SPEECH, 1, text)
+        self._link.command(RobotPart.SPEECH, 1, text)
 
     def show_belt(self, levels: tuple[int, ...]) -> None:
         """14 levels."""
         for place, level in zip(MOTOR_PLACES, levels, strict=False):
-            for belt in (Part.BELT, Part.SECOND_BELT):
+            for belt in (RobotPart.BELT, RobotPart.SECOND_BELT):
                 self._link.command(belt, 1, place, LETTERS[level])
 
 

@@ -40,7 +40,7 @@ from donnie_tui.process.signals import timeout_factor
 from sim.geometry import normal
 
 
-class Part(Enum):
+class RobotPart(Enum):
     """A device of the robot: its interface, its index, and the requests that ask for its shape.
 
     It is opened if the server has it.
@@ -74,7 +74,7 @@ STANDING = 0.005
 """Metres or radians a second: a slower robot counts as standing."""
 
 
-def _key(part: Part) -> Key:
+def _key(part: RobotPart) -> Key:
     return part.value[0], part.value[1]
 
 
@@ -113,7 +113,7 @@ class ServerLink:
         self.epoch = 0
         """How often the server was lost."""
         self.is_there = False
-        self.shapes: dict[Part, dict[int, Values]] = {}
+        self.shapes: dict[RobotPart, dict[int, Values]] = {}
         """Of what was opened: what is in the reply to each request for its shape, empty if it was refused."""
 
     def connect(self) -> None:
@@ -137,18 +137,18 @@ class ServerLink:
 
     # --- data
 
-    def values(self, part: Part, subtype: int = 1) -> tuple[float, Values] | None:
+    def values(self, part: RobotPart, subtype: int = 1) -> tuple[float, Values] | None:
         """The time and the content of its newest datum."""
         message = self._data.get((*_key(part), subtype))
         found = values_of(message) if message is not None else None
         return None if message is None or found is None else (message.time, found)
 
-    def shape(self, part: Part, subtype: int = 1) -> Values:
+    def shape(self, part: RobotPart, subtype: int = 1) -> Values:
         """Empty if nothing is known."""
         return self.shapes.get(part, {}).get(subtype, ())
 
     def wheels(self) -> WheelState:
-        at, numbers = self.values(Part.WHEELS) or (0.0, (0.0,) * 7)
+        at, numbers = self.values(RobotPart.WHEELS) or (0.0, (0.0,) * 7)
         x, y, yaw, ahead, left, turn, stall = numbers if all(map(isfinite, numbers)) else (0.0,) * 7
         is_moving = hypot(ahead, left) > STANDING or abs(turn) > STANDING
         return WheelState(at, x, y, degrees(yaw), bool(stall), is_moving)
@@ -174,14 +174,14 @@ class ServerLink:
         with self._changed:
             self.permit += 1
             self._driven_until = inf
-            self.command(Part.WHEELS, 1, 0.0, 0.0, 0.0, 1)
+            self.command(RobotPart.WHEELS, 1, 0.0, 0.0, 0.0, 1)
 
     def wait_until_standing(self) -> None:
         ends, pause = monotonic() + LONGEST_STANDING, threading.Event()
         while self.is_there and self.wheels().is_moving and monotonic() < ends:
             pause.wait(0.02)
 
-    def command(self, part: Part, subtype: int, *values: object) -> None:
+    def command(self, part: RobotPart, subtype: int, *values: object) -> None:
         """Has no effect without a connection, or for a device that isn't open."""
         if part in self.shapes:
             with suppress(OSError):
@@ -190,7 +190,7 @@ class ServerLink:
     def _steer(self, permit: int, subtype: int, *values: object) -> None:
         with self._changed:
             if permit == self.permit:
-                self.command(Part.WHEELS, subtype, *values)
+                self.command(RobotPart.WHEELS, subtype, *values)
                 self._driven_until = monotonic() + LEASE
 
     # --- inside
@@ -210,15 +210,15 @@ class ServerLink:
         self._ask(SERVER, 10, -1, -1, DATA, -1, 1)  # the newest is enough
         offered = self._ask(SERVER, 1)
         there = {tuple(each[2:]) for each in offered[0]} if offered else set()
-        for part in Part:
+        for part in RobotPart:
             key = _key(part)
             if key in there and self._ask(SERVER, 3, 0, 0, *key, Access.OPEN, "") is not None:
                 self.shapes[part] = {each: self._ask(key, each) or () for each in part.value[2:]}
-        if Part.WHEELS not in self.shapes:
+        if RobotPart.WHEELS not in self.shapes:
             self._shut()
             raise RobotProblem("no-wheels", port=self.name)
         limit = monotonic() + ANSWERING * self._factor
-        while self.values(Part.WHEELS) is None:
+        while self.values(RobotPart.WHEELS) is None:
             self._pump(limit)
         self.is_there = True
 
@@ -280,7 +280,7 @@ class ServerLink:
         with self._changed:
             if now > self._driven_until:
                 self._driven_until = inf
-                self.command(Part.WHEELS, 1, 0.0, 0.0, 0.0, 1)
+                self.command(RobotPart.WHEELS, 1, 0.0, 0.0, 0.0, 1)
         if now - self._read_at > LOST * self._factor:
             raise TimeoutError
         if now - self._read_at > SILENCE:

@@ -15,7 +15,7 @@ from donnie_tui.bootstrap import assemble
 from donnie_tui.core.events import BeltShown, Spoke
 from donnie_tui.robot import server_link as module
 from donnie_tui.robot.player_robot import STUCK, PlayerRobot
-from donnie_tui.robot.server_link import Part, ServerLink, WheelState
+from donnie_tui.robot.server_link import RobotPart, ServerLink, WheelState
 from donnie_tui.settings.settings import Settings
 from sim.sensors import Device
 from tests.player.recordings import sides
@@ -198,7 +198,7 @@ def test_a_scan_turns_the_head_and_sees_colours_with_their_directions(driven: Dr
     assert [(each.colour, round(each.steps)) for each in seen] == [("blue", 29), ("red", 19), ("green", 19)]
     assert [each.degrees for each in seen] == pytest.approx([-90, 0, 90], abs=8)
     assert driven.robot.colours >= {"red", "green", "blue"}
-    head = driven.link.values(Part.HEAD)
+    head = driven.link.values(RobotPart.HEAD)
     assert head is not None
     assert head[1][2] == pytest.approx(0.0, abs=0.02)
 
@@ -362,14 +362,14 @@ def test_the_bytes_of_the_real_server_are_a_robot_with_its_devices(shared: Path)
         robot = PlayerRobot(ServerLink(HOST, server.port), pace=Pace())
         robot.connect()
         link = robot._link
-        wait_until(lambda: link.values(Part.SONARS) is not None)
+        wait_until(lambda: link.values(RobotPart.SONARS) is not None)
         with closing(robot):
             first = next(
                 e for e in reversed([m for m in messages if (m.interface, m.index, m.type) == (4, 0, 1)][:3])
             )
             assert set(robot.known_distances()) == set(Bearing)
             assert link.wheels().time == first.time
-            assert set(link.shapes) >= {Part.WHEELS, Part.SONARS, Part.BUMPERS}
+            assert set(link.shapes) >= {RobotPart.WHEELS, RobotPart.SONARS, RobotPart.BUMPERS}
 
 
 LYING = struct.pack(">IIIIIIdII", 0, 0, 1, 0, 4, 1, 0.0, 0, 2**31)
