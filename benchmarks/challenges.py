@@ -2,9 +2,9 @@
 
     python benchmarks/challenges.py
 
-Nine of ten end by themselves: right, a step short, bumping, misspelt, or with a loop. One of ten is endless.
-Printed are the seconds of the whole command, and those of the processor. The aim is less than 60 seconds on
-two cores. Never fails.
+Nine of eleven end by themselves: right, a step short, bumping, misspelt, or with a loop. One is endless, and
+one turns without end and looks for a colour. Printed are the seconds of the whole command, and those of the
+processor. The aim is less than 60 seconds on two cores. Never fails.
 """
 
 from __future__ import annotations
@@ -30,6 +30,7 @@ PROGRAMS = (
     "SCAN\nFW 5\nTR 360",
     "VAR n = 0\nFOR VAR i = 0; i < 50; i = i + 1 DO\nn = n + i\nEND FOR\nFW 5",
     "VAR n = 0\nWHILE 1 == 1 DO\nn = n + 1\nEND WHILE",
+    "WHILE COLOR pink == 0 DO\nTR 1\nEND WHILE",
 )
 
 

@@ -17,7 +17,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from devices.ports.robot import Pace, Pose, Watcher
-from donnie_tui.core.events import Announced, Answered, Read, RunStarted, Stamped
+from donnie_tui.core.events import Announced, Answered, Read, RunStarted, Scanned, Stamped
 from donnie_tui.core.hub import Stream
 from donnie_tui.core.outlets import SpeechWait
 from donnie_tui.core.session import ResettableRobot, Session, SessionSetup
@@ -417,7 +417,9 @@ LONGEST_TRY = 3600.0
 MOST_STATEMENTS = 20_000
 """Statements after which a judged program counts as endless."""
 MOST_READINGS = 2_000
-"""Readings of sensors after which it does: one of the camera takes as long as hundreds of statements."""
+"""Readings of sensors after which it does."""
+MOST_LOOKS = 400
+"""Those of the camera, which take as long as hundreds of statements: one for each degree of a turn."""
 
 
 class Start(Struct, frozen=True):
@@ -458,18 +460,20 @@ Programs: TypeAlias = str | Mapping[str, str]
 def judge_program(
     programs: Programs, starts: Sequence[Start], words: Words, settings: Settings
 ) -> tuple[Judgment, ...]:
-    """The outcome from each start of a challenge, in a world of its own; nothing of it is printed.
+    """The outcomes from the starts of a challenge, up to the first that does not solve it.
 
-    Several programs begin at the same moment.
-
+    Each try has a world of its own, and nothing of it is printed. Several programs begin at the same moment.
     An endless program ends by robot time and by the number of its statements, so a busy machine changes
     nothing.
     """
     from donnie_tui.core.goals import judge
 
-    return tuple(
-        judge(each.challenge, each.room, _try_from(each, programs, words, settings)) for each in starts
-    )
+    verdicts: list[Judgment] = []
+    for each in starts:
+        verdicts.append(judge(each.challenge, each.room, _try_from(each, programs, words, settings)))
+        if not verdicts[-1].is_solved:
+            break
+    return tuple(verdicts)
 
 
 def judge_events(
@@ -509,13 +513,15 @@ def _try_from(start: Start, programs: Programs, words: Words, settings: Settings
     settings = replace(settings, speed=None, seed=start.challenge.rules.variant[0].seed)
     team = make_team(settings, words, start.world, terminal=False)
     events, first = list[Stamped](), team.chosen_name
-    readings = Counter[str | None]()
+    readings, looks = Counter[str | None](), Counter[str | None]()
 
     def note(stamped: Stamped) -> None:
+        event, robot = stamped.event, stamped.robot
         events.append(stamped)
-        readings[stamped.robot] += isinstance(stamped.event, Read)
-        if stamped.t > LONGEST_TRY or readings[stamped.robot] > MOST_READINGS:
-            team.session(stamped.robot or first).stop()
+        readings[robot] += isinstance(event, Read)
+        looks[robot] += isinstance(event, Scanned) or (isinstance(event, Read) and event.sensor == "colour")
+        if stamped.t > LONGEST_TRY or readings[robot] > MOST_READINGS or looks[robot] > MOST_LOOKS:
+            team.session(robot or first).stop()
 
     def limit(session: Session, run: Run) -> None:
         statements = count(1)

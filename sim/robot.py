@@ -66,6 +66,8 @@ class SimulatedRobot:
         self._vehicle: Vehicle | None = None
         self._seen: tuple[Spot, Moment, dict[Bearing, int]] | None = None
         """The last result of ``known_distances``, its pose, and the number of changes in the world then."""
+        self._scanned: tuple[Spot, int | None, Moment, tuple[Sighting, ...]] | None = None
+        """The last result of ``scan``, its pose, what was held, and the number of changes then."""
 
     @property
     def name(self) -> str:
@@ -157,7 +159,7 @@ class SimulatedRobot:
     def stand_on(self, ground: Ground, robot: int) -> None:
         """Stay where it is in a world that was rebuilt. ``robot``: the index of its model there."""
         with self._making:
-            before, self._vehicle, self._seen = self._vehicle, None, None
+            before, self._vehicle, self._seen, self._scanned = self._vehicle, None, None, None
             self._ground, self._model = ground, ground.scene.models[robot]
             if before is not None:
                 from sim.vehicle import Vehicle
@@ -244,13 +246,21 @@ class SimulatedRobot:
         return dict(seen[2])
 
     def scan(self) -> tuple[Sighting, ...]:
-        """RobotProblem ``no-eyes`` if it has none, and no finder of marks either."""
+        """If nothing has moved since the last call, the sightings are unchanged.
+
+        RobotProblem ``no-eyes`` if it has none, and no finder of marks either.
+        """
         self._clock.begin()
         vehicle = self.get_ready()
-        senses, place = vehicle.mover.senses, (vehicle.mover.around, vehicle.here.truth)
-        things = senses.look(*place) if senses.eyes or not senses.finders else ()
-        marks = senses.marks_ahead(*place)
-        return (*map(self._sighting, things), *map(self._sighting_of_mark, marks))
+        now, seen = (vehicle.here.truth, self.holds), self._scanned
+        if seen is None or seen[:2] != now or not vehicle.is_unchanged(seen[2]):
+            senses, place = vehicle.mover.senses, (vehicle.mover.around, now[0])
+            moment = vehicle.moment
+            things = senses.look(*place) if senses.eyes or not senses.finders else ()
+            sightings = map(self._sighting, things)
+            marks = map(self._sighting_of_mark, senses.marks_ahead(*place))
+            seen = self._scanned = (*now, moment, (*sightings, *marks))
+        return seen[3]
 
     def grip(self) -> GripResult:
         """Take the thing between the paddles, or a step before them. RobotProblem ``no-gripper``."""

@@ -397,12 +397,12 @@ def _test_challenge(order: Order, name: str) -> int:
     for fault in faults:
         order.output.line(fault)
     solution = solution_of(found, judging.world, order.words)
-    verdicts, nothing = judging.verdicts(solution), judging.verdicts("")
-    wrong = [each for each in verdicts if not each.is_solved]
+    verdicts = judging.verdicts(solution)
+    wrong = not verdicts[-1].is_solved
     if wrong:
         order.output.line(order.words("challenge-test-unsolved", name=found.name))
         order.output.line(judging.sentences(verdicts))
-    easy = any(each.is_solved for each in nothing)
+    easy = judging.is_solved_by_nothing()
     if easy:
         order.output.line(order.words("challenge-test-empty", name=found.name))
     spare = None if wrong or easy else judging.spare_line(solution)
@@ -523,13 +523,13 @@ class _Judging:
             self._order.output.line(line)
 
     def verdicts(self, programs: Programs) -> tuple[Judgment, ...]:
-        """One for each start."""
+        """One for each start, up to the first that does not solve it."""
         return judge_program(programs, self._starts, self._words, self._order.settings)
 
-    def _solves(self, programs: Programs) -> bool:
-        """Whether they do from every start; asks no further where one fails."""
+    def is_solved_by_nothing(self) -> bool:
+        """Whether the empty program solves it from a start."""
         run = partial(judge_program, words=self._words, settings=self._order.settings)
-        return all(run(programs, (start,))[0].is_solved for start in self._starts)
+        return any(run("", (start,))[0].is_solved for start in self._starts)
 
     def verdicts_of(
         self, path: str, recorded: Sequence[Stamped], answers: Mapping[Unsensed, bool] | None
@@ -548,7 +548,7 @@ class _Judging:
             program = parse(text).program
             for span in (each.span for each in walk(program.body if program is not None else ())):
                 shorter = text[: span.start] + text[span.end :]
-                if not parse(shorter).diagnostics and self._solves({**solution, robot: shorter}):
+                if not parse(shorter).diagnostics and self.verdicts({**solution, robot: shorter})[-1].is_solved:
                     return robot, span.line
         return None
 

@@ -316,6 +316,33 @@ def test_a_program_that_only_senses_ends_after_so_many_readings(
     assert [each.code for each in judged.shortfalls[:1]] == [*(["goal-endless"] if not solved else [])]
 
 
+@pytest.mark.parametrize("line", ["n = COLOR red", "SCAN"])
+@pytest.mark.parametrize(("most", "solved"), [(6, True), (5, False)])
+def test_a_program_that_only_looks_ends_after_fewer_readings(
+    monkeypatch: pytest.MonkeyPatch, line: str, most: int, solved: bool
+) -> None:
+    monkeypatch.setattr(bootstrap, "MOST_LOOKS", most)
+    words, settings = Words("en"), Settings()
+    found = challenges.find("first_walk")
+    starts = bootstrap.starts_of(found, choose_world(found.world, words), words, settings)
+
+    text = f"VAR n = 0\nREPEAT 6 TIMES\n{line}\nEND REPEAT\nFW 5"
+    (judged,) = bootstrap.judge_program(text, starts, words, settings)
+    assert judged.is_solved == solved
+    assert [each.code for each in judged.shortfalls[:1]] == [*(["goal-endless"] if not solved else [])]
+
+
+def test_a_program_is_tried_from_no_further_start_after_one_that_fails() -> None:
+    words, settings = Words("en"), Settings()
+    found = challenges.find("to_the_cone")
+    starts = bootstrap.starts_of(found, choose_world(found.world, words), words, settings)
+
+    verdicts = bootstrap.judge_program("FW 1", starts, words, settings)
+
+    assert [each.is_solved for each in verdicts] == [False]
+    assert len(bootstrap.judge_program("FW DISTANCE F - 1", starts, words, settings)) == len(starts) == 3
+
+
 def test_the_table_never_replaces_a_program(tmp_path: Path) -> None:
     program = tmp_path / "ana.gd"
     program.write_text("FW 5")

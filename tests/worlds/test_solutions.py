@@ -16,7 +16,6 @@ from msgspec.structs import replace
 from donnie_tui.bootstrap import _try_from, judge_program, starts_of
 from donnie_tui.core.describe import verdict_in_words
 from donnie_tui.core.events import Event, Moved, Spoke, Turned
-from donnie_tui.core.goals import Judgment
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.settings import Settings
 from donnie_tui.world.loading import choose_world, inventory_of
@@ -83,11 +82,7 @@ def verdicts_of(name: str) -> dict[str, str]:
     starts = starts_of(found, world, words, settings)
     said = {}
     for what, program in mistakes(found.solution.read_text(encoding="utf-8")):
-        judged: list[Judgment] = []
-        for start in starts:
-            judged += judge_program(program, (start,), words, settings)
-            if not judged[-1].is_solved:
-                break
+        judged = judge_program(program, starts, words, settings)
         is_solved = judged[-1].is_solved
         said[what] = "" if is_solved else verdict_in_words(judged, inventory_of(world.scene), words)
     return said

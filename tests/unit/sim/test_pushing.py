@@ -3,6 +3,9 @@
 import pytest
 
 from devices.ports.robot import Bearing, Grip, RobotProblem, StoppedBy
+from sim.cameras import Eyes, Seen
+from sim.geometry import Spot
+from sim.rangers import Around
 from sim.world import World
 from tests.unit.sim.floors import BOX_ROBOT, IDEAL, Unpaced, scene
 
@@ -96,6 +99,49 @@ def test_scan_sees_a_thing_at_its_current_place() -> None:
     (sighting,) = robot.scan()
 
     assert sighting.steps == pytest.approx(6, abs=0.21)
+
+
+@pytest.fixture
+def looks(monkeypatch: pytest.MonkeyPatch) -> list[Spot]:
+    """Where the cameras looked from."""
+    seen, look = list[Spot](), Eyes.look
+
+    def counted(eyes: Eyes, around: Around, spot: Spot) -> tuple[Seen, ...]:
+        seen.append(spot)
+        return look(eyes, around, spot)
+
+    monkeypatch.setattr(Eyes, "look", counted)
+    return seen
+
+
+def test_the_cameras_look_once_while_nothing_moves(looks: list[Spot]) -> None:
+    world = World(
+        scene(IDEAL + "ideal( pose [ 0 0 0 0 ] )" + BOX.format(0.35, 0).replace(")", 'color "red" )'))
+    )
+    robot = world.robot(pace=Unpaced())
+
+    first = robot.scan()
+    assert (robot.scan(), len(looks)) == (first, 1)
+    robot.forward(10)
+    robot.backward(10)
+
+    (pushed,) = robot.scan()
+    assert pushed.steps > first[0].steps
+    robot.turn(10)
+    assert robot.scan() != (pushed,)
+    assert len(looks) == 3
+
+
+def test_the_cameras_look_again_when_another_robot_has_moved(looks: list[Spot]) -> None:
+    others = 'ideal( name "bob" pose [ 0.5 0 0 0 ] color "red" )'
+    world = World(scene(IDEAL + f'ideal( name "alice" pose [ 0 0 0 0 ] )\n{others}'))
+    alice, bob = (world.robot(name, pace=Unpaced()) for name in ("alice", "bob"))
+
+    near = alice.scan()
+    bob.forward(5)
+
+    assert alice.scan()[0].steps == near[0].steps + 5
+    assert len(looks) == 2
 
 
 def test_a_reset_puts_things_back() -> None:
