@@ -393,7 +393,7 @@ def _test_challenge(order: Order, name: str) -> int:
     """
     found = choose_challenge(name, order.words)
     judging = _Judging(order, found)
-    faults = tuple(_faults_of_words(found, order.words))
+    faults = (*_faults_of_words(found, order.words), *judging.faults_of_starts())
     for fault in faults:
         order.output.line(fault)
     solution = solution_of(found, judging.world, order.words)
@@ -445,7 +445,7 @@ class _Judging:
 
     def __init__(self, order: Order, found: challenges.Challenge) -> None:
         """Raises ``Unusable``."""
-        self._order, self._words = order, order.words
+        self._order, self._words, self._name = order, order.words, found.name
         self.world = world_of(found, order.words)
         self._room = inventory_of(self.world.scene)
         self._starts = starts_of(found, self.world, order.words, order.settings)
@@ -526,6 +526,16 @@ class _Judging:
         """One for each start, up to the first that does not solve it."""
         return judge_program(programs, self._starts, self._words, self._order.settings)
 
+    def faults_of_starts(self) -> Iterator[str]:
+        """Robots that begin inside something."""
+        from sim.worldfile import standing_inside  # loads the parser
+
+        for number, start in enumerate(self._starts, start=1):
+            for note in standing_inside(start.world.scene):
+                where = self._words("challenge-start", number=number)
+                fault = self._words(f"note-{note.code}", **note.details)
+                yield self._words("challenge-verdict", file=self._name, verdict=f"{where} {fault}")
+
     def is_solved_by_nothing(self) -> bool:
         """Whether the empty program solves it from a start."""
         run = partial(judge_program, words=self._words, settings=self._order.settings)
@@ -548,7 +558,10 @@ class _Judging:
             program = parse(text).program
             for span in (each.span for each in walk(program.body if program is not None else ())):
                 shorter = text[: span.start] + text[span.end :]
-                if not parse(shorter).diagnostics and self.verdicts({**solution, robot: shorter})[-1].is_solved:
+                if (
+                    not parse(shorter).diagnostics
+                    and self.verdicts({**solution, robot: shorter})[-1].is_solved
+                ):
                     return robot, span.line
         return None
 

@@ -428,9 +428,12 @@ def target_in_words(target: Target, room: Inventory, wording: Wording) -> str:
 
 
 def task_in_words(challenge: Challenge, wording: Wording, world: str = "") -> tuple[str, ...]:
-    """Title, task, and the most that a solution may need; on arrival also the title of its world."""
+    """Title, task, and what a solution may need; on arrival also the title of its world."""
     text, limit = challenge.text(wording.language), challenge.rules.limit
     most = {each: getattr(limit, each) for each in limit.__struct_fields__}
-    limits = (wording(f"task-limit-{each}", most=round(n)) for each, n in most.items() if n is not None)
+    limits = [wording(f"task-limit-{each}", most=round(n)) for each, n in most.items() if n is not None]
+    allowed = (keywords.canonical(each) or each for each in challenge.rules.words)
+    words = ", ".join(keywords.spelling(each, wording.language) for each in allowed)
+    limits += [wording("task-words", words=words)] if words else []
     code = "challenge-arrived" if world else "challenge-here"
     return (wording(code, title=text.title, world=world), *text.sentences, *limits)

@@ -17,6 +17,7 @@ from sim.worldfile.load import (
     load_configuration,
     load_text,
     load_world,
+    standing_inside,
 )
 from sim.worldfile.mistakes import Code, WorldError
 
@@ -34,6 +35,7 @@ __all__ = [
     "load_world",
     "put_elsewhere",
     "scattered",
+    "standing_inside",
     "taken_out",
     "units_of",
     "written_models",

@@ -59,6 +59,7 @@ def test_a_shipped_challenge_is_short_in_every_language(name: str) -> None:
         assert text.hint
         limit = found.rules.limit
         limits = sum(getattr(limit, each) is not None for each in limit.__struct_fields__)
+        limits += bool(found.rules.words)
         assert len(text.sentences) + limits <= 4  # with its title and its world they are five
         assert all(line.endswith(".") for line in text.sentences)
         lines = (text.title, *text.sentences, *(each.text for each in text.hint))
@@ -108,6 +109,30 @@ def test_the_task_says_the_limits() -> None:
     said = task_in_words(challenges.find("there_and_back"), Words("pt"))
 
     assert said[-2:] == ("No máximo 2 comandos.", "No máximo 16 passos.")
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "Use only FW, BW, TR, TL, SPEAK, POS."),
+        ("pt", "Use só PF, PT, GD, GE, FALAR, POS."),
+        ("es", "Usa solo AV, RE, GD, GI, HABLAR, POS."),
+    ],
+)
+def test_the_task_says_the_words_that_are_allowed(language: str, said: str) -> None:
+    assert task_in_words(challenges.find("say_what_you_see"), Words(language))[-1] == said
+
+
+def test_a_challenge_that_ships_leaves_measuring_for_later(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The ball is for those who count steps; the first solution that measures is that of to_the_cone."""
+    program = tmp_path / "p.gd"
+    program.write_text("TR 90\nFW DISTANCE F - 1")
+
+    assert main(["challenge", "check", "to_the_ball", str(program), "--lang", "en"]) == 1
+    later = challenges.names().index("to_the_cone") + 1
+    assert capsys.readouterr().out == f"p.gd: 1 of 1 goal. DISTANCE comes in challenge {later}.\n"
 
 
 @pytest.mark.parametrize("name", ["first_walk", "1"])
@@ -571,6 +596,18 @@ def exit_code_of_test(folder: Path, solution: str, *changes: tuple[str, str]) ->
         ),
         ("FWW 3", "[en]", "[en]", "it: the solution does not solve it."),
         ("TR 90", "[en]", "[en]", "it: the empty program solves it."),
+        (
+            "FW 3",
+            'start = [0, 0, "east"]',
+            'start = [0, 0, "east"]\nthings = { "ball" = [1, 0] }',
+            "it: From start 2: Robot donnie and ball begin at the same place. Move one of them.",
+        ),
+        (
+            "FW 3",
+            '"north"',
+            '"north"]\n[[variant]]\nstart = [-10, 0, 0',
+            "it: From start 2: Robot donnie and chair begin at the same place. Move one of them.",
+        ),
     ],
 )
 def test_what_is_wrong_with_a_challenge_is_said(

@@ -113,7 +113,8 @@ def test_what_solves_one_start_of_a_looking_challenge_does_not_solve_the_others(
         events = _try_from(start, solution, words, settings)
         blind = "\n".join(commands(each.event for each in events))
         free = replace(found, rules=replace(found.rules, required=()))
-        verdicts = judge_program(blind, starts_of(free, world, words, settings), words, settings)
+        others = starts_of(free, world, words, settings)
+        verdicts = [judge_program(blind, (each,), words, settings)[0] for each in others]
         assert any(each.is_solved for each in verdicts)
         assert not all(each.is_solved for each in verdicts), blind
 
