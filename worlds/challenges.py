@@ -241,7 +241,7 @@ class Rules(Struct, frozen=True, forbid_unknown_fields=True):
     limit: Limit = Limit()
     variant: tuple[Variant, ...] = (Variant(),)
     question: tuple[ChallengeQuestion, ...] = ()
-    """Asked after a run that solved it."""
+    """Asked after a run."""
 
 
 class Challenge(Struct, frozen=True):

@@ -203,6 +203,10 @@ class Attempt:
         self._events: deque[Stamped] = deque(maxlen=self.MOST_EVENTS)
         self.has_questions = False
         """Whether the last run is followed by questions that were not asked yet."""
+        self.is_answered = False
+        """Whether all questions were."""
+        self._was_asked = self._is_program = False
+        """Whether the questions were asked without a solution, and whether more than a line ran last."""
         self.unsensed: tuple[Unsensed, ...] = ()
         """After a run of a real robot, what it can't sense and the learner has not answered yet."""
         self._answers: dict[Unsensed, bool] = {}
@@ -284,8 +288,8 @@ class Attempt:
             return 0
         return judge_program(solution, self._starts[:1], donnie.words, settings)[0].steps
 
-    def judge(self) -> tuple[str, ...]:
-        """What there is to say after a run, which is kept as a try.
+    def judge(self, is_program: bool) -> tuple[str, ...]:
+        """What there is to say after a run, which is kept as a try. ``is_program``: more than a line ran.
 
         A program that solves the challenge from the first start must solve it from the others, too. Where a
         real robot can't sense everything, the learner is asked first.
@@ -293,7 +297,7 @@ class Attempt:
         from donnie_tui.core.goals import unsensed
 
         self.keep_try()
-        self._answers = {}
+        self._answers, self._is_program = {}, is_program
         self.unsensed = unsensed(self.rules) if self._no_answers is not None else ()
         if not self.unsensed:
             return self.judge_answered({})
@@ -319,7 +323,7 @@ class Attempt:
         is_solved = all(each.is_solved for each in verdicts)
         self._now = here
         self.tried = self._try_of(here, is_solved=is_solved)
-        self.has_questions = is_solved and bool(self.challenge.rules.question)
+        self.has_questions = self._is_to_be_asked(is_solved=is_solved)
         if not (self.has_questions or self.unsensed):
             self.keep_try()
         if is_solved:
@@ -333,6 +337,14 @@ class Attempt:
         title = challenges.find(following).text(donnie.words.language).title
         word = word_of(BY_NAME["next_challenge"], donnie.words.language)
         return (sentence, donnie.words("challenge-next", word=word, title=title))
+
+    def _is_to_be_asked(self, *, is_solved: bool) -> bool:
+        """After the first program that solved nothing, and after each solution, until all are answered."""
+        if self.is_answered or not self.challenge.rules.question:
+            return False
+        is_due = is_solved or (self._is_program and not self._was_asked)
+        self._was_asked = self._was_asked or is_due
+        return is_due
 
     def questions(self) -> tuple[Asked, ...]:
         """What is asked about the world as the last run left it."""

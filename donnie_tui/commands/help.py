@@ -282,6 +282,8 @@ async def questions(ctx: Context, _: str) -> None:
             right += is_right
             text = each.right_answer(ctx.words)
             ctx.answer("question-right" if is_right else "question-wrong", text=text)
+        else:
+            attempt.is_answered = True
         ctx.answer("questions-done", right=right, questions=len(asked))
     finally:
         attempt.keep_try(len(asked), right)

@@ -89,8 +89,11 @@ class RunController:
         """The variables that WATCH named, as they were typed."""
         self.past: Timeline | None = None
         """The position of STEP BACK; None in the present."""
-        self.judge: Callable[[], tuple[str, ...]] | None = None
-        """What there is to say about a run that ended by itself, where the learner solves a challenge."""
+        self.judge: Callable[[bool], tuple[str, ...]] | None = None
+        """What there is to say about a run that ended by itself, where the learner solves a challenge.
+
+        Its argument: whether more than a line ran.
+        """
         self._unjudged: list[RunRecord] = []
         """The runs since the last verdict."""
         self.variables_during: dict[int, tuple[tuple[str, int], ...]] = {}
@@ -549,11 +552,14 @@ class RunController:
             self._say_verdict()
 
     def _say_verdict(self) -> None:
-        runs, self._unjudged = [each.run for each in self._unjudged], []
+        records, self._unjudged = self._unjudged, []
+        runs = [each.run for each in records]
         if self.judge is not None and any(
             each is not None and not each.was_refused and each.outcome in _JUDGED for each in runs
         ):
-            self._answer(*self.judge())
+            requests = [each.request for each in records]
+            is_program = any(each.is_whole or "\n" in each.text.strip() for each in requests)
+            self._answer(*self.judge(is_program))
 
     def _answer_done(self, record: RunRecord) -> None:
         """Says that the program is done, if no prompt shows it."""

@@ -14,6 +14,7 @@ from donnie_tui.commands.lookup import typed_form, word_of
 from donnie_tui.i18n.help import CHAPTERS, chapter_lines
 from donnie_tui.i18n.words import Words
 from tests.sessions.command import end, environment
+from tests.sessions.learner import Learner
 from tests.sessions.typed_lines import printed_by, quiet
 from tests.timeouts import TIMEOUT
 
@@ -166,3 +167,13 @@ def test_a_line_that_wraps_is_read_whole_at_every_width(tmp_path: Path, columns:
     end(child)
 
     assert said == printed_by(tmp_path, "en", [long, "", *LONG_ANSWERS])[3:-2]
+
+
+def test_a_challenge_asks_about_its_world_after_a_program_that_does_not_solve_it(tmp_path: Path) -> None:
+    """A line alone is no program; of the table in the living room Donnie asks the colour, which is red."""
+    learner = Learner(tmp_path, "--world", "challenge:blue_things", language="es")
+    learner.enters("AV 1", "", "REPETIR 2 VECES", "AV 1", "FIN REPETIR", "")
+    learner.sees("¿De qué color es este objeto: mesa?")
+    learner.sees("> ")
+    learner.types("rojo\r")
+    learner.sees("Acertaste 1 de 1 pregunta.")

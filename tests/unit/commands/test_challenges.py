@@ -245,6 +245,41 @@ def test_questions_are_asked_and_counted_with_the_run_before(open_script: OpenSc
     ]
 
 
+@pytest.mark.parametrize(
+    ("answers", "later"),
+    [
+        (["yellow", "7"], []),
+        (["yellow", None, "yellow", "1"], ["Which color is the ball?", "How many of these are there: ball?"]),
+    ],
+    ids=["answered", "left"],
+)
+def test_questions_follow_a_program_that_solves_nothing_once(
+    open_script: OpenScript, tmp_path: Path, answers: list[str | None], later: list[str]
+) -> None:
+    """After a line alone they would be in the way; those that were left come back with the solution."""
+    file, asked = tmp_path / "it.toml", ["Which color is the ball?", "How many of these are there: ball?"]
+    file.write_text(ASKING)
+    script = open_script(answers=answers, world=f"challenge:{file}")
+
+    def ask_if_due() -> None:
+        if script.ctx.attempt is not None and script.ctx.attempt.has_questions:
+            script.answers_to("QUESTIONS")
+
+    for lines, expected in (
+        (["FW 1"], []),
+        (["TR 90\nTL 90"], asked),
+        (["TR 90\nTL 90"], asked),
+        (["TR 360"], asked),
+        (["FW 1"], asked + later),
+    ):
+        script.answers_to(*lines)
+        ask_if_due()
+        assert script.interaction.asked == expected
+    assert script.answers_to("RESULTS")[0] == "1 of 1 solved."
+    right = 2 if later else 1
+    assert script.answers_to("RESULTS")[-1] == f"You answered {right} of 2 questions right."
+
+
 def test_questions_that_are_left_keep_the_try(open_script: OpenScript, tmp_path: Path) -> None:
     file = tmp_path / "it.toml"
     file.write_text(ASKING)
