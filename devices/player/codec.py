@@ -128,32 +128,24 @@ class MessageReader:
     def __init__(self, longest: int = LONGEST_REQUEST) -> None:
         """``longest``: bytes of a body."""
         self._longest = longest
-        self._held = bytearray()
-
-    @property
-    def held(self) -> int:
-        """Bytes of a message that isn't whole yet."""
-        return len(self._held)
+        self.held = bytearray()
+        """Of a message that isn't whole yet."""
 
     def feed(self, data: bytes) -> Iterator[PlayerMessage]:
         """The messages that are whole now. After ``TooLong`` the stream can't be read any further."""
-        held, start = self._held, 0
+        held = self.held
         held += data
-        try:
-            while len(held) - start >= HEADER_SIZE:
-                host, robot, *kind, time, sequence, size = _HEADER.unpack_from(held, start)
-                interface, index, type_, subtype = kind
-                if size > self._longest:
-                    start = len(held)
-                    raise TooLong(f"a body of {size} bytes; at most {self._longest} are read")
-                end = start + HEADER_SIZE + size
-                if len(held) < end:
-                    return
-                body = bytes(held[start + HEADER_SIZE : end])
-                start = end
-                yield PlayerMessage(interface, index, type_, subtype, body, time, host, robot, sequence)
-        finally:
-            del held[:start]
+        while len(held) >= HEADER_SIZE:
+            host, robot, *kind, time, sequence, size = _HEADER.unpack_from(held)
+            interface, index, type_, subtype = kind
+            if size > self._longest:
+                held.clear()
+                raise TooLong(f"a body of {size} bytes; at most {self._longest} are read")
+            if len(held) < HEADER_SIZE + size:
+                return
+            body = bytes(held[HEADER_SIZE : HEADER_SIZE + size])
+            del held[: HEADER_SIZE + size]
+            yield PlayerMessage(interface, index, type_, subtype, body, time, host, robot, sequence)
 
 
 def encode(form: str, values: Sequence[object]) -> bytes:
@@ -186,8 +178,12 @@ def decode(form: str, body: bytes) -> Values:
     for part in _parts(form):
         size = part.group.size
         if part.kind:
-            size *= _count(body, at)
-            at += _COUNTS.size
+            if len(body) - at < _COUNTS.size:
+                raise BadBody("it ends within a count")
+            count, again = _COUNTS.unpack_from(body, at)
+            if count != again:
+                raise BadBody(f"{count} and {again} are counts of one array")
+            size, at = size * count, at + _COUNTS.size
         if size + -size % 4 > len(body) - at:
             raise BadBody(f"{len(body)} bytes, and its form has more")
         data = body[at : at + size]
@@ -210,16 +206,6 @@ def decode(form: str, body: bytes) -> Values:
 def _text(text: str) -> bytes:
     """With the NUL that is counted; an empty text has none."""
     return text.encode("utf-8", "replace") + b"\0" if text else b""
-
-
-def _count(body: bytes, at: int) -> int:
-    """How many things follow. Raises ``BadBody``."""
-    if len(body) - at < _COUNTS.size:
-        raise BadBody("it ends within a count")
-    count, again = _COUNTS.unpack_from(body, at)
-    if count != again:
-        raise BadBody(f"{count} and {again} are counts of one array")
-    return int(count)
 
 
 class _Part(Struct, frozen=True):
@@ -260,6 +246,7 @@ REQUESTS: Mapping[tuple[int, int], tuple[str, str]] = {
     (Interface.POSITION2D, 5): (POSE2D, ""),  # set odometry
     (Interface.POSITION2D, 6): ("", ""),  # reset odometry
     (Interface.FIDUCIAL, 1): ("", f"{POSE3D} {BOX3D} {BOX2D}"),  # geometry
+    (Interface.FIDUCIAL, 2): ("", "fff"),  # field of view: from and to metres, radians
     (Interface.FIDUCIAL, 7): ("", "I"),  # get the mark of its own model
     (Interface.FIDUCIAL, 8): ("I", "I"),  # set it
     (Interface.BUMPER, 1): ("", f"[{POSE3D}ff]"),  # geometry

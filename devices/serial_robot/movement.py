@@ -135,7 +135,7 @@ class LinkedRobot(ABC, Generic[LinkType]):
 
     name = "donnie"
 
-    def __init__(self, link: LinkType, pace: Pace, watcher: Watcher | None) -> None:
+    def __init__(self, link: LinkType, *, pace: Pace, watcher: Watcher | None = None) -> None:
         self._link, self._pace, self._watcher = link, pace, watcher
         self._is_link_lost = False
         self._passing_at = 0.0

@@ -61,7 +61,7 @@ class SerialRobot(LinkedRobot[RobotLink]):
     ) -> None:
         """``start``: the pose that it is taken to have when it is connected or reset. ``on_notice``: as of
         its link, for what only a movement shows; called in the program's thread."""
-        super().__init__(link, pace, watcher)
+        super().__init__(link, pace=pace, watcher=watcher)
         self._start_pose = start or Pose(0.0, 0.0, 0.0)
         self._config = config or RobotConfig()
         self._sensors = BoardSensors(self._config)

@@ -45,7 +45,7 @@ def to_steps(measured: float | None) -> int:
     """Whole steps of some centimetres; where nothing is known, the farthest: nothing is near."""
     if measured is None or measured == inf:
         return FARTHEST
-    return int(measured) // CENTIMETRES_A_STEP
+    return round(measured) // CENTIMETRES_A_STEP
 
 
 class BoardSensors:

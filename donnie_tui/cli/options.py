@@ -43,7 +43,7 @@ ALLOW = "allow"
 COMMON = {
     "world": "NAME_OR_FILE",
     ALLOW: "FOLDER",
-    "robot": "sim|serial|serial:PORT|double|player://HOST:PORT",
+    "robot": "sim|serial|serial:PORT|double|player://HOST:PORT/INDEX",
     "profile": "auto|2016|2018",
     "camera": "NUMBER|DEVICE|FILE|FOLDER",
     "lang": "|".join(languages()),

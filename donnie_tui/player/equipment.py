@@ -19,7 +19,7 @@ from devices.ports.drive import TICK, MetricPose, Velocity
 from devices.ports.robot import Grip, GripResult
 from donnie_tui.core.events import CueSounded, Event, GripperUsed, Spoke
 from sim.colours import colour_of
-from sim.geometry import Placement, normal, relative
+from sim.geometry import Placement, Spot, normal, relative
 
 if TYPE_CHECKING:
     from sim.scene import Model
@@ -202,10 +202,9 @@ class HeadDevice(PositionDevice):
         here = self._here()
         yield 1, (here.x, here.y, angle(here.yaw), 0.0, 0.0, radians(self._rate), 0)
 
-    def _here(self) -> Placement:
+    def _here(self) -> Spot:
         base, mount = self._drive.state().believed, self._on_robot
-        turned = Placement(mount.x, mount.y, 0.0, mount.yaw + self._turned)
-        return Placement(base.x, base.y, 0.0, base.yaw).then(turned)
+        return Spot(base.x, base.y, base.yaw).mounted(mount.x, mount.y, mount.yaw + self._turned)
 
 
 NEAR = 0.02
@@ -230,7 +229,7 @@ def _turn(by: float) -> float:
     return max(-FASTEST_TURN, min(FASTEST_TURN, rate))
 
 
-SONARS = (-45.0, 0.0, 45.0, 135.0, 180.0, -135.0)
+SONARS = (-45, 0, 45, 135, 180, -135)
 """Where the six sonars of Donnie look, in the order that the original's clients know."""
 
 
@@ -239,13 +238,11 @@ class RangeFinder(MountedDevice):
 
     def begin(self) -> None:
         yaws = [round(normal(each.pose.yaw)) for each in self._model.sensors]
-        self._is_donnie = sorted(yaws) == sorted(map(round, SONARS))
-        """Whether these are the sonars of the robot Donnie."""
-        self._order = [yaws.index(round(each)) for each in SONARS] if self._is_donnie else [*range(len(yaws))]
-        root = self._model.root
-        tree = self._loop.scene.tree(root)
+        is_donnie = sorted(yaws) == sorted(SONARS)
+        self._order = [yaws.index(each) for each in SONARS] if is_donnie else [*range(len(yaws))]
+        root, tree = self._model.root, self._loop.scene.tree(self._model.root)
         others = [each.index for each in tree if len(each.sensors) == 1 and each.parent != root]
-        self._seventh = others[0] if self._is_donnie and others else None
+        self._seventh = others[:1] if is_donnie else []
         """The head's sonar, which clients of Donnie's take for one more of these."""
 
     def geometry(self) -> Values | None:
@@ -266,9 +263,8 @@ class RangeFinder(MountedDevice):
     def data(self) -> Iterator[Datum]:
         (reading,) = self._drive.rangers(self._model.index)
         pairs = [(reading.sensors[each], reading.returns[each]) for each in self._order]
-        if self._seventh is not None:
-            (head,) = self._drive.rangers(self._seventh)
-            pairs.append((head.sensors[0], head.returns[0]))
+        heads = [head for each in self._seventh for head in self._drive.rangers(each)]
+        pairs += [(head.sensors[0], head.returns[0]) for head in heads]
         ranges: list[float] = []
         seen: list[float] = []
         for samples, returns in pairs:
@@ -444,7 +440,7 @@ class Whole(Equipment):
             self._loop.reset()
 
     def request(self, subtype: int, values: Values) -> Values | None:
-        index = self._names.get(values[0]) if values else None
+        index = self._names.get(values[0])
         if subtype in (5, 6):
             return self._property(subtype, values, index)
         if index is None:

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, cast
 
 from devices.player.codec import DATA, Interface, Key, TooLong, body_of
@@ -23,12 +24,12 @@ if TYPE_CHECKING:
     from sim.worldfile import Address, Driver
 
 
-class BadConfiguration(Exception):
-    """The code of a sentence, and what it is about."""
+class ServerProblem(Exception):
+    """The code of a sentence, and its parameters."""
 
-    def __init__(self, code: str, what: str) -> None:
+    def __init__(self, code: str, **values: str | int) -> None:
         super().__init__(code)
-        self.code, self.what = code, what
+        self.code, self.values = code, values
 
 
 class PortStation:
@@ -45,11 +46,11 @@ class PortStation:
         return self._loop.time
 
     def add(self, device: Equipment) -> None:
-        """Raises ``BadConfiguration`` for a second device of one address."""
+        """Raises ``ServerProblem`` for a second device of one address."""
         key = (device.interface, device.index)
         if key in self.devices:
             name = Interface(device.interface).name.lower()
-            raise BadConfiguration("player-address-twice", f"{self.port}:{name}:{device.index}")
+            raise ServerProblem("player-address-twice", what=f"{self.port}:{name}:{device.index}")
         self.devices[key] = device
 
     def publish(self) -> None:
@@ -68,7 +69,7 @@ class Stations:
     def __init__(
         self, drivers: Sequence[Driver], loop: VelocityLoop, default_port: int, reporter: Reporter
     ) -> None:
-        """``default_port``: of what names no other. Raises ``BadConfiguration``."""
+        """``default_port``: of what names no other. Raises ``ServerProblem``."""
         self.by_port: dict[int, PortStation] = {}
         self._drivers = drivers
         self.left_out: list[str] = []
@@ -114,7 +115,7 @@ class Stations:
                 if robot not in self._loop.drives:
                     break
                 return kind(self._fitting(driver, address, robot), model)
-        raise BadConfiguration("player-no-model", f"{interface}:{address.index}")
+        raise ServerProblem("player-no-model", what=f"{interface}:{address.index}")
 
     def _fitting(self, driver: Driver, address: Address, robot: str) -> Fitting:
         interface = Interface[address.interface.upper()]
@@ -162,15 +163,20 @@ class PlayerServer:
         self.clients: set[ClientProtocol] = set()
 
     async def run(self, speed: Callable[[], float | None], on_start: Callable[[], object]) -> None:
-        """``speed``: how often faster than real time; None as fast as possible. Raises ``PortRefused``."""
+        """``speed``: how often faster than real time; None as fast as possible. Raises ``ServerProblem``."""
         loop = asyncio.get_running_loop()
         servers: list[asyncio.Server] = []
         try:
             for station in self._stations.by_port.values():
                 try:
-                    servers.append(await loop.create_server(self._maker(station), self._host, station.port))
+                    servers.append(
+                        await loop.create_server(
+                            partial(ClientProtocol, self, station), self._host, station.port
+                        )
+                    )
                 except OSError as problem:
-                    raise PortRefused(station.port, problem.strerror or str(problem)) from None
+                    reason = problem.strerror or str(problem)
+                    raise ServerProblem("player-failed", port=station.port, reason=reason) from None
             on_start()
             await self._tick(speed)
         finally:
@@ -183,9 +189,6 @@ class PlayerServer:
         if code not in self._complaints:
             self._complaints.add(code)
             self._complain(code)
-
-    def _maker(self, station: PortStation) -> Callable[[], ClientProtocol]:
-        return lambda: ClientProtocol(self, station)
 
     async def _tick(self, speed: Callable[[], float | None]) -> None:
         loop = asyncio.get_running_loop()
@@ -200,21 +203,13 @@ class PlayerServer:
             await asyncio.sleep(max(0.0, due - loop.time()))
 
 
-class PortRefused(Exception):
-    """A port that can't be listened on, and why."""
-
-    def __init__(self, port: int, reason: str) -> None:
-        super().__init__(reason)
-        self.port, self.reason = port, reason
-
-
 class ClientProtocol(asyncio.Protocol):
     """One client's socket."""
 
     def __init__(self, server: PlayerServer, station: PortStation) -> None:
         self._server, self._station = server, station
         self._connection = ClientConnection(station, server.version)
-        self._transport: asyncio.Transport | None = None
+        self._transport: asyncio.Transport
         self._may_write = True
         self._since = 0.0
         """When it connected, or stopped reading."""
@@ -241,7 +236,7 @@ class ClientProtocol(asyncio.Protocol):
             self.end()
             return
         self.pass_on()
-        if self._connection.is_behind and self._transport is not None:
+        if self._connection.is_behind:
             self._transport.pause_reading()
 
     def pause_writing(self) -> None:
@@ -253,11 +248,13 @@ class ClientProtocol(asyncio.Protocol):
         self.pass_on()
 
     def connection_lost(self, exc: Exception | None) -> None:  # noqa: ARG002 -- any end is the same
-        self._leave()
+        self._server.clients.discard(self)
+        self._station.clients.discard(self._connection)
+        self._connection.close()
 
     def pass_on(self) -> None:
         """Write what may go out now."""
-        if self._may_write and self._transport is not None and not self._transport.is_closing():
+        if self._may_write and not self._transport.is_closing():
             data = self._connection.take()
             if data:
                 self._transport.write(data)
@@ -270,11 +267,5 @@ class ClientProtocol(asyncio.Protocol):
             self.end()
 
     def end(self) -> None:
-        self._leave()
-        if self._transport is not None:
-            self._transport.abort()
-
-    def _leave(self) -> None:
-        self._server.clients.discard(self)
-        self._station.clients.discard(self._connection)
-        self._connection.close()
+        self.connection_lost(None)
+        self._transport.abort()

@@ -25,7 +25,7 @@ from donnie_tui.core.hub import Hub
 from donnie_tui.core.session import Busy, RunOptions, Session
 from donnie_tui.core.team import Team
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.player.server import BadConfiguration, PlayerServer, PortRefused, Stations
+from donnie_tui.player.server import PlayerServer, ServerProblem, Stations
 from donnie_tui.settings.parsing import is_loopback
 from donnie_tui.settings.settings import ServedFile
 from language.control import FOREVER, ControlState, ExecutionControl
@@ -58,13 +58,9 @@ class _Driving:
         self.is_left = False
 
     def run(
-        self,
-        actions: Actions,  # noqa: ARG002 -- as of any program
-        control: ExecutionControl,
-        memory: Memory,  # noqa: ARG002
-        *,
-        trace: Trace | None = None,  # noqa: ARG002
+        self, _actions: Actions, control: ExecutionControl, _memory: Memory, *, trace: Trace | None = None
     ) -> None:
+        del trace  # it has no statements
         while control.sleep(FOREVER):
             pass
         if not self.is_left:
@@ -107,8 +103,8 @@ class ClientService:
         self._loop = VelocityLoop(shared)
         try:
             self.stations = Stations(world.drivers, self._loop, served.port, self)
-        except BadConfiguration as bad:
-            raise Unusable(words(bad.code, what=bad.what)) from None
+        except ServerProblem as problem:
+            raise Unusable(words(problem.code, **problem.values)) from None
         if not self.stations.by_port:
             raise Unusable(words("player-nothing", path=served.file))
         self._robots: dict[str, _Robot] = {}
@@ -116,7 +112,7 @@ class ClientService:
         """Levels that were not published yet."""
         self._shown_levels: dict[str, tuple[int, ...]] = {}
         self._started = threading.Event()
-        self._problem: PortRefused | None = None
+        self._problem: ServerProblem | None = None
         self._thread = threading.Thread(target=self._serve, name="clients", daemon=True)
         self._cancel: Callable[[], object] = lambda: None
 
@@ -125,8 +121,7 @@ class ClientService:
         self._thread.start()
         self._started.wait(STARTING)
         if self._problem is not None:
-            port, reason = self._problem.port, self._problem.reason
-            raise Unusable(self._words("player-failed", port=port, reason=reason))
+            raise Unusable(self._words(self._problem.code, **self._problem.values))
 
     def close(self) -> None:
         """Robots stop, and connections end."""
@@ -155,7 +150,7 @@ class ClientService:
         try:
             with suppress(asyncio.CancelledError):
                 asyncio.run(serve())
-        except PortRefused as problem:
+        except ServerProblem as problem:
             self._problem = problem
         finally:
             self._cancel = lambda: None

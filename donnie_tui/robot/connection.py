@@ -26,7 +26,7 @@ from donnie_tui.outlets.belt import ChosenBelt, refuse_shared_port
 from donnie_tui.process.confinement import check_name, open_bytes
 from donnie_tui.process.signals import timeout_factor
 from donnie_tui.robot.search import Search
-from donnie_tui.settings.parsing import DOUBLE, PLAYER, SERIAL, SIMULATED, address_of
+from donnie_tui.settings.parsing import DOUBLE, PLAYER, SERIAL, SIMULATED, socket_of
 from donnie_tui.settings.settings import Settings
 from donnie_tui.world.loading import ChosenWorld
 
@@ -244,7 +244,7 @@ class Connection:
         if robot.startswith(PLAYER):
             from devices.serial_ports import PortFault, is_named
 
-            if not is_named(robot.replace(PLAYER, "socket", 1)):
+            if not is_named(socket_of(robot)):
                 raise RobotProblem(PortFault.NOT_NAMED.value, port=robot)
             return lambda pace, watcher: self._make_player(robot, pace, watcher), robot
         from devices.serial_ports import list_ports, stable_name
@@ -274,8 +274,8 @@ class Connection:
         from donnie_tui.robot.player_robot import PlayerRobot
         from donnie_tui.robot.server_link import ServerLink
 
-        link = ServerLink(*address_of(robot), self._report)
-        made = PlayerRobot(link, pace=pace, watcher=watcher, start=self._world.start())
+        made = PlayerRobot(ServerLink(robot, self._report), pace=pace, watcher=watcher)
+        made.start, made.chosen_view = self._world.start(), self._settings.camera_view
 
         def say(stamped: Stamped) -> None:
             if isinstance(stamped.event, Spoke):

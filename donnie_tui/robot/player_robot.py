@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from math import cos, degrees, inf, radians, sin
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from math import ceil, cos, degrees, inf, radians, sin
 from time import monotonic
 from typing import TypeAlias
 
 from devices.belt import LETTERS, MOTOR_PLACES
 from devices.camera import Blob, things_in
-from devices.ports.robot import STEP, Bearing, Pace, Pose, RobotProblem, Sighting, StoppedBy, Watcher
+from devices.player.codec import Values
+from devices.ports.robot import STEP, Bearing, Grip, GripResult, Pose, RobotProblem, Sighting, StoppedBy
 from devices.serial_robot.movement import Ending, LinkedRobot, Progress, met_something
 from devices.serial_robot.senses import coloured_sightings, scan_angles, sightings, to_steps
 from donnie_tui.robot.server_link import POLL, RobotPart, ServerLink, WheelState
@@ -36,6 +37,12 @@ GAP = 1.0
 """Seconds between two data from which on the program was held meanwhile, and the robot stood."""
 VIEW, REACH = 60.0, 5.0
 """Degrees and metres: no request asks for a blobfinder's view; this is that of the original's."""
+NARROWEST, WIDEST = 20.0, 150.0
+"""Degrees of a camera's view."""
+CLOSED, BEAMS = 2, 0b1100
+"""The state of a gripper, and the beams between its paddles."""
+LONGEST_GRIP = 5.0
+"""Seconds of the robot's that the paddles may move."""
 
 
 class PlayerRobot(LinkedRobot[ServerLink]):
@@ -45,19 +52,23 @@ class PlayerRobot(LinkedRobot[ServerLink]):
     may_drive_on = has_run_away = False
     """The server stops a robot when its last client leaves."""
 
-    def __init__(
-        self, link: ServerLink, *, pace: Pace, watcher: Watcher | None = None, start: Pose | None = None
-    ) -> None:
-        """``start``: where a robot is that counts from 0 0 0."""
-        super().__init__(link, pace, watcher)
-        self._start = start or Pose(0.0, 0.0, 0.0)
-        self._origin = Spot(0.0, 0.0, 0.0)
-        """Where the world has the 0 0 0 of the robot's own counting."""
-        self._began = 0.0
-        self._owed_way = self._owed_turn = 0.0
-        """Metres ahead and degrees to the right by which the last movement was too short."""
-        self.leave: tuple[Callable[[], object], ...] = ()
-        """Called when the robot is closed."""
+    start = Pose(0.0, 0.0, 0.0)
+    """Where a robot is that counts from 0 0 0; set after construction, as the next two."""
+    chosen_view: float | None = None
+    """Degrees that its camera's picture covers; None: what the server says."""
+    leave: tuple[Callable[[], object], ...] = ()
+    """Called when the robot is closed."""
+    _origin = Spot(0.0, 0.0, 0.0)
+    """Where the world has the 0 0 0 of the robot's own counting."""
+    _began = _owed_way = _owed_turn = 0.0
+    """Its server's time at 0; metres ahead and degrees to the right by which the last movement was too
+    short."""
+
+    @property
+    def view(self) -> float:
+        """Degrees of its camera's picture. Only a finder of marks can be asked for them: with a camera."""
+        given = degrees((self._link.shape(RobotPart.MARKS, 2) or (0.0,))[-1])
+        return self.chosen_view or (given if NARROWEST <= given <= WIDEST else VIEW)
 
     @property
     def colours(self) -> frozenset[str]:
@@ -68,7 +79,7 @@ class PlayerRobot(LinkedRobot[ServerLink]):
         self._link.connect()
         first = self._link.wheels()
         if first.x == first.y == first.yaw == 0.0:
-            self._origin = Spot(self._start.x * STEP, self._start.y * STEP, 90.0 - self._start.heading)
+            self._origin = Spot(self.start.x * STEP, self.start.y * STEP, 90.0 - self.start.heading)
         self.reset()
 
     def close(self) -> None:
@@ -88,14 +99,12 @@ class PlayerRobot(LinkedRobot[ServerLink]):
         found = []
         for part in (RobotPart.SONARS, RobotPart.HEAD_SONAR):
             first, last, _, _, reach = (self._link.shape(part, 5) or (0.0,) * 5)[:5]
-            for each in (self._link.shape(part) or ((), ()))[-2]:
-                yaw = 0.0 - normal(degrees(each[5]))
-                found.append(Mounted(Device.RANGER, yaw, degrees(last - first), reach))
+            width = degrees(last - first)
+            found += [Mounted(Device.RANGER, 0.0 - normal(each), width, reach) for each in self._yaws(part)]
         if RobotPart.CAMERA in self._link.shapes:
-            found.append(Mounted(Device.EYES, 0.0, VIEW, REACH))
-        for each in next(iter(self._link.shape(RobotPart.BUMPERS)), ()):
-            found.append(Mounted(Device.BUMPER, 0.0 - normal(degrees(each[5]))))
-        return tuple(found)
+            found.append(Mounted(Device.EYES, 0.0, self.view, REACH))
+        bars = (degrees(each[5]) for each in self._bars())
+        return (*found, *(Mounted(Device.BUMPER, 0.0 - normal(each)) for each in bars))
 
     # --- moving
 
@@ -113,8 +122,7 @@ class PlayerRobot(LinkedRobot[ServerLink]):
             report.reached(gone / STEP, self.pose())
             if self._touches(in_front=sense > 0) or (now.is_stalled and now.time > first.time):
                 return StoppedBy.COLLISION
-            known = self._nearest(side)
-            free = inf if known is None else known
+            free = min(self._near(side), default=inf)
             if begun < steps and reason is None and gone >= begun * STEP - FASTEST * POLL:
                 if free + gone - begun * STEP < NEXT_STEP * STEP:
                     length, reason = begun * STEP + extra, StoppedBy.OBSTACLE
@@ -225,23 +233,18 @@ class PlayerRobot(LinkedRobot[ServerLink]):
         return known[bearing]
 
     def known_distances(self) -> Mapping[Bearing, int]:
-        known = {bearing: self._nearest(bearing) for bearing in Bearing}
-        return {
-            bearing: to_steps(metres if metres == inf else round(metres * 100))
-            for bearing, metres in known.items()
-            if metres is not None
-        }
+        near = {bearing: self._near(bearing) for bearing in Bearing}
+        return {bearing: to_steps(min(metres) * 100) for bearing, metres in near.items() if metres}
 
-    def _nearest(self, side: Bearing) -> float | None:
-        """Metres; None where no sensor looks."""
+    def _near(self, side: Bearing) -> list[float]:
+        """Metres, of each sensor or sample that looks there."""
         readings = self._readings(RobotPart.SONARS)
-        return min((m for yaw, m, width in readings if abs(normal(-yaw - side.value)) <= width), default=None)
+        return [metres for yaw, metres, width in readings if abs(normal(-yaw - side.value)) <= width]
 
     def _readings(self, part: RobotPart) -> Iterator[tuple[float, float, float]]:
         """Of each sample of a ranger: its direction, its metres, and how far from a bearing it may be."""
-        newest, config = self._link.values(part), self._link.shape(part, 5)
-        ranges = newest[1][0] if newest else ()
-        yaws = [degrees(each[5]) for each in (self._link.shape(part) or ((), ()))[-2]] or ORIGINAL_SONARS
+        ranges, config = next(iter(self._link.values(part)), ()), self._link.shape(part, 5)
+        yaws = self._yaws(part) or ORIGINAL_SONARS
         farthest, width = config[4] - 0.005 if config else inf, WIDE
         if len(yaws) == 1 < len(ranges) and config:
             width, first = NARROW, yaws[0] + degrees(config[0] + config[2] / 2)
@@ -249,15 +252,19 @@ class PlayerRobot(LinkedRobot[ServerLink]):
         for yaw, metres in zip(yaws, ranges, strict=False):
             yield yaw, (metres if metres < farthest else inf), width
 
+    def _yaws(self, part: RobotPart) -> list[float]:
+        return [degrees(each[5]) for each in (self._link.shape(part) or ((), ()))[-2]]
+
+    def _bars(self) -> Sequence[Values]:
+        return next(iter(self._link.shape(RobotPart.BUMPERS)), ())
+
     def _pressed(self) -> frozenset[int]:
-        newest = self._link.values(RobotPart.BUMPERS)
-        bars = newest[1][0] if newest else b""
+        bars = next(iter(self._link.values(RobotPart.BUMPERS)), b"")
         return frozenset(i for i, each in enumerate(bars) if each)
 
     def _touches(self, *, in_front: bool) -> bool:
         """Whether a bar on that side is pressed; where bars are unknown, the first two are in front."""
-        geometry = self._link.shape(RobotPart.BUMPERS)
-        places = [each[0] for each in geometry[0]] if geometry else [1.0, 1.0, -1.0, -1.0]
+        places = [each[0] for each in self._bars()] or [1.0, 1.0, -1.0, -1.0]
         return any((places[each] >= 0.0) is in_front for each in self._pressed() if each < len(places))
 
     # --- looking round
@@ -268,10 +275,12 @@ class PlayerRobot(LinkedRobot[ServerLink]):
         has_head, has_camera = RobotPart.HEAD in self._link.shapes, RobotPart.CAMERA in self._link.shapes
         if not has_camera and not (has_head and RobotPart.HEAD_SONAR in self._link.shapes):
             raise RobotProblem("no-eyes")
-        directions = (-VIEW, 0.0, VIEW) if has_camera else tuple(map(float, scan_angles(15)))
+        pictures = ceil(180.0 / self.view)
+        turns = [(each - (pictures - 1) / 2) * self.view for each in range(pictures)]
+        directions = turns if has_camera else [float(each) for each in scan_angles(15)]
         looks: list[tuple[float, tuple[Blob, ...]]] = []
         measured: list[tuple[int, float | None]] = []
-        for direction in directions if has_head else (0.0,):
+        for direction in directions if has_head else [0.0]:
             if has_head and not self._look(direction):
                 break
             if has_camera:
@@ -281,35 +290,66 @@ class PlayerRobot(LinkedRobot[ServerLink]):
                 measured.append((int(direction), echo * 100))
         if has_head:
             self._look(0.0)
-        things = things_in(looks, VIEW, is_even=True)
+        things = things_in(looks, self.view, is_even=True)
         return coloured_sightings(things, measured) if has_camera else sightings(measured)
 
     def _look(self, direction: float) -> bool:
         """Turn the head ``direction`` degrees to the right, and wait for what its devices find there."""
         base = self._link.wheels()
-        goal, there = radians(normal(base.yaw - direction)), inf
+        goal, there = normal(base.yaw - direction), inf
 
         def is_over(now: WheelState) -> bool:
             nonlocal there
             head = self._link.values(RobotPart.HEAD)
-            yaw = degrees(head[1][2]) if head else degrees(goal)
-            if there == inf and abs(normal(yaw - degrees(goal))) < NEAR_HEAD:
+            if there == inf and (not head or abs(normal(degrees(head[2]) - goal)) < NEAR_HEAD):
                 there = now.time
-            self._link.command(RobotPart.HEAD, 2, base.x, base.y, goal, 0.0, 0.0, 0.0, 1)
-            eye = self._link.values(RobotPart.CAMERA) or self._link.values(RobotPart.HEAD_SONAR)
-            return (eye is not None and eye[0] > there) or now.time > base.time + LONGEST_LOOK
+            self._link.command(RobotPart.HEAD, 2, base.x, base.y, radians(goal), 0.0, 0.0, 0.0, 1)
+            eye = RobotPart.CAMERA if self._link.values(RobotPart.CAMERA) else RobotPart.HEAD_SONAR
+            return self._link.time_of(eye) > there or now.time > base.time + LONGEST_LOOK
 
         return self._wait(is_over)
 
     def _blobs(self) -> Iterator[Blob]:
         """As far as the head's sonar would measure it, which is not in the middle."""
-        _, (width, _, blobs) = self._link.values(RobotPart.CAMERA) or (0.0, (1, 1, ()))
+        width, _, blobs = self._link.values(RobotPart.CAMERA) or (1, 1, ())
         sonar = self._link.shape(RobotPart.HEAD_SONAR)
         ahead = sonar[-2][0][0] if sonar and sonar[-2] else 0.0
         for _, rgb, _, _, _, left, right, _, _, metres in blobs:
             parts = ((rgb >> shift & 255) / 255 for shift in (16, 8, 0))
             family = colour_of("", *parts).family
             yield Blob(family, left / width, (right + 1) / width, metres=max(0.0, metres - ahead))
+
+    # --- the gripper
+
+    def grip(self) -> GripResult:
+        """RobotProblem ``no-gripper`` without one, ``link-lost`` without a server."""
+        if self._holds():
+            return GripResult(Grip.HOLDS_ALREADY)
+        self._move_paddles(1)  # if they have closed on nothing
+        self._move_paddles(2)
+        if self._holds():
+            return GripResult(Grip.GRIPPED)
+        self._move_paddles(1)
+        return GripResult(Grip.NOTHING_THERE)
+
+    def release(self) -> GripResult:
+        """RobotProblem ``no-gripper`` without one, ``link-lost`` without a server."""
+        held = self._holds()
+        self._move_paddles(1)
+        return GripResult(Grip.RELEASED if held else Grip.HOLDS_NOTHING)
+
+    def _holds(self) -> bool:
+        self._require_link()
+        if RobotPart.GRIPPER not in self._link.shapes:
+            raise RobotProblem("no-gripper")
+        state, beams, _ = self._link.values(RobotPart.GRIPPER) or (0, 0, 0)
+        return state == CLOSED and bool(beams & BEAMS)
+
+    def _move_paddles(self, wanted: int) -> None:
+        """Opens (1) or closes (2) the gripper, and waits until it has done so."""
+        self._link.command(RobotPart.GRIPPER, wanted)
+        ends = self._link.wheels().time + LONGEST_GRIP
+        self._wait(lambda now: self._link.values(RobotPart.GRIPPER)[:1] == (wanted,) or now.time > ends)
 
     # --- what is shown and said there
 

@@ -31,6 +31,7 @@ from donnie_tui.settings.parsing import (
     SIMULATED,
     address_of,
     read_server,
+    socket_of,
 )
 from donnie_tui.settings.settings import Settings
 
@@ -98,12 +99,11 @@ def running_server(environment: Mapping[str, str]) -> str | None:
         return None
     if host:
         return server
-    place = server.partition("://")[2]
     with suppress(OSError):
-        if is_named(f"socket://{place}"):
+        if is_named(socket_of(server)):
             import socket
 
-            with socket.create_connection(address_of(server), HERE) as connected:
+            with socket.create_connection(address_of(server)[:2], HERE) as connected:
                 return server if connected.recv(len(_BANNER)) == _BANNER else None
     return None
 

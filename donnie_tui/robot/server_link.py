@@ -37,13 +37,15 @@ from devices.player.codec import (
 )
 from devices.ports.robot import LinkNotice, RobotProblem
 from donnie_tui.process.signals import timeout_factor
+from donnie_tui.settings.parsing import address_of
 from sim.geometry import normal
 
 
 class RobotPart(Enum):
     """A device of the robot: its interface, its index, and the requests that ask for its shape.
 
-    It is opened if the server has it.
+    It is opened if the server has it. The index counts from that of the robot, and only the first robot of a
+    port has parts with another one.
     """
 
     WHEELS = (Interface.POSITION2D, 0)
@@ -52,6 +54,8 @@ class RobotPart(Enum):
     HEAD_SONAR = (Interface.RANGER, 1, 1, 5)
     BUMPERS = (Interface.BUMPER, 0, 1)
     CAMERA = (Interface.BLOBFINDER, 0)
+    MARKS = (Interface.FIDUCIAL, 0, 2)
+    GRIPPER = (Interface.GRIPPER, 0)
     SPEECH = (Interface.SPEECH, 0)
     BELT = (Interface.DIO, 0)
     SECOND_BELT = (Interface.DIO, 1)
@@ -74,10 +78,6 @@ STANDING = 0.005
 """Metres or radians a second: a slower robot counts as standing."""
 
 
-def _key(part: RobotPart) -> Key:
-    return part.value[0], part.value[1]
-
-
 class WheelState(Struct, frozen=True):
     """One datum of the wheels: simulated seconds, metres and degrees counter-clockwise."""
 
@@ -92,18 +92,16 @@ class WheelState(Struct, frozen=True):
 class ServerLink:
     """The connection to a server and its newest data. A thread reads, any thread may write."""
 
-    def __init__(
-        self, host: str, port: int, on_notice: Callable[[LinkNotice, str], None] | None = None
-    ) -> None:
-        """``on_notice`` is called in the thread that reads."""
-        self.name = f"player://{host}:{port}"
-        self._address = (host, port)
+    def __init__(self, robot: str, on_notice: Callable[[LinkNotice, str], None] | None = None) -> None:
+        """``robot``: ``player://HOST:PORT/INDEX``. ``on_notice`` is called in the thread that reads."""
+        self.name = robot
+        self._host, self._port, self._index = address_of(robot)
         self._report = on_notice or (lambda *_: None)
         self._changed = threading.Condition(threading.RLock())
         self._socket: socket.socket | None = None
         self._reader = MessageReader(LONGEST_REPLY)
-        self._data: dict[tuple[int, int, int], PlayerMessage] = {}
-        self._replies: dict[tuple[int, int, int], PlayerMessage] = {}
+        self._data: dict[tuple[int, int, int], tuple[float, Values]] = {}
+        self._replies: dict[tuple[int, int, int], Values | None] = {}
         self._closed = threading.Event()
         self._factor = timeout_factor()
         self._driven_until = inf
@@ -137,18 +135,20 @@ class ServerLink:
 
     # --- data
 
-    def values(self, part: RobotPart, subtype: int = 1) -> tuple[float, Values] | None:
-        """The time and the content of its newest datum."""
-        message = self._data.get((*_key(part), subtype))
-        found = values_of(message) if message is not None else None
-        return None if message is None or found is None else (message.time, found)
+    def values(self, part: RobotPart) -> Values:
+        """Of its newest datum; empty if there is none."""
+        return self._data.get((*self._key(part), 1), (-inf, ()))[1]
+
+    def time_of(self, part: RobotPart) -> float:
+        """Of its newest datum; before all time if there is none."""
+        return self._data.get((*self._key(part), 1), (-inf, ()))[0]
 
     def shape(self, part: RobotPart, subtype: int = 1) -> Values:
         """Empty if nothing is known."""
         return self.shapes.get(part, {}).get(subtype, ())
 
     def wheels(self) -> WheelState:
-        at, numbers = self.values(RobotPart.WHEELS) or (0.0, (0.0,) * 7)
+        at, numbers = max(0.0, self.time_of(RobotPart.WHEELS)), self.values(RobotPart.WHEELS) or (inf,)
         x, y, yaw, ahead, left, turn, stall = numbers if all(map(isfinite, numbers)) else (0.0,) * 7
         is_moving = hypot(ahead, left) > STANDING or abs(turn) > STANDING
         return WheelState(at, x, y, degrees(yaw), bool(stall), is_moving)
@@ -185,7 +185,7 @@ class ServerLink:
         """Has no effect without a connection, or for a device that isn't open."""
         if part in self.shapes:
             with suppress(OSError):
-                self._send(_key(part), COMMAND, subtype, *values)
+                self._send(self._key(part), COMMAND, subtype, *values)
 
     def _steer(self, permit: int, subtype: int, *values: object) -> None:
         with self._changed:
@@ -197,7 +197,7 @@ class ServerLink:
 
     def _open(self) -> None:
         """Connects, and opens the devices that the server has."""
-        self._socket = socket.create_connection(self._address, CONNECTING)
+        self._socket = socket.create_connection((self._host, self._port), CONNECTING)
         self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         banner = b""
         while len(banner) < BANNER_SIZE and (received := self._socket.recv(BANNER_SIZE - len(banner))):
@@ -211,25 +211,28 @@ class ServerLink:
         offered = self._ask(SERVER, 1)
         there = {tuple(each[2:]) for each in offered[0]} if offered else set()
         for part in RobotPart:
-            key = _key(part)
-            if key in there and self._ask(SERVER, 3, 0, 0, *key, Access.OPEN, "") is not None:
+            key, is_foreign = self._key(part), bool(self._index and part.value[1])
+            if key in there and not is_foreign and self._ask(SERVER, 3, 0, 0, *key, Access.OPEN, ""):
                 self.shapes[part] = {each: self._ask(key, each) or () for each in part.value[2:]}
         if RobotPart.WHEELS not in self.shapes:
             self._shut()
             raise RobotProblem("no-wheels", port=self.name)
         limit = monotonic() + ANSWERING * self._factor
-        while self.values(RobotPart.WHEELS) is None:
+        while not self.values(RobotPart.WHEELS):
             self._pump(limit)
         self.is_there = True
+
+    def _key(self, part: RobotPart) -> Key:
+        return part.value[0], self._index + part.value[1]
 
     def _ask(self, key: Key, subtype: int, *values: object) -> Values | None:
         """What is in the reply; None for a refusal."""
         self._replies.pop((*key, subtype), None)
         self._send(key, REQUEST, subtype, *values)
         limit = monotonic() + ANSWERING * self._factor
-        while (reply := self._replies.get((*key, subtype))) is None:
+        while (*key, subtype) not in self._replies:
             self._pump(limit)
-        return None if reply.type == NACK else values_of(reply)
+        return self._replies[*key, subtype]
 
     def _send(self, key: Key, type_: int, subtype: int, *values: object) -> None:
         message = PlayerMessage(*key, type_, subtype, body_of(key[0], type_, subtype, *values))
@@ -250,8 +253,11 @@ class ServerLink:
             self._read_at = monotonic()
             with self._changed:
                 for message in self._reader.feed(data):
-                    kind = (message.interface, message.index, message.subtype)
-                    (self._data if message.type == DATA else self._replies)[kind] = message
+                    kind, values = (message.interface, message.index, message.subtype), values_of(message)
+                    if message.type != DATA:
+                        self._replies[kind] = None if message.type == NACK else values
+                    elif values is not None:
+                        self._data[kind] = (message.time, values)
                 self._changed.notify_all()
         elif monotonic() > limit:
             raise TimeoutError

@@ -183,10 +183,10 @@ _PINS = range(2, 28)
 
 SIMULATED, DOUBLE, SERIAL, PLAYER = "sim", "double", "serial", "player"
 """What ``--robot`` takes; ``serial`` alone finds the port by itself, ``serial:PORT`` names it, and
-``player://HOST:PORT`` is a server of robots."""
+``player://HOST:PORT/INDEX`` is one of the robots of a server, the first one without ``/INDEX``."""
 PLAYER_PORT = 6665
 
-ROBOT_WANTED = "sim, serial, serial:PORT, double, player://HOST:PORT"
+ROBOT_WANTED = "sim, serial, serial:PORT, double, player://HOST:PORT/INDEX"
 PORT_WANTED = "DEVICE, socket://HOST:PORT, rfc2217://HOST:PORT"
 STEPS_WANTED = "5 10 20"
 COLUMNS_WANTED = "front 3, front-right 4, back 0 6"
@@ -232,22 +232,31 @@ def is_loopback(host: str) -> bool:
         return host == "localhost"
 
 
-def address_of(server: str) -> tuple[str, int]:
-    """Host and port of a robot ``player://HOST:PORT``."""
-    host, _, port = server.partition("://")[2].rpartition(":")
-    return host.strip("[]"), int(port)
+def address_of(server: str) -> tuple[str, int, int]:
+    """Host, port and index of a robot ``player://HOST:PORT/INDEX``."""
+    place, _, index = server.partition("://")[2].partition("/")
+    host, _, port = place.rpartition(":")
+    return host.strip("[]"), int(port), int(index or 0)
+
+
+def socket_of(server: str) -> str:
+    """The address of its port, as the devices of a session are named."""
+    return "socket://" + server.partition("://")[2].partition("/")[0]
 
 
 def read_server(text: str) -> str:
-    """``HOST:PORT`` or ``HOST``, as the address of a robot."""
-    host, colon, number = text.rstrip("/").rpartition(":")
+    """``HOST:PORT`` or ``HOST``, with or without ``/INDEX``, as the address of a robot."""
+    place, _, index = text.rstrip("/").partition("/")
+    host, colon, number = place.rpartition(":")
     if not colon or number.endswith("]"):  # of an address that has colons itself
-        host, number = text.rstrip("/"), str(PLAYER_PORT)
+        host, number = place, str(PLAYER_PORT)
     is_address = host.startswith("[") and host.endswith("]")
     is_plain = all(each.isalnum() or each in "-._" for each in host) and host.isascii()
     if not host or not (is_address or is_plain) or not 1 <= int(number) <= 65535:
         raise ValueError(text)
-    return f"{PLAYER}://{host}:{int(number)}"
+    if not 0 <= int(index or 0) <= 65535:
+        raise ValueError(text)
+    return f"{PLAYER}://{host}:{int(number)}" + (f"/{int(index)}" if int(index or 0) else "")
 
 
 def read_port(text: str) -> str:

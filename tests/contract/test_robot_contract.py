@@ -112,7 +112,7 @@ def on_a_player_server(closing: ExitStack, pace: Pace, progress: Progress) -> Ro
     """In the same world as the simulator, four times as fast as a real server."""
     folder = closing.enter_context(TemporaryDirectory())
     room = closing.enter_context(contextlib.closing(ServedRoom(Path(folder), PLAYER, IDEAL_WORLD, 4.0)))
-    robot = PlayerRobot(ServerLink(HOST, room.port), pace=pace, watcher=progress)
+    robot = PlayerRobot(ServerLink(f"player://{HOST}:{room.port}"), pace=pace, watcher=progress)
     robot.connect()
     closing.callback(robot.close)
     return robot

@@ -20,7 +20,7 @@ from devices.player.codec import (
 from devices.player.connection import MOST_REPLIES, MOST_WAITING, ClientConnection
 from devices.ports.drive import MetricPose
 from donnie_tui.player.equipment import angle, towards
-from donnie_tui.player.server import BadConfiguration, Stations
+from donnie_tui.player.server import ServerProblem, Stations
 from tests.player.room import CONFIGURATION, Notes, stations_of, write_room
 
 DATA, COMMAND, REQUEST, ACK, NACK = (
@@ -305,9 +305,9 @@ def test_a_client_that_only_asks_is_read_no_further(stations: Stations) -> None:
 def test_a_configuration_that_does_not_fit_its_world_is_refused(
     tmp_path: Path, change: Callable[[str], str], code: str, what: str
 ) -> None:
-    with pytest.raises(BadConfiguration) as refused:
+    with pytest.raises(ServerProblem) as refused:
         stations_of(write_room(tmp_path, change(CONFIGURATION)))
-    assert (refused.value.code, refused.value.what) == (code, what)
+    assert (refused.value.code, refused.value.values) == (code, {"what": what})
 
 
 def test_the_default_port_is_that_of_addresses_without_one(tmp_path: Path) -> None:

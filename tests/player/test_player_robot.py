@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 
 from devices.player.codec import BANNER_SIZE, MessageReader, MessageType, PlayerMessage, banner, body_of
-from devices.ports.robot import Bearing, LinkNotice, Motion, Pose, RobotProblem, StoppedBy
+from devices.ports.robot import Bearing, Grip, LinkNotice, Motion, Pose, RobotProblem, StoppedBy
 from donnie_tui.bootstrap import assemble
-from donnie_tui.core.events import BeltShown, Spoke
+from donnie_tui.core.events import BeltShown, GripperUsed, Spoke
 from donnie_tui.robot import server_link as module
 from donnie_tui.robot.player_robot import STUCK, PlayerRobot
 from donnie_tui.robot.server_link import RobotPart, ServerLink, WheelState
@@ -99,13 +99,18 @@ class SteppedLink(ServerLink):
 class Driven:
     """A robot at a server of a room."""
 
-    def __init__(self, folder: Path, scene: str = SCENE) -> None:
-        self.room = ServedRoom(folder, SERVED, scene)
+    def __init__(
+        self, folder: Path, scene: str = SCENE, configuration: str = SERVED, index: str = ""
+    ) -> None:
+        self.room = ServedRoom(folder, configuration, scene)
         self.pace, self.reports = Pace(), Reports()
         self.notices: list[LinkNotice] = []
-        self.link = SteppedLink(HOST, self.room.port, lambda notice, _: self.notices.append(notice))
+        self.link = SteppedLink(
+            f"player://{HOST}:{self.room.port}{index}", lambda notice, _: self.notices.append(notice)
+        )
         self.room.gate = lambda: self.link.hold(self.room.stations.by_port[self.room.port].time)
-        self.robot = PlayerRobot(self.link, pace=self.pace, watcher=self.reports, start=Pose(0, 0, 90))
+        self.robot = PlayerRobot(self.link, pace=self.pace, watcher=self.reports)
+        self.robot.start = Pose(0, 0, 90)
 
     def truth(self) -> tuple[float, float, float]:
         here = self.room.stations._loop.drives["alice"].state().truth
@@ -199,8 +204,7 @@ def test_a_scan_turns_the_head_and_sees_colours_with_their_directions(driven: Dr
     assert [each.degrees for each in seen] == pytest.approx([-90, 0, 90], abs=8)
     assert driven.robot.colours >= {"red", "green", "blue"}
     head = driven.link.values(RobotPart.HEAD)
-    assert head is not None
-    assert head[1][2] == pytest.approx(0.0, abs=0.02)
+    assert head[2] == pytest.approx(0.0, abs=0.02)
 
 
 def test_a_pause_stops_the_robot_and_a_continuation_lets_it_walk_on(driven: Driven) -> None:
@@ -290,6 +294,122 @@ def test_a_session_shows_its_belt_at_the_server_and_leaves_it_at_its_end(tmp_pat
         assert ("alice", "unheard") not in room.notes.taken
 
 
+GRIPPING = """
+model ( name "can" size [ 0.1 0.1 0.3 ] pose [ 0.3 0 0 0 ] color "gray"
+        gripper_return 1 obstacle_return 0 ranger_return -1 )
+position
+(
+  name "alice" size [ 0.3 0.3 0.3 ] pose [ 0 0 0 0 ]
+  gripper ( pose [ 0.3 0 0 0 ] size [ 0.2 0.2 0.2 ] )
+)
+"""
+GRIPPER = SERVED.partition('driver ( name "stage" model')[0] + (
+    'driver ( name "stage" model "alice" provides [ "7665:position2d:0" "7665:gripper:0" ] )'
+)
+
+
+@pytest.fixture
+def gripping(tmp_path: Path) -> Iterator[Driven]:
+    with closing(Driven(tmp_path, GRIPPING, GRIPPER)) as made:
+        made.robot.connect()
+        yield made
+
+
+def test_a_gripper_takes_a_thing_along_and_lets_it_go(gripping: Driven) -> None:
+    outcomes = [gripping.robot.grip().outcome, gripping.robot.grip().outcome]
+    gripping.robot.backward(4)
+    outcomes += [gripping.robot.release().outcome, gripping.robot.release().outcome]
+    can = gripping.room.stations._loop.pose("can")
+
+    assert outcomes == [Grip.GRIPPED, Grip.HOLDS_ALREADY, Grip.RELEASED, Grip.HOLDS_NOTHING]
+    assert (can.x, can.y) == pytest.approx((0.1, 0.0), abs=0.005)
+
+
+def test_a_gripper_that_closed_on_nothing_opens_for_the_next_time(gripping: Driven) -> None:
+    gripping.robot.backward(10)
+    nothing = gripping.robot.grip().outcome
+    state = gripping.link.values(RobotPart.GRIPPER)
+    gripping.robot.forward(10)
+
+    assert nothing is Grip.NOTHING_THERE
+    assert state == (1, 0, 0)
+    assert gripping.robot.grip().outcome is Grip.GRIPPED
+
+
+def test_a_robot_without_a_gripper_says_so_and_a_stop_ends_gripping(driven: Driven, gripping: Driven) -> None:
+    with pytest.raises(RobotProblem) as problem:
+        driven.robot.grip()
+    gripping.pace.on_sleep = lambda: False
+
+    assert problem.value.code == "no-gripper"
+    assert gripping.robot.grip().outcome is Grip.NOTHING_THERE
+
+
+def test_a_gripper_at_a_server_that_ends_is_a_lost_link(gripping: Driven) -> None:
+    gripping.pace.on_sleep = lambda: gripping.room.close() is None
+
+    with pytest.raises(RobotProblem) as problem:
+        gripping.robot.grip()
+    assert problem.value.code == "link-lost"
+
+
+def test_a_program_grips_at_a_server(tmp_path: Path) -> None:
+    room = ServedRoom(tmp_path, GRIPPER, GRIPPING)
+    settings = Settings(robot=f"player://{HOST}:{room.port}", world="open_floor", speech="off", sound=False)
+    used: list[Grip] = []
+    with closing(room), closing(assemble(settings, terminal=True)) as donnie:
+        donnie.session.hub.subscribe_to_own(
+            lambda it: used.append(it.event.outcome) if isinstance(it.event, GripperUsed) else None
+        )
+        donnie.session.start("GRIP RELEASE", "")
+        wait_until(lambda: len(used) == 2)
+
+    assert used == [Grip.GRIPPED, Grip.RELEASED]
+
+
+TWO = """
+define sonar sensor ( range [ 0.02 3 ] fov 15 )
+model ( name "wall" size [ 0.1 4 1 ] pose [ 1.05 0 0 0 ] color "red" )
+define robot position ( size [ 0.1 0.1 0.2 ] ranger ( sonar( pose [ 0 0 0 0 ] ) )
+  blobfinder ( range 5 fov 60 image [ 160 120 ] colors_count 1 colors [ "red" ] ) )
+robot ( name "alice" pose [ 0 1 0 0 ] )
+robot ( name "bob" pose [ 0.5 -1 0 0 ] )
+"""
+BOTH = """
+driver ( name "stage" plugin "stageplugin" provides [ "7665:simulation:0" ] worldfile "room.world" )
+driver ( name "stage" model "alice" provides [ "7665:position2d:0" "7665:ranger:0" "7665:blobfinder:0" ] )
+driver ( name "stage" model "bob" provides [ "7665:position2d:1" "7665:ranger:1" "7665:blobfinder:1"
+  "7665:speech:1" ] )
+"""
+
+
+def test_an_index_names_one_of_several_robots_on_a_port(tmp_path: Path) -> None:
+    """Bob is 10 steps from the wall, Alice 20; what belongs to Alice is left alone."""
+    with closing(Driven(tmp_path, TWO, BOTH, "/1")) as driven:
+        driven.robot.connect()
+        drives = driven.room.stations._loop.drives
+        far = driven.robot.distance(Bearing.FRONT)
+        [seen] = driven.robot.scan()
+        walked = driven.robot.forward(2)
+        driven.robot.say("bom dia")
+        wait_until(lambda: any(taken == "bom dia" for _, taken in driven.room.notes.taken))
+        alice, bob = (drives[name].state().truth for name in ("alice", "bob"))
+
+    assert driven.link.name.endswith("/1")
+    assert (far, seen.colour, round(seen.steps)) == (10, "red", 10)
+    assert (walked.walked, bob.x) == (2, pytest.approx(0.6, abs=0.0015))
+    assert (alice.x, alice.yaw) == (0.0, 0.0)
+    assert ("alice", "opened") not in driven.room.notes.taken
+
+
+def test_a_robot_of_an_index_that_is_not_there_is_named(tmp_path: Path) -> None:
+    with closing(Driven(tmp_path, TWO, BOTH, "/7")) as driven, pytest.raises(RobotProblem) as problem:
+        driven.robot.connect()
+
+    assert problem.value.code == "no-wheels"
+    assert problem.value.values["port"] == f"player://{HOST}:{driven.room.port}/7"
+
+
 # --- other servers
 
 
@@ -359,10 +479,10 @@ def test_the_bytes_of_the_real_server_are_a_robot_with_its_devices(shared: Path)
     )
     messages.append(PlayerMessage(1, 0, MessageType.ACK, 1, listed))
     with closing(PlayedServer(messages)) as server:
-        robot = PlayerRobot(ServerLink(HOST, server.port), pace=Pace())
+        robot = PlayerRobot(ServerLink(f"player://{HOST}:{server.port}"), pace=Pace())
         robot.connect()
         link = robot._link
-        wait_until(lambda: link.values(RobotPart.SONARS) is not None)
+        wait_until(lambda: bool(link.values(RobotPart.SONARS)))
         with closing(robot):
             first = next(
                 e for e in reversed([m for m in messages if (m.interface, m.index, m.type) == (4, 0, 1)][:3])
@@ -372,9 +492,35 @@ def test_the_bytes_of_the_real_server_are_a_robot_with_its_devices(shared: Path)
             assert set(link.shapes) >= {RobotPart.WHEELS, RobotPart.SONARS, RobotPart.BUMPERS}
 
 
+OPENED = PlayerMessage(1, 0, MessageType.ACK, 3, body_of(1, MessageType.ACK, 3, 0, 6665, 4, 0, 1, "stage"))
+
+
+def test_a_view_is_the_one_that_is_set_or_that_of_the_marks_or_of_the_original() -> None:
+    """The original's is 60 degrees. A finder all round is no camera's."""
+    key = PlayerMessage(1, 0, MessageType.ACK, 3, body_of(1, MessageType.ACK, 3, 0, 6665, 10, 0, 1, "x"))
+    listed = body_of(1, MessageType.ACK, 1, [(0, 6665, 4, 0), (0, 6665, 10, 0)])
+    at_start = PlayerMessage(4, 0, MessageType.DATA, 1, body_of(4, 1, 1, *(0.0,) * 6, 0))
+    messages = [PlayerMessage(1, 0, MessageType.ACK, 1, listed), OPENED, key, at_start]
+
+    def view(angle: float | None, chosen: float | None) -> float:
+        body = struct.pack(">fff", 0.1, 4.0, angle or 0.0)
+        given = [] if angle is None else [PlayerMessage(10, 0, MessageType.ACK, 2, body)]
+        with closing(PlayedServer(messages + given)) as server:
+            link = ServerLink(f"player://{HOST}:{server.port}")
+            robot = PlayerRobot(link, pace=Pace())
+            robot.chosen_view = chosen
+            with closing(robot):
+                robot.connect()
+                return robot.view
+
+    assert view(None, None) == 60.0
+    assert view(1.5707963, None) == pytest.approx(90.0)
+    assert view(6.2831853, None) == 60.0
+    assert view(1.5707963, 45.0) == 45.0
+
+
 LYING = struct.pack(">IIIIIIdII", 0, 0, 1, 0, 4, 1, 0.0, 0, 2**31)
 LISTED = PlayerMessage(1, 0, MessageType.ACK, 1, body_of(1, MessageType.ACK, 1, [(0, 6665, 4, 0)]))
-OPENED = PlayerMessage(1, 0, MessageType.ACK, 3, body_of(1, MessageType.ACK, 3, 0, 6665, 4, 0, 1, "stage"))
 NOWHERE = PlayerMessage(4, 0, MessageType.DATA, 1, body_of(4, 1, 1, *(float("nan"),) * 6, 0))
 
 
@@ -396,7 +542,7 @@ def test_a_server_that_is_none_is_said_to_be(
     monkeypatch.setattr(module, "ANSWERING", 0.02)
     found = ""
     with closing(PlayedServer(messages, **options)) as server:  # type: ignore[arg-type]
-        robot = PlayerRobot(ServerLink(HOST, server.port), pace=Pace())
+        robot = PlayerRobot(ServerLink(f"player://{HOST}:{server.port}"), pace=Pace())
         try:
             robot.connect()
         except RobotProblem as problem:
@@ -412,7 +558,7 @@ def test_a_port_at_which_nothing_listens_is_named() -> None:
         unused.bind((HOST, 0))
         port = unused.getsockname()[1]
         with pytest.raises(RobotProblem) as problem:
-            PlayerRobot(ServerLink(HOST, port), pace=Pace()).connect()
+            PlayerRobot(ServerLink(f"player://{HOST}:{port}"), pace=Pace()).connect()
     assert problem.value.code == "no-server"
     assert problem.value.values["port"] == f"player://{HOST}:{port}"
 
@@ -422,7 +568,7 @@ def test_a_robot_that_counts_from_zero_is_at_the_start_of_its_world(tmp_path: Pa
     with closing(
         Driven(tmp_path, SCENE.replace("gps", "odom").replace("[ 0 0 0 0 ] loc", "[ 0.2 0.1 0 90 ] loc"))
     ) as driven:
-        driven.robot._start = Pose(3.0, 4.0, 270.0)
+        driven.robot.start = Pose(3.0, 4.0, 270.0)
         driven.robot.connect()
         walked = driven.robot.forward(1).pose
         turned = driven.robot.turn(90).pose

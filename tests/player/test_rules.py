@@ -12,7 +12,7 @@ import pytest
 from devices.player.codec import FORMS, LOCAL_HOST, MessageType, PlayerMessage, body_of, encode, values_of
 from devices.player.connection import ClientConnection
 from devices.ports.drive import RangerReading
-from donnie_tui.player.server import BadConfiguration, Stations
+from donnie_tui.player.server import ServerProblem, Stations
 from tests.player.room import CONFIGURATION, WORLD, Notes, stations_of, write_room
 from tests.player.test_devices import ACK, COMMAND, DATA, NACK, REQUEST, WHEELS, Client, rounds
 
@@ -252,9 +252,9 @@ def test_a_ranger_without_sensors_is_none(tmp_path: Path) -> None:
     world = WORLD.replace('name "bob" pose [ -2 -2 0 0 ]', 'name "bob" pose [ -2 -2 0 0 ] ranger ( )')
     text = CONFIGURATION.replace('"7666:ranger:0"', '"7666:ranger:0" "7666:ranger:1"')
 
-    with pytest.raises(BadConfiguration) as refused:
+    with pytest.raises(ServerProblem) as refused:
         stations_of(write_room(tmp_path, text, world))
-    assert refused.value.what == "ranger:1"
+    assert refused.value.values == {"what": "ranger:1"}
 
 
 def test_a_mark_beyond_where_it_can_be_read_is_0(tmp_path: Path) -> None:

@@ -15,7 +15,7 @@ import pytest
 
 from devices.player.codec import MessageReader, MessageType, PlayerMessage, body_of
 from donnie_tui.player import server as module
-from donnie_tui.player.server import PlayerServer, PortRefused, Stations
+from donnie_tui.player.server import PlayerServer, ServerProblem, Stations
 from tests.player.room import CONFIGURATION, HOST, Notes, free_port, stations_of, write_room
 
 
@@ -214,11 +214,11 @@ def test_a_port_that_is_taken_is_named(tmp_path: Path) -> None:
     with socket.socket() as taken:
         taken.bind((HOST, room.bobs))
         taken.listen()
-        with pytest.raises(PortRefused) as problem:
+        with pytest.raises(ServerProblem) as problem:
             asyncio.run(room.server.run(lambda: 1.0, lambda: None))
 
-    assert problem.value.port == room.bobs
-    assert problem.value.reason
+    assert problem.value.values["port"] == room.bobs
+    assert problem.value.values["reason"]
 
 
 def test_the_banner_comes_alone_and_small_messages_do_not_wait(tmp_path: Path) -> None:

@@ -263,7 +263,7 @@ def test_a_report_lists_ignored_properties(printed: Printed) -> None:
         (("run", "a.gd", "--robot", "serial:/dev/x"), "Nothing is plugged in at /dev/x."),
         (
             ("run", "a.gd", "--robot", "bogus"),
-            "The option --robot can't be bogus. It takes sim, serial, serial:PORT, double, player://HOST:PORT.",
+            "The option --robot can't be bogus. It takes sim, serial, serial:PORT, double, player://HOST:PORT/INDEX.",
         ),
         (("run", "a.gd", "--speed", "fast"), "The option --speed can't be fast. It takes 0.1-1000, max."),
         (("run", "a.gd", "--events", "no/such"), "I can't write no/such: there is no such folder."),

@@ -157,7 +157,7 @@ async def _serve_packets(data: bytes) -> None:
     while at < len(data):
         size = chance.choice((1, 40, 200, 5000))
         protocol.data_received(data[at : at + size])
-        assert protocol._connection._reader.held <= LONGEST_REQUEST + HEADER_SIZE
+        assert len(protocol._connection._reader.held) <= LONGEST_REQUEST + HEADER_SIZE
         at += size
         stations.step()
         protocol.pass_on()
@@ -183,7 +183,7 @@ def _hold_what_was_sent(sent: bytes, requests: int, *, is_cut: bool) -> None:
     assert sent.startswith(b"Player v.")
     reader = MessageReader(LONGEST_REPLY)
     messages = [*reader.feed(sent[BANNER_SIZE:])]
-    assert reader.held == 0, "half a message was sent"
+    assert len(reader.held) == 0, "half a message was sent"
     replies = 0
     for each in messages:
         is_bare_refusal = each.type == MessageType.NACK and not each.body

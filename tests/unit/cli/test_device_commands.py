@@ -347,6 +347,10 @@ def test_settings_describe_a_robot_and_a_belt() -> None:
         ("robot", "player:host"),
         ("robot", "player://"),
         ("robot", "player://host:0"),
+        ("robot", "player://host:6665/-1"),
+        ("robot", "player://host:6665/x"),
+        ("robot", "player://host:6665/65536"),
+        ("robot", "player://host/1/2"),
         ("robot", "player://ho st:6665"),
         ("belt", ""),
         ("belt_steps", "5 10"),
@@ -413,6 +417,9 @@ def test_a_profile_and_settings_say_how_a_robot_is_wired(
         ("PLAYER://192.168.1.20:7000/", "player://192.168.1.20:7000"),
         ("player://[::1]:6666", "player://[::1]:6666"),
         ("player://[::1]", "player://[::1]:6665"),
+        ("player://localhost/2", "player://localhost:6665/2"),
+        ("player://localhost:7000/0", "player://localhost:7000"),
+        ("player://[::1]:6666/03/", "player://[::1]:6666/3"),
     ],
 )
 def test_a_server_is_an_address_with_a_port(typed: str, robot: str) -> None:
