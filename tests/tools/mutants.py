@@ -29,10 +29,10 @@ import sys
 import tempfile
 import time
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
-from itertools import count
+from itertools import count, islice
 from pathlib import Path
 
 from tests.architecture.house import modules, tracked
@@ -113,10 +113,11 @@ def write_map(folder: Path, *tests: str) -> None:
     }  # fmt: skip
     sources = {path: _source(path).decode() for path in modules()}
     (folder / _SOURCES).write_text(json.dumps(sources), encoding="utf-8")
+    (folder / _ROOT).write_text(str(ROOT), encoding="utf-8")
     subprocess.run(command, cwd=ROOT, env=environment, check=False)
 
 
-_COVERAGE, _PASSED, _SOURCES = "coverage", "passed.json", "sources.json"
+_COVERAGE, _PASSED, _SOURCES, _ROOT = "coverage", "passed.json", "sources.json", "root"
 
 _LEFT_OUT = (
     *(
@@ -157,23 +158,39 @@ class Map:
 
         self.seconds: dict[str, float] = json.loads((folder / _PASSED).read_text(encoding="utf-8"))
         self._sources: dict[str, str] = json.loads((folder / _SOURCES).read_text(encoding="utf-8"))
+        self._root = Path((folder / _ROOT).read_text(encoding="utf-8"))
+        self._by_neighbours = {
+            neighbours: (path, number)
+            for path, text in self._sources.items()
+            for number, neighbours in enumerate(_neighbours(text), start=1)
+        }
         self._data = CoverageData(str(folder / _COVERAGE))
         self._data.read()
 
     def tests_of(self, mutation: Mutation) -> tuple[set[str], bool]:
         """The names of the tests that run that line, and whether it runs while it is imported."""
-        by_line = self._data.contexts_by_lineno(str(ROOT / mutation.path))
-        line = self._line_then(mutation)
+        path, line = self._place_then(mutation.path, mutation.line)
+        by_line = self._data.contexts_by_lineno(str(self._root / path))
         names = {_test_of(each) for each in by_line.get(line, [])}
         is_imported = "" in names
         if is_imported or not names:  # any test of the module may notice
             names |= {_test_of(each) for line in by_line.values() for each in line}
         return names, is_imported
 
-    def _line_then(self, mutation: Mutation) -> int:
-        return _lines_then(self._sources.get(mutation.path, ""), _source(mutation.path).decode()).get(
-            mutation.line, 0
-        )
+    def _place_then(self, path: str, line: int) -> tuple[str, int]:
+        """Where a line was; if it has moved to another module, it has the same neighbours there."""
+        text = _source(path).decode()
+        then = _lines_then(self._sources.get(path, ""), text).get(line)
+        if then is not None:
+            return path, then
+        neighbours = next(islice(_neighbours(text), line - 1, None), ("", "", ""))
+        return self._by_neighbours.get(neighbours, (path, 0))
+
+
+def _neighbours(text: str) -> Iterator[tuple[str, str, str]]:
+    """Each line with the one before and the one after."""
+    lines = ["", *text.splitlines(), ""]
+    return zip(lines, lines[1:], lines[2:], strict=False)
 
 
 @cache

@@ -5,8 +5,9 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
-from devices.ports.robot import Met, Pose, StoppedBy
+from devices.ports.robot import Met, Pose, Pushed, StoppedBy
 from donnie_tui.core.events import (
+    Error,
     Event,
     HowStarted,
     Moved,
@@ -181,6 +182,75 @@ def test_each_limit_says_what_was_needed() -> None:
 
     needed = {each.code: each.values["count"] for each in verdict.shortfalls}
     assert needed == {"limit-commands": 2, "limit-seconds": 6, "limit-steps": 4, "limit-turns": 1}
+
+
+@pytest.mark.parametrize(
+    ("limit", "needed"),
+    [
+        (Limit(commands=2, seconds=6, steps=4, turns=1), {}),
+        (Limit(commands=1), {"limit-commands": (2, 1)}),
+        (Limit(seconds=5.9), {"limit-seconds": (6, 6)}),
+        (Limit(steps=3), {"limit-steps": (4, 3)}),
+        (Limit(turns=0), {"limit-turns": (1, 0)}),
+    ],
+)
+def test_what_a_limit_allows_is_not_above_it(limit: Limit, needed: dict[str, tuple[int, int]]) -> None:
+    turned = Turned("TR", 90, 90, None, START, True)
+    events = run(walk(0, 0, steps=4), turned, seconds=6.04)  # a twentieth of a second doesn't count
+    verdict = judge(challenge(Goal(at=(0, 0)), limit=limit), ROOM, events)
+
+    assert {each.code: (each.values["count"], each.values["most"]) for each in verdict.shortfalls} == needed
+
+
+@pytest.mark.parametrize(
+    ("y", "is_met"), [(5.0, True), (5.04, True), (5.06, False), (2.96, True), (2.94, False)]
+)
+def test_a_place_is_reached_within_a_step_and_a_twentieth(y: float, is_met: bool) -> None:
+    verdict = judge(challenge(Goal(at=(0.0, 4.0))), ROOM, run(end=Pose(0.0, y, 0.0)))
+    assert verdict.is_solved is is_met
+
+    passed = [Stamped(1, 0.0, Reset(Pose(0.0, y, 0.0)))]
+    assert judge(challenge(Goal(visited=((0.0, 4.0),))), ROOM, passed).is_solved is is_met
+    assert judge(challenge(Goal(visited=((0.0, 4.0),), any_order=True)), ROOM, passed).is_solved is is_met
+    assert judge(challenge(Goal(near=(0.0, 4.0))), ROOM, passed).is_solved is is_met
+
+
+@pytest.mark.parametrize(
+    ("heading", "within", "degrees"),
+    [(100, 1, None), (101, 1, 11), (80, 1, None), (79, 1, 11), (110, 2, None), (111, 2, 21), (270, 1, 180)],
+)
+def test_a_step_of_a_heading_means_ten_degrees(heading: float, within: float, degrees: int | None) -> None:
+    verdict = judge(challenge(Goal(facing=90.0, within=within)), ROOM, run(end=Pose(0.0, 0.0, heading)))
+
+    assert [each.values["degrees"] for each in verdict.shortfalls] == ([] if degrees is None else [degrees])
+
+
+@pytest.mark.parametrize(("y", "is_near"), [(6.0, True), (7.9, True), (8.1, False)])
+def test_to_come_too_near_is_to_be_nearer_than_the_steps_to_keep_away(y: float, is_near: bool) -> None:
+    """The box ends at y 5, less the body's 3: at y 8 nothing is between them."""
+    kept = challenge(Goal(said="x"), never=Never(near=("box",), within=0.05))
+    start = [Stamped(1, 0.0, Reset(Pose(3.0, y, 0.0)))]
+    found = judge(kept, ROOM, start).shortfalls
+
+    assert ("never-near" in [each.code for each in found]) is is_near
+
+
+def test_a_pushed_thing_was_touched_and_another_of_its_kind_was_not() -> None:
+    pushed = Moved("FW", 1, 1, None, START, True, None, (Pushed("cube", "box", "red", 0.2),))
+    never = Never(touch=("chair", "red box"))
+    verdict = judge(challenge(Goal(at=(0, 0)), never=never), ROOM, run(pushed))
+
+    assert [(each.code, each.values["target"]) for each in verdict.shortfalls] == [("never-touch", "red box")]
+
+
+def test_the_first_mistake_of_a_run_is_what_went_wrong() -> None:
+    errors = [Error("x", line, 1, f"message {line}", "SAY") for line in (3, 5)]
+    *events, last = run(*errors)
+    ended = replace(last, event=RunEnded(Outcome.STOPPED, START, {}, 1.0))
+
+    for end in (last, ended):
+        (missing,) = judge(challenge(Goal(at=(0, 0))), ROOM, [*events, end]).shortfalls
+        assert (missing.code, dict(missing.values)) == ("goal-mistake", {"line": 3, "message": "message 3"})
 
 
 def test_what_was_done_since_the_start_counts() -> None:

@@ -8,9 +8,14 @@ import pytest
 
 from donnie_tui.core import program_files
 from donnie_tui.core.program_files import (
+    Attempted,
+    BreakpointFile,
     DocumentError,
     FilesInUse,
+    ProgressFile,
+    RecentFiles,
     decode,
+    file_names,
     program_to_open,
     program_to_save,
     read_program,
@@ -196,3 +201,114 @@ def test_a_folder_is_refused_before_a_question_whether_to_replace_it(tmp_path: P
         program_to_save(str(tmp_path), FilesInUse())
 
     assert refused.value.code == "file-is-folder"
+
+
+# --- what is kept from one start to the next
+
+TRY = Attempted("2026-01-02T03:04:05+00:00", "walls", True, 2, 2, 9, 8, 7, 6, 5, 4, 3, 1)
+
+
+def test_a_try_is_a_line_of_values_between_tabs(tmp_path: Path) -> None:
+    file = ProgressFile(str(tmp_path / "new" / "progress"))
+    assert file.attempts() == ()
+    file.add(TRY)
+
+    line = "2026-01-02T03:04:05+00:00\twalls\tTrue\t2\t2\t9\t8\t7\t6\t5\t4\t3\t1\n"
+    assert (tmp_path / "new" / "progress").read_text() == line
+    assert file.attempts() == (TRY,)
+
+
+def test_a_try_of_an_earlier_version_has_fewer_values_and_a_damaged_one_is_left_out(tmp_path: Path) -> None:
+    kept = tmp_path / "progress"
+    kept.write_text(
+        "t1\tone\tFalse\t0\t2\t9\t8\t7\t6\n"  # without seconds, shortest and questions
+        "t2\ttwo\tTrue\t1\tmany\t9\t8\t7\t6\n"
+        "t3\tthree\n"
+        "t4\tfour\tTrue\t2\t2\t9\t8\t7\t6\t5\t4\t3\t1\t0\n"  # of a later version
+        "t5\tfive\tTrue\t2\t2\t9\t8\t7\t6\n"
+    )
+    file = ProgressFile(str(kept))
+
+    first, second = file.attempts()
+    assert first == Attempted("t1", "one", False, 0, 2, 9, 8, 7, 6)
+    assert (first.seconds, first.shortest, first.questions, first.right) == (0, 0, 0, 0)
+    assert second.name == "five"
+    assert file.solved == {"five"}
+
+
+def test_progress_that_cannot_be_kept_is_not_reported(tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    file = ProgressFile(str(tmp_path / "file" / "progress"))
+    file.add(TRY)
+
+    assert file.attempts() == ()
+    assert file.solved == frozenset()
+
+
+def test_the_program_used_last_comes_first_and_twenty_are_kept(tmp_path: Path) -> None:
+    recent = RecentFiles(str(tmp_path / "state" / "recent"))
+    programs = [tmp_path / f"{number}.gd" for number in range(22)]
+    for each in programs:
+        each.touch()
+        recent.add(each)
+    recent.add(programs[5])
+
+    assert recent.paths() == (programs[5], *(each for each in reversed(programs[2:]) if each != programs[5]))
+    assert len(recent.paths()) == 20
+    programs[10].unlink()
+    assert programs[10] not in recent.paths()
+
+
+@pytest.mark.parametrize(("size", "count"), [(100_000, 1), (100_001, 0)])
+def test_a_list_of_programs_has_a_hundred_thousand_bytes_at_most(
+    tmp_path: Path, size: int, count: int
+) -> None:
+    program, kept = tmp_path / "a.gd", tmp_path / "recent"
+    program.touch()
+    kept.write_text(f"{program}\n".ljust(size, "x"))
+
+    assert len(RecentFiles(str(kept)).paths()) == count
+
+
+def test_breakpoints_are_kept_within_their_limits(tmp_path: Path) -> None:
+    program, file = tmp_path / "a.gd", BreakpointFile(str(tmp_path / "state" / "breakpoints"))
+    file.write(None, [1])
+    file.write(program, range(300, 0, -1))
+
+    assert file.read(program, 1000) == frozenset(range(1, 201))
+    assert file.read(program, 200) == frozenset(range(1, 201))
+    assert file.read(program, 199) == frozenset(range(1, 200))
+    assert file.read(None, 9) == frozenset()
+    (tmp_path / "state" / "breakpoints").write_text(f"0 1 123456789 2\t{program}\n1 2\t\n3\n")
+    assert file.read(program, 10**10) == frozenset()
+    (tmp_path / "state" / "breakpoints").write_text(f"0 1 12345678\t{program}\n")
+    assert file.read(program, 10**10) == {1, 12345678}
+
+
+def test_breakpoints_of_two_hundred_programs_are_kept(tmp_path: Path) -> None:
+    file = BreakpointFile(str(tmp_path / "breakpoints"))
+    for number in range(202):
+        file.write(tmp_path / f"{number}.gd", [number + 1])
+
+    found = [bool(file.read(tmp_path / f"{number}.gd", 999)) for number in range(202)]
+    assert found == [False, False, *[True] * 200]
+    file.write(tmp_path / "201.gd", [])
+    assert not file.read(tmp_path / "201.gd", 999)
+    assert file.read(tmp_path / "200.gd", 999) == {201}
+
+
+def test_typed_names_become_files_and_folders(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "walks" / "deep").mkdir(parents=True)
+    for name in ("walk.gd", "wall.gd", ".hidden", "walks/one.gd"):
+        (tmp_path / name).touch()
+    monkeypatch.chdir(tmp_path)
+
+    assert file_names("wal") == ("walk.gd", "walks/", "wall.gd")
+    assert file_names("") == ("walk.gd", "walks/", "wall.gd")
+    assert file_names(".") == (".hidden",)
+    assert file_names("walks/") == ("walks/deep/", "walks/one.gd")
+    assert file_names(f"{tmp_path}/walks/o") == (f"{tmp_path}/walks/one.gd",)
+    assert file_names("/tm") == tuple(
+        f"/{each.name}/" if each.is_dir() else f"/{each.name}" for each in sorted(Path("/").glob("tm*"))
+    )
+    assert file_names("nowhere/a") == ()

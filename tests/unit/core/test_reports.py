@@ -6,10 +6,22 @@ from itertools import combinations
 from xml.etree import ElementTree
 
 import pytest
+from msgspec.structs import replace
 from PIL import ImageFont
 
 from devices.ports.robot import Pose
-from donnie_tui.core.events import Event, Moved, Outcome, Read, RunEnded, RunStarted, Stamped, Turned
+from donnie_tui.core.events import (
+    Event,
+    HowStarted,
+    Moved,
+    Outcome,
+    Read,
+    RunEnded,
+    RunStarted,
+    Stamped,
+    Turned,
+    Waited,
+)
 from donnie_tui.core.map_grid import Trail
 from donnie_tui.core.reports import (
     PLOT_LETTER,
@@ -134,6 +146,65 @@ def test_two_jumps_are_counted_and_the_first_has_its_step() -> None:
 
     (sentence, *_) = measured_in_words(measured(again, Words()), Words())
     assert sentence == "Distance ahead falls from 34 to 9 in 16 steps, 2 jumps, the first at 10."
+
+
+@pytest.mark.parametrize(
+    ("second", "sentence"),
+    [
+        (34, "Distance ahead begins and ends at 34 in 10 steps, one jump at 10."),
+        (48, "Distance ahead rises from 34 to 48 in 10 steps, one jump at 10."),
+        (47, "Distance ahead rises from 34 to 47 in 10 steps."),  # 10 steps and 3 more
+        (21, "Distance ahead falls from 34 to 21 in 10 steps."),
+        (20, "Distance ahead falls from 34 to 20 in 10 steps, one jump at 10."),
+    ],
+)
+def test_a_jump_is_a_change_of_more_than_three_steps_above_what_was_walked(
+    second: int, sentence: str
+) -> None:
+    if second == 34:
+        read = [RUN[1], walked(10, 10, 4), at(10, Read("distance", "front", 99)), at(11, RUN[1].event)]
+        sentence = sentence.replace("one jump at 10", "2 jumps, the first at 10")
+    else:
+        read = [RUN[1], walked(10, 10, 4), at(10, Read("distance", "front", second))]
+    (said, *_) = measured_in_words(measured([RUN[0], *read], Words()), Words())
+
+    assert said == sentence
+
+
+def test_the_distance_that_was_read_most_is_said_by_its_name() -> None:
+    readings = [at(0, Read("distance", where, 5)) for where in ("front", "eye", "eye")]
+    readings.append(at(1, Read("colour", "red", 1)))
+
+    assert measured_in_words(measured(readings, Words()), Words()) == (
+        "Distance eye begins and ends at 5 in 0 steps.",
+    )
+    assert measured_in_words(measured(readings, Words("en", "brief")), Words("en", "brief")) == (
+        "Distance eye: 5 at both ends.",
+    )
+
+
+def test_a_fresh_run_or_an_earlier_clock_begins_the_measuring_anew() -> None:
+    how = HowStarted("", 1, True, False, False, Pose(0, 0, 0))
+    fresh, going_on = (
+        at(30, RunStarted("p", "w", "donnie", 0, "0", replace(how, fresh=is_fresh)))
+        for is_fresh in (True, False)
+    )
+    (last,) = [at(40, Read("distance", "front", 7))]
+
+    assert [each.points for each in measured([*RUN, fresh, last], Words())] == [((40, 7.0),)]
+    assert measured([*RUN, going_on, last], Words())[0].points[0] == (0, 34)
+    earlier = at(3, RUN[0].event)
+    assert [each.points for each in measured([*RUN, earlier, last], Words())] == [((40, 7.0),)]
+
+
+def test_the_speed_counts_while_the_robot_walks_and_not_while_it_waits() -> None:
+    events = [at(0, RUN[0].event), walked(2, 5), at(6, Waited(4)), walked(10, 2), at(10, Waited(0))]
+    (speed,) = measured(events, Words())
+
+    assert speed.points == ((0, 2.5), (2, 2.5), (2, 0.0), (6, 0.0), (6, 0.5), (10, 0.5))
+    assert measured_in_words((speed,), Words()) == (
+        "The robot moves for 6 of 10 seconds, at most 2.5 steps a second.",
+    )
 
 
 def test_a_variable_is_known_during_each_movement() -> None:
