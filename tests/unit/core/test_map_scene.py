@@ -130,11 +130,43 @@ def test_a_large_square_shows_what_matters_most_in_it() -> None:
 
 
 def test_a_name_is_written_next_to_its_thing_on_free_floor_only() -> None:
-    written = labels(MapScale(scene()), 1, Words("en"))
-    wide = labels(MapScale(scene()), 2, Words("en"))
+    """To the east of the chair are four free cells, and then the wall."""
+    assert labels(MapScale(scene()), 1, Words("en")) == {}
+    assert labels(MapScale(scene()), 2, Words("en")) == {
+        Cell(5, 6): " c",
+        Cell(6, 6): "ha",
+        Cell(7, 6): "ir",
+        Cell(8, 6): "  ",
+    }
+    assert labels(MapScale(scene()), 2, Words("pt")) == {}
+    assert labels(MapScale(scene()), 3, Words("pt")) == {
+        Cell(5, 6): " ca",
+        Cell(6, 6): "dei",
+        Cell(7, 6): "ra ",
+    }
 
-    assert written == {}
-    assert "".join(wide[each] for each in sorted(wide)).strip() in ("chair", "")
+
+def test_a_name_without_room_to_the_east_is_written_to_the_west_and_hides_no_other() -> None:
+    rows = ("............c.", "..............", "d...........cc")
+    chairs = [Thing(f"c{x}{y}", "chair", "c", "red", x, y, 1, 1, index=x) for x, y in ((12, 2), (13, 0))]
+    desk = Thing("desk", "desk", "d", "red", 0, 0, 1, 1, index=1)
+    it = MapScene(Picture(0, 0, 14, 3, 1, rows, (*chairs, desk), has_walls=True), Pose(5, 1, 0))
+    written = labels(MapScale(it), 1, Words())
+
+    first = it.grid.cell_of(Pose(0, 0, 0))
+    by_row = {
+        y: "".join(written.get(Cell(first.x + x, first.y + y), rows[2 - y][x]) for x in range(14))
+        for y in range(3)
+    }
+    # from the west end four cells are left for " desk ", which needs six
+    assert by_row == {2: "..... chair c.", 1: "." * 14, 0: "d.... chair cc"}
+
+
+def test_the_names_of_other_robots_are_written_too() -> None:
+    it = scene()
+    it.move_other("bob", Pose(2, 3, 90))
+
+    assert "".join(labels(MapScale(it), 2, Words())[Cell(x, 3)] for x in (4, 5, 6)) == " bob  "
 
 
 @pytest.mark.parametrize(
