@@ -53,7 +53,7 @@ def pytest_runtestloop(session: pytest.Session) -> bool | None:
 
 
 def _run(request: dict[str, Any], items: dict[str, pytest.Item], answers: int) -> None:
-    if request["path"] and not _replace(request["path"]):
+    if request["path"] and not (_run_anew if request["is_imported"] else _replace)(request["path"]):
         return _send(answers, {"needs": "a new process"})
     failed: list[str] = []
 
@@ -88,6 +88,30 @@ def _replace(path: str) -> bool:
                 each.__code__ = other
                 changed = True
     return changed
+
+
+def _run_anew(path: str) -> bool:
+    """Runs a module once more where it is, and gives its new values to those that imported the old ones.
+
+    Not all have them then, and a class that is made twice is two: a test that fails is believed only if it
+    passes with the unchanged module, run anew as well. Whether the module could be run.
+    """
+    loaded = [each for each in [*sys.modules.values()] if getattr(each, "__file__", None)]
+    (module,) = [each for each in loaded if each.__file__ == path] or [None]
+    if module is None:
+        return True  # it will be imported
+    old = dict(vars(module))
+    try:
+        exec(compile(Path(path).read_bytes(), path, "exec", dont_inherit=True), vars(module))
+    except Exception:  # noqa: BLE001 -- a new process says so, too
+        return False
+    for name, value in old.items():
+        new = vars(module)[name]
+        if new is not value and not name.startswith("__"):
+            for other in loaded:
+                if vars(other).get(name) is value:
+                    setattr(other, name, new)
+    return True
 
 
 def _outermost(code: CodeType) -> list[CodeType]:
@@ -137,13 +161,19 @@ class ForkedTests:
         self.names = frozenset(self._next(3600))
 
     def first_failure(
-        self, path: Path | None, names: Sequence[str], limits: Mapping[str, float]
+        self,
+        path: Path | None,
+        names: Sequence[str],
+        limits: Mapping[str, float],
+        *,
+        is_imported: bool = False,
     ) -> str | None:
         """The first of the tests that fails with what the module's file says now; empty if all pass.
 
         One that doesn't end within its seconds in ``limits`` fails. None if no function has other code.
+        ``is_imported``: the change is outside of functions.
         """
-        request = {"path": str(path) if path else "", "names": list(names)}
+        request = {"path": str(path) if path else "", "names": list(names), "is_imported": is_imported}
         os.write(self._requests, (json.dumps(request) + "\n").encode())
         by: str | None = ""
         self.has_no_end = False

@@ -315,29 +315,42 @@ class Trial:
 
     def _noticed(self, mutation: Mutation, names: list[str], is_imported: bool) -> str:
         """The first test that fails each time with the mutation, and passes without it."""
+        path = mutation.path
         while names:
-            by = None if is_imported else self._first_failure(mutation.path, names)
+            by = self._first_failure(path, names, is_imported)
             if by is None:
-                is_imported, by = True, self._first_failure_anew(names)
+                return self._noticed_anew(path, names)
+            if not by:
+                return self._noticed_anew(path, names) if is_imported else ""
+            again = self._warm.has_no_end or self._first_failure(path, [by], is_imported)
+            if again and self._passes_without(path, by, is_imported):
+                return by
+            names = names[names.index(by) + 1 :]
+        return ""
+
+    def _noticed_anew(self, path: str, names: list[str]) -> str:
+        """The same in new processes, which import everything."""
+        while names:
+            by = self._first_failure_anew(names)
             if not by:
                 return ""
-            again = (
-                self._first_failure_anew([by]) if is_imported else self._first_failure(mutation.path, [by])
-            )
-            if again and self._passes_without(mutation.path, by):
+            if self._first_failure_anew([by]) and self._passes_without(path, by):
                 return by
             names = names[names.index(by) + 1 :] if by in names else []
         return ""
 
-    def _first_failure(self, path: str, names: list[str]) -> str | None:
-        return self._warm.first_failure(self._copy / path, names, self._limits)
+    def _first_failure(self, path: str, names: list[str], is_imported: bool) -> str | None:
+        return self._warm.first_failure(self._copy / path, names, self._limits, is_imported=is_imported)
 
-    def _passes_without(self, path: str, name: str) -> bool:
+    def _passes_without(self, path: str, name: str, is_imported: bool = False) -> bool:
+        if name not in self._warm.names:  # nothing can be collected
+            return True
         file = self._copy / path
         mutated = file.read_bytes()
         self._write(path, _source(path))
         try:
-            return name not in self._warm.names or not self._warm.first_failure(None, [name], self._limits)
+            anew = file if is_imported else None
+            return self._warm.first_failure(anew, [name], self._limits, is_imported=True) == ""
         finally:
             self._write(path, mutated)
 
