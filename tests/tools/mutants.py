@@ -27,13 +27,16 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cache
 from itertools import count, islice
 from pathlib import Path
+from queue import SimpleQueue
 
 from tests.architecture.house import modules, tracked
 from tests.conftest import ROOT
@@ -43,7 +46,7 @@ from tests.tools.mutations import Mutation, mutations
 FOLDER = ROOT / ".mutants"
 REPORT = FOLDER / "report.txt"
 CONFIG = Path(__file__).with_name("coverage.toml")
-MOST_SECONDS = 150.0
+MOST_SECONDS = 100.0
 """Of tests a mutation."""
 WANTED = 0.92
 TYPES = "(types)"
@@ -70,7 +73,7 @@ def main() -> int:
     print(f"{len(sample)} mutations, seed {options.seed}", flush=True)
     if not sample:
         return 0
-    return report(try_all(sample, [Map(each) for each in _maps()], options.tests))
+    return report(try_all(sample, [Map(each) for each in _maps()], options.tests, options.jobs))
 
 
 def _maps() -> list[Path]:
@@ -81,6 +84,7 @@ def _options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--count", type=int, default=150)
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--below", default="", metavar="PATH", help="only modules whose path begins so")
     parser.add_argument(
         "--tests",
@@ -166,11 +170,13 @@ class Map:
         }
         self._data = CoverageData(str(folder / _COVERAGE))
         self._data.read()
+        self._lock = threading.Lock()
 
     def tests_of(self, mutation: Mutation) -> tuple[set[str], bool]:
         """The names of the tests that run that line, and whether it runs while it is imported."""
         path, line = self._place_then(mutation.path, mutation.line)
-        by_line = self._data.contexts_by_lineno(str(self._root / path))
+        with self._lock:
+            by_line = self._data.contexts_by_lineno(str(self._root / path))
         names = {_test_of(each) for each in by_line.get(line, [])}
         is_imported = "" in names
         if is_imported or not names:  # any test of the module may notice
@@ -236,21 +242,33 @@ def _source(path: str) -> bytes:
 # --- trying
 
 
-def try_all(sample: Sequence[Mutation], maps: Sequence[Map], tests: Sequence[str] = ()) -> list[Verdict]:
-    with tempfile.TemporaryDirectory(prefix="mutants-") as folder:
-        trial = Trial(_copy_of_the_repository(Path(folder)), maps, tests)
-        verdicts = []
-        for each in sample:
-            verdict = trial.of(each)
+def try_all(
+    sample: Sequence[Mutation], maps: Sequence[Map], tests: Sequence[str] = (), jobs: int = 1
+) -> list[Verdict]:
+    with tempfile.TemporaryDirectory(prefix="mutants-") as folder, ThreadPoolExecutor(jobs) as pool:
+        trials: SimpleQueue[Trial] = SimpleQueue()
+        for number in range(jobs):
+            trials.put(Trial(_copy_of_the_repository(Path(folder) / str(number)), maps, tests))
+
+        def attempt(mutation: Mutation) -> Verdict:
+            trial = trials.get()
+            try:
+                verdict = trial.of(mutation)
+            finally:
+                trials.put(trial)
             word = "killed  " if verdict.by else "SURVIVED"
-            print(word, each, f"({verdict.tests} tests)", verdict.by, flush=True)
-            verdicts.append(verdict)
-        trial.close()
+            print(word, mutation, f"({verdict.tests} tests)", verdict.by, flush=True)
+            return verdict
+
+        verdicts = list(pool.map(attempt, sample))
+        for _ in range(jobs):
+            trials.get().close()
         return verdicts
 
 
 def _copy_of_the_repository(folder: Path) -> Path:
     copy = folder / "donnie"
+    folder.mkdir()
     for path in tracked():
         (copy / path).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy2(ROOT / path, copy / path)

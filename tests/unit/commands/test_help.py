@@ -8,10 +8,12 @@ import pytest
 
 from donnie_tui.commands.declarations import BY_NAME
 from donnie_tui.commands.help import TOPICS
+from donnie_tui.commands.interaction import drive
 from donnie_tui.commands.lookup import word_of
 from donnie_tui.core.wording import keys_of, spelled
 from language.keywords import spelling
 from language.locales import first_page, languages
+from tests.timeouts import TIMEOUT
 from tests.unit.commands.scripted import Script
 
 OpenScript = Callable[..., Script]
@@ -126,3 +128,101 @@ def test_distance_names_both_of_its_forms(open_script: OpenScript) -> None:
         "You write: DISTANCE direction.",
         'You write: DISTANCE "sensor\'s name".',
     ]
+
+
+@pytest.mark.parametrize(
+    ("typed", "words"),
+    [
+        ("HELP", "FW BW TR TL SPEAK SCAN RUN WHERE AROUND TOUR"),
+        ("HELP MOVING", "FW BW TR TL GRIP RELEASE WAIT SLOWER FASTER SPEED STOP RESET"),
+        (
+            "HELP LOOKING",
+            "SCAN DISTANCE COLOR POS STATE HISTORY WHERE AROUND MAP TRAIL SHOW SENSORS WORLD",
+        ),
+        ("HELP EDITING", "LIST READ CHANGE INSERT DELETE UNDO FIX SEARCH NEW SAVE OPEN"),
+        ("HELP SOUND", "SPEAK BELT VIBRATE QUIET LAST SPELL CUES DETAIL FEEL"),
+    ],
+)
+def test_the_words_of_each_topic_are_listed_in_their_order(
+    open_script: OpenScript, typed: str, words: str
+) -> None:
+    said = open_script().answers_to(typed)
+    first = next(number for number, line in enumerate(said) if line.endswith(":")) + 1
+    count = len(words.split())
+
+    assert [line.split()[0].rstrip(":") for line in said[first : first + count]] == words.split()
+    assert len(said) == first + count + (2 if typed == "HELP" else 0)
+
+
+@pytest.mark.parametrize(
+    ("typed", "said"),
+    [
+        (
+            "HELP MOVE",
+            [
+                "MOVE 5 2: Puts line 5 before line 2.",
+                "You write: MOVE line before or thing east north.",
+                *("Example: MOVE 5 2.", "FW: Walks forward, in steps."),
+            ],
+        ),
+        (
+            "HELP BACK",
+            [
+                *("BACK: Reads the line before.", "You write: BACK.", "Example: BACK."),
+                "BW: Walks backward, in steps.",
+            ],
+        ),
+        ("HELP SET page", ["Long answers, page: rest.", "Choose: rest, ask, off."]),
+        (
+            "HELP SET nothing",
+            [
+                "SET page ask: Changes a setting.",
+                "You write: SET, or SET name value.",
+                "Example: SET page ask.",
+            ],
+        ),
+        ("HELP nothing", ["I do not know nothing. HELP lists the commands."]),
+        (
+            "MANUAL FW",
+            ["FW: Walks forward, in steps.", "You write: FW value, or FORWARD value.", "Example: FW 5."],
+        ),
+        ("MANUAL 9", ["I do not know 9. HELP lists the commands."]),
+        (
+            "HELP KEYS",
+            [
+                *("Enter: the next line.", "Esc, RUN or an empty line: runs.", "Ctrl+C: stops the robot."),
+                *("Up and down: lines you typed before.", "Home, End, Delete, Backspace: edit."),
+                *("Ctrl+W: deletes a word.", "Ctrl+U: clears the line.", "Tab: completes a word."),
+                "Ctrl+D: leaves Donnie.",
+            ],
+        ),
+    ],
+)
+def test_a_word_a_setting_and_the_keys_are_explained(
+    open_script: OpenScript, typed: str, said: list[str]
+) -> None:
+    assert open_script().answers_to(typed) == said
+
+
+def test_the_chapters_of_the_manual_are_numbered_from_one(open_script: OpenScript) -> None:
+    said = open_script().answers_to("MANUAL")
+
+    assert said[0] == "8 chapters. MANUAL 1 reads the first."
+    assert [line.partition(":")[0] for line in said[1:9]] == [str(number) for number in range(1, 9)]
+    assert said[1:3] == ["1: A program", "2: Moving"]
+
+
+def test_the_tour_turns_its_pages_with_enter_and_begins_again_at_its_end(open_script: OpenScript) -> None:
+    script = open_script()
+    assert script.answers_to("TOUR")[-1] == "Page 1 of 9. Try it; Enter alone continues."
+    assert script.interaction.more is not None
+    drive(script.interaction.more())
+    script.donnie.session.hub.wait_until_delivered(TIMEOUT)
+    assert script.printed[-1] == "Page 2 of 9. Try it; Enter alone continues."
+
+    assert script.answers_to("TOUR")[-1] == "Page 2 of 9. Try it; Enter alone continues."
+    for _ in range(7):
+        drive(script.interaction.more())
+    script.donnie.session.hub.wait_until_delivered(TIMEOUT)
+    assert not script.printed[-1].startswith("Page")
+    assert script.answers_to("TOUR")[-1] == "Page 1 of 9. Try it; Enter alone continues."
