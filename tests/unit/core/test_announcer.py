@@ -8,6 +8,7 @@ from donnie_tui.core.announcer import Announcer
 from donnie_tui.core.events import (
     Announced,
     CueSounded,
+    Driven,
     Event,
     HowStarted,
     Link,
@@ -286,3 +287,40 @@ def test_a_script_prints_the_manuals_sentence_and_at_full_what_was_met() -> None
     assert met_in_words(event, typed=False) == []
     assert met_in_words(event, typed=False, detail="full")[0] == "Wall, ahead."
     assert met_in_words(event, detail="brief") == []
+
+
+# --- driven by another program
+
+
+def test_what_another_program_drives_is_announced_once_for_each_motion() -> None:
+    hub, words, heard = Hub(lambda: 0.0), Words(), list[Event]()
+    Announcer(hub, SentencePublisher(hub, words), words)
+    hub.publish(RunStarted("typed", "w", "bob", 0, "0", HowStarted("", 1, False, True, False, HERE)))
+    hub.subscribe(lambda stamped: heard.append(stamped.event))
+    for motion in ("standing", "forward", "forward", "left", "blocked", "standing", "standing"):
+        hub.publish(Driven(motion, HERE))
+
+    assert [each.text for each in heard if isinstance(each, Announced)] == [
+        "Another program drives bob forward.",
+        "Another program turns bob to the left.",
+        "Something blocks bob.",
+        "Another program has stopped bob.",
+    ]
+    assert [each.name for each in heard if isinstance(each, CueSounded)] == ["bump"]
+
+
+@pytest.mark.parametrize(
+    ("event", "cue", "bearing"),
+    [
+        (walked(5, 2, OBSTACLE), "obstacle", 0.0),
+        (walked(5, 2, OBSTACLE, forward=False), "obstacle", 180.0),
+        (walked(5, 2, StoppedBy.STALL), "bump", 0.0),
+        (turned(90, 30, COLLISION), "bump", 90.0),
+        (turned(90, 30, COLLISION, right=False), "bump", -90.0),
+        (turned(-90, -30, OBSTACLE, right=False), "obstacle", 90.0),
+    ],
+)
+def test_a_stop_sounds_on_the_side_to_which_the_robot_moved(event: Event, cue: str, bearing: float) -> None:
+    cues = [each for each in answers_to(event) if isinstance(each, CueSounded)]
+
+    assert [(each.name, each.bearing) for each in cues] == [(cue, bearing)]

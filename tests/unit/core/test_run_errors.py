@@ -2,7 +2,7 @@
 
 import pytest
 
-from donnie_tui.core.events import INTERNAL, Error
+from donnie_tui.core.events import INTERNAL, Error, RunStarted, Stamped
 from donnie_tui.core.run_state import MOST_KEPT, RunErrors, line_of
 from donnie_tui.i18n.words import Words
 
@@ -53,3 +53,47 @@ def test_the_newest_mistakes_are_remembered() -> None:
         errors.add(Error("robot", line, 1, "m", None))
 
     assert [each.line for each in errors.all] == list(range(5, MOST_KEPT + 5))
+
+
+def test_a_run_of_the_own_robot_begins_without_mistakes_and_another_changes_nothing() -> None:
+    errors = RunErrors(of=lambda: "bob")
+    started = RunStarted("p", "w", "donnie", 0, "0")
+    for robot, event in (
+        ("bob", MISTAKES[0]),
+        ("alice", MISTAKES[1]),
+        ("alice", started),
+        ("bob", MISTAKES[2]),
+    ):
+        errors.on_event(Stamped(1, 0.0, event, robot))
+
+    assert errors.all == (MISTAKES[0], MISTAKES[2])
+    errors.go(1, SAY)
+    errors.on_event(Stamped(1, 0.0, started, "bob"))
+    assert (errors.all, errors.now, errors.had_any) == ((), None, True)
+    errors.on_event(Stamped(1, 0.0, MISTAKES[1], "bob"))
+    assert errors.now == MISTAKES[1]
+
+
+def test_a_mistake_of_another_robot_is_one_since_the_start() -> None:
+    errors = RunErrors(of=lambda: "bob")
+    assert not errors.had_any
+    errors.on_event(Stamped(1, 0.0, RunStarted("p", "w", "donnie", 0, "0"), "bob"))
+    assert not errors.had_any
+    errors.on_event(Stamped(1, 0.0, MISTAKES[0], "alice"))
+    assert errors.had_any
+    assert errors.all == ()
+
+
+def test_the_first_new_mistake_is_gone_to_and_a_missing_end_comes_last() -> None:
+    end = Error("missing-end", 1, 1, "no end", None)
+    errors = RunErrors([MISTAKES[0], end, *MISTAKES[1:]])
+    errors.known = frozenset(MISTAKES[:2])
+
+    assert errors.is_known(MISTAKES[0])
+    assert not errors.is_known(end)
+    assert errors.go_to_new() == errors.now == MISTAKES[2]
+    errors.known = frozenset(MISTAKES)
+    assert errors.go_to_new() == end
+    errors.known = frozenset((*MISTAKES, end))
+    assert errors.go_to_new() is None
+    assert errors.now == end
