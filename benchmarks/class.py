@@ -111,7 +111,7 @@ class Class:
                 continue
             heapq.heappop(due)
             session = self.sessions[number]
-            if not session.letter:  # a learner who waits for a letter types no other one
+            if not session.letter:  # a learner types no other letter before this one appears
                 _press(session)
             following = max(at, time.monotonic()) + chance.uniform(0.5, 1.5) / KEYS_A_SECOND
             if following < ends:

@@ -213,7 +213,7 @@ def running(runnable: Runnable, *, to_a_line: bool = False, traced: bool = False
 
 
 def ignore(line: int, column: int, depth: int) -> None:
-    """A trace that nobody reads."""
+    """A trace that does nothing."""
 
 
 def ways(pair: Pair) -> dict[str, Work]:
@@ -235,7 +235,8 @@ def seconds(work: Work) -> float:
 
 def ratios(pair: Pair, works: dict[str, Work], rounds: int) -> dict[str, list[float]]:
     """For each way how fast it is compared with by hand, in each round."""
-    hand, found = by_hand(pair), {name: [] for name in works}
+    hand = by_hand(pair)
+    found: dict[str, list[float]] = {name: [] for name in works}
     for _ in range(rounds):
         reference = seconds(hand)
         for name, work in works.items():

@@ -20,6 +20,7 @@ import tempfile
 import time
 import tokenize
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -82,7 +83,7 @@ def ratios(measure: Callable[[], float], against: Callable[[], float], rounds: i
     return [measure() / against() for _ in range(rounds)]
 
 
-def tell(what: str, values: list[float], target: str) -> None:
+def report(what: str, values: list[float], target: str) -> None:
     low, middle, high = statistics.quantiles(values, n=4)
     print(f"{what}: {middle:.2f} (middle half {low:.2f} to {high:.2f}), target {target}")
 
@@ -94,17 +95,17 @@ def python_tokens() -> object:
 def main() -> None:
     tokenizer = lambda: seconds(python_tokens)  # noqa: E731
     for name, text in (("English", TEXT), ("Portuguese", PORTUGUESE)):
-        faster = ratios(tokenizer, lambda text=text: seconds(lambda: parse(text)))
-        tell(f"text to tree, {name}, against tokenize", faster, "at least 1.0")
+        faster = ratios(tokenizer, partial(seconds, partial(parse, text)))
+        report(f"text to tree, {name}, against tokenize", faster, "at least 1.0")
     tokens = ratios(tokenizer, lambda: seconds(lambda: lex(TEXT)))
-    tell("text to tokens, English, against tokenize", tokens, "none")
+    report("text to tokens, English, against tokenize", tokens, "none")
     wrong = TEXT + "JUMP\n"
     slower = ratios(lambda: seconds(lambda: parse(wrong)), lambda: seconds(lambda: parse(TEXT)))
-    tell("a text with a mistake against one without", slower, "none")
+    report("a text with a mistake against one without", slower, "none")
     with tempfile.TemporaryDirectory() as folder:
         cost(f"{READY}; import lark", folder)  # compiles
         ready = ratios(lambda: cost(READY, folder), lambda: cost("import lark", folder), 5)
-    tell("grammar ready against importing lark, whole interpreter", ready, "at most 1.25")
+    report("grammar ready against importing lark, whole interpreter", ready, "at most 1.25")
 
 
 if __name__ == "__main__":

@@ -18,12 +18,15 @@ from collections.abc import AsyncIterator, Callable
 from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
+from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 os.environ["TEXTUAL_ANIMATIONS"] = "none"
 
-from rich.console import Console
+from rich.console import Console, RenderableType
 from textual.app import App, ComposeResult
+from textual.events import Key
+from textual.screen import Screen
 from textual.widgets import RichLog
 
 from devices.ports.robot import Pose
@@ -31,6 +34,7 @@ from donnie_tui.bootstrap import assemble
 from donnie_tui.core.run_state import RunState
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui.app import DonnieApp
+from donnie_tui.tui.controller import ScreenController
 from donnie_tui.tui.full_screen import SWITCH
 from donnie_tui.tui.widgets.rows import TextRows
 
@@ -60,10 +64,11 @@ class Bytes:
         self.console = Console(file=io.StringIO(), force_terminal=True, color_system="truecolor", width=200)
         self.app = app
         self.count = 0
-        app._display = self._display  # type: ignore[method-assign]  # where every update passes
+        app._display = self._display  # type: ignore[method-assign]  # every update passes here
 
-    def _display(self, _screen: object, renderable: object) -> None:
-        renderable = renderable if self.whole else self.app._painted.less(renderable)
+    def _display(self, screen: Screen[Any], renderable: RenderableType | None) -> None:  # noqa: ARG002
+        if not self.whole and self.app._painted is not None:
+            renderable = self.app._painted.less(renderable)
         if renderable is not None and hasattr(renderable, "render_segments"):
             self.count += len(renderable.render_segments(self.console).encode())
 
@@ -76,7 +81,7 @@ async def map_at_work(whole: bool, world: str) -> tuple[float, float]:
         began = time.process_time()
         for frame in range(FRAMES):
             pose = Pose(float(frame // 4 % 20), float(frame // 80), 90.0)
-            app.controller.display.move((pose,))
+            controller_of(app).display.move((pose,))
             if whole:
                 place.map.refresh()
             await asyncio.sleep(0)
@@ -100,27 +105,33 @@ async def key_to_screen(busy: Callable[[DonnieApp], None] | None) -> float:
                 await asyncio.sleep(0)
             taken.append(time.perf_counter() - began)
             await asyncio.sleep(0.01)
-        if app.controller.ctx.runs.state is not RunState.READY:
+        if controller_of(app).ctx.runs.state is not RunState.READY:
             app.session.halt()
         return median(taken)
 
 
-def _key(letter: str) -> object:
-    from textual.events import Key
-
+def _key(letter: str) -> Key:
     return Key(letter, letter)
 
 
 def walking(app: DonnieApp) -> None:
     """The robot moves twenty times a second."""
     poses = iter(range(10**9))
-    app.set_interval(1 / 20, lambda: app.controller.display.move((Pose(float(next(poses) % 20), 5.0, 90.0),)))
+    app.set_interval(
+        1 / 20, lambda: controller_of(app).display.move((Pose(float(next(poses) % 20), 5.0, 90.0),))
+    )
 
 
 def load(app: DonnieApp, text: str) -> None:
     """Another program in the editor."""
     app.main_screen.editor.show(text, frozenset())
-    app.controller.display.update()
+    controller_of(app).display.update()
+
+
+def controller_of(app: DonnieApp) -> ScreenController:
+    """The controller, which every screen of this benchmark has."""
+    assert app.controller is not None
+    return app.controller
 
 
 def computing(app: DonnieApp) -> None:
@@ -133,7 +144,7 @@ TURNS = 200_000_000
 """Ten seconds or so: beginning and ending the run are little of it, and printed by themselves."""
 COUNTED = f"VAR x = 0\nREPEAT {TURNS} TIMES\nx = x + 1\nEND REPEAT"
 BEGUN = 1.0
-"""Seconds after which a run has begun, and nobody hears of it any more."""
+"""Seconds after which a run has begun, and its first sentences are on the screen."""
 
 
 @dataclass(frozen=True)
@@ -149,7 +160,7 @@ class Lost:
 
 
 async def lost_to_the_screen() -> Lost:
-    """Both are threads under one lock of the interpreter. Clocks tell more of the machine's other work.
+    """Both are threads under one lock. A clock would measure the machine's other work, too.
 
     What a terminal would get is worked out too; writing it is left to a thread that waits for the terminal.
     """
@@ -162,7 +173,7 @@ async def lost_to_the_screen() -> Lost:
         app.do("run")
         await asyncio.sleep(BEGUN)
         begun = last = _spent()
-        while app.controller.donnie.session.run is not None:
+        while controller_of(app).donnie.session.run is not None:
             last = _spent()
             await asyncio.sleep(0.5)
         ended = _spent()
@@ -190,17 +201,18 @@ async def log_of(ours: bool) -> tuple[float, float]:
     app = Logs(ours)
     lines = [f"I walked {number} steps forward." for number in range(LINES)]
     async with app.run_test(size=(80, 24)) as pilot:
-        widget = app.query_one(TextRows if ours else RichLog)
         await pilot.pause()
         tracemalloc.start()
         before = tracemalloc.get_traced_memory()[0]
         began = time.perf_counter()
         if ours:
+            rows = app.query_one(TextRows)
             for at in range(0, LINES, 100):
-                widget.append([(line, "moved") for line in lines[at : at + 100]])
+                rows.append([(line, "moved") for line in lines[at : at + 100]])
         else:
+            log = app.query_one(RichLog)
             for line in lines:
-                widget.write(line)
+                log.write(line)
         taken = time.perf_counter() - began
         kept = tracemalloc.get_traced_memory()[0] - before
         tracemalloc.stop()

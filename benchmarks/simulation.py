@@ -24,7 +24,7 @@ import pymunk
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from devices.ports.robot import Bearing, Motion, Pose
+from devices.ports.robot import Bearing, Motion, Pose, RobotProblem
 from language.compiler import compile_program
 from language.control import ExecutionControl
 from language.parser import parse
@@ -66,11 +66,13 @@ class Freely:
 
 
 class Listening:
-    """A watcher that hears all and does nothing."""
+    """A watcher that gets everything and does nothing."""
 
     def progressed(self, motion: Motion, pose: Pose) -> None: ...
 
     def passing(self, pose: Pose) -> None: ...
+
+    def sense_failed(self, problem: RobotProblem) -> None: ...
 
 
 def main() -> None:
@@ -123,7 +125,7 @@ def _program(robot: SimulatedRobot) -> Callable[[], None]:
     parsed = parse(text)
     if parsed.program is None:
         raise SystemExit(f"the program is wrong: {parsed.diagnostics}")
-    runnable, actions = compile_program(parsed.program, terminal=False, hooked=False), _Commands(robot)
+    runnable, actions = compile_program(parsed.program, terminal=False, hooked=False), _Commands(robot)  # type: ignore[abstract]
     return lambda: runnable.run(actions, ExecutionControl(), Memory())
 
 
@@ -345,7 +347,7 @@ def _floor(robots: int, boxes: int) -> Scene:
     """Robots and boxes in the cells of a grid with a metre of room each, the robots in every other one."""
     chance = random.Random(1)
     side = int((robots + boxes) ** 0.5) + 1
-    lines = []
+    lines: list[str] = []
     for cell in range(robots + boxes):
         x, y = cell % side - side // 2, cell // side - side // 2
         if cell < 2 * min(robots, boxes) and cell % 2 == 0:

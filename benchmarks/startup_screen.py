@@ -2,7 +2,7 @@
 
 All are started as new processes, in turns; the ratio of the medians is what counts. The target of the
 specification is 1.10. What the smallest program of Textual's takes to its first frame, one line of text, is
-measured beside it: less than that nobody can take. Then the most memory that the full screen had with the
+measured too: nothing can be faster. Then the most memory that the full screen had with the
 living room, once its map was there; at most 90 MB are wanted.
 Run: ``python benchmarks/startup_screen.py [ROUNDS]``
 """

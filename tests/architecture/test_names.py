@@ -14,6 +14,7 @@ MOST = {
     "worlds": 0,
     "tests": 0,
     "docs": 0,
+    "benchmarks": 0,
 }
 """Findings that are left. To list them: ``python -m tests.architecture.naming PLACE``."""
 
