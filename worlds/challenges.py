@@ -9,13 +9,12 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator
 from enum import Enum
 from pathlib import Path
-from typing import Any, Literal, TypeAlias
+from typing import Annotated, Any, Literal, TypeAlias
 
 import msgspec
-from msgspec import Struct, field
+from msgspec import Meta, Struct, field
 
 from donnie_tui.process.confinement import is_allowed, open_bytes
 from worlds import names as world_names
@@ -54,7 +53,15 @@ _LADDERS = {
 }
 """As a pupil solves them, from the easy to the hard ones; what is not named here follows by name."""
 
-Place: TypeAlias = tuple[float, float]
+LARGEST_NUMBER = 1_000_000
+MOST = 50
+"""Goals, variants or questions of one challenge."""
+Whole: TypeAlias = Annotated[int, Meta(ge=-LARGEST_NUMBER, le=LARGEST_NUMBER)]
+Number: TypeAlias = Annotated[float, Meta(ge=-LARGEST_NUMBER, le=LARGEST_NUMBER)]
+Amount: TypeAlias = Annotated[float, Meta(ge=0, le=LARGEST_NUMBER)]
+Count: TypeAlias = Annotated[int, Meta(ge=0, le=LARGEST_NUMBER)]
+Text: TypeAlias = Annotated[str, Meta(min_length=1)]
+Place: TypeAlias = tuple[Number, Number]
 """Steps to the east and to the north."""
 Target: TypeAlias = str | Place
 """A thing by its name, or a place."""
@@ -62,11 +69,8 @@ Area: TypeAlias = tuple[Place, Place]
 """Two opposite corners of a rectangle."""
 COMPASS = {"north": 0.0, "east": 90.0, "south": 180.0, "west": 270.0}
 """Headings by their names in a file."""
-Heading: TypeAlias = float | Literal["north", "east", "south", "west"]
+Heading: TypeAlias = Number | Literal["north", "east", "south", "west"]
 """Compass degrees, or a name."""
-MOST = 50
-"""Goals, variants or hints of one challenge."""
-LARGEST_NUMBER = 1_000_000
 
 
 class Goal(Struct, frozen=True, forbid_unknown_fields=True):
@@ -76,25 +80,25 @@ class Goal(Struct, frozen=True, forbid_unknown_fields=True):
     """Where the robot stops; with ``thing`` the place of that thing."""
     facing: Heading | None = None
     """Where it looks at the end."""
-    visited: tuple[Target, ...] | None = None
+    visited: Annotated[tuple[Target, ...], Meta(min_length=1)] | None = None
     """What the robot comes to, in this order."""
     near: Target | None = None
     """What the robot passes."""
     area: Area | None = None
     """Where the robot comes; with ``thing`` where that thing is at the end."""
     thing: str | None = None
-    said: str | int | tuple[str | int, ...] | None = None
+    said: Text | Whole | Annotated[tuple[Text | Whole, ...], Meta(min_length=1)] | None = None
     """A text, a number, or several in this order."""
     counted: str | None = None
     """A variable, with its ``value`` at the end."""
     holds: str | None = None
     """What the gripper holds at the end."""
-    robots: tuple[str, ...] | None = None
+    robots: Annotated[tuple[Text, ...], Meta(min_length=1)] | None = None
     """Robots that meet; with ``at`` they are all there at the end."""
     robot: str = ""
     """Whose goal it is; empty for the world's first robot."""
-    value: int = 0
-    within: float = 1.0
+    value: Whole = 0
+    within: Amount = 1.0
     """Steps, and for ``facing`` ten degrees each."""
     any_order: bool = False
     stay: bool = False
@@ -134,28 +138,28 @@ class Never(Struct, frozen=True, forbid_unknown_fields=True):
     touch: tuple[str, ...] = ()
     near: tuple[str, ...] = ()
     """What the robot keeps away from, more than ``within`` steps."""
-    within: float = 2.0
+    within: Amount = 2.0
 
 
 class Limit(Struct, frozen=True, forbid_unknown_fields=True):
     """The most that a solution may need; None for no limit."""
 
-    commands: int | None = None
+    commands: Count | None = None
     """Movements, turns, waits, sentences and scans that are carried out."""
-    seconds: float | None = None
+    seconds: Amount | None = None
     """Of robot time."""
-    steps: int | None = None
-    turns: int | None = None
+    steps: Count | None = None
+    turns: Count | None = None
 
 
 class Variant(Struct, frozen=True, forbid_unknown_fields=True):
     """A start of the world's first robot, and of things."""
 
-    start: tuple[float, float, Heading] | None = None
+    start: tuple[Number, Number, Heading] | None = None
     """Steps to the east, steps to the north, and the heading; None for the world's own."""
     things: dict[str, Place] = {}
     """Where things and other robots stand, by name, that stand elsewhere than in the world."""
-    seed: int = 0
+    seed: Whole = 0
 
     @property
     def place(self) -> tuple[float, float, float] | None:
@@ -190,7 +194,7 @@ class ChallengeQuestion(Struct, frozen=True, forbid_unknown_fields=True):
     """A thing; several for ``order``."""
     origin: Target = field(name="from", default="start")
     """``start``, ``end`` for where the robot is now, a place, or a thing."""
-    tolerance: float | None = None
+    tolerance: Amount | None = None
     """Degrees or steps; None for what is usual."""
 
     @property
@@ -226,9 +230,9 @@ class ChallengeText(Struct, frozen=True, forbid_unknown_fields=True):
 class Rules(Struct, frozen=True, forbid_unknown_fields=True):
     """A challenge without its words."""
 
-    format: int
+    format: Literal[1]
     world: str
-    goal: tuple[Goal, ...] = ()
+    goal: Annotated[tuple[Goal, ...], Meta(max_length=MOST)] = ()
     """Empty where the end of the solution is the goal."""
     difficulty: Difficulty = Difficulty.UNSTATED
     after: tuple[str, ...] = ()
@@ -239,8 +243,8 @@ class Rules(Struct, frozen=True, forbid_unknown_fields=True):
     """The words that a program must have."""
     never: Never = Never()
     limit: Limit = Limit()
-    variant: tuple[Variant, ...] = (Variant(),)
-    question: tuple[ChallengeQuestion, ...] = ()
+    variant: Annotated[tuple[Variant, ...], Meta(min_length=1, max_length=MOST)] = (Variant(),)
+    question: Annotated[tuple[ChallengeQuestion, ...], Meta(max_length=MOST)] = ()
     """Asked after a run."""
 
 
@@ -379,8 +383,6 @@ def read(path: Path) -> Challenge:
 
 def _check(rules: Rules, path: Path, lines: list[str]) -> None:
     """What the types don't say. Raises ``BadChallenge``."""
-    if rules.format != 1:
-        raise BadChallenge("challenge-value", path, line_of(lines, "", "format"), "format")
     if Path(rules.world).name != rules.world:
         raise BadChallenge("challenge-outside", path, line_of(lines, "", "world"), rules.world)
     worlds_here = _files_in_folder(path, ".world") + _files_in_folder(path, ".cfg")
@@ -390,46 +392,12 @@ def _check(rules: Rules, path: Path, lines: list[str]) -> None:
     ):
         for each in (name for name in named if name not in known):
             raise BadChallenge(code, path, line_with(lines, each), each, known)
-    for key, found in (("goal", rules.goal), ("variant", rules.variant), ("question", rules.question)):
-        if len(found) > MOST or (key == "variant" and not found):
-            raise BadChallenge("challenge-value", path, line_of(lines, key, ""), key)
     for index, question in enumerate(rules.question):
         if not question.is_complete:
             raise BadChallenge("challenge-value", path, line_of(lines, f"question[{index}]", "of"), "of")
-    for table, values in _tables(rules):
-        for key in values.__struct_fields__:
-            value = getattr(values, key)
-            is_empty = value in ("", ()) and key in ("visited", "said", "robots")
-            if is_empty or not all(_is_possible(key, each) for each in _numbers(value)):
-                raise BadChallenge("challenge-value", path, line_of(lines, table, key), key)
     for index, goal in enumerate(rules.goal):
         if not goal.kind:
             raise BadChallenge("challenge-goal", path, line_of(lines, f"goal[{index}]", ""), ", ".join(KINDS))
-
-
-def _tables(rules: Rules) -> Iterator[tuple[str, Struct]]:
-    """The tables of a file by their names, as ``line_of`` takes them."""
-    yield from (("never", rules.never), ("limit", rules.limit))
-    for name, tables in (("goal", rules.goal), ("variant", rules.variant), ("question", rules.question)):
-        for index, table in enumerate(tables):
-            yield f"{name}[{index}]", table
-
-
-def _numbers(value: object) -> Iterator[float]:
-    """All numbers in a value."""
-    if isinstance(value, dict):
-        value = tuple(value.values())
-    if isinstance(value, int | float):
-        yield value
-    elif isinstance(value, tuple):
-        for each in value:
-            yield from _numbers(each)
-
-
-def _is_possible(key: str, number: float) -> bool:
-    """Whether it is finite, not too large, and not less than nothing."""
-    is_amount = key in (*Limit.__struct_fields__, "within", "tolerance")
-    return (0 if is_amount else -LARGEST_NUMBER) <= number <= LARGEST_NUMBER
 
 
 def _files_in_folder(path: Path, suffix: str, *, is_stem: bool = False) -> tuple[str, ...]:
@@ -458,6 +426,7 @@ def _converted(content: object, kind: type[Any], path: Path, lines: list[str], t
     except msgspec.ValidationError as problem:
         found = _PLACE.fullmatch(str(problem))
         message, place = (found[1], found[2] or "") if found else (str(problem), "")
+        place = place.replace("[...]", "[0]")  # a value of a dictionary
         inside = ".".join(filter(None, (table, place.lstrip("."))))
         unknown = re.search("unknown field `(.*)`", message)
         if unknown:
@@ -474,7 +443,7 @@ def _converted(content: object, kind: type[Any], path: Path, lines: list[str], t
         wrong = re.search("enum value '(.*)'", message)
         if wrong and key in _VALUES:
             raise BadChallenge("challenge-choice", path, line, wrong[1], _VALUES[key]) from None
-        raise BadChallenge("challenge-value", path, line, inside) from None
+        raise BadChallenge("challenge-value", path, line, key) from None
 
 
 _OF_TABLE: dict[str, type[Struct]] = {
@@ -498,7 +467,7 @@ def line_of(lines: list[str], table: str, key: str) -> int:
 
     ``table`` is as msgspec names it: ``goal[1]``, ``en.hint[0]``, or empty for what stands before all tables.
     """
-    wanted, counted, current = re.sub(r"\[\.\.\.\]", "[0]", table), dict[str, int](), ""
+    counted, current = dict[str, int](), ""
     for number, line in enumerate(lines, start=1):
         head = re.match(r"\s*(\[\[?)\s*([\w.]+)\s*\]", line)
         if head:
@@ -506,9 +475,9 @@ def line_of(lines: list[str], table: str, key: str) -> int:
             if head[1] == "[[":
                 at = counted[current] = counted.get(current, -1) + 1
                 current = f"{current}[{at}]"
-            if (current == wanted and not key) or (head[2] == key and not wanted):
+            if (current == table and not key) or (head[2] == key and not table):
                 return number
-        elif current == wanted and key and re.match(rf"\s*[\"']?{re.escape(key)}[\"']?\s*=", line):
+        elif current == table and key and re.match(rf"\s*[\"']?{re.escape(key)}[\"']?\s*=", line):
             return number
     return 0
 
