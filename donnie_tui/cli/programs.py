@@ -512,9 +512,9 @@ class _Judging:
             "solved": solved,
             "goals": worst.goals,
             "met": worst.met,
-            "commands": worst.commands,
-            "steps": worst.steps,
-            "bumps": worst.bumps,
+            "commands": worst.track.commands,
+            "steps": worst.track.steps,
+            "bumps": worst.track.bumps,
             "verdict": sentence,
         }
 

@@ -286,7 +286,7 @@ class Attempt:
             solution = solution_of(self.challenge, donnie.world, donnie.words)
         except Unusable:
             return 0
-        return judge_program(solution, self._starts[:1], donnie.words, settings)[0].steps
+        return judge_program(solution, self._starts[:1], donnie.words, settings)[0].track.steps
 
     def judge(self, is_program: bool) -> tuple[str, ...]:
         """What there is to say after a run, which is kept as a try. ``is_program``: more than a line ran.
@@ -352,7 +352,7 @@ class Attempt:
         from donnie_tui.core.questions import Asked
 
         track = track_of(self.room, self._happened())
-        return tuple(Asked(each, self.room, track) for each in self.challenge.rules.question)
+        return tuple(Asked(each, track) for each in self.challenge.rules.question)
 
     def _try_of(self, judgment: Judgment, *, is_solved: bool) -> Attempted:
         from datetime import datetime
@@ -365,11 +365,11 @@ class Attempt:
             is_solved,
             judgment.met,
             judgment.goals,
-            judgment.commands,
-            judgment.steps,
-            judgment.bumps,
+            judgment.track.commands,
+            judgment.track.steps,
+            judgment.track.bumps,
             self.hints,
-            judgment.seconds,
+            round(judgment.track.seconds),
             self._shortest if is_solved else 0,
         )
 

@@ -378,7 +378,7 @@ def verdict_in_words(verdicts: Sequence[Judgment], room: Inventory, wording: Wor
     """That a challenge is solved, or what the first start that fails lacks. One verdict for each start."""
     failed = next(((at, each) for at, each in enumerate(verdicts, start=1) if not each.is_solved), None)
     if failed is None:
-        return wording("challenge-solved", commands=verdicts[0].commands)
+        return wording("challenge-solved", commands=verdicts[0].track.commands)
     at, verdict = failed
     said = [wording("challenge-met", met=verdict.met, goals=verdict.goals)]
     if at > 1:

@@ -34,7 +34,7 @@ from donnie_tui.core.events import (
     Waited,
 )
 from worlds import challenges
-from worlds.challenges import Area, Challenge, Goal, Rules, Target
+from worlds.challenges import Area, Challenge, Goal, Place, Rules, Target
 
 DEGREES = 10.0
 """What a robot that faces a direction may be off by, for each step of ``within``."""
@@ -94,6 +94,8 @@ class Moment(Struct, frozen=True):
 class Track(Struct, frozen=True):
     """What was done since the robots were put to their starts."""
 
+    room: Inventory
+    """As it was then."""
     ways: Mapping[str, tuple[Moment, ...]]
     """By robot: where a movement began or ended, and where things changed; straight in between."""
     meetings: Sequence[Mapping[str, Pose]]
@@ -156,17 +158,19 @@ class Unsensed(Struct, frozen=True):
 class Judgment(Struct, frozen=True):
     """The outcome of a run for a challenge."""
 
-    goals: int
-    met: int
-    commands: int
-    steps: int
-    bumps: int
+    track: Track
+    of_goals: tuple[Shortfall | None, ...]
+    """What each goal lacks, in the order of the file; None where it is met."""
     shortfalls: tuple[Shortfall, ...]
     """The most important first; empty if the challenge is solved."""
-    of_goals: tuple[Shortfall | None, ...] = ()
-    """What each goal lacks, in the order of the file; None where it is met."""
-    seconds: int = 0
-    """Of robot time."""
+
+    @property
+    def goals(self) -> int:
+        return len(self.of_goals)
+
+    @property
+    def met(self) -> int:
+        return self.of_goals.count(None)
 
     @property
     def is_solved(self) -> bool:
@@ -184,29 +188,20 @@ def judge(
     ``answers``: of a real robot, what the learner said about what it can't sense.
     """
     track, rules = track_of(room, events), challenge.rules
-    missing = [
-        _missing(goal, room, track)
+    missing = tuple(
+        _missing(goal, track)
         if answers is None or goal.is_sensed or not track.has_run
         else _answered(answers.get(Unsensed("goal", at)), at + 1)
         for at, goal in enumerate(rules.goal)
-    ]
-    failed = [each for each in missing if each is not None]
-    return Judgment(
-        len(missing),
-        len(missing) - len(failed),
-        track.commands,
-        track.steps,
-        track.bumps,
-        (
-            *_ended_badly(track),
-            *_of_words(challenge, track),
-            *failed,
-            *_forbidden(rules, room, track, answers),
-            *_over_limit(rules, track),
-        ),
-        tuple(missing),
-        round(track.seconds),
     )
+    shortfalls = (
+        *_ended_badly(track),
+        *_of_words(challenge, track),
+        *(each for each in missing if each is not None),
+        *_forbidden(rules, track, answers),
+        *_over_limit(rules, track),
+    )
+    return Judgment(track, missing, shortfalls)
 
 
 GoalPlace: TypeAlias = tuple[int, float, float, float, float]
@@ -237,17 +232,13 @@ def goals_of_end(room: Inventory, events: Iterable[Stamped]) -> tuple[Goal, ...]
     """The end of a solution as goals: where the robots and the things that it moved are, and what it said."""
     track = track_of(room, events)
     names = track.ways if len(room.robots) > 1 else ("",)
-    goals = [Goal(at=_here(name, room, track), robot=name, within=0.5) for name in names]
+    ends = ((name, _end(name, track)) for name in names)
+    goals = [Goal(at=(round(end.x, 1), round(end.y, 1)), robot=name, within=0.5) for name, end in ends]
     for start, end in zip(room.items, track.items, strict=True):
         if hypot(end.x - start.x, end.y - start.y) > NEARLY and end.name not in track.held.values():
             goals.append(Goal(thing=start.name or start.kind, at=(round(end.x, 1), round(end.y, 1))))
     goals += [Goal(holds=thing) for thing in track.held.values() if thing]
     return (*goals, Goal(said=track.said)) if track.said else tuple(goals)
-
-
-def _here(robot: str, room: Inventory, track: Track) -> tuple[float, float]:
-    pose = _end(robot, room, track)
-    return round(pose.x, 1), round(pose.y, 1)
 
 
 def unknown_things(challenge: Challenge, room: Inventory) -> tuple[str, ...]:
@@ -313,6 +304,7 @@ def track_of(room: Inventory, events: Iterable[Stamped]) -> Track:
             here[robot] = pose
             meetings.append(dict(here))
     return Track(
+        room,
         {name: tuple(way) for name, way in ways.items()},
         meetings,
         items,
@@ -346,14 +338,16 @@ def _moved(item: Item, pose: Pose | None) -> Item:
 # --- goals
 
 
-def _missing(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
+def _missing(goal: Goal, track: Track) -> Shortfall | None:
     """What is missing; None if the goal is met."""
     if not track.has_run:
         return Shortfall("goal-no-run", {})
-    found = _JUDGES[goal.kind](goal, room, track)
-    if found is None or not goal.robot:
-        return found
-    return Shortfall(found.code, {**found.values, "robot": goal.robot})
+    found = _JUDGES[goal.kind](goal, track)
+    return found if found is None or not goal.robot else _of_robot(found, goal.robot)
+
+
+def _of_robot(found: Shortfall, name: str) -> Shortfall:
+    return Shortfall(found.code, {**found.values, "robot": name})
 
 
 def _answered(answer: bool | None, number: int) -> Shortfall | None:
@@ -362,36 +356,33 @@ def _answered(answer: bool | None, number: int) -> Shortfall | None:
     return None if answer else Shortfall(code, {"number": number})
 
 
-def _way(robot: str, room: Inventory, track: Track) -> Sequence[Moment]:
+def _way(robot: str, track: Track) -> Sequence[Moment]:
     """Where the robot of that name was, at least its start."""
     ways = track.ways
-    return ways.get(room.robot_called(robot) or "") or next(iter(ways.values()))
+    return ways.get(track.room.robot_called(robot) or "") or next(iter(ways.values()))
 
 
-def _end(robot: str, room: Inventory, track: Track) -> Pose:
-    return _way(robot, room, track)[-1].pose
+def _end(robot: str, track: Track) -> Pose:
+    return _way(robot, track)[-1].pose
 
 
-def _at(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
+def _at(goal: Goal, track: Track, robot: str | None = None) -> Shortfall | None:
+    """``robot``: one of several that are meant, in place of the goal's."""
     assert goal.at is not None
-    return _elsewhere(_end(goal.robot, room, track), goal.at, goal.within, room, track)
-
-
-def _elsewhere(here: Pose, target: Target, within: float, room: Inventory, track: Track) -> Shortfall | None:
-    gap, item = gap_to(here, target, room, track.items)
-    if gap <= within + NEARLY:
+    here = _end(goal.robot if robot is None else robot, track)
+    gap, item = gap_to(here, goal.at, track.room, track.items)
+    if gap <= goal.within + NEARLY:
         return None
-    if item is None:
-        assert not isinstance(target, str)
-        direction = bearing(*target, here.x, here.y)
-        return Shortfall("goal-at-place", {"steps": in_steps(gap), "direction": direction, "target": target})
-    direction = bearing(here.x, here.y, item.x, item.y)
-    return Shortfall("goal-at-thing", {"steps": in_steps(gap), "direction": direction, "target": target})
+    if isinstance(goal.at, str) and item is not None:
+        code, direction = "goal-at-thing", bearing(here.x, here.y, item.x, item.y)
+    else:
+        code, direction = "goal-at-place", bearing(*_middle(goal.at, track), here.x, here.y)
+    return Shortfall(code, {"steps": in_steps(gap), "direction": direction, "target": goal.at})
 
 
-def _facing(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
+def _facing(goal: Goal, track: Track) -> Shortfall | None:
     assert goal.facing is not None
-    heading = _end(goal.robot, room, track).heading
+    heading = _end(goal.robot, track).heading
     off = (heading - challenges.degrees_of(goal.facing) + 180) % 360 - 180
     if abs(off) <= goal.within * DEGREES:
         return None
@@ -399,9 +390,9 @@ def _facing(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
     return Shortfall(code, {"degrees": round(abs(off))})
 
 
-def _visited(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
+def _visited(goal: Goal, track: Track) -> Shortfall | None:
     assert goal.visited is not None
-    way = _way(goal.robot, room, track)
+    way, room = _way(goal.robot, track), track.room
     if goal.any_order:
         gaps = ((each, smallest_gap(each, room, way)) for each in goal.visited)
         missed = [each for each, gap in gaps if gap > goal.within + NEARLY]
@@ -413,19 +404,19 @@ def _visited(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
     return Shortfall("goal-visited", {"target": missed[0]}) if missed else None
 
 
-def _near(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
+def _near(goal: Goal, track: Track) -> Shortfall | None:
     assert goal.near is not None
-    gap = smallest_gap(goal.near, room, _way(goal.robot, room, track))
+    gap = smallest_gap(goal.near, track.room, _way(goal.robot, track))
     if gap <= goal.within + NEARLY:
         return None
     return Shortfall("goal-near", {"steps": in_steps(gap), "target": goal.near})
 
 
-def _area(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
+def _area(goal: Goal, track: Track) -> Shortfall | None:
     """Reached at any time; with ``stay`` not left afterwards."""
     assert goal.area is not None
     is_inside = False
-    for pose, _ in every_tenth(_way(goal.robot, room, track)):
+    for pose, _ in every_tenth(_way(goal.robot, track)):
         gap, direction = way_out(pose.x, pose.y, goal.area)
         if is_inside and goal.stay and gap > NEARLY:
             return Shortfall("goal-area-left", {"direction": direction, "area": goal.area})
@@ -435,34 +426,31 @@ def _area(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
     return Shortfall("goal-area", {"steps": in_steps(gap), "direction": direction, "area": goal.area})
 
 
-def _thing(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:  # noqa: ARG001
+def _thing(goal: Goal, track: Track) -> Shortfall | None:
     assert goal.thing is not None
     found = [each for each in track.items if each.is_called(goal.thing)]
-    gaps: list[tuple[float, float]] = []
-    for each in found:
-        if goal.area is not None:
-            gaps.append(way_out(each.x, each.y, goal.area))
-        else:
-            x, y = _middle(goal.at, track)
-            gaps.append((hypot(each.x - x, each.y - y), bearing(x, y, each.x, each.y)))
-    if not gaps:
+    if goal.area is not None:
+        code, within, area = "goal-thing-area", 0.0, goal.area
+    else:
+        assert goal.at is not None
+        code, within, place = "goal-thing", goal.within, _middle(goal.at, track)
+        area = (place, place)
+    if not found:
         return Shortfall("goal-no-thing", {"target": goal.thing})
-    gap, direction = min(gaps)
-    if gap <= NEARLY + (goal.within if goal.area is None else 0):
+    gap, direction = min(way_out(each.x, each.y, area) for each in found)
+    if gap <= within + NEARLY:
         return None
-    code = "goal-thing" if goal.area is None else "goal-thing-area"
     return Shortfall(code, {"steps": in_steps(gap), "direction": direction, "target": goal.thing})
 
 
-def _middle(target: Target | None, track: Track) -> tuple[float, float]:
-    assert target is not None
+def _middle(target: Target, track: Track) -> Place:
     if not isinstance(target, str):
         return target
     found = next(each for each in track.items if each.is_called(target))
     return found.x, found.y
 
 
-def _said(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:  # noqa: ARG001
+def _said(goal: Goal, track: Track) -> Shortfall | None:
     """A text, or several in this order; other sentences may come between."""
     wanted = goal.said if isinstance(goal.said, tuple) else (goal.said,)
     said, before = iter(track.said), ""
@@ -474,9 +462,9 @@ def _said(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:  # noq
     return None
 
 
-def _counted(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
+def _counted(goal: Goal, track: Track) -> Shortfall | None:
     assert goal.counted is not None
-    variables = track.variables.get(room.robot_called(goal.robot) or "", {})
+    variables = track.variables.get(track.room.robot_called(goal.robot) or "", {})
     values = {folded(name): value for name, value in variables.items()}
     value = values.get(folded(goal.counted))
     if value is None:
@@ -486,35 +474,30 @@ def _counted(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
     return Shortfall("goal-counted", {"name": goal.counted, "value": value, "wanted": goal.value})
 
 
-def _holds(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
+def _holds(goal: Goal, track: Track) -> Shortfall | None:
     assert goal.holds is not None
-    wanted = [name for each in room.called(goal.holds) for name in (each.name, each.kind)]
-    held = track.held.get(room.robot_called(goal.robot) or "", "")
+    wanted = [name for each in track.room.called(goal.holds) for name in (each.name, each.kind)]
+    held = track.held.get(track.room.robot_called(goal.robot) or "", "")
     return None if held and held in wanted else Shortfall("goal-holds", {"target": goal.holds})
 
 
-def _robots(goal: Goal, room: Inventory, track: Track) -> Shortfall | None:
+def _robots(goal: Goal, track: Track) -> Shortfall | None:
     """All at their place at the end; without a place, side by side at some moment."""
     assert goal.robots is not None
-    names = [room.robot_called(each) or "" for each in goal.robots]
+    names = [track.room.robot_called(each) or "" for each in goal.robots]
     if goal.at is not None:
-        for name in names:
-            found = _elsewhere(_end(name, room, track), goal.at, goal.within, room, track)
-            if found is not None:
-                return Shortfall(found.code, {**found.values, "robot": name})
-        return None
+        missing = ((_at(goal, track, name), name) for name in names)
+        return next((_of_robot(found, name) for found, name in missing if found is not None), None)
     for one, other in combinations(names, 2):
-        gaps = [
-            hypot(each[one].x - each[other].x, each[one].y - each[other].y) - 2 * room.radius
-            for each in track.meetings
-        ]
+        ways = ((each[one], each[other]) for each in track.meetings)
+        gaps = [hypot(a.x - b.x, a.y - b.y) - 2 * track.room.radius for a, b in ways]
         gap = max(min(gaps, default=0.0), 0.0)
         if gap > goal.within + NEARLY:
             return Shortfall("goal-not-together", {"first": one, "second": other, "steps": in_steps(gap)})
     return None
 
 
-_JUDGES: Mapping[str, Callable[[Goal, Inventory, Track], Shortfall | None]] = {
+_JUDGES: Mapping[str, Callable[[Goal, Track], Shortfall | None]] = {
     "at": _at,
     "facing": _facing,
     "visited": _visited,
@@ -575,9 +558,7 @@ def _lesson_of(word: str | None, now: str) -> int:
     return 0
 
 
-def _forbidden(
-    rules: Rules, room: Inventory, track: Track, answers: Mapping[Unsensed, bool] | None
-) -> Iterable[Shortfall]:
+def _forbidden(rules: Rules, track: Track, answers: Mapping[Unsensed, bool] | None) -> Iterable[Shortfall]:
     moves = [each for each in track.events if isinstance(each, Moved | Turned)]
     if rules.never.bump and track.bumps:
         yield Shortfall("never-bump", {"times": track.bumps})
@@ -585,13 +566,13 @@ def _forbidden(
         yield from _answered_rules(rules, track, answers)
         return
     for name in rules.never.touch:
-        wanted = room.called(name)
+        wanted = track.room.called(name)
         touched = [(each.met.kind, each.met.name) for each in moves if each.met is not None]
         touched += [(thing.kind, thing.name) for each in moves for thing in each.pushed]
         if any((each.kind, each.name) in touched for each in wanted):
             yield Shortfall("never-touch", {"target": name})
     for name in rules.never.near:
-        gap = min(smallest_gap(name, room, way) for way in track.ways.values())
+        gap = min(smallest_gap(name, track.room, way) for way in track.ways.values())
         if gap < rules.never.within:
             yield Shortfall("never-near", {"target": name, "most": in_steps(rules.never.within)})
 

@@ -7,6 +7,7 @@ thing. Things count where they are at the end of the run.
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -22,31 +23,30 @@ from worlds.challenges import Ask, ChallengeQuestion, Rules
 TOLERANCES = {Ask.DIRECTION: 30.0, Ask.DISTANCE: 2.0}
 """Degrees and steps that an answer may be off by where the challenge doesn't say; else nothing."""
 _NUMBER = re.compile(r"\d+(?:[.,]\d+)?")
+_WithColour = Callable[[str, str, str, Wording], str]
 
 
 class Asked(Struct, frozen=True):
     """A question about the world as one run left it."""
 
     question: ChallengeQuestion
-    room: Inventory
     track: Track
 
     def text(self, wording: Wording) -> str:
         """The question in words."""
-        question = self.question
-        things = [self._item(name) for name in question.things]
-        if question.ask is Ask.ORDER:
-            names = enumerate(zip(things, question.things, strict=True), start=1)
-            listed = (f"{at} {_listed(each, name, wording)}" for at, (each, name) in names)
-            return wording("question-order", origin=self._origin_in_words(wording), things="; ".join(listed))
-        thing, name, code = things[0], question.things[0], f"question-{question.ask.value}"
-        match question.ask:
+        code, names = f"question-{self.question.ask.value}", self.question.things
+        match self.question.ask:
+            case Ask.ORDER:
+                listed = (f"{at} {self._called(name, wording)}" for at, name in enumerate(names, start=1))
+                return wording(code, origin=self._origin_in_words(wording), things="; ".join(listed))
             case Ask.COUNT:
-                return wording(code, target=_listed(thing, name, wording))
+                return wording(code, target=self._called(names[0], wording))
             case Ask.COLOUR:
-                return wording(code, target=called(thing.kind, thing.name, wording))
+                item = self._item(names[0])
+                return wording(code, target=called(item.kind, item.name, wording))
             case _:
-                return wording(code, origin=self._origin_in_words(wording), target=_the(thing, name, wording))
+                target = self._called(names[0], wording, the_coloured)
+                return wording(code, origin=self._origin_in_words(wording), target=target)
 
     def right_answer(self, wording: Wording) -> str:
         """What is right, in words."""
@@ -95,6 +95,13 @@ class Asked(Struct, frozen=True):
     def _item(self, name: str) -> Item:
         return next(each for each in self.track.items if each.is_called(name))
 
+    def _called(self, name: str, wording: Wording, with_colour: _WithColour = coloured) -> str:
+        """A thing, with its colour where the question names it."""
+        item = self._item(name)
+        if not item.colour or item.colour not in name:
+            return called(item.kind, item.name, wording)
+        return with_colour(item.kind, item.name, item.colour, wording)
+
     def _origin(self) -> Pose:
         way = next(iter(self.track.ways.values()))
         match self.question.origin:
@@ -113,7 +120,7 @@ class Asked(Struct, frozen=True):
             case "start" | "end" as place:
                 return wording(f"question-from-{place}")
             case str() as name:
-                return wording("question-from", origin=_the(self._item(name), name, wording))
+                return wording("question-from", origin=self._called(name, wording, the_coloured))
             case x, y:
                 return wording("question-from", origin=f"{x:g}, {y:g}")
 
@@ -124,7 +131,7 @@ class Asked(Struct, frozen=True):
     def _distance(self, name: str) -> float:
         """From the robot's body where it is or was, else from the middle of the place or thing."""
         is_of_robot = self.question.origin in ("start", "end")
-        room = self.room if is_of_robot else replace(self.room, radius=0.0)
+        room = self.track.room if is_of_robot else replace(self.track.room, radius=0.0)
         return gap_to(self._origin(), name, room, self.track.items)[0]
 
     def _count(self) -> int:
@@ -150,16 +157,3 @@ def unsensed_question(asked: Unsensed, rules: Rules, room: Inventory, wording: W
         target_in_words(each, room, wording) for each in goal.targets if each != goal.at or goal.kind == "at"
     )
     return wording(f"goal-ask-{goal.kind}", target=listed)
-
-
-def _the(item: Item, name: str, wording: Wording) -> str:
-    """With its colour where the question names it."""
-    if not item.colour or item.colour not in name:
-        return called(item.kind, item.name, wording)
-    return the_coloured(item.kind, item.name, item.colour, wording)
-
-
-def _listed(item: Item, name: str, wording: Wording) -> str:
-    if not item.colour or item.colour not in name:
-        return called(item.kind, item.name, wording)
-    return coloured(item.kind, item.name, item.colour, wording)

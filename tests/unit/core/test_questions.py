@@ -29,7 +29,7 @@ WAY = [
 def asked(
     ask: Ask, of: str | tuple[str, ...], origin: Target = "start", tolerance: float | None = None
 ) -> Asked:
-    return Asked(ChallengeQuestion(ask, of, origin, tolerance), ROOM, track_of(ROOM, WAY))
+    return Asked(ChallengeQuestion(ask, of, origin, tolerance), track_of(ROOM, WAY))
 
 
 @pytest.mark.parametrize(
