@@ -17,6 +17,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
+from typing import Any, TypeAlias
 
 from msgspec import Struct
 
@@ -77,16 +78,9 @@ def read_source(name: str, words: Words) -> Source:
 def robot_and_file(argument: str) -> tuple[str | None, str]:
     """``ROBOT=FILE``, or a file of exactly that name for no robot in particular."""
     robot, equals, file = argument.partition("=")
-    if not (robot and equals) or _exists(argument):
+    if not (robot and equals) or exists(Path(argument)):
         return None, argument
     return robot, file
-
-
-def _exists(name: str) -> bool:
-    try:
-        return Path(name).exists()
-    except (OSError, ValueError):
-        return False
 
 
 def _standard_input() -> str:
@@ -125,26 +119,26 @@ def _totals(codes: Sequence[int], words: Words) -> str:
 
 def programs_in(name: str) -> tuple[str, ...]:
     """The files of a folder that are named as programs are, by name; of anything else only itself."""
-    folder = Path(name)
-    try:
-        if not (is_allowed(folder) and folder.is_dir()):
-            return (name,)
-        found = [each for each in folder.iterdir() if each.suffix.lower() == ".gd"]
-        found = [each for each in found if is_allowed(each) and each.is_file()]
-    except (OSError, ValueError):
-        return (name,)  # reading it reports why
-    return tuple(sorted(map(str, found)))
+    found = _entries(name, lambda each: each.suffix.lower() == ".gd" and each.is_file())
+    return (name,) if found is None else found
 
 
 def folders_in(name: str) -> tuple[str, ...]:
     """The folders in a folder, by name; none of anything else."""
+    return _entries(name, Path.is_dir) or ()
+
+
+def _entries(name: str, is_wanted: Callable[[Path], bool]) -> tuple[str, ...] | None:
+    """What is in a folder, by name; None where there is none, or reading it will report why."""
     folder = Path(name)
     try:
-        if not (is_allowed(folder) and folder.is_dir()):
-            return ()
-        return tuple(sorted(str(each) for each in folder.iterdir() if is_allowed(each) and each.is_dir()))
+        if is_allowed(folder) and folder.is_dir():
+            return tuple(
+                sorted(str(each) for each in folder.iterdir() if is_allowed(each) and is_wanted(each))
+            )
     except (OSError, ValueError):
-        return ()
+        pass
+    return None
 
 
 def _check_file(
@@ -218,12 +212,8 @@ def _format_file(order: Order, name: str) -> int:
 def _put(text: str, source: Source, order: Order) -> None:
     if not order.invocation.arguments.write or source.path is None:
         order.output.text(text)
-        return
-    try:
-        if text != source.text:
-            write_program(source.path, text)
-    except DocumentError as error:
-        raise Unusable(order.words(error.code, path=error.path, reason=error.reason)) from None
+    elif text != source.text:
+        _write(source.path, text, order.words)
 
 
 # --- challenges
@@ -264,27 +254,31 @@ def check_challenge(order: Order, name: str, files: Sequence[str]) -> int:
     if not pupils:
         raise Unusable(order.words("check-no-programs", path=files[0]))
     records = [judging.record(each) for each in pupils]
-    if order.invocation.command == "challenge":
-        _write_table(order, pupils, [each[1] for each in records])
-    if order.invocation.command == "challenge" and order.invocation.arguments.json:
-        order.output.text(json.dumps([each[1] for each in records], ensure_ascii=False, indent=2) + "\n")
+    solved = [each["solved"] for each in records]
+    _write_table(order, pupils, records)
+    if judging.is_json:
+        order.output.text(json.dumps(records, ensure_ascii=False, indent=2) + "\n")
     elif len(records) > 1:
-        solved = sum(code == ExitCode.DONE for code, _ in records)
-        order.output.line(order.words("challenge-total", programs=len(records), solved=solved))
-    return max(code for code, _ in records)
+        order.output.line(order.words("challenge-total", programs=len(records), solved=solved.count(True)))
+    return max(_CODES[each] for each in solved)
+
+
+_CODES = {True: ExitCode.DONE, False: ExitCode.FAILED, None: ExitCode.UNUSABLE}
+"""By what a record says about ``solved``."""
 
 
 def judge_recording(order: Order, name: str, recorded: Sequence[Stamped], *, is_simulated: bool) -> int:
     """Judge a recording, of a real robot only what it can sense; 1 if it does not solve the challenge."""
-    judging = _Judging(order, choose_challenge(name, order.words))
-    verdicts = judging.verdicts_of(
-        order.invocation.arguments.file, tuple(recorded), None if is_simulated else {}
-    )
-    order.output.line(judging.sentences(verdicts))
-    return ExitCode.DONE if all(each.is_solved for each in verdicts) else ExitCode.FAILED
+    judging, path = _Judging(order, choose_challenge(name, order.words)), order.invocation.arguments.file
+    verdicts = judging.verdicts_of(path, recorded, None if is_simulated else {})
+    order.output.line(verdict_in_words(verdicts, order.words))
+    return _CODES[all(each.is_solved for each in verdicts)]
 
 
-_COLUMNS = ("file", "solved", "goals", "met", "commands", "steps", "bumps", "verdict")
+_COUNTED = ("commands", "steps", "bumps")
+_COLUMNS = ("file", "solved", "goals", "met", *_COUNTED, "verdict")
+_Record: TypeAlias = dict[str, Any]
+"""The values by their columns. ``solved`` is None for a program that can't be read."""
 
 
 class _Pupil(Struct, frozen=True):
@@ -303,9 +297,9 @@ class _Pupil(Struct, frozen=True):
         return "/".join(filter(None, (Path(self.folder).name, Path(self.name).name)))
 
 
-def _write_table(order: Order, pupils: Sequence[_Pupil], records: Sequence[Mapping[str, object]]) -> None:
-    """What ``--csv`` and ``--feedback`` ask for. Raises ``Unusable``."""
-    table, folder = order.invocation.arguments.csv, order.invocation.arguments.feedback
+def _write_table(order: Order, pupils: Sequence[_Pupil], records: Sequence[_Record]) -> None:
+    """What ``--csv`` and ``--feedback`` ask for, which ``donnie run`` does not know. Raises ``Unusable``."""
+    table, folder = (getattr(order.invocation.arguments, each, None) for each in ("csv", "feedback"))
     if table is not None:
         files = (Path(file).resolve() for each in pupils for file in each.files.values())
         if Path(table).resolve() in files:
@@ -401,7 +395,7 @@ def _test_challenge(order: Order, name: str) -> int:
     wrong = not verdicts[-1].is_solved
     if wrong:
         order.output.line(order.words("challenge-test-unsolved", name=found.name))
-        order.output.line(judging.sentences(verdicts))
+        order.output.line(verdict_in_words(verdicts, order.words))
     easy = judging.is_solved_by_nothing()
     if easy:
         order.output.line(order.words("challenge-test-empty", name=found.name))
@@ -446,6 +440,7 @@ class _Judging:
     def __init__(self, order: Order, found: challenges.Challenge) -> None:
         """Raises ``Unusable``."""
         self._order, self._words, self._name = order, order.words, found.name
+        self.is_json: bool = getattr(order.invocation.arguments, "json", False)
         self.world = world_of(found, order.words)
         self._room = inventory_of(self.world.scene)
         self._starts = starts_of(found, self.world, order.words, order.settings)
@@ -495,32 +490,23 @@ class _Judging:
         named = {folded(Path(each).stem): each for each in programs_in(folder) if each != folder}
         return {each: named[folded(each)] for each in self._room.robots if folded(each) in named}
 
-    def record(self, pupil: _Pupil) -> tuple[int, dict[str, object]]:
-        """The exit code for a pupil and the record; prints its line unless all is asked for as JSON."""
-        name, first = pupil.name, self.world.scene.robot_names[0]
+    def record(self, pupil: _Pupil) -> _Record:
+        """What there is to say about a pupil; prints its line unless all is asked for as JSON."""
+        found, first = _Record(file=pupil.name, solved=None), self.world.scene.robot_names[0]
         try:
-            sources = {robot or first: read_source(file, self._words) for robot, file in pupil.files.items()}
+            texts = {each or first: read_source(file, self._words).text for each, file in pupil.files.items()}
         except Unusable as unusable:
-            self._print(unusable.sentence)
-            return ExitCode.UNUSABLE, {"file": name, "solved": None, "verdict": unusable.sentence}
-        verdicts = self.verdicts({robot: each.text for robot, each in sources.items()})
-        sentence, solved = self.sentences(verdicts), all(each.is_solved for each in verdicts)
-        self._print(self._words("challenge-verdict", file=pupil.label, verdict=sentence))
-        worst = next((each for each in verdicts if not each.is_solved), verdicts[0])
-        return ExitCode.DONE if solved else ExitCode.FAILED, {
-            "file": name,
-            "solved": solved,
-            "goals": worst.goals,
-            "met": worst.met,
-            "commands": worst.track.commands,
-            "steps": worst.track.steps,
-            "bumps": worst.track.bumps,
-            "verdict": sentence,
-        }
-
-    def _print(self, line: str) -> None:
-        if not getattr(self._order.invocation.arguments, "json", False):
+            line = found["verdict"] = unusable.sentence
+        else:
+            verdicts = self.verdicts(texts)
+            shown = verdicts[0] if verdicts[-1].is_solved else verdicts[-1]
+            found |= {"solved": shown.is_solved, "goals": shown.goals, "met": shown.met}
+            found |= {each: getattr(shown.track, each) for each in _COUNTED}
+            found["verdict"] = verdict_in_words(verdicts, self._words)
+            line = self._words("challenge-verdict", file=pupil.label, verdict=found["verdict"])
+        if not self.is_json:
             self._order.output.line(line)
+        return found
 
     def verdicts(self, programs: Programs) -> tuple[Judgment, ...]:
         """One for each start, up to the first that does not solve it."""
@@ -564,7 +550,3 @@ class _Judging:
                 ):
                     return robot, span.line
         return None
-
-    def sentences(self, verdicts: Sequence[Judgment]) -> str:
-        """What there is to say about a program."""
-        return verdict_in_words(verdicts, self._room, self._words)

@@ -330,7 +330,7 @@ class Attempt:
             donnie.session.hub.publish(CueSounded("solved", 0.0, None))
         else:
             self._chime(here)
-        sentence = verdict_in_words(verdicts, self.room, donnie.words)
+        sentence = verdict_in_words(verdicts, donnie.words)
         following = challenges.after(self.challenge.name) if is_solved else None
         if following is None:
             return (sentence,)

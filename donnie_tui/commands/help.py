@@ -243,7 +243,7 @@ async def goals(ctx: Context, _: str) -> None:
     if ctx.attempt is None:
         ctx.answer("challenge-none")
     else:
-        ctx.say(*goals_in_words(ctx.attempt.judgment(), ctx.attempt.room, ctx.words))
+        ctx.say(*goals_in_words(ctx.attempt.judgment(), ctx.words))
 
 
 @handles("hint")

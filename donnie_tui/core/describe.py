@@ -374,7 +374,7 @@ MOST_SENTENCES = 4
 """Of one verdict."""
 
 
-def verdict_in_words(verdicts: Sequence[Judgment], room: Inventory, wording: Wording) -> str:
+def verdict_in_words(verdicts: Sequence[Judgment], wording: Wording) -> str:
     """That a challenge is solved, or what the first start that fails lacks. One verdict for each start."""
     failed = next(((at, each) for at, each in enumerate(verdicts, start=1) if not each.is_solved), None)
     if failed is None:
@@ -383,12 +383,13 @@ def verdict_in_words(verdicts: Sequence[Judgment], room: Inventory, wording: Wor
     said = [wording("challenge-met", met=verdict.met, goals=verdict.goals)]
     if at > 1:
         said.append(wording("challenge-start", number=at))
-    said += [shortfall_in_words(each, room, wording) for each in verdict.shortfalls]
+    said += [shortfall_in_words(each, verdict.track.room, wording) for each in verdict.shortfalls]
     return " ".join(list(dict.fromkeys(said))[:MOST_SENTENCES])
 
 
-def goals_in_words(verdict: Judgment, room: Inventory, wording: Wording) -> tuple[str, ...]:
+def goals_in_words(verdict: Judgment, wording: Wording) -> tuple[str, ...]:
     """Which goals are met, a line each."""
+    room = verdict.track.room
     lines = (shortfall_in_words(each, room, wording) if each else "" for each in verdict.of_goals)
     return tuple(
         wording("goal-missing", number=number, text=line) if line else wording("goal-met", number=number)

@@ -88,7 +88,7 @@ def state_badge(
 def goal_lines(attempt: Attempt, words: Wording, *, is_seen: bool) -> tuple[str, ...]:
     """The task of a challenge, and each goal in words; where they are seen, with a mark, too."""
     judgment = attempt.now
-    goals = goals_in_words(judgment, attempt.room, words)
+    goals = goals_in_words(judgment, words)
     marks = ("[ ] " if each else "[x] " for each in judgment.of_goals)
     return (
         *task_in_words(attempt.challenge, words),

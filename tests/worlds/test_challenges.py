@@ -403,7 +403,7 @@ def test_all_challenges_of_a_folder_are_tested(tmp_path: Path, capsys: pytest.Ca
     assert main(["challenge", "test", str(tmp_path), "--lang", "en"]) == 2
 
     printed = capsys.readouterr()
-    assert printed.err == "a.toml lacks world.\n"
+    assert printed.err == "Line 1: a.toml has a value for format that does not fit.\n"
     assert printed.out.splitlines()[0] == "b: the solution does not solve it."
     assert printed.out.splitlines()[-1].startswith("c: the solution solves it")
 

@@ -18,7 +18,7 @@ from donnie_tui.core.describe import verdict_in_words
 from donnie_tui.core.events import Event, Moved, Spoke, Turned
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.settings import Settings
-from donnie_tui.world.loading import choose_world, inventory_of
+from donnie_tui.world.loading import choose_world
 from language.parser import parse
 from worlds import challenges
 
@@ -84,7 +84,7 @@ def verdicts_of(name: str) -> dict[str, str]:
     for what, program in mistakes(found.solution.read_text(encoding="utf-8")):
         judged = judge_program(program, starts, words, settings)
         is_solved = judged[-1].is_solved
-        said[what] = "" if is_solved else verdict_in_words(judged, inventory_of(world.scene), words)
+        said[what] = "" if is_solved else verdict_in_words(judged, words)
     return said
 
 
