@@ -6,13 +6,14 @@ Each answer says where the thing is afterwards, or why nothing changed.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
-from donnie_tui.commands.context import UNUSABLE, Context
+from donnie_tui.commands.context import Context
 from donnie_tui.commands.declarations import BY_NAME
-from donnie_tui.commands.dispatch import handler_of, handles
+from donnie_tui.commands.dispatch import attempt, handler_of, handles
 from donnie_tui.commands.interaction import GivenUp, NotUnderstood, numbers_in
+from donnie_tui.core.transcript import with_robot_name
 from donnie_tui.core.wording import meant
 from donnie_tui.i18n.words import Unusable
 from language import keywords
@@ -33,32 +34,27 @@ async def put(ctx: Context, argument: str) -> None:
     if means_wall(argument.partition(" ")[0]):
         what, corners, name = _parts(argument, 4, 2)
         if means_wall(what):
-            _build(ctx, lambda building: _say_wall(ctx, building.put_wall((*corners, *corners)[:4], name)))
+            _say_wall(ctx, _building(ctx).put_wall((*corners, *corners)[:4], name))
             return
     what, (x, y), name = _parts(argument, 2)
-
-    def change(building: Building) -> None:
-        try:
-            described = description_of(f"{what} AS {name}" if name else what)
-        except BadDrawing as bad:
-            if name or not building.is_named(what):
-                raise Unusable(message_of(bad.slips[0], ctx.words)) from None
-            _say_place(ctx, "built-moved", building.put_at(building.find(what), x, y))
-            return
-        if len(described.colours) > 1:
-            raise NotUnderstood
-        _say_place(ctx, "built-put", building.put(described, x, y))
-
-    _build(ctx, change)
+    building = _building(ctx)
+    try:
+        described = description_of(f"{what} AS {name}" if name else what)
+    except BadDrawing as bad:
+        if name or not building.is_named(what):
+            raise Unusable(message_of(bad.slips[0], ctx.words)) from None
+        _say_place(ctx, "built-moved", building.put_at(building.find(what), x, y))
+        return
+    if len(described.colours) > 1:
+        raise NotUnderstood
+    _say_place(ctx, "built-put", building.put(described, x, y))
 
 
 async def move_thing(ctx: Context, argument: str) -> None:
     """MOVE treasure 2 0: two steps to the east from where it is."""
     what, (east, north), _ = _parts(argument, 2)
-    _build(
-        ctx,
-        lambda building: _say_place(ctx, "built-moved", building.move(building.find(what), east, north)),
-    )
+    building = _building(ctx)
+    _say_place(ctx, "built-moved", building.move(building.find(what), east, north))
 
 
 @handles("turn")
@@ -67,12 +63,8 @@ async def turn(ctx: Context, argument: str) -> None:
     if not argument:
         ctx.answer("built-turn-robot", example=f"{keywords.spelling('TR', ctx.words.language)} 90")
     what, (degrees,), _ = _parts(argument, 1)
-
-    def change(building: Building) -> None:
-        thing = building.turn(building.find(what), degrees)
-        _say_place(ctx, "built-turned", thing, degrees=degrees)
-
-    _build(ctx, change)
+    building = _building(ctx)
+    _say_place(ctx, "built-turned", building.turn(building.find(what), degrees), degrees=degrees)
 
 
 @handles("remove")
@@ -81,16 +73,10 @@ async def remove(ctx: Context, argument: str) -> None:
     if not argument or numbers_in(argument, most=2) is not None:
         await handler_of(BY_NAME["delete"])(ctx, argument)
         return
-
-    def change(building: Building) -> None:
-        thing = building.find(argument)
-        building.remove(thing)
-        _say_place(ctx, "built-removed", thing)
-
-    _build(ctx, change)
-
-
-_Change = Callable[["Building"], None]
+    building = _building(ctx)
+    thing = building.find(argument)
+    building.remove(thing)
+    _say_place(ctx, "built-removed", thing)
 
 
 def _parts(argument: str, *counts: int) -> tuple[str, tuple[int, ...], str]:
@@ -115,66 +101,50 @@ def _parts(argument: str, *counts: int) -> tuple[str, tuple[int, ...], str]:
 
 
 def _say_wall(ctx: Context, wall: Thing | None) -> None:
-    from donnie_tui.world.things import thing_in_words
-
     if wall is not None:
         (x, to_x), (y, to_y) = (
             (round(middle - (length - 1) / 2), round(middle + (length - 1) / 2))
             for middle, length in ((wall.x, wall.width), (wall.y, wall.depth))
         )
-        ctx.answer("built-wall", thing=thing_in_words(wall, ctx.words), x=x, y=y, to_x=to_x, to_y=to_y)
+        _say_changed(ctx, "built-wall", wall, x=x, y=y, to_x=to_x, to_y=to_y)
 
 
 def _say_place(ctx: Context, code: str, thing: Thing | None, **values: object) -> None:
     from donnie_tui.core.describe import place_of
-    from donnie_tui.world.things import thing_in_words
 
     if thing is not None:
-        x, y = round(thing.x), round(thing.y)
-        ctx.answer(
-            code,
-            thing=thing_in_words(thing, ctx.words),
-            x=x,
-            y=y,
-            width=round(thing.width),
-            depth=round(thing.depth),
-            place=place_of(thing.x, thing.y, ctx.donnie.session.pose, ctx.words),
-            **values,
-        )
+        place = place_of(thing.x, thing.y, ctx.donnie.session.pose, ctx.words)
+        sides = {"width": round(thing.width), "depth": round(thing.depth)}
+        _say_changed(ctx, code, thing, x=round(thing.x), y=round(thing.y), place=place, **sides, **values)
 
 
-def _build(ctx: Context, change: _Change) -> None:
-    """Change the world, or say why it can't be changed."""
-    donnie = ctx.donnie
-    if donnie.team.running:
-        ctx.answer_of_robot("screen-busy")
-        return
-    try:
-        _refuse(ctx)
-        change(donnie.building(ctx.program.text))
-    except Unusable as unusable:
-        ctx.refuse(UNUSABLE)
-        ctx.say(unusable.sentence)
-        return
-    donnie.session.publish_things()
+def _say_changed(ctx: Context, code: str, thing: Thing, **values: object) -> None:
+    """Answer, and show the world as it is now."""
+    from donnie_tui.world.things import thing_in_words
+
+    ctx.answer(code, thing=thing_in_words(thing, ctx.words), **values)
+    ctx.donnie.session.publish_things()
     if ctx.screen is not None:
         ctx.screen.robot_changed()
 
 
-def _refuse(ctx: Context) -> None:
-    """Raises ``Unusable`` where the world must stay as it is."""
-    donnie = ctx.donnie
+def _building(ctx: Context) -> Building:
+    """The world, to be changed. Raises ``Unusable`` where it must stay as it is."""
+    donnie, words = ctx.donnie, ctx.words
     world, recording = donnie.world, donnie.outlets.written.of_this_session
+    if donnie.team.running:
+        raise Unusable(with_robot_name(donnie.session.hub.robot, words("screen-busy"), words))
     if donnie.connection.is_real or donnie.connection.is_board:
-        raise Unusable(ctx.words("built-real"))
+        raise Unusable(words("built-real"))
     if world.challenge is not None:
-        raise Unusable(ctx.words("built-challenge"))
+        raise Unusable(words("built-challenge"))
     if world.offers or world.stands_in_for:
-        raise Unusable(ctx.words("built-configuration"))
+        raise Unusable(words("built-configuration"))
     if recording is not None:
-        raise Unusable(ctx.words("built-recorded", path=recording))
+        raise Unusable(words("built-recorded", path=recording))
     if donnie.holds_something:
-        raise Unusable(ctx.words("built-holding"))
+        raise Unusable(words("built-holding"))
+    return donnie.building(ctx.program.text)
 
 
 def step_building(ctx: Context, *, is_undo: bool) -> bool:
@@ -186,11 +156,7 @@ def step_building(ctx: Context, *, is_undo: bool) -> bool:
     changes, opposite = (site.past, site.undone) if is_undo else (site.undone, site.past)
     if not changes or changes[-1].program != ctx.program.text:
         return False
-
-    def change(building: Building) -> None:
-        _say_place(ctx, *building.step(changes, opposite))
-
-    _build(ctx, change)
+    _say_place(ctx, *_building(ctx).step(changes, opposite))
     return True
 
 
@@ -203,10 +169,6 @@ SUFFIX = ".world"
 @handles("save_world")
 async def save_world(ctx: Context, argument: str) -> None:
     """Write the world as it is built to a file; asks before another file is replaced."""
-    await _save(ctx, argument)
-
-
-async def _save(ctx: Context, argument: str) -> bool:
     from donnie_tui.core.program_files import file_to_save, save_question
 
     donnie, own = ctx.donnie, ctx.donnie.site.path
@@ -220,31 +182,24 @@ async def _save(ctx: Context, argument: str) -> bool:
     question = save_question(path, own, "") if path != own else ""
     if question and not await ctx.interaction.confirm(ctx.words(question, name=path.name)):
         raise GivenUp
-    try:
-        donnie.building().save(path)
-    except Unusable as unusable:
-        ctx.refuse(UNUSABLE)
-        ctx.say(unusable.sentence)
-        return False
+    donnie.building().save(path)
     ctx.answer("built-saved", name=path.name)
-    return True
 
 
 async def may_leave_built(ctx: Context) -> bool:
     """Offer to save a world that was built before it is left. False to stay, which is said."""
-    from donnie_tui.core.program_files import DocumentError
-
     if ctx.donnie.site.is_saved or not ctx.interaction.is_attended:
         return True
     wants_to_save = await ctx.interaction.confirm(ctx.words("ask-save-world"))
     if wants_to_save is False:
         return True
-    try:
-        if wants_to_save and await _save(ctx, ""):
-            return True
-    except GivenUp:
-        pass
-    except DocumentError as error:
-        ctx.answer(error.code, path=error.path, reason=error.reason)
-    ctx.answer("stays-unsaved")
-    return False
+    if wants_to_save:
+        await attempt(ctx, _save_or_give_up(ctx))
+    if not ctx.donnie.site.is_saved:
+        ctx.answer("stays-unsaved")
+    return ctx.donnie.site.is_saved
+
+
+async def _save_or_give_up(ctx: Context) -> None:
+    with suppress(GivenUp):
+        await save_world(ctx, "")

@@ -16,6 +16,7 @@ from donnie_tui.commands.declarations import BY_NAME, Command, When
 from donnie_tui.commands.interaction import GivenUp, NotUnderstood
 from donnie_tui.commands.lookup import find, not_understood, typed_form, unknown_word, word_of
 from donnie_tui.core.run_state import RunState
+from donnie_tui.i18n.words import Unusable
 
 if TYPE_CHECKING:
     from donnie_tui.core.program_files import DocumentError
@@ -78,11 +79,14 @@ async def _run(ctx: Context, command: Command, argument: str | None) -> None:
 
 
 async def attempt(ctx: Context, task: Awaitable[None]) -> None:
-    """Run a handler; answer if the learner cancels or a file fails."""
+    """Run a handler; answer if the learner cancels, a file fails or something can't be used."""
     try:
         await task
     except GivenUp:
         ctx.answer("answer-unchanged")
+    except Unusable as unusable:
+        ctx.refuse(UNUSABLE)
+        ctx.say(unusable.sentence)
     except _document_error() as error:
         ctx.refuse(UNUSABLE)
         ctx.answer(error.code, path=error.path, reason=error.reason)
