@@ -9,10 +9,11 @@ thing, in reading order. The first robot is at 0 0. What ``donnie world NAME --m
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from functools import cache
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from functools import cache, cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from msgspec import Struct
 
@@ -20,6 +21,7 @@ import worlds
 from devices.ports.robot import STEP
 from donnie_tui.i18n.words import Words
 from donnie_tui.world.things import (
+    WALL_HEIGHT,
     BadDrawing,
     Description,
     Slip,
@@ -54,6 +56,10 @@ class Square(NamedTuple):
     column: int
 
 
+Box: TypeAlias = tuple[float, float, float, float]
+"""Its first column and row, and where they end."""
+
+
 class Group(Struct, frozen=True):
     """Equal letters that touch: one thing."""
 
@@ -64,6 +70,12 @@ class Group(Struct, frozen=True):
     def first(self) -> Square:
         """In reading order."""
         return min(self.squares)
+
+    @property
+    def box(self) -> Box:
+        """In squares from the first letter of the drawing."""
+        rows, columns = ([each[at] for each in self.squares] for at in (0, 1))
+        return min(columns), min(rows), max(columns) + 1, max(rows) + 1
 
 
 class Built(Struct, frozen=True):
@@ -83,7 +95,8 @@ class Built(Struct, frozen=True):
 class _Legend:
     """The lines under a drawing."""
 
-    def __init__(self) -> None:
+    def __init__(self, lines: Sequence[str], first: int) -> None:
+        """``first``: the number of the first line."""
         self.things: dict[str, tuple[Description, int, int]] = {}
         """By their letters, with the line and the column of the description."""
         self.wrong = set[str]()
@@ -97,9 +110,6 @@ class _Legend:
         self.scale = 1
         """Steps that a letter is wide and high."""
         self.slips: list[Slip] = []
-
-    def read(self, lines: Sequence[str], first: int) -> None:
-        """``first``: the number of the first line."""
         rest = list[tuple[int, str]]()
         for number, line in enumerate(lines, start=first):
             if line.strip() and not self._is_general(line.strip(), number):
@@ -199,19 +209,6 @@ _MEANING = re.compile(rf"(\w|[{re.escape(ARROWS)}])\s+\w\w")
 """How a line says what a letter means: ``c chair green``. A row has no blanks."""
 
 
-def _rows_and_legend(text: str) -> tuple[list[str], int, _Legend]:
-    """The rows, the number of the first one's line, and what is under them."""
-    lines = [each.rstrip(" ") for each in text.splitlines()]
-    begin = next((number for number, each in enumerate(lines) if each), len(lines))
-    ends = (
-        number for number in range(begin, len(lines)) if not lines[number] or _MEANING.match(lines[number])
-    )
-    end = next(ends, len(lines))
-    legend = _Legend()
-    legend.read(lines[end:], end + 1)
-    return lines[begin:end], begin + 1, legend
-
-
 def _unmarked(rows: Sequence[str], legend: _Legend) -> tuple[list[str], dict[Square, str]]:
     """The rows with the letter of the thing in place of each mark of a colour, and the colours there."""
     meant_by: dict[str, dict[str, str]] = {}
@@ -228,28 +225,6 @@ def _unmarked(rows: Sequence[str], legend: _Legend) -> tuple[list[str], dict[Squ
             if letter:
                 drawn[row][column], colours[Square(row, column)] = letter, meant_by[mark][letter]
     return ["".join(row) for row in drawn], colours
-
-
-def _slips_in(rows: Sequence[str], first: int, legend: _Legend) -> Iterator[Slip]:
-    """The mistakes of the rows, each letter without a meaning once."""
-    if not rows:
-        yield Slip("drawing-empty")
-        return
-    if len(rows) > MOST_SIDE:
-        yield Slip("drawing-high", first + MOST_SIDE, 1, {"most": MOST_SIDE})
-    known = {WALL, FREE, *ARROWS, *legend.things, *legend.wrong, *legend.bodies}
-    reported = set[str]()
-    for number, row in enumerate(rows[:MOST_SIDE], start=first):
-        if len(row) > MOST_SIDE:
-            yield Slip("drawing-wide", number, MOST_SIDE + 1, {"most": MOST_SIDE})
-            return
-        if len(row) != len(rows[0]):
-            column = min(len(row), len(rows[0])) + 1
-            yield Slip("drawing-ragged", number, column, {"count": len(row), "first": len(rows[0])})
-        for column, letter in enumerate(row, start=1):
-            if letter not in known | reported:
-                reported.add(letter)
-                yield _bad_letter(letter, number, column, known)
 
 
 def _bad_letter(letter: str, line: int, column: int, known: Iterable[str]) -> Slip:
@@ -270,82 +245,141 @@ def _bad_letter(letter: str, line: int, column: int, known: Iterable[str]) -> Sl
 
 def world_of(text: str) -> Built:
     """The world that a drawing means. Raises ``BadDrawing`` with all mistakes."""
-    rows, first, legend = _rows_and_legend(text)
-    rows, colours = _unmarked(rows, legend)
-    slips = [*legend.slips, *_slips_in(rows, first, legend)]
-    robots = () if slips else _robots(rows, legend)
-    if not slips:
-        slips += _slips_of_robots(robots, first, legend)
-    groups = groups_in(rows) if not slips else ()
-    for letter, (described, line, column) in legend.things.items() if not slips else ():
-        count, known = sum(each.letter == letter for each in groups), len(described.colours)
-        if described.marks:
-            known = sum(each.letter == letter and not each.squares.isdisjoint(colours) for each in groups)
-        if (known > 1 or described.marks) and known != count:
-            values = {"count": count, "colours": known}
-            slips.append(Slip("drawing-colours", line, column, values))
+    drawing = _Drawing(text)
+    slips = [*drawing.legend.slips, *drawing.slips_of_rows()]
+    slips = slips or [*drawing.slips_of_robots()] or [*drawing.slips_of_colours()]
     if slips:
         raise BadDrawing(slips)
-    return _Builder(rows, first, legend, robots, colours).built(groups)
+    return drawing.built()
 
 
-def _robots(rows: Sequence[str], legend: _Legend) -> tuple[Square, ...]:
-    """In reading order; those amid the letters of their bodies last: a printed map has the first without."""
-    found = (
-        Square(row, column)
-        for row, line in enumerate(rows)
-        for column in range(len(line))
-        if line[column] in ARROWS
-    )
+class _Drawing:
+    """A drawing with its legend, and the world file that it means."""
 
-    def has_body(cell: Square) -> bool:
-        near = (rows[row][column : column + 1] for row, column in _around(cell) if 0 <= row < len(rows))
-        return any(each in legend.bodies for each in near if each)
+    def __init__(self, text: str) -> None:
+        lines = [each.rstrip(" ") for each in text.splitlines()]
+        begin = next((number for number, each in enumerate(lines) if each), len(lines))
+        below = enumerate(lines[begin:], start=begin)
+        end = next((number for number, each in below if not each or _MEANING.match(each)), len(lines))
+        self.legend = _Legend(lines[end:], end + 1)
+        self._first = begin + 1
+        """The number of the first row's line."""
+        self._rows, self._colours = _unmarked(lines[begin:end], self.legend)
+        """``_colours``: of the things at these squares."""
+        self._step = self.legend.scale * STEP
+        self._used, self._numbers = Counter[str](), Counter[str]()
+        """How many things have a name, and a letter."""
 
-    return tuple(sorted(found, key=lambda cell: (has_body(cell), cell)))
+    @cached_property
+    def _robots(self) -> tuple[Square, ...]:
+        """In reading order; those amid the letters of their bodies last, as a printed map has them."""
+        rows = self._rows
+        found = (
+            Square(row, at) for row, line in enumerate(rows) for at in range(len(line)) if line[at] in ARROWS
+        )
 
+        def has_body(cell: Square) -> bool:
+            near = (rows[row][column : column + 1] for row, column in _around(cell) if 0 <= row < len(rows))
+            return any(each in self.legend.bodies for each in near if each)
 
-def _slips_of_robots(robots: Sequence[Square], first: int, legend: _Legend) -> Iterator[Slip]:
-    names = legend.robots
-    if not robots and not legend.has_none:
-        yield Slip("drawing-no-robot")
-    elif names and len(names) != len(robots) and "…" not in names:
-        values = {"names": len(names), "count": len(robots)}
-        yield Slip("drawing-robot-names", legend.line_of_robots, 1, values)
-    elif len({fold_name(each) for each in names}) != len(names):
-        yield Slip("drawing-name-twice", legend.line_of_robots, 1)
-    elif len(robots) > 1 and not names:
-        second = sorted(robots)[1]
-        values = {"count": len(robots)}
-        yield Slip("drawing-robots", first + second.row, second.column + 1, values)
+        return tuple(sorted(found, key=lambda cell: (has_body(cell), cell)))
 
+    @cached_property
+    def _groups(self) -> tuple[Group, ...]:
+        """The things; letters around a robot are none."""
+        return tuple(each for each in groups_in(self._rows) if each.letter not in self.legend.bodies)
 
-class _Builder:
-    """Writes a drawing without mistakes of form as a world file."""
+    @cached_property
+    def _origin(self) -> Square:
+        """The middle of the world's 0 0."""
+        return self._robots[0] if self._robots else Square(len(self._rows) // 2, len(self._rows[0]) // 2)
 
-    def __init__(
-        self,
-        rows: Sequence[str],
-        first: int,
-        legend: _Legend,
-        robots: Sequence[Square],
-        colours: Mapping[Square, str],
-    ) -> None:
-        """``colours``: of the things at these squares."""
-        self._rows, self._first, self._legend, self._robots = rows, first, legend, robots
-        self._colours = colours
-        self._origin = robots[0] if robots else Square(len(rows) // 2, len(rows[0]) // 2)
-        self._used: dict[str, int] = {}
+    # --- mistakes
 
-    def built(self, groups: Sequence[Group]) -> Built:
-        from sim.worldfile import Code, WorldError, load_text  # loads the parser
+    def slips_of_rows(self) -> Iterator[Slip]:
+        """Each letter without a meaning once."""
+        legend, rows = self.legend, self._rows
+        if not rows:
+            yield Slip("drawing-empty")
+            return
+        if len(rows) > MOST_SIDE:
+            yield self._slip("drawing-high", Square(MOST_SIDE, 0), most=MOST_SIDE)
+        known = {WALL, FREE, *ARROWS, *legend.things, *legend.wrong, *legend.bodies}
+        reported = set[str]()
+        for row, line in enumerate(rows[:MOST_SIDE]):
+            if len(line) > MOST_SIDE:
+                yield self._slip("drawing-wide", Square(row, MOST_SIDE), most=MOST_SIDE)
+                return
+            if len(line) != len(rows[0]):
+                column = min(len(line), len(rows[0]))
+                yield self._slip("drawing-ragged", Square(row, column), count=len(line), first=len(rows[0]))
+            for column, letter in enumerate(line):
+                if letter not in known | reported:
+                    reported.add(letter)
+                    yield _bad_letter(letter, self._first + row, column + 1, known)
 
-        walls = tuple(rectangles(self._rows))
-        things = [each for each in groups if each.letter not in self._legend.bodies]
-        count, names = len(walls) + len(things), self._robot_names()
-        placed = [self._thing(each, number) for each, number in _numbered(things)]
+    def slips_of_robots(self) -> Iterator[Slip]:
+        names, count, line = self.legend.robots, len(self._robots), self.legend.line_of_robots
+        if not count and not self.legend.has_none:
+            yield Slip("drawing-no-robot")
+        elif names and len(names) != count and "…" not in names:
+            yield Slip("drawing-robot-names", line, 1, {"names": len(names), "count": count})
+        elif len({fold_name(each) for each in names}) != len(names):
+            yield Slip("drawing-name-twice", line, 1)
+        elif count > 1 and not names:
+            yield self._slip("drawing-robots", sorted(self._robots)[1], count=count)
+
+    def slips_of_colours(self) -> Iterator[Slip]:
+        """Things of one letter with more or fewer colours than there are things."""
+        for letter, (described, line, column) in self.legend.things.items():
+            groups, known = [each for each in self._groups if each.letter == letter], len(described.colours)
+            if described.marks:
+                known = sum(not each.squares.isdisjoint(self._colours) for each in groups)
+            if (known > 1 or described.marks) and known != len(groups):
+                yield Slip("drawing-colours", line, column, {"count": len(groups), "colours": known})
+
+    def _slips_of_room(self, scene: Scene, names: Sequence[str], walls: Sequence[Box]) -> Iterator[Slip]:
+        """Things of one letter that are larger than the free floor around it, and robots inside something."""
+        boxes = [(self._box(each), each) for each in self._groups]
+        solid: list[tuple[Box, Group | None]] = [*((each, None) for each in walls), *boxes]
+        for mine, group in boxes:
+            in_the_way = (each for box, each in solid if each is not group and _overlap(mine, box))
+            other = next(in_the_way, group)
+            if len(group.squares) == 1 and other is not group:
+                sides = {"width": round(mine[2] - mine[0]), "depth": round(mine[3] - mine[1])}
+                kinds = {"thing": self._kind(group), "other": self._kind(other)}
+                yield self._slip("drawing-thing-room", group.first, **kinds, **sides)
+        cells = dict(zip(names, self._robots, strict=True))
+        for note in scene.report.notes if self.legend.scale == 1 else ():
+            cell = cells.get(str(note.details.get("name"))) if note.code == "starts-inside" else None
+            if cell is not None:
+                yield self._slip("drawing-robot-room", cell, thing=note.details["thing"])
+
+    def _slip(self, code: str, cell: Square, **values: object) -> Slip:
+        return Slip(code, self._first + cell.row, cell.column + 1, values)
+
+    def _kind(self, group: Group | None) -> str:
+        return "wall" if group is None else self.legend.things[group.letter][0].kind
+
+    def _box(self, group: Group) -> Box:
+        """Of one letter the usual size of the thing around it."""
+        left, top, right, bottom = group.box
+        if len(group.squares) > 1:
+            return left, top, right, bottom
+        across, along = (round(each / self._step, 6) / 2 for each in usual_sizes()[self._kind(group)][:2])
+        return left + 0.5 - across, top + 0.5 - along, left + 0.5 + across, top + 0.5 + along
+
+    # --- the world file
+
+    def built(self) -> Built:
+        from sim.worldfile import Code, WorldError, load_text, rectangles  # loads the parser
+
+        rows, scale = self._rows, self.legend.scale
+        walls = [*rectangles(bytes(each == WALL for each in row) for row in rows)]
+        count, names = len(walls) + len(self._groups), self._robot_names()
+        placed = [self._thing(each) for each in self._groups]
         robots = (self._robot(cell, name) for cell, name in zip(self._robots, names, strict=True))
-        lines = [*(self._wall(*each) for each in walls), "", *placed, "", *robots]
+        lines = [*map(self._wall, walls), "", *placed, "", *robots]
         text = world_text(placed, lines)
         try:
             if count > MOST_PIECES:
@@ -354,114 +388,48 @@ class _Builder:
         except WorldError:
             values = {"count": count, "most": MOST_PIECES}
             raise BadDrawing([Slip("drawing-much", values=values)]) from None
-        slips = [*self._too_large(things, walls)]
-        if self._legend.scale == 1:
-            slips += self._robots_without_room(scene, dict(zip(names, self._robots, strict=True)))
+        slips = [*self._slips_of_room(scene, names, walls)]
         if slips:
             raise BadDrawing(slips)
-        scale = self._legend.scale
-        return Built(text, len(self._rows[0]) * scale, len(self._rows) * scale, len(names), len(things))
-
-    def _robots_without_room(self, scene: Scene, cells: Mapping[str, Square]) -> Iterator[Slip]:
-        for note in scene.report.notes:
-            cell = cells.get(str(note.details.get("name"))) if note.code == "starts-inside" else None
-            if cell is not None:
-                values = {"thing": note.details["thing"]}
-                yield Slip("drawing-robot-room", self._first + cell.row, cell.column + 1, values)
-
-    def _too_large(self, things: Sequence[Group], walls: Sequence[tuple[Square, Square]]) -> Iterator[Slip]:
-        """Things of one letter that are larger than the free floor around it."""
-        boxes = [(self._box(each), each) for each in things]
-        solid = [((top.column, top.row, bottom.column + 1, bottom.row + 1), None) for top, bottom in walls]
-        for mine, group in boxes:
-            other = next(
-                (each for box, each in (*solid, *boxes) if each is not group and _overlap(mine, box)), group
-            )
-            if len(group.squares) == 1 and other is not group:
-                values = {
-                    "thing": self._legend.things[group.letter][0].kind,
-                    "other": "wall" if other is None else self._legend.things[other.letter][0].kind,
-                    "width": round(mine[2] - mine[0]),
-                    "depth": round(mine[3] - mine[1]),
-                }
-                cell = group.first
-                yield Slip("drawing-thing-room", self._first + cell.row, cell.column + 1, values)
-
-    def _box(self, group: Group) -> tuple[float, float, float, float]:
-        """Its first column and row and where they end, in squares; of one letter its usual size."""
-        rows, columns = [each.row for each in group.squares], [each.column for each in group.squares]
-        left, top, right, bottom = min(columns), min(rows), max(columns) + 1, max(rows) + 1
-        if len(group.squares) > 1:
-            return left, top, right, bottom
-        usual = usual_sizes()[self._legend.things[group.letter][0].kind]
-        across, along = (round(each / STEP / self._legend.scale, 6) for each in usual[:2])
-        return left + 0.5 - across / 2, top + 0.5 - along / 2, left + 0.5 + across / 2, top + 0.5 + along / 2
+        return Built(text, len(rows[0]) * scale, len(rows) * scale, len(names), len(self._groups))
 
     def _robot_names(self) -> list[str]:
-        names = [each for each in self._legend.robots if each != "…"] or ["donnie"]
+        names = [each for each in self.legend.robots if each != "…"] or ["donnie"]
         more = (f"{names[0]}{number}" for number in range(2, MOST_PIECES))
-        return (
-            [*names, *(each for each in more if each not in names)][: len(self._robots)]
-            if self._robots
-            else []
-        )
+        return [*names, *(each for each in more if each not in names)][: len(self._robots)]
 
-    def _place(self, row: float, column: float) -> tuple[float, float]:
+    def _middle(self, box: Box) -> tuple[float, float]:
         """Metres to the east and to the north of the first robot."""
-        scale = self._legend.scale * STEP
-        return round((column - self._origin.column) * scale, 6) + 0.0, round(
-            (self._origin.row - row) * scale, 6
-        ) + 0.0
+        left, top, right, bottom = box
+        east = (left + right - 1) / 2 - self._origin.column
+        north = self._origin.row - (top + bottom - 1) / 2
+        return round(east * self._step, 6) + 0.0, round(north * self._step, 6) + 0.0
 
-    def _wall(self, top: Square, bottom: Square) -> str:
-        x, y = self._place((top.row + bottom.row) / 2, (top.column + bottom.column) / 2)
-        scale = self._legend.scale * STEP
-        width, depth = (bottom.column - top.column + 1) * scale, (bottom.row - top.row + 1) * scale
-        return f"wall( pose [ {x:g} {y:g} 0 0 ] size [ {width:.6g} {depth:.6g} 0.24 ] )"
+    def _wall(self, box: Box) -> str:
+        x, y = self._middle(box)
+        width, depth = ((box[at + 2] - box[at]) * self._step for at in (0, 1))
+        return f"wall( pose [ {x:g} {y:g} 0 0 ] size [ {width:.6g} {depth:.6g} {WALL_HEIGHT:g} ] )"
 
     def _robot(self, cell: Square, name: str) -> str:
-        x, y = self._place(*cell)
+        x, y = self._middle((cell.column, cell.row, cell.column + 1, cell.row + 1))
         heading = _HEADING[self._rows[cell.row][cell.column]]
         return f"donnie( name {quoted(name)} pose [ {x:g} {y:g} 0 {heading} ] )"
 
-    def _thing(self, group: Group, number: int) -> str:
-        described, scale = self._legend.things[group.letter][0], self._legend.scale
-        rows, columns = [each.row for each in group.squares], [each.column for each in group.squares]
-        place = self._place((min(rows) + max(rows)) / 2, (min(columns) + max(columns)) / 2)
-        width, depth = max(columns) - min(columns) + 1, max(rows) - min(rows) + 1
+    def _thing(self, group: Group) -> str:
+        described, scale = self.legend.things[group.letter][0], self.legend.scale
+        left, top, right, bottom = group.box
         is_usual = len(group.squares) == 1
-        angle, size = (0, "") if is_usual else fitted(described.kind, width * scale, depth * scale, scale)
-        colours = described.colours
-        colour = colours[number if len(colours) > 1 else 0] if colours and not described.marks else ""
-        colour = next(
-            (self._colours[each] for each in sorted(group.squares) if each in self._colours), colour
-        )
-        return thing_line(described.kind, colour, self._name(described), (*place, angle), size)
-
-    def _name(self, described: Description) -> str:
+        width, depth = round(right - left) * scale, round(bottom - top) * scale
+        angle, size = (0, "") if is_usual else fitted(described.kind, width, depth, scale)
+        colours = () if described.marks else described.colours
+        colour = colours[self._numbers[group.letter] % len(colours)] if colours else ""
+        self._numbers[group.letter] += 1
+        marked = (self._colours[each] for each in sorted(group.squares) if each in self._colours)
         name = described.name or described.kind.replace("_", " ")
-        self._used[name] = count = self._used.get(name, 0) + 1
-        return name if count == 1 else f"{name} {count}"
+        self._used[name] += 1
+        name = name if self._used[name] == 1 else f"{name} {self._used[name]}"
+        return thing_line(described.kind, next(marked, colour), name, (*self._middle(group.box), angle), size)
 
 
-def _overlap(mine: tuple[float, float, float, float], other: tuple[float, float, float, float]) -> bool:
+def _overlap(mine: Box, other: Box) -> bool:
     return mine[0] < other[2] and other[0] < mine[2] and mine[1] < other[3] and other[1] < mine[3]
-
-
-def _numbered(groups: Iterable[Group]) -> Iterator[tuple[Group, int]]:
-    """Each with its number among those of its letter, from 0."""
-    counts: dict[str, int] = {}
-    for each in groups:
-        yield each, counts.get(each.letter, 0)
-        counts[each.letter] = counts.get(each.letter, 0) + 1
-
-
-def rectangles(rows: Sequence[str]) -> Iterator[tuple[Square, Square]]:
-    """The walls as few rectangles: equal runs below each other are one. The first and last square of each."""
-    open_runs: dict[tuple[int, int], int] = {}
-    for number, line in enumerate([*rows, ""]):
-        runs = [(each.start(), each.end() - 1) for each in re.finditer(f"{WALL}+", line)]
-        for run in [each for each in open_runs if each not in runs]:
-            yield Square(open_runs.pop(run), run[0]), Square(number - 1, run[1])
-        for run in runs:
-            open_runs.setdefault(run, number)

@@ -9,6 +9,7 @@ from sim.worldfile.edit import (
     units_of,
     written_models,
 )
+from sim.worldfile.floor_plans import rectangles
 from sim.worldfile.load import (
     Address,
     Configuration,
@@ -34,6 +35,7 @@ __all__ = [
     "load_text",
     "load_world",
     "put_elsewhere",
+    "rectangles",
     "scattered",
     "standing_inside",
     "taken_out",

@@ -14,7 +14,7 @@ import re
 import struct
 import warnings
 import zlib
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from io import BytesIO
 from itertools import islice
 from pathlib import Path
@@ -102,10 +102,10 @@ class Rectangle(NamedTuple):
     bottom: int
 
 
-def rectangles(picture: Bitmap) -> Iterator[Rectangle]:
-    """The solid area of a picture, without gaps and overlaps."""
+def rectangles(rows: Iterable[bytes]) -> Iterator[Rectangle]:
+    """The solid area of a picture, whose rows have 1 there, without gaps and overlaps."""
     growing: dict[tuple[int, int], int] = {}
-    for y, row in enumerate((*picture.rows, b"")):
+    for y, row in enumerate((*rows, b"")):
         runs = {match.span() for match in _RUN.finditer(row)}
         for (left, right), top in [item for item in growing.items() if item[0] not in runs]:
             del growing[left, right]
@@ -161,12 +161,12 @@ class Plans:
 
     def _trace(self, setting: Setting, path: Path, name: str, side: float) -> Plan:
         picture = self._picture(setting, path, name)
-        solid = list(islice(rectangles(picture), MOST_RECTANGLES + 1))
+        solid = list(islice(rectangles(picture.rows), MOST_RECTANGLES + 1))
         cell = int(self._resolution / side * min(picture.width, picture.height)) if side > 0 else 1
         if len(solid) > MOST_RECTANGLES and cell > 1:
             self._values.note(NoteKind.REPAIRED, "plan-scaled", setting, path=name)
             picture = scaled_down(picture, cell)
-            solid = list(islice(rectangles(picture), MOST_RECTANGLES + 1))
+            solid = list(islice(rectangles(picture.rows), MOST_RECTANGLES + 1))
         if len(solid) > MOST_RECTANGLES:
             raise mistake(Code.TOO_MUCH, setting, what="rectangles", limit=MOST_RECTANGLES)
         height = picture.height

@@ -198,7 +198,7 @@ def test_a_floor_plan_of_eighty_million_pixels_is_read_with_its_thin_walls() -> 
     out = BytesIO()
     plan.save(out, "PNG")
 
-    assert list(rectangles(read_bitmap(out.getvalue()))) == [(10, 4000, 8991, 4001)]
+    assert list(rectangles(read_bitmap(out.getvalue()).rows)) == [(10, 4000, 8991, 4001)]
 
 
 @given(st.integers(1, 12), st.integers(1, 12), st.integers(1, 5), st.randoms(use_true_random=False))
@@ -325,7 +325,7 @@ def test_rectangles_cover_the_solid_pixels_once_and_nothing_else(pixels: list[li
 
     covered = [
         (x, y)
-        for left, top, right, bottom in rectangles(picture)
+        for left, top, right, bottom in rectangles(picture.rows)
         for y in range(top, bottom)
         for x in range(left, right)
     ]
@@ -336,7 +336,7 @@ def test_rectangles_cover_the_solid_pixels_once_and_nothing_else(pixels: list[li
 def test_equal_runs_become_one_rectangle() -> None:
     picture = Bitmap(4, 3, (b"\1\1\0\0", b"\1\1\0\1", b"\1\1\0\0"))
 
-    assert sorted(rectangles(picture)) == [Rectangle(0, 0, 2, 3), Rectangle(3, 1, 4, 2)]
+    assert sorted(rectangles(picture.rows)) == [Rectangle(0, 0, 2, 3), Rectangle(3, 1, 4, 2)]
 
 
 def test_the_dark_part_of_a_picture_is_fitted_to_the_size(tmp_path: Path) -> None:
