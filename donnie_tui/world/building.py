@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import chain
 from math import hypot
 from pathlib import Path, PurePath
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
 
 from msgspec.structs import replace
 
@@ -41,8 +42,11 @@ if TYPE_CHECKING:
     from sim.world import World
     from sim.worldfile import WrittenModel
 
+Box: TypeAlias = tuple[float, float, float, float]
+"""West, south, east, north."""
 MOST_STEPS = 1000
-"""How far from 0, 0 something may stand on a floor without walls."""
+_FARTHEST: Box = (-MOST_STEPS, -MOST_STEPS, MOST_STEPS, MOST_STEPS)
+"""Where something may stand on a floor without walls."""
 _SHRINK, _MOST_SHRUNK = 0.03, 0.005
 """By how much what is put is taken smaller than it is: part of its size, and metres."""
 _THIN = 0.01
@@ -75,12 +79,7 @@ class Building:
         words, folded = self._words, fold_name(typed).strip()
         if any(folded == fold_name(name) for name in self._site.world.scene.robot_names):
             raise Unusable(words("built-robot", name=typed.strip()))
-        things = self.things()
-        found = [
-            each
-            for each in things
-            if folded in (fold_name(each.name), fold_name(thing_in_words(each, words)))
-        ]
+        things, found = self.things(), self._named(typed)
         found = found if len(found) == 1 else [each for each in things if _is_meant(each, typed)] or found
         if len(found) == 1:
             return found[0]
@@ -95,61 +94,51 @@ class Building:
 
     def is_named(self, typed: str) -> bool:
         """Whether a thing has exactly that name."""
-        folded = fold_name(typed).strip()
-        return any(
-            folded in (fold_name(each.name), fold_name(thing_in_words(each, self._words)))
-            for each in self.things()
-        )
+        return bool(self._named(typed))
+
+    def _named(self, typed: str) -> list[Thing]:
+        names = ((each, (each.name, thing_in_words(each, self._words))) for each in self.things())
+        return [each for each, known in names if fold_name(typed).strip() in map(fold_name, known)]
 
     # --- changes; each returns the thing as it is afterwards
 
     def put(self, described: Description, x: int, y: int) -> Thing | None:
         """A new thing, its middle at a place in steps."""
-        name = self._new_name(described.kind.replace("_", " "), described.name)
-        colour = described.colours[0] if described.colours else ""
-        return self._added(
-            thing_line(described.kind, colour, name, (x * STEP, y * STEP, 0.0)), described.kind
-        )
+        kind, colour = described.kind, next(iter(described.colours), "")
+        return self._added(kind, described.name, (x * STEP, y * STEP, 0.0), colour=colour)
 
     def put_wall(self, corners: Sequence[int], name: str) -> Thing | None:
         """A wall on all squares from one to another: east and north of each, in steps."""
         (left, right), (bottom, top) = sorted(corners[::2]), sorted(corners[1::2])
-        if max(map(abs, corners)) > MOST_STEPS:
-            limits = {"left": -MOST_STEPS, "right": MOST_STEPS, "bottom": -MOST_STEPS, "top": MOST_STEPS}
-            raise Unusable(self._words("built-outside", **limits))
-        size = ((right - left + 1) * STEP, (top - bottom + 1) * STEP, WALL_HEIGHT)
+        self._refuse_outside((left, bottom, right, top), _FARTHEST)
+        width, depth = (right - left + 1) * STEP, (top - bottom + 1) * STEP
         pose = ((left + right) / 2 * STEP, (bottom + top) / 2 * STEP, 0.0)
-        sides = " ".join(f"{each:.6g}" for each in size)
-        return self._added(thing_line(WALL, "", self._new_name(WALL, name), pose, f"size [ {sides} ]"), WALL)
+        return self._added(WALL, name, pose, f"size [ {width:.6g} {depth:.6g} {WALL_HEIGHT:g} ]")
 
-    def _new_name(self, plain: str, wanted: str) -> str:
-        """The wanted name, else the kind with a number that is free. Raises ``Unusable``."""
+    def _added(
+        self, kind: str, wanted: str, pose: tuple[float, float, float], size: str = "", colour: str = ""
+    ) -> Thing | None:
+        """With the wanted name, else its kind and a number that is free. Raises ``Unusable``."""
         taken = {fold_name(each.name) for each in self._site.world.scene.models if each.parent is None}
         if wanted and fold_name(wanted) in taken:
             raise Unusable(self._words("built-name-there", name=wanted))
-        numbered = (f"{plain} {number}" for number in range(2, len(taken) + 3))
-        return wanted or next(each for each in (plain, *numbered) if fold_name(each) not in taken)
-
-    def _added(self, line: str, kind: str) -> Thing | None:
-        text = self._source().rstrip("\n")
+        plain, text = kind.replace("_", " "), self._source().rstrip("\n")
+        names = (plain, *(f"{plain} {number}" for number in range(2, len(taken) + 3)))
+        name = wanted or next(each for each in names if fold_name(each) not in taken)
+        line = thing_line(kind, colour, name, pose, size)
         return self._changed(f"{text}\n{self._include(kind, text)}{line}\n")
 
     def move(self, thing: Thing, east: int, north: int) -> Thing | None:
         """So many steps from where it is."""
-        here = self._now(thing)
-        place = Placement(here.x + east * STEP, here.y + north * STEP, here.z, here.yaw)
-        return self._elsewhere(thing, place)
+        return self._elsewhere(thing, east, north)
 
     def put_at(self, thing: Thing, x: int, y: int) -> Thing | None:
         """Its middle at a place in steps."""
-        here = self._now(thing)
-        dx, dy = (x - thing.x) * STEP, (y - thing.y) * STEP
-        return self._elsewhere(thing, Placement(here.x + dx, here.y + dy, here.z, here.yaw))
+        return self._elsewhere(thing, x - thing.x, y - thing.y)
 
     def turn(self, thing: Thing, degrees: int) -> Thing | None:
         """To the right where it stands."""
-        here = self._now(thing)
-        return self._elsewhere(thing, Placement(here.x, here.y, here.z, (here.yaw - degrees) % 360.0))
+        return self._elsewhere(thing, degrees=degrees)
 
     def remove(self, thing: Thing) -> None:
         from sim.worldfile import taken_out
@@ -157,14 +146,13 @@ class Building:
         text = self._source()
         self._changed(taken_out(text, self._written(thing, text)), gone=thing.index)
 
-    def _elsewhere(self, thing: Thing, place: Placement) -> Thing | None:
+    def _elsewhere(self, thing: Thing, east: float = 0, north: float = 0, degrees: int = 0) -> Thing | None:
         from sim.worldfile import put_elsewhere
 
-        text = self._source()
+        text, here = self._source(), self._shared.scene_now().models[thing.index].pose
+        yaw = (here.yaw - degrees) % 360.0 if degrees else here.yaw
+        place = Placement(here.x + east * STEP, here.y + north * STEP, here.z, yaw)
         return self._changed(put_elsewhere(text, self._written(thing, text), place), moved_thing=thing.index)
-
-    def _now(self, thing: Thing) -> Placement:
-        return self._shared.scene_now().models[thing.index].pose
 
     # --- the text
 
@@ -179,7 +167,7 @@ class Building:
     def _written(self, thing: Thing, text: str) -> WrittenModel:
         from sim.worldfile import written_models
 
-        tops = [each.index for each in self._site.world.scene.models if each.parent is None]
+        tops = _tops(self._site.world.scene)
         found = written_models(text, self._file, self._allowed)[tops.index(thing.index)]
         if found is None:
             raise Unusable(self._words("built-included", thing=thing_in_words(thing, self._words)))
@@ -194,17 +182,8 @@ class Building:
 
     def _changed(self, text: str, *, moved_thing: int | None = None, gone: int | None = None) -> Thing | None:
         """Load the text and go on in its scene if the change has room there. Without an index it is new."""
-        from donnie_tui.i18n.mistakes import world_mistake
-        from sim.worldfile import WorldError, load_text
-
-        before = self._site.world.scene
-        try:
-            scene = load_text(text, self._file, allowed=self._allowed)
-        except WorldError as error:
-            raise Unusable(world_mistake(error, self._words)) from None
-        tops = [each.index for each in before.models if each.parent is None]
-        kept = [each for each in tops if each != gone]
-        new_tops = [each.index for each in scene.models if each.parent is None]
+        before, scene = self._site.world.scene, self._loaded(text, self._file)
+        kept, new_tops = [each for each in _tops(before) if each != gone], _tops(scene)
         index_of = dict(zip(kept, new_tops, strict=False))
         is_new = moved_thing is None and gone is None
         if scene.robot_names != before.robot_names or len(new_tops) != len(kept) + is_new:
@@ -221,6 +200,16 @@ class Building:
         site.text, site.is_saved = text, False
         return self._thing_at(changed)
 
+    def _loaded(self, text: str, file: Path) -> Scene:
+        """As a world of that file. Raises ``Unusable``."""
+        from donnie_tui.i18n.mistakes import world_mistake
+        from sim.worldfile import WorldError, load_text
+
+        try:
+            return load_text(text, file, allowed=self._allowed)
+        except WorldError as error:
+            raise Unusable(world_mistake(error, self._words)) from None
+
     def _thing_at(self, index: int | None) -> Thing | None:
         return next((each for each in self.things() if each.index == index), None)
 
@@ -233,8 +222,8 @@ class Building:
         scene, now = change.world.scene, site.world.scene
         back = {there: here for here, there in change.index_of.items()}
         if change.changed is None:
-            code, tops = "built-removed", (each.index for each in now.models if each.parent is None)
-            here: int | None = next(each for each in tops if each not in change.index_of)
+            code = "built-removed"
+            here: int | None = next(each for each in _tops(now) if each not in change.index_of)
             thing = self._thing_at(here)
         else:
             here = back.get(change.changed)
@@ -248,14 +237,8 @@ class Building:
 
     def save(self, target: Path) -> None:
         """Write the world. Raises ``Unusable`` where it could not be loaded there, or ``DocumentError``."""
-        from donnie_tui.i18n.mistakes import world_mistake
-        from sim.worldfile import WorldError, load_text
-
         text = self._source()
-        try:
-            load_text(text, target, allowed=self._allowed)
-        except WorldError as error:
-            raise Unusable(world_mistake(error, self._words)) from None
+        self._loaded(text, target)
         write_program(target, text)
         self._site.path, self._site.is_saved = target, True
         for changes in (self._site.past, self._site.undone):
@@ -298,24 +281,27 @@ class Building:
         if scene.models[changed].kind == WALL:
             return
         outlines = picture(scene).walls
-        walls = [point for outline in outlines for point in outline] if _is_closed(scene, outlines) else []
+        walls = [*chain(*outlines)] if _is_closed(scene, outlines) else []
         points = [(x / STEP, y / STEP) for part in mine for x, y in part.points]
         points = points or [(scene.models[changed].pose.x / STEP, scene.models[changed].pose.y / STEP)]
-        left, bottom, right, top = (
-            _box(walls) if walls else (-MOST_STEPS, -MOST_STEPS, MOST_STEPS, MOST_STEPS)
-        )
-        west, south, east, north = _box(points)
+        self._refuse_outside(_box(points), _box(walls) if walls else _FARTHEST)
+
+    def _refuse_outside(self, mine: Box, limits: Box) -> None:
+        (west, south, east, north), (left, bottom, right, top) = mine, limits
         if west < left or south < bottom or east > right or north > top:
-            limits = {"left": round(left), "right": round(right), "bottom": round(bottom), "top": round(top)}
-            raise Unusable(self._words("built-outside", **limits))
+            names = ("left", "bottom", "right", "top")
+            raise Unusable(self._words("built-outside", **dict(zip(names, map(round, limits), strict=True))))
+
+
+def _tops(scene: Scene) -> list[int]:
+    """The indices of the models that are no part of another one."""
+    return [each.index for each in scene.models if each.parent is None]
 
 
 def _wall(model: Model) -> Thing:
-    xs, ys = zip(*(point for outline in model.outlines() for point in outline), strict=True)
-    x, y = (min(xs) + max(xs)) / 2 / STEP, (min(ys) + max(ys)) / 2 / STEP
-    width, depth = (max(xs) - min(xs)) / STEP, (max(ys) - min(ys)) / STEP
-    name = "" if ":" in model.name else model.name
-    return Thing(name, WALL, "#", "", x, y, width, depth, index=model.index)
+    west, south, east, north = (each / STEP for each in _box(chain(*model.outlines())))
+    name, middle = "" if ":" in model.name else model.name, ((west + east) / 2, (south + north) / 2)
+    return Thing(name, WALL, "#", "", *middle, east - west, north - south, index=model.index)
 
 
 def _is_closed(scene: Scene, walls: Iterable[Sequence[Point]]) -> bool:
@@ -358,7 +344,6 @@ def _is_meant(thing: Thing, typed: str) -> bool:
     return thing.kind == described.kind and is_colour and not described.name
 
 
-def _box(points: Iterable[tuple[float, float]]) -> tuple[float, float, float, float]:
-    """West, south, east, north."""
+def _box(points: Iterable[tuple[float, float]]) -> Box:
     xs, ys = zip(*points, strict=True)
     return min(xs), min(ys), max(xs), max(ys)
