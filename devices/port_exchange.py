@@ -1,7 +1,8 @@
 """Short exchanges with the device at a port: identify it, and stop a robot whose program is gone.
 
-As a program, ``python -m devices.port_exchange PORT``, it is the guard of a robot that was unplugged while it
-drove: it waits a minute for the port to return, stops the robot, and ends.
+As a program, ``python -m devices.port_exchange PORT``, it is the guard of a robot. Its standard input ends
+when the program that drives the robot has ended, however it ended. Then the guard stops the robot, unless it
+read ``NOT_NEEDED`` before; if the port is gone, it waits a minute for the port to return.
 
 An exchange is a state machine without I/O: bytes and times in, bytes out. The clock is a parameter, too, so a
 test's port can have its own.
@@ -411,5 +412,10 @@ def _stop_shared_port(address: str, open_port: Callable[..., SerialPort]) -> Non
         port.close()
 
 
+NOT_NEEDED = b"not needed"
+"""What a guard reads when its robot needs none any more."""
+
+
 if __name__ == "__main__":
-    guard(sys.argv[1])
+    if sys.stdin.buffer.read() != NOT_NEEDED:
+        guard(sys.argv[1])

@@ -29,11 +29,11 @@ from donnie_tui.i18n.words import Unusable
 from donnie_tui.process.disconnection import ReaderWatch
 from donnie_tui.process.signals import LEAVING, Watchdog, end_process
 from donnie_tui.robot.connection import (
+    Guard,
     MeasurableRobot,
     make_camera,
     make_measurable,
     robot_config,
-    start_guard,
 )
 from donnie_tui.robot.search import sentences_of
 from donnie_tui.settings.parsing import DOUBLE, SIMULATED, colours_text, remember
@@ -109,7 +109,7 @@ def _measured(order: Order, made: Callable[..., MeasurableRobot]) -> _Sizes:
 
     robot = made(order.settings, order.words, _Steady(threading.Event()), report)
     with (
-        _guarded(robot),
+        _guarded(robot, is_real=order.settings.robot != DOUBLE),
         Watchdog(
             dict.fromkeys(LEAVING, _end),
             part=lambda _number: end_process(lambda: ExitCode.STOPPED, [lambda: _halted(robot)]),
@@ -124,13 +124,14 @@ def _measured(order: Order, made: Callable[..., MeasurableRobot]) -> _Sizes:
 
 
 @contextmanager
-def _guarded(robot: MeasurableRobot) -> Iterator[None]:
-    """A robot that was lost while it drove is stopped when it is plugged in again."""
+def _guarded(robot: MeasurableRobot, *, is_real: bool) -> Iterator[None]:
+    """A robot whose program was killed, or that was lost while it drove, is stopped."""
+    guard = Guard(robot.port) if is_real else None
     try:
         yield
     finally:
-        if robot.may_drive_on:
-            start_guard(robot.port)
+        if guard is not None:
+            guard.end(may_drive_on=robot.may_drive_on)
 
 
 def _keep(order: Order, sizes: _Sizes) -> int:

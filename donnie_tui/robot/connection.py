@@ -81,9 +81,13 @@ class MeasurableRobot(Connectable, Protocol):
 class _Connected(Struct):
     """The robot that is connected now, if any, and what became of the last one."""
 
-    guard: Callable[[str], object]
     robot: Connectable | None = None
+    guard: Guard | None = None
     has_run_away: bool = False
+
+    def take(self, robot: Connectable, *, is_real: bool) -> None:
+        self.robot = robot
+        self.guard = Guard(robot.port) if is_real else None
 
     def drop(self) -> None:
         robot, self.robot = self.robot, None
@@ -91,8 +95,8 @@ class _Connected(Struct):
             return
         robot.close()
         self.has_run_away = robot.has_run_away
-        if robot.may_drive_on:
-            self.guard(robot.port)
+        if self.guard is not None:
+            self.guard.end(may_drive_on=robot.may_drive_on)
 
 
 class Connection:
@@ -107,11 +111,9 @@ class Connection:
         found: Lister | None = None,
         stable: Callable[[str], str] | None = None,
         search: Search | None = None,
-        guard: Callable[[str], object] | None = None,
     ) -> None:
         """``session``: whose robot it is; it begins with a simulated one.
 
-        ``guard`` stops the robot at a port that is gone, once it is back; None: a process of its own.
         ``found`` lists the ports, ``stable`` gives a port's permanent name; None: those of this machine.
         """
         self.search = search or Search()
@@ -120,7 +122,7 @@ class Connection:
         self._world = world
         self._session = session
         self._found, self._stable = found, stable
-        self._now = _Connected(guard or start_guard)
+        self._now = _Connected()
         self._lock = threading.Lock()
         self.robot = SIMULATED
         """The robot that is there, as ``--robot`` takes it."""
@@ -222,7 +224,7 @@ class Connection:
             return made[0]
 
         self._session.change_robot(make_and_keep)
-        self._now.robot = made[0]
+        self._now.take(made[0], is_real=name.startswith(SERIAL))
         try:
             self.search.connect(made[0])
         except RobotProblem:
@@ -325,20 +327,36 @@ class Connection:
         return sentences_of(problem, self._words)
 
 
-_GUARDS: list[subprocess.Popen[bytes]] = []
-"""Of this process; they outlive it."""
+class Guard:
+    """A process that stops the robot at a port when this process has ended, also by ``kill -9``.
+
+    Nothing is sent by the board itself: its motors turn until a stop comes.
+    """
+
+    def __init__(self, port: str) -> None:
+        import subprocess
+
+        command = [sys.executable, "-P", "-m", "devices.port_exchange", port]
+        nothing = subprocess.DEVNULL
+        self._process: subprocess.Popen[bytes] | None = None
+        with suppress(OSError):
+            self._process = subprocess.Popen(
+                command, stdin=subprocess.PIPE, stdout=nothing, stderr=nothing, start_new_session=True
+            )
+
+    def end(self, *, may_drive_on: bool) -> None:
+        """The connection was closed. If the robot may drive on, the guard stops it when its port is back."""
+        if self._process is None or self._process.stdin is None:
+            return
+        from devices.port_exchange import NOT_NEEDED
+
+        with suppress(OSError), self._process.stdin as line:  # the guard may be gone
+            line.write(b"" if may_drive_on else NOT_NEEDED)
+        _ENDING[:] = [each for each in (*_ENDING, self._process) if each.poll() is None]
 
 
-def start_guard(port: str) -> None:
-    """Start a process that stops the robot when it is plugged in again, and ends after a minute."""
-    import subprocess
-
-    command = [sys.executable, "-P", "-m", "devices.port_exchange", port]
-    nothing = subprocess.DEVNULL
-    with suppress(OSError):
-        _GUARDS.append(
-            subprocess.Popen(command, stdin=nothing, stdout=nothing, stderr=nothing, start_new_session=True)
-        )
+_ENDING: list[subprocess.Popen[bytes]] = []
+"""Guards that may outlive this process."""
 
 
 def make_measurable(

@@ -7,6 +7,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
+from devices.wire.frames import CONFIGURE, MotorDrive, drive_frame
 from donnie_tui.bootstrap import Donnie, assemble
 from donnie_tui.settings.settings import Settings
 from tests.board_on_pty import PtyBoard
@@ -41,6 +42,16 @@ def is_suspended(pid: int) -> bool:
 def half_a_frame(robot: PtyBoard) -> None:
     """The board takes what is said next for the rest of fifty bytes, the stops as well."""
     robot.disturb(bytes.fromhex("aabb3228"))
+
+
+def leave_driving(robot: PtyBoard) -> None:
+    """As a program does that was killed with its guard. A board that starts reads nothing yet."""
+
+    def drive() -> bool:
+        robot.disturb(CONFIGURE + drive_frame(MotorDrive.FORWARD))
+        return robot.board.is_driving
+
+    assert until(drive)
 
 
 def assembled(robot: PtyBoard) -> Donnie:

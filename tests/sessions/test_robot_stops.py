@@ -17,7 +17,16 @@ from donnie_tui.core.session import RunOptions
 from tests.board_on_pty import PtyBoard
 from tests.sessions.command import COMMAND, QUIET, donnie, environment, start
 from tests.sessions.learner import CTRL_C, CTRL_Z, Learner
-from tests.sessions.real_robot import LONG_WALK, assembled, half_a_frame, is_suspended, program, serial, until
+from tests.sessions.real_robot import (
+    LONG_WALK,
+    assembled,
+    half_a_frame,
+    is_suspended,
+    leave_driving,
+    program,
+    serial,
+    until,
+)
 from tests.sessions.shell import is_stopped
 from tests.timeouts import TIMEOUT
 
@@ -174,12 +183,39 @@ def test_a_signal_to_a_front_end_stops_the_robot(
     assert robot.received.endswith(STOP)
 
 
-def test_a_killed_program_leaves_a_robot_that_donnie_stop_halts(tmp_path: Path, robot: PtyBoard) -> None:
+def test_the_robot_of_a_killed_program_is_stopped(tmp_path: Path, robot: PtyBoard) -> None:
     process = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET)
     assert until(lambda: robot.board.is_driving)
     process.kill()
-    process.wait(TIMEOUT)
-    assert robot.board.is_driving
+
+    assert until(lambda: not robot.board.is_driving)
+    assert process.wait(TIMEOUT) == -signal.SIGKILL
+
+
+@pytest.mark.parametrize("mode", ["--linear", "--visual"])
+def test_the_robot_of_a_killed_front_end_is_stopped(tmp_path: Path, robot: PtyBoard, mode: str) -> None:
+    front_end = pexpect.spawn(
+        sys.executable,
+        [*COMMAND[1:], mode, *serial(robot), *QUIET, program(tmp_path, LONG_WALK)],
+        env=environment(tmp_path, {"TERM": "xterm-256color"}),
+        cwd=str(tmp_path),
+        dimensions=(30, 100),
+        encoding="utf-8",
+        timeout=TIMEOUT,
+    )
+    front_end.expect("Robot connected")
+    front_end.send("RUN\r" if mode == "--linear" else "\x1b[15~")
+    assert until(lambda: robot.board.is_driving)
+    front_end.kill(signal.SIGKILL)
+
+    assert until(lambda: not robot.board.is_driving)
+    front_end.close()
+
+
+def test_a_robot_that_drives_without_a_program_is_halted_by_donnie_stop(
+    tmp_path: Path, robot: PtyBoard
+) -> None:
+    leave_driving(robot)
 
     done = donnie(tmp_path, "stop", robot.path)
     assert done.stdout.decode() == f"The robot has stopped. Port {robot.path}.\n"

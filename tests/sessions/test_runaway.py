@@ -13,7 +13,7 @@ import pytest
 from tests.board_on_pty import PtyBoard
 from tests.sessions.command import COMMAND, QUIET, donnie, environment, start
 from tests.sessions.learner import Learner
-from tests.sessions.real_robot import LONG_WALK, program, serial, until
+from tests.sessions.real_robot import LONG_WALK, leave_driving, program, serial, until
 from tests.timeouts import TIMEOUT
 
 pytestmark = pytest.mark.slow
@@ -84,10 +84,7 @@ def test_a_front_end_that_leaves_a_driving_robot_ends_with_1_and_the_sentence(
 
 
 def test_a_deaf_robot_is_reported_to_drive_after_a_stop_from_outside(tmp_path: Path, robot: PtyBoard) -> None:
-    process = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET)
-    assert until(lambda: robot.board.is_driving)
-    process.kill()
-    process.communicate()
+    leave_driving(robot)
 
     listed = donnie(tmp_path, "devices", robot.path)
     assert listed.stdout.decode().splitlines()[1:] == [
@@ -125,10 +122,7 @@ def test_a_guard_stops_the_robot_that_is_plugged_in_again_after_its_run(
 
 def test_a_stop_for_services_waits_for_a_robot_that_is_unplugged(tmp_path: Path, robot: PtyBoard) -> None:
     robot.has_battery = True
-    process = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET)
-    assert until(lambda: robot.board.is_driving)
-    process.kill()
-    process.communicate()
+    leave_driving(robot)
     robot.unplug()
     waiting = start(tmp_path, "stop", "--wait", robot.path)
     assert waiting.stdout is not None
