@@ -241,7 +241,11 @@ def compiled(entries: Iterable[Entry], list_key: str, *, is_english: bool) -> by
 
     ``list_key`` is the key of a text with all contexts, a line each: gettext can't list them.
     """
+    entries = tuple(entries)
     texts = {each.context: each.sentence if is_english else each.text for each in entries}
+    fields = {name.strip().lower(): value for name, value in header(entries).items()}
+    fields["content-type"] = "text/plain; charset=UTF-8"  # as the file was read
+    texts[""] = "".join(f"{name}: {value}\n" for name, value in fields.items())
     texts[list_key] = "\n".join(context for context, text in texts.items() if context and text)
     pairs = sorted((key.encode(), text.encode()) for key, text in texts.items() if text)
     at = 28 + 16 * len(pairs)

@@ -138,7 +138,7 @@ def _translations(language: str) -> NullTranslations:
     """Without a file that can be read a language has no sentences, and speaks English."""
     try:
         found = GNUTranslations(BytesIO(_compiled(language)))
-    except (OSError, ValueError, struct.error):  # the last of a compiled file that is cut off
+    except (OSError, ValueError, LookupError, struct.error):  # the last two of a damaged compiled file
         return _Missing()
     found.add_fallback(_Missing())
     return found

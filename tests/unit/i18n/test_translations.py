@@ -283,6 +283,34 @@ def test_compiled_sentences_that_are_cut_off_are_english(added: Path, kept: int)
     assert sentence.language == "en"
 
 
+@pytest.mark.parametrize("encoding", [b"Content-Type: text/plain", b"charset=UTF-9", b"charset=ascii"])
+def test_a_damaged_encoding_in_the_header_costs_no_sentence(added: Path, encoding: bytes) -> None:
+    """The file is UTF-8, whatever its header says. Before, gettext raised an ``IndexError`` at the start."""
+    file = added / "messages.po"
+    rest = b"" if encoding.startswith(b"Content") else b"Content-Type: text/plain; "
+    header, others = file.read_bytes().split(b"\n\n", 1)
+    damaged = re.sub(rb"Content-Type: [^\\\n]*", rest + encoding, header)
+    assert damaged != header
+    file.write_bytes(damaged + b"\n\n" + others)
+    _forget()
+
+    sentence = find("run-done", CODE)
+    assert sentence is not None
+    assert sentence.text == accented("Done.")
+
+
+@pytest.mark.parametrize("encoding", [b"charset=UTF-9", b"charset:UTF-8"])
+def test_compiled_sentences_of_an_unknown_encoding_are_english(added: Path, encoding: bytes) -> None:
+    main(["compile"])
+    file = added / "compiled" / "messages.mo"
+    file.write_bytes(file.read_bytes().replace(b"charset=UTF-8", encoding))
+    _forget()
+
+    sentence = find("run-done", CODE)
+    assert sentence is not None
+    assert sentence.text == "Done."
+
+
 def test_a_sentence_with_a_mistake_is_english_in_a_session(added: Path) -> None:
     file = added / "messages.po"
     file.write_text(file.read_text("utf-8").replace(accented("Stopped at line ") + "{line}", "{x}"), "utf-8")
