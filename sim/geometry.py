@@ -137,8 +137,9 @@ class Wedge(Struct, frozen=True):
 
     x: float
     y: float
+    yaw: float
     facing: Point
-    """The direction of its middle."""
+    """The direction of its middle, which is ``yaw``."""
     aside: Point
     """The direction of its half angle."""
     reach: float
@@ -153,15 +154,23 @@ class Wedge(Struct, frozen=True):
             and abs(dy * c - dx * s) * wc - along * ws <= radius + HAIR
         )
 
-    def box(self) -> tuple[float, float, float, float]:
-        """Left, bottom, right and top."""
+    def box(self, reach: float) -> tuple[float, float, float, float]:
+        """Left, bottom, right and top of it up to a distance."""
         x, y, (c, s), (wc, ws) = self.x, self.y, self.facing, self.aside
         tangent = ws / wc
-        ahead_x, ahead_y = x + self.reach * c, y + self.reach * s
-        aside_x, aside_y = self.reach * abs(s) * tangent + HAIR, self.reach * abs(c) * tangent + HAIR
+        ahead_x, ahead_y = x + reach * c, y + reach * s
+        aside_x, aside_y = reach * abs(s) * tangent + HAIR, reach * abs(c) * tangent + HAIR
         left, right = (x, ahead_x) if c > 0.0 else (ahead_x, x)
         bottom, top = (y, ahead_y) if s > 0.0 else (ahead_y, y)
         return left - aside_x, bottom - aside_y, right + aside_x, top + aside_y
+
+    def metres(self, points: Sequence[Point], middle: Point, radius: float, most: float) -> float:
+        """To a polygon in a circle: 0 inside of it, ``most`` where it isn't in the wedge, or farther."""
+        x, y = self.x, self.y
+        dx, dy, near = middle[0] - x, middle[1] - y, radius + HAIR
+        if dx * dx + dy * dy <= near * near and contains(points, x, y):
+            return 0.0
+        return nearest_seen(points, x, y, self.facing, self.aside, most)
 
 
 def nearest_in_wedge(outline: Iterable[Edge], half_angle: float) -> float:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from math import ceil, log
+from math import ceil, inf, log
 from typing import TYPE_CHECKING
 
 from sim.geometry import Placement
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from sim.clock import Glide, Now
     from sim.geometry import Point, Wedge
     from sim.layout import Layout
-    from sim.parts import Part
+    from sim.parts import Part, Sighted
     from sim.rays import Hit
 
 _FINENESS = 1.1
@@ -233,17 +233,19 @@ class Ground:
                 self._others(asker, min(xs), min(ys), max(xs), max(ys))
             return (self._layout or self._lay_out()).first_hits(asker, x, y, ends, ranging, but)
 
-    def seen_in(self, asker: int, wedge: Wedge, all_heights: bool, but: frozenset[int]) -> list[Part]:
-        """What a ranger sees and may come into a wedge, as ``rangers.Around`` says."""
+    def nearest(
+        self, asker: int, wedge: Wedge, height: float | None, but: frozenset[int], has_still: bool = True
+    ) -> Sighted:
+        """What rangers see, as ``rangers.Around`` says; without ``has_still`` only of what may move."""
         with self._lock:
             layout = self._layout or self._lay_out()
-            if all_heights and not but:
-                wedge = layout.up_to_still(wedge)
-            box = wedge.box()
-            roots = layout.moving.in_wedge(wedge, box)
+            nearest = layout.nearest_still(wedge, height, but) if has_still else (inf, None)
+            roots = layout.moving.in_wedge(wedge, min(nearest[0], wedge.reach))
+            if len(roots) < 2 and (not roots or roots[0] == asker):
+                return nearest
             if self._glides:
                 self._catch_up(asker, roots)
-            return layout.seen_in(asker, roots, wedge, box, but)
+            return layout.nearest_moving(asker, roots, wedge, height, but, nearest)
 
     def free_way(
         self, asker: int, x: float, y: float, end: Point, guard: float, but: frozenset[int]

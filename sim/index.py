@@ -1,16 +1,17 @@
-"""Which parts come into a box: squares of a grid for what lies still, circles for what may move.
+"""Which parts come into a box or a wedge: squares of a grid for what lies still, circles for what may move.
 
 The grid is made once. A root that moves costs one entry in a table; its parts are placed anew only when a
-question comes near it.
+question comes near it. What is in view of a sensor, and lies still, is kept for the next one that looks from
+about there to about the same side.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from math import dist, floor
+from math import dist, floor, sqrt
 from statistics import median_low
 
-from sim.geometry import Placement, Wedge, edges, is_convex, signed_area
+from sim.geometry import Placement, Point, Wedge, direction, edges, is_convex, signed_area
 from sim.parts import Part
 
 Box = tuple[float, float, float, float]
@@ -24,6 +25,14 @@ LEAST, MOST = 0.25, 2.0
 """Metres of a square's side."""
 FEW = 16
 """So many roots are looked at one by one."""
+VIEWED_FROM = 0.5
+"""Metres of the side of a square from which views are kept."""
+_NEARER = 0.75 * VIEWED_FROM
+"""Metres, more than half of its diagonal: so much nearer than to its middle something may be."""
+SECTOR = 30.0
+"""Degrees of the directions that share a view."""
+MOST_VIEWS = 20_000
+"""More are not kept."""
 MOST_SQUARES = 256
 """A part that lies in more squares than that is looked at in every question."""
 
@@ -61,6 +70,11 @@ class StillParts:
                         found[part.rank] = part
         return found
 
+    def reach_of(self, count: int) -> float:
+        """Metres around a place in which about so many parts are, where there are any."""
+        squares = max(1, len(self._squares))
+        return self._side * sqrt(count * squares / max(1, len(self._entries))) / 2
+
     def _reach(self, left: float, bottom: float, right: float, top: float) -> tuple[range, range]:
         side = self._side
         return (
@@ -77,6 +91,64 @@ def _inside(
         for its_left, its_bottom, its_right, its_top, part in entries
         if its_left <= right and left <= its_right and its_bottom <= top and bottom <= its_top
     }
+
+
+InView = tuple[float, float, float, float, Part]
+"""A part: how far it is at least, and a circle around it: its middle's x and y, its radius."""
+
+
+class Views:
+    """What rangers see and what never moves, from the squares of a grid to all sides, the nearest first."""
+
+    def __init__(self, still: StillParts) -> None:
+        self._still = still
+        self.first = still.reach_of(FEW)
+        """Metres up to which a view is first made."""
+        self._around: dict[tuple[float, float], tuple[float, list[InView]]] = {}
+        """By the square: what is in view up to a distance, on all sides."""
+        self._kept: dict[tuple[float, float, float, Point], tuple[float, list[InView]]] = {}
+        """The same by the square, the sector, and a sensor's half angle."""
+
+    def of(self, wedge: Wedge, reach: float) -> tuple[float, list[InView]]:
+        """All that may come into the wedge up to a distance, perhaps some more; and that distance.
+
+        It is ``reach`` at least.
+        """
+        key = wedge.x // VIEWED_FROM, wedge.y // VIEWED_FROM, wedge.yaw // SECTOR, wedge.aside
+        kept = self._kept.get(key)
+        if kept is None or kept[0] < reach:
+            kept = self._kept[key] = self._in_sector(*key, reach)
+        return kept
+
+    def _in_sector(
+        self, column: float, row: float, sector: float, aside: Point, reach: float
+    ) -> tuple[float, list[InView]]:
+        place = column, row
+        around = self._around.get(place)
+        if around is None or around[0] < reach:
+            if len(self._kept) >= MOST_VIEWS:
+                self._kept.clear()
+                self._around.clear()
+            around = self._around[place] = reach, self._on_all_sides(*place, reach)
+        (wc, ws), (c, s) = aside, direction(SECTOR / 2)
+        yaw = (sector + 0.5) * SECTOR
+        x, y = (column + 0.5) * VIEWED_FROM, (row + 0.5) * VIEWED_FROM
+        wedge = Wedge(x, y, yaw, direction(yaw), (wc * c - ws * s, ws * c + wc * s), around[0])
+        return around[0], [view for view in around[1] if wedge.touches(view[4].middle, view[3] + _NEARER)]
+
+    def _on_all_sides(self, column: float, row: float, reach: float) -> list[InView]:
+        x, y, far = (column + 0.5) * VIEWED_FROM, (row + 0.5) * VIEWED_FROM, reach + _NEARER
+        found = self._still.within(x - far, y - far, x + far, y + far)
+        seen = (part for part in found.values() if part.seen)
+        views = (
+            (dist(part.middle, (x, y)) - part.reach - _NEARER, *part.middle, part.reach, part)
+            for part in seen
+        )
+        return sorted(views, key=_by_distance)
+
+
+def _by_distance(view: InView) -> tuple[float, int]:
+    return view[0], view[4].rank
 
 
 class MovingRoots:
@@ -123,10 +195,17 @@ class MovingRoots:
             if left - reach <= x <= right + reach and bottom - reach <= y <= top + reach
         ]
 
-    def in_wedge(self, wedge: Wedge, box: Box) -> list[int]:
-        """The roots that may come into a wedge, which fits into the box, in no order."""
-        touches = wedge.touches
-        return [root for root, (x, y, reach) in self._near(*box) if touches((x, y), reach)]
+    def in_wedge(self, wedge: Wedge, reach: float) -> list[int]:
+        """The roots that may come into a wedge up to a distance, in no order."""
+        x, y, (c, s), (wc, ws) = wedge.x, wedge.y, wedge.facing, wedge.aside
+        found = []
+        circles = self._circles.items() if len(self._circles) <= FEW else self._near(*wedge.box(reach))
+        for root, (its_x, its_y, radius) in circles:
+            dx, dy = its_x - x, its_y - y
+            along = dx * c + dy * s
+            if -radius <= along <= reach + radius and abs(dy * c - dx * s) * wc - along * ws <= radius:
+                found.append(root)
+        return found
 
     def _near(
         self, left: float, bottom: float, right: float, top: float

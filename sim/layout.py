@@ -15,15 +15,14 @@ import atexit
 import gc
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
-from math import radians
-from operator import attrgetter
+from math import inf, nextafter, radians
 from weakref import WeakSet
 
 import pymunk
 
-from sim.geometry import Placement, Point, Wedge, contains, edges, is_convex, placed, signed_area
-from sim.index import Box, MovingRoots, StillParts, entries_of, is_whole
-from sim.parts import BODY, RANGED, SIGHT, Part, parts_of
+from sim.geometry import HAIR, Placement, Point, Wedge, contains, edges, is_convex, placed, signed_area
+from sim.index import Box, InView, MovingRoots, StillParts, Views, entries_of, is_whole
+from sim.parts import BODY, NOTHING, RANGED, SIGHT, Part, Sighted, parts_of
 from sim.rays import Hit, Rays
 from sim.scene import Scene
 
@@ -134,15 +133,8 @@ def _shapes(body: pymunk.Body, points: tuple[Point, ...], radius: float) -> Iter
     return [pymunk.Segment(body, (ax, ay), (bx, by), radius) for ax, ay, bx, by in edges(points)]
 
 
-_rank = attrgetter("rank")
-
-
 _THIN = 0.0
 """Metres by which everything is thickened for rays."""
-WORTH_A_RAY = 0.5
-"""Metres: a longer wedge is first shortened by a ray along its middle."""
-SLACK = 0.01
-"""Metres: a wedge is searched so much farther than the ray's hit."""
 MOST_ROOM = 5.0
 """Metres: no more room than that is looked for."""
 
@@ -168,6 +160,7 @@ class Layout:
                 self._ranks[part.root].append(part.rank)
         self._still = StillParts([part for part in self.at_start if part.root not in start])
         at_start = {root: [self.at_start[rank] for rank in ranks] for root, ranks in self._ranks.items()}
+        self._views = Views(self._still)
         self.moving = MovingRoots(at_start, start)
         self._entries = {
             root: [entry for part in parts for entry in entries_of(part)] for root, parts in at_start.items()
@@ -175,8 +168,6 @@ class Layout:
         """Of the parts of movable roots, where these were when they were last placed."""
         self._frames: dict[int, tuple[tuple[Point, ...], bool]] = {}
         """Of parts that have moved, by rank: as seen from their roots, and whether they are whole."""
-        self._seen_still: Layer | None = None
-        """What rangers see and what never moves; made when it is first asked for."""
         self._unplaced = set[int]()
         """The movable roots whose parts were not placed since they moved."""
         for root, place in now.items():
@@ -249,35 +240,35 @@ class Layout:
         hits = self._updated(self._layers[_THIN], asker).first_hits(x, y, ends, asker + 1, category, but)
         return [(None if rank is None else self._placed(rank), way) for rank, way in hits]
 
-    def up_to_still(self, wedge: Wedge) -> Wedge:
-        """The wedge up to what is seen in its middle and never moves."""
-        if wedge.reach <= WORTH_A_RAY:
-            return wedge
-        if self._seen_still is None:
-            still = [part for part in self.at_start if part.seen and part.root not in self._start]
-            self._seen_still = Layer(still, 0.0, {})
-        x, y, (c, s), reach = wedge.x, wedge.y, wedge.facing, wedge.reach
-        end = (x + reach * c, y + reach * s)
-        seen = self._seen_still.first_hits(x, y, (end,), 0, RANGED, _NONE)[0][1]
-        return (
-            wedge if seen >= 1.0 else Wedge(x, y, wedge.facing, wedge.aside, min(reach, seen * reach + SLACK))
-        )
+    def nearest_still(self, wedge: Wedge, height: float | None, but: frozenset[int]) -> Sighted:
+        """See ``Ground.nearest``: of what never moves."""
+        known = min(self._views.first, wedge.reach)
+        while True:
+            known, views = self._views.of(wedge, known)
+            found = _nearest(views, wedge, height, but, NOTHING)
+            if found[0] <= known or known >= wedge.reach:
+                return found
+            known = min(2.0 * known, wedge.reach)
 
-    def seen_in(
-        self, asker: int, roots: Iterable[int], wedge: Wedge, box: Box, but: frozenset[int]
-    ) -> list[Part]:
-        """``roots``: what may move and may come into the wedge, which fits into the ``box``."""
-        touches, group, groups = wedge.touches, asker + 1, self._groups
-        near = list(self._still.within(*box).values())
-        for root in roots:
-            if groups.get(root, 0) != group:
-                near.extend(self.parts_of(root))
-        near = [part for part in near if part.seen and touches(part.middle, part.reach)]
-        if but:
-            near = [part for part in near if part.rank not in but]
-        if len(near) > 1:
-            near.sort(key=_rank)
-        return near
+    def nearest_moving(
+        self,
+        asker: int,
+        roots: Iterable[int],
+        wedge: Wedge,
+        height: float | None,
+        but: frozenset[int],
+        nearest: Sighted,
+    ) -> Sighted:
+        """The same of ``roots``, which may move, and of what was ``nearest`` before."""
+        group, groups = asker + 1, self._groups
+        views = [
+            (0.0, *part.middle, part.reach, part)
+            for root in roots
+            if groups.get(root, 0) != group
+            for part in self.parts_of(root)
+            if part.seen
+        ]
+        return _nearest(views, wedge, height, but, nearest)
 
     def free_of_still(self, x: float, y: float, end: Point, guard: float, but: frozenset[int]) -> float:
         return self._still_layers[guard].first_hits(x, y, (end,), 0, BODY, but)[0][1]
@@ -344,6 +335,32 @@ class Layout:
             local, whole = self._frames[rank]
             self._parts[rank] = part = part if now == start else part.moved(local, now)
             entries.extend(entries_of(part, whole))
+
+
+def _nearest(
+    views: Iterable[InView], wedge: Wedge, height: float | None, but: frozenset[int], nearest: Sighted
+) -> Sighted:
+    """What is nearest in the wedge, also of what was ``nearest`` before; of equals the first in the world.
+
+    ``views``: the nearest first.
+    """
+    x, y, (c, s), (wc, ws) = wedge.x, wedge.y, wedge.facing, wedge.aside
+    least, found = nearest
+    most = nextafter(min(least, wedge.reach), inf)
+    for bound, its_x, its_y, radius, part in views:
+        if bound > most:
+            break
+        dx, dy = its_x - x, its_y - y
+        along = dx * c + dy * s
+        if along + radius < 0.0 or along - radius > most:
+            continue
+        if abs(dy * c - dx * s) * wc - along * ws > radius + HAIR or part.rank in but:
+            continue
+        if height is None or part.bottom <= height <= part.top:
+            metres = wedge.metres(part.points, part.middle, radius, most)
+            if metres < most and (found is None or metres < least or part.rank < found.rank):
+                least, found, most = metres, part, nextafter(metres, inf)
+    return least, found
 
 
 class _Kept:

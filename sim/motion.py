@@ -36,8 +36,8 @@ from sim.geometry import (
     turn_contact,
 )
 from sim.ground import Ground
-from sim.parts import Body, Outline, Part, body_of
-from sim.rangers import CENTIMETRES_A_STEP, Around, Ranger
+from sim.parts import Body, Outline, Part, Sighted, body_of
+from sim.rangers import CENTIMETRES_A_STEP, Around, Height, Ranger
 from sim.scene import Scene
 from sim.sensors import Senses, senses_of
 
@@ -91,10 +91,17 @@ class OtherRobots:
         hits = self._around.first_hits(x, y, ends, ranging)
         return [hit if hit[0] and hit[0].root in self._robots else (None, 1.0) for hit in hits]
 
-    def seen_in(self, wedge: Wedge, all_heights: bool) -> list[Part]:  # noqa: ARG002 -- nothing hides a robot
-        """The robots that may come into a wedge, in order."""
-        found = self._around.seen_in(wedge, False)
-        return [part for part in found if part.root in self._robots]
+    def nearest(self, wedge: Wedge, height: Height) -> Sighted:
+        """The nearest robot in a wedge, which nothing hides."""
+        around = self._around
+        return around.ground.nearest(around.root, wedge, height, self._things, has_still=False)
+
+    @cached_property
+    def _things(self) -> frozenset[int]:
+        """The ranks of what may move and is no robot."""
+        ground = self._around.ground
+        roots = ground.movable - self._robots
+        return frozenset(part.rank for root in roots for part in ground.parts_of(root)) | self._around.absent
 
 
 class Surroundings:
@@ -116,7 +123,8 @@ class Surroundings:
         return tuple(dict.fromkeys(part.root for part in self.ground.around_start(self.root)))
 
     @cached_property
-    def _absent(self) -> frozenset[int]:
+    def absent(self) -> frozenset[int]:
+        """The ranks of parts that are not there for it."""
         return self._ignored | frozenset(part.rank for part in self.ground.around_start(self.root))
 
     def without(self, roots: frozenset[int]) -> Surroundings:
@@ -133,27 +141,27 @@ class Surroundings:
     def parts(self) -> tuple[Part, ...]:
         """Everything, in order."""
         return tuple(
-            part for part in self.ground.parts() if part.root != self.root and part.rank not in self._absent
+            part for part in self.ground.parts() if part.root != self.root and part.rank not in self.absent
         )
 
     def near(self, x: float, y: float, reach: float) -> list[Part]:
         """All parts that come within ``reach`` of a place, and perhaps some more, in order."""
-        return self.ground.within(self.root, x - reach, y - reach, x + reach, y + reach, self._absent)
+        return self.ground.within(self.root, x - reach, y - reach, x + reach, y + reach, self.absent)
 
     def within(self, left: float, bottom: float, right: float, top: float) -> list[Part]:
         """All parts that come into a box, and perhaps some more, in order."""
-        return self.ground.within(self.root, left, bottom, right, top, self._absent)
+        return self.ground.within(self.root, left, bottom, right, top, self.absent)
 
     def first_hits(self, x: float, y: float, ends: Sequence[Point], ranging: bool = False) -> list[Hit[Part]]:
         """The parts that looks from one place to each of ``ends`` meet first, and where on the way.
 
         ``ranging``: as a ranger sees, to which some things are invisible.
         """
-        return self.ground.first_hits(self.root, x, y, ends, ranging, self._absent)
+        return self.ground.first_hits(self.root, x, y, ends, ranging, self.absent)
 
-    def seen_in(self, wedge: Wedge, all_heights: bool) -> list[Part]:
-        """What a ranger sees and may come into a wedge, in order; perhaps some more."""
-        return self.ground.seen_in(self.root, wedge, all_heights, self._absent)
+    def nearest(self, wedge: Wedge, height: Height) -> Sighted:
+        """The nearest thing that a ranger sees in a wedge."""
+        return self.ground.nearest(self.root, wedge, height, self.absent)
 
     def has_room(self, x: float, y: float, to_x: float, to_y: float) -> bool:
         """Whether a way is known to keep the guard distance; False says nothing.
@@ -161,7 +169,7 @@ class Surroundings:
         Of what never moves it is known for all ways within a circle, which is looked for where a way leaves
         the last one.
         """
-        if self._absent:
+        if self.absent:
             return False
         if not self._room.holds(x, y):
             radius = max(0.0, self.ground.still_room(x, y, self._guard) - SAFE)
@@ -174,7 +182,7 @@ class Surroundings:
 
     def free_way(self, x: float, y: float, to_x: float, to_y: float) -> float:
         """The part of the way, from 0 to 1, on which nothing comes nearer than the guard distance."""
-        return self.ground.free_way(self.root, x, y, (to_x, to_y), self._guard, self._absent)
+        return self.ground.free_way(self.root, x, y, (to_x, to_y), self._guard, self.absent)
 
 
 SKIN = 1e-4

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import islice
-from math import dist, hypot
+from math import dist, hypot, inf
 
 from msgspec import Struct
 
@@ -72,6 +72,11 @@ class Part(Struct, frozen=True):
             self.colour,
             self.blob,
         )
+
+
+Sighted = tuple[float, Part | None]
+"""What a sensor sees, if anything, and how many metres away."""
+NOTHING: Sighted = (inf, None)
 
 
 def parts_of(scene: Scene) -> Iterator[Part]:

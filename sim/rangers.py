@@ -7,14 +7,13 @@ top it looks. Those rays are computed here, edge by edge; the fast way (``rays``
 from __future__ import annotations
 
 from collections.abc import Container, Iterable, Iterator, Sequence
-from math import ceil, dist, inf
+from math import ceil, inf
 from typing import TYPE_CHECKING, Protocol
 
 from msgspec import Struct
 
 from devices.ports.robot import STEP
 from sim.geometry import (
-    HAIR,
     Edge,
     Point,
     Spot,
@@ -23,9 +22,8 @@ from sim.geometry import (
     contains,
     direction,
     edges_apart,
-    nearest_seen,
 )
-from sim.parts import Part
+from sim.parts import NOTHING, Part, Sighted
 from sim.scene import Gripper, RangeNoise
 
 if TYPE_CHECKING:
@@ -47,11 +45,8 @@ class Around(Protocol):
     def first_hits(self, x: float, y: float, ends: Sequence[Point], ranging: bool = False) -> list[Hit[Part]]:
         """The parts that looks from one place to each of ``ends`` meet first, and where on the way."""
 
-    def seen_in(self, wedge: Wedge, all_heights: bool) -> Iterable[Part]:
-        """What a ranger sees and may come into a wedge, in order; perhaps some more.
-
-        ``all_heights``: things of every height hide what is beyond them, which may be left out.
-        """
+    def nearest(self, wedge: Wedge, height: Height) -> Sighted:
+        """The nearest thing that a ranger at that height sees in a wedge, and how far it is."""
 
 
 def at_height(part: Part, height: Height) -> bool:
@@ -87,6 +82,8 @@ def _first(parts: Iterable[Part], ray: tuple[float, float, float, float]) -> Hit
     return (first, nearest) if first is not None else (None, 1.0)
 
 
+NARROW = 45.0
+"""Degrees to either side, up to which a cone is one ``Wedge``."""
 CENTIMETRES_A_STEP = round(STEP * 100)
 NO_NOISE = RangeNoise()
 
@@ -111,22 +108,31 @@ class Cone(Struct, frozen=True):
         """The one distance, or infinity, and what is there."""
         return (self.nearest(around, spot),)
 
-    def nearest(self, around: Around, spot: Spot, turned: float = 0.0) -> tuple[float, Part | None]:
+    def nearest(self, around: Around, spot: Spot, turned: float = 0.0) -> Sighted:
         """The nearest thing in the cone, if there is any, and how far it is."""
         place = spot.mounted(self.x, self.y, self.yaw + turned)
-        x, y, nearest, found = place.x, place.y, inf, None
-        wedges = self._wedges(place.yaw)
-        for part in self._candidates(around, place):
-            apart = dist(part.middle, (x, y))
-            if part.reach + min(nearest, self.maximum) < apart:
-                continue
-            if apart <= part.reach + HAIR and contains(part.points, x, y):
-                return 0.0, part
-            for facing, aside in wedges:
-                metres = nearest_seen(part.points, x, y, facing, aside, nearest)
-                if metres < nearest:
-                    nearest, found = metres, part
-        return (nearest, found) if nearest <= self.maximum else (inf, None)
+        half = self.half_angle
+        if half > NARROW:
+            return self._nearest_of_wide(around, place)
+        yaw = place.yaw - half + half
+        wedge = Wedge(place.x, place.y, yaw, direction(yaw), direction(half), self.maximum)
+        return around.nearest(wedge, self.height)
+
+    def _nearest_of_wide(self, around: Around, place: Spot) -> Sighted:
+        """The same, wedge by wedge, of at most a half circle each."""
+        x, y, most, half = place.x, place.y, self.maximum, self.half_angle
+        count = ceil(half / 90.0)
+        part_of_it = half / count
+        yaws = [place.yaw - half + (2 * i + 1) * part_of_it for i in range(count)]
+        wedges = [Wedge(x, y, yaw, direction(yaw), direction(part_of_it), most) for yaw in yaws]
+        nearest, found = NOTHING
+        for part in around.within(x - most, y - most, x + most, y + most):
+            if part.seen and at_height(part, self.height):
+                for wedge in wedges:
+                    metres = wedge.metres(part.points, part.middle, part.reach, nearest)
+                    if metres < nearest:
+                        nearest, found = metres, part
+        return (nearest, found) if nearest <= most else NOTHING
 
     def centimetres(self, around: Around, spot: Spot) -> int | None:
         """To the nearest thing in the cone, or None. Without noise."""
@@ -142,28 +148,6 @@ class Cone(Struct, frozen=True):
             return (self.metres(around, spot),)
         turned = chance.uniform(-1, 1) * self.noise.angle if self.noise.angle else 0.0
         return (_blurred(self, self.metres(around, spot, turned), chance),)
-
-    def _wedges(self, yaw: float) -> list[tuple[Point, Point]]:
-        """The cone as parts of at most a half circle: the directions of middle and half angle of each."""
-        half = self.half_angle
-        if half <= 90.0:
-            return [(direction(yaw - half + half), direction(half))]
-        count = ceil(half / 90.0)
-        half /= count
-        aside = direction(half)
-        return [(direction(yaw - self.half_angle + (2 * i + 1) * half), aside) for i in range(count)]
-
-    def _candidates(self, around: Around, place: Spot) -> Iterable[Part]:
-        """What may be the nearest thing in the cone."""
-        height = self.height
-        x, y, maximum = place.x, place.y, self.maximum
-        if self.half_angle > 45.0:
-            parts = around.within(x - maximum, y - maximum, x + maximum, y + maximum)
-            return [part for part in parts if part.seen and at_height(part, height)]
-        wedge = Wedge(x, y, direction(place.yaw), direction(self.half_angle), maximum)
-        if height is None:
-            return around.seen_in(wedge, True)
-        return [part for part in around.seen_in(wedge, False) if at_height(part, height)]
 
 
 class Fan(Struct, frozen=True):
