@@ -19,7 +19,7 @@ from heapq import heapify, heappop, heappush, heapreplace
 from math import hypot, inf
 
 from devices.ports.robot import Pace
-from sim.geometry import Placement
+from sim.geometry import Edge, Placement, edges_apart, nearest_on_edge
 
 Now = tuple[float, float]
 """The world's time, and the rank of the robot whose turn it is."""
@@ -48,20 +48,23 @@ class Glide:
         clock: Clock,
         times: Callable[[], Sequence[float]],
         places: Callable[[int], Placement],
-        way: tuple[float, float, float],
+        way: Edge,
         guard: float,
     ) -> None:
         """``times``: of the robot, at the end of each tick; ``places``: where so many ticks lead.
 
-        ``way``: a circle around all of the way of the robot's centre. ``guard``: metres from there in which
-        nothing may come.
+        ``way``: of the robot's centre. ``guard``: metres from there in which nothing may come.
         """
         self.root = root
         self.clock = clock
         self._make_times = times
         self._places = places
-        self.x, self.y, self.half = way
+        self.way = way
         self.guard = guard
+        ax, ay, bx, by = way
+        self.x, self.y = (ax + bx) / 2, (ay + by) / 2
+        self.half = hypot(bx - ax, by - ay) / 2
+        """A circle around all of its way."""
         self._shown = 0
         self.count: int | None = None
         """Ticks after which it was cut or halted."""
@@ -77,7 +80,12 @@ class Glide:
 
     def is_near(self, x: float, y: float, reach: float) -> bool:
         """Whether what is within ``reach`` of a place is too near to its way."""
-        return hypot(x - self.x, y - self.y) < self.half + self.guard + reach
+        ax, ay, bx, by = self.way
+        return hypot(*nearest_on_edge((ax - x, ay - y, bx - x, by - y))) < self.guard + reach
+
+    def is_near_way(self, way: Edge, reach: float) -> bool:
+        """Whether what is within ``reach`` of another way is too near to its own."""
+        return edges_apart(self.way, way) < self.guard + reach
 
     def ticks(self, now: Now) -> int:
         """How many ticks are over."""
@@ -217,7 +225,9 @@ class Seat:
         if not self.takes_part:
             return True
         self.time = time
-        return self.turns.holder is self and not self._is_overtaken()
+        turns = self.turns
+        queue = turns.queue
+        return turns.holder is self and not (queue and queue[0] < (time, self.rank))
 
     def free_until(self) -> float:
         """The time at which another robot can act, infinity if there is none.
@@ -249,13 +259,10 @@ class Seat:
 
     def _has_the_turn(self) -> bool:
         """Whether it is this robot's turn; a robot that holds it too early passes it on."""
-        if self.turns.holder is self and self._is_overtaken():
-            self.turns.hand_over()
-        return self.turns.holder is self
-
-    def _is_overtaken(self) -> bool:
-        queue = self.turns.queue
-        return bool(queue) and queue[0][:2] < (self.time, self.rank)
+        turns = self.turns
+        if turns.holder is self and turns.queue and turns.queue[0] < (self.time, self.rank):
+            turns.hand_over()
+        return turns.holder is self
 
 
 SLICE = 1 / 20

@@ -28,7 +28,7 @@ HAIR = 1e-9
 _QUARTERS = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))
 
 
-@lru_cache(maxsize=128)
+@lru_cache(maxsize=4096)
 def direction(angle: float) -> Point:
     """The unit vector at ``angle``; exact at multiples of 90."""
     turned = angle % 360.0

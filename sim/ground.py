@@ -79,15 +79,14 @@ class Ground:
     def begin_glide(self, glide: Glide) -> bool:
         """From now on the robot is where the glide leads. False: another glide leads too near."""
         with self._lock:
-            layout = self._layout or self._lay_out()
-            x, y, half, extent = glide.x, glide.y, glide.half, layout.moving.extent(glide.root)
+            moving = (self._layout or self._lay_out()).moving
+            x, y, half, extent = glide.x, glide.y, glide.half, moving.extent(glide.root)
             near = self._gliding_near(x, y, half + extent)
-            for other in near:
-                if glide.is_near(other.x, other.y, other.half + layout.moving.extent(other.root)):
-                    return False
-            self._cut_near(near, x, y, half + extent)
+            if any(glide.is_near_way(each.way, moving.extent(each.root)) for each in near):
+                return False
+            self._cut_those([each for each in near if each.is_near_way(glide.way, extent)])
             self._glides[glide.root] = glide
-            layout.moving.cover(glide.root, x, y, half)
+            moving.cover(glide.root, x, y, half)
             return True
 
     def end_glide(self, root: int, now: Placement | None) -> None:
@@ -96,11 +95,10 @@ class Ground:
             del self._glides[root]
             self._put(root, self._now[root] if now is None else now)
 
-    def _cut_near(self, glides: Iterable[Glide], x: float, y: float, reach: float) -> None:
-        """Something comes within ``reach`` of a place. Under the lock."""
-        near = [each for each in glides if each.is_near(x, y, reach)]
-        if near:
-            self._cut(near)
+    def _cut_those(self, glides: Collection[Glide]) -> None:
+        """Something comes near to them. Under the lock."""
+        if glides:
+            self._cut(glides)
 
     def _gliding_near(self, x: float, y: float, reach: float) -> list[Glide]:
         """The glides that may be near to what comes within ``reach`` of a place."""
@@ -154,7 +152,8 @@ class Ground:
             self._put(root, now)
             if self._glides and self._layout is not None:
                 extent = self._layout.moving.extent(root)
-                self._cut_near(self._gliding_near(now.x, now.y, extent), now.x, now.y, extent)
+                near = self._gliding_near(now.x, now.y, extent)
+                self._cut_those([each for each in near if each.is_near(now.x, now.y, extent)])
 
     def _put(self, root: int, now: Placement) -> None:
         if now != self._now[root]:

@@ -230,6 +230,8 @@ class Mover:
         self.senses: Senses = senses_of(ground.scene, robot)
         self.body: Body = body_of(ground.scene, robot)
         self._bare = self.body
+        self._stuck: tuple[Spot, int] | None = None
+        """Where it can't turn a degree to one side, because of what never moves."""
         self._apart_since = -1
         """The ground's ``jumps`` when the robot was known to reach into nothing."""
         self.around = Surroundings(ground, robot)
@@ -244,6 +246,7 @@ class Mover:
     def hold(self, outlines: tuple[Outline, ...]) -> None:
         """From now on these polygons, in the robot's frame, are part of its body; earlier ones are not."""
         self.body = self._bare.holding(outlines) if outlines else self._bare
+        self._stuck = None
         self._keep_guard()
 
     def walk(
@@ -274,12 +277,16 @@ class Mover:
 
     def turn(self, spot: Spot, degrees: int) -> int:
         """How many of ``degrees`` (counter-clockwise if positive) the robot can turn, whole ones."""
-        if degrees == 0:
-            return degrees
-        nearest = self.turn_contact(spot, 1 if degrees > 0 else -1)
-        if nearest >= abs(degrees):
-            return degrees
-        return (1 if degrees > 0 else -1) * max(0, floor(nearest - TURN_SKIN))
+        sign = 1 if degrees > 0 else -1
+        if degrees == 0 or self._stuck == (spot, sign):
+            return 0
+        nearest = self.turn_contact(spot, sign)
+        return degrees if nearest >= abs(degrees) else sign * max(0, floor(nearest - TURN_SKIN))
+
+    @property
+    def walking_guard(self) -> float:
+        """Metres from its way beyond which nothing touches a robot that walks, nor blocks its sensors."""
+        return max(self.body.radius + STEP / 10 + 2 * WIDEST_SKIN, self._farthest + 2 * STEP + 0.01)
 
     @property
     def turning_guard(self) -> float:
@@ -291,11 +298,18 @@ class Mover:
         there = spot.ahead(STEP, spot.yaw + (180.0 if bearing is Bearing.BACK else 0.0))
         if self.around.has_room(spot.x, spot.y, there.x, there.y):
             return True
-        return not self._reaches_into_any(spot) and self.walk(spot, bearing, 1).steps == 1
+        return not self._reaches_into_any(spot) and self.walk(spot, bearing, 1, careful=True).steps == 1
+
+    def has_free_rest(self, spot: Spot, angle: float, length: float) -> bool:
+        """The same of the rest of a step, before which the sensors were looked at."""
+        middle = spot.ahead(length / 2, angle)
+        if self._others.is_any_near(middle, self.walking_guard + length / 2) or self._reaches_into_any(spot):
+            return False
+        return self.contact(spot, angle, length).metres >= length - TOUCHING
 
     def has_free_turn(self, spot: Spot, degrees: int) -> bool:
         """The same of a turn."""
-        return not self._reaches_into_any(spot) and self.turn(spot, degrees) == degrees
+        return self.turn(spot, degrees) == degrees and not self._reaches_into_any(spot)
 
     def turn_contact(self, spot: Spot, sign: int) -> float:
         """Degrees (1: counter-clockwise, -1: clockwise) until the body touches something, or infinity."""
@@ -305,7 +319,11 @@ class Mover:
         outline = self.body.outline(spot.yaw) if close else ()
         for part in close:
             shifted = edges(seen_from(part.points, spot.x, spot.y, 0.0))
-            nearest = min(nearest, turn_contact(outline, shifted, sign))
+            degrees = turn_contact(outline, shifted, sign)
+            if degrees < nearest:
+                nearest = degrees
+                if degrees < 1.0 and part.root not in self.around.ground.movable:
+                    self._stuck = spot, sign
         return nearest
 
     def contact(self, spot: Spot, angle: float, length: float, but: Container[int] = frozenset()) -> Contact:
@@ -421,7 +439,9 @@ class Mover:
         return self.around.without(gives_way) if gives_way else self.around
 
     def _keep_guard(self) -> None:
-        self.guard = guard_distance(self.body, self.senses.rangers)
+        self._farthest = max((hypot(each.x, each.y) for each in self.senses.rangers), default=0.0)
+        self.guard = max(self.body.radius + STEP, self._farthest + 2 * STEP) + 0.01
+        """Metres from its centre beyond which nothing touches it within a step, nor blocks its sensors."""
         self.around.keep(self.guard)
 
 
@@ -433,12 +453,6 @@ def _short_sighted(ranger: Ranger) -> Ranger:
 def less_skin(contact: float, squarely: float) -> float:
     """How far a body goes that would touch after ``contact`` metres, as squarely as that."""
     return max(0.0, contact - min(WIDEST_SKIN, SKIN / max(squarely, 1e-9)))
-
-
-def guard_distance(body: Body, rangers: tuple[Ranger, ...]) -> float:
-    """Metres from its centre beyond which nothing touches a robot within a step, nor blocks its sensors."""
-    farthest = max((hypot(each.x, each.y) for each in rangers), default=0.0)
-    return max(body.radius + STEP, farthest + 2 * STEP) + 0.01
 
 
 SIGHT = 3 * STEP

@@ -236,17 +236,20 @@ class Walk(Sweeping):
 
     @property
     def _guard(self) -> float:
-        return self._vehicle.mover.guard
+        return self._vehicle.mover.walking_guard
 
     def _free_to(self) -> int:
         """The next whole step."""
-        vehicle = self._vehicle
-        if self._must_push or not self._is_whole:
+        mover, here = self._vehicle.mover, self._vehicle.here.truth
+        if self._must_push:
             return self._whole
-        return self._whole + vehicle.mover.has_free_step(vehicle.here.truth, self._bearing)
+        if self._is_whole:
+            return self._whole + mover.has_free_step(here, self._bearing)
+        left = (self._whole + 1 - self._done) * STEP
+        return self._whole + mover.has_free_rest(here, self._angle, left)
 
     def _stops(self, end: int) -> Sequence[float]:
-        return self._course.stops(self._whole, end)
+        return self._course.stops(self._whole if self._is_whole else self._done, end)
 
     def _land(self, end: int, landing: Landing, count: int) -> StoppedBy | None:
         if landing is Landing.WHOLE:

@@ -136,7 +136,7 @@ class Cone(Struct, frozen=True):
 
     def centimetres(self, around: Around, spot: Spot) -> int | None:
         """To the nearest thing in the cone, or None. Without noise."""
-        return _centimetres(self, self.metres(around, spot))
+        return _centimetres(self, self.nearest(around, spot)[0])
 
     def noisy(self, around: Around, spot: Spot, chance: Random) -> int | None:
         """A reading as the sensor gives it, with its noise."""

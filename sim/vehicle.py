@@ -10,7 +10,7 @@ Stage.
 from __future__ import annotations
 
 from functools import cache, cached_property
-from math import degrees, floor, hypot, inf, radians, sqrt
+from math import degrees, floor, inf, radians, sqrt
 from typing import TYPE_CHECKING, Protocol
 
 from msgspec import Struct
@@ -429,8 +429,7 @@ class Vehicle:
             spot = where.truth
             return Placement(spot.x, spot.y, z, spot.yaw)
 
-        x, y = (here.x + there.truth.x) / 2, (here.y + there.truth.y) / 2
-        way = x, y, hypot(x - here.x, y - here.y)
+        way = here.x, here.y, there.truth.x, there.truth.y
         glide = Glide(root, self.clock, times, lambda count: place(at(count)), way, guard)
         if not ground.begin_glide(glide):
             return None
