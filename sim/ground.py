@@ -81,10 +81,10 @@ class Ground:
         with self._lock:
             moving = (self._layout or self._lay_out()).moving
             x, y, half, extent = glide.x, glide.y, glide.half, moving.extent(glide.root)
-            near = self._gliding_near(x, y, half + extent)
-            if any(glide.is_near_way(each.way, moving.extent(each.root)) for each in near):
-                return False
-            self._cut_those([each for each in near if each.is_near_way(glide.way, extent)])
+            if near := self._gliding_near(x, y, half + extent):
+                if any(glide.is_near_way(each.way, moving.extent(each.root)) for each in near):
+                    return False
+                self._cut_those([each for each in near if each.is_near_way(glide.way, extent)])
             self._glides[glide.root] = glide
             moving.cover(glide.root, x, y, half)
             return True

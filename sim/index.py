@@ -93,6 +93,8 @@ def _inside(
     }
 
 
+Circle = tuple[float, float, float]
+"""Its middle's x and y, and its radius."""
 InView = tuple[float, float, float, float, Part]
 """A part: how far it is at least, and a circle around it: its middle's x and y, its radius."""
 
@@ -158,11 +160,12 @@ class MovingRoots:
         """``parts``: of each root, where it is ``now``."""
         self._extents = {root: _extent(parts[root], place) + MARGIN for root, place in now.items()}
         self._widest = max(self._extents.values(), default=0.0)
-        self._circles: dict[int, tuple[float, float, float]] = {}
-        """Around each root: place and radius."""
+        self._circles: dict[int, Circle] = {}
+        """Around each root."""
         self._side = max(1.0, 2.0 * self._widest)
         self._square_of: dict[int, tuple[int, int]] = {}
-        self._squares: dict[tuple[int, int], set[int]] = {}
+        self._squares: dict[tuple[int, int], dict[int, Circle]] = {}
+        """The same square by square."""
         for root, place in now.items():
             self.move(root, place)
 
@@ -176,22 +179,23 @@ class MovingRoots:
 
     def cover(self, root: int, x: float, y: float, reach: float) -> None:
         """From now on it is within ``reach`` of a place, until it is moved."""
+        radius = self._extents[root] + reach
+        self._widest = max(self._widest, radius)
         square = floor(x / self._side), floor(y / self._side)
         before = self._square_of.get(root)
         if square != before:
             if before is not None:
-                self._squares[before].discard(root)
+                del self._squares[before][root]
             self._square_of[root] = square
-            self._squares.setdefault(square, set()).add(root)
-        radius = self._extents[root] + reach
-        self._widest = max(self._widest, radius)
-        self._circles[root] = x, y, radius
+            self._squares.setdefault(square, {})
+        self._circles[root] = self._squares[square][root] = x, y, radius
 
     def within(self, left: float, bottom: float, right: float, top: float) -> list[int]:
         """The roots that may come into a box, in no order."""
         return [
             root
-            for root, (x, y, reach) in self._near(left, bottom, right, top)
+            for circles in self._near(left, bottom, right, top)
+            for root, (x, y, reach) in circles.items()
             if left - reach <= x <= right + reach and bottom - reach <= y <= top + reach
         ]
 
@@ -199,31 +203,25 @@ class MovingRoots:
         """The roots that may come into a wedge up to a distance, in no order."""
         x, y, (c, s), (wc, ws) = wedge.x, wedge.y, wedge.facing, wedge.aside
         found = []
-        circles = self._circles.items() if len(self._circles) <= FEW else self._near(*wedge.box(reach))
-        for root, (its_x, its_y, radius) in circles:
-            dx, dy = its_x - x, its_y - y
-            along = dx * c + dy * s
-            if -radius <= along <= reach + radius and abs(dy * c - dx * s) * wc - along * ws <= radius:
-                found.append(root)
+        for circles in self._near(*wedge.box(reach)) if len(self._circles) > FEW else (self._circles,):
+            for root, (its_x, its_y, radius) in circles.items():
+                dx, dy = its_x - x, its_y - y
+                along = dx * c + dy * s
+                if -radius <= along <= reach + radius and abs(dy * c - dx * s) * wc - along * ws <= radius:
+                    found.append(root)
         return found
 
-    def _near(
-        self, left: float, bottom: float, right: float, top: float
-    ) -> Iterable[tuple[int, tuple[float, float, float]]]:
+    def _near(self, left: float, bottom: float, right: float, top: float) -> Iterable[Mapping[int, Circle]]:
         side, widest, circles = self._side, self._widest, self._circles
         if len(circles) <= FEW:
-            return circles.items()
-        first, last = floor((left - widest) / side), floor((right + widest) / side)
-        lowest, highest = floor((bottom - widest) / side), floor((top + widest) / side)
-        if (last - first + 1) * (highest - lowest + 1) >= len(circles):
-            return circles.items()
+            return (circles,)
+        columns = range(floor((left - widest) / side), floor((right + widest) / side) + 1)
+        rows = range(floor((bottom - widest) / side), floor((top + widest) / side) + 1)
+        if len(columns) * len(rows) >= len(circles):
+            return (circles,)
         squares = self._squares
-        return [
-            (root, circles[root])
-            for column in range(first, last + 1)
-            for row in range(lowest, highest + 1)
-            for root in squares.get((column, row), ())
-        ]
+        places = [(column, row) for column in columns for row in rows]
+        return [squares[place] for place in places if place in squares]
 
 
 def _extent(parts: Iterable[Part], place: Placement) -> float:

@@ -476,8 +476,16 @@ class Meeting:
         self._walls: dict[int, bool] = {}
         """Whether models are walls, as far as that was asked."""
 
-    def walking(self, spot: Spot, turned: float, stopped_by: StoppedBy | None) -> Met | None:
-        """After a walk in the direction that is ``turned`` degrees from the front of a robot at ``spot``."""
+    def walking(self, spot: Spot, stopped_by: StoppedBy | None) -> Met | None:
+        """After a walk forward."""
+        return self._walking(spot, 0.0, stopped_by)
+
+    def walking_backward(self, spot: Spot, stopped_by: StoppedBy | None) -> Met | None:
+        """After a walk backward."""
+        return self._walking(spot, 180.0, stopped_by)
+
+    def _walking(self, spot: Spot, turned: float, stopped_by: StoppedBy | None) -> Met | None:
+        """In the direction that is ``turned`` degrees from the front."""
         if stopped_by is StoppedBy.OBSTACLE:
             found = self._mover.barring(spot, self._mover.body.radius + SIGHT)
             return self._nearest(found, spot, turned, WEDGE)
@@ -489,7 +497,7 @@ class Meeting:
     def turning(self, spot: Spot, stopped_by: StoppedBy | None) -> Met | None:
         """After a turn on the spot, or on a car's circle."""
         if stopped_by is StoppedBy.OBSTACLE:
-            return self.walking(spot, 0.0, stopped_by)
+            return self.walking(spot, stopped_by)
         if stopped_by is StoppedBy.COLLISION:
             return self._nearest(self._mover.touchable(spot), spot, 0.0, None)
         return None

@@ -15,6 +15,7 @@ from devices.ports.robot import (
     Bearing,
     Grip,
     GripResult,
+    Met,
     Motion,
     Pace,
     Pose,
@@ -31,12 +32,17 @@ from sim.geometry import Placement, pose_of
 from sim.ground import Ground, Moment
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from random import Random
 
     from sim.cameras import Found, Seen
     from sim.geometry import Spot
-    from sim.movement import Going, Movement
-    from sim.vehicle import Rate, Vehicle
+    from sim.movement import Movement
+    from sim.vehicle import Rate, Vehicle, Whereabouts
+
+
+_Outcome = tuple[int, StoppedBy | None, Met | None]
+_FINAL = (StoppedBy.OBSTACLE, StoppedBy.COLLISION)
 
 
 class SimulatedRobot:
@@ -64,6 +70,9 @@ class SimulatedRobot:
         self._making = threading.Lock()
         """Held while the vehicle is made or reset."""
         self._vehicle: Vehicle | None = None
+        self._refused: dict[tuple[Motion, int], _Outcome] = {}
+        """Movements that did nothing where the robot stands, what ended them, and what was met."""
+        self._refused_at: Whereabouts | None = None
         self._seen: tuple[Spot, Moment, dict[Bearing, int]] | None = None
         """The last result of ``known_distances``, its pose, and the number of changes in the world then."""
         self._scanned: tuple[Spot, int | None, Moment, tuple[Sighting, ...]] | None = None
@@ -160,6 +169,7 @@ class SimulatedRobot:
         """Stay where it is in a world that was rebuilt. ``robot``: the index of its model there."""
         with self._making:
             before, self._vehicle, self._seen, self._scanned = self._vehicle, None, None, None
+            self._refused_at = None
             self._ground, self._model = ground, ground.scene.models[robot]
             if before is not None:
                 from sim.vehicle import Vehicle
@@ -192,8 +202,7 @@ class SimulatedRobot:
             movement = Turn(vehicle, motion, abs(degrees), rate, sign)
         else:
             movement = Bend(vehicle, motion, abs(degrees), rate, sign, rates.bend)
-        turned, stopped_by = self._run(vehicle, movement)
-        met = vehicle.meeting.turning(vehicle.here.truth, stopped_by)
+        turned, stopped_by, met = self._run(vehicle, (motion, degrees), movement, vehicle.meeting.turning)
         return TurnResult(degrees, -sign * turned, stopped_by, self.pose(), met, self._pushed(vehicle))
 
     def wait(self, seconds: float) -> bool:
@@ -292,16 +301,41 @@ class SimulatedRobot:
             return WalkResult(steps, steps, None, pose_of(vehicle.here.belief))
         from sim.movement import Walk
 
-        walked, stopped_by = self._run(vehicle, Walk(vehicle, motion, steps, rate))
-        met = vehicle.meeting.walking(vehicle.here.truth, turned, stopped_by)
+        meeting = vehicle.meeting.walking if motion is Motion.FORWARD else vehicle.meeting.walking_backward
+        walk = Walk(vehicle, motion, steps, rate)
+        walked, stopped_by, met = self._run(vehicle, (motion, steps), walk, meeting)
         return WalkResult(steps, walked, stopped_by, self.pose(), met, self._pushed(vehicle))
 
-    def _run(self, vehicle: Vehicle, movement: Movement) -> Going:
+    def _run(
+        self,
+        vehicle: Vehicle,
+        command: tuple[Motion, int],
+        movement: Movement,
+        meeting: Callable[[Spot, StoppedBy | None], Met | None],
+    ) -> _Outcome:
+        """Whole steps or degrees, what ended the movement, and what was met.
+
+        Where a command did nothing, and nothing that moves is near, it does nothing again.
+        """
         vehicle.pushed.clear()
-        return movement.run() if self._clock.begin() else (0, StoppedBy.USER)
+        here = vehicle.here
+        if not self._clock.begin():
+            return 0, StoppedBy.USER, None
+        refused = self._refused.get(command) if self._refused_at == here else None
+        if refused is not None and vehicle.is_alone():
+            return refused
+        whole, stopped_by = movement.run()
+        outcome = whole, stopped_by, meeting(vehicle.here.truth, stopped_by)
+        if stopped_by in _FINAL and vehicle.here == here and vehicle.is_alone():
+            if self._refused_at != here:
+                self._refused, self._refused_at = {}, here
+            self._refused[command] = outcome
+        return outcome
 
     def _pushed(self, vehicle: Vehicle) -> tuple[Pushed, ...]:
         """What the last movement pushed."""
+        if not vehicle.pushed:
+            return ()
         return tuple(self._as_pushed(root, metres) for root, metres in vehicle.pushed.items())
 
     def _as_pushed(self, root: int, metres: float) -> Pushed:

@@ -20,7 +20,7 @@ from sim.clock import SLICE, Clock, Glide, Landing
 from sim.geometry import Placement, Spot, pose_of
 from sim.ground import Ground, Moment
 from sim.handling import Hand
-from sim.motion import Mover
+from sim.motion import SIGHT, Mover
 from sim.scene import Bounds, Drive, Limits, Localization, Wheels
 
 if TYPE_CHECKING:
@@ -370,6 +370,11 @@ class Vehicle:
         if self.clock.takes_part and not self.glides and self.mover.is_far(self.here.truth, CLEARANCE + STEP):
             self._clear_until = seconds + CLEARANCE / (2 * ground.fastest)
         return self._clear_until >= seconds + TICK
+
+    def is_alone(self) -> bool:
+        """Whether nothing that may move is so near that it could stop a movement, and it holds nothing."""
+        here, reach = self.here.truth, max(self.mover.guard, self.mover.body.radius + SIGHT)
+        return not self._ground.roots_within(self._root, here.x, here.y, reach)
 
     def ahead(self, start: Whereabouts, metres: float, turned: float) -> Whereabouts:
         """So far from ``start`` in the direction that is ``turned`` degrees from the front."""
