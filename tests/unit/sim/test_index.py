@@ -85,3 +85,20 @@ def test_a_cone_reads_the_nearest_of_all_things_wherever_they_were_moved(seed: i
                 ground.put(root, Placement(x, y, 0, chance.uniform(0, 360)))
 
         assert cone.metres(around, spot) == pytest.approx(nearest_of_all(around, cone, spot), abs=1e-9)
+
+
+@settings(max_examples=examples(30), deadline=None)
+@given(st.integers(0, 10**6))
+def test_looks_from_one_place_after_the_other_read_the_nearest_of_all_things(seed: int) -> None:
+    """What was in view is kept for the next look, near and far, narrow and wide."""
+    chance = Random(seed)
+    ground = Ground(scene(a_world(chance)))
+    around = Surroundings(ground, 0)
+    x, y = chance.uniform(-5, 5), chance.uniform(-5, 5)
+    for _ in range(60):
+        x, y = x + chance.uniform(-0.2, 0.2), y + chance.uniform(-0.2, 0.2)
+        half, farthest = chance.choice((1.0, 7.5, 30.0)), chance.choice((0.2, 3.0, 8.0))
+        cone = Cone(0.0, 0.0, chance.choice((0.0, 45.0)), half, 0.0, farthest)
+        spot = Spot(x, y, chance.choice((10.0, 14.0, 190.0)))
+
+        assert cone.metres(around, spot) == pytest.approx(nearest_of_all(around, cone, spot), abs=1e-9)

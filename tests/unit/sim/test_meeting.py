@@ -3,7 +3,8 @@
 import pytest
 
 from devices.ports.robot import Met, StoppedBy
-from tests.unit.sim.floors import BOX_ROBOT, IDEAL, ideal, robot
+from sim.world import World
+from tests.unit.sim.floors import BOX_ROBOT, IDEAL, Unpaced, ideal, robot, scene
 
 DEFINED = "define chair model ( size [ 0.1 0.1 0.5 ] )\n"
 
@@ -83,3 +84,18 @@ def test_the_nearest_of_the_things_pushed_into_a_wall_is_reported() -> None:
     )
 
     assert it.forward(50).met == Met("model", "box1", 0.0)
+
+
+TWO_BLIND = BOX_ROBOT + 'blind( name "a" pose [ 0 0 0 0 ] ) blind( name "b" pose [ 0.1501 0 0 90 ] )'
+"""The one stands against the side of the other."""
+
+
+def test_a_robot_that_could_not_walk_walks_when_the_other_is_away() -> None:
+    world = World(scene(TWO_BLIND))
+    a, b = (world.robot(name, pace=Unpaced()) for name in "ab")
+
+    refused = [a.forward(2) for _ in range(3)]
+    b.forward(9)
+
+    assert [(each.walked, each.stopped_by) for each in refused] == [(0, StoppedBy.COLLISION)] * 3
+    assert a.forward(2).walked == 2
