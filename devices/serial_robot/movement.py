@@ -315,7 +315,7 @@ class RobotMovement:
         self._epoch = link.telemetry.epoch
         self._zero = self._travelled() - plan.carried
         self._allowed = 0
-        self._begun = link.now()
+        self._commanded_at = link.now()
 
     @property
     def counts(self) -> float:
@@ -338,6 +338,9 @@ class RobotMovement:
         finally:  # also when a listener raises
             if not self._is_done():
                 self._link.stop()
+                self._commanded_at = (
+                    self._link.now()
+                )  # what the wheels count from now on shows whether they stand
         self._wait_until_still()
         if not self._is_still() and not self._link.await_stop():
             self.stopped_by = StoppedBy.RUNAWAY
@@ -427,7 +430,7 @@ class RobotMovement:
         telemetry = self._link.telemetry
         if self._is_lost():
             return True
-        return self._stands() and telemetry.at - max(telemetry.moved_at, self._begun) > STILL_AFTER
+        return self._stands() and telemetry.at - max(telemetry.moved_at, self._commanded_at) > STILL_AFTER
 
     def _travelled(self) -> float:
         return travelled(self._plan.drive, self._link.telemetry.right, self._link.telemetry.left)

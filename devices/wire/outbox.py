@@ -202,7 +202,7 @@ class StopSequence:
         if self.has_failed or now - self._since < self._config.runaway:
             return False
         if self._stage in (_Stage.FORCED, _Stage.UNKNOWN):
-            is_turning = now - moved_at < self._config.still
+            is_turning = now - moved_at < max(self._config.still, self._config.runaway / 2)
             self._stage = _Stage.FAILED if is_turning else _Stage.UNKNOWN
             return False
         self._since = now

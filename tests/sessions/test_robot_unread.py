@@ -157,4 +157,4 @@ def test_a_signal_ends_a_stuck_screen(tmp_path: Path, robot: PtyBoard, number: s
 
     assert until(lambda: not robot.board.is_driving)
     assert until(lambda: not screen.isalive())
-    assert robot.received.endswith(STOP)
+    assert until(lambda: robot.received.endswith(STOP))

@@ -148,7 +148,7 @@ def test_a_lost_connection_stops_the_robot_and_keeps_the_typed_program(
 
     assert until(lambda: not robot.board.is_driving)
     assert until(lambda: not line.donnies())
-    assert robot.received.endswith(STOP)
+    assert until(lambda: robot.received.endswith(STOP))
 
     again = line.at_terminal(mode, "--plain", "--speed", "max")
     again.expect("> |Command line")

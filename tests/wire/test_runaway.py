@@ -6,6 +6,8 @@ import pytest
 
 from devices.ports.robot import LinkNotice
 from devices.wire.frames import STOP, MotorDrive, Wiring, drive_frame
+from devices.wire.link_state import LinkConfig
+from devices.wire.outbox import Outbox, StopSequence
 from tests.wire.bench import Bench
 
 
@@ -156,3 +158,21 @@ def test_a_direction_byte_that_is_not_0f_is_the_other_one_as_the_firmware_reads_
     right, left = bench.board.wheels.right, bench.board.wheels.left
     assert right > 0
     assert left == right
+
+
+@pytest.mark.parametrize(("last_count", "has_failed"), [(0.3, True), (0.2, False)])
+def test_wheels_have_run_away_if_they_counted_in_the_last_half_of_the_watch(
+    last_count: float, has_failed: bool
+) -> None:
+    """The frames of a board, or the program that reads them, may have to wait for their turn."""
+    config = LinkConfig(runaway=0.5)
+    stopping = StopSequence(config, Outbox(config))
+    stopping.begin(0.0, was_driving=True)
+    forced = [now for now in (0.5, 1.0) if stopping.must_force(now, now, now)]
+    stopping.forced(1.0)
+
+    stopping.must_force(1.5, 1.0 + last_count, 1.0 + last_count)
+
+    assert forced == [1.0]
+    assert stopping.is_exhausted
+    assert stopping.has_failed is has_failed

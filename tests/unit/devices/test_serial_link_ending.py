@@ -45,7 +45,7 @@ def test_shutdown_sends_two_stops_last(pty_board: PtyBoard) -> None:
     link.close()
 
     assert until(lambda: not pty_board.board.is_driving)
-    assert pty_board.received.endswith(STOP + STOP)
+    assert until(lambda: pty_board.received.endswith(STOP + STOP))
     assert link.state is LinkState.CLOSED
 
 
@@ -61,7 +61,7 @@ def test_shutdown_sends_a_stop_last_although_the_boards_buffer_had_no_room_for_i
     link.close()
 
     assert until(lambda: not pty_board.board.is_driving)
-    assert pty_board.received.endswith(STOP)
+    assert until(lambda: pty_board.received.endswith(STOP))
 
 
 def test_shutdown_in_the_middle_of_half_a_frame_waits_until_the_wheels_stand(pty_board: PtyBoard) -> None:

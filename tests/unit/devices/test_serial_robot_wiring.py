@@ -12,7 +12,7 @@ from devices.board_simulator.floor import AxlePose
 from devices.ports.robot import STEP, LinkNotice, Met, StoppedBy
 from devices.serial_robot.config import RobotConfig
 from devices.serial_robot.senses import head_angle
-from devices.wire.frames import Wiring, head_frame
+from devices.wire.frames import MotorDrive, Wiring, drive_frame, head_frame
 from tests.unit.devices.robots import NEAR, Real, Sonars, wall_ahead
 
 KNOWN = RobotConfig(finds_profile=False)
@@ -238,6 +238,25 @@ def test_a_walk_whose_own_end_fails_is_reported_too() -> None:
     real.link.has_reset_wire = False
 
     assert real.robot.forward(2).stopped_by is StoppedBy.RUNAWAY
+
+
+def test_a_stop_that_comes_before_the_first_count_waits_for_what_the_wheels_do() -> None:
+    """The board obeys late, and then reads nothing more. Until then its frames showed standing wheels."""
+    real = Real(stops_at=0.5)
+    real.link.has_reset_wire = False
+    real.board.is_deaf = True
+
+    def begin_late() -> None:
+        real.board.is_deaf = False
+        real.board.receive(drive_frame(MotorDrive.FORWARD))
+        real.board.is_deaf = True
+
+    real.pace.due = [(0.5, begin_late)]
+
+    done = real.robot.forward(9)
+
+    assert done.stopped_by is StoppedBy.RUNAWAY
+    assert real.board.is_driving
 
 
 def test_a_stop_that_works_is_answered_within_a_moment() -> None:
