@@ -41,6 +41,8 @@ _SLIPS = frozenset({"unknown-property", "unknown-colour", "unknown-model", "seco
 """Of what was ignored or repaired: what the author wrote without effect."""
 LONGEST_NAME = 80
 """Characters of a wrong name that a sentence repeats."""
+MOST_KNOWN = 8
+"""Names that could have been meant, where none is near."""
 MOST_REMARKS = 3
 """Remarks that are listed one by one."""
 
@@ -232,7 +234,7 @@ def _in_words(bad: BadChallenge, words: Words) -> str:
 
     near = nearest(bad.what, bad.known) if bad.known else None
     code = f"{bad.code}-near" if near else bad.code
-    what, known = bad.what[:LONGEST_NAME], ", ".join(bad.known)
+    what, known = bad.what[:LONGEST_NAME], ", ".join(bad.known[:MOST_KNOWN])
     sentence = words(code, file=bad.file.name, what=what, near=near, known=known)
     return words("challenge-line", line=bad.line, text=sentence) if bad.line else sentence
 
@@ -245,8 +247,10 @@ def world_of(found: Challenge, words: Words, folders: tuple[str, ...] = ()) -> C
     world = inhabited_world(found.world, words, folders)
     room = inventory_of(world.scene)
     for unknown in unknown_things(found, room):
-        called = (each.names for each in room.items)
-        known = (*(name for names in called for name in names if name.strip()), *room.robots)
+        things = sorted(room.items, key=lambda each: max(each.half_width, each.half_height))  # walls last
+        names = [[name for name in each.names if name.strip()] for each in things]
+        first = (each[0] for each in names if each)
+        known = tuple(dict.fromkeys((*first, *room.robots, *(name for each in names for name in each))))
         bad = BadChallenge("challenge-thing", found.path, found.line_with(unknown), unknown, known)
         raise Unusable(_in_words(bad, words))
     return world

@@ -232,6 +232,12 @@ def test_a_file_without_mistakes_is_read(tmp_path: Path) -> None:
             "Line 13: it.toml names chiar, and its world has no such thing. Did you mean chair?",
         ),
         ('"ball"', '"bal"', "Line 9: it.toml names bal, and its world has no such thing. Did you mean ball?"),
+        (
+            '"ball"',
+            '"cupboard"',
+            "Line 9: it.toml names cupboard, and its world has no such thing. "
+            "Possible are ball, chair, sofa, table, west wall, east wall, north wall, south wall.",
+        ),
     ],
 )
 def test_a_misspelt_name_is_reported_with_the_nearest_one(
