@@ -288,8 +288,8 @@ class _Robot(Struct):
 class SummaryFilter:
     """The filter for a learner at a prompt: sums up movements that come too fast.
 
-    What a program says itself is not interrupted: from its first words on, the sum comes after an obstacle, a
-    mistake, or the program's end.
+    What a program says itself is not interrupted: from its first words on, the sum comes before the
+    next movement that is printed, or after an obstacle, a mistake, or the program's end.
     """
 
     def __init__(
@@ -333,7 +333,8 @@ class SummaryFilter:
         is_spoken = isinstance(stamped.event, Spoke)
         robot.speaks = is_spoken or (robot.speaks and not isinstance(stamped.event, RunStarted))
         ends = isinstance(stamped.event, RunEnded) or (lines and not may_wait and not is_spoken)
-        has_time = self._has_room() and not any(each.speaks for each in self._robots.values())
+        is_speaking = any(each.speaks for each in self._robots.values())
+        has_time = self._has_room() and (may_wait or not is_speaking)
         before = self._summed_up() if ends or has_time else ()
         if may_wait and not self._has_room():
             _keep(robot, lines)

@@ -144,6 +144,15 @@ def test_nothing_comes_between_the_words_of_a_program_but_the_sum_at_its_end() -
     assert listener.printed[4:] == ["Wall!", "Wall!", "3 more steps."]
 
 
+def test_a_movement_of_a_program_that_speaks_is_printed_after_those_before_it() -> None:
+    listener = Listener()
+    listener.receive(Spoke("Go!"), *walk(), *walk(), *walk(), *turn())
+    listener.now = 2.0
+    listener.receive(*walk(4), END)
+
+    assert listener.printed == ["Go!", "Walked 1.", "Walked 1.", "Walked 1.", "Turned.", "Walked 4."]
+
+
 def test_unprinted_movements_are_summed_up_as_soon_as_there_is_time() -> None:
     """Each step of a long walk sounds. No line has to be printed first."""
     listener = Listener()
