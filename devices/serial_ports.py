@@ -17,6 +17,7 @@ import errno
 import logging
 import os
 import re
+import select
 import stat
 import sys
 import threading
@@ -132,6 +133,7 @@ class SerialPort:
             raise PortProblem(address, PortFault.NOT_NAMED, os.strerror(errno.EACCES))
         import serial
 
+        self._is_address = "://" in named
         try:
             if not _is_usable(address):
                 raise LookupError
@@ -154,8 +156,19 @@ class SerialPort:
 
     def write(self, data: bytes) -> None:
         """Write all of it. A write that times out raises, too: half a frame may have been taken, and only
-        reopening the port ends that reliably."""
-        self._port.write(data)
+        reopening the port ends that reliably.
+
+        pyserial's own ``write`` also counts the time in which this thread waited for its turn.
+        """
+        if self._is_address or sys.platform == "win32":
+            self._port.write(data)
+            return
+        port = self._port.fileno()
+        while data:
+            with suppress(BlockingIOError):
+                data = data[os.write(port, data) :]
+            if data and not select.select((), (port,), (), WRITE_TIMEOUT)[1]:
+                raise TimeoutError("Write timeout")
 
     @property
     def unsent(self) -> int:

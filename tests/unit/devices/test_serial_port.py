@@ -7,6 +7,7 @@ import os
 import termios
 import threading
 from contextlib import suppress
+from itertools import count
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -148,6 +149,24 @@ def test_a_write_to_a_device_that_reads_nothing_times_out() -> None:
 
     threading.Thread(target=write, daemon=True).start()
     assert timed_out.wait(TIMEOUT)
+    port.close()
+    os.close(theirs)
+    os.close(ours)
+
+
+def test_a_write_that_the_device_takes_is_done_however_long_its_thread_had_to_wait_for_its_turn(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Between any two looks at the clock the thread may have waited for a second."""
+    ours, theirs = os.openpty()
+    port = SerialPort(os.ttyname(theirs), 9600)
+    clock = count()
+    monkeypatch.setattr("serial.serialutil.Timeout.TIME", lambda *_: float(next(clock)))
+    monkeypatch.setattr("time.monotonic", lambda: float(next(clock)))
+
+    port.write(b"FW")
+
+    assert os.read(ours, 2) == b"FW"
     port.close()
     os.close(theirs)
     os.close(ours)
