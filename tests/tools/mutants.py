@@ -49,6 +49,8 @@ CONFIG = Path(__file__).with_name("coverage.toml")
 MOST_SECONDS = 100.0
 """Of tests a mutation."""
 WANTED = 0.92
+NO_END, NO_TESTS = "(no end)", "(no tests)"
+"""In place of a test's name, if pytest doesn't end, or can't import what is tested."""
 TYPES = "(types)"
 """In place of a test's name, if mypy noticed it."""
 
@@ -349,20 +351,20 @@ class Trial:
     def _noticed_anew(self, path: str, names: list[str]) -> str:
         """The same in new processes, which import everything."""
         while names:
-            by = self._first_failure_anew(names)
+            by, some = self._first_failure_anew(names)
             if not by:
                 return ""
-            if self._first_failure_anew([by]) and self._passes_without(path, by):
+            if by not in self._warm.names:  # pytest itself fails: nothing can be imported, or it takes no end
+                return by if self._can_be_run_without(path, some) else ""
+            if self._first_failure_anew([by])[0] and self._passes_without(path, by):
                 return by
-            names = names[names.index(by) + 1 :] if by in names else []
+            names = names[names.index(by) + 1 :]
         return ""
 
     def _first_failure(self, path: str, names: list[str], is_imported: bool) -> str | None:
         return self._warm.first_failure(self._copy / path, names, self._limits, is_imported=is_imported)
 
     def _passes_without(self, path: str, name: str, is_imported: bool = False) -> bool:
-        if name not in self._warm.names:  # nothing can be collected
-            return True
         file = self._copy / path
         mutated = file.read_bytes()
         self._write(path, _source(path))
@@ -379,13 +381,22 @@ class Trial:
         moment = next(self._times)
         os.utime(file, (moment, moment))
 
-    def _first_failure_anew(self, names: list[str]) -> str:
-        """In a new process: few files first, whose collection takes less time."""
+    def _can_be_run_without(self, path: str, names: list[str]) -> bool:
+        mutated = (self._copy / path).read_bytes()
+        self._write(path, _source(path))
+        try:
+            by = self._failure_of_pytest(names)
+            return not by or by in self._warm.names
+        finally:
+            self._write(path, mutated)
+
+    def _first_failure_anew(self, names: list[str]) -> tuple[str, list[str]]:
+        """In a new process, and the names that it was given: few files first, whose collection is short."""
         for some in (names[:10], names[10:100], names[100:]):
             by = self._failure_of_pytest(some) if some else ""
             if by:
-                return by
-        return ""
+                return by, some
+        return "", names
 
     def _failure_of_pytest(self, names: list[str]) -> str:
         listed = self._copy / ".tests"
@@ -402,11 +413,11 @@ class Trial:
         except subprocess.TimeoutExpired:  # while it is imported, or it is slow: it is tried alone
             os.killpg(process.pid, 9)
             process.communicate()
-            return names[0]
+            return names[0] if len(names) == 1 else NO_END
         if process.returncode == 0:
             return ""
         failed = re.search(r"^(?:FAILED|ERROR) (.+?)(?: - |$)", printed, re.MULTILINE)
-        return failed[1] if failed else "(no collection)"
+        return failed[1] if failed else NO_TESTS
 
     def _has_its_types(self) -> bool:
         mypy = [sys.executable, "-m", "mypy", "--cache-dir", ".mypy_cache"]
