@@ -38,6 +38,8 @@ from itertools import count, islice
 from pathlib import Path
 from queue import SimpleQueue
 
+import pytest
+
 from tests.architecture.house import modules, tracked
 from tests.conftest import ROOT
 from tests.tools.forked_tests import ForkedTests
@@ -139,8 +141,21 @@ _LEFT_OUT = (
 
 _PYTEST = (sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "--no-header", "--tb=line")
 
+_OF_CHILDREN = "COVERAGE_PROCESS_CONFIG"
+
 _seconds: dict[str, float] = defaultdict(float)
 _failed: set[str] = set()
+
+
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    """Gives the child processes of a test its name: they begin to measure with what is in this variable."""
+    from coverage.config import CoverageConfig
+
+    settings = os.environ.get(_OF_CHILDREN)
+    if settings is not None:
+        of_children = CoverageConfig.deserialize(settings)
+        of_children.context = item.nodeid
+        os.environ[_OF_CHILDREN] = of_children.serialize()
 
 
 def pytest_runtest_logreport(report: object) -> None:

@@ -17,7 +17,7 @@ from donnie_tui.settings.settings import Settings
 from donnie_tui.world.loading import choose_world
 from language.locales import languages, table
 from worlds import challenges, scenarios
-from worlds.challenges import BadChallenge
+from worlds.challenges import BadChallenge, Heading, degrees_of
 
 GOOD = """\
 format = 1
@@ -851,3 +851,9 @@ def test_a_file_name_is_no_formula_of_the_table(tmp_path: Path, monkeypatch: pyt
         rows = list(csv.DictReader(file))
     assert [each["file"] for each in rows] == ["'=HYPERLINK(1).gd", "'@b.gd", "a [2J.gd"]
     assert [each["verdict"] for each in rows[:2]] == ["Solved, in 1 command.", "'@b.gd is not a text."]
+
+
+@pytest.mark.parametrize(("name", "degrees"), [("north", 0), ("east", 90), ("south", 180), ("west", 270)])
+def test_a_heading_may_be_the_name_of_a_point_of_the_compass(name: Heading, degrees: float) -> None:
+    assert degrees_of(name) == degrees
+    assert degrees_of(45.0) == 45.0

@@ -239,3 +239,17 @@ def test_nothing_is_detected_where_the_voice_is_off(monkeypatch: pytest.MonkeyPa
     looked.clear()
     choose_channel("off", DetectedEnvironment({}))
     assert looked == []
+
+
+@pytest.mark.parametrize("name", ["orca", "fenrir", "yasr", "tdsr", "emacspeak", "speakup"])
+def test_each_reader_that_speaks_is_found_by_the_name_of_its_process(tmp_path: Path, name: str) -> None:
+    fake_process(tmp_path, 12, f"/usr/bin/{name}", comm=name)
+
+    assert find_screen_reader({}, str(tmp_path)) == name
+
+
+@pytest.mark.parametrize("interpreter", ["python3", "perl", "bash", "dash", "sh", "env", "tclsh"])
+def test_a_reader_is_found_behind_its_interpreter(tmp_path: Path, interpreter: str) -> None:
+    fake_process(tmp_path, 12, f"/usr/bin/{interpreter}", "/usr/local/bin/yasr", comm=interpreter)
+
+    assert find_screen_reader({}, str(tmp_path)) == "yasr"

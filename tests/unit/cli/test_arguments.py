@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from donnie_tui.cli.options import COMMANDS, WrongUsage, understand
+from donnie_tui.cli.options import COMMANDS, COMMON, WrongUsage, understand
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.settings import BadOption
 from tests.conftest import ROOT
@@ -155,3 +155,15 @@ def test_the_frame_of_a_translated_help_is_translated(
     assert f"{Words(language)('usage-options')}:" in others
     frame = [Words("en")(code) for code in ("usage-prefix", "usage-options", "usage-arguments")]
     assert [line for line in (first, *others) if line.startswith(tuple(frame))] == []
+
+
+def test_the_common_options_are_described_with_the_forms_of_their_values() -> None:
+    """The first column of the tables has ``--robot sim``, ``serial`` ... in the order of the help."""
+    page = (ROOT / "docs" / "command-line.md").read_text(encoding="utf-8")
+    rows = [line.split("|")[1].strip() for line in page.splitlines() if line.startswith("| `--")]
+    for name, form in COMMON.items():
+        row = next(each for each in rows if each.startswith((f"`--{name}`", f"`--{name} ")))
+        documented = set(re.findall(r"[\w:/.-]+", row.replace(f"--{name}", ""))) | {"-"}
+
+        for value in (each for each in form.replace(",", "|").split("|") if each.islower()):
+            assert value in documented, (name, value, row)

@@ -598,3 +598,18 @@ def test_without_textual_serve_a_checkout_names_the_command_that_installs_it_the
     assert shlex.split(command) == [
         sys.executable, "-m", "pip", "install", "--editable", f"{ROOT}[serve]",
     ]  # fmt: skip
+
+
+async def test_no_other_page_may_show_read_or_keep_a_page(serving: Any, client: ClientSession) -> None:
+    async with serving() as served, client.get(served.origin, headers=served.cookie) as page:
+        headers = page.headers
+
+    assert headers["Cross-Origin-Opener-Policy"] == headers["Cross-Origin-Resource-Policy"] == "same-origin"
+    assert headers["Cache-Control"] == "no-store"
+    assert headers["Referrer-Policy"] == "no-referrer"
+    assert headers["X-Content-Type-Options"] == "nosniff"
+    assert headers["X-Frame-Options"] == "DENY"
+    policy = headers["Content-Security-Policy"].split("; ")
+    assert {"default-src 'none'", "base-uri 'none'", "form-action 'none'", "frame-ancestors 'none'"} <= set(
+        policy
+    )

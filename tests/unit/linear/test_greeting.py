@@ -1,7 +1,11 @@
 """The first lines: when they may be printed at once, and in which language."""
 
+import os
+import pty
 import subprocess
 import sys
+import termios
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -103,3 +107,75 @@ def test_greeting_loads_next_to_nothing() -> None:
 
     others = {name for name in loaded if not name.startswith("donnie_tui")}
     assert others <= {"__future__", "termios", "language", "language.locales"}
+
+
+@pytest.fixture
+def terminal(monkeypatch: pytest.MonkeyPatch) -> Iterator[int]:
+    """A terminal in the place of standard input."""
+    controller, attached = pty.openpty()
+    for name in ("tcgetattr", "tcsetattr"):
+        real = getattr(termios, name)
+        monkeypatch.setattr(greeting.termios, name, lambda _, *more, real=real: real(attached, *more))
+    yield attached
+    monkeypatch.undo()
+    os.close(controller)
+    os.close(attached)
+
+
+@pytest.mark.parametrize("signals", [True, False])
+def test_a_terminal_is_taken_key_by_key_without_echo_and_given_back(terminal: int, signals: bool) -> None:
+    found = termios.tcgetattr(terminal)
+    found[0] = (found[0] | termios.IXON) & ~termios.ICRNL
+    found[3] |= termios.ECHO | termios.ICANON | termios.IEXTEN | termios.ISIG
+    termios.tcsetattr(terminal, termios.TCSANOW, found)
+    taken = greeting.Terminal()
+    taken.take(signals=not signals)
+    taken.take(signals=signals)
+
+    input_, output, _, local, *_, keys = termios.tcgetattr(terminal)
+    assert local & (termios.ECHO | termios.ICANON | termios.IEXTEN) == 0
+    assert bool(local & termios.ISIG) is signals
+    assert input_ & (termios.IXON | termios.ICRNL) == termios.ICRNL
+    assert output == found[1]
+    assert (keys[termios.VMIN], keys[termios.VTIME]) in ((1, 0), (b"\x01", b"\x00"))
+
+    taken.give_back()
+    assert termios.tcgetattr(terminal)[:4] == found[:4]
+
+
+@pytest.mark.parametrize(
+    ("number", "is_plain"),
+    [("1", True), ("999", True), ("1000", False), ("0", False), ("-1", False), ("max", True)],
+)
+def test_only_a_plain_number_is_greeted_early(number: str, is_plain: bool, printed: list[bytes]) -> None:
+    assert bool(greeting.begin(["--linear", "--speed", number], {})) is is_plain
+
+
+@pytest.mark.parametrize(
+    ("options", "environment", "language"),
+    [
+        ({}, {}, "en"),
+        ({"--lang": "es"}, {"DONNIE_LANG": "pt"}, "es"),
+        ({"--lang": "xx"}, {"DONNIE_LANG": "pt"}, "pt"),
+        ({}, {"DONNIE_LANG": "xx", "LANG": "es_ES"}, "es"),
+        ({}, {"LC_ALL": "pt_BR", "LC_MESSAGES": "es_ES", "LANG": "en"}, "pt"),
+        ({}, {"LC_MESSAGES": "es_ES", "LANG": "pt"}, "es"),
+        ({}, {"LC_ALL": "", "LANG": "pt"}, "pt"),
+    ],
+)
+def test_the_language_is_that_of_the_option_the_variable_or_the_locale(
+    options: dict[str, str], environment: dict[str, str], language: str
+) -> None:
+    assert greeting.language_of(options, environment) == language
+
+
+@pytest.mark.parametrize(
+    ("term", "is_editable"), [("xterm", True), ("dumb", False), ("", False), (None, False)]
+)
+def test_lines_are_edited_in_a_terminal_that_can_do_more_than_print(
+    term: str | None, is_editable: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    environment = {} if term is None else {"TERM": term}
+    for ends in ({0, 1}, {0}, {1}, set[int]()):
+        monkeypatch.setattr(greeting.os, "isatty", lambda end, ends=ends: end in ends)
+        assert greeting.is_editable(environment) is (is_editable and ends == {0, 1})
