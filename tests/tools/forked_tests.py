@@ -24,6 +24,8 @@ from typing import Any
 
 import pytest
 
+HASH_SEED = "0"
+"""So that each process collects the same names of tests, where they come from a set."""
 _PIPES = "FORKED_TESTS_PIPES"
 
 
@@ -145,6 +147,7 @@ class ForkedTests:
             **os.environ,
             "PYTHONPATH": str(self.folder),
             "PYTHONDONTWRITEBYTECODE": "1",
+            "PYTHONHASHSEED": HASH_SEED,
             _PIPES: f"{theirs} {their_answers}",
         }
         self._process = subprocess.Popen(

@@ -42,7 +42,7 @@ import pytest
 
 from tests.architecture.house import modules, tracked
 from tests.conftest import ROOT
-from tests.tools.forked_tests import ForkedTests
+from tests.tools.forked_tests import HASH_SEED, ForkedTests
 from tests.tools.mutations import Mutation, mutations
 
 FOLDER = ROOT / ".mutants"
@@ -50,6 +50,8 @@ REPORT = FOLDER / "report.txt"
 CONFIG = Path(__file__).with_name("coverage.toml")
 MOST_SECONDS = 100.0
 """Of tests a mutation."""
+_MOST_ANEW = 60
+"""Tests a mutation in a new process, which takes seconds to collect them: only what runs while it is imported."""
 WANTED = 0.92
 NO_END, NO_TESTS = "(no end)", "(no tests)"
 """In place of a test's name, if pytest doesn't end, or can't import what is tested."""
@@ -407,7 +409,7 @@ class Trial:
 
     def _first_failure_anew(self, names: list[str]) -> tuple[str, list[str]]:
         """In a new process, and the names that it was given: few files first, whose collection is short."""
-        for some in (names[:10], names[10:100], names[100:]):
+        for some in (names[:10], names[10:_MOST_ANEW]):
             by = self._failure_of_pytest(some) if some else ""
             if by:
                 return by, some
@@ -417,6 +419,7 @@ class Trial:
         listed = self._copy / ".tests"
         listed.write_text("\n".join(names), encoding="utf-8")
         environment = {**os.environ, "PYTHONPATH": str(self._copy), "PYTHONDONTWRITEBYTECODE": "1"}
+        environment["PYTHONHASHSEED"] = HASH_SEED
         limits = [self._limits.get(each, 30.0) for each in names]
         command = [*_PYTEST, "-x", "-p", "no:xdist", f"--timeout={max(limits):.0f}", f"@{listed}"]
         process = subprocess.Popen(

@@ -196,3 +196,10 @@ def test_it_sends_each_type_of_frame_as_often(both: list[tuple[Part, Part]]) -> 
         for kind, count in often.items():
             chunk = 16 if kind is Encoders else 2
             assert len(ours.of(kind)) == pytest.approx(count, rel=0.15, abs=chunk), kind
+
+
+def test_a_new_board_looks_ahead_with_a_full_battery_and_no_fault() -> None:
+    board = SimulatedBoard()
+
+    assert (board.head, board.millivolts) == (90, 8000)
+    assert not (board.is_mute or board.is_deaf or board.is_torn)

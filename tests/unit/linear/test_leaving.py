@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 
+from donnie_tui.core.program_files import DocumentError
 from donnie_tui.linear.leaving import Leaving
 
 
@@ -63,3 +64,111 @@ def test_a_goodbye_and_the_end_of_the_copies_come_with_code_0_only(code: int, ha
     leaving.say_goodbye()
 
     assert done == happens
+
+
+# --- the mode of the next start
+
+
+def asking(
+    monkeypatch: pytest.MonkeyPatch, answer: bool | None, *, is_attended: bool = True
+) -> tuple[list[object], Leaving]:
+    """What is asked, kept and said, and a session that answers so."""
+    done: list[object] = []
+    leaving = leaving_of([])
+    leaving._streams.is_attended = is_attended  # type: ignore[misc]
+
+    def confirm(question: str) -> bool | None:
+        done.append(question)
+        return answer
+
+    leaving._prompter.confirm = confirm  # type: ignore[method-assign]
+    leaving._ctx.words = lambda code: code  # type: ignore[misc, assignment]
+    leaving._ctx.answer = lambda code, **values: done.append(code)  # type: ignore[method-assign, assignment]
+    monkeypatch.setattr(
+        "donnie_tui.linear.leaving.remember", lambda key, value, environment: done.append((key, value))
+    )
+    return done, leaving
+
+
+@pytest.mark.parametrize(("linear", "question"), [(True, "mode-ask-linear"), (False, "mode-ask-visual")])
+def test_each_mode_is_offered_once_as_the_one_to_begin_in(
+    monkeypatch: pytest.MonkeyPatch, linear: bool, question: str
+) -> None:
+    done, leaving = asking(monkeypatch, True)
+    leaving.offer_to_remember(linear=linear)
+    assert done == [question, ("linear", linear), "mode-remembered"]
+
+    leaving.offer_to_remember(linear=linear)
+    assert len(done) == 3
+    leaving.offer_to_remember(linear=not linear)
+    assert len(done) == 6
+
+
+@pytest.mark.parametrize("answer", [False, None])
+def test_without_a_yes_no_mode_is_kept(monkeypatch: pytest.MonkeyPatch, answer: bool | None) -> None:
+    done, leaving = asking(monkeypatch, answer)
+    leaving.offer_to_remember(linear=True)
+
+    assert done == ["mode-ask-linear"]
+
+
+def test_a_script_is_not_asked_and_a_mode_that_cannot_be_kept_is_reported(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    done, leaving = asking(monkeypatch, True, is_attended=False)
+    leaving.offer_to_remember(linear=True)
+    assert done == []
+
+    def refuse(*_: object) -> None:
+        raise DocumentError("file-unwritable", "settings", "full")
+
+    done, leaving = asking(monkeypatch, True)
+    monkeypatch.setattr("donnie_tui.linear.leaving.remember", refuse)
+    leaving.offer_to_remember(linear=False)
+    assert done == ["mode-ask-visual", "file-unwritable"]
+
+
+# --- the voice at the end
+
+
+@pytest.mark.parametrize(
+    ("is_attended", "quiet_after", "disturbed_after", "checks"),
+    [
+        (True, 3, 99, 3),
+        (True, 99, 2, 2),
+        (True, 9999, 9999, 40),  # two seconds
+        (False, 9999, 9999, 2400),  # two minutes
+    ],
+)
+def test_the_voice_may_end_for_a_moment_until_a_key(
+    is_attended: bool, quiet_after: int, disturbed_after: int, checks: int
+) -> None:
+    looks: list[float] = []
+
+    class Audible:
+        speaks = True
+
+        def is_quiet_within(self, seconds: float) -> bool:
+            looks.append(seconds)
+            return len(looks) >= quiet_after
+
+    waits: list[tuple[float, bool]] = []
+
+    def is_disturbed_within(seconds: float, *, reading: bool) -> bool:
+        waits.append((seconds, reading))
+        return len(waits) >= disturbed_after
+
+    leaving = leaving_of([])
+    leaving._streams.is_attended = is_attended  # type: ignore[misc]
+    leaving._ctx.donnie.outlets = SimpleNamespace(audible=Audible())  # type: ignore[assignment]
+    leaving._console.is_disturbed_within = is_disturbed_within  # type: ignore[method-assign, assignment]
+    leaving.let_speak()
+
+    assert len(looks) == checks
+    assert set(looks) == {0}
+    assert set(waits) <= {(0.05, is_attended)}
+
+    looks.clear()
+    Audible.speaks = False
+    leaving.let_speak()
+    assert looks == []
