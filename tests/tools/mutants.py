@@ -51,7 +51,7 @@ CONFIG = Path(__file__).with_name("coverage.toml")
 MOST_SECONDS = 100.0
 """Of tests a mutation."""
 _MOST_ANEW = 60
-"""Tests a mutation in a new process, which takes seconds to collect them: only what runs while it is imported."""
+"""Tests a mutation in a new process, where its line runs while it is imported."""
 WANTED = 0.92
 NO_END, NO_TESTS = "(no end)", "(no tests)"
 """In place of a test's name, if pytest doesn't end, or can't import what is tested."""

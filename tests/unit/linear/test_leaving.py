@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from types import SimpleNamespace
 from typing import Any
 
@@ -9,6 +10,8 @@ import pytest
 
 from donnie_tui.core.program_files import DocumentError
 from donnie_tui.linear.leaving import Leaving
+from donnie_tui.linear.prompter import Prompter
+from donnie_tui.linear.reader import How, Typed
 
 
 def leaving_of(done: list[str], leaving: int | None = None) -> Leaving:
@@ -172,3 +175,59 @@ def test_the_voice_may_end_for_a_moment_until_a_key(
     Audible.speaks = False
     leaving.let_speak()
     assert looks == []
+
+
+# --- a question
+
+
+@pytest.mark.parametrize(
+    ("typed", "answer", "asked", "put_back"),
+    [
+        (["yes"], True, ["Save?"], None),
+        (["sim"], True, ["Save?"], None),
+        (["N"], False, ["Save?"], None),
+        (["perhaps", "what", "y"], True, ["Save?", "yes-or-no", "yes-or-no"], None),
+        ([None], None, ["Save?"], None),
+        (["perhaps", None], None, ["Save?", "yes-or-no"], None),
+        (["WHERE"], None, ["Save?"], "WHERE"),
+        (["fw 3"], None, ["Save?"], "fw 3"),
+        (["perhaps", "list 2"], None, ["Save?", "yes-or-no"], "list 2"),
+    ],
+)
+def test_yes_or_no_is_asked_until_it_is_answered_or_a_command_is_typed(
+    typed: list[str | None], answer: bool | None, asked: list[str], put_back: str | None
+) -> None:
+    questions: list[str] = []
+    returned: list[Typed] = []
+
+    def ask(question: str) -> str | None:
+        questions.append(question)
+        return typed.pop(0)
+
+    prompter: Any = SimpleNamespace(
+        ask=ask, put_back=returned.append, _ctx=SimpleNamespace(words=lambda code: code)
+    )
+
+    assert Prompter.confirm(prompter, "Save?") is answer
+    assert questions == asked
+    assert returned == ([] if put_back is None else [Typed(put_back, How.ENTER)])
+
+
+@pytest.mark.parametrize(
+    ("typed", "text", "has_ended"),
+    [
+        (lambda: Typed(" walk ", How.ENTER), "walk", False),
+        (lambda: Typed("", How.ENTER), "", False),
+        (lambda: Typed("walk", How.ESCAPE), "walk", False),
+        (lambda: Typed(" ", How.ESCAPE), None, False),
+        (lambda: Typed("walk", How.CLOSED), None, True),
+    ],
+)
+def test_an_answer_is_what_enter_or_escape_with_a_text_ends(
+    typed: Callable[[], Typed], text: str | None, has_ended: bool
+) -> None:
+    said: list[str] = []
+    prompter: Any = SimpleNamespace(_ctx=SimpleNamespace(say=said.append), read=lambda prompt: typed())
+
+    assert Prompter.ask(prompter, "Name?") == text
+    assert (said, prompter.has_ended) == (["Name?"], has_ended)
