@@ -71,7 +71,7 @@ def check_keys(data: str | bytes) -> None:
     with tempfile.TemporaryDirectory() as place:
         work = Path(place, "work")
         work.mkdir()
-        screen = _Screen(work)
+        screen = Screen(work)
         try:
             screen.type_all(data)
             code = screen.end()
@@ -85,16 +85,16 @@ def check_keys(data: str | bytes) -> None:
     assert screen.is_as_before, "the terminal is left as the screen had it"
 
 
-class _Screen:
+class Screen:
     """The full screen on a terminal, as a job that no shell is above."""
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, *options: str, speed: str = "max") -> None:
         self._terminal, self._line = pty.openpty()
         fcntl.ioctl(self._line, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
         self._before = termios.tcgetattr(self._line)
         self.shown = b""
         self._process = subprocess.Popen(
-            [*COMMAND, "--visual", *QUIET, "--speed", "max", "--robot", "sim"],
+            [*COMMAND, "--visual", *QUIET, "--speed", speed, "--robot", "sim", *options],
             stdin=self._line,
             stdout=self._line,
             stderr=self._line,
@@ -116,6 +116,18 @@ class _Screen:
         while self._process.poll() is None and time.monotonic() < began + _BUSY_FOR:
             if not self._read(_QUIET_FOR):
                 break
+
+    def wait_until_loaded(self) -> None:
+        self._read_until(lambda: _IS_LOADED in self.shown, TIMEOUT)
+
+    def press(self, keys: str) -> None:
+        """Returns once the screen has read them."""
+        os.write(self._terminal, keys.encode())
+        self._read_until(self._has_taken_all, TIMEOUT)
+
+    def kill(self) -> None:
+        self._process.kill()
+        self._process.wait()
 
     def end(self) -> int:
         if self._process.poll() is None:
@@ -140,6 +152,10 @@ class _Screen:
     def _has_taken_all(self) -> bool:
         waiting = fcntl.ioctl(self._line, termios.FIONREAD, bytes(4))
         return not int.from_bytes(waiting, "little") or self._process.poll() is not None
+
+    def read_while(self, condition: Callable[[], bool]) -> None:
+        """Read what is painted."""
+        self._read_until(lambda: not condition(), TIMEOUT)
 
     def _read_until(self, condition: Callable[[], bool], seconds: float) -> None:
         until = time.monotonic() + seconds

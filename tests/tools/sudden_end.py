@@ -1,12 +1,13 @@
 """Ends sessions with SIGKILL at random moments. ``python -m tests.tools.sudden_end --seed 1 --count 100``.
 
-Not part of the check. A learner types lines, saves, and runs the program, while everything is recorded. The
-moment is in the middle of one of these, which a ``Random`` made of the seed and the number of the case
-chooses. So ``--only NUMBER`` with the same seed tries one case again, though never at quite the same moment.
+Not part of the check. A learner types lines, saves, and runs the program, while everything is recorded: in
+the linear mode, there also with a robot on a line, or in the full screen. The moment is in the middle of one
+of these, which a ``Random`` made of the seed and the number of the case chooses. So ``--only NUMBER`` with
+the same seed tries one case again, though never at quite the same moment.
 
 Afterwards, on the disk: no line is lost that was entered more than two seconds before; the saved program is
 one that was saved, whole; so is each copy; the recording has all that was printed, and at most its last line
-is cut off; the settings can be read. The next start opens what is left.
+is cut off; the settings can be read. The next start opens what is left. A robot on a line stands.
 """
 
 from __future__ import annotations
@@ -23,12 +24,15 @@ from pathlib import Path
 
 import pexpect
 
+from devices.board_simulator.board import SimulatedBoard
 from donnie_tui.core.program_files import DocumentError
 from donnie_tui.core.recording import Recording
 from donnie_tui.core.recovery import read_copy
+from tests.board_on_pty import PtyBoard
 from tests.sessions.command import QUIET, donnie
 from tests.sessions.learner import Learner
 from tests.timeouts import TIMEOUT
+from tests.tools.fuzz_screens import Screen
 
 AT_MOST = 2.0
 """Seconds of typing that may be lost."""
@@ -66,6 +70,8 @@ class Typed:
     """Each text that was to be saved."""
     printed: set[str] = field(default_factory=set)
     """Numbers that the program had printed when the prompt came."""
+    partial: str = ""
+    """What was typed of a last line without Enter; an editor has it at once."""
 
     @property
     def text(self) -> str:
@@ -94,9 +100,26 @@ def _line(chance: random.Random, at: int) -> str:
     return chance.choice((f"SPEAK {1000 + at}", f"SPEAK {1000 + at}", "FW 1", f'SPEAK "{"long " * 60}"'))
 
 
-def end_suddenly(case: Case, folder: Path, at_most: float = AT_MOST) -> float:
+MODES = ("linear", "robot", "screen")
+
+
+def end_suddenly(case: Case, folder: Path, at_most: float = AT_MOST, mode: str = "linear") -> float:
     """Raises ``AssertionError``. How many seconds of typing were lost."""
-    learner = Learner(folder, "--record", RECORDING, speed=SPEED)
+    if mode == "screen":
+        return _end_screen(case, folder, at_most)
+    if mode == "linear":
+        return _end_linear(case, folder, at_most)
+    with PtyBoard(SimulatedBoard(boot_loader=0.1)) as robot:
+        lost = _end_linear(case, folder, at_most, "--robot", f"serial:{robot.path}")
+        until = time.monotonic() + TIMEOUT
+        while robot.board.is_driving:
+            assert time.monotonic() < until, "the robot drives on"
+            time.sleep(0.01)
+    return lost
+
+
+def _end_linear(case: Case, folder: Path, at_most: float, *options: str) -> float:
+    learner = Learner(folder, "--record", RECORDING, *options, speed=SPEED)
     try:
         learner.sees_prompt()
         typed = _type(case, learner, folder)
@@ -129,6 +152,66 @@ def _type(case: Case, learner: Learner, folder: Path) -> Typed:
         _note(typed, last)
     learner.types(last + "\r" * case.is_entered)
     return typed
+
+
+def _end_screen(case: Case, folder: Path, at_most: float) -> float:
+    screen = Screen(folder, "--record", RECORDING, speed=SPEED)
+    try:
+        screen.wait_until_loaded()
+        typed = _type_on_screen(case, screen, folder)
+        time.sleep(case.pause)
+        ended = time.monotonic()
+    finally:
+        screen.kill()
+        screen.close()
+    return _check(typed, folder, ended, at_most)
+
+
+def _type_on_screen(case: Case, screen: Screen, folder: Path) -> Typed:
+    """The screen answers each key some time after it was read."""
+    typed, runs = Typed(), 0
+    *whole, last = case.steps
+    for number, step in enumerate(whole, 1):
+        _note(typed, step)
+        for keys in _keys_of(step, is_first_save=len(typed.saved) == 1):
+            screen.press(keys)
+        typed.seen += [time.monotonic()] * (len(typed.lines) - len(typed.seen))
+        if step == "RUN":
+            runs += 1
+            screen.read_while(lambda: _runs_in(folder / RECORDING) < runs)  # noqa: B023 -- is over in this turn
+        if step == "SAVE work":
+            screen.read_while(lambda: _saved_in(folder) != typed.text)
+        if number == case.settles_after:
+            screen.read_while(lambda: len(_kept(folder, typed)) < len(typed.text))
+            typed.settled = len(typed.lines)
+    if case.is_entered:
+        _note(typed, last)
+    elif not last.startswith(("R", "SAVE")):
+        typed.partial = last
+    if case.is_entered or typed.partial:
+        for keys in _keys_of(last, is_first_save=len(typed.saved) == 1):
+            screen.press(keys if case.is_entered else keys.rstrip("\r"))
+    return typed
+
+
+_F5, _CTRL_S = "\x1b[15~", "\x13"
+
+
+def _keys_of(step: str, *, is_first_save: bool) -> tuple[str, ...]:
+    if step == "RUN":
+        return (_F5,)
+    if step == "SAVE work":
+        return (_CTRL_S, "work\r") if is_first_save else (_CTRL_S,)
+    return (f"{step}\r",)
+
+
+def _runs_in(recording: Path) -> int:
+    return recording.read_bytes().count(b'"event":"run_ended"')
+
+
+def _saved_in(folder: Path) -> str:
+    file = folder / PROGRAM
+    return file.read_text(encoding="utf-8") if file.exists() else ""
 
 
 def _note(typed: Typed, step: str) -> None:
@@ -166,12 +249,14 @@ def _kept(folder: Path, typed: Typed) -> str:
         assert text in typed.saved, f"{PROGRAM} is no text that was saved: {text!r}"
         texts.append(text)
     for text in texts:
-        assert text in once, f"on the disk is no text that was typed: {text!r}"
+        is_begun = (typed.text + typed.partial).startswith(text.removesuffix("\n"))
+        assert text in once or is_begun, f"on the disk is no text that was typed: {text!r}"
     return max(texts, key=len)
 
 
 def _check(typed: Typed, folder: Path, ended: float, at_most: float) -> float:
-    kept = _kept(folder, typed).count("\n")
+    on_disk = _kept(folder, typed).splitlines()
+    kept = sum(one == other for one, other in zip(on_disk, typed.lines, strict=False))
     assert kept >= typed.settled, f"{typed.settled} lines were on the disk, and {kept} are now"
     lost = ended - typed.seen[kept] if kept < len(typed.seen) else 0.0
     assert lost <= at_most, f"{lost:.1f} seconds are lost"
@@ -194,17 +279,23 @@ def _check_recording(file: Path, typed: Typed) -> None:
 
 
 def _check_next_start(folder: Path, typed: Typed, kept: int) -> None:
+    """A copy may be older than the file, if the end came between a save and the removal of the copy."""
     has_copy = any(each.stat().st_size for each in (folder / "state").rglob("unsaved-*.gd"))
-    done = donnie(folder, "--linear", *QUIET, typed="RECOVER\nLIST\n" if has_copy else "OPEN work\nLIST\n")
-    said = (done.stdout + done.stderr).decode()
-    assert "Traceback" not in said, said
-    assert done.returncode in (0, 1), said
+    asked = ["RECOVER\nLIST\n"] * has_copy + ["OPEN work\nLIST\n"] * (folder / PROGRAM).exists()
+    found = ""
+    for lines in asked:
+        done = donnie(folder, "--linear", *QUIET, typed=lines)
+        said = (done.stdout + done.stderr).decode()
+        assert "Traceback" not in said, said
+        assert done.returncode in (0, 1), said
+        found += said.replace("\n", " ")
     for line in typed.lines[:kept]:
-        assert line.strip() in said.replace("\n", " ") or not has_copy, f"{line!r} is not recovered"
+        assert line.strip() in found, f"{line!r} is not recovered"
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("--mode", choices=MODES, default="linear")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--count", type=int, default=100)
     parser.add_argument("--first", type=int, default=0, metavar="NUMBER", help="begin with this case")
@@ -217,16 +308,19 @@ def main() -> int:
         tried += 1
         with tempfile.TemporaryDirectory() as folder:
             try:
-                longest = max(longest, end_suddenly(case, Path(folder)))
+                longest = max(longest, end_suddenly(case, Path(folder), mode=options.mode))
             except (AssertionError, pexpect.ExceptionPexpect) as problem:
                 failed += 1
                 print(f"{number} failed: {type(problem).__name__} {problem}\n{case}", flush=True)
                 print(
-                    f"Again: python -m tests.tools.sudden_end --seed {options.seed} --only {number}",
+                    f"Again: python -m tests.tools.sudden_end --mode {options.mode} --seed {options.seed}"
+                    f" --only {number}",
                     flush=True,
                 )
     print(
-        f"seed {options.seed}: {tried} ends, {failed} failed, at most {longest:.2f} seconds lost", flush=True
+        f"{options.mode}, seed {options.seed}: {tried} ends, {failed} failed, "
+        f"at most {longest:.2f} seconds lost",
+        flush=True,
     )
     return 1 if failed else 0
 
