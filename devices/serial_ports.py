@@ -14,7 +14,6 @@ terminal that takes no output, holds up only the notices that follow."""
 from __future__ import annotations
 
 import errno
-import logging
 import os
 import re
 import select
@@ -33,6 +32,7 @@ from msgspec import Struct
 from devices.ports.robot import NETWORK_SCHEMES
 
 if TYPE_CHECKING:
+    import logging
     from collections.abc import Iterable
 
 
@@ -366,7 +366,13 @@ MOST_PENDING = 256
 DELIVERY_TIMEOUT = 0.5
 """Seconds that a caller of ``wait`` waits by default."""
 
-_LOG = logging.getLogger(__name__)
+
+def _log() -> logging.Logger:
+    import logging  # few sessions have something to log
+
+    return logging.getLogger(__name__)
+
+
 _P = ParamSpec("_P")
 
 
@@ -388,7 +394,7 @@ class Notifier(Generic[_P]):
             return
         with self._changed:
             if len(self._pending) >= MOST_PENDING:
-                _LOG.warning("%s: its listener hangs; dropped: %s", self._name, values)
+                _log().warning("%s: its listener hangs; dropped: %s", self._name, values)
                 return
             self._pending.append(lambda: listener(*values, **named))
             if self._thread is None:
@@ -413,4 +419,4 @@ class Notifier(Generic[_P]):
             try:
                 deliver_next()
             except Exception:  # noqa: BLE001 -- the listener gets the following notices all the same
-                _LOG.exception("a listener failed")
+                _log().exception("a listener failed")

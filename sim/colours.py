@@ -6,7 +6,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from difflib import get_close_matches
 
 from msgspec import Struct
 
@@ -23,6 +22,8 @@ def nearest_name(name: str) -> str:
     """The known name that was probably meant, or an empty string."""
     if len(name) > 40:
         return ""
+    from difflib import get_close_matches  # few worlds have a mistake
+
     meant = folded(name)
     near = get_close_matches(meant, COLOURS, 1, 0.7)
     return near[0] if near else next((known for known in COLOURS if sorted(known) == sorted(meant)), "")

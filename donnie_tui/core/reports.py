@@ -10,7 +10,6 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from html import escape
 from itertools import pairwise
 from pathlib import Path
 from types import MappingProxyType
@@ -422,6 +421,8 @@ class Section(Struct, frozen=True):
 
 def _shown(text: object) -> str:
     """For a page: what could be a tag, or hide or turn round other text, is only shown."""
+    from html import escape  # loads thousands of names of signs, and few sessions write a report
+
     return escape(cleaned(str(text)))
 
 
