@@ -178,6 +178,8 @@ class Context:
 # --- challenges
 
 
+_BEYOND_REPAIR = ("never-", "limit-", "word-in-lesson", "word-later")
+"""How the codes of what a run did begin that no further line takes back."""
 _ACTS = (RunStarted, Moved, Turned, Spoke, ThingsMoved, GripperUsed)
 """Events that may meet a goal."""
 
@@ -210,6 +212,8 @@ class Attempt:
         self.unsensed: tuple[Unsensed, ...] = ()
         """After a run of a real robot, what it can't sense and the learner has not answered yet."""
         self._answers: dict[Unsensed, bool] = {}
+        self._is_lost = False
+        """Whether the learner knows that only a new start helps."""
         self._now: Judgment | None = None
         self.tried: Attempted | None = None
         """The last run, until it is written."""
@@ -221,7 +225,7 @@ class Attempt:
         if begins_anew(stamped.event):
             others = (each for each in self._events if each.robot != stamped.robot)
             self._events = deque(others, maxlen=self.MOST_EVENTS)
-            self._met, self._now = frozenset(), None
+            self._met, self._now, self._is_lost = frozenset(), None, False
         if not isinstance(stamped.event, TRANSIENT):
             self._events.append(stamped)
         if isinstance(stamped.event, _ACTS) and len(self._events) <= self.MOST_LIVE:
@@ -330,13 +334,24 @@ class Attempt:
             donnie.session.hub.publish(CueSounded("solved", 0.0, None))
         else:
             self._chime(here)
-        sentence = verdict_in_words(verdicts, donnie.words)
+        sentence, language = verdict_in_words(verdicts, donnie.words), donnie.words.language
         following = challenges.after(self.challenge.name) if is_solved else None
-        if following is None:
-            return (sentence,)
-        title = challenges.find(following).text(donnie.words.language).title
-        word = word_of(BY_NAME["next_challenge"], donnie.words.language)
-        return (sentence, donnie.words("challenge-next", word=word, title=title))
+        if following is not None:
+            title = challenges.find(following).text(language).title
+            word = word_of(BY_NAME["next_challenge"], language)
+            return (sentence, donnie.words("challenge-next", word=word, title=title))
+        if self._no_answers is None and not is_solved and self._becomes_lost(verdicts[-1]):
+            return (sentence, donnie.words("challenge-again", word=word_of(BY_NAME["reset"], language)))
+        return (sentence,)
+
+    def _becomes_lost(self, verdict: Judgment) -> bool:
+        """Whether no further line can repair now what was done; a whole program begins anew by itself."""
+        from donnie_tui.core.goals import begins_anew
+
+        before = self._is_lost
+        starts = [each.event for each in self._events if isinstance(each.event, RunStarted)]
+        self._is_lost = any(each.code.startswith(_BEYOND_REPAIR) for each in verdict.shortfalls)
+        return self._is_lost and not before and not begins_anew(starts[-1])
 
     def _is_to_be_asked(self, *, is_solved: bool) -> bool:
         """After the first program that solved nothing, and after each solution, until all are answered."""

@@ -30,10 +30,31 @@ def test_a_program_must_solve_the_challenge_from_every_start(open_script: OpenSc
     script = open_script(world="challenge:to_the_cone")
 
     said = script.answers_to("SPEAK DISTANCE F", "FW 8")
-    assert "From start 2: " in said[-1]
-    assert "You touched the green cone." in said[-1]
+    assert "From start 2: " in said[-2]
+    assert "You touched the green cone." in said[-2]
     script.type("RESET")
     assert "Solved, in 1 command." in script.answers_to("FW DISTANCE F - 1")
+
+
+@pytest.mark.parametrize(
+    ("world", "lines", "verdict"),
+    [
+        ("to_the_ball", ["SPEAK 1", "TR 90"], "0 of 1 goal. SPEAK comes in challenge 4. "),
+        ("there_and_back", ["FW 4", "FW 4", "BW 8"], "3 of 3 goals. It took 3 commands. The most is 2."),
+        ("to_the_ball", ["FW 40", "TR 90"], "0 of 1 goal. The ball is still"),
+    ],
+)
+def test_what_no_further_line_repairs_is_followed_by_the_word_that_begins_anew_once(
+    open_script: OpenScript, world: str, lines: list[str], verdict: str
+) -> None:
+    script = open_script(world=f"challenge:{world}")
+    for _ in range(2):
+        said = script.answers_to(*lines)
+
+        assert [each for each in said if each.startswith(verdict)]
+        assert said.count("RESET begins again.") == 1
+        assert script.answers_to("FW 1").count("RESET begins again.") == 0
+        script.type("RESET")
 
 
 def test_a_start_that_moves_nothing_is_the_world_as_it_is(open_script: OpenScript, tmp_path: Path) -> None:
@@ -332,9 +353,10 @@ def test_a_forbidden_word_is_the_rule_of_a_later_lesson(open_script: OpenScript,
         if "REPEAT" in challenges.find(name).solution.read_text()
     )
 
-    assert script.answers_to("REPEAT 3 TIMES\nFW 1\nEND REPEAT")[-1] == (
-        f"1 of 1 goal. REPEAT comes in challenge {first}."
-    )
+    assert script.answers_to("REPEAT 3 TIMES\nFW 1\nEND REPEAT")[-2:] == [
+        f"1 of 1 goal. REPEAT comes in challenge {first}.",
+        "RESET begins again.",
+    ]
 
 
 UNSENSED = """\
