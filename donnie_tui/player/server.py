@@ -146,6 +146,8 @@ MOST_CLIENTS = 64
 SILENCE = 60.0
 """Seconds in which a client must have sent a whole message, and one that doesn't read must have read."""
 _HIGH_WATER = 256 * 1024
+_SHORTEST = 1e-6
+"""Seconds between two ticks: what the clients have sent until then counts before the next one."""
 _LATE = 1.0
 """Seconds behind real time after which what is lost is not made up for."""
 
@@ -200,7 +202,7 @@ class PlayerServer:
                 client.check(loop.time())
             times = speed()
             due = max(due + (TICK / times if times else 0.0), loop.time() - _LATE)
-            await asyncio.sleep(max(0.0, due - loop.time()))
+            await asyncio.sleep(max(_SHORTEST, due - loop.time()))
 
 
 class ClientProtocol(asyncio.Protocol):

@@ -28,11 +28,9 @@ from devices.serial_robot.config import RobotConfig
 from devices.serial_robot.link import SerialLink
 from devices.serial_robot.robot import SerialRobot
 from devices.wire.link_state import LinkConfig
-from donnie_tui.robot.player_robot import PlayerRobot
-from donnie_tui.robot.server_link import ServerLink
 from sim.world import World
 from tests.board_on_pty import PtyBoard
-from tests.player.room import HOST, ServedRoom
+from tests.player.room import ServedRoom, SteppedRobot
 from tests.unit.devices.robots import Real, Sonars, wall_ahead
 from tests.unit.sim.floors import IDEAL, scene
 from tests.walled_floor import WalledFloor
@@ -109,10 +107,10 @@ driver ( name "stage" model "donnie" provides [ "7665:position2d:0" "7665:ranger
 
 
 def on_a_player_server(closing: ExitStack, pace: Pace, progress: Progress) -> Robot:
-    """In the same world as the simulator, four times as fast as a real server."""
+    """In the same world as the simulator."""
     folder = closing.enter_context(TemporaryDirectory())
-    room = closing.enter_context(contextlib.closing(ServedRoom(Path(folder), PLAYER, IDEAL_WORLD, 4.0)))
-    robot = PlayerRobot(ServerLink(f"player://{HOST}:{room.port}"), pace=pace, watcher=progress)
+    room = closing.enter_context(contextlib.closing(ServedRoom(Path(folder), PLAYER, IDEAL_WORLD)))
+    robot = SteppedRobot(room, pace, progress)
     robot.connect()
     closing.callback(robot.close)
     return robot

@@ -5,13 +5,18 @@ import socket
 import threading
 from collections.abc import Callable
 from contextlib import suppress
+from math import inf
 from pathlib import Path
 
+from devices.ports.robot import LinkNotice, Pace, StoppedBy, Watcher
 from donnie_tui.core.events import CueSounded, GripperUsed, Spoke
 from donnie_tui.player.server import PlayerServer, Stations
+from donnie_tui.robot.player_robot import Advance, PlayerRobot
+from donnie_tui.robot.server_link import ServerLink, WheelState
 from sim.velocity import VelocityLoop
 from sim.world import World
 from sim.worldfile import load_configuration
+from tests.timeouts import TIMEOUT
 
 WORLD = """
 define sonar sensor ( range [ 0 5 ] fov 10 )
@@ -149,3 +154,55 @@ class ServedRoom:
         if self._thread.is_alive():
             self._end()
         self._thread.join(20)
+
+
+class SteppedLink(ServerLink):
+    """A link with which the server waits until the program has answered the newest datum."""
+
+    _answered = inf
+    """The time of the newest datum that was answered; endless while no program waits for data."""
+
+    def wait_for_data(self, after: float) -> WheelState | None:
+        with self._changed:
+            self._answered = after
+            self._changed.notify_all()
+        return super().wait_for_data(after)
+
+    def hold(self, time: float) -> None:
+        """Return once it has answered the datum of this time, or no program waits for data."""
+        with self._changed:
+            self._changed.wait_for(lambda: self._answered >= time - 1e-6, TIMEOUT)
+
+    def let_go(self) -> None:
+        """No program waits for data now."""
+        with self._changed:
+            self._answered = inf
+            self._changed.notify_all()
+
+
+class SteppedRobot(PlayerRobot):
+    """A robot of a room. While it moves or waits, the room's time goes on only when it is ready for that."""
+
+    def __init__(
+        self,
+        room: ServedRoom,
+        pace: Pace,
+        watcher: Watcher,
+        on_notice: Callable[[LinkNotice, str], None] | None = None,
+        index: str = "",
+    ) -> None:
+        self.stepped = SteppedLink(f"player://{HOST}:{room.port}{index}", on_notice)
+        room.gate = lambda: self.stepped.hold(room.stations.by_port[room.port].time)
+        super().__init__(self.stepped, pace=pace, watcher=watcher)
+
+    def _move(self, advance: Advance, permit: int) -> StoppedBy | None:
+        try:
+            return super()._move(advance, permit)
+        finally:
+            self.stepped.let_go()
+
+    def _wait(self, is_over: Callable[[WheelState], bool]) -> bool:
+        try:
+            return super()._wait(is_over)
+        finally:
+            self.stepped.let_go()

@@ -15,11 +15,11 @@ from donnie_tui.bootstrap import assemble
 from donnie_tui.core.events import BeltShown, GripperUsed, Spoke
 from donnie_tui.robot import server_link as module
 from donnie_tui.robot.player_robot import STUCK, PlayerRobot
-from donnie_tui.robot.server_link import RobotPart, ServerLink, WheelState
+from donnie_tui.robot.server_link import RobotPart, ServerLink
 from donnie_tui.settings.settings import Settings
 from sim.sensors import Device
 from tests.player.recordings import sides
-from tests.player.room import DONNIE_CONFIGURATION, HOST, ServedRoom
+from tests.player.room import DONNIE_CONFIGURATION, HOST, ServedRoom, SteppedRobot
 
 SCENE = """
 define sonar sensor ( range [ 0.02 3 ] fov 15 )
@@ -74,28 +74,6 @@ class Reports:
         raise problem
 
 
-class SteppedLink(ServerLink):
-    """A link with which the server waits until the program has answered the newest datum."""
-
-    after = -1.0
-
-    def wait_for_data(self, after: float) -> WheelState | None:
-        with self._changed:
-            self.after = after
-            self._changed.notify_all()
-        return super().wait_for_data(after)
-
-    def hold(self, time: float) -> None:
-        """Return once it has, or no program waits for data."""
-        with self._changed:
-            self._changed.wait_for(lambda: self.after >= time - 1e-6, 0.2 if self.after >= 0.0 else 0.0)
-
-    def drive(self, permit: int, ahead: float, turn: float = 0.0) -> None:
-        super().drive(permit, ahead, turn)
-        if ahead == turn == 0.0:  # a movement is over
-            self.after = -1.0
-
-
 class Driven:
     """A robot at a server of a room."""
 
@@ -105,16 +83,19 @@ class Driven:
         self.room = ServedRoom(folder, configuration, scene)
         self.pace, self.reports = Pace(), Reports()
         self.notices: list[LinkNotice] = []
-        self.link = SteppedLink(
-            f"player://{HOST}:{self.room.port}{index}", lambda notice, _: self.notices.append(notice)
+        self.robot = SteppedRobot(
+            self.room, self.pace, self.reports, lambda notice, _: self.notices.append(notice), index
         )
-        self.room.gate = lambda: self.link.hold(self.room.stations.by_port[self.room.port].time)
-        self.robot = PlayerRobot(self.link, pace=self.pace, watcher=self.reports)
+        self.link = self.robot.stepped
         self.robot.start = Pose(0, 0, 90)
 
     def truth(self) -> tuple[float, float, float]:
         here = self.room.stations._loop.drives["alice"].state().truth
         return here.x, here.y, here.yaw
+
+    def end_server(self) -> None:
+        self.link.let_go()
+        self.room.close()
 
     def close(self) -> None:
         self.robot.close()
@@ -212,6 +193,7 @@ def test_a_pause_stops_the_robot_and_a_continuation_lets_it_walk_on(driven: Driv
 
     def hold() -> bool:
         if driven.reports.motions and not halted.is_set():
+            driven.link.let_go()
             wait_until(lambda: not driven.link.wheels().is_moving)
             halted.set()
         return True
@@ -248,7 +230,7 @@ def test_a_server_that_ends_is_a_lost_link_and_one_that_is_back_is_used_again(
     driven: Driven, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(module, "AGAIN", 0.05)
-    driven.reports.on_progress = driven.room.close
+    driven.reports.on_progress = driven.end_server
     assert driven.robot.forward(9).stopped_by is StoppedBy.LINK
     for command in (lambda: driven.robot.turn(9), lambda: driven.robot.wait(1), driven.robot.scan):
         with pytest.raises(RobotProblem) as problem:
@@ -346,7 +328,7 @@ def test_a_robot_without_a_gripper_says_so_and_a_stop_ends_gripping(driven: Driv
 
 
 def test_a_gripper_at_a_server_that_ends_is_a_lost_link(gripping: Driven) -> None:
-    gripping.pace.on_sleep = lambda: gripping.room.close() is None
+    gripping.pace.on_sleep = lambda: gripping.end_server() is None
 
     with pytest.raises(RobotProblem) as problem:
         gripping.robot.grip()
