@@ -181,7 +181,7 @@ class SteppedLink(ServerLink):
 
 
 class SteppedRobot(PlayerRobot):
-    """A robot of a room. While it moves or waits, the room's time goes on only when it is ready for that."""
+    """A robot of a room. While it moves or waits, the room makes its next tick only when the robot is ready."""
 
     def __init__(
         self,
