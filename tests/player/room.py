@@ -181,7 +181,7 @@ class SteppedLink(ServerLink):
 
 
 class SteppedRobot(PlayerRobot):
-    """A robot of a room. While it moves or waits, the room makes its next tick only when the robot is ready."""
+    """A robot of a room. While it moves or waits, the room makes its next tick only when it is ready."""
 
     def __init__(
         self,
