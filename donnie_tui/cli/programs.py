@@ -36,6 +36,7 @@ from donnie_tui.core.program_files import (
     read_to_the_end,
     write_program,
 )
+from donnie_tui.core.reports import as_cell
 from donnie_tui.core.wording import no_such_robot
 from donnie_tui.i18n.mistakes import remark
 from donnie_tui.i18n.words import Unusable, Words
@@ -47,7 +48,6 @@ from language.diagnostics import MOST_MISTAKES, Diagnostic, Severity
 from language.formatter import formatted
 from language.locales import ENGLISH
 from language.parser import parse
-from language.source import printable
 from language.syntax import walk
 from worlds import challenges
 
@@ -307,7 +307,7 @@ def _write_table(order: Order, pupils: Sequence[_Pupil], records: Sequence[_Reco
         text = io.StringIO()
         rows = csv.DictWriter(text, _COLUMNS)
         rows.writeheader()
-        rows.writerows({name: _cell(each.get(name, "")) for name in _COLUMNS} for each in records)
+        rows.writerows({name: as_cell(each.get(name, "")) for name in _COLUMNS} for each in records)
         _write(Path(table), text.getvalue(), order.words)
     if folder is not None:
         make_folder(Path(folder))
@@ -317,12 +317,6 @@ def _write_table(order: Order, pupils: Sequence[_Pupil], records: Sequence[_Reco
             used[stem] += 1
             file = f"{stem}-{used[stem]}.txt" if used[stem] > 1 else f"{stem}.txt"
             _write(Path(folder, file), f"{each['verdict']}\n", order.words)
-
-
-def _cell(value: object) -> object:
-    """A pupil's file name is text for a spreadsheet, never a formula."""
-    text = printable(value) if isinstance(value, str) else ""
-    return f"'{text}" if text.startswith(("=", "+", "-", "@")) else text or value
 
 
 def _write(path: Path, text: str, words: Words) -> None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import pairwise
 from pathlib import Path
@@ -441,8 +442,21 @@ def as_csv(sections: Iterable[Section]) -> str:
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     for section in sections:
-        writer.writerows(section.rows or [[section.heading], *([line] for line in section.lines)])
+        rows = section.rows or [[section.heading], *([line] for line in section.lines)]
+        writer.writerows([as_cell(each) for each in row] for row in rows)
     return out.getvalue()
+
+
+def as_cell(value: object) -> object:
+    """Text is text for a spreadsheet too, and never a formula: a program may come from anyone."""
+    if not isinstance(value, str):
+        return value
+    text = cleaned(value)
+    is_formula = text.lstrip().startswith(("=", "+", "-", "@")) and not re.fullmatch(_NUMBER, text)
+    return f"'{text}" if is_formula else text
+
+
+_NUMBER = r"[-+]?\d+(?:[.,]\d+)?"
 
 
 def as_text(sections: Iterable[Section]) -> str:

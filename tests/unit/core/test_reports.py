@@ -1,6 +1,7 @@
 """Reports as files: a page with headings and tables for screen readers, and a spreadsheet."""
 
 import csv
+import io
 from html.parser import HTMLParser
 from itertools import combinations
 from xml.etree import ElementTree
@@ -79,6 +80,19 @@ def test_a_page_shows_text_that_could_be_more_than_text() -> None:
 
 def test_a_table_is_valid_csv() -> None:
     assert list(csv.reader(as_csv([TABLE]).splitlines())) == [["name", "x"], ["a, b", "-3"]]
+
+
+@pytest.mark.parametrize("evil", ['=HYPERLINK("x")', "+1+1", "-1+1", "@SUM(1)", " =1", "\t=1"])
+def test_no_cell_of_a_table_is_a_formula(evil: str) -> None:
+    table = as_csv([Section("a", [], [("x", "y", "z"), (evil, "-3", -3)]), Section("b", [evil])])
+    rows = list(csv.reader(io.StringIO(table)))
+
+    assert rows[1] == [f"'{evil}", "-3", "-3"]
+    assert rows[3] == [f"'{evil}"]
+
+
+def test_a_table_has_no_control_character() -> None:
+    assert as_csv([Section("a", ["b\x1b[2J\x9b1m"])]) == "a\nb [2J 1m\n"
 
 
 def test_lines_are_a_table_of_one_column() -> None:
