@@ -9,7 +9,10 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Mapping
 from enum import Enum
+from functools import cache
+from itertools import chain
 from pathlib import Path
 from typing import Annotated, Any, Literal, TypeAlias
 
@@ -21,38 +24,8 @@ from worlds import names as world_names
 from worlds.words import ENGLISH, LARGEST, Difficulty, parsed
 
 LADDERS = str(Path(__file__).resolve().parent / "ladders")
-"""The folder of the challenges that come with Donnie."""
+"""The folder of the challenges that come with Donnie; ``order.txt`` there names those of each ladder."""
 SUFFIX, SOLUTION = ".toml", ".solution.gd"
-_LADDERS = {
-    "first_steps": (
-        "first_walk",
-        "to_the_ball",
-        "there_and_back",
-        "say_what_you_see",
-        "shortest_way",
-        "pass_two",
-    ),
-    "repeating": ("square", "staircase", "one_lap", "spiral", "two_squares", "mirrored"),
-    "looking": (
-        "to_the_cone",
-        "blue_things",
-        "along_the_corridor",
-        "count_the_flowers",
-        "pink_crystal",
-        "maze",
-    ),
-    "carrying": (
-        "push_the_orange",
-        "take_the_box",
-        "red_to_blue",
-        "tidy_up",
-        "meet",
-        "box_for_bob",
-    ),
-    "elsewhere": ("through_the_door", "second_crossing", "through_the_gate", "orange_ball"),
-}
-"""As a pupil solves them, from the easy to the hard ones; what is not named here follows by name."""
-
 LARGEST_NUMBER = 1_000_000
 MOST = 50
 """Goals, variants or questions of one challenge."""
@@ -310,16 +283,22 @@ class BadChallenge(Exception):
         """The names that could have been meant."""
 
 
+@cache
+def _ladders() -> Mapping[str, list[str]]:
+    """The names of the challenges that ship, by their ladders, in the order in which to solve them."""
+    with open_bytes(Path(LADDERS, "order.txt")) as stream:
+        parts = (line.partition(":") for line in stream.read(LARGEST).decode().splitlines())
+        return {ladder: steps.split() for ladder, _, steps in parts}
+
+
 def names() -> tuple[str, ...]:
     """The challenges that ship, in the order in which to solve them."""
-    found = {each.name.removesuffix(SUFFIX) for each in os.scandir(LADDERS) if each.name.endswith(SUFFIX)}
-    order = [each for steps in _LADDERS.values() for each in steps]
-    return tuple(each for each in order if each in found) + tuple(sorted(found.difference(order)))
+    return tuple(chain(*_ladders().values()))
 
 
 def ladder_of(name: str) -> str:
     """The ladder on which a challenge is a step; empty for one that does not ship."""
-    return next((ladder for ladder, steps in _LADDERS.items() if name in steps), "")
+    return next((ladder for ladder, steps in _ladders().items() if name in steps), "")
 
 
 def after(name: str) -> str | None:

@@ -33,6 +33,7 @@ from donnie_tui.core.program_files import (
     checked_path,
     decode,
     exists,
+    read_program,
     read_to_the_end,
     write_program,
 )
@@ -327,25 +328,6 @@ def _write(path: Path, text: str, words: Words) -> None:
         raise Unusable(words(error.code, path=error.path, reason=error.reason)) from None
 
 
-_NEW = """\
-format = 1
-world = "first_room"
-difficulty = "easy"
-
-[en]
-title = "My challenge"
-task = "Walk 5 steps to the north."
-[[en.hint]]
-text = "FW and a number walks forward."
-
-[[goal]]
-at = [0, 5]
-within = 0.5
-[never]
-bump = true
-"""
-
-
 def _new_challenge(order: Order, name: str) -> int:
     """A folder with a challenge that works, to be changed. Raises ``Unusable`` if it is there already."""
     folder, stem = Path(name), Path(name).name
@@ -355,8 +337,9 @@ def _new_challenge(order: Order, name: str) -> int:
         make_folder(folder)
     except OSError as problem:
         raise Unusable(order.words("challenge-new-failed", path=name, reason=problem.strerror)) from None
-    _write(folder / f"{stem}{challenges.SUFFIX}", _NEW, order.words)
-    _write(folder / f"{stem}{challenges.SOLUTION}", "FW 5\n", order.words)
+    for suffix in (challenges.SUFFIX, challenges.SOLUTION):
+        pattern = Path(challenges.LADDERS, "new", f"challenge{suffix}")
+        _write(folder / f"{stem}{suffix}", read_program(pattern), order.words)
     order.output.line(order.words("challenge-new", path=str(folder / f"{stem}{challenges.SUFFIX}")))
     return ExitCode.DONE
 

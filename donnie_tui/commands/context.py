@@ -132,7 +132,7 @@ class Context:
         donnie = self.donnie
         grid = MapGrid(donnie.picture_now(), donnie.session.pose, shown_name(donnie.session.name))
         if self.attempt is not None:
-            self.attempt.mark_goals(grid)
+            grid.mark_goals(self.attempt.goal_places)
         return grid
 
     # --- answers
@@ -239,10 +239,6 @@ class Attempt:
         if met - self._met and not isinstance(event, RunStarted):
             self._donnie.session.hub.publish(Chimed("goal"))
         self._met |= met
-
-    def mark_goals(self, grid: MapGrid) -> None:
-        """Draw the places of the goals on a map."""
-        grid.mark_goals(self.goal_places)
 
     @property
     def goal_places(self) -> tuple[GoalPlace, ...]:
@@ -363,10 +359,9 @@ class Attempt:
 
     def questions(self) -> tuple[Asked, ...]:
         """What is asked about the world as the last run left it."""
-        from donnie_tui.core.goals import track_of
         from donnie_tui.core.questions import Asked
 
-        track = track_of(self.room, self._happened())
+        track = self.judgment().track
         return tuple(Asked(each, track) for each in self.challenge.rules.question)
 
     def _try_of(self, judgment: Judgment, *, is_solved: bool) -> Attempted:

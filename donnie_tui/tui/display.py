@@ -98,7 +98,7 @@ class Display:
         picture = self._donnie.picture()
         self.scene = MapScene(picture, self._pose, shown_name(self._donnie.session.name))
         if self._attempt is not None:
-            self._attempt.mark_goals(self.scene.grid)
+            self.scene.grid.mark_goals(self._attempt.goal_places)
         self._place.map.call_colours(colour_initials(self._words))
         self._place.show_map(self.scene)
         self.entitle_map()

@@ -42,6 +42,13 @@ def read(folder: Path, text: str) -> challenges.Challenge:
     return challenges.read(file)
 
 
+def test_each_file_is_a_step_of_a_ladder() -> None:
+    files = sorted(each.stem for each in Path(challenges.LADDERS).glob("*.toml"))
+
+    assert sorted(challenges.names()) == files
+    assert all(challenges.ladder_of(name) for name in files)
+
+
 @pytest.mark.parametrize("name", challenges.names())
 def test_a_shipped_challenge_is_proven(name: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["challenge", "test", name, "--lang", "en"]) == 0
