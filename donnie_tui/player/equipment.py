@@ -299,9 +299,9 @@ class ColourFinder(MountedDevice):
         for seen in self._drive.blobs(self._model.index)[0].blobs:
             red, green, blue = seen.colour
             left, right = (_pixel(0.5 - each / finder.fov, width) for each in (seen.left, seen.right))
-            rows = degrees(atan2(HALF_HEIGHT, seen.metres)) / finder.fov * width / height
-            top, bottom = (_pixel(0.5 + each, height) for each in (-rows, rows))
-            area = (right - left + 1) * (bottom - top + 1)
+            rows = int(degrees(atan2(HALF_HEIGHT, seen.metres)) / finder.fov * height)
+            top, bottom = max(0, height // 2 - rows), min(height - 1, height // 2 + rows)
+            area = (right - left) * (bottom - top)
             colour = red << 16 | green << 8 | blue
             middle = ((left + right) // 2, (top + bottom) // 2)
             blobs.append((0, colour, area, *middle, left, right, top, bottom, seen.metres))

@@ -18,10 +18,10 @@ from devices.player.codec import (
     values_of,
 )
 from devices.player.connection import MOST_REPLIES, MOST_WAITING, ClientConnection
-from devices.ports.drive import MetricPose
+from devices.ports.drive import BlobReading, ColourBlob, MetricPose
 from donnie_tui.player.equipment import angle, towards
 from donnie_tui.player.server import ServerProblem, Stations
-from tests.player.room import CONFIGURATION, Notes, stations_of, write_room
+from tests.player.room import CONFIGURATION, WORLD, Notes, stations_of, write_room
 
 DATA, COMMAND, REQUEST, ACK, NACK = (
     MessageType.DATA,
@@ -184,6 +184,31 @@ def test_a_blobfinder_and_a_mark_finder_see_the_red_box_ahead(stations: Stations
     assert blob[9] == pytest.approx(1.8, abs=0.05)
     [[[number, x, y, *_]]] = data[10, 0, 1]
     assert (number, x, y) == (7, pytest.approx(2.0), pytest.approx(0.0))
+
+
+@pytest.mark.parametrize(
+    "recorded",
+    [
+        (306, 79, 60, 71, 88, 51, 69, 3.802220344543457),
+        (378, 17, 60, 7, 28, 51, 69, 3.6524899005889893),
+        (986, 150, 60, 142, 159, 31, 89, 1.127371072769165),
+        (6300, 70, 60, 39, 102, 10, 110, 0.6432724595069885),
+    ],
+)
+def test_a_blob_is_as_high_and_as_large_as_the_real_server_has_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, recorded: tuple[float, ...]
+) -> None:
+    """Area, middle, columns and rows of a picture of 160 by 120 pixels and 60 degrees, and metres."""
+    world = WORLD.replace("image [ 80 60 ]", "image [ 160 120 ]")
+    stations = stations_of(write_room(tmp_path, world=world))
+    left, right, metres = recorded[3], recorded[4], recorded[7]
+    degrees_of = [(0.5 - (column + 0.5) / 160) * 60 for column in (left, right)]
+    seen = BlobReading("", (ColourBlob((255, 0, 0), degrees_of[0], degrees_of[1], metres),))
+    monkeypatch.setattr(stations._loop.drives["alice"], "blobs", lambda _: (seen,))
+
+    _, _, [blob] = Client(stations, (7, 0)).round()[7, 0, 1]
+
+    assert blob[2:] == pytest.approx(recorded)
 
 
 def test_bumpers_say_where_the_robot_touches_the_box(stations: Stations) -> None:
