@@ -309,7 +309,7 @@ def test_the_errors_of_a_run_are_said_one_by_one(open_script: OpenScript) -> Non
 
 def test_an_explanation_shows_the_line_as_it_was_when_it_failed(open_script: OpenScript) -> None:
     script = open_script("TR 90", "FW")
-    script.type("AGAIN")
+    script.answers_to("AGAIN")  # to its end
     check_conversation(script, ("EXPLAIN", [*EXPLAINED, "Line 2: FW"]), ("READ", ["Line 2: FW"]))
 
     script.type("CHANGE 2 FW 1")

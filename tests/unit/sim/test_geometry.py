@@ -134,15 +134,15 @@ def test_nothing_beyond_the_reach_is_looked_for() -> None:
 
 
 def test_a_wedge_has_a_box_and_touches_what_may_come_into_it() -> None:
-    ahead = Wedge(1.0, 2.0, geometry.direction(0), geometry.direction(45), 4.0)
-    back = Wedge(1.0, 2.0, geometry.direction(180), geometry.direction(45), 4.0)
-    south = Wedge(1.0, 2.0, geometry.direction(270), geometry.direction(45), 4.0)
+    ahead = Wedge(1.0, 2.0, 0.0, geometry.direction(0), geometry.direction(45), 4.0)
+    back = Wedge(1.0, 2.0, 180.0, geometry.direction(180), geometry.direction(45), 4.0)
+    south = Wedge(1.0, 2.0, 270.0, geometry.direction(270), geometry.direction(45), 4.0)
 
-    assert ahead.box() == pytest.approx((1, -2, 5, 6))
-    assert back.box() == pytest.approx((-3, -2, 1, 6))
-    assert south.box() == pytest.approx((-3, -2, 5, 2))
-    north_east = Wedge(0.0, 0.0, geometry.direction(45), geometry.direction(45), sqrt(8))
-    assert north_east.box() == pytest.approx((-2, -2, 4, 4))
+    assert ahead.box(4.0) == pytest.approx((1, -2, 5, 6))
+    assert back.box(4.0) == pytest.approx((-3, -2, 1, 6))
+    assert south.box(4.0) == pytest.approx((-3, -2, 5, 2))
+    north_east = Wedge(0.0, 0.0, 45.0, geometry.direction(45), geometry.direction(45), sqrt(8))
+    assert north_east.box(sqrt(8)) == pytest.approx((-2, -2, 4, 4))
     for middle, touches in (
         ((6.0, 2.0), True),
         ((6.1, 2.0), False),
