@@ -294,3 +294,44 @@ async def test_a_question_and_its_keys_are_whole_on_a_small_terminal(open_screen
         await screen.press("escape", "ctrl+p")
         await screen.until(lambda: "Type what to do" in screen.text, "the list")
         assert "Enter takes it, Esc goes back" in " ".join(screen.text.split())
+
+
+@pytest.mark.parametrize(
+    ("key", "is_free"),
+    [
+        ("f1", True),
+        ("f12", True),
+        ("f", False),  # a letter
+        ("fx", False),
+        ("escape", True),
+        ("insert", True),
+        ("ctrl+a", True),
+        ("shift+f5", True),
+        ("ctrl+c", False),
+        ("ctrl+p", False),
+        ("ctrl+k", False),
+        ("tab", False),
+        ("a", False),
+        ("ctrl+k a", True),
+        ("ctrl+k escape", False),
+        ("ctrl+k ", False),
+        ("ctrl+x a", False),
+        (f"ctrl+{'x' * 35}", True),
+        (f"ctrl+{'x' * 36}", False),
+        (f"ctrl+k {'x' * 40}", True),
+        (f"ctrl+k {'x' * 41}", False),
+    ],
+)
+def test_a_key_that_is_not_needed_to_type_may_be_given(key: str, is_free: bool) -> None:
+    assert is_free_to_give(key) is is_free
+
+
+def test_a_choice_of_keys_keeps_what_it_means_and_reports_the_rest() -> None:
+    chosen = " Where  F2, around ctrl+k  x, nothing f3,, map a, where"
+
+    assert not_understood(chosen) == ("nothing f3", "map a", "where")
+    assert with_key(chosen, "trail", "f4") == "where f2, around ctrl+k x, trail f4"
+    assert with_key(chosen, "where", "f4") == "around ctrl+k x, where f4"
+    assert with_key(chosen, "trail", "f2") == "around ctrl+k x, trail f2"
+    assert with_key(chosen, "where", None) == "around ctrl+k x"
+    assert with_key("", "where", "f4") == "where f4"
