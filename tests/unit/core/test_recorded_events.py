@@ -1,6 +1,7 @@
 """Every event can be rebuilt from its line, and no foreign line becomes an event."""
 
 import json
+from io import BytesIO, StringIO
 from typing import get_args
 
 import pytest
@@ -38,7 +39,14 @@ from donnie_tui.core.events import (
     Waited,
     as_line,
 )
-from donnie_tui.core.recording import DamagedLineError, stamped_in
+from donnie_tui.core.recording import (
+    Damage,
+    DamagedLineError,
+    Header,
+    NoRecordingError,
+    Recording,
+    stamped_in,
+)
 from donnie_tui.core.timeline import Timeline, undone_in_words
 from donnie_tui.i18n.words import Words
 from tests.unit.core.values import HERE
@@ -150,3 +158,86 @@ def test_a_line_with_any_value_in_a_field_is_refused_or_an_event(
         return
     assert isinstance(made.event, get_args(Event))
     assert as_line(made, whole=True)
+
+
+# --- a file of events
+
+
+def head(**changes: object) -> str:
+    out = StringIO()
+    Header("1.2", 7, "sim", {"motors": 14}, {"name": "maze"}).write(out)
+    return json.dumps({**json.loads(out.getvalue()), **changes}) + "\n"
+
+
+def line(seq: int, event: Event, robot: str | None = None) -> str:
+    return as_line(Stamped(seq, float(seq), event, robot), whole=True).rstrip("\n") + "\n"
+
+
+BEGUN, ENDED = RunStarted("a.gd", "two", "alice", 3, "0.1"), RunEnded(Outcome.COMPLETED, HERE, {}, 1.0)
+
+
+def recorded(*lines: str | bytes) -> Recording:
+    return Recording(BytesIO(b"".join(each.encode() if isinstance(each, str) else each for each in lines)))
+
+
+def test_a_recording_has_its_header_and_its_events() -> None:
+    found = recorded(head(), line(1, BEGUN), line(2, Spoke("a")), line(3, ENDED))
+
+    assert found.header == Header("1.2", 7, "sim", {"motors": 14}, {"name": "maze"})
+    assert (found.damages, found.is_newer, found.is_cut_off_only) == ([], False, True)
+    assert [each.seq for each in found.events] == [1, 2, 3]
+    assert found.events[1].event == Spoke("a")
+    assert [each.seq for each in found.events[-2:]] == [2, 3]
+    assert [found.line_of(each) for each in (0, 2, 3)] == [2, 4, 5]
+
+
+def test_long_texts_of_a_header_are_cut() -> None:
+    found = recorded(head(version="v" * 50, robot="r" * 300), line(1, Reset(HERE)))
+
+    assert found.header is not None
+    assert (found.header.version, found.header.robot) == ("v" * 40, "r" * 200)
+
+
+@pytest.mark.parametrize(
+    ("lines", "damages"),
+    [
+        ((head(donnie_recording=2), line(1, Reset(HERE))), [Damage("newer", 1)]),
+        ((head(donnie_recording="2"), line(1, Reset(HERE))), [Damage("header", 1)]),
+        (("nothing\n", line(1, Reset(HERE))), [Damage("header", 1)]),
+        ((line(1, Reset(HERE)),), [Damage("no-header", 1)]),
+        ((head(), line(1, Reset(HERE)), "{}\n", line(2, Reset(HERE))), [Damage("line", 3)]),
+        ((head(), line(1, Reset(HERE)), b"\xff\xfe\n", line(3, Reset(HERE))), [Damage("line", 3)]),
+        ((head(), line(2, Reset(HERE))), [Damage("missing", 2, 1)]),
+        ((head(), line(1, Reset(HERE)), line(5, Reset(HERE))), [Damage("missing", 3, 3)]),
+        ((head(), line(1, Reset(HERE)), line(2, Reset(HERE))[:9]), [Damage("end", 3)]),
+        ((head(), line(1, BEGUN)), [Damage("end", 3)]),
+        ((head(), line(1, BEGUN), line(2, Reset(HERE))), []),
+        ((head(), line(1, BEGUN, "alice"), line(2, ENDED, "bob")), [Damage("end", 4)]),
+        ((head(), line(1, BEGUN), line(2, ENDED)[:9]), [Damage("end", 3)]),
+    ],
+)
+def test_what_is_missing_in_a_recording_is_listed_with_its_line(
+    lines: tuple[str | bytes, ...], damages: list[Damage]
+) -> None:
+    found = recorded(*lines)
+
+    assert found.damages == damages
+    assert found.is_newer is (damages == [Damage("newer", 1)])
+    assert found.is_cut_off_only is all(each.code == "end" for each in damages)
+
+
+@pytest.mark.parametrize("content", ["", "\n", "no recording\n", "{}\n[]\n"])
+def test_a_file_without_a_whole_line_is_no_recording(content: str) -> None:
+    with pytest.raises(NoRecordingError):
+        recorded(content)
+
+
+def test_a_hundred_damages_are_listed_at_most() -> None:
+    found = recorded(head(), *["{}\n", line(1, Reset(HERE))] * 110)
+
+    assert [each.line for each in found.damages] == list(range(2, 202, 2))
+    assert len(found.events) == 110
+
+
+def test_before_its_first_event_a_recording_begins_at_line_one() -> None:
+    assert recorded(head()).line_of(0) == 1
