@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from donnie_tui.core.program_files import DocumentError
+from donnie_tui.linear.conversation import Conversation
 from donnie_tui.linear.leaving import Leaving
 from donnie_tui.linear.prompter import Prompter
 from donnie_tui.linear.reader import How, Typed
@@ -231,3 +232,64 @@ def test_an_answer_is_what_enter_or_escape_with_a_text_ends(
 
     assert Prompter.ask(prompter, "Name?") == text
     assert (said, prompter.has_ended) == (["Name?"], has_ended)
+
+
+# --- the exit code
+
+
+@pytest.mark.parametrize(
+    ("is_attended", "kept", "refused", "had_mistakes", "code"),
+    [
+        (True, 3, 1, True, 0),  # learners correct their mistakes
+        (False, 0, 0, False, 0),
+        (False, 0, 0, True, 1),
+        (False, 0, 1, False, 1),
+        (False, 2, 1, True, 2),
+        (False, 1, 2, False, 2),
+    ],
+)
+def test_a_script_reports_the_worst_that_happened_with_its_exit_code(
+    is_attended: bool, kept: int, refused: int, had_mistakes: bool, code: int
+) -> None:
+    conversation: Any = SimpleNamespace(
+        streams=SimpleNamespace(is_attended=is_attended),
+        ctx=SimpleNamespace(script_code=refused, errors=SimpleNamespace(had_any=had_mistakes)),
+        _state=SimpleNamespace(script_code=kept),
+    )
+
+    assert Conversation._code_of_script(conversation) == code
+
+
+@pytest.mark.parametrize(
+    ("typed", "leaving", "done"),
+    [
+        (Typed("FW 1", How.ENTER), 15, ["signal 15", "world"]),
+        (Typed("", How.CLOSED), None, ["close", "world"]),
+        (Typed("FW", How.INTERRUPTED), None, ["interrupt FW", "world"]),
+        (Typed("x", How.TOO_LONG), None, ["program-too-long", "world"]),
+        (Typed("FW 1", How.ENTER), None, ["again FW 1", "world"]),
+        (Typed("FW 1", How.ESCAPE), None, ["remember FW 1", "run FW 1", "world"]),
+    ],
+)
+def test_a_line_is_taken_by_how_it_ended(typed: Typed, leaving: int | None, done: list[str]) -> None:
+    happened: list[str] = []
+
+    def note(what: str) -> Callable[..., None]:
+        return lambda *values: happened.append(" ".join([what, *map(str, values)]))
+
+    lines = SimpleNamespace(continuation="REPEAT 2", take_and_run=note("run"))
+    conversation: Any = SimpleNamespace(
+        console=SimpleNamespace(leaving=leaving),
+        leaving=SimpleNamespace(
+            leave_by_signal=note("signal"), close=note("close"), interrupt=note("interrupt"),
+            enter_world=note("world"),
+        ),
+        typed_lines=lines,
+        ctx=SimpleNamespace(answer=happened.append),
+        take_again=note("again"),
+        _state=SimpleNamespace(past=SimpleNamespace(remember=note("remember"))),
+    )  # fmt: skip
+    Conversation._take(conversation, typed)
+
+    assert happened == (done[:1] if leaving else done)
+    assert lines.continuation == (None if typed.how is How.INTERRUPTED else "REPEAT 2")
