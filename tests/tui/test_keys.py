@@ -326,7 +326,7 @@ def test_a_key_that_is_not_needed_to_type_may_be_given(key: str, is_free: bool) 
     assert is_free_to_give(key) is is_free
 
 
-def test_a_choice_of_keys_keeps_what_it_means_and_reports_the_rest() -> None:
+def test_a_list_of_keys_keeps_what_it_means_and_reports_the_rest() -> None:
     chosen = " Where  F2, around ctrl+k  x, nothing f3,, map a, where"
 
     assert not_understood(chosen) == ("nothing f3", "map a", "where")
