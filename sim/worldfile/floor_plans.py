@@ -17,6 +17,7 @@ import zlib
 from collections.abc import Iterable, Iterator
 from io import BytesIO
 from itertools import islice
+from math import ceil
 from pathlib import Path
 from typing import NamedTuple
 
@@ -160,15 +161,7 @@ class Plans:
         return path.resolve()
 
     def _trace(self, setting: Setting, path: Path, name: str, side: float) -> Plan:
-        picture = self._picture(setting, path, name)
-        solid = list(islice(rectangles(picture.rows), MOST_RECTANGLES + 1))
-        cell = int(self._resolution / side * min(picture.width, picture.height)) if side > 0 else 1
-        if len(solid) > MOST_RECTANGLES and cell > 1:
-            self._values.note(NoteKind.REPAIRED, "plan-scaled", setting, path=name)
-            picture = scaled_down(picture, cell)
-            solid = list(islice(rectangles(picture.rows), MOST_RECTANGLES + 1))
-        if len(solid) > MOST_RECTANGLES:
-            raise mistake(Code.TOO_MUCH, setting, what="rectangles", limit=MOST_RECTANGLES)
+        picture, solid = self._simplified(self._picture(setting, path, name), setting, name, side)
         height = picture.height
         polygons = tuple(
             rectangle(left, height - bottom, right - left, bottom - top) for left, top, right, bottom in solid
@@ -177,6 +170,23 @@ class Plans:
             self._values.note(NoteKind.REPAIRED, "margin-cropped", setting, path=name)
         outlines = count_outlines(picture)
         return Plan(polygons, len(polygons) if outlines is None else outlines)
+
+    def _simplified(
+        self, fine: Bitmap, setting: Setting, name: str, side: float
+    ) -> tuple[Bitmap, list[Rectangle]]:
+        """With too many rectangles: in the cells of Stage's grid, else in squares as large as it takes."""
+        pixels = min(fine.width, fine.height)
+        grid = int(self._resolution / side * pixels) if side > 0 else 1
+        picture, cell = fine, 1
+        while len(solid := list(islice(rectangles(picture.rows), MOST_RECTANGLES + 1))) > MOST_RECTANGLES:
+            cell = max(2 * cell, grid) if cell == 1 else 2 * cell
+            picture = scaled_down(fine, cell)
+        if 1 < cell <= grid:
+            self._values.note(NoteKind.REPAIRED, "plan-scaled", setting, path=name)
+        elif cell > 1:
+            centimetres = str(ceil(100 * side * cell / pixels))
+            self._values.note(NoteKind.WARNING, "plan-coarse", setting, path=name, centimetres=centimetres)
+        return picture, solid
 
     def _picture(self, setting: Setting, path: Path, name: str) -> Bitmap:
         try:

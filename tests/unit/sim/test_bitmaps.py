@@ -228,9 +228,30 @@ def test_a_plan_finer_than_the_grid_is_scaled_down_where_it_is_too_detailed(tmp_
     fine = loaded(5)
     assert len(fine.models[0].polygons) == 1
     assert [note.code for note in fine.report.notes if note.kind is NoteKind.REPAIRED] == ["plan-scaled"]
-    with pytest.raises(WorldError) as refused:
-        loaded(500)
-    assert refused.value.code is Code.TOO_MUCH
+    coarse = loaded(500)
+    assert len(coarse.models[0].polygons) == 1
+    notes = [
+        (note.code, note.details["centimetres"]) for note in coarse.report.notes if "path" in note.details
+    ]
+    assert notes == [("plan-coarse", "200")]
+
+
+def test_a_wall_in_a_plan_with_too_many_details_stays_closed_and_a_wide_door_open(tmp_path: Path) -> None:
+    """A speckled map, ten centimetres a pixel: 90 000 dots, and a wall with a door 4 m wide."""
+    from PIL import Image, ImageDraw
+
+    speckled = Image.new("1", (1000, 1000), 1)
+    speckled.putdata([not (x % 3 == 0 and y % 3 == 0 and y < 810) for y in range(1000) for x in range(1000)])
+    ImageDraw.Draw(speckled).line((0, 900, 999, 900), fill=0)
+    ImageDraw.Draw(speckled).line((480, 900, 519, 900), fill=1)
+    speckled.save(tmp_path / "map.png")
+
+    scene = load_text('model ( bitmap "map.png" size [ 100 100 1 ] )', tmp_path / "a.world")
+
+    wall = sorted(points for points in scene.models[0].outlines() if max(y for _, y in points) < -49)
+    edges_of_the_door = max(x for x, _ in wall[0]), min(x for x, _ in wall[1])
+    assert len(wall) == 2
+    assert edges_of_the_door == pytest.approx((-2, 2), abs=0.4)
 
 
 def test_the_pictures_of_a_world_together_have_a_limit() -> None:
