@@ -190,7 +190,13 @@ def _draw(order: Order, recording: Recording, closing: ExitStack) -> int:
     from donnie_tui.core.goals import places_of
     from donnie_tui.core.program_files import DocumentError, write_bytes
     from donnie_tui.world.loading import choose_challenge, moved_to
-    from donnie_tui.world.run_picture import DrivenPath, as_picture, on_swell_paper, run_picture
+    from donnie_tui.world.run_picture import (
+        DrivenPath,
+        as_picture,
+        moved_things,
+        on_swell_paper,
+        run_picture,
+    )
     from sim.picture import drawings
 
     words = order.words
@@ -207,7 +213,7 @@ def _draw(order: Order, recording: Recording, closing: ExitStack) -> int:
     shown = drawings(moved_to(world.scene, timeline.things))
     challenge = order.invocation.arguments.challenge
     goals = () if challenge is None else places_of(choose_challenge(challenge, words).rules)
-    picture = run_picture(title, shown, paths, words, goals)
+    picture = run_picture(title, shown, paths, words, goals, moved_things(timeline.events, world.scene))
     for option, name in _pictures(order):
         if name is None:
             continue

@@ -380,13 +380,14 @@ async def report(ctx: Context, argument: str) -> None:
 
 def _run_picture(ctx: Context) -> RunPicture:
     """Where the robots drove, what stands there now, and the places of goals."""
-    from donnie_tui.world.run_picture import DrivenPath, run_picture
+    from donnie_tui.world.run_picture import DrivenPath, moved_things, run_picture
 
     donnie = ctx.donnie
     paths = [DrivenPath(robot or "", path) for robot, path in ctx.trail.paths.items()]
     title = ctx.words("paper-title", name=donnie.world.title(ctx.words.language))
     goals = ctx.attempt.goal_places if ctx.attempt is not None else ()
-    return run_picture(title, donnie.drawings_now(), paths, ctx.words, goals)
+    moved = moved_things(donnie.chronicle.timeline().events, donnie.world.scene)
+    return run_picture(title, donnie.drawings_now(), paths, ctx.words, goals, moved)
 
 
 async def _write_page(ctx: Context, name: str, content: Callable[[], bytes]) -> None:

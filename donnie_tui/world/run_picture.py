@@ -1,8 +1,9 @@
 """A run as a picture for those who see: walls, things where they ended, goals, and the path of each robot.
 
-As SVG and as GIF a dot drives along each path at the pace of the run; title and description of the SVG say
-the path in words, and letters stand in for colours. As PNG the same picture stands still. Lengths are pixels,
-places in the world steps; the northern edge is up. A plot of what was measured is drawn as PNG, too.
+As SVG and as GIF a dot drives along each path at the pace of the run, and things that were pushed or carried
+move with it; title and description of the SVG say the path in words, and letters stand in for colours. As PNG
+the same picture stands still. Lengths are pixels, places in the world steps; the northern edge is up. A plot
+of what was measured is drawn as PNG, too.
 """
 
 from __future__ import annotations
@@ -26,16 +27,18 @@ from donnie_tui.core.wording import (
     letters_of_several_colours,
 )
 from language.source import printable
+from sim.geometry import pose_of
 
 if TYPE_CHECKING:
     from PIL.Image import Image
     from PIL.ImageDraw import ImageDraw
 
-    from donnie_tui.core.events import PlacedThing
+    from donnie_tui.core.events import PlacedThing, Stamped
     from donnie_tui.core.goals import GoalPlace
     from donnie_tui.core.reports import Plot
     from donnie_tui.world.loading import ChosenWorld
     from sim.picture import Drawing, Thing
+    from sim.scene import Scene
 
 _Point = tuple[float, float]
 
@@ -87,6 +90,75 @@ class DrivenPath(Struct, frozen=True):
         return max(0.1, sum(_apart(*each) for each in pairwise(self.poses)) / STEPS_A_SECOND)
 
 
+class MovedThing(Struct, frozen=True):
+    """A thing that was pushed or carried: its number among the world's models, and where it was when.
+
+    Seconds of the moving dots; its start first.
+    """
+
+    index: int
+    moments: tuple[tuple[float, Pose], ...]
+
+    @property
+    def end(self) -> Pose:
+        return self.moments[-1][1]
+
+    @property
+    def seconds(self) -> float:
+        return max(0.1, self.moments[-1][0])
+
+    def at(self, seconds: float) -> Pose:
+        """Where it is after that time."""
+        for (begin, here), (end, there) in pairwise(self.moments):
+            if seconds < end:
+                part = max(0.0, seconds - begin) / (end - begin)
+                turned = _turned(here, there) * part
+                x, y = here.x + (there.x - here.x) * part, here.y + (there.y - here.y) * part
+                return Pose(x, y, here.heading + turned)
+        return self.end
+
+
+def _turned(here: Pose, there: Pose) -> float:
+    """Degrees to the right, the shorter way round."""
+    return (there.heading - here.heading + 180.0) % 360.0 - 180.0
+
+
+def moved_things(events: Iterable[Stamped], scene: Scene) -> tuple[MovedThing, ...]:
+    """The things that stand elsewhere now. A push moves a thing in the last part of a walk."""
+    from donnie_tui.core.events import Driven, Moved, Reset, RunStarted, ThingsMoved, Turned
+
+    poses: dict[str | None, Pose] = {}
+    lengths: dict[str | None, tuple[float, float]] = {}
+    """Steps that each robot drove since its start, and those of its last movement."""
+    now: dict[int, Pose] = {}
+    moments: dict[int, list[tuple[float, Pose]]] = {}
+    for stamped in events:
+        robot = stamped.robot
+        match stamped.event:
+            case Moved(pose=pose) | Turned(pose=pose) | Driven(pose=pose):
+                length = _apart(poses.get(robot, pose), pose)
+                poses[robot], lengths[robot] = pose, (lengths.get(robot, (0.0, 0.0))[0] + length, length)
+            case Reset(pose=pose):
+                poses[robot], lengths[robot] = pose, (0.0, 0.0)
+            case RunStarted(how=how) if how is not None and (how.begins_anew or robot not in poses):
+                poses[robot], lengths[robot] = how.pose, (0.0, 0.0)
+            case ThingsMoved(places=places):
+                there = {each.index: each.pose for each in places if 0 <= each.index < len(scene.models)}
+                end, length = lengths.get(robot, (0.0, 0.0))
+                for index in sorted(there.keys() | now.keys()):
+                    start = pose_of(scene.models[index].pose)
+                    here, after = now.get(index, start), there.get(index, start)
+                    if index not in there:
+                        moments.pop(index, None)
+                    elif here != after:
+                        begin = (end - min(length, _apart(here, after))) / STEPS_A_SECOND
+                        those = moments.setdefault(index, [(0.0, start)])
+                        begin = max(begin, those[-1][0])
+                        those += [(begin, here), (max(begin, end / STEPS_A_SECOND), after)]
+                now = there
+    return tuple(MovedThing(index, tuple(those)) for index, those in moments.items())
+
+
 class ShownGoal(Struct, frozen=True):
     """A place: the numbers of its goals, its middle, and half its width and height."""
 
@@ -113,6 +185,22 @@ class RunPicture(Struct, frozen=True):
     letters: Mapping[int, str]
     """Those of each thing, by its index: a second one is the initial of its colour where that is needed."""
     goals: tuple[GoalPlace, ...] = ()
+    moved: tuple[MovedThing, ...] = ()
+
+    @property
+    def moving(self) -> tuple[tuple[Drawing, MovedThing], ...]:
+        """The drawings of things that were moved."""
+        found = {each.index: each for each in self.moved}
+        return tuple(
+            (each, found[each.thing.index])
+            for each in self.drawings
+            if each.thing is not None and each.thing.index in found
+        )
+
+    @property
+    def standing(self) -> tuple[Drawing, ...]:
+        moving = [each for each, _ in self.moving]
+        return tuple(each for each in self.drawings if each not in moving)
 
     def at(self, x: float, y: float) -> _Point:
         return round(MARGIN + (x - self.west) * self.scale, 1), round(
@@ -126,6 +214,7 @@ def run_picture(
     paths: Sequence[DrivenPath],
     wording: Wording,
     goals: Sequence[GoalPlace] = (),
+    moved: Sequence[MovedThing] = (),
 ) -> RunPicture:
     """``drawings``: what stands there at the end. A robot that drove is the arrow of its path."""
     driven = {path.robot for path in paths}
@@ -136,6 +225,7 @@ def run_picture(
     )
     points = [point for each in shown for outline in each.outlines for point in outline]
     points += [(pose.x, pose.y) for path in paths for pose in path.poses] or [(0.0, 0.0)]
+    points += [(pose.x, pose.y) for each in moved for _, pose in each.moments]
     points += [point for _, west, south, east, north in goals for point in ((west, south), (east, north))]
     xs, ys = zip(*points, strict=True)
     west, east, south, north = min(xs) - 2, max(xs) + 2, min(ys) - 2, max(ys) + 2
@@ -158,6 +248,7 @@ def run_picture(
         legend=legend,
         letters=letters,
         goals=tuple(goals),
+        moved=tuple(moved),
     )
 
 
@@ -216,22 +307,48 @@ def as_svg(it: RunPicture) -> str:
             f"<title>{escape(it.title)}</title>",
             f"<desc>{escape(' '.join(it.legend))}</desc>",
             f'<rect width="{it.width:g}" height="{it.height:g}" fill="white"/>',
-            *(_svg_shape(it, each) for each in it.drawings),
+            *(_svg_shape(it, each) for each in it.standing),
             *(_svg_goal(each) for each in goals_on(it)),
             *(line for number, path in enumerate(it.paths) for line in _svg_path(it, path, number)),
-            *(_svg_text(*each) for each in texts(it)),
+            *(line for each in it.moving for line in _svg_moving(it, *each)),
+            *(_svg_text(*each) for each in _texts(it, it.standing)),
             "</svg>\n",
         )
     )
 
 
-def _svg_shape(it: RunPicture, drawing: Drawing) -> str:
+def _svg_moving(it: RunPicture, drawing: Drawing, moved: MovedThing) -> Iterable[str]:
+    """The thing with its letter, which slides; the thing alone turns."""
+    end, turned, degrees = moved.end, 0.0, [0.0]
+    for (_, there), (_, here) in pairwise(reversed(moved.moments)):
+        turned += _turned(there, here)
+        degrees.append(turned)
+    slides = [((pose.x - end.x) * it.scale, (end.y - pose.y) * it.scale) for _, pose in moved.moments]
+    x, y = it.at(end.x, end.y)
+    yield "<g>"
+    yield _svg_animation("translate", [f"{dx:g} {dy:g}" for dx, dy in slides], moved)
+    turns = [f"{each:g} {x:g} {y:g}" for each in reversed(degrees)]
+    yield _svg_shape(it, drawing, _svg_animation("rotate", turns, moved) if any(degrees) else "")
+    yield from (_svg_text(*each) for each in _letter(it, drawing))
+    yield "</g>"
+
+
+def _svg_animation(kind: str, values: Sequence[str], moved: MovedThing) -> str:
+    times = ";".join(f"{min(1.0, at / moved.seconds):.4f}" for at, _ in moved.moments[:-1])
+    return (
+        f'<animateTransform attributeName="transform" type="{kind}" values="{";".join(values)}"'
+        f' keyTimes="{times};1.0000" dur="{moved.seconds:.1f}s" fill="freeze"/>'
+    )
+
+
+def _svg_shape(it: RunPicture, drawing: Drawing, inside: str = "") -> str:
     fill = _fill(drawing)
     d = " ".join(
         "M " + " L ".join(f"{x:g} {y:g}" for x, y in (it.at(*point) for point in outline)) + " Z"
         for outline in drawing.outlines
     )
-    return f'<path d="{d}" fill="{fill}" stroke="{_INK}" stroke-width="1"/>'
+    style = f'fill="{fill}" stroke="{_INK}" stroke-width="1"'
+    return f'<path d="{d}" {style}>{inside}</path>' if inside else f'<path d="{d}" {style}/>'
 
 
 def _svg_goal(goal: ShownGoal) -> str:
@@ -272,23 +389,36 @@ def _svg_text(x: float, y: float, text: str) -> str:
 def as_png(it: RunPicture) -> bytes:
     """The picture as PNG, drawn by Pillow."""
     image, draw = _canvas(it.width, it.height)
-    _draw_run(it, draw)
+    _draw_run(it, draw, it.drawings)
     return _png(image, " ".join(it.legend))
 
 
 def as_gif(it: RunPicture) -> bytes:
-    """The picture as GIF: dots drive along the paths once, all beginning together."""
+    """The picture as GIF: dots drive along the paths once, all beginning together, with what they moved."""
+    from PIL.Image import Dither
     from PIL.ImageDraw import Draw  # slow to load
 
+    whole, draw = _canvas(it.width, it.height)
+    _draw_run(it, draw, it.drawings)
     image, draw = _canvas(it.width, it.height)
-    _draw_run(it, draw)
-    base = image.quantize(64)
-    seconds = max((path.seconds for path in it.paths), default=FRAME)
+    _draw_run(it, draw, it.standing)
+    base = image.quantize(palette=whole.quantize(64), dither=Dither.NONE)
+    fills = {_fill(each): _nearest_colour(base, _fill(each)) for each, _ in it.moving}
+    seconds = max((*(each.seconds for each in it.paths), *(each.seconds for each in it.moved)), default=FRAME)
     count = max(2, min(MOST_FRAMES, round(seconds / FRAME) + 1))
     frames = []
     for number in range(count):
         frame = base.copy()
         pen = Draw(frame)
+        for each, moved in it.moving:
+            there, end = moved.at(seconds * number / (count - 1)), moved.end
+            for outline in _moved_outlines(each, end, there):
+                pen.polygon(
+                    [it.at(*point) for point in outline], fill=fills[_fill(each)], outline=_darkest(base)
+                )
+            for x, y, text in _letter(it, each):
+                right, down = (there.x - end.x) * it.scale, (end.y - there.y) * it.scale
+                _write(pen, (x + right, y + down), text, "ls", _darkest(base))
         for place in driven_to(it, seconds * number / (count - 1)):
             radius = max(3.0, 1.3 * it.scale)
             box = (place[0] - radius, place[1] - radius, place[0] + radius, place[1] + radius)
@@ -298,6 +428,15 @@ def as_gif(it: RunPicture) -> bytes:
     pause = round(1000 * seconds / (count - 1))
     frames[0].save(out, "GIF", save_all=True, append_images=frames[1:], duration=pause, comment=b"donnie")
     return out.getvalue()
+
+
+def _moved_outlines(drawing: Drawing, end: Pose, there: Pose) -> Iterable[list[_Point]]:
+    """The outlines of what stands at ``end``, where it stood ``there``."""
+    angle = radians(end.heading - there.heading)
+    c, s = cos(angle), sin(angle)
+    for outline in drawing.outlines:
+        seen = [(x - end.x, y - end.y) for x, y in outline]
+        yield [(there.x + c * x - s * y, there.y + s * x + c * y) for x, y in seen]
 
 
 def driven_to(it: RunPicture, seconds: float) -> Iterable[_Point]:
@@ -317,8 +456,17 @@ def driven_to(it: RunPicture, seconds: float) -> Iterable[_Point]:
 
 def _darkest(image: Image) -> int:
     """The number of the darkest colour in the palette."""
-    palette = image.getpalette() or [0, 0, 0]
-    return min(range(len(palette) // 3), key=lambda at: sum(palette[3 * at : 3 * at + 3]))
+    return _nearest_colour(image, _INK)
+
+
+def _nearest_colour(image: Image, colour: str) -> int:
+    """The number of the colour in the palette that is most like this one, which is written ``#rrggbb``."""
+    palette, wanted = image.getpalette() or [0, 0, 0], bytes.fromhex(colour[1:])
+    apart = [
+        sum(abs(a - b) for a, b in zip(palette[at : at + 3], wanted, strict=True))
+        for at in range(0, len(palette), 3)
+    ]
+    return apart.index(min(apart))
 
 
 def _canvas(width: float, height: float) -> tuple[Image, ImageDraw]:
@@ -328,8 +476,8 @@ def _canvas(width: float, height: float) -> tuple[Image, ImageDraw]:
     return image, ImageDraw.Draw(image)
 
 
-def _draw_run(it: RunPicture, draw: ImageDraw) -> None:
-    for each in it.drawings:
+def _draw_run(it: RunPicture, draw: ImageDraw, shown: Sequence[Drawing]) -> None:
+    for each in shown:
         for outline in each.outlines:
             draw.polygon([it.at(*point) for point in outline], fill=_fill(each), outline=_INK)
     for goal in goals_on(it):
@@ -343,14 +491,14 @@ def _draw_run(it: RunPicture, draw: ImageDraw) -> None:
         x, y = places[0]
         draw.ellipse((x - 4, y - 4, x + 4, y + 4), fill="white", outline=colour, width=2)
         draw.polygon(arrow(it, path), fill=colour)
-    for x, y, text in texts(it):
-        _write(draw, x, y, text, "ls")
+    for x, y, text in _texts(it, shown):
+        _write(draw, (x, y), text, "ls")
 
 
-def _write(draw: ImageDraw, x: float, y: float, text: str, anchor: str) -> None:
+def _write(draw: ImageDraw, place: _Point, text: str, anchor: str, ink: str | int = _INK) -> None:
     from PIL import ImageFont  # slow to load
 
-    draw.text((x, y), text, fill=_INK, font=ImageFont.load_default(LETTER), anchor=anchor)
+    draw.text(place, text, fill=ink, font=ImageFont.load_default(LETTER), anchor=anchor)
 
 
 def _png(image: Image, about: str) -> bytes:
@@ -373,7 +521,7 @@ def plot_as_png(plot: Plot) -> bytes:
     for x, y in plot.dots:
         draw.ellipse((x - 3, y - 3, x + 3, y + 3), fill=_INK)
     for text in plot.texts:
-        _write(draw, text.x, text.y, text.text, {"start": "ls", "middle": "ms", "end": "rs"}[text.anchor])
+        _write(draw, (text.x, text.y), text.text, {"start": "ls", "middle": "ms", "end": "rs"}[text.anchor])
     return _png(image, plot.about)
 
 
@@ -382,17 +530,13 @@ def texts(it: RunPicture) -> Iterable[tuple[float, float, str]]:
 
     Left end and base line of each.
     """
+    return _texts(it, it.drawings)
+
+
+def _texts(it: RunPicture, shown: Sequence[Drawing]) -> Iterable[tuple[float, float, str]]:
     yield MARGIN, MARGIN, it.title
-    for each in it.drawings:
-        thing = each.thing
-        if thing is None:
-            continue
-        x, y = it.at(thing.x, thing.y)
-        letters = it.letters[thing.index]
-        half = len(letters) * LETTER * 0.28
-        is_inside = min(thing.width, thing.depth) * it.scale >= 1.5 * LETTER * max(1, 2 * half / LETTER)
-        right = x - half if is_inside else x + thing.width * it.scale / 2 + 3
-        yield right, y + LETTER / 3, letters
+    for each in shown:
+        yield from _letter(it, each)
     for path in it.paths:
         x, y = it.at(path.poses[0].x, path.poses[0].y)
         yield from [(x + 8, y + LETTER / 3, printable(path.robot))] if path.robot else []
@@ -401,6 +545,18 @@ def texts(it: RunPicture) -> Iterable[tuple[float, float, str]]:
     below = it.height - LINE * len(it.legend)
     for number, line in enumerate(it.legend):
         yield MARGIN, below + LINE * number, line
+
+
+def _letter(it: RunPicture, drawing: Drawing) -> Iterable[tuple[float, float, str]]:
+    """The letter of a thing; none of a wall."""
+    thing = drawing.thing
+    if thing is None:
+        return
+    x, y = it.at(thing.x, thing.y)
+    letters = it.letters[thing.index]
+    half = len(letters) * LETTER * 0.28
+    is_inside = min(thing.width, thing.depth) * it.scale >= 1.5 * LETTER * max(1, 2 * half / LETTER)
+    yield x - half if is_inside else x + thing.width * it.scale / 2 + 3, y + LETTER / 3, letters
 
 
 def arrow(it: RunPicture, path: DrivenPath) -> list[_Point]:

@@ -1,7 +1,7 @@
 """A run as a picture: what is drawn, to scale, in the right places, and said in words."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from io import BytesIO
 from itertools import combinations
 from pathlib import Path
@@ -12,21 +12,33 @@ from PIL import Image, ImageFont
 
 import worlds
 from devices.ports.robot import Pose
+from donnie_tui.core.events import (
+    HowStarted,
+    Moved,
+    PlacedThing,
+    Reset,
+    RunStarted,
+    Stamped,
+    ThingsMoved,
+)
 from donnie_tui.core.goals import GoalPlace
 from donnie_tui.i18n.words import Words
+from donnie_tui.world.loading import moved_to
 from donnie_tui.world.run_picture import (
     LETTER,
     DrivenPath,
+    MovedThing,
     RunPicture,
     as_gif,
     as_png,
     as_svg,
     driven_to,
+    moved_things,
     run_picture,
     texts,
 )
 from sim.picture import drawings
-from sim.worldfile import load_world
+from sim.worldfile import load_text, load_world
 
 PATH = DrivenPath("", (Pose(0, 0, 0), Pose(0, 6, 0), Pose(18, 6, 90), Pose(18, -2, 180)))
 SVG = "{http://www.w3.org/2000/svg}"
@@ -177,3 +189,87 @@ def test_a_long_run_has_no_more_frames_than_one_of_six_seconds() -> None:
     long = DrivenPath("", (Pose(0, 0, 0), *(Pose(5 * (at % 2), 0, 90) for at in range(1, 200))))
 
     assert Image.open(BytesIO(as_gif(drawn(path=long)))).n_frames == 60
+
+
+# --- things that were pushed or carried
+
+
+def leg(robot_at: Pose, *places: PlacedThing) -> Iterator[Stamped]:
+    """A walk to a place, after which things stand elsewhere."""
+    moved = Moved("FW", 9, 9, None, robot_at, True)
+    yield from (Stamped(1, 0.0, moved), Stamped(2, 0.0, ThingsMoved(places)))
+
+
+def carried() -> tuple[RunPicture, MovedThing]:
+    """A box is pushed 4 of 10 steps to the north, then carried 5 to the east, and turned there."""
+    scene = load_text(
+        "position( size [ .1 .1 .1 ] pose [ 0 0 0 90 ] )\n"
+        'model( size [ 0.1 0.2 0.1 ] color "red" pushable 1 pose [ 0 0.4 0 0 ] )\n'
+        'model( size [ 2 0.05 0.1 ] color "blue" pose [ 0 1 0 0 ] )',
+        Path("box.world"),
+    )
+    events = (
+        *leg(Pose(0, 10, 0), PlacedThing("box", Pose(0, 12, 90), 1)),
+        *leg(Pose(5, 10, 90), PlacedThing("box", Pose(5, 12, 180), 1)),
+    )
+    starts = RunStarted("p", "", "", 0, "", HowStarted("", 1, True, False, False, Pose(0, 0, 0)))
+    (box,) = moved_things((Stamped(0, 0.0, starts), *events), scene)
+    path = DrivenPath("", (Pose(0, 0, 0), Pose(0, 10, 0), Pose(5, 10, 90)))
+    at_the_end = moved_to(scene, (PlacedThing("box", Pose(5, 12, 180), 1),))
+    return run_picture("Box", drawings(at_the_end), (path,), Words("en"), moved=(box,)), box
+
+
+def test_a_thing_moves_in_the_last_part_of_a_walk_that_pushes_it_and_all_along_where_it_is_carried() -> None:
+    """Ten steps a second."""
+    _, box = carried()
+
+    assert [(round(at, 6), pose) for at, pose in box.moments] == [
+        *((0.0, Pose(0, 8, 90)), (0.6, Pose(0, 8, 90)), (1.0, Pose(0, 12, 90))),
+        *((1.0, Pose(0, 12, 90)), (1.5, Pose(5, 12, 180))),
+    ]
+
+
+def test_a_thing_that_is_back_at_its_start_did_not_move() -> None:
+    scene = load_text("model( size [ 1 1 1 ] pose [ 1 0 0 0 ] )\nposition()", Path("box.world"))
+    away = leg(Pose(0, 9, 0), PlacedThing("box", Pose(20, 9, 90), 0))
+
+    assert (
+        moved_things((*away, Stamped(3, 0.0, Reset(Pose(0, 0, 0))), Stamped(4, 0.0, ThingsMoved(()))), scene)
+        == ()
+    )
+
+
+def test_the_svg_moves_the_thing_with_its_letter_in_the_time_of_the_dot() -> None:
+    it, _ = carried()
+    svg = ElementTree.fromstring(as_svg(it))
+    (group,) = svg.findall(f"{SVG}g")
+    slide = group.find(f"{SVG}animateTransform")
+    turn = group.find(f"{SVG}path/{SVG}animateTransform")
+
+    assert slide is not None
+    assert turn is not None
+    assert (slide.attrib["type"], slide.attrib["dur"], slide.attrib["fill"]) == (
+        "translate",
+        "1.5s",
+        "freeze",
+    )
+    assert slide.attrib["keyTimes"] == "0.0000;0.4000;0.6667;0.6667;1.0000"
+    places = [tuple(map(float, each.split())) for each in slide.attrib["values"].split(";")]
+    steps = [(round(x / it.scale, 2), round(y / it.scale, 2)) for x, y in places]
+    assert steps == [(-5, 4), (-5, 4), (-5, 0), (-5, 0), (0, 0)]
+    assert [each.split()[0] for each in turn.attrib["values"].split(";")] == ["-90", "-90", "-90", "-90", "0"]
+    assert [each.text for each in group.iter(f"{SVG}text")] == ["m"]
+    assert "m" not in [each.text for each in svg.findall(f"{SVG}text")]
+
+
+def test_the_gif_shows_the_thing_where_it_is_at_each_moment() -> None:
+    it, _ = carried()
+    image = Image.open(BytesIO(as_gif(it)))
+
+    def is_red(x: float, y: float) -> bool:
+        red, green, blue = image.convert("RGB").getpixel(tuple(map(round, it.at(x, y))))  # type: ignore[misc, arg-type]
+        return bool(red > green + 60 and red > blue + 60)
+
+    assert [is_red(0.8, 8.6), is_red(4.4, 12)] == [True, False]
+    image.seek(image.n_frames - 1)
+    assert [is_red(0.8, 8.6), is_red(4.4, 12)] == [False, True]
