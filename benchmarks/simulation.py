@@ -204,7 +204,16 @@ def _sonars() -> None:
                 robot.distance(bearing)
 
     took = statistics.median(_seconds(read) for _ in range(ROUNDS)) / COMMANDS
-    print(f"{len(bearings)} sonars: {took * 1e6:.0f} us")
+    walked = []
+    for place in range(ROUNDS * 20):  # from a new place each time
+        if robot.forward(1).walked == 0 or place % 9 == 8:
+            robot.turn(45)
+        began = time.process_time()
+        for bearing in bearings:
+            robot.distance(bearing)
+        walked.append(time.process_time() - began)
+    there = statistics.mean(walked)
+    print(f"{len(bearings)} sonars: {took * 1e6:.0f} us; after each step of a walk {there * 1e6:.0f} us")
 
 
 def _loading() -> None:
