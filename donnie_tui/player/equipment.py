@@ -114,7 +114,8 @@ class MountedDevice(Equipment):
 
     def _place(self) -> tuple[float, ...]:
         """Its pose on its robot, of a robot itself 0, and its size."""
-        return (*pose3d(self._on_robot), *box3d(self._model.size))
+        here, z = self._on_robot, local_z(self._model, self._loop.scene.models)
+        return (here.x, here.y, z, 0.0, 0.0, angle(here.yaw), *box3d(self._model.size))
 
 
 class PositionDevice(MountedDevice):
@@ -451,7 +452,7 @@ class Whole(Equipment):
             case 1:
                 return (values[0], here.x, here.y, angle(here.yaw))
             case 3:
-                pose = (here.x, here.y, model.pose.z, 0.0, 0.0, angle(here.yaw))
+                pose = (here.x, here.y, local_z(model, self._loop.scene.models), 0.0, 0.0, angle(here.yaw))
                 return (values[0], *pose, self._loop.time * 1e6)
             case 2 | 4 if model.parent is None and _are_usable(values[1:]):
                 yaw = values[3] if subtype == 2 else values[6]
@@ -518,6 +519,12 @@ def service_of(interface: str, driver: str) -> type[Equipment] | None:
     if (interface, driver) == ("speech", BELT):
         return BeltFrames
     return _SERVICES.get(interface) if driver in (STAGE, "soxplayer", "gtts", BELT) else None
+
+
+def local_z(model: Model, models: Sequence[Model]) -> float:
+    """How high it is on top of its parent, as its world file has it."""
+    parent = None if model.parent is None else models[model.parent]
+    return model.pose.z - (0.0 if parent is None else parent.pose.z + parent.size[2])
 
 
 def angle(of_degrees: float) -> float:

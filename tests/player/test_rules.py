@@ -10,7 +10,7 @@ from random import Random
 import pytest
 
 from devices.player.codec import FORMS, LOCAL_HOST, MessageType, PlayerMessage, body_of, encode, values_of
-from devices.player.connection import ClientConnection
+from devices.player.connection import MOST_RULES, MOST_WAITING, ClientConnection
 from devices.ports.drive import RangerReading
 from donnie_tui.player.server import ServerProblem, Stations
 from tests.player.room import CONFIGURATION, WORLD, Notes, stations_of, write_room
@@ -267,6 +267,51 @@ def test_a_mark_beyond_where_it_can_be_read_is_0(tmp_path: Path) -> None:
     assert len(client.ask(10, 0, 1)) == 11
 
 
+def test_a_mark_is_where_the_middle_of_its_thing_is_and_looks_where_that_looks(stations: Stations) -> None:
+    """From Alice, who looks along x at -2 0."""
+    client = Client(stations, (10, 0))
+    client.ask(31, 0, 2, "redbox", 0.0, 1.0, 0.5)
+
+    [[[number, *pose]]] = client.round()[10, 0, 1]
+    assert number == 7
+    assert pose[:6] == pytest.approx((2.0, 1.0, 0.0, 0.0, 0.0, 0.5))
+    assert pose[6:] == [0.0] * 6
+
+
+def test_a_geometry_has_the_pose_on_the_robot_and_the_width_before_the_length(stations: Stations) -> None:
+    client = Client(stations)
+    gripper, finder = client.ask(3, 0, 1), client.ask(10, 0, 1)
+
+    assert gripper[:6] == pytest.approx((0.3, 0, 0, 0, 0, 0))
+    assert gripper[6:9] == pytest.approx((0.2, 0.1, 0.2))
+    assert finder[:6] == pytest.approx((0, 0, 0, 0, 0, 0))
+    [first, _] = client.ask(14, 0, 1)[0]
+    assert first == pytest.approx((0.24, 0.1, 0, 0, 0, 0, 0.2, 0))
+    assert client.ask(62, 0, 5) == pytest.approx((-pi / 36, pi / 36, pi / 18, 0, 5, 0.02, 10))
+
+
+def test_a_blob_has_the_number_0_and_is_to_the_left_of_the_middle_if_its_thing_is(stations: Stations) -> None:
+    client = Client(stations, (7, 0))
+    client.ask(31, 0, 2, "redbox", 0.0, 0.5, 0.0)
+
+    width, _, [blob] = client.round()[7, 0, 1]
+    assert blob[0] == 0
+    assert blob[5] < blob[6] < width / 2
+
+
+def test_no_more_rules_and_openings_are_kept_than_are_allowed(stations: Stations) -> None:
+    """All are acknowledged or refused, and those that were there first still count."""
+    client = Client(stations, WHEELS)
+    client.ask(1, 0, 10, 4, 0, DATA, 1, 1)
+    for index in range(1, 2 * MOST_RULES):
+        assert client.ask(1, 0, 10, 62, index, DATA, 1, 2) == ()
+    assert len(client.connection._rules) == MOST_RULES
+    opened = [client.ask(1, 0, 3, 0, 0, 62, 0, 1, "") is not None for _ in range(MOST_WAITING + 5)]
+
+    assert opened == [True] * (MOST_WAITING - 1) + [False] * 6
+    assert set(client.round()) == {(4, 0, 1), (62, 0, 1), (62, 0, 3)}
+
+
 def test_seeing_nothing_is_a_picture_of_its_size_without_blobs(tmp_path: Path) -> None:
     gray = WORLD.replace('name "room"', 'name "room" color "gray"')
     client = Client(stations_of(write_room(tmp_path, world=gray)), (7, 0), (10, 0))
@@ -291,6 +336,7 @@ def test_a_thing_is_put_in_three_dimensions(stations: Stations) -> None:
     assert client.ask(31, 0, 4, "redbox", 1.0, 2.0, 0.0, 0.0, 0.0, 0.5, 0.0) == ()
     assert client.ask(31, 0, 1, "redbox", 0.0, 0.0, 0.0)[1:] == pytest.approx((1.0, 2.0, 0.5))
     assert client.ask(31, 0, 3, "nothing", *(0.0,) * 7) is None
+    assert client.ask(31, 0, 3, "alice.head", *(0.0,) * 7)[1:4] == pytest.approx((0, 0, 0))
 
 
 def test_putting_a_robot_elsewhere_does_not_stop_it(stations: Stations) -> None:
