@@ -134,7 +134,7 @@ class ServedRoom:
         self._end: Callable[[], object] = lambda: None
         self._thread = threading.Thread(target=self._run, daemon=True)
         self._thread.start()
-        assert self._started.wait(20)
+        assert self._started.wait(TIMEOUT)
 
     def _run(self) -> None:
         async def serve() -> None:
@@ -153,7 +153,7 @@ class ServedRoom:
     def close(self) -> None:
         if self._thread.is_alive():
             self._end()
-        self._thread.join(20)
+        self._thread.join(TIMEOUT)
 
 
 class SteppedLink(ServerLink):

@@ -15,6 +15,7 @@ import pytest
 from donnie_tui.robot.search import running_server
 from tests.player.room import HOST, ServedRoom, free_port
 from tests.player.test_player_robot import SCENE, SERVED
+from tests.timeouts import TIMEOUT
 
 
 def command(name: str, *arguments: str) -> list[str]:
@@ -34,7 +35,7 @@ def donnie_player(port: int) -> Iterator[list[str]]:
     finally:
         process.send_signal(signal.SIGTERM)
         printed += process.stdout.read().splitlines()
-        process.wait(30)
+        process.wait(TIMEOUT)
     assert process.returncode == 0
 
 
@@ -47,7 +48,7 @@ def godonnie(environment: dict[str, str], *arguments: str, typed: str = "") -> l
         capture_output=True,
         text=True,
         check=False,
-        timeout=120,
+        timeout=TIMEOUT,
     )
     assert done.returncode == 0, done.stderr
     return done.stdout.splitlines()

@@ -20,6 +20,7 @@ from donnie_tui.settings.settings import Settings
 from sim.sensors import Device
 from tests.player.recordings import sides
 from tests.player.room import DONNIE_CONFIGURATION, HOST, ServedRoom, SteppedRobot
+from tests.timeouts import TIMEOUT
 
 SCENE = """
 define sonar sensor ( range [ 0.02 3 ] fov 15 )
@@ -111,7 +112,7 @@ def driven(tmp_path: Path) -> Iterator[Driven]:
 
 def wait_until(condition: Callable[[], bool]) -> None:
     tick = threading.Event()
-    for _ in range(6000):
+    for _ in range(100 * TIMEOUT):
         if condition():
             return
         tick.wait(0.01)

@@ -17,6 +17,7 @@ from devices.player.codec import MessageReader, MessageType, PlayerMessage, body
 from donnie_tui.player import server as module
 from donnie_tui.player.server import PlayerServer, ServerProblem, Stations
 from tests.player.room import CONFIGURATION, HOST, Notes, free_port, stations_of, write_room
+from tests.timeouts import TIMEOUT
 
 
 class Room:
@@ -60,7 +61,7 @@ class Client:
 
     async def next(self) -> PlayerMessage:
         while not self._got:
-            data = await asyncio.wait_for(self._reader.read(65536), 10)
+            data = await asyncio.wait_for(self._reader.read(65536), TIMEOUT)
             if not data:
                 raise EOFError
             self._got.extend(self._messages.feed(data))
@@ -101,8 +102,8 @@ def play(folder: Path, story: Play, speed: float | None = 20.0, seconds: float =
     return room
 
 
-async def until(condition: Callable[[], bool], tries: int = 6000) -> None:
-    for _ in range(tries):
+async def until(condition: Callable[[], bool]) -> None:
+    for _ in range(100 * TIMEOUT):
         if condition():
             return
         await asyncio.sleep(0.01)
@@ -192,7 +193,7 @@ def test_a_client_that_reads_nothing_is_sent_away(tmp_path: Path, monkeypatch: p
         await slow.ask(3, 0, 0, 62, 1, 1, "")
         slow.writer.transport.pause_reading()  # type: ignore[attr-defined] # a socket's
         [served] = room.server.clients
-        await until(lambda: not served._may_write, tries=4000)
+        await until(lambda: not served._may_write)
         monkeypatch.setattr(module, "SILENCE", 0.2)
         await until(lambda: not room.server.clients)
 
@@ -244,7 +245,7 @@ def test_a_client_that_reads_again_gets_the_newest_data(tmp_path: Path) -> None:
         await slow.ask(3, 0, 0, 62, 1, 1, "")
         slow.writer.transport.pause_reading()  # type: ignore[attr-defined] # a socket's
         [served] = room.server.clients
-        await until(lambda: not served._may_write, tries=4000)
+        await until(lambda: not served._may_write)
         assert len(served._connection._queue) <= 2
         stopped_at = room.stations._loop.time
         await until(lambda: room.stations._loop.time > stopped_at + 5.0)

@@ -34,6 +34,7 @@ from donnie_tui.core.transcript import printed_lines
 from donnie_tui.player.service import motion_of
 from donnie_tui.settings.settings import ServedFile, Settings
 from tests.player.room import CONFIGURATION, HOST, free_port, write_room
+from tests.timeouts import TIMEOUT
 from tests.tui.terminal import CTRL_Q, ENTER, TAB, Terminal
 
 BELT = """
@@ -99,7 +100,7 @@ class Lesson:
             return None
 
         with self._changed:
-            stamped = self._changed.wait_for(found, 20)
+            stamped = self._changed.wait_for(found, TIMEOUT)
         assert stamped is not None
         return stamped
 
@@ -191,7 +192,7 @@ def test_no_program_begins_while_a_client_has_a_robot_open(lesson: Lesson) -> No
                 lesson.donnie.team.session(name).start("FW 1", "typed")
     lesson.wait_for(is_end(Outcome.COMPLETED))
     run = lesson.donnie.team.session("bob").start("FW 1", "typed")
-    assert run.wait(20)
+    assert run.wait(TIMEOUT)
     assert run.outcome is Outcome.COMPLETED
 
 
@@ -201,7 +202,7 @@ def test_no_client_opens_a_robot_while_a_program_runs(lesson: Lesson) -> None:
         assert client.open(62)
         assert not client.open(4)
         run.control.stop()
-        assert run.wait(20)
+        assert run.wait(TIMEOUT)
         assert client.open(4)
 
 
@@ -249,7 +250,7 @@ def test_a_recording_replays_what_clients_did(tmp_path: Path) -> None:
         capture_output=True,
         text=True,
         check=False,
-        timeout=60,
+        timeout=TIMEOUT,
     )
 
     assert replayed.returncode == 0, replayed.stderr
@@ -291,7 +292,7 @@ def test_the_linear_mode_says_what_a_client_does_and_stop_stops_it(tmp_path: Pat
         sys.executable,
         ["-m", "donnie_tui", *arguments, "--speech", "off", "--sound", "off"],
         encoding="utf-8",
-        timeout=30,
+        timeout=TIMEOUT,
     )
     learner.expect("Programs can connect")
     with closing(Client(port)) as client:

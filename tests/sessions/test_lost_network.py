@@ -13,6 +13,7 @@ from donnie_tui.process import disconnection
 from donnie_tui.process.disconnection import attempts, ssh_connections_of
 from tests.board_on_pty import PtyBoard
 from tests.sessions.real_robot import assembled, until
+from tests.timeouts import TIMEOUT
 
 BY_SSH = {"SSH_CONNECTION": "10.77.0.2 42475 10.77.0.1 40223"}
 HEAD = "  sl  local_address rem_address   st tx_queue rx_queue tr tm->when retrnsmt   uid  timeout inode\n"
@@ -75,7 +76,7 @@ def test_a_robot_of_an_unreachable_learner_is_stopped_and_that_is_reported(
         file.write_text(table(9), encoding="ascii")
 
         assert until(lambda: not robot.board.is_driving)
-        assert run.wait(60)
+        assert run.wait(TIMEOUT)
         said = Announced("link", "The network did not answer, so I stopped the robot.")
         assert until(lambda: [each.event for each in heard].count(said) == 1)
     finally:

@@ -78,13 +78,13 @@ class ScreenDriver:
     async def type_line(self, text: str) -> None:
         """A line in the command line, and Enter."""
         self.main.command_line.focus()
-        await self.pilot.pause()
+        await self.until(lambda: self.main.focused is self.main.command_line, "the command line")
         self.main.command_line.value = text
         await self.press("enter")
 
     async def answer(self, text: str) -> None:
         """Answer the question that is asked."""
-        await self.until(lambda: self.app.screen is not self.main, "a question")
+        await self.until(lambda: getattr(self.app.focused, "id", None) == "answer", "a question")
         self.app.screen.query_one("#answer").value = text
         await self.press("enter")
 

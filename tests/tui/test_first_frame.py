@@ -16,6 +16,7 @@ from donnie_tui.settings.settings import Settings
 from donnie_tui.tui import themes
 from donnie_tui.tui.app import DonnieApp
 from donnie_tui.tui.widgets.rows import TextRows
+from tests.timeouts import TIMEOUT
 
 
 @pytest.fixture(params=[False, True], ids=["panes", "plain"])
@@ -33,7 +34,7 @@ async def begin(app: DonnieApp) -> None:
 
 
 async def until_work(app: DonnieApp, pilot: Pilot[int]) -> None:
-    for _ in range(1000):
+    for _ in range(100 * TIMEOUT):
         if app.controller is not None:
             return
         await pilot.pause(0.01)

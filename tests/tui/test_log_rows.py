@@ -8,6 +8,7 @@ from textual.app import App, ComposeResult
 from textual.widgets import Input
 
 from donnie_tui.tui.widgets.log_rows import LogRows
+from tests.timeouts import TIMEOUT
 
 HEIGHT = 6
 
@@ -56,7 +57,7 @@ class Seen:
         return self.log.seen
 
     async def until(self, condition):
-        async with asyncio.timeout(60):
+        async with asyncio.timeout(TIMEOUT):
             while not condition():
                 await self.pilot.pause(0.01)
 

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from tests.player.room import CONFIGURATION, WORLD, write_room
+from tests.timeouts import TIMEOUT
 
 
 def free_ports() -> list[int]:
@@ -32,7 +33,7 @@ def test_it_says_where_it_listens_and_a_signal_ends_it(tmp_path: Path) -> None:
         with socket.create_connection(("127.0.0.1", one), 10) as client:
             assert client.recv(32).startswith(b"Player v.")
         process.send_signal(signal.SIGTERM)
-        code = process.wait(20)
+        code = process.wait(TIMEOUT)
 
     assert line == f"Programs can connect to 127.0.0.1, port {one}, {other}.\n"
     assert code == 0
@@ -50,7 +51,11 @@ def test_a_taken_port_is_named(tmp_path: Path) -> None:
             .replace('driver ( name "stage" model "bob" provides [ "position2d:0" "ranger:0" ] )', ""),
         )
         done = subprocess.run(
-            command(str(file), "--port", str(port)), capture_output=True, text=True, check=False, timeout=60
+            command(str(file), "--port", str(port)),
+            capture_output=True,
+            text=True,
+            check=False,
+            timeout=TIMEOUT,
         )
 
     assert done.returncode == 2
@@ -72,7 +77,7 @@ def test_a_file_that_does_not_fit_is_refused(tmp_path: Path, name: str, text: st
     (tmp_path / "room.world").write_text(WORLD, encoding="utf-8")
     (tmp_path / name).write_text(text, encoding="utf-8")
     done = subprocess.run(
-        command(str(tmp_path / name)), capture_output=True, text=True, check=False, timeout=60
+        command(str(tmp_path / name)), capture_output=True, text=True, check=False, timeout=TIMEOUT
     )
 
     assert done.returncode == 2
@@ -87,7 +92,7 @@ def test_another_address_than_that_of_this_machine_is_said_to_be_open(tmp_path: 
         assert process.stdout is not None
         lines = [process.stdout.readline() for _ in range(2)]
         process.send_signal(signal.SIGINT)
-        code = process.wait(20)
+        code = process.wait(TIMEOUT)
 
     assert lines == [
         "Every program that reaches this address can drive the robots. No password protects it.\n",

@@ -17,6 +17,7 @@ from sim.vehicle import Vehicle
 from sim.world import World
 from sim.worldfile import load_text
 from tests.effort import examples
+from tests.timeouts import TIMEOUT
 from tests.unit.sim.floors import Unpaced
 
 SONARS = "\n".join(f"sonar( pose [ 0 0 0 {90 * i} ] )" for i in range(4))
@@ -90,7 +91,7 @@ def run(text: str, seed: int, commands: int) -> Trace:
     for thread in threads:
         thread.start()
     for thread in threads:
-        thread.join(60)
+        thread.join(TIMEOUT)
         assert not thread.is_alive()
     trace.append((sorted(world.moved_things().items()),))
     return trace
@@ -137,6 +138,6 @@ def test_a_robot_that_glides_is_seen_where_its_ticks_have_led() -> None:
     for thread in threads:
         thread.start()
     for thread in threads:
-        thread.join(20)
+        thread.join(TIMEOUT)
 
     assert seen == pytest.approx([2 - 0.025 * i for i in range(1, 5)], abs=0.0026)
