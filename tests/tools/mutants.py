@@ -266,8 +266,9 @@ def try_all(
 ) -> list[Verdict]:
     with tempfile.TemporaryDirectory(prefix="mutants-") as folder, ThreadPoolExecutor(jobs) as pool:
         trials: SimpleQueue[Trial] = SimpleQueue()
-        for number in range(jobs):
-            trials.put(Trial(_copy_of_the_repository(Path(folder) / str(number)), maps, tests))
+        copies = [_copy_of_the_repository(Path(folder) / str(number)) for number in range(jobs)]
+        for each in pool.map(lambda copy: Trial(copy, maps, tests), copies):
+            trials.put(each)
 
         def attempt(mutation: Mutation) -> Verdict:
             trial = trials.get()
