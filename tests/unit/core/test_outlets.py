@@ -2,11 +2,32 @@
 
 from __future__ import annotations
 
+from contextlib import ExitStack
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
 from devices.ports.audio import Cue, Utterance
-from donnie_tui.core.events import Chimed, CueSounded, SoundSwitched, Spoke
+from devices.ports.robot import Pose
+from devices.serial_ports import PortFault, PortProblem
+from donnie_tui.core.belt import OFF
+from donnie_tui.core.events import (
+    BELT_LINK,
+    Announced,
+    BeltShown,
+    Chimed,
+    CueSounded,
+    Outcome,
+    RunEnded,
+    SoundSwitched,
+    Spoke,
+    Stamped,
+)
 from donnie_tui.core.hub import Hub
 from donnie_tui.core.outlets import Cues, Voice
-from donnie_tui.i18n.words import Words
+from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.outlets.belt import ChosenBelt, connect_belt, refuse_shared_port
 
 
 class RecordingAudio:
@@ -47,3 +68,76 @@ def test_sound_off_ends_the_cues_and_none_is_played_then() -> None:
         hub.publish(Chimed("block-opened"))
 
     assert audio.heard == ["bump", "block-opened", "(hush)", "bump", "block-opened"]
+
+
+# --- news of a belt
+
+
+def belt_settings_of(robot: str, belt: str | None) -> Any:
+    return SimpleNamespace(robot=robot, belt=belt)
+
+
+def test_without_a_belt_there_is_no_news_and_nothing_to_close() -> None:
+    closing = ExitStack()
+    team: Any = None
+
+    assert connect_belt(belt_settings_of("sim", None), team, Words(), closing)() == ()
+
+
+def test_a_missing_belt_is_reported_when_the_session_is_assembled_and_later_news_at_once(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    from devices import belt
+
+    kept: list[Any] = []
+
+    def missing(port: str, news: Any, _open: object) -> None:
+        kept.append(news)
+        raise PortProblem(port, PortFault.ABSENT, "no such port")
+
+    monkeypatch.setattr(belt, "SerialBelt", missing)
+    hub, heard = Hub(lambda: 0.0), []
+    hub.subscribe(lambda stamped: heard.append(stamped.event))
+    team: Any = SimpleNamespace(chosen=SimpleNamespace(hub=hub))
+    take = connect_belt(belt_settings_of("sim", "/dev/belt"), team, Words(), ExitStack())
+    (news,) = kept
+    news.publish("one more")
+
+    assert heard == []
+    assert take() == ("No belt at /dev/belt: no such port. I go on without it.", "one more")
+    assert take() == ()
+    news.publish("later")
+    assert heard == [Announced(BELT_LINK, "later")]
+
+
+def test_robot_and_belt_have_ports_of_their_own() -> None:
+    for robot in ("sim", "serial", "serial:/dev/other", "double:/dev/ttyUSB7"):
+        refuse_shared_port(belt_settings_of(robot, "/dev/ttyUSB7"), Words())
+    refuse_shared_port(belt_settings_of("serial:/dev/ttyUSB7", None), Words())
+
+    with pytest.raises(Unusable, match="/dev/ttyUSB7"):
+        refuse_shared_port(belt_settings_of("serial:/dev/ttyUSB7", "/dev/ttyUSB7"), Words())
+
+
+def test_only_the_chosen_robots_levels_are_shown_until_its_run_ends() -> None:
+    strong, weak, shown = (3,) * 14, (1,) * 14, []
+    chosen = ["alice"]
+    listener = ChosenBelt(lambda: chosen[0], shown.append)
+    ended = RunEnded(Outcome.COMPLETED, Pose(0, 0, 0), {}, 1.0)
+
+    def happens(event: Any, robot: str) -> None:
+        listener(Stamped(1, 0.0, event, robot))
+
+    happens(BeltShown(weak), "bob")
+    assert shown == []
+    happens(BeltShown(strong), "alice")
+    happens(BeltShown(strong), "alice")
+    assert shown == [strong]
+    chosen[0] = "bob"
+    happens(Spoke("x"), "bob")
+    assert shown == [strong, weak]
+    happens(ended, "bob")
+    assert shown == [strong, weak, OFF]
+    chosen[0] = "alice"
+    happens(Spoke("x"), "alice")
+    assert shown[-1] == strong
