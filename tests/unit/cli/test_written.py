@@ -5,10 +5,12 @@ from __future__ import annotations
 import wave
 from array import array
 from contextlib import ExitStack
+from io import StringIO
 from pathlib import Path
 
 import pytest
 
+from donnie_tui.cli.streams import Guarded, Output, is_terminal
 from donnie_tui.core import answer_log
 from donnie_tui.core.events import Spoke
 from donnie_tui.core.hub import Hub
@@ -87,3 +89,74 @@ def test_a_second_run_sounds_after_the_first_and_sound_off_writes_nothing(
 
     heard = {int(each) for each in loud_seconds(path)}
     assert heard == {1, 5, 11, 15}  # a step and an end; nothing; a step and an end
+
+
+# --- the output of a command
+
+
+class Failing(StringIO):
+    """A stream whose every write fails so."""
+
+    def __init__(self, problem: Exception) -> None:
+        super().__init__()
+        self._problem = problem
+
+    def write(self, text: str) -> int:
+        raise self._problem
+
+    def flush(self) -> None:
+        raise self._problem
+
+
+@pytest.mark.parametrize(
+    ("problem", "reason"),
+    [
+        (BrokenPipeError(32, "Broken pipe"), None),  # the reader just went away
+        (OSError(28, "No space left on device"), "No space left on device"),
+        (ValueError("closed"), "closed"),
+    ],
+)
+def test_what_cannot_be_printed_ends_the_output_once(problem: Exception, reason: str | None) -> None:
+    broken: list[bool] = []
+    output = Output(Failing(problem), StringIO())
+    output.on_broken = lambda: broken.append(True)
+    guarded = Guarded(output)
+    assert not guarded.closed
+    output.line("one")
+    output.text("two")
+
+    assert (output.is_broken, output.problem, broken) == (True, reason, [True])
+    assert guarded.closed
+    assert guarded.write("three") == 5
+
+
+def test_lines_and_complaints_are_printed_without_what_a_terminal_obeys() -> None:
+    out, err = StringIO(), StringIO()
+    output = Output(out, err)
+    output.line("olá \x1b[2J")
+    output.text("as it is\n")
+    output.complaint("no \x07 file")
+    output.finish()
+
+    assert out.getvalue().startswith("olá ")
+    assert "\x1b" not in out.getvalue()
+    assert out.getvalue().endswith("\nas it is\n")
+    assert err.getvalue().startswith("no ")
+    assert err.getvalue().endswith(" file\n")
+    assert "\x07" not in err.getvalue()
+
+
+def test_a_complaint_that_cannot_be_printed_ends_nothing() -> None:
+    output = Output(StringIO(), Failing(OSError(28, "full")))
+    output.complaint("no file")
+    output.finish()
+
+    assert not output.is_broken
+
+
+@pytest.mark.parametrize(("stream", "is_one"), [(None, False), (StringIO(), False)])
+def test_no_stream_and_no_terminal_are_no_terminal(stream: object, is_one: bool) -> None:
+    assert is_terminal(stream) is is_one
+    closed = StringIO()
+    closed.close()
+    assert not is_terminal(closed)

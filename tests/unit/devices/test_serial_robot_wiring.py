@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import radians
+from math import pi, radians
 
 import pytest
 from msgspec.structs import replace
@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from devices.board_simulator.board import SimulatedBoard
 from devices.board_simulator.floor import AxlePose
 from devices.ports.robot import STEP, LinkNotice, Met, StoppedBy
-from devices.serial_robot.config import RobotConfig
+from devices.serial_robot.config import RobotConfig, axle_length, wheel_radius
 from devices.serial_robot.senses import head_angle
 from devices.wire.frames import MotorDrive, Wiring, drive_frame, head_frame
 from tests.unit.devices.robots import NEAR, Real, Sonars, wall_ahead
@@ -284,3 +284,15 @@ def test_the_newer_firmware_gets_its_pings_answered_and_walks_on() -> None:
 
     assert real.robot.forward(6).stopped_by is None
     assert real.robot.time() < 15
+
+
+def test_a_calibration_turns_what_was_measured_into_wheels_and_an_axle() -> None:
+    """Wheels of 5 cm radius roll 31.4 cm in a turn of 1920 counts; the axle is 20 cm long."""
+    assert wheel_radius(1920, 1920, 2 * pi * 0.05) == pytest.approx(0.05)
+    assert wheel_radius(960, 1920, 2 * pi * 0.05) == pytest.approx(0.1)
+    assert wheel_radius(1920, 960, 2 * pi * 0.05) == pytest.approx(0.025)
+
+    a_whole_turn = 1920 * (pi * 0.2) / (2 * pi * 0.05)
+    assert axle_length(a_whole_turn, 1920, 0.05, 360) == pytest.approx(0.2)
+    assert axle_length(a_whole_turn / 4, 1920, 0.05, 90) == pytest.approx(0.2)
+    assert axle_length(a_whole_turn, 1920, 0.1, 360) == pytest.approx(0.4)
