@@ -268,7 +268,7 @@ def test_a_mark_beyond_where_it_can_be_read_is_0(tmp_path: Path) -> None:
 
 
 def test_a_mark_is_where_the_middle_of_its_thing_is_and_looks_where_that_looks(stations: Stations) -> None:
-    """From Alice, who looks along x at -2 0."""
+    """Seen from -2 0, along x."""
     client = Client(stations, (10, 0))
     client.ask(31, 0, 2, "redbox", 0.0, 1.0, 0.5)
 
