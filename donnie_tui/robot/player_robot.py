@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from math import ceil, cos, degrees, inf, radians, sin
+from math import ceil, cos, degrees, hypot, inf, radians, sin
 from time import monotonic
 from typing import TypeAlias
 
@@ -21,28 +21,28 @@ from sim.sensors import Device, Mounted
 Advance: TypeAlias = Callable[[WheelState], StoppedBy | bool]
 """Takes a datum; True once it is over, or why it can't go on."""
 
-FASTEST = STEP
-"""Metres a second: a step a second, as the original."""
-GAIN, SLOWEST = 4.0, 0.006
-"""The speed near the end, a second, of what is left; and the least of it, in metres a second."""
+FASTEST, GAIN, SLOWEST = STEP, 4.0, 0.006
+"""Metres a second: a step a second, as the original; the speed near the end, a second, of what is left; and
+the least of it."""
 NEAR_WAY, NEAR_TURN, NEAR_HEAD = 0.001, 0.5, 0.7
 """Metres and degrees: a robot that is so near to its goal has reached it."""
 LARGEST_TURN = 170.0
 """Degrees of a turn to a pose: what is more could go either way round."""
 NEXT_STEP, WATCHED = 1.8, 0.75
 """Steps that must be free to begin one, and beyond the one that is walked."""
-STUCK = 3.0
-"""Seconds without progress after which a movement ends."""
-GAP = 1.0
-"""Seconds between two data from which on the program was held meanwhile, and the robot stood."""
+STUCK, GAP = 3.0, 1.0
+"""Seconds without progress after which a movement ends, and between two data from which on the program was
+held meanwhile, and the robot stood."""
 VIEW, REACH = 60.0, 5.0
 """Degrees and metres: no request asks for a blobfinder's view; this is that of the original's."""
 NARROWEST, WIDEST = 20.0, 150.0
 """Degrees of a camera's view."""
 CLOSED, BEAMS = 2, 0b1100
 """The state of a gripper, and the beams between its paddles."""
-LONGEST_GRIP = 5.0
-"""Seconds of the robot's that the paddles may move."""
+LONGEST_GRIP, LONGEST_LOOK = 5.0, 6.0
+"""Seconds of the robot's that the paddles and the head may move."""
+ON_BOARD = 0.5
+"""Metres from a robot within which its head is; what is farther away is another robot."""
 
 
 class PlayerRobot(LinkedRobot[ServerLink]):
@@ -272,7 +272,9 @@ class PlayerRobot(LinkedRobot[ServerLink]):
     def scan(self) -> tuple[Sighting, ...]:
         """Turns the head, if it has one. RobotProblem ``no-eyes`` without a camera or a sonar on the head."""
         self._require_link()
-        has_head, has_camera = RobotPart.HEAD in self._link.shapes, RobotPart.CAMERA in self._link.shapes
+        base, head = self._link.wheels(), self._link.values(RobotPart.HEAD) or (inf, inf)
+        has_head = hypot(head[0] - base.x, head[1] - base.y) < ON_BOARD
+        has_camera = RobotPart.CAMERA in self._link.shapes
         if not has_camera and not (has_head and RobotPart.HEAD_SONAR in self._link.shapes):
             raise RobotProblem("no-eyes")
         pictures = ceil(180.0 / self.view)
@@ -367,5 +369,3 @@ ORIGINAL_SONARS = [-45.0, 0.0, 45.0, 135.0, 180.0, -135.0]
 """Where the sonars of a server look that doesn't say it."""
 WIDE, NARROW = 22.5, 7.5
 """Degrees from a bearing: of one of several sensors, and of a sample of one."""
-LONGEST_LOOK = 6.0
-"""Seconds of the robot's that the head may take."""

@@ -128,6 +128,28 @@ def test_the_last_client_that_leaves_stops_its_robot(stations: Stations) -> None
     assert standing[0] == pytest.approx(driving[0])
 
 
+@pytest.mark.parametrize("index", [0, 1], ids=["wheels", "head"])
+def test_a_velocity_takes_the_place_of_a_goal(stations: Stations, index: int) -> None:
+    client = Client(stations, WHEELS, (4, index))
+    client.command(4, index, 2, -3.0, 0.0, -3.0, 0.0, 0.0, 0.0, 1)
+    client.round()
+    client.command(4, index, 1, 0.0, 0.0, 0.2, 1)
+
+    assert rounds(client, 3)[4, index, 1][5] == pytest.approx(0.2)
+
+
+def test_a_goal_is_forgotten_when_the_last_client_leaves(stations: Stations) -> None:
+    client = Client(stations, WHEELS)
+    client.command(*WHEELS, 2, -2.5, 0.5, -1.0, 0.0, 0.0, 0.0, 1)
+    turning = client.round()[4, 0, 1]
+    client.vanish()
+    standing = rounds(Client(stations, WHEELS), 3)[4, 0, 1]
+
+    assert turning[5] != 0.0
+    assert standing[5] == 0.0
+    assert standing[:3] == pytest.approx(turning[:3])
+
+
 def test_a_command_to_a_robot_that_no_client_has_opened_has_no_effect(stations: Stations) -> None:
     client = Client(stations)
     client.command(*WHEELS, 1, 0.2, 0.0, 0.0, 1)

@@ -385,6 +385,17 @@ def test_an_index_names_one_of_several_robots_on_a_port(tmp_path: Path) -> None:
     assert ("alice", "opened") not in driven.room.notes.taken
 
 
+def test_another_robot_on_the_port_is_no_head(tmp_path: Path) -> None:
+    """Bob has the index that a head would have, two metres aside."""
+    with closing(Driven(tmp_path, TWO, BOTH)) as driven:
+        driven.robot.connect()
+        [seen] = driven.robot.scan()
+        bob = driven.room.stations._loop.drives["bob"].state()
+
+    assert (seen.colour, round(seen.steps)) == ("red", 20)
+    assert (bob.truth.yaw, bob.velocity.turn) == (0.0, 0.0)
+
+
 def test_a_robot_of_an_index_that_is_not_there_is_named(tmp_path: Path) -> None:
     with closing(Driven(tmp_path, TWO, BOTH, "/7")) as driven, pytest.raises(RobotProblem) as problem:
         driven.robot.connect()
