@@ -49,6 +49,7 @@ from language.diagnostics import MOST_MISTAKES, Diagnostic, Severity
 from language.formatter import formatted
 from language.locales import ENGLISH
 from language.parser import parse
+from language.source import printable
 from language.syntax import walk
 from worlds import challenges
 
@@ -314,7 +315,7 @@ def _write_table(order: Order, pupils: Sequence[_Pupil], records: Sequence[_Reco
         make_folder(Path(folder))
         used = Counter[str]()
         for pupil, each in zip(pupils, records, strict=True):
-            stem = Path(pupil.label.replace("/", "-")).stem
+            stem = Path(printable(pupil.label).replace("/", "-")).stem
             used[stem] += 1
             file = f"{stem}-{used[stem]}.txt" if used[stem] > 1 else f"{stem}.txt"
             _write(Path(folder, file), f"{each['verdict']}\n", order.words)

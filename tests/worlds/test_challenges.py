@@ -852,12 +852,18 @@ def test_a_file_name_is_no_formula_of_the_table(tmp_path: Path, monkeypatch: pyt
         Path(name).write_text("FW 5")
     Path(names[1]).write_bytes(b"\xff\xfe\x00")
 
-    assert main(["challenge", "check", "1", *names, "--csv", "t.csv", "--lang", "en"]) == 2
+    made = ["--csv", "t.csv", "--feedback", "texts"]
+    assert main(["challenge", "check", "1", *names, *made, "--lang", "en"]) == 2
 
     with Path("t.csv").open(encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
     assert [each["file"] for each in rows] == ["'=HYPERLINK(1).gd", "'@b.gd", "a [2J.gd"]
     assert [each["verdict"] for each in rows[:2]] == ["Solved, in 1 command.", "'@b.gd is not a text."]
+    assert sorted(each.name for each in Path("texts").iterdir()) == [
+        "=HYPERLINK(1).txt",
+        "@b.txt",
+        "a [2J.txt",
+    ]
 
 
 @pytest.mark.parametrize(("name", "degrees"), [("north", 0), ("east", 90), ("south", 180), ("west", 270)])
