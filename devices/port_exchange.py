@@ -350,6 +350,8 @@ RETURNS = 60.0
 """Seconds within which an unplugged robot is waited for."""
 TRIES = 0.5
 """Seconds between two attempts to open its port."""
+FREED, FREED_TRIES = 2.0, 0.05
+"""Seconds within which the system closes the port of a program that was killed, and between two attempts."""
 
 
 _MAY_COME = (PortFault.ABSENT, PortFault.FORBIDDEN)
@@ -365,15 +367,22 @@ def halt_when_back(
 ) -> HaltOutcome:
     """What ``stop`` says once the port is there, within a minute. Raises its last ``PortProblem``.
 
-    ``on_absent`` is called once, if the port is not there at first.
+    ``on_absent`` is called once, if the port is not there at first. A port that is busy for two seconds has
+    another program.
     """
-    ends, is_reported = now() + RETURNS, False
+    began, is_reported = now(), False
     while True:
         try:
             return stop()
         except PortProblem as problem:
-            if problem.fault not in _MAY_COME or now() >= ends:
+            is_busy = problem.fault is PortFault.BUSY
+            if not (is_busy or problem.fault in _MAY_COME) or now() >= began + (
+                FREED if is_busy else RETURNS
+            ):
                 raise
+        if is_busy:
+            pause(FREED_TRIES)
+            continue
         if not is_reported:
             is_reported = True
             on_absent()

@@ -256,7 +256,16 @@ def test_a_port_that_another_program_has_is_left_to_it() -> None:
 
     with pytest.raises(PortProblem):
         busy.halt_when_back()
-    assert busy.time == 0.0
+    assert busy.time == pytest.approx(2, abs=0.1)
+    assert busy.reports == 0
+
+
+def test_a_port_that_the_system_has_not_closed_yet_for_a_killed_program_is_waited_for() -> None:
+    """It closes the files of a process one after the other, and the guard's line may be before the port."""
+    board = driving()
+
+    assert Replugged(BoardPort(board), 0.3, PortFault.BUSY).halt_when_back() is HaltOutcome.STANDS
+    assert not board.is_driving
 
 
 def test_a_board_that_falls_silent_is_not_reported_to_stand() -> None:
