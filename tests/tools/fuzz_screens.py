@@ -112,10 +112,7 @@ class Screen:
             os.write(self._terminal, data[at : at + _PIECE])
             at += _PIECE
             self._read_until(self._has_taken_all, TIMEOUT)
-        began = time.monotonic()
-        while self._process.poll() is None and time.monotonic() < began + _BUSY_FOR:
-            if not self._read(_QUIET_FOR):
-                break
+        self.read_until_quiet()
 
     def wait_until_loaded(self) -> None:
         self._read_until(lambda: _IS_LOADED in self.shown, TIMEOUT)
@@ -124,6 +121,12 @@ class Screen:
         """Returns once the screen has read them."""
         os.write(self._terminal, keys.encode())
         self._read_until(self._has_taken_all, TIMEOUT)
+
+    def read_until_quiet(self) -> None:
+        began = time.monotonic()
+        while self._process.poll() is None and time.monotonic() < began + _BUSY_FOR:
+            if not self._read(_QUIET_FOR):
+                break
 
     def kill(self) -> None:
         self._process.kill()

@@ -38,6 +38,8 @@ AT_MOST = 2.0
 """Seconds of typing that may be lost."""
 PROGRAM, RECORDING = "work.gd", "a.rec"
 SPEED = "20"
+LONGEST_TYPED = 80
+"""Characters of a line; a longer one is pasted into the full screen, as no learner types it in an instant."""
 PAUSES = (0.0, 0.0, 0.01, 0.1, 0.5)
 """Seconds at most from the last key to the end."""
 
@@ -168,14 +170,17 @@ def _end_screen(case: Case, folder: Path, at_most: float) -> float:
 
 
 def _type_on_screen(case: Case, screen: Screen, folder: Path) -> Typed:
-    """The screen answers each key some time after it was read."""
+    """A line counts from the moment when the screen has painted it: it reads keys long before."""
     typed, runs = Typed(), 0
     *whole, last = case.steps
     for number, step in enumerate(whole, 1):
         _note(typed, step)
+        if step in ("RUN", "SAVE work"):
+            _wait_for_painting(screen, typed)
         for keys in _keys_of(step, is_first_save=len(typed.saved) == 1):
             screen.press(keys)
-        typed.seen += [time.monotonic()] * (len(typed.lines) - len(typed.seen))
+        if not case.is_burst or number == case.settles_after:
+            _wait_for_painting(screen, typed)
         if step == "RUN":
             runs += 1
             screen.read_while(lambda: _runs_in(folder / RECORDING) < runs)  # noqa: B023 -- is over in this turn
@@ -194,6 +199,11 @@ def _type_on_screen(case: Case, screen: Screen, folder: Path) -> Typed:
     return typed
 
 
+def _wait_for_painting(screen: Screen, typed: Typed) -> None:
+    screen.read_until_quiet()
+    typed.seen += [time.monotonic()] * (len(typed.lines) - len(typed.seen))
+
+
 _F5, _CTRL_S = "\x1b[15~", "\x13"
 
 
@@ -202,7 +212,7 @@ def _keys_of(step: str, *, is_first_save: bool) -> tuple[str, ...]:
         return (_F5,)
     if step == "SAVE work":
         return (_CTRL_S, "work\r") if is_first_save else (_CTRL_S,)
-    return (f"{step}\r",)
+    return (f"\x1b[200~{step}\x1b[201~", "\r") if len(step) > LONGEST_TYPED else (f"{step}\r",)
 
 
 def _runs_in(recording: Path) -> int:
