@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import ast
 import re
 from collections.abc import Iterator
 
 import pytest
 
-from tests.architecture.house import PACKAGES, tracked
+from tests.architecture.house import PACKAGES, tracked, tree_of
 from tests.conftest import ROOT
 
 DOCUMENTS = [each for each in tracked("README.md", "CONTRIBUTING.md", "docs") if each.endswith(".md")]
@@ -51,6 +52,30 @@ def test_every_path_that_a_document_names_exists(document: str) -> None:
     missing = {each for each in named_paths(document) if not exists(each)}
 
     assert not missing
+
+
+PLACED = re.compile(r"`([A-Za-z_.]+)` in\s+`([\w/]+\.py)`")
+"""As in ``_ORDER`` in ``worlds/__init__.py``."""
+
+
+def defined_in(path: str) -> set[str]:
+    """The names of a module's functions, classes, methods and constants, imported ones aside."""
+    names = set[str]()
+    for node in ast.walk(tree_of(path)):
+        match node:
+            case ast.FunctionDef(name=name) | ast.AsyncFunctionDef(name=name) | ast.ClassDef(name=name):
+                names.add(name)
+            case ast.Name(id=name, ctx=ast.Store()):
+                names.add(name)
+    return names
+
+
+@pytest.mark.parametrize(
+    ("name", "path"),
+    sorted({each for document in DOCUMENTS for each in PLACED.findall((ROOT / document).read_text("utf-8"))}),
+)
+def test_a_name_is_defined_where_a_document_says_that_it_is(name: str, path: str) -> None:
+    assert name.rpartition(".")[2] in defined_in(path)
 
 
 def rooms() -> Iterator[tuple[str, str]]:
