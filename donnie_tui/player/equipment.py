@@ -208,10 +208,8 @@ class HeadDevice(PositionDevice):
         return Spot(base.x, base.y, base.yaw).mounted(mount.x, mount.y, mount.yaw + self._turned)
 
 
-NEAR = 0.02
-"""Metres: so near a goal a robot only turns to its heading."""
-FASTEST, FASTEST_TURN = 0.4, degrees(1.0)
-"""Metres and degrees a second on the way to a goal."""
+NEAR, FASTEST, FASTEST_TURN = 0.02, 0.4, degrees(1.0)
+"""Metres: so near a goal a robot only turns to its heading; metres and degrees a second on the way to it."""
 
 
 def towards(goal: MetricPose, here: MetricPose) -> Velocity:
@@ -370,8 +368,8 @@ class Paddles(MountedDevice):
         yield 1, (MOVING if self._ticks_left else self._wanted, outer << 2 | inner << 3, 0)
 
 
-LONGEST_TEXT = 1000
-"""Characters of a text that is said."""
+LONGEST_TEXT, LONGEST_FRAME = 1000, 36
+"""Characters of a text that is said, and of a frame of the belt."""
 
 
 class SpeechDevice(Equipment):
@@ -389,9 +387,6 @@ class BeltFrames(Equipment):
     def command(self, subtype: int, values: Values) -> None:
         for motor, letter in enumerate(values[0][:LONGEST_FRAME] if subtype == 1 else ""):
             self._reporter.vibrated(self._robot, motor, letter)
-
-
-LONGEST_FRAME = 36
 
 
 class DigitalOutputs(Equipment):

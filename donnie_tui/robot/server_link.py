@@ -61,15 +61,17 @@ class RobotPart(Enum):
     SECOND_BELT = (Interface.DIO, 1)
 
 
-CONNECTING, ANSWERING = 2.0, 5.0
-"""Seconds that the server may take to accept a connection, and to answer a request."""
+SILENT = frozenset({RobotPart.MARKS, RobotPart.SPEECH, RobotPart.BELT, RobotPart.SECOND_BELT})
+"""Those whose data are not read."""
+
+CONNECTING, ANSWERING, SETTLING = 2.0, 5.0, 1.0
+"""Seconds that the server may take to accept a connection, to answer a request, and to send a first datum of
+what was opened."""
 SILENCE, LOST = 2.0, 5.0
 """Seconds without data after which the server is asked for a sign of life, and after which it is lost."""
-AGAIN = 1.0
-"""Seconds between two tries to connect again."""
-POLL = 0.1
-LEASE = 0.5
-"""Seconds for which one command drives the robot. A paused program sends no further one."""
+AGAIN, POLL, LEASE = 1.0, 0.1, 0.5
+"""Seconds between two tries to connect again, of one wait for data, and for which one command drives the
+robot. A paused program sends no further one."""
 
 SERVER = (Interface.PLAYER, 0)
 LONGEST_STANDING = 2.2
@@ -220,6 +222,9 @@ class ServerLink:
         limit = monotonic() + ANSWERING * self._factor
         while not self.values(RobotPart.WHEELS):
             self._pump(limit)
+        settled = monotonic() + SETTLING * self._factor
+        while monotonic() < settled and not all(map(self.values, self.shapes.keys() - SILENT)):
+            self._pump()
         self.is_there = True
 
     def _key(self, part: RobotPart) -> Key:

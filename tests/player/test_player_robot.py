@@ -410,14 +410,16 @@ def test_a_robot_of_an_index_that_is_not_there_is_named(tmp_path: Path) -> None:
 class PlayedServer:
     """Answers as a recorded server did: each request by its subtype, and each opened device with its data.
 
-    ``refuses``: devices that it does not let open. ``is_silent``: it answers no request.
+    ``is_silent``: it answers no request. ``delay``: seconds before the data of all but the wheels.
     """
 
-    def __init__(self, messages: list[PlayerMessage], *, is_silent: bool = False, says: bytes = b"") -> None:
+    def __init__(
+        self, messages: list[PlayerMessage], *, is_silent: bool = False, says: bytes = b"", delay: float = 0.0
+    ) -> None:
         self._listener = socket.create_server((HOST, 0))
         self.port = self._listener.getsockname()[1]
         self._messages, self._is_silent = messages, is_silent
-        self._says = says or banner("3.1.1-dev")
+        self._says, self._delay = says or banner("3.1.1-dev"), delay
         self.got: list[PlayerMessage] = []
         self._thread = threading.Thread(target=self._serve, daemon=True)
         self._thread.start()
@@ -452,7 +454,11 @@ class PlayedServer:
             data = [
                 e for e in self._messages if e.type == MessageType.DATA and (e.interface, e.index) == device
             ]
-            connected.sendall(b"".join(each.encoded() for each in data[:3]))
+            encoded = b"".join(each.encoded() for each in data[:3])
+            if self._delay and device != (4, 0):
+                threading.Timer(self._delay, connected.sendall, [encoded]).start()
+            else:
+                connected.sendall(encoded)
 
     def close(self) -> None:
         self._listener.close()
@@ -511,6 +517,26 @@ def test_a_view_is_the_one_that_is_set_or_that_of_the_marks_or_of_the_original()
     assert view(1.5707963, None) == pytest.approx(90.0)
     assert view(6.2831853, None) == 60.0
     assert view(1.5707963, 45.0) == 45.0
+
+
+def test_a_robot_is_connected_when_what_it_senses_has_come(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "SETTLING", 60.0)
+    keys = [(4, 0), (62, 0)]
+    listed = body_of(1, MessageType.ACK, 1, [(0, 6665, *key) for key in keys])
+    opened = [
+        PlayerMessage(1, 0, MessageType.ACK, 3, body_of(1, MessageType.ACK, 3, 0, 6665, *key, 1, "x"))
+        for key in keys
+    ]
+    data = [
+        PlayerMessage(4, 0, MessageType.DATA, 1, body_of(4, 1, 1, *(0.0,) * 6, 0)),
+        PlayerMessage(62, 0, MessageType.DATA, 1, body_of(62, 1, 1, [0.52] * 6)),
+    ]
+    messages = [PlayerMessage(1, 0, MessageType.ACK, 1, listed), *opened, *data]
+    with closing(PlayedServer(messages, delay=0.3)) as server:
+        robot = PlayerRobot(ServerLink(f"player://{HOST}:{server.port}"), pace=Pace())
+        with closing(robot):
+            robot.connect()
+            assert robot.distance(Bearing.FRONT) == 10
 
 
 LYING = struct.pack(">IIIIIIdII", 0, 0, 1, 0, 4, 1, 0.0, 0, 2**31)

@@ -247,6 +247,23 @@ def test_of_many_commands_in_a_step_the_last_one_counts_and_a_goal_is_reached_fi
     assert client.round()[4, 0, 1][:2] == pytest.approx((-2, 0), abs=1e-6)
 
 
+def test_intensities_follow_their_ranges(stations: Stations) -> None:
+    client = Client(stations, (62, 0), (62, 1))
+    client.send(1, 0, REQUEST, 4)
+    stations.step()
+
+    data = [(each.index, each.subtype) for each in client.take() if each.type == DATA]
+    assert data == [(0, 1), (0, 3), (1, 1), (1, 3)]
+
+
+def test_a_range_of_no_readings_is_not_sent(stations: Stations, monkeypatch: pytest.MonkeyPatch) -> None:
+    empty = RangerReading("", ((),) * 4, ((),) * 4)
+    monkeypatch.setattr(stations._loop.drives["alice"], "rangers", lambda _: (empty,))
+    client = Client(stations, WHEELS, (62, 0))
+
+    assert set(client.round()) == {(4, 0, 1)}
+
+
 def test_a_ranger_without_sensors_is_none(tmp_path: Path) -> None:
     """A range of no readings ends libplayerc."""
     world = WORLD.replace('name "bob" pose [ -2 -2 0 0 ]', 'name "bob" pose [ -2 -2 0 0 ] ranger ( )')
