@@ -299,7 +299,11 @@ class PageServer:
         page = web.WebSocketResponse(
             heartbeat=limits.heartbeat, max_msg_size=limits.frame, compress=False, timeout=limits.stalled
         )
-        if not page.can_prepare(request):
+        try:
+            is_socket = page.can_prepare(request)
+        except ValueError:  # a header has what ASCII has not
+            is_socket = False
+        if not is_socket:
             return web.Response(status=web.HTTPBadRequest.status_code)
         await page.prepare(request)
         if not await self._has_room():

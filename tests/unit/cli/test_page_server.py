@@ -267,6 +267,34 @@ async def test_what_can_not_be_read_gets_one_line_and_no_traceback(serving: Any)
         assert len(served.log) <= 1
 
 
+@pytest.mark.parametrize(
+    ("name", "value"), [("Sec-WebSocket-Key", b"MDEyMzQ1Njc4\xffOWFiY2RlZg=="), ("Upgrade", b"websocket\xff")]
+)
+async def test_a_socket_whose_header_is_not_ascii_is_refused_without_a_fault(
+    serving: Any, name: str, value: bytes
+) -> None:
+    async with serving(address="127.0.0.1") as served:
+        headers = {
+            "Host": served.origin.removeprefix("http://"),
+            "Origin": served.origin,
+            **served.cookie,
+            "Connection": "Upgrade",
+            "Upgrade": "websocket",
+            "Sec-WebSocket-Version": "13",
+            "Sec-WebSocket-Key": "MDEyMzQ1Njc4OWFiY2RlZg==",
+        }
+        lines = [
+            f"{key}: ".encode() + (value if key == name else text.encode()) for key, text in headers.items()
+        ]
+        reader, writer = await asyncio.open_connection("127.0.0.1", served.port)
+        writer.write(b"\r\n".join([b"GET /ws HTTP/1.1", *lines, b"", b""]))
+        answer = await asyncio.wait_for(reader.readline(), TIMEOUT)
+        writer.close()
+
+        assert b" 400 " in answer
+        assert served.log == []
+
+
 @pytest.mark.parametrize("address", ["0.0.0.0", "127.0.0.1", "localhost"])
 async def test_it_knows_whether_other_computers_reach_it(serving: Any, address: str) -> None:
     async with serving(address=address) as served:
