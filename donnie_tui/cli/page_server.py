@@ -300,7 +300,7 @@ class PageServer:
             heartbeat=limits.heartbeat, max_msg_size=limits.frame, compress=False, timeout=limits.stalled
         )
         try:
-            is_socket = page.can_prepare(request)
+            is_socket = bool(page.can_prepare(request))
         except ValueError:  # a header has what ASCII has not
             is_socket = False
         if not is_socket:
