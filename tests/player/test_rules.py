@@ -12,6 +12,7 @@ import pytest
 from devices.player.codec import FORMS, LOCAL_HOST, MessageType, PlayerMessage, body_of, encode, values_of
 from devices.player.connection import MOST_RULES, MOST_WAITING, ClientConnection
 from devices.ports.drive import RangerReading
+from donnie_tui.player.equipment import LONGEST_TEXT
 from donnie_tui.player.server import ServerProblem, Stations
 from tests.player.room import CONFIGURATION, WORLD, Notes, stations_of, write_room
 from tests.player.test_devices import ACK, COMMAND, DATA, NACK, REQUEST, WHEELS, Client, rounds
@@ -387,6 +388,27 @@ def test_services_are_known_by_their_names_and_the_rest_is_read_over(tmp_path: P
     assert data[20, 1, 1] == (11, ord("A"))
     assert data[2, 0, 1] == (8, 0.0, 100.0, 0.0, 0.0, 0)
     assert client.ask(1, 0, 2, 0, 0, 66, 0, "")[4] == "soxplayer"
+
+
+@pytest.mark.parametrize("device", ["speech:5", "dio:5", "ranger:5", "position2d:5", "simulation:5"])
+def test_what_a_driver_provides_that_is_not_known_is_left_out(tmp_path: Path, device: str) -> None:
+    text = CONFIGURATION + f'driver ( name "festival" model "alice" provides [ "7665:{device}" ] )'
+    stations = stations_of(write_room(tmp_path, text))
+
+    assert stations.left_out == [device]
+
+
+def test_services_take_what_they_know_and_no_more(tmp_path: Path) -> None:
+    """Each letter is a strength of its own, a sound that Donnie hasn't is none, and a text has an end."""
+    notes = Notes()
+    stations = stations_of(write_room(tmp_path, CONFIGURATION + SERVICES), notes)
+    client = Client(stations, (66, 0), (12, 0), (20, 1))
+    client.command(20, 1, 1, 8, ord("B"))
+    client.command(66, 0, 1, b"/etc/passwd".ljust(64, b"\0"))
+    client.command(66, 0, 1, b"sounds\\Bump.wav".ljust(64, b"\0"))
+    client.command(12, 0, 1, "a" * (2 * LONGEST_TEXT))
+
+    assert notes.taken == [("alice", (8, "B")), ("alice", "bump"), ("alice", "a" * LONGEST_TEXT)]
 
 
 @pytest.mark.parametrize("device", ["sonar:0", "aio:0", "camera:0", "laser:0", "power:0", "graphics2d:0"])
