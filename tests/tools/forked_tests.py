@@ -154,6 +154,7 @@ class ForkedTests:
             [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-p", "no:xdist",
              "-p", "tests.tools.forked_tests", *self.options],
             cwd=self.folder, env=environment, pass_fds=(theirs, their_answers), stdin=subprocess.DEVNULL,
+            start_new_session=True,
             stdout=(self.folder / ".printed").open("wb"), stderr=subprocess.STDOUT,
         )  # fmt: skip
         os.close(theirs)

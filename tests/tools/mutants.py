@@ -32,7 +32,7 @@ import time
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from itertools import count, islice
 from pathlib import Path
@@ -281,7 +281,13 @@ def try_all(
             return verdict
 
         verdicts = list(pool.map(attempt, sample))
-        for _ in range(jobs):
+        trial = trials.get()
+        for at, each in enumerate(verdicts):
+            if not (each.by or tests or trial.has_its_types(each.mutation)):
+                print("killed  ", each.mutation, TYPES, flush=True)
+                verdicts[at] = replace(each, by=TYPES)
+        trial.close()
+        for _ in range(jobs - 1):
             trials.get().close()
         return verdicts
 
@@ -304,7 +310,7 @@ class Trial:
     """Makes mutations, one after the other, in a copy of the repository."""
 
     def __init__(self, copy: Path, maps: Sequence[Map], tests: Sequence[str]) -> None:
-        self._copy, self._maps, self._asks_mypy = copy, maps, not tests
+        self._copy, self._maps = copy, maps
         self._warm = ForkedTests(copy, (*_LEFT_OUT, *tests))
         self._seconds = defaultdict(lambda: 1.0)
         for each in maps:
@@ -321,8 +327,6 @@ class Trial:
         self._write(mutation.path, mutation.applied(source))
         try:
             by = self._noticed(mutation, names, is_imported)
-            if not by and self._asks_mypy and not self._has_its_types():
-                by = TYPES
         finally:
             self._write(mutation.path, source)
         return Verdict(mutation, by, len(names))
@@ -438,9 +442,15 @@ class Trial:
         failed = re.search(r"^(?:FAILED|ERROR) (.+?)(?: - |$)", printed, re.MULTILINE)
         return failed[1] if failed else NO_TESTS
 
-    def _has_its_types(self) -> bool:
+    def has_its_types(self, mutation: Mutation) -> bool:
+        """Whether mypy finds nothing wrong, as without the mutation."""
+        source = _source(mutation.path)
+        self._write(mutation.path, mutation.applied(source))
         mypy = [sys.executable, "-m", "mypy", "--cache-dir", ".mypy_cache"]
-        return subprocess.run(mypy, cwd=self._copy, capture_output=True, check=False).returncode == 0
+        try:
+            return subprocess.run(mypy, cwd=self._copy, capture_output=True, check=False).returncode != 1
+        finally:
+            self._write(mutation.path, source)
 
 
 def _is_in_a_function(mutation: Mutation) -> bool:

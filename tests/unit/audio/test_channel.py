@@ -16,6 +16,7 @@ from devices.audio.channel import (
     choose_channel,
     find_screen_reader,
     has_sound_device,
+    has_voice,
     ssip_address,
 )
 from devices.audio.ssip import SsipAddress
@@ -253,3 +254,37 @@ def test_a_reader_is_found_behind_its_interpreter(tmp_path: Path, interpreter: s
     fake_process(tmp_path, 12, f"/usr/bin/{interpreter}", "/usr/local/bin/yasr", comm=interpreter)
 
     assert find_screen_reader({}, str(tmp_path)) == "yasr"
+
+
+@pytest.mark.parametrize("name", ["libespeak-ng.so.1", "libespeak-ng.1.dylib"])
+@pytest.mark.parametrize("between", ["", "x86_64-linux-gnu"])
+@pytest.mark.parametrize(
+    "folder", ["usr/lib", "usr/lib64", "lib", "usr/local/lib", "opt/homebrew/lib", "home/lib"]
+)
+def test_a_voice_needs_a_library_in_one_of_the_systems_folders(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, folder: str, between: str, name: str
+) -> None:
+    """Without the bundled one."""
+    monkeypatch.setattr("importlib.util.find_spec", lambda name: name == "pyttsx3" or None)
+    monkeypatch.setattr("sys.platform", "linux")
+    assert not has_voice(f"{tmp_path}/")
+    place = tmp_path / folder / between
+    place.mkdir(parents=True)
+    (place / name).touch()
+
+    assert has_voice(f"{tmp_path}/") is (folder != "home/lib")
+
+
+def test_a_voice_needs_its_module_and_elsewhere_the_system_has_one(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    found = {"pyttsx3"}
+    monkeypatch.setattr("importlib.util.find_spec", lambda name: name in found or None)
+    monkeypatch.setattr("sys.platform", "darwin")
+    assert has_voice(str(tmp_path))
+    monkeypatch.setattr("sys.platform", "linux")
+    assert not has_voice(str(tmp_path))
+    found.add("espeakng_loader")
+    assert has_voice(str(tmp_path))
+    found.remove("pyttsx3")
+    assert not has_voice(str(tmp_path))

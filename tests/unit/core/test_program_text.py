@@ -3,7 +3,13 @@
 import pytest
 from hypothesis import given
 
-from donnie_tui.core.program_text import ProgramText, line_in_words, outline_in_words, place_in_words
+from donnie_tui.core.program_text import (
+    ProgramText,
+    corrected_line,
+    line_in_words,
+    outline_in_words,
+    place_in_words,
+)
 from donnie_tui.i18n.words import Words
 from language.parser import parse
 from language.syntax import Statement, blocks_of
@@ -130,3 +136,33 @@ def test_a_long_line_is_cut_in_the_outline(detail: str, widest: int) -> None:
 
     assert len(rows[1]) <= widest
     assert rows[1].startswith("Line 1, level 0: REPEAT 2 TIMES FW")
+
+
+# --- lines that are typed again
+
+FWD, JUMP = {2: ["FWD 2", "FW 2"]}, {2: ["JUMP 3"]}
+
+
+@pytest.mark.parametrize(
+    ("line", "wrong", "last", "is_next", "is_refused", "number"),
+    [
+        ("FW 2", FWD, 2, True, True, 2),
+        ("FW 2", FWD, 9, False, True, 2),  # like it, wherever it is
+        ("FW 2", FWD, 9, True, False, 2),  # after a failed run the very next line
+        ("FW 2", FWD, 2, False, False, None),
+        ("TR 90", JUMP, 2, True, True, 2),  # quite another one, if only the last was wrong
+        ("TR 90", JUMP, 3, True, True, None),
+        ("TR 90", JUMP, 2, False, True, None),
+        ("TR 90", JUMP, 2, True, False, None),
+        ("TR 90", {1: ["HOP"], 2: ["JUMP 3"]}, 2, True, True, None),
+        ("END IF", JUMP, 2, True, True, None),  # a part of a block
+        ("  FIM SE", JUMP, 2, True, True, None),
+        ("ELSE", JUMP, 2, True, True, None),
+        ("JUMP 4", {1: ["HOP 4"], 2: ["JUMP 3"]}, 2, True, True, 2),  # the one that is most like it
+        ("BW 1", {1: ["FW"], 2: ["BW one two three four"]}, 2, True, True, 2),  # the same command
+    ],
+)
+def test_a_line_that_is_typed_again_replaces_the_wrong_one(
+    line: str, wrong: dict[int, list[str]], last: int, is_next: bool, is_refused: bool, number: int | None
+) -> None:
+    assert corrected_line(line, wrong, last, is_next=is_next, is_refused=is_refused) == number
