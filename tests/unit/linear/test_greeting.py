@@ -179,3 +179,76 @@ def test_lines_are_edited_in_a_terminal_that_can_do_more_than_print(
     for ends in ({0, 1}, {0}, {1}, set[int]()):
         monkeypatch.setattr(greeting.os, "isatty", lambda end, ends=ends: end in ends)
         assert greeting.is_editable(environment) is (is_editable and ends == {0, 1})
+
+
+@pytest.fixture
+def prompted(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[tuple[list[bytes], dict[str, str]]]:
+    """What is written to a terminal that can only print, and its environment."""
+    written: list[bytes] = []
+    monkeypatch.setattr(greeting.os, "isatty", lambda _: True)
+    monkeypatch.setattr(greeting.os, "write", lambda _, data: written.append(data))
+    yield written, {"TERM": "dumb", "XDG_STATE_HOME": str(tmp_path)}
+    monkeypatch.undo()
+
+
+HINT, OFFER = "HELP lists the commands.", "TOUR"
+
+
+def test_a_greeting_is_printed_once_with_the_prompt_which_then_belongs_to_another(
+    prompted: tuple[list[bytes], dict[str, str]],
+) -> None:
+    written, environment = prompted
+    it = greeting.Greeting()
+    assert not it.was_printed
+    it.end_prompt()
+    assert written == []
+    it.greet("en", "option", environment, tour=False)
+    it.greet("en", "option", environment)
+
+    assert b"".join(written).decode() == f"Linear mode, from the option.\n{HINT}\n{greeting.PROMPT}"
+    assert it.lines == ("Linear mode, from the option.", HINT)
+    assert it.was_printed
+    assert it.terminal is None
+    assert [it.take_prompt(), it.take_prompt()] == [True, False]
+    it.end_prompt()
+    assert len(written) == 1
+
+
+def test_a_greeting_that_is_taken_back_ends_its_prompt_and_is_printed_again(
+    prompted: tuple[list[bytes], dict[str, str]],
+) -> None:
+    written, environment = prompted
+    it = greeting.Greeting()
+    it.greet("en", "option", environment)
+    it.withdraw()
+    assert written[1:] == [b"\n"]
+    it.withdraw()
+    assert written[1:] == [b"\n"]
+
+    it.forget()
+    assert not (it.was_printed or it.has_prompt or it.has_reported_rescue)
+    it.greet("en", "option", environment, prompt=None)
+    assert written[2:] == [b"Linear mode, from the option.\n"]
+    assert not it.has_prompt
+
+
+def test_the_second_line_offers_the_tour_once_and_what_was_rescued_before_all(
+    prompted: tuple[list[bytes], dict[str, str]], tmp_path: Path
+) -> None:
+    _, environment = prompted
+
+    def second(**options: bool) -> tuple[str, bool]:
+        it = greeting.Greeting()
+        it.greet("en", "option", environment, **options)
+        return it.lines[1], it.has_reported_rescue
+
+    first, _ = second()
+    assert OFFER in first
+    assert second(tour=False) == (HINT, False)
+    (folder,) = {greeting.state_path(environment)}
+    unsaved = Path(folder) / greeting.UNSAVED
+    unsaved.mkdir(parents=True)
+    (unsaved / "unsaved-0-a.gd").write_text("FW 1")
+    line, is_rescue = second()
+    assert is_rescue
+    assert line not in (HINT, first)
