@@ -403,3 +403,16 @@ def test_the_end_of_a_solution_is_a_list_of_goals() -> None:
         Goal(thing="box", at=(3.0, 9.0)),
         Goal(said=("one", "2")),
     )
+
+
+def test_a_thing_may_belong_to_another_thing() -> None:
+    """The chair is 7 steps to the east of the box and 4 to the south: 8.06 steps, seen from it 299.7 degrees."""
+    assert shortfalls(Goal(thing="red box", at="green chair", within=8.1), run()) == []
+    ((code, values),) = shortfalls(Goal(thing="red box", at="green chair", within=7.9), run())
+    assert (code, values["steps"], values["target"]) == ("goal-thing", 8, "red box")
+    assert values["direction"] == pytest.approx(299.74, abs=0.01)
+
+    assert shortfalls(Goal(thing="lamp", at=(0.0, 0.0)), run()) == [("goal-no-thing", {"target": "lamp"})]
+    there = run(ThingsMoved((PlacedThing("box", Pose(6.05, 9.0, 0.0), 2),)))
+    assert shortfalls(Goal(thing="red box", at=(5.0, 9.0)), there) == []
+    assert shortfalls(Goal(thing="red box", at=(4.95, 9.0)), there)[0][1]["steps"] == 1
