@@ -406,7 +406,7 @@ def test_the_end_of_a_solution_is_a_list_of_goals() -> None:
 
 
 def test_a_thing_may_belong_to_another_thing() -> None:
-    """The chair is 7 steps to the east of the box and 4 to the south: 8.06 steps, seen from it 299.7 degrees."""
+    """The chair is 7 steps east of the box and 4 south: 8.06 steps; from it the box is at 299.7 degrees."""
     assert shortfalls(Goal(thing="red box", at="green chair", within=8.1), run()) == []
     ((code, values),) = shortfalls(Goal(thing="red box", at="green chair", within=7.9), run())
     assert (code, values["steps"], values["target"]) == ("goal-thing", 8, "red box")
