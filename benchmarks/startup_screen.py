@@ -76,6 +76,7 @@ def to_first_frame(home: str, command: list[str], *, and_on: bool = False) -> tu
 
 
 def main(rounds: int) -> None:
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # an installed program isn't compiled at each start
     with tempfile.TemporaryDirectory() as home:
         seconds_to_import()
         to_first_frame(home, DONNIE)

@@ -7,7 +7,6 @@ then the kind of terminal. The greeting names the cause.
 from __future__ import annotations
 
 import os
-import shlex
 import sys
 import threading
 from collections.abc import Mapping
@@ -22,7 +21,6 @@ from msgspec.structs import replace
 from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.streams import is_terminal, on_signals
 from donnie_tui.commands.interaction import SwitchMode
-from donnie_tui.core.events import Announced, Spoke, Stamped
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.process.confinement import confinement, may_run_programs
 from donnie_tui.settings.parsing import read_switch
@@ -31,6 +29,7 @@ from donnie_tui.settings.settings import BY_KEY, CONFINED, DEVICES, ServedFile, 
 if TYPE_CHECKING:
     from devices.audio.channel import DetectedEnvironment
     from donnie_tui.bootstrap import Donnie
+    from donnie_tui.core.events import Stamped
     from donnie_tui.linear.greeting import Greeting
 
 
@@ -151,6 +150,7 @@ def serve_clients(order: Order) -> int:
     """
     from devices.audio.channel import DetectedEnvironment
     from donnie_tui.bootstrap import assemble
+    from donnie_tui.core.events import Announced, Spoke
 
     words, arguments, output = order.words, order.invocation.arguments, order.output
     port = number_in(words, "serve-bad-port", arguments.port, PORTS)
@@ -271,6 +271,8 @@ def _confine_pages() -> None:
 
 def _installing() -> str:
     """The command that installs what is missing, here: a checkout is on no index of packages."""
+    import shlex
+
     root = Path(__file__).resolve().parents[2]
     wanted = ["--editable", f"{root}[serve]"] if (root / "pyproject.toml").exists() else ["donnie-tui[serve]"]
     installer = ["uv", "pip", "install", "--python", sys.executable]

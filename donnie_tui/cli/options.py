@@ -256,10 +256,10 @@ def _refuse_second_limit(arguments: list[str]) -> None:
 
 def _refuse_misspelt(typed: str) -> None:
     """Raises ``WrongUsage`` for a word that is no file but nearly a command."""
-    from language.suggestions import edit_distance, nearest
-
     if not typed or os.path.lexists(typed):
         return
+    from language.suggestions import edit_distance, nearest
+
     one_letter = (
         each for each in COMMANDS if each[0] == typed[0].lower() and edit_distance(typed, each) == 1
     )
@@ -318,7 +318,27 @@ _LONGEST_QUOTE = 40
 
 
 class _Parser(argparse.ArgumentParser):
-    """Complains by code, in no language."""
+    """Complains by code, in no language. Its help is codes too, until it is printed: few starts print it."""
+
+    def __init__(self, command: str, sentence: Words) -> None:
+        super().__init__(
+            prog=f"donnie {command}".strip(),
+            formatter_class=_formatter(sentence),
+            add_help=False,
+            allow_abbrev=False,
+        )
+        self._command, self._sentence = command, sentence
+
+    def format_help(self) -> str:
+        sentence = self._sentence
+        if self.description is None:
+            self.description = sentence(f"usage-{self._command or 'donnie'}")
+            self.epilog = None if self._command else _all_commands(sentence)
+            for group in self._action_groups[2:]:  # the first two are argparse's own, and empty
+                group.title = sentence(str(group.title))
+            for action in self._actions:
+                action.help = sentence(str(action.help))
+        return super().format_help()
 
     def error(self, message: str) -> NoReturn:
         choice = re.fullmatch(r"argument --([^:]*): invalid choice: (.*) \(choose from (.*)\)", message)
@@ -349,33 +369,24 @@ def _formatter(sentence: Words) -> type[argparse.HelpFormatter]:
 
 def parser_of(command: str, sentence: Words) -> argparse.ArgumentParser:
     """The parser of a command, or of the program itself for the empty name."""
-    parser = _Parser(
-        prog=f"donnie {command}".strip(),
-        description=sentence(f"usage-{command or 'donnie'}"),
-        epilog=None if command else _all_commands(sentence),
-        formatter_class=_formatter(sentence),
-        add_help=False,
-        allow_abbrev=False,
-    )
-    arguments = parser.add_argument_group(sentence("usage-arguments"))
+    parser = _Parser(command, sentence)
+    arguments = parser.add_argument_group("usage-arguments")
     groups: dict[str, argparse._MutuallyExclusiveGroup] = {}
     for each in OPTIONS[command]:
         if each.group and each.group not in groups:
             groups[each.group] = arguments.add_mutually_exclusive_group()
-        _add(groups[each.group] if each.group else arguments, each, sentence)
+        _add(groups[each.group] if each.group else arguments, each)
     if not command:
-        version = sentence("option-version")
-        arguments.add_argument("--version", action="version", version=__version__, help=version)
-    common = parser.add_argument_group(sentence("usage-options"))
+        arguments.add_argument("--version", action="version", version=__version__, help="option-version")
+    common = parser.add_argument_group("usage-options")
     for key, metavar in COMMON.items():
         action = "append" if key == ALLOW else "store"
-        help_of_key = sentence(f"option-{key}")
-        common.add_argument(BY_KEY[key].option, metavar=metavar, action=action, help=help_of_key)
-    common.add_argument("-h", "-H", "--help", action="help", help=sentence("option-help"))
+        common.add_argument(BY_KEY[key].option, metavar=metavar, action=action, help=f"option-{key}")
+    common.add_argument("-h", "-H", "--help", action="help", help="option-help")
     return parser
 
 
-def _add(parser: argparse._ActionsContainer, option: OptionSpec, sentence: Words) -> None:
+def _add(parser: argparse._ActionsContainer, option: OptionSpec) -> None:
     given: dict[str, object] = {
         name: getattr(option, name)
         for name in ("metavar", "dest", "nargs", "default", "type", "choices")
@@ -383,7 +394,7 @@ def _add(parser: argparse._ActionsContainer, option: OptionSpec, sentence: Words
     }
     if option.metavar is None:
         given["action"] = "store_true"
-    parser.add_argument(*option.names, help=sentence(option.help), **given)  # type: ignore[arg-type] # as named
+    parser.add_argument(*option.names, help=option.help, **given)  # type: ignore[arg-type] # as named
 
 
 def _all_commands(sentence: Words) -> str:

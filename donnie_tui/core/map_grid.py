@@ -26,11 +26,6 @@ if TYPE_CHECKING:
 TRAIL, START, FREE, WALL = "o", "A", ".", "#"
 LONGEST_TRAIL = 5000
 """Cells of the trail that are kept; a learner's world has some 1600 in all."""
-PAINTED = {
-    **{"red": "#ff9e94", "green": "#7ee787", "blue": "#9cc4ff", "yellow": "#ffe066", "orange": "#ffb366"},
-    **{"pink": "#ffb3e0", "gray": "#c8c8c8"},
-}
-"""The colour words of the language as things are painted: bright enough on black, and under black letters."""
 FARTHEST = 10**9
 """The distance in cells up to which the map follows the robot."""
 

@@ -22,12 +22,12 @@ from typing import TYPE_CHECKING, Protocol
 
 from devices.ports.robot import Pose
 from language import locales
-from language.diagnostics import Diagnostic
 from language.locales import ENGLISH, language_of_locale, languages
 from language.source import fold_name
 
 if TYPE_CHECKING:
     from donnie_tui.core.events import Error
+    from language.diagnostics import Diagnostic
     from sim.picture import Thing
 
 BRAILLE_CELLS = 40

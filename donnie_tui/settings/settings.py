@@ -9,12 +9,11 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 from enum import Enum
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct, field
 
 from donnie_tui import DETAILS
-from donnie_tui.core.wording import Wording
 from donnie_tui.settings.parsing import (
     BUMPERS_WANTED,
     CAMERA_WANTED,
@@ -70,6 +69,9 @@ from donnie_tui.settings.parsing import (
     read_wheels,
 )
 from language.locales import ENGLISH, language_of_locale, languages
+
+if TYPE_CHECKING:
+    from donnie_tui.core.wording import Wording
 
 SPEAK = ("here", "robot", "both")
 PUNCTUATION = ("none", "some", "all")

@@ -19,7 +19,6 @@ from textual.screen import Screen
 
 from donnie_tui.commands.keys import PALETTE, KeyTable
 from donnie_tui.i18n.first_words import early
-from donnie_tui.robot.search import Search
 from donnie_tui.settings.folders import UNSAVED, state_folder
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui.environment import is_page, is_plain, may_need_linear
@@ -35,9 +34,11 @@ from donnie_tui.tui.widgets.rows import KeyLine, Slider, TextRows
 
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
+    from donnie_tui.robot.search import Search
     from donnie_tui.tui.controller import ScreenController, ScreenState
     from donnie_tui.tui.event_queue import RunBegan, RunFinished
 
+LATER_STYLES = Path(__file__).parent / "styles" / "later.tcss"
 WIPE = "\x1b[0m\x1b[H\x1b[2J"
 
 
@@ -113,10 +114,12 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         )
 
     def _start_controller(self, donnie: Donnie) -> None:
+        """From now on there are dialogs, too; nothing on the main screen has their styles."""
         from donnie_tui.bootstrap import open_workspace
         from donnie_tui.commands.preferences import Preferences
         from donnie_tui.tui.interaction import connect
 
+        self.stylesheet.read(LATER_STYLES)
         restored, folder = self._restored, str(self._state_folder)
         controller = self.session.controller = connect(
             self,

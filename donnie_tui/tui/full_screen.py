@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING
 
 from textual.events import Event
 
-from donnie_tui.robot.search import Search
 from donnie_tui.settings.parsing import is_far
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui.app import DonnieApp
@@ -21,6 +20,7 @@ from donnie_tui.tui.shutdown import CRASHED
 
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
+    from donnie_tui.robot.search import Search
     from donnie_tui.tui.controller import ScreenState
 
 SWITCH = 0.0002
@@ -71,7 +71,7 @@ def _shown(
     typed: list[Event],
 ) -> DonnieApp:
     """The screen until it is left. Raises as ``run_full_screen`` does."""
-    search = Search(is_pending=True) if donnie is None and _takes_time(settings) else None
+    search = _pending_search() if donnie is None and _takes_time(settings) else None
     app = DonnieApp(
         settings,
         file,
@@ -110,6 +110,12 @@ def _in_next_world(app: DonnieApp) -> tuple[Settings, ScreenState]:
 def _takes_time(settings: Settings) -> bool:
     """Whether a real robot is looked for, as a configuration file may ask for one too."""
     return is_far(settings.robot) or settings.world.endswith(".cfg")
+
+
+def _pending_search() -> Search:
+    from donnie_tui.robot.search import Search
+
+    return Search(is_pending=True)
 
 
 def _assembled(settings: Settings, search: Search | None) -> Donnie:

@@ -16,7 +16,6 @@ from textual.app import App
 from donnie_tui.commands.interaction import SLOW
 from donnie_tui.commands.keys import KeyTable
 from donnie_tui.i18n.first_words import early
-from donnie_tui.robot.search import Search
 from donnie_tui.settings.parsing import is_far
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui.environment import first_steps, is_page, with_keys
@@ -25,6 +24,7 @@ from donnie_tui.tui.screens.main_screen import MainScreen
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
     from donnie_tui.core.recovery import UnsavedCopy
+    from donnie_tui.robot.search import Search
     from donnie_tui.tui.controller import ScreenController, ScreenState
 
 _TITLES = ("pane-program-empty", "pane-map-empty", "pane-inspector", "pane-log")

@@ -13,7 +13,7 @@ from rich.style import Style
 from textual.color import Color
 from textual.theme import Theme
 
-from donnie_tui.core.map_grid import PAINTED
+from donnie_tui.core import PAINTED
 
 DARK, LIGHT, CONTRAST, TERMINAL = "donnie-dark", "donnie-light", "donnie-contrast", "donnie-terminal"
 

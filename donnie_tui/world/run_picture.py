@@ -19,7 +19,8 @@ from xml.sax.saxutils import escape
 from msgspec import Struct
 
 from devices.ports.robot import Pose
-from donnie_tui.core.map_grid import PAINTED, path_in_words
+from donnie_tui.core import PAINTED
+from donnie_tui.core.map_grid import path_in_words
 from donnie_tui.core.wording import (
     Wording,
     colour_initials,

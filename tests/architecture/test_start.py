@@ -11,6 +11,27 @@ from tests.timeouts import TIMEOUT
 FRONT_END = "import donnie_tui.cli.main, donnie_tui.cli.front_end, donnie_tui.tui.full_screen"
 LINEAR = "from donnie_tui.cli.main import main; main(['--linear', '--speech', 'off', '--sound', 'off'])"
 
+UNTIL_FIRST_FRAME = """
+import os
+from textual.app import App
+import donnie_tui.cli.front_end as front_end
+import donnie_tui.i18n.words as words
+from donnie_tui.cli.main import main
+from donnie_tui.tui.startup import Startup
+
+def begin(startup):
+    known = ["SENTENCES"] * words._translations.cache_info().currsize
+    print(*sys.modules, *known, file=sys.__stderr__)
+    os._exit(0)
+
+run = App.run
+App.run = lambda app, mouse: run(app, headless=True, size=(80, 24))
+front_end.process_environment = lambda found: front_end.ProcessEnvironment(True, True, found)
+Startup.begin = begin
+main(["--visual", "--speech", "off", "--sound", "off"])
+"""
+"""What a terminal has is a terminal; the session would be loaded next."""
+
 HEAVY = {
     "lark",
     "sim.worldfile",
@@ -33,7 +54,7 @@ MOVING = {"pymunk", "sim.layout", "sim.rays", "sim.movement", "sim.vehicle", "si
 def loaded_by(code: str, folder: Path, typed: str = "") -> set[str]:
     environment = {**os.environ, "XDG_STATE_HOME": str(folder), "XDG_CONFIG_HOME": str(folder)}
     done = subprocess.run(
-        [sys.executable, "-c", f"import sys; {code}; print(*sys.modules, file=sys.stderr)"],
+        [sys.executable, "-c", f"import sys\n{code}\nprint(*sys.modules, file=sys.stderr)"],
         input=typed,
         capture_output=True,
         text=True,
@@ -56,6 +77,19 @@ def test_the_first_frame_needs_no_session(tmp_path: Path) -> None:
         "pymunk",
         "language.keywords",
         "worlds",
+    }
+
+
+def test_the_first_frame_looks_up_no_sentence_and_knows_no_language_event_or_robot(tmp_path: Path) -> None:
+    """All of it, as it is painted: functions load modules too."""
+    loaded = loaded_by(UNTIL_FIRST_FRAME, tmp_path)
+
+    assert {"donnie_tui.tui.app", "textual.drivers.headless_driver"} <= loaded
+    assert not loaded & {
+        *("language.keywords", "language.lexer", "language.syntax", "language.diagnostics"),
+        *("donnie_tui.core.events", "donnie_tui.core.wording", "donnie_tui.core.map_grid"),
+        *("donnie_tui.robot", "devices.serial_ports", "json", "shlex"),
+        "SENTENCES",
     }
 
 
