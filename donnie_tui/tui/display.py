@@ -114,10 +114,11 @@ class Display:
         width, height = floor_size(picture)
         title = self._donnie.world.title(self._words.language)
         where = " ".join(self._words(f"compass-{side}")[:1].upper() for side in self._place.map.hidden)
-        values = {"world": title, "width": width, "height": height}
-        words = self._words("pane-map-more" if where else "pane-map", where=where, **values)
+        values = {"world": title, "width": width, "height": height, "where": where}
+        codes = ("pane-map-more", "pane-map-more-short") if where else ("pane-map", "pane-map-short")
+        titles = (self._with_robot(self._words(each, **values)) for each in codes)
         north = f"{self._words('compass-north')[:1].upper()} ^"
-        self._place.map_pane.entitle(self._with_robot(words), north)
+        self._place.map_pane.entitle(*titles, corner=north)
 
     def _with_robot(self, title: str) -> str:
         """A title that says of which robot it is, where there are several."""
@@ -347,7 +348,7 @@ class Display:
             badge = colour = ""
         else:
             speed = self._words("status-speed", speed=speed_words(session.speed, self._words))
-            whole = [f"{focus} {robot} {speed}", f"{focus} {robot}"]
+            whole = [f"{focus} {robot} {speed}", f"{focus} {robot}", *([robot] if self._is_in_sight else [])]
             short = [focus, *self._mistake_in_short, *([""] if answer else [])]
             badge, colour = state_badge(
                 self._runs.state, past, session.speed, self._words, was_stopped=self._was_stopped
@@ -388,6 +389,13 @@ class Display:
             code = "status-mistake-meant" if mistake.meant and key else "status-mistake"
             return words(code, line=line, lines=lines, message=mistake.message, meant=mistake.meant, key=key)
         return words("status-program", line=line, lines=lines)
+
+    @property
+    def _is_in_sight(self) -> bool:
+        """Whether the focus says no more than the program shows: its line, and nothing wrong there."""
+        editor = self._place.editor
+        is_wrong = editor.mistake is not None and self._runs.state is RunState.READY
+        return editor.has_focus and not is_wrong
 
     @property
     def _mistake_in_short(self) -> tuple[str, ...]:

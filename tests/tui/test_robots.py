@@ -1,5 +1,7 @@
 """Several robots on the screen: keys and typed lines reach the selected one, the others continue."""
 
+import pytest
+
 from devices.ports.robot import Pose
 from donnie_tui.core.events import Error, Outcome, RunEnded
 from donnie_tui.core.run_state import RunState
@@ -136,3 +138,16 @@ async def test_the_verdict_comes_once_a_robot_has_ended_that_is_not_talked_to(op
         await screen.shows("Now you talk to bob.")
 
         await screen.shows("Solved, in 2 commands.")
+
+
+@pytest.mark.parametrize(
+    ("language", "title"),
+    [("en", "alice: Map: Two robots"), ("pt", "alice: Mapa: Dois robôs"), ("es", "alice: Mapa: Dos robots")],
+)
+async def test_a_title_that_is_too_long_leaves_out_a_part_and_is_not_cut(open_screen, language, title):
+    async with open_screen(world="two_robots", language=language) as screen:
+        assert f"{title}  " in screen.text.splitlines()[0]
+        await screen.pilot.resize_terminal(120, 40)
+        await screen.painted()
+
+        assert f"{title}, 31 " in screen.text.splitlines()[0]

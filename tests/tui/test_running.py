@@ -271,3 +271,29 @@ async def test_a_change_during_a_run_is_answered_once_that_the_robot_follows_the
         await screen.press("x")
 
         assert sum("You changed the program." in line for line in screen.log) == 1
+
+
+@pytest.mark.parametrize("size", [(80, 24), (40, 12)])
+@pytest.mark.parametrize(
+    ("language", "line", "wanted"),
+    [
+        ("en", "FW 2", "Donnie at 0, 2 facing north."),
+        ("pt", "PF 2", "Donnie em 0, 2 virado para o norte."),
+        ("es", "AV 2", "Donnie en 0, 2 mirando al norte."),
+    ],
+)
+async def test_the_status_line_says_whole_where_the_robot_is_once_a_program_is_done(
+    open_screen, language, line, wanted, size
+):
+    """In eighty columns it left that out in Portuguese; in forty the last words had no row."""
+    async with open_screen(line, language=language, size=size) as screen:
+        await screen.press("f5")
+        await screen.until(lambda: screen.main.map.grid and screen.log[-1].endswith((".",)), "the end")
+        await screen.idle()
+        await screen.until(lambda: "0, 2" in screen.status, "the place")
+        await screen.painted()
+
+        rows = screen.text.splitlines()
+        begin = next(at for at, row in enumerate(rows) if row.startswith(f" {screen.main.status.badge} "))
+        seen = " ".join(" ".join(rows[begin : begin + screen.main.status.size.height]).split())
+        assert seen.endswith(wanted)

@@ -2,6 +2,8 @@
 
 import re
 
+import pytest
+
 from donnie_tui.commands.settings import change
 from tests.tui.settings_files import kept
 
@@ -49,3 +51,31 @@ async def test_another_key_works_at_once(open_screen):
         change(screen.app.controller.ctx, "keys", "run f9")
         await screen.press("f9")
         await screen.shows("by another key")
+
+
+@pytest.mark.parametrize(
+    ("language", "rows"),
+    [
+        ("en", {"Look": "dark", "Language": "English", "Detail": "normal", "Speed": "max"}),
+        ("pt", {"Aparência": "escuro", "Idioma": "português", "Detalhe": "normal", "Velocidade": "máxima"}),
+        ("es", {"Aspecto": "oscuro", "Idioma": "español", "Detalle": "normal", "Sonido": "no"}),
+    ],
+)
+async def test_forty_columns_have_the_values_of_settings_below_each_other(open_screen, language, rows):
+    """However long the longest of the names is."""
+    async with open_screen(language=language, size=(40, 12)) as screen:
+        await screen.press("ctrl+k", "comma")
+        await screen.until(
+            lambda: re.search(" +".join(next(iter(rows.items()))), screen.text), "the settings"
+        )
+        lines = screen.text.splitlines()
+        found = {
+            (name, value): line.find(value)
+            for name, value in rows.items()
+            for line in lines
+            if line.strip(" >").startswith(name)
+        }
+
+        assert {*found} == {*rows.items()}
+        assert len({*found.values()}) == 1
+        assert -1 not in found.values()

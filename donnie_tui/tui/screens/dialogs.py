@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import asyncio
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import ClassVar
 
 from rich.cells import cell_len
@@ -248,12 +248,16 @@ class _Detail(TextRows, can_focus=False):
 
 _LEAST_PANEL, _DETAIL, _MOST_DETAIL = 56, 40, 90
 """Columns: of a panel, and of what is next to a list, at least and at most."""
-_HIGH = 20
-"""Rows from which on something is left around a panel."""
+_HIGH, _LEAST_REST = 20, 8
+"""Rows from which on something is left around a panel; and columns, if it is no less than these."""
 _LEAST_BOTH = 10
 """Rows from which on what is about a row may be below the list, where it has no room next to it."""
 _DETAIL_ROWS, _FRAME_ROWS = 16, 3
 """Of what is next to a list, at least; and of the title, of what is typed and of the keys."""
+
+
+_COLUMN_GAP, _FEW = 2, 4
+"""Blanks between columns; one choice in so many may have a longer name than its column has room for."""
 
 
 def _columns(choices: Sequence[Option]) -> tuple[int, ...]:
@@ -262,7 +266,7 @@ def _columns(choices: Sequence[Option]) -> tuple[int, ...]:
     if not rows or not all(rows):
         return ()
     cells = [[row[at] for row in rows if at < len(row)] for at in range(max(map(len, rows)))]
-    return tuple(max(map(cell_len, column)) + 2 for column in cells)
+    return tuple(max(map(cell_len, column)) + _COLUMN_GAP for column in cells)
 
 
 class Chooser(ModalScreen[str | None]):
@@ -332,16 +336,13 @@ class Chooser(ModalScreen[str | None]):
         """The panel is as large as what it lists, and keeps its size while that is narrowed."""
         width, height = self.size
         columns = () if self.has_class("-plain") else _columns(self._choices)
-        room = width - (_DETAIL + 1 if self._has_details else 0)
-        is_below = self._has_details and room < sum(columns) <= width - 1 and height >= _LEAST_BOTH
-        if not self._has_details and height >= _LEAST_BOTH and sum(columns) > width - 1:
-            fitting = [at for at in range(1, len(columns)) if sum(columns[:at]) <= width - 1]
-            if not fitting and 4 * sum(cell_len(each.text) >= width for each in self._choices) > len(
-                self._choices
-            ):
-                fitting = [1]  # a few long names take two rows, rather than most of the texts
-            columns, is_below = columns[: max(fitting, default=0)], bool(fitting)
-        self._columns = columns if columns and (sum(columns) <= room or is_below) else ()
+        if self._has_details:
+            room = width - (_DETAIL + 1)
+            is_below = room < sum(columns) <= width - 1 and height >= _LEAST_BOTH
+            self._columns = columns if is_below or sum(columns) <= room else ()
+        else:
+            self._columns = self._columns_in(width - 1, columns, may_drop=height >= _LEAST_BOTH)
+            is_below = 0 < len(self._columns) < len(columns)
         self.query_one("#listing").set_class(is_below, "-below")
         self._show()
         has_detail = bool(self._columns) and (self._has_details or is_below)
@@ -364,9 +365,27 @@ class Chooser(ModalScreen[str | None]):
             listing = max(listing, max(row_widths, default=0) + 2)
             rows = sum(-(-each // max(1, min(width, listing) - 1)) for each in row_widths)
         panel = self.query_one("#panel")
-        panel.styles.width = listing = min(width, listing + 2)
+        listing = listing + 2 if listing + 2 <= width - _LEAST_REST else width
+        panel.styles.width = listing
         panel.set_class(listing == width, "-wide-as-all")
         panel.styles.height = min(height - (2 if height >= _HIGH else 0), max(rows, 1) + _FRAME_ROWS)
+
+    def _columns_in(self, room: int, columns: tuple[int, ...], *, may_drop: bool) -> tuple[int, ...]:
+        """The widths of as many columns as fit. Next to a few long names the others may be aligned."""
+        for count in range(len(columns), 0 if may_drop else len(columns) - 1, -1):
+            others = sum(columns[1:count]) - _COLUMN_GAP
+            if columns[0] + others <= room:
+                return columns[:count]
+            names = room - others
+            if count > 1 and self._are_few(
+                _COLUMN_GAP + cell_len(each.columns[0]) > names for each in self._choices
+            ):
+                return (names, *columns[1:count])
+        is_text_long = not self._are_few(cell_len(each.text) > room for each in self._choices)
+        return columns[:1] if may_drop and is_text_long else ()
+
+    def _are_few(self, choices: Iterable[bool]) -> bool:
+        return _FEW * sum(choices) <= len(self._choices)
 
     def _rows_below(self, width: int, height: int) -> int:
         """Half of the rows, or as many as the columns need that have no room in the list."""
@@ -386,8 +405,11 @@ class Chooser(ModalScreen[str | None]):
     def _row(self, choice: Option) -> str:
         if not self._columns or not choice.columns:
             return choice.text
-        both = zip(choice.columns, self._columns, strict=False)
-        return "".join(cell + " " * (width - cell_len(cell)) for cell, width in both).rstrip()
+        row, begin = "", 0
+        for cell, width in zip(choice.columns, self._columns, strict=False):
+            row += " " * (max(_COLUMN_GAP, begin - cell_len(row)) if row else 0) + cell
+            begin += width
+        return row
 
     def _show_detail(self) -> None:
         """What else there is about the row."""

@@ -29,19 +29,23 @@ from language.source import cleaned
 class Heading(Static):
     """A title, and perhaps a mark at the right end that is seen however long the title is."""
 
-    _title = _corner = ""
+    _titles: tuple[str, ...] = ("",)
+    _corner = ""
 
-    def write(self, title: str, corner: str) -> None:
-        self._title, self._corner = title, corner
+    def write(self, titles: tuple[str, ...], corner: str) -> None:
+        """The first of the titles for which there is room, or what fits of the last."""
+        self._titles, self._corner = titles, corner
         room = self.size.width - cell_len(corner) - 1
+        title = titles[0]
         if corner and room > 1:
-            title = title if cell_len(title) < room else f"{set_cell_size(title, room - 2)}… "
+            title = next((each for each in titles if cell_len(each) < room), "")
+            title = title or f"{set_cell_size(titles[-1], room - 2)}… "
             title = f"{set_cell_size(title, room)}{corner}"
         self.update(title, layout=False)
 
     def on_resize(self) -> None:
         if self._corner:
-            self.write(self._title, self._corner)
+            self.write(self._titles, self._corner)
 
 
 class Pane(Vertical):
@@ -57,17 +61,18 @@ class Pane(Vertical):
     def __init__(self, content: Widget, *, id: str) -> None:  # noqa: A002 -- Textual's own name
         super().__init__(id=id)
         self.content = content
-        self._title = self._corner = ""
+        self._titles: tuple[str, ...] = ("",)
+        self._corner = ""
         self._heading = Heading(classes="title", markup=False)
 
     def compose(self) -> ComposeResult:
         yield self._heading
         yield self.content
 
-    def entitle(self, title: str, corner: str = "") -> None:
-        """Another title, plain text; ``corner`` is at the right end, however long the title is."""
-        if (title, corner) != (self._title, self._corner):
-            self._title, self._corner = title, corner
+    def entitle(self, *titles: str, corner: str = "") -> None:
+        """Another title, plain text: the first that has room next to ``corner``, which is at the right."""
+        if (titles, corner) != (self._titles, self._corner):
+            self._titles, self._corner = titles, corner
             self._write()
 
     def on_click(self, event: Click) -> None:
@@ -87,7 +92,7 @@ class Pane(Vertical):
 
     def _write(self) -> None:
         mark = ">" if self.content.has_focus else " "
-        self._heading.write(f"{mark}{self._title}", self._corner)
+        self._heading.write(tuple(f"{mark}{each}" for each in self._titles), self._corner)
 
 
 class InputLine(Input):

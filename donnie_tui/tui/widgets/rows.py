@@ -77,11 +77,18 @@ class FixedLine(Static):
 
     def _write(self) -> None:
         badge = f" {self.badge} " if self.badge else ""
-        room = self.size.width * max(1, self.size.height) - len(badge)
-        words = next((each for each in self._choices if len(each) <= room), self._choices[-1])
+        words = next((each for each in self._choices if self._has_room(f"{badge}{each}")), self._choices[-1])
         if (badge, words) != self._shown:
             self._shown, self.words = (badge, words), words
             self.update(self._painted(badge, words), layout=False)
+
+    def _has_room(self, text: str) -> bool:
+        """Whether it fits into the rows, of which each but the last ends with a word."""
+        width, rows = self.size.width, max(1, self.size.height)
+        for _ in range(rows - 1):
+            if cell_len(text) > width:
+                text = text[max(text.rfind(" ", 0, width + 1), 0) :].lstrip()
+        return cell_len(text) <= width
 
     def _painted(self, badge: str, words: str) -> Content | str:
         return Content.assemble((badge, f"{self._colour} reverse".strip()), words) if badge else words
