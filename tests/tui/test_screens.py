@@ -26,30 +26,27 @@ END PROCEDURE
 RECTANGLE [5, 3]
 SPEAK "done\""""
 
-SMALL, LARGE = (80, 24), (120, 40)
-
-
-CONTRAST = "donnie-contrast"
+ONE_PANE, SMALL, LARGE, PROJECTOR = SIZES = (40, 12), (80, 24), (120, 40), (200, 60)
+THEMES = ("dark", "light", "contrast")
 
 
 def by_size(size: tuple[int, int]) -> str:
     return f"{size[0]}x{size[1]}"
 
 
-THEMES = [
-    pytest.param("donnie-dark", id="dark"),
-    pytest.param(CONTRAST, id="contrast", marks=pytest.mark.slow),
-]
-
-
-def looks(*sizes: tuple[int, int]) -> Callable[[F], F]:
-    """At the usual two sizes and these, in the default and in the high-contrast theme."""
-
-    def parametrized(test: F) -> F:
-        of_size = pytest.mark.parametrize("size", [SMALL, LARGE, *sizes], ids=by_size)
-        return of_size(pytest.mark.parametrize("theme", THEMES)(test))
-
-    return parametrized
+def looks(*quick: tuple[int, int]) -> Callable[[F], F]:
+    """At each size in each theme. Only the default theme, at these sizes, is part of the quick check."""
+    each = [
+        pytest.param(
+            f"donnie-{theme}",
+            size,
+            id=f"{theme}-{by_size(size)}",
+            marks=() if theme == "dark" and size in quick else pytest.mark.slow,
+        )
+        for theme in THEMES
+        for size in SIZES
+    ]
+    return pytest.mark.parametrize(("theme", "size"), each)
 
 
 class InOneFolder:
@@ -83,23 +80,14 @@ def same(snapshot: SnapshotAssertion):
     return compare
 
 
-ALL_SIZES = [(40, 12), SMALL, LARGE, (200, 60)]
-ALL_THEMES = [
-    pytest.param("donnie-dark", id="dark"),
-    pytest.param("donnie-light", id="light", marks=pytest.mark.slow),
-    pytest.param(CONTRAST, id="contrast", marks=pytest.mark.slow),
-]
-
-
-@pytest.mark.parametrize("size", ALL_SIZES, ids=by_size)
-@pytest.mark.parametrize("theme", ALL_THEMES)
+@looks(*SIZES)
 async def test_the_start(open_screen, same, theme, size):
     async with open_screen(size=size, world="living_room") as screen:
         screen.app.theme = theme
         await same(screen)
 
 
-@looks()
+@looks(SMALL, LARGE)
 async def test_a_rectangle_was_walked(open_screen, same, theme, size):
     async with open_screen(size=size, world="living_room") as screen:
         screen.app.theme = theme
@@ -107,7 +95,7 @@ async def test_a_rectangle_was_walked(open_screen, same, theme, size):
         await same(screen)
 
 
-@looks((40, 12))
+@looks(ONE_PANE, SMALL, LARGE)
 async def test_a_pause_inside_a_procedure(open_screen, same, theme, size):
     async with open_screen(RECTANGLE, size=size, world="living_room") as screen:
         screen.app.theme = theme
@@ -117,8 +105,7 @@ async def test_a_pause_inside_a_procedure(open_screen, same, theme, size):
         await same(screen)
 
 
-@pytest.mark.parametrize("size", ALL_SIZES, ids=by_size)
-@pytest.mark.parametrize("theme", ALL_THEMES)
+@looks(*SIZES)
 async def test_what_a_line_computes(open_screen, same, theme, size):
     text = "VAR n = 3\nREPEAT 2 TIMES\nn = n * 2 + 1\nFW n\nEND REPEAT"
     async with open_screen(text, size=size, world="living_room") as screen:
@@ -137,8 +124,7 @@ async def test_what_a_line_computes(open_screen, same, theme, size):
         await same(screen)
 
 
-@pytest.mark.parametrize("size", ALL_SIZES, ids=by_size)
-@pytest.mark.parametrize("theme", ALL_THEMES)
+@looks(*SIZES)
 async def test_the_list_of_worlds(open_screen, same, theme, size):
     async with open_screen(size=size, world="living_room") as screen:
         screen.app.theme = theme
@@ -149,8 +135,7 @@ async def test_the_list_of_worlds(open_screen, same, theme, size):
         await same(screen)
 
 
-@pytest.mark.parametrize("size", ALL_SIZES, ids=by_size)
-@pytest.mark.parametrize("theme", ALL_THEMES)
+@looks(*SIZES)
 async def test_a_mistake(open_screen, same, theme, size):
     async with open_screen(RECTANGLE.replace("TR", "RIGTH"), world="living_room", size=size) as screen:
         screen.app.theme = theme
@@ -161,7 +146,7 @@ async def test_a_mistake(open_screen, same, theme, size):
         await same(screen)
 
 
-@looks()
+@looks(SMALL, LARGE)
 async def test_the_variables(open_screen, same, theme, size):
     async with open_screen('VAR a = 5 VAR d = DISTANCE F SPEAK "ready"\nFW 1', size=size) as screen:
         screen.app.theme = theme
@@ -219,7 +204,7 @@ WORDS = {"themes": "SET theme", "languages": "LANGUAGE", "typed": "TYPED", "robo
 """Lists that have no key."""
 
 
-@looks((40, 12))
+@looks(ONE_PANE, SMALL, LARGE)
 @pytest.mark.parametrize("name", SCREENS)
 async def test_each_screen(open_screen, same, name, theme, size, tmp_path):
     (tmp_path / "unsaved").mkdir()  # where copies are kept: it is in the list of folders, however soon
@@ -233,7 +218,7 @@ async def test_each_screen(open_screen, same, name, theme, size, tmp_path):
         await same(screen)
 
 
-@looks((40, 12))
+@looks(ONE_PANE, SMALL, LARGE)
 async def test_the_programs_to_open(open_screen, same, theme, size, tmp_path, monkeypatch):
     programs = tmp_path / "programs"
     (programs / "lessons").mkdir(parents=True)
@@ -249,7 +234,7 @@ async def test_the_programs_to_open(open_screen, same, theme, size, tmp_path, mo
         await same(screen)
 
 
-@looks()
+@looks(SMALL, LARGE)
 @pytest.mark.parametrize("name", WORDS)
 async def test_each_list(open_screen, same, name, theme, size):
     async with open_screen(RECTANGLE, size=size, world="two_robots") as screen:
@@ -259,8 +244,7 @@ async def test_each_list(open_screen, same, name, theme, size):
         await same(screen)
 
 
-@pytest.mark.parametrize("size", ALL_SIZES, ids=by_size)
-@pytest.mark.parametrize("theme", ALL_THEMES)
+@looks(*SIZES)
 async def test_the_list_of_mistakes(open_screen, same, theme, size):
     text = "FW 1\nFWD 3\nREPEAT 2 TIMES\nFW 1\nEND REPEET\nSPEAK a"
     async with open_screen(text, size=size, world="living_room") as screen:
@@ -270,7 +254,7 @@ async def test_the_list_of_mistakes(open_screen, same, theme, size):
         await same(screen)
 
 
-@looks((40, 12))
+@looks(ONE_PANE, SMALL, LARGE)
 async def test_changing_a_key(open_screen, same, theme, size):
     async with open_screen("FW 1", size=size) as screen:
         screen.app.theme = theme
@@ -281,7 +265,7 @@ async def test_changing_a_key(open_screen, same, theme, size):
         await same(screen)
 
 
-@looks()
+@looks(SMALL, LARGE)
 async def test_the_map_with_names_rays_and_coordinates(open_screen, same, theme, size):
     async with open_screen(size=size, world="living_room") as screen:
         screen.app.theme = theme
@@ -289,12 +273,12 @@ async def test_the_map_with_names_rays_and_coordinates(open_screen, same, theme,
         await screen.press("ctrl+k", "c", "ctrl+k", "t")
         await screen.shows("Names on the map.")
         await screen.press("ctrl+k", "n")
-        await screen.until(lambda: "Map," in screen.status, "the finger")
+        await screen.until(lambda: screen.app.focused is screen.main.map, "the finger")
+        await screen.painted()
         await same(screen)
 
 
-@pytest.mark.parametrize("size", ALL_SIZES, ids=by_size)
-@pytest.mark.parametrize("theme", ALL_THEMES)
+@looks(*SIZES)
 async def test_two_robots_on_a_nearer_map(open_screen, same, theme, size):
     """The map: things, trails, headings; in 40 columns it has the screen to itself."""
     async with open_screen("FW 2\nTR 90\nFW 3", size=size, world="two_robots") as screen:
@@ -308,8 +292,7 @@ async def test_two_robots_on_a_nearer_map(open_screen, same, theme, size):
         await same(screen)
 
 
-@pytest.mark.parametrize("size", ALL_SIZES, ids=by_size)
-@pytest.mark.parametrize("theme", ALL_THEMES)
+@looks(*SIZES)
 async def test_the_map_as_a_picture(open_screen, same, theme, size):
     async with open_screen("FW 3 TR 90 FW 5", world="living_room", size=size) as screen:
         screen.app.theme = theme
@@ -323,16 +306,19 @@ async def test_the_map_as_a_picture(open_screen, same, theme, size):
         await same(screen)
 
 
-@looks()
+@looks(SMALL, LARGE)
 async def test_a_large_map_that_follows_the_robot(open_screen, same, theme, size):
     async with open_screen(world="living_room", size=size) as screen:
         screen.app.theme = theme
         await screen.press("ctrl+k", "a")
         await screen.shows("The map follows")
+        if size == ONE_PANE:
+            screen.main.go_to(screen.main.map_pane)
+        await screen.painted()
         await same(screen)
 
 
-@looks((40, 12))
+@looks(ONE_PANE, SMALL, LARGE)
 async def test_the_plain_layout(open_screen, same, theme, size):
     async with open_screen("FW 3", size=size, world="living_room", plain=True) as screen:
         screen.app.theme = theme
@@ -341,7 +327,7 @@ async def test_the_plain_layout(open_screen, same, theme, size):
         await same(screen)
 
 
-@looks()
+@looks(SMALL, LARGE)
 async def test_mistakes_and_breakpoints_next_to_the_program(open_screen, same, theme, size):
     async with open_screen(
         "FW 1\nFWD 3\nREPEAT 2 TIMES\nFW 1\nEND REPEAT", world="living_room", size=size
@@ -354,8 +340,7 @@ async def test_mistakes_and_breakpoints_next_to_the_program(open_screen, same, t
         await same(screen)
 
 
-@pytest.mark.parametrize("size", ALL_SIZES, ids=by_size)
-@pytest.mark.parametrize("theme", ALL_THEMES)
+@looks(*SIZES)
 async def test_the_tour(open_screen, same, theme, size):
     async with open_screen("FW 1", size=size, world="living_room") as screen:
         screen.app.theme = theme
@@ -367,8 +352,7 @@ async def test_the_tour(open_screen, same, theme, size):
         await same(screen)
 
 
-@pytest.mark.parametrize("size", ALL_SIZES, ids=by_size)
-@pytest.mark.parametrize("theme", ALL_THEMES)
+@looks(*SIZES)
 async def test_charts_of_what_was_measured(open_screen, same, theme, size):
     text = "REPEAT 6 TIMES\nFW 2\nSPEAK DISTANCE F\nEND REPEAT"
     async with open_screen(text, size=size, world="living_room") as screen:
@@ -383,8 +367,7 @@ async def test_charts_of_what_was_measured(open_screen, same, theme, size):
         await same(screen)
 
 
-@pytest.mark.parametrize("size", ALL_SIZES, ids=by_size)
-@pytest.mark.parametrize("theme", ALL_THEMES)
+@looks(*SIZES)
 async def test_looking_back(open_screen, same, theme, size):
     async with open_screen(RECTANGLE, size=size, world="living_room") as screen:
         screen.app.theme = theme
