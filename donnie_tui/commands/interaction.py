@@ -15,8 +15,6 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 from msgspec import Struct
 
-from donnie_tui.core.wording import meant
-
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
     from donnie_tui.commands.keys import KeyTable
@@ -337,17 +335,17 @@ def read_numbers(argument: str, *, least: int = 0, most: int) -> tuple[int, ...]
 
 def detail_named(typed: str) -> str | None:
     """How much is to be printed: ``brief``, ``normal`` or ``full``; None for any other word."""
-    return meant(typed, "details")
+    return _meant(typed, "details")
 
 
 def answered(typed: str) -> bool | None:
     """Whether the answer is yes; None if it is neither yes nor no."""
-    return {"yes": True, "no": False}.get(meant(typed, "answers") or "")
+    return {"yes": True, "no": False}.get(_meant(typed, "answers") or "")
 
 
 def switched(typed: str) -> bool | None:
     """Whether something is to be on; None if what was typed means neither on nor off."""
-    return {"on": True, "off": False}.get(meant(typed, "switch") or "")
+    return {"on": True, "off": False}.get(_meant(typed, "switch") or "")
 
 
 NO_REPLACEMENT = '""'
@@ -397,3 +395,9 @@ def number_and_text(typed: str) -> tuple[int, str] | None:
 
 def _is_whole(word: str) -> bool:
     return len(word) <= _MOST_CHARACTERS and word.removeprefix("-").isdecimal()
+
+
+def _meant(typed: str, group: str) -> str | None:
+    from donnie_tui.core.wording import meant  # the first frame needs none
+
+    return meant(typed, group)

@@ -186,6 +186,19 @@ async def test_open_lists_the_programs_and_the_arrows_choose_one(open_screen, le
         await screen.shows("Opened stairs.gd")
 
 
+async def test_enter_with_nothing_typed_chooses_the_first_of_the_list_and_then_opens_it(open_screen, lessons):
+    """It said that nothing was changed, below the very list."""
+    async with open_screen() as screen:
+        await screen.press("ctrl+o")
+        await screen.until(lambda: "square.gd" in screen.text, "the list")
+        await screen.press("enter")
+        await screen.until(lambda: ">square.gd" in screen.text, "the chosen row")
+        await screen.press("enter")
+
+        await screen.until(lambda: screen.app.screen is screen.main, "the program")
+        assert "Program: square.gd" in screen.text
+
+
 async def test_a_folder_of_the_list_leads_to_its_programs_by_mouse_too(open_screen, lessons):
     async with open_screen() as screen:
         await screen.press("ctrl+o")

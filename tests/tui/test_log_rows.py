@@ -184,7 +184,7 @@ async def test_the_log_is_filtered_by_kind_with_counts_and_shows_all_again(open_
         ]
         await screen.press(*"says", "enter")
         await screen.shows("Only says: 2 lines.")
-        await screen.until(lambda: screen.main.log_pane._title == "Log: only says", "the title")
+        await screen.until(lambda: screen.main.log_pane._titles[0] == "Log: only says", "the title")
         rows = screen.main.log_rows
         assert [rows._rows[at] for at in range(rows.row_count)] == ["one", "two"]
 
@@ -195,7 +195,7 @@ async def test_the_log_is_filtered_by_kind_with_counts_and_shows_all_again(open_
         await screen.press("f")
         await screen.until(lambda: screen.app.screen is not screen.main, "the kinds")
         await screen.press("home", "enter")
-        await screen.until(lambda: screen.main.log_pane._title == "Log", "all lines")
+        await screen.until(lambda: screen.main.log_pane._titles[0] == "Log", "all lines")
         assert rows.row_count == len(screen.log)
 
 

@@ -125,7 +125,12 @@ class Question(ModalScreen[str | None]):
         self._submit(event.value)
 
     def _submit(self, value: str) -> None:
+        """Enter alone chooses the first row, which the next Enter answers; unless it is an answer itself."""
         is_listed = self._list is not None and self._list.is_chosen
+        is_answer = is_listed or value.strip() or self._value or self._accepts is not None
+        if self._list is not None and self._list.lines and not is_answer:
+            self.action_choose_row(1)
+            return
         self._answer(self._list.row_text if self._list is not None and is_listed else value.strip())
 
     def _answer(self, answer: str) -> None:
@@ -368,7 +373,8 @@ class Chooser(ModalScreen[str | None]):
         listing = listing + 2 if listing + 2 <= width - _LEAST_REST else width
         panel.styles.width = listing
         panel.set_class(listing == width, "-wide-as-all")
-        panel.styles.height = min(height - (2 if height >= _HIGH else 0), max(rows, 1) + _FRAME_ROWS)
+        rows += -(-cell_len(self._key_words) // listing)  # on a narrow screen the keys have two
+        panel.styles.height = min(height - (2 if height >= _HIGH else 0), max(rows, 2) + _FRAME_ROWS - 1)
 
     def _columns_in(self, room: int, columns: tuple[int, ...], *, may_drop: bool) -> tuple[int, ...]:
         """The widths of as many columns as fit. Next to a few long names the others may be aligned."""
@@ -509,9 +515,9 @@ class Completions(ModalScreen[tuple[str, str]]):
         yield self.list
 
     def on_mount(self) -> None:
-        height = min(self._count, MOST_SEEN, max(1, self.size.height - 2))
-        has_room = self._below.y + 1 + height <= self.size.height
-        y = self._below.y + 1 if has_room else max(0, self._below.y - height)
+        above, below = self._below.y, self.size.height - self._below.y - 1
+        height = max(1, min(self._count, MOST_SEEN, max(above, below)))  # the line itself stays in sight
+        y = self._below.y + 1 if below >= min(height, above) else max(0, above - height)
         width = min(self._width, self.size.width)
         self.list.styles.width, self.list.styles.height = width, height
         self.list.styles.offset = (max(0, min(self._below.x, self.size.width - width)), y)
