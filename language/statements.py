@@ -179,7 +179,9 @@ class ScopeCompiler:
         self._out += declarations.keep_owner(site, name, site)
         first = self._sites.next
         self._loop_of_for(loop)
-        self._headers.append(py.ForHeader(name, first, self._sites.next - 1))
+        # Python joins the instruction that stores the variable with the one that loads the first name of the
+        # condition, and takes the place of the first for both: a mistake there counts as one in the loop.
+        self._headers += [py.ForHeader(name, site, site), py.ForHeader(name, first, self._sites.next - 1)]
         declarations.remove(name)
         self._out += [py.delete(site, py.VARIABLE + name), *declarations.keep_owner(site, name, 0)]
 

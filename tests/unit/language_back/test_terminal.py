@@ -66,6 +66,7 @@ FAILING_LOOPS = {
     "the condition's right": "FOR VAR i = 0; i < k; i = i + 1 DO END FOR",
     "the condition divides by zero": "FOR VAR i = 0; i / i < 1; i = i + 1 DO END FOR",
     "a variable is the start": "VAR n = 0 FOR VAR i = n; k < 3; i = i + 1 DO END FOR",
+    "the condition's left, which is set later": "VAR n FOR VAR i = n; k < 3; i = i + 1 DO END FOR k = 1",
     "nothing is the start": "FOR VAR i; k < 3; i = i + 1 DO END FOR",
     "the step": "FOR VAR i = 0; i < 3; i = k DO END FOR",
     "the name of the step": "FOR VAR i = 0; i < 3; k = 1 DO END FOR",
