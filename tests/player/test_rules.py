@@ -9,7 +9,16 @@ from random import Random
 
 import pytest
 
-from devices.player.codec import FORMS, LOCAL_HOST, MessageType, PlayerMessage, body_of, encode, values_of
+from devices.player.codec import (
+    FORMS,
+    LOCAL_HOST,
+    MessageType,
+    PlayerMessage,
+    TooLong,
+    body_of,
+    encode,
+    values_of,
+)
 from devices.player.connection import MOST_RULES, MOST_WAITING, ClientConnection
 from devices.ports.drive import RangerReading
 from donnie_tui.player.equipment import LONGEST_TEXT
@@ -462,6 +471,16 @@ def test_a_request_with_a_wrong_body_is_refused_once_and_the_connection_lives(
     [reply] = client.take()
     assert (reply.type, reply.body, reply.subtype) == (NACK, b"", made().subtype)
     assert client.ask(4, 0, 1) is not None
+
+
+def test_a_body_of_more_than_64_kibibytes_is_not_waited_for(stations: Stations) -> None:
+    longest, longer = (struct.pack(">IIIIIIdII", 0, 0, 12, 0, 2, 1, 0.0, 0, 65536 + more) for more in (0, 1))
+    client = Client(stations)
+    client.connection.receive(longest + bytes(65536))
+    assert client.ask(4, 0, 1) is not None
+
+    with pytest.raises(TooLong):
+        client.connection.receive(longer)
 
 
 def test_a_command_with_a_wrong_body_or_to_nothing_is_dropped(stations: Stations) -> None:
