@@ -74,7 +74,7 @@ def _print(line: str) -> None:
 
 
 def mistakes() -> tuple[Mistake, ...]:
-    """Everything that is wrong in the files of all languages."""
+    """Everything that is wrong in the files of all languages; what is wrong in the English one, once."""
     english = Path(BUILT_IN, ENGLISH, SOURCE)
     try:
         known = [each.context for each in po.read(english)] if english.exists() else codes(ENGLISH)
@@ -82,7 +82,7 @@ def mistakes() -> tuple[Mistake, ...]:
         return (mistake,)
     known_codes = frozenset(each.partition("|")[0] for each in ("", *known))
     found = [each for folder in folders().values() for each in _mistakes_in(Path(folder), known_codes)]
-    return (*found, *_shared_ranks())
+    return tuple({str(each): each for each in (*found, *_shared_ranks())}.values())
 
 
 def _mistakes_in(folder: Path, known_codes: frozenset[str]) -> Iterator[Mistake]:

@@ -2,6 +2,7 @@
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -16,7 +17,7 @@ from donnie_tui.i18n.po import Entry, Mistake
 from donnie_tui.i18n.translations import ambiguous_keywords, compile_all, main, missing_in, mistakes
 from donnie_tui.i18n.words import find
 from language import locales
-from language.locales import BUILT_IN, languages
+from language.locales import BUILT_IN, ENGLISH, languages
 from tests.unit.i18n.pseudo_language import CODE, accented, pseudo, write_language
 
 HEADER = 'msgid ""\nmsgstr ""\n"Plural-Forms: nplurals=2; plural=(n != 1);\\n"\n\n'
@@ -43,6 +44,18 @@ def entries_of(text: str, folder: Path) -> tuple[Path, tuple[Entry, ...]]:
     file = folder / "messages.po"
     file.write_text(text, encoding="utf-8")
     return file, po.read(file)
+
+
+def test_a_mistake_in_an_english_table_is_reported_once(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """Each language is compared with it."""
+    english = tmp_path / ENGLISH
+    shutil.copytree(Path(BUILT_IN, ENGLISH), english)
+    (english / "commands.toml").write_text("run = [", encoding="utf-8")
+    monkeypatch.setattr("donnie_tui.i18n.translations.BUILT_IN", str(tmp_path))
+
+    assert [each.file for each in mistakes()] == [english / "commands.toml"]
 
 
 def test_nothing_is_wrong_or_missing_in_the_languages_that_come_with_donnie() -> None:
