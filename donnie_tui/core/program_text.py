@@ -26,6 +26,8 @@ LONGEST_WORD = 40
 """Characters of a searched word that a message repeats."""
 ALIKE = 0.6
 """From this likeness on a typed line is meant to correct a wrong one."""
+LONGEST_ALIKE = 300
+"""Characters of a line that are compared with another one: that takes as long as both lengths multiplied."""
 LONGEST_CHECKED = 50_000
 """Characters of a text that is checked for mistakes while the learner types."""
 
@@ -354,6 +356,6 @@ def _likeness(line: str, other: str) -> float:
     """From 0 to 1, and 1 more for the same command."""
     from difflib import SequenceMatcher  # slow to load
 
-    one, another = fold_name(line.strip()), fold_name(other.strip())
+    one, another = (fold_name(each.strip()[:LONGEST_ALIKE]) for each in (line, other))
     is_same_command = one.split()[:1] == another.split()[:1]
     return is_same_command + SequenceMatcher(None, one, another, autojunk=False).ratio()

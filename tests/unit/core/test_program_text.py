@@ -1,5 +1,7 @@
 """Reading a program by its blocks: levels as in the syntax tree, every END names its opener."""
 
+import difflib
+
 import pytest
 from hypothesis import given
 
@@ -166,3 +168,19 @@ def test_a_line_that_is_typed_again_replaces_the_wrong_one(
     line: str, wrong: dict[int, list[str]], last: int, is_next: bool, is_refused: bool, number: int | None
 ) -> None:
     assert corrected_line(line, wrong, last, is_next=is_next, is_refused=is_refused) == number
+
+
+def test_of_long_lines_only_the_beginning_is_compared(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Two of 20 000 characters took more than a minute."""
+    compared: list[int] = []
+
+    class Matcher(difflib.SequenceMatcher[str]):
+        def ratio(self) -> float:
+            compared.append(len(self.a) * len(self.b))
+            return super().ratio()
+
+    monkeypatch.setattr(difflib, "SequenceMatcher", Matcher)
+    wrong = {1: ["SPEK " + "ab" * 10_000], 2: ["FW 1"]}
+
+    assert corrected_line("SPEAK " + "ab" * 10_000, wrong, 2, is_next=True, is_refused=True) == 1
+    assert max(compared) <= 100_000
