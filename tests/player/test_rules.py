@@ -69,6 +69,17 @@ def test_properties_of_devices_are_refused(stations: Stations, subtype: int) -> 
     assert Client(stations).ask(4, 0, subtype) is None
 
 
+@pytest.mark.parametrize("interface", [1, 3, 4, 7, 10, 12, 14, 31, 62])
+def test_what_a_device_can_do_is_answered_with_no(stations: Stations, interface: int) -> None:
+    """Also by the simulation: the real server dies of this question."""
+    client = Client(stations)
+    asked = PlayerMessage(interface, 0, REQUEST, 255, struct.pack(">II", REQUEST, 1))
+    client.connection.receive(asked.encoded())
+
+    [reply] = client.take()
+    assert (reply.type, reply.subtype, reply.body) == (NACK, 255, b"")
+
+
 # --- 4: the device player
 
 
