@@ -312,8 +312,11 @@ class Display:
         distances = self._distances if self.shows_distances else {}
         readings = tuple(self._readings.values())
         belt = self._donnie.outlets.belt.rows() if self._has_belt else ()
+        is_moving_on = (
+            self._runs.state is RunState.RUNNING
+        )  # asked first: held, its variables stay as they are
         frames, changes = self._runs.frames, None if self._place.is_plain else self._changes
-        if changes is not None and self._runs.state is not RunState.RUNNING:  # a step, and no look on the way
+        if changes is not None and not is_moving_on:  # a step, and no look on the way
             changes.look(scopes_of(frames, variables), [frame.line for frame in frames])
         if changes is not None and self._runs.past is None:
             self._histories.look(scopes_of(frames, variables))

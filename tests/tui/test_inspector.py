@@ -164,6 +164,38 @@ def test_inside_a_procedure_the_variables_of_the_program_are_still_there():
     assert heard[:4] == ("Variables:", "steps is 3", "Of the program:", "total is 12")
 
 
+class _Holding:
+    """The runs at the moment at which a program holds: it runs until its variables are read."""
+
+    def __init__(self, runs, state, frames):
+        self._runs, self.state, self._frames = runs, state, frames
+
+    def __getattr__(self, name):
+        return getattr(self._runs, name)
+
+    @property
+    def frames(self):
+        self.state = RunState.PAUSED
+        return self._frames
+
+
+async def test_a_look_before_a_program_holds_marks_no_variable(open_screen, monkeypatch):
+    """The look after it would have found no change, so the mark was gone."""
+    program = "VAR sum = 6\nsum = sum + 1\nFW 1"
+    async with open_screen(program, size=(120, 40)) as screen:
+        screen.main.editor.go_to(2)
+        await screen.press("f10")
+        await screen.shows("Line 2")
+        display = screen.app.controller.display
+        for state, line in ((RunState.RUNNING, 2), (RunState.PAUSED, 3)):
+            frames = (Frame("", line, (("sum", 7),)),)
+            monkeypatch.setattr(display, "_runs", _Holding(display._runs, state, frames))
+            display._show_inspector()
+        monkeypatch.undo()
+
+        assert "*sum       7    6" in screen.main.inspector.lines
+
+
 async def test_a_step_marks_the_variable_that_it_changed(open_screen):
     program = "PROCEDURE ADD: n DO\nVAR sum = n + 1\nsum = sum + 1\nFW 1\nEND PROCEDURE\nVAR a = 5\nADD [a]"
     async with open_screen(program, size=(120, 40)) as screen:
