@@ -128,6 +128,8 @@ class Turns:
 
     def cut(self, glides: Collection[Glide]) -> None:
         """Something has come near to robots that glide: they act again at the end of the tick that is due."""
+        if not glides:
+            return
         with self.lock:
             now = self.now()
             for glide in glides:

@@ -84,7 +84,7 @@ class Ground:
             if near := self._gliding_near(x, y, half + extent):
                 if any(glide.is_near_way(each.way, moving.extent(each.root)) for each in near):
                     return False
-                self._cut_those([each for each in near if each.is_near_way(glide.way, extent)])
+                self._cut([each for each in near if each.is_near_way(glide.way, extent)])
             self._glides[glide.root] = glide
             moving.cover(glide.root, x, y, half)
             return True
@@ -94,11 +94,6 @@ class Ground:
         with self._lock:
             del self._glides[root]
             self._put(root, self._now[root] if now is None else now)
-
-    def _cut_those(self, glides: Collection[Glide]) -> None:
-        """Something comes near to them. Under the lock."""
-        if glides:
-            self._cut(glides)
 
     def _gliding_near(self, x: float, y: float, reach: float) -> list[Glide]:
         """The glides that may be near to what comes within ``reach`` of a place."""
@@ -153,7 +148,7 @@ class Ground:
             if self._glides and self._layout is not None:
                 extent = self._layout.moving.extent(root)
                 near = self._gliding_near(now.x, now.y, extent)
-                self._cut_those([each for each in near if each.is_near(now.x, now.y, extent)])
+                self._cut([each for each in near if each.is_near(now.x, now.y, extent)])
 
     def _put(self, root: int, now: Placement) -> None:
         if now != self._now[root]:

@@ -200,7 +200,10 @@ class MovingRoots:
         ]
 
     def in_wedge(self, wedge: Wedge, reach: float) -> list[int]:
-        """The roots that may come into a wedge up to a distance, in no order."""
+        """The roots that may come into a wedge up to a distance, in no order.
+
+        This is ``Wedge.touches`` written out, because each sensor asks it for each root.
+        """
         x, y, (c, s), (wc, ws) = wedge.x, wedge.y, wedge.facing, wedge.aside
         found = []
         for circles in self._near(*wedge.box(reach)) if len(self._circles) > FEW else (self._circles,):

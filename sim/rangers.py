@@ -114,7 +114,7 @@ class Cone(Struct, frozen=True):
         half = self.half_angle
         if half > NARROW:
             return self._nearest_of_wide(around, place)
-        yaw = place.yaw - half + half
+        yaw = place.yaw - half + half  # rounded as the middle of the wedges of a wide cone is
         wedge = Wedge(place.x, place.y, yaw, direction(yaw), direction(half), self.maximum)
         return around.nearest(wedge, self.height)
 
