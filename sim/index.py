@@ -28,11 +28,11 @@ FEW = 16
 VIEWED_FROM = 0.5
 """Metres of the side of a square from which views are kept."""
 _NEARER = 0.75 * VIEWED_FROM
-"""Metres, more than half of its diagonal: so much nearer than to its middle something may be."""
+"""Metres by which a thing may be nearer to some place in the square than to the middle of the square."""
 SECTOR = 30.0
 """Degrees of the directions that share a view."""
 MOST_VIEWS = 20_000
-"""More are not kept."""
+"""When there are so many, all are dropped."""
 MOST_SQUARES = 256
 """A part that lies in more squares than that is looked at in every question."""
 
@@ -96,7 +96,7 @@ def _inside(
 Circle = tuple[float, float, float]
 """Its middle's x and y, and its radius."""
 InView = tuple[float, float, float, float, Part]
-"""A part: how far it is at least, and a circle around it: its middle's x and y, its radius."""
+"""How far a part is at least; the x, y and radius of a circle around it; the part."""
 
 
 class Views:

@@ -340,7 +340,7 @@ class Layout:
 def _nearest(
     views: Iterable[InView], wedge: Wedge, height: float | None, but: frozenset[int], nearest: Sighted
 ) -> Sighted:
-    """What is nearest in the wedge, also of what was ``nearest`` before; of equals the first in the world.
+    """The nearest thing in the wedge. ``nearest`` was found before; of two equally near, the first counts.
 
     ``views``: the nearest first.
     """

@@ -134,7 +134,7 @@ class Deadlines:
         self._frames = frames
 
     def postpone(self, seconds: float) -> None:
-        """This process itself did not run for so long, being suspended or starved."""
+        """Add seconds in which this process did not run: it was suspended, or the machine was busy."""
         self._times = {what: time + seconds for what, time in self._times.items()}
 
     def overdue(self, now: float) -> Awaited | None:

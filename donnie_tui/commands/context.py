@@ -341,7 +341,7 @@ class Attempt:
         return (sentence,)
 
     def _becomes_lost(self, verdict: Judgment) -> bool:
-        """Whether no further line can repair now what was done; a whole program begins anew by itself."""
+        """Whether no further line can solve the challenge now. A whole program begins anew by itself."""
         from donnie_tui.core.goals import begins_anew
 
         before = self._is_lost

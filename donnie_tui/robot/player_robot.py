@@ -53,7 +53,7 @@ class PlayerRobot(LinkedRobot[ServerLink]):
     """The server stops a robot when its last client leaves."""
 
     start = Pose(0.0, 0.0, 0.0)
-    """Where a robot is that counts from 0 0 0; set after construction, as the next two."""
+    """Where its wheels count from, if they begin at 0 0 0. Set after construction, as the next two."""
     chosen_view: float | None = None
     """Degrees that its camera's picture covers; None: what the server says."""
     leave: tuple[Callable[[], object], ...] = ()
