@@ -106,15 +106,14 @@ class CopyFolder:
                 self.leave(each)
 
     def newest_first(self, prefix: str) -> list[Path]:
-        try:
+        found: list[tuple[int, str]] = []
+        with contextlib.suppress(OSError):
             check_own(self.name)
             with os.scandir(self.name) as entries:
-                copies = [
-                    each for each in entries if each.name.startswith(prefix) and each.name.endswith(_SUFFIX)
-                ]
-            found = [(each.stat().st_mtime_ns, each.path) for each in copies]
-        except OSError:
-            return []
+                for each in entries:
+                    if each.name.startswith(prefix) and each.name.endswith(_SUFFIX):
+                        with contextlib.suppress(FileNotFoundError):  # removed in the meantime
+                            found.append((each.stat().st_mtime_ns, each.path))
         return [_path(each) for _, each in sorted(found, reverse=True)]
 
 

@@ -232,6 +232,13 @@ def test_only_files_that_are_called_as_copies_are_offered(tmp_path: Path) -> Non
     assert CopyFolder(str(tmp_path / "nowhere")).offered() == []
 
 
+def test_a_copy_that_is_removed_while_the_folder_is_read_hides_no_other(tmp_path: Path) -> None:
+    (tmp_path / "unsaved-0-a.gd").symlink_to(tmp_path / "gone")  # listed, and not there when it is looked at
+    (tmp_path / "unsaved-0-b.gd").write_text("FW 1")
+
+    assert [each.name for each in CopyFolder(str(tmp_path)).offered()] == ["unsaved-0-b.gd"]
+
+
 def test_a_copy_that_was_kept_without_a_question_is_offered_once(tmp_path: Path) -> None:
     for text in ("FW 1", "FW 2"):
         copy = write_copy(tmp_path, text)
