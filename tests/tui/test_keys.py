@@ -15,6 +15,7 @@ from donnie_tui.commands.keys import KeyTable, is_free_to_give, not_understood, 
 from donnie_tui.commands.settings import change
 from donnie_tui.core.run_state import RunState
 from donnie_tui.tui.terminal import use_mouse
+from donnie_tui.tui.widgets.map_view import MapView
 from tests.tui.conftest import WAITING
 
 pytestmark = pytest.mark.slow
@@ -40,6 +41,38 @@ def test_every_key_is_one_that_terminals_send():
 def firsts(keys: tuple[str, ...]) -> Iterator[str]:
     """What is pressed first."""
     return (each.split()[0] for each in keys)
+
+
+def test_the_keys_of_the_map_mean_the_same_after_the_menu_key():
+    """P is the picture there; the previous thing has Backspace, which goes back in the tour too."""
+    table = KeyTable()
+    of_the_map = {
+        key: binding.action.partition("'")[2].partition("'")[0]
+        for binding in MapView.BINDINGS
+        if binding.action.startswith("app.do(")
+        for key in binding.key.split(",")
+    }
+    after_menu = {key: table.command_of(f"ctrl+k {key}") for key in of_the_map}
+
+    assert of_the_map["backspace"] == of_the_map["p"] == "previous_thing"
+    assert table.command_of("ctrl+k p") == "picture"
+    differing = {key for key, name in of_the_map.items() if after_menu[key] != name}
+    assert differing == {"p", "home", "equals_sign"}
+
+
+async def test_the_picture_and_the_previous_thing_have_keys_everywhere(open_screen):
+    async with open_screen(world="living_room") as screen:
+        await screen.press("ctrl+k", "p")
+        await screen.shows("The map is a picture.")
+        await screen.press("ctrl+k", "n", "ctrl+k", "n")
+        await screen.until(lambda: screen.main.map.is_exploring, "a thing")
+        second = screen.main.map.pointer.cell
+        await screen.press("ctrl+k", "backspace")
+        await screen.until(lambda: screen.main.map.pointer.cell != second, "the thing before")
+        await screen.press("n")
+        await screen.until(lambda: screen.main.map.pointer.cell == second, "the second thing again")
+        await screen.press("backspace")
+        await screen.until(lambda: screen.main.map.pointer.cell != second, "the thing before again")
 
 
 def test_a_key_may_be_given_to_another_action():

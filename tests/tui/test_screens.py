@@ -300,7 +300,7 @@ async def test_the_map_as_a_picture(open_screen, same, theme, size):
         await screen.shows("The program is done.")
         await screen.idle()
         screen.main.go_to(screen.main.map_pane)
-        await screen.press("ctrl+k", "4")
+        await screen.press("ctrl+k", "p")
         await screen.shows("The map is a picture.")
         await screen.painted()
         await same(screen)
