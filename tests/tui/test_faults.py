@@ -202,7 +202,7 @@ async def test_the_tour_and_the_help_open_from_a_line_of_the_program(open_screen
     async with open_screen(PROGRAM) as screen:
         type_on_last_line(screen, word)
         await screen.until(
-            lambda: screen.app.screen is not screen.main or "Tour, page 1" in screen.text,
+            lambda: screen.app.screen is not screen.main or "Tour 1 of" in screen.text,
             "what was asked for",
         )
 

@@ -345,9 +345,9 @@ async def test_the_tour(open_screen, same, theme, size):
     async with open_screen("FW 1", size=size, world="living_room") as screen:
         screen.app.theme = theme
         await screen.type_line("TOUR")
-        await screen.until(lambda: "Tour, page 1" in screen.text, "the tour")
+        await screen.until(lambda: "Tour 1 of" in screen.text, "the tour")
         await screen.press("enter")
-        await screen.until(lambda: "Tour, page 2" in screen.text, "the second page")
+        await screen.until(lambda: "Tour 2 of" in screen.text, "the second page")
         await screen.painted()
         await same(screen)
 

@@ -297,6 +297,6 @@ def test_what_comes_in_one_burst_with_the_key_of_a_question_is_the_answer(termin
 def test_a_capital_behind_the_menu_key_is_a_letter_with_shift(terminal):
     donnie = terminal()
     donnie.type(CTRL_K + "T")
-    donnie.shows("Tour, page 1 of 9.")
+    donnie.shows("Tour 1 of 9.")
     donnie.type(ENTER)
     donnie.shows("You begin in the program.")

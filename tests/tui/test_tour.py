@@ -11,7 +11,7 @@ from tests.tui.conftest import WAITING
 
 async def touring(screen) -> None:  # type: ignore[no-untyped-def]
     screen.app.controller.do("tour")
-    await screen.until(lambda: "Tour, page" in screen.text, "the tour")
+    await screen.until(lambda: "Tour " in screen.text, "the tour")
 
 
 async def closed(screen) -> None:  # type: ignore[no-untyped-def]
@@ -21,7 +21,7 @@ async def closed(screen) -> None:  # type: ignore[no-untyped-def]
 
 async def turn_to(screen, page: int, key: str = "enter") -> None:  # type: ignore[no-untyped-def]
     await screen.press(key)
-    await screen.until(lambda: f"Tour, page {page} of {SCREEN_TOUR_PAGES}." in screen.text, f"page {page}")
+    await screen.until(lambda: f"Tour {page} of {SCREEN_TOUR_PAGES}." in screen.text, f"page {page}")
 
 
 async def test_enter_turns_the_pages_and_closes_behind_the_last_one(open_screen) -> None:  # type: ignore[no-untyped-def]
@@ -53,7 +53,7 @@ async def test_the_tour_goes_on_at_the_page_that_was_left(open_screen) -> None: 
         await closed(screen)
         await touring(screen)
 
-        assert "Tour, page 2" in screen.text
+        assert "Tour 2 of" in screen.text
         assert "You begin in the program. Type FW 3 there." in screen.text
 
 
@@ -73,7 +73,7 @@ async def test_it_is_a_strip_that_leaves_everything_usable(open_screen) -> None:
         await screen.painted()
         assert screen.app.screen is screen.main
         assert screen.main.tour.size.height <= 6
-        assert screen.status.startswith(" Tour, page 1")
+        assert screen.status.startswith(" Tour 1 of")
 
         await turn_to(screen, 2)
         await screen.press("tab", "tab")
@@ -83,7 +83,7 @@ async def test_it_is_a_strip_that_leaves_everything_usable(open_screen) -> None:
         await screen.idle()
         assert screen.main.tour is not None
         screen.app.controller.do("tour")
-        await screen.until(lambda: "Tour, page 3" in screen.text, "the next page")
+        await screen.until(lambda: "Tour 3 of" in screen.text, "the next page")
         assert screen.app.focused is screen.main.editor
 
 
@@ -94,10 +94,10 @@ async def test_it_can_be_read_and_left_by_mouse(open_screen) -> None:  # type: i
         for page, said in ((2, "Enter continues"), (3, "F8 or Ctrl+C")):
             y, row = next((y, row) for y, row in enumerate(screen.text.splitlines()) if said in row)
             await screen.pilot.click(offset=(row.index(said) + 1, y))
-            await screen.until(lambda page=page: f"Tour, page {page}" in screen.text, str(page))
+            await screen.until(lambda page=page: f"Tour {page} of" in screen.text, str(page))
             await screen.painted()
-        y, row = next((y, row) for y, row in enumerate(screen.text.splitlines()) if "Esc closes" in row)
-        await screen.pilot.click(offset=(row.index("Esc closes") + 1, y))
+        y, row = next((y, row) for y, row in enumerate(screen.text.splitlines()) if "Esc ends" in row)
+        await screen.pilot.click(offset=(row.index("Esc ends") + 1, y))
         await closed(screen)
 
 
@@ -133,6 +133,22 @@ async def test_it_is_in_the_learner_s_language(open_screen, language, first, las
         await screen.until(lambda: last in screen.text, last)
 
 
+@pytest.mark.parametrize(
+    ("language", "heading"),
+    [
+        ("en", "Tour {} of 9. Enter continues, Esc ends"),
+        ("pt", "Passeio {} de 9. Enter segue, Esc fecha"),
+        ("es", "Paseo {} de 9. Enter sigue, Esc cierra"),
+    ],
+)
+async def test_what_its_keys_do_is_read_whole_in_forty_columns(open_screen, language, heading) -> None:  # type: ignore[no-untyped-def]
+    async with open_screen("FW 1", size=(40, 12), language=language) as screen:
+        screen.app.controller.do("tour")
+        for page in range(1, SCREEN_TOUR_PAGES + 1):
+            await screen.until(lambda page=page: f"{heading.format(page)}\n" in screen.text, heading)
+            await screen.press("enter")
+
+
 async def test_a_page_is_said_whole(open_screen, monkeypatch) -> None:  # type: ignore[no-untyped-def]
     async with open_screen() as screen:
         said: list[str] = []
@@ -140,7 +156,7 @@ async def test_a_page_is_said_whole(open_screen, monkeypatch) -> None:  # type: 
         await touring(screen)
         await screen.until(lambda: said, "the first page")
 
-        assert said[0].startswith(f"Tour, page 1 of {SCREEN_TOUR_PAGES}.")
+        assert said[0].startswith(f"Tour 1 of {SCREEN_TOUR_PAGES}.")
         assert "Donnie is a robot" in said[0]
         assert "brings it back." in said[0]
 
