@@ -89,7 +89,6 @@ AS_IN_ENGLISH = {
     "report-title": ("pt", "es"),
     "setting-mouse": ("pt",),
     "spell-ampersand": ("es",),
-    "speed-max": ("es",),
     "status-inspector": ("es",),
     "thing-cone": ("pt",),
     "value-speech-ssip": ("pt", "es"),
