@@ -262,7 +262,8 @@ def _compass(distances: Mapping[Bearing, int], words: Wording) -> tuple[str, ...
         side.ljust(width) + "".join(f"{distances.get(bearing, '-'):>6}" for bearing in row)
         for side, row in zip(sides, rows, strict=True)
     )
-    return words("inspector-distances"), ahead, " " * (width + 11) + "^", behind
+    middle = f"{words('where-left'):>{width + 10}} ^ {words('where-right')}"
+    return words("inspector-distances"), ahead, middle, behind
 
 
 def _variables(scopes: Sequence[tuple[str, Sequence[tuple[str, int]]]], words: Wording) -> tuple[str, ...]:

@@ -27,7 +27,7 @@ def shown(screen) -> list[str]:
     if screen.main.is_plain:
         return [line.split(": ")[1] for line in lines[first : first + 6]]
     front_left, front, front_right = lines[first].split()[1:]
-    assert lines[first + 1].strip() == "^"
+    assert lines[first + 1].split() == ["left", "^", "right"]
     back_left, back, back_right = lines[first + 2].split()[1:]
     return [front, front_right, back_right, back, back_left, front_left]
 
@@ -39,10 +39,27 @@ async def test_the_distances_are_there_before_anything_runs(open_screen):
         assert lines[1:] == (
             "Distances now:",
             "ahead      3    24    35",
-            "                 ^",
+            "            left ^ right",
             "behind     3     2     3",
         )
         assert shown(screen) == known(screen)
+
+
+@pytest.mark.parametrize(
+    ("language", "drawing"),
+    [
+        ("pt", ("à frente     3    24    35", "          esquerda ^ direita", "atrás        3     2     3")),
+        (
+            "es",
+            ("al frente     3    24    35", "          izquierda ^ derecha", "atrás         3     2     3"),
+        ),
+    ],
+)
+async def test_all_four_sides_of_the_robot_have_their_names(open_screen, language, drawing):
+    """In the narrowest pane that stands next to the map."""
+    async with open_screen(world="living_room", size=(120, 40), language=language) as screen:
+        assert screen.main.inspector.lines[-3:] == drawing
+        assert all(row in screen.text for row in drawing)
 
 
 async def test_the_distances_follow_a_moving_robot_and_are_right_where_it_stops(open_screen):
