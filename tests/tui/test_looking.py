@@ -385,6 +385,30 @@ async def test_at_two_hundred_columns_a_step_of_the_living_room_is_a_square(open
         assert screen.main.log_rows.size.height >= 8
 
 
+@pytest.mark.parametrize("size", [(80, 24), (110, 40), (120, 40), (140, 50), (200, 60)])
+@pytest.mark.parametrize("world", ["living_room", "first_room", "corridor"])
+async def test_coordinates_leave_the_map_as_large_as_it_was(open_screen, world, size):
+    """Their column and row are taken from the program and the log, not from the squares."""
+    async with open_screen("FW 1", world=world, size=size) as screen:
+        await screen.painted()
+        view = screen.main.map
+        before = (view.scale.factor, view._extent, view.size)
+        await screen.type_line("COORDINATES")
+        await screen.shows("Coordinates")
+        await screen.until(lambda: view.has_rulers, "the numbers")
+        await screen.painted()
+
+        assert (view.scale.factor, view._extent) == before[:2]
+        assert not view.hidden
+        assert screen.main.editor.size.width >= 39
+        assert screen.main.log_pane.size.height <= size[1] / 3
+
+        await screen.type_line("COORDINATES")
+        await screen.until(lambda: not view.has_rulers, "no numbers")
+        await screen.painted()
+        assert view.size == before[2]
+
+
 async def test_on_an_endless_floor_a_square_is_a_step(open_screen):
     async with open_screen(world="open_floor") as screen:
         assert screen.main.map.scale.factor == 1

@@ -41,6 +41,8 @@ LEAST_PROGRAM, LEAST_MAP = 39, 20
 """Columns that a program needs to be read, and a map to be one."""
 LEAST_LOG = 9
 """Rows, with its title."""
+_INSPECTOR = 30
+"""Columns of the inspector next to the map."""
 _FIXED_ROWS = 3
 """The command line, the status line and the keys."""
 
@@ -282,17 +284,26 @@ class MainScreen(Screen[None]):
         self._give_room()
 
     def _give_room(self) -> None:
-        """Where the whole width of the floor can be seen, it is; for its whole height the log has less."""
-        grid = self.map.grid
-        wanted = grid.bounds.width if grid else 0
-        fits = LEAST_PROGRAM + wanted + 1 <= self.size.width < WIDE and wanted >= LEAST_MAP
+        """Where the whole width of the floor can be seen, it is; for its whole height the log has less.
+
+        The numbers at its edges take their room from the program and the log, too.
+        """
         free = not self.has_class("-one-pane") and not self.has_class("-inspecting") and not self.is_plain
-        self.map_pane.styles.width = wanted if fits and free else None
+        floor = self.map.grid.bounds if self.map.grid else None
+        numbers = self.map.rulers
+        is_wide = self.size.width >= WIDE
+        columns = self.size.width - (_INSPECTOR + 2 if is_wide else 1)
         rows = self.size.height - _FIXED_ROWS
-        wanted_rows = grid.bounds.height + 1 if grid else 0
-        has_log = self.has_class("-tall") and rows - wanted_rows >= LEAST_LOG
-        is_more = wanted_rows > rows * 5 // 7  # what the style sheet gives
-        self.query_one("#upper").styles.height = wanted_rows if has_log and is_more and free else None
+        given = Size(-(-columns // 2), rows * 5 // 7)  # by the style sheet
+        wanted = given.width
+        if not is_wide and floor and LEAST_MAP <= floor.width <= columns - LEAST_PROGRAM:
+            wanted = floor.width
+        wanted += numbers.x
+        fits = wanted != given.width and wanted <= columns - LEAST_PROGRAM
+        self.map_pane.styles.width = wanted if fits and free else None
+        wanted = max(given.height, floor.height + 1 if floor else 0) + numbers.y
+        fits = wanted > given.height and self.has_class("-tall") and wanted <= rows - LEAST_LOG
+        self.query_one("#upper").styles.height = wanted if fits and free else None
 
     def log_lines(self, lines: Iterable[tuple[str, str]]) -> None:
         before = self.log_rows.row_count
@@ -319,6 +330,9 @@ class MainScreen(Screen[None]):
             self.app.screen.check_idle()
 
     # --- what was done to it
+
+    def on_map_view_rulers_changed(self) -> None:
+        self._give_room()
 
     def on_map_view_explored(self) -> None:
         self.post_message(self.Looked())

@@ -72,6 +72,9 @@ class MapView(PaintedRows, can_focus=True):
     class EdgesChanged(Message):
         """Floor that was seen is outside now, or the other way round."""
 
+    class RulersChanged(Message):
+        """The numbers at the edges came or left: the map takes more room or less."""
+
     def __init__(self, *, id: str) -> None:  # noqa: A002 -- Textual's own name
         super().__init__(id=id)
         self.scale: MapScale | None = None
@@ -185,6 +188,7 @@ class MapView(PaintedRows, can_focus=True):
         """Numbers at the left and at the top: steps to the north and to the east."""
         self.has_rulers = shown
         self._fit()
+        self.post_message(self.RulersChanged())
 
     # --- size and place
 
@@ -192,21 +196,21 @@ class MapView(PaintedRows, can_focus=True):
         self._fit()
 
     @property
-    def _rulers(self) -> Offset:
+    def rulers(self) -> Offset:
         """What the numbers take."""
         return Offset(RULER, 1) if self.has_rulers else Offset(0, 0)
 
     def _fit(self) -> None:
         if self.scale is None:
             return
-        room = Size(max(1, self.size.width - self._rulers.x), max(1, self.size.height - self._rulers.y))
+        room = Size(max(1, self.size.width - self.rulers.x), max(1, self.size.height - self.rulers.y))
         self._choose_factor(room)
         bounds = self._bounds = self.scale.bounds
         fitting = self._painter.fitting(Size(bounds.width, bounds.height), room)
         nearer = 0 if self.shows_all else max(0, self._zoom)
         extent = self._extent = self._painter.extents[min(fitting + nearer, NEAREST)]
         floor = Size(extent.columns * bounds.width, extent.rows * -(-bounds.height // extent.stacked))
-        self.virtual_size = Size(floor.width + self._rulers.x, floor.height + self._rulers.y)
+        self.virtual_size = Size(floor.width + self.rulers.x, floor.height + self.rulers.y)
         self._written = self._labels(self.scale, self._extent.columns) if self._labels else {}
         self._follow(self._followed, centre=True)
         self._note_hidden()
@@ -230,7 +234,7 @@ class MapView(PaintedRows, can_focus=True):
     @property
     def _window(self) -> Region:
         """Where floor is seen, in the widget."""
-        return self.size.region.shrink((self._rulers.y, 0, 0, self._rulers.x))
+        return self.size.region.shrink((self.rulers.y, 0, 0, self.rulers.x))
 
     def _mark_edges(self, changed: frozenset[Cell] | None = None) -> None:
         """Marks anew after a scroll; else only if one of the squares that changed is outside."""
@@ -304,7 +308,7 @@ class MapView(PaintedRows, can_focus=True):
         bounds = self._bounds
         extent = self._extent
         down = (bounds.top - square.y) // extent.stacked * extent.rows
-        place = Offset((square.x - bounds.left) * extent.columns, down) + self._rulers
+        place = Offset((square.x - bounds.left) * extent.columns, down) + self.rulers
         size = Size(extent.columns, extent.rows)
         return Region.from_offset(place - self.scroll_offset if scrolled else place, size)
 
@@ -335,7 +339,7 @@ class MapView(PaintedRows, can_focus=True):
     def _square_at(self, place: Offset) -> Cell:
         """The square that is painted there, or would be if there were floor."""
         assert self.scale is not None
-        right, down = place - self._rulers + self.scroll_offset
+        right, down = place - self.rulers + self.scroll_offset
         bounds, extent = self._bounds, self._extent
         return self.scale.robot._replace(
             x=bounds.left + right // extent.columns, y=bounds.top - down // extent.rows * extent.stacked
@@ -358,7 +362,7 @@ class MapView(PaintedRows, can_focus=True):
         base = self.painted_as()
         if self.scale is None:
             return Strip.blank(self.size.width, base)
-        ruler_x, ruler_y = self._rulers
+        ruler_x, ruler_y = self.rulers
         if y < ruler_y:
             return self._top_ruler()
         down, row = divmod(y - ruler_y + self.scroll_offset.y, self._extent.rows)
