@@ -156,8 +156,12 @@ class RunController:
 
     @property
     def _past_frames(self) -> tuple[Frame, ...] | None:
-        stepping = self._record.narrator.stepping if self._record is not None else None
-        return None if stepping is None or self.past is None else stepping.frames_at(self.past)
+        record, past = self._record, self.past
+        if record is None or past is None:
+            return None
+        stepping = record.narrator.stepping
+        held = stepping.frames_at(past) if stepping is not None else None
+        return held if held is not None else record.frames_at(past)
 
     @property
     def past_steps(self) -> tuple[int, int] | None:
@@ -180,7 +184,7 @@ class RunController:
 
     @property
     def knows_variables(self) -> bool:
-        """False at a moment of the past before which the program was not held."""
+        """False at a moment of the past of which nothing was kept."""
         return self.past is None or self._past_frames is not None
 
     # --- starting
@@ -496,7 +500,11 @@ class RunController:
             case Read() if own.narrator.stepping is not None:
                 own.narrator.stepping.on_read(event)
             case Moved() | Turned() | Waited() if "\n" in own.request.text:
-                self._keep_variables(stamped.seq, own.session.frames)
+                frames = own.session.frames
+                self._keep_variables(stamped.seq, frames)
+                own.keep_frames(stamped.seq, frames)
+            case Spoke() if "\n" in own.request.text and own.has_room_for_frames:
+                own.keep_frames(stamped.seq, own.session.frames)
             case RunEnded():
                 self._answer(*own.narrator.on_end(event))
                 if event.outcome is Outcome.COMPLETED and own.is_silent and own.is_background:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, TypeAlias
 from donnie_tui.core.events import Error, Outcome, RunEnded, RunStarted, Stamped
 from donnie_tui.core.runner import Run, RunRequest
 from donnie_tui.core.session import Session
-from donnie_tui.core.timeline import Chronicle
+from donnie_tui.core.timeline import Chronicle, is_main_event
 from donnie_tui.core.transcript import lines_of, lines_with_robot_name, with_robot_name
 from donnie_tui.core.wording import Wording
 from language.control import ControlState, ExecutionControl
@@ -23,9 +23,13 @@ from language.source import fold_name
 
 if TYPE_CHECKING:
     from donnie_tui.core.stepping import Stepping
+    from donnie_tui.core.timeline import Timeline
+    from language.runtime import Frame
 
 MOST_KEPT = 200
 """Mistakes that are remembered, the newest ones."""
+MOST_FRAMES, MOST_CALLS = 2000, 20
+"""Moments of a run whose open calls are remembered, and of each the innermost calls."""
 MOST_HINTS = 3
 LARGEST_HINTED = 50_000
 """Characters of a text that is searched for hints: the search must not keep the learner waiting."""
@@ -150,12 +154,32 @@ class RunRecord:
         """Whether nothing was said since it began or since the last request."""
         self.is_stepped = False
         """Whether the last request was for one step: the learner waits for what it does."""
+        self._frames: dict[int, tuple[Frame, ...]] = {}
+        """The open calls during what the program did, by the number of the event; of the newest."""
 
     @property
     def is_current(self) -> bool:
         """Whether the robot runs this, and not something that was started later."""
         run = self.session.run
         return run is not None and run.control is self.control
+
+    @property
+    def has_room_for_frames(self) -> bool:
+        """False once many were kept: reading them at each word would slow down a program that talks a lot."""
+        return len(self._frames) < MOST_FRAMES
+
+    def keep_frames(self, seq: int, frames: Sequence[Frame]) -> None:
+        """Remembers where the program was while the event of that number happened."""
+        self._frames[seq] = tuple(frames[:MOST_CALLS])
+        if len(self._frames) > MOST_FRAMES:
+            del self._frames[next(iter(self._frames))]
+
+    def frames_at(self, timeline: Timeline) -> tuple[Frame, ...] | None:
+        """The calls at that position, where the program did what came next. None where they were not kept."""
+        robot = self.session.hub.robot
+        following = (timeline.events[at] for at in range(timeline.at, len(timeline)))
+        done = (each for each in following if each.robot == robot and is_main_event(each.event))
+        return next((self._frames.get(each.seq) for each in done), None)
 
     @property
     def state(self) -> RunState:

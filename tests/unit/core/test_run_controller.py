@@ -305,6 +305,33 @@ def test_calls_and_variables_go_back_with_the_steps() -> None:
     lesson.ended()
 
 
+def test_the_way_back_through_a_run_without_holds_has_lines_calls_and_variables() -> None:
+    lesson = Lesson()
+    lesson.start("PROCEDURE GO: n DO\nFW n\nEND PROCEDURE\nVAR x = 1\nGO [x]\nx = 2\nSPEAK x\nTR 90")
+    lesson.ended()
+
+    seen = []
+    while not lesson.runs.step_back()[-1].startswith("Back: start of"):
+        seen.append([(each.procedure, each.line, each.variables) for each in lesson.runs.frames])
+    turned, walked = [("", 8, (("x", 2),))], [("GO", 2, (("n", 1),)), ("", 5, (("x", 1),))]
+    assert seen == [[], turned, [("", 7, (("x", 2),))], walked]
+    assert lesson.runs.knows_variables is False
+
+
+def test_the_way_back_into_an_earlier_run_has_no_lines_of_it() -> None:
+    lesson = Lesson()
+    lesson.start("FW 1\nTR 90")
+    lesson.ended()
+    lesson.start("FW 2\nTL 90")
+    lesson.ended()
+
+    lines = {}
+    while (said := lesson.runs.step_back()[-1]) not in lines:
+        lines[said] = [each.line for each in lesson.runs.frames]
+    assert [lines[each] for each in lines if each.startswith(("Before FW 2", "Before TL"))] == [[2], [1]]
+    assert [lines[each] for each in lines if each.startswith(("Before FW 1", "Before TR"))] == [[], []]
+
+
 def test_an_unattended_program_is_announced_not_held_and_its_stop_is_answered_at_once() -> None:
     lesson = Lesson(speed=1.0)
     lesson.runs.start_in_background(RunRequest(ENDLESS))
