@@ -151,6 +151,7 @@ class Class:
 
 def _started(command: tuple[str, ...], folder: Path) -> Session:
     folder.mkdir()
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # an installed program isn't compiled at each start
     own = {"XDG_STATE_HOME": str(folder), "XDG_CONFIG_HOME": str(folder), "HOME": str(folder)}
     more = {"TERM": "xterm-256color", "LANG": "C.UTF-8", "DONNIE_TOUR": "off", "DONNIE_READER": "off"}
     pid, terminal = pty.fork()
