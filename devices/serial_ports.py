@@ -24,7 +24,6 @@ from collections import deque
 from collections.abc import Callable, Iterable
 from contextlib import suppress
 from enum import Enum
-from pathlib import Path
 from typing import TYPE_CHECKING, Generic, ParamSpec, Protocol, TypeAlias, TypeVar
 
 from msgspec import Struct
@@ -34,6 +33,7 @@ from devices.ports.robot import NETWORK_SCHEMES
 if TYPE_CHECKING:
     import logging
     from collections.abc import Iterable
+    from pathlib import Path
 
 
 if sys.platform == "win32":
@@ -231,6 +231,8 @@ def group_of(port: str) -> str | None:
     None where joining the group would not help or is never advisable: root's own group, or one that may not
     both read and write.
     """
+    from pathlib import Path
+
     try:
         status = Path(port).stat()
         if status.st_gid == 0 or status.st_mode & _GROUP_MAY_USE != _GROUP_MAY_USE:
@@ -249,7 +251,7 @@ _ARDUINO = 0x2341
 _MEGAS = (0x0042, 0x0010)
 """USB product numbers of the boards in the original robot and belt (Arduino Mega 2560, R3 and older)."""
 
-_BY_ID = Path("/dev/serial/by-id")
+_BY_ID = "/dev/serial/by-id"
 
 
 class SystemPort(Protocol):
@@ -282,7 +284,7 @@ class FoundPort(Struct, frozen=True):
 
 
 def list_ports(
-    system: Callable[[], Iterable[SystemPort]] = system_ports, by_id: Path = _BY_ID
+    system: Callable[[], Iterable[SystemPort]] = system_ports, by_id: str | Path = _BY_ID
 ) -> tuple[FoundPort, ...]:
     """The ports that are plugged in and may be opened: boards first, then by name."""
     names = _stable_names(by_id)
@@ -294,9 +296,11 @@ def list_ports(
     return tuple(sorted(found, key=lambda port: (not port.is_board, port.device)))
 
 
-def stable_name(port: str, by_id: Path = _BY_ID) -> str:
+def stable_name(port: str, by_id: str | Path = _BY_ID) -> str:
     """The name that the port keeps when it is plugged in again; its own name where it has no such."""
-    if Path(port).parent == by_id:
+    from pathlib import Path  # slow to load, and few sessions have a port
+
+    if Path(port).parent == Path(by_id):
         return port
     return _stable_names(by_id).get(os.path.realpath(port), port)
 
@@ -305,10 +309,12 @@ def _is_board(port: SystemPort) -> bool:
     return port.vid == _ARDUINO and port.pid in _MEGAS
 
 
-def _stable_names(by_id: Path) -> dict[str, str]:
+def _stable_names(by_id: str | Path) -> dict[str, str]:
     """The links in that folder, by their targets."""
+    from pathlib import Path
+
     try:
-        return {os.path.realpath(each): str(each) for each in sorted(by_id.iterdir())}
+        return {os.path.realpath(each): str(each) for each in sorted(Path(by_id).iterdir())}
     except OSError:
         return {}
 

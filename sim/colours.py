@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import cache
 
 from msgspec import Struct
 
@@ -15,7 +16,7 @@ Rgb = tuple[int, int, int]
 
 def rgb(name: str) -> Rgb | None:
     """The colour of that name in any case, blanks or not, or None."""
-    return COLOURS.get(folded(name))
+    return _table().get(folded(name))
 
 
 def nearest_name(name: str) -> str:
@@ -24,16 +25,18 @@ def nearest_name(name: str) -> str:
         return ""
     from difflib import get_close_matches  # few worlds have a mistake
 
-    meant = folded(name)
-    near = get_close_matches(meant, COLOURS, 1, 0.7)
-    return near[0] if near else next((known for known in COLOURS if sorted(known) == sorted(meant)), "")
+    meant, table = folded(name), _table()
+    near = get_close_matches(meant, table, 1, 0.7)
+    return near[0] if near else next((known for known in table if sorted(known) == sorted(meant)), "")
 
 
 def folded(name: str) -> str:
     return "".join(name.lower().split())
 
 
+@cache
 def _table() -> dict[str, Rgb]:
+    """By folded name. A world that ships needs none."""
     table = {name: _parsed(code) for name, code in (entry.split() for entry in _NAMES.split(";"))}
     for percent in range(101):
         level = (percent * 255 + 49) // 100  # rounds the halves at 50 and 90 down, the others up
@@ -132,9 +135,6 @@ violetred3 cd3278; violetred4 8b2252; wheat f5deb3; wheat1 ffe7ba; wheat2 eed8ae
 8b7e66; white ffffff; whitesmoke f5f5f5; yellow ffff00; yellow1 ffff00; yellow2 eeee00; yellow3 cdcd00;
 yellow4 8b8b00; yellowgreen 9acd32
 """
-
-COLOURS = _table()
-
 
 FAMILIES = ("red", "green", "blue", "yellow", "orange", "pink", "gray")
 """The colour words of the language."""

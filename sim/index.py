@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from math import dist, floor, sqrt
-from statistics import median_low
 
 from sim.geometry import Placement, Point, Wedge, direction, edges, is_convex, signed_area
 from sim.parts import Part
@@ -44,7 +43,7 @@ class StillParts:
         self._entries = [entry for part in parts for entry in entries_of(part)]
         self._large: list[Entry] = []
         sizes = [max(right - left, top - bottom) for left, bottom, right, top, _ in self._entries]
-        self._side = min(MOST, max(LEAST, 2.0 * median_low(sizes))) if sizes else MOST
+        self._side = min(MOST, max(LEAST, 2.0 * sorted(sizes)[(len(sizes) - 1) // 2])) if sizes else MOST
         self._squares: dict[tuple[int, int], list[Entry]] = {}
         for entry in self._entries:
             columns, rows = self._reach(*entry[:4])

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from enum import Enum
-from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 
 from donnie_tui.process.confinement import open_bytes
 from worlds import path
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 WORDS = ".toml"
 """``maze.toml`` next to ``maze.world`` has its words."""
@@ -100,6 +101,8 @@ def about_file(world: str, language: str) -> About | None:
 
 def _file_of(world: str) -> Path:
     """The file of its words."""
+    from pathlib import Path
+
     return Path(world).with_suffix(WORDS)
 
 
@@ -119,6 +122,8 @@ def _read(file: Path) -> dict[str, Any]:
 
 def parsed(data: bytes) -> dict[str, Any]:
     """Raises ``ValueError``, also for too many dots in a line: such a key takes tomllib minutes."""
+    import tomllib
+
     text = data.decode("utf-8-sig").replace("\r\n", "\n")
     for number, line in enumerate(text.split("\n"), start=1):
         if line.count(".") > MOST_DOTS:

@@ -12,7 +12,6 @@ import threading
 from collections.abc import Mapping
 from contextlib import closing
 from importlib.util import find_spec
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
@@ -272,6 +271,7 @@ def _confine_pages() -> None:
 def _installing() -> str:
     """The command that installs what is missing, here: a checkout is on no index of packages."""
     import shlex
+    from pathlib import Path
 
     root = Path(__file__).resolve().parents[2]
     wanted = ["--editable", f"{root}[serve]"] if (root / "pyproject.toml").exists() else ["donnie-tui[serve]"]

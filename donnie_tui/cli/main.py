@@ -7,7 +7,6 @@ import signal
 import sys
 from collections.abc import Callable, Mapping
 from contextlib import suppress
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
@@ -151,6 +150,8 @@ def _limit(invocation: Invocation, words: Words, start: _Start) -> _OwnSettings:
 
 def _import_nothing_from(folder: str) -> None:
     """``python -m`` looks for modules where it begins, and a learner may have made one there."""
+    from pathlib import Path  # slow to load, and few sessions are confined
+
     root = os.path.realpath(Path(donnie_tui.__file__).parents[1])
     places = [(each, os.path.realpath(each)) for each in sys.path]
     sys.path[:] = [each for each, real in places if part_below(folder, real) is None or real == root]

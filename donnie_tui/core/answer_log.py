@@ -9,14 +9,16 @@ from __future__ import annotations
 import re
 from collections import deque
 from collections.abc import Callable, Sequence
-from pathlib import Path
-from typing import TextIO
+from typing import TYPE_CHECKING, TextIO
 from unicodedata import normalize
 
 from donnie_tui.core.events import LineFile, Stamped
 from donnie_tui.core.transcript import printed_lines
 from donnie_tui.core.wording import Wording
 from language.source import fold_name
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 KEPT = 1000
 """Answers that are remembered."""

@@ -7,7 +7,6 @@ picture; the others are about the front end.
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Callable, Mapping
 from enum import Enum
@@ -453,6 +452,8 @@ _UNSAFE = "[\x7f-\x9f\u061c\u200e\u200f\u2028\u2029\u202a-\u202e\u2066-\u2069]"
 
 def json_line(record: Mapping[str, object]) -> str:
     """One line with its newline, with escapes for all that a terminal would obey."""
+    import json  # few sessions write events
+
     line = json.dumps(record, ensure_ascii=False, separators=(",", ":"))
     if not line.isprintable():
         line = re.sub(_UNSAFE, lambda found: f"\\u{ord(found[0]):04x}", line)

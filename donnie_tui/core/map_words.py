@@ -17,7 +17,6 @@ from one square to another as if the robot stood on the first.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from itertools import groupby
 from math import hypot
 from string import ascii_lowercase
@@ -376,8 +375,7 @@ def _named(thing: Thing, wording: Wording) -> str:
     return specific_name_of(thing, wording) if wording.detail == "brief" else coloured_thing(thing, wording)
 
 
-@dataclass(slots=True)
-class Pointer:
+class Pointer(Struct):
     """The pointer's place. ``cell`` None: on the robot, wherever the robot moves."""
 
     scene: MapScene

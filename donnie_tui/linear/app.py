@@ -15,7 +15,6 @@ from msgspec.structs import replace
 from donnie_tui.bootstrap import Donnie, Unusable, assemble
 from donnie_tui.commands.interaction import SLOW, SLOW_AGAIN, EnterWorld, SwitchMode
 from donnie_tui.commands.preferences import Preferences
-from donnie_tui.commands.world import settings_there
 from donnie_tui.i18n.words import Words
 from donnie_tui.linear.console import Console, Gone, run_in_background
 from donnie_tui.linear.conversation import Conversation, ConversationState
@@ -111,6 +110,8 @@ class _Worlds:
 
     def _enter(self, donnie: Donnie, name: str) -> Donnie:
         """The session in that world, which can be loaded; if its devices fail, one in the world before."""
+        from donnie_tui.commands.world import settings_there
+
         before = settings_there(donnie, self._preferences.settings, self._settings.world)
         self._session.close()
         there = replace(before, world=name)

@@ -22,7 +22,6 @@ from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.events import Answered
 from donnie_tui.core.line_history import LineHistory
 from donnie_tui.core.workspace import Workspace
-from donnie_tui.i18n.help import STEP_PAGE
 from donnie_tui.linear.console import Console, Gone, run_in_background
 from donnie_tui.linear.greeting import Greeting, has_rescued
 from donnie_tui.linear.leaving import Leaving
@@ -125,7 +124,11 @@ class Conversation:
         )
 
     def _turns_page(self) -> bool:
-        return self.ctx.tour_page == STEP_PAGE and self.typed_lines.continuation is not None
+        if self.typed_lines.continuation is None:
+            return False
+        from donnie_tui.i18n.help import STEP_PAGE
+
+        return self.ctx.tour_page == STEP_PAGE
 
     def _say_key(self, key: KeyPress, before: str) -> None:
         if self._donnie.outlets.audible.echoes:

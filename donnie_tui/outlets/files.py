@@ -14,7 +14,6 @@ import threading
 from collections import deque
 from collections.abc import Callable
 from contextlib import ExitStack, suppress
-from pathlib import Path
 from stat import S_ISFIFO
 from typing import TYPE_CHECKING, TextIO, cast
 
@@ -149,6 +148,8 @@ class Written:
         if not self._settings.log:
             return
 
+        from pathlib import Path
+
         from donnie_tui.core.answer_log import TranscriptLog, next_log
 
         try:
@@ -214,6 +215,7 @@ class Written:
 
 def bundle_of(world: ChosenWorld, settings: Settings) -> WorldBundle:
     """All that was read for the world. Raises ``BundleError``."""
+    from pathlib import Path
 
     from donnie_tui.world.recorded import pack
 

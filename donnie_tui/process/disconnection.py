@@ -22,7 +22,6 @@ import signal
 import sys
 import threading
 from collections.abc import Callable, Iterable, Mapping
-from pathlib import Path
 from stat import S_ISFIFO, S_ISSOCK
 
 _PTMX = os.makedev(5, 2)
@@ -113,7 +112,7 @@ def _end_with(keeper: int) -> None:
     threading.Thread(target=wait, name="hang-up", daemon=True).start()
 
 
-TABLES = (Path("/proc/net/tcp"), Path("/proc/net/tcp6"))
+TABLES = ("/proc/net/tcp", "/proc/net/tcp6")
 LOOK = 1.0
 """Seconds between two looks."""
 MANY = 4
@@ -139,7 +138,7 @@ class NetworkWatch:
         self._connections = (
             () if environment.get("TMUX") or environment.get("STY") else ssh_connections_of(environment)
         )
-        if self._connections and any(each.exists() for each in TABLES):
+        if self._connections and any(map(os.path.exists, TABLES)):
             self._thread = threading.Thread(target=self._watch, name="network", daemon=True)
             self._thread.start()
 
@@ -181,7 +180,7 @@ def attempts(rows: Iterable[str], ends: tuple[tuple[str, str], ...]) -> int:
 def _rows() -> Iterable[str]:
     for table in TABLES:
         try:
-            with table.open(encoding="ascii") as rows:
+            with open(table, encoding="ascii") as rows:  # noqa: PTH123 -- as above
                 yield from rows
         except OSError:  # a kernel without that version
             continue

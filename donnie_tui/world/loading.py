@@ -8,14 +8,12 @@ unreadable words, slips.
 
 from __future__ import annotations
 
-import shlex
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
 from msgspec.structs import replace
 
 import worlds
-import worlds.words
 from devices.ports.robot import STEP, Pose
 from donnie_tui.core.events import PlacedThing
 from donnie_tui.core.wording import Wording
@@ -58,14 +56,18 @@ def remarks(world: ChosenWorld, words: Wording) -> tuple[str, ...]:
     listed = (*bad_words, *(words(f"note-{_INSIDE}", **note.details) for note in inside[:MOST_REMARKS]))
     if not others:
         return listed
+    import shlex
+
     return (*listed, words("world-remarks", count=others, path=shlex.quote(world.path)))
 
 
 def _bad_words(world: ChosenWorld, words: Wording) -> tuple[str, ...]:
     """Why the author's words can't be used, if there are any."""
+    from worlds.words import BadWords, about_file
+
     try:
-        worlds.words.about_file(world.path, words.language)
-    except worlds.words.BadWords as problem:
+        about_file(world.path, words.language)
+    except BadWords as problem:
         code = "key" if problem.key else "line" if problem.line else "file"
         code = "difficulty" if problem.key == "difficulty" else "large" if problem.limit else code
         values = {"file": problem.file.name, "key": problem.key, "line": problem.line}
@@ -151,8 +153,6 @@ class Site:
     """The world of a session, which ``world.building`` changes."""
 
     def __init__(self, world: ChosenWorld) -> None:
-        from pathlib import Path
-
         self.world = world
         self.text = world.text
         """What its file would be; empty while nothing was changed."""
@@ -161,8 +161,12 @@ class Site:
         """The changes, the oldest first."""
         self.undone: list[SiteChange] = []
         """Those that were taken back, the last one last."""
-        self.path = None if world.ships else Path(world.path)
+        self.path: Path | None = None
         """The file of the learner's own that it was last read from or written to."""
+        if not world.ships:
+            from pathlib import Path
+
+            self.path = Path(world.path)
 
 
 def files_of(world: ChosenWorld) -> tuple[str, ...]:
@@ -415,9 +419,13 @@ def inhabited_world(
     name_or_file: str, words: Words, folders: tuple[str, ...] = (), *, seed: int = 0
 ) -> ChosenWorld:
     """The world of ``--world`` as the seed has it, with a Donnie if it has no robot. Raises ``Unusable``."""
+    world = choose_world(name_or_file, words, folders)
+    if (
+        world.scene.robots and "scatter" not in world.scene.settings
+    ):  # most worlds, and the rest is slow to load
+        return world
     allowed = allowed_folders(folders)
-    world = scattered_by(seed, choose_world(name_or_file, words, folders), words, allowed)
-    return with_robot(world, words, allowed)
+    return with_robot(scattered_by(seed, world, words, allowed), words, allowed)
 
 
 def robot_put_in(world: ChosenWorld, words: Words) -> tuple[str, ...]:

@@ -47,6 +47,11 @@ HEAVY = {
     "numpy",
 }
 """Libraries that most starts do not need, and that take long to load."""
+RARE = {
+    *("pathlib", "json", "csv", "shlex", "tomllib", "statistics", "dataclasses"),
+    *("donnie_tui.core.reports", "donnie_tui.core.map_words", "donnie_tui.i18n.help", "worlds.words"),
+}
+"""Loaded by the command that needs it: each session of a class would keep its own copy in memory."""
 MOVING = {"pymunk", "sim.layout", "sim.rays", "sim.movement", "sim.vehicle", "sim.sensors"}
 """Loaded when a robot first moves or looks, or while the linear mode waits for its first line."""
 
@@ -105,6 +110,12 @@ def test_a_linear_session_that_does_not_move_loads_no_physics(tmp_path: Path) ->
 
     assert "sim.ground" in loaded
     assert not loaded & MOVING
+
+
+def test_a_linear_session_that_only_walks_and_speaks_loads_nothing_for_rare_commands(tmp_path: Path) -> None:
+    loaded = loaded_by(LINEAR, tmp_path, "FW 1\nSPEAK 2000 + 22\n\n")
+
+    assert not loaded & RARE
 
 
 def test_a_linear_session_that_moves_loads_the_physics(tmp_path: Path) -> None:
