@@ -6,20 +6,33 @@ direction and distance and, within a shorter range, with its number.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from itertools import pairwise
-from math import hypot
+from bisect import bisect_left, bisect_right
+from collections.abc import Container, Iterable, Iterator
+from itertools import accumulate, pairwise
+from math import dist, hypot
 
 from msgspec import Struct
 
 from sim.colours import Colour
-from sim.geometry import Spot, angle_of, at_radius, direction, edges, nearest_in_wedge, normal, seen_from
+from sim.geometry import (
+    HAIR,
+    Spot,
+    angle_of,
+    at_radius,
+    direction,
+    edges,
+    nearest_in_wedge,
+    normal,
+    seen_from,
+)
 from sim.parts import Part
 from sim.rangers import CENTIMETRES_A_STEP, Around, Height, at_height, first_hits
 from sim.scene import FiducialFinder
 
 HALF_CIRCLE = 90.0
 """Degrees to either side that a head with a camera turns."""
+_SAME = 1e-9
+"""Degrees between directions that count as one."""
 
 
 class Seen(Struct, frozen=True):
@@ -77,23 +90,22 @@ class View(Struct, frozen=True):
         place, reach = spot.mounted(self.x, self.y, self.yaw), self.maximum + self.offset
         box = around.within(place.x - reach, place.y - reach, place.x + reach, place.y + reach)
         parts = [part for part in box if at_height(part, self.height)]
-        if not any(self.distinguishes(part) for part in parts):
+        coloured = {part for part in parts if self.distinguishes(part)}
+        if not coloured:
             return
-        glimpses: dict[int, list[_Glimpse]] = {}
-        for glimpse in self._glimpses(around, place, _directions(parts, place, reach, self.half_angle)):
-            glimpses.setdefault(glimpse.part.root, []).append(glimpse)
-        for root, seen in glimpses.items():
-            yield self._thing(root, seen, place)
-
-    def _glimpses(self, around: Around, place: Spot, directions: list[float]) -> Iterator[_Glimpse]:
-        """The nearest thing in each sector between two directions, if the camera distinguishes its colour."""
-        reach, sectors = self.maximum + self.offset, list(pairwise(directions))
+        sectors = _sectors(parts, coloured, place, reach, self.half_angle)
         middles = (direction(place.yaw + (low + high) / 2) for low, high in sectors)
         ends = [(place.x + reach * dx, place.y + reach * dy) for dx, dy in middles]
         hits = first_hits(around, place.x, place.y, ends, self.height)
+        glimpses: dict[int, list[_Glimpse]] = {}
         for (low, high), (part, _) in zip(sectors, hits, strict=True):
-            if part is not None and self.distinguishes(part):
-                yield _Glimpse(part, low, high)
+            if part in coloured:
+                seen = glimpses.setdefault(part.root, [])
+                if seen and seen[-1].is_followed_by(part, low, high):
+                    low = seen.pop().low
+                seen.append(_Glimpse(part, low, high))
+        for root, seen in glimpses.items():
+            yield self._thing(root, seen, place)
 
     def _thing(self, root: int, glimpses: list[_Glimpse], place: Spot) -> Sight:
         """The sighting of one thing; its widest unbroken stretch gives its place."""
@@ -125,6 +137,10 @@ class _Glimpse(Struct, frozen=True):
     low: float
     high: float
 
+    def is_followed_by(self, part: Part, low: float, high: float) -> bool:
+        """Whether the next sector shows more of it, and both are narrow enough for one wedge."""
+        return part is self.part and low == self.high and high - self.low <= HALF_CIRCLE
+
     def nearest(self, place: Spot) -> float:
         middle = place.yaw + (self.low + self.high) / 2
         outline = edges(seen_from(self.part.points, place.x, place.y, middle))
@@ -150,16 +166,39 @@ def _stretches(glimpses: list[_Glimpse]) -> list[tuple[float, float]]:
     return stretches
 
 
-def _directions(parts: Iterable[Part], place: Spot, reach: float, half_angle: float) -> list[float]:
-    """Directions between which the view can't change; where things cross each other, to a degree."""
+def _sectors(
+    parts: Iterable[Part], coloured: Container[Part], place: Spot, reach: float, half_angle: float
+) -> list[tuple[float, float]]:
+    """Directions between which the view can't change; where things cross each other, to a degree.
+
+    Only towards what is coloured: a look elsewhere meets nothing that the camera distinguishes.
+    """
     whole = int(half_angle)
-    angles = {-half_angle, half_angle, *(float(degrees) for degrees in range(-whole, whole + 1))}
+    angles = {-half_angle, half_angle, *map(float, range(-whole, whole + 1))}
+    wanted = list[tuple[float, float]]()
     for part in parts:
-        for ax, ay, bx, by in edges(seen_from(part.points, place.x, place.y, place.yaw)):
-            angles.add(angle_of(ax, ay))
-            angles.update(angle_of(x, y) for x, y in at_radius(reach, (ax, ay, bx, by)))
+        outline = edges(seen_from(part.points, place.x, place.y, place.yaw))
+        ends = [angle_of(x, y) for _, _, x, y in outline]
+        angles.update(ends)
+        if dist(part.middle, (place.x, place.y)) + part.reach > reach - HAIR:
+            angles.update(angle_of(x, y) for edge in outline for x, y in at_radius(reach, edge))
+        if part in coloured:
+            wanted += map(_ordered, ends, [*ends[-1:], *ends])
     inside = sorted(angle for angle in angles if -half_angle <= angle <= half_angle)
-    return [angle for i, angle in enumerate(inside) if i == 0 or angle - inside[i - 1] > 1e-9]
+    borders = [angle for i, angle in enumerate(inside) if i == 0 or angle - inside[i - 1] > _SAME]
+    begun = [0] * len(borders)
+    """By border, how many more edges of coloured parts begin than end there."""
+    last = len(borders) - 1
+    for low, high in wanted:
+        is_behind = high - low > 180.0  # straight behind it, where 180 is -180
+        for first, end in ((-180.0, low), (high, 180.0)) if is_behind else ((low, high),):
+            begun[min(bisect_left(borders, first - _SAME), last)] += 1
+            begun[max(bisect_right(borders, end + _SAME) - 1, 0)] -= 1
+    return [sector for sector, count in zip(pairwise(borders), accumulate(begun), strict=False) if count]
+
+
+def _ordered(one: float, other: float) -> tuple[float, float]:
+    return (one, other) if one < other else (other, one)
 
 
 class Found(Struct, frozen=True):

@@ -140,6 +140,10 @@ FAMILIES = ("red", "green", "blue", "yellow", "orange", "pink", "gray")
 """The colour words of the language."""
 
 
+_LEVEL = 1 / 255
+"""Of a component."""
+
+
 class Colour(Struct, frozen=True):
     """A colour of a model. Components from 0 to 1."""
 
@@ -154,8 +158,11 @@ class Colour(Struct, frozen=True):
 
     def same(self, other: Colour) -> bool:
         """Equal as Stage's blobfinder compares: without the alpha, to a level of 255."""
-        pairs = ((self.red, other.red), (self.green, other.green), (self.blue, other.blue))
-        return all(abs(mine - theirs) < 1 / 255 for mine, theirs in pairs)
+        return (
+            abs(self.red - other.red) < _LEVEL
+            and abs(self.green - other.green) < _LEVEL
+            and abs(self.blue - other.blue) < _LEVEL
+        )
 
 
 def colour_of(name: str, red: float, green: float, blue: float, alpha: float = 1.0) -> Colour:

@@ -32,7 +32,7 @@ from sim.geometry import Placement, pose_of
 from sim.ground import Ground, Moment
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Hashable
     from random import Random
 
     from sim.cameras import Found, Seen
@@ -120,6 +120,14 @@ class SimulatedRobot:
             return self._ground.start(self._model.index)
         spot = self._vehicle.here.truth
         return Placement(spot.x, spot.y, self._model.pose.z, spot.yaw)
+
+    @property
+    def situation(self) -> Hashable | None:
+        """Equal where the robot and all around it are the same again; None where chance decides, too."""
+        if self._chance is not None:
+            return None
+        vehicle = self._vehicle
+        return () if vehicle is None else (vehicle.here, self.holds, vehicle.moment)
 
     @property
     def holds(self) -> int | None:

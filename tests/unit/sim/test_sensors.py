@@ -1,13 +1,18 @@
 """What the sensors of a simulated robot read, against closed forms."""
 
+from collections.abc import Sequence
 from math import atan, cos, degrees, hypot, radians, sin
 
 import pytest
 
 from devices.ports.robot import Bearing, RobotProblem
-from sim.geometry import Spot
+from sim import cameras
+from sim.geometry import Point, Spot
 from sim.ground import Ground
 from sim.motion import Surroundings
+from sim.parts import Part
+from sim.rangers import Around, Height
+from sim.rays import Hit
 from sim.sensors import senses_of
 from tests.unit.sim.floors import IDEAL, ideal, robot, scene
 
@@ -171,6 +176,20 @@ def test_things_behind_and_too_far_away_are_not_seen() -> None:
 
 def test_colours_that_the_camera_does_not_know_are_not_seen_but_hide() -> None:
     assert seen(ideal([("yellow", 0, 5), ("red", 0, 10)])) == []
+
+
+def test_a_camera_looks_only_where_something_coloured_is(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A thing of less than a step, 10 steps away, shows 6 degrees at most: a look for each, and a border."""
+    looks, plain = list[int](), cameras.first_hits
+
+    def counted(around: Around, x: float, y: float, ends: Sequence[Point], height: Height) -> list[Hit[Part]]:
+        looks.append(len(ends))
+        return plain(around, x, y, ends, height)
+
+    monkeypatch.setattr(cameras, "first_hits", counted)
+
+    assert seen(ideal([("red", 0, 10), ("yellow", 10, 0)])) == [(0, "red", 10)]
+    assert 1 <= looks[0] <= 12
 
 
 def test_a_thing_behind_a_nearer_thing_is_not_seen() -> None:
