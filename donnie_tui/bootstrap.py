@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import os
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from contextlib import ExitStack
 from functools import partial
 from itertools import count
@@ -421,6 +421,10 @@ MOST_READINGS = 2_000
 MOST_LOOKS = 400
 """Those of the camera, which take as long as hundreds of statements: one for each degree of a turn."""
 
+MOST_SITUATIONS = 1_000
+"""Places in a program, with its variables and the robot there, that are compared with later ones. A program
+that comes to the same one twice is endless."""
+
 
 class Start(Struct, frozen=True):
     """One of the starts of a challenge, with the world as it is there."""
@@ -463,8 +467,8 @@ def judge_program(
     """The outcomes from the starts of a challenge, up to the first that does not solve it.
 
     Each try has a world of its own, and nothing of it is printed. Several programs begin at the same moment.
-    An endless program ends by robot time and by the number of its statements, so a busy machine changes
-    nothing.
+    An endless program ends where all is as it was before, else by robot time and by the number of its
+    statements, so a busy machine changes nothing.
     """
     from donnie_tui.core.goals import judge
 
@@ -509,10 +513,13 @@ def judge_events(
 def _try_from(start: Start, programs: Programs, words: Words, settings: Settings) -> list[Stamped]:
     """What the programs do in the world of that start."""
     from donnie_tui.core.runner import Run, RunRequest
+    from sim.world import World
 
     settings = replace(settings, speed=None, seed=start.challenge.rules.variant[0].seed)
-    team = make_team(settings, words, start.world, terminal=False)
+    shared = World(start.world.scene, seed=settings.seed)
+    team = make_team(settings, words, start.world, terminal=False, shared=shared)
     events, first = list[Stamped](), team.chosen_name
+    given = {first: programs} if isinstance(programs, str) else programs
     readings, looks = Counter[str | None](), Counter[str | None]()
 
     def note(stamped: Stamped) -> None:
@@ -524,16 +531,22 @@ def _try_from(start: Start, programs: Programs, words: Words, settings: Settings
             team.session(robot or first).stop()
 
     def limit(session: Session, run: Run) -> None:
-        statements = count(1)
+        statements, robot = count(1), shared.inhabitant(session.name)
+        seen, noted = set[Hashable](), 0
 
         def before_statement() -> None:
-            if next(statements) > MOST_STATEMENTS:
+            nonlocal noted
+            is_repeated = False
+            if noted != len(events) and len(seen) < MOST_SITUATIONS and len(given) == 1:
+                noted, now = len(events), (run.progress(), robot.situation)
+                is_repeated = now in seen and now[1] is not None
+                seen.add(now)
+            if is_repeated or next(statements) > MOST_STATEMENTS:
                 session.stop()
 
         run.control.look_before_each(before_statement)
 
     team.stream.subscribe(note)
-    given = {first: programs} if isinstance(programs, str) else programs
     requests = {name: RunRequest(text, "program") for name, text in given.items()}
     for each in team.start_together(requests, prepare=limit):
         each.wait()

@@ -87,6 +87,16 @@ class StackReader:
             frame = frame.f_back
         return list(self._activations(reversed(entries)))
 
+    def values_of(self, frame: FrameType | None) -> tuple[tuple[int, int, tuple[tuple[str, int], ...]], ...]:
+        """The place of each frame of the compiled code in a running thread, and its numbers."""
+        found = list[tuple[int, int, tuple[tuple[str, int], ...]]]()
+        while frame is not None:
+            if id(frame.f_code) in self._codes:
+                numbers = ((name, value) for name, value in frame.f_locals.items() if isinstance(value, int))
+                found.append((id(frame.f_code), frame.f_lasti, tuple(numbers)))
+            frame = frame.f_back
+        return tuple(found)
+
     def raised(self, traceback: TracebackType | None) -> bool:
         """Whether the compiled code itself raised an exception, and not a function that it called."""
         *_, (innermost, _) = _entries(traceback)

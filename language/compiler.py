@@ -19,10 +19,11 @@ from __future__ import annotations
 import sys
 import threading
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Hashable, Iterator, Mapping
 from contextlib import suppress
 from functools import partial
 from itertools import repeat
+from operator import length_hint
 from types import FunctionType
 from typing import Any, NoReturn
 
@@ -83,6 +84,10 @@ class _CompiledProgram:
     def frames(self) -> tuple[Frame, ...]:
         running = self._running
         return () if running is None else running.frames()
+
+    def progress(self) -> Hashable:
+        assert self._hooked and self._running is not None
+        return self._running.progress()
 
 
 def link(program: Program, memory: Memory, *, terminal: bool, hooked: bool) -> tuple[Unit, ...]:
@@ -151,6 +156,8 @@ class Execution:
             self._counts[name].add(count)
         self._hook_depths = {line: hook_depth_at(line) for unit in units for line in unit.lines}
         """For each line with a hook, the name of the global that switches it."""
+        self._iterating: dict[tuple[int, int], Iterator[object]] = {}
+        """Of a program with hooks: the iterations of each REPEAT, by its frame and its place there."""
         self._globals = self._make_globals()
         for unit in units:
             earlier = memory.procedures.get(unit.name)
@@ -181,6 +188,16 @@ class Execution:
         """The open calls, innermost first; from any thread."""
         stack = self._stack.of_frame(sys._current_frames().get(self._thread))
         return tuple(activation.snapshot() for activation in shown_frames(stack))
+
+    def progress(self) -> Hashable:
+        """See ``Runnable.progress``."""
+        left = ((place, _left(iterator)) for place, iterator in self._iterating.items())
+        return self._stack.values_of(sys._getframe(1)), frozenset(left), tuple(self._declared)
+
+    def _iterations(self, times: int) -> Iterator[object]:
+        frame = sys._getframe(1)
+        found = self._iterating[id(frame), frame.f_lasti] = _iterations(times)
+        return found
 
     def _failure(self, error: BaseException) -> LanguageError | None:
         """The learner's view of an exception. Updates the memory."""
@@ -213,7 +230,7 @@ class Execution:
             "stop": _stop,
             "checked": checked,
             "divide": divide,
-            "iterations": _iterations,
+            "iterations": self._iterations if self._hooked else _iterations,
             "clash": self._clash,
             "may_declare": self._may_declare,
             "declare": self._declare,
@@ -323,6 +340,14 @@ class Execution:
 def _iterations(times: int) -> Iterator[object]:
     """Counts iterations without a number for each."""
     return iter(range(times)) if times > sys.maxsize else repeat(None, max(times, 0))
+
+
+def _left(iterations: Iterator[object]) -> int | None:
+    """How many there still are; None if they are more than Python counts."""
+    try:
+        return length_hint(iterations)
+    except OverflowError:
+        return None
 
 
 def _stop() -> NoReturn:

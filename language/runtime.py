@@ -7,7 +7,7 @@ The core implements ``Actions`` with a robot and a stream of events, tests with 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
 from typing import Protocol, TypeAlias, TypeVar
 
 from msgspec import Struct, field
@@ -111,6 +111,13 @@ class Runnable(Protocol):
         """The open calls and the program, innermost first; from any thread, empty unless it runs.
 
         In a recursion deeper than 100 only the innermost frames and the program.
+        """
+
+    def progress(self) -> Hashable:
+        """The place of the program and the values of all that it counts; for its own thread.
+
+        If it is equal before two statements, and the robot and its world are the same, too, then the program
+        does for ever what it did in between. Needs a program that was compiled with hooks.
         """
 
 

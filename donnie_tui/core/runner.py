@@ -7,7 +7,7 @@ is halted before ``run_ended`` is published. The thread that started the run wai
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from typing import Protocol, TypeAlias, TypeGuard
 
 from msgspec import Struct
@@ -131,6 +131,11 @@ class Run:
         """The call stack, innermost first; empty when nothing runs."""
         program = self._program
         return () if self.is_over or program is None or isinstance(program, tuple) else program.frames()
+
+    def progress(self) -> Hashable:
+        """See ``Runnable.progress``."""
+        assert self._program is not None and not isinstance(self._program, tuple)
+        return self._program.progress()
 
     def _run(self, then: Callable[[Run], None]) -> None:
         try:

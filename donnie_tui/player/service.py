@@ -69,6 +69,9 @@ class _Driving:
     def frames(self) -> tuple[Frame, ...]:
         return ()
 
+    def progress(self) -> None:
+        """None: it has no statements."""
+
 
 class _Robot(Struct):
     """One robot that clients have opened."""

@@ -376,6 +376,43 @@ def test_a_program_that_only_looks_ends_after_fewer_readings(
     assert [each.code for each in judged.shortfalls[:1]] == [*(["goal-endless"] if not solved else [])]
 
 
+@pytest.mark.parametrize(
+    ("text", "round_"),
+    [
+        ("WHILE COLOR red < 9 DO\nTR 1\nEND WHILE", 360),
+        ("WHILE 1 == 1 DO\nTR 120\nEND WHILE", 3),
+        ("WHILE 1 == 1 DO\nTR 90\nSCAN\nEND WHILE", 8),
+        ("WHILE 1 == 1 DO\nFW 100\nEND WHILE", 1),
+    ],
+)
+def test_a_program_ends_as_endless_where_all_is_as_it_was_before(text: str, round_: int) -> None:
+    """``round_``: the commands until it begins anew."""
+    words, settings = Words("en"), Settings()
+    found = challenges.find("first_walk")
+    starts = bootstrap.starts_of(found, choose_world(found.world, words), words, settings)
+
+    (judged,) = bootstrap.judge_program(text, starts, words, settings)
+
+    assert judged.shortfalls[0].code == "goal-endless"
+    assert round_ < judged.track.commands <= round_ + 2
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "REPEAT 300 TIMES\nTR 360\nEND REPEAT\nFW 5",
+        "VAR n = 0\nWHILE n < 300 DO\nSCAN\nn = n + 1\nEND WHILE\nFW 5",
+        "REPEAT 9 TIMES\nREPEAT 9 TIMES\nFW 1\nBW 1\nEND REPEAT\nEND REPEAT\nFW 5",
+    ],
+)
+def test_a_program_that_does_the_same_often_and_ends_is_right(text: str) -> None:
+    words, settings = Words("en"), Settings()
+    found = challenges.find("first_walk")
+    starts = bootstrap.starts_of(found, choose_world(found.world, words), words, settings)
+
+    assert bootstrap.judge_program(text, starts, words, settings)[0].is_solved
+
+
 def test_a_program_is_tried_from_no_further_start_after_one_that_fails() -> None:
     words, settings = Words("en"), Settings()
     found = challenges.find("to_the_cone")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
+from contextlib import suppress
 
 import pytest
 
@@ -278,3 +279,61 @@ def test_a_look_that_begins_in_a_pause_is_called_before_each_statement_from_ther
     program.run(Recorder(), control, Memory())
 
     assert looks == [2, 3, 4]
+
+
+def places_of(text: str, most: int = 1000) -> list[object]:
+    """Where the program is before each statement, until it has been there ``most`` times."""
+    program, control = hooked(read(text)), ExecutionControl()
+    found: list[object] = []
+
+    def look() -> None:
+        found.append(program.progress())
+        if len(found) == most:
+            control.stop()
+
+    control.look_before_each(look)
+    with suppress(Stopped):
+        program.run(Recorder(), control, Memory())
+    return found
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "REPEAT 3 TIMES\nREPEAT 4 TIMES\nTR 360\nEND REPEAT\nTR 360\nEND REPEAT",
+        "VAR n = 5\nREPEAT 2 TIMES\nREPEAT n TIMES\nVAR k = n\nn = 2\nEND REPEAT\nTR 360\nEND REPEAT",
+        "PROCEDURE P: n DO\nREPEAT n TIMES\nTR 360\nEND REPEAT\nEND PROCEDURE\nP [2]\nP [3]\nP [2]",
+        "PROCEDURE P: n DO\nREPEAT 2 TIMES\nIF n > 0 THEN\nP [n - 1]\nEND IF\n"
+        "END REPEAT\nEND PROCEDURE\nP [2]",
+        "FOR VAR i = 0; i < 4; i = i + 1 DO\nTR 360\nEND FOR",
+        "FOR VAR i = 4; i > 0; i = i - 1 DO\nREPEAT i TIMES\nTR 360\nEND REPEAT\nEND FOR",
+        "VAR n = 3\nWHILE n > 0 DO\nTR 360\nn = n - 1\nEND WHILE",
+    ],
+)
+def test_a_program_with_an_end_is_never_in_the_same_place_again(text: str) -> None:
+    found = places_of(text)
+
+    assert 5 < len(found) < 1000
+    assert len(set(found)) == len(found)
+
+
+@pytest.mark.parametrize(
+    ("text", "round_"),
+    [
+        ("WHILE 1 == 1 DO\nTR 1\nEND WHILE", 2),
+        ("WHILE 1 == 1 DO\nREPEAT 3 TIMES\nTR 1\nEND REPEAT\nEND WHILE", 8),
+        ("PROCEDURE P DO\nTR 1\nEND PROCEDURE\nWHILE 1 == 1 DO\nP []\nEND WHILE", 3),
+    ],
+)
+def test_a_program_without_an_end_comes_to_the_same_place_after_a_round(text: str, round_: int) -> None:
+    """``round_``: the statements and iterations of one."""
+    found = places_of(text, most=60)
+
+    assert found[10 : 60 - round_] == found[10 + round_ :]
+    assert len(set(found[10:])) == round_
+
+
+def test_a_program_that_counts_without_end_never_comes_to_the_same_place() -> None:
+    found = places_of("VAR n = 0\nWHILE 1 == 1 DO\nn = n + 1\nEND WHILE")
+
+    assert len(set(found)) == len(found) == 1000
