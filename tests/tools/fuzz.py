@@ -355,7 +355,8 @@ def _check_session(text: Input) -> None:
     assert isinstance(text, str)
     with tempfile.TemporaryDirectory() as folder:
         Path(folder, "work").mkdir()
-        options = ("--linear", *QUIET, "--speed", "max", "--robot", "sim")
+        # A room with walls: an example that walks up to the wall never ends on the open floor.
+        options = ("--linear", *QUIET, "--speed", "max", "--robot", "sim", "--world", "first_room")
         done = donnie(Path(folder, "work"), *options, typed=text.encode("utf-8", "replace"))
     errors = done.stderr.decode("utf-8", "replace")
     assert "Traceback" not in errors, errors[-3000:]
