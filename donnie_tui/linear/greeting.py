@@ -124,7 +124,7 @@ def has_rescued(folder: str) -> bool:
 
 def begin(arguments: list[str], environment: os._Environ[str] | dict[str, str]) -> Greeting | None:
     """Greet if ``arguments`` plainly ask for the linear mode. None if nothing was printed."""
-    options = _plain_options(arguments)
+    options = plain_options(arguments)
     if options is None or "--linear" not in options or _has_other_settings(environment):
         return None
     greeting, prompt = Greeting(), None if "FILE" in options else PROMPT
@@ -171,8 +171,8 @@ class Terminal:
             return
 
 
-def _plain_options(arguments: list[str]) -> dict[str, str] | None:
-    """The options and the FILE, or None where there is anything that is not obvious."""
+def plain_options(arguments: list[str]) -> dict[str, str] | None:
+    """The options and the FILE; None where anything is not obvious, such as an option that is given twice."""
     found: dict[str, str] = {}
     rest = iter(arguments)
     for each in rest:
@@ -180,9 +180,10 @@ def _plain_options(arguments: list[str]) -> dict[str, str] | None:
         if each in _LINEAR:
             found["--linear"] = ""
         elif name in PLAIN_VALUES or name in _WITH_VALUE or name in _WITH_NUMBER:
-            found[name] = value if equals else next(rest, "")
-            if not _is_plain(name, found[name]):
+            given = value if equals else next(rest, "-")
+            if name in found or given.startswith("-") or not _is_plain(name, given):
                 return None
+            found[name] = given
         elif each.startswith("-") or "FILE" in found or not os.path.isfile(each):  # noqa: PTH113 -- pathlib is slow to load
             return None
         else:
