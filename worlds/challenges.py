@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from enum import Enum
 from functools import cache
 from itertools import chain
 from pathlib import Path
-from typing import Annotated, Any, Literal, TypeAlias
+from typing import Annotated, Any, Literal, TypeAlias, TypeVar
 
 import msgspec
 from msgspec import Meta, Struct, field
@@ -27,6 +27,8 @@ LADDERS = str(Path(__file__).resolve().parent / "ladders")
 """The folder of the challenges that come with Donnie; ``order.txt`` there names those of each ladder."""
 SUFFIX, SOLUTION = ".toml", ".solution.gd"
 LARGEST_NUMBER = 1_000_000
+MOST_MISTAKES = 20
+"""Those of a file that are listed."""
 MOST = 50
 """Goals, variants or questions of one challenge."""
 Whole: TypeAlias = Annotated[int, Meta(ge=-LARGEST_NUMBER, le=LARGEST_NUMBER)]
@@ -228,6 +230,8 @@ class Challenge(Struct, frozen=True):
     path: Path
     rules: Rules
     texts: dict[str, ChallengeText]
+    lines: tuple[str, ...] = ()
+    """Of its file."""
 
     def text(self, language: str) -> ChallengeText:
         """In English where the language is missing."""
@@ -253,11 +257,6 @@ class Challenge(Struct, frozen=True):
             else str(self.path.parent / self.rules.world)
         )
 
-    def line_with(self, text: str) -> int:
-        """The line of its file that names something; 0 where none does."""
-        with open_bytes(self.path) as stream:
-            return line_with(stream.read(LARGEST).decode("utf-8-sig").splitlines(), text)
-
     @property
     def solution(self) -> Path:
         """Of the first robot."""
@@ -268,19 +267,26 @@ class Challenge(Struct, frozen=True):
         return self.path.with_name(f"{self.name}.{robot}{SOLUTION}")
 
 
-class BadChallenge(Exception):
-    """A challenge that can't be used: a code, the line (0 for the whole file) and what is wrong there."""
+class ChallengeMistake(Struct, frozen=True):
+    """What is wrong in a file: the code of a sentence and its values."""
 
-    def __init__(
-        self, code: str, file: Path, line: int = 0, what: str = "", known: tuple[str, ...] = ()
-    ) -> None:
-        super().__init__(f"{file}:{line}: {code} {what}")
-        self.code = code
+    code: str
+    line: int = 0
+    """0 for the whole file."""
+    what: str = ""
+    known: tuple[str, ...] = ()
+    """The names that could have been meant."""
+
+
+class BadChallenge(Exception):
+    """A challenge that can't be used, with all mistakes in its file."""
+
+    def __init__(self, file: Path, *mistakes: ChallengeMistake, found: Challenge | None = None) -> None:
+        super().__init__(f"{file}: {mistakes}")
         self.file = file
-        self.line = line
-        self.what = what
-        self.known = known
-        """The names that could have been meant."""
+        self.mistakes = mistakes
+        self.found = found
+        """The challenge as far as it could be read."""
 
 
 @cache
@@ -323,7 +329,7 @@ def find(name: str) -> Challenge:
         return read(found[0])
     if is_allowed(path) and f"{path.name}{SUFFIX}" in _files_in_folder(path, SUFFIX):
         return read(path.with_name(f"{path.name}{SUFFIX}"))
-    raise BadChallenge("challenge-unknown", path, what=name, known=ours)
+    raise BadChallenge(path, ChallengeMistake("challenge-unknown", what=name, known=ours))
 
 
 def files_in(folder: str) -> tuple[Path, ...]:
@@ -339,44 +345,128 @@ def read(path: Path) -> Challenge:
         with open_bytes(path) as stream:
             data = stream.read(LARGEST + 1)
     except (OSError, ValueError):
-        raise BadChallenge("challenge-unreadable", path) from None
+        raise BadChallenge(path, ChallengeMistake("challenge-unreadable")) from None
     if len(data) > LARGEST:
-        raise BadChallenge("challenge-too-large", path, what=f"{LARGEST:,}".replace(",", " "))
-    try:
-        content = parsed(data)
-    except (ValueError, RecursionError) as problem:
-        place = re.search(r"line (\d+)", str(problem))
-        raise BadChallenge("challenge-not-toml", path, int(place[1]) if place else 0) from None
-    lines = data.decode("utf-8-sig").splitlines()
-    languages = [key for key in content if re.fullmatch("[a-z]{2,3}", key)]
-    texts = {key: _converted(content.pop(key), ChallengeText, path, lines, key) for key in languages}
-    rules = _converted(content, Rules, path, lines, "")
-    if ENGLISH not in texts:
-        raise BadChallenge("challenge-missing", path, what=f"{ENGLISH}.title")
-    _check(rules, path, lines)
-    found = Challenge(path.name.removesuffix(SUFFIX), path, rules, texts)
-    if not rules.goal and not os.path.lexists(found.solution):
-        raise BadChallenge("challenge-solution", path, what=found.solution.name)
+        raise BadChallenge(
+            path, ChallengeMistake("challenge-too-large", what=f"{LARGEST:,}".replace(",", " "))
+        )
+    reader = _Reader(data)
+    texts = reader.texts()
+    rules = reader.converted(reader.content, Rules, "")
+    if rules is None:
+        raise BadChallenge(path, *reader.mistakes)
+    found = Challenge(path.name.removesuffix(SUFFIX), path, rules, texts, tuple(reader.lines))
+    reader.check(found)
+    if reader.mistakes:
+        raise BadChallenge(path, *reader.mistakes, found=found)
     return found
 
 
-def _check(rules: Rules, path: Path, lines: list[str]) -> None:
-    """What the types don't say. Raises ``BadChallenge``."""
-    if Path(rules.world).name != rules.world:
-        raise BadChallenge("challenge-outside", path, line_of(lines, "", "world"), rules.world)
-    worlds_here = _files_in_folder(path, ".world") + _files_in_folder(path, ".cfg")
-    for code, named, known in (
-        ("challenge-world", (rules.world,), (*world_names(), *worlds_here)),
-        ("challenge-unknown", rules.after, (*names(), *_files_in_folder(path, SUFFIX, is_stem=True))),
-    ):
-        for each in (name for name in named if name not in known):
-            raise BadChallenge(code, path, line_with(lines, each), each, known)
-    for index, question in enumerate(rules.question):
-        if not question.is_complete:
-            raise BadChallenge("challenge-value", path, line_of(lines, f"question[{index}]", "of"), "of")
-    for index, goal in enumerate(rules.goal):
-        if not goal.kind:
-            raise BadChallenge("challenge-goal", path, line_of(lines, f"goal[{index}]", ""), ", ".join(KINDS))
+_Table = TypeVar("_Table", bound=Struct)
+
+
+class _Reader:
+    """Finds all mistakes of a file: each is noted and taken out, so that the rest can be read."""
+
+    def __init__(self, data: bytes) -> None:
+        self.mistakes: list[ChallengeMistake] = []
+        self.lines: list[str] = []
+        self.content: dict[str, Any] = {}
+        """What is not read yet."""
+        self._wrong = set[str]()
+        """The tables with mistakes."""
+        self._misspelt = set[str]()
+        """Those with unknown keys, which may be meant as what they lack."""
+        try:
+            self.lines = data.decode("utf-8-sig").replace("\r\n", "\n").split("\n")
+        except ValueError:
+            self._note("challenge-not-toml", 0)
+        is_read = bool(self.mistakes)
+        while not is_read and len(self.mistakes) < MOST_MISTAKES:
+            try:
+                self.content, is_read = parsed("\n".join(self.lines).encode()), True
+            except (ValueError, RecursionError) as problem:
+                place = re.search(r"line (\d+)", str(problem))
+                line = int(place[1]) if place else 0
+                first, end = _statement_at(self.lines, line)
+                self._note("challenge-not-toml", first + 1 if end < line else line)
+                self.lines[first:end] = [""] * (end - first)
+                is_read = first == end
+        self._is_whole = not self.mistakes
+
+    def _note(
+        self, code: str, line: int, what: str = "", known: tuple[str, ...] = (), table: str = ""
+    ) -> None:
+        self._wrong.add(table)
+        self.mistakes.append(ChallengeMistake(code, line, what, known))
+
+    def texts(self) -> dict[str, ChallengeText]:
+        """By language."""
+        languages = [key for key in self.content if re.fullmatch("[a-z]{2,3}", key)]
+        found = {each: self.converted(self.content.pop(each), ChallengeText, each) for each in languages}
+        if ENGLISH not in found and self._is_whole:
+            self._note("challenge-missing", 0, f"{ENGLISH}.title")
+        return {each: text for each, text in found.items() if text is not None}
+
+    def converted(self, content: Any, kind: type[_Table], table: str) -> _Table | None:
+        """The value of a table, without what is wrong in it; None where nothing is left."""
+        while len(self.mistakes) < MOST_MISTAKES:
+            try:
+                return msgspec.convert(content, kind)
+            except msgspec.ValidationError as problem:
+                found = _PLACE.fullmatch(str(problem))
+                message, place = (found[1], found[2] or "") if found else (str(problem), "")
+            here, at, holder, owner, key = _walk(content, place)
+            lacking = re.search("(unknown|missing required) field `(.*)`", message)
+            if lacking:
+                holder, owner, key = here, at, lacking[2]
+            inside = ".".join(filter(None, (table, owner)))
+            if holder is None:
+                self._note("challenge-value", line_of(self.lines, "", table), table, table=table)
+                return None
+            self._note_field(message, kind, inside, key)
+            holder.pop(key, None)
+            if key in _STAND_INS:
+                holder[key] = _STAND_INS[key]
+        return None
+
+    def _note_field(self, message: str, kind: type[Struct], table: str, key: str) -> None:
+        line = line_of(self.lines, table, key) or line_of(self.lines, table, "")
+        wrong = re.search("enum value '(.*)'", message)
+        if "unknown field" in message:
+            known = _OF_TABLE.get(re.sub(r".*\.|\[.*?\]", "", table), kind).__struct_encode_fields__
+            self._note("challenge-key", line, key, known, table)
+            self._misspelt.add(table)
+        elif "missing required" in message:
+            if self._is_whole and table not in self._misspelt:
+                self._note("challenge-missing", line, ".".join(filter(None, (table, key))))
+        elif wrong and key in _VALUES:
+            self._note("challenge-choice", line, wrong[1], _VALUES[key], table)
+        else:
+            self._note("challenge-value", line, key, table=table)
+
+    def check(self, found: Challenge) -> None:
+        """What the types don't say."""
+        rules, path, lines = found.rules, found.path, self.lines
+        worlds_here = _files_in_folder(path, ".world") + _files_in_folder(path, ".cfg")
+        others = _files_in_folder(path, SUFFIX, is_stem=True)
+        known_worlds, known_challenges = (*world_names(), *worlds_here), (*names(), *others)
+        if Path(rules.world).name != rules.world:
+            self._note("challenge-outside", line_of(lines, "", "world"), rules.world)
+        elif rules.world and rules.world not in known_worlds:
+            self._note("challenge-world", line_of(lines, "", "world"), rules.world, known_worlds)
+        for each in (name for name in rules.after if name not in known_challenges):
+            self._note("challenge-unknown", line_of(lines, "", "after", each), each, known_challenges)
+        for index, question in enumerate(rules.question):
+            table = f"question[{index}]"
+            if not question.is_complete and table not in self._wrong:
+                self._note("challenge-value", line_of(lines, table, "of"), "of")
+        for index, goal in enumerate(rules.goal):
+            table = f"goal[{index}]"
+            if not goal.kind and self._is_whole and table not in self._wrong:
+                self._note("challenge-goal", line_of(lines, table, ""), ", ".join(KINDS))
+        if not (rules.goal or self.mistakes or os.path.lexists(found.solution)):
+            self._note("challenge-solution", 0, found.solution.name)
 
 
 def _files_in_folder(path: Path, suffix: str, *, is_stem: bool = False) -> tuple[str, ...]:
@@ -395,34 +485,24 @@ _VALUES: dict[str, tuple[str, ...]] = {
     "facing": tuple(COMPASS),
 }
 """What can be written in place of a word that is none of these."""
+_STAND_INS = {"format": 1, "world": "", "title": "", "task": "", "text": "", "ask": "count", "of": "-"}
+"""In place of what is required and wrong."""
 _PLACE = re.compile(r"(.*?)(?: - at `\$(.*)`)?", re.DOTALL)
 
 
-def _converted(content: object, kind: type[Any], path: Path, lines: list[str], table: str) -> Any:
-    """The value of a table. Raises ``BadChallenge`` with the line of what is wrong in it."""
-    try:
-        return msgspec.convert(content, kind)
-    except msgspec.ValidationError as problem:
-        found = _PLACE.fullmatch(str(problem))
-        message, place = (found[1], found[2] or "") if found else (str(problem), "")
-        place = place.replace("[...]", "[0]")  # a value of a dictionary
-        inside = ".".join(filter(None, (table, place.lstrip("."))))
-        unknown = re.search("unknown field `(.*)`", message)
-        if unknown:
-            known = _keys(kind, place)
-            line = line_of(lines, inside, unknown[1])
-            raise BadChallenge("challenge-key", path, line, unknown[1], known) from None
-        missing = re.search("missing required field `(.*)`", message)
-        if missing:
-            what = ".".join(filter(None, (inside, missing[1])))
-            raise BadChallenge("challenge-missing", path, line_of(lines, inside, ""), what) from None
-        owner, _, key = inside.rpartition(".")
-        key = re.sub(r"\[.*", "", key)
-        line = line_of(lines, owner, key) or line_of(lines, inside, "")
-        wrong = re.search("enum value '(.*)'", message)
-        if wrong and key in _VALUES:
-            raise BadChallenge("challenge-choice", path, line, wrong[1], _VALUES[key]) from None
-        raise BadChallenge("challenge-value", path, line, key) from None
+def _walk(content: Any, place: str) -> tuple[Any, str, dict[str, Any] | None, str, str]:
+    """What is at a place as msgspec names it, and its name; the table around it, that one's name, the key."""
+    here, at = content, ""
+    holder, owner, key = None, "", ""
+    for name, index in re.findall(r"\.(\w+)|\[(\d+)\]", place):
+        if name and isinstance(here, dict):
+            holder, owner, key = here, at, name
+            here, at = here[name], f"{at}.{name}".lstrip(".")
+        elif index and isinstance(here, list) and isinstance(here[int(index)], dict):
+            here, at = here[int(index)], f"{at}[{index}]"
+        else:
+            break
+    return here, at, holder, owner, key
 
 
 _OF_TABLE: dict[str, type[Struct]] = {
@@ -433,22 +513,36 @@ _OF_TABLE: dict[str, type[Struct]] = {
     "question": ChallengeQuestion,
     "hint": ChallengeHint,
 }
+_HEAD = re.compile(r"\s*(\[\[?)\s*([\w.]+)\s*\]")
+_BEGINNING = re.compile(r"\s*(\[\[?\s*[A-Za-z]|[\w\"'.-]+\s*=)")
+"""Of a table or a value."""
 
 
-def _keys(kind: type[Struct], place: str) -> tuple[str, ...]:
-    """The keys that the table at that place of the file may have."""
-    table = re.sub(r"\[.*?\]", "", place).strip(".")
-    return _OF_TABLE.get(table, kind).__struct_encode_fields__
+def _statement_at(lines: list[str], line: int) -> tuple[int, int]:
+    """What can't be read at a line: from which line to which, counted from 0. None where it begins nowhere.
+
+    Of the head of a table it is the whole table. A bracket that is not closed is found at the next value.
+    """
+    at = line - 1
+    begins = [each for each, text in enumerate(lines) if _BEGINNING.match(text)] if line else []
+    *before, first = [0, *(each for each in begins if each <= at)]
+    opened = "".join(lines[before[-1] : at]) if before and first == at else ""
+    if opened.count("[") > opened.count("]"):
+        return before[-1], at
+    is_head = lines[first].lstrip().startswith("[")
+    following = (each for each in begins if each > at and (not is_head or lines[each].lstrip()[0] == "["))
+    return (first, next(following, len(lines))) if line else (0, 0)
 
 
-def line_of(lines: list[str], table: str, key: str) -> int:
+def line_of(lines: Sequence[str], table: str, key: str, text: str = "") -> int:
     """The line of a key, or of its table's head where ``key`` is empty; 0 where it isn't found.
 
     ``table`` is as msgspec names it: ``goal[1]``, ``en.hint[0]``, or empty for what stands before all tables.
+    ``text``: what the key has in quotes, perhaps on a later line.
     """
     counted, current = dict[str, int](), ""
     for number, line in enumerate(lines, start=1):
-        head = re.match(r"\s*(\[\[?)\s*([\w.]+)\s*\]", line)
+        head = _HEAD.match(line)
         if head:
             current = head[2]
             if head[1] == "[[":
@@ -457,11 +551,8 @@ def line_of(lines: list[str], table: str, key: str) -> int:
             if (current == table and not key) or (head[2] == key and not table):
                 return number
         elif current == table and key and re.match(rf"\s*[\"']?{re.escape(key)}[\"']?\s*=", line):
-            return number
+            quoted = (f'"{text}"', f"'{text}'")
+            following = enumerate(lines[number - 1 :], start=number)
+            named = (at for at, each in following if any(one in each for one in quoted))
+            return next(named, number) if text else number
     return 0
-
-
-def line_with(lines: list[str], text: str) -> int:
-    """The first line with that text as a value or a key in quotes; 0 where there is none."""
-    quoted = (f'"{text}"', f"'{text}'")
-    return next((at for at, line in enumerate(lines, start=1) if any(each in line for each in quoted)), 0)

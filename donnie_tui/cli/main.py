@@ -93,7 +93,8 @@ def main(arguments: list[str], greeting: Greeting | None = None, *, joins_server
         option, value = f"--{bad.key.replace('_', '-')}", bad.value[:40]
         complaint = words("bad-option", option=option, value=value, wanted=bad.wanted)
     except Unusable as unusable:
-        complaint = unusable.sentence
+        start.output.complaint(*unusable.sentences[:-1])
+        complaint = unusable.sentences[-1]
     except KeyboardInterrupt:
         return ExitCode.STOPPED
     if greeting is not None:

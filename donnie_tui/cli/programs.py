@@ -352,7 +352,7 @@ def _test_challenges(order: Order, given: Sequence[str]) -> int:
         try:
             codes.append(_test_challenge(order, name))
         except Unusable as unusable:
-            order.output.complaint(unusable.sentence)
+            order.output.complaint(*unusable.sentences)
             codes.append(ExitCode.UNUSABLE)
     return max(codes)
 

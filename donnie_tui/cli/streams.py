@@ -57,10 +57,10 @@ class Output:
         except (OSError, ValueError) as problem:
             self._give_up(getattr(problem, "strerror", None) or str(problem))
 
-    def complaint(self, sentence: str) -> None:
-        """A diagnostic of our own, to standard error."""
+    def complaint(self, *sentences: str) -> None:
+        """Diagnostics of our own, to standard error, a line each."""
         try:
-            self._err.write(f"{_shown(sentence)}\n")
+            self._err.writelines(f"{_shown(each)}\n" for each in sentences)
             self._err.flush()
         except (OSError, ValueError):
             _throw_away(self._err)

@@ -86,7 +86,7 @@ async def attempt(ctx: Context, task: Awaitable[None]) -> None:
         ctx.answer("answer-unchanged")
     except Unusable as unusable:
         ctx.refuse(UNUSABLE)
-        ctx.say(unusable.sentence)
+        ctx.say(*unusable.sentences)
     except _document_error() as error:
         ctx.refuse(UNUSABLE)
         ctx.answer(error.code, path=error.path, reason=error.reason)

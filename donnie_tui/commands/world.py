@@ -362,7 +362,7 @@ def world_to_enter(ctx: Context, typed: str) -> str | None:
         found = choose_world(name, ctx.words, folders, unknown="world-unknown-here")
         with_robot(found, ctx.words, allowed_folders(folders))
     except Unusable as unusable:
-        ctx.say(printable(unusable.sentence))
+        ctx.say(*map(printable, unusable.sentences))
         return None
     return name
 

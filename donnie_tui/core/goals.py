@@ -34,7 +34,7 @@ from donnie_tui.core.events import (
     Waited,
 )
 from worlds import challenges
-from worlds.challenges import Area, Challenge, Goal, Place, Rules, Target
+from worlds.challenges import Area, Challenge, ChallengeQuestion, Goal, Never, Place, Rules, Target, Variant
 
 DEGREES = 10.0
 """What a robot that faces a direction may be off by, for each step of ``within``."""
@@ -241,21 +241,32 @@ def goals_of_end(room: Inventory, events: Iterable[Stamped]) -> tuple[Goal, ...]
     return (*goals, Goal(said=track.said)) if track.said else tuple(goals)
 
 
-def unknown_things(challenge: Challenge, room: Inventory) -> tuple[str, ...]:
-    """The names in goals and rules that no thing or robot of the world has."""
-    named = [each for goal in challenge.rules.goal for each in goal.targets]
-    named += (*challenge.rules.never.touch, *challenge.rules.never.near)
-    moved = (name for each in challenge.rules.variant for name in each.things)
-    named += (name for name in moved if name not in room.robots)
-    for question in challenge.rules.question:
-        named += (
-            question.things if question.origin in ("start", "end") else (*question.things, question.origin)
-        )
-    robots = [name for goal in challenge.rules.goal for name in (goal.robot, *(goal.robots or ())) if name]
-    return (
-        *(each for each in named if isinstance(each, str) and not room.called(each)),
-        *(each for each in robots if room.robot_called(each) is None),
-    )
+_NAMING: Mapping[type, tuple[str, ...]] = {
+    Goal: ("at", "visited", "near", "thing", "holds", "robot", "robots"),
+    Never: ("touch", "near"),
+    Variant: ("things",),
+    ChallengeQuestion: ("of", "origin"),
+}
+"""What names things and robots."""
+
+
+def unknown_names(rules: Rules, room: Inventory) -> Iterator[tuple[str, str, str]]:
+    """The names that no thing or robot of the world has: the table of the file, the key, and the name."""
+    several = ((each, enumerate(getattr(rules, each))) for each in ("goal", "variant", "question"))
+    tables = ((f"{table}[{at}]", one) for table, found in several for at, one in found)
+    for table, one in (*tables, ("never", rules.never)):
+        for key in _NAMING[type(one)]:
+            named = getattr(one, key)
+            for name in (named,) if isinstance(named, str) else named or ():
+                if isinstance(name, str) and not _is_known(name, key, room):
+                    yield table, "from" if key == "origin" else key, name
+
+
+def _is_known(name: str, key: str, room: Inventory) -> bool:
+    if key in ("robot", "robots"):
+        return room.robot_called(name) is not None
+    is_no_thing = (key == "things" and name in room.robots) or (key == "origin" and name in ("start", "end"))
+    return is_no_thing or bool(room.called(name))
 
 
 # --- what happened

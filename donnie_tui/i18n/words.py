@@ -20,11 +20,16 @@ if TYPE_CHECKING:
 
 
 class Unusable(Exception):
-    """A world, file or device that can't be used. ``sentence`` is in the learner's language."""
+    """A world, file or device that can't be used: sentences in the learner's language, most often one."""
 
-    def __init__(self, sentence: str) -> None:
-        super().__init__(sentence)
-        self.sentence = sentence
+    def __init__(self, *sentences: str) -> None:
+        super().__init__(*sentences)
+        self.sentences = sentences
+
+    @property
+    def sentence(self) -> str:
+        """All of them."""
+        return " ".join(self.sentences)
 
 
 class Words:

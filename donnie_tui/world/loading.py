@@ -8,6 +8,7 @@ unreadable words, slips.
 
 from __future__ import annotations
 
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
@@ -21,7 +22,7 @@ from donnie_tui.i18n.words import Unusable, Words
 from sim.compiled_scene import read_scene
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterator, Mapping, Sequence
     from pathlib import Path
 
     from donnie_tui.core.goals import Inventory
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
     from sim.scene import Model, Scene
     from sim.world import World
     from sim.worldfile import Configuration, Driver, Offer
-    from worlds.challenges import BadChallenge, Challenge, Variant
+    from worlds.challenges import Challenge, ChallengeMistake, Variant
     from worlds.words import About
 
 CHALLENGE = "challenge:"
@@ -207,17 +208,25 @@ def choose_challenge(name: str, words: Words) -> Challenge:
     Raises ``Unusable`` with the line of a mistake in it.
     """
     from language.keywords import all_words, canonical
-    from worlds.challenges import BadChallenge, find
+    from worlds.challenges import BadChallenge, ChallengeMistake, find, line_of
 
+    found: Challenge | None
     try:
         found = _titled(name) or find(name)
-        for word in (*found.rules.words, *found.rules.required):
-            if canonical(word) is None:
-                known = all_words("en")
-                raise BadChallenge("challenge-word", found.path, found.line_with(word), word, known)
-        return found
+        file, mistakes = found.path, list[ChallengeMistake]()
     except BadChallenge as bad:
-        raise Unusable(_in_words(bad, words)) from None
+        found, file, mistakes = bad.found, bad.file, [*bad.mistakes]
+    if found is not None:
+        rules, lines = found.rules, found.lines
+        named = ((key, word) for key in ("words", "required") for word in getattr(rules, key))
+        for key, word in ((key, word) for key, word in named if canonical(word) is None):
+            line = line_of(lines, "", key, word)
+            mistakes.append(ChallengeMistake("challenge-word", line, word, all_words("en")))
+        with suppress(Unusable):  # the world is another file
+            mistakes += _names_missing(found, inhabited_world(found.world, words)) if mistakes else ()
+    if mistakes or found is None:
+        raise Unusable(*_in_words(file, mistakes, words))
+    return found
 
 
 def _titled(title: str) -> Challenge | None:
@@ -233,31 +242,42 @@ def _titled(title: str) -> Challenge | None:
     )
 
 
-def _in_words(bad: BadChallenge, words: Words) -> str:
+def _in_words(file: Path, mistakes: Sequence[ChallengeMistake], words: Words) -> Iterator[str]:
+    """A sentence for each, in the order of their lines."""
     from language.suggestions import nearest
+    from worlds.challenges import MOST_MISTAKES
 
-    near = nearest(bad.what, bad.known) if bad.known else None
-    code = f"{bad.code}-near" if near else bad.code
-    what, known = bad.what[:LONGEST_NAME], ", ".join(bad.known[:MOST_KNOWN])
-    sentence = words(code, file=bad.file.name, what=what, near=near, known=known)
-    return words("challenge-line", line=bad.line, text=sentence) if bad.line else sentence
+    for bad in sorted(mistakes, key=lambda each: each.line)[:MOST_MISTAKES]:
+        near = nearest(bad.what, bad.known) if bad.known else None
+        code = f"{bad.code}-near" if near else bad.code
+        what, known = bad.what[:LONGEST_NAME], ", ".join(bad.known[:MOST_KNOWN])
+        sentence = words(code, file=file.name, what=what, near=near, known=known)
+        yield words("challenge-line", line=bad.line, text=sentence) if bad.line else sentence
+    if len(mistakes) >= MOST_MISTAKES:
+        yield words("more-mistakes", limit=MOST_MISTAKES)
 
 
 def world_of(found: Challenge, words: Words, folders: tuple[str, ...] = ()) -> ChosenWorld:
     """The world of a challenge as its file says. Raises ``Unusable``, also for what it doesn't have."""
-    from donnie_tui.core.goals import unknown_things
-    from worlds.challenges import BadChallenge
-
     world = inhabited_world(found.world, words, folders)
-    room = inventory_of(world.scene)
-    for unknown in unknown_things(found, room):
-        things = sorted(room.items, key=lambda each: max(each.half_width, each.half_height))  # walls last
-        names = [[name for name in each.names if name.strip()] for each in things]
-        first = (each[0] for each in names if each)
-        known = tuple(dict.fromkeys((*first, *room.robots, *(name for each in names for name in each))))
-        bad = BadChallenge("challenge-thing", found.path, found.line_with(unknown), unknown, known)
-        raise Unusable(_in_words(bad, words))
+    mistakes = [*_names_missing(found, world)]
+    if mistakes:
+        raise Unusable(*_in_words(found.path, mistakes, words))
     return world
+
+
+def _names_missing(found: Challenge, world: ChosenWorld) -> Iterator[ChallengeMistake]:
+    """The names in a challenge that its world doesn't have."""
+    from donnie_tui.core.goals import unknown_names
+    from worlds.challenges import ChallengeMistake, line_of
+
+    room = inventory_of(world.scene)
+    things = sorted(room.items, key=lambda each: max(each.half_width, each.half_height))  # walls last
+    names = [[name for name in each.names if name.strip()] for each in things]
+    first = (each[0] for each in names if each)
+    known = tuple(dict.fromkeys((*first, *room.robots, *(name for each in names for name in each))))
+    for table, key, name in unknown_names(found.rules, room):
+        yield ChallengeMistake("challenge-thing", line_of(found.lines, table, key, name), name, known)
 
 
 def solution_of(challenge: Challenge, world: ChosenWorld, words: Words) -> dict[str, str]:

@@ -83,9 +83,9 @@ def check_challenge(data: Input) -> None:
         try:
             read(file)
         except BadChallenge as refused:
-            assert 0 <= refused.line <= _as_bytes(data).count(b"\n") + 1
-            for language in languages():
-                assert Words(language).knows(refused.code)
+            for each in refused.mistakes:
+                assert 0 <= each.line <= _as_bytes(data).count(b"\n") + 1
+                assert all(Words(language).knows(each.code) for language in languages())
 
 
 # --- settings -----------------------------------------------------------------------------------------

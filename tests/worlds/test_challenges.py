@@ -192,7 +192,7 @@ def test_a_mistake_has_its_line(tmp_path: Path, old: str, new: str, code: str, l
     with pytest.raises(BadChallenge) as bad:
         read(tmp_path, GOOD.replace(old, new))
 
-    assert (bad.value.code, bad.value.line) == (code, line)
+    assert [(each.code, each.line) for each in bad.value.mistakes] == [(code, line)]
 
 
 def test_a_file_beyond_the_limit_is_refused_with_the_true_cause(
@@ -255,6 +255,106 @@ def test_a_misspelt_name_is_reported_with_the_nearest_one(
 
     assert main(["challenge", "check", str(file), str(file), "--lang", "en"]) == 2
     assert capsys.readouterr().err.strip() == sentence
+
+
+MANY = """\
+format = 1
+world = "first_room"
+after = ["frist_walk"]
+words = ["FW", "TRR"]
+dificulty = "easy"
+
+[en]
+titel = "T"
+task = "Do."
+[[en.hint]]
+txt = "Walk."
+
+[[goal]]
+at = "bal"
+wihtin = 2
+
+[[goal]]
+at = [0, 5
+within = 1
+
+[nver]
+bump = true
+
+[[question]]
+ask = "colou"
+of = "chiar"
+"""
+OF_MANY = """\
+Line 3: There is no challenge frist_walk. Did you mean first_walk?
+Line 4: it.toml has TRR. Did you mean TR?
+Line 5: it.toml has the key dificulty. Did you mean difficulty?
+Line 8: it.toml has the key titel. Did you mean title?
+Line 11: it.toml has the key txt. Did you mean text?
+Line 14: it.toml names bal, and its world has no such thing. Did you mean ball?
+Line 15: it.toml has the key wihtin. Did you mean within?
+Line 18: it.toml is not written as a challenge is. The guide for challenges shows how.
+Line 21: it.toml has the key nver. Did you mean never?
+Line 25: it.toml has colou. Did you mean colour?
+Line 26: it.toml names chiar, and its world has no such thing. Did you mean chair?
+"""
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        "challenge check {file} {program}",
+        "challenge test {file}",
+        "challenge test {folder}",
+        "run --challenge {file} {program}",
+        "run {program} --world challenge:{file}",
+    ],
+)
+def test_every_mistake_of_a_file_has_its_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], command: str
+) -> None:
+    file, program = tmp_path / "it.toml", tmp_path / "p.gd"
+    file.write_text(MANY, encoding="utf-8")
+    program.write_text("FW 5")
+
+    arguments = command.format(file=file, program=program, folder=tmp_path).split()
+    assert main([*arguments, "--lang", "en"]) == 2
+    assert capsys.readouterr().err == OF_MANY
+
+
+def test_of_very_many_mistakes_the_first_are_listed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "it.toml"
+    file.write_text(GOOD + "".join(f"key{number} = 1\n" for number in range(50)))
+
+    assert main(["challenge", "test", str(file), "--lang", "en"]) == 2
+    lines = capsys.readouterr().err.splitlines()
+    assert lines[0].startswith("Line 14: it.toml has the key key0")
+    assert [*lines[20:]] == ["Only the first 20 mistakes are listed."]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "lines"),
+    [
+        ('title = "T"', 'title = "T', [5]),
+        ("\nat =", "\nat", [9]),
+        ("[en]", "[en", [4]),
+        ('"ball"', '[\n0,\n"ball"\n]\nfacing = = 3', [9, 13]),
+        ("[en]", 'variant = 3\nlimit = "x"\nafter = [3]\n[en]', [4, 5, 6]),
+        ("[en]", '[pt]\ntitle = 3\ntask = "x"\n[es]\ntitle = "x"\ntask = 4\n[en]', [5, 9]),
+        ("[en]", "[pt]\ntitle = 3\n[en]", [4, 5]),
+        ('"ball"', "[0, nan]\nfacing = 1e999", [9, 10]),
+        ("[[goal]]\nsaid", "[[goal]]\n[[goal]]\nrobot = 3\n[[goal]]\nsaid", [12, 14]),
+    ],
+)
+def test_a_mistake_hides_no_other_and_makes_none(
+    tmp_path: Path, old: str, new: str, lines: list[int]
+) -> None:
+    with pytest.raises(BadChallenge) as bad:
+        read(tmp_path, GOOD.replace(old, new))
+
+    assert sorted(each.line for each in bad.value.mistakes) == lines
 
 
 PUPILS = {
@@ -453,7 +553,11 @@ def test_all_challenges_of_a_folder_are_tested(tmp_path: Path, capsys: pytest.Ca
     assert main(["challenge", "test", str(tmp_path), "--lang", "en"]) == 2
 
     printed = capsys.readouterr()
-    assert printed.err == "Line 1: a.toml has a value for format that does not fit.\n"
+    assert printed.err.splitlines() == [
+        "a.toml lacks en.title.",
+        "a.toml lacks world.",
+        "Line 1: a.toml has a value for format that does not fit.",
+    ]
     assert printed.out.splitlines()[0] == "b: the solution does not solve it."
     assert printed.out.splitlines()[-1].startswith("c: the solution solves it")
 
@@ -601,7 +705,9 @@ def test_without_goals_and_solution_a_challenge_is_a_mistake(tmp_path: Path) -> 
     with pytest.raises(BadChallenge) as bad:
         read(tmp_path, WITHOUT_GOAL)
 
-    assert (bad.value.code, bad.value.what) == ("challenge-solution", "it.solution.gd")
+    assert [(each.code, each.what) for each in bad.value.mistakes] == [
+        ("challenge-solution", "it.solution.gd")
+    ]
 
 
 def test_the_world_of_a_challenge_is_a_file_next_to_it(

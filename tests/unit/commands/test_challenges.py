@@ -57,6 +57,20 @@ def test_what_no_further_line_repairs_is_followed_by_the_word_that_begins_anew_o
         script.type("RESET")
 
 
+def test_all_mistakes_of_a_file_are_said_a_sentence_each(open_script: OpenScript, tmp_path: Path) -> None:
+    file = tmp_path / "it.toml"
+    text = Path(challenges.LADDERS, "first_walk.toml").read_text(encoding="utf-8")
+    file.write_text(text.replace("\nat = ", "\natt = ") + '[nver]\n[[goal]]\nat = "bal"\n', encoding="utf-8")
+    lines = file.read_text(encoding="utf-8").splitlines()
+    at, never, ball = (lines.index(each) + 1 for each in ("att = [0, 5]", "[nver]", 'at = "bal"'))
+
+    assert open_script().answers_to(f"CHALLENGE {file}") == [
+        f"Line {at}: it.toml has the key att. Did you mean at?",
+        f"Line {never}: it.toml has the key nver. Did you mean never?",
+        f"Line {ball}: it.toml names bal, and its world has no such thing. Did you mean ball?",
+    ]
+
+
 def test_a_start_that_moves_nothing_is_the_world_as_it_is(open_script: OpenScript, tmp_path: Path) -> None:
     file = tmp_path / "it.toml"
     file.write_text(

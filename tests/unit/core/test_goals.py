@@ -21,7 +21,7 @@ from donnie_tui.core.events import (
     ThingsMoved,
     Turned,
 )
-from donnie_tui.core.goals import Inventory, Item, Judgment, goals_of_end, judge, unknown_things
+from donnie_tui.core.goals import Inventory, Item, Judgment, goals_of_end, judge, unknown_names
 from worlds.challenges import Challenge, ChallengeText, Goal, Limit, Never, Rules
 
 START = Pose(0.0, 0.0, 0.0)
@@ -278,9 +278,12 @@ def test_a_stopped_run_solves_nothing() -> None:
 
 
 def test_names_that_no_thing_has_are_found() -> None:
-    goals = challenge(Goal(at="green chiar"), Goal(near="box"), never=Never(touch=("lamp",)))
+    goals = challenge(Goal(near="box"), Goal(at="green chiar"), never=Never(touch=("lamp",)))
 
-    assert unknown_things(goals, ROOM) == ("green chiar", "lamp")
+    assert {*unknown_names(goals.rules, ROOM)} == {
+        ("goal[1]", "at", "green chiar"),
+        ("never", "touch", "lamp"),
+    }
 
 
 AREA = ((0.0, 3.0), (4.0, 6.0))
