@@ -161,23 +161,17 @@ def _expressions(statement: Statement) -> tuple[Expression, ...]:
             return () if value is None else (value,)
         case syntax.Assign(value=value):
             return (value,)
-        case syntax.SpeakCommand(what=what):
-            return () if isinstance(what, syntax.TextLiteral) else (what,)
-        case (
-            syntax.WalkCommand(steps=value)
-            | syntax.TurnCommand(degrees=value)
-            | syntax.WaitCommand(seconds=value)
-            | syntax.Repeat(times=value)
-        ):
-            return (value,)
         case syntax.If(condition=condition) | syntax.While(condition=condition):
             return (condition.left, condition.right)
         case syntax.Call(arguments=arguments):
             return arguments
         case syntax.For(start=start, condition=condition, step=step):
             return (*_expressions(start), condition.left, condition.right, *_expressions(step))
-        case _:
+        case syntax.Procedure():
             return ()
+        case _:  # a command, or REPEAT
+            parts = (getattr(statement, each) for each in statement.__struct_fields__)
+            return tuple(each for each in parts if isinstance(each, Expression))
 
 
 def _names_in(expression: Expression) -> Iterator[Name]:

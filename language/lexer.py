@@ -57,6 +57,16 @@ TAKES = {
 }
 """The keywords that decide what the next word is."""
 
+TAKE_EXPRESSION = tuple(
+    parts[0] for rule, parts in _forms if rule == "statement" and parts[1:] == ("expression",)
+)
+"""The commands that are one word and a value: FW, TR, WAIT, SPEAK."""
+COMPLETE_ALONE = frozenset(
+    KIND[parts[0]]
+    for rule, parts in _forms
+    if rule == "statement" and len(parts) == 1 and parts[0] in KIND and parts[0] not in SENSORS
+)
+"""The commands that are complete without an argument, those of sensors apart: SCAN, HELP."""
 _MAY_BE_ALONE = frozenset(KIND[parts[0]] for _, parts in _forms if len(parts) == 1 and parts[0] in KIND)
 
 _BEFORE_NAMES = frozenset(

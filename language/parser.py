@@ -15,7 +15,7 @@ from msgspec import Struct
 from language.diagnostics import Diagnostic, MistakeKind
 from language.keywords import argument
 from language.lexer import END as END_WORD
-from language.lexer import KIND, Lexed, Token, lex, span_of
+from language.lexer import KIND, TAKE_EXPRESSION, Lexed, Token, lex, span_of
 from language.locales import ENGLISH
 from language.outline import ENDS, OPENERS
 from language.syntax import DeclaredProcedure, Program
@@ -33,9 +33,7 @@ _SHALLOW = 200
 _LPAR, _RPAR = KIND["LPAR"], KIND["RPAR"]
 _SPEAK = KIND["SPEAK"]
 """Fits wherever a statement may begin."""
-_BEGIN_COMMANDS = OPENERS.keys() | {
-    KIND[name] for name in ("VAR", "SPEAK", "FW", "BW", "TR", "TL", "WAIT", "ASSIGN")
-}
+_BEGIN_COMMANDS = OPENERS.keys() | {KIND[name] for name in ("VAR", "ASSIGN", *TAKE_EXPRESSION)}
 
 _Reduction = tuple[int, int, Callable[..., Any] | None]
 """A nonterminal, how many parts it replaces, and the method that builds its node."""

@@ -25,7 +25,7 @@ from language.keywords import (
     languages_of,
     spelling,
 )
-from language.lexer import SENSORS, TAKES, language_of, lex
+from language.lexer import SENSORS, TAKE_EXPRESSION, TAKES, language_of, lex
 from language.locales import ENGLISH, keys, languages, own_words
 from language.source import fold_name
 from language.syntax import Declare, For, Name, Procedure, Program, walk
@@ -34,7 +34,7 @@ from language.tables import TERMINALS
 LONGEST = 40
 """Letters; no word is near to a longer one."""
 
-SAMPLES = {"FW": "2", "BW": "2", "TR": "90", "TL": "90", "WAIT": "2"}
+SAMPLES = {**{each: "2" for each in TAKE_EXPRESSION if each != "SPEAK"}, "TR": "90", "TL": "90"}
 """By terminal: a number for a command that was typed without one."""
 
 _MOST_COMPARED = 300

@@ -17,7 +17,20 @@ from language.keywords import (
     is_reserved,
     spelling,
 )
-from language.lexer import END, FRAGMENT, KIND, NAME, NEEDS_NO_ARGUMENT, NUMBER, SENSORS, STRING, TAKES, Token
+from language.lexer import (
+    COMPLETE_ALONE,
+    END,
+    FRAGMENT,
+    KIND,
+    NAME,
+    NEEDS_NO_ARGUMENT,
+    NUMBER,
+    SENSORS,
+    STRING,
+    TAKE_EXPRESSION,
+    TAKES,
+    Token,
+)
 from language.locales import ENGLISH, languages
 from language.outline import ENDS, OPENERS
 from language.recovery.blocks import (
@@ -68,7 +81,7 @@ _CALL_PUNCTUATION = (LPAR, *(KIND[name] for name in ("COLON", "COMMA", "RPAR")))
 
 
 _SPEAK = KIND["SPEAK"]
-_TAKE_VALUE = frozenset(KIND[name] for name in (*SAMPLES, "SPEAK"))
+_TAKE_VALUE = frozenset(KIND[name] for name in TAKE_EXPRESSION)
 _TAKE_MORE = _TAKE_VALUE | OPENERS.keys() | {VAR}
 """The words after which something else than a direction, an axis, a colour or a switch must come."""
 
@@ -76,9 +89,6 @@ _LONGEST_EVERYDAY_LINE = 40
 """Tokens that are looked at of a line that begins like an everyday one."""
 _SCALE, _RPAR = KIND["SCALE"], KIND["RPAR"]
 _BEFORE_VALUE = frozenset((SIGN, ASSIGN, COMPARATOR, _SCALE))
-_COMPLETE_ALONE = frozenset(
-    KIND[name] for name in ("SCAN", "STATE", "HISTORY", "GRIP", "RELEASE", "QUIT", "RUN", "HELP")
-)
 
 
 # --- where a command may begin ------------------------------------------------------------------------
@@ -499,7 +509,7 @@ def lacks_all(reader: TokenReader) -> bool:
         return begins and reader.before[0] in _TAKE_VALUE
     if reader.is_first_of_line or kind in ENDS:
         return kind in BEGINNERS or kind in (VAR, SEMICOLON)
-    return kind in (SEMICOLON, ELSE, END) or (kind in BEGINNERS and kind not in _COMPLETE_ALONE)
+    return kind in (SEMICOLON, ELSE, END) or (kind in BEGINNERS and kind not in COMPLETE_ALONE)
 
 
 def read_without_all(reader: TokenReader) -> None:

@@ -2,8 +2,9 @@
 
 import subprocess
 import sys
+from typing import get_args
 
-from language import tables
+from language import syntax, tables
 from language.lexer import NAME
 from language.parser import parse
 from language.tree_builder import TreeBuilder
@@ -36,6 +37,13 @@ def test_the_tables_do_not_depend_on_the_order_of_sets() -> None:
 def test_every_alternative_of_the_grammar_has_its_method() -> None:
     assert all(hasattr(TreeBuilder, rule[2]) for rule in tables.RULES if rule[2])
     assert all(rule[1] == 1 for rule in tables.RULES if rule[2] == "")
+
+
+def test_every_class_of_nodes_is_in_a_union() -> None:
+    """So mypy names the places that a new one lacks."""
+    unions = get_args(syntax.Statement | syntax.Expression)
+
+    assert {*syntax.Node.__subclasses__()} == {*unions, syntax.Condition, syntax.TextLiteral}
 
 
 def test_a_name_is_the_first_terminal_after_the_end() -> None:
