@@ -5,7 +5,7 @@ when the program that drives the robot has ended, however it ended. Then the gua
 read ``NOT_NEEDED`` before; if the port is gone, it waits a minute for the port to return.
 
 An exchange is a state machine without I/O: bytes and times in, bytes out. The clock is a parameter, too, so a
-test's port can have its own.
+test's port can have its own. ``factor`` makes the deadlines so many times as long, on a slow computer.
 """
 
 from __future__ import annotations
@@ -119,7 +119,8 @@ class RobotIdentification:
     not move by that.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, factor: float = 1.0) -> None:
+        self._factor = factor
         self._decoder = Decoder()
         self._until: float | None = None
         self.is_robot = False
@@ -131,7 +132,7 @@ class RobotIdentification:
 
     def next(self, received: bytes, now: float) -> bytes:
         if self._until is None:
-            self._until = now + FIRST_ANSWER
+            self._until = now + FIRST_ANSWER * self._factor
         reply = b""
         for report in self._decoder.feed(received):
             reply = self._take(report, now) or reply
@@ -140,7 +141,7 @@ class RobotIdentification:
     def _take(self, report: Report, now: float) -> bytes:
         if not self.is_robot:
             self.is_robot = True
-            self._until = now + BATTERY
+            self._until = now + BATTERY * self._factor
         if isinstance(report, Power):
             self.millivolts = report.millivolts
         elif isinstance(report, ConfigWanted):
@@ -168,7 +169,8 @@ class RobotIdentification:
 class BeltIdentification:
     """Sends bytes that are no frame, and waits for the belt's complaint."""
 
-    def __init__(self) -> None:
+    def __init__(self, factor: float = 1.0) -> None:
+        self._factor = factor
         self._received = bytearray()
         self._until: float | None = None
 
@@ -179,7 +181,7 @@ class BeltIdentification:
     def next(self, received: bytes, now: float) -> bytes:
         self._received = (self._received + received)[-64:]
         if self._until is None:
-            self._until = now + BELT_ANSWER
+            self._until = now + BELT_ANSWER * self._factor
             return RESYNC
         return b""
 
@@ -193,21 +195,22 @@ def identify(
     *,
     is_given_up: Callable[[], bool] = _never,
     now: Clock = monotonic,
+    factor: float = 1.0,
 ) -> IdentifiedDevice:
-    """Find out what is at the port; some seven seconds at most. Raises ``PortProblem``.
+    """Find out what is at the port; some seven seconds at most, times ``factor``. Raises ``PortProblem``.
 
     Opening the port restarts a board on USB. Nothing moves. Any thread may give the exchange up; then the
     result means nothing.
     """
     port = open_port(address, ROBOT_BAUD)
     try:
-        robot = RobotIdentification()
+        robot = RobotIdentification(factor)
         _run(robot, port, address, now, is_given_up)
         if robot.is_robot:
             return IdentifiedDevice(DeviceKind.ROBOT, robot.millivolts, robot.restarted, robot.is_driving)
         with _gone_is_a_problem(address):
             port.set_baud(BELT_BAUD)
-        belt = BeltIdentification()
+        belt = BeltIdentification(factor)
         _run(belt, port, address, now, is_given_up)
         return IdentifiedDevice(DeviceKind.BELT if belt.is_belt else DeviceKind.NOTHING)
     finally:
@@ -255,7 +258,8 @@ class EmergencyStop:
     stand.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, factor: float = 1.0) -> None:
+        self._longest = LONGEST * factor
         self._decoder = Decoder()
         self._began: float | None = None
         self._flushed_at: float | None = None
@@ -283,7 +287,7 @@ class EmergencyStop:
         return STOP
 
     def is_over(self, now: float) -> bool:
-        return self._began is not None and (self._stands(now) or now - self._began >= LONGEST)
+        return self._began is not None and (self._stands(now) or now - self._began >= self._longest)
 
     def outcome(self, now: float) -> HaltOutcome:
         if self._stands(now):
@@ -323,8 +327,11 @@ def halt(
     *,
     by_force: Callable[[], bool] = _never,
     now: Clock = monotonic,
+    factor: float = 1.0,
 ) -> HaltOutcome:
-    """Stop the robot at the port; four seconds at most, or twice that. Raises ``PortProblem``.
+    """Stop the robot at the port; four seconds at most, or twice that, times ``factor``.
+
+    Raises ``PortProblem``.
 
     Opening the port restarts a board on USB; any other board is sent stops. ``by_force`` restarts the board
     where that is possible without opening the port, and returns whether it did. It is called if the stops
@@ -338,9 +345,9 @@ def halt(
         _stop_shared_port(address, open_port)
         return HaltOutcome.IN_USE
     try:
-        outcome = _stop(port, address, now)
+        outcome = _stop(port, address, now, factor)
         if outcome in (HaltOutcome.UNCONFIRMED, HaltOutcome.DRIVES) and by_force():
-            outcome = _stop(port, address, now)
+            outcome = _stop(port, address, now, factor)
         return outcome
     finally:
         port.close()
@@ -403,8 +410,8 @@ def _halt_alone(address: str, open_port: Callable[..., SerialPort]) -> HaltOutco
         port.close()
 
 
-def _stop(port: SerialPort, address: str, now: Clock) -> HaltOutcome:
-    exchange = EmergencyStop()
+def _stop(port: SerialPort, address: str, now: Clock, factor: float = 1.0) -> HaltOutcome:
+    exchange = EmergencyStop(factor)
     _run(exchange, port, address, now)
     return exchange.outcome(now())
 

@@ -31,6 +31,7 @@ from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.streams import Input
 from donnie_tui.commands.interaction import answered
 from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.process.signals import timeout_factor
 from donnie_tui.robot.search import find_port, sentences_of
 from donnie_tui.settings.settings import Settings
 
@@ -53,7 +54,7 @@ def list_devices(
     driving: list[str] = []
 
     def ask(port: str, **how: Any) -> IdentifiedDevice:
-        found = asked(port, **how)
+        found = asked(port, factor=timeout_factor(), **how)
         if found.is_driving:
             driving.append(port)
         return found
@@ -170,7 +171,8 @@ def _halt_and_report(
     """``pause``: where its port is waited for. Raises ``Unusable``."""
 
     def stop_now() -> HaltOutcome:
-        return halted(port, by_force=lambda: _pull_pin(order.settings, port))
+        by_force = partial(_pull_pin, order.settings, port)
+        return halted(port, by_force=by_force, factor=timeout_factor())
 
     def report() -> None:
         order.output.line(order.words("stop-waiting", port=port))

@@ -186,6 +186,11 @@ def timeout_factor() -> float:
     return factor if factor > 0 else 1.0
 
 
+def _longer(seconds: float) -> float:
+    """A deadline on a slow or busy computer; never shorter."""
+    return seconds * max(1.0, timeout_factor())
+
+
 class Watchdog:
     """Takes signals from ``begin`` to ``end``, both in the main thread. Some end the process in time."""
 
@@ -200,11 +205,13 @@ class Watchdog:
     ) -> None:
         """``part`` ends the process if the main thread doesn't within ``leave`` seconds; see ``end_process``.
 
+        The seconds are more where ``timeout_factor`` says so.
+
         ``halt`` stops all robots at once, in the deputy's thread. ``on_number`` is called for each signal, in
         the thread of the watchdog or that of ``take``, and must not wait for the main thread.
         """
         self._handlers, self._part, self._halt, self._on_number = handlers, part, halt, on_number
-        self._leave = LEAVE * max(1.0, timeout_factor()) if leave is None else leave
+        self._leave = _longer(LEAVE if leave is None else leave)
         self._ended = threading.Event()
         self.left: tuple[int, float] | None = None
         """The first signal that ends the process, and when it came."""
@@ -287,7 +294,7 @@ def heeded(_number: int, _frame: FrameType | None) -> None:
 
 def end_process(code: Callable[[], int], last: Sequence[Task]) -> NoReturn:
     """Do what is last, as far as it doesn't hang, and end. Nothing else is closed: it may hang as well."""
-    until = time.monotonic() + LAST
+    until = time.monotonic() + _longer(LAST)
     threads = [threading.Thread(target=_quietly, args=(task,), daemon=True) for task in last]
     for each in threads:
         each.start()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -14,6 +15,16 @@ from tests.sessions.here import Here
 if TYPE_CHECKING:
     from tests.board_on_pty import PtyBoard
     from tests.sessions.learner import Learner
+
+
+@pytest.fixture(autouse=True)
+def _guards() -> Iterator[None]:
+    """No guard of a robot that this process had outlives its test."""
+    yield
+    connection = sys.modules.get("donnie_tui.robot.connection")
+    for guard in connection._ENDING if connection is not None else ():
+        guard.kill()
+        guard.wait()
 
 
 @pytest.fixture

@@ -17,6 +17,7 @@ from pathlib import Path
 import pexpect
 
 from tests.conftest import ROOT
+from tests.environment import CHOSEN
 from tests.sessions.command import QUIET
 from tests.timeouts import TIMEOUT
 
@@ -62,6 +63,7 @@ class SshLine:
             "LC_ALL": "C.UTF-8",
             "DONNIE_TOUR": "off",
             "DONNIE_READER": self._reader,
+            "DONNIE_ROBOT_TIMEOUTS": CHOSEN["DONNIE_ROBOT_TIMEOUTS"],
             "DONNIE_WORLD": "open_floor",
         }
         given = " ".join(f"{name}={value}" for name, value in variables.items())

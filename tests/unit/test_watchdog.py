@@ -91,7 +91,7 @@ def test_an_interrupt_ends_nothing(exit_codes: SimpleQueue[int]) -> None:
 def test_all_that_is_last_is_done_although_one_of_it_hangs_and_one_fails(
     monkeypatch: pytest.MonkeyPatch, exit_codes: SimpleQueue[int]
 ) -> None:
-    monkeypatch.setattr(signals, "LAST", 0.1)
+    monkeypatch.setattr(signals, "LAST", 0.005)
     released, kept = threading.Event(), threading.Event()
 
     def fail() -> None:
@@ -109,6 +109,24 @@ def test_the_deadline_is_longer_where_all_timeouts_are(monkeypatch: pytest.Monke
     for factor, seconds in (("", 3.0), ("0.5", 3.0), ("4", 12.0)):
         monkeypatch.setenv("DONNIE_ROBOT_TIMEOUTS", factor)
         assert Watchdog({}, part=_nothing)._leave == seconds
+        assert Watchdog({}, part=_nothing, leave=6.0)._leave == 2 * seconds
+
+
+def test_what_is_last_has_more_time_where_all_timeouts_are_longer(
+    monkeypatch: pytest.MonkeyPatch, exit_codes: SimpleQueue[int]
+) -> None:
+    monkeypatch.setenv("DONNIE_ROBOT_TIMEOUTS", f"{TIMEOUT / 0.001}")
+    monkeypatch.setattr(signals, "LAST", 0.001)
+    kept = threading.Event()
+
+    def keep() -> None:
+        threading.Event().wait(0.05)
+        kept.set()
+
+    with pytest.raises(Ended):
+        end_process(lambda: int(kept.is_set()), (keep,))
+
+    assert exit_codes.get(timeout=TIMEOUT) == 1
 
 
 def _is_left(thread: threading.Thread) -> bool:

@@ -209,7 +209,7 @@ def test_a_stop_uses_the_restart_pin_where_the_robot_has_one(monkeypatch: pytest
     pulled: list[int] = []
     monkeypatch.setattr(GpioReset, "pull", lambda self, *_: not pulled.append(self.pin))
 
-    def halted(_port: str, by_force: Callable[[], bool]) -> HaltOutcome:
+    def halted(_port: str, by_force: Callable[[], bool], **_how: object) -> HaltOutcome:
         return HaltOutcome.STANDS if by_force() else HaltOutcome.UNCONFIRMED
 
     outcomes = [

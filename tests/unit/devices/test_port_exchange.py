@@ -8,6 +8,7 @@ import pytest
 
 from devices.board_simulator.board import SimulatedBoard
 from devices.port_exchange import (
+    READ_TIMEOUT,
     DeviceKind,
     HaltOutcome,
     IdentifiedDevice,
@@ -55,6 +56,33 @@ def test_a_robot_that_drives_is_identified_as_driving_and_is_not_stopped_by_that
 
     assert identified(BoardPort(board)) == IdentifiedDevice(DeviceKind.ROBOT, 8000, is_driving=True)
     assert board.is_driving
+
+
+class SlowPort(BoardPort):
+    """Of a board whose time passes ten times as slowly as the computer's."""
+
+    def read(self) -> bytes:
+        self._now += READ_TIMEOUT
+        return self.board.advance(READ_TIMEOUT / 10) if self.board else b""
+
+
+def test_a_slow_board_is_waited_for_longer_where_all_timeouts_are() -> None:
+    """Its start of two seconds takes twenty here."""
+    port = SlowPort(SimulatedBoard())
+    assert identify("port", opener(port), now=port.now).kind is DeviceKind.NOTHING
+
+    port = SlowPort(SimulatedBoard())
+    assert identify("port", opener(port), now=port.now, factor=20) == IdentifiedDevice(
+        DeviceKind.ROBOT, 8000, restarted=True
+    )
+
+
+def test_a_slow_board_is_stopped_where_all_timeouts_are_longer() -> None:
+    port = SlowPort(SimulatedBoard())
+    assert halt("port", opener(port), now=port.now) is HaltOutcome.UNCONFIRMED
+
+    port = SlowPort(SimulatedBoard())
+    assert halt("port", opener(port), now=port.now, factor=20) is HaltOutcome.STANDS
 
 
 def test_a_torn_count_is_no_drive() -> None:
