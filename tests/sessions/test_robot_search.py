@@ -20,11 +20,18 @@ pytestmark = pytest.mark.slow
 
 
 @pytest.fixture
-def mute_port() -> Iterator[str]:
-    """A port without an answer: the search for a robot takes seconds there."""
+def mute_port(tmp_path: Path) -> Iterator[str]:
+    """A port without an answer: the search for a robot takes seconds there.
+
+    A link, which is gone before the terminal: a Donnie that still searches must not open the terminal of
+    another test, which may get the number.
+    """
     ours, theirs = os.openpty()
     tty.setraw(theirs)
-    yield os.ttyname(theirs)
+    port = tmp_path / "port"
+    port.symlink_to(os.ttyname(theirs))
+    yield str(port)
+    port.unlink()
     os.close(ours)
     os.close(theirs)
 
@@ -87,6 +94,7 @@ def test_control_c_cancels_the_search_of_the_linear_mode(tmp_path: Path, mute_po
         learner.sees("north")
         learner.sees_prompt()
         learner.types("CONNECT 2\r")
+    end(learner.child)
 
 
 def test_a_signal_ends_a_front_end_that_looks_for_a_robot(tmp_path: Path, mute_port: str) -> None:

@@ -160,18 +160,24 @@ def cost(updates: list[str]) -> int:
 
 @pytest.mark.parametrize(("plain", "most"), [(False, 100), (True, 140)], ids=["panes", "plain"])
 async def test_a_typed_key_costs_few_bytes(open_screen, written, plain, most):
-    """At the end of a line, in the program and in the command line."""
+    """At the end of a line, in the program and in the command line.
+
+    One of three: on a busy machine the mark of a mistake, painted when typing rests, may change with a key.
+    """
     async with open_screen("FW 1\nTR 90\n", plain=plain) as screen:
         for widget in (screen.main.editor, screen.main.command_line):
             widget.focus()
             for key in ("end", "space", *"tr 12"):
                 await screen.press(key)
             await screen.painted()
-            written.clear()
-            await screen.press("3")
-            await screen.painted()
+            costs = []
+            for key in "345":
+                written.clear()
+                await screen.press(key)
+                await screen.painted()
+                costs.append(cost(written))
 
-            assert 0 < cost(written) <= most, written
+            assert 0 < min(costs) <= most, costs
 
 
 @pytest.mark.parametrize(("plain", "most"), [(False, 1500), (True, 2500)], ids=["panes", "plain"])
