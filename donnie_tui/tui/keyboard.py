@@ -193,7 +193,7 @@ class Keyboard:
         """A list of them, and the next letter."""
         from donnie_tui.tui.screens.pages import KeyMenu
 
-        self._menu = KeyMenu(self._key_table.all, words, self._session.point)
+        self._menu = KeyMenu(self._key_table.all, words, self._session.point, is_plain=self._place.is_plain)
         self._app.push_screen(self._menu, self._menu_is_gone)
 
     def _menu_is_gone(self, _answer: None) -> None:

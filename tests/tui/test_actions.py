@@ -194,10 +194,36 @@ def test_keys_have_the_names_on_the_keyboard():
 async def test_the_menu_key_lists_its_letters_and_esc_closes_the_list(open_screen):
     async with open_screen() as screen:
         await screen.press(MENU)
-        await screen.until(lambda: "Ctrl+K" not in screen.text and "Esc goes back" in screen.text, "the menu")
-        assert "A: WHOLE MAP: Shows all, or follows Donnie." in screen.text
+        await screen.until(lambda: "Now one of these keys. Esc goes back" in screen.text, "the menu")
+        assert "WHOLE MAP" in screen.text
         await screen.press("escape")
         await screen.until(lambda: screen.app.screen is screen.main, "the main screen")
+
+
+@pytest.mark.parametrize("language", ["en", "pt", "es"])
+async def test_the_keys_after_the_menu_key_are_a_panel_with_columns(open_screen, language):
+    """The program stays in sight next to it."""
+    async with open_screen("FW 1", size=(120, 40), language=language) as screen:
+        await screen.press(MENU)
+        await screen.until(lambda: screen.app.screen is not screen.main, "the menu")
+        await screen.painted()
+        menu = screen.app.screen
+        begins = {
+            tuple(row.index(cell) for cell in cells)
+            for row, cells in zip(menu.rows.lines, menu.cells, strict=True)
+        }
+        assert len(begins) == 1
+        assert "FW 1" in screen.text
+        assert all(len(row) < menu.rows.size.width for row in menu.rows.lines)
+
+
+@pytest.mark.parametrize(("size", "plain"), [((40, 12), False), ((120, 40), True)])
+async def test_where_it_is_small_or_heard_each_key_after_the_menu_key_is_a_sentence(open_screen, size, plain):
+    async with open_screen("FW 1", size=size, plain=plain) as screen:
+        await screen.press(MENU)
+        await screen.until(lambda: screen.app.screen is not screen.main, "the menu")
+        await screen.until(lambda: "A: WHOLE MAP: Shows all, or" in screen.text, "a sentence")
+        assert screen.app.screen.rows.region.width == size[0]
 
 
 @pytest.mark.parametrize(

@@ -13,6 +13,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import ClassVar
 
 from msgspec import Struct
+from rich.cells import cell_len
 from textual import events
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
@@ -188,10 +189,15 @@ class KeyMenu(ModalScreen[None]):
     """What is pressed to read the list; any other key ends it."""
 
     def __init__(
-        self, keys: Mapping[str, tuple[str, ...]], words: Wording, point: Callable[[str], object]
+        self,
+        keys: Mapping[str, tuple[str, ...]],
+        words: Wording,
+        point: Callable[[str], object],
+        *,
+        is_plain: bool = False,
     ) -> None:
-        """``point`` says what is shown."""
-        super().__init__()
+        """``point`` says what is shown. A plain list has the whole screen, and rows of text."""
+        super().__init__(classes="-plain" if is_plain else "")
         self._point = point
         self.names = {
             key.partition(" ")[2]: name
@@ -199,21 +205,52 @@ class KeyMenu(ModalScreen[None]):
             for key in each
             if key.startswith(f"{MENU} ")
         }
-        self._words = words
+        self._title_words = words("menu-title")
+        self.cells = [
+            (key_label(key, words.language), word_of(BY_NAME[name], words.language), words(f"action-{name}"))
+            for key, name in sorted(self.names.items(), key=_place)
+        ]
+        """Of each row: the key, the word and what it does."""
         self.rows = TextRows(id="key-rows")
 
     def compose(self) -> ComposeResult:
-        yield Static(f" {self._words('menu-title')}", classes="screen-title", markup=False)
-        yield self.rows
+        with Vertical(id="panel"):
+            yield Static(f" {self._title_words}", classes="screen-title", markup=False)
+            yield self.rows
 
     def on_mount(self) -> None:
-        self.rows.show([self._row(key, name) for key, name in sorted(self.names.items(), key=_place)])
-        self._point(f"{self._words('menu-title')}. {self.rows.lines[0]}")
+        self._lay_out()
+        self._point(f"{self._title_words}. {self._sentence(0)}")
 
-    def _row(self, key: str, name: str) -> str:
-        language = self._words.language
-        word = word_of(BY_NAME[name], language)
-        return f"{key_label(key, language)}: {word}: {self._words(f'action-{name}')}"
+    def on_resize(self) -> None:
+        line = self.rows.line
+        self._lay_out()
+        if self.rows.line != line:
+            self.rows.read_line(line)
+
+    def _lay_out(self) -> None:
+        """Columns in a panel that is as wide as they are, where they have room."""
+        widths = [max(map(cell_len, column)) for column in zip(*self.cells, strict=True)]
+        panel, width = self.query_one("#panel"), sum(widths) + 2 * len(widths) + 2
+        has_columns = width <= self.size.width and not self.has_class("-plain")
+        panel.set_class(not has_columns, "-wide-as-all")
+        panel.styles.width = width if has_columns else None
+        panel.styles.height = self.size.height - 2 if has_columns else None
+        self.rows.show(
+            "  ".join(cell.ljust(each) for cell, each in zip(row, widths, strict=True)).rstrip()
+            if has_columns
+            else self._sentence(at)
+            for at, row in enumerate(self.cells)
+        )
+
+    def _sentence(self, line: int) -> str:
+        return ": ".join(self.cells[line])
+
+    def on_text_rows_read(self, event: TextRows.Read) -> None:
+        """Of a row with columns the sentence is spoken."""
+        if event.has_focus and event.text == self.rows.lines[self.rows.line]:
+            event.stop()
+            self._point(self._sentence(self.rows.line))
 
     def leave(self) -> None:
         """Close the menu once it is mounted."""
