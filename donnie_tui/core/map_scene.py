@@ -70,7 +70,9 @@ class MapScene:
         return gone | self.place_things(self._places) | self.grid.begin(pose)
 
     def move(self, pose: Pose) -> frozenset[Cell]:
-        """Moves the robot there. Returns the cells that look different."""
+        """Moves the robot there. Returns the cells that look different, none if it is there already."""
+        if pose == self._pose:
+            return frozenset()
         rays, self._rays = self._rays, frozenset()
         self._pose = pose
         return self.grid.move(pose) | rays
@@ -436,4 +438,5 @@ def _is_free(scale: MapScale, square: Cell) -> bool:
     return scale.bounds.left <= square.x <= scale.bounds.right and _kind(scale, square) in (
         Kind.FREE,
         Kind.TRAIL,
+        Kind.RAY,
     )

@@ -43,6 +43,8 @@ OUTSIDE = "+"
 """At the edge: a thing, a robot or a goal lies outside there. No thing has this letter."""
 _COVERED = ("free", "trail", "wall", "ray")
 """What such a mark may cover."""
+_UNDER_NAMES = ("free", "trail", "ray")
+"""What a name may cover."""
 
 
 class MapView(PaintedRows, can_focus=True):
@@ -403,7 +405,7 @@ class MapView(PaintedRows, can_focus=True):
         extent = self._extent
         squares = [square._replace(y=square.y - below) for below in range(extent.stacked)]
         label = next((self._written[each] for each in squares if each in self._written), None)
-        if label and not row and all(self.scale.shown(each)[1] in ("free", "trail") for each in squares):
+        if label and not row and all(self.scale.shown(each)[1] in _UNDER_NAMES for each in squares):
             painted = Segment(label, self._look("name"))
         else:
             painted = self._painter.paint(self.scale, square, extent, row, self._look)

@@ -46,6 +46,8 @@ def test_a_distance_is_a_ray_to_the_found_thing_until_the_robot_moves() -> None:
 
     assert [it.letter(Cell(1, y)) for y in range(2, 6)] == [RAY, RAY, RAY, "."]
     assert changed == {Cell(1, 1), Cell(1, 2), Cell(1, 3), Cell(1, 4)}
+    assert it.move(Pose(0, 1, 0)) == frozenset(), "the end of a program says where the robot is"
+    assert RAY in "".join(shown(it))
     assert {Cell(1, 2), Cell(1, 3)} <= it.move(Pose(0, 2, 0))
     assert RAY not in "".join(shown(it))
 
@@ -144,6 +146,14 @@ def test_a_name_is_written_next_to_its_thing_on_free_floor_only() -> None:
         Cell(6, 6): "dei",
         Cell(7, 6): "ra ",
     }
+
+
+def test_a_name_is_written_over_what_a_sensor_looked_along() -> None:
+    it = scene()
+    it.show_fields([((4, 5), (8, 5))])
+
+    assert it.kind(Cell(6, 6)) is Kind.RAY
+    assert labels(MapScale(it), 2, Words("en")) == labels(MapScale(scene()), 2, Words("en"))
 
 
 def test_a_name_without_room_to_the_east_is_written_to_the_west_and_hides_no_other() -> None:
