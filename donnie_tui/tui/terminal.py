@@ -20,6 +20,7 @@ from rich.console import Console, RenderableType
 from rich.segment import Segment
 from textual.app import App
 from textual.color import Color
+from textual.events import Resize
 from textual.filter import LineFilter
 from textual.geometry import Offset
 from textual.message import Message
@@ -198,9 +199,11 @@ class TerminalApp(App[int], inherit_bindings=False):
         if self._painted is not None:
             self._painted.forget()
 
-    def on_resize(self) -> None:
-        """Terminals move what they show."""
+    def on_resize(self, event: Resize) -> None:
+        """Terminals move what they show, also one that is as large again before Textual notices a change."""
         self._forget_cells()
+        if self._size is not None and event.size in (self._size, self.screen.size):
+            self.repaint()
 
     def _set_pointer_shape(self, shape: str) -> None:
         """Written by no program here: it costs bytes, and a console shows it as letters."""

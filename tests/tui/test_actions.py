@@ -218,7 +218,9 @@ async def test_the_keys_after_the_menu_key_are_a_panel_with_columns(open_screen,
 
 
 @pytest.mark.parametrize(("size", "plain"), [((40, 12), False), ((120, 40), True)])
-async def test_where_it_is_small_or_heard_each_key_after_the_menu_key_is_a_sentence(open_screen, size, plain):
+async def test_a_small_screen_and_a_plain_one_list_the_keys_after_the_menu_key_as_sentences(
+    open_screen, size, plain
+):
     async with open_screen("FW 1", size=size, plain=plain) as screen:
         await screen.press(MENU)
         await screen.until(lambda: screen.app.screen is not screen.main, "the menu")
