@@ -451,8 +451,12 @@ class _Reader:
         worlds_here = _files_in_folder(path, ".world") + _files_in_folder(path, ".cfg")
         others = _files_in_folder(path, SUFFIX, is_stem=True)
         known_worlds, known_challenges = (*world_names(), *worlds_here), (*names(), *others)
-        if Path(rules.world).name != rules.world:
+        if Path(rules.world).name != rules.world or (
+            rules.world and (path.parent / rules.world).is_symlink()
+        ):
             self._note("challenge-outside", line_of(lines, "", "world"), rules.world)
+        elif found.solution.is_symlink():
+            self._note("challenge-outside", 0, found.solution.name)
         elif rules.world and rules.world not in known_worlds:
             self._note("challenge-world", line_of(lines, "", "world"), rules.world, known_worlds)
         for each in (name for name in rules.after if name not in known_challenges):

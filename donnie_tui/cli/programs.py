@@ -20,6 +20,7 @@ from pathlib import Path
 from typing import Any, TypeAlias
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from donnie_tui.bootstrap import Programs, judge_events, judge_program, starts_of
 from donnie_tui.cli.options import ExitCode, Order
@@ -292,6 +293,8 @@ class _Pupil(Struct, frozen=True):
     """By robot; None for the first one."""
     folder: str = ""
     """The pupil's own, where the file is in one."""
+    given: str = ""
+    """What was given as an argument, where the files are in that."""
 
     @property
     def label(self) -> str:
@@ -318,6 +321,8 @@ def _write_table(order: Order, pupils: Sequence[_Pupil], records: Sequence[_Reco
             stem = Path(printable(pupil.label).replace("/", "-")).stem
             used[stem] += 1
             file = f"{stem}-{used[stem]}.txt" if used[stem] > 1 else f"{stem}.txt"
+            if Path(folder, file).is_symlink():  # perhaps a pupil's, to any other file
+                Path(folder, file).unlink()
             _write(Path(folder, file), f"{each['verdict']}\n", order.words)
 
 
@@ -432,8 +437,7 @@ class _Judging:
         named = [robot_and_file(each) for each in given]
         if named and all(robot is not None for robot, _ in named):
             return (self._pupil_with(named),)
-        found = (each for file in given for each in self._in_folder(file))
-        return tuple(found)
+        return tuple(replace(each, given=file) for file in given for each in self._in_folder(file))
 
     def _pupil_with(self, named: Sequence[tuple[str | None, str]]) -> _Pupil:
         files = dict[str | None, str]()
@@ -472,6 +476,7 @@ class _Judging:
         """What there is to say about a pupil; prints its line unless all is asked for as JSON."""
         found, first = _Record(file=pupil.name, solved=None), self.world.scene.robot_names[0]
         try:
+            self._refuse_links(pupil)
             texts = {each or first: read_source(file, self._words).text for each, file in pupil.files.items()}
         except Unusable as unusable:
             line = found["verdict"] = unusable.sentence
@@ -485,6 +490,12 @@ class _Judging:
         if not self.is_json:
             self._order.output.line(line)
         return found
+
+    def _refuse_links(self, pupil: _Pupil) -> None:
+        """What a pupil hands in is no other file of the machine. Raises ``Unusable``."""
+        for file in pupil.files.values() if pupil.given else ():
+            if not Path(file).resolve().is_relative_to(Path(pupil.given).resolve()):
+                raise Unusable(self._words("check-leads-out", path=file))
 
     def verdicts(self, programs: Programs) -> tuple[Judgment, ...]:
         """One for each start, up to the first that does not solve it."""

@@ -2,7 +2,10 @@
 
 import csv
 import json
+import os
 import re
+import subprocess
+import sys
 from pathlib import Path
 from typing import cast
 
@@ -524,6 +527,108 @@ def test_a_program_is_tried_from_no_further_start_after_one_that_fails() -> None
 
     assert [each.is_solved for each in verdicts] == [False]
     assert len(bootstrap.judge_program("FW DISTANCE F - 1", starts, words, settings)) == len(starts) == 3
+
+
+def test_a_link_in_a_folder_of_pupils_reads_and_writes_no_other_file(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Neither a file nor a folder of the teacher, and an answer replaces a link, not what that names."""
+    private, pupils, answers = (tmp_path / each for each in ("private", "pupils", "answers"))
+    for folder in (private, pupils, answers):
+        folder.mkdir()
+    (private / "letter.gd").write_text("dear headmistress")
+    (pupils / "ana.gd").write_text("FW 5")
+    (pupils / "rui.gd").symlink_to(private / "letter.gd")
+    (pupils / "tom").symlink_to(private)
+    (answers / "ana.txt").symlink_to(private / "letter.gd")
+
+    arguments = ["challenge", "check", "1", str(pupils), "--feedback", str(answers), "--lang", "en"]
+    assert main(arguments) == 2
+
+    assert capsys.readouterr().out.splitlines() == [
+        f"{pupils}/tom/letter.gd is a link that leads out of the folder.",
+        "ana.gd: Solved, in 1 command.",
+        f"{pupils}/rui.gd is a link that leads out of the folder.",
+        "3 programs. 1 solved.",
+    ]
+    assert (private / "letter.gd").read_text() == "dear headmistress"
+    assert (answers / "ana.txt").read_text() == "Solved, in 1 command.\n"
+
+
+@pytest.mark.parametrize("name", ["it.world", "it.solution.gd"])
+def test_a_challenge_uses_no_link_to_another_folder(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], name: str
+) -> None:
+    (tmp_path / "elsewhere").write_text("secret")
+    file = written(tmp_path, "it", WITHOUT_GOAL.replace("first_room", "it.world"), "FW 3")
+    (tmp_path / "it.world").write_text(Path("worlds/scenes/first_room.world").read_text(encoding="utf-8"))
+    (tmp_path / name).unlink()
+    (tmp_path / name).symlink_to(tmp_path / "elsewhere")
+
+    assert main(["challenge", "test", str(file), "--lang", "en"]) == 2
+    said = f"it.toml asks for {name}. A challenge uses only files of its own folder.\n"
+    assert capsys.readouterr().err.endswith(said)
+
+
+WATCHED = """\
+import json, os, sys
+from pathlib import Path
+
+touched = []
+
+def note(event, arguments):
+    if event == "open":
+        path, _, flags = arguments
+        touched.append(("write" if flags & (os.O_WRONLY | os.O_RDWR) else "read", os.fsdecode(path)
+                        if isinstance(path, (str, bytes, os.PathLike)) else str(path)))
+    elif event.partition(".")[0] in ("socket", "subprocess", "shutil", "tempfile") or event in (
+        "os.exec", "os.posix_spawn", "os.system", "os.fork", "os.remove", "os.rename", "os.mkdir", "os.rmdir",
+        "os.link", "os.symlink", "os.chmod", "os.kill", "os.putenv", "pty.spawn", "webbrowser.open",
+    ):
+        touched.append((event, str(arguments)))
+
+from donnie_tui.cli.main import main
+folder, out = sys.argv[1:]
+main(["challenge", "check", "1", folder, "--lang", "en"])  # all is loaded
+sys.addaudithook(note)
+code = main(["challenge", "check", "1", folder, "--lang", "en"])
+Path(out).write_text(json.dumps([code, touched[:-1] if touched[-1][1] == out else touched]))
+"""
+MEDDLING = {
+    "belt": "BELT ON\nVIBRATE F\nBELT OFF",
+    "commands": "SAVE x.gd\nOPEN /etc/passwd\nRECORD x\nLINEAR\nSET lang = pt\nCHALLENGE 2",
+    "help": "HELP FW\nHELP",
+    "history": "STATE\nHISTORY\nPOS",
+    "include": "RUN /etc/passwd",
+    "quit": "QUIT",
+    "run": "RUN",
+    "scan": "SCAN\nSPEAK DISTANCE F\nGRIP\nRELEASE",
+    "sound": 'SOUND ON\nSPEAK "hello"\nSOUND OFF',
+    "wait": "WAIT 100000000",
+}
+
+
+def test_the_program_of_a_pupil_touches_nothing_of_the_machine_but_its_own_file(tmp_path: Path) -> None:
+    """No file but its own is read, none is written; no process, socket, device, sound or variable."""
+    pupils, home, result = tmp_path / "pupils", tmp_path / "home", tmp_path / "result"
+    pupils.mkdir()
+    home.mkdir()
+    for name, text in MEDDLING.items():
+        (pupils / f"{name}.gd").write_text(text)
+    own = {each: str(home) for each in ("HOME", "XDG_STATE_HOME", "XDG_CONFIG_HOME", "XDG_RUNTIME_DIR")}
+    variables = {each: os.environ[each] for each in ("PATH",)} | own
+    command = [sys.executable, "-c", WATCHED, str(pupils), str(result)]
+    done = subprocess.run(command, env=variables, capture_output=True, text=True, check=True)
+
+    code, touched = json.loads(result.read_text())
+    touched = [
+        each for each in touched if not each[1].endswith("settings.toml")
+    ]  # the teacher's, for the command
+    assert done.stdout.count("programs. 0 solved.") == 2
+    assert code == 1
+    ours = (str(Path(challenges.__file__).parent.parent), str(pupils), sys.prefix, sys.base_prefix)
+    assert [each for each in touched if each[0] != "read" or not each[1].startswith(ours)] == []
+    assert [*home.rglob("*")] == []
 
 
 def test_the_table_never_replaces_a_program(tmp_path: Path) -> None:
