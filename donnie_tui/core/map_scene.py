@@ -229,6 +229,12 @@ class MapScene:
             return self.grid.name if self._resting or self._robots else ""
         return self.robot_at(cell) or (resting.name if resting is not None else "")
 
+    def colour_of_robot(self, cell: Cell) -> str:
+        """The colour word of the other robot there, empty where none is known."""
+        name = self.name_of_robot(cell)
+        robots = (each for each in self.grid.picture.things if each.is_robot and each.name == name)
+        return next((each.colour for each in robots), "")
+
     def kind(self, cell: Cell) -> Kind:
         """What the cell shows, for words and colours."""
         if cell == self.grid.robot:
@@ -353,12 +359,18 @@ class MapScale:
         return max(cells, key=lambda cell: _WEIGHT[kind(cell)])
 
     def shown(self, square: Cell) -> tuple[str, str]:
-        """The letter of a square, and what it is painted as: a kind, or ``thing-`` and its colour."""
+        """The letter of a square, and what it is painted as.
+
+        That is a kind; of things ``thing-`` and the colour, of other robots ``other-`` and theirs.
+        """
         cell = self.cell_of(square)
         kind = self.scene.kind(cell)
-        look = f"thing-{self.scene.colour(cell)}" if kind is Kind.THING else kind.value
-        is_robot = kind is Kind.THING and bool(self.scene.name_of_robot(cell))
-        return self.scene.letter(cell), Kind.OTHER.value if is_robot else look
+        look = kind.value
+        if kind is Kind.OTHER or (kind is Kind.THING and self.scene.name_of_robot(cell)):
+            look = f"other-{self.scene.colour_of_robot(cell)}"
+        elif kind is Kind.THING:
+            look = f"thing-{self.scene.colour(cell)}"
+        return self.scene.letter(cell), look
 
 
 def factor_for(bounds: Bounds, columns: int, rows: int) -> int:

@@ -487,6 +487,24 @@ async def test_each_robot_has_its_heading_from_the_start_and_the_titles_name_the
         assert "alice: Program" in titles and "alice: Map" in titles
 
 
+async def test_another_robot_has_its_own_colour_wherever_it_is(open_screen):
+    """Bob is blue in the world's file; the chosen robot has the colour of what is chosen."""
+    async with open_screen("FW 1", world="two_robots", size=(120, 40)) as screen:
+        await screen.painted()
+        view = screen.main.map
+        scene = view.scale.scene
+        bob = next(each for each in scene.things if each.is_robot)
+        for north in (0, 4):
+            scene.move_other("bob", Pose(bob.x, bob.y + north, 180.0))
+            square = view.scale.square_of(scene.cell_at(bob.x, bob.y + north))
+            painted = view._segment(square, 0)
+
+            assert painted.text in ("v", "vb")
+            assert painted.style.color == view._look("thing-blue").color
+            assert painted.style.bold and painted.style.reverse
+        assert view._segment(view.scale.robot, 0).style.color == view._look("robot").color
+
+
 async def test_a_picture_shows_all_of_a_room_that_letters_do_not_and_a_click_finds_a_square(open_screen):
     """Its 42 rows of squares, the walls among them, in half as many rows of the map, which has 26."""
     async with open_screen(world="living_room", size=(120, 40)) as screen:

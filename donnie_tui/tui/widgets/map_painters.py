@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from donnie_tui.core.map_scene import MapScale
 
 Look = Callable[[str], Style]
-"""The style of a kind, or of ``thing-`` and a colour."""
+"""The style of a kind, or of ``thing-`` or ``other-`` and a colour."""
 
 _UPPER, _LOWER, _FULL = "▀", "▄", "█"
 
@@ -73,14 +73,15 @@ class Letters:
                 letter += initial
             elif scale.factor == 1 and scale.scene.has_room_for_colour(square):
                 letter = initial
-        elif kind in _ROBOTS and extent.columns > 1:
+        elif _is_robot(kind) and extent.columns > 1:
             letter += scale.scene.name_of_robot(scale.cell_of(square))[:1]
         if is_thing or kind == "wall":
             return (letter * extent.columns)[: extent.columns]
         return (letter if not row else "").ljust(extent.columns)
 
 
-_ROBOTS = ("robot", "other")
+def _is_robot(kind: str) -> bool:
+    return kind == "robot" or kind.startswith("other-")
 
 
 class Blocks:
@@ -106,7 +107,7 @@ class Blocks:
 def _stacked(upper: tuple[str, str], lower: tuple[str, str], look: Look) -> Segment:
     """Two squares in one row: a robot before all, then blocks, then what lies on the floor."""
     for letter, kind in (upper, lower):
-        if kind in _ROBOTS:
+        if _is_robot(kind):
             return Segment(letter, look(kind))
     above, below = (_is_solid(kind) for _, kind in (upper, lower))
     if not above and not below:

@@ -43,6 +43,7 @@ OUTSIDE = "+"
 """At the edge: a thing, a robot or a goal lies outside there. No thing has this letter."""
 _COVERED = ("free", "trail", "wall", "ray")
 """What such a mark may cover."""
+_ROBOT = Style(bold=True, reverse=True)
 _UNDER_NAMES = ("free", "trail", "ray")
 """What a name may cover."""
 
@@ -417,7 +418,12 @@ class MapView(PaintedRows, can_focus=True):
         return painted
 
     def _look(self, kind: str) -> Style:
-        """Things of a colour that has no look are grey."""
+        """Things of a colour that has no look are grey; other robots have their own colour."""
+        _other, is_robot, colour = kind.partition("other-")
+        if is_robot and colour in COLOURS:
+            return self.painted_as(f"thing-{colour}") + _ROBOT
+        if is_robot:
+            return self.painted_as("other")
         _thing, is_thing, colour = kind.partition("thing-")
         return self.painted_as("thing-gray" if is_thing and colour not in COLOURS else kind)
 
