@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from pathlib import Path
 
 from donnie_tui.commands.declarations import COMMANDS, Command
 from donnie_tui.commands.lookup import words_of
+from tests.conftest import ROOT
 
 ENDING = "VAR a = 3\nREPEAT 2 TIMES\nFW 1\nEND REPEAT\nTR 10\na = a + 1\nFW 1\n"
 """A program that comes to its end."""
@@ -232,7 +232,7 @@ GROUPS = (
         "FW 3\n",
         (),
         ("AGAIN", "QUESTIONS", "RESULTS"),
-        world=f"challenge:{Path(__file__).with_name('asking.toml')}",
+        world=f"challenge:{ROOT / 'tests' / 'asking.toml'}",
     ),
     Group("fresh", ENDING, (), ("RUN",)),
     Group(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from donnie_tui.core.map_grid import Kind
+from tests.conftest import ROOT
 
 WIDE = (120, 40)
 ROUND_TRIP = "challenge:there_and_back"
@@ -73,24 +74,8 @@ async def test_a_goal_of_the_map_is_said_and_explained(open_screen):
         await screen.until(lambda: "A digit is the place of a goal." in screen.text, "the legend")
 
 
-ASKING = """\
-format = 1
-world = "first_room"
-[en]
-title = "T"
-task = "Do."
-[[goal]]
-at = [0, 3]
-[[question]]
-ask = "colour"
-of = "ball"
-"""
-
-
-async def test_a_program_that_solves_nothing_is_followed_by_the_questions(open_screen, tmp_path):
-    file = tmp_path / "it.toml"
-    file.write_text(ASKING)
-    async with open_screen(world=f"challenge:{file}") as screen:
+async def test_a_program_that_solves_nothing_is_followed_by_the_questions(open_screen):
+    async with open_screen(world=f"challenge:{ROOT / 'tests' / 'asking.toml'}") as screen:
         await screen.type_line("FW 1")
         await screen.shows("0 of 1 goal. You stopped 2 steps south of 0, 3.")
         assert screen.app.screen is screen.main

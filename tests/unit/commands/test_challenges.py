@@ -11,10 +11,13 @@ from donnie_tui.commands.interaction import EnterWorld
 from donnie_tui.core.events import Chimed, CueSounded, RunEnded, Stamped
 from donnie_tui.i18n.words import Words
 from donnie_tui.world.loading import choose_world
+from tests.conftest import ROOT
 from tests.unit.commands.scripted import Script
 from worlds import challenges
 
 OpenScript = Callable[..., Script]
+
+ASKING = (ROOT / "tests" / "asking.toml").read_text() + '[[question]]\nask = "count"\nof = "ball"\n'
 
 
 def test_the_verdict_follows_each_run_and_counts_from_the_start(open_script: OpenScript) -> None:
@@ -146,13 +149,13 @@ def test_what_should_be_solved_before_is_said_on_arrival_until_it_is_solved(
 ) -> None:
     file = tmp_path / "it.toml"
     file.write_text(ASKING.replace("[en]", 'after = ["first_walk", "other", "bad"]\n[en]', 1))
-    file.with_name("other.toml").write_text(ASKING.replace('"T"', '"Before"'))
+    file.with_name("other.toml").write_text(ASKING.replace('"Three steps"', '"Before"'))
     file.with_name("bad.toml").write_text("?")
 
     def said_first() -> list[str]:
         return list(open_script(world=f"challenge:{file}").donnie.notices.about_world)
 
-    arrival = ["Challenge: T. World: First room.", "Do."]
+    arrival = ["Challenge: Three steps. World: First room.", "Walk 3 steps to the north."]
     assert said_first() == [*arrival, "Best solved after: The first walk, Before, bad."]
     open_script(world="challenge:first_walk").answers_to("FW 5")
     assert said_first() == [*arrival, "Best solved after: Before, bad."]
@@ -237,23 +240,6 @@ def test_a_challenge_whose_end_is_unknown_is_not_entered(open_script: OpenScript
     script = open_script()
 
     assert script.answers_to(f"CHALLENGE {file}") == [f"{file.with_name('it.solution.gd')} is not a text."]
-
-
-ASKING = """\
-format = 1
-world = "first_room"
-[en]
-title = "T"
-task = "Do."
-[[goal]]
-at = [0, 3]
-[[question]]
-ask = "colour"
-of = "ball"
-[[question]]
-ask = "count"
-of = "ball"
-"""
 
 
 def test_questions_are_asked_and_counted_with_the_run_before(open_script: OpenScript, tmp_path: Path) -> None:
