@@ -47,7 +47,7 @@ STANDING = Velocity()
 
 
 class VelocityLoop:
-    """See ``devices.ports.drive.DriveLoop``. No program may run in this world meanwhile."""
+    """All robots of a world. No program may run in this world meanwhile."""
 
     def __init__(self, world: World) -> None:
         self._world = world
@@ -66,13 +66,16 @@ class VelocityLoop:
 
     @property
     def drives(self) -> Mapping[str, RobotDrive]:
+        """The robots by name, in the order of the world."""
         return self._drives
 
     @property
     def time(self) -> float:
+        """Simulated seconds since the loop began."""
         return self._ticks * TICK
 
     def advance(self) -> None:
+        """One tick: velocities are taken, then all robots move."""
         if self.is_paused:
             return
         moving = [each for each in self._drives.values() if each.begin_tick()]
@@ -86,12 +89,14 @@ class VelocityLoop:
         self._ticks += 1
 
     def pose(self, name: str) -> MetricPose:
+        """Where a robot or a thing at the top level of the world is. KeyError if there is none."""
         if name in self._drives:
             return self._drives[name].state().truth
         model, ground = self._model(name), self._world.ground
         return _metric(ground.place(model.index) if model.index in ground.movable else model.pose)
 
     def put(self, name: str, pose: MetricPose) -> None:
+        """Put a robot, or a thing that can move, there. KeyError for anything else."""
         if name in self._drives:
             self._drives[name].set_pose(pose)
             return
@@ -118,7 +123,7 @@ class VelocityLoop:
 
 
 class RobotDrive:
-    """See ``devices.ports.drive.VelocityDrive``."""
+    """One robot. Its devices are in the order of the world file; ``part`` is the index of one model of it."""
 
     def __init__(self, world: World, name: str, chance: Random | None) -> None:
         """``chance``: of the noise of its sensors."""
@@ -141,6 +146,7 @@ class RobotDrive:
         self._turned: dict[int, float] = {}
         """Degrees that heads have turned, by their models' index."""
         self.is_held = False
+        """Whether it stands whatever was asked for."""
         self._users = 0
         self._asked = STANDING
         self._wanted = STANDING
@@ -151,14 +157,17 @@ class RobotDrive:
         """In this tick, at once."""
 
     def subscribe(self) -> None:
+        """One more user. Only a robot with users drives."""
         self._users += 1
 
     def unsubscribe(self) -> None:
+        """One user has left. When the last one leaves, the robot stops at once."""
         self._users = max(0, self._users - 1)
         if self._users == 0:
             self._asked = self._speed = STANDING
 
     def drive(self, velocity: Velocity) -> None:
+        """From the next tick on, until the next call. ValueError for what is no finite number."""
         if not all(isfinite(each) for each in (velocity.ahead, velocity.left, velocity.turn)):
             raise ValueError("a velocity is made of finite numbers")
         if self._users:
@@ -170,10 +179,12 @@ class RobotDrive:
         return DriveState(believed, truth, self._speed, self._is_stalled)
 
     def set_pose(self, pose: MetricPose) -> None:
+        """Put it there. Its velocity stays."""
         spot = Spot(pose.x, pose.y, pose.yaw % 360.0)
         self._vehicle.go_to(Whereabouts(spot, spot))
 
     def set_odometry(self, pose: MetricPose) -> None:
+        """It believes to be there from now on. No effect on a robot that knows its true pose."""
         if self._counted is not None:
             self._counted = Spot(pose.x, pose.y, pose.yaw % 360.0)
 
@@ -192,15 +203,18 @@ class RobotDrive:
         return tuple(each for it, spot in self._at(part) for each in it.marks(around, spot, yaw_of))
 
     def turn_head(self, part: int, degrees: float) -> None:
+        """A part with wheels of its own looks so far from its start now, and all that is mounted on it."""
         self._turned[part] = degrees
 
     def grip(self) -> GripResult:
+        """Take the thing between the paddles of its first gripper. RobotProblem ``no-gripper``."""
         return self._robot.grip()
 
     def release(self) -> GripResult:
         return self._robot.release()
 
     def beams(self) -> tuple[bool, bool]:
+        """Whether something is in the outer and in the inner beam of that gripper."""
         return self._vehicle.hand.beams_broken(self._here)
 
     # --- the loop's

@@ -9,12 +9,7 @@ may set a velocity, which counts from the next tick on.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Protocol
-
 from msgspec import Struct
-
-from devices.ports.robot import GripResult
 
 TICK = 0.1
 """Seconds. The velocities of all robots are taken at its start."""
@@ -104,76 +99,3 @@ class MarkReading(Struct, frozen=True):
 
     name: str
     marks: tuple[Mark, ...]
-
-
-class VelocityDrive(Protocol):
-    """One robot. Its devices are in the order of the world file; ``part`` is the index of one model of it."""
-
-    is_held: bool
-    """Whether it stands whatever was asked for."""
-
-    @property
-    def name(self) -> str: ...
-
-    def subscribe(self) -> None:
-        """One more user. Only a robot with users drives."""
-
-    def unsubscribe(self) -> None:
-        """One user has left. When the last one leaves, the robot stops at once."""
-
-    def drive(self, velocity: Velocity) -> None:
-        """From the next tick on, until the next call. ValueError for what is no finite number."""
-
-    def state(self) -> DriveState: ...
-
-    def set_pose(self, pose: MetricPose) -> None:
-        """Put it there. Its velocity stays."""
-
-    def set_odometry(self, pose: MetricPose) -> None:
-        """It believes to be there from now on. No effect on a robot that knows its true pose."""
-
-    def turn_head(self, part: int, degrees: float) -> None:
-        """A part with wheels of its own looks so far from its start now, and all that is mounted on it."""
-
-    def rangers(self, part: int | None = None) -> tuple[RangerReading, ...]: ...
-
-    def bumpers(self, part: int | None = None) -> tuple[BumperReading, ...]: ...
-
-    def blobs(self, part: int | None = None) -> tuple[BlobReading, ...]: ...
-
-    def marks(self, part: int | None = None) -> tuple[MarkReading, ...]: ...
-
-    def grip(self) -> GripResult:
-        """Take the thing between the paddles of its first gripper. RobotProblem ``no-gripper``."""
-
-    def release(self) -> GripResult: ...
-
-    def beams(self) -> tuple[bool, bool]:
-        """Whether something is in the outer and in the inner beam of that gripper."""
-
-
-class DriveLoop(Protocol):
-    """All robots of a world."""
-
-    @property
-    def drives(self) -> Mapping[str, VelocityDrive]:
-        """The robots by name, in the order of the world."""
-
-    @property
-    def time(self) -> float:
-        """Simulated seconds since the loop began."""
-
-    is_paused: bool
-    """Whether time stands still."""
-
-    def advance(self) -> None:
-        """One tick: velocities are taken, then all robots move."""
-
-    def reset(self) -> None:
-        """All robots and things are at their start."""
-
-    def pose(self, name: str) -> MetricPose:
-        """Where a robot or a thing at the top level of the world is. KeyError if there is none."""
-
-    def put(self, name: str, pose: MetricPose) -> None:
-        """Put a robot, or a thing that can move, there. KeyError for anything else."""

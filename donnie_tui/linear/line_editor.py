@@ -205,11 +205,6 @@ class EditLine:
     def text(self) -> str:
         return "".join(self._text)
 
-    @property
-    def cursor_place(self) -> tuple[int, int]:
-        """The place of the cursor: rows below the prompt's, and the column."""
-        return self._places()[self._cursor]
-
     def do(self, act: Act) -> str:
         """Move or delete as ``act`` says."""
         match act:

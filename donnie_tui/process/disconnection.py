@@ -142,10 +142,6 @@ class NetworkWatch:
             self._thread = threading.Thread(target=self._watch, name="network", daemon=True)
             self._thread.start()
 
-    @property
-    def is_looking(self) -> bool:
-        return self._thread is not None
-
     def close(self) -> None:
         self._ended.set()
         if self._thread is not None:

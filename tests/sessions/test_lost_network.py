@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
+from threading import Event
+from threading import enumerate as threads
 
 import pytest
 
@@ -88,9 +90,13 @@ def test_a_session_in_tmux_continues_without_the_network(
 ) -> None:
     (tmp_path / "tcp").write_text(table(9), encoding="ascii")
     monkeypatch.setattr(disconnection, "TABLES", (tmp_path / "tcp",))
-    in_tmux = {**BY_SSH, "TMUX": "/tmp/tmux-0/donnie,1,0"}
-    watches = [disconnection.NetworkWatch(lambda: None, each) for each in (BY_SSH, in_tmux, {})]
+    monkeypatch.setattr(disconnection, "LOOK", 0.01)
+    in_tmux, in_screen = {**BY_SSH, "TMUX": "/tmp/tmux-0/donnie,1,0"}, {**BY_SSH, "STY": "1234.tty"}
+    lost = Event()
+    watches = [disconnection.NetworkWatch(lost.set, each) for each in (in_tmux, in_screen, {})]
 
-    assert [each.is_looking for each in watches] == [True, False, False]
+    assert "network" not in [each.name for each in threads()]
+    watches.append(disconnection.NetworkWatch(lost.set, BY_SSH))
+    assert lost.wait(TIMEOUT)
     for each in watches:
         each.close()

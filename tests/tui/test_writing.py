@@ -159,7 +159,7 @@ async def test_one_key_fixes_a_mistake(open_screen):
         await screen.shows("Line 2: REPEAT 2 TIMES FW 1 END REPEAT")
 
         assert screen.main.editor.text == "FW 1\nREPEAT 2 TIMES FW 1 END REPEAT"
-        assert screen.main.editor.next_mistake is None
+        assert screen.main.editor.mistakes == ()
         await screen.press("ctrl+z")
         assert "TIMS" in screen.main.editor.text
 

@@ -210,12 +210,6 @@ class Editor(TextArea):
         return tuple(self._notes[line] for line in sorted(self._notes))
 
     @property
-    def next_mistake(self) -> LineMistake | None:
-        """The one of this line, or the next one below, or the first."""
-        after = [line for line in sorted(self._notes) if line >= self.line] or sorted(self._notes)
-        return self._notes[after[0]] if after else None
-
-    @property
     def breakpoints(self) -> frozenset[int]:
         """Lines, from 1; they move with the text."""
         return self._breakpoints

@@ -118,7 +118,8 @@ def test_the_terminal_shows_the_line_and_the_cursor_after_every_key(typing: tupl
 
         shown = paper.text.replace(" ", "")
         assert shown == (PROMPT + paper.line.text).replace(" ", "")
-        assert paper.cursor == paper.line.cursor_place
+        before = len(clusters(paper.line.text_before))
+        assert paper.cursor == places(0, len(PROMPT), clusters(paper.line.text), COLUMNS)[before]
 
 
 def test_what_the_line_leaves_behind_wraps_to_where_the_next_line_may_begin() -> None:

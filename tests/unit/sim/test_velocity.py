@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from devices.ports.drive import TICK, DriveLoop, DriveState, MetricPose, Velocity
+from devices.ports.drive import TICK, DriveState, MetricPose, Velocity
 from sim.velocity import VelocityLoop
 from sim.world import World
 from tests.effort import examples
@@ -17,7 +17,7 @@ WALL = 'model( name "wall" size [ 0.2 4 1 ] pose [ 1.1 0 0 0 ] )\n'
 """Its near side is at x = 1."""
 
 
-def loop_of(text: str, seed: int = 0) -> DriveLoop:
+def loop_of(text: str, seed: int = 0) -> VelocityLoop:
     return VelocityLoop(World(scene(text), seed=seed))
 
 
@@ -28,12 +28,12 @@ def driven(text: str, *, seconds: float, **velocity: float) -> DriveState:
     return loop.drives["it"].state()
 
 
-def drive(loop: DriveLoop, name: str, **velocity: float) -> None:
+def drive(loop: VelocityLoop, name: str, **velocity: float) -> None:
     loop.drives[name].subscribe()
     loop.drives[name].drive(Velocity(**velocity))
 
 
-def run(loop: DriveLoop, seconds: float) -> None:
+def run(loop: VelocityLoop, seconds: float) -> None:
     for _ in range(round(seconds / TICK)):
         loop.advance()
 
