@@ -50,7 +50,6 @@ _BEGIN_EXPRESSIONS = SENSORS | {"NAME", "NUMBER", "SIGN", "LPAR"}
 _CONTINUATIONS = frozenset(("SIGN", "SCALE", "TOPIC", "$END"))
 CLASSES = {
     "NAME": "name",
-    "NUMBER": "number",
     "STRING": "text",
     "COMPARATOR": "comparison",
     "AXIS": "axis",
