@@ -257,11 +257,7 @@ class RobotActions:
             done.pushed,
             self._robot.true_pose(),
         )
-        self.past.remember(event)
-        self._hub.publish(event)
-        self.handling.publish_things()
-        self._feel(done.stopped_by, Bearing.FRONT if forward else Bearing.BACK)
-        _refuse_after(done.stopped_by)
+        self._publish_movement(event, Bearing.FRONT if forward else Bearing.BACK)
         self._loop_hints.walked(event)
 
     def _turn(self, degrees: int, command: str, *, right: bool) -> None:
@@ -282,18 +278,19 @@ class RobotActions:
             done.pushed,
             self._robot.true_pose(),
         )
+        to_the_right = right == (degrees >= 0)
+        self._publish_movement(event, Bearing.FRONT_RIGHT if to_the_right else Bearing.FRONT_LEFT)
+
+    def _publish_movement(self, event: Moved | Turned, ahead: Bearing) -> None:
+        """With what it pushed, and its end on the belt. Raises an error if no movement can follow."""
         self.past.remember(event)
         self._hub.publish(event)
         self.handling.publish_things()
-        to_the_right = right == (degrees >= 0)
-        self._feel(done.stopped_by, Bearing.FRONT_RIGHT if to_the_right else Bearing.FRONT_LEFT)
-        _refuse_after(done.stopped_by)
-
-    def _feel(self, stopped_by: StoppedBy | None, ahead: Bearing) -> None:
-        """Shows the end of a movement on the belt."""
-        if stopped_by in (StoppedBy.COLLISION, StoppedBy.STALL):
+        if event.stopped_by in (StoppedBy.COLLISION, StoppedBy.STALL):
             self._belt.show_bump(ahead)
         self._belt.update()
+        if event.stopped_by in _FATAL:
+            raise _refused(RobotProblem(_FATAL[event.stopped_by]))
 
     # --- sensing
 
@@ -376,12 +373,6 @@ _FATAL = {
     StoppedBy.RUNAWAY: "runaway",
 }
 """The ends of a movement after which no other one can be right, and the codes of their problems."""
-
-
-def _refuse_after(stopped_by: StoppedBy | None) -> None:
-    """Raises an error where a movement ended for good, also after the last statement."""
-    if stopped_by in _FATAL:
-        raise _refused(RobotProblem(_FATAL[stopped_by]))
 
 
 def _refuse_beyond_limit(amount: int) -> None:
