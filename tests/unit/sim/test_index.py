@@ -4,11 +4,12 @@ from math import inf
 from random import Random
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
-from sim.geometry import Placement, Spot, contains, edges, nearest_in_wedge, seen_from
+from sim.geometry import Placement, Spot, Wedge, contains, direction, edges, nearest_in_wedge, seen_from
 from sim.ground import Ground
+from sim.index import VIEWED_FROM, StillParts, Views
 from sim.motion import Surroundings
 from sim.parts import Part
 from sim.rangers import Cone
@@ -29,6 +30,13 @@ def a_world(chance: Random) -> str:
         more = chance.choice(("", "", "pushable 1", "boundary 1", L))
         lines.append(f"model( size [ {width} {depth} 1 ] pose [ {x:.3f} {y:.3f} 0 {yaw:.1f} ] {more} )")
     return "\n".join(lines)
+
+
+def pebbles(chance: Random) -> str:
+    """Many small things that stay, close together."""
+    places = [(chance.uniform(-2, 2), chance.uniform(-2, 2)) for _ in range(80)]
+    things = [f"model( size [ 0.04 0.04 1 ] pose [ {x:.3f} {y:.3f} 0 0 ] )" for x, y in places]
+    return "\n".join(["position( size [ 0.1 0.1 0.1 ] )", *things])
 
 
 def has_a_corner_in(part: Part, left: float, bottom: float, right: float, top: float) -> bool:
@@ -68,6 +76,28 @@ def nearest_of_all(around: Surroundings, cone: Cone, spot: Spot) -> float:
             outline = edges(seen_from(part.points, spot.x, spot.y, yaw))
             nearest = min(nearest, nearest_in_wedge(outline, cone.half_angle))
     return nearest if nearest <= cone.maximum else inf
+
+
+@settings(max_examples=examples(30), deadline=None, phases=[Phase.generate])
+@given(st.integers(0, 10**6))
+def test_a_view_from_any_place_of_a_square_holds_all_in_reach_and_no_farther_than_it_is(seed: int) -> None:
+    """Looks from the corners of a square, from which things are nearer than from its middle."""
+    chance = Random(seed)
+    parts = Ground(scene(pebbles(chance))).parts()
+    views = Views(StillParts(parts))
+    for _ in range(40):
+        x, y = ((chance.randrange(-2, 2) + chance.choice((0.0, 0.5, 0.999))) * VIEWED_FROM for _ in "xy")
+        yaw, half = chance.uniform(0, 360), chance.choice((7.5, 30.0))
+        reach = chance.choice((0.3, 0.6, 1.2))
+        wedge = Wedge(x, y, yaw, direction(yaw), direction(half), reach)
+        known, found = views.of(wedge, reach)
+        bounds = {part.rank: bound for bound, *_, part in found}
+
+        assert known >= reach
+        for part in parts:
+            metres = nearest_in_wedge(edges(seen_from(part.points, x, y, yaw)), half)
+            if part.seen and metres <= reach:
+                assert bounds[part.rank] <= metres
 
 
 @settings(max_examples=examples(60), deadline=None)
