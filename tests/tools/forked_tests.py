@@ -18,6 +18,7 @@ import time
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from math import inf
 from pathlib import Path
 from types import CodeType, FunctionType
 from typing import Any
@@ -70,10 +71,9 @@ def _run(request: dict[str, Any], items: dict[str, pytest.Item], answers: int) -
     for item, following in zip(chosen, [*chosen[1:], None], strict=True):
         _send(answers, {"begins": item.nodeid})
         item.config.hook.pytest_runtest_protocol(item=item, nextitem=following)
-        if failed:
-            item.session._setupstate.teardown_exact(None)
-            return None
-    return _send(answers, {"passed": len(chosen)})
+        if failed or sum(os.times()[:4]) > request["seconds"]:
+            return item.session._setupstate.teardown_exact(None)
+    return None
 
 
 def _replace(path: str) -> bool:
@@ -171,33 +171,40 @@ class ForkedTests:
         limits: Mapping[str, float],
         *,
         is_imported: bool = False,
+        seconds: float = inf,
     ) -> str | None:
         """The first of the tests that fails with what the module's file says now; empty if all pass.
 
         One that doesn't end within its seconds in ``limits`` fails. None if no function has other code.
-        ``is_imported``: the change is outside of functions.
+        ``is_imported``: the change is outside of functions. ``seconds``: of a processor; no test begins
+        after them.
         """
-        request = {"path": str(path) if path else "", "names": list(names), "is_imported": is_imported}
+        request = {
+            "path": str(path) if path else "",
+            "names": list(names),
+            "is_imported": is_imported,
+            "seconds": seconds,
+        }
         os.write(self._requests, (json.dumps(request) + "\n").encode())
         by: str | None = ""
         self.has_no_end = False
-        child, running, seconds = 0, "", 600.0
+        child, running, limit = 0, "", 600.0
         while True:
             try:
-                answer = self._next(seconds)
+                answer = self._next(limit)
             except TimeoutError:
                 self.has_no_end = not by
                 by = by or running
                 os.killpg(child, signal.SIGKILL)
-                seconds = 600.0
+                limit = 600.0
                 continue
             match answer:
                 case {"child": child}:
                     pass
                 case {"begins": str(running)}:
-                    seconds = limits[running]
+                    limit = limits[running]
                 case {"failed": str(by)}:
-                    seconds = 60.0
+                    limit = 60.0
                 case {"needs": _}:
                     by = None
                 case {"ended": _}:

@@ -3,8 +3,8 @@
 1. Runs the tests that need no other program once and writes down which test runs which line, in child
    processes too (coverage).
 2. Draws COUNT mutations at random from all modules of the product.
-3. Makes each of them in a copy of the repository and runs the tests that run its line, the shortest of each
-   file first, until one fails; if all pass, mypy checks the types, as the check does.
+3. Makes each of them in a copy of the repository and runs the tests that run its line until one fails or
+   their time is over, the likeliest first; if all pass, mypy checks the types, as the check does.
 
 A test notices a mutation if it fails, or doesn't end, twice with it, and passes without it. What can't change
 what Donnie does isn't drawn; the rules are in ``mutations.py``, and nothing is left out by hand.
@@ -48,10 +48,10 @@ from tests.tools.mutations import Mutation, mutations
 FOLDER = ROOT / ".mutants"
 REPORT = FOLDER / "report.txt"
 CONFIG = Path(__file__).with_name("coverage.toml")
-MOST_SECONDS = 100.0
-"""Of tests a mutation."""
+MOST_SECONDS = 60.0
+"""Of a processor, for the tests of a mutation: a busy machine runs as many of them."""
 _MOST_ANEW = 60
-"""Tests a mutation in a new process, where its line runs while it is imported."""
+"""Tests a mutation in a new process, which makes anew what is made once and kept."""
 WANTED = 0.92
 NO_END, NO_TESTS = "(no end)", "(no tests)"
 """In place of a test's name, if pytest doesn't end, or can't import what is tested."""
@@ -79,7 +79,8 @@ def main() -> int:
     print(f"{len(sample)} mutations, seed {options.seed}", flush=True)
     if not sample:
         return 0
-    return report(try_all(sample, [Map(each) for each in _maps()], options.tests, options.jobs))
+    maps = [Map(each) for each in _maps()]
+    return report(try_all(sample, maps, options.tests, options.jobs, options.seconds))
 
 
 def _maps() -> list[Path]:
@@ -91,6 +92,9 @@ def _options() -> argparse.Namespace:
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--count", type=int, default=150)
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
+    parser.add_argument(
+        "--seconds", type=float, default=MOST_SECONDS, help="of a processor, for the tests of a mutation"
+    )
     parser.add_argument("--below", default="", metavar="PATH", help="only modules whose path begins so")
     parser.add_argument(
         "--tests",
@@ -262,12 +266,16 @@ def _source(path: str) -> bytes:
 
 
 def try_all(
-    sample: Sequence[Mutation], maps: Sequence[Map], tests: Sequence[str] = (), jobs: int = 1
+    sample: Sequence[Mutation],
+    maps: Sequence[Map],
+    tests: Sequence[str] = (),
+    jobs: int = 1,
+    seconds: float = MOST_SECONDS,
 ) -> list[Verdict]:
     with tempfile.TemporaryDirectory(prefix="mutants-") as folder, ThreadPoolExecutor(jobs) as pool:
         trials: SimpleQueue[Trial] = SimpleQueue()
         copies = [_copy_of_the_repository(Path(folder) / str(number)) for number in range(jobs)]
-        for each in pool.map(lambda copy: Trial(copy, maps, tests), copies):
+        for each in pool.map(lambda copy: Trial(copy, maps, tests, seconds), copies):
             trials.put(each)
 
         def attempt(mutation: Mutation) -> Verdict:
@@ -309,8 +317,8 @@ def _copy_of_the_repository(folder: Path) -> Path:
 class Trial:
     """Makes mutations, one after the other, in a copy of the repository."""
 
-    def __init__(self, copy: Path, maps: Sequence[Map], tests: Sequence[str]) -> None:
-        self._copy, self._maps = copy, maps
+    def __init__(self, copy: Path, maps: Sequence[Map], tests: Sequence[str], most_seconds: float) -> None:
+        self._copy, self._maps, self._most_seconds = copy, maps, most_seconds
         self._warm = ForkedTests(copy, (*_LEFT_OUT, *tests))
         self._seconds = defaultdict(lambda: 1.0)
         for each in maps:
@@ -336,22 +344,23 @@ class Trial:
         found = [each.tests_of(mutation) for each in self._maps]
         run = {name for names, _ in found for name in names}
         known = run & self._warm.names & self._seconds.keys()
-        chosen, seconds = [], 0.0
-        for name in self._in_turn(known or self._warm.names & self._seconds.keys()):
-            seconds += self._seconds[name]
-            if seconds > MOST_SECONDS:
-                break
-            chosen.append(name)
+        chosen = self._in_turn(known or self._warm.names & self._seconds.keys(), mutation)
         is_imported = any(each for _, each in found) or not _is_in_a_function(mutation)
         return chosen, is_imported
 
-    def _in_turn(self, names: Iterable[str]) -> list[str]:
-        """The shortest of each file first, then the next of each."""
+    def _in_turn(self, names: Iterable[str], mutation: Mutation) -> list[str]:
+        """The likeliest first: the shortest of each file, then the next of each, and so on.
+
+        A test comes earlier if its file names the module, and if its name has words of the line.
+        """
+        module = re.compile(rf"\b{re.escape(mutation.path.removesuffix('.py').replace('/', '.'))}\b")
+        words = set(_WORD.findall(_source(mutation.path).decode().splitlines()[mutation.line - 1].lower()))
         files: dict[str, int] = defaultdict(int)
         turns = {}
         for name in sorted(names, key=lambda name: (self._seconds[name], name)):
-            file = name.partition("::")[0]
-            turns[name] = files[file]
+            file, _, test = name.partition("::")
+            likely = 4 if module.search(_text_of(self._copy / file)) else 1
+            turns[name] = files[file] / likely / (1 + len(words.intersection(_WORD.findall(test.lower()))))
             files[file] += 1
         return sorted(turns, key=lambda name: (turns[name], self._seconds[name], name))
 
@@ -360,10 +369,8 @@ class Trial:
         path = mutation.path
         while names:
             by = self._first_failure(path, names, is_imported)
-            if by is None:
+            if not by:  # what is made while tests are collected was made without the mutation
                 return self._noticed_anew(path, names)
-            if not by:
-                return self._noticed_anew(path, names) if is_imported else ""
             again = self._warm.has_no_end or self._first_failure(path, [by], is_imported)
             if again and self._passes_without(path, by, is_imported):
                 return by
@@ -384,7 +391,9 @@ class Trial:
         return ""
 
     def _first_failure(self, path: str, names: list[str], is_imported: bool) -> str | None:
-        return self._warm.first_failure(self._copy / path, names, self._limits, is_imported=is_imported)
+        return self._warm.first_failure(
+            self._copy / path, names, self._limits, is_imported=is_imported, seconds=self._most_seconds
+        )
 
     def _passes_without(self, path: str, name: str, is_imported: bool = False) -> bool:
         file = self._copy / path
@@ -451,6 +460,14 @@ class Trial:
             return subprocess.run(mypy, cwd=self._copy, capture_output=True, check=False).returncode != 1
         finally:
             self._write(mutation.path, source)
+
+
+_WORD = re.compile("[a-z]{4,}")
+
+
+@cache
+def _text_of(file: Path) -> str:
+    return file.read_text(encoding="utf-8")
 
 
 def _is_in_a_function(mutation: Mutation) -> bool:

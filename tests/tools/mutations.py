@@ -3,6 +3,11 @@
 from __future__ import annotations
 
 import ast
+import os
+import select
+import signal
+import socket
+import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
@@ -51,7 +56,11 @@ def mutations(path: str, source: str) -> list[Mutation]:
 
 
 class _Places:
-    """Walks one module. What no test can notice is left out: types, docstrings, assertions, protocols."""
+    """Walks one module.
+
+    What no test can notice is left out: types, docstrings, assertions, protocols, and what only other
+    platforms run.
+    """
 
     def __init__(self, path: str, source: str) -> None:
         self._path, self._source = path, source.encode()
@@ -68,8 +77,9 @@ class _Places:
         if self._is_left_out(node):
             return
         yield node
+        never = _of_other_platforms(node)
         for name, value in ast.iter_fields(node):
-            if name in ("annotation", "returns", "decorator_list", "type_params", "bases"):
+            if name in ("annotation", "returns", "decorator_list", "type_params", "bases", *never):
                 continue
             for child in value if isinstance(value, list) else [value]:
                 if isinstance(child, ast.AST):
@@ -81,7 +91,7 @@ class _Places:
                 return True
             case ast.Expr(value=ast.Constant()):
                 return True
-            case ast.If(test=ast.Name(id="TYPE_CHECKING")):
+            case ast.If(test=ast.Name(id="TYPE_CHECKING")) | ast.keyword(arg="frozen"):
                 return True
             case ast.ClassDef(bases=bases):
                 return any(isinstance(each, ast.Name) and each.id == "Protocol" for each in bases)
@@ -106,6 +116,8 @@ class _Places:
                 for one, other in pairwise(values):
                     yield self._between(one, other, word, f"{word} in place of the other")
                 for left_out in values:
+                    if _on_this_platform(left_out) == isinstance(operator, ast.And):
+                        continue
                     rest = [self._text(each) for each in values if each is not left_out]
                     joined = f" {'and' if word == 'or' else 'or'} ".join(f"({each})" for each in rest)
                     yield self._instead(node, f"({joined})", f"without {self._text(left_out)!r}")
@@ -118,10 +130,15 @@ class _Places:
             case ast.Constant(value=str() as value) if value:
                 yield self._instead(node, repr(f"x{value}x"), f"another text than {value[:20]!r}")
             case ast.If(test=test) | ast.While(test=test) | ast.IfExp(test=test):
-                if not isinstance(test, ast.Constant):
+                known = _on_this_platform(test)
+                if not isinstance(test, ast.Constant) and known is not False:
                     yield self._instead(test, "False", "a condition that is never true")
-                    if not isinstance(node, ast.While):
-                        yield self._instead(test, "True", "a condition that is always true")
+                if (
+                    not isinstance(test, ast.Constant)
+                    and known is not True
+                    and not isinstance(node, ast.While)
+                ):
+                    yield self._instead(test, "True", "a condition that is always true")
             case ast.Return(value=ast.expr() as value) if not _is_none(value):
                 yield self._instead(value, "None", "returns None")
             case ast.Break():
@@ -157,6 +174,32 @@ class _Places:
     def _text(self, node: ast.expr | ast.stmt) -> str:
         start, end = self._place(node)
         return self._source[start:end].decode()
+
+
+def _on_this_platform(test: ast.expr) -> bool | None:
+    """What a condition about the platform is here; None if it is about something else."""
+    match test:
+        case ast.UnaryOp(op=ast.Not(), operand=operand):
+            opposite = _on_this_platform(operand)
+            return None if opposite is None else not opposite
+        case (
+            ast.Compare(left=ast.Attribute(value=ast.Name("sys"), attr="platform"))
+            | ast.Compare(left=ast.Attribute(value=ast.Name("os"), attr="name"))
+            | ast.Call(func=ast.Attribute(ast.Attribute(ast.Name("sys"), "platform"), "startswith"))
+            | ast.Call(func=ast.Name("hasattr"), args=[ast.Name("os" | "select" | "signal" | "socket"), _])
+        ):
+            modules = {"os": os, "select": select, "signal": signal, "socket": socket, "sys": sys}
+            return bool(eval(ast.unparse(test), modules))
+    return None
+
+
+def _of_other_platforms(node: ast.AST) -> tuple[str, ...]:
+    """The parts of an ``if`` that can't run here, and its condition if it is about the platform."""
+    match node:
+        case ast.If(test=test) | ast.IfExp(test=test):
+            known = _on_this_platform(test)
+            return () if known is None else ("test", "orelse" if known else "body")
+    return ()
 
 
 def _is_text(node: ast.expr) -> bool:
