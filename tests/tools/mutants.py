@@ -323,6 +323,7 @@ class Trial:
         self._seconds = defaultdict(lambda: 1.0)
         for each in maps:
             self._seconds.update(each.seconds)
+        self._mapped = frozenset(self._seconds)
         self._limits = {name: 30 + 10 * self._seconds[name] for name in self._warm.names}
         self._times = count(int(time.time()) - 1_000_000_000)
 
@@ -340,26 +341,33 @@ class Trial:
         return Verdict(mutation, by, len(names))
 
     def _tests_of(self, mutation: Mutation) -> tuple[list[str], bool]:
-        """Those that run its line, in their turn, and whether it runs while it is imported."""
+        """Those that run its line, in their turn, and whether it runs while it is imported.
+
+        Of the tests that no map has those may run it whose files name its module.
+        """
         found = [each.tests_of(mutation) for each in self._maps]
         run = {name for names, _ in found for name in names}
-        known = run & self._warm.names & self._seconds.keys()
-        chosen = self._in_turn(known or self._warm.names & self._seconds.keys(), mutation)
+        unknown = {
+            name for name in self._warm.names - self._mapped if _names_module(self._file(name), mutation)
+        }
+        chosen = self._in_turn(self._warm.names & self._mapped & run | unknown or self._warm.names, mutation)
         is_imported = any(each for _, each in found) or not _is_in_a_function(mutation)
         return chosen, is_imported
+
+    def _file(self, name: str) -> Path:
+        return self._copy / name.partition("::")[0]
 
     def _in_turn(self, names: Iterable[str], mutation: Mutation) -> list[str]:
         """The likeliest first: the shortest of each file, then the next of each, and so on.
 
         A test comes earlier if its file names the module, and if its name has words of the line.
         """
-        module = re.compile(rf"\b{re.escape(mutation.path.removesuffix('.py').replace('/', '.'))}\b")
         words = set(_WORD.findall(_source(mutation.path).decode().splitlines()[mutation.line - 1].lower()))
         files: dict[str, int] = defaultdict(int)
         turns = {}
         for name in sorted(names, key=lambda name: (self._seconds[name], name)):
             file, _, test = name.partition("::")
-            likely = 4 if module.search(_text_of(self._copy / file)) else 1
+            likely = 4 if _names_module(self._file(name), mutation) else 1
             turns[name] = files[file] / likely / (1 + len(words.intersection(_WORD.findall(test.lower()))))
             files[file] += 1
         return sorted(turns, key=lambda name: (turns[name], self._seconds[name], name))
@@ -465,9 +473,22 @@ class Trial:
 _WORD = re.compile("[a-z]{4,}")
 
 
+def _names_module(file: Path, mutation: Mutation) -> bool:
+    """Whether the file of a test names the mutation's module."""
+    return mutation.path.removesuffix(".py").replace("/", ".") in _modules_named_in(file)
+
+
 @cache
-def _text_of(file: Path) -> str:
-    return file.read_text(encoding="utf-8")
+def _modules_named_in(file: Path) -> frozenset[str]:
+    """As it imports them: ``from a.b import c`` names ``a.b`` and ``a.b.c``."""
+    found = set[str]()
+    for node in ast.walk(ast.parse(file.read_bytes())):
+        match node:
+            case ast.Import(names=names):
+                found |= {each.name for each in names}
+            case ast.ImportFrom(module=str(module), names=names):
+                found |= {module, *(f"{module}.{each.name}" for each in names)}
+    return frozenset(found)
 
 
 def _is_in_a_function(mutation: Mutation) -> bool:

@@ -91,7 +91,7 @@ class _Places:
                 return True
             case ast.Expr(value=ast.Constant()):
                 return True
-            case ast.If(test=ast.Name(id="TYPE_CHECKING")) | ast.keyword(arg="frozen"):
+            case ast.If(test=ast.Name(id="TYPE_CHECKING")) | ast.keyword(arg="frozen" | "strict"):
                 return True
             case ast.ClassDef(bases=bases):
                 return any(isinstance(each, ast.Name) and each.id == "Protocol" for each in bases)
