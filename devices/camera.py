@@ -54,8 +54,8 @@ FARTHEST_LOOK = 90
 
 _WIDTH, _HEIGHT = 640, 480
 """Of the original's pictures."""
-_SMALLEST = 500 / (_WIDTH * _HEIGHT)
-"""The share of a picture that a thing fills at least: ``min_blob_size`` of the original's settings."""
+_SMALLEST = 500
+"""Pixels of such a picture that a thing fills at least: ``min_blob_size`` of the original's settings."""
 _SERVO = 3.0
 """Degrees by which the head may miss its angle."""
 _STALE = 4
@@ -221,7 +221,7 @@ def blobs_in(picture: Picture, ranges: Mapping[str, ColourRange]) -> tuple[Blob,
         mask = cv2.dilate(mask, cv2.getStructuringElement(cv2.MORPH_RECT, (3, 3)))
         contours, _ = cv2.findContours(mask, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_SIMPLE)
         for contour in contours:
-            if cv2.contourArea(contour) >= _SMALLEST * width * height:
+            if cv2.contourArea(contour) * _WIDTH * _HEIGHT >= _SMALLEST * width * height:
                 x, y, w, h = cv2.boundingRect(contour)
                 found.append(Blob(colour, x / width, (x + w) / width, y / height, (y + h) / height))
     return tuple(found)

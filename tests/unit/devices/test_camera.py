@@ -115,6 +115,22 @@ def test_the_size_of_the_picture_does_not_matter(width: int) -> None:
     assert (found.left, found.right) == (pytest.approx(0.25, abs=0.02), pytest.approx(0.5, abs=0.02))
 
 
+def test_an_area_is_erased_by_two_pixels_and_widened_by_three() -> None:
+    """As the original's OpenCV code does: one pixel is lost at the left and top, then one is won on all sides."""
+    (found,) = blobs_in(drawn((160, 120, 320, 240, GREEN), width=640, height=480), ORIGINAL_RANGES)
+
+    assert (found.left * 640, found.right * 640) == (160, 321)
+    assert (found.top * 480, found.bottom * 480) == (120, 241)
+
+
+@pytest.mark.parametrize(("width", "is_found"), [(25, True), (24, False)])
+def test_an_area_counts_from_five_hundred_pixels_on(width: int, is_found: bool) -> None:
+    """``min_blob_size`` of the original's settings, in pictures of its size."""
+    thing = drawn((160, 120, 160 + width, 140, GREEN), width=640, height=480)
+
+    assert bool(blobs_in(thing, ORIGINAL_RANGES)) is is_found
+
+
 @pytest.mark.parametrize("size", [(1, 1), (5000, 1), (1, 5000), (2, 3)])
 def test_a_picture_of_any_size_can_be_searched_and_measured(size: tuple[int, int]) -> None:
     picture = np.full((*size, 3), RED, np.uint8)
