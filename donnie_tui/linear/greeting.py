@@ -70,8 +70,7 @@ class Greeting:
         if self.was_printed:
             return
         self.was_printed, self.has_prompt = True, prompt is not None and os.isatty(0)
-        if is_editable(environment):
-            self.terminal = _taken_terminal()
+        self.terminal = _taken_terminal() if is_editable(environment) else None
         hint = self._hint(environment, tour=tour)
         codes = (f"linear-cause-{cause}",) if prompt is None else (f"linear-cause-{cause}", hint)
         self.lines = tuple(early(code, language) for code in codes)
@@ -107,7 +106,6 @@ class Greeting:
     def forget(self) -> None:
         """Print the greeting again the next time: the learner went to the full screen and may return."""
         self.was_printed = self.has_prompt = self.has_reported_rescue = False
-        self.terminal = None
 
 
 def has_rescued(folder: str) -> bool:
