@@ -50,7 +50,7 @@ REPORT = FOLDER / "report.txt"
 CONFIG = Path(__file__).with_name("coverage.toml")
 MOST_SECONDS = 60.0
 """Of a processor, for the tests of a mutation: a busy machine runs as many of them."""
-_MOST_ANEW = 60
+_FEWEST_ANEW, _MOST_ANEW = 10, 60
 """Tests a mutation in a new process, which makes anew what is made once and kept."""
 WANTED = 0.92
 NO_END, NO_TESTS = "(no end)", "(no tests)"
@@ -378,7 +378,7 @@ class Trial:
         while names:
             by = self._first_failure(path, names, is_imported)
             if not by:  # what is made while tests are collected was made without the mutation
-                return self._noticed_anew(path, names)
+                return self._noticed_anew(path, names if is_imported or by is None else names[:_FEWEST_ANEW])
             again = self._warm.has_no_end or self._first_failure(path, [by], is_imported)
             if again and self._passes_without(path, by, is_imported):
                 return by
@@ -431,7 +431,7 @@ class Trial:
 
     def _first_failure_anew(self, names: list[str]) -> tuple[str, list[str]]:
         """In a new process, and the names that it was given: few files first, whose collection is short."""
-        for some in (names[:10], names[10:_MOST_ANEW]):
+        for some in (names[:_FEWEST_ANEW], names[_FEWEST_ANEW:_MOST_ANEW]):
             by = self._failure_of_pytest(some) if some else ""
             if by:
                 return by, some

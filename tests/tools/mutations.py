@@ -95,6 +95,8 @@ class _Places:
                 return True
             case ast.ClassDef(bases=bases):
                 return any(isinstance(each, ast.Name) and each.id == "Protocol" for each in bases)
+            case ast.AnnAssign(annotation=ast.Name(id="TypeAlias")):
+                return True
             case ast.Assign(targets=[ast.Name(id=name)]):
                 return name == "TYPE_CHECKING" or name.startswith("__")
             case ast.FunctionDef(name=name):
