@@ -7,11 +7,13 @@ from textual.app import App, ComposeResult
 from textual.widgets import TextArea
 
 from donnie_tui.commands.declarations import BY_NAME, COMMANDS
+from donnie_tui.commands.interaction import Option
 from donnie_tui.commands.lookup import find, word_of
 from donnie_tui.core.document import ANOTHER_PROGRAM, Document
 from donnie_tui.core.program_files import as_lines
 from donnie_tui.settings.settings import SPEEDS
 from donnie_tui.tui.highlighting import highlights
+from donnie_tui.tui.screens.dialogs import Chooser
 from donnie_tui.tui.widgets.editor import Editor
 from donnie_tui.tui.widgets.rows import MOST_LINES as MOST_LOGGED
 from donnie_tui.tui.widgets.rows import TextRows
@@ -294,3 +296,27 @@ async def test_a_word_that_is_found_is_selected():
 
 def test_lines_end_alike_in_the_editor_however_they_ended_in_the_file():
     assert as_lines("a\r\nb\rc\n") == "a\nb\nc"
+
+
+# --- lists to choose from
+
+
+class Choosing(App[None]):
+    """A list of names of 20 cells, each with a text about it."""
+
+    def on_mount(self) -> None:
+        choices = [Option(letter, letter * 20, detail=lambda *_: ("About",)) for letter in "ab"]
+        self.push_screen(Chooser("Title", "Keys", "Nothing", choices, lambda _: None))
+
+
+@pytest.mark.parametrize(
+    ("width", "place"), [(63, "beside"), (62, "below"), (23, "below"), (22, "nowhere")], ids=str
+)
+async def test_what_a_list_is_about_is_where_there_is_room_for_it(width, place):
+    """Beside a column of 22 cells with its gap if 40 more and a border fit, below it if only a border does."""
+    async with Choosing().run_test(size=(width, 24)) as pilot:
+        await pilot.pause()
+        is_below = pilot.app.screen.query_one("#listing").has_class("-below")
+        is_shown = pilot.app.screen.query_one("#detail").display
+
+        assert (is_shown, is_below) == (place != "nowhere", place == "below")
