@@ -197,14 +197,21 @@ class Map:
 
     def tests_of(self, mutation: Mutation) -> tuple[set[str], bool]:
         """The names of the tests that run that line, and whether it runs while it is imported."""
-        path, line = self._place_then(mutation.path, mutation.line)
-        with self._lock:
-            by_line = self._data.contexts_by_lineno(str(self._root / path))
-        names = {_test_of(each) for each in by_line.get(line, [])}
+        names = self._tests_at(mutation.path, mutation.line)
         is_imported = "" in names
-        if is_imported or not names:  # any test of the module may notice
-            names |= {_test_of(each) for line in by_line.values() for each in line}
+        if is_imported:
+            names |= {name for place in _uses_of(mutation) for name in self._tests_at(*place)}
+        if names <= {""}:  # any test of the module may notice
+            names |= {name for line in self._by_line(mutation.path).values() for name in map(_test_of, line)}
         return names, is_imported
+
+    def _tests_at(self, path: str, line: int) -> set[str]:
+        path, line = self._place_then(path, line)
+        return {_test_of(each) for each in self._by_line(path).get(line, [])}
+
+    def _by_line(self, path: str) -> dict[int, list[str]]:
+        with self._lock:
+            return self._data.contexts_by_lineno(str(self._root / path))
 
     def _place_then(self, path: str, line: int) -> tuple[str, int]:
         """Where a line was; if it has moved to another module, it has the same neighbours there."""
@@ -214,6 +221,34 @@ class Map:
             return path, then
         neighbours = next(islice(_neighbours(text), line - 1, None), ("", "", ""))
         return self._by_neighbours.get(neighbours, (path, 0))
+
+
+def _uses_of(mutation: Mutation) -> set[tuple[str, int]]:
+    """The lines that use what the mutated line makes while it is imported: a constant, a table, a field."""
+    names = set[str]()
+    body = list[ast.stmt](ast.parse(_source(mutation.path)).body)
+    while body:
+        match body.pop():
+            case ast.ClassDef(body=within):
+                body += within
+            case (ast.Assign() | ast.AnnAssign()) as each if (
+                each.lineno <= mutation.line <= (each.end_lineno or 0)
+            ):
+                targets = each.targets if isinstance(each, ast.Assign) else [each.target]
+                names |= {node.id for one in targets for node in ast.walk(one) if isinstance(node, ast.Name)}
+    return {place for name in names for place in _places_by_name().get(name, ())}
+
+
+@cache
+def _places_by_name() -> dict[str, set[tuple[str, int]]]:
+    """The lines of all modules that read a name, alone or after a dot."""
+    found: dict[str, set[tuple[str, int]]] = defaultdict(set)
+    for path in modules():
+        for node in ast.walk(ast.parse(_source(path))):
+            match node:
+                case ast.Name(id=name, ctx=ast.Load()) | ast.Attribute(attr=name, ctx=ast.Load()):
+                    found[name].add((path, node.lineno))
+    return found
 
 
 def _neighbours(text: str) -> Iterator[tuple[str, str, str]]:
