@@ -74,7 +74,7 @@ class VirtualLink(ConnectionState):
     def connect(self) -> None:
         if self.state is not LinkState.CLOSED:
             return
-        self._connection.open(self._now)
+        self._connection.open()
         if not self.is_plugged:
             self._connection.close(self._now)
             raise RobotProblem("no-port", port=self.name, reason="unplugged")
@@ -155,7 +155,7 @@ class VirtualLink(ConnectionState):
 
     def _reopen(self) -> None:
         self._is_open = False
-        self._connection.open(self._now)
+        self._connection.open()
         if self.is_plugged:
             self._opened()
         else:

@@ -253,7 +253,7 @@ class SerialLink(ConnectionState):
         self._slow_at = self.now() + SLOW
         self._port = self._opened()
         with self._lock:
-            self._connection.open(self.now())
+            self._connection.open()
             self._connection.opened(self.now())
         atexit.register(self.close)
         self._is_closing.clear()
@@ -349,7 +349,7 @@ class SerialLink(ConnectionState):
     def _reopen(self) -> None:
         self._drop_port()
         with self._lock:
-            self._connection.open(self.now())
+            self._connection.open()
         try:
             self._port = self._open_port(self.name)
         except PortProblem as problem:

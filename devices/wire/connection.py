@@ -96,7 +96,6 @@ class BoardConnection:
         self._deadline = inf
         self._is_greeting = self._is_greeted = False
         self._millivolts: int | None = None
-        self._now = 0.0
         self.may_drive_on = False
         """Whether the link was lost while the wheels were to turn, and they were not stopped since."""
         self._is_runaway_reported = False
@@ -124,9 +123,9 @@ class BoardConnection:
 
     # --- for the owner of the port: what happened to it
 
-    def open(self, now: float) -> None:
+    def open(self) -> None:
         """The owner begins to open the port. ``opened`` or ``failed`` follows."""
-        self._trigger(LinkTrigger.OPEN, now)
+        self._trigger(LinkTrigger.OPEN)
 
     def opened(self, now: float) -> None:
         self._decoder = Decoder(self._take_text)
@@ -134,7 +133,7 @@ class BoardConnection:
         self._tracker.rebase()
         self._await_answer(now)
         self._has_restarted = False
-        self._trigger(LinkTrigger.OPENED, now)
+        self._trigger(LinkTrigger.OPENED)
 
     def failed(self, now: float, reason: str) -> None:
         """The port couldn't be opened, read or written. It will be tried again."""
@@ -146,7 +145,6 @@ class BoardConnection:
         """Take in the bytes that arrived."""
         if self.state in (LinkState.CLOSED, LinkState.OPENING):
             return
-        self._now = now
         for report in self._decoder.feed(data):
             self._take(report, now)
         self.telemetry = self._tracker.telemetry(self._received_at, self._decoder.bad_frames)
@@ -200,7 +198,7 @@ class BoardConnection:
     def close(self, now: float) -> None:
         """The owner closes the port, after all frames were sent."""
         self.stop(now)
-        self._trigger(LinkTrigger.CLOSE, now)
+        self._trigger(LinkTrigger.CLOSE)
         self._deadline = inf
         self._was_up = self._is_loss_reported = False
 
@@ -274,7 +272,7 @@ class BoardConnection:
     def _continue_handshake(self, now: float) -> None:
         """A frame came from a board that streams, perhaps without having been asked to."""
         if self.state is LinkState.LOST:
-            self._trigger(LinkTrigger.FRAME_RECEIVED, now)
+            self._trigger(LinkTrigger.FRAME_RECEIVED)
             self._await_answer(now)
         if self.state is not LinkState.WAITING:
             return
@@ -283,7 +281,7 @@ class BoardConnection:
             self._greet()
             self._stopping.restart(now)
         elif self._is_greeted:  # a frame that comes after the whole greeting was sent answers it
-            self._ready(now)
+            self._ready()
 
     def _board_restarted(self, now: float) -> None:
         """The board asks for its configuration: it has just started, with motors off and counts at zero."""
@@ -294,7 +292,7 @@ class BoardConnection:
             self._notices.append((LinkNotice.RESTARTED, ""))
         self._has_restarted = self._has_restarted or self.state is LinkState.LOST
         if self.state is not LinkState.WAITING:
-            self._trigger(LinkTrigger.RESTARTED, now)
+            self._trigger(LinkTrigger.RESTARTED)
         self._await_answer(now)
         self._greet()
 
@@ -307,8 +305,8 @@ class BoardConnection:
         self._is_greeting = self._is_greeted = False
         self._deadline = now + self._config.first_answer
 
-    def _ready(self, now: float) -> None:
-        self._trigger(LinkTrigger.READY, now)
+    def _ready(self) -> None:
+        self._trigger(LinkTrigger.READY)
         self._deadline = inf
         if not self._was_up:
             self._notices.append((LinkNotice.CONNECTED, ""))
@@ -331,7 +329,7 @@ class BoardConnection:
 
     def _take_text(self, text: str) -> None:
         if "Checksum Error" in text:
-            self._outbox.repeat_soon(self._now)
+            self._outbox.repeat_soon()
         if self._on_text is not None:
             self._on_text(text)
 
@@ -354,7 +352,7 @@ class BoardConnection:
         self.may_drive_on = self.may_drive_on or self.driving_since is not None or not self._stopping.is_over
         self.stop(now)
         self._stopping.lost()
-        self._trigger(trigger, now)
+        self._trigger(trigger)
         self._tracker.rebase()
         self.telemetry = self._tracker.telemetry(self._received_at, self._decoder.bad_frames)
         if self._was_up and not self._is_loss_reported:
@@ -374,6 +372,5 @@ class BoardConnection:
     def _silent_at(self) -> float:
         return self._received_at + self._config.silence if self.state is LinkState.STREAMING else inf
 
-    def _trigger(self, trigger: LinkTrigger, now: float) -> None:
-        self._now = now
+    def _trigger(self, trigger: LinkTrigger) -> None:
         self.state = next_state(self.state, trigger)

@@ -68,9 +68,9 @@ class Outbox:
         if drive is not self._drive or self._stops:
             self._drive, self._stops, self._is_at_once, self._repeat_at = drive, 0, False, now
 
-    def repeat_soon(self, now: float) -> None:
+    def repeat_soon(self) -> None:
         """Repeat the drive command as soon as possible: the board may have missed it."""
-        self._repeat_at = min(self._repeat_at, now)
+        self._repeat_at = -inf
 
     def put(self, frame: bytes) -> None:
         """Send a frame when there is time; a newer one of its type replaces it."""
@@ -198,7 +198,7 @@ class StopSequence:
             return False
         if now >= self._again_at:
             self._again_at = now + self._config.stop_again
-            self._outbox.repeat_soon(now)
+            self._outbox.repeat_soon()
         if self.has_failed or now - self._since < self._config.runaway:
             return False
         if self._stage in (_Stage.FORCED, _Stage.UNKNOWN):

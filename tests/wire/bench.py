@@ -74,7 +74,7 @@ def abandoned_board(half_a_frame: bytes = b"") -> SimulatedBoard:
 def streaming() -> BoardConnection:
     """A connection whose board has answered, at second 1."""
     connection = BoardConnection(LinkConfig())
-    connection.open(0.0)
+    connection.open()
     connection.opened(0.0)
     connection.received(encode_frame(0xC7, b"\x2b"), 0.1)
     for now in (0.1, 0.2, 0.3):

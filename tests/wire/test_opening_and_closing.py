@@ -65,7 +65,7 @@ def test_open_without_an_answer_fails_after_six_seconds_and_closes_the_port() ->
 
 def test_open_old_bytes_from_before_the_reset_are_not_taken_for_an_answer() -> None:
     connection = BoardConnection(LinkConfig())
-    connection.open(0.0)
+    connection.open()
     connection.opened(0.0)
     connection.received(encode_frame(0x81, bytes(8)) * 50, 0.0)
     for now in (0.0, 0.1, 0.2, 0.3, 0.4, 0.5):
