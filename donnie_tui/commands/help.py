@@ -9,7 +9,7 @@ from donnie_tui.bootstrap import progress
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.declarations import BY_NAME, COMMANDS
 from donnie_tui.commands.dispatch import handles
-from donnie_tui.commands.interaction import Option
+from donnie_tui.commands.interaction import Option, count_in
 from donnie_tui.commands.lookup import find, help_line, help_of
 from donnie_tui.core.runner import LAST_WORDS
 from donnie_tui.core.wording import Wording, meant
@@ -26,7 +26,6 @@ if TYPE_CHECKING:
     from worlds.challenges import Challenge
 
 _KEY_LINES = ("enter", "run", "stop", "past", "line", "word", "clear", "tab", "leave")
-_MOST_DIGITS = 2
 FIRST_LESSON = ("FW", "BW", "TR", "TL", "SPEAK", "SCAN", "RUN")
 _FIRST_COMMANDS = ("where", "around", "tour")
 TOPICS = {
@@ -128,8 +127,8 @@ async def keys_here(ctx: Context, _: str) -> None:
 @handles("manual")
 async def manual(ctx: Context, argument: str) -> None:
     """The chapters of the manual, one of them by its number, or what is said of a word."""
-    number = int(argument) if argument.isdecimal() and len(argument) <= _MOST_DIGITS else 0
-    if 1 <= number <= len(CHAPTERS):
+    number = count_in(argument, 0)
+    if number and number <= len(CHAPTERS):
         chapter = CHAPTERS[number - 1]
         lines = chapter_lines(ctx.words, chapter)
         await ctx.interaction.show_pages(ctx.words(f"manual-{chapter}"), lines)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import os
+from functools import partial
 from pathlib import Path
 
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.dispatch import handles
-from donnie_tui.commands.interaction import Option
+from donnie_tui.commands.interaction import Option, count_in
 from donnie_tui.core.program_files import DocumentError, exists
 from donnie_tui.core.session import Busy, Session
 from donnie_tui.core.wording import facing, no_such_robot, whole_steps
@@ -16,7 +17,6 @@ from donnie_tui.settings.parsing import SIMULATED, remember
 
 MOST_ROBOTS = 30
 """Robots that are listed one by one."""
-_MOST_DIGITS = 4
 
 
 # --- which robot
@@ -92,16 +92,16 @@ def _robot_in_words(ctx: Context, session: Session) -> str:
 async def connect(ctx: Context, argument: str) -> None:
     """Use the robot of that number; else say which there are, to choose one. That takes some seconds."""
     slow = ctx.words("slow-connect")
-    number = argument if argument.isdecimal() and len(argument) <= _MOST_DIGITS else ""
+    number = count_in(argument, 0)
     if not number:
         found = await ctx.interaction.background(lambda: _connections(ctx), slow, is_slow=True)
         printed = [*(each.text for each in found), ctx.words("connect-how")]
         if argument:
             ctx.say(*printed)
         else:
-            number = await ctx.interaction.choose(ctx.words("ask-connect"), found, printed) or ""
+            number = int(await ctx.interaction.choose(ctx.words("ask-connect"), found, printed) or 0)
     if number:
-        await ctx.interaction.background(lambda: _connect_to(ctx, int(number)), slow, is_slow=True)
+        await ctx.interaction.background(partial(_connect_to, ctx, number), slow, is_slow=True)
         if ctx.screen is not None:
             ctx.screen.robot_changed()
 
