@@ -446,10 +446,11 @@ def _report_end_of_head(reader: TokenReader, details: dict[str, str | int]) -> N
 
 def _changes_shortly(reader: TokenReader, at: int) -> bool:
     """Whether ``i++`` or ``i += 2`` is there, with its name at that index."""
-    tokens = reader.tokens[at : at + 3]
-    if len(tokens) < 3 or tokens[1][0] not in (SIGN, _SCALE) or tokens[1][2] != tokens[2][1]:
+    sign = reader.tokens[at + 1]
+    if sign[0] not in (SIGN, _SCALE):
         return False
-    return tokens[2][0] == ASSIGN or (tokens[1][0] == SIGN and tokens[2][5] == tokens[1][5])
+    last = reader.tokens[at + 2]
+    return sign[2] == last[1] and (last[0] == ASSIGN or (sign[0] == SIGN and last[5] == sign[5]))
 
 
 def _read_short_change(reader: TokenReader) -> None:
