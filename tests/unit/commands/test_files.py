@@ -11,6 +11,8 @@ from xml.etree import ElementTree
 import pytest
 from PIL import Image
 
+from donnie_tui.commands.files import compare_with_file
+from donnie_tui.commands.interaction import drive
 from donnie_tui.commands.lookup import words_of
 from tests.unit.commands.scripted import Script
 from worlds import EXAMPLES
@@ -147,6 +149,18 @@ def copies(tmp_path: Path) -> Path:
 
 def test_recover_without_a_copy_says_so(open_script: OpenScript) -> None:
     assert open_script().answers_to("RECOVER") == ["There is nothing to recover."]
+
+
+@pytest.mark.parametrize(("left", "is_saved"), [("FW 1\n", True), ("FW 2\n", False)])
+def test_a_program_that_the_other_mode_left_is_changed_if_its_file_has_another_text(
+    open_script: OpenScript, tmp_path: Path, left: str, is_saved: bool
+) -> None:
+    file, script = tmp_path / "it.gd", open_script()
+    file.write_text("FW 1\n")
+    script.ctx.workspace.replace(left, file, in_file="")
+
+    drive(compare_with_file(script.ctx))
+    assert script.ctx.program.is_saved is is_saved
 
 
 def test_all_programs_of_a_crash_are_restored_one_by_one(open_script: OpenScript, copies: Path) -> None:

@@ -305,6 +305,12 @@ def test_a_near_word_is_offered_and_a_far_one_is_not(source: str, meant: str) ->
     assert the_mistake(source).meant == meant
 
 
+def test_a_misspelt_pair_of_words_stands_in_one_line() -> None:
+    """As a fix changes one line."""
+    assert [each.span.line for each in mistakes_in("GIRRA DERECHA 90")] == [1]
+    assert [each.span.line for each in mistakes_in("GIRRA\nDERECHA 90")] == [1, 2]
+
+
 @pytest.mark.parametrize(
     ("source", "meant"),
     [
