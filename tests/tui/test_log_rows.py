@@ -126,6 +126,17 @@ async def test_a_flood_is_not_shown_row_by_row():
         assert len(seen.log.pictures) < 10
 
 
+async def test_a_full_log_forgets_its_oldest_rows_and_continues_its_page(monkeypatch):
+    monkeypatch.setattr("donnie_tui.tui.widgets.rows.MOST_LINES", 100)
+    async with listening() as seen:
+        await seen.append(*(f"Row {number}." for number in range(99)))
+        await seen.append("Row 99.", "Row 100.")
+        await seen.append("News.")
+
+        assert len(seen.log.lines) < 100
+        assert [row for row in seen.rows if row][-1] == "News."
+
+
 async def test_a_number_alone_becomes_a_sentence_for_listeners():
     async with listening() as seen:
         seen.log.append([("5", "spoke"), ("12345678901234567890123", "spoke"), ("-5", "spoke")])
@@ -207,6 +218,7 @@ async def test_find_shows_what_a_filter_hides_with_its_count_and_marks(open_scre
         await screen.shows("2 lines")
 
         assert not screen.main.log_rows.only
+        assert screen.main.log_pane._titles[0] == "Log"
         marked = [
             at
             for at in range(screen.main.log_rows.row_count)

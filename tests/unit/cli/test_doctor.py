@@ -7,6 +7,7 @@ import os
 import sys
 from functools import partial
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -67,6 +68,19 @@ def test_without_standard_input_there_is_no_terminal(monkeypatch: pytest.MonkeyP
     monkeypatch.setattr(sys, "stdin", None)
 
     assert next(look_at_terminal({}, None)).code == "doctor-no-terminal"
+
+
+@pytest.mark.parametrize(
+    ("encoding", "complaint"),
+    [("utf-8", []), ("UTF8", []), ("utf-8-sig", []), ("ascii", ["ascii"]), (None, ["?"])],
+)
+def test_an_output_that_takes_not_all_letters_is_named(
+    encoding: str | None, complaint: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "stdout", SimpleNamespace(encoding=encoding, isatty=lambda: False))
+
+    found = [each for each in look_at_terminal({}, None) if each.code == "doctor-encoding"]
+    assert [each.values["encoding"] for each in found] == complaint
 
 
 def test_every_place_of_speak_has_a_sentence() -> None:

@@ -116,7 +116,7 @@ def test_the_size_of_the_picture_does_not_matter(width: int) -> None:
 
 
 def test_an_area_is_erased_by_two_pixels_and_widened_by_three() -> None:
-    """As the original's OpenCV code does: one pixel is lost at the left and top, then one is won on all sides."""
+    """As in the original: one pixel is lost at the left and top, then one is won on all sides."""
     (found,) = blobs_in(drawn((160, 120, 320, 240, GREEN), width=640, height=480), ORIGINAL_RANGES)
 
     assert (found.left * 640, found.right * 640) == (160, 321)

@@ -33,8 +33,8 @@ def a_world(chance: Random) -> str:
 
 
 def pebbles(chance: Random) -> str:
-    """Many small things that stay, close together."""
-    places = [(chance.uniform(-2, 2), chance.uniform(-2, 2)) for _ in range(80)]
+    """Small things that stay: many close together, and some farther away."""
+    places = [(chance.uniform(-far, far), chance.uniform(-far, far)) for far in (*[2] * 80, *[7] * 150)]
     things = [f"model( size [ 0.04 0.04 1 ] pose [ {x:.3f} {y:.3f} 0 0 ] )" for x, y in places]
     return "\n".join(["position( size [ 0.1 0.1 0.1 ] )", *things])
 
@@ -88,7 +88,7 @@ def test_a_view_from_any_place_of_a_square_holds_all_in_reach_and_no_farther_tha
     for _ in range(40):
         x, y = ((chance.randrange(-2, 2) + chance.choice((0.0, 0.5, 0.999))) * VIEWED_FROM for _ in "xy")
         yaw, half = chance.uniform(0, 360), chance.choice((7.5, 30.0))
-        reach = chance.choice((0.3, 0.6, 1.2))
+        reach = chance.choice((0.3, 1.2, 6.0))
         wedge = Wedge(x, y, yaw, direction(yaw), direction(half), reach)
         known, found = views.of(wedge, reach)
         bounds = {part.rank: bound for bound, *_, part in found}
