@@ -104,6 +104,10 @@ def test_a_blobfinder_may_look_to_the_side() -> None:
     assert [colour.name for colour in eyes.colours] == ["red"]
 
 
+def test_a_camera_looks_ahead_and_sees_as_far_and_wide_as_in_stage() -> None:
+    assert model("camera ( )").camera == Camera(0.2, 8, (70, 40), 0, 0)
+
+
 def test_the_angles_of_a_camera_are_stored_in_degrees() -> None:
     text = 'unit_angle "radians" camera ( range [ 0.1 9 ] fov [ 60 30 ] pantilt [ 20 10 ] )'
 

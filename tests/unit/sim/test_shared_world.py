@@ -5,7 +5,7 @@ from collections.abc import Callable
 
 import pytest
 
-from devices.ports.robot import Bearing, StoppedBy
+from devices.ports.robot import Bearing, StoppedBy, WalkResult
 from language.control import ControlState, ExecutionControl
 from sim.robot import SimulatedRobot
 from sim.sensors import Senses
@@ -302,6 +302,28 @@ def test_a_paused_program_holds_the_world_and_another_can_still_be_stopped() -> 
     controls["alice"].resume()
     threads["alice"].join(TIMEOUT)
     assert ends["alice"] is None
+
+
+def test_a_command_that_is_stopped_before_its_turn_does_nothing() -> None:
+    """The other robot holds the world, as its program has not begun."""
+    control, ends = ExecutionControl(), list[WalkResult]()
+    world = World(scene(APART))
+    bob = world.robot("bob", pace=control)
+    world.expect(("alice", "bob"))
+    before = bob.pose()
+
+    def run() -> None:
+        bob.join()
+        ends.append(bob.forward(3))
+
+    thread = threading.Thread(target=run)
+    thread.start()
+    control.stop()
+    bob.halt()
+    thread.join(TIMEOUT)
+
+    (moved,) = ends
+    assert (moved.walked, moved.stopped_by, moved.pose) == (0, StoppedBy.USER, before)
 
 
 def test_a_stopped_robot_leaves_and_the_others_continue() -> None:
