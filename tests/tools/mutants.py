@@ -378,12 +378,12 @@ class Trial:
     def _tests_of(self, mutation: Mutation) -> tuple[list[str], bool]:
         """Those that run its line, in their turn, and whether it runs while it is imported.
 
-        Of the tests that no map has those may run it whose files name its module.
+        Of the tests that no map has those may run it that are about its room.
         """
         found = [each.tests_of(mutation) for each in self._maps]
         run = {name for names, _ in found for name in names}
         unknown = {
-            name for name in self._warm.names - self._mapped if _names_module(self._file(name), mutation)
+            name for name in self._warm.names - self._mapped if _is_of_room(self._file(name), mutation)
         }
         chosen = self._in_turn(self._warm.names & self._mapped & run | unknown or self._warm.names, mutation)
         is_imported = any(each for _, each in found) or not _is_in_a_function(mutation)
@@ -511,6 +511,13 @@ _WORD = re.compile("[a-z]{4,}")
 def _names_module(file: Path, mutation: Mutation) -> bool:
     """Whether the file of a test names the mutation's module."""
     return mutation.path.removesuffix(".py").replace("/", ".") in _modules_named_in(file)
+
+
+def _is_of_room(file: Path, mutation: Mutation) -> bool:
+    """Whether a test's file is in a folder called as that of the mutation's module, or names a module of it."""
+    room = mutation.path.rpartition("/")[0].replace("/", ".")
+    named = _modules_named_in(file)
+    return room.rpartition(".")[2] in file.parts or any(f"{each}.".startswith(f"{room}.") for each in named)
 
 
 @cache
