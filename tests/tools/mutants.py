@@ -514,7 +514,7 @@ def _names_module(file: Path, mutation: Mutation) -> bool:
 
 
 def _is_of_room(file: Path, mutation: Mutation) -> bool:
-    """Whether a test's file is in a folder called as that of the mutation's module, or names a module of it."""
+    """Whether a test's file is in a folder called as that of the module, or names a module of that folder."""
     room = mutation.path.rpartition("/")[0].replace("/", ".")
     named = _modules_named_in(file)
     return room.rpartition(".")[2] in file.parts or any(f"{each}.".startswith(f"{room}.") for each in named)
