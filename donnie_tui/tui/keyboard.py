@@ -33,7 +33,7 @@ STOPS = ("stop", "stop_all")
 def bindings(key_table: KeyTable) -> BindingsMap:
     """The keys of the table, and those that no setting changes."""
     of_commands = [
-        Binding(key, f"do('{name}')", show=False, priority=True)
+        Binding(key, f"do('{name}')", priority=True)
         for name, keys in key_table.all.items()
         for key in keys
         if " " not in key
@@ -41,11 +41,11 @@ def bindings(key_table: KeyTable) -> BindingsMap:
     return BindingsMap(
         [
             *of_commands,
-            Binding(MENU, "key_menu", show=False, priority=True),
-            Binding(PALETTE, "command_palette", show=False, priority=True),
-            Binding("ctrl+c", "do('stop_all', True)", show=False, priority=True),
-            Binding("tab", "app.focus_next", show=False),
-            Binding("shift+tab", "app.focus_previous", show=False),
+            Binding(MENU, "key_menu", priority=True),
+            Binding(PALETTE, "command_palette", priority=True),
+            Binding("ctrl+c", "do('stop_all', True)", priority=True),
+            Binding("tab", "app.focus_next"),
+            Binding("shift+tab", "app.focus_previous"),
         ]
     )
 

@@ -310,10 +310,10 @@ class Choosing(App[None]):
 
 
 @pytest.mark.parametrize(
-    ("width", "place"), [(63, "beside"), (62, "below"), (23, "below"), (22, "nowhere")], ids=str
+    ("width", "place"), [(63, "right"), (62, "below"), (23, "below"), (22, "nowhere")], ids=str
 )
 async def test_what_a_list_is_about_is_where_there_is_room_for_it(width, place):
-    """Beside a column of 22 cells if 40 more and a border fit, below it if only a border does."""
+    """At the right of a column of 22 cells if 40 more and a border fit, below if only a border does."""
     async with Choosing().run_test(size=(width, 24)) as pilot:
         await pilot.pause()
         is_below = pilot.app.screen.query_one("#listing").has_class("-below")

@@ -41,10 +41,10 @@ class Question(ModalScreen[str | None]):
     """
 
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape", "go_back", show=False, priority=True),
-        Binding("up", "choose_row(-1)", show=False, priority=True),
-        Binding("down", "choose_row(1)", show=False, priority=True),
-        Binding("tab", "write_row", show=False, priority=True),
+        Binding("escape", "go_back", priority=True),
+        Binding("up", "choose_row(-1)", priority=True),
+        Binding("down", "choose_row(1)", priority=True),
+        Binding("tab", "write_row", priority=True),
     ]
     AUTO_FOCUS = "#answer"
 
@@ -278,13 +278,13 @@ class Chooser(ModalScreen[str | None]):
     """Answers the value of the chosen row, None if the learner went back."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape,ctrl+q", "go_back", show=False, priority=True),
-        Binding("up", "choose_row(-1)", show=False, priority=True),
-        Binding("down", "choose_row(1)", show=False, priority=True),
-        Binding("pageup", "choose_row(-10)", show=False, priority=True),
-        Binding("pagedown", "choose_row(10)", show=False, priority=True),
-        Binding("home", f"choose_row({-FAR})", show=False, priority=True),
-        Binding("end", f"choose_row({FAR})", show=False, priority=True),
+        Binding("escape,ctrl+q", "go_back", priority=True),
+        Binding("up", "choose_row(-1)", priority=True),
+        Binding("down", "choose_row(1)", priority=True),
+        Binding("pageup", "choose_row(-10)", priority=True),
+        Binding("pagedown", "choose_row(10)", priority=True),
+        Binding("home", f"choose_row({-FAR})", priority=True),
+        Binding("end", f"choose_row({FAR})", priority=True),
     ]
     AUTO_FOCUS = "#narrowing"
 
@@ -498,8 +498,8 @@ class Completions(ModalScreen[tuple[str, str]]):
     """Answers the chosen word, empty for none, and the letter that was typed instead."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape", "leave", show=False, priority=True),
-        Binding("tab", "take", show=False, priority=True),
+        Binding("escape", "leave", priority=True),
+        Binding("tab", "take", priority=True),
     ]
 
     def __init__(self, words: Sequence[str], below: Offset, point: Callable[[str], object]) -> None:

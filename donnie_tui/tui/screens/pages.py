@@ -35,9 +35,9 @@ class Help(ModalScreen[None]):
     """Shows lines until Esc; F1 goes ``further`` where there is more to read."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape,q", "dismiss", show=False, priority=True),
-        Binding("ctrl+q", "dismiss", show=False, priority=True),
-        Binding("f1", "further", show=False, priority=True),
+        Binding("escape,q", "dismiss", priority=True),
+        Binding("ctrl+q", "dismiss", priority=True),
+        Binding("f1", "further", priority=True),
     ]
     AUTO_FOCUS = "#help-rows"
 
@@ -82,8 +82,8 @@ class Tour(Help):
     """Begins at one of ``pages`` and calls ``turned`` with each place, from 0; closes after the last one."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("enter,pagedown", "turn(1)", show=False, priority=True),
-        Binding("backspace,pageup", "turn(-1)", show=False, priority=True),
+        Binding("enter,pagedown", "turn(1)", priority=True),
+        Binding("backspace,pageup", "turn(-1)", priority=True),
     ]
 
     def __init__(
@@ -122,8 +122,8 @@ class TourStrip(Vertical, can_focus=True):
     """
 
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("enter,pagedown", "turn(1)", show=False),
-        Binding("backspace,pageup", "turn(-1)", show=False),
+        Binding("enter,pagedown", "turn(1)"),
+        Binding("backspace,pageup", "turn(-1)"),
     ]
 
     class Left(Message):
@@ -183,7 +183,7 @@ class TourStrip(Vertical, can_focus=True):
 class KeyMenu(ModalScreen[None]):
     """Lists ``names``, the commands by their keys. The application runs what is chosen."""
 
-    BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "leave", show=False, priority=True)]
+    BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "leave", priority=True)]
     AUTO_FOCUS = "#key-rows"
     READING = ("escape", "up", "down", "pageup", "pagedown", "home", "end")
     """What is pressed to read the list; any other key ends it."""

@@ -150,8 +150,8 @@ class CommandLine(InputLine):
     """One line of input with its past."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("up", "earlier", show=False),
-        Binding("down", "later", show=False),
+        Binding("up", "earlier"),
+        Binding("down", "later"),
     ]
 
     class Typed(Message):

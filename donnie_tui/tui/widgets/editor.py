@@ -53,7 +53,7 @@ LEAST_NOTE = 12
 class Editor(TextArea):
     """The text and its marks."""
 
-    BINDINGS: ClassVar[list[BindingType]] = [Binding("ctrl+a", "select_all", show=False)]
+    BINDINGS: ClassVar[list[BindingType]] = [Binding("ctrl+a", "select_all")]
 
     class LineWordTyped(Message):
         """Enter on a line that holds only a command; the line is taken out."""

@@ -29,7 +29,7 @@ _SHORT = 20
 class LogRows(TextRows):
     """All lines of the log, the newest being read."""
 
-    BINDINGS: ClassVar[list[BindingType]] = [Binding("f", "app.do('filter')", show=False)]
+    BINDINGS: ClassVar[list[BindingType]] = [Binding("f", "app.do('filter')")]
 
     def __init__(self, *, id: str) -> None:  # noqa: A002 -- Textual's own name
         super().__init__(id=id, follows=True)

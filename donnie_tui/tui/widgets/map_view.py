@@ -52,21 +52,21 @@ class MapView(PaintedRows, can_focus=True):
     """Shows a ``MapScene``. Empty until it is given one."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("up", "explore(0, 1)", show=False),
-        Binding("down", "explore(0, -1)", show=False),
-        Binding("left", "explore(-1, 0)", show=False),
-        Binding("right", "explore(1, 0)", show=False),
-        Binding("home", "app.do('to_robot')", show=False),
-        Binding("n", "app.do('next_thing')", show=False),
-        Binding("p,backspace", "app.do('previous_thing')", show=False),
-        Binding("plus,equals_sign", "app.do('zoom_in')", show=False),
-        Binding("minus", "app.do('zoom_out')", show=False),
-        Binding("a", "app.do('whole_map')", show=False),
-        Binding("t", "app.do('names')", show=False),
-        Binding("c", "app.do('coordinates')", show=False),
-        Binding("l", "app.do('legend')", show=False),
-        Binding("f", "app.do('from_here')", show=False),
-        Binding("w", "app.do('to_there')", show=False),
+        Binding("up", "explore(0, 1)"),
+        Binding("down", "explore(0, -1)"),
+        Binding("left", "explore(-1, 0)"),
+        Binding("right", "explore(1, 0)"),
+        Binding("home", "app.do('to_robot')"),
+        Binding("n", "app.do('next_thing')"),
+        Binding("p,backspace", "app.do('previous_thing')"),
+        Binding("plus,equals_sign", "app.do('zoom_in')"),
+        Binding("minus", "app.do('zoom_out')"),
+        Binding("a", "app.do('whole_map')"),
+        Binding("t", "app.do('names')"),
+        Binding("c", "app.do('coordinates')"),
+        Binding("l", "app.do('legend')"),
+        Binding("f", "app.do('from_here')"),
+        Binding("w", "app.do('to_there')"),
     ]
 
     class Explored(Message):

@@ -283,12 +283,12 @@ class TextRows(PaintedRows, can_focus=True):
     """Shows lines with their kinds; both are given as the words to show. ``follows``: a log."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("up", "row(-1)", show=False),
-        Binding("down", "row(1)", show=False),
-        Binding("pageup", "page(-1)", show=False),
-        Binding("pagedown", "page(1)", show=False),
-        Binding("home", "oldest", show=False),
-        Binding("end", "newest", show=False),
+        Binding("up", "row(-1)"),
+        Binding("down", "row(1)"),
+        Binding("pageup", "page(-1)"),
+        Binding("pagedown", "page(1)"),
+        Binding("home", "oldest"),
+        Binding("end", "newest"),
     ]
 
     class Read(Message):
