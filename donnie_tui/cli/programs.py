@@ -315,7 +315,7 @@ def _write_table(order: Order, pupils: Sequence[_Pupil], records: Sequence[_Reco
         rows.writerows({name: as_cell(each.get(name, "")) for name in _COLUMNS} for each in records)
         _write(Path(table), text.getvalue(), order.words)
     if folder is not None:
-        make_folder(Path(folder))
+        _make_folder(Path(folder), order.words)
         used = Counter[str]()
         for pupil, each in zip(pupils, records, strict=True):
             stem = Path(printable(pupil.label).replace("/", "-")).stem
@@ -334,15 +334,20 @@ def _write(path: Path, text: str, words: Words) -> None:
         raise Unusable(words(error.code, path=error.path, reason=error.reason)) from None
 
 
+def _make_folder(folder: Path, words: Words) -> None:
+    """Raises ``Unusable``."""
+    try:
+        make_folder(folder)
+    except OSError as problem:
+        raise Unusable(words("challenge-new-failed", path=str(folder), reason=problem.strerror)) from None
+
+
 def _new_challenge(order: Order, name: str) -> int:
     """A folder with a challenge that works, to be changed. Raises ``Unusable`` if it is there already."""
     folder, stem = Path(name), Path(name).name
     if not stem or exists(folder):
         raise Unusable(order.words("challenge-new-there", path=name))
-    try:
-        make_folder(folder)
-    except OSError as problem:
-        raise Unusable(order.words("challenge-new-failed", path=name, reason=problem.strerror)) from None
+    _make_folder(folder, order.words)
     for suffix in (challenges.SUFFIX, challenges.SOLUTION):
         pattern = Path(challenges.LADDERS, "new", f"challenge{suffix}")
         _write(folder / f"{stem}{suffix}", read_program(pattern), order.words)

@@ -529,6 +529,19 @@ def test_a_program_is_tried_from_no_further_start_after_one_that_fails() -> None
     assert len(bootstrap.judge_program("FW DISTANCE F - 1", starts, words, settings)) == len(starts) == 3
 
 
+def test_answers_and_tables_that_cannot_be_written_are_a_sentence(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    program = tmp_path / "p.gd"
+    program.write_text("FW 5")
+    for option, place in (("--feedback", program), ("--feedback", program / "x"), ("--csv", program / "x")):
+        assert main(["challenge", "check", "1", str(program), option, str(place), "--lang", "en"]) == 2
+        assert capsys.readouterr().err.startswith(
+            f"I can't {'make' if option == '--feedback' else 'write'} {place}"
+        )
+    assert program.read_text() == "FW 5"
+
+
 def test_a_link_in_a_folder_of_pupils_reads_and_writes_no_other_file(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
