@@ -15,7 +15,6 @@ import json
 import sys
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import partial
 from pathlib import Path
 from typing import Any, TypeAlias
 
@@ -272,8 +271,15 @@ _CODES = {True: ExitCode.DONE, False: ExitCode.FAILED, None: ExitCode.UNUSABLE}
 
 def judge_recording(order: Order, name: str, recorded: Sequence[Stamped], *, is_simulated: bool) -> int:
     """Judge a recording, of a real robot only what it can sense; 1 if it does not solve the challenge."""
-    judging, path = _Judging(order, choose_challenge(name, order.words)), order.invocation.arguments.file
-    verdicts = judging.verdicts_of(path, recorded, None if is_simulated else {})
+    judging = _Judging(order, choose_challenge(name, order.words))
+    answers: dict[Unsensed, bool] | None = None if is_simulated else {}
+    began = (each.event.world for each in recorded if isinstance(each.event, RunStarted))
+    wanted = judging.world.name
+    other = next((each for each in began if each != wanted), None)
+    if other is not None:
+        path = order.invocation.arguments.file
+        raise Unusable(order.words("challenge-other-world", path=path, world=other, wanted=wanted))
+    verdicts = judge_events(recorded, judging.starts, order.words, order.settings, answers)
     order.output.line(verdict_in_words(verdicts, order.words))
     return _CODES[all(each.is_solved for each in verdicts)]
 
@@ -431,7 +437,7 @@ class _Judging:
         self.is_json: bool = getattr(order.invocation.arguments, "json", False)
         self.world = world_of(found, order.words)
         self._room = inventory_of(self.world.scene)
-        self._starts = starts_of(found, self.world, order.words, order.settings)
+        self.starts = starts_of(found, self.world, order.words, order.settings)
 
     def pupils(self, given: Sequence[str]) -> tuple[_Pupil, ...]:
         """Those whose programs were given: files, folders, or a program for each robot.
@@ -504,13 +510,13 @@ class _Judging:
 
     def verdicts(self, programs: Programs) -> tuple[Judgment, ...]:
         """One for each start, up to the first that does not solve it."""
-        return judge_program(programs, self._starts, self._words, self._order.settings)
+        return judge_program(programs, self.starts, self._words, self._order.settings)
 
     def faults_of_starts(self) -> Iterator[str]:
         """Robots that begin inside something."""
         from sim.worldfile import standing_inside  # loads the parser
 
-        for number, start in enumerate(self._starts, start=1):
+        for number, start in enumerate(self.starts, start=1):
             for note in standing_inside(start.world.scene):
                 where = self._words("challenge-start", number=number)
                 fault = self._words(f"note-{note.code}", **note.details)
@@ -518,19 +524,8 @@ class _Judging:
 
     def is_solved_by_nothing(self) -> bool:
         """Whether the empty program solves it from a start."""
-        run = partial(judge_program, words=self._words, settings=self._order.settings)
-        return any(run("", (start,))[0].is_solved for start in self._starts)
-
-    def verdicts_of(
-        self, path: str, recorded: Sequence[Stamped], answers: Mapping[Unsensed, bool] | None
-    ) -> tuple[Judgment, ...]:
-        """Of a recording. Raises ``Unusable`` if it is of another world."""
-        began = (each.event.world for each in recorded if isinstance(each.event, RunStarted))
-        other = next((each for each in began if each != self.world.name), None)
-        if other is not None:
-            wanted = self.world.name
-            raise Unusable(self._words("challenge-other-world", path=path, world=other, wanted=wanted))
-        return judge_events(recorded, self._starts, self._words, self._order.settings, answers)
+        settings = self._order.settings
+        return any(judge_program("", (each,), self._words, settings)[0].is_solved for each in self.starts)
 
     def spare_line(self, solution: Mapping[str, str]) -> tuple[str, int] | None:
         """The robot and the line of the first command that a solution does not need; None if it needs all."""

@@ -11,7 +11,7 @@ import unicodedata
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import combinations, pairwise
 from math import atan2, ceil, degrees, hypot
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -34,7 +34,7 @@ from donnie_tui.core.events import (
     Waited,
 )
 from worlds import challenges
-from worlds.challenges import Area, Challenge, ChallengeQuestion, Goal, Never, Place, Rules, Target, Variant
+from worlds.challenges import Area, Challenge, Goal, Heading, Place, Rules, Target
 
 DEGREES = 10.0
 """What a robot that faces a direction may be off by, for each step of ``within``."""
@@ -241,25 +241,25 @@ def goals_of_end(room: Inventory, events: Iterable[Stamped]) -> tuple[Goal, ...]
     return (*goals, Goal(said=track.said)) if track.said else tuple(goals)
 
 
-_NAMING: Mapping[type, tuple[str, ...]] = {
-    Goal: ("at", "visited", "near", "thing", "holds", "robot", "robots"),
-    Never: ("touch", "near"),
-    Variant: ("things",),
-    ChallengeQuestion: ("of", "origin"),
+_NAMING = {
+    "goal": ("at", "visited", "near", "thing", "holds", "robot", "robots"),
+    "never": ("touch", "near"),
+    "variant": ("things",),
+    "question": ("of", "origin"),
 }
-"""What names things and robots."""
+"""What names things and robots, by table."""
 
 
 def unknown_names(rules: Rules, room: Inventory) -> Iterator[tuple[str, str, str]]:
     """The names that no thing or robot of the world has: the table of the file, the key, and the name."""
-    several = ((each, enumerate(getattr(rules, each))) for each in ("goal", "variant", "question"))
-    tables = ((f"{table}[{at}]", one) for table, found in several for at, one in found)
-    for table, one in (*tables, ("never", rules.never)):
-        for key in _NAMING[type(one)]:
-            named = getattr(one, key)
-            for name in (named,) if isinstance(named, str) else named or ():
-                if isinstance(name, str) and not _is_known(name, key, room):
-                    yield table, "from" if key == "origin" else key, name
+    for table, keys in _NAMING.items():
+        found = getattr(rules, table)
+        several = ((f"{table}[{at}]", each) for at, each in enumerate(found)) if table != "never" else ()
+        for place, one in several or ((table, found),):
+            for key, named in ((key, getattr(one, key)) for key in keys):
+                for name in (named,) if isinstance(named, str) else named or ():
+                    if isinstance(name, str) and not _is_known(name, key, room):
+                        yield place, "from" if key == "origin" else key, name
 
 
 def _is_known(name: str, key: str, room: Inventory) -> bool:
@@ -353,7 +353,7 @@ def _missing(goal: Goal, track: Track) -> Shortfall | None:
     """What is missing; None if the goal is met."""
     if not track.has_run:
         return Shortfall("goal-no-run", {})
-    found = _JUDGES[goal.kind](goal, track)
+    found = _JUDGES[goal.kind](goal, getattr(goal, goal.kind), track)
     return found if found is None or not goal.robot else _of_robot(found, goal.robot)
 
 
@@ -377,81 +377,73 @@ def _end(robot: str, track: Track) -> Pose:
     return _way(robot, track)[-1].pose
 
 
-def _at(goal: Goal, track: Track, robot: str | None = None) -> Shortfall | None:
+def _at(goal: Goal, target: Target, track: Track, robot: str | None = None) -> Shortfall | None:
     """``robot``: one of several that are meant, in place of the goal's."""
-    assert goal.at is not None
     here = _end(goal.robot if robot is None else robot, track)
-    gap, item = gap_to(here, goal.at, track.room, track.items)
+    gap, item = gap_to(here, target, track.room, track.items)
     if gap <= goal.within + NEARLY:
         return None
-    if isinstance(goal.at, str) and item is not None:
+    if item is not None:
         code, direction = "goal-at-thing", bearing(here.x, here.y, item.x, item.y)
     else:
-        code, direction = "goal-at-place", bearing(*_middle(goal.at, track), here.x, here.y)
-    return Shortfall(code, {"steps": in_steps(gap), "direction": direction, "target": goal.at})
+        code, direction = "goal-at-place", bearing(*_middle(target, track), here.x, here.y)
+    return Shortfall(code, {"steps": in_steps(gap), "direction": direction, "target": target})
 
 
-def _facing(goal: Goal, track: Track) -> Shortfall | None:
-    assert goal.facing is not None
-    heading = _end(goal.robot, track).heading
-    off = (heading - challenges.degrees_of(goal.facing) + 180) % 360 - 180
+def _facing(goal: Goal, wanted: Heading, track: Track) -> Shortfall | None:
+    off = (_end(goal.robot, track).heading - challenges.degrees_of(wanted) + 180) % 360 - 180
     if abs(off) <= goal.within * DEGREES:
         return None
     code = "goal-facing-right" if off < 0 else "goal-facing-left"
     return Shortfall(code, {"degrees": round(abs(off))})
 
 
-def _visited(goal: Goal, track: Track) -> Shortfall | None:
-    assert goal.visited is not None
+def _visited(goal: Goal, targets: Sequence[Target], track: Track) -> Shortfall | None:
     way, room = _way(goal.robot, track), track.room
     if goal.any_order:
-        gaps = ((each, smallest_gap(each, room, way)) for each in goal.visited)
+        gaps = ((each, smallest_gap(each, room, way)) for each in targets)
         missed = [each for each, gap in gaps if gap > goal.within + NEARLY]
     else:
-        missed = list(goal.visited)
+        missed = [*targets]
         for pose, items in every_tenth(way):
             while missed and gap_to(pose, missed[0], room, items)[0] <= goal.within + NEARLY:
                 missed.pop(0)
     return Shortfall("goal-visited", {"target": missed[0]}) if missed else None
 
 
-def _near(goal: Goal, track: Track) -> Shortfall | None:
-    assert goal.near is not None
-    gap = smallest_gap(goal.near, track.room, _way(goal.robot, track))
+def _near(goal: Goal, target: Target, track: Track) -> Shortfall | None:
+    gap = smallest_gap(target, track.room, _way(goal.robot, track))
     if gap <= goal.within + NEARLY:
         return None
-    return Shortfall("goal-near", {"steps": in_steps(gap), "target": goal.near})
+    return Shortfall("goal-near", {"steps": in_steps(gap), "target": target})
 
 
-def _area(goal: Goal, track: Track) -> Shortfall | None:
+def _area(goal: Goal, area: Area, track: Track) -> Shortfall | None:
     """Reached at any time; with ``stay`` not left afterwards."""
-    assert goal.area is not None
     is_inside = False
     for pose, _ in every_tenth(_way(goal.robot, track)):
-        gap, direction = way_out(pose.x, pose.y, goal.area)
+        gap, direction = way_out(pose.x, pose.y, area)
         if is_inside and goal.stay and gap > NEARLY:
-            return Shortfall("goal-area-left", {"direction": direction, "area": goal.area})
+            return Shortfall("goal-area-left", {"direction": direction, "area": area})
         is_inside = is_inside or gap <= NEARLY
     if is_inside:
         return None
-    return Shortfall("goal-area", {"steps": in_steps(gap), "direction": direction, "area": goal.area})
+    return Shortfall("goal-area", {"steps": in_steps(gap), "direction": direction, "area": area})
 
 
-def _thing(goal: Goal, track: Track) -> Shortfall | None:
-    assert goal.thing is not None
-    found = [each for each in track.items if each.is_called(goal.thing)]
+def _thing(goal: Goal, name: str, track: Track) -> Shortfall | None:
+    found = [each for each in track.items if each.is_called(name)]
+    if not found:
+        return Shortfall("goal-no-thing", {"target": name})
     if goal.area is not None:
         code, within, area = "goal-thing-area", 0.0, goal.area
     else:
         assert goal.at is not None
-        code, within, place = "goal-thing", goal.within, _middle(goal.at, track)
-        area = (place, place)
-    if not found:
-        return Shortfall("goal-no-thing", {"target": goal.thing})
+        code, within, area = "goal-thing", goal.within, (_middle(goal.at, track),) * 2
     gap, direction = min(way_out(each.x, each.y, area) for each in found)
     if gap <= within + NEARLY:
         return None
-    return Shortfall(code, {"steps": in_steps(gap), "direction": direction, "target": goal.thing})
+    return Shortfall(code, {"steps": in_steps(gap), "direction": direction, "target": name})
 
 
 def _middle(target: Target, track: Track) -> Place:
@@ -461,11 +453,10 @@ def _middle(target: Target, track: Track) -> Place:
     return found.x, found.y
 
 
-def _said(goal: Goal, track: Track) -> Shortfall | None:
+def _said(_: Goal, wanted: object, track: Track) -> Shortfall | None:
     """A text, or several in this order; other sentences may come between."""
-    wanted = goal.said if isinstance(goal.said, tuple) else (goal.said,)
     said, before = iter(track.said), ""
-    for each in map(str, wanted):
+    for each in map(str, wanted if isinstance(wanted, tuple) else (wanted,)):
         if not any(_is_same_text(each, one) for one in said):
             is_said = before and any(_is_same_text(each, one) for one in track.said)
             return Shortfall("goal-said-order" if is_said else "goal-said", {"text": each, "before": before})
@@ -473,31 +464,27 @@ def _said(goal: Goal, track: Track) -> Shortfall | None:
     return None
 
 
-def _counted(goal: Goal, track: Track) -> Shortfall | None:
-    assert goal.counted is not None
+def _counted(goal: Goal, name: str, track: Track) -> Shortfall | None:
     variables = track.variables.get(track.room.robot_called(goal.robot) or "", {})
-    values = {folded(name): value for name, value in variables.items()}
-    value = values.get(folded(goal.counted))
+    value = {folded(each): value for each, value in variables.items()}.get(folded(name))
     if value is None:
-        return Shortfall("goal-not-counted", {"name": goal.counted})
+        return Shortfall("goal-not-counted", {"name": name})
     if value == goal.value:
         return None
-    return Shortfall("goal-counted", {"name": goal.counted, "value": value, "wanted": goal.value})
+    return Shortfall("goal-counted", {"name": name, "value": value, "wanted": goal.value})
 
 
-def _holds(goal: Goal, track: Track) -> Shortfall | None:
-    assert goal.holds is not None
-    wanted = [name for each in track.room.called(goal.holds) for name in (each.name, each.kind)]
+def _holds(goal: Goal, thing: str, track: Track) -> Shortfall | None:
+    wanted = [name for each in track.room.called(thing) for name in (each.name, each.kind)]
     held = track.held.get(track.room.robot_called(goal.robot) or "", "")
-    return None if held and held in wanted else Shortfall("goal-holds", {"target": goal.holds})
+    return None if held and held in wanted else Shortfall("goal-holds", {"target": thing})
 
 
-def _robots(goal: Goal, track: Track) -> Shortfall | None:
+def _robots(goal: Goal, robots: Sequence[str], track: Track) -> Shortfall | None:
     """All at their place at the end; without a place, side by side at some moment."""
-    assert goal.robots is not None
-    names = [track.room.robot_called(each) or "" for each in goal.robots]
+    names = [track.room.robot_called(each) or "" for each in robots]
     if goal.at is not None:
-        missing = ((_at(goal, track, name), name) for name in names)
+        missing = ((_at(goal, goal.at, track, name), name) for name in names)
         return next((_of_robot(found, name) for found, name in missing if found is not None), None)
     for one, other in combinations(names, 2):
         ways = ((each[one], each[other]) for each in track.meetings)
@@ -508,7 +495,7 @@ def _robots(goal: Goal, track: Track) -> Shortfall | None:
     return None
 
 
-_JUDGES: Mapping[str, Callable[[Goal, Track], Shortfall | None]] = {
+_JUDGES: Mapping[str, Callable[[Goal, Any, Track], Shortfall | None]] = {
     "at": _at,
     "facing": _facing,
     "visited": _visited,
@@ -520,6 +507,7 @@ _JUDGES: Mapping[str, Callable[[Goal, Track], Shortfall | None]] = {
     "holds": _holds,
     "robots": _robots,
 }
+"""By the key that says what a goal is; with the value of that key."""
 
 
 # --- what must not happen

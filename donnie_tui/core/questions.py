@@ -80,10 +80,9 @@ class Asked(Struct, frozen=True):
                 if degrees is None:
                     return False
                 return abs((degrees - self._direction() + 180) % 360 - 180) <= tolerance
-            case Ask.DISTANCE:
-                return bool(numbers) and abs(numbers[0] - self._distance(question.things[0])) <= tolerance
-            case Ask.COUNT:
-                return bool(numbers) and abs(numbers[0] - self._count()) <= tolerance
+            case Ask.DISTANCE | Ask.COUNT as ask:
+                amount = self._count() if ask is Ask.COUNT else self._distance(question.things[0])
+                return bool(numbers) and abs(numbers[0] - amount) <= tolerance
             case Ask.COLOUR:
                 words = (keywords.argument("COLOUR", each) for each in re.findall(r"\w+", typed))
                 return self._colour() in [each.value for each in words if each is not None]
