@@ -438,6 +438,8 @@ class _Judging:
         self.world = world_of(found, order.words)
         self._room = inventory_of(self.world.scene)
         self.starts = starts_of(found, self.world, order.words, order.settings)
+        self._known: dict[tuple[tuple[str, str], ...], _Record] = {}
+        """What was said of programs: many pupils hand in the same."""
 
     def pupils(self, given: Sequence[str]) -> tuple[_Pupil, ...]:
         """Those whose programs were given: files, folders, or a program for each robot.
@@ -492,15 +494,19 @@ class _Judging:
         except Unusable as unusable:
             line = found["verdict"] = unusable.sentence
         else:
-            verdicts = self.verdicts(texts)
-            shown = verdicts[0] if verdicts[-1].is_solved else verdicts[-1]
-            found |= {"solved": shown.is_solved, "goals": shown.goals, "met": shown.met}
-            found |= {each: getattr(shown.track, each) for each in _COUNTED}
-            found["verdict"] = verdict_in_words(verdicts, self._words)
+            key = tuple(texts.items())
+            found |= self._known.get(key) or self._known.setdefault(key, self._judged(texts))
             line = self._words("challenge-verdict", file=pupil.label, verdict=found["verdict"])
         if not self.is_json:
             self._order.output.line(line)
         return found
+
+    def _judged(self, programs: Programs) -> _Record:
+        verdicts = self.verdicts(programs)
+        shown = verdicts[0] if verdicts[-1].is_solved else verdicts[-1]
+        found = _Record(solved=shown.is_solved, goals=shown.goals, met=shown.met)
+        found |= {each: getattr(shown.track, each) for each in _COUNTED}
+        return found | {"verdict": verdict_in_words(verdicts, self._words)}
 
     def _refuse_links(self, pupil: _Pupil) -> None:
         """What a pupil hands in is no other file of the machine. Raises ``Unusable``."""

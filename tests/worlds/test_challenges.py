@@ -12,6 +12,7 @@ from typing import cast
 import pytest
 
 from donnie_tui import bootstrap
+from donnie_tui.cli import programs
 from donnie_tui.cli.main import main
 from donnie_tui.cli.options import understand
 from donnie_tui.core.describe import task_in_words
@@ -540,6 +541,23 @@ def test_answers_and_tables_that_cannot_be_written_are_a_sentence(
             f"I can't {'make' if option == '--feedback' else 'write'} {place}"
         )
     assert program.read_text() == "FW 5"
+
+
+def test_equal_programs_are_judged_once_and_have_a_line_each(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    judged, judge = list[object](), programs.judge_program
+    monkeypatch.setattr(programs, "judge_program", lambda *given: judged.append(given[0]) or judge(*given))
+    for name, text in {"ana": "FW 5", "bia": "FW 4", "caio": "FW 5", "davi": "FW 4"}.items():
+        (tmp_path / f"{name}.gd").write_text(text)
+
+    assert main(["challenge", "check", "1", str(tmp_path), "--lang", "en"]) == 1
+
+    assert judged == [{"donnie": "FW 5"}, {"donnie": "FW 4"}]
+    right, short = "Solved, in 1 command.", "0 of 1 goal. You stopped 1 step south of 0, 5."
+    said = {"ana.gd": right, "bia.gd": short, "caio.gd": right, "davi.gd": short}
+    lines = [f"{name}: {verdict}" for name, verdict in said.items()]
+    assert capsys.readouterr().out.splitlines() == [*lines, "4 programs. 2 solved."]
 
 
 def test_a_link_in_a_folder_of_pupils_reads_and_writes_no_other_file(
