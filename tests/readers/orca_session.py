@@ -22,7 +22,8 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROWS, COLUMNS = 24, 80
-TIMEOUT = 60.0
+TIMEOUT = 240.0
+"""As ``tests.timeouts``, which Debian's Python doesn't find."""
 SILENCE = 1.5
 """Seconds of silence after which Orca has described the window."""
 
