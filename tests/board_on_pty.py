@@ -29,8 +29,11 @@ MOST_AT_ONCE = 4096
 class PtyBoard:
     """A context manager: inside, ``path`` can be opened as a serial port."""
 
-    def __init__(self, board: SimulatedBoard, wire: NoisyWire | None = None) -> None:
-        self.board = board
+    def __init__(
+        self, board: SimulatedBoard, wire: NoisyWire | None = None, *, slowness: float = 1.0
+    ) -> None:
+        """``slowness``: seconds in which one of the board passes; a late stop is less late for it."""
+        self.board, self._slowness = board, slowness
         self.received = bytearray()
         """All bytes that were written to the board, before the wire changed them."""
         self.has_battery = False
@@ -89,7 +92,7 @@ class PtyBoard:
         while not self._ending.wait(POLL):
             now = time.monotonic()
             with self._lock:
-                self._poll(min(LONGEST_POLL, now - then))
+                self._poll(min(LONGEST_POLL, now - then) / self._slowness)
             then = now
 
     def _poll(self, seconds: float) -> None:

@@ -92,7 +92,7 @@ def simulator(closing: ExitStack, pace: Pace, progress: Progress) -> Robot:
 def on_a_device_path(closing: ExitStack, pace: Pace, progress: Progress) -> Robot:
     """With generous limits for a busy machine; the real limits are tested in virtual time."""
     wall = wall_ahead(STEPS_TO_THE_WALL)
-    double = closing.enter_context(PtyBoard(SimulatedBoard(wall, boot_loader=-0.9)))
+    double = closing.enter_context(PtyBoard(SimulatedBoard(wall, boot_loader=-0.9), slowness=2.0))
     link = SerialLink(double.path, LinkConfig(silence=10.0, lease=5.0, runaway=10.0))
     robot = SerialRobot(link, RobotConfig(stall=10.0, stop_timeout=5.0), pace=pace, watcher=progress)
     robot.connect()
