@@ -69,7 +69,7 @@ __all__ = ["Donnie", "Unusable", "assemble", "colours_of_world", "open_workspace
 
 
 class Notices(Struct, frozen=True):
-    """What is missing in this session, a sentence each, for the start."""
+    """The sentences that a start prints about what this session lacks."""
 
     about_world: tuple[str, ...]
     """Slips in a file of the learner's own."""
@@ -161,7 +161,7 @@ class Donnie(Struct, frozen=True):
         return file
 
     def mounted(self) -> tuple[Mounted, ...]:
-        """What the robot that is talked to has, in its world; a board has its own."""
+        """The devices of the robot in its world; a board has its own."""
         from sim.sensors import mounted
 
         if self.connection.mounted is not None:
@@ -511,7 +511,7 @@ def judge_events(
 
 
 def _try_from(start: Start, programs: Programs, words: Words, settings: Settings) -> list[Stamped]:
-    """What the programs do in the world of that start."""
+    """Runs the programs in the world of that start, and returns what happened."""
     from donnie_tui.core.runner import Run, RunRequest
     from sim.world import World
 

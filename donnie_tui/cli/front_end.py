@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 
 class _CarriedOver(Struct):
-    """What goes along from one mode to the other."""
+    """What one mode passes on to the other."""
 
     file: str | None
     greeting: Greeting | None
@@ -78,7 +78,7 @@ def _run_linear(settings: Settings, cause: str, along: _CarriedOver) -> int:
 
 
 class ProcessEnvironment(Struct, frozen=True):
-    """What the process was started in."""
+    """The surroundings in which the process was started."""
 
     stdin_is_terminal: bool
     stdout_is_terminal: bool

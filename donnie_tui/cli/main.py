@@ -44,7 +44,7 @@ if TYPE_CHECKING:
 
 
 class _Start(Struct, frozen=True):
-    """What there is before a command is understood."""
+    """What is known before the command line is parsed."""
 
     output: Output
     machine: Mapping[str, object]
@@ -198,7 +198,7 @@ def _order(invocation: Invocation, own: _OwnSettings, start: _Start) -> Order:
 
 
 def _at_server(settings: Settings) -> Settings:
-    """With the robot of the server that runs, in the world that ``donnie_player`` serves."""
+    """The settings with the robot of the server that runs, in the world that ``donnie_player`` serves."""
     import worlds
     from donnie_tui.robot.search import running_server
 

@@ -148,7 +148,7 @@ async def serve_until_signal(server: PageServer, on_start: Callable[[], object])
 
 
 class PageServer:
-    """From ``start`` to ``close``."""
+    """Serves pages from ``start`` to ``close``."""
 
     def __init__(
         self,

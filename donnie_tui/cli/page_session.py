@@ -164,7 +164,7 @@ class PageSession(AppService):
     # --- from the page
 
     async def _take(self, data: str) -> None:
-        """What can't be understood is ignored."""
+        """Obeys a message of the page, and ignores one that can't be understood."""
         try:
             message = _MESSAGES.decode(data)
         except msgspec.DecodeError:
@@ -300,14 +300,14 @@ def as_reason(sentence: str) -> bytes:
 
 
 def _send(process: Process | None, number: int) -> None:
-    """By its id: ``send_signal`` would collect a process that has ended, before asyncio does."""
+    """Signals a process by its id: ``send_signal`` would collect one that has ended before asyncio does."""
     if process is not None and process.returncode is None:
         with suppress(ProcessLookupError):
             os.kill(process.pid, number)
 
 
 def _kill_group(process: Process) -> None:
-    """With what it has started itself."""
+    """Kills a process and all that it has started."""
     with suppress(ProcessLookupError):
         if hasattr(signal, "SIGKILL"):
             os.killpg(process.pid, signal.SIGKILL)

@@ -362,7 +362,7 @@ def _new_challenge(order: Order, name: str) -> int:
 
 
 def _test_challenges(order: Order, given: Sequence[str]) -> int:
-    """Of a folder all. One that can't be used has its line, and the others are tested, too."""
+    """Tests each challenge, of a folder all. One that can't be used doesn't keep the others from it."""
     codes = []
     for name in (each for one in given for each in (*map(str, challenges.files_in(one)),) or (one,)):
         try:
@@ -486,7 +486,7 @@ class _Judging:
         return {each: named[folded(each)] for each in self._room.robots if folded(each) in named}
 
     def record(self, pupil: _Pupil) -> _Record:
-        """What there is to say about a pupil; prints its line unless all is asked for as JSON."""
+        """The record of a pupil; also prints the line about it, unless JSON is wanted."""
         found, first = _Record(file=pupil.name, solved=None), self.world.scene.robot_names[0]
         try:
             self._refuse_links(pupil)
@@ -509,7 +509,7 @@ class _Judging:
         return found | {"verdict": verdict_in_words(verdicts, self._words)}
 
     def _refuse_links(self, pupil: _Pupil) -> None:
-        """What a pupil hands in is no other file of the machine. Raises ``Unusable``."""
+        """Refuses links, which could lead to other files of the machine. Raises ``Unusable``."""
         for file in pupil.files.values() if pupil.given else ():
             if not Path(file).resolve().is_relative_to(Path(pupil.given).resolve()):
                 raise Unusable(self._words("check-leads-out", path=file))

@@ -349,7 +349,7 @@ def _language_of(stamped: Stamped) -> str | None:
 
 
 def _printer(output: Output, words: Words, *, with_words: bool) -> Callable[[Stamped], None]:
-    """Without words if events go to standard output; errors are printed all the same."""
+    """Prints events as lines; without words only complaints, since events go to standard output."""
 
     def show(stamped: Stamped) -> None:
         for line in printed_lines(stamped, words):
@@ -465,7 +465,7 @@ class ReplayPrompt:
         self._say(undone_in_words(undone, self._timeline, self._words))
 
     def _go(self) -> None:
-        """On to the end, until Ctrl+C."""
+        """Plays on to the end, or until Ctrl+C."""
         self._replay.control = ExecutionControl()
         with stopped_by_signals(self._replay.control.stop):
             if self._replay.forwards(self._show):

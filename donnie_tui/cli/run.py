@@ -235,7 +235,7 @@ def _run(order: Order, files: Sequence[str], *, trace: bool) -> int:
 
 
 def _assembled(order: Order) -> Donnie:
-    """With its robot. A signal meanwhile ends that as a failure does: what was opened is stopped."""
+    """A session with its robot. A signal meanwhile counts as a failure: what was opened is stopped."""
     search, given_up = Search(), False
 
     def give_up() -> None:
@@ -305,7 +305,7 @@ def _stop_robot(donnie: Donnie) -> None:
 
 
 def _code(donnie: Donnie) -> int:
-    """Of a run that was stopped."""
+    """The exit code of a run that was stopped."""
     return ExitCode.FAILED if donnie.connection.has_run_away else ExitCode.STOPPED
 
 

@@ -248,7 +248,7 @@ def let_sound(is_still_within: Callable[[float], bool], stopped: threading.Event
 
 
 def is_terminal(stream: object) -> bool:
-    """Also of none, as in a process that was started without it, and of a closed one."""
+    """Whether a stream is a terminal; False for a missing or a closed one."""
     try:
         return bool(stream is not None and stream.isatty())  # type: ignore[attr-defined] # a stream, or closed
     except ValueError:

@@ -103,7 +103,7 @@ def list_worlds(order: Order) -> int:
 
 
 def describe_world(order: Order) -> int:
-    """In the form that was asked for, in words if none was; ``new`` and a file make a world."""
+    """Describes a world in the form that was asked for, else in words; ``new`` and a file make a world."""
     arguments, words = order.invocation.arguments, order.words
     match arguments.name:
         case ["new", file]:
@@ -190,7 +190,7 @@ def _json(world: ChosenWorld) -> str:
 
 
 def _words(world: ChosenWorld, words: Words) -> tuple[str, ...]:
-    """What its author says of it, else what can be measured."""
+    """The description by its author, else what can be measured."""
     from sim.picture import picture
 
     about = world.about(words.language)
@@ -200,7 +200,7 @@ def _words(world: ChosenWorld, words: Words) -> tuple[str, ...]:
 
 
 def _robots(scene: Scene, words: Words) -> tuple[str, ...]:
-    """By which names they are programmed."""
+    """The names by which the robots are programmed."""
     names = scene.robot_names
     if len(names) < 2:
         return ()
@@ -247,7 +247,7 @@ MOST_COLOURS = 40
 def _colours_by_letter(
     seen: Picture, shown: Sequence[str], across: int, words: Words
 ) -> Mapping[str, list[str]]:
-    """Of the things by their letters, in reading order; one where all have the same."""
+    """The colours of the things by their letters, in reading order; one where all have the same."""
     from donnie_tui.world.drawing import groups_in
 
     colours: dict[str, list[str]] = {}
@@ -268,7 +268,7 @@ def _colours_by_letter(
 def _legend(
     world: ChosenWorld, seen: Picture, shown: set[str], colours: Mapping[str, Sequence[str]], words: Words
 ) -> tuple[str, ...]:
-    """Of what is on the map: walls and floor, then the robots, then the things by their letters."""
+    """The legend of the map: walls and floor, then the robots, then the things by their letters."""
     robots = list(world.scene.robot_names)
     names = {" ".join(_ARROWS): robots} if robots else {}
     for thing in sorted(seen.things, key=lambda each: each.letter):
@@ -306,7 +306,7 @@ def _braille_pages(world: ChosenWorld, words: Words) -> str:
 
 
 def _title(world: ChosenWorld, words: Words) -> str:
-    """With the author's title, or the name of the world."""
+    """The title by its author, or the name of the world."""
     return words("paper-title", name=world.title(words.language))
 
 

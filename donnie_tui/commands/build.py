@@ -80,7 +80,7 @@ async def remove(ctx: Context, argument: str) -> None:
 
 
 def _parts(argument: str, *counts: int) -> tuple[str, tuple[int, ...], str]:
-    """What is meant, as many numbers as are wanted, and the name after AS. Raises ``NotUnderstood``.
+    """The thing, as many numbers as are wanted, and the name after AS. Raises ``NotUnderstood``.
 
     Numbers before these are part of a name: MOVE box 2 1 0.
     """

@@ -254,7 +254,7 @@ class Attempt:
         return self._now
 
     def judgment(self) -> Judgment:
-        """Of what was done from the first start."""
+        """The judgment of what was done from the first start."""
         from donnie_tui.core.goals import judge
 
         return judge(self._starts[0].challenge, self.room, self._happened(), self._no_answers)
@@ -270,7 +270,7 @@ class Attempt:
 
     @property
     def rules(self) -> Rules:
-        """With the goals of the first start, which the end of the solution may be."""
+        """The rules with the goals of the first start, which the end of the solution may be."""
         return self._starts[0].challenge.rules
 
     @cached_property
@@ -350,7 +350,7 @@ class Attempt:
         return self._is_lost and not before and not begins_anew(starts[-1])
 
     def _is_to_be_asked(self, *, is_solved: bool) -> bool:
-        """After the first program that solved nothing, and after each solution, until all are answered."""
+        """Whether questions are due: after the first failed program and each solution, until answered."""
         if self.is_answered or not self.challenge.rules.question:
             return False
         is_due = is_solved or (self._is_program and not self._was_asked)

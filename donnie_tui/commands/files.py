@@ -268,7 +268,7 @@ def _free_name(ctx: Context) -> str:
 
 
 async def _write(ctx: Context, document: Document, path: Path) -> bool:
-    """What is typed during the write is not saved."""
+    """Writes the program; text that is typed during the write is not saved."""
     text, slow = document.text, ctx.words("slow-saving", name=path.name)
     try:
         await ctx.interaction.background(lambda: ctx.workspace.save(document, path, text), slow)

@@ -103,7 +103,7 @@ def _topic_lines(topic: str, typed: str, words: Wording) -> tuple[str, ...]:
 
 
 def _command_lines(typed: str, words: Wording) -> tuple[str, ...]:
-    """What is said of a command, then the word of GoDonnie that a beginner may mean: MOVE, BACK."""
+    """The lines about a command, then the word of GoDonnie that a beginner may mean: MOVE, BACK."""
     lines, meant_word = help_of(typed, words), said_for(typed, words)
     return (*lines, words.help(meant_word)[0]) if lines and meant_word else lines
 
@@ -304,7 +304,7 @@ async def _ask_about_goals(ctx: Context, attempt: Attempt) -> None:
 
 @handles("results")
 async def results(ctx: Context, _: str) -> None:
-    """What was tried and solved. Compares no learners."""
+    """Lists the challenges that were tried and solved. Compares no learners."""
     kept: dict[str, list[Attempted]] = {}
     here = ctx.attempt
     waiting = here.tried if here is not None else None
@@ -358,7 +358,7 @@ async def visual(ctx: Context, _: str) -> None:
 
 
 async def _switch_mode(ctx: Context) -> None:
-    """What runs is stopped first."""
+    """Stops what runs, then changes the mode."""
     team = ctx.donnie.team
     runs = [session.run for session in team.running if session.run is not None]
     team.stop()

@@ -224,7 +224,7 @@ class Screen(Protocol):
         """Mark the mistakes of the program as it is now."""
 
     def place_cursor(self, line: int, column: int) -> None:
-        """In the program, with the focus where it is."""
+        """Moves the cursor in the program; the focus stays."""
 
     def explore(self, change: Callable[[Pointer], object]) -> None:
         """Change the pointer on the map, with the focus there."""
@@ -326,7 +326,7 @@ def read_count(argument: str, default: int) -> int:
 
 
 def read_numbers(argument: str, *, least: int = 0, most: int) -> tuple[int, ...]:
-    """From ``least`` to ``most`` whole numbers, with blanks or commas between them."""
+    """Reads from ``least`` to ``most`` whole numbers, with blanks or commas between them."""
     found = numbers_in(argument, most=most)
     if found is None or len(found) < least:
         raise NotUnderstood
@@ -353,7 +353,7 @@ NO_REPLACEMENT = '""'
 
 
 def replacement(typed: str | None) -> str | None:
-    """What REPLACE puts in place of a word. None for no answer and for Enter alone, which change nothing.
+    """The text with which REPLACE replaces a word. None for no answer and for Enter alone: nothing changes.
 
     Two quotes delete the word: they are not typed by mistake.
     """
@@ -366,7 +366,7 @@ _MOST_CHARACTERS = 8
 
 
 def numbers_in(typed: str, *, most: int) -> tuple[int, ...] | None:
-    """At most so many whole numbers, blanks or commas between them."""
+    """Reads at most so many whole numbers, with blanks or commas between them."""
     words = typed.replace(",", " ").split()
     if len(words) > most or not all(map(_is_whole, words)):
         return None

@@ -117,7 +117,7 @@ class KeyTable:
 
     @property
     def all(self) -> Mapping[str, tuple[str, ...]]:
-        """By the names of the commands, the key that is shown first."""
+        """The keys by the names of their commands; the key that is shown comes first."""
         return self._keys
 
     def of(self, name: str) -> tuple[str, ...]:

@@ -44,7 +44,7 @@ def words_of(name: str, language: str) -> tuple[str, ...]:
 
 
 def word_of(command: Command, language: str) -> str:
-    """What is typed for it."""
+    """The word that Donnie lists for it."""
     return words_of(command.name, language)[0]
 
 
@@ -143,7 +143,7 @@ def help_of(topic: str, wording: Wording) -> tuple[str, ...]:
 
 
 def _form(command: Command, wording: Wording) -> str:
-    """With what may follow, or must."""
+    """The word, with the argument that may or must follow."""
     word = word_of(command, wording.language)
     if not command.argument:
         return word
@@ -202,7 +202,7 @@ def _mistake_in(line: str, lines: Sequence[str], parse: Callable[[str], Parsed])
 
 
 def _nearest_command(words: Sequence[str], commands: Sequence[Command], language: str) -> Unknown | None:
-    """Of words that begin alike the longer one counts."""
+    """The command that is nearest to what was typed. Of words that begin alike the longer one counts."""
     from language.suggestions import nearest  # most lines begin with a word of GoDonnie
 
     of_language = [word for each in commands for word in words_of(each.name, language)]

@@ -117,7 +117,7 @@ class Preferences:
         return as_text(getattr(self.settings, BY_KEY[key].name))
 
     def choose(self, key: str, text: str) -> None:
-        """From now on. Raises ``ValueError`` for what is no value, as the settings file has it."""
+        """Change it to a text as in the settings file. Raises ``ValueError`` for a text that is no value."""
         from donnie_tui.commands.keys import not_understood  # few settings are keys
 
         if key == "keys" and not_understood(text):

@@ -129,7 +129,7 @@ def _option_in_words(ctx: Context, number: int, option: RobotOption) -> str:
 
 
 def _connect_to(ctx: Context, number: int) -> None:
-    """In a thread of its own: the answers are printed as they come."""
+    """Connects the robot of that number, in a thread of its own. The answers are printed at once."""
     connection, options = ctx.donnie.connection, ctx.donnie.connection.options()
     if not 1 <= number <= len(options):
         ctx.answer("connect-unknown", number=number)

@@ -99,7 +99,7 @@ def _name(ctx: Context) -> str:
 
 
 def _note_run(ctx: Context, ended: Run, *, is_whole: bool) -> None:
-    """After a mistake say in one line what ran, what waits and what was dropped."""
+    """After a mistake, says in one line what ran, what waits and what was dropped."""
     program = ctx.program
     if not ended.was_refused:
         first = 1 if is_whole else program.ran + 1
@@ -132,7 +132,7 @@ def _say_what_waits(ctx: Context) -> None:
 
 
 def _say_what_ran(ctx: Context, first: int) -> None:
-    """After a program that began at line ``first`` failed at one of its lines."""
+    """Says what ran of a program that began at line ``first`` and failed at a later one."""
     program, error = ctx.program, ctx.errors.all[-1] if ctx.errors.all else None
     line = (error.calls[-1] if error.calls else error.line) if error is not None else 0
     if not first <= line <= len(program.lines):

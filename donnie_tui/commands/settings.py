@@ -136,7 +136,7 @@ def _columns(ctx: Context, preference: Preference) -> tuple[str, str, str]:
 
 
 async def _ask_for_value(ctx: Context, preference: Preference) -> None:
-    """From a list, or typed; where there is no screen the choices are said."""
+    """Asks for a value, from a list or typed; where there is no screen the choices are said."""
     key, words = preference.key, ctx.words
     if preference.values or ctx.screen is None:
         await _choose_from_list(ctx, preference)
@@ -249,7 +249,7 @@ def _cue_in_words(ctx: Context, cue: str) -> str:
 
 
 def _change_cue(ctx: Context, cue: str, percent: int) -> None:
-    """From now on, and played at once."""
+    """Changes the volume of a cue from now on, and plays the cue once."""
     volumes = {**ctx.preferences.settings.cues, cue: percent}
     change(ctx, "cues", ", ".join(f"{name} {each}" for name, each in volumes.items()))
     chime(ctx.donnie, cue)

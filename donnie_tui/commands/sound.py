@@ -118,7 +118,7 @@ def chime_block(donnie: Donnie, before: int, after: int) -> None:
 
 
 def cue_volume_typed(typed: str) -> int | None:
-    """In percent: a number, or on and off in any language; None for anything else."""
+    """A typed volume in percent: a number, or on and off in any language; None for anything else."""
     is_on = switched(typed)
     if is_on is not None:
         return LOUD if is_on else SILENT

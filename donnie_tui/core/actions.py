@@ -172,7 +172,7 @@ class RobotActions:
         self._loop_hints.begin_run()
 
     def announce_problem(self, problem: RobotProblem) -> None:
-        """Once a run, although a loop meets it again and again."""
+        """Announces a problem once a run, although a loop meets it again and again."""
         if problem.code not in self._announced:
             self._announced.add(problem.code)
             self._sentences.announce("camera", f"problem-{problem.code}", **problem.values)
@@ -282,7 +282,7 @@ class RobotActions:
         self._publish_movement(event, Bearing.FRONT_RIGHT if to_the_right else Bearing.FRONT_LEFT)
 
     def _publish_movement(self, event: Moved | Turned, ahead: Bearing) -> None:
-        """With what it pushed, and its end on the belt. Raises an error if no movement can follow."""
+        """Publishes a movement and what it pushed, and updates the belt. Raises if no movement can follow."""
         self.past.remember(event)
         self._hub.publish(event)
         self.handling.publish_things()

@@ -103,7 +103,7 @@ def _strongest(block: Iterable[str], strong: str) -> str:
 
 
 def colour_marks(picture: Picture, initials: Mapping[str, str]) -> tuple[ColourMark, ...]:
-    """In reading order. ``initials``: of the colours."""
+    """The marks in reading order. ``initials``: the letter of each colour."""
     mixed = letters_of_several_colours(picture.things)
     found = list[ColourMark]()
     for each in picture.things:

@@ -135,7 +135,7 @@ def _next_words(text: str, start: int, at: int, before: Sequence[Token], languag
 
 
 def _second_words(before: str, tokens: Sequence[Token], language: str) -> Iterator[str]:
-    """After END the word of the block that is open, after RIGHT the word TURN."""
+    """The second words: after END that of the open block, after RIGHT the word TURN."""
     half = before[tokens[-1][1] :].split()
     kinds = kinds_after(tokens[:-1])
     block = open_block(before)
@@ -209,7 +209,7 @@ def _name_at(text: str, start: int) -> str:
 
 
 def _as_typed(word: str, typed: str) -> str:
-    """In small letters where those were typed, a name as it is."""
+    """The word in small letters where those were typed; a name stays as it is."""
     is_keyword = folded_word(word) in TERMINAL_OF_WORD
     return word.lower() if typed and typed.islower() and is_keyword else word
 
@@ -233,7 +233,7 @@ class NextLine(msgspec.Struct, frozen=True):
 
 
 def next_line(lines: Sequence[str], row: int, language: str) -> NextLine:
-    """What follows the row (from 0), whose end is where the cursor is."""
+    """The line after the row (from 0) at whose end the cursor is."""
     line = lines[row]
     before, number = _indent_of(line), row + 1
     if not line.strip() or sum(map(len, lines)) > LONGEST_CHECKED:

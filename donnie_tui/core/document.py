@@ -299,7 +299,7 @@ class Document:
     def batch_was_refused(
         self, wrong: Mapping[int, str] = NONE_WRONG, *, is_unfinished: bool = False
     ) -> bool:
-        """After mistakes of form in the lines ``wrong``, each with what was probably meant.
+        """Takes note of mistakes of form in the lines ``wrong``, each with what was probably meant.
 
         True if the lines were kept, False if there was one, which is dropped unless it ``is_unfinished``.
         """

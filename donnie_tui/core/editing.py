@@ -147,7 +147,7 @@ class UndoHistory:
         return tuple(each for each in (*self._past, *self._future) if isinstance(each, Version))
 
     def _drop_oldest(self) -> None:
-        """Of very long programs fewer changes can be undone."""
+        """Drops the oldest versions; of a very long program fewer changes can be undone."""
         while len(self._past) > 1 and self._lines_kept > MOST_LINES_KEPT:
             self._past.popleft()
         while len(self._future) > 1 and self._lines_kept > MOST_LINES_KEPT:

@@ -375,7 +375,7 @@ def as_record(stamped: Stamped, *, whole: bool = False) -> dict[str, object]:
 
 
 def _fields(value: Struct, whole: bool) -> dict[str, object]:
-    """Without those that are private, and those that are optional and None."""
+    """The fields of an event, without private ones and optional ones that are None."""
     private = () if whole else getattr(value, "PRIVATE", ())
     absent = [name for name in getattr(value, "OPTIONAL", ()) if getattr(value, name) is None]
     names = zip(value.__struct_fields__, value.__struct_encode_fields__, strict=True)

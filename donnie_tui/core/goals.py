@@ -674,7 +674,7 @@ def _parts(text: str) -> list[str | float]:
 
 
 def folded(text: str) -> str:
-    """Without case, accents, punctuation and doubled blanks."""
+    """The text without case, accents, punctuation and doubled blanks."""
     plain = unicodedata.normalize("NFKD", text.casefold())
     kept = "".join(each if each.isalnum() else " " for each in plain if not unicodedata.combining(each))
     return " ".join(kept.split())

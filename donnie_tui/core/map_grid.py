@@ -316,7 +316,7 @@ class Trail:
         return tuple(_move(each, wording) for each in moves) or (wording("trail-none"),)
 
     def rows(self) -> tuple[tuple[str, int, int, int, int, bool], ...]:
-        """For a table: command, steps or degrees done, x, y, heading, whether it was cut short."""
+        """The rows of a table: command, steps or degrees done, x, y, heading, whether it was cut short."""
         return tuple(
             (
                 each.command,

@@ -234,7 +234,7 @@ def _compile(language: str, folder: Path) -> None:
 
 
 def _replace(file: Path, content: bytes) -> None:
-    """At once, because a Donnie that starts meanwhile may read it."""
+    """Replace the file at once, because a Donnie that starts meanwhile may read it."""
     new = file.with_suffix(".new")
     new.write_bytes(content)
     new.replace(file)

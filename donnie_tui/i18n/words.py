@@ -127,7 +127,7 @@ def find(code: str, language: str, detail: str = "normal") -> Sentence | None:
 
 @cache
 def codes(language: str) -> tuple[str, ...]:
-    """Of every sentence that a language has; other levels of detail are like ``walked-forward|brief``."""
+    """The codes of all sentences of a language; other levels of detail are like ``walked-forward|brief``."""
     return tuple(_translations(language).gettext(CODES).split("\n"))
 
 
@@ -140,7 +140,7 @@ class _Missing(NullTranslations):
 
 @cache
 def _translations(language: str) -> NullTranslations:
-    """Without a file that can be read a language has no sentences, and speaks English."""
+    """The sentences of a language; without a readable file it has none, and speaks English."""
     try:
         found = GNUTranslations(BytesIO(_compiled(language)))
     except (OSError, ValueError, LookupError, struct.error):  # the last two of a damaged compiled file

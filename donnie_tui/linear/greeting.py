@@ -201,7 +201,7 @@ def _has_other_settings(environment: os._Environ[str] | dict[str, str]) -> bool:
 
 
 def _taken_terminal() -> Terminal:
-    """Until the console handles signals, Ctrl+C is a key like any other."""
+    """Takes the terminal. Until the console handles signals, Ctrl+C is a key like any other."""
     import atexit
 
     terminal = Terminal()

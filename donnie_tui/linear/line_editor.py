@@ -29,7 +29,7 @@ ESCAPE_DELAY = 0.05
 
 
 class Act(Enum):
-    """What a key is for."""
+    """The purpose of a key."""
 
     TEXT = auto()
     ENTER = auto()
@@ -306,7 +306,7 @@ class EditLine:
         return places(0, self._start, self._text, max(2, self._columns()))
 
     def _move(self, here: tuple[int, int], there: tuple[int, int], passing: list[str] | None = None) -> str:
-        """From one place to another; to the right over ``passing``, where given, by writing it again."""
+        """Moves the cursor; to the right over ``passing``, where given, by writing it again."""
         rows, cells = there[0] - here[0], there[1] - here[1]
         if passing and rows == 0 and len(passing) == 1 and width(passing[0]) == cells:
             return passing[0]
@@ -326,7 +326,7 @@ def _wrapped(written: list[str], at: list[tuple[int, int]]) -> str:
 
 
 def _erased(old_end: tuple[int, int], new_end: tuple[int, int]) -> str:
-    """What clears the rest of a line that became shorter. The cursor is at its new end."""
+    """The text that clears the rest of a line that became shorter. The cursor is at its new end."""
     if new_end >= old_end:
         return ""
     return "\x1b[K" if new_end[0] == old_end[0] else "\x1b[J"

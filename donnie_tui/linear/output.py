@@ -152,7 +152,7 @@ class OutputQueue:
 
 
 def _shown(line: str) -> str:
-    """Without blanks at its ends."""
+    """The line without blanks at its ends."""
     return printable(line).strip()
 
 

@@ -109,7 +109,7 @@ class Streams(Struct, frozen=True):
         self.output.paced = self.is_terminal and PageBreak(self.settings().page) is PageBreak.REST
 
     def end_line(self, typed: Typed) -> None:
-        """If the terminal has not printed the newline of Enter, hold it back until there is an answer."""
+        """Hold the newline of Enter back until there is an answer, if the terminal has not printed it."""
         if self.is_attended and (self.can_edit or typed.how is not How.ENTER):
             self.output.hold_newline()
 

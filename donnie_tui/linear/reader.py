@@ -55,7 +55,7 @@ class Typed(Struct, frozen=True):
 
 
 class Reader(Protocol):
-    """Where lines come from."""
+    """A source of typed lines."""
 
     holds_newline: bool
     """Whether the newline that ends the typed line must still be written."""
@@ -202,7 +202,7 @@ class EditingReader:
 
 
 def _plain_text(keys: Iterable[KeyPress]) -> str | None:
-    """What these keys type; None if that depends on more than these keys."""
+    """The text that these keys type; None if that depends on more than these keys."""
     text = ""
     for key in keys:
         if key.act is Act.BACKSPACE:
@@ -234,7 +234,7 @@ def _no_words(_text: str) -> tuple[str, ...]:
 
 
 def _common(words: tuple[str, ...]) -> str:
-    """What all of them begin with."""
+    """The beginning that all of them have."""
     letters = zip(*words, strict=False)
     same = takewhile(lambda each: len(set(each)) == 1, letters)
     return "".join(each[0] for each in same)

@@ -165,7 +165,7 @@ class RunLoop(RunObserver):
     # --- following
 
     def follow(self, runs: Iterable[tuple[str | None, Run]]) -> None:
-        """Until the last of the runs is over, each by the name of its robot in events."""
+        """Follows the runs, each by the name of its robot in events, until the last one is over."""
         self._stopping, self._left_out = False, 0
         self._queue.hold_back()
         self._background.is_following = True
@@ -285,7 +285,7 @@ class RunLoop(RunObserver):
             ctx.answer("still-running" if frames else "still-reading-program")
 
     def _report_walk(self, walked: int, text: str) -> None:
-        """With the number of steps that the program asked for, if the line is just one walk."""
+        """Reports how far the robot is, with the steps that were asked for if the line is just one walk."""
         from language.parser import parse
         from language.syntax import NumberLiteral, WalkCommand
 

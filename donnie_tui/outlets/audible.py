@@ -259,7 +259,7 @@ def cue_volumes(settings: Settings) -> dict[str, float]:
 
 
 class _Made(Struct, frozen=True):
-    """What there is of voice and cues."""
+    """The voice and the cues, as far as there are any."""
 
     speakers: tuple[Speaker, ...]
     voiced: tuple[_Voiced, ...]
@@ -354,7 +354,7 @@ class _Maker:
 
 
 def spoken_languages() -> Mapping[str, SpokenLanguage]:
-    """By code. A language that names no voice is read by one whose tag is its code."""
+    """The languages of the voice, by code. One without a voice is read by the voice of that tag."""
     return {
         each: SpokenLanguage(_words(each, "voices") or (each,), _sign_words(each)) for each in languages()
     }

@@ -111,7 +111,7 @@ class _News:
         self._team.chosen.hub.publish(Announced(BELT_LINK, sentence))
 
     def take(self) -> tuple[str, ...]:
-        """What was kept; from now on it is events."""
+        """The notices that were kept; later ones are events."""
         with self._lock:
             kept, self._kept = self._kept or [], None
             return tuple(kept)

@@ -84,10 +84,10 @@ class Equipment:
         self.users -= 1
 
     def command(self, subtype: int, values: Values) -> None:
-        """Only while it is open."""
+        """Takes a command. Called only while the device is open."""
 
     def request(self, subtype: int, values: Values) -> Values | None:  # noqa: ARG002 -- the table's form
-        """What is in the reply; None: refused."""
+        """The content of the reply; None refuses the request."""
         return self.geometry() if subtype == 1 else None
 
     def geometry(self) -> Values | None:
@@ -135,7 +135,7 @@ class PositionDevice(MountedDevice):
             self.drive(Velocity(ahead, left, degrees(turn)))
 
     def drive(self, velocity: Velocity) -> None:
-        """Until the next command."""
+        """Drives at these velocities until the next command."""
 
     def request(self, subtype: int, values: Values) -> Values | None:
         return () if subtype in (2, 4, 5, 6) else super().request(subtype, values)
@@ -523,7 +523,7 @@ def local_z(model: Model, models: Sequence[Model]) -> float:
 
 
 def angle(of_degrees: float) -> float:
-    """In radians, above -pi and up to pi."""
+    """The angle in radians, above -pi and up to pi."""
     return radians(normal(of_degrees))
 
 

@@ -193,7 +193,7 @@ def _written(address: str, port: str) -> tuple[str, ...]:
 
 
 def _words(address: bytes) -> str:
-    """In words of 32 bits, each as a number of this machine."""
+    """The bytes as words of 32 bits, each as a number of this machine."""
     words = (address[start : start + 4] for start in range(0, len(address), 4))
     return "".join(f"{int.from_bytes(each, sys.byteorder):08X}" for each in words)
 
@@ -202,7 +202,9 @@ _OUTPUTS = (1, 2)
 
 
 class ReaderWatch:
-    """From its making, where SIGHUP must be handled already, to ``close``. Costs nothing at a terminal."""
+    """Watches until ``close`` whether the output has a reader. SIGHUP must be handled before it is made.
+
+    Costs nothing at a terminal."""
 
     def __init__(self) -> None:
         self._thread: threading.Thread | None = None

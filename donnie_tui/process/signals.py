@@ -53,7 +53,7 @@ class TakenSignals:
         self._are_taken = True
 
     def handler_before(self, number: int) -> Handler | None:
-        """What handled this one when it was taken; None where that was no function."""
+        """The handler that this signal had when it was taken; None where that was no function."""
         found = self._found[number]
         return found if callable(found) else None
 
@@ -72,7 +72,7 @@ class TakenSignals:
 
 
 class Nudges:
-    """What wakes a thread that waits for input here. Until ``close``, once no thread waits here any more."""
+    """Wakes a thread that waits for input here. Close it once no thread waits here any more."""
 
     def __init__(self) -> None:
         self._reading, self._writing = os.pipe()
@@ -80,7 +80,7 @@ class Nudges:
         os.set_blocking(self._writing, False)
 
     def fileno(self) -> int:
-        """For ``select``."""
+        """The descriptor for ``select``."""
         return self._reading
 
     def numbers(self) -> bytes:
@@ -276,7 +276,7 @@ class Watchdog:
             self.take()
 
     def _wait(self) -> None:
-        """For a signal."""
+        """Waits for a signal."""
         poll = select.poll()
         poll.register(self._signals, select.POLLIN)
         poll.poll()

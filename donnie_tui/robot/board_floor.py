@@ -35,7 +35,7 @@ _PRESSED_BY = {
 
 
 class SceneFloor:
-    """What a board on the place of the world's first robot meets."""
+    """The floor around a board that stands in the place of the world's first robot."""
 
     def __init__(self, scene: Scene) -> None:
         from sim.ground import Ground
@@ -44,7 +44,7 @@ class SceneFloor:
         self._mover = Mover(Ground(scene), scene.robots[0])
 
     def centimetres(self, place: AxlePose, sonar: int, head: int) -> float | None:
-        """Of the nearest thing in the sonar's cone; None where none is in reach, or none looks there."""
+        """The distance of the nearest thing in the sonar's cone; None without a thing or a sonar there."""
         bearing, turned = _looks(sonar, head)
         if bearing is None:
             return None

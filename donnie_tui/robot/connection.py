@@ -55,7 +55,7 @@ class Connectable(ResettableRobot, Protocol):
         """Have ``connect`` end at once. A signal's handler may do it."""
 
     def wait_until_standing(self) -> None:
-        """After a stop: until the robot stands. A signal's handler may do it."""
+        """Waits after a stop until the robot stands. A signal handler may call it."""
 
     def close(self) -> None: ...
 
@@ -187,7 +187,7 @@ class Connection:
                 self.search.end()
 
     def wait_until_standing(self) -> None:
-        """After a stop, before this process rests or ends: until the robot stands, some 2.2 s at most."""
+        """Waits after a stop until the robot stands, some 2.2 s at most. For a process that rests or ends."""
         robot = self._now.robot
         if robot is not None:
             robot.wait_until_standing()
@@ -272,7 +272,7 @@ class Connection:
         return robot
 
     def _make_player(self, robot: str, pace: Pace, watcher: Watcher) -> Connectable:
-        """What the program says, and what the belt shows, goes there too."""
+        """The robot at a Player server, which also gets the sentences of the program and the belt."""
         from donnie_tui.robot.player_robot import PlayerRobot
         from donnie_tui.robot.server_link import ServerLink
 

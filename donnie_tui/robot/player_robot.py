@@ -95,7 +95,7 @@ class PlayerRobot(LinkedRobot[ServerLink]):
 
     @property
     def mounted(self) -> tuple[Mounted, ...]:
-        """What the server says that it has."""
+        """The devices that the server names."""
         found = []
         for part in (RobotPart.SONARS, RobotPart.HEAD_SONAR):
             first, last, _, _, reach = (self._link.shape(part, 5) or (0.0,) * 5)[:5]
@@ -242,7 +242,7 @@ class PlayerRobot(LinkedRobot[ServerLink]):
         return [metres for yaw, metres, width in readings if abs(normal(-yaw - side.value)) <= width]
 
     def _readings(self, part: RobotPart) -> Iterator[tuple[float, float, float]]:
-        """Of each sample of a ranger: its direction, its metres, and how far from a bearing it may be."""
+        """The direction and metres of each sample of a ranger, and how far from a bearing it may be."""
         ranges, config = next(iter(self._link.values(part)), ()), self._link.shape(part, 5)
         yaws = self._yaws(part) or ORIGINAL_SONARS
         farthest, width = config[4] - 0.005 if config else inf, WIDE

@@ -47,7 +47,7 @@ class Searchable(Protocol):
 
 
 class Search:
-    """For one session's robot, each time that it changes."""
+    """Looks for the robot of a session, each time that it changes."""
 
     def __init__(self, *, is_pending: bool = False) -> None:
         """``is_pending``: as after ``expect``."""
@@ -79,7 +79,7 @@ class Search:
         robot.connect()
 
     def end(self) -> None:
-        """Whatever came of it."""
+        """Ends the search, whatever its result."""
         self._is_pending, self._robot = False, None
         self._is_given_up = False
 
@@ -142,7 +142,7 @@ def robot_options(settings: Settings, words: Words, found: Lister = list_ports) 
 
 
 def _kind(port: str, configured: str, may_be_belt: bool) -> str:
-    """Of several boards only the one that was chosen before is known to be a robot; none is asked."""
+    """What is known of a board without asking it: of several, only the one chosen before is a robot."""
     is_known = bool(configured) and is_same_port(port, configured)
     return "connect-option-board" if may_be_belt and not is_known else "connect-option-port"
 

@@ -138,11 +138,11 @@ class ServerLink:
     # --- data
 
     def values(self, part: RobotPart) -> Values:
-        """Of its newest datum; empty if there is none."""
+        """The values of its newest datum; empty if there is none."""
         return self._data.get((*self._key(part), 1), (-inf, ()))[1]
 
     def time_of(self, part: RobotPart) -> float:
-        """Of its newest datum; before all time if there is none."""
+        """The time of its newest datum; before all time if there is none."""
         return self._data.get((*self._key(part), 1), (-inf, ()))[0]
 
     def shape(self, part: RobotPart, subtype: int = 1) -> Values:
@@ -231,7 +231,7 @@ class ServerLink:
         return part.value[0], self._index + part.value[1]
 
     def _ask(self, key: Key, subtype: int, *values: object) -> Values | None:
-        """What is in the reply; None for a refusal."""
+        """Sends a request and returns the content of the reply; None for a refusal."""
         self._replies.pop((*key, subtype), None)
         self._send(key, REQUEST, subtype, *values)
         limit = monotonic() + ANSWERING * self._factor

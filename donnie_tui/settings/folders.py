@@ -79,7 +79,7 @@ def state_path(environment: Mapping[str, str], platform: str = sys.platform) -> 
 
 
 def _folder(environment: Mapping[str, str], platform: str, variable: str, default: str) -> str:
-    """On Linux and the like a relative path in the variable is to be ignored."""
+    """The folder that the variable names. On Linux and the like a relative path counts as none."""
     home = environment.get("HOME") or environment.get("USERPROFILE") or os.curdir
     if platform == "win32":
         return f"{environment.get('APPDATA') or f'{home}/AppData/Roaming'}/donnie"

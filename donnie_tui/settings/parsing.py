@@ -39,7 +39,7 @@ _WAV = "wav:"
 
 
 def read_switch(text: str) -> bool:
-    """On or off, in the ways in which files and variables write it."""
+    """Reads on or off, in the ways in which files and variables write it."""
     folded = text.strip().lower()
     if folded not in ON + OFF:
         raise ValueError(text)
@@ -273,7 +273,7 @@ def read_ports(text: str) -> tuple[str, ...]:
 
 
 def read_steps(text: str) -> tuple[int, int, int]:
-    """Up to how many steps something is felt strongly, medium and weakly."""
+    """Reads up to how many steps something is felt strongly, medium and weakly."""
     strong, medium, weak = (int(each) for each in text.replace(",", " ").split())
     if not 0 <= strong <= medium <= weak <= 1000:
         raise ValueError(text)
@@ -303,7 +303,7 @@ def read_sonars(text: str) -> Sonars:
 
 
 def read_bumpers(text: str) -> tuple[bool, ...]:
-    """Of each of the board's six bumpers whether it is in front."""
+    """Reads which of the board's six bumpers are in front."""
     words = text.lower().split()
     if len(words) != _BUMPERS or not set(words) <= set(_SIDES):
         raise ValueError(text)
@@ -353,7 +353,7 @@ def _colour(word: str) -> str:
 
 
 def read_wheels(text: str) -> tuple[int, int]:
-    """Of the right and the left wheel whether it is wired as in the original."""
+    """Reads whether the right and the left wheel are wired as in the original."""
     right, left = (_SENSES.get(word, 0) for word in text.lower().split())
     if not (right and left):
         raise ValueError(text)
@@ -361,7 +361,7 @@ def read_wheels(text: str) -> tuple[int, int]:
 
 
 def read_reset_line(text: str) -> str:
-    """What restarts a board by force: a pin of a Raspberry Pi, the port's own wire, or nothing."""
+    """Reads what restarts a board by force: a pin of a Raspberry Pi, the port's own wire, or nothing."""
     kind, colon, pin = text.strip().lower().partition(":")
     if kind == "gpio" and pin.isascii() and pin.isdecimal() and int(pin) in _PINS:
         return f"gpio:{int(pin)}"
@@ -401,7 +401,7 @@ def read_settings(environment: Mapping[str, str]) -> tuple[dict[str, object], tu
 
 
 def read_file(file: str) -> tuple[dict[str, object], tuple[Notice, ...]]:
-    """What the file says, and what is wrong with it; both empty where there is none."""
+    """Reads the file: its settings, and what is wrong with it; both empty where there is none."""
     try:
         with open_bytes(file) as stream:
             data = stream.read(LARGEST_FILE + 1)

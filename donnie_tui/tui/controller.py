@@ -266,7 +266,7 @@ class ScreenController:
         self.app.exit(0)
 
     def leave(self) -> None:
-        """For good, on purpose."""
+        """Leaves for good, because the learner wants it."""
         self.assistant.stop_copying()
         self.workspace.leave_copies()
         self.app.exit(0)
@@ -293,7 +293,7 @@ class ScreenController:
         return self.donnie
 
     def close(self) -> None:
-        """After the screen is gone: nothing is left running, nor to be written."""
+        """Ends what runs and writes what is to be written, after the screen is gone."""
         self.donnie.close()
         self.workspace.detach()
         self.workspace.write_copies()

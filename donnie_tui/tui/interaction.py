@@ -306,7 +306,7 @@ class ScreenInteraction:
         self._controller.display.entitle_log()
 
     def show_in_pager(self, text: str) -> None:
-        """In the pager, where the terminal's own ways of reading work; without one on a page of our own."""
+        """Shows text in the pager, with the terminal's ways of reading; without one, on a page of Donnie."""
         command = pager(os.environ)
         try:
             if command is None:

@@ -96,14 +96,14 @@ class Shutdown:
                 self._readers = ReaderWatch()
 
     def end_watchdog(self) -> None:
-        """In the main thread, once nothing is written to the screen any more."""
+        """Call it in the main thread, once nothing is written to the screen any more."""
         if self._readers is not None:
             self._readers.close()
         if self._watchdog is not None:
             self._watchdog.end()
 
     def close_session(self) -> None:
-        """After ``end_watchdog``. If a signal has ended the screen, the process ends in time all the same."""
+        """Close the session after ``end_watchdog``. After a signal the process ends in time all the same."""
         left = self._watchdog.left if self._watchdog is not None else None
         if left is None:
             self._session.close()

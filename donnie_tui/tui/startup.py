@@ -120,7 +120,7 @@ class SessionHandle:
         return code if donnie is None else donnie.code_at_end(code, report)
 
     def close(self) -> None:
-        """After the screen is gone: nothing is left running."""
+        """Ends what runs, after the screen is gone."""
         if self.controller is not None:
             self.controller.close()
         elif self.assembled is not None:
@@ -128,7 +128,7 @@ class SessionHandle:
 
 
 class Startup:
-    """From the empty screen to the loaded session."""
+    """Loads the session after the empty screen is shown."""
 
     def __init__(
         self,
@@ -250,7 +250,7 @@ class Startup:
         return Path(self._settings.world).name
 
     def _print(self, code: str, **values: object) -> None:
-        """In print alone: there is no voice before there is a session."""
+        """Prints a sentence; there is no voice before there is a session."""
         from donnie_tui.i18n.words import Words
 
         words = Words(self._settings.language, self._settings.verbosity)
