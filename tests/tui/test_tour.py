@@ -72,7 +72,7 @@ async def test_it_is_a_strip_that_leaves_everything_usable(open_screen) -> None:
         await touring(screen)
         await screen.painted()
         assert screen.app.screen is screen.main
-        assert screen.main.tour.size.height <= 6
+        assert screen.main.tour.outer_size.height == 5
         assert screen.status.startswith(" Tour 1 of")
 
         await turn_to(screen, 2)
@@ -85,6 +85,20 @@ async def test_it_is_a_strip_that_leaves_everything_usable(open_screen) -> None:
         screen.app.controller.do("tour")
         await screen.until(lambda: "Tour 3 of" in screen.text, "the next page")
         assert screen.app.focused is screen.main.editor
+
+
+@pytest.mark.parametrize("language", ["en", "pt", "es"])
+async def test_each_page_of_the_strip_has_five_rows_at_most(open_screen, language) -> None:  # type: ignore[no-untyped-def]
+    async with open_screen(language=language) as screen:
+        screen.app.controller.do("tour")
+        await screen.until(lambda: screen.main.tour is not None and screen.main.tour.has_focus, "the strip")
+        strip = screen.main.tour
+        for page in range(1, SCREEN_TOUR_PAGES + 1):
+            await screen.until(lambda page=page: f" {page} " in strip.title, f"page {page}")
+            await screen.painted()
+            assert strip.outer_size.height <= 5
+            if page < SCREEN_TOUR_PAGES:
+                await screen.press("enter")
 
 
 async def test_it_can_be_read_and_left_by_mouse(open_screen) -> None:  # type: ignore[no-untyped-def]
