@@ -43,7 +43,8 @@ async def put(ctx: Context, argument: str) -> None:
     except BadDrawing as bad:
         if name or not building.is_named(what):
             raise Unusable(message_of(bad.slips[0], ctx.words)) from None
-        _say_place(ctx, "built-moved", building.put_at(building.find(what), x, y))
+        thing = building.find(what)
+        _say_place(ctx, "built-moved", building.move(thing, x - thing.x, y - thing.y))
         return
     if len(described.colours) > 1:
         raise NotUnderstood
@@ -64,7 +65,7 @@ async def turn(ctx: Context, argument: str) -> None:
         ctx.answer("built-turn-robot", example=f"{keywords.spelling('TR', ctx.words.language)} 90")
     what, (degrees,), _ = _parts(argument, 1)
     building = _building(ctx)
-    _say_place(ctx, "built-turned", building.turn(building.find(what), degrees), degrees=degrees)
+    _say_place(ctx, "built-turned", building.move(building.find(what), degrees=degrees), degrees=degrees)
 
 
 @handles("remove")

@@ -128,25 +128,14 @@ class Building:
         line = thing_line(kind, colour, name, pose, size)
         return self._changed(f"{text}\n{self._include(kind, text)}{line}\n")
 
-    def move(self, thing: Thing, east: int, north: int) -> Thing | None:
-        """So many steps from where it is."""
-        return self._elsewhere(thing, east, north)
-
-    def put_at(self, thing: Thing, x: int, y: int) -> Thing | None:
-        """Its middle at a place in steps."""
-        return self._elsewhere(thing, x - thing.x, y - thing.y)
-
-    def turn(self, thing: Thing, degrees: int) -> Thing | None:
-        """To the right where it stands."""
-        return self._elsewhere(thing, degrees=degrees)
-
     def remove(self, thing: Thing) -> None:
         from sim.worldfile import taken_out
 
         text = self._source()
         self._changed(taken_out(text, self._written(thing, text)), gone=thing.index)
 
-    def _elsewhere(self, thing: Thing, east: float = 0, north: float = 0, degrees: int = 0) -> Thing | None:
+    def move(self, thing: Thing, east: float = 0, north: float = 0, degrees: int = 0) -> Thing | None:
+        """So many steps from where it is, and turned to the right."""
         from sim.worldfile import put_elsewhere
 
         text, here = self._source(), self._shared.scene_now().models[thing.index].pose
