@@ -77,7 +77,7 @@ def encode_frame(levels: tuple[int, ...]) -> bytes:
 
 
 def motor_cells(cells: bytes) -> tuple[int, ...]:
-    """Of 35 cells, those that have motors, in the order of the levels."""
+    """The cells of 35 that have motors, in the order of the levels."""
     return (*cells[_UPPER : _UPPER + COLUMNS], *cells[_LOWER : _LOWER + COLUMNS])
 
 
@@ -388,7 +388,7 @@ class SerialBelt:
         self._notifier.notify(BeltNotice.RESTORED, "")
 
     def _turn_off(self) -> None:
-        """Whatever happened before, the last bytes written are a frame that turns everything off."""
+        """Writes a frame that turns everything off, as the last bytes, whatever happened before."""
         if self._port is not None:
             with suppress(*GONE):
                 self._port.write(encode_frame(OFF))

@@ -213,7 +213,7 @@ class Execution:
         self._memory.variables = variables  # a new dict: other threads may read the old one
 
     def _keep_remaining(self, stack: list[Activation]) -> None:
-        """After an error: keep the variables, without those that end with an open FOR."""
+        """Keep the variables after an error, without those that end with an open FOR."""
         if stack:
             program = stack[0]
             ended = program.unit.headers_at(program.site or 0)
@@ -280,7 +280,7 @@ class Execution:
         self._globals.update(depths, hook=self._trace if has_no_request else self._visit)
 
     def _visit(self, line: int, column: int, depth: int) -> bool:
-        """Before a statement whose hook is on. Returns whether the program must end."""
+        """Called before a statement whose hook is on. Returns whether the program must end."""
         if self._must_end(line, depth, column):
             return True
         if self._trace is not None:
@@ -288,7 +288,7 @@ class Execution:
         return False
 
     def _check(self) -> bool:
-        """At a checkpoint while the flag is set. Returns whether the program must end."""
+        """Called at a checkpoint while the flag is set. Returns whether the program must end."""
         return self._must_end(self._stack.around(sys._getframe(1)).line, 0)
 
     def _must_end(self, line: int, depth: int, column: int = 0) -> bool:

@@ -131,7 +131,7 @@ def folded_word(text: str) -> str:
 
 
 def _index() -> dict[str, list[Keyword]]:
-    """By folded spelling. A spelling that means something else in an earlier language keeps that meaning."""
+    """The words by folded spelling. A spelling keeps the meaning that it has in an earlier language."""
     found: dict[str, list[Keyword]] = {}
     for language in languages():
         for each in WORDS:

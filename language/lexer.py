@@ -193,7 +193,7 @@ def span_of(token: Token) -> Span:
 
 
 def without_comments(text: str) -> str:
-    """Of a text without strings."""
+    """A text that has no strings, without its comments."""
     return re.sub(_WHOLE_COMMENT, "", text)
 
 

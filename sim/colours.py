@@ -36,7 +36,7 @@ def folded(name: str) -> str:
 
 @cache
 def _table() -> dict[str, Rgb]:
-    """By folded name. A world that ships needs none."""
+    """The colours by folded name. A world that ships needs none."""
     table = {name: _parsed(code) for name, code in (entry.split() for entry in _NAMES.split(";"))}
     for percent in range(101):
         level = (percent * 255 + 49) // 100  # rounds the halves at 50 and 90 down, the others up

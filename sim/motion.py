@@ -477,15 +477,15 @@ class Meeting:
         """Whether models are walls, as far as that was asked."""
 
     def walking(self, spot: Spot, stopped_by: StoppedBy | None) -> Met | None:
-        """After a walk forward."""
+        """What the robot met in a walk forward, where it is at the end."""
         return self._walking(spot, 0.0, stopped_by)
 
     def walking_backward(self, spot: Spot, stopped_by: StoppedBy | None) -> Met | None:
-        """After a walk backward."""
+        """What the robot met in a walk backward, where it is at the end."""
         return self._walking(spot, 180.0, stopped_by)
 
     def _walking(self, spot: Spot, turned: float, stopped_by: StoppedBy | None) -> Met | None:
-        """In the direction that is ``turned`` degrees from the front."""
+        """What it met in the direction that is ``turned`` degrees from the front."""
         if stopped_by is StoppedBy.OBSTACLE:
             found = self._mover.barring(spot, self._mover.body.radius + SIGHT)
             return self._nearest(found, spot, turned, WEDGE)
@@ -505,7 +505,7 @@ class Meeting:
     def _nearest(
         self, parts: Iterable[Part], spot: Spot, turned: float, half_angle: float | None
     ) -> Met | None:
-        """Of those that come within the wedge about the way; None: on any side."""
+        """The nearest of those that come within the wedge about the way; None: on any side."""
         found = [
             (point, part)
             for part in parts

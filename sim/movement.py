@@ -66,11 +66,11 @@ class Movement(ABC):
         return self._began + self._course.seconds(0.0, done)
 
     def _come_to(self, done: float) -> None:
-        """So much is done now: perhaps less than the time that was spent allows."""
+        """Note how much is done now, perhaps less than the time that was spent allows."""
         self._began = self._vehicle.clock.seconds - self._course.seconds(0.0, done)
 
     def _report_progress(self) -> None:
-        """After a tick that came to a whole step or degree."""
+        """Reports progress after a tick that came to a whole step or degree."""
         if self._whole % self._stride(self._asked) == 0:
             self._report(self._whole)
 
@@ -316,7 +316,7 @@ MOST_GLIDED = 360
 
 
 class Turn(Sweeping):
-    """On the spot. ``sign``: 1 counter-clockwise, -1 clockwise."""
+    """A turn on the spot. ``sign``: 1 counter-clockwise, -1 clockwise."""
 
     def __init__(self, vehicle: Vehicle, motion: Motion, degrees: int, rate: Rate, sign: int) -> None:
         """RobotProblem ``cannot-turn`` if the rate is 0."""
@@ -385,7 +385,7 @@ class Turn(Sweeping):
         return None
 
     def _turn_on(self, wanted: int) -> None:
-        """So many degrees, of which perhaps fewer are free now."""
+        """Turns on by so many degrees, of which perhaps fewer are free now."""
         done = self._free(wanted)
         self._whole += done
         if done < wanted:

@@ -155,7 +155,7 @@ def picture(scene: Scene, robot: str | None = None) -> Picture:
 
 
 def _body(scene: Scene, me: Model | None) -> tuple[tuple[Point, ...], ...]:
-    """In steps; without the paddles of a gripper, between which there is room."""
+    """The body in steps, without the paddles of a gripper, between which there is room."""
     if me is None:
         return ()
     paddles = {

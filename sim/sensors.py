@@ -85,7 +85,7 @@ class Senses(Struct, frozen=True):
         return sorted(once.values(), key=lambda each: (-each.degrees, each.model))
 
     def pressed(self, around: Around, spot: Spot) -> tuple[bool, ...]:
-        """For each bumper whether something touches it."""
+        """Whether something touches each bumper."""
         return tuple(bumper.is_pressed(around, spot) for bumper in self.bumpers)
 
 
@@ -330,6 +330,6 @@ def _gripper(beams: Beams) -> Mounted:
 
 
 def _ahead(x: float, y: float, yaw: float, metres: float) -> tuple[float, float]:
-    """From metres ahead and to the left to steps to the right and ahead."""
+    """Converts metres ahead and to the left into steps to the right and ahead."""
     angle = radians(yaw)
     return -(y + metres * sin(angle)) / STEP, (x + metres * cos(angle)) / STEP

@@ -190,7 +190,7 @@ class Rates(Struct, frozen=True):
 
 
 def rates_of(wheels: Wheels | None) -> Rates:
-    """Without wheels: the usual ones."""
+    """The rates of the wheels, or the usual ones where there are none."""
     if wheels is None:
         return Rates()
     bounds, gains = wheels.velocity_bounds or Limits(), wheels.acceleration_bounds or _ANY

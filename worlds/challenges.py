@@ -107,7 +107,7 @@ KINDS = ("at", "facing", "visited", "near", "area", "thing", "said", "counted", 
 
 
 class Never(Struct, frozen=True, forbid_unknown_fields=True):
-    """What must not happen."""
+    """The events that a challenge forbids."""
 
     bump: bool = False
     touch: tuple[str, ...] = ()
@@ -234,7 +234,7 @@ class Challenge(Struct, frozen=True):
     """Of its file."""
 
     def text(self, language: str) -> ChallengeText:
-        """In English where the language is missing."""
+        """The text in that language, in English where it is missing."""
         return self.texts.get(language, self.texts[ENGLISH])
 
     def title_of(self, name: str, language: str) -> str:
@@ -259,11 +259,11 @@ class Challenge(Struct, frozen=True):
 
     @property
     def solution(self) -> Path:
-        """Of the first robot."""
+        """The solution of the first robot."""
         return self.path.with_name(f"{self.name}{SOLUTION}")
 
     def solution_of(self, robot: str) -> Path:
-        """Of another one, which may have none."""
+        """The solution of another robot, which may have none."""
         return self.path.with_name(f"{self.name}.{robot}{SOLUTION}")
 
 
@@ -401,7 +401,7 @@ class _Reader:
         self.mistakes.append(ChallengeMistake(code, line, what, known))
 
     def texts(self) -> dict[str, ChallengeText]:
-        """By language."""
+        """The texts by language."""
         languages = [key for key in self.content if re.fullmatch("[a-z]{2,3}", key)]
         found = {each: self.converted(self.content.pop(each), ChallengeText, each) for each in languages}
         if ENGLISH not in found and self._is_whole:
@@ -446,7 +446,7 @@ class _Reader:
             self._note("challenge-value", line, key, table=table)
 
     def check(self, found: Challenge) -> None:
-        """What the types don't say."""
+        """Check what the types don't say."""
         rules, path, lines = found.rules, found.path, self.lines
         worlds_here = _files_in_folder(path, ".world") + _files_in_folder(path, ".cfg")
         others = _files_in_folder(path, SUFFIX, is_stem=True)

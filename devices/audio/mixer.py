@@ -116,7 +116,7 @@ class CueQueue:
         self._sound_until = float("-inf")
 
     def set_volumes(self, volumes: Mapping[str, float]) -> None:
-        """For the cues from now on."""
+        """Set the volumes of later cues."""
         self._volumes = dict(volumes)
 
     def offer(self, cue: Cue, now: float) -> bool:
@@ -230,7 +230,7 @@ class Mixer:
         return mixed
 
     def _mix_until_one_starts(self, frames: int, ended: list[_Track]) -> array[int]:
-        """At most ``frames`` frames, in all of which the same tracks sound together."""
+        """Mixes at most ``frames`` frames, in all of which the same tracks sound together."""
         self._tracks = _limited(self._tracks)
         until = min((-track.position for track in self._tracks if track.position < 0), default=frames)
         mixed = _sum(self._tracks, min(frames, until))
@@ -252,7 +252,7 @@ def in_stereo(mono: array[int]) -> array[int]:
 
 
 def _limited(tracks: list[_Track]) -> list[_Track]:
-    """Without the oldest cues, bumps last of all, if more than two would sound now."""
+    """Drops the oldest cues, bumps last of all, if more than two would sound now."""
     sounding = [track for track in tracks if track.name and track.position >= 0]
     by_worth = sorted(sounding, key=lambda track: track.name == NEVER_DROPPED)
     surplus = by_worth[: max(0, len(sounding) - MOST_SIMULTANEOUS)]

@@ -183,7 +183,7 @@ class WorkerProcess:
 
     @property
     def pid(self) -> int:
-        """Of the worker, and of its group."""
+        """The number of the worker, and of its group."""
         return self._process.pid
 
     def send(self, request: AudioRequest) -> None:
@@ -255,7 +255,7 @@ def _group_options() -> dict[str, Any]:  # Popen's arguments differ by system
 
 
 def _kill_group(process: subprocess.Popen[bytes]) -> None:
-    """Before it is reaped, so no other process can have its number yet."""
+    """Kills the group of a process before it is reaped: no other process can have its number yet."""
     if sys.platform == "win32" or process.returncode is not None:
         process.kill()
         return

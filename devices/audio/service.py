@@ -79,7 +79,7 @@ class AudioService:
 
     @property
     def worker_pid(self) -> int | None:
-        """Of the running worker, which is its process group, too; None while there is none."""
+        """The number of the running worker and of its process group; None while there is none."""
         process = self._process
         return None if process is None else process.pid
 
@@ -106,7 +106,7 @@ class AudioService:
 
     @property
     def languages(self) -> tuple[str, ...]:
-        """Of the voices that the worker found."""
+        """The languages of the voices that the worker found."""
         with self._changed:
             return self._supervisor.languages
 

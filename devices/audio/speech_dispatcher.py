@@ -163,7 +163,10 @@ class SsipConnection:
         self._overdue_at = float("inf")
 
     def run(self, user: str) -> None:
-        """Until the mailbox is closed. Raises ``ConnectionLost``, ``OSError`` or ``SsipProtocolError``."""
+        """Speaks until the mailbox is closed.
+
+        Raises ``ConnectionLost``, ``OSError`` or ``SsipProtocolError``.
+        """
         for command in ssip.greeting(user):
             self._request(command)
         self._mailbox.connected()
@@ -288,7 +291,7 @@ class Mailbox:
             self._wake()
 
     def close(self) -> None:
-        """For good."""
+        """Close it for good."""
         with self._changed:
             self._is_closed = True
             self._queue.clear()

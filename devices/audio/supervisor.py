@@ -95,7 +95,7 @@ _NEXT: Mapping[WorkerState, frozenset[WorkerState]] = MappingProxyType(
 
 
 class Awaited(Enum):
-    """What a worker must do in time."""
+    """A task that a worker must do in time."""
 
     START = auto()
     PONG = auto()
@@ -262,7 +262,7 @@ class WorkerSupervisor:
 
     @property
     def languages(self) -> tuple[str, ...]:
-        """Of the voices that were found; empty while that is unknown."""
+        """The languages of the voices that were found; empty while that is unknown."""
         return self._worker.languages or ()
 
     @property
@@ -284,11 +284,11 @@ class WorkerSupervisor:
         self._is_wanted = True
 
     def set_voice(self, voice: VoiceSettings) -> None:
-        """For the sentences from now on."""
+        """Set the voice of later sentences."""
         self._voice = voice.clamped()
 
     def set_cue_volumes(self, volumes: Mapping[str, float]) -> None:
-        """For the cues from now on."""
+        """Set the volumes of later cues."""
         self._cues.set_volumes(volumes)
 
     def say(self, utterance: Utterance, now: float) -> None:

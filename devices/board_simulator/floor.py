@@ -15,7 +15,7 @@ from devices.wire.frames import MotorDrive
 
 
 class AxlePose(Struct, frozen=True):
-    """Of the middle of the robot's axle."""
+    """The pose of the middle of the robot's axle."""
 
     x: float = 0.0
     y: float = 0.0
@@ -33,7 +33,7 @@ class BumperSwitch(Enum):
 
 
 class Floor(Protocol):
-    """What surrounds a board."""
+    """The surroundings of a board."""
 
     def centimetres(self, place: AxlePose, sonar: int, head: int) -> float | None:
         """What a sonar (0 to 6, the board's order) measures; ``head`` is the servo's angle. None: no echo."""

@@ -204,7 +204,7 @@ def decode(form: str, body: bytes) -> Values:
 
 
 def _text(text: str) -> bytes:
-    """With the NUL that is counted; an empty text has none."""
+    """The text as bytes with the NUL that is counted; an empty text has none."""
     return text.encode("utf-8", "replace") + b"\0" if text else b""
 
 
@@ -302,7 +302,7 @@ def form_of(message: PlayerMessage) -> str | None:
 
 
 def values_of(message: PlayerMessage) -> Values | None:
-    """What is in its body; None if it is not of its form, or nothing is known of such a message."""
+    """The values in the body of a message; None if its form is wrong or unknown."""
     form = form_of(message)
     with suppress(BadBody):
         return None if form is None else decode(form, message.body)

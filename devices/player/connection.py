@@ -36,7 +36,7 @@ ACCEPT, REPLACE, IGNORE = 0, 1, 2
 
 
 class ServedDevice(Protocol):
-    """What clients open, by an interface and an index."""
+    """A device that clients open, by an interface and an index."""
 
     driver: str
     users: int
@@ -48,10 +48,10 @@ class ServedDevice(Protocol):
         """One less."""
 
     def command(self, subtype: int, values: Values) -> None:
-        """Only while it has users."""
+        """Take a command. Called only while it has users."""
 
     def request(self, subtype: int, values: Values) -> Values | None:
-        """What is in the reply; None for a refusal."""
+        """The content of the reply; None for a refusal."""
 
 
 class Station(Protocol):
@@ -66,11 +66,11 @@ class Station(Protocol):
 
     @property
     def devices(self) -> Mapping[Key, ServedDevice]:
-        """In the order of the configuration."""
+        """The devices in the order of the configuration."""
 
 
 class ClientConnection:
-    """From the banner to ``close``."""
+    """The protocol with one client, from the banner to ``close``."""
 
     def __init__(self, station: Station, version: str) -> None:
         self._station = station
@@ -116,7 +116,7 @@ class ClientConnection:
         self._queue[place] = self._message(*key, MessageType.DATA, subtype, body)
 
     def take(self) -> bytes:
-        """What goes out now. To be called only while the client reads."""
+        """The bytes to send now. Call it only while the client reads."""
         first, self._first = self._first, b""
         if not (self._must_go or self._is_round_open or not self._is_pull):
             return first

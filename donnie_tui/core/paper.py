@@ -359,7 +359,7 @@ class _Near:
 
 
 def _is_inside(point: _Point, polygon: Sequence[_Point]) -> bool:
-    """By the number of edges to the east of the point."""
+    """Whether a point is inside: the number of edges to the east of it is odd."""
     x, y = point
     return (
         sum(
@@ -499,7 +499,7 @@ def _legend_block(
 
 
 def _sample(name: str, left: float, top: float) -> str:
-    """What the key explains, in a box of its size."""
+    """A sample of what the key explains, in a box of its size."""
     width, height = SWATCH
     line = f'stroke="black" stroke-width="{LINE}"'
     if name == "path":

@@ -82,7 +82,7 @@ def program_to_open(name: str) -> Path:
 
 
 def _checked_again(path: Path) -> Path:
-    """With its suffix it may be a link to somewhere else."""
+    """Checks the name again: with its suffix it may be a link to somewhere else."""
     return path if confinement() is None else checked_path(path)
 
 

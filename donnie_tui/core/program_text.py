@@ -135,7 +135,7 @@ class ProgramText:
 
 
 def _outer_blocks(blocks: Sequence[OutlineItem]) -> list[int | None]:
-    """For each block the index of the one around it."""
+    """The index of the block around each block."""
     found: list[int | None] = []
     latest: dict[int, int] = {}
     for at, block in enumerate(blocks):
@@ -145,7 +145,7 @@ def _outer_blocks(blocks: Sequence[OutlineItem]) -> list[int | None]:
 
 
 def _innermost_blocks(blocks: Sequence[OutlineItem], lines: int) -> list[int | None]:
-    """For each line, from 1, the index of the innermost block around its beginning."""
+    """The index of the innermost block around the beginning of each line, from 1."""
     found: list[int | None] = [None]
     open_blocks: list[int] = []
     following = 0
@@ -353,7 +353,7 @@ def corrected_line(
 
 
 def _likeness(line: str, other: str) -> float:
-    """From 0 to 1, and 1 more for the same command."""
+    """How alike two lines are: from 0 to 1, and 1 more for the same command."""
     from difflib import SequenceMatcher  # slow to load
 
     one, another = (fold_name(each.strip()[:LONGEST_ALIKE]) for each in (line, other))

@@ -49,7 +49,7 @@ class Asked(Struct, frozen=True):
                 return wording(code, origin=self._origin_in_words(wording), target=target)
 
     def right_answer(self, wording: Wording) -> str:
-        """What is right, in words."""
+        """The right answer in words."""
         code = f"answer-{self.question.ask.value}"
         match self.question.ask:
             case Ask.DIRECTION:
@@ -128,7 +128,7 @@ class Asked(Struct, frozen=True):
         return bearing(here.x, here.y, item.x, item.y)
 
     def _distance(self, name: str) -> float:
-        """From the robot's body where it is or was, else from the middle of the place or thing."""
+        """A distance from the robot's body where it is or was, else from the middle of the place or thing."""
         is_of_robot = self.question.origin in ("start", "end")
         room = self.track.room if is_of_robot else replace(self.track.room, radius=0.0)
         return gap_to(self._origin(), name, room, self.track.items)[0]

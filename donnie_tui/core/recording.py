@@ -48,7 +48,7 @@ class DamagedLineError(ValueError):
 
 
 class _Stamp(Struct, frozen=True):
-    """What all lines of events have in common."""
+    """The fields that all lines of events have."""
 
     seq: int
     t: float
@@ -133,7 +133,7 @@ class NoRecordingError(Exception):
 
 
 class Header(Struct, frozen=True):
-    """What a recording was made with."""
+    """The first line of a recording: how it was made."""
 
     version: str
     seed: int

@@ -39,7 +39,7 @@ _FILE = "-- What was not saved of the file: "
 
 
 class SavedCopy(msgspec.Struct, frozen=True):
-    """What a copy holds."""
+    """The content of a copy."""
 
     text: str
     path: Path | None = None
@@ -73,7 +73,7 @@ class CopyFolder:
         return self.newest_first(_LEFT)
 
     def offered(self) -> list[Path]:
-        """What RECOVER opens, in this order: ``rescued``, then ``left``."""
+        """The copies that RECOVER opens, in this order: ``rescued``, then ``left``."""
         return self.rescued() + self.left()
 
     def new_copy(self) -> Path:
@@ -100,7 +100,7 @@ class CopyFolder:
         _remove_oldest(self.newest_first(prefix))
 
     def withdraw_offers(self, opened: Container[Path]) -> None:
-        """From now on RECOVER alone finds what the start before kept and the learner has not ``opened``."""
+        """Stop offering the copies of the start before, except those ``opened``; RECOVER still finds them."""
         for each in reversed(self.newest_first(_KEPT)):
             if each not in opened:
                 self.leave(each)
@@ -139,7 +139,7 @@ class UnsavedCopy:
     # --- what is wanted
 
     def want(self, text: str, path: Path | None = None, *, instead_of: Path | None = None) -> None:
-        """From now on this text is to be on disk. ``instead_of``: a copy that is removed afterwards."""
+        """Ask for this text to be on disk from now on. ``instead_of``: a copy that is removed afterwards."""
         if instead_of is not None:
             self._superseded.append(instead_of)
         self._wanted = SavedCopy(text, path)
@@ -151,14 +151,14 @@ class UnsavedCopy:
         self.is_outdated = True
 
     def follow(self, text: str, path: Path | None = None, *, is_saved: bool) -> None:
-        """From now on the text is to be on disk, unless it is saved or blank."""
+        """Ask for the text to be on disk from now on, unless it is saved or blank."""
         if is_saved or not text.strip():
             self.want_none()
         else:
             self.want(text, path)
 
     def leave(self, *, is_offered: bool = False) -> None:
-        """Once what is wanted is written, leave it for RECOVER: this start has finished with the program.
+        """Leave the copy for RECOVER once it is written: this start has finished with the program.
 
         ``is_offered``: the next start mentions it.
         """
@@ -243,7 +243,7 @@ class CopyWriter:
 
 
 def read_copy(copy: Path) -> SavedCopy:
-    """What a copy holds; nothing is changed. Raises ``DocumentError``."""
+    """Read a copy and change nothing. Raises ``DocumentError``."""
     text = as_lines(read_program(copy))
     first, _, rest = text.partition("\n")
     if not first.startswith(_FILE):

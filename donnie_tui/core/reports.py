@@ -48,7 +48,7 @@ _PAPER = "paper"
 
 
 class Subject(Struct, frozen=True):
-    """What a report may be about."""
+    """The subject of a report."""
 
     lines: tuple[str, ...]
     """The program's lines."""
@@ -94,7 +94,7 @@ def with_suffix(typed: str, suffix: str) -> str:
 
 
 def report(what: str, name: str, subject: Subject, wording: Wording) -> bytes:
-    """What the file ``name`` has in it."""
+    """The content of the file ``name``."""
     suffix = Path(name).suffix.lower()
     if what == _PAPER:
         return subject.paper().encode()
@@ -114,7 +114,7 @@ def report(what: str, name: str, subject: Subject, wording: Wording) -> bytes:
 
 
 def in_sentences(what: str, subject: Subject, wording: Wording) -> Sequence[str]:
-    """What a report without a file says."""
+    """The sentences of a report without a file."""
     return _SECTIONS[what](subject, wording).lines
 
 
@@ -379,7 +379,7 @@ def _on_axis(value: float) -> str:
 
 
 def plot_as_svg(plot: Plot) -> str:
-    """For a page, or a file of its own."""
+    """The plot as SVG, for a page or a file of its own."""
     size = f'width="{plot.width:g}" height="{plot.height:g}" viewBox="0 0 {plot.width:g} {plot.height:g}"'
     font = f'font-family="sans-serif" font-size="{PLOT_LETTER:g}"'
     return "\n".join(
@@ -421,7 +421,7 @@ class Section(Struct, frozen=True):
 
 
 def _shown(text: object) -> str:
-    """For a page: what could be a tag, or hide or turn round other text, is only shown."""
+    """The text for a page: characters that could be a tag, or hide or reverse other text, are escaped."""
     from html import escape  # loads thousands of names of signs, and few sessions write a report
 
     return escape(cleaned(str(text)))

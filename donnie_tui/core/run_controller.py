@@ -480,7 +480,7 @@ class RunController:
         self.observer.on_change()
 
     def _look(self, record: RunRecord) -> None:
-        """Before each statement, where variables are watched."""
+        """Looks at the watched variables before each statement."""
         self._answer(*record.narrator.on_statement())
 
     def _on_event(self, stamped: Stamped) -> None:

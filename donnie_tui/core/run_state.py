@@ -36,7 +36,7 @@ LARGEST_HINTED = 50_000
 
 
 class RunState(Enum):
-    """What the program of a robot does."""
+    """The state of a robot's program."""
 
     READY = "ready"
     """No program runs: one can be started."""
@@ -48,7 +48,7 @@ class RunState(Enum):
 
 
 class Request(Enum):
-    """What can be asked of a run, and what its program does by itself."""
+    """Requests to a run, and changes that its program makes by itself."""
 
     START = auto()
     PAUSE = auto()
@@ -190,7 +190,7 @@ class RunRecord:
 
 
 class RunNarrator:
-    """What is said about one run: at its holds, when a watched variable changes, and at its end."""
+    """Publishes the sentences about one run: at its holds, at changes of watched variables, at its end."""
 
     def __init__(
         self,

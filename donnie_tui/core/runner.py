@@ -56,7 +56,7 @@ class RunRequest(Struct, frozen=True):
 
 
 class Stage(Struct, frozen=True):
-    """What all runs of a session share."""
+    """The objects that all runs of a session share."""
 
     robot: Robot
     memory: Memory

@@ -53,7 +53,7 @@ class Busy(Exception):
 
 
 class SessionSetup(Struct, frozen=True):
-    """What a session is made with, besides its robot and the words."""
+    """The parts of a session, apart from its robot and the words."""
 
     world: str
     seed: int

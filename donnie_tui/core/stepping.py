@@ -481,7 +481,7 @@ def worked_out(expression: Expression, program: Program, variables: Mapping[str,
 
 
 def _with_values(expression: Expression, variables: Mapping[str, int]) -> Expression:
-    """With numbers in place of the variables that have a value; signs belong to their numbers."""
+    """The expression with numbers in place of variables that have a value; signs belong to their numbers."""
     match expression:
         case Name(name=name) if fold_name(name) in variables:
             return NumberLiteral(expression.span, variables[fold_name(name)])
@@ -498,7 +498,7 @@ def _with_values(expression: Expression, variables: Mapping[str, int]) -> Expres
 
 
 def _operated(expression: Expression) -> Expression | None:
-    """With the first operation done that can be; None where there is none."""
+    """The expression after its first possible operation; None where there is none."""
     match expression:
         case Negative(operand=operand):
             inner = _operated(operand)
@@ -523,7 +523,7 @@ _STRENGTH = {"+": 1, "-": 1, "*": 2, "/": 2}
 
 
 def _expression_text(expression: Expression, program: Program) -> str:
-    """With as few brackets as keep its meaning."""
+    """The text of an expression, with as few brackets as keep its meaning."""
     match expression:
         case NumberLiteral(value=value):
             return str(value)

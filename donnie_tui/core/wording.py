@@ -118,7 +118,7 @@ def keys_of(*section: str) -> tuple[str, ...]:
 
 @cache
 def _meanings(section: tuple[str, ...]) -> Mapping[str, str]:
-    """By folded word. What a word means in an earlier language it means in all."""
+    """The meanings by folded word. A word keeps the meaning of an earlier language in all later ones."""
     found: dict[str, str] = {}
     for language in languages():
         for key in keys_of(*section):
@@ -227,17 +227,17 @@ def coloured_thing(thing: Thing, wording: Wording) -> str:
 
 
 def coloured(kind: str, name: str, colour: str, wording: Wording) -> str:
-    """What stands in a list: "box, red", "caixa vermelha", "puck de cor vermelha"."""
+    """The thing and its colour in a list: "box, red", "caixa vermelha", "puck de cor vermelha"."""
     return _phrase("listed", kind, name, colour, wording)
 
 
 def the_coloured(kind: str, name: str, colour: str, wording: Wording) -> str:
-    """In a sentence, with its article: "the red box", "a caixa vermelha", "puck de cor vermelha"."""
+    """The same in a sentence, with its article: "the red box", "a caixa vermelha", "puck de cor vermelha"."""
     return _phrase("the", kind, name, colour, wording)
 
 
 def with_colour(kind: str, name: str, colour: str, wording: Wording) -> str:
-    """In a sentence that has the article, or none: "red box", "caixa vermelha"."""
+    """The same in a sentence that has the article, or none: "red box", "caixa vermelha"."""
     return _phrase("plain", kind, name, colour, wording)
 
 

@@ -204,7 +204,7 @@ def manual(words: Wording) -> tuple[str, ...]:
 
 
 def sections(words: Wording) -> tuple[Section, ...]:
-    """For a page with headings: the chapters, then each command with its form and an example."""
+    """The sections of a page: the chapters, then each command with its form and an example."""
     chapters = (
         Section(words(f"manual-{each}"), tuple(filter(None, words(f"manual-{each}-text").split("\n"))))
         for each in CHAPTERS

@@ -381,7 +381,7 @@ _HAS_COMMAND = _FORM_HELPS | {MistakeKind.MISSING_END.value, MistakeKind.WRONG_E
 
 
 def explanation(error: Error, words: Wording) -> tuple[str, ...]:
-    """What it means, what to do, and an example; a sentence each."""
+    """The meaning of a mistake, what to do, and an example; a sentence each."""
     if _is_of_numbers(error):
         return words("explain-whole-numbers"), words("advice-whole-numbers")
     code = f"explain-{error.kind}-{error.code}"
@@ -479,7 +479,7 @@ def _world_code(error: WorldError, found: str, expected: str) -> str:
 
 
 def _found_in_world(found: str, words: Wording) -> str:
-    """What stands there; a lone character that nothing shows, by what it is."""
+    """The text at the mistake; an invisible character by its name."""
     if len(found) == 1 and not found.isprintable():
         return words("world-control-character")
     return words(CODE_OF_SIGN[found]) if found in CODE_OF_SIGN else found

@@ -27,7 +27,7 @@ _FIELDS = ("msgctxt", "msgid", "msgstr")
 
 
 class Mistake(ValueError):
-    """What is wrong in a file that a translator wrote, with its place."""
+    """A mistake in a file that a translator wrote, with its place."""
 
     def __init__(self, file: Path, line: int, what: str) -> None:
         super().__init__(f"{file}:{line}: {what}")

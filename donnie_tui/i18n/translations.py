@@ -142,7 +142,7 @@ def _read_table(file: Path) -> dict[str, Any]:
 
 
 def _wrong_in_table(file: Path, words: Mapping[str, Any], english: Mapping[str, Any]) -> Iterator[Mistake]:
-    """What has no meaning, and in ``commands.toml`` a word that has two."""
+    """Finds keys without a meaning, and in ``commands.toml`` words with two."""
     meaning_of: dict[str, str] = {}
     for key, value in words.items():
         line = _line_of(key, file)
@@ -170,7 +170,7 @@ def _line_of(key: str, file: Path) -> int:
 
 
 def missing_in(language: str) -> tuple[str, ...]:
-    """What is English there: ``messages.po walked-forward``, ``keywords.toml FW in [keywords]``."""
+    """The missing entries: ``messages.po walked-forward``, ``keywords.toml FW in [keywords]``."""
     has = frozenset(codes(language))
     sentences = [f"{SOURCE} {code}" for code in codes(ENGLISH) if code not in has]
     words = [

@@ -144,7 +144,7 @@ class Console:
         return bool(self._ahead) or _has_typed()
 
     def read(self) -> bytes:
-        """What was typed; nothing once input has ended. Call it when ``wait`` said so."""
+        """Read what was typed; nothing once input has ended. Call it when ``wait`` reports input."""
         ahead, self._ahead = self._ahead, b""
         return ahead or self._typed()
 

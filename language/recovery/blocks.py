@@ -76,7 +76,7 @@ def read_end(reader: TokenReader) -> None:
 
 
 def _end_meant(reader: TokenReader) -> tuple[str, str, int]:
-    """For an END without its word: the meant block, the words for it, the number of tokens typed for it."""
+    """What an END without its word means: the block, the words for it, the number of tokens typed for it."""
     near, width = pair_meant(reader)
     if near and width == 2:
         return near.terminal.removeprefix("END_"), near.text, 2
@@ -143,7 +143,7 @@ def _close(blocks: list[OpenBlock], end: str, closing: _Closing) -> list[str]:
 
 
 def report_unclosed_blocks(reader: TokenReader) -> None:
-    """At the end of the text, report each open block, outermost first."""
+    """Report each block that is open at the end of the text, outermost first."""
     for block in reader.blocks:
         if block.kind:
             expected, details = _about_end(block)
@@ -186,7 +186,7 @@ def read_split_else(reader: TokenReader) -> None:
 
 
 def _close_blocks_in_if(reader: TokenReader) -> None:
-    """Before an ELSE: end the blocks inside the innermost IF, if fewer mistakes follow then."""
+    """End the blocks inside the innermost IF before an ELSE, if fewer mistakes follow then."""
     kinds, ahead = _kinds_of(reader.blocks), _borders_ahead(reader)
     outer = kinds[: _innermost(kinds, "IF") + 1] if "IF" in kinds else kinds
     if len(outer) == len(kinds) or _mistakes_ahead(outer, ahead) >= _mistakes_ahead(kinds, ahead):

@@ -122,7 +122,7 @@ def read_unknown_command(reader: TokenReader) -> None:
 
 
 def _second_speak(reader: TokenReader) -> str:
-    """For SPEAK "a" x: a SPEAK for x, because one SPEAK says one thing."""
+    """The second SPEAK that SPEAK "a" x needs, because one SPEAK says one thing."""
     token, before = reader.token, reader.before
     if reader.at == 0 or before[0] != STRING or before[3] != token[3]:
         return ""

@@ -338,7 +338,7 @@ def read_fiducial_finder(read: ValueReader, settings: _Settings) -> FiducialFind
 
 
 def read_bumpers(read: ValueReader, settings: _Settings) -> Iterable[Bumper]:
-    """Without a ``bcount`` as many as there are poses."""
+    """Reads the bumpers; without a ``bcount`` as many as there are poses."""
     given = sum(1 for name in settings if name.startswith("bpose["))
     common = max(0.0, read.length(settings, "blength", 0.1))
     for i in range(read.whole(settings, "bcount", given, MOST_BUMPERS, least=0)):

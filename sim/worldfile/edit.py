@@ -50,7 +50,7 @@ def written_models(text: str, path: Path, allowed: tuple[Path, ...] = ()) -> tup
 
 
 def _models_of(text: str, file: str) -> dict[tuple[int, int], WrittenModel]:
-    """What has a body at the top level, by line and column."""
+    """The models with a body at the top level, by line and column."""
     starts = [0]
     for line in text.split("\n"):
         starts.append(starts[-1] + len(line) + 1)
@@ -81,7 +81,7 @@ def _models_of(text: str, file: str) -> dict[tuple[int, int], WrittenModel]:
 
 
 def put_elsewhere(text: str, model: WrittenModel, place: Placement) -> str:
-    """With another pose, in metres and degrees."""
+    """The text with another pose of the model, in metres and degrees."""
     pose = f"[ {place.x:.6g} {place.y:.6g} {place.z:.6g} {place.yaw:.6g} ]"
     if model.pose is not None:
         return text[: model.pose[0]] + pose + text[model.pose[1] :]
@@ -90,7 +90,7 @@ def put_elsewhere(text: str, model: WrittenModel, place: Placement) -> str:
 
 
 def taken_out(text: str, model: WrittenModel) -> str:
-    """Without it; its line too where nothing else is in it."""
+    """The text without the model, and without its line where nothing else is in it."""
     line, rest = text.rfind("\n", 0, model.begin) + 1, text.find("\n", model.end)
     end = len(text) if rest < 0 else rest + 1
     if not text[line : model.begin].strip() and not text[model.end : end].strip():

@@ -86,7 +86,7 @@ def _upright(row: bytes, y: int) -> Iterator[tuple[tuple[int, int], tuple[int, i
 
 
 def _differences(one: bytes, other: bytes) -> Iterator[int]:
-    """Where two rows differ; found without a look at every pixel."""
+    """The places where two rows differ; found without a look at every pixel."""
     both = int.from_bytes(one) ^ int.from_bytes(other)
     return (match.start() for match in _SET.finditer(both.to_bytes(len(one))))
 
@@ -95,7 +95,7 @@ _RUN = re.compile(b"\x01+")
 
 
 class Rectangle(NamedTuple):
-    """In pixels, y downwards; the right and bottom borders belong to the next pixel."""
+    """A rectangle in pixels, y downwards; the right and bottom borders belong to the next pixel."""
 
     left: int
     top: int
@@ -174,7 +174,7 @@ class Plans:
     def _simplified(
         self, fine: Bitmap, setting: Setting, name: str, side: float
     ) -> tuple[Bitmap, list[Rectangle]]:
-        """With too many rectangles: in the cells of Stage's grid, else in squares as large as it takes."""
+        """A plan of too many rectangles in the cells of Stage's grid, else in large enough squares."""
         pixels = min(fine.width, fine.height)
         grid = int(self._resolution / side * pixels) if side > 0 else 1
         picture, cell = fine, 1

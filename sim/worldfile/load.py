@@ -58,7 +58,7 @@ def _is_in(robot: Model, body: Body, part: Part) -> bool:
 
 
 def _called(model: Model) -> str:
-    """In the words of the file: the one that made it, and its name if it has one."""
+    """A model in the words of the file: the word that made it, and its name if it has one."""
     name = "" if ":" in model.spoken_name else model.spoken_name
     return (name if name and model.kind in (model.type, *name.split()) else f"{model.kind} {name}").strip()[
         :60

@@ -78,7 +78,7 @@ def _start(file: Path) -> bytes:
 
 
 class Code(Enum):
-    """What is wrong. The details that come with each are named behind it."""
+    """The kind of a mistake. The details of each are named after it."""
 
     # files
     FILE_NOT_FOUND = "file-not-found"  # path, nearest
