@@ -192,6 +192,24 @@ async def test_each_server_has_a_secret_of_128_bits(serving: Any) -> None:
     assert all(6 * len(each) >= 128 for each in secrets | cookies), "letters of 6 bits"
 
 
+async def test_the_secret_and_the_cookie_are_in_no_title_and_nowhere_else_on_a_page(
+    serving: Any, client: ClientSession
+) -> None:
+    async with serving() as served:
+        gate, shown = served.server.gate, []
+        for address, headers in (
+            (served.server.link, {}),
+            (served.origin, served.cookie),
+            (f"{served.origin}/page/page.js", served.cookie),
+            (served.origin, {}),
+        ):
+            async with client.get(address, headers=headers) as answer:
+                shown.append(await answer.text())
+
+    assert ["<title>Donnie</title>" in each for each in shown] == [True, True, False, True]
+    assert not [each for each in (*shown, *served.log) if gate.secret in each or gate.cookie in each]
+
+
 ELSEWHERE = "http://attacker.example"
 
 FOREIGN = {
