@@ -12,7 +12,7 @@ from types import SimpleNamespace
 import pytest
 
 import devices.serial_ports
-from devices.audio import service
+from devices.audio import service, supervisor
 from devices.audio.channel import SpeakPlace, SpeechOption, choose_channel
 from devices.audio.players import NO_DEVICE
 from devices.audio.service import AudioService
@@ -32,6 +32,7 @@ from donnie_tui.cli.doctor import (
 )
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.settings import Settings, resolve
+from tests.timeouts import TIMEOUT
 from tests.unit.audio.known_environment import KnownEnvironment
 from tests.unit.devices.pictures import GREEN, drawn, save
 from tests.unit.i18n.sentences import CODES
@@ -119,6 +120,8 @@ def test_a_package_that_hides_one_of_donnies_packages_is_named(
 
 def test_a_missing_device_is_reported_with_the_remedy(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(service, "AudioSettings", partial(service.AudioSettings, device=NO_DEVICE))
+    monkeypatch.setattr(supervisor, "START_LIMIT", float(TIMEOUT))
+    monkeypatch.setattr(doctor, "_WORKER_SECONDS", float(TIMEOUT))
     (finding,) = doctor.look_at_worker("en")
     assert (finding.code, finding.is_well) == ("doctor-no-player", False)
     assert f"{finding.code}-remedy" in CODES
