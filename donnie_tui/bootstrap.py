@@ -209,7 +209,7 @@ class Donnie(Struct, frozen=True):
         return 1
 
     def close(self) -> None:
-        """The robots stop first, whatever else takes its time."""
+        """Close the session. The robots stop first; the rest may take its time."""
         self.team.stop()
         self._closing.close()
 

@@ -154,7 +154,7 @@ def refuse_overwriting(order: Order) -> None:
 
 
 def _checked(name: str, words: Words) -> Path:
-    """The path of an output; whatever else there is to say of a file outside is not said."""
+    """The path of an output. A refusal says nothing else of a file outside."""
     try:
         return checked_path(Path(name))
     except DocumentError as error:
@@ -292,7 +292,7 @@ def _await_end(run: Run, stopped: threading.Event, donnie: Donnie) -> None:
 
 
 def _leave_at_once(donnie: Donnie) -> None:
-    """Nothing else is closed: whatever else there is may hang as well."""
+    """Stops the robot and ends the process. Nothing else is closed: that may hang as well."""
     try:
         _stop_robot(donnie)
     finally:

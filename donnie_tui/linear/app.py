@@ -1,7 +1,7 @@
 """The linear mode from the greeting to the exit code: one conversation after the other, each in its world.
 
-Whatever ends it, the terminal is given back as it was found, and the robot is released, unless the session
-continues in the full screen.
+When it ends, for any reason, the terminal is given back as it was found, and the robot is released, unless
+the session continues in the full screen.
 """
 
 from __future__ import annotations

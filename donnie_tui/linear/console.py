@@ -165,7 +165,7 @@ class Console:
         return data
 
     def rest(self, seconds: float) -> None:
-        """Let that time pass, whatever happens."""
+        """Wait for that time, even if something happens meanwhile."""
         until = self.now() + seconds
         while (left := until - self.now()) > 0:
             self.wait(left)

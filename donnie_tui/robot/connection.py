@@ -1,6 +1,6 @@
 """The connection of a session to its robot: simulated, real, or a simulated board; and changing it.
 
-Whatever happens to the connection is a ``link`` event at once. A robot that is missing is reported, and the
+Each change of the connection is a ``link`` event at once. A robot that is missing is reported, and the
 simulator takes its place. A robot that is disconnected stands first. Ports are searched, and their modules
 loaded, only for a real robot.
 """

@@ -1,7 +1,7 @@
 """The Textual application: shows the main screen at once and loads the session after its first frame.
 
-What Textual calls is here. Whatever ends the application, the robots are halted, the text is kept and the
-terminal is given back.
+Textual calls these methods. When the application ends, for any reason, the robots are halted, the text is
+kept and the terminal is given back.
 """
 
 from __future__ import annotations
