@@ -45,6 +45,19 @@ def test_a_recording_without_its_beginning_is_replayed_anyway(here: Here) -> Non
     here.replay("--check", code=2, err=[damage, "The recording is damaged and can't be run again."])
 
 
+def test_a_recording_with_more_events_than_allowed_is_read_up_to_there(
+    here: Here, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    here.record("SPEAK 1\nSPEAK 2\nSPEAK 3")
+    monkeypatch.setattr("donnie_tui.core.recording.MOST_EVENTS", 2)
+    content = (here.folder / "a.rec").read_bytes()
+
+    recording = Recording(io.BytesIO(content))
+
+    assert len(recording.events) == 2
+    assert "too-many" in [each.code for each in recording.damages]
+
+
 def test_a_recording_cut_anywhere_keeps_every_whole_line(here: Here) -> None:
     here.record("SPEAK 1\nSPEAK 2")
     whole = (here.folder / "a.rec").read_bytes()

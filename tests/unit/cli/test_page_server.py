@@ -646,6 +646,20 @@ def test_without_textual_serve_a_checkout_names_the_command_that_installs_it_the
     ]  # fmt: skip
 
 
+async def test_every_answer_has_a_policy_that_forbids_all_but_what_it_names(
+    serving: Any, client: ClientSession
+) -> None:
+    async with serving() as served:
+        for address, headers in (
+            (served.server.link, {}),
+            (served.origin, {}),
+            (f"{served.origin}/page/page.js", served.cookie),
+            (f"{served.origin}/nothing", served.cookie),
+        ):
+            async with client.get(address, headers=headers) as answer:
+                assert answer.headers["Content-Security-Policy"].startswith("default-src 'none'; ")
+
+
 async def test_no_other_page_may_show_read_or_keep_a_page(serving: Any, client: ClientSession) -> None:
     async with serving() as served, client.get(served.origin, headers=served.cookie) as page:
         headers = page.headers

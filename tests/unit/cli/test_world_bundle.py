@@ -10,6 +10,7 @@ from donnie_tui.core.recording import Header
 from donnie_tui.i18n.words import Words
 from donnie_tui.outlets.files import bundle_of
 from donnie_tui.settings.settings import Settings
+from donnie_tui.world import recorded
 from donnie_tui.world.loading import inhabited_world
 from donnie_tui.world.recorded import BundleError, WorldBundle, from_record, pack, unpack, unpacked
 
@@ -84,6 +85,21 @@ def test_a_binary_file_is_kept_byte_by_byte(tmp_path: Path) -> None:
 def test_a_value_that_is_no_bundle_is_refused(record: object) -> None:
     with pytest.raises(BundleError):
         from_record(record)
+
+
+def test_a_bundle_beyond_its_limit_is_refused_by_its_reader_and_its_writer(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(recorded, "LARGEST", 20)
+    file = tmp_path / "x.world"
+    file.write_text("x" * 21)
+    two = [{"name": f"0/{each}", "text": "x" * 11} for each in "ab"]
+
+    with pytest.raises(BundleError) as read:
+        from_record({"name": "x", "main": "0/a", "robots": [], "files": two})
+    with pytest.raises(BundleError) as written:
+        pack("x", file, (str(file),), [tmp_path], ["donnie"])
+    assert read.value.code == written.value.code == "bundle-too-large"
 
 
 def test_a_bundle_without_its_world_is_refused_and_nothing_is_written(tmp_path: Path) -> None:
