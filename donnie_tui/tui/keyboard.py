@@ -116,7 +116,7 @@ class Keyboard:
             return
         await self._feed(event)
         if isinstance(event, events.Key) and not (event.is_printable and self._is_writing):
-            self._queue.follow(submits=event.key == "enter" and isinstance(self._app.focused, Input))
+            self._queue.follow(submits=event.key == "enter" and not isinstance(self._app.focused, TextArea))
 
     def _closed_tour(self, event: events.Key) -> bool:
         """Esc in the tour closes it, and the next one may have been meant for it."""

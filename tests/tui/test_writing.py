@@ -4,6 +4,7 @@ import pytest
 
 from donnie_tui.commands.settings import change
 from donnie_tui.tui.screens.dialogs import Completions
+from tests.tui.conftest import burst
 from tests.tui.settings_files import kept
 
 # --- words
@@ -37,6 +38,26 @@ async def test_a_letter_goes_on_typing_and_leaves_the_list(open_screen):
         await screen.until(lambda: isinstance(screen.app.screen, Completions), "the list")
         await screen.press("P")
         await screen.until(lambda: screen.main.editor.text == "REP", "the letter")
+
+
+async def test_what_is_typed_right_after_enter_comes_after_the_chosen_word(open_screen):
+    async with open_screen() as screen:
+        await screen.press(*"REP", "ctrl+@")
+        await screen.until(lambda: isinstance(screen.app.screen, Completions), "the list")
+        burst(screen, "enter", "space", *"4")
+        await screen.until(lambda: screen.main.editor.text == "REPEAT 4", screen.main.editor.text)
+
+
+async def test_a_list_that_is_answered_twice_closes_once(open_screen):
+    """As a key and a click at the same moment may; a second answer would close what is under it."""
+    async with open_screen() as screen:
+        await screen.press(*"REP", "ctrl+@")
+        await screen.until(lambda: isinstance(screen.app.screen, Completions), "the list")
+        listed = screen.app.screen
+        listed.dismiss(("REPEAT", ""))
+        listed.dismiss(("REPLACE", ""))
+        await screen.until(lambda: screen.main.editor.text == "REPEAT", screen.main.editor.text)
+        assert screen.app.screen is screen.main
 
 
 async def test_the_likely_word_is_shown_behind_the_cursor_and_taken_with_the_right_arrow(open_screen):

@@ -13,11 +13,12 @@ from __future__ import annotations
 import asyncio
 import re
 from collections.abc import Callable, Iterable, Sequence
-from typing import ClassVar
+from typing import ClassVar, TypeVar
 
 from rich.cells import cell_len
 from textual import events, work
 from textual.app import ComposeResult
+from textual.await_complete import AwaitComplete
 from textual.binding import Binding, BindingType
 from textual.containers import Horizontal, Vertical
 from textual.geometry import Offset
@@ -33,7 +34,18 @@ MOST_SEEN = 8
 """Rows of a list next to something else."""
 
 
-class Question(ModalScreen[str | None]):
+T = TypeVar("T")
+
+
+class Dialog(ModalScreen[T]):
+    """A screen above the main one. Only its first answer counts."""
+
+    def dismiss(self, result: T | None = None) -> AwaitComplete:
+        """Textual closes whatever is in front; after a second answer that would be another screen."""
+        return super().dismiss(result) if self.is_active else AwaitComplete()
+
+
+class Question(Dialog[str | None]):
     """Asks for one line; None after Esc. ``accepts`` returns what is wrong with an answer, or None.
 
     ``suggest`` returns what the line may become. They are a list above the line: Up, Down or a click chooses
@@ -274,7 +286,7 @@ def _columns(choices: Sequence[Option]) -> tuple[int, ...]:
     return tuple(max(map(cell_len, column)) + _COLUMN_GAP for column in cells)
 
 
-class Chooser(ModalScreen[str | None]):
+class Chooser(Dialog[str | None]):
     """Answers the value of the chosen row, None if the learner went back."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -494,7 +506,7 @@ class _Words(OptionList):
         return self.content_region.offset + Offset(0, max(0, row))
 
 
-class Completions(ModalScreen[tuple[str, str]]):
+class Completions(Dialog[tuple[str, str]]):
     """Answers the chosen word, empty for none, and the letter that was typed instead."""
 
     BINDINGS: ClassVar[list[BindingType]] = [

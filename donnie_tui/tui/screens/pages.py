@@ -20,18 +20,18 @@ from textual.binding import Binding, BindingType
 from textual.containers import Vertical
 from textual.geometry import Offset
 from textual.message import Message
-from textual.screen import ModalScreen
 from textual.widgets import Static
 
 from donnie_tui.commands.declarations import BY_NAME
 from donnie_tui.commands.keys import MENU, after_menu, key_label
 from donnie_tui.commands.lookup import word_of
 from donnie_tui.core.wording import Wording
+from donnie_tui.tui.screens.dialogs import Dialog
 from donnie_tui.tui.widgets.command_line import InputLine
 from donnie_tui.tui.widgets.rows import DialogKeys, TextRows
 
 
-class Help(ModalScreen[None]):
+class Help(Dialog[None]):
     """Shows lines until Esc; F1 goes ``further`` where there is more to read."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -180,7 +180,7 @@ class TourStrip(Vertical, can_focus=True):
             self.post_message(self.Left())
 
 
-class KeyMenu(ModalScreen[None]):
+class KeyMenu(Dialog[None]):
     """Lists ``names``, the commands by their keys. The application runs what is chosen."""
 
     BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "leave", priority=True)]
@@ -279,7 +279,7 @@ class _KeyLine(InputLine):
         self._take(event.key)
 
 
-class KeyCapture(ModalScreen[str | None]):
+class KeyCapture(Dialog[str | None]):
     """Asks for one key, or one after the menu key."""
 
     AUTO_FOCUS = "#answer"
