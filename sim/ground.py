@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from math import ceil, inf, log
+from math import ceil, hypot, inf, log
 from typing import TYPE_CHECKING
 
 from sim.geometry import Placement
@@ -81,7 +81,7 @@ class Ground:
         with self._lock:
             moving = (self._layout or self._lay_out()).moving
             x, y, half, extent = glide.x, glide.y, glide.half, moving.extent(glide.root)
-            if near := self._gliding_near(x, y, half + extent):
+            if near := self._gliding_near(glide.root, x, y, half + extent):
                 if any(glide.is_near_way(each.way, moving.extent(each.root)) for each in near):
                     return False
                 self._cut([each for each in near if each.is_near_way(glide.way, extent)])
@@ -95,35 +95,33 @@ class Ground:
             del self._glides[root]
             self._put(root, self._now[root] if now is None else now)
 
-    def _gliding_near(self, x: float, y: float, reach: float) -> list[Glide]:
-        """The glides that may be near to what comes within ``reach`` of a place."""
+    def _gliding_near(self, asker: int, x: float, y: float, reach: float) -> list[Glide]:
+        """The glides of others that may be near to what comes within ``reach`` of a place."""
         assert self._layout is not None
-        reach += self._widest_guard
-        glides = self._glides
-        near = self._layout.moving.within(x - reach, y - reach, x + reach, y + reach)
-        return [glides[root] for root in near if root in glides]
+        glides, reach = self._glides, reach + self._widest_guard
+        near = self._layout.moving.close_to(asker, x, y, reach)
+        return [glides[root] for root in near if root in glides] if near else []
 
     def _catch_up(self, asker: int, roots: Iterable[int]) -> None:
         """Put robots that glide to where they are now. Under the lock."""
         glides = self._glides
-        gliding = [root for root in roots if root in glides and root != asker]
-        if gliding:
+        if glides and (gliding := [root for root in roots if root in glides and root != asker]):
             now = self._now_in_turn()
             for root in gliding:
                 if (place := glides[root].new_place(now)) is not None:
                     self._place(root, place)
 
     def roots_within(self, asker: int, x: float, y: float, reach: float) -> list[int]:
-        """What may move, and comes within ``reach`` of a place; perhaps some more, in no order."""
+        """What else may move, and comes within ``reach`` of a place; perhaps some more, in no order."""
         with self._lock:
-            roots = self._others(asker, x - reach, y - reach, x + reach, y + reach)
-            return [root for root in roots if root != asker]
+            roots = (self._layout or self._lay_out()).moving.close_to(asker, x, y, reach)
+            self._catch_up(asker, roots)
+            return roots
 
     def _others(self, asker: int, left: float, bottom: float, right: float, top: float) -> list[int]:
-        """What may move and may come into a box, where it is now, in no order. Under the lock."""
-        roots = (self._layout or self._lay_out()).moving.within(left, bottom, right, top)
-        if self._glides:
-            self._catch_up(asker, roots)
+        """What else may move and may come into a box, where it is now, in no order. Under the lock."""
+        roots = (self._layout or self._lay_out()).moving.within(asker, left, bottom, right, top)
+        self._catch_up(asker, roots)
         return roots
 
     # --- where things are
@@ -147,12 +145,12 @@ class Ground:
             self._put(root, now)
             if self._glides and self._layout is not None:
                 extent = self._layout.moving.extent(root)
-                near = self._gliding_near(now.x, now.y, extent)
+                near = self._gliding_near(root, now.x, now.y, extent)
                 self._cut([each for each in near if each.is_near(now.x, now.y, extent)])
 
     def _put(self, root: int, now: Placement) -> None:
-        if now != self._now[root]:
-            self.begin()
+        if self._layout is None and now != self._now[root]:
+            self._lay_out()
         self._place(root, now)
         if self._layout is not None:
             self._layout.moving.move(root, now)
@@ -234,11 +232,10 @@ class Ground:
         with self._lock:
             layout = self._layout or self._lay_out()
             nearest = layout.nearest_still(wedge, height, but) if has_still else (inf, None)
-            roots = layout.moving.in_wedge(wedge, min(nearest[0], wedge.reach))
-            if len(roots) < 2 and (not roots or roots[0] == asker):
+            roots = layout.moving.in_wedge(asker, wedge, min(nearest[0], wedge.reach))
+            if not roots:
                 return nearest
-            if self._glides:
-                self._catch_up(asker, roots)
+            self._catch_up(asker, roots)
             return layout.nearest_moving(asker, roots, wedge, height, but, nearest)
 
     def free_way(
@@ -265,9 +262,12 @@ class Ground:
 
     def may_meet_others(self, asker: int, x: float, y: float, end: Point, guard: float) -> bool:
         """Whether anything that may move might be nearer than ``guard`` to a way."""
+        to_x, to_y = end
+        reach = hypot(to_x - x, to_y - y) / 2 + guard
         with self._lock:
             layout = self._layout or self._lay_out()
-            return layout.has_others(asker, layout.moving.within(*_around(x, y, end, guard)))
+            roots = layout.moving.close_to(asker, (x + to_x) / 2, (y + to_y) / 2, reach)
+            return bool(roots) and layout.has_others(asker, roots)
 
     def moment(self, asker: int) -> Moment:
         """What ``is_unchanged`` takes."""

@@ -7,8 +7,10 @@ about there to about the same side.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from math import dist, floor, sqrt
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from math import dist, floor, hypot, inf, sqrt
+
+from msgspec import Struct
 
 from sim.geometry import Placement, Point, Wedge, direction, edges, is_convex, signed_area
 from sim.parts import Part
@@ -23,7 +25,9 @@ MARGIN = 1e-9
 LEAST, MOST = 0.25, 2.0
 """Metres of a square's side."""
 FEW = 16
-"""So many roots are looked at one by one."""
+"""So many parts, about, are looked for around a place at first."""
+NOBODY = -1
+"""Asks for no root."""
 VIEWED_FROM = 0.5
 """Metres of the side of a square from which views are kept."""
 _NEARER = 0.75 * VIEWED_FROM
@@ -94,6 +98,10 @@ def _inside(
 
 Circle = tuple[float, float, float]
 """Its middle's x and y, and its radius."""
+DRIFT = 0.3
+"""Metres that a root moves until what is near it must be found again."""
+CLOSE = 0.75
+"""Metres: a movement looks for what is near as far as that, a sensor farther."""
 InView = tuple[float, float, float, float, Part]
 """How far a part is at least; the x, y and radius of a circle around it; the part."""
 
@@ -153,19 +161,30 @@ def _by_distance(view: InView) -> tuple[float, int]:
 
 
 class MovingRoots:
-    """What may move: a circle around each root."""
+    """What may move: a circle around each root, in a wider one, its *range*, which stays for a while.
+
+    Which ranges are near a robot is kept, and changes only when a root leaves its range.
+    """
 
     def __init__(self, parts: Mapping[int, Sequence[Part]], now: Mapping[int, Placement]) -> None:
         """``parts``: of each root, where it is ``now``."""
         self._extents = {root: _extent(parts[root], place) + MARGIN for root, place in now.items()}
-        self._widest = max(self._extents.values(), default=0.0)
         self._circles: dict[int, Circle] = {}
         """Around each root."""
-        self._side = max(1.0, 2.0 * self._widest)
-        self._square_of: dict[int, tuple[int, int]] = {}
-        self._squares: dict[tuple[int, int], dict[int, Circle]] = {}
-        """The same square by square."""
+        self._ranges: dict[int, Circle] = {}
+        self._widest = 0.0
+        """Of the ranges."""
+        self._side = max(1.0, 2.0 * max(self._extents.values(), default=0.0))
+        self._squares: dict[tuple[int, int], set[int]] = {}
+        """The ranges, square by square."""
+        self._close: dict[int, _Near] = {}
+        """What is near a root, as far as ``CLOSE``."""
+        self._far: dict[int, _Near] = {}
+        """The same, farther."""
+        self._farthest = 0.0
+        """Metres that these reach."""
         for root, place in now.items():
+            self._ranges[root] = place.x, place.y, -inf
             self.move(root, place)
 
     def extent(self, root: int) -> float:
@@ -179,51 +198,109 @@ class MovingRoots:
     def cover(self, root: int, x: float, y: float, reach: float) -> None:
         """From now on it is within ``reach`` of a place, until it is moved."""
         radius = self._extents[root] + reach
+        self._circles[root] = x, y, radius
+        its_x, its_y, most = self._ranges[root]
+        if hypot(x - its_x, y - its_y) + radius > most:
+            self._leave(root, x, y, radius + DRIFT)
+
+    def _leave(self, root: int, x: float, y: float, radius: float) -> None:
+        """It gets another range."""
+        self._squares.get(self._square(*self._ranges[root][:2]), set()).discard(root)
+        self._squares.setdefault(self._square(x, y), set()).add(root)
+        self._ranges[root] = x, y, radius
         self._widest = max(self._widest, radius)
-        square = floor(x / self._side), floor(y / self._side)
-        before = self._square_of.get(root)
-        if square != before:
-            if before is not None:
-                del self._squares[before][root]
-            self._square_of[root] = square
-            self._squares.setdefault(square, {})
-        self._circles[root] = self._squares[square][root] = x, y, radius
+        for kept in (self._close, self._far):
+            kept.pop(root, None)
+        for asker in self._in_squares(x, y, self._farthest + radius) if self._farthest else ():
+            for kept in (self._close, self._far):
+                near = kept.get(asker)
+                if near is not None and hypot(near.x - x, near.y - y) <= near.reach + radius:
+                    near.roots.add(root)
 
-    def within(self, left: float, bottom: float, right: float, top: float) -> list[int]:
-        """The roots that may come into a box, in no order."""
-        return [
-            root
-            for circles in self._near(left, bottom, right, top)
-            for root, (x, y, reach) in circles.items()
-            if left - reach <= x <= right + reach and bottom - reach <= y <= top + reach
-        ]
+    def near(self, asker: int, x: float, y: float, reach: float) -> Collection[int]:
+        """The others that may come within ``reach`` of a place, and perhaps some more, in no order."""
+        kept = self._close if reach <= CLOSE else self._far
+        near = kept.get(asker)
+        if near is None or hypot(x - near.x, y - near.y) + reach > near.reach:
+            if asker not in self._ranges:
+                return self._found(asker, x, y, reach).roots
+            its_x, its_y, _ = self._ranges[asker]
+            reach = max(CLOSE, reach + hypot(x - its_x, y - its_y)) + DRIFT
+            near = kept[asker] = self._found(asker, its_x, its_y, reach)
+            self._farthest = max(self._farthest, reach)
+        return near.roots
 
-    def in_wedge(self, wedge: Wedge, reach: float) -> list[int]:
-        """The roots that may come into a wedge up to a distance, in no order.
+    def close_to(self, asker: int, x: float, y: float, reach: float) -> list[int]:
+        """The others that come within ``reach`` of a place, in no order."""
+        near, found = self.near(asker, x, y, reach), []
+        for root in near:
+            its_x, its_y, radius = self._circles[root]
+            if hypot(its_x - x, its_y - y) <= reach + radius:
+                found.append(root)
+        return found
+
+    def within(self, asker: int, left: float, bottom: float, right: float, top: float) -> list[int]:
+        """The others that may come into a box, in no order."""
+        x, y = (left + right) / 2, (bottom + top) / 2
+        near = self.near(asker, x, y, hypot(right - x, top - y))
+        if not near:
+            return []
+        found = []
+        for root in near:
+            its_x, its_y, radius = self._circles[root]
+            if left - radius <= its_x <= right + radius and bottom - radius <= its_y <= top + radius:
+                found.append(root)
+        return found
+
+    def in_wedge(self, asker: int, wedge: Wedge, reach: float) -> list[int]:
+        """The others that may come into a wedge up to a distance, in no order.
 
         This is ``Wedge.touches`` written out, because each sensor asks it for each root.
         """
-        x, y, (c, s), (wc, ws) = wedge.x, wedge.y, wedge.facing, wedge.aside
+        x, y = wedge.x, wedge.y
+        near = self.near(asker, x, y, reach)
+        if not near:
+            return []
+        (c, s), (wc, ws), circles = wedge.facing, wedge.aside, self._circles
         found = []
-        for circles in self._near(*wedge.box(reach)) if len(self._circles) > FEW else (self._circles,):
-            for root, (its_x, its_y, radius) in circles.items():
-                dx, dy = its_x - x, its_y - y
-                along = dx * c + dy * s
-                if -radius <= along <= reach + radius and abs(dy * c - dx * s) * wc - along * ws <= radius:
-                    found.append(root)
+        for root in near:
+            its_x, its_y, radius = circles[root]
+            dx, dy = its_x - x, its_y - y
+            along = dx * c + dy * s
+            if -radius <= along <= reach + radius and abs(dy * c - dx * s) * wc - along * ws <= radius:
+                found.append(root)
         return found
 
-    def _near(self, left: float, bottom: float, right: float, top: float) -> Iterable[Mapping[int, Circle]]:
-        side, widest, circles = self._side, self._widest, self._circles
-        if len(circles) <= FEW:
-            return (circles,)
-        columns = range(floor((left - widest) / side), floor((right + widest) / side) + 1)
-        rows = range(floor((bottom - widest) / side), floor((top + widest) / side) + 1)
-        if len(columns) * len(rows) >= len(circles):
-            return (circles,)
-        squares = self._squares
-        places = [(column, row) for column in columns for row in rows]
-        return [squares[place] for place in places if place in squares]
+    def _found(self, asker: int, x: float, y: float, reach: float) -> _Near:
+        found = set[int]()
+        for root in self._in_squares(x, y, reach + self._widest):
+            its_x, its_y, radius = self._ranges[root]
+            if hypot(its_x - x, its_y - y) <= reach + radius and root != asker:
+                found.add(root)
+        return _Near(x, y, reach, found)
+
+    def _in_squares(self, x: float, y: float, reach: float) -> Collection[int]:
+        """The roots whose ranges have their middles within ``reach`` of a place, and some more."""
+        if (2.0 * reach / self._side) ** 2 > len(self._ranges):
+            return self._ranges
+        (left, bottom), (right, top) = self._square(x - reach, y - reach), self._square(x + reach, y + reach)
+        squares, found = self._squares, list[int]()
+        for column in range(left, right + 1):
+            for row in range(bottom, top + 1):
+                found.extend(squares.get((column, row), ()))
+        return found
+
+    def _square(self, x: float, y: float) -> tuple[int, int]:
+        return floor(x / self._side), floor(y / self._side)
+
+
+class _Near(Struct, frozen=True):
+    """The roots whose ranges come within ``reach`` of a place: the middle of another one's range."""
+
+    x: float
+    y: float
+    reach: float
+    roots: set[int]
 
 
 def _extent(parts: Iterable[Part], place: Placement) -> float:

@@ -21,7 +21,7 @@ from weakref import WeakSet
 import pymunk
 
 from sim.geometry import HAIR, Placement, Point, Wedge, contains, edges, is_convex, placed, signed_area
-from sim.index import Box, InView, MovingRoots, StillParts, Views, entries_of, is_whole
+from sim.index import NOBODY, Box, InView, MovingRoots, StillParts, Views, entries_of, is_whole
 from sim.parts import BODY, NOTHING, RANGED, SIGHT, Part, Sighted, parts_of
 from sim.rays import Hit, Rays
 from sim.scene import Scene
@@ -245,7 +245,7 @@ class Layout:
         known = min(self._views.first, wedge.reach)
         while True:
             known, views = self._views.of(wedge, known)
-            found = _nearest(views, wedge, height, but, NOTHING)
+            found = _nearest(views, wedge, height, but, NOTHING) if views else NOTHING
             if found[0] <= known or known >= wedge.reach:
                 return found
             known = min(2.0 * known, wedge.reach)
@@ -292,7 +292,7 @@ class Layout:
     def _inside_of(self, root: int) -> tuple[Part, ...]:
         here = self._start[root]
         box = (here.x, here.y, here.x, here.y)
-        close = self.within(root, self.moving.within(*box), box, frozenset())
+        close = self.within(root, self.moving.within(NOBODY, *box), box, frozenset())
         return tuple(part for part in close if part.root != root and contains(part.points, here.x, here.y))
 
     def _updated(self, kept: _Kept, asker: int) -> Layer:

@@ -1,6 +1,6 @@
 """What the grid finds near a place is what a look at everything finds."""
 
-from math import inf
+from math import hypot, inf
 from random import Random
 
 import pytest
@@ -132,3 +132,26 @@ def test_looks_from_one_place_after_the_other_read_the_nearest_of_all_things(see
         spot = Spot(x, y, chance.choice((10.0, 14.0, 190.0)))
 
         assert cone.metres(around, spot) == pytest.approx(nearest_of_all(around, cone, spot), abs=1e-9)
+
+
+@settings(max_examples=examples(40), deadline=None)
+@given(st.integers(0, 10**6), st.sampled_from((3, 30, 120)))
+def test_what_may_move_is_found_near_each_robot_however_all_drift(seed: int, count: int) -> None:
+    """What is near a robot is kept: it changes when anything moves a little, or far."""
+    chance = Random(seed)
+    places = [(chance.uniform(-6, 6), chance.uniform(-6, 6)) for _ in range(count)]
+    ground = Ground(scene("".join(f"position( pose [ {x:.3f} {y:.3f} 0 0 ] )\n" for x, y in places)))
+    radius = hypot(0.2, 0.2)
+    for _ in range(300):
+        root = chance.randrange(count)
+        now, far = ground.place(root), chance.choice((0.05, 0.05, 0.05, 0.4, 3.0))
+        x, y = now.x + chance.uniform(-far, far), now.y + chance.uniform(-far, far)
+        ground.put(root, Placement(x, y, 0, 0))
+        asker, reach = chance.randrange(count), chance.choice((0.2, 0.5, 3.0, 8.0))
+        x, y = ground.place(asker).x + chance.uniform(-0.3, 0.3), ground.place(asker).y
+
+        found = ground.roots_within(asker, x, y, reach)
+
+        others = {root: ground.place(root) for root in range(count) if root != asker}
+        near = {root for root, it in others.items() if hypot(it.x - x, it.y - y) < reach + radius}
+        assert set(found) == near
