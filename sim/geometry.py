@@ -117,8 +117,10 @@ def nearest_seen(
     nearest = most
     for px, py in points:
         ax, ay, left_a, right_a = bx, by, left_b, right_b
-        bx, by = c * (px - x) + s * (py - y), c * (py - y) - s * (px - x)
-        left_b, right_b = ws * bx - wc * by, ws * bx + wc * by
+        dx, dy = px - x, py - y
+        bx, by = c * dx + s * dy, c * dy - s * dx
+        along, across = ws * bx, wc * by
+        left_b, right_b = along - across, along + across
         if (
             (left_a < 0.0 and left_b < 0.0)
             or (right_a < 0.0 and right_b < 0.0)
@@ -126,9 +128,11 @@ def nearest_seen(
             or (ax > nearest and bx > nearest)
         ):
             continue
-        part = _in_wedge((ax, ay, bx, by), wc, ws)
+        part = _clipped((ax, ay, bx, by), left_a, left_b, right_a, right_b)
         if part is not None:
-            nearest = min(nearest, hypot(*nearest_on_edge(part)))
+            metres = hypot(*nearest_on_edge(part))
+            if metres < nearest:
+                nearest = metres
     return nearest
 
 
@@ -202,12 +206,25 @@ def _in_wedge(edge: Edge, c: float, s: float) -> Edge | None:
     right_a, right_b = s * ax + c * ay, s * bx + c * by
     if (left_a < 0.0 and left_b < 0.0) or (right_a < 0.0 and right_b < 0.0) or (ax < 0.0 and bx < 0.0):
         return None
+    return _clipped(edge, left_a, left_b, right_a, right_b)
+
+
+def _clipped(edge: Edge, left_a: float, left_b: float, right_a: float, right_b: float) -> Edge | None:
+    """The part of the edge whose ends ``a`` and ``b`` are so far within both sides of a wedge."""
+    ax, ay, bx, by = edge
     start, end = 0.0, 1.0
-    for a, b in ((left_a, left_b), (right_a, right_b), (ax, bx)):
-        if a < 0.0:
-            start = max(start, a / (a - b))
-        elif b < 0.0:
-            end = min(end, a / (a - b))
+    if left_a < 0.0:
+        start = left_a / (left_a - left_b)
+    elif left_b < 0.0:
+        end = left_a / (left_a - left_b)
+    if right_a < 0.0:
+        start = max(start, right_a / (right_a - right_b))
+    elif right_b < 0.0:
+        end = min(end, right_a / (right_a - right_b))
+    if ax < 0.0:
+        start = max(start, ax / (ax - bx))
+    elif bx < 0.0:
+        end = min(end, ax / (ax - bx))
     if start > end:
         return None
     return ax + start * (bx - ax), ay + start * (by - ay), ax + end * (bx - ax), ay + end * (by - ay)
@@ -355,9 +372,23 @@ def at_radius(radius: float, edge: Edge) -> list[Point]:
 
 def overlapping(mine: Sequence[Point], other: Sequence[Point]) -> bool:
     """Whether two polygons share more than a border."""
+    if _are_apart(*zip(*mine, strict=True), *zip(*other, strict=True)):
+        return False
     if contains(other, *mine[0]) or contains(mine, *other[0]):
         return True
     return any(_crossing(a, b) for a in edges(mine) for b in edges(other))
+
+
+def _are_apart(
+    xs: Sequence[float], ys: Sequence[float], its_xs: Sequence[float], its_ys: Sequence[float]
+) -> bool:
+    """Whether the boxes around two polygons have a gap between them: a quick look before an exact one."""
+    return (
+        min(xs) > max(its_xs) + HAIR
+        or min(its_xs) > max(xs) + HAIR
+        or min(ys) > max(its_ys) + HAIR
+        or min(its_ys) > max(ys) + HAIR
+    )
 
 
 def _crossing(mine: Edge, other: Edge) -> bool:

@@ -110,13 +110,13 @@ class Cone(Struct, frozen=True):
 
     def nearest(self, around: Around, spot: Spot, turned: float = 0.0) -> Sighted:
         """The nearest thing in the cone, if there is any, and how far it is."""
-        place = spot.mounted(self.x, self.y, self.yaw + turned)
-        half = self.half_angle
+        x, y, half, (c, s) = self.x, self.y, self.half_angle, direction(spot.yaw)
+        yaw = spot.yaw + (self.yaw + turned)
+        x, y = spot.x + c * x - s * y, spot.y + s * x + c * y  # as ``Spot.mounted`` does it
         if half > NARROW:
-            return self._nearest_of_wide(around, place)
-        yaw = place.yaw - half + half  # rounded as the middle of the wedges of a wide cone is
-        wedge = Wedge(place.x, place.y, yaw, direction(yaw), direction(half), self.maximum)
-        return around.nearest(wedge, self.height)
+            return self._nearest_of_wide(around, Spot(x, y, yaw))
+        yaw = yaw - half + half  # rounded as the middle of the wedges of a wide cone is
+        return around.nearest(Wedge(x, y, yaw, direction(yaw), direction(half), self.maximum), self.height)
 
     def _nearest_of_wide(self, around: Around, place: Spot) -> Sighted:
         """The same, wedge by wedge, of at most a half circle each."""

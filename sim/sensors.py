@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from enum import Enum
-from math import ceil, cos, hypot, radians, sin
+from math import ceil, cos, hypot, inf, radians, sin
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
@@ -90,14 +90,14 @@ class Senses(Struct, frozen=True):
 
 
 def _steps(rangers: tuple[Ranger, ...], around: Around, spot: Spot, chance: Random | None) -> int:
-    nearest: int | None = None
+    nearest, farthest = inf, 0.0
     for each in rangers:
         reading = each.centimetres(around, spot) if chance is None else each.noisy(around, spot, chance)
-        if reading is not None and (nearest is None or reading < nearest):
+        if reading is None:
+            farthest = max(farthest, each.maximum)
+        elif reading < nearest:
             nearest = reading
-    if nearest is None:
-        nearest = max(int(each.maximum * 100 + 0.5) for each in rangers)
-    return nearest // CENTIMETRES_A_STEP
+    return (int(farthest * 100 + 0.5) if nearest == inf else int(nearest)) // CENTIMETRES_A_STEP
 
 
 def senses_of(scene: Scene, robot: int) -> Senses:
