@@ -446,8 +446,6 @@ class Clock:
         return False
 
     def _take_turn(self) -> bool:
-        if not self._seat.takes_part:
-            return True
         time = self.seconds + self._joined_at
         return self._seat.is_next(time) or (self._rests(0.0) and self._seat.take(time, self.was_halted))
 

@@ -283,16 +283,6 @@ class Mover:
         nearest = self.turn_contact(spot, sign)
         return degrees if nearest >= abs(degrees) else sign * max(0, floor(nearest - TURN_SKIN))
 
-    @property
-    def walking_guard(self) -> float:
-        """Metres from its way beyond which nothing touches a robot that walks, nor blocks its sensors."""
-        return max(self.body.radius + STEP / 10 + 2 * WIDEST_SKIN, self._farthest + 2 * STEP + 0.01)
-
-    @property
-    def turning_guard(self) -> float:
-        """Metres from its centre beyond which nothing touches a robot that turns."""
-        return self.body.radius + 2 * SKIN
-
     def has_free_step(self, spot: Spot, bearing: Bearing) -> bool:
         """Whether a whole step is free, and is the same however it is divided."""
         there = spot.ahead(STEP, spot.yaw + (180.0 if bearing is Bearing.BACK else 0.0))
@@ -439,9 +429,14 @@ class Mover:
         return self.around.without(gives_way) if gives_way else self.around
 
     def _keep_guard(self) -> None:
-        self._farthest = max((hypot(each.x, each.y) for each in self.senses.rangers), default=0.0)
-        self.guard = max(self.body.radius + STEP, self._farthest + 2 * STEP) + 0.01
+        radius = self.body.radius
+        farthest = max((hypot(each.x, each.y) for each in self.senses.rangers), default=0.0)
+        self.guard = max(radius + STEP, farthest + 2 * STEP) + 0.01
         """Metres from its centre beyond which nothing touches it within a step, nor blocks its sensors."""
+        self.walking_guard = max(radius + STEP / 10 + 2 * WIDEST_SKIN, farthest + 2 * STEP + 0.01)
+        """Metres from its way beyond which nothing touches a robot that walks, nor blocks its sensors."""
+        self.turning_guard = radius + 2 * SKIN
+        """Metres from its centre beyond which nothing touches a robot that turns."""
         self.around.keep(self.guard)
 
 

@@ -293,6 +293,7 @@ class Vehicle:
         self.watcher = watcher
         self.hand = Hand(self.mover)
         self._root = robot
+        self._z = ground.start(robot).z
         self._ground = ground
         self._jumps = -1
         self.quicken()
@@ -335,12 +336,14 @@ class Vehicle:
         """Set the pose, and publish it to the other robots."""
         self.here = where
         if self.mover.around.has_company:
-            spot = where.truth
-            z = self._ground.start(self._root).z
-            self._ground.put(self._root, Placement(spot.x, spot.y, z, spot.yaw))
-            self.hand.carry(spot)
+            self._ground.put(self._root, self._placed(where))
+            self.hand.carry(where.truth)
             if not self.clock.takes_part:
                 self._ground.jump()
+
+    def _placed(self, where: Whereabouts) -> Placement:
+        spot = where.truth
+        return Placement(spot.x, spot.y, self._z, spot.yaw)
 
     def quicken(self) -> None:
         """Its body has changed: let the ground know how fast points of it may be now."""
@@ -428,21 +431,15 @@ class Vehicle:
         how many ticks if not as a whole; None, and nothing has happened, where it must not begin.
         """
         ground, root, here = self._ground, self._root, self.here.truth
-        z = ground.start(root).z
-
-        def place(where: Whereabouts) -> Placement:
-            spot = where.truth
-            return Placement(spot.x, spot.y, z, spot.yaw)
-
         way = here.x, here.y, there.truth.x, there.truth.y
-        glide = Glide(root, self.clock, times, lambda count: place(at(count)), way, guard)
+        glide = Glide(root, self.clock, times, lambda count: self._placed(at(count)), way, guard)
         if not ground.begin_glide(glide):
             return None
         landing, end = Landing.HALTED, None
         try:
             landing = self.clock.follow(glide, last)
             if landing is Landing.WHOLE:
-                self.here, end = there, place(there)
+                self.here, end = there, self._placed(there)
         finally:
             ground.end_glide(root, end)
         return landing, glide.count or 0
