@@ -334,6 +334,11 @@ class Clock:
         until = self._seat.free_until()
         return until if until == inf else until - self._joined_at - self.seconds
 
+    @property
+    def others_glide(self) -> bool:
+        """Whether there is no time at all in which no other robot can act: one of them glides."""
+        return bool(self._turns.glides and self._turns.queue) and self._seat.takes_part
+
     def may_leap(self) -> bool:
         """Whether time may be spent at once: no other robot waits or takes part."""
         seat, turns = self._seat, self._turns

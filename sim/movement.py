@@ -84,8 +84,7 @@ class Sweeping(Movement):
     """A movement that is computed at once, as far as no other robot can act."""
 
     def _go_on(self) -> StoppedBy | None:
-        room = self._room()
-        if room:
+        if not self._vehicle.clock.others_glide and (room := self._room()):
             return self._sweep(room)
         is_gliding = self._vehicle.glides and self._vehicle.clock.is_active()
         end = self._free_to() if is_gliding else self._whole
