@@ -20,6 +20,7 @@ from msgspec.structs import replace
 
 from devices.ports.robot import STEP, Bearing, Met, StoppedBy
 from sim.geometry import (
+    Edge,
     Point,
     Spot,
     Wedge,
@@ -232,6 +233,8 @@ class Mover:
         self._bare = self.body
         self._stuck: tuple[Spot, int] | None = None
         """Where it can't turn a degree to one side, because of what never moves."""
+        self._outlined: tuple[float, Sequence[Edge]] | None = None
+        """Its edges at the angle to its way at which it looked last."""
         self._apart_since = -1
         """The ground's ``jumps`` when the robot was known to reach into nothing."""
         self.around = Surroundings(ground, robot)
@@ -383,8 +386,14 @@ class Mover:
         obstacle = edges(seen_from(part.points, spot.x, spot.y, angle))
         if self.body.is_round or self._overlaps(spot, part):
             return min(disc_contact(self.body.radius, edge, SKIN) for edge in obstacle)
-        contact, squarely = outline_contact(self.body.outline(spot.yaw - angle), obstacle)
+        contact, squarely = outline_contact(self._outline(spot.yaw - angle), obstacle)
         return less_skin(contact, squarely)
+
+    def _outline(self, angle: float) -> Sequence[Edge]:
+        """The body's edges when it looks to ``angle``: mostly along its way."""
+        if self._outlined is None or self._outlined[0] != angle:
+            self._outlined = angle, self.body.outline(angle)
+        return self._outlined[1]
 
     def _in_the_way_of_turning(self, spot: Spot) -> list[Part]:
         """A round body has room to turn from all that lies still: only what moves can have come closer."""
@@ -429,6 +438,7 @@ class Mover:
         return self.around.without(gives_way) if gives_way else self.around
 
     def _keep_guard(self) -> None:
+        self._outlined = None
         radius = self.body.radius
         farthest = max((hypot(each.x, each.y) for each in self.senses.rangers), default=0.0)
         self.guard = max(radius + STEP, farthest + 2 * STEP) + 0.01

@@ -35,7 +35,6 @@ class Part(Struct, frozen=True):
     """Metres above the floor."""
     top: float
     points: tuple[Point, ...]
-    outline: tuple[Edge, ...]
     middle: Point
     """Of a circle around all of it."""
     reach: float
@@ -49,6 +48,11 @@ class Part(Struct, frozen=True):
 
     __eq__ = object.__eq__
     __hash__ = object.__hash__
+
+    @property
+    def outline(self) -> tuple[Edge, ...]:
+        """Its edges."""
+        return edges(self.points)
 
     def seen_from(self, start: Placement) -> tuple[Point, ...]:
         """Its points and the place of its model, in the frame of a top-level model."""
@@ -65,7 +69,6 @@ class Part(Struct, frozen=True):
             self.bottom,
             self.top,
             tuple(points),
-            edges(points),
             *_circle(points),
             self.solid,
             self.seen,
@@ -101,7 +104,6 @@ def _part(
         bottom=bottom,
         top=top,
         points=points,
-        outline=edges(points),
         middle=middle,
         reach=reach,
         solid=model.solid or is_robot,

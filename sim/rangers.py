@@ -59,8 +59,9 @@ def first_hits(
     """``Around.first_hits`` among the parts of that height."""
     if height is None:
         return around.first_hits(x, y, ends, ranging)
-    parts = [part for part in _height_between(around, x, y, ends, ranging) if at_height(part, height)]
-    return [_first(parts, (x, y, *end)) for end in ends]
+    parts = (part for part in _height_between(around, x, y, ends, ranging) if at_height(part, height))
+    outlines = [(part, part.outline) for part in parts]
+    return [_first(outlines, (x, y, *end)) for end in ends]
 
 
 def _height_between(
@@ -72,10 +73,12 @@ def _height_between(
             yield part
 
 
-def _first(parts: Iterable[Part], ray: tuple[float, float, float, float]) -> Hit[Part]:
+def _first(
+    outlines: Iterable[tuple[Part, Sequence[Edge]]], ray: tuple[float, float, float, float]
+) -> Hit[Part]:
     first, nearest = None, inf
-    for part in parts:
-        for edge in part.outline:
+    for part, outline in outlines:
+        for edge in outline:
             alpha = along(ray, edge)
             if alpha < nearest:
                 first, nearest = part, alpha
