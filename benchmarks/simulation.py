@@ -4,7 +4,7 @@ One command is measured against one ray through the same world by pymunk's ``seg
 interleaved; medians, with the quarters as the spread. Of many robots steps a second are printed, and how time
 and memory grow; of wandering robots, each with a program, the processor time of a simulated second, against
 what Stage 4.3 took with its wander controller, 10 Hz and 9 rays, on a machine on which a ray took 4 us.
-Processor time, so that what else the machine does matters little.
+Processor time, so that what else the machine does matters little. Garbage is collected as in a session.
 """
 
 from __future__ import annotations
@@ -25,6 +25,7 @@ import pymunk
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from devices.ports.robot import Bearing, Motion, Pose, RobotProblem
+from donnie_tui.process import load_undisturbed, loaded
 from language.compiler import compile_program
 from language.control import ExecutionControl
 from language.parser import parse
@@ -296,10 +297,12 @@ def _run(robot: SimulatedRobot) -> None:
 
 def _wander(count: int) -> None:
     """Each program reads three sensors, walks a step, and turns where there is something ahead."""
+    load_undisturbed()
     scene = _floor(count, boxes=60 + count)
     world, ray = World(scene), _ray(scene)
     robots = [world.robot(name, pace=Freely()) for name in _names(scene)]
     threading.stack_size(STACK)
+    loaded()
     for until in (2.0, 2.0 + WANDERED[count]):
         world.expect(_names(scene))
         threads = [threading.Thread(target=_wandering, args=(robot, until)) for robot in robots]
