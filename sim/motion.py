@@ -53,19 +53,9 @@ SAFE = 1e-6
 """Metres by which a circle of free room is taken smaller."""
 
 
-class _Room(Struct, frozen=True):
-    """A circle in which nothing that never moves comes near."""
-
-    x: float
-    y: float
-    radius2: float
-
-    def holds(self, x: float, y: float) -> bool:
-        dx, dy = x - self.x, y - self.y
-        return dx * dx + dy * dy < self.radius2
-
-
-_NO_ROOM = _Room(0.0, 0.0, -1.0)
+_Room = tuple[float, float, float]
+"""A circle in which nothing that never moves comes near: its middle and its radius."""
+_NO_ROOM: _Room = 0.0, 0.0, -1.0
 
 
 class OtherRobots:
@@ -172,10 +162,11 @@ class Surroundings:
         """
         if self.absent:
             return False
-        if not self._room.holds(x, y):
+        its_x, its_y, radius = self._room
+        if hypot(x - its_x, y - its_y) >= radius:
             radius = max(0.0, self.ground.still_room(x, y, self._guard) - SAFE)
-            self._room = _Room(x, y, radius * radius)
-        if not self._room.holds(to_x, to_y):
+            self._room = its_x, its_y, radius = x, y, radius
+        if hypot(to_x - its_x, to_y - its_y) >= radius:
             return False
         return not self.has_company or not self.ground.may_meet_others(
             self.root, x, y, (to_x, to_y), self._guard
