@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
     from sim.cameras import Found, Seen
     from sim.geometry import Spot
-    from sim.movement import Movement
+    from sim.movement import Bend, Movement, Turn, Walk
     from sim.vehicle import Rate, Vehicle, Whereabouts
 
 
@@ -148,6 +148,13 @@ class SimulatedRobot:
                 )
             return self._vehicle
 
+    @cached_property
+    def _movements(self) -> tuple[type[Walk], type[Turn], type[Bend]]:
+        """Loaded at the first movement, and only once: even to import them again takes time."""
+        from sim.movement import Bend, Turn, Walk
+
+        return Walk, Turn, Bend
+
     def join(self) -> None:
         """Take part in the world's order; returns when it is this robot's turn, or after a stop.
 
@@ -199,17 +206,15 @@ class SimulatedRobot:
 
     def turn(self, degrees: int) -> TurnResult:
         """On the spot; a car drives forward on its smallest circle. RobotProblem ``cannot-turn``."""
-        from sim.movement import Bend, Turn
-
-        vehicle = self.get_ready()
+        vehicle, (_, on_the_spot, on_a_circle) = self.get_ready(), self._movements
         rates = vehicle.rates
         motion, sign = (Motion.RIGHT, -1) if degrees >= 0 else (Motion.LEFT, 1)
         rate = rates.right if degrees >= 0 else rates.left
         movement: Movement
         if rates.bend is None:
-            movement = Turn(vehicle, motion, abs(degrees), rate, sign)
+            movement = on_the_spot(vehicle, motion, abs(degrees), rate, sign)
         else:
-            movement = Bend(vehicle, motion, abs(degrees), rate, sign, rates.bend)
+            movement = on_a_circle(vehicle, motion, abs(degrees), rate, sign, rates.bend)
         turned, stopped_by, met = self._run(vehicle, (motion, degrees), movement, vehicle.meeting.turning)
         return TurnResult(degrees, -sign * turned, stopped_by, self.pose(), met, self._pushed(vehicle))
 
@@ -307,10 +312,8 @@ class SimulatedRobot:
         turned = 180.0 if motion is Motion.BACKWARD else 0.0
         if vehicle.leap(steps, rate, turned):
             return WalkResult(steps, steps, None, pose_of(vehicle.here.belief))
-        from sim.movement import Walk
-
         meeting = vehicle.meeting.walking if motion is Motion.FORWARD else vehicle.meeting.walking_backward
-        walk = Walk(vehicle, motion, steps, rate)
+        walk = self._movements[0](vehicle, motion, steps, rate)
         walked, stopped_by, met = self._run(vehicle, (motion, steps), walk, meeting)
         return WalkResult(steps, walked, stopped_by, self.pose(), met, self._pushed(vehicle))
 

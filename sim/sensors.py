@@ -50,7 +50,7 @@ class Senses(Struct, frozen=True):
         ``chance``: sensors with noise have it; without, every reading is exact. RobotProblem
         ``no-sensor`` (bearing, in words): nothing looks there.
         """
-        rangers = self.at(bearing)
+        rangers = self.by_bearing[bearing]
         if not rangers:
             raise RobotProblem("no-sensor", bearing=bearing.words)
         return _steps(rangers, around, spot, chance)

@@ -35,6 +35,8 @@ class Bearing(Enum):
     BACK_LEFT = 225
     FRONT_LEFT = 315
 
+    __hash__ = object.__hash__  # an Enum's own takes the hash of its name anew each time
+
     @property
     def words(self) -> str:
         """Its name in events and problems: ``front right``."""
