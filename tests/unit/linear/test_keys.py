@@ -1,10 +1,14 @@
 """Bytes become keys, whatever pieces they come in."""
 
+from typing import Any
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from donnie_tui.linear.line_editor import Act, KeyDecoder, KeyPress
+from donnie_tui.linear.reader import How, Typed
+from tests.unit.linear.test_wakeups import Console, editor
 
 
 def decoded(*pieces: bytes) -> list[KeyPress]:
@@ -121,3 +125,35 @@ def test_tab_completes_at_the_end_of_what_was_typed_and_is_a_blank_in_a_paste() 
         KeyPress(Act.TEXT, " "),
         KeyPress(Act.TEXT, "3"),
     ]
+
+
+def completed(offered: str, *words: str) -> Typed:
+    """The line after Tab, and Enter if it is still edited."""
+    console: Any = Console(b"\t")
+    reader = editor(console)
+
+    def complete(_: str) -> tuple[str, ...]:
+        console.type(b"\r")
+        return words
+
+    reader.complete = complete
+    return reader.read("> ", offered)
+
+
+@pytest.mark.parametrize(
+    ("offered", "words", "line"),
+    [
+        ("rep", ("repeat",), "repeat "),
+        ("FW 1 rep", ("repeat",), "FW 1 repeat "),
+        ("OPEN fo", ("folder/",), "OPEN folder/"),  # there is more to choose in it
+        ("repeat", ("repeat",), "repeat "),
+        ("r", ("read", "real"), "rea"),
+        ("x", (), "x"),
+    ],
+)
+def test_tab_writes_as_much_as_is_certain(offered: str, words: tuple[str, ...], line: str) -> None:
+    assert completed(offered, *words) == Typed(line, How.ENTER)
+
+
+def test_tab_lists_the_words_of_which_nothing_more_is_certain() -> None:
+    assert completed("rea", "read", "real") == Typed("rea", How.CHOICES, ("read", "real"))
