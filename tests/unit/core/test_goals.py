@@ -21,7 +21,7 @@ from donnie_tui.core.events import (
     ThingsMoved,
     Turned,
 )
-from donnie_tui.core.goals import Inventory, Item, Judgment, goals_of_end, judge, unknown_names
+from donnie_tui.core.goals import Inventory, Item, Judgment, folded, goals_of_end, judge, unknown_names
 from worlds.challenges import Challenge, ChallengeText, Goal, Limit, Never, Rules
 
 START = Pose(0.0, 0.0, 0.0)
@@ -419,3 +419,17 @@ def test_a_thing_may_belong_to_another_thing() -> None:
     there = run(ThingsMoved((PlacedThing("box", Pose(6.05, 9.0, 0.0), 2),)))
     assert shortfalls(Goal(thing="red box", at=(5.0, 9.0)), there) == []
     assert shortfalls(Goal(thing="red box", at=(4.95, 9.0)), there)[0][1]["steps"] == 1
+
+
+@pytest.mark.parametrize(
+    ("text", "plain"),
+    [
+        ("Maçã", "maca"),
+        ("mac\u0327a\u0303", "maca"),
+        ("¡Sí,  médio!", " si   medio "),
+        ("x2", "x2"),
+        ("ﬁn", "fin"),
+    ],
+)
+def test_of_a_text_letters_and_digits_count(text: str, plain: str) -> None:
+    assert folded(text).split() == plain.split()

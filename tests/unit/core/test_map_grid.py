@@ -45,6 +45,17 @@ def grid(x: float = 0.0, y: float = 0.0, heading: float = 0.0, floor: Floor = RO
     return MapGrid(floor, Pose(x, y, heading))
 
 
+def test_a_goal_has_all_free_cells_of_its_place_and_none_beyond_the_floor() -> None:
+    """The first cell of the floor is 2 steps west and 1 south of the start."""
+    marked = grid()
+    marked.mark_goals([(1, 0.0, 1.0, 1.0, 2.0), (2, 2.0, 0.0, 9.0, 1.0)])
+
+    assert marked.goals == {
+        **dict.fromkeys((Cell(2, 2), Cell(3, 2), Cell(2, 3)), 1),
+        **dict.fromkeys((Cell(4, 1), Cell(5, 1), Cell(4, 2), Cell(5, 2)), 2),
+    }
+
+
 def test_the_robot_stands_in_the_cell_with_its_place_in_the_middle():
     assert grid().rows() == ("#######", "#..t..#", "#.....#", "#.^...#", "#######")
 
