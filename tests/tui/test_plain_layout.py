@@ -149,3 +149,11 @@ async def test_in_the_plain_layout_the_marks_have_columns_of_their_own(open_scre
         assert editor.render_line(0).cell_length == editor.size.width
         assert editor.cursor_screen_offset.x == editor.content_region.x + len(" BFW 5")
         assert " BFW 5" in screen.text
+
+
+async def test_the_word_plain_changes_to_it_and_back(open_screen):
+    async with open_screen("FW 1") as screen:
+        for is_plain in (True, False):
+            await screen.type_line("PLAIN")
+            await screen.until(lambda wanted=is_plain: screen.main.is_plain is wanted, "the other layout")
+            await screen.until(lambda wanted=is_plain: ("Map:" in screen.text) is not wanted, "its panes")
