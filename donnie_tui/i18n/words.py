@@ -225,4 +225,5 @@ def _plural_rule(language: str) -> Callable[[int], int]:
 @cache
 def _decimal_sign(language: str) -> str:
     sentence = find("decimal-sign", language)
-    return sentence.text if sentence else "."
+    assert sentence is not None, "English has one"
+    return sentence.text
