@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from devices.ports.audio import Cue, Urgency, Utterance
+from devices.ports.robot import Pose
 from donnie_tui.core.answer_log import TranscriptLog, next_log
 from donnie_tui.core.events import (
     Announced,
@@ -13,13 +14,14 @@ from donnie_tui.core.events import (
     CueSounded,
     Error,
     Event,
+    Moved,
     SoundSwitched,
     Spoke,
     Stamped,
     Waited,
 )
 from donnie_tui.core.outlets import Cues, Voice
-from donnie_tui.core.transcript import LONGEST_SOURCE, lines_of
+from donnie_tui.core.transcript import LONGEST_SOURCE, MOST_MOVEMENTS, History, lines_of
 from donnie_tui.i18n.words import Words
 
 
@@ -150,3 +152,12 @@ def test_a_new_log_gets_the_next_number(tmp_path: Path) -> None:
         (tmp_path / name).touch()
 
     assert next_log(tmp_path).name == "log_042.txt"
+
+
+def test_the_history_keeps_the_newest_movements_and_counts_the_others() -> None:
+    history = History(most=3)
+    for steps in range(1, 6):
+        history.remember(Moved("FW", steps, steps, None, Pose(0.0, float(steps), 0.0), forward=True))
+
+    assert [each.done for each in history.movements] == [3, 4, 5]
+    assert (history.forgotten, MOST_MOVEMENTS) == (2, 10_000)
