@@ -266,8 +266,9 @@ class ScreenInteraction:
             self._controller.ctx.answer("screen-nothing-to-complete")
             return
         await asyncio.sleep(0)
-        below, point = editor.cursor_screen_offset, self._controller.point
-        word, letter = await self._dialogs.answer_of(Completions(shown, below, point))
+        below = editor.cursor_screen_offset
+        listed = Completions(shown, below, self._place.room_around(below.y), self._controller.point)
+        word, letter = await self._dialogs.answer_of(listed)
         if word:
             editor.put_in_place_of(found.typed, word)
         elif letter:

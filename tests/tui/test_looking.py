@@ -646,6 +646,7 @@ async def test_a_short_list_is_seen_whole_in_forty_columns(open_screen):
 
 @pytest.mark.parametrize("row", [0, 2, 5])
 async def test_words_to_complete_never_cover_the_line_that_they_complete(open_screen, row):
+    """Eight rows of 40 by 12 are the pane's: on one side of any row of it are four."""
     async with open_screen("\n" * 7, size=(40, 12)) as screen:
         screen.main.editor.move_cursor((row, 0))
         await screen.painted()
@@ -655,5 +656,23 @@ async def test_words_to_complete_never_cover_the_line_that_they_complete(open_sc
         await screen.painted()
         region = screen.app.screen.list.region
 
-        assert region.height >= 5
+        assert region.height >= 4
         assert not region.y <= cursor < region.bottom
+
+
+@pytest.mark.parametrize("plain", [False, True])
+@pytest.mark.parametrize("size", [(40, 12), (20, 5), (80, 24)])
+@pytest.mark.parametrize("row", [0, 3, 6])
+async def test_words_to_complete_cover_neither_the_command_line_nor_the_status(open_screen, size, row, plain):
+    async with open_screen("\n" * 7, size=size, plain=plain) as screen:
+        screen.main.go_to(screen.main.program_pane)
+        screen.main.editor.move_cursor((row, 0))
+        await screen.painted()
+        await screen.press("ctrl+@")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the list")
+        await screen.painted()
+        listed = screen.app.screen.list.region
+
+        assert listed.height >= 1
+        for fixed in (screen.main.command_line, screen.main.status, screen.main.keys):
+            assert not listed.overlaps(fixed.region)

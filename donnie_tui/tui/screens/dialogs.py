@@ -21,7 +21,7 @@ from textual.app import ComposeResult
 from textual.await_complete import AwaitComplete
 from textual.binding import Binding, BindingType
 from textual.containers import Horizontal, Vertical
-from textual.geometry import Offset
+from textual.geometry import Offset, Region
 from textual.message import Message
 from textual.screen import ModalScreen
 from textual.widgets import Input, OptionList, Static
@@ -514,11 +514,16 @@ class Completions(Dialog[tuple[str, str]]):
         Binding("tab", "take", priority=True),
     ]
 
-    def __init__(self, words: Sequence[str], below: Offset, point: Callable[[str], object]) -> None:
-        """``below``: where the cursor is, on the screen; ``point`` says the word that is chosen."""
+    def __init__(
+        self, words: Sequence[str], below: Offset, room: Region, point: Callable[[str], object]
+    ) -> None:
+        """``below``: where the cursor is, on the screen. The list stays in ``room`` if a row is left there.
+
+        ``point`` says the word that is chosen.
+        """
         super().__init__()
         self._point = point
-        self._below = below
+        self._below, self._room = below, room
         self.list = _Words(*words, id="completions", markup=False, compact=True)
         self._width = max(map(cell_len, words)) + 2
         self._count = len(words)
@@ -527,9 +532,10 @@ class Completions(Dialog[tuple[str, str]]):
         yield self.list
 
     def on_mount(self) -> None:
-        above, below = self._below.y, self.size.height - self._below.y - 1
+        room, row = self._room, self._below.y
+        above, below = row - room.y, room.bottom - row - 1
         height = max(1, min(self._count, MOST_SEEN, max(above, below)))  # the line itself stays in sight
-        y = self._below.y + 1 if below >= min(height, above) else max(0, above - height)
+        y = row + 1 if below >= max(1, min(height, above)) else max(room.y, row - height)
         width = min(self._width, self.size.width)
         self.list.styles.width, self.list.styles.height = width, height
         self.list.styles.offset = (max(0, min(self._below.x, self.size.width - width)), y)

@@ -14,7 +14,7 @@ from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
 from textual.errors import NoWidget
 from textual.events import DescendantFocus, Resize, ScreenResume
-from textual.geometry import Size
+from textual.geometry import Region, Size
 from textual.message import Message
 from textual.screen import Screen
 from textual.widget import Widget
@@ -208,6 +208,13 @@ class MainScreen(Screen[None]):
         plain = (self.command_line, self.editor, self.log_rows, self.map, self.inspector)
         chain = super().focus_chain
         return [each for each in (plain if self.is_plain else reading) if each in chain]
+
+    def room_around(self, row: int) -> Region:
+        """The rows around that one in which nothing is always to be seen."""
+        fixed = [each.region for each in (self.command_line, self.status, self.keys) if each.region]
+        top = max((each.bottom for each in fixed if each.bottom <= row), default=0)
+        bottom = min((each.y for each in fixed if each.y > row), default=self.size.height)
+        return Region(0, top, self.size.width, bottom - top)
 
     @property
     def panes(self) -> tuple[Pane, ...]:
