@@ -9,8 +9,10 @@ from msgspec.structs import replace
 from devices.ports.robot import Pose
 from donnie_tui.bootstrap import Donnie, task_on_arrival
 from donnie_tui.commands.context import Context
+from donnie_tui.commands.declarations import BY_NAME
 from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import NotUnderstood, Option, Screen, read_count, read_numbers
+from donnie_tui.commands.lookup import word_of
 from donnie_tui.core import map_words
 from donnie_tui.core.events import SoundSwitched
 from donnie_tui.core.map_grid import DEFAULT_MOVES, FREE, MapGrid, Trail, path_in_words, place_in_words
@@ -334,6 +336,8 @@ async def enter_world(ctx: Context, typed: str) -> None:
     slow = ctx.words("slow-world", name=typed[:LONGEST_NAME])
     name = await ctx.interaction.background(lambda: world_to_enter(ctx, typed), slow)
     if name is not None and await may_leave_built(ctx):
+        if ctx.donnie.world.challenge is not None:
+            ctx.workspace.challenge = ctx.donnie.world.challenge.name
         await ctx.interaction.enter_world(name)
 
 
@@ -386,11 +390,15 @@ def settings_there(donnie: Donnie, settings: Settings, name: str) -> Settings:
     return replace(found, robot=robot, sources={**settings.sources, "robot": SettingSource.OPTION})
 
 
-def say_arrival(donnie: Donnie, *, is_silent: bool) -> None:
-    """Say what the other world has. ``is_silent``: SOUND OFF was typed in the one before."""
+def arrive(ctx: Context, *, is_silent: bool) -> None:
+    """Say what the other world has. ``is_silent``: SOUND OFF was typed in the one before.
+
+    Another challenge begins with an empty program.
+    """
     from donnie_tui.core.describe import arrived
     from donnie_tui.world.loading import robot_put_in
 
+    donnie = ctx.donnie
     if is_silent:
         donnie.session.hub.publish(SoundSwitched(False))
     about = donnie.world.about(donnie.words.language)
@@ -399,3 +407,8 @@ def say_arrival(donnie: Donnie, *, is_silent: bool) -> None:
     else:
         donnie.publish_answers(*arrived(donnie.world.name, about, donnie.picture(), donnie.words))
     donnie.publish_answers(*robot_put_in(donnie.world, donnie.words))
+    challenge = donnie.world.challenge
+    if challenge is not None and challenge.name != ctx.workspace.challenge:
+        lines = ctx.workspace.put_away()
+        if lines:
+            ctx.answer("challenge-put-away", lines=lines, word=word_of(BY_NAME["undo"], ctx.words.language))

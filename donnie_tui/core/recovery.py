@@ -99,7 +99,7 @@ class CopyFolder:
             copy.rename(copy.with_name(prefix + copy.name.split("-", 1)[1]))
         _remove_oldest(self.newest_first(prefix))
 
-    def withdraw_offers(self, opened: Container[Path]) -> None:
+    def withdraw_offers(self, opened: Container[object]) -> None:
         """Stop offering the copies of the start before, except those ``opened``; RECOVER still finds them."""
         for each in reversed(self.newest_first(_KEPT)):
             if each not in opened:

@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from donnie_tui.core.program_files import DocumentError, RecentFiles
     from donnie_tui.core.recovery import CopyFolder, CopyWriter, SavedCopy, UnsavedCopy
 
-MOST_REPLACED = 5
-"""Replaced programs of which copies are kept."""
+MOST_REPLACED, MOST_PUT_AWAY = 5, 20
+"""Replaced programs of which copies are kept, and of those that were put away without a question."""
 
 
 class Workspace:
@@ -53,8 +53,12 @@ class Workspace:
         self._kept: object = ()
         """What was not saved when the copies were last written."""
         self._is_finished = False
-        self._taken: set[Path] = set()
-        """The copies of earlier starts that were recovered in this one."""
+        self._put_away: list[Replaced] = []
+        """The unsaved programs that a challenge put away, the oldest first."""
+        self.challenge = ""
+        """The name of the challenge that the learner left last."""
+        self._taken: set[Path | Replaced] = set()
+        """What was recovered since the start."""
 
     # --- the documents
 
@@ -145,6 +149,18 @@ class Workspace:
         if path is not None:
             document.breakpoints = self._breakpoint_file.read(path, len(document.lines))
 
+    def put_away(self) -> int:
+        """Begin with an empty program, for every robot. UNDO and RECOVER restore what was there.
+
+        Returns how many lines the current program had.
+        """
+        lines = len(self.document.lines)
+        for document in dict.fromkeys((self.document, *self.by_robot().values())):
+            if not document.is_saved:
+                self._put_away = [*self._put_away, Replaced(document.text, document.path)][-MOST_PUT_AWAY:]
+            document.replace("", None)
+        return lines
+
     def save(self, document: Document, path: Path, text: str) -> None:
         """Write ``text``, which the document had when it was asked for. Raises ``DocumentError``."""
         from donnie_tui.core.program_files import write_program
@@ -175,7 +191,7 @@ class Workspace:
         """What RECOVER opens next: a copy of an earlier start, or a program that was replaced in this one."""
         left = [each for each in self._folder.left() if each not in self._taken]
         found: list[Path | Replaced] = [*self.rescued(), *reversed(self._replaced()), *left]
-        return found[0] if found else None
+        return next((each for each in found if each not in self._taken), found[0] if found else None)
 
     def read_recoverable(self, found: Path | Replaced) -> tuple[SavedCopy, str]:
         """The program, and the text that its file has now. Raises ``DocumentError``."""
@@ -188,8 +204,10 @@ class Workspace:
     def recover(self, found: Path | Replaced, program: SavedCopy, in_file: str) -> None:
         """Put a recovered program in place of the current one. It is saved if its file has the same text."""
         self.replace(program.text, program.path, in_file=in_file, keeps_empty=True)
-        if not isinstance(found, Replaced):
-            self._taken.add(found)
+        self._taken.add(found)
+        if isinstance(found, Replaced):
+            self._put_away = [each for each in self._put_away if each != found]
+        else:
             self._copy_of(self.document).want(self.document.text, program.path, instead_of=found)
         self.keep_copies()
 
@@ -199,7 +217,9 @@ class Workspace:
         found = [
             each for document in self.documents for each in document.versions.replaced if each not in present
         ]
-        return list(dict.fromkeys(found))[-MOST_REPLACED:]
+        by_learner = list(dict.fromkeys(found))[-MOST_REPLACED:]
+        put_away = [each for each in self._put_away if each not in present and each not in by_learner]
+        return [*dict.fromkeys(put_away), *by_learner]
 
     # --- copies
 

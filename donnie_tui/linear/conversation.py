@@ -204,9 +204,9 @@ class Conversation:
         return self._take_lines(is_shown=is_shown)
 
     def _talk_in_next_world(self) -> int:
-        from donnie_tui.commands.world import say_arrival
+        from donnie_tui.commands.world import arrive
 
-        say_arrival(self._donnie, is_silent=self._state.is_silent)
+        arrive(self.ctx, is_silent=self._state.is_silent)
         self.ctx.say(*self._donnie.notices.about_devices)
         self._say_number_of_lines()
         return self._take_lines(is_shown=False)

@@ -26,7 +26,7 @@ from donnie_tui.commands.interaction import begin
 from donnie_tui.commands.keys import KeyTable, not_understood
 from donnie_tui.commands.lookup import find
 from donnie_tui.commands.sound import chime_block
-from donnie_tui.commands.world import say_arrival
+from donnie_tui.commands.world import arrive
 from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.completion import Completion, NextLine, completion, next_line
 from donnie_tui.core.events import Pointed
@@ -134,7 +134,7 @@ class ScreenController:
         self.main_screen.command_line.have_typed(state.typed)
         self.ctx.past = state.typed
         self.ctx.runs.watched.extend(state.watched)
-        say_arrival(self.donnie, is_silent=state.is_silent)
+        arrive(self.ctx, is_silent=state.is_silent)
 
     @property
     def state(self) -> ScreenState:

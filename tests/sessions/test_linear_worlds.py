@@ -49,6 +49,21 @@ def test_worlds_lists_the_worlds_and_a_name_selects_one_with_the_program(tmp_pat
     ]
 
 
+def test_another_challenge_begins_with_an_empty_program_and_no_line_is_lost(tmp_path: Path) -> None:
+    """AGAIN ran what had solved the challenge before."""
+    typed = "FW 2\n\nCHALLENGE 1\nLIST\nFW 3\n\nWORLD open_floor\nCHALLENGE 1\nLIST\nNEXT CHALLENGE\nLIST\n"
+    lines = answers_to(tmp_path, f"{typed}UNDO\nLIST\nUNDO\nUNDO\nLIST\n", "--world", "first_room")
+    away = "Your 1 line is put away. UNDO brings it back."
+
+    assert lines.count(away) == 2
+    first, second = (at for at, line in enumerate(lines) if line == away)
+    assert lines[first + 1] == "There are no lines yet."
+    assert "1: FW 3" in lines[first + 1 : second]
+    assert lines[second + 1] == "There are no lines yet."
+    rest = lines[second + 2 :]
+    assert rest.index("1: FW 3") < rest.index("1: FW 2")
+
+
 def test_switches_and_watched_variables_stay_in_another_world(tmp_path: Path) -> None:
     lines = answers_to(tmp_path, "SOUND OFF\n\nWATCH x\nWORLD maze\nVAR x = 3\n\nCUES bump\n")
 

@@ -24,8 +24,9 @@ def begin(monkeypatch, work_through, **settings):
             await work_through(screen)
 
     monkeypatch.setattr(full_screen.DonnieApp, "run", lambda app, **_: asyncio.run(worked_through(app)))
-    world = Settings(world="open_floor", speed=None, speech="off", sound=False, tour=False, **settings)
-    return full_screen.run_full_screen(world, None)
+    chosen = {"world": "open_floor", **settings}
+    found = Settings(speed=None, speech="off", sound=False, tour=False, **chosen)
+    return full_screen.run_full_screen(found, None)
 
 
 def test_a_recording_is_not_lost_to_another_world(monkeypatch, tmp_path):
@@ -94,6 +95,28 @@ def test_a_typed_name_selects_that_world_and_keeps_the_log_and_the_history(monke
         "42 by 42 steps, walls included.",
         "5 things. WORLD says more.",
     ]
+
+
+def test_another_challenge_begins_with_an_empty_program_and_undo_restores_the_one_before(
+    monkeypatch, tmp_path
+):
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
+    seen = []
+
+    async def work_through(screen):
+        seen.append((screen.app.controller.donnie.world.challenge.name, screen.main.editor.text))
+        if len(seen) == 1:
+            screen.load(WALK)
+            await screen.type_line("NEXT CHALLENGE")
+        else:
+            await screen.shows(f"Your {len(WALK.splitlines())} lines are put away. UNDO brings them back.")
+            await screen.type_line("UNDO")
+            await screen.until(lambda: screen.main.editor.text == WALK, "the program before")
+            screen.app.exit(0)
+        await screen.until(lambda: not screen.app.is_running, "the end")
+
+    assert begin(monkeypatch, work_through, world="challenge:first_walk") == 0
+    assert seen == [("first_walk", ""), ("to_the_ball", "")]
 
 
 def test_a_word_says_which_argument_it_does_not_take(monkeypatch, tmp_path):

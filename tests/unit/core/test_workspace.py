@@ -214,6 +214,43 @@ def test_only_the_last_of_many_replaced_programs_are_kept(tmp_path: Path) -> Non
     assert texts(tmp_path) == [f"FW {number}\n" for number in range(4, 9)]
 
 
+def test_no_program_that_was_put_away_is_lost_by_many_changes_after_it(tmp_path: Path) -> None:
+    """UNDO knows the last fifty changes; twenty programs are kept without it."""
+    workspace = workspace_in(tmp_path)
+    for number in range(21):
+        add_lines(workspace, f"FW {number}", *["TR 90"] * 60)
+        assert workspace.put_away() == 61
+    add_lines(workspace, *["TR 90"] * 60)
+
+    found = [recovered(workspace)[0] for _ in range(21)]
+    assert found == ["FW 20", "TR 90", *(f"FW {number}" for number in range(19, 0, -1))]
+
+
+def test_undo_restores_what_was_put_away_with_its_file(tmp_path: Path) -> None:
+    workspace = workspace_in(tmp_path)
+    workspace.replace("FW 1\nFW 2\n", tmp_path / "walk.gd")
+    assert workspace.put_away() == 2
+    assert (workspace.document.lines, workspace.document.path) == ((), None)
+    workspace.document.undo()
+
+    assert workspace.document.lines == ("FW 1", "FW 2")
+    assert workspace.document.path == tmp_path / "walk.gd"
+    assert workspace.put_away() == 2
+    assert workspace.recoverable() is None  # it is saved
+
+
+def test_the_programs_of_all_robots_are_put_away(tmp_path: Path) -> None:
+    workspace = workspace_in(tmp_path)
+    add_lines(workspace, "FW 1")
+    workspace.choose_robot("two")
+    add_lines(workspace, "FW 2")
+    workspace.put_away()
+    workspace.choose_robot("one")
+
+    assert workspace.document.lines == ()
+    assert {recovered(workspace), recovered(workspace)} == {("FW 1",), ("FW 2",)}
+
+
 # --- recovering
 
 
