@@ -22,8 +22,7 @@ from donnie_tui.i18n.first_words import early
 from donnie_tui.settings.folders import UNSAVED, state_folder
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui.environment import is_page, is_plain, may_need_linear
-from donnie_tui.tui.key_queue import Dialogs
-from donnie_tui.tui.keyboard import STOPS, Keyboard, bindings
+from donnie_tui.tui.keyboard import STOPS, Dialogs, Keyboard, bindings
 from donnie_tui.tui.screens.main_screen import MainScreen
 from donnie_tui.tui.shutdown import CRASHED, Shutdown
 from donnie_tui.tui.startup import SessionHandle, Startup

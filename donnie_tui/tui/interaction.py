@@ -28,7 +28,7 @@ from donnie_tui.i18n.help import SCREEN_TOUR_PAGES, manual
 from donnie_tui.i18n.words import Words
 from donnie_tui.tui.controller import ScreenController
 from donnie_tui.tui.environment import PagerError, is_page, pager, run_pager
-from donnie_tui.tui.key_queue import Dialogs
+from donnie_tui.tui.keyboard import Dialogs
 from donnie_tui.tui.pane_text import help_lines, help_text, keys_here, tour_pages
 from donnie_tui.tui.run_view import Reminder
 from donnie_tui.tui.screens.main_screen import MainScreen

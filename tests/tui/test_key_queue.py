@@ -6,7 +6,7 @@ from collections.abc import Awaitable, Callable
 from functools import partial
 from types import SimpleNamespace
 
-from donnie_tui.tui.key_queue import LOOKS, KeyQueue
+from donnie_tui.tui.keyboard import LOOKS, KeyQueue
 
 
 class Pump:

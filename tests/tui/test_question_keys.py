@@ -9,7 +9,7 @@ import warnings
 import pytest
 from textual import events
 
-from donnie_tui.tui import key_queue
+from donnie_tui.tui import keyboard
 from tests.tui.conftest import burst
 
 pytestmark = pytest.mark.slow
@@ -100,7 +100,7 @@ async def test_letters_in_front_of_a_page_that_comes_are_not_for_the_program(ope
 
 async def test_keys_do_not_wait_for_what_takes_long_without_asking(open_screen, monkeypatch) -> None:  # type: ignore[no-untyped-def]
     """As looking for a robot does: the text is there to be typed in meanwhile."""
-    monkeypatch.setattr(key_queue, "SLOW", 0.01)
+    monkeypatch.setattr(keyboard, "SLOW", 0.01)
     async with open_screen() as screen:
         monkeypatch.setattr(screen.app.controller, "do", lambda _name, _argument: asyncio.Event().wait())
         burst(screen, "ctrl+n", *"FW")
