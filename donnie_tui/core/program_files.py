@@ -12,7 +12,8 @@ import contextlib
 import errno
 import itertools
 import os
-from collections.abc import Iterable
+import re
+from collections.abc import Container, Iterable
 from typing import TYPE_CHECKING, BinaryIO
 
 from msgspec import Struct, convert
@@ -23,13 +24,15 @@ from donnie_tui.process.confinement import (
     OutsideError,
     check_name,
     confinement,
+    folder_items,
     is_allowed,
     make_folder,
     open_bytes,
     open_descriptor,
     open_text,
+    part_below,
 )
-from language.source import cleaned, lines_in, printable, with_newlines
+from language.source import cleaned, fold_name, lines_in, printable, with_newlines
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -175,6 +178,65 @@ def is_same_file(one: Path, other: Path) -> bool:
         return one.resolve() == other.resolve()
     except (OSError, ValueError, RuntimeError):
         return False
+
+
+# --- what there is to open
+
+
+class ProgramEntry(Struct, frozen=True):
+    """A program in a folder, or a folder in it."""
+
+    path: Path
+    name: str
+    """As it is shown: in one line, and with a slash after the name of a folder."""
+    folded: str
+    """For comparisons."""
+    real: str = ""
+    """Where a folder leads to; empty for a program."""
+
+
+def programs_in(folder: Path, inside: Container[str] = ()) -> tuple[ProgramEntry, ...]:
+    """The programs of a folder in their order, then its folders; hidden ones are left out.
+
+    So is a link to a folder that is ``inside``, or that this one lies in: it would lead in circles. Raises
+    ``DocumentError``.
+    """
+    found = []
+    try:
+        here = os.path.realpath(folder)
+        for name, is_folder, is_link in folder_items(folder):
+            path, shown = folder / name, printable(name)
+            if not is_folder:
+                if name.endswith(SUFFIX):
+                    found.append(ProgramEntry(path, shown, fold_name(shown)))
+                continue
+            real = os.path.realpath(path) if is_link else f"{here.rstrip(os.sep)}{os.sep}{name}"
+            if not is_link or (real not in inside and part_below(real, here) is None):
+                found.append(ProgramEntry(path, f"{shown}/", fold_name(shown), real))
+    except OutsideError as problem:
+        raise DocumentError(problem.code, str(folder)) from None
+    except (OSError, ValueError) as problem:
+        raise DocumentError("file-unreadable", str(folder), _reason(problem)) from None
+    return tuple(sorted(found, key=_place))
+
+
+def _place(entry: ProgramEntry) -> tuple[bool, list[str | int]]:
+    """By numbers in the name, too: program2 comes before program10."""
+    parts = re.split(r"(\d+)", entry.folded)
+    return bool(entry.real), [int(each) if at % 2 else each for at, each in enumerate(parts)]
+
+
+def program_meant(name: str) -> Path:
+    """The only program whose name begins as a typed one, which names no file. Raises ``DocumentError``."""
+    path = _typed_path(name)
+    typed, listed = fold_name(path.name), tuple[ProgramEntry, ...]()
+    with contextlib.suppress(DocumentError):
+        listed = programs_in(path.parent)
+    begins = [each for each in listed if not each.real and each.folded.startswith(typed)]
+    if len(begins) != 1:
+        code = "file-several" if begins else "file-not-found"
+        raise DocumentError(code, str(path), str(len(begins)))
+    return begins[0].path
 
 
 # --- reading

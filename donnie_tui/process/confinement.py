@@ -190,6 +190,32 @@ def make_folder(path: AnyPath) -> None:
     os.makedirs(path, exist_ok=True)  # noqa: PTH103
 
 
+def folder_items(path: AnyPath) -> list[tuple[str, bool, bool]]:
+    """The files and folders in a folder: each name, whether it is a folder, and whether it is a link.
+
+    Without what is hidden, and without what a confined session must not use. Raises ``OSError``.
+    """
+    check_name(path)
+    number = None if _confinement is None else open_descriptor(path, os.O_RDONLY | _FOLDER)
+    found = []
+    try:
+        with os.scandir(os.fspath(path) if number is None else number) as items:
+            for each in items:
+                if each.name.startswith("."):
+                    continue
+                try:
+                    is_folder, is_link = each.is_dir(), each.is_symlink()
+                    is_used = is_folder or each.is_file()
+                except OSError:  # a link to itself
+                    continue
+                if is_used and (not is_link or is_allowed(f"{os.fspath(path)}/{each.name}")):
+                    found.append((each.name, is_folder, is_link))
+    finally:
+        if number is not None:
+            os.close(number)
+    return found
+
+
 class OpenFolder:
     """A folder in which files are made and replaced. Confined, it is the same one until ``close``."""
 

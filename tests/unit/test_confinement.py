@@ -15,6 +15,7 @@ from donnie_tui.core.program_files import (
     RecentFiles,
     program_to_open,
     program_to_save,
+    programs_in,
     read_program,
     write_program,
 )
@@ -26,6 +27,7 @@ from donnie_tui.process.confinement import (
     OutsideError,
     check_name,
     confine,
+    folder_items,
     is_allowed,
     make_folder,
     open_bytes,
@@ -308,3 +310,39 @@ def test_an_unconfined_process_opens_what_it_is_given(folder: Path, tmp_path: Pa
     assert read_program(program_to_open(str(tmp_path / "secret.gd"))) == SECRET
     assert is_allowed("/etc/passwd")
     assert program_to_open("~").is_absolute()
+
+
+def test_only_what_is_inside_and_not_hidden_is_listed(folder: Path) -> None:
+    (folder / ".hidden.gd").touch()
+    os.mkfifo(folder / "pipe.gd")
+
+    assert {each.name for each in programs_in(folder)} == {"mine.gd", "inner.gd", "sub/", "within/"}
+    assert [each.name for each in programs_in(folder / "within")] == ["coração é.gd"]
+    assert {each for each, _is_folder, _is_link in folder_items(folder)} == {
+        "mine.gd",
+        "inner.gd",
+        "sub",
+        "within",
+    }
+
+
+@pytest.mark.parametrize("name", ["..", "/", "way", "sub/../..", "root/etc", ".donnie"])
+def test_no_other_folder_is_listed(name: str, folder: Path) -> None:
+    (folder / ".donnie").mkdir()
+    with pytest.raises(OutsideError):
+        folder_items(str(folder / name))
+    with pytest.raises(DocumentError) as problem:
+        programs_in(folder / name)
+    assert problem.value.code in ("file-outside", "file-hidden")
+
+
+def test_a_folder_that_becomes_a_link_while_it_is_checked_is_not_followed(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def swap(_path: object) -> None:
+        (folder / "sub").rename(folder / "moved")
+        (folder / "sub").symlink_to(folder.parent)
+
+    monkeypatch.setattr(confinement, "check_name", swap)
+    with pytest.raises(OSError):
+        folder_items(folder / "sub")

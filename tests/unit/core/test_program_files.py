@@ -16,8 +16,10 @@ from donnie_tui.core.program_files import (
     RecentFiles,
     decode,
     file_names,
+    program_meant,
     program_to_open,
     program_to_save,
+    programs_in,
     read_program,
     read_to_the_end,
     write_program,
@@ -312,3 +314,88 @@ def test_typed_names_become_files_and_folders(tmp_path: Path, monkeypatch: pytes
         f"/{each.name}/" if each.is_dir() else f"/{each.name}" for each in sorted(Path("/").glob("tm*"))
     )
     assert file_names("nowhere/a") == ()
+
+
+# --- what there is to open
+
+
+def names_in(folder: Path) -> list[str]:
+    return [each.name for each in programs_in(folder)]
+
+
+def test_programs_are_listed_by_their_numbers_and_before_folders(tmp_path: Path) -> None:
+    for name in ("program10.gd", "program2.gd", "Ábaco.gd", "zoo.gd", "notes.txt", ".hidden.gd", "gd"):
+        (tmp_path / name).touch()
+    (tmp_path / "a folder.gd").mkdir()
+    (tmp_path / "old").mkdir()
+
+    assert names_in(tmp_path) == ["Ábaco.gd", "program2.gd", "program10.gd", "zoo.gd", "a folder.gd/", "old/"]
+
+
+def test_links_lead_to_programs_and_folders_but_in_no_circle(tmp_path: Path) -> None:
+    (tmp_path / "one" / "deep").mkdir(parents=True)
+    (tmp_path / "two").mkdir()
+    (tmp_path / "a.gd").touch()
+    for name, target in (
+        ("one/up", ".."),
+        ("one/here", "."),
+        ("one/other", "../two"),
+        ("one/b.gd", "../a.gd"),
+        ("one/none.gd", "nowhere"),
+        ("one/self.gd", "self.gd"),
+        ("two/back", "../one"),
+    ):
+        (tmp_path / name).symlink_to(target)
+
+    assert names_in(tmp_path / "one") == ["b.gd", "deep/", "other/"]
+    inside = [str(tmp_path.resolve() / "one"), str(tmp_path.resolve() / "two")]
+    assert programs_in(tmp_path / "one" / "other", inside) == ()
+
+
+@pytest.mark.parametrize("name", ["nowhere", "a.gd"])
+def test_what_is_no_folder_is_not_listed(tmp_path: Path, name: str) -> None:
+    (tmp_path / "a.gd").touch()
+    with pytest.raises(DocumentError) as problem:
+        programs_in(tmp_path / name)
+
+    assert problem.value.code == "file-unreadable"
+    assert problem.value.reason
+
+
+@pytest.mark.skipif(os.getuid() == 0, reason="root reads every folder")
+def test_a_folder_without_permission_is_not_listed(tmp_path: Path) -> None:
+    tmp_path.chmod(0)
+    try:
+        with pytest.raises(DocumentError):
+            programs_in(tmp_path)
+    finally:
+        tmp_path.chmod(0o700)
+
+
+@pytest.mark.parametrize(
+    ("typed", "meant"),
+    [
+        ("sq", "square.gd"),
+        ("SQ", "square.gd"),
+        ("acao", "ação é.gd"),
+        ("sub/de", "sub/deep.gd"),
+        ("s", "2"),
+        ("quare", ""),
+        ("su", ""),
+        ("nowhere/x", ""),
+    ],
+)
+def test_the_beginning_of_a_name_means_the_only_program_that_has_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, typed: str, meant: str
+) -> None:
+    (tmp_path / "sub").mkdir()
+    for name in ("square.gd", "stairs.gd", "ação é.gd", "sub/deep.gd"):
+        (tmp_path / name).touch()
+    monkeypatch.chdir(tmp_path)
+    if meant.endswith(".gd"):
+        assert str(program_meant(typed)) == meant
+        return
+    with pytest.raises(DocumentError) as problem:
+        program_meant(typed)
+    assert problem.value.code == ("file-several" if meant else "file-not-found")
+    assert not meant or problem.value.reason == meant
