@@ -19,13 +19,12 @@ from donnie_tui.commands.lookup import help_line
 from donnie_tui.commands.program import say_restored
 from donnie_tui.core import reports
 from donnie_tui.core.program_files import (
-    SUFFIX,
     DocumentError,
     as_lines,
     checked_path,
     exists,
-    file_names,
     page_to_save,
+    program_meant,
     program_to_open,
     program_to_save,
     read_program,
@@ -39,9 +38,6 @@ if TYPE_CHECKING:
     from donnie_tui.world.run_picture import RunPicture
 
 
-MOST_SUGGESTED = 200
-"""Files; a learner with more types a letter of the name."""
-
 # --- opening
 
 
@@ -49,36 +45,36 @@ MOST_SUGGESTED = 200
 async def open_named(ctx: Context, argument: str) -> None:
     """Open the file of a name, which is asked for where none is given."""
     if argument:
-        await _open_text(ctx, *await _read(ctx, argument))
+        await _open_text(ctx, *await _read(ctx, argument, may_begin=ctx.interaction.is_attended))
     elif not ctx.interaction.is_attended:
         raise NotUnderstood
     else:
         await _open_text(ctx, *await _read_asked(ctx))
 
 
+async def open_file(ctx: Context, name: str) -> None:
+    """Open the file of a name that was not typed here."""
+    await _open_text(ctx, *await _read(ctx, name))
+
+
 async def _read_asked(ctx: Context) -> tuple[Path, str]:
     """The file of a typed name. What is wrong with the name is asked in its place."""
     question, name = ctx.words("ask-open"), ""
-    while name := await ctx.interaction.ask(question, name, suggest=partial(_programs_like, ctx)) or "":
+    while answer := await ctx.interaction.ask_file(question, name, ctx.workspace.recent.paths):
         try:
-            return await _read(ctx, name)
+            return await _read(ctx, answer, may_begin=True)
         except DocumentError as error:
-            question = ctx.words(error.code, path=error.path, reason=error.reason)
+            question, name = ctx.words(error.code, path=error.path, reason=error.reason), str(answer)
     raise GivenUp
 
 
-def _programs_like(ctx: Context, typed: str) -> tuple[str, ...]:
-    """The programs and folders that a typed name may become; at first the recent programs come first."""
-    found = [each for each in file_names(typed) if each.endswith(("/", SUFFIX))]
-    recent = [] if typed else [each for each in ctx.workspace.recent.paths() if each.parent != Path.cwd()]
-    return (*map(str, recent), *sorted(found, key=lambda each: (each.endswith("/"), each)))[:MOST_SUGGESTED]
-
-
-async def _read(ctx: Context, name: str) -> tuple[Path, str]:
-    """Raises ``DocumentError``."""
+async def _read(ctx: Context, name: str | Path, *, may_begin: bool = False) -> tuple[Path, str]:
+    """Raises ``DocumentError``. ``may_begin``: the name may be the beginning of one, if there is no other."""
 
     def read() -> tuple[Path, str]:
-        path = program_to_open(name)
+        path = checked_path(name) if isinstance(name, Path) else program_to_open(name)
+        if may_begin and isinstance(name, str) and not exists(path):
+            path = program_meant(name)
         return path, as_lines(read_program(path))
 
     slow = ctx.words("slow-opening", name=Path(name).name or name)
@@ -175,7 +171,7 @@ async def recent(ctx: Context, _: str) -> None:
     options = [Option(str(path), f"{path.name}, {path.parent}") for path in paths]
     chosen = await ctx.interaction.choose(ctx.words("ask-recent"), options)
     if chosen is not None:
-        await open_named(ctx, chosen)
+        await open_file(ctx, chosen)
 
 
 # --- several programs
@@ -244,12 +240,18 @@ async def save_document(ctx: Context, name: str) -> bool:
 async def _save(ctx: Context, name: str) -> bool:
     """Asks before another text than the one last read or written is lost."""
     document, own = ctx.program, str(ctx.program.path or "")
-    question, suggest = ctx.words("ask-file-name"), partial(_programs_like, ctx)
-    proposed = own or (_free_name(ctx) if ctx.screen is not None and not ctx.screen.is_plain else "")
-    name = name or await ctx.interaction.ask(question, proposed, suggest=suggest) or ""
-    if not name:
+    has_tree = ctx.screen is not None and not ctx.screen.is_plain
+    question, proposed = ctx.words("ask-save-as" if has_tree else "ask-file-name"), own
+    if has_tree and not own:
+        proposed = _free_name(ctx)
+    recent = ctx.workspace.recent.paths
+    answer = name or await ctx.interaction.ask_file(question, proposed, recent, is_new=True)
+    if not answer:
         raise GivenUp
-    path = checked_path(Path(own)) if name == own else program_to_save(name, ctx.donnie.in_use)
+    if isinstance(answer, Path) or answer == own:
+        path = checked_path(Path(answer))
+    else:
+        path = program_to_save(answer, ctx.donnie.in_use)
     if str(path) in ctx.donnie.in_use:
         raise DocumentError("file-in-use", str(path))
     slow = ctx.words("slow-saving", name=path.name)

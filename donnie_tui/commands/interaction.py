@@ -16,6 +16,8 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 from msgspec import Struct
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from donnie_tui.bootstrap import Donnie
     from donnie_tui.commands.keys import KeyTable
     from donnie_tui.core.map_grid import Cell
@@ -93,12 +95,19 @@ class Interaction(Protocol):
         question: str,
         text: str = "",
         accepts: Callable[[str], str | None] | None = None,
-        suggest: Callable[[str], Sequence[str]] | None = None,
     ) -> str | None:
         """One line, with ``text`` to begin with; None where the learner gave up.
 
-        ``accepts`` returns what is wrong with a line, and the question is asked again. ``suggest`` returns
-        what the line may become; a front end with lists shows it. One that ends with a slash leads to others.
+        ``accepts`` returns what is wrong with a line, and the question is asked again.
+        """
+
+    async def ask_file(
+        self, question: str, text: str, recent: Callable[[], Sequence[Path]], *, is_new: bool = False
+    ) -> str | Path | None:
+        """The name of a program as it was typed, or its file where it was chosen; None where neither was.
+
+        A front end with lists shows the folders, the ``recent`` programs first. ``is_new``: the name may be
+        that of a new file.
         """
 
     async def choose(

@@ -33,6 +33,8 @@ from donnie_tui.linear.typed_lines import RunLoop, TypedLines
 from donnie_tui.settings.folders import UNSAVED, state_path
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from donnie_tui.core.runner import Run
 
 T = TypeVar("T")
@@ -197,7 +199,7 @@ class Conversation:
         elif file is not None:
             from donnie_tui.commands import files
 
-            drive(attempt(self.ctx, files.open_named(self.ctx, file)))
+            drive(attempt(self.ctx, files.open_file(self.ctx, file)))
         self._say_notices()
         if offers_to_remember:
             self.leaving.offer_to_remember(linear=True)
@@ -300,7 +302,6 @@ class LinearInteraction:
         question: str,
         text: str = "",
         accepts: Callable[[str], str | None] | None = None,
-        suggest: Callable[[str], Sequence[str]] | None = None,  # noqa: ARG002 -- for front ends with lists
     ) -> str | None:
         prompter = self._conversation.prompter
         prompter.offered = text
@@ -308,6 +309,16 @@ class LinearInteraction:
         while answer and accepts is not None and (problem := accepts(answer)) is not None:
             answer = prompter.ask(problem)
         return answer or None
+
+    async def ask_file(
+        self,
+        question: str,
+        text: str,
+        recent: Callable[[], Sequence[Path]],  # noqa: ARG002 -- for front ends with lists
+        *,
+        is_new: bool = False,  # noqa: ARG002 -- as above
+    ) -> str | Path | None:
+        return await self.ask(question, text)
 
     async def choose(
         self,

@@ -21,7 +21,7 @@ from donnie_tui.bootstrap import Donnie
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.declarations import BY_NAME, Command
 from donnie_tui.commands.dispatch import attempt, perform, says_slip
-from donnie_tui.commands.files import compare_with_file, open_named
+from donnie_tui.commands.files import compare_with_file, open_file
 from donnie_tui.commands.interaction import begin
 from donnie_tui.commands.keys import KeyTable, not_understood
 from donnie_tui.commands.lookup import find
@@ -117,7 +117,7 @@ class ScreenController:
             self.workspace.replace(text, file, in_file="")
             opening = attempt(self.ctx, compare_with_file(self.ctx))
         elif file is not None:
-            opening = attempt(self.ctx, open_named(self.ctx, str(file)))
+            opening = attempt(self.ctx, open_file(self.ctx, str(file)))
         elif settings.tour and offers_tour(state_folder, os.environ):
             self.ctx.answer("tour-offer")
         if restored is not None:

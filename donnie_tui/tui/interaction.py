@@ -37,6 +37,8 @@ from donnie_tui.tui.terminal import TerminalApp
 from donnie_tui.tui.widgets.command_line import CommandLine
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from donnie_tui.core.runner import Run
 
 T = TypeVar("T")
@@ -85,25 +87,35 @@ class ScreenInteraction:
         question: str,
         text: str = "",
         accepts: Callable[[str], str | None] | None = None,
-        suggest: Callable[[str], Sequence[str]] | None = None,
     ) -> str | None:
-        return await self._typed_answer(question, text, accepts, suggest) or None
+        return await self._typed_answer(question, text, accepts) or None
 
     async def _typed_answer(
         self,
         question: str,
         text: str,
         accepts: Callable[[str], str | None] | None,
-        suggest: Callable[[str], Sequence[str]] | None = None,
+        answers: Sequence[str] = (),
     ) -> str | None:
         """None after Esc; empty after Enter alone. In the plain layout there is no list to be read out."""
         from donnie_tui.tui.screens.dialogs import Question
 
         await asyncio.sleep(0)
-        shown = None if self._place.is_plain else suggest
-        keys, point = self._words("ask-keys" if shown is None else "ask-keys-list"), self._controller.point
-        asked = Question(question, keys, point, value=text, accepts=accepts, suggest=shown)
+        listed = () if self._place.is_plain else answers
+        keys, point = self._words("ask-keys-list" if listed else "ask-keys"), self._controller.point
+        asked = Question(question, keys, point, value=text, accepts=accepts, answers=listed)
         return await self._dialogs.answer_of(asked)
+
+    async def ask_file(
+        self, question: str, text: str, recent: Callable[[], Sequence[Path]], *, is_new: bool = False
+    ) -> str | Path | None:
+        if self._place.is_plain:
+            return await self.ask(question, text)
+        from donnie_tui.tui.screens.file_panel import FilePanel
+
+        await asyncio.sleep(0)
+        panel = FilePanel(question, text, recent, self._words, self._controller.point, is_new=is_new)
+        return await self._dialogs.answer_of(panel) or None
 
     async def choose(
         self,
@@ -135,7 +147,7 @@ class ScreenInteraction:
             return None if is_clear else f"{self._words('yes-or-no')} {question}"
 
         answers = tuple(spelled(each, self._words.language, "answers") for each in ("yes", "no"))
-        typed = await self._typed_answer(question, "", unclear, lambda _typed: answers)
+        typed = await self._typed_answer(question, "", unclear, answers)
         return None if typed is None else bool(answered(typed))
 
     async def edit_line(self, question: str, text: str = "") -> str | None:

@@ -18,6 +18,7 @@ from donnie_tui.core.run_state import RunState
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui.app import DonnieApp
 from donnie_tui.tui.screens.dialogs import Chooser, Question
+from donnie_tui.tui.screens.file_panel import FilePanel
 from donnie_tui.tui.screens.pages import Help
 from tests.parity.outcome import Outcome, Recorder
 from tests.timeouts import TIMEOUT
@@ -101,7 +102,7 @@ class FullScreen:
 def _in_front(screen: Screen[object]) -> tuple[str, tuple[str, ...]]:
     """The question, or the title and the rows of a list or a page."""
     match screen:
-        case Question():
+        case Question() | FilePanel():
             return screen._asked, ()
         case Chooser():
             return screen._title_words, tuple(each.text for each in screen._choices)

@@ -47,7 +47,7 @@ _END_OF_PROGRAM = ("The program is done.", "O programa terminou.")
 _NAME = re.compile(r"(?<=<run_started )program=.*?, (?=world=)")
 """What a program is called that has no file: compared once, and not with every run."""
 _FRESH = re.compile(r"fresh=\w+, ")
-_HOW_TO_ANSWER = re.compile(r",? (y or n|yes or no).*")
+_HOW_TO_ANSWER = re.compile(r"(,? (y or n|yes or no)| Enter means ).*")
 """How a question is answered is another matter at a prompt than in a dialog."""
 _NUMBER = re.compile(r"\d+: ")
 """The linear mode numbers the rows from which something is chosen; on the screen one goes to them."""

@@ -55,6 +55,55 @@ async def test_a_refused_name_is_asked_again(open_screen, outside, tmp_path):
         await screen.shows("Opened mine.gd")
 
 
+async def test_the_programs_to_open_are_those_of_the_folder(open_screen, outside, tmp_path):
+    """No row leads out, hidden ones are not shown, and a typed folder outside says so."""
+    (tmp_path / "sub").mkdir()
+    (tmp_path / "mine.gd").write_text("FW 2\n")
+    (tmp_path / "sub" / "deep.gd").write_text("FW 3\n")
+    (tmp_path / "sub" / "out").symlink_to(outside)
+    (tmp_path / ".donnie").mkdir()
+    (tmp_path / ".donnie" / "hidden.gd").write_text("FW 4\n")
+    (tmp_path / "recent.txt").write_text(f"{outside}/secret.gd\n{tmp_path}/mine.gd\n")
+    async with open_screen() as screen:
+        await screen.press("ctrl+o")
+        await screen.until(lambda: "sub/" in screen.text, "the programs")
+        await screen.press("down", "end")
+        while "sub/" not in screen.app.screen.files.row.text:
+            await screen.press("up")
+        await screen.press("right")
+        await screen.until(lambda: "deep.gd" in screen.text, "the folder")
+        files = screen.app.screen.files
+        rows = [screen.app.screen._row_at(at).text for at in range(files.last_line + 1)]
+        assert rows[:2] == ["Recent programs", "mine.gd"]
+        assert [each for each in rows[2:] if each not in ("unsaved/", "config/")] == [
+            f"{tmp_path.name}/",
+            "mine.gd",
+            "sub/",
+            "deep.gd",
+        ]
+
+        for typed in (f"{outside}/", "../", "/", "~/", "sub/out/"):
+            screen.app.screen.query_one("#answer").value = typed
+            await screen.until(lambda: "is not in your folder." in " ".join(screen.text.split()), typed)
+            assert "secret.gd" not in screen.text
+            screen.app.screen.query_one("#answer").value = ""
+            await screen.until(lambda: "deep.gd" in screen.text, "the folder")
+        screen.app.screen.query_one("#answer").value = ".donnie/"
+        await screen.until(lambda: "hidden. You can't" in " ".join(screen.text.split()), "the reason")
+        assert "hidden.gd" not in screen.text
+
+
+async def test_a_new_program_is_saved_in_the_folder_alone(open_screen, outside, tmp_path):
+    async with open_screen("FW 1") as screen:
+        await screen.press("ctrl+k", "s")
+        await screen.answer(f"{outside}/new.gd")
+        await screen.until(lambda: f"{outside}/new.gd is not in your folder." in screen.log, "the reason")
+        await screen.press("ctrl+k", "s")
+        await screen.answer("mine")
+        await screen.shows("Saved mine.gd")
+    assert [each.name for each in outside.iterdir()] == ["secret.gd"]
+
+
 async def test_the_log_is_on_a_page_and_no_program_starts(open_screen, outside, monkeypatch):
     monkeypatch.setenv("PAGER", "sh")
     monkeypatch.setattr(subprocess, "run", lambda *_, **__: pytest.fail("a program was started"))

@@ -5,6 +5,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.timeouts import TIMEOUT
+
 
 @pytest.fixture
 def program(tmp_path: Path) -> Path:
@@ -155,84 +157,377 @@ async def test_a_wrong_answer_to_yes_or_no_is_reported_and_typed_over(open_scree
         await screen.until(lambda: "> SAVE LOG" in there.read_text(), "the log")
 
 
-# --- the list of files
+# --- the tree of programs
 
 
 @pytest.fixture
-def lessons(tmp_path):
+def lessons(tmp_path, monkeypatch):
     """Programs in the folder and in another one."""
-    (tmp_path / "lessons").mkdir()
-    for name in ("square.gd", "stairs.gd", "lessons/first.gd"):
-        (tmp_path / name).write_text(f'SPEAK "{name}"\n')
-    (tmp_path / "notes.txt").write_text("no program")
-    return tmp_path
+    folder = tmp_path / "programs"
+    (folder / "lessons" / "old").mkdir(parents=True)
+    for name in ("square.gd", "stairs.gd", "lessons/first.gd", "lessons/old/zero.gd"):
+        (folder / name).write_text(f'SPEAK "{name}"\n')
+    (folder / "notes.txt").write_text("no program")
+    (folder / ".hidden.gd").write_text("FW 9")
+    monkeypatch.chdir(folder)
+    return folder
 
 
-async def list_of_files(screen) -> tuple[str, ...]:
-    await screen.until(lambda: screen.app.screen is not screen.main, "the question")
-    listed = screen.app.screen._list
-    await screen.until(lambda: listed.lines, "the list")
+def rows_of(screen) -> list[str]:
+    """The rows of the tree that are seen, without the column of the mark."""
+    region = screen.app.screen.files.region
+    lines = screen.text.splitlines()[region.y : region.bottom]
+    return [line[region.x + 1 : region.right].rstrip() for line in lines if line[region.x :].strip(" |")]
+
+
+async def tree_of_files(screen, row: str = "stairs.gd") -> list[str]:
+    await screen.until(lambda: screen.app.screen is not screen.main, "the panel")
+    await screen.until(lambda: any(row in each for each in rows_of(screen)), row)
     await screen.painted()
-    return listed.lines
+    return rows_of(screen)
 
 
-@pytest.mark.parametrize("size", [(80, 24), (40, 12)])
-async def test_open_lists_the_programs_and_the_arrows_choose_one(open_screen, lessons, size):
+async def click_on(screen, text: str) -> None:
+    lines = screen.text.splitlines()
+    y = next(at for at, line in enumerate(lines) if text in line)
+    await screen.pilot.click(offset=(lines[y].index(text), y))
+    await screen.painted()
+
+
+@pytest.mark.parametrize("size", [(80, 24), (40, 12), (20, 5)])
+async def test_open_shows_the_programs_and_the_arrows_choose_one(open_screen, lessons, size):
     async with open_screen(size=size) as screen:
         await screen.press("ctrl+o")
-        assert await list_of_files(screen) == ("square.gd", "stairs.gd", "lessons/")
-        assert "square.gd" in screen.text
-        await screen.press("down", "down", "enter")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the panel")
+        files = screen.app.screen.files
+        await screen.until(lambda: files.last_line >= 4, "the rows")
+        await screen.press("down", "down", "down", "down")
+        await screen.painted()
+        assert "> stairs.gd" in " ".join(screen.text.split()).replace(">  ", "> ")
+        await screen.press("enter")
         await screen.shows("Opened stairs.gd")
 
 
-async def test_enter_with_nothing_typed_chooses_the_first_of_the_list_and_then_opens_it(open_screen, lessons):
-    """It said that nothing was changed, below the very list."""
+async def test_only_programs_and_folders_are_shown_hidden_ones_not(open_screen, lessons):
     async with open_screen() as screen:
         await screen.press("ctrl+o")
-        await screen.until(lambda: "square.gd" in screen.text, "the list")
+        rows = await tree_of_files(screen)
+
+        assert [each.strip() for each in rows[1:]] == [
+            "../  the folder above",
+            "square.gd",
+            "stairs.gd",
+            "+ lessons/",
+        ]
+
+
+async def test_recent_programs_come_first_wherever_they_are(open_screen, lessons, tmp_path_factory):
+    other = tmp_path_factory.mktemp("other") / "far.gd"
+    other.write_text("FW 1\n")
+    async with open_screen(file=other) as screen:
+        await screen.shows("Opened far.gd")
+        await screen.type_line("OPEN stairs.gd")
+        await screen.shows("Opened stairs.gd")
+        await screen.press("ctrl+o")
+        rows = await tree_of_files(screen, "square.gd")
+
+        assert rows[0].strip() == "- Recent programs"
+        assert rows[1].split()[0] == "stairs.gd"
+        assert rows[2].split()[0] == "far.gd"
+        await screen.press("enter", "down", "enter")
+        await screen.shows("Opened far.gd")
+
+
+async def test_enter_with_nothing_typed_chooses_the_first_program_and_then_opens_it(open_screen, lessons):
+    async with open_screen() as screen:
+        await screen.press("ctrl+o")
+        await tree_of_files(screen)
         await screen.press("enter")
-        await screen.until(lambda: ">square.gd" in screen.text, "the chosen row")
+        await screen.until(lambda: screen.app.screen.files.row is not None, "the chosen row")
+        await screen.painted()
+        assert any(line.split()[:2] == [">", "square.gd"] for line in screen.text.splitlines())
         await screen.press("enter")
 
         await screen.until(lambda: screen.app.screen is screen.main, "the program")
         assert "Program: square.gd" in screen.text
 
 
-async def test_a_folder_of_the_list_leads_to_its_programs_by_mouse_too(open_screen, lessons):
+async def test_folders_open_and_close_in_place_by_the_arrows(open_screen, lessons):
     async with open_screen() as screen:
         await screen.press("ctrl+o")
-        await list_of_files(screen)
-        row = next(at for at, line in enumerate(screen.text.splitlines()) if line.strip() == "lessons/")
-        await screen.pilot.click(offset=(3, row))
-        listed = screen.app.screen._list
-        await screen.until(lambda: listed.lines == ("lessons/first.gd",), "the folder")
-        await screen.press("tab", "enter")
+        await tree_of_files(screen)
+        await screen.press("down", "end", "right")
+        await tree_of_files(screen, "first.gd")
+        await screen.press("right", "down", "right")
+        rows = await tree_of_files(screen, "zero.gd")
+        assert [each.strip(" >") for each in rows[-4:]] == ["- lessons/", "first.gd", "- old/", "zero.gd"]
+
+        await screen.press("left")
+        await screen.until(lambda: not any("zero.gd" in each for each in rows_of(screen)), "closed")
+        await screen.press("left", "left")
+        await screen.until(lambda: not any("first.gd" in each for each in rows_of(screen)), "closed")
+        await screen.press("enter", "down", "enter")
         await screen.shows("Opened first.gd")
 
 
-async def test_what_is_typed_narrows_the_list_and_enter_takes_what_is_typed(open_screen, lessons):
+async def test_a_folder_and_a_program_are_opened_by_the_mouse_alone(open_screen, lessons):
+    async with open_screen() as screen:
+        await screen.pilot.click(screen.main.program_pane._heading, offset=(3, 0))
+        await tree_of_files(screen)
+        await click_on(screen, "lessons/")
+        await tree_of_files(screen, "first.gd")
+        await click_on(screen, "lessons/")
+        await screen.until(lambda: not any("first.gd" in each for each in rows_of(screen)), "closed")
+        await click_on(screen, "lessons/")
+        await tree_of_files(screen, "first.gd")
+        await click_on(screen, "first.gd")
+        await screen.shows("Opened first.gd")
+
+
+async def test_the_folder_above_is_a_row(open_screen, lessons, monkeypatch):
+    monkeypatch.chdir(lessons / "lessons")
     async with open_screen() as screen:
         await screen.press("ctrl+o")
-        await list_of_files(screen)
+        await tree_of_files(screen, "first.gd")
+        await click_on(screen, "../")
+        rows = await tree_of_files(screen)
+        assert any("- lessons/" in each for each in rows)
+        await screen.press(*"sta", "enter")
+        await screen.shows("Opened stairs.gd")
+
+
+async def test_what_is_typed_narrows_the_tree_and_enter_takes_the_only_one_that_fits(open_screen, lessons):
+    async with open_screen() as screen:
+        await screen.press("ctrl+o")
+        await tree_of_files(screen)
         await screen.press(*"sq")
-        listed = screen.app.screen._list
-        await screen.until(lambda: listed.lines == ("square.gd",), "the fitting one")
-        await screen.press(*"uare", "enter")
+        await screen.until(lambda: not any("stairs" in each for each in rows_of(screen)), "the fitting one")
+        await screen.press("enter")
         await screen.shows("Opened square.gd")
 
 
-async def test_save_as_shows_the_names_that_are_taken(open_screen, lessons):
+async def test_a_file_of_the_typed_name_comes_before_what_fits(open_screen, lessons):
+    (lessons / "sq").write_text("FW 7\n")
+    async with open_screen() as screen:
+        await screen.press("ctrl+o")
+        await tree_of_files(screen)
+        await screen.press(*"sq", "enter")
+        await screen.shows("Opened sq,")
+
+
+async def test_several_that_fit_are_counted_and_nothing_is_opened(open_screen, lessons):
+    async with open_screen() as screen:
+        await screen.press("ctrl+o")
+        await tree_of_files(screen)
+        await screen.press("s", "enter")
+        await screen.until(lambda: "2 programs fit." in screen.text, "the number")
+        await screen.press("t", "enter")
+        await screen.shows("Opened stairs.gd")
+
+
+async def test_none_that_fits_is_said_and_asked_again(open_screen, lessons):
+    async with open_screen() as screen:
+        await screen.press("ctrl+o")
+        await tree_of_files(screen)
+        await screen.press(*"xyz")
+        await screen.until(lambda: "Nothing has that name." in screen.text, "the remark")
+        await screen.press("enter")
+        await screen.until(lambda: "There is no file xyz." in screen.text, "the reason")
+        await screen.press(*"square", "enter")
+        await screen.shows("Opened square.gd")
+
+
+async def test_a_typed_name_is_completed_by_tab_or_the_right_arrow(open_screen, lessons):
+    async with open_screen() as screen:
+        await screen.press("ctrl+o")
+        await tree_of_files(screen)
+        line = screen.app.screen.query_one("#answer")
+        await screen.press(*"LES", "tab")
+        await tree_of_files(screen, "first.gd")
+        assert line.value == "lessons/"
+        await screen.press("f")
+        await screen.until(lambda: line._suggestion == "lessons/first.gd", "the suggestion")
+        await screen.press("right")
+        assert line.value == "lessons/first.gd"
+        await screen.press("enter")
+        await screen.shows("Opened first.gd")
+
+
+async def test_a_typed_folder_is_shown(open_screen, lessons):
+    async with open_screen() as screen:
+        await screen.press("ctrl+o")
+        await tree_of_files(screen)
+        await screen.press(*"lessons", "enter")
+        rows = await tree_of_files(screen, "first.gd")
+
+        assert not any("square" in each for each in rows)
+        assert screen.app.screen.query_one("#answer").value == "lessons/"
+
+
+async def test_save_as_takes_the_typed_name_and_shows_the_names_that_are_taken(open_screen, lessons):
     async with open_screen("FW 1") as screen:
         await screen.press("ctrl+k", "s")
-        assert "stairs.gd" in await list_of_files(screen)
-        await screen.press(*"mine", "enter")
-        await screen.shows("Saved mine.gd")
+        await tree_of_files(screen)
+        await screen.press(*"s", "enter")
+        await screen.shows("Saved s.gd")
 
 
-async def test_in_the_plain_layout_the_question_has_no_list(open_screen, lessons):
+async def test_save_as_into_a_folder_by_keyboard(open_screen, lessons):
+    async with open_screen("FW 1") as screen:
+        await screen.press("ctrl+k", "s")
+        await tree_of_files(screen)
+        await screen.press("down", "end", "enter")
+        await tree_of_files(screen, "first.gd")
+        await screen.press("enter")
+        await screen.shows("Saved program1.gd")
+
+        assert (lessons / "lessons" / "program1.gd").read_text() == "FW 1\n"
+
+
+async def test_save_as_into_a_folder_by_mouse_and_onto_a_program_with_a_question(open_screen, lessons):
+    async with open_screen("FW 1") as screen:
+        screen.app.do("save_as")
+        await tree_of_files(screen)
+        await click_on(screen, "lessons/")
+        await tree_of_files(screen, "first.gd")
+        await click_on(screen, "first.gd")
+        await screen.until(lambda: "first.gd exists" in screen.text, "the question")
+        await screen.answer("yes")
+        await screen.shows("Saved first.gd")
+
+        assert (lessons / "lessons" / "first.gd").read_text() == "FW 1\n"
+
+
+async def test_esc_leaves_the_tree_and_says_that_nothing_changed(open_screen, lessons):
+    async with open_screen("FW 1") as screen:
+        await screen.press("ctrl+o")
+        await tree_of_files(screen)
+        await screen.press("down", "escape")
+        await screen.until(lambda: screen.app.screen is screen.main, "the main screen")
+        assert screen.main.editor.text == "FW 1"
+
+
+async def test_a_folder_that_cannot_be_read_says_why(open_screen, lessons, monkeypatch):
+    (lessons / "lessons" / "first.gd").unlink()
+    import shutil
+
+    async with open_screen() as screen:
+        await screen.press("ctrl+o")
+        await tree_of_files(screen)
+        shutil.rmtree(lessons / "lessons")
+        await screen.press("down", "end", "right")
+        await screen.until(lambda: "I can't read " in screen.text, "the reason")
+        assert "o such file or folder" in " ".join(screen.text.split())  # it may have two rows
+        await screen.press("left", "up", "enter")
+        await screen.shows("Opened stairs.gd")
+
+
+async def test_any_name_is_shown_in_one_row_and_opened(open_screen, tmp_path):
+    names = [
+        "a b.gd",
+        "ação é.gd",
+        "esc\x1b[31m.gd",
+        "line\nend.gd",
+        '"quoted".gd',
+        " blank.gd",
+        "bad\udcff.gd",
+    ]
+    for at, name in enumerate(names):
+        (tmp_path / name).write_text(f"FW {at}\n")
+    for at, name in enumerate(names):
+        async with open_screen() as screen:
+            await screen.press("ctrl+o")
+            await tree_of_files(screen, "a b.gd")
+            panel = screen.app.screen
+            row = next(
+                at for at in range(panel.files.last_line + 1) if panel._row_at(at).path == tmp_path / name
+            )
+            assert "\x1b" not in screen.text
+            panel._choose(row)
+            await screen.press("enter")
+            await screen.until(lambda at=at, screen=screen: screen.main.editor.text == f"FW {at}", name)
+
+
+async def test_links_in_circles_are_left_out(open_screen, lessons):
+    (lessons / "lessons" / "up").symlink_to(lessons)
+    (lessons / "lessons" / "itself").symlink_to("itself")
+    (lessons / "aside").mkdir()
+    (lessons / "aside" / "back").symlink_to(lessons / "aside2")
+    (lessons / "aside2").mkdir()
+    (lessons / "aside2" / "forth").symlink_to(lessons / "aside")
+    async with open_screen(size=(80, 40)) as screen:
+        await screen.press("ctrl+o")
+        await tree_of_files(screen)
+        await click_on(screen, "lessons/")
+        await tree_of_files(screen, "first.gd")
+        await click_on(screen, "aside/")
+        await tree_of_files(screen, "back/")
+        await click_on(screen, "back/")
+        rows = await tree_of_files(screen, "No programs here.")
+
+        assert not any(name in each for each in rows for name in ("up/", "itself", "forth"))
+
+
+async def test_a_folder_of_ten_thousand_programs_is_shown_in_parts(open_screen, tmp_path):
+    many = tmp_path / "many"
+    many.mkdir()
+    for number in range(10_000):
+        (many / f"program{number}.gd").touch()
+    async with open_screen() as screen:
+        await screen.press("ctrl+o")
+        await tree_of_files(screen, "many/")
+        await screen.press("down", "end", "right")
+        await tree_of_files(screen, "program0.gd")
+        files = screen.app.screen.files
+        await screen.press("end")
+        assert any("9500 more" in each for each in await tree_of_files(screen, "more"))
+        await screen.press("enter")
+        await screen.until(lambda: files.last_line > 1000, "more rows")
+        await screen.press(*"9999")
+        await screen.until(lambda: files.last_line < 6, "the fitting one")
+        await screen.press("enter")
+        await screen.shows("Opened program9999.gd")
+
+
+async def test_a_slow_folder_delays_no_key(open_screen, lessons, monkeypatch):
+    from donnie_tui.tui.screens import file_panel
+
+    may_continue = threading.Event()
+    read = file_panel.programs_in
+
+    def slow(*asked):
+        assert may_continue.wait(TIMEOUT)
+        return read(*asked)
+
+    monkeypatch.setattr(file_panel, "programs_in", slow)
+    async with open_screen() as screen:
+        await screen.press("ctrl+o")
+        await screen.until(lambda: "I am reading this folder." in screen.text, "the remark")
+        await screen.press(*"sta")
+        assert screen.app.screen.query_one("#answer").value == "sta"
+        may_continue.set()
+        await tree_of_files(screen)
+        await screen.press("enter")
+        await screen.shows("Opened stairs.gd")
+
+
+async def test_the_cursor_of_the_terminal_is_on_the_chosen_row_and_in_the_line_otherwise(
+    open_screen, lessons
+):
+    async with open_screen() as screen:
+        await screen.press("ctrl+o")
+        await tree_of_files(screen)
+        assert screen.app.cursor_position.y == screen.app.screen.query_one("#answer").region.y
+        await screen.press("down", "down", "down")
+        await screen.painted()
+        assert "square.gd" in screen.text.splitlines()[screen.app.cursor_position.y]
+        await screen.press("s")
+        await screen.painted()
+        assert screen.app.cursor_position.y == screen.app.screen.query_one("#answer").region.y
+
+
+async def test_in_the_plain_layout_the_question_has_no_tree(open_screen, lessons):
     async with open_screen(plain=True) as screen:
         await screen.press("ctrl+o")
-        await screen.until(lambda: screen.app.screen is not screen.main, "the question")
-
-        assert screen.app.screen._list is None
+        await screen.answer("sq")
+        await screen.shows("Opened square.gd")

@@ -184,6 +184,20 @@ async def opened(screen, *keys: str, typed: str = "") -> None:
     await screen.pilot.pause()
 
 
+@pytest.fixture
+def programs(tmp_path, monkeypatch):
+    """The folder of a learner, two programs of which were opened lately."""
+    folder = tmp_path / "programs"
+    (folder / "lessons").mkdir(parents=True)
+    names = [folder / name for name in ("square.gd", "stairs.gd", "lessons/first.gd", "lessons/second.gd")]
+    for each in names:
+        each.write_text("FW 1\n")
+    (tmp_path / "recent.txt").write_text(f"{names[2]}\n{names[0]}\n")
+    monkeypatch.setenv("HOME", str(tmp_path))
+    monkeypatch.chdir(folder)
+    return folder
+
+
 SCREENS = {
     "palette": ("ctrl+p",),
     "menu": ("ctrl+k",),
@@ -206,30 +220,54 @@ WORDS = {"themes": "SET theme", "languages": "LANGUAGE", "typed": "TYPED", "robo
 
 @looks(ONE_PANE, SMALL, LARGE)
 @pytest.mark.parametrize("name", SCREENS)
-async def test_each_screen(open_screen, same, name, theme, size, tmp_path):
-    (tmp_path / "unsaved").mkdir()  # where copies are kept: it is in the list of folders, however soon
+async def test_each_screen(open_screen, same, programs, name, theme, size):
     async with open_screen(RECTANGLE, size=size, world="living_room") as screen:
         screen.app.theme = theme
         screen.main.editor.move_cursor((2, 0))
         await opened(screen, *SCREENS[name])
-        if name in ("save", "unsaved"):
-            await screen.until(lambda: screen.app.screen._list.lines, "the list")
-            await screen.painted()
+        if name == "save":
+            await screen.until(lambda: "stairs.gd" in screen.text, "the programs")
+        await screen.painted()
         await same(screen)
 
 
-@looks(ONE_PANE, SMALL, LARGE)
-async def test_the_programs_to_open(open_screen, same, theme, size, tmp_path, monkeypatch):
-    programs = tmp_path / "programs"
-    (programs / "lessons").mkdir(parents=True)
-    for name in ("square.gd", "stairs.gd", "lessons/first.gd"):
-        (programs / name).write_text("FW 1\n")
-    monkeypatch.chdir(programs)
+@looks(*SIZES)
+async def test_the_programs_to_open(open_screen, same, programs, theme, size):
     async with open_screen(RECTANGLE, size=size, world="living_room") as screen:
         screen.app.theme = theme
         await opened(screen, "ctrl+o")
-        await screen.until(lambda: screen.app.screen._list.lines, "the list")
+        await screen.until(lambda: screen.app.screen.files.last_line > 5, "the programs")
+        await screen.press("down", "end", "right")
+        await screen.until(lambda: screen.app.screen.files.last_line > 8, "the folder")
         await screen.press("down")
+        await screen.painted()
+        await same(screen)
+
+
+@looks(*SIZES)
+async def test_programs_that_fit_what_is_typed(open_screen, same, programs, theme, size):
+    async with open_screen(RECTANGLE, size=size, world="living_room") as screen:
+        screen.app.theme = theme
+        await opened(screen, "ctrl+o")
+        await screen.until(lambda: screen.app.screen.files.last_line > 5, "the programs")
+        await screen.press("s")
+        await screen.until(
+            lambda: "square.gd" in screen.text.splitlines()[screen.app.cursor_position.y], "the offer"
+        )
+        await screen.press("enter")
+        await screen.until(lambda: "3 programs fit." in screen.text, "the number")
+        await screen.painted()
+        await same(screen)
+
+
+@looks(ONE_PANE, SMALL)
+async def test_the_place_for_a_new_program(open_screen, same, programs, theme, size):
+    async with open_screen(RECTANGLE, size=size, world="living_room") as screen:
+        screen.app.theme = theme
+        await opened(screen, "ctrl+k", "s")
+        await screen.until(lambda: "lessons/" in screen.text, "the folders")
+        await screen.press("down", "end", "enter")
+        await screen.until(lambda: "first.gd" in screen.text, "the folder")
         await screen.painted()
         await same(screen)
 

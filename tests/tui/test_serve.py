@@ -460,7 +460,7 @@ async def test_a_page_of_a_confined_server_stays_in_the_folder(tmp_path):
             await until_shown(terminal, shown, FIRST_WORDS)
             await terminal.send_json(["focus"])
             await terminal.send_json(["stdin", CTRL_O])
-            await until_shown(terminal, shown, "Enter answers")
+            await until_shown(terminal, shown, "Enter takes it")
             await terminal.send_json(["stdin", "/etc/passwd\r"])
             await until_shown(terminal, shown, "/etc/passwd is not in your folder.")
     finally:

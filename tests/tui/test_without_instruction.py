@@ -57,7 +57,7 @@ async def test_everything_is_done_by_mouse_alone(open_screen, lessons: Path) -> 
         await screen.idle()
         # saves
         await click(screen, "Ctrl+S Save")
-        await click(screen, "Enter answers")
+        await click(screen, "Enter takes it")
         await screen.until(lambda: (lessons / "program1.gd").exists(), "the file")
         assert (lessons / "program1.gd").read_text().strip() == "FW 3 TR 90"
         # opens, slows down, stops
@@ -108,13 +108,13 @@ async def test_everything_is_done_by_the_keys_that_are_shown(open_screen, lesson
         await screen.idle()
         # saves
         await press("Ctrl+S Save", "ctrl+s")
-        await press("Enter answers", "enter")
+        await press("Enter takes it", "enter")
         await screen.until(lambda: (lessons / "program1.gd").exists(), "the file")
         # opens, slows down, stops
         await press("Ctrl+O Open", "ctrl+o")
         await screen.until(lambda: "turns.gd" in screen.text, "the list")
         await screen.press(*"turns", "tab")
-        await press("Enter answers", "enter")
+        await press("Enter takes it", "enter")
         await screen.until(lambda: editor.text == LONG.rstrip("\n"), "the program")
         await press("F5 Run", "f5")
         await screen.reaches(RunState.RUNNING)

@@ -10,13 +10,12 @@ The words that may stand at the cursor, in a list below it. Enter takes one, Esc
 
 from __future__ import annotations
 
-import asyncio
 import re
 from collections.abc import Callable, Iterable, Sequence
 from typing import ClassVar, TypeVar
 
 from rich.cells import cell_len
-from textual import events, work
+from textual import events
 from textual.app import ComposeResult
 from textual.await_complete import AwaitComplete
 from textual.binding import Binding, BindingType
@@ -48,8 +47,7 @@ class Dialog(ModalScreen[T]):
 class Question(Dialog[str | None]):
     """Asks for one line; None after Esc. ``accepts`` returns what is wrong with an answer, or None.
 
-    ``suggest`` returns what the line may become. They are a list above the line: Up, Down or a click chooses
-    one, Tab writes it.
+    ``answers`` are a list above the line: Up, Down or a click chooses one, Tab writes it.
     """
 
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -68,7 +66,7 @@ class Question(Dialog[str | None]):
         *,
         value: str = "",
         accepts: Callable[[str], str | None] | None = None,
-        suggest: Callable[[str], Sequence[str]] | None = None,
+        answers: Sequence[str] = (),
     ) -> None:
         """``point`` says what is asked."""
         super().__init__()
@@ -77,8 +75,7 @@ class Question(Dialog[str | None]):
         self._keys = keys
         self._value = value
         self._accepts = accepts
-        self._suggest = suggest
-        self._list = _Suggestions(id="suggestions") if suggest is not None else None
+        self._list = _Answers(answers) if answers else None
 
     def compose(self) -> ComposeResult:
         with Vertical(id="question"):
@@ -97,35 +94,24 @@ class Question(Dialog[str | None]):
     def on_mount(self) -> None:
         self.query_one(InputLine).select_all()  # what is proposed is typed over
         self._point(f"{self._asked} {self._value}".strip())
-        if self._suggest is not None:
-            self._look_up("")
-
-    @work(exclusive=True)  # makes the coroutine only when it begins, and it may be cancelled before
-    async def _look_up(self, typed: str) -> None:
-        """A slow folder delays no key."""
-        assert self._suggest is not None and self._list is not None
-        found = await asyncio.to_thread(self._suggest, typed)
-        self._list.offer(found, max(0, min(MOST_SEEN, self.size.height - 5)))
+        if self._list is not None:
+            self._list.offer(max(0, self.size.height - 5))
 
     def on_input_changed(self, event: Input.Changed) -> None:
         if self._list is not None and event.value != self._value:
             self._list.leave()
-            self._look_up(event.value.strip())
 
     def action_choose_row(self, down: int) -> None:
-        if self._list is not None and self._list.lines:
+        if self._list is not None:
             self._list.choose(down)
             self._point(self._list.row_text)
 
     def action_write_row(self) -> None:
         """The chosen row, or the first one, goes into the line."""
-        if self._list is not None and self._list.lines:
-            self._write(self._list.row_text)
-
-    def _write(self, text: str) -> None:
-        line = self.query_one(InputLine)
-        line.value = text
-        line.cursor_position = len(text)
+        if self._list is not None:
+            line = self.query_one(InputLine)
+            line.value = self._list.row_text
+            line.cursor_position = len(line.value)
 
     def on__rows_clicked(self, event: _Rows.Clicked) -> None:
         assert self._list is not None
@@ -137,19 +123,10 @@ class Question(Dialog[str | None]):
         self._submit(event.value)
 
     def _submit(self, value: str) -> None:
-        """Enter alone chooses the first row, which the next Enter answers; unless it is an answer itself."""
         is_listed = self._list is not None and self._list.is_chosen
-        is_answer = is_listed or value.strip() or self._value or self._accepts is not None
-        if self._list is not None and self._list.lines and not is_answer:
-            self.action_choose_row(1)
-            return
         self._answer(self._list.row_text if self._list is not None and is_listed else value.strip())
 
     def _answer(self, answer: str) -> None:
-        """A folder of the list leads to what is in it."""
-        if self._list is not None and self._list.is_chosen and answer.endswith("/"):
-            self._write(answer)
-            return
         wrong = self._accepts(answer) if self._accepts else None
         if wrong:
             self.query_one("#asked", Static).update(wrong)
@@ -203,11 +180,12 @@ class _Rows(TextRows, can_focus=False):
             self.post_message(self.Clicked(self.line))
 
 
-class _Suggestions(_Rows):
-    """What a line may become. None of it is chosen at first: Enter takes what is typed."""
+class _Answers(_Rows):
+    """What a question may be answered with. None of it is chosen at first: Enter takes what is typed."""
 
-    def __init__(self, *, id: str) -> None:  # noqa: A002 -- Textual's own name
-        super().__init__(id=id)
+    def __init__(self, answers: Sequence[str]) -> None:
+        super().__init__(id="answers")
+        self._answers = answers
         self.is_chosen = False
         self.styles.height = 0
 
@@ -215,11 +193,10 @@ class _Suggestions(_Rows):
     def is_read(self) -> bool:
         return self.is_chosen
 
-    def offer(self, lines: Sequence[str], most: int) -> None:
-        """Other lines, of which so many are seen."""
-        self.leave()
-        self.show(lines)
-        self.styles.height = min(len(lines), most)
+    def offer(self, most: int) -> None:
+        """At most so many rows are seen."""
+        self.show(self._answers)
+        self.styles.height = min(len(self._answers), most)
 
     def leave(self) -> None:
         """Nothing is chosen any more."""

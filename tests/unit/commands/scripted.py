@@ -23,6 +23,8 @@ from donnie_tui.settings.folders import state_path
 from tests.timeouts import TIMEOUT
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from donnie_tui.core.runner import Run
 
 T = TypeVar("T")
@@ -59,7 +61,6 @@ class ScriptedInteraction:
         question: str,
         text: str = "",
         accepts: Callable[[str], str | None] | None = None,
-        suggest: Callable[[str], Sequence[str]] | None = None,
     ) -> str | None:
         self.asked.append(f"{question} {text}".strip())
         answer = self._answer()
@@ -67,6 +68,12 @@ class ScriptedInteraction:
             self.asked.append(problem)
             answer = self._answer()
         return answer
+
+    async def ask_file(
+        self, question: str, text: str, recent: Callable[[], Sequence[Path]], *, is_new: bool = False
+    ) -> str | Path | None:
+        del recent, is_new
+        return await self.ask(question, text)
 
     async def choose(
         self, question: str, options: Sequence[Option], printed: Sequence[str] = ()

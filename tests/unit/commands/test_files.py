@@ -47,6 +47,30 @@ def test_open_asks_for_the_name_and_rejects_a_wrong_one_at_once(open_script: Ope
     assert script.interaction.asked[1].startswith("There is no file")
 
 
+def test_the_beginning_of_a_name_opens_the_only_program_that_has_it(
+    open_script: OpenScript, walk: Path
+) -> None:
+    assert open_script().answers_to("OPEN wa") == ["Opened walk.gd, 2 lines."]
+    assert open_script(answers=["WA"]).answers_to("OPEN") == ["Opened walk.gd, 2 lines."]
+
+
+def test_several_programs_that_begin_so_are_counted(open_script: OpenScript, walk: Path) -> None:
+    walk.with_name("wall.gd").write_text("FW 9\n")
+
+    assert open_script().answers_to("OPEN wal") == ["2 programs begin with wal."]
+    script = open_script(answers=["wa", "wall"])
+    assert script.answers_to("OPEN") == ["Opened wall.gd, 1 line."]
+    assert script.interaction.asked[1:] == ["2 programs begin with wa. wa"]
+
+
+def test_a_file_of_the_typed_name_comes_before_one_that_begins_so(
+    open_script: OpenScript, walk: Path
+) -> None:
+    walk.with_name("wa").write_text("FW 9\n")
+
+    assert open_script().answers_to("OPEN wa") == ["Opened wa, 1 line."]
+
+
 @pytest.mark.parametrize(
     "data", [b"\xff\xfe\x00\x01", b"\r\n\r\nFW 1\r\n", 'FALAR "olá"'.encode("cp1252"), b""]
 )
