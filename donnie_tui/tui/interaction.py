@@ -351,21 +351,22 @@ class ScreenInteraction:
             place.tour.action_turn(1)
             return
         has_room = not (place.is_plain or place.is_small)
-        pages = tour_pages(self._words, self.key_table, is_strip=has_room)
+        pages = tour_pages(self._words, self.key_table)
         if has_room:
             place.show_tour(TourStrip(pages, self._tour_page, self._turned_strip, point))
         else:
             self._dialogs.open(Tour(pages, self._tour_page, self._turned_tour, point))
 
-    def _turned_tour(self, page: int) -> None:
-        """To continue there; after the last page at the first one."""
-        self._tour_page = page % SCREEN_TOUR_PAGES
-
     def _turned_strip(self, page: int) -> None:
-        self._turned_tour(page)
         self._controller.display.looked()
         if page == SCREEN_TOUR_PAGES:
             self._place.close_tour()
+        self._turned_tour(page)
+
+    def _turned_tour(self, page: int) -> None:
+        """To continue there; after the last page at the first one, and the first challenge begins."""
+        self._tour_page = page % SCREEN_TOUR_PAGES
+        if page == SCREEN_TOUR_PAGES:
             word = word_of(BY_NAME["challenge"], self._words.language)
             self._app.post_message(CommandLine.Typed(f"{word} 1"))
 

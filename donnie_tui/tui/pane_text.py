@@ -399,21 +399,14 @@ def _program_lines(words: Wording) -> tuple[str, ...]:
     return tuple(line for line in words.help(None) if line.partition(":")[0] not in listed)
 
 
-def tour_pages(words: Words, table: KeyTable, *, is_strip: bool) -> tuple[TourPage, ...]:
-    """The pages of the tour, with the key of each command as it is now; of one without a key its word.
-
-    The strip ends in the first challenge.
-    """
+def tour_pages(words: Words, table: KeyTable) -> tuple[TourPage, ...]:
+    """The pages of the tour, with the key of each command as it is now; of one without a key its word."""
     language = words.language
     keys = {each.name: table.label(each.name, language) or word_of(each, language) for each in COMMANDS}
     keys |= {"menu": key_label(MENU, language), "palette": key_label(PALETTE, language)}
     return tuple(
         TourPage(
-            words(
-                "screen-tour-last" if is_strip and page == SCREEN_TOUR_PAGES else "screen-tour-title",
-                page=page,
-                pages=SCREEN_TOUR_PAGES,
-            ),
+            words("screen-tour-title", page=page, pages=SCREEN_TOUR_PAGES),
             screen_tour_page(page, words, keys),
         )
         for page in range(1, SCREEN_TOUR_PAGES + 1)

@@ -79,7 +79,7 @@ class TourPage(Struct, frozen=True):
 
 
 class Tour(Help):
-    """Begins at one of ``pages`` and calls ``turned`` with each place, from 0; closes after the last one."""
+    """Begins at one of ``pages`` and closes after the last one; ``turned`` as that of the strip."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("enter,pagedown", "turn(1)", priority=True),
@@ -107,12 +107,13 @@ class Tour(Help):
         self._point(" ".join((f"{page.title}.", *page.lines)))
 
     def action_turn(self, pages: int) -> None:
-        self._at = max(0, self._at + pages)
-        self._turned(self._at % len(self._pages))
-        if self._at < len(self._pages):
+        at = max(0, self._at + pages)
+        if at < len(self._pages):
+            self._at = at
             self._show()
         else:
             self.dismiss(None)
+        self._turned(at)
 
 
 class TourStrip(Vertical, can_focus=True):
