@@ -316,7 +316,8 @@ class Display:
             self._runs.state is RunState.RUNNING
         )  # asked first: held, its variables stay as they are
         frames, changes = self._runs.frames, None if self._place.is_plain else self._changes
-        if changes is not None and not is_moving_on:  # a step, and no look on the way
+        is_step = not is_moving_on and self._runs.knows_variables  # no look on the way, or at nothing
+        if changes is not None and is_step:
             changes.look(scopes_of(frames, variables), [frame.line for frame in frames])
         if changes is not None and self._runs.past is None:
             self._histories.look(scopes_of(frames, variables))

@@ -279,3 +279,19 @@ async def test_the_plain_layout_has_no_charts(open_screen):
         await screen.shows("The program is done.")
 
         assert not any("over time" in line for line in screen.main.inspector.lines)
+
+
+async def test_the_first_step_back_after_a_run_marks_what_it_changes_alone(open_screen):
+    program = "VAR a = 5\nVAR sum = 6\nFW 1\nsum = sum + 1\nFW 1"
+    async with open_screen(program, size=(120, 40)) as screen:
+        await screen.press("f5")
+        await screen.shows("The program is done.")
+        await screen.idle()
+        await screen.until(lambda: "*sum       7" in screen.main.inspector.lines, "the variables")
+        seen = []
+        for _ in range(3):
+            screen.app.controller.do("step_back")
+            await screen.painted()
+            seen.append(list(screen.main.inspector.lines[1:3]))
+
+        assert seen[1:] == [[" a         5", " sum       7"], [" a         5", "*sum       6    7"]]
