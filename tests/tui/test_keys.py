@@ -14,6 +14,8 @@ from donnie_tui.commands.declarations import COMMANDS
 from donnie_tui.commands.keys import KeyTable, is_free_to_give, not_understood, with_key
 from donnie_tui.commands.settings import change
 from donnie_tui.core.run_state import RunState
+from donnie_tui.i18n.words import Words
+from donnie_tui.tui.screens.pages import KeyMenu
 from donnie_tui.tui.terminal import use_mouse
 from donnie_tui.tui.widgets.map_view import MapView
 from tests.tui.conftest import WAITING
@@ -368,3 +370,14 @@ def test_a_list_of_keys_keeps_what_it_means_and_reports_the_rest() -> None:
     assert with_key(chosen, "trail", "f2") == "around ctrl+k x, trail f2"
     assert with_key(chosen, "where", None) == "around ctrl+k x"
     assert with_key("", "where", "f4") == "where f4"
+
+
+async def test_a_list_of_keys_that_is_laid_out_while_it_is_closed_does_no_harm(open_screen):
+    """As after several such keys and their letters in one burst: what it has is removed before it."""
+    async with open_screen() as screen:
+        menu = KeyMenu({"plain": ("ctrl+k z",)}, Words(), lambda _: None)
+        await screen.app.push_screen(menu)
+        await menu.query("*").remove()
+        menu.on_resize()
+        menu.dismiss()
+        await screen.until(lambda: screen.app.screen is screen.main, "the main screen")

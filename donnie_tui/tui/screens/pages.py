@@ -213,9 +213,10 @@ class KeyMenu(Dialog[None]):
         ]
         """Of each row: the key, the word and what it does."""
         self.rows = TextRows(id="key-rows")
+        self._panel = Vertical(id="panel")  # a letter may close the menu before it has its children
 
     def compose(self) -> ComposeResult:
-        with Vertical(id="panel"):
+        with self._panel:
             yield Static(f" {self._title_words}", classes="screen-title", markup=False)
             yield self.rows
 
@@ -232,7 +233,7 @@ class KeyMenu(Dialog[None]):
     def _lay_out(self) -> None:
         """Columns in a panel that is as wide as they are, where they have room."""
         widths = [max(map(cell_len, column)) for column in zip(*self.cells, strict=True)]
-        panel, width = self.query_one("#panel"), sum(widths) + 2 * len(widths) + 2
+        panel, width = self._panel, sum(widths) + 2 * len(widths) + 2
         has_columns = width <= self.size.width and not self.has_class("-plain")
         panel.set_class(not has_columns, "-wide-as-all")
         panel.styles.width = width if has_columns else None
