@@ -57,6 +57,24 @@ _PALETTES: dict[str, dict[str, str]] = {
 
 NAMES = tuple(_PALETTES)
 
+_BRIGHT = {
+    "red": "#ff5555", "green": "#55ff55", "blue": "#5555ff", "yellow": "#ffff55", "orange": "#aa5500",
+    "pink": "#ff55ff", "gray": "#aaaaaa",
+}  # fmt: skip
+_OF_SIXTEEN = {
+    DARK: _BRIGHT,
+    LIGHT: {
+        "red": "#aa0000", "green": "#00aa00", "blue": "#0000aa", "yellow": "#aa5500", "orange": "#ff5555",
+        "pink": "#aa00aa", "gray": "#555555",
+    },
+    CONTRAST: _BRIGHT,
+    TERMINAL: _PALETTES[TERMINAL],
+}  # fmt: skip
+"""How things are painted with 16 colours. Each is one of them; of those above the nearest are often the same.
+
+Only the terminal's look has their names: in the others Textual replaces a name by a mixed colour.
+"""
+
 _LOOKS: dict[str, tuple[str, str, str]] = {
     "note": ("error", "", "italic"), "selected": ("on-chosen", "chosen", ""),
 
@@ -147,6 +165,13 @@ def looks(name: str) -> dict[str, Style]:
         found["selected"] += Style(reverse=True)
         found["free"] += Style(dim=True)
     return found
+
+
+@cache
+def block_of_sixteen(name: str, colour: str) -> Style:
+    """A thing in the picture of a terminal of 16 colours; never bold, which is brighter on a console."""
+    found = _OF_SIXTEEN.get(name, _OF_SIXTEEN[TERMINAL])[colour]
+    return Style(color=Color.parse(found).rich_color, bold=False)
 
 
 def syntax_styles(name: str) -> dict[str, Style]:

@@ -1,9 +1,14 @@
 """Panes, focus, the terminal's cursor, sizes: what is seen and how one gets there, by keys alone."""
 
 import pytest
+from rich.color import ColorSystem
+from rich.segment import Segment
+from textual.color import Color
 from textual.geometry import Offset
+from textual.strip import Strip
 
 from devices.ports.robot import Pose
+from donnie_tui.tui import themes
 from tests.tui.conftest import burst
 
 pytestmark = pytest.mark.slow
@@ -554,6 +559,27 @@ async def test_a_picture_paints_two_squares_in_their_own_colours(open_screen):
         for kind, segment in painted.items():
             assert segment.text.strip() in "▀▄█"
             assert view._look(kind).color in (segment.style.color, segment.style.bgcolor)
+
+
+@pytest.mark.parametrize("theme", themes.NAMES)
+async def test_in_a_picture_of_sixteen_colours_all_things_differ(open_screen, theme):
+    """Also where a console shows a dark colour in bold as the bright one."""
+    async with open_screen(world="colour_garden", size=(120, 40)) as screen:
+        screen.app.theme = theme
+        screen.app.console._color_system = ColorSystem.STANDARD
+        await screen.type_line("PICTURE")
+        await screen.shows("The map is a picture.")
+        strip = Strip([Segment("█", screen.main.map._look(f"thing-{each}")) for each in themes.COLOURS])
+        for each in screen.app._filters:
+            if each.enabled:
+                strip = strip.apply_filter(each, Color.parse("black"))
+        sent, seen = set(), set()
+        for segment in strip:
+            sent.add(segment.style.render("█", color_system=ColorSystem.STANDARD))
+            number = segment.style.color.downgrade(ColorSystem.STANDARD).number
+            seen.add(number + 8 if segment.style.bold and number is not None and number < 8 else number)
+
+        assert len(sent) == len(seen) == len(themes.COLOURS) == 7
 
 
 async def test_without_colours_there_is_no_picture(open_screen, monkeypatch):

@@ -20,7 +20,7 @@ from textual.geometry import Offset, Region, Size
 from textual.message import Message
 from textual.strip import Strip
 
-from donnie_tui.tui.themes import COLOURS
+from donnie_tui.tui.themes import COLOURS, block_of_sixteen
 from donnie_tui.tui.widgets.map_painters import Blocks, Letters, Painter
 from donnie_tui.tui.widgets.rows import PaintedRows
 
@@ -425,7 +425,13 @@ class MapView(PaintedRows, can_focus=True):
         if is_robot:
             return self.painted_as("other")
         _thing, is_thing, colour = kind.partition("thing-")
-        return self.painted_as("thing-gray" if is_thing and colour not in COLOURS else kind)
+        if not is_thing:
+            return self.painted_as(kind)
+        colour = colour if colour in COLOURS else "gray"
+        painted = self.painted_as(f"thing-{colour}")
+        if self.is_picture and self.app.console.color_system == "standard":
+            painted += block_of_sixteen(self.app.theme, colour)
+        return painted
 
     # --- numbers
 
