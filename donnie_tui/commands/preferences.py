@@ -93,6 +93,9 @@ PREFERENCES = (
     Preference("motion", MOTION, _SCREEN, has_words=False),
     Preference("mouse", SWITCH, _SCREEN, has_words=False),
     Preference("completion", SWITCH, _SCREEN, has_words=False),
+    Preference("trail", SWITCH, _SCREEN, has_words=False),
+    Preference("rays", SWITCH, _SCREEN, has_words=False),
+    Preference("goals", SWITCH, _SCREEN, has_words=False),
     Preference("keys", where=_SCREEN, has_words=False),
 )
 BY_NAME = {each.key: each for each in PREFERENCES}

@@ -100,8 +100,9 @@ class MapGrid:
         self.name = name
         self._trail: dict[Cell, int] = {}
         self._order: deque[Cell] = deque()
-        self.goals: Mapping[Cell, int] = {}
-        """The number of the goal whose place is there, of those on free floor."""
+        self._goals: Mapping[Cell, int] = {}
+        self.hidden: frozenset[Kind] = frozenset()
+        """Marks that are not shown."""
         self.start = self.robot = self.cell_of(pose)
         self.begin(pose)
 
@@ -163,7 +164,17 @@ class MapGrid:
                 for y in range(max(low.y, floor.bottom), min(high.y, floor.top) + 1):
                     if self.floor_letter(Cell(x, y)) == FREE:
                         found.setdefault(Cell(x, y), number)
-        self.goals = found
+        self._goals = found
+
+    @property
+    def goals(self) -> Mapping[Cell, int]:
+        """The number of the goal whose place is there, of those on free floor."""
+        return {} if Kind.GOAL in self.hidden else self._goals
+
+    @property
+    def marked(self) -> frozenset[Cell]:
+        """The cells with trail or a goal, shown or hidden."""
+        return frozenset((*self._trail, *self._goals))
 
     def thing(self, cell: Cell) -> Thing | None:
         """The thing at a cell; of several, the one whose middle is nearest."""
@@ -188,7 +199,7 @@ class MapGrid:
             return _GOALS[min(self.goals[cell], len(_GOALS)) - 1]
         if cell == self.start:
             return START
-        return TRAIL if cell in self._trail else self.floor_letter(cell)
+        return TRAIL if self._has_trail(cell) else self.floor_letter(cell)
 
     def kind(self, cell: Cell) -> Kind:
         """What the cell shows, for words and colours."""
@@ -198,9 +209,12 @@ class MapGrid:
             return Kind.GOAL
         if cell == self.start:
             return Kind.START
-        if cell in self._trail:
+        if self._has_trail(cell):
             return Kind.TRAIL
         return {WALL: Kind.WALL, FREE: Kind.FREE}.get(self.floor_letter(cell), Kind.THING)
+
+    def _has_trail(self, cell: Cell) -> bool:
+        return cell in self._trail and Kind.TRAIL not in self.hidden
 
     def floor_letter(self, cell: Cell) -> str:
         """The letter without the robot and its trail: ``WALL``, ``FREE`` or that of a thing."""

@@ -138,6 +138,11 @@ class MapScene:
         self._rays = frozenset(rays)
         return changed
 
+    def hide(self, kinds: Iterable[Kind]) -> frozenset[Cell]:
+        """Shows none of these marks: trail, rays or goals. Returns the cells that may look different."""
+        self.grid.hidden = frozenset(kinds)
+        return self.grid.marked | self._rays
+
     def _place_of(self, right: float, ahead: float) -> Cell:
         """The cell at so many steps to the right and ahead of the robot."""
         angle = radians(self._pose.heading)
@@ -213,9 +218,12 @@ class MapScene:
             return self._drawn[cell].letter
         kind = self.grid.kind(cell)
         if kind is Kind.FREE or (kind is Kind.THING and cell in self._lifted):
-            return RAY if cell in self._rays else FREE
+            return RAY if self._has_ray(cell) else FREE
         resting = self._resting_at(cell)
         return self.grid.letter(cell) if resting is None else arrow_of(resting.heading)
+
+    def _has_ray(self, cell: Cell) -> bool:
+        return cell in self._rays and Kind.RAY not in self.grid.hidden
 
     def _resting_at(self, cell: Cell) -> Thing | None:
         """The robot that has stood there from the start."""
@@ -245,7 +253,7 @@ class MapScene:
             return Kind.THING
         kind = self.grid.kind(cell)
         if kind is Kind.FREE or (kind is Kind.THING and cell in self._lifted):
-            return Kind.RAY if cell in self._rays else Kind.FREE
+            return Kind.RAY if self._has_ray(cell) else Kind.FREE
         return kind
 
     def thing(self, cell: Cell) -> Thing | None:

@@ -168,6 +168,9 @@ KEYS = (
     Key("mouse", "mouse", read_switch, "on, off"),
     _one_of("motion", MOTION),
     Key("completion", "completion", read_switch, "on, off"),
+    Key("trail", "trail", read_switch, "on, off"),
+    Key("rays", "rays", read_switch, "on, off"),
+    Key("goals", "goals", read_switch, "on, off"),
     Key("keys", "keys", read_line, "ACTION KEY, ACTION KEY"),
 )
 CONFINED = Key("confined", "folder", read_text, "FOLDER")
@@ -261,6 +264,10 @@ class Settings(Struct, frozen=True):
     motion: str = "full"
     completion: bool = True
     """Whether the editor offers the words that may follow."""
+    trail: bool = True
+    """Whether the map of the full screen shows it; so ``rays`` and ``goals``."""
+    rays: bool = True
+    goals: bool = True
     keys: str = ""
     """Other keys of the full screen: ``run f9, step f10``."""
     page: str = "rest"

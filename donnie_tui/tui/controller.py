@@ -247,6 +247,8 @@ class ScreenController:
             self._apply_completion()
         elif key == "motion":
             self._apply_motion()
+        elif key in ("trail", "rays", "goals"):
+            self.display.show_marks_of_map()
         self.app.apply_settings(self.ctx.preferences.settings)
         self.display.update()
 

@@ -11,7 +11,7 @@ from devices.ports.robot import Bearing, Pose
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.keys import PALETTE, KeyTable, key_label
 from donnie_tui.core.events import Outcome, Read, RunEnded
-from donnie_tui.core.map_grid import Cell, floor_size
+from donnie_tui.core.map_grid import Cell, Kind, floor_size
 from donnie_tui.core.map_scene import Line, MapScene
 from donnie_tui.core.run_state import RunState
 from donnie_tui.core.timeline import Timeline
@@ -73,7 +73,7 @@ class Display:
     def __init__(self, place: MainScreen, ctx: Context, table: KeyTable) -> None:
         self._place = place
         self._table = table
-        self._attempt = ctx.attempt
+        self._attempt, self._preferences = ctx.attempt, ctx.preferences
         self._donnie, self._words = ctx.donnie, ctx.words
         self._runs, self._workspace = ctx.runs, ctx.workspace
         self._pose = ctx.donnie.session.pose
@@ -99,10 +99,21 @@ class Display:
         self.scene = MapScene(picture, self._pose, shown_name(self._donnie.session.name))
         if self._attempt is not None:
             self.scene.grid.mark_goals(self._attempt.goal_places)
+        self.scene.hide(self._hidden_marks)
         self._place.map.call_colours(colour_initials(self._words))
         self._place.show_map(self.scene)
         self.entitle_map()
         self._entitle_inspector()
+
+    def show_marks_of_map(self) -> None:
+        """Trail, rays and goals, as the settings say."""
+        self._place.map.update_cells(self.scene.hide(self._hidden_marks))
+
+    @property
+    def _hidden_marks(self) -> tuple[Kind, ...]:
+        settings = self._preferences.settings
+        shown = {Kind.TRAIL: settings.trail, Kind.RAY: settings.rays, Kind.GOAL: settings.goals}
+        return tuple(kind for kind, is_shown in shown.items() if not is_shown)
 
     def _entitle_inspector(self) -> None:
         code = "pane-inspector" if self._attempt is None else "pane-goals"

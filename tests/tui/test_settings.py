@@ -5,6 +5,7 @@ import re
 import pytest
 
 from donnie_tui.commands.settings import change
+from donnie_tui.core.map_grid import Cell, Kind
 from tests.tui.settings_files import kept
 
 
@@ -44,6 +45,34 @@ async def test_the_settings_list_changes_one_and_comes_back(open_screen, tmp_pat
         await screen.press("escape")
 
         assert kept(tmp_path)["verbosity"] == "brief"
+
+
+@pytest.mark.parametrize(
+    ("language", "typed", "kind"),
+    [
+        ("en", "SET trail off", Kind.TRAIL),
+        ("pt", "AJUSTAR raios não", Kind.RAY),
+        ("es", "AJUSTAR metas no", Kind.GOAL),
+    ],
+)
+async def test_the_map_leaves_out_what_the_learner_switches_off(open_screen, tmp_path, language, typed, kind):
+    marks = {Kind.TRAIL, Kind.RAY, Kind.GOAL}
+    async with open_screen(world="challenge:there_and_back", size=(120, 40), language=language) as screen:
+
+        def shown() -> set[Kind]:
+            bounds = screen.main.map.scale.bounds
+            rows, columns = range(bounds.bottom, bounds.top + 1), range(bounds.left, bounds.right + 1)
+            return {screen.main.map.scale.scene.kind(Cell(x, y)) for x in columns for y in rows} & marks
+
+        screen.load("FW 3\nSPEAK DISTANCE F")
+        await screen.press("f5")
+        await screen.until(lambda: shown() == marks, "trail, ray and goals")
+        await screen.type_line(typed)
+        await screen.until(lambda: shown() == marks - {kind}, "the map without them")
+
+        assert kept(tmp_path)[kind.value + "s" * (kind is not Kind.TRAIL)] is False
+        screen.app.controller.display.show_world()
+        assert kind not in shown()
 
 
 async def test_another_key_works_at_once(open_screen):

@@ -52,6 +52,25 @@ def test_a_distance_is_a_ray_to_the_found_thing_until_the_robot_moves() -> None:
     assert RAY not in "".join(shown(it))
 
 
+@pytest.mark.parametrize("hidden", [Kind.TRAIL, Kind.RAY, Kind.GOAL])
+def test_what_is_hidden_is_free_floor_and_comes_back(hidden: Kind) -> None:
+    it = scene()
+    it.grid.mark_goals([(1, 2.0, 3.0, 2.0, 3.0)])
+    it.move(Pose(0, 3, 0))
+    it.look_along(Read("distance", "front", 3))
+    cells = {Kind.TRAIL: Cell(1, 2), Kind.RAY: Cell(1, 4), Kind.GOAL: Cell(3, 3)}
+    marks = {Kind.TRAIL: "o", Kind.RAY: "'", Kind.GOAL: "1"}
+
+    assert cells[hidden] in it.hide({hidden})
+    for kind, cell in cells.items():
+        assert it.kind(cell) is (Kind.FREE if kind is hidden else kind)
+        assert it.letter(cell) == ("." if kind is hidden else marks[kind])
+    assert (cells[Kind.GOAL] in it.standing) is (hidden is not Kind.GOAL)
+
+    it.hide(())
+    assert [it.kind(cell) for cell in cells.values()] == [*cells]
+
+
 def test_a_scan_shows_each_angle() -> None:
     it = scene()
     it.look_along(Scanned((SeenGroup("right", 45, 3, ("red",)), SeenGroup("left", 0, 5, ("blue",)))))
