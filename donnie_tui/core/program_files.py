@@ -227,16 +227,18 @@ def _place(entry: ProgramEntry) -> tuple[bool, list[str | int]]:
 
 
 def program_meant(name: str) -> Path:
-    """The only program whose name begins as a typed one, which names no file. Raises ``DocumentError``."""
+    """The only program whose name begins as a typed one, which names no file; else the file of that name.
+
+    Raises ``DocumentError`` if several begin so.
+    """
     path = _typed_path(name)
     typed, listed = fold_name(path.name), tuple[ProgramEntry, ...]()
     with contextlib.suppress(DocumentError):
         listed = programs_in(path.parent)
     begins = [each for each in listed if not each.real and each.folded.startswith(typed)]
-    if len(begins) != 1:
-        code = "file-several" if begins else "file-not-found"
-        raise DocumentError(code, str(path), str(len(begins)))
-    return begins[0].path
+    if len(begins) > 1:
+        raise DocumentError("file-several", str(path), str(len(begins)))
+    return begins[0].path if begins else path
 
 
 # --- reading
