@@ -13,6 +13,7 @@ from donnie_tui.commands.keys import PALETTE, KeyTable, key_label
 from donnie_tui.core.events import Outcome, Read, RunEnded
 from donnie_tui.core.map_grid import Cell, Kind, floor_size
 from donnie_tui.core.map_scene import Line, MapScene
+from donnie_tui.core.program_text import LONGEST_CHECKED
 from donnie_tui.core.run_state import RunState
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.wording import colour_initials, shown_name
@@ -34,6 +35,7 @@ from donnie_tui.tui.pane_text import (
 )
 from donnie_tui.tui.screens.main_screen import MainScreen
 from donnie_tui.tui.widgets.rows import LOOKS, KeyEntry
+from language.keywords import spelling
 from language.runtime import Frame
 
 LEAST_CHART = 24
@@ -368,7 +370,12 @@ class Display:
             badge, colour = state_badge(
                 self._runs.state, past, session.speed, self._words, was_stopped=self._was_stopped
             )
-        choices = (f" {answer} {rest}".replace("  ", " ") for rest in (*whole, *short))
+        choices = [f" {answer} {rest}".replace("  ", " ") for rest in (*whole, *short)]
+        running = "" if self._place.is_plain else self._running_sentence
+        if running:  # the badge has the speed, and the log the answer, where there is a log
+            said = [answer, ""] if self._place.log_is_seen or not answer else [answer]
+            choices = [f" {each} {running} {robot}".replace("  ", " ") for each in said]
+            choices += [f" {said[-1]} {running}".replace("  ", " "), f" {answer or running}"]
         self._place.status.say(*choices, badge=badge, colour=colour)
 
     def acted(self) -> None:
@@ -404,6 +411,21 @@ class Display:
             code = "status-mistake-meant" if mistake.meant and key else "status-mistake"
             return words(code, line=line, lines=lines, message=mistake.message, meant=mistake.meant, key=key)
         return words("status-program", line=line, lines=lines)
+
+    @property
+    def _running_sentence(self) -> str:
+        """The line being run, or looked back at, and the innermost block around it; empty for none."""
+        frames = self._program_frames()
+        if not frames:
+            return ""
+        document, words = self._workspace.document, self._words
+        line, lines = frames[0].line, self._place.editor.line_count
+        is_there = line <= lines and len(document.text) <= LONGEST_CHECKED
+        block = next(iter(document.structure.openers(line)), None) if is_there else None
+        if block is None:
+            return words("status-line", line=line, lines=lines)
+        name = block.name or spelling(block.kind, words.language)
+        return words("status-line-in", line=line, lines=lines, block=name)
 
     @property
     def _is_in_sight(self) -> bool:

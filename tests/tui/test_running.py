@@ -250,6 +250,27 @@ async def test_running_says_how_fast_and_a_stopped_program_says_so_until_the_nex
         await screen.until(lambda: badge.badge == "READY", "the start")
 
 
+async def test_the_status_names_the_line_that_runs_and_the_block_around_it(open_screen):
+    """Wherever the focus is, and the speed once: after RUNNING."""
+    async with open_screen("FW 1\nREPEAT 2 TIMES\nWAIT 1000\nEND REPEAT", speed=5.0) as screen:
+        await screen.press("f5")
+        await screen.until(lambda: "Line 3 of 4, in REPEAT. Donnie at 0, 1 " in screen.text, "the line")
+        assert "RUNNING x5" in screen.text and "Speed" not in screen.text
+        await screen.type_line("STOP")
+        await screen.idle()
+        for _ in range(3):
+            await screen.type_line("STEP BACK")
+        await screen.until(lambda: "Line 1 of 4. Donnie at 0, 0 " in screen.text, "the line of the past")
+
+
+async def test_where_no_log_is_seen_the_status_of_a_held_program_has_the_answer(open_screen):
+    async with open_screen("REPEAT 2 TIMES\nWAIT 1000\nEND REPEAT", speed=1.0, size=(40, 12)) as screen:
+        await screen.press("f5", "f6")
+        await screen.until(lambda: " PAUSED  Paused at line 2" in screen.text, "the answer")
+        await screen.press("left")
+        await screen.until(lambda: " PAUSED  Line 2 of 3, in REPEAT." in screen.text, "the line")
+
+
 async def test_looking_back_is_a_state_of_its_own(open_screen):
     async with open_screen() as screen:
         await screen.run("FW 1\nFW 2")
