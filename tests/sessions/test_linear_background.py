@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from donnie_tui.linear.output import CAPACITY
 from tests.sessions.learner import Learner
 
 pytestmark = pytest.mark.slow
@@ -54,7 +55,9 @@ def test_the_number_of_unprinted_lines_is_bounded(talking: Learner) -> None:
     talking.sees("Stopped at line ")
     talking.sees("> ")
 
-    assert 0 < left_out(talking) < 1000
+    # A full queue or two; on a busy machine it fills again before the program notices the stop. Without a limit
+    # the program would be some 80 000 lines ahead.
+    assert 0 < left_out(talking) < 10 * CAPACITY
 
 
 def test_a_line_is_typed_and_answered_in_between(talking: Learner) -> None:
