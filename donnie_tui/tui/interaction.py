@@ -114,7 +114,15 @@ class ScreenInteraction:
         from donnie_tui.tui.screens.file_panel import FilePanel
 
         await asyncio.sleep(0)
-        panel = FilePanel(question, text, recent, self._words, self._controller.point, is_new=is_new)
+        panel = FilePanel(
+            question,
+            text,
+            recent,
+            self._words,
+            self._controller.point,
+            checking=self._dialogs.checking,
+            is_new=is_new,
+        )
         return await self._dialogs.answer_of(panel) or None
 
     async def choose(

@@ -15,7 +15,8 @@ from __future__ import annotations
 
 import asyncio
 from collections import deque
-from collections.abc import Awaitable, Callable, Iterable
+from collections.abc import Awaitable, Callable, Iterable, Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from textual import events
@@ -401,6 +402,15 @@ class Dialogs:
             raise
         finally:
             self._gone(screen)
+
+    @contextmanager
+    def checking(self, screen: Screen[Any]) -> Iterator[None]:
+        """Keys wait while an answer to the dialog is checked: they may be for what comes after it."""
+        self._screen = screen
+        try:
+            yield
+        finally:
+            self._is_there(screen)
 
     def open(self, page: Screen[None]) -> None:
         """Show something to read."""

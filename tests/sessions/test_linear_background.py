@@ -55,8 +55,8 @@ def test_the_number_of_unprinted_lines_is_bounded(talking: Learner) -> None:
     talking.sees("Stopped at line ")
     talking.sees("> ")
 
-    # A full queue or two; on a busy machine it fills again before the program notices the stop. Without a limit
-    # the program would be some 80 000 lines ahead.
+    # On a busy machine the queue fills again before the program notices the stop. Without a limit some
+    # 80 000 lines would be left out.
     assert 0 < left_out(talking) < 10 * CAPACITY
 
 

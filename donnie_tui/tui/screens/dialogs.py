@@ -76,23 +76,24 @@ class Question(Dialog[str | None]):
         self._value = value
         self._accepts = accepts
         self._list = _Answers(answers) if answers else None
+        self._line = InputLine(value, id="answer")
 
     def compose(self) -> ComposeResult:
         with Vertical(id="question"):
             yield Static(self._asked, id="asked", markup=False)
             if self._list is not None:
                 yield self._list
-            yield InputLine(self._value, id="answer")
+            yield self._line
             yield DialogKeys(self._keys)
 
     def on_dialog_keys_clicked(self, event: DialogKeys.Clicked) -> None:
         if event.key == "enter":
-            self._submit(self.query_one(InputLine).value)
+            self._submit(self._line.value)
         else:
             self.action_go_back()
 
     def on_mount(self) -> None:
-        self.query_one(InputLine).select_all()  # what is proposed is typed over
+        self._line.select_all()  # what is proposed is typed over
         self._point(f"{self._asked} {self._value}".strip())
         if self._list is not None:
             self._list.offer(max(0, self.size.height - 5))
@@ -109,7 +110,7 @@ class Question(Dialog[str | None]):
     def action_write_row(self) -> None:
         """The chosen row, or the first one, goes into the line."""
         if self._list is not None:
-            line = self.query_one(InputLine)
+            line = self._line
             line.value = self._list.row_text
             line.cursor_position = len(line.value)
 
@@ -130,7 +131,7 @@ class Question(Dialog[str | None]):
         wrong = self._accepts(answer) if self._accepts else None
         if wrong:
             self.query_one("#asked", Static).update(wrong)
-            self.query_one(InputLine).select_all()
+            self._line.select_all()
             self._point(wrong)
         else:
             self.dismiss(answer)
@@ -298,6 +299,7 @@ class Chooser(Dialog[str | None]):
         self._point = point
         self.rows = _Rows(id="choices")
         self._typed = _Narrowing(self.rows)
+        self._panel, self._listing = Vertical(id="panel"), Horizontal(id="listing")
         self._has_details = not is_plain and any(each.detail is not None for each in choices)
         may_drop = not is_plain and any(len(each.columns) > 1 for each in choices)
         self._detail = _Detail(id="detail") if self._has_details or may_drop else None
@@ -305,10 +307,10 @@ class Chooser(Dialog[str | None]):
         """Their widths; empty where rows are texts. What else there are is below the list."""
 
     def compose(self) -> ComposeResult:
-        with Vertical(id="panel"):
+        with self._panel:
             yield Static(f" {self._title_words}", classes="screen-title", markup=False)
             yield self._typed
-            with Horizontal(id="listing"):
+            with self._listing:
                 yield self.rows
                 if self._detail is not None:
                     yield self._detail
@@ -337,7 +339,7 @@ class Chooser(Dialog[str | None]):
         else:
             self._columns = self._columns_in(width - 1, columns, may_drop=height >= _LEAST_BOTH)
             is_below = 0 < len(self._columns) < len(columns)
-        self.query_one("#listing").set_class(is_below, "-below")
+        self._listing.set_class(is_below, "-below")
         self._show()
         has_detail = bool(self._columns) and (self._has_details or is_below)
         if self._detail is not None:
@@ -358,7 +360,7 @@ class Chooser(Dialog[str | None]):
         else:
             listing = max(listing, max(row_widths, default=0) + 2)
             rows = sum(-(-each // max(1, min(width, listing) - 1)) for each in row_widths)
-        panel = self.query_one("#panel")
+        panel = self._panel
         listing = listing + 2 if listing + 2 <= width - _LEAST_REST else width
         panel.styles.width = listing
         panel.set_class(listing == width, "-wide-as-all")

@@ -10,9 +10,10 @@ from __future__ import annotations
 import asyncio
 import os
 from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager
 from pathlib import Path
 from textwrap import wrap
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from msgspec import Struct
 from rich.style import Style
@@ -22,6 +23,7 @@ from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Vertical
 from textual.geometry import Offset
+from textual.screen import Screen
 from textual.suggester import Suggester
 from textual.widgets import Input, Static, Tree
 from textual.widgets.tree import TreeNode
@@ -187,16 +189,22 @@ class FilePanel(Dialog[str | Path | None]):
         words: Wording,
         point: Callable[[str], object],
         *,
+        checking: Callable[[Screen[Any]], AbstractContextManager[None]],
         is_new: bool = False,
     ) -> None:
-        """``point`` says the row that is chosen. ``is_new``: see ``Interaction.ask_file``."""
+        """``point`` says the row that is chosen; ``checking``: see ``Dialogs.checking``.
+
+        ``is_new``: see ``Interaction.ask_file``.
+        """
         super().__init__()
+        self._checking = checking
         self._asked, self._text, self._words, self._point = question, text, words, point
         self._find_recent, self._is_new = recent, is_new
         self.files = FileTree()
         self._line = _NameLine(text, self.files, self._completed)
         self._title = Static(f" {question}", classes="screen-title", markup=False)
         self._keys = DialogKeys(words("ask-keys-files"))
+        self._panel = Vertical(id="panel")
         self._home = Path()
         self._root = Folder(self._home, "")
         """The folder that is shown where none is typed."""
@@ -206,7 +214,7 @@ class FilePanel(Dialog[str | Path | None]):
         """Whether the line is no longer as it was at first."""
 
     def compose(self) -> ComposeResult:
-        with Vertical(id="panel"):
+        with self._panel:
             yield self._title
             yield self._line
             yield self.files
@@ -223,7 +231,7 @@ class FilePanel(Dialog[str | Path | None]):
 
     def _lay_out(self) -> None:
         width, height = self.size
-        panel = self.query_one("#panel")
+        panel = self._panel
         columns = _WIDTH if width - _LEAST_REST >= _WIDTH else width
         panel.styles.width = columns
         panel.set_class(columns == width, "-wide-as-all")
@@ -539,18 +547,19 @@ class FilePanel(Dialog[str | Path | None]):
 
     @work(exclusive=True, group="answer")
     async def _answer(self, typed: str) -> None:
-        """A slow folder delays no key."""
-        found = await asyncio.to_thread(_named, typed)
-        if found == "folder":
-            self._write(typed if typed.endswith("/") else f"{typed}/")
-            return
-        fitting = set() if found or self._is_new else set[Path]().union(*map(self._programs, self._shown))
-        if len(fitting) > 1:
-            several = self._words("files-several", count=len(fitting))
-            self._title.update(f" {several}")
-            self._point(several)
-        else:
-            self.dismiss(fitting.pop() if fitting else typed)
+        """A slow folder does not stop the screen; what is typed after Enter waits."""
+        with self._checking(self):
+            found = await asyncio.to_thread(_named, typed)
+            if found == "folder":
+                self._write(typed if typed.endswith("/") else f"{typed}/")
+                return
+            fitting = set() if found or self._is_new else set[Path]().union(*map(self._programs, self._shown))
+            if len(fitting) > 1:
+                several = self._words("files-several", count=len(fitting))
+                self._title.update(f" {several}")
+                self._point(several)
+            else:
+                self.dismiss(fitting.pop() if fitting else typed)
 
     def action_go_back(self) -> None:
         self.dismiss(None)
