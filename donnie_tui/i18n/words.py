@@ -7,7 +7,9 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Callable, Mapping
-from functools import cache, lru_cache
+from functools import cache
+from gettext import GNUTranslations, NullTranslations, c2py
+from io import BytesIO
 from typing import TYPE_CHECKING, NamedTuple
 
 from language.locales import ENGLISH, compiled_file, content_of, folders
@@ -113,11 +115,11 @@ class Sentence(NamedTuple):
     language: str
 
 
-@lru_cache(500)
 def find(code: str, language: str, detail: str = "normal") -> Sentence | None:
     """The sentence of a code at a level of detail, else at the normal one; None where English has none."""
     for each in (language, ENGLISH):
-        text = _text(each, f"{code}|{detail}") or _text(each, code)
+        translations = _translations(each)
+        text = translations.gettext(f"{code}|{detail}") or translations.gettext(code)
         if text:
             return Sentence(text, each)
     return None
@@ -126,37 +128,25 @@ def find(code: str, language: str, detail: str = "normal") -> Sentence | None:
 @cache
 def codes(language: str) -> tuple[str, ...]:
     """The codes of all sentences of a language; other levels of detail are like ``walked-forward|brief``."""
-    return tuple(_text(language, CODES).split("\n"))
+    return tuple(_translations(language).gettext(CODES).split("\n"))
+
+
+class _Missing(NullTranslations):
+    """Has no sentence at all."""
+
+    def gettext(self, message: str) -> str:  # noqa: ARG002
+        return ""
 
 
 @cache
-def _translations(language: str) -> bytes:
-    """The compiled file of a language; empty without a readable one: the language has no sentences."""
+def _translations(language: str) -> NullTranslations:
+    """The sentences of a language; without a readable file it has none, and speaks English."""
     try:
-        data = _compiled(language)
-        count, _, texts = struct.unpack_from("<3I", data, 8)
-        size, start = struct.unpack_from("<2I", data, texts + 8 * (count - 1))
-    except (OSError, ValueError, struct.error):
-        return b""
-    return data if start + size < len(data) and b"charset=UTF-8" in data else b""
-
-
-def _text(language: str, code: str) -> str:
-    """What the file has of that code, or an empty text.
-
-    It stays a file: gettext's dictionary takes more than twice the memory. All codes come first, and then the
-    texts in the same order, each with a zero at its end.
-    """
-    data = _translations(language)
-    if not data:
-        return ""
-    codes, texts = struct.unpack_from("<2I", data, 12)
-    (first_code,), (first_text,) = (struct.unpack_from("<I", data, each + 4) for each in (codes, texts))
-    at = data.find(b"\0%b\0" % code.encode(errors="replace"), first_code - 1, first_text)
-    if at < 0:
-        return ""
-    size, start = struct.unpack_from("<2I", data, texts + 8 * data.count(b"\0", first_code, at + 1))
-    return data[start : start + size].decode(errors="replace")
+        found = GNUTranslations(BytesIO(_compiled(language)))
+    except (OSError, ValueError, LookupError, struct.error):  # the last two of a damaged compiled file
+        return _Missing()
+    found.add_fallback(_Missing())
+    return found
 
 
 def _compiled(language: str) -> bytes:
@@ -215,10 +205,7 @@ def _form_of(value: object, language: str) -> int:
 
 @cache
 def _plural_rule(language: str) -> Callable[[int], int]:
-    from gettext import c2py
-
-    header = _text(language, "").split("\n")
-    forms = next((each for each in header if each.startswith("plural-forms:")), "")
+    forms = _translations(language).info().get("plural-forms", "")
     return c2py(forms.partition("plural=")[2].rstrip("; ") or "n != 1")
 
 

@@ -5,7 +5,6 @@ import re
 import shutil
 import subprocess
 import sys
-import tracemalloc
 from collections.abc import Iterator
 from gettext import GNUTranslations
 from io import BytesIO
@@ -37,7 +36,7 @@ def added(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
 
 def _forget() -> None:
     locales.forget()
-    for each in (words._translations, find, words.codes, words._plural_rule, words._decimal_sign):
+    for each in (words._translations, words.codes, words._plural_rule, words._decimal_sign):
         each.cache_clear()
 
 
@@ -323,19 +322,6 @@ def test_compiled_sentences_of_an_unknown_encoding_are_english(added: Path, enco
     sentence = find("run-done", CODE)
     assert sentence is not None
     assert sentence.text == "Done."
-
-
-def test_the_sentences_of_a_session_take_hardly_more_memory_than_their_file() -> None:
-    main(["compile"])
-    _forget()
-    tracemalloc.start()
-    try:
-        assert find("run-done", ENGLISH)
-        in_memory, _ = tracemalloc.get_traced_memory()
-    finally:
-        tracemalloc.stop()
-
-    assert in_memory < 1.2 * Path(BUILT_IN, ENGLISH, "compiled", "messages.mo").stat().st_size
 
 
 def test_a_sentence_with_a_mistake_is_english_in_a_session(added: Path) -> None:
