@@ -6,11 +6,11 @@ common option may stand before or after the command.
 
 from __future__ import annotations
 
+import argparse
 import os
 import re
 from collections.abc import Iterator, Mapping
 from enum import IntEnum
-from types import SimpleNamespace
 from typing import TYPE_CHECKING, NoReturn
 
 from msgspec import Struct
@@ -18,13 +18,10 @@ from msgspec import Struct
 from donnie_tui import __version__
 from donnie_tui.cli.streams import Output
 from donnie_tui.i18n.words import Words
-from donnie_tui.linear.greeting import plain_options
 from donnie_tui.settings.settings import BY_KEY, CONFINED, DEVICES, BadOption, Settings, resolve
 from language.locales import first_page, languages
 
 if TYPE_CHECKING:
-    import argparse
-
     from donnie_tui.linear.greeting import Greeting
 
 
@@ -79,11 +76,6 @@ class OptionSpec(Struct, frozen=True):
     choices: tuple[str, ...] | None = None
     group: str = ""
     """Options of one group exclude each other."""
-
-    @property
-    def place(self) -> str:
-        """The name of its value, as argparse chooses it."""
-        return self.dest or self.names[0].lstrip("-")
 
 
 _FILE = OptionSpec(("file",), "option-file", "FILE", nargs="?")
@@ -186,8 +178,7 @@ class Invocation(Struct, frozen=True):
     """Empty for the program itself."""
     options: dict[str, str]
     """The common options that were given, by key."""
-    arguments: SimpleNamespace
-    """Of that command alone, by their names in ``OPTIONS``."""
+    arguments: argparse.Namespace
 
 
 class Order(Struct, frozen=True):
@@ -232,21 +223,6 @@ def understand(arguments: list[str], words: Words) -> Invocation:
 
     Raises ``WrongUsage`` or ``BadOption``.
     """
-    return _plain(arguments) or _parsed(arguments, words)
-
-
-def _plain(arguments: list[str]) -> Invocation | None:
-    """A line as most starts have it, read without argparse, which takes half a megabyte; None for others."""
-    plain = plain_options(arguments)
-    if plain is None or plain.get("FILE") in COMMANDS:
-        return None
-    options = {key: plain[BY_KEY[key].option] for key in COMMON if BY_KEY[key].option in plain}
-    given = SimpleNamespace(**{each.place: None if each.metavar else False for each in OPTIONS[""]})
-    given.file, given.linear = plain.get("FILE"), "--linear" in plain
-    return Invocation("", options, given)
-
-
-def _parsed(arguments: list[str], words: Words) -> Invocation:
     first = _first_word(arguments)
     typed = arguments[first] if first is not None else ""
     command = typed if typed in COMMANDS else ""
@@ -268,7 +244,7 @@ def _parsed(arguments: list[str], words: Words) -> Invocation:
     options = {key: getattr(parsed, key) for key in COMMON if getattr(parsed, key) is not None}
     if ALLOW in options:
         options[ALLOW] = os.pathsep.join(options[ALLOW])
-    return Invocation(command, options, SimpleNamespace(**vars(parsed)))
+    return Invocation(command, options, parsed)
 
 
 def _refuse_second_limit(arguments: list[str]) -> None:
@@ -341,47 +317,42 @@ _PROBLEMS = (
 _LONGEST_QUOTE = 40
 
 
-def _parser(command: str, sentence: Words) -> argparse.ArgumentParser:
+class _Parser(argparse.ArgumentParser):
     """Complains by code, in no language. Its help is codes too, until it is printed: few starts print it."""
-    import argparse
 
-    class Parser(argparse.ArgumentParser):
-        def format_help(self) -> str:
-            if self.description is None:
-                self.description = sentence(f"usage-{command or 'donnie'}")
-                self.epilog = None if command else _all_commands(sentence)
-                for group in self._action_groups[2:]:  # the first two are argparse's own, and empty
-                    group.title = sentence(str(group.title))
-                for action in self._actions:
-                    action.help = sentence(str(action.help))
-            return super().format_help()
+    def __init__(self, command: str, sentence: Words) -> None:
+        super().__init__(
+            prog=f"donnie {command}".strip(),
+            formatter_class=_formatter(sentence),
+            add_help=False,
+            allow_abbrev=False,
+        )
+        self._command, self._sentence = command, sentence
 
-        def error(self, message: str) -> NoReturn:
-            _complain(message)
+    def format_help(self) -> str:
+        sentence = self._sentence
+        if self.description is None:
+            self.description = sentence(f"usage-{self._command or 'donnie'}")
+            self.epilog = None if self._command else _all_commands(sentence)
+            for group in self._action_groups[2:]:  # the first two are argparse's own, and empty
+                group.title = sentence(str(group.title))
+            for action in self._actions:
+                action.help = sentence(str(action.help))
+        return super().format_help()
 
-    return Parser(
-        prog=f"donnie {command}".strip(),
-        formatter_class=_formatter(sentence),
-        add_help=False,
-        allow_abbrev=False,
-    )
-
-
-def _complain(message: str) -> NoReturn:
-    """Raises what argparse's message means."""
-    choice = re.fullmatch(r"argument --([^:]*): invalid choice: (.*) \(choose from (.*)\)", message)
-    if choice:
-        raise BadOption(choice[1], choice[2].strip("'\""), choice[3].replace("'", ""))
-    for pattern, code in _PROBLEMS:
-        found = re.fullmatch(pattern, message)
-        if found:
-            raise WrongUsage(code, found[1][:_LONGEST_QUOTE])
-    raise WrongUsage("usage-unrecognized", message[:_LONGEST_QUOTE])
+    def error(self, message: str) -> NoReturn:
+        choice = re.fullmatch(r"argument --([^:]*): invalid choice: (.*) \(choose from (.*)\)", message)
+        if choice:
+            raise BadOption(choice[1], choice[2].strip("'\""), choice[3].replace("'", ""))
+        for pattern, code in _PROBLEMS:
+            found = re.fullmatch(pattern, message)
+            if found:
+                raise WrongUsage(code, found[1][:_LONGEST_QUOTE])
+        raise WrongUsage("usage-unrecognized", message[:_LONGEST_QUOTE])
 
 
 def _formatter(sentence: Words) -> type[argparse.HelpFormatter]:
     """Help that begins with the word for "usage" in the learner's language and keeps the lines of a text."""
-    import argparse
 
     class Formatter(argparse.HelpFormatter):
         def add_usage(self, usage, actions, groups, prefix=None):  # type: ignore[no-untyped-def] # argparse's own
@@ -398,7 +369,7 @@ def _formatter(sentence: Words) -> type[argparse.HelpFormatter]:
 
 def parser_of(command: str, sentence: Words) -> argparse.ArgumentParser:
     """The parser of a command, or of the program itself for the empty name."""
-    parser = _parser(command, sentence)
+    parser = _Parser(command, sentence)
     arguments = parser.add_argument_group("usage-arguments")
     groups: dict[str, argparse._MutuallyExclusiveGroup] = {}
     for each in OPTIONS[command]:

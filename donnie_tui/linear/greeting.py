@@ -122,7 +122,7 @@ def has_rescued(folder: str) -> bool:
 
 def begin(arguments: list[str], environment: os._Environ[str] | dict[str, str]) -> Greeting | None:
     """Greet if ``arguments`` plainly ask for the linear mode. None if nothing was printed."""
-    options = plain_options(arguments)
+    options = _plain_options(arguments)
     if options is None or "--linear" not in options or _has_other_settings(environment):
         return None
     greeting, prompt = Greeting(), None if "FILE" in options else PROMPT
@@ -169,8 +169,8 @@ class Terminal:
             return
 
 
-def plain_options(arguments: list[str]) -> dict[str, str] | None:
-    """The options and the FILE; None where anything is not obvious, such as an option that is given twice."""
+def _plain_options(arguments: list[str]) -> dict[str, str] | None:
+    """The options and the FILE, or None where there is anything that is not obvious."""
     found: dict[str, str] = {}
     rest = iter(arguments)
     for each in rest:
@@ -178,10 +178,9 @@ def plain_options(arguments: list[str]) -> dict[str, str] | None:
         if each in _LINEAR:
             found["--linear"] = ""
         elif name in PLAIN_VALUES or name in _WITH_VALUE or name in _WITH_NUMBER:
-            given = value if equals else next(rest, "-")
-            if name in found or given.startswith("-") or not _is_plain(name, given):
+            found[name] = value if equals else next(rest, "")
+            if not _is_plain(name, found[name]):
                 return None
-            found[name] = given
         elif each.startswith("-") or "FILE" in found or not os.path.isfile(each):  # noqa: PTH113 -- pathlib is slow to load
             return None
         else:

@@ -48,7 +48,7 @@ HEAVY = {
 }
 """Libraries that most starts do not need, and that take long to load."""
 RARE = {
-    *("argparse", "locale", "pathlib", "json", "csv", "shlex", "tomllib", "statistics", "dataclasses"),
+    *("pathlib", "json", "csv", "shlex", "tomllib", "statistics", "dataclasses"),
     *("donnie_tui.core.reports", "donnie_tui.core.map_words", "donnie_tui.i18n.help", "worlds.words"),
 }
 """Loaded by the command that needs it: each session of a class would keep its own copy in memory."""

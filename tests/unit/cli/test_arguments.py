@@ -1,12 +1,11 @@
 """Options stand before or after the command. The first other word is the command or the file."""
 
-import os
 import re
 from pathlib import Path
 
 import pytest
 
-from donnie_tui.cli.options import COMMANDS, COMMON, WrongUsage, parser_of, understand
+from donnie_tui.cli.options import COMMANDS, COMMON, WrongUsage, understand
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.settings import BadOption
 from tests.conftest import ROOT
@@ -35,53 +34,6 @@ def test_a_command_line_is_understood(
     found = understand(line.split(), Words())
 
     assert (found.command, found.options, found.arguments.file) == (command, options, file)
-
-
-@pytest.mark.parametrize(
-    "line",
-    [
-        "",
-        "a.gd",
-        "--linear",
-        "--screen-reader a.gd --speech off",
-        "--world living_room --linear --speed max --seed 3 a.gd",
-        "--allow=/tmp --lang=es",
-        "--allow /tmp --allow /",
-        "--events e.jsonl --verbosity full --sound on --profile 2018",
-        "--events -",
-        "--world= a.gd",
-        "--lang pt --lang es",
-    ],
-)
-def test_a_plain_line_is_understood_as_argparse_understands_it(
-    line: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "a.gd").touch()
-
-    found = understand(line.split(), Words())
-
-    wanted = vars(parser_of("", Words()).parse_args(line.split()))
-    given = {key: wanted.pop(key) for key in COMMON}
-    if given["allow"]:
-        given["allow"] = os.pathsep.join(given["allow"])
-    assert found.options == {key: value for key, value in given.items() if value is not None}
-    assert {name: getattr(found.arguments, name) for name in wanted} == wanted
-
-
-def test_a_file_that_is_called_as_a_command_does_not_hide_it(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "worlds").touch()
-
-    assert understand(["worlds"], Words()).command == "worlds"
-
-
-@pytest.mark.parametrize("line", ["--world --linear", "--linear --world", "--lang", "--events --linear"])
-def test_an_option_without_its_value_is_wrong_usage(line: str) -> None:
-    with pytest.raises(WrongUsage):
-        understand(line.split(), Words())
 
 
 @pytest.mark.parametrize("flag", ["-t", "-T", "--linear"])
