@@ -26,8 +26,8 @@ LEAST, MOST = 0.25, 2.0
 """Metres of a square's side."""
 FEW = 16
 """So many parts, about, are looked for around a place at first."""
-NOBODY = -1
-"""Asks for no root."""
+NO_ROOT = -1
+"""In place of a root, where no root asks."""
 VIEWED_FROM = 0.5
 """Metres of the side of a square from which views are kept."""
 _NEARER = 0.75 * VIEWED_FROM

@@ -21,7 +21,7 @@ from weakref import WeakSet
 import pymunk
 
 from sim.geometry import HAIR, Placement, Point, Wedge, contains, edges, is_convex, placed, signed_area
-from sim.index import NOBODY, Box, InView, MovingRoots, StillParts, Views, entries_of, is_whole
+from sim.index import NO_ROOT, Box, InView, MovingRoots, StillParts, Views, entries_of, is_whole
 from sim.parts import BODY, NOTHING, RANGED, SIGHT, Part, Sighted, parts_of
 from sim.rays import Hit, Rays
 from sim.scene import Scene
@@ -292,7 +292,7 @@ class Layout:
     def _inside_of(self, root: int) -> tuple[Part, ...]:
         here = self._start[root]
         box = (here.x, here.y, here.x, here.y)
-        close = self.within(root, self.moving.within(NOBODY, *box), box, frozenset())
+        close = self.within(root, self.moving.within(NO_ROOT, *box), box, frozenset())
         return tuple(part for part in close if part.root != root and contains(part.points, here.x, here.y))
 
     def _updated(self, kept: _Kept, asker: int) -> Layer:

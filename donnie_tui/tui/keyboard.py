@@ -100,7 +100,7 @@ class Keyboard:
         self._dialogs = dialogs
         self._feed, self._must_wait, self._do = feed, must_wait, do
         self._queue = KeyQueue(app, self._take, must_wait)
-        self._was_told = False
+        self._has_warned = False
         """Whether the last key was Esc, and was answered with what Esc does."""
         self._menu: KeyMenu | None = None
         """The list of the keys after the menu key, while one of them is waited for."""
@@ -163,13 +163,13 @@ class Keyboard:
         """Esc may be meant for a question or a page just gone, and never drives a real robot at first."""
         if self._app.screen is not self._place:
             return False
-        has_gone, was_told, self._was_told = self._dialogs.forget_gone(), self._was_told, False
+        has_gone, was_told, self._has_warned = self._dialogs.forget_gone(), self._has_warned, False
         name, controller = self._key_table.command_of(event.key), self._session.controller
         if event.key != "escape" or name is None or controller is None or self._session.runs:
             return False
         if not has_gone and (was_told or not controller.donnie.connection.is_real):
             return False
-        self._was_told = True
+        self._has_warned = True
         from donnie_tui.commands.declarations import BY_NAME
         from donnie_tui.commands.lookup import word_of
 

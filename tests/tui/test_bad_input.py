@@ -48,7 +48,7 @@ def test_a_program_that_prints_a_hundred_thousand_lines_comes_to_its_end(termina
     donnie.shows("READY")
     donnie.type(F8)
     donnie.shows("Nothing is running.")
-    assert len(donnie.raw) < 1_000_000, "what nobody can read is not sent"
+    assert len(donnie.raw) < 1_000_000, "what the terminal does not read is not sent"
 
 
 @pytest.mark.parametrize("program", ["FW 1000", "WHILE 1 == 1 DO VAR x = 1 END WHILE"])

@@ -168,16 +168,16 @@ class FilePanel(Dialog[str | Path | None]):
     """Answers what was typed, or the file that was chosen; None after Esc."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape,ctrl+q", "go_back", show=False, priority=True),
-        Binding("up", "choose(-1)", show=False, priority=True),
-        Binding("down", "choose(1)", show=False, priority=True),
-        Binding("pageup", "page(-1)", show=False, priority=True),
-        Binding("pagedown", "page(1)", show=False, priority=True),
-        Binding("home", "end(False)", show=False, priority=True),
-        Binding("end", "end(True)", show=False, priority=True),
-        Binding("left", "fold(False)", show=False, priority=True),
-        Binding("right", "fold(True)", show=False, priority=True),
-        Binding("tab", "complete", show=False, priority=True),
+        Binding("escape,ctrl+q", "go_back", priority=True),
+        Binding("up", "choose(-1)", priority=True),
+        Binding("down", "choose(1)", priority=True),
+        Binding("pageup", "page(-1)", priority=True),
+        Binding("pagedown", "page(1)", priority=True),
+        Binding("home", "end(False)", priority=True),
+        Binding("end", "end(True)", priority=True),
+        Binding("left", "fold(False)", priority=True),
+        Binding("right", "fold(True)", priority=True),
+        Binding("tab", "complete", priority=True),
     ]
     AUTO_FOCUS = "#answer"
 
