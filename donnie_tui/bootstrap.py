@@ -60,6 +60,7 @@ if TYPE_CHECKING:
     from donnie_tui.core.goals import Inventory, Judgment, Unsensed
     from donnie_tui.core.program_files import FilesInUse, ProgressFile
     from donnie_tui.world.building import Building
+    from sim.ground import Looks
     from sim.picture import Drawing, Picture
     from sim.sensors import Mounted
     from sim.world import World
@@ -433,6 +434,8 @@ class Start(Struct, frozen=True):
     """With this start alone."""
     world: ChosenWorld
     room: Inventory
+    looks: Looks = {}
+    """What the robots of all tries saw there."""
 
 
 def starts_of(
@@ -516,7 +519,7 @@ def _try_from(start: Start, programs: Programs, words: Words, settings: Settings
     from sim.world import World
 
     settings = replace(settings, speed=None, seed=start.challenge.rules.variant[0].seed)
-    shared = World(start.world.scene, seed=settings.seed)
+    shared = World(start.world.scene, seed=settings.seed, looks=start.looks)
     team = make_team(settings, words, start.world, terminal=False, shared=shared)
     events, first = list[Stamped](), team.chosen_name
     given = {first: programs} if isinstance(programs, str) else programs

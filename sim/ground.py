@@ -8,7 +8,7 @@ out (``layout``).
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Hashable, Iterable, Mapping, Sequence
 from math import ceil, hypot, inf, log
 from typing import TYPE_CHECKING
 
@@ -16,6 +16,7 @@ from sim.geometry import Placement
 from sim.scene import Model, Scene
 
 if TYPE_CHECKING:
+    from devices.ports.robot import Sighting
     from sim.clock import Glide, Now
     from sim.geometry import Point, Wedge
     from sim.layout import Layout
@@ -29,8 +30,10 @@ _FINENESS = 1.1
 class Ground:
     """The parts of a scene. ``root`` is always the index of a top-level model."""
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: Scene, looks: Looks | None = None) -> None:
         self.scene = scene
+        self.looks = looks
+        """What robots saw, which worlds of one scene may share."""
         self.pushable = frozenset(model.index for model in _things(scene) if model.pushable)
         """The roots of things that give way to a robot."""
         self.grippable = frozenset(model.index for model in _things(scene) if model.grippable)
@@ -301,6 +304,10 @@ class Ground:
         return self._layout
 
 
+Looks = dict["Hashable", tuple["Sighting", ...]]
+"""What a robot saw, by all that decides it."""
+MOST_LOOKS = 20_000
+"""Those that are kept."""
 Moment = tuple[int, "Now"]
 """How often something was moved, and the world's time if a robot glides."""
 _AT_REST: Now = (0.0, 0.0)

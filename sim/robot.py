@@ -29,7 +29,7 @@ from devices.ports.robot import (
 from sim.clock import Clock, Seat
 from sim.colours import families
 from sim.geometry import Placement, pose_of
-from sim.ground import Ground, Moment
+from sim.ground import MOST_LOOKS, Ground, Moment
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Hashable
@@ -276,13 +276,28 @@ class SimulatedRobot:
         vehicle = self.get_ready()
         now, seen = (vehicle.here.truth, self.holds), self._scanned
         if seen is None or seen[:2] != now or not vehicle.is_unchanged(seen[2]):
-            senses, place = vehicle.mover.senses, (vehicle.mover.around, now[0])
             moment = vehicle.moment
-            things = senses.look(*place) if senses.eyes or not senses.finders else ()
-            sightings = map(self._sighting, things)
-            marks = map(self._sighting_of_mark, senses.marks_ahead(*place))
-            seen = self._scanned = (*now, moment, (*sightings, *marks))
+            seen = self._scanned = (*now, moment, self._look(vehicle))
         return seen[3]
+
+    def _look(self, vehicle: Vehicle) -> tuple[Sighting, ...]:
+        """What it sees, or saw with all at the same places."""
+        looks = self._ground.looks
+        if looks is None:
+            return self._sightings(vehicle)
+        key = (self._model.index, vehicle.here.truth, self.holds, tuple(self._ground.moved().items()))
+        sightings = looks.get(key)
+        if sightings is None:
+            sightings = self._sightings(vehicle)
+            if len(looks) < MOST_LOOKS:
+                looks[key] = sightings
+        return sightings
+
+    def _sightings(self, vehicle: Vehicle) -> tuple[Sighting, ...]:
+        senses, place = vehicle.mover.senses, (vehicle.mover.around, vehicle.here.truth)
+        things = senses.look(*place) if senses.eyes or not senses.finders else ()
+        marks = map(self._sighting_of_mark, senses.marks_ahead(*place))
+        return (*map(self._sighting, things), *marks)
 
     def grip(self) -> GripResult:
         """Take the thing between the paddles, or a step before them. RobotProblem ``no-gripper``."""

@@ -13,7 +13,7 @@ from msgspec.structs import replace
 from devices.ports.robot import Pace, Watcher
 from sim.clock import Seat, Turns
 from sim.geometry import Placement
-from sim.ground import Ground
+from sim.ground import Ground, Looks
 from sim.robot import SimulatedRobot
 from sim.scene import Scene, moved
 
@@ -28,11 +28,11 @@ class _AtOnce:
 class World:
     """A scene that lives."""
 
-    def __init__(self, scene: Scene, *, seed: int = 0) -> None:
-        """``seed``: of whatever is drawn by lot; 0 draws nothing, all is exact."""
+    def __init__(self, scene: Scene, *, seed: int = 0, looks: Looks | None = None) -> None:
+        """``seed``: of whatever is drawn by lot; 0 draws nothing, all is exact. ``looks``: see ``Ground``."""
         self.scene = scene
         self.seed = seed
-        self._ground = Ground(scene)
+        self._ground = Ground(scene, looks)
         self._turns = Turns()
         self._ground.follow(self._turns.now, self._turns.cut)
         self._seats = {index: Seat(self._turns, rank) for rank, index in enumerate(scene.robots)}

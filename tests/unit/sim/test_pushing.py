@@ -5,6 +5,7 @@ import pytest
 from devices.ports.robot import Bearing, Grip, RobotProblem, StoppedBy
 from sim.cameras import Eyes, Seen
 from sim.geometry import Spot
+from sim.ground import Looks
 from sim.rangers import Around
 from sim.world import World
 from tests.unit.sim.floors import BOX_ROBOT, IDEAL, Unpaced, scene
@@ -130,6 +131,22 @@ def test_the_cameras_look_once_while_nothing_moves(looks: list[Spot]) -> None:
     robot.turn(10)
     assert robot.scan() != (pushed,)
     assert len(looks) == 3
+
+
+def test_worlds_of_one_scene_share_what_their_robots_saw_with_all_at_the_same_places(
+    looks: list[Spot],
+) -> None:
+    again = scene(IDEAL + "ideal( pose [ 0 0 0 0 ] )" + BOX.format(0.35, 0).replace(")", 'color "red" )'))
+    shared: Looks = {}
+    first, second, alone = (World(again, looks=each).robot(pace=Unpaced()) for each in (shared, shared, None))
+
+    assert first.scan() == second.scan() == alone.scan() != ()
+    assert len(looks) == 2  # the first, and the one that shares nothing
+    for robot in (first, second, alone):
+        robot.forward(10)  # the box is pushed
+        robot.backward(10)
+    assert first.scan() == second.scan() == alone.scan() != shared[next(iter(shared))]
+    assert len(looks) == 4
 
 
 def test_the_cameras_look_again_when_another_robot_has_moved(looks: list[Spot]) -> None:
