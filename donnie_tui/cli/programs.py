@@ -11,15 +11,15 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 import sys
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
+import msgspec
 from msgspec import Struct
-from msgspec.structs import replace
+from msgspec.structs import astuple, replace
 
 from donnie_tui.bootstrap import Programs, judge_events, judge_program, starts_of
 from donnie_tui.cli.options import ExitCode, Order
@@ -42,6 +42,7 @@ from donnie_tui.core.wording import no_such_robot
 from donnie_tui.i18n.mistakes import remark
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.process.confinement import is_allowed, make_folder
+from donnie_tui.process.parallel import in_processes, processors
 from donnie_tui.settings.settings import SettingSource
 from donnie_tui.world.loading import choose_challenge, inventory_of, solution_of, world_of
 from language.checker import check as hints_for
@@ -255,11 +256,16 @@ def check_challenge(order: Order, name: str, files: Sequence[str]) -> int:
     pupils = judging.pupils(files)
     if not pupils:
         raise Unusable(order.words("check-no-programs", path=files[0]))
-    records = [judging.record(each) for each in pupils]
-    solved = [each["solved"] for each in records]
+    is_json, records = getattr(order.invocation.arguments, "json", False), list[_Record]()
+    for pupil, record in zip(pupils, judging.records(pupils), strict=True):
+        records.append(record)
+        if not is_json:
+            said = order.words("challenge-verdict", file=pupil.label, verdict=record.verdict)
+            order.output.line(record.verdict if record.solved is None else said)
     _write_table(order, pupils, records)
-    if judging.is_json:
-        order.output.text(json.dumps(records, ensure_ascii=False, indent=2) + "\n")
+    solved = [each.solved for each in records]
+    if is_json:
+        order.output.text(f"{msgspec.json.format(msgspec.json.encode(records), indent=2).decode()}\n")
     elif len(records) > 1:
         order.output.line(order.words("challenge-total", programs=len(records), solved=solved.count(True)))
     return max(_CODES[each] for each in solved)
@@ -284,10 +290,18 @@ def judge_recording(order: Order, name: str, recorded: Sequence[Stamped], *, is_
     return _CODES[all(each.is_solved for each in verdicts)]
 
 
-_COUNTED = ("commands", "steps", "bumps")
-_COLUMNS = ("file", "solved", "goals", "met", *_COUNTED, "verdict")
-_Record: TypeAlias = dict[str, Any]
-"""The values by their columns. ``solved`` is None for a program that can't be read."""
+class _Record(Struct, frozen=True, omit_defaults=True):
+    """What the table says about a pupil's program."""
+
+    file: str
+    solved: bool | None
+    """None for a program that can't be judged; the verdict then says why, and names it."""
+    goals: int | None = None
+    met: int | None = None
+    commands: int | None = None
+    steps: int | None = None
+    bumps: int | None = None
+    verdict: str = ""
 
 
 class _Pupil(Struct, frozen=True):
@@ -316,9 +330,9 @@ def _write_table(order: Order, pupils: Sequence[_Pupil], records: Sequence[_Reco
         if Path(table).resolve() in files:
             raise Unusable(order.words("challenge-csv-program", path=table))
         text = io.StringIO()
-        rows = csv.DictWriter(text, _COLUMNS)
-        rows.writeheader()
-        rows.writerows({name: as_cell(each.get(name, "")) for name in _COLUMNS} for each in records)
+        rows = csv.writer(text)
+        rows.writerow(_Record.__struct_fields__)
+        rows.writerows(map(as_cell, astuple(each)) for each in records)
         _write(Path(table), text.getvalue(), order.words)
     if folder is not None:
         _make_folder(Path(folder), order.words)
@@ -329,7 +343,7 @@ def _write_table(order: Order, pupils: Sequence[_Pupil], records: Sequence[_Reco
             file = f"{stem}-{used[stem]}.txt" if used[stem] > 1 else f"{stem}.txt"
             if Path(folder, file).is_symlink():  # perhaps a pupil's, to any other file
                 Path(folder, file).unlink()
-            _write(Path(folder, file), f"{each['verdict']}\n", order.words)
+            _write(Path(folder, file), f"{each.verdict}\n", order.words)
 
 
 def _write(path: Path, text: str, words: Words) -> None:
@@ -428,18 +442,21 @@ def _faults_of_words(found: challenges.Challenge, words: Words) -> Iterator[str]
                 yield words("challenge-test-long", name=found.name, **values)
 
 
+_Texts: TypeAlias = tuple[tuple[str, str], ...]
+"""Robots and their programs."""
+FEW = 25
+"""Programs for which another process isn't worth its start."""
+
+
 class _Judging:
     """Judges programs by one challenge. Each runs in a world of its own, from every start."""
 
     def __init__(self, order: Order, found: challenges.Challenge) -> None:
         """Raises ``Unusable``."""
-        self._order, self._words, self._name = order, order.words, found.name
-        self.is_json: bool = getattr(order.invocation.arguments, "json", False)
+        self._words, self._settings, self._name = order.words, order.settings, found.name
         self.world = world_of(found, order.words)
         self._room = inventory_of(self.world.scene)
         self.starts = starts_of(found, self.world, order.words, order.settings)
-        self._known: dict[tuple[tuple[str, str], ...], _Record] = {}
-        """What was said of programs: many pupils hand in the same."""
 
     def pupils(self, given: Sequence[str]) -> tuple[_Pupil, ...]:
         """Those whose programs were given: files, folders, or a program for each robot.
@@ -485,38 +502,48 @@ class _Judging:
         named = {folded(Path(each).stem): each for each in programs_in(folder) if each != folder}
         return {each: named[folded(each)] for each in self._room.robots if folded(each) in named}
 
-    def record(self, pupil: _Pupil) -> _Record:
-        """The record of a pupil; also prints the line about it, unless JSON is wanted."""
-        found, first = _Record(file=pupil.name, solved=None), self.world.scene.robot_names[0]
+    def records(self, pupils: Sequence[_Pupil]) -> Iterator[_Record]:
+        """That of each pupil, in their order. Equal programs, which many hand in, are judged once."""
+        read = [self._read(each) for each in pupils]
+        different = dict.fromkeys(each for each in read if isinstance(each, tuple))
+        outcomes, known = self._judged_all([*different]), dict[_Texts, _Record]()
+        for pupil, given in zip(pupils, read, strict=True):
+            if isinstance(given, str):
+                yield _Record(pupil.name, None, verdict=given)
+                continue
+            outcome = known.get(given) or known.setdefault(given, next(outcomes))
+            died = "" if outcome.verdict else self._words("challenge-died", path=pupil.name)
+            yield replace(outcome, file=pupil.name, verdict=outcome.verdict or died)
+
+    def _read(self, pupil: _Pupil) -> _Texts | str:
+        """The programs, or why they can't be read. Refuses links, which could lead to any other file."""
+        first, texts = self.world.scene.robot_names[0], list[tuple[str, str]]()
         try:
-            self._refuse_links(pupil)
-            texts = {each or first: read_source(file, self._words).text for each, file in pupil.files.items()}
+            for robot, file in pupil.files.items():
+                if pupil.given and not Path(file).resolve().is_relative_to(Path(pupil.given).resolve()):
+                    return self._words("check-leads-out", path=file)
+                texts.append((robot or first, read_source(file, self._words).text))
         except Unusable as unusable:
-            line = found["verdict"] = unusable.sentence
-        else:
-            key = tuple(texts.items())
-            found |= self._known.get(key) or self._known.setdefault(key, self._judged(texts))
-            line = self._words("challenge-verdict", file=pupil.label, verdict=found["verdict"])
-        if not self.is_json:
-            self._order.output.line(line)
-        return found
+            return unusable.sentence
+        return tuple(texts)
 
-    def _judged(self, programs: Programs) -> _Record:
-        verdicts = self.verdicts(programs)
+    def _judged_all(self, given: Sequence[_Texts]) -> Iterator[_Record]:
+        """In this process, or many in as many as there are processors; see ``in_processes``."""
+        processes = min(processors(), len(given) // FEW)
+        if processes < 2:
+            return map(self._judged, given)
+        return in_processes(self._judged, given, processes, instead=_Record("", None))
+
+    def _judged(self, texts: _Texts) -> _Record:
+        verdicts = self.verdicts(dict(texts))
         shown = verdicts[0] if verdicts[-1].is_solved else verdicts[-1]
-        found = _Record(solved=shown.is_solved, goals=shown.goals, met=shown.met)
-        found |= {each: getattr(shown.track, each) for each in _COUNTED}
-        return found | {"verdict": verdict_in_words(verdicts, self._words)}
-
-    def _refuse_links(self, pupil: _Pupil) -> None:
-        """Refuses links, which could lead to other files of the machine. Raises ``Unusable``."""
-        for file in pupil.files.values() if pupil.given else ():
-            if not Path(file).resolve().is_relative_to(Path(pupil.given).resolve()):
-                raise Unusable(self._words("check-leads-out", path=file))
+        goals, track = (shown.goals, shown.met), shown.track
+        counts = (track.commands, track.steps, track.bumps)
+        return _Record("", shown.is_solved, *goals, *counts, verdict_in_words(verdicts, self._words))
 
     def verdicts(self, programs: Programs) -> tuple[Judgment, ...]:
         """One for each start, up to the first that does not solve it."""
-        return judge_program(programs, self.starts, self._words, self._order.settings)
+        return judge_program(programs, self.starts, self._words, self._settings)
 
     def faults_of_starts(self) -> Iterator[str]:
         """Robots that begin inside something."""
@@ -530,8 +557,8 @@ class _Judging:
 
     def is_solved_by_nothing(self) -> bool:
         """Whether the empty program solves it from a start."""
-        settings = self._order.settings
-        return any(judge_program("", (each,), self._words, settings)[0].is_solved for each in self.starts)
+        verdicts = (judge_program("", (each,), self._words, self._settings) for each in self.starts)
+        return any(each.is_solved for (each,) in verdicts)
 
     def spare_line(self, solution: Mapping[str, str]) -> tuple[str, int] | None:
         """The robot and the line of the first command that a solution does not need; None if it needs all."""

@@ -4,6 +4,7 @@ import csv
 import json
 import os
 import re
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -558,6 +559,64 @@ def test_equal_programs_are_judged_once_and_have_a_line_each(
     said = {"ana.gd": right, "bia.gd": short, "caio.gd": right, "davi.gd": short}
     lines = [f"{name}: {verdict}" for name, verdict in said.items()]
     assert capsys.readouterr().out.splitlines() == [*lines, "4 programs. 2 solved."]
+
+
+def hand_in(folder: Path, count: int) -> Path:
+    """Programs of different pupils that walk 1 to 8 steps; those of 5 solve the first challenge."""
+    folder.mkdir()
+    for number in range(count):
+        (folder / f"{number:04}.gd").write_text(f"FW {number % 8 + 1}\nVAR pupil = {number}")
+    return folder
+
+
+@pytest.mark.parametrize("confined", [False, True])
+def test_many_programs_are_judged_in_several_processes_with_the_same_table(
+    tmp_path: Path, confined: bool
+) -> None:
+    count = programs.FEW * 2
+    pupils = hand_in(tmp_path / "pupils", count)
+    (pupils / "0003.gd").write_bytes(b"\0")
+    limits = ["--confined", str(tmp_path)] if confined else []
+    options = ["--csv", "t.csv", "--feedback", "answers", "--lang", "en", *limits]
+    command = [sys.executable, "-m", "donnie_tui", "challenge", "check", "1", "pupils", *options]
+    place = {"cwd": tmp_path, "env": {**os.environ, "PYTHONPATH": str(Path.cwd())}}
+
+    printed, as_json = (
+        subprocess.run([*command, *more], **place, capture_output=True, text=True, check=False).stdout  # type: ignore[call-overload]
+        for more in ([], ["--json"])
+    )
+
+    solved = [number for number in range(count) if number % 8 == 4]
+    lines = printed.splitlines()
+    assert lines[3] == "pupils/0003.gd is not a text."
+    assert lines[4:6] == [
+        "0004.gd: Solved, in 1 command.",
+        "0005.gd: 0 of 1 goal. You stopped 1 step north of 0, 5.",
+    ]
+    assert lines[-1] == f"{count} programs. {len(solved)} solved."
+    names = [f"pupils/{number:04}.gd" for number in range(count)]
+    with (tmp_path / "t.csv").open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert [each["file"] for each in rows] == [each["file"] for each in json.loads(as_json)] == names
+    assert [at for at, each in enumerate(rows) if each["solved"] == "True"] == solved
+    assert (tmp_path / "answers" / "0004.txt").read_text() == "Solved, in 1 command.\n"
+
+
+def test_ctrl_c_ends_all_processes_that_judge(tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "donnie_tui", "challenge", "check", "1"]
+    command += [str(hand_in(tmp_path / "pupils", 2000)), "--lang", "en"]
+    process = subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True
+    )
+    assert process.stdout is not None
+    first = process.stdout.readline()
+
+    os.killpg(process.pid, signal.SIGINT)
+
+    out, err = process.communicate()  # until no process has its output open
+    assert (process.returncode, err) == (130, "")
+    assert first == "0000.gd: 0 of 1 goal. You stopped 4 steps south of 0, 5.\n"
+    assert "programs" not in out
 
 
 def test_a_link_in_a_folder_of_pupils_reads_and_writes_no_other_file(
