@@ -41,8 +41,8 @@ from donnie_tui.core.reports import as_cell
 from donnie_tui.core.wording import no_such_robot
 from donnie_tui.i18n.mistakes import remark
 from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.process import in_processes, processors
 from donnie_tui.process.confinement import is_allowed, make_folder
-from donnie_tui.process.parallel import in_processes, processors
 from donnie_tui.settings.settings import SettingSource
 from donnie_tui.world.loading import choose_challenge, inventory_of, solution_of, world_of
 from language.checker import check as hints_for

@@ -1,8 +1,17 @@
-"""What happens to the process: signals, suspension, lost connections, garbage collection. No robots."""
+"""What happens to the process: signals, suspension, lost connections, garbage, copies. No robots."""
 
 from __future__ import annotations
 
 import gc
+import os
+
+TYPE_CHECKING = False  # that of typing takes longer to load than all that is here
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator, Sequence
+    from typing import Any, TypeVar
+
+    Given = TypeVar("Given")
+    Outcome = TypeVar("Outcome")
 
 HIGHEST_STANDARD = 2
 """Input, output and errors are 0, 1 and 2."""
@@ -24,3 +33,67 @@ def loaded() -> None:
     if gc.get_threshold()[0] == WHILE_LOADING:
         gc.freeze()
         gc.set_threshold(AFTERWARDS)
+
+
+# --- work in copies of this process
+
+_work: Callable[[Any], Any]
+"""In a copy: what it does."""
+
+
+def processors() -> int:
+    """Those that this process may use; 1 where it can't be copied."""
+    if not hasattr(os, "sched_getaffinity"):
+        return 1
+    return len(os.sched_getaffinity(0))
+
+
+def in_processes(
+    work: Callable[[Given], Outcome], given: Sequence[Given], processes: int, instead: Outcome
+) -> Iterator[Outcome]:
+    """The outcome of each, in order; ``instead`` where it ended its process.
+
+    Each process begins as a copy of this one, in which no other thread may run. What was given with it is
+    done again, first alone, so that only the right one is blamed.
+    """
+    from concurrent.futures.process import BrokenProcessPool, ProcessPoolExecutor
+    from multiprocessing import get_context
+
+    done, is_alone = 0, False
+    while done < len(given):
+        copies = ProcessPoolExecutor(1 if is_alone else processes, get_context("fork"), _begin, (work,))
+        try:
+            for outcome in copies.map(_do, given[done : done + 1] if is_alone else given[done:]):
+                done += 1
+                yield outcome
+            is_alone = False
+        except BrokenProcessPool:
+            if is_alone:
+                done += 1
+                yield instead
+            is_alone = not is_alone
+        finally:
+            copies.shutdown(cancel_futures=True)
+
+
+def _begin(work: Callable[[Any], Any]) -> None:
+    """Ctrl+C reaches all processes of a terminal: a copy leaves it to the first one, and ends with that."""
+    import signal
+    import threading
+    from multiprocessing import parent_process
+
+    global _work
+    _work = work
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    parent = parent_process()
+    assert parent is not None
+
+    def end_with_parent() -> None:
+        parent.join()
+        os._exit(1)
+
+    threading.Thread(target=end_with_parent, daemon=True).start()
+
+
+def _do(given: Any) -> Any:
+    return _work(given)

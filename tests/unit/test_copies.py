@@ -12,7 +12,7 @@ from pathlib import Path
 
 START = """\
 import json, os, signal
-from donnie_tui.process.parallel import in_processes
+from donnie_tui.process import in_processes
 """
 TOGETHER = """\
 def work(number):
