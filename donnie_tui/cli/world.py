@@ -142,21 +142,17 @@ def _new_world(order: Order, file: str) -> int:
     """Write the world that a drawing means, or an empty room; nothing if the drawing has mistakes."""
     from donnie_tui.cli.programs import read_source
     from donnie_tui.world.drawing import world_of
-    from donnie_tui.world.things import BadDrawing, slips_in_words
 
     words, drawing = order.words, order.invocation.arguments.drawing
     target = Path(file if Path(file).suffix else f"{file}.world")
     try:
         if exists(checked_path(target)):
             raise Unusable(words("world-new-there", path=target))
-        built = world_of(EMPTY_ROOM if drawing is None else read_source(drawing, words).text)
+        text = EMPTY_ROOM if drawing is None else read_source(drawing, words).text
+        built = world_of(text, str(drawing), words)
         write_program(target, built.text)
     except DocumentError as problem:
         raise Unusable(words(problem.code, path=problem.path, reason=problem.reason)) from None
-    except BadDrawing as bad:
-        for sentence in slips_in_words(bad, str(drawing), words):
-            order.output.complaint(sentence)
-        return ExitCode.UNUSABLE
     values = {"width": built.width, "depth": built.depth, "robots": built.robots, "things": built.things}
     command = f"donnie --world {shlex.quote(str(target))}"
     order.output.line(words("world-new", path=target, command=command, **values))
@@ -254,10 +250,10 @@ def _colours_by_letter(
     things = [(each, seen.at(each.x, each.y)) for each in seen.things if not each.is_robot]
     for group in groups_in(shown):
         squares = [
-            (square.row * across - cell[0], square.column * across - cell[1], thing)
+            (row * across - cell[0], column * across - cell[1], thing)
             for thing, cell in things
             if cell is not None and thing.letter == group.letter
-            for square in group.squares
+            for row, column in group.squares
         ]
         if squares:
             nearest = min(squares, key=lambda each: each[0] ** 2 + each[1] ** 2)[2]

@@ -14,7 +14,6 @@ from donnie_tui.commands.declarations import BY_NAME
 from donnie_tui.commands.dispatch import attempt, handler_of, handles
 from donnie_tui.commands.interaction import GivenUp, NotUnderstood, numbers_in
 from donnie_tui.core.transcript import with_robot_name
-from donnie_tui.core.wording import meant
 from donnie_tui.i18n.words import Unusable
 from language import keywords
 
@@ -29,33 +28,30 @@ async def put(ctx: Context, argument: str) -> None:
 
     PUT wall -5 8 5 8: a wall between two squares.
     """
-    from donnie_tui.world.things import BadDrawing, description_of, means_wall, message_of
+    from donnie_tui.world.things import WALL, BadDescription, description_of, means_wall
 
-    if means_wall(argument.partition(" ")[0]):
-        what, corners, name = _parts(argument, 4, 2)
-        if means_wall(what):
-            _say_wall(ctx, _building(ctx).put_wall((*corners, *corners)[:4], name))
-            return
-    what, (x, y), name = _parts(argument, 2)
+    what, place, name = _parts(argument, 4 if means_wall(argument) else 2, 2)
     building = _building(ctx)
     try:
-        described = description_of(f"{what} AS {name}" if name else what)
-    except BadDrawing as bad:
+        described = description_of(what, ctx.words)
+    except BadDescription:
         if name or not building.is_named(what):
-            raise Unusable(message_of(bad.slips[0], ctx.words)) from None
-        thing = building.find(what)
-        _say_place(ctx, "built-moved", building.move(thing, x - thing.x, y - thing.y))
+            raise
+        thing, (x, y) = building.find(what), place[-2:]
+        _say_place(ctx, *building.move(thing, x - thing.x, y - thing.y))
         return
     if len(described.colours) > 1:
         raise NotUnderstood
-    _say_place(ctx, "built-put", building.put(described, x, y))
+    code, thing = building.put(described, name, place)
+    (x, to_x), (y, to_y) = ((min(each), max(each)) for each in (place[::2], place[1::2]))
+    _say_place(ctx, "built-wall" if described.kind == WALL else code, thing, x=x, y=y, to_x=to_x, to_y=to_y)
 
 
 async def move_thing(ctx: Context, argument: str) -> None:
     """MOVE treasure 2 0: two steps to the east from where it is."""
     what, (east, north), _ = _parts(argument, 2)
     building = _building(ctx)
-    _say_place(ctx, "built-moved", building.move(building.find(what), east, north))
+    _say_place(ctx, *building.move(building.find(what), east, north))
 
 
 @handles("turn")
@@ -65,7 +61,8 @@ async def turn(ctx: Context, argument: str) -> None:
         ctx.answer("built-turn-robot", example=f"{keywords.spelling('TR', ctx.words.language)} 90")
     what, (degrees,), _ = _parts(argument, 1)
     building = _building(ctx)
-    _say_place(ctx, "built-turned", building.move(building.find(what), degrees=degrees), degrees=degrees)
+    _, turned = building.move(building.find(what), degrees=degrees)
+    _say_place(ctx, "built-turned", turned, degrees=degrees)
 
 
 @handles("remove")
@@ -75,9 +72,7 @@ async def remove(ctx: Context, argument: str) -> None:
         await handler_of(BY_NAME["delete"])(ctx, argument)
         return
     building = _building(ctx)
-    thing = building.find(argument)
-    building.remove(thing)
-    _say_place(ctx, "built-removed", thing)
+    _say_place(ctx, *building.remove(building.find(argument)))
 
 
 def _parts(argument: str, *counts: int) -> tuple[str, tuple[int, ...], str]:
@@ -85,45 +80,28 @@ def _parts(argument: str, *counts: int) -> tuple[str, tuple[int, ...], str]:
 
     Numbers before these are part of a name: MOVE box 2 1 0.
     """
-    before, name = argument.split(), ""
-    at_name = next((at for at, word in enumerate(before) if meant(word, "building") == "as"), None)
-    if at_name is not None:
-        before, name = before[:at_name], " ".join(before[at_name + 1 :])
-        if not name:
-            raise NotUnderstood
+    from donnie_tui.world.things import split_name
+
+    text, name = split_name(argument)
+    before = text.split()
     places = [at for at, each in enumerate(before) if re.fullmatch(r"-?\d+,?", each)]
     count = next((each for each in counts if each <= len(places)), counts[-1])
-    places = places[-count:]
-    what = " ".join(each for at, each in enumerate(before) if at not in places)
-    found = numbers_in(" ".join(before[at] for at in places), most=count)
-    if not what or found is None or len(found) != count:
+    what = " ".join(each for at, each in enumerate(before) if at not in places[-count:])
+    found = numbers_in(" ".join(before[at] for at in places[-count:]), most=count)
+    if not what or name == "" or found is None or len(found) != count:
         raise NotUnderstood
-    return what, found, name
+    return what, found, name or ""
 
 
-def _say_wall(ctx: Context, wall: Thing | None) -> None:
-    if wall is not None:
-        (x, to_x), (y, to_y) = (
-            (round(middle - (length - 1) / 2), round(middle + (length - 1) / 2))
-            for middle, length in ((wall.x, wall.width), (wall.y, wall.depth))
-        )
-        _say_changed(ctx, "built-wall", wall, x=x, y=y, to_x=to_x, to_y=to_y)
-
-
-def _say_place(ctx: Context, code: str, thing: Thing | None, **values: object) -> None:
+def _say_place(ctx: Context, code: str, thing: Thing, **values: object) -> None:
+    """Answer where the thing is, and show the world as it is now."""
     from donnie_tui.core.describe import place_of
-
-    if thing is not None:
-        place = place_of(thing.x, thing.y, ctx.donnie.session.pose, ctx.words)
-        sides = {"width": round(thing.width), "depth": round(thing.depth)}
-        _say_changed(ctx, code, thing, x=round(thing.x), y=round(thing.y), place=place, **sides, **values)
-
-
-def _say_changed(ctx: Context, code: str, thing: Thing, **values: object) -> None:
-    """Answer, and show the world as it is now."""
     from donnie_tui.world.things import thing_in_words
 
-    ctx.answer(code, thing=thing_in_words(thing, ctx.words), **values)
+    place = place_of(thing.x, thing.y, ctx.donnie.session.pose, ctx.words)
+    sides = {"width": round(thing.width), "depth": round(thing.depth)}
+    found = {"x": round(thing.x), "y": round(thing.y), "place": place, **sides, **values}
+    ctx.answer(code, thing=thing_in_words(thing, ctx.words), **found)
     ctx.donnie.session.publish_things()
     if ctx.screen is not None:
         ctx.screen.robot_changed()

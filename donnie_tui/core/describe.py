@@ -53,7 +53,7 @@ def walls_in_words(picture: Picture, pose: Pose, wording: Wording) -> tuple[str,
     """One sentence about the walls as seen from ``pose``; none where there are none."""
     if not picture.has_walls:
         return ()
-    if not _has_way_out(picture, pose):
+    if not has_way_out(picture, pose):
         return (wording("walls-around"),)
     from sim.picture import Room  # a world without walls needs no geometry
 
@@ -63,7 +63,7 @@ def walls_in_words(picture: Picture, pose: Pose, wording: Wording) -> tuple[str,
     return (wording("walls-seen", sides=", ".join(seen)) if seen else wording("walls-aside"),)
 
 
-def _has_way_out(picture: Picture, pose: Pose) -> bool:
+def has_way_out(picture: Picture, pose: Pose) -> bool:
     """Whether free squares lead from there over the edge of the map. Searches by runs of squares."""
     rows, start = picture.rows, picture.at(pose.x, pose.y)
     waiting = [] if start is None else [start]

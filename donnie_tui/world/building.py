@@ -7,30 +7,20 @@ raises ``Unusable`` with the reason, and nothing has changed then.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from itertools import chain
-from math import hypot
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, TypeAlias
 
 from msgspec.structs import replace
 
-from devices.ports.robot import STEP
+from devices.ports.robot import STEP, Pose
+from donnie_tui.core.describe import has_way_out
 from donnie_tui.core.program_files import read_program, write_program
 from donnie_tui.core.wording import the_coloured
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.world.loading import Site, SiteChange, allowed_folders
-from donnie_tui.world.things import (
-    KINDS,
-    WALL,
-    WALL_HEIGHT,
-    BadDrawing,
-    Description,
-    description_of,
-    means_wall,
-    thing_in_words,
-    thing_line,
-)
+from donnie_tui.world import things
+from donnie_tui.world.loading import Site, SiteChange, allowed_folders, scene_of
 from language.source import fold_name
 from language.suggestions import nearest
 from sim.geometry import Placement, Point, contains, overlapping
@@ -42,15 +32,12 @@ if TYPE_CHECKING:
     from sim.world import World
     from sim.worldfile import WrittenModel
 
-Box: TypeAlias = tuple[float, float, float, float]
-"""West, south, east, north."""
+Changed: TypeAlias = tuple[str, Thing]
+"""What happened, as the code of a sentence, and the thing as it is afterwards; or was, if it is gone."""
 MOST_STEPS = 1000
-_FARTHEST: Box = (-MOST_STEPS, -MOST_STEPS, MOST_STEPS, MOST_STEPS)
-"""Where something may stand on a floor without walls."""
+"""From 0 0: where something may stand on a floor without end."""
 _SHRINK, _MOST_SHRUNK = 0.03, 0.005
 """By how much what is put is taken smaller than it is: part of its size, and metres."""
-_THIN = 0.01
-"""Steps: the width of a look for walls."""
 _MOST_NAMES = 8
 """Names that a sentence lists."""
 
@@ -68,28 +55,30 @@ class Building:
 
     # --- what is there
 
-    def things(self) -> tuple[Thing, ...]:
+    def everything(self) -> tuple[Thing, ...]:
         """All but robots, where they are now; walls last."""
         scene = self._shared.scene_now()
         seen = tuple(each for each in picture(scene).things if not each.is_robot)
-        return (*seen, *(_wall(each) for each in scene.models if each.parent is None and each.kind == WALL))
+        return (
+            *seen,
+            *(_boxed(each) for each in scene.models if each.parent is None and each.kind == things.WALL),
+        )
 
     def find(self, typed: str) -> Thing:
         """The one thing that a name, or a kind and a colour, means. Raises ``Unusable``."""
-        words, folded = self._words, fold_name(typed).strip()
-        if any(folded == fold_name(name) for name in self._site.world.scene.robot_names):
-            raise Unusable(words("built-robot", name=typed.strip()))
-        things, found = self.things(), self._named(typed)
-        found = found if len(found) == 1 else [each for each in things if _is_meant(each, typed)] or found
+        words = self._words
+        if any(fold_name(typed) == fold_name(name) for name in self._site.world.scene.robot_names):
+            raise Unusable(words("built-robot", name=typed))
+        named = self._named(typed)
+        found = named if len(named) == 1 else self._meant(typed) or named
         if len(found) == 1:
             return found[0]
-        if found and found[0].kind == WALL:
+        if found and found[0].kind == things.WALL:
             raise Unusable(words("built-which-wall", count=len(found)))
         if found:
-            places = (f"{each.name or each.kind}: {round(each.x)}, {round(each.y)}" for each in found)
-            listed = "; ".join([*places][:_MOST_NAMES])
-            raise Unusable(words("built-which", count=len(found), names=listed))
-        near = nearest(typed, [each.name for each in things])
+            places = [f"{each.name or each.kind}: {round(each.x)}, {round(each.y)}" for each in found]
+            raise Unusable(words("built-which", count=len(found), names="; ".join(places[:_MOST_NAMES])))
+        near = nearest(typed, [each.name for each in self.everything()])
         raise Unusable(words("built-unknown-near" if near else "built-unknown", name=typed[:40], near=near))
 
     def is_named(self, typed: str) -> bool:
@@ -97,51 +86,63 @@ class Building:
         return bool(self._named(typed))
 
     def _named(self, typed: str) -> list[Thing]:
-        names = ((each, (each.name, thing_in_words(each, self._words))) for each in self.things())
-        return [each for each, known in names if fold_name(typed).strip() in map(fold_name, known)]
+        names = ((each, (each.name, things.thing_in_words(each, self._words))) for each in self.everything())
+        return [each for each, known in names if fold_name(typed) in map(fold_name, known)]
 
-    # --- changes; each returns the thing as it is afterwards
+    def _meant(self, typed: str) -> list[Thing]:
+        """Those of a kind, perhaps of a colour, perhaps on a square: red box, wall 4 6."""
+        square = re.search(r"\s(-?\d{1,9}),?\s+(-?\d{1,9})$", typed)
+        what = typed[: square.start()] if square else typed
+        try:
+            described = things.description_of(what, self._words)
+        except things.BadDescription:  # of a kind of the author's
+            described = things.Description(fold_name(what))
+        found = [each for each in self.everything() if fold_name(each.kind) == described.kind]
+        if described.colours:
+            found = [each for each in found if each.colour in described.colours]
+        if square:
+            x, y = map(int, square.groups())
+            found = [
+                each
+                for each in found
+                if abs(x - each.x) <= each.width / 2 and abs(y - each.y) <= each.depth / 2
+            ]
+        return found
 
-    def put(self, described: Description, x: int, y: int) -> Thing | None:
-        """A new thing, its middle at a place in steps."""
-        kind, colour = described.kind, next(iter(described.colours), "")
-        return self._added(kind, described.name, (x * STEP, y * STEP, 0.0), colour=colour)
+    # --- changes
 
-    def put_wall(self, corners: Sequence[int], name: str) -> Thing | None:
-        """A wall on all squares from one to another: east and north of each, in steps."""
-        (left, right), (bottom, top) = sorted(corners[::2]), sorted(corners[1::2])
-        self._refuse_outside((left, bottom, right, top), _FARTHEST)
-        width, depth = (right - left + 1) * STEP, (top - bottom + 1) * STEP
-        pose = ((left + right) / 2 * STEP, (bottom + top) / 2 * STEP, 0.0)
-        return self._added(WALL, name, pose, f"size [ {width:.6g} {depth:.6g} {WALL_HEIGHT:g} ]")
-
-    def _added(
-        self, kind: str, wanted: str, pose: tuple[float, float, float], size: str = "", colour: str = ""
-    ) -> Thing | None:
-        """With the wanted name, else its kind and a number that is free. Raises ``Unusable``."""
+    def put(self, described: things.Description, name: str, place: Sequence[int]) -> Changed:
+        """A new thing, its middle at a place in steps; a wall on all squares from one place to another."""
+        kind, text = described.kind, self._source().rstrip("\n")
+        (x, width), (y, depth) = (
+            ((min(each) + max(each)) / 2 * STEP, (max(each) - min(each) + 1) * STEP)
+            for each in (place[::2], place[1::2])
+        )
+        size = (width, depth, things.WALL_HEIGHT) if kind == things.WALL else ()
         taken = {fold_name(each.name) for each in self._site.world.scene.models if each.parent is None}
-        if wanted and fold_name(wanted) in taken:
-            raise Unusable(self._words("built-name-there", name=wanted))
-        plain, text = kind.replace("_", " "), self._source().rstrip("\n")
-        names = (plain, *(f"{plain} {number}" for number in range(2, len(taken) + 3)))
-        name = wanted or next(each for each in names if fold_name(each) not in taken)
-        line = thing_line(kind, colour, name, pose, size)
-        return self._changed(f"{text}\n{self._include(kind, text)}{line}\n")
+        if name and fold_name(name) in taken:
+            raise Unusable(self._words("built-name-there", name=name))
+        plain = kind.replace("_", " ")
+        names = (name or plain, *(f"{plain} {number}" for number in range(2, len(taken) + 3)))
+        name = next(each for each in names if fold_name(each) not in taken)
+        colour = next(iter(described.colours), "")
+        line = things.model_line(kind, (x, y, 0), name, size, colour)
+        return self._changed(f"{text}\n{self._include(kind, text)}{line}\n", None)
 
-    def remove(self, thing: Thing) -> None:
+    def remove(self, thing: Thing) -> Changed:
         from sim.worldfile import taken_out
 
         text = self._source()
-        self._changed(taken_out(text, self._written(thing, text)), gone=thing.index)
+        return self._changed(taken_out(text, self._written(thing, text)), thing.index, is_gone=True)
 
-    def move(self, thing: Thing, east: float = 0, north: float = 0, degrees: int = 0) -> Thing | None:
+    def move(self, thing: Thing, east: float = 0, north: float = 0, degrees: int = 0) -> Changed:
         """So many steps from where it is, and turned to the right."""
         from sim.worldfile import put_elsewhere
 
         text, here = self._source(), self._shared.scene_now().models[thing.index].pose
         yaw = (here.yaw - degrees) % 360.0 if degrees else here.yaw
         place = Placement(here.x + east * STEP, here.y + north * STEP, here.z, yaw)
-        return self._changed(put_elsewhere(text, self._written(thing, text), place), moved_thing=thing.index)
+        return self._changed(put_elsewhere(text, self._written(thing, text), place), thing.index)
 
     # --- the text
 
@@ -159,75 +160,57 @@ class Building:
         tops = _tops(self._site.world.scene)
         found = written_models(text, self._file, self._allowed)[tops.index(thing.index)]
         if found is None:
-            raise Unusable(self._words("built-included", thing=thing_in_words(thing, self._words)))
+            raise Unusable(self._words("built-included", thing=things.thing_in_words(thing, self._words)))
         return found
 
     def _include(self, kind: str, text: str) -> str:
         """The line that a world needs for its first thing of a kind; empty where it knows the kind."""
-        file = next((each for each, known in KINDS.items() if kind in known), "things.inc")
+        file = things.KINDS[kind]
         files = {PurePath(each).name for each in self._site.world.scene.report.files}
         is_known = file in files or re.search(rf"^\s*define\s+{kind}\s", text, re.MULTILINE)
         return "" if is_known or f'include "{file}"' in text else f'include "{file}"\n'
 
-    def _changed(self, text: str, *, moved_thing: int | None = None, gone: int | None = None) -> Thing | None:
-        """Load the text and go on in its scene if the change has room there. Without an index it is new."""
-        before, scene = self._site.world.scene, self._loaded(text, self._file)
-        kept, new_tops = [each for each in _tops(before) if each != gone], _tops(scene)
-        index_of = dict(zip(kept, new_tops, strict=False))
-        is_new = moved_thing is None and gone is None
-        if scene.robot_names != before.robot_names or len(new_tops) != len(kept) + is_new:
+    def _changed(self, text: str, index: int | None, *, is_gone: bool = False) -> Changed:
+        """Load the text and go on in its scene. ``index``: of the thing that changed; None if it is new."""
+        site, scene = self._site, scene_of(text, self._file, self._words, self._allowed)
+        kept = [each for each in _tops(site.world.scene) if each != index or not is_gone]
+        now = _tops(scene)
+        index_of = dict(zip(kept, now, strict=False))
+        if scene.robot_names != site.world.scene.robot_names or len(now) != len(kept) + (index is None):
             raise Unusable(self._words("built-impossible"))
-        changed = new_tops[-1] if is_new else None if moved_thing is None else index_of[moved_thing]
-        if changed is not None:
-            self._check_room(scene, index_of, changed)
-        site, back = self._site, {new: old for old, new in index_of.items()}
-        thing = gone if moved_thing is None else moved_thing
-        site.past.append(SiteChange(site.world, site.text, site.is_saved, back, thing, self._program))
+        changed = now[-1] if index is None else index_of.get(index)
+        world = replace(site.world, scene=scene, is_rebuilt=True)
+        done = self._go_to(SiteChange(world, text, False, index_of, changed, self._program), site.past)
         site.undone.clear()
-        self._shared.rebuild(scene, index_of)
-        site.world = replace(site.world, scene=scene, is_rebuilt=True)
-        site.text, site.is_saved = text, False
-        return self._thing_at(changed)
+        return done
 
-    def _loaded(self, text: str, file: Path) -> Scene:
-        """As a world of that file. Raises ``Unusable``."""
-        from donnie_tui.i18n.mistakes import world_mistake
-        from sim.worldfile import WorldError, load_text
+    def step(self, changes: list[SiteChange], opposite: list[SiteChange]) -> Changed:
+        """Undo the last of the changes, so that it is one of ``opposite``. Raises ``Unusable``."""
+        done = self._go_to(changes[-1], opposite)
+        changes.pop()
+        return done
 
-        try:
-            return load_text(text, file, allowed=self._allowed)
-        except WorldError as error:
-            raise Unusable(world_mistake(error, self._words)) from None
-
-    def _thing_at(self, index: int | None) -> Thing | None:
-        return next((each for each in self.things() if each.index == index), None)
-
-    def step(self, changes: list[SiteChange], opposite: list[SiteChange]) -> tuple[str, Thing | None]:
-        """Undo the last of the changes, so that it is one of ``opposite``: the code of a sentence, the thing.
-
-        Raises ``Unusable`` where something stands at its place now.
-        """
-        site, change = self._site, changes[-1]
-        scene, now = change.world.scene, site.world.scene
+    def _go_to(self, change: SiteChange, opposite: list[SiteChange]) -> Changed:
+        """Go on in the world of a change if the thing has room there; ``opposite`` gets the way back."""
+        site, scene = self._site, change.world.scene
         back = {there: here for here, there in change.index_of.items()}
         if change.changed is None:
-            code = "built-removed"
-            here: int | None = next(each for each in _tops(now) if each not in change.index_of)
-            thing = self._thing_at(here)
+            here = next((each for each in _tops(site.world.scene) if each not in change.index_of), None)
         else:
             here = back.get(change.changed)
-            code = "built-put" if here is None else "built-moved"
-            self._check_room(scene, change.index_of, change.changed)
-        self._shared.rebuild(scene, change.index_of)
-        changes.pop()
+            self._check_room(change, change.changed)
+        before = None if here is None else self._thing_at(here)
         opposite.append(SiteChange(site.world, site.text, site.is_saved, back, here, change.program))
+        self._shared.rebuild(scene, change.index_of)
         site.world, site.text, site.is_saved = change.world, change.text, change.is_saved
-        return code, thing if change.changed is None else self._thing_at(change.changed)
+        if change.changed is None and before is not None:
+            return "built-removed", before
+        return ("built-moved" if before else "built-put"), self._thing_at(change.changed or 0)
 
     def save(self, target: Path) -> None:
         """Write the world. Raises ``Unusable`` where it could not be loaded there, or ``DocumentError``."""
         text = self._source()
-        self._loaded(text, target)
+        scene_of(text, target, self._words, self._allowed)
         write_program(target, text)
         self._site.path, self._site.is_saved = target, True
         for changes in (self._site.past, self._site.undone):
@@ -235,51 +218,59 @@ class Building:
 
     # --- room
 
-    def _check_room(self, scene: Scene, index_of: Mapping[int, int], changed: int) -> None:
-        """Raises ``Unusable`` where a thing is outside, or overlaps something."""
-        robots, words = dict(zip(scene.robot_names, scene.robots, strict=True)), self._words
+    def _check_room(self, change: SiteChange, index: int) -> None:
+        """Raises ``Unusable`` where the thing would be outside, or overlap something."""
+        scene = change.world.scene
+        robots = dict(zip(scene.robot_names, scene.robots, strict=True))
         standing = {robots[name]: place for name, place in self._shared.poses().items()}
-        now = moved(scene, {**self._shared.places_in(scene, index_of), **standing})
+        now = moved(scene, {**self._shared.places_in(scene, change.index_of), **standing})
+        parts, is_new_wall = [*parts_of(now)], scene.models[index].kind == things.WALL
+        self._check_outside([part for part in parts if part.root == index], is_new_wall)
         middles = [(now.models[each].pose.x, now.models[each].pose.y) for each in scene.robots]
-        solid = [part for part in parts_of(now) if part.root == changed and part.solid]
-        self._check_outside(now, solid, changed)
-        mine = [_shrunk(part) for part in solid]
-        is_new_wall = scene.models[changed].kind == WALL
-        for part in parts_of(now):
-            is_floor = any(contains(part.points, *middle) for middle in middles)
-            is_floor |= is_new_wall and scene.models[part.root].kind == WALL  # walls meet in corners
-            is_other = part.root != changed and part.solid and (part.root in scene.robots or not is_floor)
-            if is_other and any(overlapping(each, part.points) for each in mine):
-                raise Unusable(self._in_the_way(now, part.root))
-        for part in parts_of(scene):
-            if part.root in scene.robots and any(overlapping(each, part.points) for each in mine):
-                name = scene.models[part.root].spoken_name
-                raise Unusable(words("built-over-start", name=name))
 
-    def _in_the_way(self, scene: Scene, root: int) -> str:
+        def is_floor(part: Part) -> bool:
+            """What robots stand on, and where walls meet in corners."""
+            is_corner = is_new_wall and scene.models[part.root].kind == things.WALL
+            return is_corner or any(contains(part.points, *middle) for middle in middles)
+
+        others = [
+            (part, False)
+            for part in parts
+            if part.solid and (part.root in scene.robots or not is_floor(part))
+        ]
+        others += [(part, True) for part in parts_of(scene) if part.root in scene.robots]
+        mine = [_shrunk(part) for part in parts if part.root == index and part.solid]
+        for part, is_start in others:
+            if part.root != index and any(overlapping(each, part.points) for each in mine):
+                raise Unusable(self._in_the_way(now, part.root, is_start))
+
+    def _in_the_way(self, scene: Scene, root: int, is_start: bool) -> str:
         model, words = scene.models[root], self._words
         if root in scene.robots:
-            return words("built-over-robot", name=model.spoken_name)
+            return words("built-over-start" if is_start else "built-over-robot", name=model.spoken_name)
         if is_wall(model, scene.models[scene.robots[0]]):
             return words("built-over-wall")
         name = "" if ":" in model.spoken_name else model.spoken_name
         thing = the_coloured(model.kind, name, model.colour.family or "", words)
         return words("built-over-thing", thing=thing)
 
-    def _check_outside(self, scene: Scene, mine: list[Part], changed: int) -> None:
-        if scene.models[changed].kind == WALL:
-            return
-        outlines = picture(scene).walls
-        walls = [*chain(*outlines)] if _is_closed(scene, outlines) else []
-        points = [(x / STEP, y / STEP) for part in mine for x, y in part.points]
-        points = points or [(scene.models[changed].pose.x / STEP, scene.models[changed].pose.y / STEP)]
-        self._refuse_outside(_box(points), _box(walls) if walls else _FARTHEST)
+    def _check_outside(self, mine: Iterable[Part], is_wall: bool) -> None:
+        """Raises ``Unusable`` outside of walls that no robot can leave, and where it is too far."""
+        floor = picture(self._shared.scene_now())
+        robots = [Pose(each.x / STEP, each.y / STEP, 0.0) for each in self._shared.poses().values()]
+        left, bottom, right, top = -MOST_STEPS, -MOST_STEPS, MOST_STEPS, MOST_STEPS
+        if not is_wall and not any(has_way_out(floor, each) for each in robots):
+            left, bottom = floor.left, floor.bottom
+            right, top = left + (floor.width - 1) * floor.cell, bottom + (floor.height - 1) * floor.cell
+        border = floor.cell / 2 + 0.01
+        for x, y in chain.from_iterable(part.points for part in mine):
+            is_inside = left - border <= x / STEP <= right + border
+            if not is_inside or not bottom - border <= y / STEP <= top + border:
+                raise Unusable(self._words("built-outside", left=left, right=right, bottom=bottom, top=top))
 
-    def _refuse_outside(self, mine: Box, limits: Box) -> None:
-        (west, south, east, north), (left, bottom, right, top) = mine, limits
-        if west < left or south < bottom or east > right or north > top:
-            names = ("left", "bottom", "right", "top")
-            raise Unusable(self._words("built-outside", **dict(zip(names, map(round, limits), strict=True))))
+    def _thing_at(self, index: int) -> Thing:
+        seen = (each for each in self.everything() if each.index == index)
+        return next(seen, None) or _boxed(self._shared.scene_now().models[index])
 
 
 def _tops(scene: Scene) -> list[int]:
@@ -287,52 +278,16 @@ def _tops(scene: Scene) -> list[int]:
     return [each.index for each in scene.models if each.parent is None]
 
 
-def _wall(model: Model) -> Thing:
-    west, south, east, north = (each / STEP for each in _box(chain(*model.outlines())))
-    name, middle = "" if ":" in model.name else model.name, ((west + east) / 2, (south + north) / 2)
-    return Thing(name, WALL, "#", "", *middle, east - west, north - south, index=model.index)
-
-
-def _is_closed(scene: Scene, walls: Iterable[Sequence[Point]]) -> bool:
-    """Whether there are walls on all sides of each robot's start; else the floor has no end."""
-    for each in scene.robots:
-        x, y = scene.models[each].pose.x / STEP, scene.models[each].pose.y / STEP
-        for dx, dy in ((0, 1), (1, 0), (0, -1), (-1, 0)):
-            far_x, far_y = x + MOST_STEPS * dx, y + MOST_STEPS * dy
-            way = ((x, y), (far_x, far_y), (far_x + _THIN * dy, far_y + _THIN * dx))
-            if not any(overlapping(way, outline) for outline in walls):
-                return False
-    return True
+def _boxed(model: Model) -> Thing:
+    """What maps show as a wall, as a thing; walls have no colour."""
+    xs, ys = ([each / STEP for each in side] for side in zip(*chain(*model.outlines()), strict=True))
+    name = "" if ":" in model.name else model.name
+    colour = "" if model.kind == things.WALL else model.colour.family
+    middle, sides = ((min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2), (max(xs) - min(xs), max(ys) - min(ys))
+    return Thing(name, model.kind, "#", colour, *middle, *sides, index=model.index)
 
 
 def _shrunk(part: Part) -> tuple[Point, ...]:
     """Its outline, a little smaller: what stands on the squares of the floor often has borders in common."""
-    x, y = part.middle
-    less = (
-        (px - x, py - y, 1 - min(_SHRINK, _MOST_SHRUNK / hypot(px - x, py - y))) for px, py in part.points
-    )
-    return tuple((x + dx * size, y + dy * size) for dx, dy, size in less)
-
-
-def _is_meant(thing: Thing, typed: str) -> bool:
-    """Whether a kind, perhaps with a colour, means it; of a wall also a square: wall 4 6."""
-    if thing.kind == WALL:
-        word, _, place = typed.strip().partition(" ")
-        square = re.fullmatch(r"(-?\d+),? (-?\d+)", place.strip())
-        if square is None or not means_wall(word):
-            return means_wall(typed)
-        return (
-            abs(int(square[1]) - thing.x) <= thing.width / 2
-            and abs(int(square[2]) - thing.y) <= thing.depth / 2
-        )
-    try:
-        described = description_of(typed)
-    except BadDrawing:
-        return fold_name(thing.kind) == fold_name(typed).strip()
-    is_colour = not described.colours or thing.colour in described.colours
-    return thing.kind == described.kind and is_colour and not described.name
-
-
-def _box(points: Iterable[tuple[float, float]]) -> Box:
-    xs, ys = zip(*points, strict=True)
-    return min(xs), min(ys), max(xs), max(ys)
+    (x, y), size = part.middle, 1 - min(_SHRINK, _MOST_SHRUNK / part.reach)
+    return tuple((x + (px - x) * size, y + (py - y) * size) for px, py in part.points)

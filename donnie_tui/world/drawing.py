@@ -10,28 +10,20 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
-from functools import cache, cached_property
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cache
+from itertools import cycle
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 import worlds
 from devices.ports.robot import STEP
-from donnie_tui.i18n.words import Words
-from donnie_tui.world.things import (
-    WALL_HEIGHT,
-    BadDrawing,
-    Description,
-    Slip,
-    description_of,
-    fitted,
-    quoted,
-    thing_line,
-    usual_sizes,
-    world_text,
-)
+from donnie_tui.core.wording import Wording
+from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.world import things
 from language.locales import languages
 from language.source import fold_name
 
@@ -45,17 +37,22 @@ LARGEST_SCALE = 100
 """Steps that a letter stands for."""
 MOST_PIECES = 2000
 """Walls and things of a drawing; a world file has room for more."""
+MOST_SLIPS = 20
+"""Mistakes that are listed."""
 _HEADING = {"^": 90, ">": 0, "v": -90, "<": 180}
 """As world files have it: counter-clockwise from the east."""
 
 
-class Square(NamedTuple):
-    """A square of the drawing, counted from its first letter."""
+class Slip(NamedTuple):
+    """One mistake: its place (line 0: nowhere) and the sentence about it."""
 
-    row: int
+    line: int
     column: int
+    message: str
 
 
+Square: TypeAlias = tuple[int, int]
+"""Row and column of the drawing, counted from its first letter."""
 Box: TypeAlias = tuple[float, float, float, float]
 """Its first column and row, and where they end."""
 
@@ -64,18 +61,125 @@ class Group(Struct, frozen=True):
     """Equal letters that touch: one thing."""
 
     letter: str
-    squares: frozenset[Square]
-
-    @property
-    def first(self) -> Square:
-        """In reading order."""
-        return min(self.squares)
+    squares: tuple[Square, ...]
+    """In reading order."""
+    colour: str = ""
+    """That of the mark among the letters, if there is one."""
 
     @property
     def box(self) -> Box:
         """In squares from the first letter of the drawing."""
-        rows, columns = ([each[at] for each in self.squares] for at in (0, 1))
+        rows, columns = zip(*self.squares, strict=True)
         return min(columns), min(rows), max(columns) + 1, max(rows) + 1
+
+
+def groups_in(rows: Sequence[str], marks: Mapping[str, Mapping[str, str]] = {}) -> Iterator[Group]:
+    """The things of a drawing, in reading order: equal letters that touch, also at corners.
+
+    ``marks``: of each letter the colours by the marks that may stand in its midst.
+    """
+    left = {square: letter for square, letter in _squares(rows) if letter not in (WALL, FREE, *ARROWS)}
+    marks = {letter: {mark: each[mark] for mark in {*each} - {*marks}} for letter, each in marks.items()}
+    only_marks = {mark for each in marks.values() for mark in each}
+    for first in sorted(left, key=lambda square: left[square] in only_marks):
+        letter = left.get(first, "")
+        colours, found, waiting = marks.get(letter, {}), list[Square](), {first} if letter else set()
+        while waiting:
+            here = waiting.pop()
+            del left[here]
+            found.append(here)
+            waiting |= {each for each in _around(here) if left.get(each) in (letter, *colours)}
+        if found:
+            found.sort()
+            colour = next((colours[rows[y][x]] for y, x in found if rows[y][x] in colours), "")
+            yield Group(letter, tuple(found), colour)
+
+
+def _squares(rows: Sequence[str]) -> Iterator[tuple[Square, str]]:
+    """All of them, with their letters."""
+    return (((row, column), letter) for row, line in enumerate(rows) for column, letter in enumerate(line))
+
+
+def _around(square: Square) -> Iterator[Square]:
+    """A square and those that touch it."""
+    row, column = square
+    return ((row + down, column + right) for down in (-1, 0, 1) for right in (-1, 0, 1))
+
+
+# --- the legend
+
+
+class _Legend:
+    """The lines under a drawing."""
+
+    def __init__(self, lines: Iterable[tuple[int, str]], wording: Wording) -> None:
+        """``lines``: with their numbers."""
+        self.things: dict[str, things.Description] = {}
+        """By their letters."""
+        self.places: dict[str, tuple[int, int]] = {}
+        """Line and column of each description, also where it has mistakes."""
+        self.bodies = set[str]()
+        """The letters around robots in a map that was printed."""
+        self.robots: list[str] = []
+        self.line_of_robots = 0
+        self.has_none = False
+        """Whether it says that there is no robot."""
+        self.scale = 1
+        """Steps that a letter is wide and high."""
+        self.slips: list[Slip] = []
+        self._words = wording
+        for number, line in lines:
+            if line.strip():
+                self._read(line, number)
+
+    def _read(self, line: str, number: int) -> None:
+        text, digits, found = line.strip(), re.search(r"\d{1,6}", line), _meaning().fullmatch(line)
+        first, steps = text.split()[0], int(digits[0]) if digits else 0
+        if _is_sentence(text, "map-no-robot"):
+            self.has_none = True
+        elif steps and _is_sentence(text, "map-scale", steps=steps):
+            self.scale = min(LARGEST_SCALE, steps)
+        elif found is None and first not in (WALL, FREE):
+            code = "drawing-gap" if {*text} <= {WALL, FREE} else "drawing-legend"
+            self._report(number, line.index(first), code, found=first[:40])
+        elif found is not None:
+            self._read_letter(found, number)
+
+    def _read_letter(self, found: re.Match[str], number: int) -> None:
+        letter, meaning = found["letter"], found["meaning"]
+        names = [each.strip() for each in meaning.split(",") if each.strip()]
+        if letter[0] in ARROWS:
+            self.robots, self.line_of_robots = names, number
+        elif letter in self.places:
+            self._report(number, found.start("letter"), "drawing-letter-twice", letter=letter)
+        elif names and {*names} <= {*self.robots, "…"}:
+            self.bodies.add(letter)
+        else:
+            self.places[letter] = number, found.start("meaning") + 1
+            text, name = things.split_name(meaning)
+            try:
+                self.things[letter] = replace(things.description_of(text, self._words), name=name or "")
+            except things.BadDescription as bad:
+                begin = found.start("meaning") + 1
+                self.slips += (Slip(number, begin + at, each) for at, each in bad.mistakes.items())
+
+    def _report(self, number: int, at: int, code: str, **values: object) -> None:
+        self.slips.append(Slip(number, at + 1, self._words(code, **values)))
+
+
+@cache
+def _meaning() -> re.Pattern[str]:
+    """A line that says what a letter means, with or without "is", "=" or ":"."""
+    verbs = (Words(each)("map-legend", letter="", name="").strip(" .") for each in languages())
+    joint = rf"\s*[=:]|\s+(?:{'|'.join(map(re.escape, verbs))})(?=\s)|(?=\s)|$"
+    return re.compile(rf"\s*(?P<letter>[\^>v<](?:\s+[\^>v<])*|[^\W_])(?:{joint})\s*(?P<meaning>.*?)\.?\s*")
+
+
+def _is_sentence(text: str, code: str, **values: object) -> bool:
+    return any(text == Words(each)(code, **values) for each in languages())
+
+
+# --- the world
 
 
 class Built(Struct, frozen=True):
@@ -89,346 +193,216 @@ class Built(Struct, frozen=True):
     things: int
 
 
-# --- the drawing and its legend
+class _BadDrawing(Exception):
+    """Its arguments are the mistakes."""
 
 
-class _Legend:
-    """The lines under a drawing."""
-
-    def __init__(self, lines: Sequence[str], first: int) -> None:
-        """``first``: the number of the first line."""
-        self.things: dict[str, tuple[Description, int, int]] = {}
-        """By their letters, with the line and the column of the description."""
-        self.wrong = set[str]()
-        """The letters whose descriptions have mistakes."""
-        self.bodies = set[str]()
-        """The letters around robots in a map that was printed."""
-        self.robots: list[str] = []
-        self.line_of_robots = 0
-        self.has_none = False
-        """Whether it says that there is no robot."""
-        self.scale = 1
-        """Steps that a letter is wide and high."""
-        self.slips: list[Slip] = []
-        rest = list[tuple[int, str]]()
-        for number, line in enumerate(lines, start=first):
-            if line.strip() and not self._is_general(line.strip(), number):
-                rest.append((number, line))
-        for number, line in rest:
-            self._read_letter(line, number)
-
-    def _is_general(self, line: str, number: int) -> bool:
-        """Whether it is about robots, walls, the floor or the scale."""
-        arrows = re.match(r"[\^>v<](\s+[\^>v<])*\s+", line)
-        if arrows:
-            names = [each.strip() for each in _without_verb(line[arrows.end() :])[0].split(",")]
-            self.robots, self.line_of_robots = [each for each in names if each], number
-            return True
-        if any(line == Words(each)("map-no-robot") for each in languages()):
-            self.has_none = True
-            return True
-        steps = next(filter(None, (each.fullmatch(line) for each in _scales())), None)
-        if steps is not None:
-            self.scale = max(1, min(LARGEST_SCALE, int(steps[1])))
-        return steps is not None or line.split()[0] in (WALL, FREE)
-
-    def _read_letter(self, line: str, number: int) -> None:
-        indent = len(line) - len(line.lstrip())
-        letter, following = line[indent], line[indent + 1 :]
-        if set(line.strip()) <= {WALL, FREE}:
-            self.slips.append(Slip("drawing-gap", number, indent + 1))
-        elif not letter.isalnum() or following[:1] not in ("", " ", "=", ":"):
-            self.slips.append(Slip("drawing-legend", number, indent + 1, {"found": line.split()[0][:40]}))
-        elif letter in self.things:
-            self.slips.append(Slip("drawing-letter-twice", number, indent + 1, {"letter": letter}))
-        else:
-            self._describe(letter, following, number, indent + 2)
-
-    def _describe(self, letter: str, following: str, number: int, column: int) -> None:
-        text, skipped = _without_verb(following)
-        names = {each.strip() for each in text.rstrip(".").split(",")}
-        if names <= {*self.robots, "…"}:
-            self.bodies.add(letter)
-            return
-        place = number, column + skipped
-        try:
-            self.things[letter] = (description_of(text, *place), *place)
-        except BadDrawing as bad:
-            self.slips += bad.slips
-            self.wrong.add(letter)
-
-
-@cache
-def _scales() -> tuple[re.Pattern[str], ...]:
-    sentences = (re.escape(Words(each)("map-scale", steps="@")) for each in languages())
-    return tuple(re.compile(each.replace("@", r"(\d+)", 1).replace("@", r"\d+")) for each in sentences)
-
-
-def _without_verb(text: str) -> tuple[str, int]:
-    """Without the ``=`` or ``is`` at the beginning and the full stop at the end; how much it skips."""
-    verbs = {Words(each)("map-legend", letter="", name="").strip(" .") for each in languages()}
-    found = re.match(rf"\s*(=|:|(?:{'|'.join(map(re.escape, sorted(verbs)))})(?=\s))?\s*", text)
-    skipped = found.end() if found else 0
-    return text[skipped:].rstrip().removesuffix("."), skipped
-
-
-def groups_in(rows: Sequence[str]) -> tuple[Group, ...]:
-    """The things of a drawing, in reading order: equal letters that touch, also at corners."""
-    letters = {
-        Square(row, column): letter
-        for row, line in enumerate(rows)
-        for column, letter in enumerate(line)
-        if letter not in (WALL, FREE, *ARROWS)
-    }
-    found = list[Group]()
-    left = dict(letters)
-    for first, letter in letters.items():
-        if first not in left:
-            continue
-        del left[first]
-        waiting, cells = [first], {first}
-        while waiting:
-            here = waiting.pop()
-            for near in _around(here):
-                if left.get(near) == letter:
-                    del left[near]
-                    cells.add(near)
-                    waiting.append(near)
-        found.append(Group(letter, frozenset(cells)))
-    return tuple(found)
-
-
-def _around(cell: Square) -> Iterator[Square]:
-    for down in (-1, 0, 1):
-        for right in (-1, 0, 1):
-            if down or right:
-                yield Square(cell.row + down, cell.column + right)
-
-
-_MEANING = re.compile(rf"(\w|[{re.escape(ARROWS)}])\s+\w\w")
-"""How a line says what a letter means: ``c chair green``. A row has no blanks."""
-
-
-def _unmarked(rows: Sequence[str], legend: _Legend) -> tuple[list[str], dict[Square, str]]:
-    """The rows with the letter of the thing in place of each mark of a colour, and the colours there."""
-    meant_by: dict[str, dict[str, str]] = {}
-    for letter, (described, _, _) in legend.things.items():
-        for mark, colour in zip(described.marks, described.colours, strict=False):
-            if mark not in legend.things:
-                meant_by.setdefault(mark, {})[letter] = colour
-    drawn, colours = [list(row) for row in rows], dict[Square, str]()
-    for row, line in enumerate(rows):
-        for column, mark in enumerate(line):
-            around = _around(Square(row, column)) if mark in meant_by else ()
-            near = [rows[y][x] for y, x in around if 0 <= y < len(rows) and 0 <= x < len(rows[y])]
-            letter = next((each for each in near if each in meant_by[mark]), "")
-            if letter:
-                drawn[row][column], colours[Square(row, column)] = letter, meant_by[mark][letter]
-    return ["".join(row) for row in drawn], colours
-
-
-def _bad_letter(letter: str, line: int, column: int, known: Iterable[str]) -> Slip:
-    if letter == "\t":
-        return Slip("drawing-tab", line, column)
-    if letter.isspace():
-        return Slip("drawing-blank", line, column)
-    if not letter.isalnum():
-        return Slip("drawing-sign", line, column, {"sign": letter})
-    near = next((each for each in known if each == letter.swapcase() and each.isalpha()), "")
-    return Slip(
-        "drawing-letter-near" if near else "drawing-letter", line, column, {"letter": letter, "near": near}
+def world_of(text: str, file: str, wording: Wording) -> Built:
+    """The world that a drawing means. Raises ``Unusable`` with a sentence for each mistake in ``file``."""
+    try:
+        return _Drawing(text, wording).built()
+    except _BadDrawing as bad:
+        slips = sorted(bad.args)
+    shown = (
+        wording("world-error-at" if each.line else "drawing-error", file=file, **each._asdict())
+        for each in slips[:MOST_SLIPS]
     )
+    raise Unusable(*shown, wording("world-new-mistakes", count=len(slips)))
 
 
-# --- the world
-
-
-def world_of(text: str) -> Built:
-    """The world that a drawing means. Raises ``BadDrawing`` with all mistakes."""
-    drawing = _Drawing(text)
-    slips = [*drawing.legend.slips, *drawing.slips_of_rows()]
-    slips = slips or [*drawing.slips_of_robots()] or [*drawing.slips_of_colours()]
-    if slips:
-        raise BadDrawing(slips)
-    return drawing.built()
+_LEGEND_LINE = re.compile(rf"(\w|[{re.escape(ARROWS)}])\s+\w\w")
+"""How a line says what a letter means: ``c chair green``. A row has no blanks."""
 
 
 class _Drawing:
     """A drawing with its legend, and the world file that it means."""
 
-    def __init__(self, text: str) -> None:
+    def __init__(self, text: str, wording: Wording) -> None:
         lines = [each.rstrip(" ") for each in text.splitlines()]
-        begin = next((number for number, each in enumerate(lines) if each), len(lines))
+        begin = next((at for at, each in enumerate(lines) if each), len(lines))
         below = enumerate(lines[begin:], start=begin)
-        end = next((number for number, each in below if not each or _MEANING.match(each)), len(lines))
-        self.legend = _Legend(lines[end:], end + 1)
+        end = next((at for at, each in below if not each or _LEGEND_LINE.match(each)), len(lines))
+        self._words = wording
+        self._legend = legend = _Legend(enumerate(lines[end:], start=end + 1), wording)
+        walls = {letter for letter, each in legend.things.items() if each.kind == things.WALL}
+        self._rows = rows = [
+            each.translate(dict.fromkeys(map(ord, walls), WALL)) for each in lines[begin:end]
+        ]
         self._first = begin + 1
         """The number of the first row's line."""
-        self._rows, self._colours = _unmarked(lines[begin:end], self.legend)
-        """``_colours``: of the things at these squares."""
-        self._step = self.legend.scale * STEP
-        self._used, self._numbers = Counter[str](), Counter[str]()
-        """How many things have a name, and a letter."""
-
-    @cached_property
-    def _robots(self) -> tuple[Square, ...]:
+        self._step = legend.scale * STEP
+        _refuse(self._slips_of_size())
+        marks = {letter: each.marks for letter, each in legend.things.items()}
+        self._groups = [*groups_in(rows, marks)]
+        self._things = [each for each in self._groups if each.letter not in legend.bodies]
+        bodies = {square for each in self._groups if each.letter in legend.bodies for square in each.squares}
+        robots = (square for square, letter in _squares(rows) if letter in ARROWS)
+        self._robots = sorted(robots, key=lambda each: (not bodies.isdisjoint(_around(each)), each))
         """In reading order; those amid the letters of their bodies last, as a printed map has them."""
-        rows = self._rows
-        found = (
-            Square(row, at) for row, line in enumerate(rows) for at in range(len(line)) if line[at] in ARROWS
-        )
-
-        def has_body(cell: Square) -> bool:
-            near = (rows[row][column : column + 1] for row, column in _around(cell) if 0 <= row < len(rows))
-            return any(each in self.legend.bodies for each in near if each)
-
-        return tuple(sorted(found, key=lambda cell: (has_body(cell), cell)))
-
-    @cached_property
-    def _groups(self) -> tuple[Group, ...]:
-        """The things; letters around a robot are none."""
-        return tuple(each for each in groups_in(self._rows) if each.letter not in self.legend.bodies)
-
-    @cached_property
-    def _origin(self) -> Square:
-        """The middle of the world's 0 0."""
-        return self._robots[0] if self._robots else Square(len(self._rows) // 2, len(self._rows[0]) // 2)
+        self._origin = next(iter(self._robots), (len(rows) // 2, len(rows[0]) // 2))
 
     # --- mistakes
 
-    def slips_of_rows(self) -> Iterator[Slip]:
-        """Each letter without a meaning once."""
-        legend, rows = self.legend, self._rows
-        if not rows:
-            yield Slip("drawing-empty")
-            return
-        if len(rows) > MOST_SIDE:
-            yield self._slip("drawing-high", Square(MOST_SIDE, 0), most=MOST_SIDE)
-        known = {WALL, FREE, *ARROWS, *legend.things, *legend.wrong, *legend.bodies}
-        reported = set[str]()
-        for row, line in enumerate(rows[:MOST_SIDE]):
-            if len(line) > MOST_SIDE:
-                yield self._slip("drawing-wide", Square(row, MOST_SIDE), most=MOST_SIDE)
-                return
-            if len(line) != len(rows[0]):
-                column = min(len(line), len(rows[0]))
-                yield self._slip("drawing-ragged", Square(row, column), count=len(line), first=len(rows[0]))
-            for column, letter in enumerate(line):
-                if letter not in known | reported:
-                    reported.add(letter)
-                    yield _bad_letter(letter, self._first + row, column + 1, known)
+    def _slip(self, code: str, square: tuple[int, int], **values: object) -> Slip:
+        return Slip(self._first + square[0], square[1] + 1, self._words(code, **values))
 
-    def slips_of_robots(self) -> Iterator[Slip]:
-        names, count, line = self.legend.robots, len(self._robots), self.legend.line_of_robots
-        if not count and not self.legend.has_none:
-            yield Slip("drawing-no-robot")
+    def _slips_of_size(self) -> Iterator[Slip]:
+        rows = self._rows
+        wide = next((row for row, line in enumerate(rows) if len(line) > MOST_SIDE), None)
+        if not rows:
+            yield Slip(0, 0, self._words("drawing-empty"))
+        elif len(rows) > MOST_SIDE:
+            yield self._slip("drawing-high", (MOST_SIDE, 0), most=MOST_SIDE)
+        elif wide is not None:
+            yield self._slip("drawing-wide", (wide, MOST_SIDE), most=MOST_SIDE)
+
+    def _slips_of_letters(self) -> Iterator[Slip]:
+        """In the legend; lines of another length; each letter without a meaning once."""
+        yield from self._legend.slips
+        known, first = {*self._legend.places, *self._legend.bodies}, len(self._rows[0])
+        for row, count in enumerate(map(len, self._rows)):
+            if count != first:
+                yield self._slip("drawing-ragged", (row, min(count, first)), count=count, first=first)
+        unknown = {
+            each.letter: each.squares[0] for each in reversed(self._groups) if each.letter not in known
+        }
+        for letter, square in unknown.items():
+            near = letter.swapcase() if letter.swapcase() in known else ""
+            code = "sign" if not letter.isalnum() else "letter-near" if near else "letter"
+            code = ("tab" if letter == "\t" else "blank") if letter.isspace() else code
+            yield self._slip(f"drawing-{code}", square, letter=letter, near=near, sign=letter)
+
+    def _slips_of_robots(self) -> Iterator[Slip]:
+        names, count, place = self._legend.robots, len(self._robots), (self._legend.line_of_robots, 1)
+        if not count and not self._legend.has_none:
+            yield Slip(0, 0, self._words("drawing-no-robot"))
         elif names and len(names) != count and "…" not in names:
-            yield Slip("drawing-robot-names", line, 1, {"names": len(names), "count": count})
-        elif len({fold_name(each) for each in names}) != len(names):
-            yield Slip("drawing-name-twice", line, 1)
+            yield Slip(*place, self._words("drawing-robot-names", names=len(names), count=count))
+        elif len({*map(fold_name, names)}) != len(names):
+            yield Slip(*place, self._words("drawing-name-twice"))
         elif count > 1 and not names:
             yield self._slip("drawing-robots", sorted(self._robots)[1], count=count)
 
-    def slips_of_colours(self) -> Iterator[Slip]:
+    def _slips_of_colours(self) -> Iterator[Slip]:
         """Things of one letter with more or fewer colours than there are things."""
-        for letter, (described, line, column) in self.legend.things.items():
-            groups, known = [each for each in self._groups if each.letter == letter], len(described.colours)
+        for letter, described in self._legend.things.items():
+            groups, colours = [each for each in self._things if each.letter == letter], len(described.colours)
             if described.marks:
-                known = sum(not each.squares.isdisjoint(self._colours) for each in groups)
-            if (known > 1 or described.marks) and known != len(groups):
-                yield Slip("drawing-colours", line, column, {"count": len(groups), "colours": known})
+                colours = sum(bool(each.colour) for each in groups)
+            if (colours > 1 or described.marks) and colours != len(groups):
+                message = self._words("drawing-colours", count=len(groups), colours=colours)
+                yield Slip(*self._legend.places[letter], message)
 
-    def _slips_of_room(self, scene: Scene, names: Sequence[str], walls: Sequence[Box]) -> Iterator[Slip]:
+    def _slips_of_room(
+        self, scene: Scene, walls: Sequence[Box], robots: Mapping[str, Square]
+    ) -> Iterator[Slip]:
         """Things of one letter that are larger than the free floor around it, and robots inside something."""
-        boxes = [(self._box(each), each) for each in self._groups]
-        solid: list[tuple[Box, Group | None]] = [*((each, None) for each in walls), *boxes]
-        for mine, group in boxes:
-            in_the_way = (each for box, each in solid if each is not group and _overlap(mine, box))
-            other = next(in_the_way, group)
-            if len(group.squares) == 1 and other is not group:
+        boxes = [(self._fitted(each)[0], self._kind(each), each) for each in self._things]
+        solid = [*((each, things.WALL, None) for each in walls), *boxes]
+        for mine, kind, group in boxes:
+            over = (other for box, other, each in solid if each is not group and _overlap(mine, box))
+            other = next(over, None) if len(group.squares) == 1 else None
+            if other is not None:
+                names = {"thing": self._called(kind), "other": self._called(other)}
                 sides = {"width": round(mine[2] - mine[0]), "depth": round(mine[3] - mine[1])}
-                kinds = {"thing": self._kind(group), "other": self._kind(other)}
-                yield self._slip("drawing-thing-room", group.first, **kinds, **sides)
-        cells = dict(zip(names, self._robots, strict=True))
-        for note in scene.report.notes if self.legend.scale == 1 else ():
-            cell = cells.get(str(note.details.get("name"))) if note.code == "starts-inside" else None
-            if cell is not None:
-                yield self._slip("drawing-robot-room", cell, thing=note.details["thing"])
+                yield self._slip("drawing-thing-room", group.squares[0], **names, **sides)
+        for note in scene.report.notes if self._legend.scale == 1 else ():
+            square = robots.get(str(note.details.get("name"))) if note.code == "starts-inside" else None
+            if square is not None:
+                yield self._slip("drawing-robot-room", square, thing=self._called(str(note.details["thing"])))
 
-    def _slip(self, code: str, cell: Square, **values: object) -> Slip:
-        return Slip(code, self._first + cell.row, cell.column + 1, values)
-
-    def _kind(self, group: Group | None) -> str:
-        return "wall" if group is None else self.legend.things[group.letter][0].kind
-
-    def _box(self, group: Group) -> Box:
-        """Of one letter the usual size of the thing around it."""
-        left, top, right, bottom = group.box
-        if len(group.squares) > 1:
-            return left, top, right, bottom
-        across, along = (round(each / self._step, 6) / 2 for each in usual_sizes()[self._kind(group)][:2])
-        return left + 0.5 - across, top + 0.5 - along, left + 0.5 + across, top + 0.5 + along
+    def _called(self, kind: str) -> str:
+        return things.word_for(kind, self._words)
 
     # --- the world file
 
     def built(self) -> Built:
+        """Raises ``_BadDrawing``."""
         from sim.worldfile import Code, WorldError, load_text, rectangles  # loads the parser
 
-        rows, scale = self._rows, self.legend.scale
+        for slips in (self._slips_of_letters(), self._slips_of_robots(), self._slips_of_colours()):
+            _refuse(slips)
+        rows, scale = self._rows, self._legend.scale
         walls = [*rectangles(bytes(each == WALL for each in row) for row in rows)]
-        count, names = len(walls) + len(self._groups), self._robot_names()
-        placed = [self._thing(each) for each in self._groups]
-        robots = (self._robot(cell, name) for cell, name in zip(self._robots, names, strict=True))
-        lines = [*map(self._wall, walls), "", *placed, "", *robots]
-        text = world_text(placed, lines)
+        robots = dict(zip(self._robot_names(), self._robots, strict=True))
+        text = things.world_text(
+            [*map(self._wall, walls)],
+            [*self._thing_lines()],
+            [self._robot(name, square) for name, square in robots.items()],
+        )
         try:
-            if count > MOST_PIECES:
+            if len(walls) + len(self._things) > MOST_PIECES:
                 raise WorldError(Code.TOO_MUCH, "", limit=MOST_PIECES)
             scene = load_text(text, Path(worlds.SCENES, "drawing.world"), allowed=(Path(worlds.SCENES),))
         except WorldError:
-            values = {"count": count, "most": MOST_PIECES}
-            raise BadDrawing([Slip("drawing-much", values=values)]) from None
-        slips = [*self._slips_of_room(scene, names, walls)]
-        if slips:
-            raise BadDrawing(slips)
-        return Built(text, len(rows[0]) * scale, len(rows) * scale, len(names), len(self._groups))
+            values = {"count": len(walls) + len(self._things), "most": MOST_PIECES}
+            raise _BadDrawing(Slip(0, 0, self._words("drawing-much", **values))) from None
+        _refuse(self._slips_of_room(scene, walls, robots))
+        return Built(text, len(rows[0]) * scale, len(rows) * scale, len(robots), len(self._things))
 
     def _robot_names(self) -> list[str]:
-        names = [each for each in self.legend.robots if each != "…"] or ["donnie"]
+        names = [each for each in self._legend.robots if each != "…"] or ["donnie"]
         more = (f"{names[0]}{number}" for number in range(2, MOST_PIECES))
         return [*names, *(each for each in more if each not in names)][: len(self._robots)]
 
-    def _middle(self, box: Box) -> tuple[float, float]:
-        """Metres to the east and to the north of the first robot."""
-        left, top, right, bottom = box
-        east = (left + right - 1) / 2 - self._origin.column
-        north = self._origin.row - (top + bottom - 1) / 2
-        return round(east * self._step, 6) + 0.0, round(north * self._step, 6) + 0.0
+    def _pose(self, box: Box, angle: float = 0) -> tuple[float, float, float]:
+        """Of the middle: metres to the east and to the north of the first robot, and an angle."""
+        (left, top, right, bottom), (row, column) = box, self._origin
+        east, north = (left + right - 1) / 2 - column, row - (top + bottom - 1) / 2
+        return round(east * self._step, 6) + 0.0, round(north * self._step, 6) + 0.0, angle
 
     def _wall(self, box: Box) -> str:
-        x, y = self._middle(box)
         width, depth = ((box[at + 2] - box[at]) * self._step for at in (0, 1))
-        return f"wall( pose [ {x:g} {y:g} 0 0 ] size [ {width:.6g} {depth:.6g} {WALL_HEIGHT:g} ] )"
+        return things.model_line(things.WALL, self._pose(box), size=(width, depth, things.WALL_HEIGHT))
 
-    def _robot(self, cell: Square, name: str) -> str:
-        x, y = self._middle((cell.column, cell.row, cell.column + 1, cell.row + 1))
-        heading = _HEADING[self._rows[cell.row][cell.column]]
-        return f"donnie( name {quoted(name)} pose [ {x:g} {y:g} 0 {heading} ] )"
+    def _robot(self, name: str, square: Square) -> str:
+        row, column = square
+        pose = self._pose((column, row, column + 1, row + 1), _HEADING[self._rows[row][column]])
+        return things.model_line("donnie", pose, name)
 
-    def _thing(self, group: Group) -> str:
-        described, scale = self.legend.things[group.letter][0], self.legend.scale
+    def _thing_lines(self) -> Iterator[str]:
+        colours = {letter: cycle(each.colours or ("",)) for letter, each in self._legend.things.items()}
+        used = Counter[str]()
+        for group in self._things:
+            described, colour = self._legend.things[group.letter], next(colours[group.letter])
+            name = described.name or described.kind.replace("_", " ")
+            used[name] += 1
+            name = name if used[name] == 1 else f"{name} {used[name]}"
+            box, angle, size = self._fitted(group)
+            pose, colour = self._pose(box, angle), group.colour or colour
+            yield things.model_line(described.kind, pose, name, size, colour)
+
+    def _fitted(self, group: Group) -> tuple[Box, int, tuple[float, ...]]:
+        """Box, angle and size of a thing as large as its letters; no size where it is the usual one."""
         left, top, right, bottom = group.box
-        is_usual = len(group.squares) == 1
-        width, depth = round(right - left) * scale, round(bottom - top) * scale
-        angle, size = (0, "") if is_usual else fitted(described.kind, width, depth, scale)
-        colours = () if described.marks else described.colours
-        colour = colours[self._numbers[group.letter] % len(colours)] if colours else ""
-        self._numbers[group.letter] += 1
-        marked = (self._colours[each] for each in sorted(group.squares) if each in self._colours)
-        name = described.name or described.kind.replace("_", " ")
-        self._used[name] += 1
-        name = name if self._used[name] == 1 else f"{name} {self._used[name]}"
-        return thing_line(described.kind, next(marked, colour), name, (*self._middle(group.box), angle), size)
+        width, depth, slack = (right - left) * self._step, (bottom - top) * self._step, self._step
+        across, along, height = usual_sizes()[self._kind(group)]
+        if len(group.squares) == 1:
+            east, south = (round(each / self._step - 1, 6) / 2 for each in (across, along))
+            return (left - east, top - south, right + east, bottom + south), 0, ()
+        for angle, mine, other in ((0, across, along), (90, along, across)):
+            if 0 <= round(width - mine, 3) <= slack and 0 <= round(depth - other, 3) <= slack:
+                return group.box, angle, ()
+        return group.box, 0, (width, depth, height)
+
+    def _kind(self, group: Group) -> str:
+        return self._legend.things[group.letter].kind
+
+
+@cache
+def usual_sizes() -> Mapping[str, tuple[float, float, float]]:
+    """Metres, by kind: from west to east, from south to north, and up."""
+    from sim.worldfile import load_text  # loads the parser
+
+    text = things.world_text([f"{kind}()" for kind in things.KINDS])
+    scene = load_text(text, Path(worlds.SCENES, "sizes.world"), allowed=(Path(worlds.SCENES),))
+    return {each.kind: each.size for each in scene.models}
+
+
+def _refuse(slips: Iterable[Slip]) -> None:
+    found = [*slips]
+    if found:
+        raise _BadDrawing(*found)
 
 
 def _overlap(mine: Box, other: Box) -> bool:

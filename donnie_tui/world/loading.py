@@ -367,11 +367,16 @@ def _unknown_world(name: str, words: Words, code: str) -> str:
 def _load(path: str, words: Words, folders: tuple[str, ...]) -> Scene:
     from pathlib import Path
 
+    return scene_of(None, Path(path), words, allowed_folders(folders))
+
+
+def scene_of(text: str | None, path: Path, words: Words, allowed: tuple[Path, ...]) -> Scene:
+    """The scene of a world file, or of a text in its place. Raises ``Unusable``."""
     from donnie_tui.i18n.mistakes import world_mistake
-    from sim.worldfile import WorldError, load_world
+    from sim.worldfile import WorldError, load_text, load_world
 
     try:
-        return load_world(Path(path), allowed=allowed_folders(folders))
+        return load_world(path, allowed=allowed) if text is None else load_text(text, path, allowed=allowed)
     except WorldError as error:
         raise Unusable(world_mistake(error, words)) from None
 

@@ -54,11 +54,11 @@ def test_a_drawing_becomes_the_world_that_the_page_says(language: str, page: str
 @pytest.mark.parametrize(("language", "page"), PAGES[1:])
 def test_every_thing_is_named_on_the_page(language: str, page: str) -> None:
     from donnie_tui.i18n.words import Words
-    from donnie_tui.world.things import kinds
+    from donnie_tui.world.things import KINDS, word_for
 
     text = " ".join((ROOT / page).read_text(encoding="utf-8").split())
 
-    assert [kind for kind in kinds() if Words(language)(f"thing-{kind}") not in text] == []
+    assert [kind for kind in KINDS if word_for(kind, Words(language)) not in text] == []
 
 
 @pytest.mark.parametrize(("language", "page"), PAGES[1:])

@@ -7,10 +7,9 @@ import pytest
 
 import worlds
 from donnie_tui.cli.main import main
-from donnie_tui.i18n.words import Words
+from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.world.drawing import world_of
 from donnie_tui.world.loading import choose_world
-from donnie_tui.world.things import BadDrawing, slips_in_words
 from sim.picture import Picture, picture
 
 ROOM = """\
@@ -30,14 +29,18 @@ b box red
 
 
 def mistakes_of(drawing: str) -> list[str]:
-    with pytest.raises(BadDrawing) as bad:
-        world_of(drawing)
-    return list(slips_in_words(bad.value, "map.txt", Words("en")))
+    with pytest.raises(Unusable) as bad:
+        world_of(drawing, "map.txt", Words("en"))
+    return [*bad.value.sentences]
+
+
+def built(drawing: str) -> str:
+    return world_of(drawing, "map.txt", Words("en")).text
 
 
 def written(drawing: str, folder: Path) -> Picture:
     file = folder / "drawn.world"
-    file.write_text(world_of(drawing).text, encoding="utf-8")
+    file.write_text(built(drawing), encoding="utf-8")
     chosen = choose_world(str(file), Words("en"))
     assert chosen.scene.report.notes == ()
     return picture(chosen.scene)
@@ -67,7 +70,7 @@ def test_a_drawing_becomes_a_world_with_its_things_at_their_places(tmp_path: Pat
 @pytest.mark.parametrize(("arrow", "heading"), [("^", 0), (">", 90), ("v", 180), ("<", 270)])
 def test_the_arrow_says_where_the_robot_looks(tmp_path: Path, arrow: str, heading: int) -> None:
     file = tmp_path / "drawn.world"
-    file.write_text(world_of(ROOM.replace("^", arrow)).text, encoding="utf-8")
+    file.write_text(built(ROOM.replace("^", arrow)), encoding="utf-8")
 
     start = choose_world(str(file), Words("en")).start()
 
@@ -157,7 +160,7 @@ def test_a_printed_map_has_the_initials_of_colours_that_alone_make_a_difference(
 
 def test_two_robots_are_named_under_the_drawing(tmp_path: Path) -> None:
     file = tmp_path / "drawn.world"
-    file.write_text(world_of("......\n.^..>.\n......\n\n^ alice, bob\n").text, encoding="utf-8")
+    file.write_text(built("......\n.^..>.\n......\n\n^ alice, bob\n"), encoding="utf-8")
 
     assert choose_world(str(file), Words("en")).scene.robot_names == ("alice", "bob")
 

@@ -142,7 +142,7 @@ def test_a_pushed_thing_is_moved_from_where_it_is(open_script: OpenScript) -> No
         ("PUT chair 15 5", "There is a wall at that place. Nothing changed."),
         (
             "PUT chair 99 5",
-            "That is outside. The floor goes from -16 to 16 east and from -12 to 21 north. Nothing changed.",
+            "That is outside. The floor goes from -16 to 16 east and from -11 to 21 north. Nothing changed.",
         ),
         ("PUT chair 8 0", "The yellow ball is in the way. Nothing changed."),
         ("MOVE ball 7 0", "There is a wall at that place. Nothing changed."),
