@@ -36,7 +36,9 @@ if TYPE_CHECKING:
 CHALLENGE = "challenge:"
 """What a challenge's name follows where it is given in place of a world's."""
 _INSIDE = "starts-inside"
-_SLIPS = frozenset({"unknown-property", "unknown-colour", "unknown-model", "second-define"})
+_SLIPS = frozenset(
+    {"unknown-property", "unknown-colour", "unknown-model", "unknown-word", "second-define", "missing-point"}
+)
 """Of what was ignored or repaired: what the author wrote without effect."""
 LONGEST_NAME = 80
 """Characters of a wrong name that a sentence repeats."""

@@ -150,7 +150,7 @@ class Builder:
     ) -> tuple[Polygon, ...]:
         """What is drawn already and the blocks of the file, or the default block; not scaled yet."""
         polygons = drawn + tuple(self._block(child) for child in blocks)
-        if not polygons and has_default_block(entity.type, walled):
+        if not polygons and has_default_block(entity, walled):
             polygons = (UNIT,)
         self._points += sum(len(polygon.points) for polygon in polygons)
         self._bound(entity, "points", self._points, MOST_POLYGON_POINTS)
@@ -224,9 +224,12 @@ def read_block(reader: ValueReader, entity: Entity) -> Polygon:
 
 
 def _point(reader: ValueReader, entity: Entity, i: int) -> Point:
+    """A corner; one that is missing is at 0 0, as in Stage."""
     name = f"point[{i}]"
     if name not in entity.settings:
-        raise WorldError(Code.MISSING_POINT, entity.file, entity.line, entity.column, (name,), name=name)
+        place = (entity.file, entity.line, entity.column)
+        reader.remark(Note(NoteKind.WARNING, "missing-point", *place, {"name": name}))
+        return 0.0, 0.0
     return reader.pair(entity.settings[name])
 
 
@@ -282,9 +285,16 @@ def boundary_walls(size: tuple[float, float, float], origin: Placement) -> tuple
     return tuple(Polygon(placed(wall.points, origin.x, origin.y, origin.yaw), 0.0, height) for wall in walls)
 
 
-def has_default_block(kind: str, walled: bool) -> bool:
-    """Whether a model without blocks is a box; what only looks has no body, what has walls is just these."""
-    return kind not in ("ranger", "blobfinder", "fiducial") and not walled
+def has_default_block(entity: Entity, walled: bool) -> bool:
+    """Whether a model without blocks is a box.
+
+    What only looks has no body, what has walls is just these, and what has a picture is its dark pixels.
+    """
+    return (
+        entity.type not in ("ranger", "blobfinder", "fiducial")
+        and not walled
+        and "bitmap" not in entity.settings
+    )
 
 
 MOST_BUMPERS = 1000
@@ -395,10 +405,7 @@ def _odometry_error(read: ValueReader, settings: _Settings) -> OdometryError:
     """``[x y z angle]``, or the manual's ``[x y angle]``. Parts, not lengths; Stage reads four."""
     if (setting := settings.get("odom_error")) is None:
         return OdometryError()
-    numbers = read.numbers(setting, 3, 6)
-    if len(numbers) > 4:
-        read.note(NoteKind.REPAIRED, "first-four", setting, name="odom_error")
-    x, y, *_, yaw = (min(2.0, abs(each)) for each in numbers[:4])
+    x, y, *_, yaw = (min(2.0, abs(each)) for each in read.numbers(setting, 3, 4))
     return OdometryError(x, y, yaw)
 
 

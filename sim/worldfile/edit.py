@@ -101,7 +101,7 @@ def taken_out(text: str, model: WrittenModel) -> str:
 def units_of(scene: Scene) -> tuple[float, float]:
     """The metres and the degrees that numbers of its files count."""
     length, angle = scene.settings.get("unit_length", "m"), scene.settings.get("unit_angle", "degrees")
-    return UNITS[str(length)], ANGLES[str(angle)]
+    return UNITS.get(str(length), 1.0), ANGLES.get(str(angle), 1.0)
 
 
 _LENGTHS = ("size", "range", "blength", "pose", "bpose", "velocity_bounds")

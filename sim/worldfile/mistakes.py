@@ -118,7 +118,6 @@ class Code(Enum):
     OUT_OF_RANGE = "out-of-range"  # name
     WRONG_ORDER = "wrong-order"  # name: of two numbers the smaller comes first
     UNKNOWN_WORD = "unknown-word"  # name, found, nearest
-    MISSING_POINT = "missing-point"  # name
     TOO_FEW_POINTS = "too-few-points"  # given
 
 

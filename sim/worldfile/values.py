@@ -109,11 +109,14 @@ class ValueReader:
     def one_of(
         self, settings: Mapping[str, Setting], name: str, default: str, choices: tuple[str, ...]
     ) -> str:
+        """The word, or the usual one and a warning for an unknown word, as in Stage."""
         word = self.string(settings, name, default)
         if word in choices:
             return word
         nearest = next(iter(get_close_matches(word[:60], choices, 1)), "")
-        raise mistake(Code.UNKNOWN_WORD, settings[name], choices, name=name, found=word[:60], nearest=nearest)
+        details = {"name": name, "found": word[:60], "used": default, "nearest": nearest}
+        self.note(NoteKind.WARNING, "unknown-word", settings[name], **details)
+        return default
 
     def string(self, settings: Mapping[str, Setting], name: str, default: str) -> str:
         setting = settings.get(name)
@@ -139,11 +142,11 @@ class ValueReader:
     def size(
         self, settings: Mapping[str, Setting], default: tuple[float, float, float]
     ) -> tuple[float, float, float]:
-        """Two numbers leave the height as it is; Stage itself reads a fourth as nothing."""
+        """Two numbers leave the height as it is."""
         setting = settings.get("size")
         if setting is None:
             return default
-        sides = [self._length(setting, item) for item in _items(setting, 2, 4)]
+        sides = [self._length(setting, item) for item in self._items(setting, 2, 3)]
         if min(sides) < 0:
             raise mistake(Code.OUT_OF_RANGE, setting, name="size")
         return sides[0], sides[1], sides[2] if len(sides) > 2 else default[2]
@@ -153,7 +156,7 @@ class ValueReader:
         setting = settings.get(name)
         if setting is None:
             return Placement()
-        items = _items(setting, 3, 4)
+        items = self._items(setting, 3, 4)
         x, y, third = (self._length(setting, item) for item in items[:3])
         if len(items) == 4:
             return Placement(x, y, third, _number(setting, items[3]) * self.degrees)
@@ -180,7 +183,7 @@ class ValueReader:
         value = setting.property.value
         if isinstance(value, parser.Number) and least <= 1:
             return (value.value,)
-        return tuple(_number(setting, item) for item in _items(setting, least, most))
+        return tuple(_number(setting, item) for item in self._items(setting, least, most))
 
     def whole(
         self, settings: Mapping[str, Setting], name: str, default: int, most: int, least: int = 1
@@ -196,12 +199,12 @@ class ValueReader:
 
     def strings(self, setting: Setting, most: int) -> tuple[str, ...]:
         """The strings of a tuple."""
-        return tuple(_string(setting, item) for item in _items(setting, 0, most))
+        return tuple(_string(setting, item) for item in self._items(setting, 0, most))
 
     def words(self, setting: Setting, choices: tuple[str, ...]) -> tuple[str, ...]:
         """The words of a tuple, or the one word that stands there; each is one of ``choices``."""
         name, value = setting.property.name, setting.property.value
-        items = (value,) if isinstance(value, parser.String) else _items(setting, 1, 8)
+        items = (value,) if isinstance(value, parser.String) else self._items(setting, 1, 8)
         found = tuple(_string(setting, item) for item in items)
         for word in found:
             if word not in choices:
@@ -210,7 +213,7 @@ class ValueReader:
         return found
 
     def pair(self, setting: Setting) -> tuple[float, float]:
-        first, second = (self._length(setting, item) for item in _items(setting, 2, 2))
+        first, second = (self._length(setting, item) for item in self._items(setting, 2, 2))
         return first, second
 
     def colour(self, settings: Mapping[str, Setting], default: Colour) -> Colour:
@@ -220,7 +223,7 @@ class ValueReader:
             return self._any_colour(setting) if folded(name) == "random" else self.named_colour(setting, name)
         if (setting := settings.get("color_rgba")) is None:
             return default
-        levels = [min(1.0, max(0.0, _number(setting, item))) for item in _items(setting, 3, 4)]
+        levels = [min(1.0, max(0.0, _number(setting, item))) for item in self._items(setting, 3, 4)]
         return colour_of("", *levels)
 
     def named_colour(self, setting: Setting, name: str) -> Colour:
@@ -244,7 +247,7 @@ class ValueReader:
         setting = settings.get("colors")
         if setting is None:
             return ()
-        items = _items(setting, 0, 1000)
+        items = self._items(setting, 0, 1000)
         count = int(min(1000, max(0, self.number(settings, "colors_count", len(items)))))
         return tuple(self.named_colour(setting, _string(setting, item)) for item in items[:count])
 
@@ -277,6 +280,18 @@ class ValueReader:
             raise mistake(Code.WRONG_TYPE, setting, types, name=name)
         elif name in UNUSED and not quiet:
             self.note(NoteKind.IGNORED, "unused-property", setting, name=name)
+
+    def _items(self, setting: Setting, least: int, most: int) -> tuple[parser.Value, ...]:
+        """The values of a tuple. Those after ``most`` have no effect, as in Stage."""
+        value, name = setting.property.value, setting.property.name
+        if not isinstance(value, parser.Tuple):
+            raise mistake(Code.WRONG_TYPE, setting, ("tuple",), name=name)
+        if len(value.items) < least:
+            expected = tuple(str(count) for count in range(least, most + 1)) if most < 10 else ()
+            raise mistake(Code.WRONG_COUNT, setting, expected, name=name, given=len(value.items))
+        if len(value.items) > most:
+            self.note(NoteKind.REPAIRED, "first-values", setting, name=name, count=str(most))
+        return value.items[:most]
 
     def _length(self, setting: Setting, value: parser.Value) -> float:
         metres = _number(setting, value) * self.metres
@@ -317,13 +332,3 @@ def _string(setting: Setting, value: parser.Value) -> str:
         place = (setting.file, value.line, value.column)
         raise WorldError(Code.WRONG_TYPE, *place, ("string",), name=setting.property.name)
     return value.text
-
-
-def _items(setting: Setting, least: int, most: int) -> tuple[parser.Value, ...]:
-    value = setting.property.value
-    if not isinstance(value, parser.Tuple):
-        raise mistake(Code.WRONG_TYPE, setting, ("tuple",), name=setting.property.name)
-    if not least <= len(value.items) <= most:
-        expected = tuple(str(count) for count in range(least, most + 1)) if most < 10 else ()
-        raise mistake(Code.WRONG_COUNT, setting, expected, name=setting.property.name, given=len(value.items))
-    return value.items

@@ -134,8 +134,6 @@ def test_a_thing_is_pushed_gripped_and_weighed_only_where_its_file_says_so() -> 
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ('position ( drive "boat" )', ("unknown-word", 18)),
-        ('position ( localization "map" )', ("unknown-word", 25)),
         ("position ( drive 3 )", ("wrong-type", 18)),
         ("position ( velocity_bounds [ 1 2 3 ] )", ("wrong-count", 28)),
         ("position ( velocity_bounds [ 2 1 0 0 0 0 0 0 ] )", ("wrong-order", 28)),
@@ -161,9 +159,9 @@ def test_a_wrong_value_is_a_mistake_with_its_place(text: str, expected: tuple[st
 
 def test_a_misspelt_word_is_reported_with_the_nearest_right_one() -> None:
     with pytest.raises(WorldError) as error:
-        load_text('position ( drive "omini" )', Path("t.world"))
+        load_text('gripper ( paddle_state [ "opn" ] )', Path("t.world"))
 
-    assert error.value.details["nearest"] == "omni"
+    assert error.value.details["nearest"] == "open"
 
 
 def test_a_blinkenlight_is_as_small_as_in_stage() -> None:

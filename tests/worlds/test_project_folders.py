@@ -6,7 +6,6 @@ import pytest
 
 from donnie_tui.cli.main import main
 from donnie_tui.world.recorded import pack, unpack
-from sim.scene import NoteKind
 from sim.worldfile import Code, WorldError, load_configuration, load_world
 
 ROBOT = "position ( sensor ( samples 1 ) )\n"
@@ -160,16 +159,3 @@ def test_a_recording_has_the_files_of_the_project(folder: Path, tmp_path: Path) 
     main_file, allowed = unpack(bundle, place)
 
     assert models(main_file, *allowed) == models(world(folder))
-
-
-def test_more_than_four_odometry_errors_are_remarked(tmp_path: Path) -> None:
-    (tmp_path / "bot.world").write_text(
-        "position ( odom_error [ 0.03 0.03 999999 999999 999999 0.02 ] sensor ( ) )"
-    )
-    scene = load_world(tmp_path / "bot.world")
-    wheels = scene.models[0].wheels
-
-    assert wheels is not None
-    assert (wheels.odom_error.x, wheels.odom_error.y, wheels.odom_error.yaw) == (0.03, 0.03, 2.0)
-    notes = [each for each in scene.report.notes if each.code == "first-four"]
-    assert [(each.kind, each.line, each.column) for each in notes] == [(NoteKind.REPAIRED, 1, 12)]

@@ -278,3 +278,91 @@ def test_two_thousand_models_load() -> None:
 @pytest.mark.parametrize("depth", [1, 5, 30])
 def test_models_may_be_nested(depth: int) -> None:
     assert len(load("model ( " * depth + ")" * depth).models) == depth
+
+
+def remarked(scene: Scene) -> list[tuple[str, int, dict[str, object]]]:
+    return [(note.code, note.column, dict(note.details)) for note in scene.report.notes if note.details]
+
+
+@pytest.mark.parametrize(
+    ("few", "many", "name", "count"),
+    [
+        ("pose [ 1 2 3 4 ]", "pose [ 1 2 3 4 5 ]", "pose", "4"),
+        ("origin [ 1 2 3 4 ]", "origin [ 1 2 3 4 5 6 ]", "origin", "4"),
+        ("size [ 1 2 3 ]", "size [ 1 2 3 4 ]", "size", "3"),
+        ("color_rgba [ 0 1 0 1 ]", "color_rgba [ 0 1 0 1 1 ]", "color_rgba", "4"),
+        ("odom_error [ 1 1 0 2 ]", "odom_error [ 1 1 0 2 7 7 ]", "odom_error", "4"),
+        (
+            "velocity_bounds [ 0 1 0 1 0 1 0 9 ]",
+            "velocity_bounds [ 0 1 0 1 0 1 0 9 9 ]",
+            "velocity_bounds",
+            "8",
+        ),
+    ],
+)
+def test_values_beyond_those_that_a_property_takes_have_no_effect(
+    few: str, many: str, name: str, count: str
+) -> None:
+    """Stage reads as many as it wants. Its users write 5 numbers after pose, 6 after odom_error."""
+    scene = load(f"position ( {many} )")
+
+    assert scene.models == load(f"position ( {few} )").models
+    assert remarked(scene)[0] == ("first-values", 12, {"name": name, "count": count})
+
+
+def test_too_many_values_of_sensors_and_blocks_have_no_effect_either() -> None:
+    few = (
+        "model ( ranger ( sensor ( range [ 0 5 ] noise [ 1 2 3 ] ) ) bumper ( bcount 1 bpose[0] [ 1 2 3 4 ] )"
+        " block ( points 3 point[0] [ 0 0 ] point[1] [ 1 0 ] point[2] [ 1 1 ] z [ 0 1 ] ) )"
+    )
+    many = few.replace(" ]", " 7 ]")
+
+    assert load(many).models == load(few).models
+
+
+@pytest.mark.parametrize(
+    ("text", "same", "found", "used", "near"),
+    [
+        ('position ( drive "boat" )', 'position ( drive "diff" )', "boat", "diff", ""),
+        ('position ( drive "omini" )', "position ( )", "omini", "diff", "omni"),
+        ('position ( localization "map" )', "position ( )", "map", "gps", ""),
+        ('unit_length "mile" model ( size [ 1 2 3 ] )', "model ( size [ 1 2 3 ] )", "mile", "m", ""),
+        (
+            'unit_angle "degree" model ( pose [ 0 0 0 9 ] )',
+            "model ( pose [ 0 0 0 9 ] )",
+            "degree",
+            "degrees",
+            "",
+        ),
+    ],
+)
+def test_where_a_word_is_not_known_the_usual_one_counts_and_a_warning_says_so(
+    text: str, same: str, found: str, used: str, near: str
+) -> None:
+    scene = load(text)
+    (note,) = (note for note in scene.report.notes if note.code == "unknown-word")
+
+    assert scene.models == load(same).models
+    assert note.kind is NoteKind.WARNING
+    assert (note.details["found"], note.details["used"]) == (found, used)
+    assert not near or note.details["nearest"] == near
+
+
+def test_a_corner_that_is_missing_is_at_0_0_and_a_warning_says_so() -> None:
+    scene = load("model ( block ( points 3 point[1] [ 1 0 ] point[2] [ 1 1 ] ) )")
+
+    assert (
+        scene.models
+        == load("model ( block ( points 3 point[0] [ 0 0 ] point[1] [ 1 0 ] point[2] [ 1 1 ] ) )").models
+    )
+    assert remarked(scene) == [("missing-point", 9, {"name": "point[0]"})]
+
+
+def test_a_white_picture_has_no_body(tmp_path: Path) -> None:
+    """Stage makes the blocks of a model with a picture from its dark pixels alone."""
+    (tmp_path / "white.pgm").write_bytes(b"P5 4 4 255 " + b"\xff" * 16)
+    file = tmp_path / "white.world"
+    file.write_text('model ( bitmap "white.pgm" size [ 9 9 1 ] )')
+    (model,) = load_world(file).models
+
+    assert model.polygons == ()

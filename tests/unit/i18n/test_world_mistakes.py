@@ -27,8 +27,7 @@ def test_a_misspelt_model_gets_the_nearest_name() -> None:
 
 
 EXPECTED = {
-    'unit_length "inch"': "unit_length takes m, cm or mm, not inch.",
-    'position( drive "tank" )': "drive takes diff, omni or car, not tank.",
+    'gripper( paddle_state "ajar" )': "paddle_state takes open, closed, up or down, not ajar.",
     "ranger( sensor( range [ 5 0 ] ) )": "range takes the smaller number first.",
     "position( laser() )": "I do not know the model laser. Did you mean ranger?",
     "model( block( points 2 ) )": "A block needs 3 to 2000 points, not 2.",
@@ -45,7 +44,7 @@ def test_a_mistake_says_what_was_expected(text: str) -> None:
 
 @pytest.mark.parametrize("language", languages())
 def test_the_words_that_a_setting_takes_are_listed_in_each_language(language: str) -> None:
-    assert "diff, omni " in sentence_of('position( drive "tank" )', language)
+    assert "closed, up " in sentence_of('gripper( paddle_state "ajar" )', language)
 
 
 def test_the_message_about_a_wrong_picture_lists_the_possible_kinds(tmp_path: Path) -> None:
