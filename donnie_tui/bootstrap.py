@@ -258,7 +258,7 @@ def _assembled(
     words = Words(settings.language, settings.verbosity)
     world = inhabited_world(settings.world, words, settings.include_folders, seed=settings.seed)
     if world.challenge is not None:
-        settings = replace(settings, seed=world.challenge.rules.variant[0].seed)
+        settings = replace(settings, seed=world.rules.variant[0].seed)
     speech_wait, shared = SpeechWait(), World(world.scene, seed=settings.seed)
     team = make_team(settings, words, world, terminal, speech_wait=speech_wait, shared=shared)
     connection = Connection(settings, words, world, team.chosen, search=search)
@@ -438,17 +438,16 @@ class Start(Struct, frozen=True):
     """What the robots of all tries saw there."""
 
 
-def starts_of(
-    challenge: Challenge, world: ChosenWorld, words: Words, settings: Settings
-) -> tuple[Start, ...]:
-    """All starts of a challenge. Without goals the end of its solution is the goal.
+def starts_of(world: ChosenWorld, words: Words, settings: Settings) -> tuple[Start, ...]:
+    """All starts of the challenge of a world. Without goals the end of its solution is the goal.
 
     Raises ``Unusable`` if the solution is needed and can't be read.
     """
     from donnie_tui.core.goals import goals_of_end
 
-    rules, starts = challenge.rules, list[Start]()
-    solution = {} if rules.goal else solution_of(challenge, world, words)
+    challenge, rules, starts = world.challenge, world.rules, list[Start]()
+    assert challenge is not None
+    solution = {} if rules.goal else solution_of(world, words)
     for each in rules.variant:
         there = started_at(world, each, words, settings.include_folders)
         own = replace(challenge, rules=replace(rules, variant=(each,)))

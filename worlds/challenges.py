@@ -10,6 +10,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from enum import Enum
 from functools import cache
 from itertools import chain
@@ -18,6 +19,7 @@ from typing import Annotated, Any, Literal, TypeAlias, TypeVar
 
 import msgspec
 from msgspec import Meta, Struct, field
+from msgspec.structs import fields
 
 from donnie_tui.process.confinement import is_allowed, open_bytes
 from worlds import names as world_names
@@ -239,32 +241,20 @@ class Challenge(Struct, frozen=True):
 
     def title_of(self, name: str, language: str) -> str:
         """The title of another challenge, shipped or next to this one; its name if it can't be read."""
-        try:
-            return (
-                find(name if name in names() else str(self.path.with_name(f"{name}{SUFFIX}")))
-                .text(language)
-                .title
-            )
-        except BadChallenge:
-            return name
+        beside = str(self.path.with_name(f"{name}{SUFFIX}"))
+        with suppress(BadChallenge):
+            return find(name if name in names() else beside).text(language).title
+        return name
 
     @property
     def world(self) -> str:
         """The name of a built-in world, or the path of a file in the folder."""
-        return (
-            self.rules.world
-            if self.rules.world in world_names()
-            else str(self.path.parent / self.rules.world)
-        )
+        name = self.rules.world
+        return name if name in world_names() else str(self.path.parent / name)
 
-    @property
-    def solution(self) -> Path:
-        """The solution of the first robot."""
-        return self.path.with_name(f"{self.name}{SOLUTION}")
-
-    def solution_of(self, robot: str) -> Path:
-        """The solution of another robot, which may have none."""
-        return self.path.with_name(f"{self.name}.{robot}{SOLUTION}")
+    def solution(self, robot: str = "") -> Path:
+        """The solution of the first robot, or that of another one, which may have none."""
+        return self.path.with_name(f"{self.name}{robot and f'.{robot}'}{SOLUTION}")
 
 
 class ChallengeMistake(Struct, frozen=True):
@@ -319,24 +309,29 @@ def find(name: str) -> Challenge:
     ours = names()
     if name.isascii() and name.isdigit() and 0 < int(name[:4]) <= len(ours):
         name = ours[int(name) - 1]
-    if name in ours:
-        return read(Path(LADDERS, f"{name}{SUFFIX}"))
-    path = Path(name)
+    path = Path(LADDERS, f"{name}{SUFFIX}") if name in ours else Path(name)
     if path.suffix == SUFFIX:
         return read(path)
-    found = files_in(name)
-    if len(found) == 1:
-        return read(found[0])
-    if is_allowed(path) and f"{path.name}{SUFFIX}" in _files_in_folder(path, SUFFIX):
-        return read(path.with_name(f"{path.name}{SUFFIX}"))
+    found, beside = files_in(name), path.parent / f"{path.name}{SUFFIX}"
+    if len(found) > 1:
+        several = tuple(str(each) for each in found)
+        raise BadChallenge(path, ChallengeMistake("challenge-several", what=name, known=several))
+    if found or (is_allowed(path) and beside in _files(path.parent, f"*{SUFFIX}")):
+        return read(*found or (beside,))
     raise BadChallenge(path, ChallengeMistake("challenge-unknown", what=name, known=ours))
 
 
 def files_in(folder: str) -> tuple[Path, ...]:
-    """The challenges of a folder; none where the name is of no folder."""
+    """The challenges of a folder, and of the folders in it; none where the name is of no folder."""
     path = Path(folder)
-    found = _files_in_folder(path / SUFFIX, SUFFIX) if folder and is_allowed(path) else ()
-    return tuple(path / each for each in found)
+    return _files(path, f"*{SUFFIX}", f"*/*{SUFFIX}") if folder and is_allowed(path) else ()
+
+
+def _files(folder: Path, *patterns: str) -> tuple[Path, ...]:
+    try:
+        return tuple(each for pattern in patterns for each in sorted(folder.glob(pattern)))
+    except (OSError, ValueError):
+        return ()
 
 
 def read(path: Path) -> Challenge:
@@ -347,14 +342,11 @@ def read(path: Path) -> Challenge:
     except (OSError, ValueError):
         raise BadChallenge(path, ChallengeMistake("challenge-unreadable")) from None
     if len(data) > LARGEST:
-        raise BadChallenge(
-            path, ChallengeMistake("challenge-too-large", what=f"{LARGEST:,}".replace(",", " "))
-        )
+        most = f"{LARGEST:,}".replace(",", " ")
+        raise BadChallenge(path, ChallengeMistake("challenge-too-large", what=most))
     reader = _Reader(data)
     texts = reader.texts()
-    rules = reader.converted(reader.content, Rules, "")
-    if rules is None:
-        raise BadChallenge(path, *reader.mistakes)
+    rules = reader.table(Rules, reader.content, "")
     found = Challenge(path.name.removesuffix(SUFFIX), path, rules, texts, tuple(reader.lines))
     reader.check(found)
     if reader.mistakes:
@@ -363,10 +355,27 @@ def read(path: Path) -> Challenge:
 
 
 _Table = TypeVar("_Table", bound=Struct)
+_TABLES: dict[str, type[Struct]] = {
+    "goal": Goal,
+    "never": Never,
+    "limit": Limit,
+    "variant": Variant,
+    "question": ChallengeQuestion,
+    "hint": ChallengeHint,
+}
+_CHOICES: dict[str, tuple[str, ...]] = {
+    "difficulty": tuple(each.value for each in Difficulty if each is not Difficulty.UNSTATED),
+    "ask": tuple(each.value for each in Ask),
+    "start": tuple(COMPASS),
+    "facing": tuple(COMPASS),
+}
+"""What can be written in place of a word that is none of these."""
+_STAND_INS = {"format": 1, "world": "", "title": "", "task": "", "text": "", "ask": Ask.COUNT, "of": "-"}
+"""In place of what is required and wrong."""
 
 
 class _Reader:
-    """Finds all mistakes of a file: each is noted and taken out, so that the rest can be read."""
+    """Reads the tables of a file, each value by itself, and notes all mistakes."""
 
     def __init__(self, data: bytes) -> None:
         self.mistakes: list[ChallengeMistake] = []
@@ -375,167 +384,132 @@ class _Reader:
         """What is not read yet."""
         self._wrong = set[str]()
         """The tables with mistakes."""
-        self._misspelt = set[str]()
-        """Those with unknown keys, which may be meant as what they lack."""
         try:
             self.lines = data.decode("utf-8-sig").replace("\r\n", "\n").split("\n")
+            self._parse()
         except ValueError:
-            self._note("challenge-not-toml", 0)
-        is_read = bool(self.mistakes)
-        while not is_read and len(self.mistakes) < MOST_MISTAKES:
-            try:
-                self.content, is_read = parsed("\n".join(self.lines).encode()), True
-            except (ValueError, RecursionError) as problem:
-                place = re.search(r"line (\d+)", str(problem))
-                line = int(place[1]) if place else 0
-                first, end = _statement_at(self.lines, line)
-                self._note("challenge-not-toml", first + 1 if end < line else line)
-                self.lines[first:end] = [""] * (end - first)
-                is_read = first == end
+            self._note("challenge-not-toml")
         self._is_whole = not self.mistakes
 
+    def _parse(self) -> None:
+        """Parses the file without the statements and tables that can't be read. Raises ``ValueError``."""
+        while len(self.mistakes) < MOST_MISTAKES:
+            try:
+                self.content = parsed("\n".join(self.lines).encode())
+                return
+            except (ValueError, RecursionError) as problem:
+                place = re.search(r"line (\d+)", str(problem))
+                if place is None:
+                    raise ValueError from None
+                line = int(place[1])
+            first, end = _statement_at(self.lines, line)
+            self.mistakes.append(ChallengeMistake("challenge-not-toml", first + 1 if end < line else line))
+            self.lines[first:end] = [""] * (end - first)
+
     def _note(
-        self, code: str, line: int, what: str = "", known: tuple[str, ...] = (), table: str = ""
+        self,
+        code: str,
+        table: str = "",
+        key: str = "",
+        what: str = "",
+        known: tuple[str, ...] = (),
+        text: str = "",
     ) -> None:
+        """Note a mistake, with the line of that key, else of that table."""
         self._wrong.add(table)
-        self.mistakes.append(ChallengeMistake(code, line, what, known))
+        if len(self.mistakes) < MOST_MISTAKES:
+            line = line_of(self.lines, table, key, text) or line_of(self.lines, table, "")
+            self.mistakes.append(ChallengeMistake(code, line, what, known))
 
     def texts(self) -> dict[str, ChallengeText]:
         """The texts by language."""
         languages = [key for key in self.content if re.fullmatch("[a-z]{2,3}", key)]
-        found = {each: self.converted(self.content.pop(each), ChallengeText, each) for each in languages}
-        if ENGLISH not in found and self._is_whole:
-            self._note("challenge-missing", 0, f"{ENGLISH}.title")
-        return {each: text for each, text in found.items() if text is not None}
+        if ENGLISH not in languages and self._is_whole:
+            self._note("challenge-missing", what=f"{ENGLISH}.title")
+        return {each: self.table(ChallengeText, self.content.pop(each), each) for each in languages}
 
-    def converted(self, content: Any, kind: type[_Table], table: str) -> _Table | None:
-        """The value of a table, without what is wrong in it; None where nothing is left."""
-        while len(self.mistakes) < MOST_MISTAKES:
-            try:
-                return msgspec.convert(content, kind)
-            except msgspec.ValidationError as problem:
-                found = _PLACE.fullmatch(str(problem))
-                message, place = (found[1], found[2] or "") if found else (str(problem), "")
-            here, at, holder, owner, key = _walk(content, place)
-            lacking = re.search("(unknown|missing required) field `(.*)`", message)
-            if lacking:
-                holder, owner, key = here, at, lacking[2]
-            inside = ".".join(filter(None, (table, owner)))
-            if holder is None:
-                self._note("challenge-value", line_of(self.lines, "", table), table, table=table)
-                return None
-            self._note_field(message, kind, inside, key)
-            holder.pop(key, None)
-            if key in _STAND_INS:
-                holder[key] = _STAND_INS[key]
-        return None
+    def table(self, kind: type[_Table], content: object, name: str) -> _Table:
+        """A table without what is wrong in it, with something in place of what it lacks."""
+        if not isinstance(content, dict):
+            self._note("challenge-value", name, what=name)
+            content = _STAND_INS
+        known = {each.encode_name: each for each in fields(kind)}
+        unknown = [key for key in content if key not in known and content is not _STAND_INS]
+        for key in unknown:
+            self._note("challenge-key", name, key, key, tuple(known))
+        found: dict[str, Any] = {}
+        for key, each in known.items():
+            if key in content:
+                with suppress(msgspec.ValidationError):
+                    found[each.name] = self._value(content[key], each.type, name, key)
+            elif each.required and self._is_whole and not unknown:  # an unknown one may be meant as it
+                self._note("challenge-missing", name, "", ".".join(filter(None, (name, key))))
+            if each.required:
+                found.setdefault(each.name, _STAND_INS[key])
+        return kind(**found)
 
-    def _note_field(self, message: str, kind: type[Struct], table: str, key: str) -> None:
-        line = line_of(self.lines, table, key) or line_of(self.lines, table, "")
-        wrong = re.search("enum value '(.*)'", message)
-        if "unknown field" in message:
-            known = _OF_TABLE.get(re.sub(r".*\.|\[.*?\]", "", table), kind).__struct_encode_fields__
-            self._note("challenge-key", line, key, known, table)
-            self._misspelt.add(table)
-        elif "missing required" in message:
-            if self._is_whole and table not in self._misspelt:
-                self._note("challenge-missing", line, ".".join(filter(None, (table, key))))
-        elif wrong and key in _VALUES:
-            self._note("challenge-choice", line, wrong[1], _VALUES[key], table)
-        else:
-            self._note("challenge-value", line, key, table=table)
+    def _value(self, content: Any, wanted: Any, table: str, key: str) -> Any:
+        """The value of a key. Raises ``ValidationError``, which is noted."""
+        before, place = len(self.mistakes), f"{table}.{key}".lstrip(".")
+        if key in _TABLES and isinstance(content, list):
+            content = [self.table(_TABLES[key], each, f"{place}[{at}]") for at, each in enumerate(content)]
+        elif key in _TABLES and isinstance(content, dict):
+            content = self.table(_TABLES[key], content, place)
+        try:
+            return msgspec.convert(content, wanted)
+        except msgspec.ValidationError as problem:
+            wrong = re.search("enum value '(.*)'", str(problem))
+            if wrong and key in _CHOICES:
+                self._note("challenge-choice", table, key, wrong[1], _CHOICES[key])
+            elif before == len(self.mistakes):
+                self._note("challenge-value", table, key, key)
+            raise
 
     def check(self, found: Challenge) -> None:
         """Check what the types don't say."""
-        rules, path, lines = found.rules, found.path, self.lines
-        worlds_here = _files_in_folder(path, ".world") + _files_in_folder(path, ".cfg")
-        others = _files_in_folder(path, SUFFIX, is_stem=True)
-        known_worlds, known_challenges = (*world_names(), *worlds_here), (*names(), *others)
-        if Path(rules.world).name != rules.world or (
-            rules.world and (path.parent / rules.world).is_symlink()
-        ):
-            self._note("challenge-outside", line_of(lines, "", "world"), rules.world)
-        elif found.solution.is_symlink():
-            self._note("challenge-outside", 0, found.solution.name)
+        rules, folder = found.rules, found.path.parent
+        files = {each.name: each for each in _files(folder, "*.world", "*.cfg", f"*{SUFFIX}")}
+        others = tuple(name.removesuffix(SUFFIX) for name in files if name.endswith(SUFFIX))
+        known_worlds = (*world_names(), *(each for each in files if not each.endswith(SUFFIX)))
+        if Path(rules.world).name != rules.world or (rules.world and (folder / rules.world).is_symlink()):
+            self._note("challenge-outside", "", "world", rules.world)
+        elif found.solution().is_symlink():
+            self.mistakes.append(ChallengeMistake("challenge-outside", what=found.solution().name))
         elif rules.world and rules.world not in known_worlds:
-            self._note("challenge-world", line_of(lines, "", "world"), rules.world, known_worlds)
-        for each in (name for name in rules.after if name not in known_challenges):
-            self._note("challenge-unknown", line_of(lines, "", "after", each), each, known_challenges)
+            self._note("challenge-world", "", "world", rules.world, known_worlds)
+        for each in (name for name in rules.after if name not in (*names(), *others)):
+            self._note("challenge-unknown", "", "after", each, (*names(), *others), each)
         for index, question in enumerate(rules.question):
             table = f"question[{index}]"
             if not question.is_complete and table not in self._wrong:
-                self._note("challenge-value", line_of(lines, table, "of"), "of")
+                self._note("challenge-value", table, "of", "of")
         for index, goal in enumerate(rules.goal):
             table = f"goal[{index}]"
             if not goal.kind and self._is_whole and table not in self._wrong:
-                self._note("challenge-goal", line_of(lines, table, ""), ", ".join(KINDS))
-        if not (rules.goal or self.mistakes or os.path.lexists(found.solution)):
-            self._note("challenge-solution", 0, found.solution.name)
+                self._note("challenge-goal", table, "", ", ".join(KINDS))
+        if not (rules.goal or self.mistakes or os.path.lexists(found.solution())):
+            self._note("challenge-solution", what=found.solution().name)
 
 
-def _files_in_folder(path: Path, suffix: str, *, is_stem: bool = False) -> tuple[str, ...]:
-    """The files of that kind in the folder of a challenge."""
-    try:
-        found = sorted(each.name for each in os.scandir(path.parent) if each.name.endswith(suffix))
-    except OSError:
-        return ()
-    return tuple(each.removesuffix(suffix) if is_stem else each for each in found)
-
-
-_VALUES: dict[str, tuple[str, ...]] = {
-    "difficulty": tuple(each.value for each in Difficulty if each is not Difficulty.UNSTATED),
-    "ask": tuple(each.value for each in Ask),
-    "start": tuple(COMPASS),
-    "facing": tuple(COMPASS),
-}
-"""What can be written in place of a word that is none of these."""
-_STAND_INS = {"format": 1, "world": "", "title": "", "task": "", "text": "", "ask": "count", "of": "-"}
-"""In place of what is required and wrong."""
-_PLACE = re.compile(r"(.*?)(?: - at `\$(.*)`)?", re.DOTALL)
-
-
-def _walk(content: Any, place: str) -> tuple[Any, str, dict[str, Any] | None, str, str]:
-    """What is at a place as msgspec names it, and its name; the table around it, that one's name, the key."""
-    here, at = content, ""
-    holder, owner, key = None, "", ""
-    for name, index in re.findall(r"\.(\w+)|\[(\d+)\]", place):
-        if name and isinstance(here, dict):
-            holder, owner, key = here, at, name
-            here, at = here[name], f"{at}.{name}".lstrip(".")
-        elif index and isinstance(here, list) and isinstance(here[int(index)], dict):
-            here, at = here[int(index)], f"{at}[{index}]"
-        else:
-            break
-    return here, at, holder, owner, key
-
-
-_OF_TABLE: dict[str, type[Struct]] = {
-    "goal": Goal,
-    "never": Never,
-    "limit": Limit,
-    "variant": Variant,
-    "question": ChallengeQuestion,
-    "hint": ChallengeHint,
-}
 _HEAD = re.compile(r"\s*(\[\[?)\s*([\w.]+)\s*\]")
 _BEGINNING = re.compile(r"\s*(\[\[?\s*[A-Za-z]|[\w\"'.-]+\s*=)")
 """Of a table or a value."""
 
 
 def _statement_at(lines: list[str], line: int) -> tuple[int, int]:
-    """What can't be read at a line: from which line to which, counted from 0. None where it begins nowhere.
+    """What can't be read at a line: from which line to which, counted from 0.
 
     Of the head of a table it is the whole table. A bracket that is not closed is found at the next value.
     """
     at = line - 1
-    begins = [each for each, text in enumerate(lines) if _BEGINNING.match(text)] if line else []
+    begins = [each for each, text in enumerate(lines) if _BEGINNING.match(text)]
     *before, first = [0, *(each for each in begins if each <= at)]
     opened = "".join(lines[before[-1] : at]) if before and first == at else ""
     if opened.count("[") > opened.count("]"):
         return before[-1], at
     is_head = lines[first].lstrip().startswith("[")
     following = (each for each in begins if each > at and (not is_head or lines[each].lstrip()[0] == "["))
-    return (first, next(following, len(lines))) if line else (0, 0)
+    return first, next(following, len(lines))
 
 
 def line_of(lines: Sequence[str], table: str, key: str, text: str = "") -> int:

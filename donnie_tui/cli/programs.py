@@ -44,7 +44,7 @@ from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.process import in_processes, processors
 from donnie_tui.process.confinement import is_allowed, make_folder
 from donnie_tui.settings.settings import SettingSource
-from donnie_tui.world.loading import choose_challenge, inventory_of, solution_of, world_of
+from donnie_tui.world.loading import choose_challenge, inventory_of, solution_of
 from language.checker import check as hints_for
 from language.diagnostics import MOST_MISTAKES, Diagnostic, Severity
 from language.formatter import formatted
@@ -239,7 +239,7 @@ def challenge(order: Order) -> int:
 def _list_challenges(order: Order) -> int:
     ladder = ""
     for number, name in enumerate(challenges.names(), start=1):
-        found = choose_challenge(name, order.words)
+        found = challenges.find(name)
         if challenges.ladder_of(name) != ladder:
             ladder = challenges.ladder_of(name)
             order.output.line(order.words(f"ladder-{ladder}"))
@@ -252,7 +252,7 @@ def _list_challenges(order: Order) -> int:
 
 def check_challenge(order: Order, name: str, files: Sequence[str]) -> int:
     """Judge programs; 1 if one does not solve the challenge, 2 if one can't be read."""
-    judging = _Judging(order, choose_challenge(name, order.words))
+    judging = _Judging(order, name)
     pupils = judging.pupils(files)
     if not pupils:
         raise Unusable(order.words("check-no-programs", path=files[0]))
@@ -277,7 +277,7 @@ _CODES = {True: ExitCode.DONE, False: ExitCode.FAILED, None: ExitCode.UNUSABLE}
 
 def judge_recording(order: Order, name: str, recorded: Sequence[Stamped], *, is_simulated: bool) -> int:
     """Judge a recording, of a real robot only what it can sense; 1 if it does not solve the challenge."""
-    judging = _Judging(order, choose_challenge(name, order.words))
+    judging = _Judging(order, name)
     answers: dict[Unsensed, bool] | None = None if is_simulated else {}
     began = (each.event.world for each in recorded if isinstance(each.event, RunStarted))
     wanted = judging.world.name
@@ -393,12 +393,12 @@ def _test_challenge(order: Order, name: str) -> int:
     The solution must solve it from every start; the empty program, and the solution without one of its
     commands, must not.
     """
-    found = choose_challenge(name, order.words)
-    judging = _Judging(order, found)
+    judging = _Judging(order, name)
+    found = judging.found
     faults = (*_faults_of_words(found, order.words), *judging.faults_of_starts())
     for fault in faults:
         order.output.line(fault)
-    solution = solution_of(found, judging.world, order.words)
+    solution = solution_of(judging.world, order.words)
     verdicts = judging.verdicts(solution)
     wrong = not verdicts[-1].is_solved
     if wrong:
@@ -451,12 +451,18 @@ FEW = 25
 class _Judging:
     """Judges programs by one challenge. Each runs in a world of its own, from every start."""
 
-    def __init__(self, order: Order, found: challenges.Challenge) -> None:
+    def __init__(self, order: Order, name: str) -> None:
         """Raises ``Unusable``."""
-        self._words, self._settings, self._name = order.words, order.settings, found.name
-        self.world = world_of(found, order.words)
+        self._words, self._settings = order.words, order.settings
+        self.world = choose_challenge(name, order.words)
         self._room = inventory_of(self.world.scene)
-        self.starts = starts_of(found, self.world, order.words, order.settings)
+        self.starts = starts_of(self.world, order.words, order.settings)
+
+    @property
+    def found(self) -> challenges.Challenge:
+        """The challenge."""
+        assert self.world.challenge is not None
+        return self.world.challenge
 
     def pupils(self, given: Sequence[str]) -> tuple[_Pupil, ...]:
         """Those whose programs were given: files, folders, or a program for each robot.
@@ -553,7 +559,7 @@ class _Judging:
             for note in standing_inside(start.world.scene):
                 where = self._words("challenge-start", number=number)
                 fault = self._words(f"note-{note.code}", **note.details)
-                yield self._words("challenge-verdict", file=self._name, verdict=f"{where} {fault}")
+                yield self._words("challenge-verdict", file=self.found.name, verdict=f"{where} {fault}")
 
     def is_solved_by_nothing(self) -> bool:
         """Whether the empty program solves it from a start."""

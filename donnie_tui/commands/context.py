@@ -275,15 +275,14 @@ class Attempt:
 
     @cached_property
     def _starts(self) -> tuple[Start, ...]:
-        donnie = self._donnie
-        return starts_of(self.challenge, donnie.world, donnie.words, self._preferences.settings)
+        return starts_of(self._donnie.world, self._donnie.words, self._preferences.settings)
 
     @cached_property
     def _shortest(self) -> int:
         """The steps of the solution from the first start."""
         donnie, settings = self._donnie, self._preferences.settings
         try:
-            solution = solution_of(self.challenge, donnie.world, donnie.words)
+            solution = solution_of(donnie.world, donnie.words)
         except Unusable:
             return 0
         return judge_program(solution, self._starts[:1], donnie.words, settings)[0].track.steps

@@ -552,7 +552,7 @@ def _lesson_of(word: str | None, now: str) -> int:
     shipped = challenges.names()
     passed = shipped.index(now) + 1 if now in shipped else 0
     for number, name in enumerate(shipped, start=1):
-        if word in _words_in(read_to_the_end(challenges.find(name).solution)):
+        if word in _words_in(read_to_the_end(challenges.find(name).solution())):
             return number if number > passed else 0
     return 0
 

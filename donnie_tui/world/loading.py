@@ -8,7 +8,6 @@ unreadable words, slips.
 
 from __future__ import annotations
 
-from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
@@ -30,7 +29,7 @@ if TYPE_CHECKING:
     from sim.scene import Model, Scene
     from sim.world import World
     from sim.worldfile import Configuration, Driver, Offer
-    from worlds.challenges import Challenge, ChallengeMistake, Variant
+    from worlds.challenges import Challenge, ChallengeMistake, Rules, Variant
     from worlds.words import About
 
 CHALLENGE = "challenge:"
@@ -129,6 +128,12 @@ class ChosenWorld(Struct, frozen=True):
         about = self.about(language)
         return about.title if about is not None else self.name
 
+    @property
+    def rules(self) -> Rules:
+        """Those of its challenge, which it must have."""
+        assert self.challenge is not None
+        return self.challenge.rules
+
     def start(self) -> Pose:
         """Where its first robot stands; the middle, facing north, if it has none."""
         if not self.scene.robots:
@@ -200,35 +205,57 @@ def choose_world(
         scene = read_scene(path) or _load(path, words, folders)
         return ChosenWorld(name_or_file, path, scene, ships=True)
     if name_or_file.startswith(CHALLENGE):
-        return _with_challenge(choose_challenge(name_or_file.removeprefix(CHALLENGE), words), words, folders)
+        world = choose_challenge(name_or_file.removeprefix(CHALLENGE), words, folders)
+        started = started_at(world, world.rules.variant[0], words, folders)
+        return replace(started, challenge=world.challenge)
     return _in_a_file(name_or_file, words, folders, unknown)
 
 
-def choose_challenge(name: str, words: Words) -> Challenge:
-    """The challenge of that name, number, title or file.
+def choose_challenge(name: str, words: Words, folders: tuple[str, ...] = ()) -> ChosenWorld:
+    """The world of the challenge of that name, number, title or file, with it, as the world's file says.
 
-    Raises ``Unusable`` with the line of a mistake in it.
+    Raises ``Unusable`` with the lines of all mistakes in it.
     """
-    from language.keywords import all_words, canonical
-    from worlds.challenges import BadChallenge, ChallengeMistake, find, line_of
+    from donnie_tui.core.goals import Inventory, unknown_names
+    from worlds.challenges import BadChallenge, ChallengeMistake, find
 
     found: Challenge | None
+    world: ChosenWorld | None = None
+    unread = tuple[str, ...]()
     try:
         found = _titled(name) or find(name)
         file, mistakes = found.path, list[ChallengeMistake]()
     except BadChallenge as bad:
         found, file, mistakes = bad.found, bad.file, [*bad.mistakes]
     if found is not None:
-        rules, lines = found.rules, found.lines
-        named = ((key, word) for key in ("words", "required") for word in getattr(rules, key))
-        for key, word in ((key, word) for key, word in named if canonical(word) is None):
-            line = line_of(lines, "", key, word)
-            mistakes.append(ChallengeMistake("challenge-word", line, word, all_words("en")))
-        with suppress(Unusable):  # the world is another file
-            mistakes += _names_missing(found, inhabited_world(found.world, words)) if mistakes else ()
-    if mistakes or found is None:
-        raise Unusable(*_in_words(file, mistakes, words))
-    return found
+        mistakes += _unknown_words(found)
+        try:
+            if not {each.code for each in mistakes} & {"challenge-world", "challenge-outside"}:
+                world = inhabited_world(found.world, words, folders)
+        except Unusable as problem:
+            unread = problem.sentences if found.rules.world else ()
+        mistakes += _unknown_things(found, world) if world is not None else ()
+        if world is None and any(unknown_names(found.rules, Inventory((), 0.0))):
+            unread += (words("challenge-unchecked"),)
+    if any(each.code == "challenge-not-toml" for each in mistakes):
+        unread += (words("challenge-unread"),)
+    if mistakes or found is None or world is None:
+        raise Unusable(*_in_words(file, mistakes, words), *unread)
+    world = replace(world, challenge=found)
+    if not found.rules.goal:
+        solution_of(world, words)
+    return world
+
+
+def _unknown_words(found: Challenge) -> Iterator[ChallengeMistake]:
+    """The words of a challenge that GoDonnie doesn't have."""
+    from language.keywords import all_words, canonical
+    from worlds.challenges import ChallengeMistake, line_of
+
+    for key, named in (("words", found.rules.words), ("required", found.rules.required)):
+        for word in (each for each in named if canonical(each) is None):
+            line = line_of(found.lines, "", key, word)
+            yield ChallengeMistake("challenge-word", line, word, all_words("en"))
 
 
 def _titled(title: str) -> Challenge | None:
@@ -259,16 +286,7 @@ def _in_words(file: Path, mistakes: Sequence[ChallengeMistake], words: Words) ->
         yield words("more-mistakes", limit=MOST_MISTAKES)
 
 
-def world_of(found: Challenge, words: Words, folders: tuple[str, ...] = ()) -> ChosenWorld:
-    """The world of a challenge as its file says. Raises ``Unusable``, also for what it doesn't have."""
-    world = inhabited_world(found.world, words, folders)
-    mistakes = [*_names_missing(found, world)]
-    if mistakes:
-        raise Unusable(*_in_words(found.path, mistakes, words))
-    return world
-
-
-def _names_missing(found: Challenge, world: ChosenWorld) -> Iterator[ChallengeMistake]:
+def _unknown_things(found: Challenge, world: ChosenWorld) -> Iterator[ChallengeMistake]:
     """The names in a challenge that its world doesn't have."""
     from donnie_tui.core.goals import unknown_names
     from worlds.challenges import ChallengeMistake, line_of
@@ -282,24 +300,24 @@ def _names_missing(found: Challenge, world: ChosenWorld) -> Iterator[ChallengeMi
         yield ChallengeMistake("challenge-thing", line_of(found.lines, table, key, name), name, known)
 
 
-def solution_of(challenge: Challenge, world: ChosenWorld, words: Words) -> dict[str, str]:
-    """The solution, for each robot that needs one. Raises ``Unusable`` if that of the first can't be read."""
+def solution_of(world: ChosenWorld, words: Words) -> dict[str, str]:
+    """The solution of its challenge, for each robot that needs one.
+
+    Raises ``Unusable`` if that of the first can't be read.
+    """
     from donnie_tui.core.program_files import DocumentError, checked_path, exists, read_to_the_end
 
+    assert world.challenge is not None
     first, *others = world.scene.robot_names
-    files = {each: challenge.solution_of(each) for each in others}
-    files = {first: challenge.solution, **{name: file for name, file in files.items() if exists(file)}}
+    files = {each: world.challenge.solution(each) for each in others}
+    files = {
+        first: world.challenge.solution(),
+        **{name: file for name, file in files.items() if exists(file)},
+    }
     try:
         return {name: read_to_the_end(checked_path(file)) for name, file in files.items()}
     except DocumentError as error:
         raise Unusable(words(error.code, path=error.path, reason=error.reason)) from None
-
-
-def _with_challenge(found: Challenge, words: Words, folders: tuple[str, ...]) -> ChosenWorld:
-    world = world_of(found, words, folders)
-    if not found.rules.goal:
-        solution_of(found, world, words)
-    return replace(started_at(world, found.rules.variant[0], words, folders), challenge=found)
 
 
 def _in_a_file(name: str, words: Words, folders: tuple[str, ...], unknown: str) -> ChosenWorld:
@@ -518,8 +536,8 @@ def started_at(
     from sim.geometry import Placement
     from sim.scene import moved
 
-    plain = world.before_moves or world
-    world = scattered_by(variant.seed, replace(plain, challenge=None), words, allowed_folders(folders))
+    plain = replace(world.before_moves or world, challenge=None)
+    world = scattered_by(variant.seed, plain, words, allowed_folders(folders))
     scene = world.scene
     models, places = scene.models, dict[int, Placement]()
     robots = dict(zip(scene.robot_names, scene.robots, strict=True))

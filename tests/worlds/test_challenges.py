@@ -19,7 +19,7 @@ from donnie_tui.cli.options import understand
 from donnie_tui.core.describe import task_in_words
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.settings import Settings
-from donnie_tui.world.loading import choose_world
+from donnie_tui.world.loading import choose_challenge
 from language.locales import languages, table
 from worlds import challenges, scenarios
 from worlds.challenges import BadChallenge, Heading, degrees_of
@@ -233,7 +233,8 @@ def test_a_file_without_mistakes_is_read(tmp_path: Path) -> None:
         (
             '"first_room"',
             '"frist_room"',
-            "Line 2: it.toml asks for the world frist_room. Did you mean first_room?",
+            "Line 2: it.toml asks for the world frist_room. Did you mean first_room?\n"
+            "Names of things are checked once the world can be read.",
         ),
         (
             "[[goal]]\nsaid",
@@ -304,6 +305,7 @@ Line 18: it.toml is not written as a challenge is. The guide for challenges show
 Line 21: it.toml has the key nver. Did you mean never?
 Line 25: it.toml has colou. Did you mean colour?
 Line 26: it.toml names chiar, and its world has no such thing. Did you mean chair?
+What I can't read is checked after you correct it.
 """
 
 
@@ -327,6 +329,37 @@ def test_every_mistake_of_a_file_has_its_line(
     arguments = command.format(file=file, program=program, folder=tmp_path).split()
     assert main([*arguments, "--lang", "en"]) == 2
     assert capsys.readouterr().err == OF_MANY
+
+
+def test_a_world_with_a_mistake_is_reported_together_with_the_mistakes_of_the_challenge(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "it.world").write_text("bad (")
+    file = tmp_path / "it.toml"
+    file.write_text(GOOD.replace("first_room", "it.world").replace("within", "wihtin"), encoding="utf-8")
+
+    assert main(["challenge", "test", str(file), "--lang", "en"]) == 2
+    first, world, note = capsys.readouterr().err.splitlines()
+    assert first == "Line 10: it.toml has the key wihtin. Did you mean within?"
+    assert "it.world" in world
+    assert note == "Names of things are checked once the world can be read."
+
+
+def test_a_folder_with_several_challenges_says_their_names(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("p.gd").write_text("FW 5")
+    Path("class").mkdir()
+    for name in ("one", "two"):
+        main(["challenge", "new", f"class/{name}"])
+    capsys.readouterr()
+
+    assert main(["challenge", "check", "class", "p.gd", "--lang", "en"]) == 2
+    said = "class has several challenges: class/one/one.toml, class/two/two.toml. Name one of them.\n"
+    assert capsys.readouterr().err == said
+    assert main(["challenge", "test", "class", "--lang", "en"]) == 0
+    assert [line.partition(":")[0] for line in capsys.readouterr().out.splitlines()] == ["one", "two"]
 
 
 def test_of_very_many_mistakes_the_first_are_listed(
@@ -458,8 +491,7 @@ def test_a_program_that_only_senses_ends_after_so_many_readings(
     """A reading of the camera is much more work than a statement."""
     monkeypatch.setattr(bootstrap, "MOST_READINGS", most)
     words, settings = Words("en"), Settings()
-    found = challenges.find("first_walk")
-    starts = bootstrap.starts_of(found, choose_world(found.world, words), words, settings)
+    starts = bootstrap.starts_of(choose_challenge("first_walk", words), words, settings)
 
     text = "VAR n = 0\nREPEAT 6 TIMES\nn = DISTANCE F\nEND REPEAT\nFW 5"
     (judged,) = bootstrap.judge_program(text, starts, words, settings)
@@ -474,8 +506,7 @@ def test_a_program_that_only_looks_ends_after_fewer_readings(
 ) -> None:
     monkeypatch.setattr(bootstrap, "MOST_LOOKS", most)
     words, settings = Words("en"), Settings()
-    found = challenges.find("first_walk")
-    starts = bootstrap.starts_of(found, choose_world(found.world, words), words, settings)
+    starts = bootstrap.starts_of(choose_challenge("first_walk", words), words, settings)
 
     text = f"VAR n = 0\nREPEAT 6 TIMES\n{line}\nEND REPEAT\nFW 5"
     (judged,) = bootstrap.judge_program(text, starts, words, settings)
@@ -495,8 +526,7 @@ def test_a_program_that_only_looks_ends_after_fewer_readings(
 def test_a_program_ends_as_endless_where_all_is_as_it_was_before(text: str, round_: int) -> None:
     """``round_``: the commands until it begins anew."""
     words, settings = Words("en"), Settings()
-    found = challenges.find("first_walk")
-    starts = bootstrap.starts_of(found, choose_world(found.world, words), words, settings)
+    starts = bootstrap.starts_of(choose_challenge("first_walk", words), words, settings)
 
     (judged,) = bootstrap.judge_program(text, starts, words, settings)
 
@@ -514,16 +544,14 @@ def test_a_program_ends_as_endless_where_all_is_as_it_was_before(text: str, roun
 )
 def test_a_program_that_does_the_same_often_and_ends_is_right(text: str) -> None:
     words, settings = Words("en"), Settings()
-    found = challenges.find("first_walk")
-    starts = bootstrap.starts_of(found, choose_world(found.world, words), words, settings)
+    starts = bootstrap.starts_of(choose_challenge("first_walk", words), words, settings)
 
     assert bootstrap.judge_program(text, starts, words, settings)[0].is_solved
 
 
 def test_a_program_is_tried_from_no_further_start_after_one_that_fails() -> None:
     words, settings = Words("en"), Settings()
-    found = challenges.find("to_the_cone")
-    starts = bootstrap.starts_of(found, choose_world(found.world, words), words, settings)
+    starts = bootstrap.starts_of(choose_challenge("to_the_cone", words), words, settings)
 
     verdicts = bootstrap.judge_program("FW 1", starts, words, settings)
 

@@ -18,7 +18,7 @@ from donnie_tui.core.describe import verdict_in_words
 from donnie_tui.core.events import Event, Moved, Spoke, Turned
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.settings import Settings
-from donnie_tui.world.loading import choose_world
+from donnie_tui.world.loading import choose_challenge
 from language.parser import parse
 from worlds import challenges
 
@@ -78,10 +78,9 @@ def mistakes(text: str) -> Iterator[tuple[str, str]]:
 def verdicts_of(name: str) -> dict[str, str]:
     """By mistake; empty where the program still solves the challenge."""
     found, words, settings = challenges.find(name), Words("en"), Settings()
-    world = choose_world(found.world, words)
-    starts = starts_of(found, world, words, settings)
+    starts = starts_of(choose_challenge(name, words), words, settings)
     said = {}
-    for what, program in mistakes(found.solution.read_text(encoding="utf-8")):
+    for what, program in mistakes(found.solution().read_text(encoding="utf-8")):
         judged = judge_program(program, starts, words, settings)
         is_solved = judged[-1].is_solved
         said[what] = "" if is_solved else verdict_in_words(judged, words)
@@ -108,12 +107,12 @@ def test_each_small_mistake_fails_for_the_reason_that_the_verdict_says(name: str
 def test_what_solves_one_start_of_a_looking_challenge_does_not_solve_the_others(name: str) -> None:
     """The commands that the solution carries out at one start, with their numbers, fail at another one."""
     found, words, settings = challenges.find(name), Words("en"), Settings()
-    world, solution = choose_world(found.world, words), found.solution.read_text(encoding="utf-8")
-    for start in starts_of(found, world, words, settings):
+    world, solution = choose_challenge(name, words), found.solution().read_text(encoding="utf-8")
+    for start in starts_of(world, words, settings):
         events = _try_from(start, solution, words, settings)
         blind = "\n".join(commands(each.event for each in events))
         free = replace(found, rules=replace(found.rules, required=()))
-        others = starts_of(free, world, words, settings)
+        others = starts_of(replace(world, challenge=free), words, settings)
         verdicts = [judge_program(blind, (each,), words, settings)[0] for each in others]
         assert any(each.is_solved for each in verdicts)
         assert not all(each.is_solved for each in verdicts), blind

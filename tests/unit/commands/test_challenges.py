@@ -350,7 +350,7 @@ def test_a_forbidden_word_is_the_rule_of_a_later_lesson(open_script: OpenScript,
     first = next(
         number
         for number, name in enumerate(challenges.names(), start=1)
-        if "REPEAT" in challenges.find(name).solution.read_text()
+        if "REPEAT" in challenges.find(name).solution().read_text()
     )
 
     assert script.answers_to("REPEAT 3 TIMES\nFW 1\nEND REPEAT")[-2:] == [
