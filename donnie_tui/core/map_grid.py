@@ -275,6 +275,8 @@ DEFAULT_MOVES = 5
 
 MOVES_KEPT = 1000
 """Moves that are remembered."""
+POSES_KEPT = 2 * MOVES_KEPT
+"""A path has its turns too."""
 
 
 class Trail:
@@ -295,7 +297,11 @@ class Trail:
     @property
     def paths(self) -> dict[str | None, tuple[Pose, ...]]:
         """As ``path``, of each robot that drove, by its name in events."""
-        return {robot: tuple(path) for robot, path in self._paths.items() if len(path) > 1}
+        return {
+            robot: tuple(path)
+            for robot, path in self._paths.items()
+            if any(_apart(path[0], pose) > _SAME_PLACE for pose in path)
+        }
 
     @property
     def last_pose(self) -> Pose | None:
@@ -311,8 +317,8 @@ class Trail:
         event = stamped.event
         if isinstance(event, Moved | Turned):
             self._moves_of.setdefault(stamped.robot, deque(maxlen=MOVES_KEPT)).append(event)
-        if isinstance(event, Moved | Driven):
-            self._paths.setdefault(stamped.robot, deque(maxlen=MOVES_KEPT)).append(event.pose)
+        if isinstance(event, Moved | Turned | Driven):
+            self._paths.setdefault(stamped.robot, deque(maxlen=POSES_KEPT)).append(event.pose)
         if isinstance(event, Moved | Turned | Driven | RunEnded):
             self._last_poses[stamped.robot] = event.pose
         elif isinstance(event, Reset):
@@ -322,7 +328,7 @@ class Trail:
             self._last_poses[robot] = event.how.pose
             path = self._paths.get(robot, ())
             if not path or _apart(path[-1], event.how.pose) > _SAME_PLACE:
-                self._paths[robot] = deque([event.how.pose], maxlen=MOVES_KEPT)
+                self._paths[robot] = deque([event.how.pose], maxlen=POSES_KEPT)
 
     def in_words(self, count: int, wording: Wording) -> tuple[str, ...]:
         """The last ``count`` moves, a sentence each."""

@@ -1,9 +1,9 @@
 """A run as a picture for those who see: walls, things where they ended, goals, and the path of each robot.
 
-As SVG and as GIF a dot drives along each path at the pace of the run, and things that were pushed or carried
-move with it; title and description of the SVG say the path in words, and letters stand in for colours. As PNG
-the same picture stands still. Lengths are pixels, places in the world steps; the northern edge is up. A plot
-of what was measured is drawn as PNG, too.
+As SVG and as GIF a ring whose stroke looks ahead drives along each path at the pace of the run. Things that
+were pushed or carried move with it. Title and description of the SVG say the path in words, and letters stand
+in for colours. As PNG the same picture stands still. Lengths are pixels, places in the world steps; the
+northern edge is up. A plot of what was measured is drawn as PNG, too.
 """
 
 from __future__ import annotations
@@ -327,18 +327,23 @@ def _svg_moving(it: RunPicture, drawing: Drawing, moved: MovedThing) -> Iterable
     slides = [((pose.x - end.x) * it.scale, (end.y - pose.y) * it.scale) for _, pose in moved.moments]
     x, y = it.at(end.x, end.y)
     yield "<g>"
-    yield _svg_animation("translate", [f"{dx:g} {dy:g}" for dx, dy in slides], moved)
+    times = [at / moved.seconds for at, _ in moved.moments]
+    yield _svg_animation("translate", [f"{dx:g} {dy:g}" for dx, dy in slides], times, moved.seconds)
     turns = [f"{each:g} {x:g} {y:g}" for each in reversed(degrees)]
-    yield _svg_shape(it, drawing, _svg_animation("rotate", turns, moved) if any(degrees) else "")
+    turning = _svg_animation("rotate", turns, times, moved.seconds) if any(degrees) else ""
+    yield _svg_shape(it, drawing, turning)
     yield from (_svg_text(*each) for each in _letter(it, drawing))
     yield "</g>"
 
 
-def _svg_animation(kind: str, values: Sequence[str], moved: MovedThing) -> str:
-    times = ";".join(f"{min(1.0, at / moved.seconds):.4f}" for at, _ in moved.moments[:-1])
+def _svg_animation(
+    kind: str, values: Sequence[str], times: Sequence[float], seconds: float, more: str = ""
+) -> str:
+    """``times``: from 0 to 1; the last value is that of the end."""
+    moments = ";".join(f"{min(1.0, each):.4f}" for each in times[:-1])
     return (
         f'<animateTransform attributeName="transform" type="{kind}" values="{";".join(values)}"'
-        f' keyTimes="{times};1.0000" dur="{moved.seconds:.1f}s" fill="freeze"/>'
+        f' keyTimes="{moments};1.0000" dur="{seconds:.1f}s" fill="freeze"{more}/>'
     )
 
 
@@ -368,14 +373,16 @@ def _svg_path(it: RunPicture, path: DrivenPath, number: int) -> Iterable[str]:
     yield f'<polygon points="{_svg_points(arrow(it, path))}" fill="{colour}"/>'
     lengths = [0.0, *accumulate(_apart(*each) for each in pairwise(path.poses))]
     if lengths[-1] > 0:
-        times = ";".join(f"{each / lengths[-1]:.4f}" for each in lengths)
-        yield f'<circle cx="{x:g}" cy="{y:g}" r="{radius:g}" fill="none" stroke="{colour}" stroke-width="2">'
-        for name, values in (("cx", [x for x, _ in places]), ("cy", [y for _, y in places])):
-            yield (
-                f'<animate attributeName="{name}" values="{";".join(f"{each:g}" for each in values)}"'
-                f' keyTimes="{times}" dur="{path.seconds:.1f}s" fill="freeze"/>'
-            )
-        yield "</circle>"
+        times = [each / lengths[-1] for each in lengths]
+        turned = (_turned(*each) for each in pairwise(path.poses))
+        headings = [*accumulate(turned, initial=path.poses[0].heading)]
+        start = f"translate({x:g} {y:g}) rotate({headings[0]:g})"
+        yield f'<g transform="{start}" fill="none" stroke="{colour}" stroke-width="2">'
+        yield _svg_animation("translate", [f"{x:g} {y:g}" for x, y in places], times, path.seconds)
+        turns = [f"{each:g}" for each in headings]
+        yield _svg_animation("rotate", turns, times, path.seconds, ' additive="sum"')
+        yield f'<circle r="{radius:g}"/><path d="M 0 0 V {-radius:g}"/>'
+        yield "</g>"
 
 
 def _svg_points(points: Iterable[_Point]) -> str:
@@ -420,10 +427,11 @@ def as_gif(it: RunPicture) -> bytes:
             for x, y, text in _letter(it, each):
                 right, down = (there.x - end.x) * it.scale, (end.y - there.y) * it.scale
                 _write(pen, (x + right, y + down), text, "ls", _darkest(base))
-        for place in driven_to(it, seconds * number / (count - 1)):
+        for (x, y), heading in driven_to(it, seconds * number / (count - 1)):
             radius = max(3.0, 1.3 * it.scale)
-            box = (place[0] - radius, place[1] - radius, place[0] + radius, place[1] + radius)
-            pen.ellipse(box, outline=_darkest(base), width=3)
+            pen.ellipse((x - radius, y - radius, x + radius, y + radius), outline=_darkest(base), width=3)
+            ahead = x + radius * sin(radians(heading)), y - radius * cos(radians(heading))
+            pen.line((x, y, *ahead), fill=_darkest(base), width=3)
         frames.append(frame)
     out = BytesIO()
     pause = round(1000 * seconds / (count - 1))
@@ -440,19 +448,20 @@ def _moved_outlines(drawing: Drawing, end: Pose, there: Pose) -> Iterable[list[_
         yield [(there.x + c * x - s * y, there.y + s * x + c * y) for x, y in seen]
 
 
-def driven_to(it: RunPicture, seconds: float) -> Iterable[_Point]:
-    """Where the dot of each path is on the picture after that time."""
+def driven_to(it: RunPicture, seconds: float) -> Iterable[tuple[_Point, float]]:
+    """Where each robot is on the picture after that time, and its heading."""
     for path in it.paths:
         left = seconds * STEPS_A_SECOND
-        x, y = path.poses[0].x, path.poses[0].y
+        x, y, heading = path.poses[0].x, path.poses[0].y, path.poses[0].heading
         for here, there in pairwise(path.poses):
             length = _apart(here, there)
             part = min(1.0, left / length) if length else 1.0
             x, y = here.x + (there.x - here.x) * part, here.y + (there.y - here.y) * part
+            heading = here.heading + _turned(here, there) * part
             left -= length
             if left <= 0:
                 break
-        yield it.at(x, y)
+        yield it.at(x, y), heading
 
 
 def _darkest(image: Image) -> int:

@@ -70,12 +70,40 @@ def test_the_path_is_to_scale_and_north_is_up() -> None:
 
 def test_a_dot_drives_the_path_at_an_even_pace_and_stops_at_its_end() -> None:
     svg = ElementTree.fromstring(as_svg(drawn()))
-    moving = svg.findall(f".//{SVG}animate")
+    moving = svg.findall(f".//{SVG}animateTransform")
 
-    assert [each.attrib["attributeName"] for each in moving] == ["cx", "cy"]
+    assert [each.attrib["type"] for each in moving] == ["translate", "rotate"]
     # 6, 18 and 8 of 32 steps, at ten steps a second
     assert moving[0].attrib["keyTimes"] == "0.0000;0.1875;0.7500;1.0000"
     assert {(each.attrib["dur"], each.attrib["fill"]) for each in moving} == {("3.2s", "freeze")}
+
+
+WEST = DrivenPath("", (Pose(0, 0, 10), Pose(0, 0, 350), Pose(0, 9, 350), Pose(0, 9, 270), Pose(-9, 9, 270)))
+
+
+def test_a_robot_that_drives_looks_where_it_goes_and_turns_the_short_way() -> None:
+    svg = ElementTree.fromstring(as_svg(drawn(path=WEST)))
+    slide, turn = svg.findall(f"{SVG}g/{SVG}animateTransform")
+    (stroke,) = svg.findall(f"{SVG}g/{SVG}path")
+
+    assert turn.attrib["additive"] == "sum"
+    assert turn.attrib["values"] == "10;-10;-10;-90;-90"
+    assert turn.attrib["keyTimes"] == slide.attrib["keyTimes"] == "0.0000;0.0000;0.5000;0.5000;1.0000"
+    assert stroke.attrib["d"].startswith("M 0 0 V -")
+
+
+def test_the_gif_shows_where_the_robot_looks() -> None:
+    it = drawn(path=WEST)
+    image = Image.open(BytesIO(as_gif(it)))
+    image.seek(image.n_frames - 1)
+    (x, y), heading = next(iter(driven_to(it, 99)))
+
+    def is_dark(x: float, y: float) -> bool:
+        return max(image.convert("RGB").getpixel((round(x), round(y)))) < 0x40  # type: ignore[type-var, arg-type]
+
+    half = max(3.0, 1.3 * it.scale) / 2
+    assert heading == -90 + 360
+    assert [is_dark(x - half, y), is_dark(x + half, y)] == [True, False]
 
 
 def test_the_description_says_the_path_and_every_thing() -> None:
@@ -180,9 +208,9 @@ def test_a_gif_moves_a_dot_from_the_start_to_the_end_in_the_time_of_the_svg() ->
 
     assert image.size == (it.width, it.height)
     assert sum(durations[:-1]) == pytest.approx(3200, abs=200)  # 32 steps, ten a second
-    assert [*driven_to(it, 0)] == [it.at(0, 0)]
-    assert [*driven_to(it, 1.6)] == [it.at(10, 6)]
-    assert [*driven_to(it, 99)] == [it.at(18, -2)]
+    assert [*driven_to(it, 0)] == [(it.at(0, 0), 0)]
+    assert [*driven_to(it, 1.5)] == [(it.at(9, 6), 45)]  # half of an arc
+    assert [*driven_to(it, 99)] == [(it.at(18, -2), 180)]
 
 
 def test_a_long_run_has_no_more_frames_than_one_of_six_seconds() -> None:
@@ -242,7 +270,7 @@ def test_a_thing_that_is_back_at_its_start_did_not_move() -> None:
 def test_the_svg_moves_the_thing_with_its_letter_in_the_time_of_the_dot() -> None:
     it, _ = carried()
     svg = ElementTree.fromstring(as_svg(it))
-    (group,) = svg.findall(f"{SVG}g")
+    _, group = svg.findall(f"{SVG}g")
     slide = group.find(f"{SVG}animateTransform")
     turn = group.find(f"{SVG}path/{SVG}animateTransform")
 

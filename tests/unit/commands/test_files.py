@@ -262,7 +262,7 @@ def test_a_report_of_a_run_is_a_picture_that_moves_and_of_its_distances_a_plot(
 
     run = ElementTree.fromstring((tmp_path / "run.svg").read_text())
     space = "{http://www.w3.org/2000/svg}"
-    assert [each.get("dur") for each in run.iter(f"{space}animate")] == ["0.3s"] * 2
+    assert [each.get("dur") for each in run.iter(f"{space}animateTransform")] == ["0.3s"] * 2
     assert "3 steps" in (run.findtext(f"{space}desc") or "")
     plot = ElementTree.fromstring((tmp_path / "plot.svg").read_text())
     assert "distance F" in [each.text for each in plot.iter(f"{space}text")]

@@ -100,3 +100,12 @@ def test_the_path_continues_in_the_next_run_and_begins_anew_where_the_robot_was_
     assert len(trail(*first, started(Pose(0, 3, 0)), BLOCKED).path) == 3
     assert trail(*first, started(Pose(9, 9, 0))).path == (Pose(9, 9, 0),)
     assert path_in_words(trail(*first, Reset(Pose(0, 0, 0))).path, Words()) == ("I have not moved yet.",)
+
+
+def test_the_path_ends_as_the_robot_looks_and_only_one_that_drove_has_a_path_to_draw() -> None:
+    turned = Turned("TR 90", 90, 90, None, Pose(0, 0, 90), True)
+
+    assert trail(started(Pose(0, 0, 0)), WALK, TURN).paths == {
+        None: (Pose(0, 0, 0), Pose(0, 3, 0), Pose(0, 3, 90))
+    }
+    assert trail(started(Pose(0, 0, 0)), turned).paths == {}
