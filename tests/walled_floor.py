@@ -13,6 +13,14 @@ Segment = tuple[float, float, float, float]
 SONAR_DEGREES = (-45, 0, 45, 135, 180, -135)
 """Directions of the original's sonars 0 to 5, to the left of the robot's front; sonar 6 is on the head."""
 
+SWITCH_DEGREES = {
+    BumperSwitch.NW: 45,
+    BumperSwitch.NE: -45,
+    BumperSwitch.SW: 135,
+    BumperSwitch.SE: -135,
+}
+"""Directions of the switches, counted in the same way."""
+
 TOUCH = 0.003
 """Metres from a wall at which a bumper is pressed."""
 
@@ -39,9 +47,9 @@ class WalledFloor:
         ]
         return frozenset(
             switch
-            for switch in BumperSwitch
+            for switch, degrees in SWITCH_DEGREES.items()
             for direction in directions
-            if abs(_wrapped(direction - switch.value)) <= pi / 4 + 1e-3
+            if abs(_wrapped(direction - radians(degrees))) <= pi / 4 + 1e-3
         )
 
     def is_free(self, place: AxlePose) -> bool:

@@ -5,7 +5,7 @@ Lengths in metres; angles in radians, counted to the left from east.
 
 from __future__ import annotations
 
-from enum import Enum
+from enum import Enum, auto
 from math import cos, exp, pi, sin
 from typing import Protocol
 
@@ -24,12 +24,12 @@ class AxlePose(Struct, frozen=True):
 
 
 class BumperSwitch(Enum):
-    """The four bumper switches, by their angles from the robot's front."""
+    """The four bumper switches, by the corners of the robot; its front is N."""
 
-    NE = -pi / 4
-    NW = pi / 4
-    SW = 3 * pi / 4
-    SE = -3 * pi / 4
+    NE = auto()
+    NW = auto()
+    SW = auto()
+    SE = auto()
 
 
 class Floor(Protocol):
