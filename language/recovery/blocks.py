@@ -78,8 +78,8 @@ def read_end(reader: TokenReader) -> None:
 def _end_meant(reader: TokenReader) -> tuple[str, str, int]:
     """What an END without its word means: the block, the words for it, the number of tokens typed for it."""
     near, width = pair_meant(reader)
-    if near and width == 2:
-        return near.terminal.removeprefix("END_"), near.text, 2
+    if near:
+        return near.terminal.removeprefix("END_"), near.text, width
     following, kind = reader.following, reader.blocks[-1].kind if reader.blocks else ""
     if not kind:
         return "", "", 1
