@@ -233,6 +233,11 @@ def test_walls_that_robots_could_drive_through_are_made_solid() -> None:
     assert "walls-made-solid" in [note.code for note in scene.report.notes]
 
 
+def test_marks_on_the_floor_are_not_made_solid_and_walls_need_it_not() -> None:
+    for world in ('model ( name "mark" obstacle_return 0 )', 'model ( name "hall" boundary 1 )'):
+        assert "walls-made-solid" not in [note.code for note in load(world).report.notes]
+
+
 def test_includes_are_looked_for_next_to_the_file_then_next_to_the_world(tmp_path: Path) -> None:
     (tmp_path / "parts").mkdir()
     (tmp_path / "parts" / "a.inc").write_text('include "near.inc" include "far.inc"')

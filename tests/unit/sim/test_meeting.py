@@ -1,5 +1,7 @@
 """What a movement ended at, and on which side."""
 
+from math import hypot
+
 import pytest
 
 from devices.ports.robot import Met, StoppedBy
@@ -32,6 +34,21 @@ def test_the_obstacle_is_the_nearest_thing_ahead_and_not_one_at_the_side() -> No
 
     assert met is not None
     assert met.name == "thing1"
+
+
+@pytest.mark.parametrize(("beyond", "met"), [(0.14, Met("wall", "", 0.0)), (0.16, None)])
+def test_what_stopped_a_sonar_far_to_the_side_is_taken_for_nothing_that_is_three_steps_off(
+    beyond: float, met: Met | None
+) -> None:
+    """The post before the sonar is more than 60 degrees off the way; the wall bars it farther on."""
+    wide = "define wide position ( size [ 0.02 0.6 0.1 ] ranger ( sonar( pose [ 0 0.29 0 0 ] ) ) )\n"
+    post = "model ( size [ 0.02 0.02 1 ] pose [ 0.06 0.29 0 0 ] )\n"
+    radius = hypot(0.01, 0.3)
+    wall = f'model ( name "wall" size [ 0.02 0.2 1 ] pose [ {radius + beyond + 0.01} 0 0 0 ] )\n'
+
+    moved = robot(BOX_ROBOT + wide + post + wall + "wide( pose [ 0 0 0 0 ] )").forward(9)
+
+    assert (moved.walked, moved.stopped_by, moved.met) == (0, StoppedBy.OBSTACLE, met)
 
 
 @pytest.mark.parametrize(("east", "degrees"), [(0.06, 29), (-0.06, -29)])

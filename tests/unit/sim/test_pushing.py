@@ -327,6 +327,37 @@ def test_a_thing_on_a_thing_moves_with_it() -> None:
     assert things(world) == [(0.45, 0)]
 
 
+FLAG = "model( size [ 0.3 0.1 0.1 ] pose [ 0.1 0 0 0 ] obstacle_return 0 )"
+"""On a box it reaches 20 cm beyond it, and touches nothing."""
+
+
+def test_a_part_of_a_pushed_thing_that_is_not_solid_stops_at_nothing() -> None:
+    box = BOX.format(0.3, 0).replace(")", f"{FLAG} )")
+    world = World(scene(PUSHER + box + WALL.format(0.8)))
+
+    assert world.robot(pace=Unpaced()).forward(20).stopped_by is StoppedBy.COLLISION
+    assert things(world) == [(0.7, 0)]
+
+
+def test_a_thing_is_pushed_through_what_is_not_solid() -> None:
+    world = World(scene(PUSHER + BOX.format(0.3, 0) + WALL.format(0.6).replace(")", "obstacle_return 0 )")))
+
+    assert world.robot(pace=Unpaced()).forward(10).walked == 10
+    assert things(world) == [(0.65, 0)]
+
+
+def test_a_part_of_a_held_thing_that_is_not_solid_bumps_into_nothing() -> None:
+    flag = "model( size [ 0.3 0.02 0.02 ] pose [ 0.1 0 0 0 ] obstacle_return 0 )"
+    reached = []
+    for more in ("", flag):
+        world = World(scene(GRIPPER + f"ball( pose [ 0.23 0 0 0 ] {more} )" + WALL.format(0.8)))
+        held = world.robot(pace=Unpaced())
+        assert held.grip().outcome is Grip.GRIPPED
+        reached.append(held.forward(20).pose)
+
+    assert reached[0] == reached[1]
+
+
 @pytest.mark.parametrize("joined", [False, True])
 def test_an_endless_push_can_be_stopped(joined: bool) -> None:
     class Refusing(Unpaced):
