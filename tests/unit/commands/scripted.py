@@ -50,6 +50,8 @@ class ScriptedInteraction:
         self.say: Callable[..., None] = lambda *_: None
         self.when_waiting: Callable[[], bool] = lambda: False
         """Whether the learner presses a key meanwhile."""
+        self.until_over: Callable[[], None] | None = None
+        """Waits for a run; by default the learner continues at once."""
         self.more: Callable[[], Coroutine[Any, Any, None]] | None = None
         self.when_robot_changed: Callable[[], None] = lambda: None
 
@@ -104,7 +106,9 @@ class ScriptedInteraction:
 
     async def follow(self, runs: Sequence[tuple[str | None, Run]]) -> bool:
         del runs
-        return False  # the learner continues at once
+        if self.until_over is not None:
+            self.until_over()
+        return self.until_over is not None
 
     async def finish(self, task: Coroutine[Any, Any, T]) -> T:
         return await task

@@ -52,6 +52,49 @@ def test_an_unused_sensor_value_is_a_hint_for_a_program_and_a_typed_command(open
 
 
 @pytest.mark.parametrize(
+    ("lines", "answer"),
+    [
+        (["SPEAK 1 / 0"], "Nothing ran, line 1 failed."),
+        (["FW 1", "SPEAK 1 / 0"], "1 line ran, line 2 failed."),
+        (["SPEAK 1 / 0", "", "FW 1"], "Line 1 failed, 1 line did not run."),
+        (
+            ["FW 1", "", "TR 90", "SPEAK 1 / 0", "", "FW 1", "FW 2"],
+            "2 lines ran, line 4 failed, 2 lines did not run.",
+        ),
+        (["SPEAK 1 SPEAK 1 / 0"], "The program ran up to the mistake in line 1."),
+        (["REPEAT 2 TIMES", "SPEAK 1 / 0", "END REPEAT"], "The program ran up to the mistake in line 2."),
+        (
+            ["FW 1", "REPEAT 2 TIMES", "FW 1", "SPEAK 1 / 0", "END REPEAT", "FW 2"],
+            "Line 4 failed, 1 line did not run.",
+        ),
+        (
+            ["PROCEDURE P DO", "SPEAK 1 / 0", "END PROCEDURE", "P []", "FW 1"],
+            "3 lines ran, line 4 failed, 1 line did not run.",
+        ),
+        (["PROCEDURE P DO", "SPEAK 1 / 0", "END PROCEDURE", "P []"], "3 lines ran, line 4 failed."),
+        (
+            ["PROCEDURE P DO SPEAK 1 / 0 END PROCEDURE", "PROCEDURE Q DO P [] END PROCEDURE", "Q []"],
+            "2 lines ran, line 3 failed.",
+        ),
+    ],
+)
+def test_after_a_failure_it_is_said_what_ran_and_what_did_not(
+    open_script: OpenScript, lines: list[str], answer: str
+) -> None:
+    script = open_script(*lines)
+    script.interaction.until_over = script.rest
+
+    assert script.answers_to("AGAIN")[-1] == answer
+
+
+def test_a_program_that_is_stopped_or_ends_says_nothing_about_lines(open_script: OpenScript) -> None:
+    script = open_script("FW 1", "TR 90")
+    script.interaction.until_over = script.rest
+
+    assert script.answers_to("AGAIN") == ["I walked 1 step forward.", "I turned 90 degrees to the right."]
+
+
+@pytest.mark.parametrize(
     ("typed", "answer"), [("STOP", "Nothing is running."), ("AGAIN", "There is nothing to run.")]
 )
 def test_stopping_or_running_nothing_is_answered(open_script: OpenScript, typed: str, answer: str) -> None:
