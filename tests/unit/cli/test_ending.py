@@ -11,7 +11,7 @@ import pytest
 
 from donnie_tui.cli import streams
 from donnie_tui.cli.streams import stopped_by_signals, stopped_by_suspension
-from donnie_tui.linear.console import Console
+from donnie_tui.linear.console import Console, Gone
 from tests.timeouts import TIMEOUT
 
 
@@ -93,6 +93,63 @@ def test_a_stop_gets_the_lock_of_a_writer_that_a_full_terminal_blocks(
         console.close()
 
     assert held.got == [True]
+
+
+@pytest.mark.parametrize(("is_full", "can_suspend", "stops"), [(1, 1, 1), (1, 0, 0), (0, 1, 0)])
+@pytest.mark.skipif(not hasattr(signal, "SIGTSTP"), reason="no Ctrl+Z here")
+def test_ctrl_z_stops_a_robot_at_once_only_where_a_full_terminal_blocks_the_writer(
+    monkeypatch: pytest.MonkeyPatch, is_full: bool, can_suspend: bool, stops: int
+) -> None:
+    """Where the main thread isn't blocked it suspends the process itself, after the robot has stopped."""
+    held, console = Held(), Console(None)
+    console.before_suspending = held.stop
+    monkeypatch.setattr("donnie_tui.linear.console.can_suspend", lambda: bool(can_suspend))
+
+    def full(_number: int, data: memoryview) -> int:
+        if is_full:
+            held.interrupted_by(signal.SIGTSTP)
+        return len(data)
+
+    try:
+        monkeypatch.setattr("donnie_tui.linear.console.os.write", _once(full))
+        console.write("x")
+        if not is_full:
+            held.interrupted_by(signal.SIGTSTP)
+    finally:
+        monkeypatch.undo()
+        console.close()  # after all that was asked for
+
+    assert held.got == [True] * stops
+
+
+def test_ctrl_c_while_nothing_is_written_is_left_to_the_main_thread() -> None:
+    held, console = Held(), Console(None)
+    console.stop_at_once = lambda: _nothing(held.stop())
+    try:
+        held.interrupted_by(signal.SIGINT)
+    finally:
+        console.close()
+
+    assert held.got == []
+
+
+def test_a_closed_output_is_written_to_no_more(monkeypatch: pytest.MonkeyPatch) -> None:
+    held, console = Held(), Console(None)
+    console.stop_at_once = lambda: _nothing(held.stop())
+
+    def closed(_number: int, _data: memoryview) -> int:
+        raise BrokenPipeError
+
+    try:
+        monkeypatch.setattr("donnie_tui.linear.console.os.write", _once(closed))
+        with pytest.raises(Gone):
+            console.write("x")
+        held.interrupted_by(signal.SIGINT)
+    finally:
+        monkeypatch.undo()
+        console.close()
+
+    assert held.got == [], "nothing is being written"
 
 
 def _once(full: Callable[[int, memoryview], int]) -> Callable[[int, memoryview], int]:
