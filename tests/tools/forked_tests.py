@@ -15,6 +15,7 @@ import signal
 import subprocess
 import sys
 import time
+from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
@@ -38,7 +39,7 @@ def pytest_runtestloop(session: pytest.Session) -> bool | None:
         return None
     requests, answers = map(int, os.environ.pop(_PIPES).split())
     items = {each.nodeid: each for each in session.items}
-    gc.unfreeze()
+    functions = _functions_by_path()
     _send(answers, sorted(items))
     with os.fdopen(requests, encoding="utf-8") as lines:
         for line in lines:
@@ -47,7 +48,7 @@ def pytest_runtestloop(session: pytest.Session) -> bool | None:
                 os.setsid()
                 _send(answers, {"child": os.getpid()})
                 try:
-                    _run(json.loads(line), items, answers)
+                    _run(json.loads(line), items, functions, answers)
                 finally:
                     os._exit(0)
             os.waitpid(child, 0)
@@ -55,8 +56,32 @@ def pytest_runtestloop(session: pytest.Session) -> bool | None:
     return True
 
 
-def _run(request: dict[str, Any], items: dict[str, pytest.Item], answers: int) -> None:
-    if request["path"] and not (_run_anew if request["is_imported"] else _replace)(request["path"]):
+def _functions_by_path() -> dict[str, list[FunctionType]]:
+    """All that there are, by the file that they are from.
+
+    A child that looked through all objects would get a copy of all memory, as it would with a garbage
+    collection that is not kept away from them.
+    """
+    gc.unfreeze()
+    found: dict[str, list[FunctionType]] = defaultdict(list)
+    for each in gc.get_objects():
+        if isinstance(each, FunctionType):
+            found[each.__code__.co_filename].append(each)
+    gc.collect()
+    gc.freeze()
+    return found
+
+
+def _run(
+    request: dict[str, Any],
+    items: dict[str, pytest.Item],
+    functions: Mapping[str, Sequence[FunctionType]],
+    answers: int,
+) -> None:
+    path = request["path"]
+    if path and not (
+        _run_anew(path) if request["is_imported"] else _replace(path, functions.get(path, ()))
+    ):
         return _send(answers, {"needs": "a new process"})
     failed: list[str] = []
 
@@ -76,19 +101,18 @@ def _run(request: dict[str, Any], items: dict[str, pytest.Item], answers: int) -
     return None
 
 
-def _replace(path: str) -> bool:
-    """Gives the functions of a module the code that its file has now. Whether one has changed."""
+def _replace(path: str, functions: Sequence[FunctionType]) -> bool:
+    """Gives the functions from a module's file the code that its file has now. Whether one has changed."""
     if not any(getattr(each, "__file__", None) == path for each in [*sys.modules.values()]):
         return True  # it will be imported
     code = compile(Path(path).read_bytes(), path, "exec", dont_inherit=True)
     new = {(each.co_firstlineno, each.co_qualname): each for each in _outermost(code)}
     changed = False
-    for each in gc.get_objects():
-        if isinstance(each, FunctionType) and each.__code__.co_filename == path:
-            other = new.get((each.__code__.co_firstlineno, each.__code__.co_qualname))
-            if other is not None and other != each.__code__:
-                each.__code__ = other
-                changed = True
+    for each in functions:
+        other = new.get((each.__code__.co_firstlineno, each.__code__.co_qualname))
+        if other is not None and other != each.__code__:
+            each.__code__ = other
+            changed = True
     return changed
 
 
