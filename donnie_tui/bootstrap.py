@@ -57,14 +57,14 @@ from donnie_tui.world.loading import (
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from donnie_tui.core.goals import Inventory, Judgment, Unsensed
+    from donnie_tui.core.goals import Inventory, Judgment
     from donnie_tui.core.program_files import FilesInUse, ProgressFile
     from donnie_tui.world.building import Building
     from sim.ground import Looks
     from sim.picture import Drawing, Picture
     from sim.sensors import Mounted
     from sim.world import World
-    from worlds.challenges import Challenge
+    from worlds.challenges import Challenge, Unsensed
 
 __all__ = ["Donnie", "Unusable", "assemble", "colours_of_world", "open_workspace"]
 

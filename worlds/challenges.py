@@ -108,6 +108,15 @@ class Goal(Struct, frozen=True, forbid_unknown_fields=True):
 KINDS = ("at", "facing", "visited", "near", "area", "thing", "said", "counted", "holds", "robots")
 
 
+class Avoided(Struct, frozen=True):
+    """A thing that the robot must not touch, or not come near to."""
+
+    how: str
+    """``touch`` or ``near``."""
+    target: str
+    within: float
+
+
 class Never(Struct, frozen=True, forbid_unknown_fields=True):
     """The events that a challenge forbids."""
 
@@ -116,6 +125,12 @@ class Never(Struct, frozen=True, forbid_unknown_fields=True):
     near: tuple[str, ...] = ()
     """What the robot keeps away from, more than ``within`` steps."""
     within: Amount = 2.0
+
+    @property
+    def avoided(self) -> tuple[Avoided, ...]:
+        """The things to keep away from; a real robot knows none."""
+        named = (*(("touch", each) for each in self.touch), *(("near", each) for each in self.near))
+        return tuple(Avoided(how, target, self.within) for how, target in named)
 
 
 class Limit(Struct, frozen=True, forbid_unknown_fields=True):
@@ -223,6 +238,14 @@ class Rules(Struct, frozen=True, forbid_unknown_fields=True):
     variant: Annotated[tuple[Variant, ...], Meta(min_length=1, max_length=MOST)] = (Variant(),)
     question: Annotated[tuple[ChallengeQuestion, ...], Meta(max_length=MOST)] = ()
     """Asked after a run."""
+
+    @property
+    def unsensed(self) -> tuple[Unsensed, ...]:
+        """What a real robot can't know of all that a challenge asks for; the learner is asked about it."""
+        return (*(each for each in self.goal if not each.is_sensed), *self.never.avoided)
+
+
+Unsensed: TypeAlias = Goal | Avoided
 
 
 class Challenge(Struct, frozen=True):

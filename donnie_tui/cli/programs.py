@@ -26,7 +26,7 @@ from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.streams import Output
 from donnie_tui.core.describe import task_in_words, verdict_in_words
 from donnie_tui.core.events import RunStarted, Stamped
-from donnie_tui.core.goals import Judgment, Unsensed, folded
+from donnie_tui.core.goals import Judgment, folded
 from donnie_tui.core.program_files import (
     LARGEST,
     DocumentError,
@@ -278,7 +278,7 @@ _CODES = {True: ExitCode.DONE, False: ExitCode.FAILED, None: ExitCode.UNUSABLE}
 def judge_recording(order: Order, name: str, recorded: Sequence[Stamped], *, is_simulated: bool) -> int:
     """Judge a recording, of a real robot only what it can sense; 1 if it does not solve the challenge."""
     judging = _Judging(order, name)
-    answers: dict[Unsensed, bool] | None = None if is_simulated else {}
+    answers: dict[challenges.Unsensed, bool] | None = None if is_simulated else {}
     began = (each.event.world for each in recorded if isinstance(each.event, RunStarted))
     wanted = judging.world.name
     other = next((each for each in began if each != wanted), None)

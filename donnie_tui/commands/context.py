@@ -48,13 +48,13 @@ from donnie_tui.world.loading import solution_of
 
 if TYPE_CHECKING:
     from donnie_tui.core.document import Document
-    from donnie_tui.core.goals import GoalPlace, Judgment, Unsensed
+    from donnie_tui.core.goals import GoalPlace, Judgment
     from donnie_tui.core.line_history import LineHistory
     from donnie_tui.core.map_grid import MapGrid
     from donnie_tui.core.program_files import Attempted
     from donnie_tui.core.questions import Asked
     from donnie_tui.core.workspace import Workspace
-    from worlds.challenges import Challenge, Rules
+    from worlds.challenges import Challenge, Rules, Unsensed
 
 MOST_AT_ONCE = 18
 """Lines of a list that are said without their number before."""
@@ -293,11 +293,9 @@ class Attempt:
         A program that solves the challenge from the first start must solve it from the others, too. Where a
         real robot can't sense everything, the learner is asked first.
         """
-        from donnie_tui.core.goals import unsensed
-
         self.keep_try()
         self._answers, self._is_program = {}, is_program
-        self.unsensed = unsensed(self.rules) if self._no_answers is not None else ()
+        self.unsensed = self.rules.unsensed if self._no_answers is not None else ()
         if not self.unsensed:
             return self.judge_answered({})
         self.has_questions = True

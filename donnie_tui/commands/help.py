@@ -21,9 +21,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from donnie_tui.commands.context import Attempt
-    from donnie_tui.core.goals import Unsensed
     from donnie_tui.core.program_files import Attempted
-    from worlds.challenges import Challenge
+    from worlds.challenges import Challenge, Unsensed
 
 _KEY_LINES = ("enter", "run", "stop", "past", "line", "word", "clear", "tab", "leave")
 FIRST_LESSON = ("FW", "BW", "TR", "TL", "SPEAK", "SCAN", "RUN")
@@ -294,7 +293,7 @@ async def _ask_about_goals(ctx: Context, attempt: Attempt) -> None:
 
     answers: dict[Unsensed, bool] = {}
     for each in attempt.unsensed:
-        question = unsensed_question(each, attempt.rules, attempt.room, ctx.words)
+        question = unsensed_question(each, attempt.room, ctx.words)
         answer = await ctx.interaction.confirm(question)
         if answer is None:
             break

@@ -34,7 +34,7 @@ from donnie_tui.core.events import (
     Waited,
 )
 from worlds import challenges
-from worlds.challenges import Area, Challenge, Goal, Heading, Place, Rules, Target
+from worlds.challenges import Area, Avoided, Challenge, Goal, Heading, Place, Rules, Target, Unsensed
 
 DEGREES = 10.0
 """What a robot that faces a direction may be off by, for each step of ``within``."""
@@ -146,15 +146,6 @@ class Shortfall(Struct, frozen=True):
     values: Mapping[str, object]
 
 
-class Unsensed(Struct, frozen=True):
-    """A goal or a rule that a real robot can't know; the learner is asked about it."""
-
-    rule: str
-    """``goal``, or ``touch`` and ``near`` for what the robot must not do."""
-    at: int
-    """Its place in the file."""
-
-
 class Judgment(Struct, frozen=True):
     """The outcome of a run for a challenge."""
 
@@ -191,8 +182,8 @@ def judge(
     missing = tuple(
         _missing(goal, track)
         if answers is None or goal.is_sensed or not track.has_run
-        else _answered(answers.get(Unsensed("goal", at)), at + 1)
-        for at, goal in enumerate(rules.goal)
+        else _answered(answers.get(goal), number)
+        for number, goal in enumerate(rules.goal, start=1)
     )
     shortfalls = (
         *_ended_badly(track),
@@ -219,13 +210,6 @@ def places_of(rules: Rules) -> tuple[GoalPlace, ...]:
             (west, east), (south, north) = (sorted(each) for each in zip(*goal.area, strict=True))
             found.append((number, west, south, east, north))
     return tuple(found)
-
-
-def unsensed(rules: Rules) -> tuple[Unsensed, ...]:
-    """What a real robot can't know of all that a challenge asks for."""
-    goals = (Unsensed("goal", at) for at, goal in enumerate(rules.goal) if not goal.is_sensed)
-    touched = (Unsensed("touch", at) for at in range(len(rules.never.touch)))
-    return (*goals, *touched, *(Unsensed("near", at) for at in range(len(rules.never.near))))
 
 
 def goals_of_end(room: Inventory, events: Iterable[Stamped]) -> tuple[Goal, ...]:
@@ -558,33 +542,23 @@ def _lesson_of(word: str | None, now: str) -> int:
 
 
 def _forbidden(rules: Rules, track: Track, answers: Mapping[Unsensed, bool] | None) -> Iterable[Shortfall]:
-    moves = [each for each in track.events if isinstance(each, Moved | Turned)]
     if rules.never.bump and track.bumps:
         yield Shortfall("never-bump", {"times": track.bumps})
-    if answers is not None:
-        yield from _answered_rules(rules, track, answers)
-        return
-    for name in rules.never.touch:
-        wanted = track.room.called(name)
-        touched = [(each.met.kind, each.met.name) for each in moves if each.met is not None]
-        touched += [(thing.kind, thing.name) for each in moves for thing in each.pushed]
-        if any((each.kind, each.name) in touched for each in wanted):
-            yield Shortfall("never-touch", {"target": name})
-    for name in rules.never.near:
-        gap = min(smallest_gap(name, track.room, way) for way in track.ways.values())
-        if gap < rules.never.within:
-            yield Shortfall("never-near", {"target": name, "most": in_steps(rules.never.within)})
+    for each in rules.never.avoided if track.has_run else ():
+        is_broken = _is_broken(each, track) if answers is None else answers.get(each)
+        if is_broken is not False:
+            code = "never-asked" if is_broken is None else f"never-{each.how}"
+            yield Shortfall(code, {"target": each.target, "most": in_steps(each.within)})
 
 
-def _answered_rules(rules: Rules, track: Track, answers: Mapping[Unsensed, bool]) -> Iterable[Shortfall]:
-    """What the learner said about the things that a real robot must not touch or come near to."""
-    for each in unsensed(rules) if track.has_run else ():
-        answer = answers.get(each)
-        if each.rule == "goal" or answer is False:
-            continue
-        target = (rules.never.touch if each.rule == "touch" else rules.never.near)[each.at]
-        code = "never-asked" if answer is None else f"never-{each.rule}"
-        yield Shortfall(code, {"target": target, "most": in_steps(rules.never.within)})
+def _is_broken(rule: Avoided, track: Track) -> bool:
+    if rule.how == "near":
+        ways = track.ways.values()
+        return min(smallest_gap(rule.target, track.room, way) for way in ways) < rule.within
+    moves = [each for each in track.events if isinstance(each, Moved | Turned)]
+    touched = [(each.met.kind, each.met.name) for each in moves if each.met is not None]
+    touched += [(thing.kind, thing.name) for each in moves for thing in each.pushed]
+    return any((each.kind, each.name) in touched for each in track.room.called(rule.target))
 
 
 def _over_limit(rules: Rules, track: Track) -> Iterable[Shortfall]:

@@ -14,11 +14,11 @@ from msgspec.structs import replace
 
 from devices.ports.robot import Pose
 from donnie_tui.core.describe import target_in_words
-from donnie_tui.core.goals import Inventory, Item, Track, Unsensed, bearing, gap_to, in_steps
+from donnie_tui.core.goals import Inventory, Item, Track, bearing, gap_to, in_steps
 from donnie_tui.core.wording import COMPASS, Wording, called, coloured, meant, the_coloured
 from language import keywords
 from language.suggestions import number_in_digits
-from worlds.challenges import Ask, ChallengeQuestion, Rules
+from worlds.challenges import Ask, Avoided, ChallengeQuestion, Unsensed
 
 TOLERANCES = {Ask.DIRECTION: 30.0, Ask.DISTANCE: 2.0}
 """Degrees and steps that an answer may be off by where the challenge doesn't say; else nothing."""
@@ -145,14 +145,14 @@ class Asked(Struct, frozen=True):
         return sorted(range(1, len(gaps) + 1), key=lambda number: gaps[number - 1])
 
 
-def unsensed_question(asked: Unsensed, rules: Rules, room: Inventory, wording: Wording) -> str:
+def unsensed_question(asked: Unsensed, room: Inventory, wording: Wording) -> str:
     """Whether a goal is met or a rule was broken, for the learner of a robot that can't sense it."""
-    if asked.rule != "goal":
-        name = (rules.never.touch if asked.rule == "touch" else rules.never.near)[asked.at]
-        values = {"target": target_in_words(name, room, wording), "most": in_steps(rules.never.within)}
-        return wording(f"never-ask-{asked.rule}", **values)
-    goal = rules.goal[asked.at]
-    listed = ", ".join(goal.robots or ()) or ", ".join(
-        target_in_words(each, room, wording) for each in goal.targets if each != goal.at or goal.kind == "at"
+    if isinstance(asked, Avoided):
+        values = {"target": target_in_words(asked.target, room, wording), "most": in_steps(asked.within)}
+        return wording(f"never-ask-{asked.how}", **values)
+    listed = ", ".join(asked.robots or ()) or ", ".join(
+        target_in_words(each, room, wording)
+        for each in asked.targets
+        if each != asked.at or asked.kind == "at"
     )
-    return wording(f"goal-ask-{goal.kind}", target=listed)
+    return wording(f"goal-ask-{asked.kind}", target=listed)
