@@ -37,6 +37,7 @@ CHALLENGE = "challenge:"
 _INSIDE = "starts-inside"
 _SLIPS = frozenset(
     {"unknown-property", "unknown-colour", "unknown-model", "unknown-word", "second-define", "missing-point"}
+    | {"empty-bitmap"}
 )
 """Of what was ignored or repaired: what the author wrote without effect."""
 LONGEST_NAME = 80

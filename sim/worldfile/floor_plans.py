@@ -141,8 +141,14 @@ class Plans:
         self._pixels = 0
 
     def plan(self, setting: Setting, size: tuple[float, float, float]) -> Plan:
-        """The solid pixels of the picture that ``setting`` names, for a model of ``size``."""
+        """The solid pixels of the picture that ``setting`` names, for a model of ``size``.
+
+        None, and a warning, where it is ``""``, as in Stage, whose manual gives that as the default.
+        """
         name = self._values.string({"bitmap": setting}, "bitmap", "")
+        if not name:
+            self._values.note(NoteKind.WARNING, "empty-bitmap", setting)
+            return NOTHING
         path = self._path(setting, name)
         if path not in self._traced:
             self._reader.pictures.append(str(path))

@@ -371,3 +371,10 @@ def test_a_white_picture_has_no_body(tmp_path: Path) -> None:
     (model,) = load_world(file).models
 
     assert model.polygons == ()
+
+
+def test_a_model_whose_picture_has_no_name_has_no_body_and_a_warning_says_so() -> None:
+    scene = load('model ( bitmap "" size [ 9 9 1 ] )')
+
+    assert scene.models[0].polygons == ()
+    assert [note.column for note in scene.report.notes if note.code == "empty-bitmap"] == [9]
