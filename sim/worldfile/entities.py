@@ -13,6 +13,7 @@ from itertools import dropwhile, takewhile
 from pathlib import Path
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from donnie_tui.process.confinement import confinement, is_allowed, open_bytes
 from sim.scene import Note, NoteKind
@@ -58,8 +59,11 @@ class FileReader:
         for statement in parse(text, str(path)):
             if isinstance(statement, parser.Include):
                 yield from self._included(statement, path, (*above, path.resolve()))
-            else:
+            elif isinstance(statement, parser.Property):
                 yield Placed(str(path), statement)
+            else:
+                body = self._body(statement.body, path, above)
+                yield Placed(str(path), replace(statement, body=body))
 
     def find(self, name: str, including: Path) -> Path | None:
         """The file that ``name`` means in ``including``, or None; WorldError-free, but may lie outside.
@@ -92,6 +96,26 @@ class FileReader:
     def _included(self, include: parser.Include, path: Path, above: tuple[Path, ...]) -> Iterator[Placed]:
         found = self._checked(include, path, above)
         yield from self.statements(self._text(found, include, str(path)), found, above)
+
+    def _body(
+        self, body: tuple[parser.Item, ...], path: Path, above: tuple[Path, ...]
+    ) -> tuple[parser.Item, ...]:
+        """With what it includes in place of each include."""
+        return tuple(each for item in body for each in self._items(item, path, above))
+
+    def _items(self, item: parser.Item, path: Path, above: tuple[Path, ...]) -> Iterable[parser.Item]:
+        match item:
+            case parser.Instance():
+                yield replace(item, body=self._body(item.body, path, above))
+            case parser.Include():
+                for placed in self._included(item, path, (*above, path.resolve())):
+                    statement = placed.statement
+                    if not isinstance(statement, parser.Property | parser.Instance):
+                        place = (placed.file, statement.line, statement.column)
+                        raise WorldError(Code.MISPLACED, *place, found="define")
+                    yield parser.Included(placed.file, statement)
+            case _:
+                yield item
 
     def _checked(self, include: parser.Include, path: Path, above: tuple[Path, ...]) -> Path:
         found = self.find(include.path, path)
@@ -287,10 +311,13 @@ class Expander:
         for body_file, body, inside in bodies:
             for item in body:
                 self._replayed += 1
+                item_file = body_file
+                if isinstance(item, parser.Included):
+                    item_file, item = item.file, item.item
                 if isinstance(item, parser.Property):
-                    settings[item.name] = Setting(body_file, item)
-                else:
-                    children.append(self._entity(body_file, item, depth + 1, inside))
+                    settings[item.name] = Setting(item_file, item)
+                elif isinstance(item, parser.Instance):
+                    children.append(self._entity(item_file, item, depth + 1, inside))
         place = (file, instance.line, instance.column)
         return Entity(built_in, instance.type, *place, settings, tuple(children))
 

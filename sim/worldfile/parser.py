@@ -99,7 +99,15 @@ class Include(Struct, frozen=True):
     path: str
 
 
-Item: TypeAlias = Property | Instance
+class Included(Struct, frozen=True):
+    """What stands in a file that a body includes."""
+
+    file: str
+    item: Property | Instance
+
+
+Item: TypeAlias = Property | Instance | Include | Included
+"""What stands in a body: as it is written, or with each include replaced by what it includes."""
 Statement: TypeAlias = Property | Instance | Define | Include
 
 

@@ -6,7 +6,7 @@ import pytest
 
 from sim.colours import FAMILIES
 from sim.scene import Model, NoteKind, Scene
-from sim.worldfile import load_text, load_world
+from sim.worldfile import Code, WorldError, load_text, load_world
 
 
 def load(text: str) -> Scene:
@@ -378,3 +378,41 @@ def test_a_model_whose_picture_has_no_name_has_no_body_and_a_warning_says_so() -
 
     assert scene.models[0].polygons == ()
     assert [note.column for note in scene.report.notes if note.code == "empty-bitmap"] == [9]
+
+
+def test_a_body_may_include_what_stands_in_it(tmp_path: Path) -> None:
+    """Stage puts the words of the other file in place of the line, wherever that is."""
+    (tmp_path / "eye.inc").write_text('color "blue"\nranger (\n include "far.inc"\n)\n')
+    (tmp_path / "far.inc").write_text("sensor ( range [ 0 3 ] )\nsize [ 0.1 0.1 0.1 ]\n")
+    file = tmp_path / "top.world"
+    file.write_text('define bot position (\n include "eye.inc"\n)\nbot ( color "green" )\nbot ( )\n')
+    scene = load_world(file)
+
+    assert [(each.type, each.colour.name) for each in scene.models] == [
+        *(("position", "green"), ("ranger", "")),
+        *(("position", "blue"), ("ranger", "")),
+    ]
+    assert [each.sensors[0].maximum for each in scene.models if each.sensors] == [3, 3]
+    assert scene.models[1].size == (0.1, 0.1, 0.1)
+    assert [Path(each).name for each in scene.report.files] == ["top.world", "eye.inc", "far.inc"]
+
+
+@pytest.mark.parametrize(
+    ("text", "code", "line", "column"),
+    [
+        ("size [ 1 1 1 ]\nsize 5", Code.WRONG_TYPE, 2, 6),
+        ("define x model ( )", Code.MISPLACED, 1, 1),
+        ('include "part.inc"', Code.INCLUDE_CYCLE, 1, 9),
+        ("nobody ( )", Code.UNKNOWN_TYPE, 1, 1),
+    ],
+)
+def test_a_mistake_in_what_a_body_includes_has_the_place_in_that_file(
+    tmp_path: Path, text: str, code: Code, line: int, column: int
+) -> None:
+    (tmp_path / "part.inc").write_text(text)
+    (tmp_path / "top.world").write_text('model (\n include "part.inc"\n)\n')
+    with pytest.raises(WorldError) as caught:
+        load_world(tmp_path / "top.world")
+
+    error = caught.value
+    assert (Path(error.file).name, error.code, error.line, error.column) == ("part.inc", code, line, column)
