@@ -68,10 +68,12 @@ class FileReader:
     def find(self, name: str, including: Path) -> Path | None:
         """The file that ``name`` means in ``including``, or None; WorldError-free, but may lie outside.
 
-        A name that only leads outside is answered alike whether there is such a file or not.
+        A name that only leads outside is answered alike whether there is such a file or not. In the allowed
+        folders a file is found by its bare name, too, as Stage finds it in those of ``STAGEPATH``.
         """
         candidates = _within((including.resolve().parent, *self.folders), name)
-        existing = [path for path in candidates if _is_file(path)]
+        by_name = _within(self.folders[1:], Path(name).name)
+        existing = [path for path in (*candidates, *by_name) if _is_file(path)]
         inside = [path for path in existing if self.is_allowed(path)]
         if not existing and not any(map(self.is_allowed, candidates)):
             return candidates[0]

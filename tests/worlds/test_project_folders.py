@@ -159,3 +159,27 @@ def test_a_recording_has_the_files_of_the_project(folder: Path, tmp_path: Path) 
     main_file, allowed = unpack(bundle, place)
 
     assert models(main_file, *allowed) == models(world(folder))
+
+
+@pytest.mark.parametrize("name", ["/home/ana/stage/chair.inc", "../../lost/chair.inc", "chair.inc"])
+def test_an_allowed_folder_has_a_file_by_its_bare_name(tmp_path: Path, name: str) -> None:
+    """Stage looks so in the folders of STAGEPATH: others keep their files elsewhere."""
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "theirs").mkdir()
+    (tmp_path / "theirs" / "chair.inc").write_text("define chair model ( )")
+    (tmp_path / "mine" / "room.world").write_text(f'include "{name}"\nchair ( )')
+
+    scene = load_world(tmp_path / "mine" / "room.world", allowed=(tmp_path / "theirs",))
+    assert [each.kind for each in scene.models] == ["chair"]
+    with pytest.raises(WorldError):
+        load_world(tmp_path / "mine" / "room.world")
+
+
+def test_a_file_outside_is_refused_though_a_folder_without_it_is_allowed(tmp_path: Path) -> None:
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "theirs").mkdir()
+    (tmp_path / "mine" / "room.world").write_text('include "/home/ana/stage/chair.inc"')
+    with pytest.raises(WorldError) as caught:
+        load_world(tmp_path / "mine" / "room.world", allowed=(tmp_path / "theirs",))
+
+    assert caught.value.code is Code.INCLUDE_OUTSIDE
