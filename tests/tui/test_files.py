@@ -337,6 +337,18 @@ async def test_none_that_fits_is_said_and_asked_again(open_screen, lessons):
         await screen.shows("Opened square.gd")
 
 
+@pytest.mark.parametrize(("key", "text"), [("ctrl+o", None), ("ctrl+s", "FW 1")])
+async def test_a_name_too_long_for_any_file_gets_a_sentence(open_screen, lessons, key, text):
+    async with open_screen(text) as screen:
+        await screen.press(key)
+        await screen.until(lambda: screen.app.screen is not screen.main, "the question")
+        screen.app.screen.query_one("#answer").value = "x" * 400
+        await screen.press("enter")
+        await screen.until(lambda: "name is too long" in " ".join(screen.text.split()), "the reason")
+
+        assert screen.main.editor.text == (text or "")
+
+
 async def test_a_typed_name_is_completed_by_tab_or_the_right_arrow(open_screen, lessons):
     async with open_screen() as screen:
         await screen.press("ctrl+o")

@@ -28,7 +28,14 @@ from textual.suggester import Suggester
 from textual.widgets import Input, Static, Tree
 from textual.widgets.tree import TreeNode
 
-from donnie_tui.core.program_files import DocumentError, ProgramEntry, is_folder, program_to_open, programs_in
+from donnie_tui.core.program_files import (
+    DocumentError,
+    ProgramEntry,
+    exists,
+    is_folder,
+    program_to_open,
+    programs_in,
+)
 from donnie_tui.core.wording import Wording
 from donnie_tui.process.confinement import confinement, is_allowed, part_below
 from donnie_tui.tui.screens.dialogs import Dialog
@@ -601,7 +608,7 @@ def _named(typed: str) -> str:
         return "folder" if error.code == "file-is-folder" else ""
     if is_folder(path):
         return "folder"
-    return "file" if path.exists() else ""
+    return "file" if exists(path) else ""
 
 
 def _depth(node: TreeNode[Row]) -> int:
