@@ -317,7 +317,9 @@ class KeyQueue:
         """To the end of one queue after the other, in the way of a key that no widget takes."""
         self._steps += command is self._command
         if pump is not self._app:
-            pump.call_later(self._pass_on, pump._parent or self._app, command, rounds)
+            above = pump._parent or self._app
+            if not pump.call_later(self._pass_on, above, command, rounds):  # it is closing
+                self._pass_on(above, command, rounds)
         elif rounds:
             pump.call_later(self._pass_on, self._first(), command, rounds - 1)
         else:

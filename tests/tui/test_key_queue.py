@@ -15,9 +15,13 @@ class Pump:
     def __init__(self, parent: "Pump | None" = None) -> None:
         self._parent = parent
         self.queue: deque[Callable[[], Awaitable[None] | None]] = deque()
+        self.is_closing = False
 
-    def call_later(self, do, *given) -> None:
-        self.queue.append(partial(do, *given))
+    def call_later(self, do, *given) -> bool:
+        """As Textual's: False if it takes nothing any more, because it is closing."""
+        if not self.is_closing:
+            self.queue.append(partial(do, *given))
+        return not self.is_closing
 
     async def work(self, most: int = 1000) -> None:
         while self.queue and most:
@@ -112,6 +116,19 @@ async def test_keys_after_a_command_of_a_removed_widget_are_all_handled_once():
 
     assert app.done == ["run", "a", "b", "c"]
     assert not app.turns.is_holding
+
+
+async def test_a_command_whose_widget_is_closing_takes_the_rest_of_its_way_at_once():
+    app = Application()
+    panel = Pump(app)
+    app.focused = row = Pump(panel)
+    app.do("run")
+    app.press("a", "b")
+    panel.is_closing, app.focused = True, Pump(app)
+    await row.work()
+    await app.go_on()
+
+    assert app.done == ["run", "a", "b"]  # no timer rang
 
 
 async def test_a_command_after_its_timeout_is_not_repeated_nor_the_next_one_early():
