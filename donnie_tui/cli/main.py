@@ -7,6 +7,7 @@ import signal
 import sys
 from collections.abc import Callable, Mapping
 from contextlib import suppress
+from importlib import import_module
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
@@ -14,6 +15,8 @@ from msgspec.structs import replace
 
 import donnie_tui
 from donnie_tui.cli.options import (
+    RUN_ORIGINAL,
+    SUBCOMMANDS,
     ExitCode,
     Invocation,
     Order,
@@ -111,7 +114,7 @@ def _obey(arguments: list[str], words: Words, start: _Start) -> int:
         from donnie_tui.cli.run import refuse_overwriting
 
         refuse_overwriting(order)
-    code = _handler(order)(order)
+    code = handler_of(order.invocation)(order)
     start.output.finish()
     if start.output.problem is not None:
         raise Unusable(order.words("output-unwritable", reason=start.output.problem))
@@ -217,37 +220,10 @@ def _with_original_flags(settings: Settings, invocation: Invocation) -> Settings
     return replace(settings, log=getattr(invocation.arguments, "log", False))
 
 
-def _handler(order: Order) -> Callable[[Order], int]:
+def handler_of(invocation: Invocation) -> Callable[[Order], int]:
     """Each command loads no more than it needs."""
-    match order.invocation.command:
-        case "run":
-            from donnie_tui.cli.run import run as command
-        case "replay":
-            from donnie_tui.cli.replay import replay as command
-        case "check":
-            from donnie_tui.cli.programs import check as command
-        case "challenge":
-            from donnie_tui.cli.programs import challenge as command
-        case "format":
-            from donnie_tui.cli.programs import format_files as command
-        case "worlds":
-            from donnie_tui.cli.world import list_worlds as command
-        case "world":
-            from donnie_tui.cli.world import describe_world as command
-        case "doctor":
-            from donnie_tui.cli.doctor import doctor as command
-        case "devices":
-            from donnie_tui.cli.devices import list_devices as command
-        case "calibrate":
-            from donnie_tui.cli.calibrate import calibrate as command
-        case "serve":
-            from donnie_tui.cli.front_end import serve as command
-        case "player":
-            from donnie_tui.cli.front_end import serve_clients as command
-        case "stop":
-            from donnie_tui.cli.devices import stop as command
-        case _ if order.invocation.arguments.run:
-            from donnie_tui.cli.run import run_original as command
-        case _:
-            from donnie_tui.cli.front_end import start as command
-    return command
+    is_original = not invocation.command and invocation.arguments.run
+    place = RUN_ORIGINAL if is_original else SUBCOMMANDS[invocation.command].handler
+    module, _, function = place.partition(".")
+    handler: Callable[[Order], int] = getattr(import_module(f"donnie_tui.cli.{module}"), function)
+    return handler

@@ -87,34 +87,52 @@ _MODES = (
     OptionSpec(("--plain",), "option-plain"),
 )
 
-OPTIONS: dict[str, tuple[OptionSpec, ...]] = {
-    "": (
+
+class Subcommand(Struct, frozen=True):
+    """A command of ``donnie``, or the program itself."""
+
+    handler: str
+    """A module of this package and its function, which takes an ``Order`` and returns the exit code."""
+    options: tuple[OptionSpec, ...]
+
+
+def _command(handler: str, *options: OptionSpec) -> Subcommand:
+    return Subcommand(handler, options)
+
+
+SUBCOMMANDS: dict[str, Subcommand] = {
+    "": _command(
+        "front_end.start",
         _FILE,
         *_MODES,
         OptionSpec(("-f", "-F"), "option-f", "FILE", dest="run"),
         OptionSpec(("-m", "-M"), "option-m", dest="mute"),
         OptionSpec(("-l", "-L"), "option-l", dest="log"),
     ),
-    "run": (
+    "run": _command(
+        "run.run",
         _FILES,
         OptionSpec(("--trace",), "option-trace"),
         OptionSpec(("--challenge",), "option-challenge", "NAME"),
     ),
-    "check": (_FILES,),
-    "challenge": (
+    "check": _command("programs.check", _FILES),
+    "challenge": _command(
+        "programs.challenge",
         OptionSpec(("what",), "option-challenge-what", "NAME", nargs="*"),
         *_MODES,
         OptionSpec(("--json",), "option-challenge-json"),
         OptionSpec(("--csv",), "option-csv", "FILE"),
         OptionSpec(("--feedback",), "option-feedback", "FOLDER"),
     ),
-    "format": (
+    "format": _command(
+        "programs.format_files",
         _FILES,
         OptionSpec(("--to",), "option-to", f"{{{','.join(languages())}}}", choices=languages()),
         OptionSpec(("-w", "--write"), "option-write"),
     ),
-    "worlds": (),
-    "world": (
+    "worlds": _command("world.list_worlds"),
+    "world": _command(
+        "world.describe_world",
         OptionSpec(("name",), "option-world-name", "NAME", nargs="*"),
         OptionSpec(("--from",), "option-drawing", "DRAWING", dest="drawing", group="form"),
         OptionSpec(("--map",), "option-map", group="form"),
@@ -123,7 +141,8 @@ OPTIONS: dict[str, tuple[OptionSpec, ...]] = {
         OptionSpec(("--svg",), "option-svg", "FILE", group="form"),
         OptionSpec(("--brf",), "option-brf", "FILE", group="form"),
     ),
-    "replay": (
+    "replay": _command(
+        "replay.replay",
         OptionSpec(("file",), "option-recording", "FILE"),
         OptionSpec(("--backwards",), "option-backwards"),
         OptionSpec(("--from",), "option-from", "N", dest="start", type=int),
@@ -136,26 +155,33 @@ OPTIONS: dict[str, tuple[OptionSpec, ...]] = {
         OptionSpec(("--gif",), "option-replay-gif", "FILE"),
         OptionSpec(("--swell",), "option-replay-swell", "FILE"),
     ),
-    "doctor": (),
-    "devices": (OptionSpec(("port",), "option-ports", "PORT", nargs="*"),),
-    "stop": (_PORT, OptionSpec(("--wait",), "option-wait")),
-    "calibrate": (OptionSpec(("what",), "option-calibrate", "colour", nargs="?"),),
-    "serve": (
+    "doctor": _command("doctor.doctor"),
+    "devices": _command("devices.list_devices", OptionSpec(("port",), "option-ports", "PORT", nargs="*")),
+    "stop": _command("devices.stop", _PORT, OptionSpec(("--wait",), "option-wait")),
+    "calibrate": _command(
+        "calibrate.calibrate", OptionSpec(("what",), "option-calibrate", "colour", nargs="?")
+    ),
+    "serve": _command(
+        "front_end.serve",
         OptionSpec(("--port",), "option-serve-port", "N", default="8000"),
         OptionSpec(("--listen",), "option-listen", "ADDRESS"),
         OptionSpec(("--sessions",), "option-sessions", "N", default="8"),
         OptionSpec(("--idle",), "option-idle", "N", default="60"),
     ),
-    "player": (
+    "player": _command(
+        "front_end.serve_clients",
         OptionSpec(("file",), "option-player-file", "FILE.cfg"),
         OptionSpec(("--port",), "option-player-port", "N", default="6665"),
         OptionSpec(("--host",), "option-player-host", "ADDRESS", default="127.0.0.1"),
         *_MODES,
     ),
 }
-"""The options of each command; those of the program itself stand under the empty name."""
+"""Each command; the program itself stands under the empty name."""
 
-COMMANDS = tuple(name for name in OPTIONS if name)
+RUN_ORIGINAL = "run.run_original"
+"""The handler of the program itself with ``-f``."""
+
+COMMANDS = tuple(name for name in SUBCOMMANDS if name)
 CHALLENGE_ORDERS = ("check", "test", "new")
 """What follows ``donnie challenge`` in place of the name of one, which starts a session with it."""
 
@@ -372,7 +398,7 @@ def parser_of(command: str, sentence: Words) -> argparse.ArgumentParser:
     parser = _Parser(command, sentence)
     arguments = parser.add_argument_group("usage-arguments")
     groups: dict[str, argparse._MutuallyExclusiveGroup] = {}
-    for each in OPTIONS[command]:
+    for each in SUBCOMMANDS[command].options:
         if each.group and each.group not in groups:
             groups[each.group] = arguments.add_mutually_exclusive_group()
         _add(groups[each.group] if each.group else arguments, each)

@@ -1,11 +1,14 @@
 """Options stand before or after the command. The first other word is the command or the file."""
 
 import re
+from argparse import Namespace
+from inspect import get_annotations
 from pathlib import Path
 
 import pytest
 
-from donnie_tui.cli.options import COMMANDS, COMMON, WrongUsage, understand
+from donnie_tui.cli.main import handler_of
+from donnie_tui.cli.options import COMMANDS, COMMON, SUBCOMMANDS, Invocation, WrongUsage, understand
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.settings import BadOption
 from tests.conftest import ROOT
@@ -66,6 +69,21 @@ def test_an_unknown_value_is_reported_with_its_option_and_the_possible_values() 
         understand(["format", "a.gd", "--to", "fr"], Words())
 
     assert (bad.value.key, bad.value.value, bad.value.wanted) == ("to", "fr", "en, pt, es")
+
+
+def test_each_command_has_a_function_of_its_own() -> None:
+    found = [handler_of(Invocation(each, {}, Namespace(run=None))) for each in ("", *COMMANDS)]
+
+    assert len({*found}) == len(SUBCOMMANDS)
+    for each in found:
+        assert get_annotations(each).items() >= {"order": "Order", "return": "int"}.items(), each
+
+
+def test_the_original_option_runs_a_program_without_a_front_end() -> None:
+    run = handler_of(understand(["-f", "a.gd"], Words()))
+
+    assert run is not handler_of(understand(["a.gd"], Words()))
+    assert run.__module__ == "donnie_tui.cli.run"
 
 
 @pytest.mark.parametrize("language", ["en", "pt", "es"])
