@@ -1,7 +1,6 @@
 """A room for clients of Player, as configuration and world files, and its devices without a socket."""
 
 import asyncio
-import socket
 import threading
 from collections.abc import Callable
 from contextlib import suppress
@@ -16,6 +15,7 @@ from donnie_tui.robot.server_link import ServerLink, WheelState
 from sim.velocity import VelocityLoop
 from sim.world import World
 from sim.worldfile import load_configuration
+from tests.free_ports import free_port
 from tests.timeouts import TIMEOUT
 
 WORLD = """
@@ -109,12 +109,6 @@ def stations_of(path: Path, notes: Notes | None = None, port: int = 6665) -> Sta
 
 
 HOST = "127.0.0.1"
-
-
-def free_port() -> int:
-    with socket.socket() as bound:
-        bound.bind((HOST, 0))
-        return int(bound.getsockname()[1])
 
 
 class ServedRoom:

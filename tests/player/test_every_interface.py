@@ -20,6 +20,7 @@ from devices.player.codec import (
 )
 from devices.ports.robot import Grip
 from tests.player.room import CONFIGURATION, HOST, WORLD, ServedRoom
+from tests.timeouts import TIMEOUT
 
 MORE = """
 driver ( name "soxplayer" provides [ "7665:sound:0" ] )
@@ -36,7 +37,7 @@ class LibraryClient:
     """Works as libplayerc: PULL, one request at a time, data kept until they are read."""
 
     def __init__(self, port: int) -> None:
-        self._socket = socket.create_connection((HOST, port), 10)
+        self._socket = socket.create_connection((HOST, port), TIMEOUT)
         self.banner = self._socket.recv(65536)
         self._reader = MessageReader(1 << 20)
         self._waiting: list[PlayerMessage] = []

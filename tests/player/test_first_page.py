@@ -13,7 +13,8 @@ from pathlib import Path
 import pytest
 
 from donnie_tui.robot.search import running_server
-from tests.player.room import HOST, ServedRoom, free_port
+from tests.free_ports import free_port
+from tests.player.room import HOST, ServedRoom
 from tests.player.test_player_robot import SCENE, SERVED
 from tests.timeouts import TIMEOUT
 

@@ -16,7 +16,8 @@ import pytest
 from devices.player.codec import MessageReader, MessageType, PlayerMessage, body_of
 from donnie_tui.player import server as module
 from donnie_tui.player.server import PlayerServer, ServerProblem, Stations
-from tests.player.room import CONFIGURATION, HOST, Notes, free_port, stations_of, write_room
+from tests.free_ports import free_port
+from tests.player.room import CONFIGURATION, HOST, Notes, stations_of, write_room
 from tests.timeouts import TIMEOUT
 
 
@@ -212,11 +213,8 @@ def test_five_hundred_clients_that_come_and_go_leave_nothing(tmp_path: Path) -> 
 
 def test_a_port_that_is_taken_is_named(tmp_path: Path) -> None:
     room = Room(tmp_path)
-    with socket.socket() as taken:
-        taken.bind((HOST, room.bobs))
-        taken.listen()
-        with pytest.raises(ServerProblem) as problem:
-            asyncio.run(room.server.run(lambda: 1.0, lambda: None))
+    with socket.create_server((HOST, room.bobs)), pytest.raises(ServerProblem) as problem:
+        asyncio.run(room.server.run(lambda: 1.0, lambda: None))
 
     assert problem.value.values["port"] == room.bobs
     assert problem.value.values["reason"]

@@ -33,7 +33,8 @@ from donnie_tui.core.session import Busy
 from donnie_tui.core.transcript import printed_lines
 from donnie_tui.player.service import motion_of
 from donnie_tui.settings.settings import ServedFile, Settings
-from tests.player.room import CONFIGURATION, HOST, free_port, write_room
+from tests.free_ports import free_port
+from tests.player.room import CONFIGURATION, HOST, write_room
 from tests.timeouts import TIMEOUT
 from tests.tui.terminal import CTRL_Q, ENTER, TAB, Terminal
 
@@ -47,7 +48,7 @@ class Client:
     """A program of another's, as a socket."""
 
     def __init__(self, port: int) -> None:
-        self.socket = socket.create_connection((HOST, port), 10)
+        self.socket = socket.create_connection((HOST, port), TIMEOUT)
         assert self.socket.recv(32).startswith(b"Player v.")
         self._reader = MessageReader(10**6)
 

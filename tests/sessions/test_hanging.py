@@ -16,6 +16,7 @@ import pytest
 from donnie_tui.process import signals
 from donnie_tui.tui import shutdown
 from tests.board_on_pty import PtyBoard
+from tests.free_ports import free_port
 from tests.sessions.command import QUIET, donnie, environment
 from tests.sessions.hanging import HANG, HANGING
 from tests.sessions.real_robot import LONG_WALK, program, serial, until
@@ -191,9 +192,7 @@ def answers(port: int) -> bool:
 @pytest.mark.slow
 @FAULTS
 def test_a_server_of_pages_that_hangs_ends(tmp_path: Path, fault: str) -> None:
-    with socket.socket() as free:
-        free.bind(("localhost", 0))
-        port = free.getsockname()[1]
+    port = free_port()
     process = command(tmp_path, "serve", fault, "serve", "--port", str(port), *QUIET)
     hang(tmp_path)
     assert until(lambda: answers(port))

@@ -5,7 +5,6 @@ import base64
 import json
 import os
 import shutil
-import socket
 import subprocess
 import sys
 import time
@@ -18,6 +17,7 @@ from urllib.parse import quote
 import pyte
 import pytest
 
+from tests.free_ports import free_port
 from tests.sessions.command import COMMAND, QUIET, environment
 from tests.timeouts import TIMEOUT
 
@@ -30,12 +30,6 @@ FIRST_WORDS = "F5 runs the program."
 """Of the first frame: what is typed then waits for the session."""
 
 ROOT = Path(__file__).resolve().parents[2]
-
-
-def free_port() -> int:
-    with socket.socket() as found:
-        found.bind(("localhost", 0))
-        return found.getsockname()[1]
 
 
 class Server:

@@ -21,6 +21,7 @@ from donnie_tui.cli.main import main
 from donnie_tui.i18n.words import Words
 from language.call_stack import raise_recursion_limit
 from tests.conftest import ROOT
+from tests.free_ports import free_port
 from tests.timeouts import TIMEOUT
 
 aiohttp = pytest.importorskip("aiohttp")
@@ -131,12 +132,6 @@ def serving(tmp_path: Path) -> Callable[..., Any]:
             await server.close()
 
     return running
-
-
-def free_port() -> int:
-    with socket.socket() as found:
-        found.bind(("localhost", 0))
-        return int(found.getsockname()[1])
 
 
 async def until(condition: Callable[[], object]) -> None:

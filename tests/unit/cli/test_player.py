@@ -8,15 +8,9 @@ from pathlib import Path
 
 import pytest
 
+from tests.free_ports import free_port
 from tests.player.room import CONFIGURATION, WORLD, write_room
 from tests.timeouts import TIMEOUT
-
-
-def free_ports() -> list[int]:
-    with socket.socket() as one, socket.socket() as other:
-        for each in (one, other):
-            each.bind(("127.0.0.1", 0))
-        return [one.getsockname()[1], other.getsockname()[1]]
 
 
 def command(*arguments: str) -> list[str]:
@@ -24,13 +18,13 @@ def command(*arguments: str) -> list[str]:
 
 
 def test_it_says_where_it_listens_and_a_signal_ends_it(tmp_path: Path) -> None:
-    one, other = free_ports()
+    one, other = free_port(), free_port()
     text = CONFIGURATION.replace("7665", str(one)).replace("7666", str(other))
     file = write_room(tmp_path, text)
     with subprocess.Popen(command(str(file)), stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
         line = process.stdout.readline()
-        with socket.create_connection(("127.0.0.1", one), 10) as client:
+        with socket.create_connection(("127.0.0.1", one), TIMEOUT) as client:
             assert client.recv(32).startswith(b"Player v.")
         process.send_signal(signal.SIGTERM)
         code = process.wait(TIMEOUT)
@@ -85,7 +79,7 @@ def test_a_file_that_does_not_fit_is_refused(tmp_path: Path, name: str, text: st
 
 
 def test_another_address_than_that_of_this_machine_is_said_to_be_open(tmp_path: Path) -> None:
-    one, other = free_ports()
+    one, other = free_port(), free_port()
     text = CONFIGURATION.replace("7665", str(one)).replace("7666", str(other))
     arguments = command(str(write_room(tmp_path, text)), "--host", "0.0.0.0")
     with subprocess.Popen(arguments, stdout=subprocess.PIPE, text=True) as process:
