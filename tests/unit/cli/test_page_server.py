@@ -32,6 +32,8 @@ from aiohttp import ClientSession, ClientWebSocketResponse, WSMsgType, WSServerH
 from donnie_tui.cli.page_server import PageServer  # noqa: E402
 from donnie_tui.cli.page_session import IDLE_CODE, PageLimits  # noqa: E402
 
+NEVER = 10**6
+"""Seconds."""
 HUNG_UP, INTERRUPTED = f"signal {int(signal.SIGHUP)}", f"signal {int(signal.SIGINT)}"
 
 DRIVER = """
@@ -61,11 +63,11 @@ def begin():
 
 print("a warning of a library")
 sys.stdout.flush()
-if "late" in sys.argv:
+if {"late", "waits"} & {*sys.argv}:
     while not os.path.exists(sys.argv[1] + ".go"):
         time.sleep(0.01)
 begin()
-while "late" in sys.argv:
+while {"late", "deaf"} & {*sys.argv}:
     signal.pause()
 read = sys.stdin.buffer.read
 while head := read(5):
@@ -505,13 +507,23 @@ async def test_a_page_that_is_cut_hangs_up_its_process(serving: Any, client: Cli
 async def test_a_page_that_takes_no_output_stops_its_robot_and_then_counts_as_gone(
     serving: Any, client: ClientSession
 ) -> None:
-    """The client reads no more than fits into its buffers."""
-    async with serving(stalled=0.05, lost=0.05) as served:
+    """The client reads no more than fits into its buffers. No heartbeat would notice it."""
+    async with serving(stalled=0.05, lost=0.05, heartbeat=NEVER) as served:
         page = await served.page(client)
         await page.send_json(["stdin", "flood"])
         await until(lambda: HUNG_UP in served.signals)
         assert set(served.signals[:-1]) == {INTERRUPTED}
         await page.close()
+
+
+async def test_a_page_whose_process_takes_no_keys_counts_as_gone(serving: Any, client: ClientSession) -> None:
+    async with serving("deaf", lost=0.05, heartbeat=NEVER) as served:
+        page = await served.page(client)
+        await until_shown(page, b"first screen")
+        for _ in range(4):
+            await page.send_json(["stdin", "x" * 2**18])  # more than pipes and buffers hold
+        await until(lambda: served.signals == [HUNG_UP])
+        assert await until_closed(page) == (1006, "")  # it was cut
 
 
 async def test_a_page_that_answers_no_longer_counts_as_gone(serving: Any, client: ClientSession) -> None:
@@ -571,6 +583,23 @@ async def test_what_was_typed_before_the_process_listens_reaches_it_although_the
         typed, signalled = served.signals
         assert typed.endswith("FW 1")
         assert signalled == HUNG_UP
+
+
+async def test_what_is_typed_before_the_process_listens_comes_in_order_as_far_as_there_is_room(
+    serving: Callable[..., Any], client: ClientSession, tmp_path: Path
+) -> None:
+    async with serving("waits", frame=1000) as served, served.page(client) as page:
+        for number in range(30):
+            await page.send_json(["stdin", f"{number:3}" + "x" * 92])  # 100 bytes as a packet
+        await page.send_json(["ping", "1"])
+        assert await page.receive_json() == ["pong", "1"]
+        (tmp_path / "signals.go").touch()
+        await until_shown(page, b"first screen")
+        await page.send_json(["stdin", "now"])
+        *taken, last = await until_shown(page, b"Dnow")
+
+        assert [int(each[1:4]) for each in taken] == [*range(10)]
+        assert last == b"Dnow"
 
 
 async def test_another_world_keeps_the_page_with_its_size_and_focus(
