@@ -5,18 +5,28 @@ from __future__ import annotations
 import contextlib
 import fcntl
 import os
+import pkgutil
 import pty
 import random
 import select
 import signal
 import struct
 import subprocess
+import sys
 import tempfile
 import termios
 import time
+import traceback
 from collections.abc import Callable
+from functools import cache
+from importlib import import_module
 from pathlib import Path
+from typing import Protocol
 
+import donnie_tui
+from donnie_tui.__main__ import main as program
+from donnie_tui.settings.settings import Settings
+from donnie_tui.tui.environment import prepare
 from donnie_tui.tui.shutdown import FAULT
 from tests.sessions.command import COMMAND, QUIET, environment
 from tests.timeouts import TIMEOUT
@@ -71,7 +81,7 @@ def check_keys(data: str | bytes) -> None:
     with tempfile.TemporaryDirectory() as place:
         work = Path(place, "work")
         work.mkdir()
-        screen = Screen(work)
+        screen = ForkedScreen(work)
         try:
             screen.type_all(data)
             code = screen.end()
@@ -85,6 +95,17 @@ def check_keys(data: str | bytes) -> None:
     assert screen.is_as_before, "the terminal is left as the screen had it"
 
 
+class Process(Protocol):
+    """As much of one of ``subprocess`` as a screen needs."""
+
+    @property
+    def returncode(self) -> int: ...
+    def poll(self) -> int | None: ...
+    def wait(self) -> int: ...
+    def kill(self) -> None: ...
+    def send_signal(self, number: int, /) -> None: ...
+
+
 class Screen:
     """The full screen on a terminal, as a job that no shell is above."""
 
@@ -93,8 +114,12 @@ class Screen:
         fcntl.ioctl(self._line, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
         self._before = termios.tcgetattr(self._line)
         self.shown = b""
-        self._process = subprocess.Popen(
-            [*COMMAND, "--visual", *QUIET, "--speed", speed, "--robot", "sim", *options],
+        arguments = ["--visual", *QUIET, "--speed", speed, "--robot", "sim", *options]
+        self._process = self._start(arguments, folder)
+
+    def _start(self, arguments: list[str], folder: Path) -> Process:
+        return subprocess.Popen(
+            [*COMMAND, *arguments],
             stdin=self._line,
             stdout=self._line,
             stderr=self._line,
@@ -172,3 +197,78 @@ class Screen:
         with contextlib.suppress(OSError):
             self.shown += os.read(self._terminal, 1 << 16)
         return True
+
+
+class ForkedScreen(Screen):
+    """In a child of this process, which has loaded all modules: most of a short session is a start."""
+
+    def _start(self, arguments: list[str], folder: Path) -> Process:
+        _load_all()
+        number = os.fork()
+        if not number:
+            code = 1
+            try:
+                code = self._be_the_program(arguments, folder)
+            except BaseException:  # noqa: BLE001 -- it must not return to what the parent does
+                os.write(2, traceback.format_exc().encode())
+            finally:
+                os._exit(code)
+        return _Child(number)
+
+    def _be_the_program(self, arguments: list[str], folder: Path) -> int:
+        os.setsid()
+        for each in range(3):
+            os.dup2(self._line, each)
+        os.closerange(3, max(self._terminal, self._line) + 1)
+        os.chdir(folder)
+        settings = environment(folder)
+        os.environ.clear()
+        os.environ.update(settings)
+        signal.signal(signal.SIGTERM, signal.SIG_DFL)
+        signal.signal(signal.SIGALRM, signal.SIG_DFL)
+        sys.stdin, sys.stdout, sys.stderr = (os.fdopen(each, mode) for each, mode in enumerate("rww"))
+        sys.__stdin__, sys.__stdout__, sys.__stderr__ = sys.stdin, sys.stdout, sys.stderr
+        sys.argv = ["donnie", *arguments]
+        code = program()
+        sys.stdout.flush()
+        sys.stderr.flush()
+        return code
+
+
+class _Child:
+    def __init__(self, number: int) -> None:
+        self._number = number
+        self._code: int | None = None
+
+    @property
+    def returncode(self) -> int:
+        assert self._code is not None
+        return self._code
+
+    def poll(self) -> int | None:
+        return self._ended(os.WNOHANG)
+
+    def wait(self) -> int:
+        self._ended(0)
+        return self.returncode
+
+    def _ended(self, flags: int) -> int | None:
+        if self._code is None:
+            number, status = os.waitpid(self._number, flags)
+            if number:
+                self._code = os.waitstatus_to_exitcode(status)
+        return self._code
+
+    def kill(self) -> None:
+        self.send_signal(signal.SIGKILL)
+
+    def send_signal(self, number: int, /) -> None:
+        os.kill(self._number, number)
+
+
+@cache
+def _load_all() -> None:
+    prepare(Settings())
+    for each in pkgutil.walk_packages(donnie_tui.__path__, "donnie_tui."):
+        if not each.name.endswith("__main__"):
+            import_module(each.name)
