@@ -389,12 +389,13 @@ def verdict_in_words(verdicts: Sequence[Judgment], wording: Wording) -> str:
 
 def goals_in_words(verdict: Judgment, wording: Wording) -> tuple[str, ...]:
     """Which goals are met, a line each."""
-    room = verdict.track.room
-    lines = (shortfall_in_words(each, room, wording) if each else "" for each in verdict.of_goals)
-    return tuple(
-        wording("goal-missing", number=number, text=line) if line else wording("goal-met", number=number)
-        for number, line in enumerate(lines, start=1)
-    )
+    lines, room = list[str](), verdict.track.room
+    for number, each in enumerate(verdict.of_goals, start=1):
+        if each is None or each.code == "goal-asked":
+            lines.append(wording("goal-met" if each is None else "goal-to-ask", number=number))
+        else:
+            lines.append(wording("goal-missing", number=number, text=shortfall_in_words(each, room, wording)))
+    return tuple(lines)
 
 
 def shortfall_in_words(shortfall: Shortfall, room: Inventory, wording: Wording) -> str:

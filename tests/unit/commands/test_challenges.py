@@ -409,9 +409,9 @@ def test_a_real_robot_asks_about_the_goals_that_it_can_not_sense(
     script.answers_to("FW 1")
     assert script.answers_to('SPEAK "here"')[-1] == "I can't sense all. Type QUESTIONS."
     assert script.answers_to("GOALS") == [
-        "Goal 1: I can't sense goal 1.",
+        "Goal 1: I ask you later.",
         "Goal 2: met.",
-        "Goal 3: I can't sense goal 3.",
+        "Goal 3: I ask you later.",
     ]
     assert script.answers_to("QUESTIONS") == [verdict]
     asked = [
