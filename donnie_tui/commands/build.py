@@ -15,6 +15,7 @@ from donnie_tui.commands.dispatch import attempt, handler_of, handles
 from donnie_tui.commands.interaction import GivenUp, NotUnderstood, numbers_in
 from donnie_tui.core.transcript import with_robot_name
 from donnie_tui.i18n.words import Unusable
+from donnie_tui.world import things
 from language import keywords
 
 if TYPE_CHECKING:
@@ -28,14 +29,12 @@ async def put(ctx: Context, argument: str) -> None:
 
     PUT wall -5 8 5 8: a wall between two squares.
     """
-    from donnie_tui.world.things import WALL, BadDescription, description_of, means_wall
-
-    what, place, name = _parts(argument, 4 if means_wall(argument) else 2, 2)
+    what, place, name = _parts(argument, 4 if things.means_wall(argument) else 2, 2)
     building = _building(ctx)
     try:
-        described = description_of(what, ctx.words)
-    except BadDescription:
-        if name or not building.is_named(what):
+        described = things.description_of(what, ctx.words)
+    except things.BadDescription:
+        if name or not building.named(what):
             raise
         thing, (x, y) = building.find(what), place[-2:]
         _say_place(ctx, *building.move(thing, x - thing.x, y - thing.y))
@@ -44,7 +43,9 @@ async def put(ctx: Context, argument: str) -> None:
         raise NotUnderstood
     code, thing = building.put(described, name, place)
     (x, to_x), (y, to_y) = ((min(each), max(each)) for each in (place[::2], place[1::2]))
-    _say_place(ctx, "built-wall" if described.kind == WALL else code, thing, x=x, y=y, to_x=to_x, to_y=to_y)
+    _say_place(
+        ctx, "built-wall" if described.kind == things.WALL else code, thing, x=x, y=y, to_x=to_x, to_y=to_y
+    )
 
 
 async def move_thing(ctx: Context, argument: str) -> None:
@@ -80,9 +81,7 @@ def _parts(argument: str, *counts: int) -> tuple[str, tuple[int, ...], str]:
 
     Numbers before these are part of a name: MOVE box 2 1 0.
     """
-    from donnie_tui.world.things import split_name
-
-    text, name = split_name(argument)
+    text, name = things.split_name(argument)
     before = text.split()
     places = [at for at, each in enumerate(before) if re.fullmatch(r"-?\d+,?", each)]
     count = next((each for each in counts if each <= len(places)), counts[-1])
@@ -96,12 +95,11 @@ def _parts(argument: str, *counts: int) -> tuple[str, tuple[int, ...], str]:
 def _say_place(ctx: Context, code: str, thing: Thing, **values: object) -> None:
     """Answer where the thing is, and show the world as it is now."""
     from donnie_tui.core.describe import place_of
-    from donnie_tui.world.things import thing_in_words
 
     place = place_of(thing.x, thing.y, ctx.donnie.session.pose, ctx.words)
     sides = {"width": round(thing.width), "depth": round(thing.depth)}
     found = {"x": round(thing.x), "y": round(thing.y), "place": place, **sides, **values}
-    ctx.answer(code, thing=thing_in_words(thing, ctx.words), **found)
+    ctx.answer(code, thing=things.thing_in_words(thing, ctx.words), **found)
     ctx.donnie.session.publish_things()
     if ctx.screen is not None:
         ctx.screen.robot_changed()
@@ -148,7 +146,7 @@ SUFFIX = ".world"
 @handles("save_world")
 async def save_world(ctx: Context, argument: str) -> None:
     """Write the world as it is built to a file; asks before another file is replaced."""
-    from donnie_tui.core.program_files import file_to_save, save_question
+    from donnie_tui.core.program_files import exists, file_to_save
 
     donnie, own = ctx.donnie, ctx.donnie.site.path
     name = argument or str(own or "")
@@ -158,8 +156,8 @@ async def save_world(ctx: Context, argument: str) -> None:
     if not name:
         raise GivenUp
     path = file_to_save(name, donnie.in_use, SUFFIX, own)
-    question = save_question(path, own, "") if path != own else ""
-    if question and not await ctx.interaction.confirm(ctx.words(question, name=path.name)):
+    question = ctx.words("ask-replace", name=path.name) if path != own and exists(path) else ""
+    if question and not await ctx.interaction.confirm(question):
         raise GivenUp
     donnie.building().save(path)
     ctx.answer("built-saved", name=path.name)

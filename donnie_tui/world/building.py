@@ -69,7 +69,7 @@ class Building:
         words = self._words
         if any(fold_name(typed) == fold_name(name) for name in self._site.world.scene.robot_names):
             raise Unusable(words("built-robot", name=typed))
-        named = self._named(typed)
+        named = self.named(typed)
         found = named if len(named) == 1 else self._meant(typed) or named
         if len(found) == 1:
             return found[0]
@@ -81,11 +81,8 @@ class Building:
         near = nearest(typed, [each.name for each in self.everything()])
         raise Unusable(words("built-unknown-near" if near else "built-unknown", name=typed[:40], near=near))
 
-    def is_named(self, typed: str) -> bool:
-        """Whether a thing has exactly that name."""
-        return bool(self._named(typed))
-
-    def _named(self, typed: str) -> list[Thing]:
+    def named(self, typed: str) -> list[Thing]:
+        """Those with exactly that name, or called so where they are listed."""
         names = ((each, (each.name, things.thing_in_words(each, self._words))) for each in self.everything())
         return [each for each, known in names if fold_name(typed) in map(fold_name, known)]
 
@@ -100,14 +97,7 @@ class Building:
         found = [each for each in self.everything() if fold_name(each.kind) == described.kind]
         if described.colours:
             found = [each for each in found if each.colour in described.colours]
-        if square:
-            x, y = map(int, square.groups())
-            found = [
-                each
-                for each in found
-                if abs(x - each.x) <= each.width / 2 and abs(y - each.y) <= each.depth / 2
-            ]
-        return found
+        return [each for each in found if _covers(each, *map(int, square.groups()))] if square else found
 
     # --- changes
 
@@ -225,7 +215,8 @@ class Building:
         standing = {robots[name]: place for name, place in self._shared.poses().items()}
         now = moved(scene, {**self._shared.places_in(scene, change.index_of), **standing})
         parts, is_new_wall = [*parts_of(now)], scene.models[index].kind == things.WALL
-        self._check_outside([part for part in parts if part.root == index], is_new_wall)
+        mine = [part for part in parts if part.root == index]
+        self._check_outside(mine, is_new_wall)
         middles = [(now.models[each].pose.x, now.models[each].pose.y) for each in scene.robots]
 
         def is_floor(part: Part) -> bool:
@@ -233,18 +224,15 @@ class Building:
             is_corner = is_new_wall and scene.models[part.root].kind == things.WALL
             return is_corner or any(contains(part.points, *middle) for middle in middles)
 
-        others = [
-            (part, False)
-            for part in parts
-            if part.solid and (part.root in scene.robots or not is_floor(part))
-        ]
-        others += [(part, True) for part in parts_of(scene) if part.root in scene.robots]
-        mine = [_shrunk(part) for part in parts if part.root == index and part.solid]
-        for part, is_start in others:
-            if part.root != index and any(overlapping(each, part.points) for each in mine):
-                raise Unusable(self._in_the_way(now, part.root, is_start))
+        starts = [part for part in parts_of(scene) if part.root in scene.robots]
+        solid = (part for part in parts if part.solid and part.root != index)
+        others = [part for part in solid if part.root in scene.robots or not is_floor(part)]
+        small = [_shrunk(part) for part in mine if part.solid]
+        for part in (*others, *starts):
+            if any(overlapping(each, part.points) for each in small):
+                raise Unusable(self._in_the_way(now, part.root, is_start=part in starts))
 
-    def _in_the_way(self, scene: Scene, root: int, is_start: bool) -> str:
+    def _in_the_way(self, scene: Scene, root: int, *, is_start: bool) -> str:
         model, words = scene.models[root], self._words
         if root in scene.robots:
             return words("built-over-start" if is_start else "built-over-robot", name=model.spoken_name)
@@ -263,10 +251,10 @@ class Building:
             left, bottom = floor.left, floor.bottom
             right, top = left + (floor.width - 1) * floor.cell, bottom + (floor.height - 1) * floor.cell
         border = floor.cell / 2 + 0.01
-        for x, y in chain.from_iterable(part.points for part in mine):
-            is_inside = left - border <= x / STEP <= right + border
-            if not is_inside or not bottom - border <= y / STEP <= top + border:
-                raise Unusable(self._words("built-outside", left=left, right=right, bottom=bottom, top=top))
+        xs, ys = zip(*((x / STEP, y / STEP) for part in mine for x, y in part.points), strict=True)
+        is_inside = left - border <= min(xs) and max(xs) <= right + border
+        if not is_inside or min(ys) < bottom - border or max(ys) > top + border:
+            raise Unusable(self._words("built-outside", left=left, right=right, bottom=bottom, top=top))
 
     def _thing_at(self, index: int) -> Thing:
         seen = (each for each in self.everything() if each.index == index)
@@ -276,6 +264,10 @@ class Building:
 def _tops(scene: Scene) -> list[int]:
     """The indices of the models that are no part of another one."""
     return [each.index for each in scene.models if each.parent is None]
+
+
+def _covers(thing: Thing, x: int, y: int) -> bool:
+    return abs(x - thing.x) <= thing.width / 2 and abs(y - thing.y) <= thing.depth / 2
 
 
 def _boxed(model: Model) -> Thing:

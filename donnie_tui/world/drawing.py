@@ -234,7 +234,8 @@ class _Drawing:
         _refuse(self._slips_of_size())
         marks = {letter: each.marks for letter, each in legend.things.items()}
         self._groups = [*groups_in(rows, marks)]
-        self._things = [each for each in self._groups if each.letter not in legend.bodies]
+        known = ((each, legend.things.get(each.letter)) for each in self._groups)
+        self._things = [(group, described) for group, described in known if described]
         bodies = {square for each in self._groups if each.letter in legend.bodies for square in each.squares}
         robots = (square for square, letter in _squares(rows) if letter in ARROWS)
         self._robots = sorted(robots, key=lambda each: (not bodies.isdisjoint(_around(each)), each))
@@ -286,7 +287,7 @@ class _Drawing:
     def _slips_of_colours(self) -> Iterator[Slip]:
         """Things of one letter with more or fewer colours than there are things."""
         for letter, described in self._legend.things.items():
-            groups, colours = [each for each in self._things if each.letter == letter], len(described.colours)
+            groups, colours = [each for each in self._groups if each.letter == letter], len(described.colours)
             if described.marks:
                 colours = sum(bool(each.colour) for each in groups)
             if (colours > 1 or described.marks) and colours != len(groups):
@@ -297,7 +298,7 @@ class _Drawing:
         self, scene: Scene, walls: Sequence[Box], robots: Mapping[str, Square]
     ) -> Iterator[Slip]:
         """Things of one letter that are larger than the free floor around it, and robots inside something."""
-        boxes = [(self._fitted(each)[0], self._kind(each), each) for each in self._things]
+        boxes = [(self._fitted(each, it.kind)[0], it.kind, each) for each, it in self._things]
         solid = [*((each, things.WALL, None) for each in walls), *boxes]
         for mine, kind, group in boxes:
             over = (other for box, other, each in solid if each is not group and _overlap(mine, box))
@@ -328,7 +329,10 @@ class _Drawing:
         text = things.world_text(
             [*map(self._wall, walls)],
             [*self._thing_lines()],
-            [self._robot(name, square) for name, square in robots.items()],
+            [
+                things.model_line("donnie", self._pose((x, y, x + 1, y + 1), _HEADING[rows[y][x]]), name)
+                for name, (y, x) in robots.items()
+            ],
         )
         try:
             if len(walls) + len(self._things) > MOST_PIECES:
@@ -355,28 +359,23 @@ class _Drawing:
         width, depth = ((box[at + 2] - box[at]) * self._step for at in (0, 1))
         return things.model_line(things.WALL, self._pose(box), size=(width, depth, things.WALL_HEIGHT))
 
-    def _robot(self, name: str, square: Square) -> str:
-        row, column = square
-        pose = self._pose((column, row, column + 1, row + 1), _HEADING[self._rows[row][column]])
-        return things.model_line("donnie", pose, name)
-
     def _thing_lines(self) -> Iterator[str]:
         colours = {letter: cycle(each.colours or ("",)) for letter, each in self._legend.things.items()}
         used = Counter[str]()
-        for group in self._things:
-            described, colour = self._legend.things[group.letter], next(colours[group.letter])
+        for group, described in self._things:
+            colour = next(colours[group.letter])
             name = described.name or described.kind.replace("_", " ")
             used[name] += 1
             name = name if used[name] == 1 else f"{name} {used[name]}"
-            box, angle, size = self._fitted(group)
+            box, angle, size = self._fitted(group, described.kind)
             pose, colour = self._pose(box, angle), group.colour or colour
             yield things.model_line(described.kind, pose, name, size, colour)
 
-    def _fitted(self, group: Group) -> tuple[Box, int, tuple[float, ...]]:
+    def _fitted(self, group: Group, kind: str) -> tuple[Box, int, tuple[float, ...]]:
         """Box, angle and size of a thing as large as its letters; no size where it is the usual one."""
         left, top, right, bottom = group.box
         width, depth, slack = (right - left) * self._step, (bottom - top) * self._step, self._step
-        across, along, height = usual_sizes()[self._kind(group)]
+        across, along, height = usual_sizes()[kind]
         if len(group.squares) == 1:
             east, south = (round(each / self._step - 1, 6) / 2 for each in (across, along))
             return (left - east, top - south, right + east, bottom + south), 0, ()
@@ -384,9 +383,6 @@ class _Drawing:
             if 0 <= round(width - mine, 3) <= slack and 0 <= round(depth - other, 3) <= slack:
                 return group.box, angle, ()
         return group.box, 0, (width, depth, height)
-
-    def _kind(self, group: Group) -> str:
-        return self._legend.things[group.letter].kind
 
 
 @cache

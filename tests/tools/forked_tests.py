@@ -79,9 +79,7 @@ def _run(
     answers: int,
 ) -> None:
     path = request["path"]
-    if path and not (
-        _run_anew(path) if request["is_imported"] else _replace(path, functions.get(path, ()))
-    ):
+    if path and not (_run_anew(path) if request["is_imported"] else _replace(path, functions.get(path, ()))):
         return _send(answers, {"needs": "a new process"})
     failed: list[str] = []
 
