@@ -17,7 +17,7 @@ import worlds.words
 from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.core.chart import colour_marks, shrunk, with_marks
 from donnie_tui.core.describe import MOST_ROBOTS, describe
-from donnie_tui.core.program_files import DocumentError, checked_path, exists, write_program
+from donnie_tui.core.program_files import DocumentError, FilesInUse, exists, file_to_save, write_program
 from donnie_tui.core.wording import colour_initials, name_of, shade
 from donnie_tui.i18n.mistakes import world_note
 from donnie_tui.i18n.words import Unusable, Words
@@ -106,7 +106,7 @@ def describe_world(order: Order) -> int:
     """Describes a world in the form that was asked for, else in words; ``new`` and a file make a world."""
     arguments, words = order.invocation.arguments, order.words
     match arguments.name:
-        case ["new", file]:
+        case ["new", file] if file and arguments.drawing != "":
             return _new_world(order, file)
         case [name] if name != "new" and arguments.drawing is None:
             pass
@@ -144,9 +144,9 @@ def _new_world(order: Order, file: str) -> int:
     from donnie_tui.world.drawing import world_of
 
     words, drawing = order.words, order.invocation.arguments.drawing
-    target = Path(file if Path(file).suffix else f"{file}.world")
     try:
-        if exists(checked_path(target)):
+        target = file_to_save(file, FilesInUse(()), ".world")
+        if exists(target):
             raise Unusable(words("world-new-there", path=target))
         text = EMPTY_ROOM if drawing is None else read_source(drawing, words).text
         built = world_of(text, str(drawing), words)

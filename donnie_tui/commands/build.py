@@ -34,6 +34,8 @@ async def put(ctx: Context, argument: str) -> None:
     try:
         described = things.description_of(what, ctx.words)
     except things.BadDescription:
+        if re.search(r"(?<!\S)-?\d+,?(?!\S)", what) and not building.named(what):
+            raise NotUnderstood from None  # too many numbers
         if name or not building.named(what):
             raise
         thing, (x, y) = building.find(what), place[-2:]

@@ -78,7 +78,7 @@ class Building:
         if found:
             places = [f"{each.name or each.kind}: {round(each.x)}, {round(each.y)}" for each in found]
             raise Unusable(words("built-which", count=len(found), names="; ".join(places[:_MOST_NAMES])))
-        near = nearest(typed, [each.name for each in self.everything()])
+        near = nearest(typed, [each.name for each in self.everything()]) or things.near_word(typed, words)
         raise Unusable(words("built-unknown-near" if near else "built-unknown", name=typed[:40], near=near))
 
     def named(self, typed: str) -> list[Thing]:
@@ -109,6 +109,7 @@ class Building:
             for each in (place[::2], place[1::2])
         )
         size = (width, depth, things.WALL_HEIGHT) if kind == things.WALL else ()
+        self._check_outside([(x, y)], kind == things.WALL)
         taken = {fold_name(each.name) for each in self._site.world.scene.models if each.parent is None}
         if name and fold_name(name) in taken:
             raise Unusable(self._words("built-name-there", name=name))
@@ -132,6 +133,7 @@ class Building:
         text, here = self._source(), self._shared.scene_now().models[thing.index].pose
         yaw = (here.yaw - degrees) % 360.0 if degrees else here.yaw
         place = Placement(here.x + east * STEP, here.y + north * STEP, here.z, yaw)
+        self._check_outside([(place.x, place.y)], thing.kind == things.WALL)
         return self._changed(put_elsewhere(text, self._written(thing, text), place), thing.index)
 
     # --- the text
@@ -216,7 +218,7 @@ class Building:
         now = moved(scene, {**self._shared.places_in(scene, change.index_of), **standing})
         parts, is_new_wall = [*parts_of(now)], scene.models[index].kind == things.WALL
         mine = [part for part in parts if part.root == index]
-        self._check_outside(mine, is_new_wall)
+        self._check_outside([point for part in mine for point in part.points], is_new_wall)
         middles = [(now.models[each].pose.x, now.models[each].pose.y) for each in scene.robots]
 
         def is_floor(part: Part) -> bool:
@@ -242,7 +244,7 @@ class Building:
         thing = the_coloured(model.kind, name, model.colour.family or "", words)
         return words("built-over-thing", thing=thing)
 
-    def _check_outside(self, mine: Iterable[Part], is_wall: bool) -> None:
+    def _check_outside(self, points: Iterable[Point], is_wall: bool) -> None:
         """Raises ``Unusable`` outside of walls that no robot can leave, and where it is too far."""
         floor = picture(self._shared.scene_now())
         robots = [Pose(each.x / STEP, each.y / STEP, 0.0) for each in self._shared.poses().values()]
@@ -251,7 +253,7 @@ class Building:
             left, bottom = floor.left, floor.bottom
             right, top = left + (floor.width - 1) * floor.cell, bottom + (floor.height - 1) * floor.cell
         border = floor.cell / 2 + 0.01
-        xs, ys = zip(*((x / STEP, y / STEP) for part in mine for x, y in part.points), strict=True)
+        xs, ys = zip(*((x / STEP, y / STEP) for x, y in points), strict=True)
         is_inside = left - border <= min(xs) and max(xs) <= right + border
         if not is_inside or min(ys) < bottom - border or max(ys) > top + border:
             raise Unusable(self._words("built-outside", left=left, right=right, bottom=bottom, top=top))

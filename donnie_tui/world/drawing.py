@@ -202,7 +202,7 @@ def world_of(text: str, file: str, wording: Wording) -> Built:
     try:
         return _Drawing(text, wording).built()
     except _BadDrawing as bad:
-        slips = sorted(bad.args)
+        slips = sorted({*bad.args})
     shown = (
         wording("world-error-at" if each.line else "drawing-error", file=file, **each._asdict())
         for each in slips[:MOST_SLIPS]

@@ -124,7 +124,9 @@ def description_of(text: str, wording: Wording) -> Description:
         ):
             marks.append(each[0])
         else:
-            mistakes[each.start()] = _unknown(each[0], wording)
+            near = near_word(each[0], wording)
+            code = "drawing-word-near" if near else "drawing-word"
+            mistakes[each.start()] = wording(code, word=each[0][:40], near=near)
     if kind is None and not mistakes:
         known = ", ".join(word_for(each, wording) for each in KINDS if each != WALL)
         mistakes[0] = wording("drawing-no-kind", known=known)
@@ -138,13 +140,12 @@ def _is_letter(word: str) -> bool:
     return len(word) == 1 and word.isalpha()
 
 
-def _unknown(word: str, wording: Wording) -> str:
-    """The sentence about a word that means nothing."""
-    kinds = [(known, word_for(kind, wording)) for known, kind in [*_kinds().items()][::-1]]
-    meanings = {part: said for known, said in kinds for part in (*known.split(), known)}
-    meanings |= {each: each for each in _colours()}
-    near = meanings.get(nearest(word, meanings) or "")
-    return wording("drawing-word-near" if near else "drawing-word", word=word[:40], near=near)
+def near_word(word: str, wording: Wording) -> str | None:
+    """The kind or colour that was probably meant, in the learner's language; a part of its words is near."""
+    kinds = [word_for(each, wording) for each in KINDS]
+    colours = [wording(f"colour-{each}{end}") for each in COLOURS for end in ("", "-f")]
+    meant = {part: each for each in (*colours, *kinds[::-1]) for part in (*each.split(), each)}
+    return meant.get(nearest(word, meant) or "")
 
 
 # --- a world file

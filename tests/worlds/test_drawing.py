@@ -158,6 +158,12 @@ def test_a_printed_map_has_the_initials_of_colours_that_alone_make_a_difference(
     )
 
 
+def test_a_letter_can_mean_wall(tmp_path: Path) -> None:
+    drawing = ROOM.replace("#", "w") + "w wall\n"
+
+    assert written(drawing, tmp_path).rows == written(ROOM, tmp_path).rows
+
+
 def test_two_robots_are_named_under_the_drawing(tmp_path: Path) -> None:
     file = tmp_path / "drawn.world"
     file.write_text(built("......\n.^..>.\n......\n\n^ alice, bob\n"), encoding="utf-8")
@@ -248,6 +254,13 @@ def test_two_robots_are_named_under_the_drawing(tmp_path: Path) -> None:
             ["Error, map.txt, line 12, column 3: 1 thing, but 2 colors. Give one color, or one for each."],
         ),
         (
+            "##^##\n#...#\n#...#\n#####\n",
+            [
+                "Error, map.txt, line 1, column 3: The robot touches something: wall. "
+                "It needs free floor on every side."
+            ],
+        ),
+        (
             "#####\n#.^.#\n#...#\n#####\n",
             [
                 "Error, map.txt, line 2, column 3: The robot touches something: wall. "
@@ -274,7 +287,7 @@ def test_two_robots_are_named_under_the_drawing(tmp_path: Path) -> None:
             ["Error, map.txt, line 401, column 1: Too many lines: 400 at most."],
         ),
     ],
-    ids=map(str, range(1, 23)),
+    ids=map(str, range(1, 24)),
 )
 def test_every_mistake_in_a_drawing_has_its_place(drawing: str, sentences: list[str]) -> None:
     count = len(sentences)
@@ -320,6 +333,12 @@ def test_world_new_without_a_drawing_is_an_empty_room(
     assert "33 by 33 steps, 1 robot, 0 things" in capsys.readouterr().out
 
 
+def test_a_folder_is_no_new_world(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["world", "new", "."]) == 2
+    assert capsys.readouterr().err == ". is a folder.\n"
+    assert [each.name for each in folder.iterdir()] == ["map.txt"]
+
+
 def test_a_file_that_is_there_is_never_overwritten(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (folder / "room.world").write_text("mine", encoding="utf-8")
 
@@ -349,7 +368,11 @@ def test_a_file_that_is_no_drawing_writes_nothing(
 
 
 @pytest.mark.parametrize(
-    "arguments", [["new"], ["new", "--from", "map.txt"], ["first_room", "--from", "map.txt"], ["a", "b"]]
+    "arguments",
+    [
+        *(["new"], ["new", ""], ["new", "x", "--from", ""]),
+        *(["new", "--from", "map.txt"], ["first_room", "--from", "map.txt"], ["a", "b"]),
+    ],
 )
 def test_a_wrong_use_says_how_it_is_typed(
     folder: Path, capsys: pytest.CaptureFixture[str], arguments: list[str]

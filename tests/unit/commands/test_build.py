@@ -144,6 +144,15 @@ def test_a_pushed_thing_is_moved_from_where_it_is(open_script: OpenScript) -> No
             "PUT chair 99 5",
             "That is outside. The floor goes from -16 to 16 east and from -11 to 21 north. Nothing changed.",
         ),
+        (
+            "PUT box 9999999 3",
+            "That is outside. The floor goes from -16 to 16 east and from -11 to 21 north. Nothing changed.",
+        ),
+        (
+            "MOVE ball 0 -9999999",
+            "That is outside. The floor goes from -16 to 16 east and from -11 to 21 north. Nothing changed.",
+        ),
+        ("PUT box 4 6 3", "I did not understand. Type PUT box red 4 6."),
         ("PUT chair 8 0", "The yellow ball is in the way. Nothing changed."),
         ("MOVE ball 7 0", "There is a wall at that place. Nothing changed."),
         ("MOVE ball -8 0", "The robot donnie is at that place. Nothing changed."),
@@ -189,6 +198,27 @@ def test_of_several_things_the_names_are_said(open_script: OpenScript) -> None:
         "There are 2: box 2: 8, 6; box 3: 8, 12. Type the name of one."
     ]
     assert script.answers_to("REMOVE box 3") == ["Box, blue: gone from 8, 12."]
+
+
+def test_a_thing_is_found_by_its_kind_and_one_of_its_squares(open_script: OpenScript) -> None:
+    script = open_script(world="first_room")
+    script.answers_to("PUT box red 4 6", "PUT box red 8 6")
+
+    assert script.answers_to("REMOVE box 9 5") == ["Box, red: gone from 8, 6."]
+
+
+def test_the_word_that_was_meant_is_one_of_the_learners_language(open_script: OpenScript) -> None:
+    """The Spanish rojo is near to roxo, and is another colour."""
+    script = open_script(world="first_room", language="pt")
+
+    assert script.answers_to("COLOCAR poste roxo 4 6") == ["roxo não é nem objeto nem cor."]
+
+
+def test_a_part_of_a_kind_leads_to_the_kind(open_script: OpenScript) -> None:
+    script = open_script(world="open_floor")
+    script.answers_to("PUT small sofa 8 8 AS couch")
+
+    assert script.answers_to("MOVE sofa 1 0") == ["There is no sofa here. Did you mean small sofa?"]
 
 
 def test_a_thing_with_a_name_is_put_to_a_place(open_script: OpenScript) -> None:
@@ -342,6 +372,7 @@ def test_a_room_is_built_of_walls_by_words_and_read_back(open_script: OpenScript
         ("PUT wall 8 -5 8 5", "The yellow ball is in the way. Nothing changed."),
         ("PUT wall 0 5000", "That is outside. The floor goes from -1000 to 1000 east and from -1000 to 1000"),
         ("PUT wall 3", "I did not understand. Type PUT box red 4 6."),
+        ("PUT wall 1 2 3", "I did not understand. Type PUT box red 4 6."),
         ("REMOVE wall", "There are 4 walls. Type one with a square of it, such as wall 4 6."),
         ("REMOVE wall 4 6", "There is no wall 4 6 here. Nothing changed."),
         ("PUT wall 1 1 2 2 AS ball", "Ball is there already. Choose another name."),
