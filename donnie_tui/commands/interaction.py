@@ -44,7 +44,6 @@ class EnterWorld(Exception):
     """Raised by a front end that ends and begins again in another world, which can be loaded."""
 
     def __init__(self, name: str) -> None:
-        super().__init__("world")
         self.name = name
 
 
@@ -56,7 +55,6 @@ class SwitchMode(Exception):
 
         The front end that takes it over closes it.
         """
-        super().__init__("switch")
         self.text = text
         self.name = name
         self.donnie = donnie
