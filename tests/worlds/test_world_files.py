@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from sim.colours import FAMILIES
+from sim.geometry import Placement
 from sim.scene import Model, NoteKind, Scene
 from sim.worldfile import Code, WorldError, load_text, load_world
 
@@ -79,6 +80,36 @@ def test_children_stand_on_their_parent_and_turn_with_it() -> None:
     assert (grandchild.pose.x, grandchild.pose.y) == pytest.approx((1 - 0.5**0.5, 2 - 0.5**0.5))
     assert (child.parent, child.root, grandchild.parent, grandchild.root) == (0, 0, 1, 0)
     assert (child.name, grandchild.name) == ("model:1.model:0", "model:1.model:0.model:0")
+
+
+@pytest.mark.parametrize(
+    ("written", "pose", "origin"),
+    [
+        ("pose [ 1 2 90 ]", Placement(1, 2, 0, 90), Placement()),
+        ("pose [ 1 2 3 90 ]", Placement(1, 2, 3, 90), Placement()),
+        ("origin [ 1 2 3 ]", Placement(), Placement(1, 2, 3)),
+        ("origin [ 1 2 3 90 ]", Placement(), Placement(1, 2, 3, 90)),
+    ],
+)
+def test_the_third_of_three_numbers_is_the_yaw_of_a_pose_and_the_height_of_an_origin(
+    written: str, pose: Placement, origin: Placement
+) -> None:
+    (model,) = load(f"model ( size [ 1 1 1 ] {written} )").models
+
+    assert (model.pose, model.origin) == (pose, origin)
+
+
+def test_an_include_that_leads_outside_gives_way_to_one_in_an_allowed_folder(tmp_path: Path) -> None:
+    for folder in ("outside", "world", "allowed"):
+        (tmp_path / folder).mkdir()
+        (tmp_path / folder / "part.inc").write_text(f'model ( name "{folder}" )')
+    (tmp_path / "world" / "part.inc").unlink()
+    (tmp_path / "world" / "part.inc").symlink_to(tmp_path / "outside" / "part.inc")
+    (tmp_path / "world" / "top.world").write_text('include "part.inc"')
+
+    scene = load_world(tmp_path / "world" / "top.world", allowed=(tmp_path / "allowed",))
+
+    assert [each.name for each in scene.models] == ["allowed"]
 
 
 def test_origin_shifts_the_shape_and_not_the_children() -> None:

@@ -49,6 +49,21 @@ def test_a_pushed_thing_stops_at_a_wall_and_the_robot_with_it() -> None:
     assert robot.backward(3).walked == 3
 
 
+@pytest.mark.parametrize(("x", "y", "yaw"), [(0, 4, 0), (0, -4, 0), (4, 0, 90), (-4, 1, 180), (1, 4, -90)])
+def test_a_pushed_thing_stops_at_a_wall_wherever_they_are(x: float, y: float, yaw: int) -> None:
+    def at(metres: float) -> str:
+        dx, dy = {0: (1, 0), 90: (0, 1), 180: (-1, 0), -90: (0, -1)}[yaw]
+        return f"pose [ {x + metres * dx} {y + metres * dy} 0 {yaw} ]"
+
+    box = f"model( size [ 0.1 0.1 0.2 ] {at(0.3)} pushable 1 )"
+    wall = f"model( size [ 0.1 0.4 1 ] {at(0.6)} )"
+    world = World(scene(BOX_ROBOT + f"blind( {at(0)} )" + box + wall))
+
+    assert world.robot(pace=Unpaced()).forward(20).stopped_by is StoppedBy.COLLISION
+    ((there_x, there_y),) = things(world)
+    assert abs(there_x - x) + abs(there_y - y) == pytest.approx(0.5, abs=0.001)
+
+
 def test_one_thing_pushes_the_next() -> None:
     world = World(scene(PUSHER + BOX.format(0.3, 0) + BOX.format(0.5, 0.03) + WALL.format(1)))
 

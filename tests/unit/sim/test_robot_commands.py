@@ -78,6 +78,24 @@ def test_the_robot_stops_a_step_before_a_thing_ahead(away: int, walked: int) -> 
     assert (moved.walked, moved.stopped_by, moved.pose.y) == (walked, StoppedBy.OBSTACLE, walked)
 
 
+def test_a_wait_shorter_than_a_second_takes_its_time() -> None:
+    it = ideal()
+    it.wait(0.25)
+
+    assert it.time() == 0.25
+
+
+def test_a_walk_that_ended_at_an_obstacle_is_walked_again_from_the_same_place() -> None:
+    it = ideal([("red", 0, 5)])
+    first = it.forward(9)
+    it.backward(first.walked)
+
+    again = it.forward(9)
+
+    assert (first.walked, again) == (4, first)
+    assert it.pose() == first.pose
+
+
 def test_the_back_sensor_stops_a_backward_walk() -> None:
     moved = ideal([("red", 0, -4)]).backward(5)
 
