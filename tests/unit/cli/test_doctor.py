@@ -251,3 +251,15 @@ def test_without_opencv_the_package_is_named(monkeypatch: pytest.MonkeyPatch, tm
 
     assert 'pip install "donnie-tui[camera]"' in printed(finding)[0]
     assert printed(finding)[1] == "Remedy: until then COLOR says 0 on the real robot."
+
+
+@pytest.mark.parametrize("is_settled", [True, False])
+def test_the_worker_that_was_looked_at_is_closed(monkeypatch: pytest.MonkeyPatch, is_settled: bool) -> None:
+    closed = list[AudioService]()
+    monkeypatch.setattr(AudioService, "warm_up", lambda _: None)
+    monkeypatch.setattr(AudioService, "wait_until_ready", lambda *_: is_settled)
+    monkeypatch.setattr(AudioService, "close", lambda audio: closed.append(audio))
+
+    assert [*doctor.look_at_worker("en")]
+
+    assert len(closed) == 1

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from donnie_tui.cli.run import may_be_replaced
 from donnie_tui.cli.streams import Guarded, Output, is_terminal
 from donnie_tui.core import answer_log
 from donnie_tui.core.events import Spoke
@@ -160,3 +161,21 @@ def test_no_stream_and_no_terminal_are_no_terminal(stream: object, is_one: bool)
     closed = StringIO()
     closed.close()
     assert not is_terminal(closed)
+
+
+@pytest.mark.parametrize(
+    ("option", "name", "content", "may_be"),
+    [
+        ("--brf", "notes.brf", b"ABC DEF\r\n", False),
+        ("--brf", "notes.brf", b" \r\n", True),
+        ("--png", "photo.png", b"\x89PNG\r\n\x1a\n0000", False),
+        ("--gif", "photo.gif", b"GIF89a0000", False),
+        ("--sound", "song.wav", b"RIFF0000WAVEfmt ", False),
+    ],
+)
+def test_a_file_of_that_kind_that_donnie_did_not_write_is_not_replaced(
+    tmp_path: Path, option: str, name: str, content: bytes, may_be: bool
+) -> None:
+    (tmp_path / name).write_bytes(content)
+
+    assert may_be_replaced(option, tmp_path / name) is may_be

@@ -249,3 +249,12 @@ def test_without_a_challenge_its_words_say_so(open_script: OpenScript) -> None:
         ("TASK", ["Task: Give each robot a program, so that they meet and do not bump."]),
         ("RESULTS", ["You have not tried a challenge yet."]),
     )
+
+
+def test_the_lines_of_a_program_are_counted_where_it_is_another_robots(open_script: OpenScript) -> None:
+    script, counted = open_script("FW 1", "TR 90", world="two_robots"), "Your program has 2 lines."
+    names = script.donnie.team.names
+
+    assert counted not in script.answers_to(f"ROBOT {names[0]}"), "it was the chosen one"
+    assert counted not in script.answers_to(f"ROBOT {names[1]}"), "its program is empty"
+    assert counted in script.answers_to(f"ROBOT {names[0]}")
