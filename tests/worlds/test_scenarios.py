@@ -17,6 +17,10 @@ LANGUAGES = ("en", "pt", "es")
 COLOURS = {"red", "green", "blue", "yellow", "orange", "pink", "gray"}
 
 
+def test_the_order_of_the_worlds_names_worlds_that_there_are() -> None:
+    assert set(worlds._ORDER) == set(worlds.names())
+
+
 @cache
 def scene(name: str) -> Scene:
     return load_world(Path(worlds.path(name)), allowed=(Path(worlds.SCENES),))

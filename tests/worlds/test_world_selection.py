@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 import worlds
+from devices.ports.robot import Pose
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.world.loading import choose_world
 
@@ -76,3 +77,17 @@ def test_a_world_includes_only_from_the_allowed_folders(tmp_path: Path) -> None:
         with pytest.raises(Unusable):
             choose_world(str(file), WORDS)
         assert len(choose_world(str(file), WORDS, (str(tmp_path / "lib"),)).scene.robots) == 2
+
+
+@pytest.mark.parametrize(
+    ("robot", "start"),
+    [
+        ("", Pose(0.0, 0.0, 0.0)),
+        ("position ( pose [ 1 -0.5 0 0 ] )", Pose(20.0, -10.0, 90.0)),
+    ],
+)
+def test_a_world_says_where_its_first_robot_starts(tmp_path: Path, robot: str, start: Pose) -> None:
+    world = tmp_path / "some.world"
+    world.write_text(f"model ( size [ 1 1 1 ] pose [ 3 3 0 0 ] )\n{robot}\n")
+
+    assert choose_world(str(world), Words("en")).start() == start

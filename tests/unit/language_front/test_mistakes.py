@@ -6,6 +6,7 @@ import pytest
 
 from language.diagnostics import Diagnostic, MistakeKind
 from language.parser import parse
+from language.suggestions import nearest_pair
 
 
 def mistakes_in(source: str) -> tuple[Diagnostic, ...]:
@@ -719,3 +720,13 @@ def test_an_else_if_without_its_own_end_says_so() -> None:
 @pytest.mark.parametrize("source", ["GRIP + 1", "VAR SOLTAR = 1\nSOLTAR + 1"])
 def test_a_word_of_the_gripper_is_not_proposed_in_place_of_itself(source: str) -> None:
     assert the_mistake(source).meant == ""
+
+
+@pytest.mark.parametrize(
+    ("first", "meant"),
+    [("GIRA", "GIRAR DIREITA"), ("SPEAK", None), ("GIRA" * 11, None), ("PULAR", None)],
+)
+def test_the_keyword_of_a_second_word_is_meant_where_the_first_is_near(first: str, meant: str | None) -> None:
+    found = nearest_pair(first, "DIREITA", frozenset({"TR"}))
+
+    assert (found.text if found else None) == meant
