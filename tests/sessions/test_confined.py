@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -16,8 +17,9 @@ from donnie_tui.process.confinement import Confinement, confine
 from donnie_tui.settings import folders
 from donnie_tui.settings.settings import SessionLimits, limits_of
 from tests.conftest import ROOT
-from tests.sessions.command import QUIET, donnie
+from tests.sessions.command import COMMAND, QUIET, donnie, environment
 from tests.sessions.learner import CTRL_Z, DOWN, UP, Learner, until
+from tests.timeouts import TIMEOUT
 
 pytestmark = pytest.mark.slow
 
@@ -218,6 +220,32 @@ def test_control_z_has_no_effect_although_a_shell_is_above(ana: Path) -> None:
     learner.sees("Ctrl+Z has no effect here.")
     learner.enters("WHERE")
     learner.sees("Facing north.")
+
+
+def test_control_z_has_no_effect_on_another_command_either(ana: Path) -> None:
+    """It waits for a program at its standard input; this process is the shell above."""
+    command = subprocess.Popen(
+        [*COMMAND, "check", "-", "--confined", str(ana)],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        cwd=ana,
+        env=environment(ana),
+        process_group=0,
+    )
+    until(lambda: caught(command.pid) >> (signal.SIGTSTP - 1) & 1)
+    command.send_signal(signal.SIGTSTP)
+    assert command.stderr is not None
+    assert command.stderr.readline() == b"Ctrl+Z has no effect here.\n"
+
+    command.communicate(b"FW 1\n", TIMEOUT)
+    assert command.returncode == 0
+
+
+def caught(process: int) -> int:
+    """The signals that a process handles, a bit each."""
+    status = Path(f"/proc/{process}/status").read_text()
+    return int(status.partition("SigCgt:")[2].split()[0], 16)
 
 
 # --- worlds
