@@ -21,6 +21,7 @@ from donnie_tui.i18n.words import Words
 from donnie_tui.settings.settings import Settings
 from donnie_tui.world.loading import choose_challenge
 from language.locales import languages, table
+from tests.traced_memory import traced
 from worlds import challenges, scenarios
 from worlds.challenges import BadChallenge, Heading, degrees_of
 
@@ -209,6 +210,16 @@ def test_a_file_beyond_the_limit_is_refused_with_the_true_cause(
 
     assert main(["challenge", "test", str(tmp_path / "it.toml"), "--lang", "en"]) == 2
     assert capsys.readouterr().err == "it.toml is too large, at most 100 000 bytes.\n"
+
+
+def test_a_huge_file_is_refused_before_it_takes_memory(tmp_path: Path) -> None:
+    (tmp_path / "it.toml").touch()
+    os.truncate(tmp_path / "it.toml", 50_000_000)
+    with traced() as peak, pytest.raises(BadChallenge) as bad:
+        challenges.read(tmp_path / "it.toml")
+
+    assert [each.code for each in bad.value.mistakes] == ["challenge-too-large"]
+    assert peak() < 5_000_000
 
 
 def test_a_file_without_mistakes_is_read(tmp_path: Path) -> None:

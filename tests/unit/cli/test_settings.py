@@ -11,6 +11,7 @@ from donnie_tui.i18n.words import Words
 from donnie_tui.settings.folders import settings_file, state_folder
 from donnie_tui.settings.parsing import colours_text, read_settings, remember, with_setting
 from donnie_tui.settings.settings import KEYS, BadOption, Settings, SettingSource, language_of, resolve
+from tests.traced_memory import traced
 
 
 def test_without_any_source_the_defaults_count() -> None:
@@ -163,6 +164,15 @@ def test_a_damaged_file_is_reported_and_not_used(environment: dict[str, str], da
 
     assert settings == {}
     assert [notice.code for notice in notices] == [code]
+
+
+def test_a_huge_file_is_refused_before_it_takes_memory(environment: dict[str, str]) -> None:
+    write(environment, b"")
+    os.truncate(settings_file(environment), 50_000_000)
+    with traced() as peak:
+        assert [each.code for each in read_settings(environment)[1]] == ["settings-file-too-large"]
+
+    assert peak() < 5_000_000
 
 
 def test_a_folder_in_its_place_is_reported(environment: dict[str, str]) -> None:
