@@ -7,6 +7,7 @@ After the first line of a block the next one is indented, and the END is there a
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from functools import cache
 from itertools import chain
 
 import msgspec
@@ -154,6 +155,7 @@ def _keywords(kinds: frozenset[int], language: str) -> Iterator[str]:
             yield from each.spellings[language]
 
 
+@cache
 def _ranked() -> list[keywords.Keyword]:
     places = {word: at for at, word in enumerate(_FIRST)} | {word: len(WORDS) for word in _LAST}
     fitting = (each for each in WORDS if each.canonical not in _NEVER)

@@ -81,6 +81,8 @@ class Display:
         self._pose = ctx.donnie.session.pose
         self._readings: dict[tuple[str, str], Read] = {}
         self._distances: Mapping[Bearing, int] = {}
+        self._offered: tuple[object, ...] = ()
+        """What the bottom line was written for last: a letter changes nothing of it."""
         self._has_belt = False
         """Whether a belt has shown anything yet."""
         self._changes = VariableChanges()
@@ -284,9 +286,13 @@ class Display:
         names = _OFFERED_FIRST if is_beginning else _OFFERED_WRONG if is_wrong else _OFFERED[self._runs.state]
         if self._runs.past is not None and self._runs.state is RunState.READY:
             names = _OFFERED_PAST
-        offered = (name for name in names if self._table.of(name))
+        offered = names, self._runs.state, self._words.language, self._table.all
+        if offered == self._offered:
+            return
+        self._offered = offered
+        entries = (self._key_entry(name) for name in names if self._table.of(name))
         everything = KeyEntry(PALETTE, key_label(PALETTE, self._words.language), self._words("key-all"))
-        self._place.keys.offer([*map(self._key_entry, offered), everything])
+        self._place.keys.offer([*entries, everything])
 
     def _key_entry(self, name: str) -> KeyEntry:
         shown_as = "continue_" if name == "pause" and self._runs.state is RunState.PAUSED else name

@@ -7,12 +7,16 @@ from textual.containers import Horizontal, Vertical
 from textual.document._wrapped_document import WrappedDocument
 from textual.dom import DOMNode
 from textual.geometry import Region
+from textual.message_pump import MessagePump
 from textual.widget import Widget
+from textual.widgets import TextArea
 from textual.widgets.text_area import Selection
 
 from donnie_tui.tui import themes
 from donnie_tui.tui.highlighting import highlights
 from donnie_tui.tui.run_view import SELDOM, SOON, Polling
+from donnie_tui.tui.screens.main_screen import MainScreen
+from donnie_tui.tui.widgets.editor import Editor
 from donnie_tui.tui.widgets.map_view import MapView
 
 
@@ -222,3 +226,64 @@ def test_a_line_of_any_length_is_shown_plainly_and_the_others_are_not() -> None:
     found = highlights(f"FW 1\n{'FW 1 ' * 1000}\nFW 2 -- a\n")
 
     assert sorted(found) == [0, 2]
+
+
+async def test_a_letter_paints_its_line_alone_and_asks_for_no_colours(open_screen, monkeypatch) -> None:
+    rows: list[int] = []
+    asked: list[DOMNode] = []
+    render_line, rich_style = Editor.render_line, DOMNode.rich_style.fget
+    async with open_screen("FW 1\nFW 2\nFW 3\n") as screen:
+        await screen.press("down", "end")
+        await screen.painted()
+        monkeypatch.setattr(Editor, "render_line", lambda self, y: rows.append(y) or render_line(self, y))
+        monkeypatch.setattr(
+            DOMNode, "rich_style", property(lambda self: asked.append(self) or rich_style(self))
+        )
+        await screen.press("0")
+        await screen.painted()
+
+        assert screen.main.editor.text.splitlines()[1] == "FW 20"
+        assert set(rows) == {1}
+        assert screen.main.editor not in asked
+
+
+async def test_a_letter_goes_to_the_application_on_the_shortest_way(open_screen, monkeypatch) -> None:
+    passed: list[object] = []
+    dispatch = MessagePump._dispatch_message
+
+    async def counted(self, message):
+        if isinstance(self, Horizontal | Vertical | MainScreen):
+            passed.append(message)
+        await dispatch(self, message)
+
+    async with open_screen("FW 1") as screen:
+        await screen.press("end")
+        await screen.painted()
+        monkeypatch.setattr(MessagePump, "_dispatch_message", counted)
+        await screen.press("0")
+        await screen.painted()
+
+        assert not [each for each in passed if isinstance(each, TextArea.Changed | TextArea.SelectionChanged)]
+
+
+async def test_what_stays_when_a_line_is_typed_is_what_would_be_painted_now(open_screen) -> None:
+    """Words are letters; a text without its end colours the lines below it, a long line moves them."""
+    typed = 'ab "|enter|up| x|home|"|right|(|down|)|left|backspace|up|end|' + f"{'word ' * 20}|ctrl+z|ctrl+y"
+    async with open_screen('FW 1\nSPEAK (1 +\n2) "a"\nREPEAT 2 TIMES\nFW 1\nEND REPEAT\n') as screen:
+        editor = screen.main.editor
+        await screen.press("down", "end", "left")
+        for each in typed.split("|"):
+            keys = [each] if len(each) > 1 and each.isascii() and " " not in each else list(each)
+            for key in keys:
+                await screen.press(key)
+                await screen.painted()
+                window = Region(0, 0, *editor.size)
+                kept = editor.render_lines(window)
+                editor.refresh()
+                assert kept == editor.render_lines(window), (each, key)
+        editor.replace("FW 2\nFW 3", (0, 0), editor.document.end)
+        editor.replace("BW 2\nBW 3", (0, 0), (1, 4))
+        await screen.painted()
+        kept = editor.render_lines(window)
+        editor.refresh()
+        assert kept == editor.render_lines(window)

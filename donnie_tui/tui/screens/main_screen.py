@@ -346,6 +346,3 @@ class MainScreen(Screen[None]):
 
     def on_text_rows_read(self) -> None:
         self.post_message(self.Looked())
-
-    def on_text_area_selection_changed(self) -> None:
-        self.post_message(self.Looked())

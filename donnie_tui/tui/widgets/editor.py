@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, ClassVar, Self
 
 from rich.cells import cell_len
 from rich.segment import Segment
@@ -20,6 +20,7 @@ from textual.document._document import EditResult
 from textual.document._edit import Edit
 from textual.geometry import Offset, Region
 from textual.message import Message
+from textual.scroll_view import ScrollView
 from textual.strip import Strip
 from textual.widgets import TextArea
 from textual.widgets.text_area import Selection, TextAreaTheme
@@ -55,6 +56,10 @@ class Editor(TextArea):
 
     BINDINGS: ClassVar[list[BindingType]] = [Binding("ctrl+a", "select_all")]
 
+    _is_editing = False  # asked before the constructor has ended
+    _has_looks = False
+    """Whether the colours were looked up since all rows were to be painted."""
+
     class LineWordTyped(Message):
         """Enter on a line that holds only a command; the line is taken out."""
 
@@ -68,6 +73,12 @@ class Editor(TextArea):
         def __init__(self, line: int) -> None:
             super().__init__()
             self.line = line
+
+    class Edited(Message, bubble=False):
+        """The text is another one."""
+
+    class Looked(Message, bubble=False):
+        """The cursor was put somewhere, perhaps where it was."""
 
     class LineFinished(Message):
         """Enter, in that row (from 0)."""
@@ -105,6 +116,15 @@ class Editor(TextArea):
         self.theme = name
 
     # --- typing
+
+    def on_text_area_changed(self, event: TextArea.Changed) -> None:
+        """Straight to the application: on the way through five containers a letter pays for each."""
+        event.stop()
+        self.app.post_message(self.Edited())
+
+    def on_text_area_selection_changed(self, event: TextArea.SelectionChanged) -> None:
+        event.stop()
+        self.app.post_message(self.Looked())
 
     async def _on_key(self, event: events.Key) -> None:
         self.is_typed = True
@@ -195,9 +215,15 @@ class Editor(TextArea):
 
     def note(self, mistakes: Mapping[int, LineMistake]) -> None:
         """The mistakes of the text as it is now, by line."""
-        if self._notes != mistakes:
-            self._notes = dict(mistakes)
-            self.refresh()
+        last = self.document.line_count
+        changed = {
+            each
+            for each in self._notes.keys() | mistakes.keys()
+            if self._notes.get(each) != mistakes.get(each)
+        }
+        self._notes = dict(mistakes)
+        if changed:
+            self.refresh(*(self._rows_of(each - 1) for each in changed if each <= last))
 
     @property
     def mistake(self) -> LineMistake | None:
@@ -229,17 +255,50 @@ class Editor(TextArea):
         self.move_cursor((0, 0))
 
     def edit(self, edit: Edit) -> EditResult:
-        """Breakpoints go with their lines."""
+        """Breakpoints go with their lines. A letter has only the rows of its line painted again."""
         start, end = sorted((edit.from_location, edit.to_location))
         whole_lines = start[1] == end[1] == 0
         first, last = (start[0], end[0]) if whole_lines else (start[0] + 1, end[0] + 1)
         before, was_empty = self.document.line_count, not self.text
-        result = super().edit(edit)
-        self._choose_wrapping()
+        others = self._beyond(start[0]) if start[0] == end[0] else ()
+        self._is_editing = True
+        try:
+            result = super().edit(edit)
+            self._choose_wrapping()
+        finally:
+            self._is_editing = False
+        self.refresh(*([self._rows_of(start[0])] if others == self._beyond(start[0]) else []))
         if was_empty != (not self.text):
             self._refresh_first_steps()
         self._shift_breakpoints(first, last, self.document.line_count - before)
         return result
+
+    def refresh(
+        self, *regions: Region, repaint: bool = True, layout: bool = False, recompose: bool = False
+    ) -> Self:
+        """Textual asks for all rows at each letter; ``edit`` asks for those that an edit changes."""
+        if self._is_editing and not (regions or layout or recompose):
+            return self
+        self._has_looks = self._has_looks and bool(regions)
+        return super().refresh(*regions, repaint=repaint, layout=layout, recompose=recompose)
+
+    def _beyond(self, row: int) -> tuple[object, ...]:
+        """What an edit of that line may change in the rows of others."""
+        looks = {line: each for line, each in self._highlights.items() if line != row}
+        places = self.wrapped_document.height, self.document.line_count, self.gutter_width, self.soft_wrap
+        return looks, places, self.scroll_offset, self._others_marked(row)
+
+    def _others_marked(self, row: int) -> tuple[object, ...]:
+        """The rows of the selection and of the bracket of a pair, where they are not in that line only."""
+        bracket = self._matching_bracket_location
+        marked = {*(each[0] for each in self.selection), *([bracket[0]] if bracket else [])}
+        return () if marked == {row} else (self.selection, bracket)
+
+    def _rows_of(self, row: int) -> Region:
+        """Where a line is in the window."""
+        line = self.document.get_line(row)
+        first, last = (self.wrapped_document.location_to_offset((row, at)).y for at in (0, len(line)))
+        return Region(0, first - self.scroll_offset.y, self.size.width, last + 1 - first)
 
     def undo(self) -> None:
         """Breakpoints go with their lines here too."""
@@ -392,10 +451,15 @@ class Editor(TextArea):
         return super().gutter_width + MARKS
 
     def render_lines(self, crop: Region) -> list[Strip]:
-        """Where the selection is in a line of any length is looked for once, and not for each row."""
+        """Where the selection is in a line of any length is looked for once, and not for each row.
+
+        Textual looks up the colours each time, also for a letter.
+        """
         self._chosen_painted = None if self.selection.is_empty else self._chosen
+        paint = ScrollView.render_lines if self._has_looks else TextArea.render_lines
+        self._has_looks = True
         try:
-            return super().render_lines(crop)
+            return paint(self, crop)
         finally:
             self._chosen_painted = None
 
