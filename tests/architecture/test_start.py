@@ -71,6 +71,16 @@ def loaded_by(code: str, folder: Path, typed: str = "") -> set[str]:
     return set(done.stderr.split())
 
 
+def test_a_session_is_loaded_without_what_only_reads_sources(tmp_path: Path) -> None:
+    """msgspec would load it by typing_extensions, where that is installed."""
+    linear = ["--linear", "--speech", "off", "--sound", "off"]
+    code = f"sys.argv[1:] = {linear}\nfrom donnie_tui.__main__ import main\nmain()"
+    loaded = loaded_by(code, tmp_path, "SPEAK 1\n")
+
+    assert {"msgspec", "language.parser"} <= loaded
+    assert not loaded & {"typing_extensions", "inspect", "ast", "dis"}
+
+
 def test_the_first_frame_needs_no_session(tmp_path: Path) -> None:
     loaded = loaded_by(FRONT_END, tmp_path)
 
