@@ -235,11 +235,12 @@ class Ground:
         with self._lock:
             layout = self._layout or self._lay_out()
             nearest = layout.nearest_still(wedge, height, but) if has_still else (inf, None)
-            roots = layout.moving.in_wedge(asker, wedge, min(nearest[0], wedge.reach))
-            if not roots:
-                return nearest
-            self._catch_up(asker, roots)
-            return layout.nearest_moving(asker, roots, wedge, height, but, nearest)
+            reach = wedge.reach if nearest[1] is None else nearest[0]
+            roots = layout.moving.in_wedge(asker, wedge, reach)
+            if roots:
+                self._catch_up(asker, roots)
+                nearest = layout.nearest_moving(asker, roots, wedge, height, but, nearest)
+            return nearest
 
     def free_way(
         self, asker: int, x: float, y: float, end: Point, guard: float, but: frozenset[int]

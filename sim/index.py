@@ -12,7 +12,7 @@ from math import dist, floor, hypot, inf, sqrt
 
 from msgspec import Struct
 
-from sim.geometry import Placement, Point, Wedge, direction, edges, is_convex, signed_area
+from sim.geometry import HAIR, Placement, Point, Wedge, direction, edges, is_convex, signed_area
 from sim.parts import Part
 
 Box = tuple[float, float, float, float]
@@ -28,7 +28,7 @@ FEW = 16
 """So many parts, about, are looked for around a place at first."""
 NO_ROOT = -1
 """In place of a root, where no root asks."""
-VIEWED_FROM = 0.5
+VIEWED_FROM = 1.0
 """Metres of the side of a square from which views are kept."""
 _NEARER = 0.75 * VIEWED_FROM
 """Metres by which a thing may be nearer to some place in the square than to the middle of the square."""
@@ -44,7 +44,7 @@ class StillParts:
     """What never moves."""
 
     def __init__(self, parts: Sequence[Part]) -> None:
-        self._entries = [entry for part in parts for entry in entries_of(part)]
+        self._entries = [entry for part in parts for entry in entries_of(part, is_whole(part))]
         self._large: list[Entry] = []
         sizes = [max(right - left, top - bottom) for left, bottom, right, top, _ in self._entries]
         self._side = min(MOST, max(LEAST, 2.0 * sorted(sizes)[(len(sizes) - 1) // 2])) if sizes else MOST
@@ -102,8 +102,8 @@ DRIFT = 0.3
 """Metres that a root moves until what is near it must be found again."""
 CLOSE = 0.75
 """Metres: a movement looks for what is near as far as that, a sensor farther."""
-InView = tuple[float, float, float, float, Part]
-"""How far a part is at least; the x, y and radius of a circle around it; the part."""
+InView = tuple[float, int, float, float, float, Part]
+"""How far a part is at least; its rank; x, y and radius of a circle around it, a hair wider; the part."""
 
 
 class Views:
@@ -123,7 +123,7 @@ class Views:
 
         It is ``reach`` at least.
         """
-        key = wedge.x // VIEWED_FROM, wedge.y // VIEWED_FROM, wedge.yaw // SECTOR, wedge.aside
+        key = wedge.x // VIEWED_FROM, wedge.y // VIEWED_FROM, wedge.yaw % 360.0 // SECTOR, wedge.aside
         kept = self._kept.get(key)
         if kept is None or kept[0] < reach:
             kept = self._kept[key] = self._in_sector(*key, reach)
@@ -140,24 +140,35 @@ class Views:
                 self._around.clear()
             around = self._around[place] = reach, self._on_all_sides(*place, reach)
         (wc, ws), (c, s) = aside, direction(SECTOR / 2)
-        yaw = (sector + 0.5) * SECTOR
+        wc, ws = wc * c - ws * s, ws * c + wc * s
+        c, s = direction((sector + 0.5) * SECTOR)
         x, y = (column + 0.5) * VIEWED_FROM, (row + 0.5) * VIEWED_FROM
-        wedge = Wedge(x, y, yaw, direction(yaw), (wc * c - ws * s, ws * c + wc * s), around[0])
-        return around[0], [view for view in around[1] if wedge.touches(view[4].middle, view[3] + _NEARER)]
+        known, views = around
+        found = []
+        for view in views:
+            _, _, its_x, its_y, radius, _ = view
+            dx, dy, radius = its_x - x, its_y - y, radius + _NEARER
+            along = dx * c + dy * s
+            if -radius <= along and abs(dy * c - dx * s) * wc - along * ws <= radius:
+                found.append(view)
+        return known, found
 
     def _on_all_sides(self, column: float, row: float, reach: float) -> list[InView]:
         x, y, far = (column + 0.5) * VIEWED_FROM, (row + 0.5) * VIEWED_FROM, reach + _NEARER
         found = self._still.within(x - far, y - far, x + far, y + far)
-        seen = (part for part in found.values() if part.seen)
-        views = (
-            (dist(part.middle, (x, y)) - part.reach - _NEARER, *part.middle, part.reach, part)
-            for part in seen
-        )
-        return sorted(views, key=_by_distance)
-
-
-def _by_distance(view: InView) -> tuple[float, int]:
-    return view[0], view[4].rank
+        views = [
+            (
+                dist(part.middle, (x, y)) - part.reach - _NEARER,
+                part.rank,
+                *part.middle,
+                part.reach + HAIR,
+                part,
+            )
+            for part in found.values()
+            if part.seen
+        ]
+        views.sort()
+        return views
 
 
 class MovingRoots:
@@ -174,7 +185,7 @@ class MovingRoots:
         self._ranges: dict[int, Circle] = {}
         self._widest = 0.0
         """Of the ranges."""
-        self._side = max(1.0, 2.0 * max(self._extents.values(), default=0.0))
+        self._side = max(2.0, 2.0 * max(self._extents.values(), default=0.0))
         self._squares: dict[tuple[int, int], set[int]] = {}
         """The ranges, square by square."""
         self._close: dict[int, _Near] = {}
@@ -253,22 +264,17 @@ class MovingRoots:
         return found
 
     def in_wedge(self, asker: int, wedge: Wedge, reach: float) -> list[int]:
-        """The others that may come into a wedge up to a distance, in no order.
-
-        This is ``Wedge.touches`` written out, because each sensor asks it for each root.
-        """
+        """The others that may come into a wedge up to a distance, in no order."""
         x, y = wedge.x, wedge.y
-        near = self.near(asker, x, y, reach)
-        if not near:
-            return []
-        (c, s), (wc, ws), circles = wedge.facing, wedge.aside, self._circles
-        found = []
-        for root in near:
-            its_x, its_y, radius = circles[root]
-            dx, dy = its_x - x, its_y - y
-            along = dx * c + dy * s
-            if -radius <= along <= reach + radius and abs(dy * c - dx * s) * wc - along * ws <= radius:
-                found.append(root)
+        near, found = self.near(asker, x, y, reach), list[int]()
+        if near:
+            (c, s), (wc, ws), circles = wedge.facing, wedge.aside, self._circles
+            for root in near:
+                its_x, its_y, radius = circles[root]
+                dx, dy = its_x - x, its_y - y
+                along = dx * c + dy * s
+                if -radius <= along <= reach + radius and abs(dy * c - dx * s) * wc - along * ws <= radius:
+                    found.append(root)
         return found
 
     def _found(self, asker: int, x: float, y: float, reach: float) -> _Near:
@@ -312,10 +318,9 @@ def is_whole(part: Part) -> bool:
     return abs(signed_area(part.points)) > 1e-9 and is_convex(part.points)
 
 
-def entries_of(part: Part, whole: bool | None = None) -> list[Entry]:
+def entries_of(part: Part, whole: bool) -> list[Entry]:
     """One box for a polygon that is ``whole``, one for each edge of another."""
     points = part.points
-    whole = is_whole(part) if whole is None else whole
     pieces = (points,) if whole else tuple(((ax, ay), (bx, by)) for ax, ay, bx, by in edges(points))
     found = list[Entry]()
     for piece in pieces:

@@ -20,8 +20,19 @@ from weakref import WeakSet
 
 import pymunk
 
-from sim.geometry import HAIR, Placement, Point, Wedge, contains, edges, is_convex, placed, signed_area
-from sim.index import NO_ROOT, Box, InView, MovingRoots, StillParts, Views, entries_of, is_whole
+from sim.geometry import (
+    HAIR,
+    Placement,
+    Point,
+    Wedge,
+    contains,
+    edges,
+    is_convex,
+    nearest_seen,
+    placed,
+    signed_area,
+)
+from sim.index import NO_ROOT, Box, Entry, InView, MovingRoots, StillParts, Views, entries_of, is_whole
 from sim.parts import BODY, NOTHING, RANGED, SIGHT, Part, Sighted, parts_of
 from sim.rays import Hit, Rays
 from sim.scene import Scene
@@ -162,12 +173,13 @@ class Layout:
         at_start = {root: [self.at_start[rank] for rank in ranks] for root, ranks in self._ranks.items()}
         self._views = Views(self._still)
         self.moving = MovingRoots(at_start, start)
-        self._entries = {
-            root: [entry for part in parts for entry in entries_of(part)] for root, parts in at_start.items()
-        }
-        """Of the parts of movable roots, where these were when they were last placed."""
-        self._frames: dict[int, tuple[tuple[Point, ...], bool]] = {}
-        """Of parts that have moved, by rank: as seen from their roots, and whether they are whole."""
+        self._of_root = {root: tuple(parts) for root, parts in at_start.items()}
+        """The parts of movable roots, where these were when they were last placed."""
+        self._entries: dict[int, list[Entry]] = {}
+        """Of these parts, as far as a box was asked for since."""
+        self._whole = {part.rank: is_whole(part) for parts in at_start.values() for part in parts}
+        self._frames: dict[int, tuple[Point, ...]] = {}
+        """Parts that have moved, by rank, as seen from their roots."""
         self._unplaced = set[int]()
         """The movable roots whose parts were not placed since they moved."""
         for root, place in now.items():
@@ -212,7 +224,7 @@ class Layout:
         """The parts of a movable root."""
         if root in self._unplaced:
             self._place_parts(root)
-        return tuple(self._parts[rank] for rank in self._ranks[root])
+        return self._of_root[root]
 
     def within(self, asker: int, roots: Iterable[int], box: Box, but: frozenset[int]) -> list[Part]:
         """``roots``: what may move and may come into the box."""
@@ -222,9 +234,7 @@ class Layout:
         for root in roots:
             if groups.get(root, 0) == group:
                 continue
-            if root in self._unplaced:
-                self._place_parts(root)
-            for its_left, its_bottom, its_right, its_top, part in self._entries[root]:
+            for its_left, its_bottom, its_right, its_top, part in self._entries_of(root):
                 if its_left <= right and left <= its_right and its_bottom <= top and bottom <= its_top:
                     found[part.rank] = part
         if len(found) < 2:
@@ -242,13 +252,14 @@ class Layout:
 
     def nearest_still(self, wedge: Wedge, height: float | None, but: frozenset[int]) -> Sighted:
         """See ``Ground.nearest``: of what never moves."""
-        known = min(self._views.first, wedge.reach)
+        reach, views = wedge.reach, self._views
+        known = views.first
         while True:
-            known, views = self._views.of(wedge, known)
-            found = _nearest(views, wedge, height, but, NOTHING) if views else NOTHING
-            if found[0] <= known or known >= wedge.reach:
+            known, in_view = views.of(wedge, known if known < reach else reach)
+            found = _nearest(in_view, wedge, height, but, NOTHING) if in_view else NOTHING
+            if known >= reach or found[0] <= known:
                 return found
-            known = min(2.0 * known, wedge.reach)
+            known *= 2.0
 
     def nearest_moving(
         self,
@@ -262,13 +273,13 @@ class Layout:
         """The same of ``roots``, which may move, and of what was ``nearest`` before."""
         group, groups = asker + 1, self._groups
         views = [
-            (0.0, *part.middle, part.reach, part)
+            (0.0, part.rank, *part.middle, part.reach + HAIR, part)
             for root in roots
             if groups.get(root, 0) != group
             for part in self.parts_of(root)
             if part.seen
         ]
-        return _nearest(views, wedge, height, but, nearest)
+        return _nearest(views, wedge, height, but, nearest) if views else nearest
 
     def free_of_still(self, x: float, y: float, end: Point, guard: float, but: frozenset[int]) -> float:
         return self._still_layers[guard].first_hits(x, y, (end,), 0, BODY, but)[0][1]
@@ -324,17 +335,24 @@ class Layout:
             self._place_parts(root)
         return self._parts[rank]
 
+    def _entries_of(self, root: int) -> list[Entry]:
+        parts, entries = self.parts_of(root), self._entries.get(root)
+        if entries is None:
+            whole = self._whole
+            entries = [entry for part in parts for entry in entries_of(part, whole[part.rank])]
+            self._entries[root] = entries
+        return entries
+
     def _place_parts(self, root: int) -> None:
         start, now = self._start[root], self._now[root]
         self._unplaced.discard(root)
-        entries = self._entries[root] = []
+        self._entries.pop(root, None)
         for rank in self._ranks[root]:
             part = self.at_start[rank]
             if rank not in self._frames:
-                self._frames[rank] = part.seen_from(start), is_whole(part)
-            local, whole = self._frames[rank]
-            self._parts[rank] = part = part if now == start else part.moved(local, now)
-            entries.extend(entries_of(part, whole))
+                self._frames[rank] = part.seen_from(start)
+            self._parts[rank] = part if now == start else part.moved(self._frames[rank], now)
+        self._of_root[root] = tuple([self._parts[rank] for rank in self._ranks[root]])
 
 
 def _nearest(
@@ -344,21 +362,20 @@ def _nearest(
 
     ``views``: the nearest first.
     """
-    x, y, (c, s), (wc, ws) = wedge.x, wedge.y, wedge.facing, wedge.aside
-    least, found = nearest
+    x, y, facing, aside = wedge.x, wedge.y, wedge.facing, wedge.aside
+    (c, s), (wc, ws), (least, found) = facing, aside, nearest
     most = nextafter(min(least, wedge.reach), inf)
-    for bound, its_x, its_y, radius, part in views:
+    for bound, rank, its_x, its_y, radius, part in views:
         if bound > most:
             break
         dx, dy = its_x - x, its_y - y
         along = dx * c + dy * s
-        if along + radius < 0.0 or along - radius > most:
-            continue
-        if abs(dy * c - dx * s) * wc - along * ws > radius + HAIR or part.rank in but:
+        if abs(dy * c - dx * s) * wc - along * ws > radius or along - radius > most or rank in but:
             continue
         if height is None or part.bottom <= height <= part.top:
-            metres = wedge.metres(part.points, part.middle, radius, most)
-            if metres < most and (found is None or metres < least or part.rank < found.rank):
+            is_inside = dx * dx + dy * dy <= radius * radius and contains(part.points, x, y)
+            metres = 0.0 if is_inside else nearest_seen(part.points, x, y, facing, aside, most)
+            if metres < most and (found is None or metres < least or rank < found.rank):
                 least, found, most = metres, part, nextafter(metres, inf)
     return least, found
 

@@ -100,6 +100,17 @@ def test_a_view_from_any_place_of_a_square_holds_all_in_reach_and_no_farther_tha
                 assert bounds[part.rank] <= metres
 
 
+def test_a_view_is_the_same_after_a_full_turn() -> None:
+    """A sensor to the left of a robot that looks to 350 degrees looks to 440."""
+    views = Views(StillParts(Ground(scene(pebbles(Random(1)))).parts()))
+    eighty, full_turn_on = (
+        views.of(Wedge(0.2, 0.2, yaw, direction(yaw), direction(7.5), 2.0), 2.0) for yaw in (80.0, 440.0)
+    )
+
+    assert eighty[1]
+    assert eighty is full_turn_on
+
+
 @settings(max_examples=examples(60), deadline=None)
 @given(st.integers(0, 10**6))
 def test_a_cone_reads_the_nearest_of_all_things_wherever_they_were_moved(seed: int) -> None:
