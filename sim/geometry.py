@@ -88,9 +88,11 @@ def is_convex(points: Sequence[Point]) -> bool:
 def contains(points: Sequence[Point], x: float, y: float) -> bool:
     """Whether the point lies inside the polygon (even-odd)."""
     inside = False
-    for ax, ay, bx, by in edges(points):
+    ax, ay = points[-1]
+    for bx, by in points:
         if (ay > y) != (by > y) and x < ax + (y - ay) * (bx - ax) / (by - ay):
             inside = not inside
+        ax, ay = bx, by
     return inside
 
 
@@ -99,7 +101,11 @@ def nearest_on_edge(edge: Edge) -> Point:
     ax, ay, bx, by = edge
     dx, dy = bx - ax, by - ay
     length2 = dx * dx + dy * dy
-    t = 0.0 if length2 == 0.0 else min(1.0, max(0.0, -(ax * dx + ay * dy) / length2))
+    t = -(ax * dx + ay * dy) / length2 if length2 else 0.0
+    if t <= 0.0:
+        t = 0.0
+    elif t > 1.0:
+        t = 1.0
     return ax + t * dx, ay + t * dy
 
 
@@ -147,26 +153,6 @@ class Wedge(Struct, frozen=True):
     aside: Point
     """The direction of its half angle."""
     reach: float
-
-    def touches(self, middle: Point, radius: float) -> bool:
-        """Whether a circle may come into it: a quick look before an exact one."""
-        (x, y), (c, s), (wc, ws) = middle, self.facing, self.aside
-        dx, dy = x - self.x, y - self.y
-        along = dx * c + dy * s
-        return (
-            -radius <= along <= self.reach + radius + HAIR
-            and abs(dy * c - dx * s) * wc - along * ws <= radius + HAIR
-        )
-
-    def box(self, reach: float) -> tuple[float, float, float, float]:
-        """Left, bottom, right and top of it up to a distance."""
-        x, y, (c, s), (wc, ws) = self.x, self.y, self.facing, self.aside
-        tangent = ws / wc
-        ahead_x, ahead_y = x + reach * c, y + reach * s
-        aside_x, aside_y = reach * abs(s) * tangent + HAIR, reach * abs(c) * tangent + HAIR
-        left, right = (x, ahead_x) if c > 0.0 else (ahead_x, x)
-        bottom, top = (y, ahead_y) if s > 0.0 else (ahead_y, y)
-        return left - aside_x, bottom - aside_y, right + aside_x, top + aside_y
 
     def metres(self, points: Sequence[Point], middle: Point, radius: float, most: float) -> float:
         """To a polygon in a circle: 0 inside of it, ``most`` where it isn't in the wedge, or farther."""
@@ -376,7 +362,14 @@ def overlapping(mine: Sequence[Point], other: Sequence[Point]) -> bool:
         return False
     if contains(other, *mine[0]) or contains(mine, *other[0]):
         return True
-    return any(_crossing(a, b) for a in edges(mine) for b in edges(other))
+    others = edges(other)
+    for ax, ay, bx, by in edges(mine):
+        dx, dy = bx - ax, by - ay
+        sides = [dx * (y - ay) - dy * (x - ax) for x, y in other]
+        for i, edge in enumerate(others):
+            if sides[i - 1] * sides[i] < 0.0 and _divides(edge, (ax, ay, bx, by)):
+                return True
+    return False
 
 
 def _are_apart(
@@ -391,11 +384,8 @@ def _are_apart(
     )
 
 
-def _crossing(mine: Edge, other: Edge) -> bool:
-    return _divides(mine, other) and _divides(other, mine)
-
-
 def _divides(line: Edge, edge: Edge) -> bool:
+    """Whether the ends of an edge lie on the two sides of a line."""
     ax, ay, bx, by = line
     first = (bx - ax) * (edge[1] - ay) - (by - ay) * (edge[0] - ax)
     second = (bx - ax) * (edge[3] - ay) - (by - ay) * (edge[2] - ax)

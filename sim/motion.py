@@ -388,10 +388,12 @@ class Mover:
 
     def _in_the_way_of_turning(self, spot: Spot) -> list[Part]:
         """A round body has room to turn from all that lies still: only what moves can have come closer."""
+        here, reach = (spot.x, spot.y), self.body.radius + SKIN
         close = self._touchable(spot, self.body.radius)
         if self.body.is_round:
             close = [part for part in close if part.root in self.around.ground.movable]
-        return [part for part in close if not self._overlaps(spot, part)]
+        in_reach = [part for part in close if dist(part.middle, here) <= part.reach + reach]
+        return [part for part in in_reach if not self._overlaps(spot, part)]
 
     def _touchable(self, spot: Spot, reach: float) -> list[Part]:
         return [part for part in self.around.near(spot.x, spot.y, reach) if part.solid]

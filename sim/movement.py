@@ -71,7 +71,7 @@ class Movement(ABC):
 
     def _report_progress(self) -> None:
         """Reports progress after a tick that came to a whole step or degree."""
-        if self._whole % self._stride(self._asked) == 0:
+        if self._vehicle.watcher is not None and self._whole % self._stride(self._asked) == 0:
             self._report(self._whole)
 
     def _report(self, whole: int) -> None:

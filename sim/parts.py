@@ -117,7 +117,7 @@ def _circle(points: Sequence[Point]) -> tuple[Point, float]:
     """A circle around a polygon, not the smallest one."""
     xs, ys = zip(*points, strict=True)
     middle = (min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2
-    return middle, max(dist(middle, point) for point in points)
+    return middle, max([dist(middle, point) for point in points])
 
 
 ROUND = 0.9

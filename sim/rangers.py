@@ -113,9 +113,10 @@ class Cone(Struct, frozen=True):
 
     def nearest(self, around: Around, spot: Spot, turned: float = 0.0) -> Sighted:
         """The nearest thing in the cone, if there is any, and how far it is."""
-        x, y, half, (c, s) = self.x, self.y, self.half_angle, direction(spot.yaw)
-        yaw = spot.yaw + (self.yaw + turned)
-        x, y = spot.x + c * x - s * y, spot.y + s * x + c * y  # as ``Spot.mounted`` does it
+        its_x, its_y, half, yaw = self.x, self.y, self.half_angle, spot.yaw
+        c, s = direction(yaw)
+        yaw += self.yaw + turned
+        x, y = spot.x + c * its_x - s * its_y, spot.y + s * its_x + c * its_y  # as ``Spot.mounted`` does it
         if half > NARROW:
             return self._nearest_of_wide(around, Spot(x, y, yaw))
         yaw = yaw - half + half  # rounded as the middle of the wedges of a wide cone is

@@ -6,7 +6,7 @@ import pytest
 
 from devices.ports.robot import Pose
 from sim import geometry
-from sim.geometry import Placement, Point, Raster, Spot, Wedge
+from sim.geometry import Placement, Point, Raster, Spot
 
 UNIT = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))
 ARROW = ((0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (2.0, 1.0))
@@ -131,29 +131,6 @@ def test_nothing_beyond_the_reach_is_looked_for() -> None:
     assert geometry.nearest_seen(wall, 0, 0, (1, 0), (HALF, HALF), 4.0) == 3.0
     assert geometry.nearest_seen(wall, 0, 0, (1, 0), (HALF, HALF), 2.0) == 2.0
     assert geometry.nearest_seen(wall, 1, 0, (1, 0), (HALF, HALF)) == 2.0
-
-
-def test_a_wedge_has_a_box_and_touches_what_may_come_into_it() -> None:
-    ahead = Wedge(1.0, 2.0, 0.0, geometry.direction(0), geometry.direction(45), 4.0)
-    back = Wedge(1.0, 2.0, 180.0, geometry.direction(180), geometry.direction(45), 4.0)
-    south = Wedge(1.0, 2.0, 270.0, geometry.direction(270), geometry.direction(45), 4.0)
-
-    assert ahead.box(4.0) == pytest.approx((1, -2, 5, 6))
-    assert back.box(4.0) == pytest.approx((-3, -2, 1, 6))
-    assert south.box(4.0) == pytest.approx((-3, -2, 5, 2))
-    north_east = Wedge(0.0, 0.0, 45.0, geometry.direction(45), geometry.direction(45), sqrt(8))
-    assert north_east.box(sqrt(8)) == pytest.approx((-2, -2, 4, 4))
-    for middle, touches in (
-        ((6.0, 2.0), True),
-        ((6.1, 2.0), False),
-        ((0.0, 2.0), True),
-        ((-0.1, 2.0), False),
-        ((3.0, 4.0 + sqrt(2) - 0.01), True),
-        ((3.0, 4.0 + sqrt(2) + 0.01), False),
-        ((3.0, -sqrt(2) + 0.01), True),
-        ((3.0, -sqrt(2) - 0.01), False),
-    ):
-        assert ahead.touches(middle, 1.0) is touches, middle
 
 
 @pytest.mark.parametrize(
