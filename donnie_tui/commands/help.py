@@ -156,12 +156,14 @@ async def tour(ctx: Context, _: str) -> None:
 
 
 async def _say_page(ctx: Context, number: int) -> None:
-    """One page. An empty line continues; after any other line TOUR does."""
+    """One page. An empty line continues; after any other line TOUR does. After the last one a task begins."""
     ctx.say(*tour_page(number, ctx.words))
     ctx.tour_page = number if number < TOUR_PAGES else 1
     if number < TOUR_PAGES:
         ctx.answer("tour-on", page=number, pages=TOUR_PAGES)
         ctx.interaction.continue_on_enter(partial(_say_page, ctx, number + 1))
+    else:
+        ctx.interaction.continue_on_enter(partial(_enter_challenge, ctx, "1"))
 
 
 # --- challenges

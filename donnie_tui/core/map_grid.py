@@ -173,8 +173,8 @@ class MapGrid:
 
     @property
     def marked(self) -> frozenset[Cell]:
-        """The cells with trail or a goal, shown or hidden."""
-        return frozenset((*self._trail, *self._goals))
+        """The cells with trail, the start or a goal, shown or hidden."""
+        return frozenset((*self._trail, self.start, *self._goals))
 
     def thing(self, cell: Cell) -> Thing | None:
         """The thing at a cell; of several, the one whose middle is nearest."""
@@ -197,7 +197,7 @@ class MapGrid:
             return self._arrow
         if cell in self.goals:
             return _GOALS[min(self.goals[cell], len(_GOALS)) - 1]
-        if cell == self.start:
+        if self._is_start(cell):
             return START
         return TRAIL if self._has_trail(cell) else self.floor_letter(cell)
 
@@ -207,11 +207,15 @@ class MapGrid:
             return Kind.ROBOT
         if cell in self.goals:
             return Kind.GOAL
-        if cell == self.start:
+        if self._is_start(cell):
             return Kind.START
         if self._has_trail(cell):
             return Kind.TRAIL
         return {WALL: Kind.WALL, FREE: Kind.FREE}.get(self.floor_letter(cell), Kind.THING)
+
+    def _is_start(self, cell: Cell) -> bool:
+        """Whether the trail is seen to begin there."""
+        return cell == self.start and Kind.TRAIL not in self.hidden
 
     def _has_trail(self, cell: Cell) -> bool:
         return cell in self._trail and Kind.TRAIL not in self.hidden

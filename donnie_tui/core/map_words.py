@@ -455,12 +455,14 @@ def content(scene: MapScene, cell: Cell, wording: Wording) -> str:
 
 
 def legend(scene: MapScene, wording: Wording) -> tuple[str, ...]:
-    """The meanings of the map's letters; the things of this floor come last, with their colours."""
+    """The meanings of the letters that are shown; the things of this floor come last, with their colours."""
     letters: dict[str, list[Thing]] = {}
     for thing in scene.things:
         letters.setdefault(thing.letter, []).append(thing)
     goals = ("goal",) if scene.grid.goals else ()
-    fixed = ("robot", "start", *goals, "trail", "wall", "ray", "free", "outside")
+    trail = () if Kind.TRAIL in scene.grid.hidden else ("start", *goals, "trail")
+    ray = () if Kind.RAY in scene.grid.hidden else ("ray",)
+    fixed = ("robot", *(trail or goals), "wall", *ray, "free", "outside")
     return (
         *(wording(f"legend-{each}", name=scene.grid.name or wording("cell-robot")) for each in fixed),
         *(

@@ -190,9 +190,9 @@ def test_only_what_can_be_a_variable_is_watched(tmp_path: Path) -> None:
 
 
 def test_the_tour_leads_to_a_challenge_that_one_command_solves(tmp_path: Path) -> None:
-    lines = answers_to(tmp_path, "TOUR", *[""] * 8, "CHALLENGE 1", "FW 5", "")
+    lines = answers_to(tmp_path, "TOUR", *[""] * 9, "FW 5", "")
 
-    at = lines.index("Type CHALLENGE 1. One command solves it.")
+    at = lines.index("Enter begins it. One command solves it.")
     assert lines[at + 1 : at + 3] == [
         "Challenge: The first walk. World: First room.",
         "Walk 5 steps to the north.",
@@ -212,6 +212,6 @@ def test_enter_turns_the_page_of_the_tour_after_step_and_save_is_possible_there(
         "OPEN first brings it back.",
         "HELP has all words, QUIT leaves.",
         "That was the tour. Now a first task:",
-        "Type CHALLENGE 1. One command solves it.",
+        "Enter begins it. One command solves it.",
         "Saved kept.gd, 2 lines.",
     ]

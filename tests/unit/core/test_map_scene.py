@@ -71,6 +71,31 @@ def test_what_is_hidden_is_free_floor_and_comes_back(hidden: Kind) -> None:
     assert [it.kind(cell) for cell in cells.values()] == [*cells]
 
 
+def test_the_start_is_part_of_the_trail() -> None:
+    it = scene()
+    start = it.grid.start
+    it.move(Pose(0, 3, 0))
+    assert (it.letter(start), it.kind(start)) == ("A", Kind.START)
+
+    assert start in it.hide({Kind.TRAIL})
+    assert (it.letter(start), it.kind(start)) == (".", Kind.FREE)
+
+
+@pytest.mark.parametrize(
+    ("hidden", "signs"),
+    [(Kind.TRAIL, ("A ", "o ")), (Kind.RAY, ("' ",)), (Kind.GOAL, ("A digit",))],
+)
+def test_the_legend_leaves_out_what_is_hidden(hidden: Kind, signs: tuple[str, ...]) -> None:
+    it = scene()
+    it.grid.mark_goals([(1, 2.0, 3.0, 2.0, 3.0)])
+    whole = legend(it, Words("en"))
+    it.hide({hidden})
+    left_out = [line for line in whole if line not in legend(it, Words("en"))]
+
+    assert all(any(line.startswith(sign) for line in left_out) for sign in signs), left_out
+    assert len(left_out) == len(signs)
+
+
 def test_a_scan_shows_each_angle() -> None:
     it = scene()
     it.look_along(Scanned((SeenGroup("right", 45, 3, ("red",)), SeenGroup("left", 0, 5, ("blue",)))))
