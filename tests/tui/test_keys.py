@@ -381,3 +381,49 @@ async def test_a_list_of_keys_that_is_laid_out_while_it_is_closed_does_no_harm(o
         menu.on_resize()
         menu.dismiss()
         await screen.until(lambda: screen.app.screen is screen.main, "the main screen")
+
+
+IN_FRONT = {
+    "palette": ("ctrl+p",),
+    "menu": ("ctrl+k",),
+    "worlds": ("ctrl+k", "o"),
+    "help": ("f1",),
+    "files": ("ctrl+o",),
+    "question": ("ctrl+n",),
+}
+
+
+@pytest.mark.parametrize("size", [(40, 12), (80, 24), (120, 40), (200, 60)], ids=str)
+@pytest.mark.parametrize("name", IN_FRONT)
+async def test_what_the_program_does_is_seen_below_every_panel(open_screen, name, size):
+    """Where a program may run meanwhile it stops, and the badge there says so."""
+    async with open_screen(WAITING, size=size, speed=1.0) as screen:
+        may_run = name not in ("files", "question")
+        if may_run:
+            await screen.press("f5")
+            await screen.reaches(RunState.RUNNING)
+        await screen.press(*IN_FRONT[name])
+        await screen.until(lambda: screen.app.screen is not screen.main, "the panel")
+        await screen.painted()
+        command_line = size[1] - (4 if size[0] == 40 else 3)
+        rows = screen.text.splitlines()
+        assert rows[command_line + 1].startswith(" RUNNING" if may_run else " READY")
+        assert name == "question" or rows[command_line].rstrip() == ">"
+        if may_run:
+            await screen.press("ctrl+c")
+            await screen.until(lambda: "\n STOPPED" in screen.text, "the badge")
+            assert screen.app.screen is not screen.main
+
+
+@pytest.mark.parametrize("name", ["palette", "menu", "worlds", "files"])
+async def test_a_click_next_to_a_panel_goes_back(open_screen, name):
+    async with open_screen("FW 1", size=(120, 40)) as screen:
+        await screen.press(*IN_FRONT[name])
+        await screen.until(lambda: screen.app.screen is not screen.main, "the panel")
+        await screen.painted()
+        panel = screen.app.screen
+        await screen.pilot.click(panel._panel, offset=(3, 0))  # its title
+        await screen.painted()
+        assert screen.app.screen is panel
+        await screen.pilot.click(offset=(2, 20), times=1)
+        await screen.until(lambda: screen.app.screen is screen.main, "the main screen")

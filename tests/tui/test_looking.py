@@ -595,6 +595,7 @@ async def test_the_path_is_shown_on_a_page_in_words_and_as_a_picture(open_screen
         await screen.run("FW 3\nTR 90\nFW 2")
         await screen.type_line("SHOW PATH")
         await screen.until(lambda: "East: 2 steps, to 2, 3." in screen.text, "the legs")
+        await screen.press("end")
         await screen.until(lambda: "oo>" in screen.text, "the picture")
 
 

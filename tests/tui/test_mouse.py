@@ -174,11 +174,11 @@ async def test_a_small_list_has_one_row_a_world_and_what_is_there_below(open_scr
         await screen.painted()
         rows = [row.rstrip() for row in screen.text.splitlines()]
 
-        assert rows[2:6] == [
+        assert rows[2:5] == [
             " First room             easy",
             " Open floor             easy",
             ">Living room            easy",
-            " Corridor               easy",
         ]
-        assert rows[6] == " A room of 40 by 40 steps with walls"
-        assert rows[9].endswith(" ...")
+        assert rows[5] == " A room of 40 by 40 steps with walls"
+        assert rows[6].endswith(" ...")
+        assert rows[7:9] == [" Enter takes it, Esc goes back", ">"]

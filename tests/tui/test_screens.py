@@ -265,9 +265,9 @@ async def test_the_place_for_a_new_program(open_screen, same, programs, theme, s
     async with open_screen(RECTANGLE, size=size, world="living_room") as screen:
         screen.app.theme = theme
         await opened(screen, "ctrl+k", "s")
-        await screen.until(lambda: "lessons/" in screen.text, "the folders")
+        await screen.until(lambda: "stairs.gd" in screen.text, "the folder")
         await screen.press("down", "end", "enter")
-        await screen.until(lambda: "first.gd" in screen.text, "the folder")
+        await screen.until(lambda: "lessons/program1.gd" in screen.text, "the name in the folder")
         await screen.painted()
         await same(screen)
 

@@ -92,7 +92,7 @@ async def test_another_key_works_at_once(open_screen):
 )
 async def test_forty_columns_have_the_values_of_settings_below_each_other(open_screen, language, rows):
     """However long the longest of the names is."""
-    async with open_screen(language=language, size=(40, 12)) as screen:
+    async with open_screen(language=language, size=(40, 16)) as screen:
         await screen.press("ctrl+k", "comma")
         await screen.until(
             lambda: re.search(" +".join(next(iter(rows.items()))), screen.text), "the settings"

@@ -174,7 +174,7 @@ async def test_the_program_stays_visible_next_to_a_question(open_screen, name, k
         screen.app.theme = name
         await screen.press(*keys)
         await screen.until(lambda: screen.app.screen is not screen.main, "the question")
-        await screen.until(lambda: "READY" not in screen.text or "REPEAT" in screen.text, "its picture")
+        await screen.painted()
 
         assert "1  FW 1" in screen.text
         assert "Map: " in screen.text

@@ -20,18 +20,22 @@ from textual.app import ComposeResult
 from textual.await_complete import AwaitComplete
 from textual.binding import Binding, BindingType
 from textual.containers import Horizontal, Vertical
-from textual.geometry import Offset, Region
+from textual.geometry import Offset, Region, Size
 from textual.message import Message
 from textual.screen import ModalScreen
+from textual.widget import Widget
 from textual.widgets import Input, OptionList, Static
 
 from donnie_tui.commands.interaction import Option
 from donnie_tui.tui.widgets.command_line import InputLine
-from donnie_tui.tui.widgets.rows import DialogKeys, TextRows
+from donnie_tui.tui.widgets.rows import DialogKeys, TextRows, rows_always_seen
 
 MOST_SEEN = 8
 """Rows of a list next to something else."""
 
+
+_HIGH = 20
+"""Rows from which on the titles of the panes stay in sight above a panel."""
 
 T = TypeVar("T")
 
@@ -42,6 +46,37 @@ class Dialog(ModalScreen[T]):
     def dismiss(self, result: T | None = None) -> AwaitComplete:
         """Textual closes whatever is in front; after a second answer that would be another screen."""
         return super().dismiss(result) if self.is_active else AwaitComplete()
+
+    def fit(self, panel: Widget, *, covers_command_line: bool = False) -> Size:
+        """Keep a panel where the panes of the main screen are, and return the room for it.
+
+        The state stays in sight below, and on a high screen a title above. In the plain layout there is one
+        thing at a time.
+        """
+        main, size = self.app.screen_stack[0], self.app.size
+        is_alone = main.has_class("-plain")
+        above, below = (0, 0) if is_alone else (int(size.height >= _HIGH), rows_always_seen(size))
+        below = max(0, below - covers_command_line)
+        panel.styles.margin = (above, 0, below, 0)
+        return Size(size.width, size.height - above - below)
+
+
+class Panel(Dialog[T]):
+    """What lies over the panes. A click next to it goes back, as it does in other programs.
+
+    The second half of a double click that opened it does not.
+    """
+
+    _was_pressed = False
+    """Whether the mouse was pressed since the panel is there."""
+
+    def on_mouse_down(self) -> None:
+        self._was_pressed = True
+
+    def on_click(self, event: events.Click) -> None:
+        is_new = self._was_pressed and event.chain == 1
+        if is_new and self.get_widget_at(*event.screen_offset)[0] is self:
+            self.dismiss(None)
 
 
 class Question(Dialog[str | None]):
@@ -77,9 +112,10 @@ class Question(Dialog[str | None]):
         self._accepts = accepts
         self._list = _Answers(answers) if answers else None
         self._line = InputLine(value, id="answer")
+        self._panel = Vertical(id="question")
 
     def compose(self) -> ComposeResult:
-        with Vertical(id="question"):
+        with self._panel:
             yield Static(self._asked, id="asked", markup=False)
             if self._list is not None:
                 yield self._list
@@ -95,8 +131,12 @@ class Question(Dialog[str | None]):
     def on_mount(self) -> None:
         self._line.select_all()  # what is proposed is typed over
         self._point(f"{self._asked} {self._value}".strip())
+        self.on_resize()
+
+    def on_resize(self) -> None:
+        room = self.fit(self._panel, covers_command_line=True)
         if self._list is not None:
-            self._list.offer(max(0, self.size.height - 5))
+            self._list.offer(max(0, room.height - 5))
 
     def on_input_changed(self, event: Input.Changed) -> None:
         if self._list is not None and event.value != self._value:
@@ -243,9 +283,9 @@ class _Detail(TextRows, can_focus=False):
 
 _LEAST_PANEL, _DETAIL, _MOST_DETAIL = 56, 40, 90
 """Columns: of a panel, and of what is next to a list, at least and at most."""
-_HIGH, _LEAST_REST = 20, 8
-"""Rows from which on something is left around a panel; and columns, if it is no less than these."""
-_LEAST_BOTH = 10
+LEAST_REST = 8
+"""Columns left next to a panel, if any are."""
+_LEAST_BOTH = 8
 """Rows from which on what is about a row may be below the list, where it has no room next to it."""
 _DETAIL_ROWS, _FRAME_ROWS = 16, 3
 """Of what is next to a list, at least; and of the title, of what is typed and of the keys."""
@@ -264,7 +304,7 @@ def _columns(choices: Sequence[Option]) -> tuple[int, ...]:
     return tuple(max(map(cell_len, column)) + _COLUMN_GAP for column in cells)
 
 
-class Chooser(Dialog[str | None]):
+class Chooser(Panel[str | None]):
     """Answers the value of the chosen row, None if the learner went back."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -300,6 +340,7 @@ class Chooser(Dialog[str | None]):
         self.rows = _Rows(id="choices")
         self._typed = _Narrowing(self.rows)
         self._panel, self._listing = Vertical(id="panel"), Horizontal(id="listing")
+        self._keys = DialogKeys(keys)
         self._has_details = not is_plain and any(each.detail is not None for each in choices)
         may_drop = not is_plain and any(len(each.columns) > 1 for each in choices)
         self._detail = _Detail(id="detail") if self._has_details or may_drop else None
@@ -314,7 +355,7 @@ class Chooser(Dialog[str | None]):
                 yield self.rows
                 if self._detail is not None:
                     yield self._detail
-            yield DialogKeys(self._key_words)
+            yield self._keys
 
     def on_mount(self) -> None:
         self._lay_out()
@@ -330,7 +371,7 @@ class Chooser(Dialog[str | None]):
 
     def _lay_out(self) -> None:
         """The panel is as large as what it lists, and keeps its size while that is narrowed."""
-        width, height = self.size
+        width, height = self.fit(self._panel)
         columns = () if self.has_class("-plain") else _columns(self._choices)
         if self._has_details:
             room = width - (_DETAIL + 1)
@@ -361,11 +402,11 @@ class Chooser(Dialog[str | None]):
             listing = max(listing, max(row_widths, default=0) + 2)
             rows = sum(-(-each // max(1, min(width, listing) - 1)) for each in row_widths)
         panel = self._panel
-        listing = listing + 2 if listing + 2 <= width - _LEAST_REST else width
+        listing = listing + 2 if listing + 2 <= width - LEAST_REST else width
         panel.styles.width = listing
         panel.set_class(listing == width, "-wide-as-all")
-        rows += -(-cell_len(self._key_words) // listing)  # on a narrow screen the keys have two
-        panel.styles.height = min(height - (2 if height >= _HIGH else 0), max(rows, 2) + _FRAME_ROWS - 1)
+        self._keys.fit(listing)
+        panel.styles.height = min(height, max(rows, 2) + _FRAME_ROWS)
 
     def _columns_in(self, room: int, columns: tuple[int, ...], *, may_drop: bool) -> tuple[int, ...]:
         """The widths of as many columns as fit. Next to a few long names the others may be aligned."""

@@ -38,7 +38,7 @@ from donnie_tui.core.program_files import (
 )
 from donnie_tui.core.wording import Wording
 from donnie_tui.process.confinement import confinement, is_allowed, part_below
-from donnie_tui.tui.screens.dialogs import Dialog
+from donnie_tui.tui.screens.dialogs import LEAST_REST, Panel
 from donnie_tui.tui.widgets.command_line import InputLine
 from donnie_tui.tui.widgets.rows import DialogKeys
 from language.source import fold_name, printable
@@ -49,8 +49,8 @@ MOST_SHOWN = 500
 """Rows of a folder; its last row shows as many more."""
 _WIDTH, _HEIGHT = 80, 26
 """Columns and rows of the panel, at most."""
-_HIGH, _LEAST_REST, _LEAST_KEYS = 20, 8, 8
-"""Rows from which on something is left around the panel, columns too; and rows from which on it has keys."""
+_LEAST_KEYS = 8
+"""Rows from which on it has keys."""
 _WHEEL = 3
 _FAR = 10**6
 
@@ -171,7 +171,7 @@ class _Completion(Suggester):
         return self._complete(value) or None
 
 
-class FilePanel(Dialog[str | Path | None]):
+class FilePanel(Panel[str | Path | None]):
     """Answers what was typed, or the file that was chosen; None after Esc."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -237,12 +237,13 @@ class FilePanel(Dialog[str | Path | None]):
         self._lay_out()
 
     def _lay_out(self) -> None:
-        width, height = self.size
         panel = self._panel
-        columns = _WIDTH if width - _LEAST_REST >= _WIDTH else width
+        width, height = self.fit(panel)
+        columns = _WIDTH if width - LEAST_REST >= _WIDTH else width
         panel.styles.width = columns
         panel.set_class(columns == width, "-wide-as-all")
-        panel.styles.height = min(_HEIGHT, height - 2 if height >= _HIGH else height)
+        panel.styles.height = min(_HEIGHT, height)
+        self._keys.fit(columns)
         self._keys.display = height >= _LEAST_KEYS
 
     @work

@@ -24,15 +24,23 @@ from donnie_tui.tui.widgets.command_line import CommandLine, Pane
 from donnie_tui.tui.widgets.editor import Editor
 from donnie_tui.tui.widgets.log_rows import LogRows
 from donnie_tui.tui.widgets.map_view import MapView
-from donnie_tui.tui.widgets.rows import KeyLine, Slider, StatusLine, TextRows, inspector_look
+from donnie_tui.tui.widgets.rows import (
+    FIXED_ROWS,
+    LOWEST,
+    NARROW,
+    KeyLine,
+    Slider,
+    StatusLine,
+    TextRows,
+    inspector_look,
+)
 
 if TYPE_CHECKING:
     from donnie_tui.core.map_scene import MapScene
     from donnie_tui.tui.screens.pages import TourStrip
 
-WIDE, NARROW, LOW, LOWEST = 110, 60, 18, 10
-"""From WIDE columns on there is room for the inspector too; below NARROW or LOW for one pane only; below
-LOWEST rows not for the keys."""
+WIDE, LOW = 110, 18
+"""From WIDE columns on there is room for the inspector too; below NARROW or LOW for one pane only."""
 
 LONGEST_HELD = 0.15
 """Seconds."""
@@ -43,8 +51,6 @@ LEAST_LOG = 9
 """Rows, with its title."""
 _INSPECTOR = 30
 """Columns of the inspector next to the map."""
-_FIXED_ROWS = 3
-"""The command line, the status line and the keys."""
 
 
 def _is_small(size: Size) -> bool:
@@ -300,7 +306,7 @@ class MainScreen(Screen[None]):
         numbers = self.map.rulers
         is_wide = self.size.width >= WIDE
         columns = self.size.width - (_INSPECTOR + 2 if is_wide else 1)
-        rows = self.size.height - _FIXED_ROWS
+        rows = self.size.height - FIXED_ROWS
         given = Size(-(-columns // 2), rows * 5 // 7)  # by the style sheet
         wanted = given.width
         if not is_wide and floor and LEAST_MAP <= floor.width <= columns - LEAST_PROGRAM:

@@ -26,12 +26,12 @@ from donnie_tui.commands.declarations import BY_NAME
 from donnie_tui.commands.keys import MENU, after_menu, key_label
 from donnie_tui.commands.lookup import word_of
 from donnie_tui.core.wording import Wording
-from donnie_tui.tui.screens.dialogs import Dialog
+from donnie_tui.tui.screens.dialogs import Dialog, Panel
 from donnie_tui.tui.widgets.command_line import InputLine
 from donnie_tui.tui.widgets.rows import DialogKeys, TextRows
 
 
-class Help(Dialog[None]):
+class Help(Panel[None]):
     """Shows lines until Esc; F1 goes ``further`` where there is more to read."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -40,6 +40,8 @@ class Help(Dialog[None]):
         Binding("f1", "further", priority=True),
     ]
     AUTO_FOCUS = "#help-rows"
+    _LEAVES_ROWS = True
+    """Whether the state is seen below."""
 
     def __init__(
         self,
@@ -55,14 +57,21 @@ class Help(Dialog[None]):
         self._point = point
         self._further = further
         self.rows = TextRows(id="help-rows")
+        self._page = Vertical()
 
     def compose(self) -> ComposeResult:
-        yield Static(f" {self._title_words}", id="help-title", classes="screen-title", markup=False)
-        yield self.rows
+        with self._page:
+            yield Static(f" {self._title_words}", id="help-title", classes="screen-title", markup=False)
+            yield self.rows
 
     def on_mount(self) -> None:
+        self.on_resize()
         self.rows.show(self._lines)
         self._point(f"{self._title_words}. {next(iter(self._lines), '')}")
+
+    def on_resize(self) -> None:
+        if self._LEAVES_ROWS:
+            self._page.styles.height = self.fit(self._page).height
 
     def action_further(self) -> None:
         if self._further is None:
@@ -79,7 +88,12 @@ class TourPage(Struct, frozen=True):
 
 
 class Tour(Help):
-    """Begins at one of ``pages`` and closes after the last one; ``turned`` as that of the strip."""
+    """Begins at one of ``pages`` and closes after the last one; ``turned`` as that of the strip.
+
+    It has all of the screen: a page is read whole.
+    """
+
+    _LEAVES_ROWS = False
 
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("enter,pagedown", "turn(1)", priority=True),
@@ -181,7 +195,7 @@ class TourStrip(Vertical, can_focus=True):
             self.post_message(self.Left())
 
 
-class KeyMenu(Dialog[None]):
+class KeyMenu(Panel[None]):
     """Lists ``names``, the commands by their keys. The application runs what is chosen."""
 
     BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "leave", priority=True)]
@@ -234,10 +248,11 @@ class KeyMenu(Dialog[None]):
         """Columns in a panel that is as wide as they are, where they have room."""
         widths = [max(map(cell_len, column)) for column in zip(*self.cells, strict=True)]
         panel, width = self._panel, sum(widths) + 2 * len(widths) + 2
-        has_columns = width <= self.size.width and not self.has_class("-plain")
+        room = self.fit(panel)
+        has_columns = width <= room.width and not self.has_class("-plain")
         panel.set_class(not has_columns, "-wide-as-all")
         panel.styles.width = width if has_columns else None
-        panel.styles.height = self.size.height - 2 if has_columns else None
+        panel.styles.height = room.height
         self.rows.show(
             "  ".join(cell.ljust(each) for cell, each in zip(row, widths, strict=True)).rstrip()
             if has_columns
@@ -304,15 +319,19 @@ class KeyCapture(Dialog[str | None]):
         self._accepts = accepts
         self._has_menu = False
         self._words = Static(asked, id="asked", markup=False)
+        self._panel = Vertical(id="question")
 
     def compose(self) -> ComposeResult:
-        with Vertical(id="question"):
+        with self._panel:
             yield self._words
             yield _KeyLine(self._pressed)
             yield Static(f" {self._key_words}", id="question-keys", markup=False)
 
     def on_mount(self) -> None:
         self._point(self._asked)
+
+    def on_resize(self) -> None:
+        self.fit(self._panel, covers_command_line=True)
 
     def _say(self, words: str) -> None:
         self._words.update(words)

@@ -54,6 +54,16 @@ class PaintedRows(ScrollView):
         return self._looks[name]
 
 
+NARROW, LOWEST, FIXED_ROWS = 60, 10, 3
+"""Columns below which the status line has two rows; rows below which there are no keys. Then the command
+line, the status line and the keys, in rows."""
+
+
+def rows_always_seen(size: Size) -> int:
+    """The command line, the state and the keys; none of them where a screen is lower than all."""
+    return 0 if size.height < LOWEST else FIXED_ROWS + (size.width < NARROW)
+
+
 _GAP = "  "
 
 
@@ -221,6 +231,10 @@ class Slider(FixedLine):
 _BACK, _FORWARD = " < |", "| > "
 
 
+_CLICKABLE = {"Enter": "enter", "Esc": "escape"}
+"""Keys that are clicked where a dialog names them."""
+
+
 class DialogKeys(Static):
     """What can be pressed in a dialog, in words. A click on what is said of Enter or Esc presses it."""
 
@@ -233,12 +247,21 @@ class DialogKeys(Static):
 
     def __init__(self, words: str) -> None:
         super().__init__(f" {words}", classes="screen-keys", markup=False)
-        self.words = words
+        self.words = self._all = words
 
     def say(self, words: str) -> None:
         """Other keys."""
         self.words = words
         self.update(f" {words}", layout=False)
+
+    def fit(self, columns: int) -> None:
+        """All of them in a row of so many columns, or Enter and Esc alone, which no list shows."""
+        self.words = self._all
+        if cell_len(self._all) + 1 > columns:
+            self.words = ", ".join(
+                each for each in self._all.split(", ") if any(name in each for name in _CLICKABLE)
+            )
+        self.update(f" {self.words}")
 
     def on_click(self, event: Click) -> None:
         """The clause under the mouse; in a row that was broken, the one that begins nearest before it."""
@@ -251,7 +274,7 @@ class DialogKeys(Static):
             if begin <= at:
                 clause = each
             begin += cell_len(each) + 2
-        key = next((key for name, key in (("Enter", "enter"), ("Esc", "escape")) if name in clause), None)
+        key = next((key for name, key in _CLICKABLE.items() if name in clause), None)
         if key is not None:
             event.stop()
             self.post_message(self.Clicked(key))
