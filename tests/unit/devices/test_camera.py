@@ -14,6 +14,7 @@ from PIL import Image
 
 from devices.camera import (
     LARGEST_FILE,
+    MOST_PICTURES,
     ORIGINAL_RANGES,
     Blob,
     CameraSweep,
@@ -256,6 +257,19 @@ def test_the_pictures_of_a_folder_follow_each_other_and_begin_again(tmp_path: Pa
     made = camera(folder)
 
     assert [seen(made)[0][0] for _ in range(4)] == ["red", "green", "blue", "red"]
+
+
+def test_a_folder_with_too_many_pictures_is_refused_before_one_is_read(tmp_path: Path) -> None:
+    for number in range(MOST_PICTURES):
+        (tmp_path / f"{number}.png").touch()
+    problem = swept(camera(tmp_path)).problem
+    assert problem is not None
+    assert problem.code == "no-picture"
+
+    (tmp_path / "one_more.png").touch()
+    problem = swept(camera(tmp_path)).problem
+    assert problem is not None
+    assert (problem.code, problem.values["limit"]) == ("too-many-pictures", MOST_PICTURES)
 
 
 def test_a_name_that_is_a_number_with_a_sign_is_a_direction(tmp_path: Path) -> None:

@@ -36,6 +36,7 @@ PAIRS = [
     ),
     ("----- part -----\nfw 1", "----- part -----\nFW 1\n"),
     ('speak "a  -- b\nc" -- d', 'SPEAK "a  -- b\nc" -- d\n'),
+    ('speak "a\r\nb\rc"', 'SPEAK "a\nb\nc"\n'),
     ("speak “olá”", "SPEAK “olá”\n"),
     ("help fim   se\nhelp\nfw 1", "HELP FIM SE\nHELP\nFW 1\n"),
     ("VAR Ação = 007", "VAR Ação = 007\n"),
