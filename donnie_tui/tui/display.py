@@ -340,7 +340,8 @@ class Display:
             changes.look(scopes_of(frames, variables), [frame.line for frame in frames])
         if changes is not None and self._runs.past is None:
             self._histories.look(scopes_of(frames, variables))
-        lines = inspector_lines(frames, variables, distances, readings, belt, self._words, changes)
+        known = variables if self._runs.knows_variables else None
+        lines = inspector_lines(frames, known, distances, readings, belt, self._words, changes)
         goals = (
             ()
             if self._attempt is None

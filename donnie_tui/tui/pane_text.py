@@ -115,7 +115,8 @@ class VariableChanges:
         if (tuple(lines), now) == (place, before):
             return
         self._seen = tuple(lines), now
-        self.changed = frozenset(each for each in now if before.get(each) != now[each])
+        is_step = bool(place or lines)  # else the program ended unseen: its last step is not known
+        self.changed = frozenset(each for each in now if is_step and before.get(each) != now[each])
         self.was.update({each: before[each] for each in self.changed & before.keys()})
 
     def forget(self) -> None:
@@ -190,7 +191,7 @@ def scopes_of(
 
 def inspector_lines(
     frames: Sequence[Frame],
-    variables: Mapping[str, int],
+    variables: Mapping[str, int] | None,
     distances: Mapping[Bearing, int],
     readings: Sequence[Read],
     belt: Sequence[str],
@@ -199,13 +200,21 @@ def inspector_lines(
 ) -> tuple[str, ...]:
     """Variables, calls, the distances and the belt now, and last what the program read of each sensor.
 
-    The belt is in words, and as two rows of seven. With ``changes`` variables are a table and the distances
-    stand around the robot; without, all are sentences.
+    ``variables``: None if they are not known. The belt is in words, and as two rows of seven. With
+    ``changes`` variables are a table and the distances stand around the robot; without, all are sentences.
     """
-    scopes = [each for each in scopes_of(frames, variables) if each[1]]
+    scopes = [each for each in scopes_of(frames, variables or {}) if each[1]]
     is_seen = changes is not None
+    if not scopes:
+        of_variables: Sequence[str] = [
+            words(f"inspector-{'unknown' if variables is None else 'no'}-variables")
+        ]
+    elif changes is not None:
+        of_variables = _table(scopes, changes, words)
+    else:
+        of_variables = _variables(scopes, words)
     return (
-        *(_table(scopes, changes, words) if changes is not None else _variables(scopes, words)),
+        *of_variables,
         *_calls(frames, words),
         *(
             _compass(distances, words)
@@ -221,8 +230,6 @@ def _table(
     scopes: Sequence[tuple[str, Sequence[tuple[str, int]]]], changes: VariableChanges, words: Wording
 ) -> tuple[str, ...]:
     """Name, value, and what it was; ``*`` is before the ones that the last step changed."""
-    if not scopes:
-        return (words("inspector-no-variables"),)
     head = tuple(words(f"inspector-{column}") for column in ("name", "value", "was"))
     rows: list[tuple[str, tuple[str, str, str]]] = [(" ", (head[0], head[1], head[2]))]
     for number, (scope, variables) in enumerate(scopes):
@@ -267,8 +274,6 @@ def _compass(distances: Mapping[Bearing, int], words: Wording) -> tuple[str, ...
 
 
 def _variables(scopes: Sequence[tuple[str, Sequence[tuple[str, int]]]], words: Wording) -> tuple[str, ...]:
-    if not scopes:
-        return (words("inspector-no-variables"),)
     lines = [words("inspector-variables")]
     for number, (_scope, variables) in enumerate(scopes):
         if number:

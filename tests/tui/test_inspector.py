@@ -171,6 +171,22 @@ def test_variables_are_a_table_with_what_they_were_and_marks_of_the_last_step():
     assert step(3, base=5, height=3)[2] == " height      3    4"
 
 
+def test_after_a_run_without_steps_no_variable_has_the_mark_of_the_last_step():
+    changes = VariableChanges()
+    changes.look([("", (("base", 5),))], [])
+    assert inspector_lines((), {"base": 5}, {}, (), (), Words(), changes)[1] == " base      5"
+
+    changes.look([("", (("base", 5),))], [1])
+    changes.look([("", (("base", 6),))], [])
+    assert inspector_lines((), {"base": 6}, {}, (), (), Words(), changes)[1] == "*base      6    5"
+
+
+@pytest.mark.parametrize("changes", [VariableChanges(), None], ids=["seen", "heard"])
+def test_variables_that_are_not_known_are_not_called_none(changes):
+    assert inspector_lines((), None, {}, (), (), Words(), changes)[0] == "Variables: not known here."
+    assert inspector_lines((), {}, {}, (), (), Words(), changes)[0] == "No variables."
+
+
 def test_inside_a_procedure_the_variables_of_the_program_are_still_there():
     frames = (Frame("WALK", 2, (("steps", 3),)), Frame("", 5, (("total", 12),)))
     changes = VariableChanges()
@@ -287,7 +303,7 @@ async def test_the_first_step_back_after_a_run_marks_what_it_changes_alone(open_
         await screen.press("f5")
         await screen.shows("The program is done.")
         await screen.idle()
-        await screen.until(lambda: "*sum       7" in screen.main.inspector.lines, "the variables")
+        await screen.until(lambda: " sum       7" in screen.main.inspector.lines, "the variables")
         seen = []
         for _ in range(3):
             screen.app.controller.do("step_back")
