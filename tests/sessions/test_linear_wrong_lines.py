@@ -20,6 +20,29 @@ def test_the_answer_to_repeatedly_refused_lines_names_the_word_that_forgets_them
     learner.sees("Andei 3 passos para frente.\r\n")
 
 
+@pytest.mark.parametrize(
+    ("language", "line", "word", "answer"),
+    [
+        ("pt", "PF 1", "RODAR", "Andei 1 passo para frente."),
+        ("es", "AV 1", "CORRER", "Caminé 1 paso hacia adelante."),
+    ],
+)
+def test_the_everyday_word_for_running_a_program_runs_it(
+    tmp_path: Path, language: str, line: str, word: str, answer: str
+) -> None:
+    learner = Learner(tmp_path, language=language)
+    learner.enters(line, word)
+    learner.sees(f"{answer}\r\n")
+
+
+def test_a_heading_between_the_points_of_the_compass_is_spanish(tmp_path: Path) -> None:
+    learner = Learner(tmp_path, language="es")
+    learner.enters("GD 40", "EJECUTAR", "DÓNDE")
+    learner.sees("Mirando a 40 grados, cerca del noreste.\r\n")
+    learner.enters("GD 50", "EJECUTAR", "DÓNDE")
+    learner.sees("Mirando al este.\r\n")
+
+
 def test_the_prompt_of_the_tour_counts_open_blocks_and_an_empty_line_continues(
     tmp_path: Path,
 ) -> None:
