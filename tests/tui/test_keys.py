@@ -9,6 +9,7 @@ import pytest
 from textual._ansi_sequences import ANSI_SEQUENCES_KEYS
 from textual.driver import Driver
 from textual.drivers.linux_driver import LinuxDriver
+from textual.events import Click, MouseDown
 
 from donnie_tui.commands.declarations import COMMANDS
 from donnie_tui.commands.keys import KeyTable, is_free_to_give, not_understood, with_key
@@ -427,3 +428,21 @@ async def test_a_click_next_to_a_panel_goes_back(open_screen, name):
         assert screen.app.screen is panel
         await screen.pilot.click(offset=(2, 20), times=1)
         await screen.until(lambda: screen.app.screen is screen.main, "the main screen")
+
+
+@pytest.mark.parametrize(
+    ("pressed", "clicks"), [(False, 1), (True, 2)], ids=["its release", "its second half"]
+)
+async def test_the_double_click_that_opens_a_panel_leaves_it_open(open_screen, pressed, clicks):
+    async with open_screen("FW 1", size=(120, 40)) as screen:
+        await screen.press("ctrl+p")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the palette")
+        await screen.painted()
+        panel, place = screen.app.screen, (2, 20)
+        each = {"delta_x": 0, "delta_y": 0, "button": 1, "shift": False, "meta": False, "ctrl": False}
+        if pressed:
+            panel.post_message(MouseDown(panel, *place, **each))
+        panel.post_message(Click(panel, *place, **each, chain=clicks))
+        await screen.painted()
+
+        assert screen.app.screen is panel
