@@ -88,28 +88,31 @@ OF_A_CHALLENGE = ("TASK", "GOALS", "FW 4", "HINT", "RESET", "FW 5", "RESULTS")
 
 FROM_THE_TOUR = {
     "en": (
-        *("TOUR", *(" ",) * 8),
-        *("CHALLENGE 1", "FW 5"),
+        *("TOUR", *(" ",) * 9),
+        "FW 5",
         *("NEXT CHALLENGE", "TASK", "TR 90", "FW 4"),
         *("NEXT CHALLENGE", "GOALS", "FW 8", "BW 8"),
         "RESULTS",
     ),
     "pt": (
-        *("PASSEIO", *(" ",) * 8),
-        *("DESAFIO 1", "PF 5"),
+        *("PASSEIO", *(" ",) * 9),
+        "PF 5",
         *("PRÓXIMO DESAFIO", "TAREFA", "GD 90", "PF 4"),
         *("PRÓXIMO DESAFIO", "METAS", "PF 8", "PT 8"),
         "RESULTADOS",
     ),
     "es": (
-        *("PASEO", *(" ",) * 8),
-        *("RETO 1", "AV 5"),
+        *("PASEO", *(" ",) * 9),
+        "AV 5",
         *("SIGUIENTE RETO", "TAREA", "GD 90", "AV 4"),
         *("SIGUIENTE RETO", "METAS", "AV 8", "RE 8"),
         "RESULTADOS",
     ),
 }
-"""All pages of the tour, then the first three challenges. A blank turns the page, as nothing does."""
+"""All pages of the tour, then the first three challenges.
+
+A blank turns the page, as nothing does, and after the last page begins the first challenge.
+"""
 
 FIRST_HOUR = {
     "en": (

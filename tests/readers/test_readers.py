@@ -96,9 +96,9 @@ def test_yasr_says_the_verdict_of_a_challenge_once_and_in_order(tmp_path: Path, 
 
 
 VERDICTS = {
-    "en": ("type challenge 1 one command solves it", "solved in 1 command", "3 of 3 solved"),
-    "pt": ("digite desafio 1 um comando resolve", "resolvido em 1 comando", "resolvidos 3 de 3"),
-    "es": ("escribe reto 1 un comando lo resuelve", "resuelto en 1 comando", "resueltos 3 de 3"),
+    "en": ("enter begins it one command solves it", "solved in 1 command", "3 of 3 solved"),
+    "pt": ("enter começa um comando resolve", "resolvido em 1 comando", "resolvidos 3 de 3"),
+    "es": ("enter empieza un comando lo resuelve", "resuelto en 1 comando", "resueltos 3 de 3"),
 }
 
 
