@@ -19,6 +19,8 @@ TOLD = [
     ("FW 1\nonde", "I do not know onde.", "Type ONDE alone, not in a program."),
     ("n", "I do not know n.", None),
     ("FWD 10", "I do not know FWD.", "Did you mean FW?"),
+    ("FW = 3", "FW is a command, not a variable.", "Leave out the equals sign."),
+    ("SCAN = 3", "SCAN is a command, not a variable.", "Leave out the equals sign."),
     ("JUMP 3", "I do not know JUMP.", None),
     ("REPEAT 2 FW 1 END REPEAT", "I expected TIMES, not FW.", "Write TIMES before FW."),
     ("SPEAK COLOUR blue", "I do not know COLOUR.", "Did you mean COLOR?"),
