@@ -334,8 +334,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         if self.controller is not None:
             self.controller.display.looked()
 
-    def on_editor_looked(self) -> None:
-        self.on_main_screen_looked()
+    on_editor_looked = on_main_screen_looked
 
     def on_editor_edited(self) -> None:
         if self.controller is not None:

@@ -163,11 +163,11 @@ class Keyboard:
         """Esc may be meant for a question or a page just gone, and never drives a real robot at first."""
         if self._app.screen is not self._place:
             return False
-        has_gone, was_told, self._has_warned = self._dialogs.forget_gone(), self._has_warned, False
+        has_gone, had_warned, self._has_warned = self._dialogs.forget_gone(), self._has_warned, False
         name, controller = self._key_table.command_of(event.key), self._session.controller
         if event.key != "escape" or name is None or controller is None or self._session.runs:
             return False
-        if not has_gone and (was_told or not controller.donnie.connection.is_real):
+        if not has_gone and (had_warned or not controller.donnie.connection.is_real):
             return False
         self._has_warned = True
         from donnie_tui.commands.declarations import BY_NAME

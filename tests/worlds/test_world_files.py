@@ -434,7 +434,7 @@ def test_a_body_may_include_what_stands_in_it(tmp_path: Path) -> None:
         ("size [ 1 1 1 ]\nsize 5", Code.WRONG_TYPE, 2, 6),
         ("define x model ( )", Code.MISPLACED, 1, 1),
         ('include "part.inc"', Code.INCLUDE_CYCLE, 1, 9),
-        ("nobody ( )", Code.UNKNOWN_TYPE, 1, 1),
+        ("gizmo ( )", Code.UNKNOWN_TYPE, 1, 1),
     ],
 )
 def test_a_mistake_in_what_a_body_includes_has_the_place_in_that_file(
