@@ -308,7 +308,7 @@ class Ground:
 Looks = dict["Hashable", tuple["Sighting", ...]]
 """What a robot saw, by all that decides it."""
 MOST_LOOKS = 20_000
-"""Those that are kept."""
+"""Looks that are kept."""
 Moment = tuple[int, "Now"]
 """How often something was moved, and the world's time if a robot glides."""
 _AT_REST: Now = (0.0, 0.0)

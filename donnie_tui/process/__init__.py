@@ -38,11 +38,11 @@ def loaded() -> None:
 # --- work in copies of this process
 
 _work: Callable[[Any], Any]
-"""In a copy: what it does."""
+"""In a copy: the work that it does."""
 
 
 def processors() -> int:
-    """Those that this process may use; 1 where it can't be copied."""
+    """Return how many processors this process may use; 1 where it can't be copied."""
     if not hasattr(os, "sched_getaffinity"):
         return 1
     return len(os.sched_getaffinity(0))
@@ -51,10 +51,10 @@ def processors() -> int:
 def in_processes(
     work: Callable[[Given], Outcome], given: Sequence[Given], processes: int, instead: Outcome
 ) -> Iterator[Outcome]:
-    """The outcome of each, in order; ``instead`` where it ended its process.
+    """Yield the outcome of ``work`` for each value, in order; ``instead`` where the work ended its process.
 
-    Each process begins as a copy of this one, in which no other thread may run. What was given with it is
-    done again, first alone, so that only the right one is blamed.
+    Each process begins as a copy of this one, in which no other thread may run. After such an end the work
+    begins again at the first value without an outcome, which is then alone, so that the right one is blamed.
     """
     from concurrent.futures.process import BrokenProcessPool, ProcessPoolExecutor
     from multiprocessing import get_context
