@@ -1,4 +1,4 @@
-"""PUT, MOVE, TURN, REMOVE, SAVE WORLD: the world is furnished by words while nothing runs.
+"""PUT, MOVE, TURN, REMOVE, SAVE WORLD: build the world by words while no program runs.
 
 Each answer says where the thing is afterwards, or why nothing changed.
 """
@@ -25,9 +25,9 @@ if TYPE_CHECKING:
 
 @handles("put")
 async def put(ctx: Context, argument: str) -> None:
-    """PUT box red 4 6 AS treasure: a new thing. PUT treasure 4 6: one that is there goes to that place.
+    """PUT box red 4 6 AS treasure adds a thing. PUT treasure 4 6 moves an existing thing to that place.
 
-    PUT wall -5 8 5 8: a wall between two squares.
+    PUT wall -5 8 5 8 adds a wall between two squares.
     """
     what, place, name = _parts(argument, 4 if things.means_wall(argument) else 2, 2)
     building = _building(ctx)
@@ -51,7 +51,7 @@ async def put(ctx: Context, argument: str) -> None:
 
 
 async def move_thing(ctx: Context, argument: str) -> None:
-    """MOVE treasure 2 0: two steps to the east from where it is."""
+    """MOVE treasure 2 0: move a thing two steps to the east."""
     what, (east, north), _ = _parts(argument, 2)
     building = _building(ctx)
     _say_place(ctx, *building.move(building.find(what), east, north))
@@ -59,7 +59,7 @@ async def move_thing(ctx: Context, argument: str) -> None:
 
 @handles("turn")
 async def turn(ctx: Context, argument: str) -> None:
-    """TURN treasure 90: to the right where it stands."""
+    """TURN treasure 90: turn a thing to the right in its place."""
     if not argument:
         ctx.answer("built-turn-robot", example=f"{keywords.spelling('TR', ctx.words.language)} 90")
     what, (degrees,), _ = _parts(argument, 1)
@@ -70,7 +70,7 @@ async def turn(ctx: Context, argument: str) -> None:
 
 @handles("remove")
 async def remove(ctx: Context, argument: str) -> None:
-    """REMOVE treasure; with numbers of lines, or alone, it is DELETE."""
+    """REMOVE treasure: remove a thing. Alone or with line numbers, it acts as DELETE."""
     if not argument or numbers_in(argument, most=2) is not None:
         await handler_of(BY_NAME["delete"])(ctx, argument)
         return
@@ -79,7 +79,7 @@ async def remove(ctx: Context, argument: str) -> None:
 
 
 def _parts(argument: str, *counts: int) -> tuple[str, tuple[int, ...], str]:
-    """The thing, as many numbers as are wanted, and the name after AS. Raises ``NotUnderstood``.
+    """Parse the thing, the wanted count of numbers, and the name after AS. Raises ``NotUnderstood``.
 
     Numbers before these are part of a name: MOVE box 2 1 0.
     """
@@ -95,7 +95,7 @@ def _parts(argument: str, *counts: int) -> tuple[str, tuple[int, ...], str]:
 
 
 def _say_place(ctx: Context, code: str, thing: Thing, **values: object) -> None:
-    """Answer where the thing is, and show the world as it is now."""
+    """Answer where the thing is now, and update what is shown of the world."""
     from donnie_tui.core.describe import place_of
 
     place = place_of(thing.x, thing.y, ctx.donnie.session.pose, ctx.words)
@@ -108,7 +108,7 @@ def _say_place(ctx: Context, code: str, thing: Thing, **values: object) -> None:
 
 
 def _building(ctx: Context) -> Building:
-    """The world, to be changed. Raises ``Unusable`` where it must stay as it is."""
+    """Return the world for a change. Raises ``Unusable`` if it can't be changed."""
     donnie, words = ctx.donnie, ctx.words
     world, recording = donnie.world, donnie.outlets.written.of_this_session
     if donnie.team.running:
@@ -127,9 +127,9 @@ def _building(ctx: Context) -> Building:
 
 
 def step_building(ctx: Context, *, is_undo: bool) -> bool:
-    """Take back what was built last, or build it again, unless the program is another one since then.
+    """Undo or redo the last change of the world, unless the learner has opened another program since.
 
-    Whether it was tried.
+    Returns whether it was tried.
     """
     site = ctx.donnie.site
     changes, opposite = (site.past, site.undone) if is_undo else (site.undone, site.past)
@@ -147,7 +147,7 @@ SUFFIX = ".world"
 
 @handles("save_world")
 async def save_world(ctx: Context, argument: str) -> None:
-    """Write the world as it is built to a file; asks before another file is replaced."""
+    """Write the built world to a file; asks before it replaces another file."""
     from donnie_tui.core.program_files import exists, file_to_save
 
     donnie, own = ctx.donnie, ctx.donnie.site.path
@@ -166,7 +166,7 @@ async def save_world(ctx: Context, argument: str) -> None:
 
 
 async def may_leave_built(ctx: Context) -> bool:
-    """Offer to save a world that was built before it is left. False to stay, which is said."""
+    """Offer to save a built world before leaving it. Returns False, after an answer, to stay."""
     if ctx.donnie.site.is_saved or not ctx.interaction.is_attended:
         return True
     wants_to_save = await ctx.interaction.confirm(ctx.words("ask-save-world"))

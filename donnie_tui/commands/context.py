@@ -57,7 +57,7 @@ if TYPE_CHECKING:
     from worlds.challenges import Challenge, Rules, Unsensed
 
 MOST_AT_ONCE = 18
-"""Lines of a list that are said without their number before."""
+"""A longer list begins with the number of its lines."""
 
 FAILED, UNUSABLE = 1, 2
 """Exit codes of a script: it had a mistake; it names a file that can't be used."""
@@ -76,7 +76,7 @@ class Context:
         preferences: Preferences,
         screen: Screen | None = None,
     ) -> None:
-        """``answers`` are what was said before, ``past`` are the lines that were typed."""
+        """``answers`` holds earlier answers, ``past`` the lines that were typed."""
         self.donnie = donnie
         self.words = donnie.words
         self.interaction = interaction
@@ -117,7 +117,7 @@ class Context:
             unsubscribe()
 
     def refuse(self, code: int) -> None:
-        """Note that a line of a script was refused: it ends with this exit code, or with a higher one."""
+        """Note that a line of a script was refused: the script ends with this exit code or a higher one."""
         self.script_code = max(self.script_code, code)
 
     @property
@@ -126,7 +126,7 @@ class Context:
         return self.workspace.document
 
     def map_grid(self) -> MapGrid:
-        """The floor as the robot that the learner talks to finds it now."""
+        """The floor around the learner's current robot."""
         from donnie_tui.core.map_grid import MapGrid
 
         donnie = self.donnie
@@ -151,26 +151,26 @@ class Context:
         self.say(no_such_line(len(self.program.lines), number, self.words))
 
     def say_of_robot(self, *lines: str) -> None:
-        """As ``say``; the first line names the robot that the learner talks to, where there are several."""
+        """As ``say``; if there are several robots, the first line names the current one."""
         self.say(*self.of_robot(*lines))
 
     def of_robot(self, *lines: str) -> tuple[str, ...]:
-        """The lines as they are for the robot that the learner talks to, with its name where needed."""
+        """The lines, with the name of the current robot if there are several."""
         return lines_with_robot_name(self.donnie.session.hub.robot, lines, self.words)
 
     def answer_of_robot(self, code: str, **values: object) -> None:
-        """As ``answer``, with the name of the robot where there are several."""
+        """As ``answer``; if there are several robots, it names the current one."""
         self.say(with_robot_name(self.donnie.session.hub.robot, self.words(code, **values), self.words))
 
     def answer_entering(self, world: str) -> None:
-        """Answer that another world comes; a challenge says its own title."""
+        """Announce the world that is entered next; a challenge announces its own title."""
         from donnie_tui.world.loading import CHALLENGE
 
         if not world.startswith(CHALLENGE):
             self.answer("world-going", name=world)
 
     def counted(self, lines: Sequence[str]) -> tuple[str, ...]:
-        """A list; the number of its lines comes first where it is long."""
+        """Returns the lines of a list; a long list begins with their number."""
         is_long = len(lines) > MOST_AT_ONCE
         return (*((self.words("number-of-lines", lines=len(lines)),) if is_long else ()), *lines)
 
@@ -179,18 +179,18 @@ class Context:
 
 
 _BEYOND_REPAIR = ("never-", "limit-", "word-in-lesson", "word-later")
-"""How the codes of what a run did begin that no further line takes back."""
+"""Prefixes of the codes of failures that no further line can repair."""
 _ACTS = (RunStarted, Moved, Turned, Spoke, ThingsMoved, GripperUsed)
 """Events that may meet a goal."""
 
 
 class Attempt:
-    """What was done for a challenge since the robot was put to its start."""
+    """What a learner did for a challenge since the robot was last put to its start."""
 
     MOST_EVENTS = 100_000
-    """A program without end publishes more; the oldest are dropped."""
+    """An endless program publishes more events; the oldest are dropped."""
     MOST_LIVE = 500
-    """Events after which goals have no cue before the end: each event is judged with all before it."""
+    """After so many events goals have no cue until the end, since each judgment reads all events before."""
 
     def __init__(self, donnie: Donnie, challenge: Challenge, preferences: Preferences) -> None:
         from donnie_tui.world.loading import inventory_of
@@ -200,7 +200,7 @@ class Attempt:
         self.hints = 0
         """Those that were given."""
         self._met = frozenset[int]()
-        """The goals that were met, by their places in the file; each has its cue once."""
+        """The goals that were met, by their index in the file; each has its cue once."""
         self._donnie, self._preferences = donnie, preferences
         self._events: deque[Stamped] = deque(maxlen=self.MOST_EVENTS)
         self.has_questions = False
@@ -232,7 +232,7 @@ class Attempt:
             self._chime(judge(self.challenge, self.room, self._happened(), self._no_answers), stamped.event)
 
     def _chime(self, now: Judgment, event: Event | None = None) -> None:
-        """A cue for each goal that is met now and was not; none for those that are met before anything."""
+        """Play a cue for each newly met goal, except goals that are met from the beginning."""
         met = frozenset(at for at, each in enumerate(now.of_goals) if each is None)
         if self.challenge.rules.goal:
             self._now = now
@@ -249,7 +249,7 @@ class Attempt:
 
     @property
     def now(self) -> Judgment:
-        """The last judgment, for a screen; while much happens it is not the newest."""
+        """The last judgment, for a screen; it may be out of date while many events come."""
         self._now = self._now or self.judgment()
         return self._now
 
@@ -261,7 +261,7 @@ class Attempt:
 
     @property
     def _no_answers(self) -> Mapping[Unsensed, bool] | None:
-        """None unless the robot is one that knows no things around it."""
+        """None unless the robot can't sense the things around it."""
         connection = self._donnie.connection
         return {} if connection.is_real or connection.is_board else None
 
@@ -270,7 +270,7 @@ class Attempt:
 
     @property
     def rules(self) -> Rules:
-        """The rules with the goals of the first start, which the end of the solution may be."""
+        """The rules with the goals of the first start; a goal may be where the solution ends."""
         return self._starts[0].challenge.rules
 
     @cached_property
@@ -288,7 +288,7 @@ class Attempt:
         return judge_program(solution, self._starts[:1], donnie.words, settings)[0].track.steps
 
     def judge(self, is_program: bool) -> tuple[str, ...]:
-        """What there is to say after a run, which is kept as a try. ``is_program``: more than a line ran.
+        """Judge a run, keep it as a try, and return the verdict. ``is_program``: more than a line ran.
 
         A program that solves the challenge from the first start must solve it from the others, too. Where a
         real robot can't sense everything, the learner is asked first.
@@ -302,7 +302,7 @@ class Attempt:
         return (self._donnie.words("goals-asked"),)
 
     def judge_answered(self, answers: Mapping[Unsensed, bool]) -> tuple[str, ...]:
-        """As ``judge``, with what the learner said about what the robot can't sense.
+        """As ``judge``, with the learner's answers about what the robot can't sense.
 
         The other starts are those of the simulated world. What was not answered can be asked again.
         """
@@ -338,7 +338,7 @@ class Attempt:
         return (sentence,)
 
     def _becomes_lost(self, verdict: Judgment) -> bool:
-        """Whether no further line can solve the challenge now. A whole program begins anew by itself."""
+        """Whether no further line can solve the challenge now. A whole program starts again by itself."""
         from donnie_tui.core.goals import begins_anew
 
         before = self._is_lost
@@ -355,7 +355,7 @@ class Attempt:
         return is_due
 
     def questions(self) -> tuple[Asked, ...]:
-        """What is asked about the world as the last run left it."""
+        """The questions about the world in the state after the last run."""
         from donnie_tui.core.questions import Asked
 
         track = self.judgment().track

@@ -1,4 +1,4 @@
-"""Runs commands: the one place that finds a handler, and that answers where a command is not possible.
+"""Runs commands: finds the handler, and answers if a command is not possible now.
 
 Handlers are loaded when they are first used. A handler is ``async def NAME(ctx, argument)``, marked with
 ``@handles("NAME")`` in the module that its declaration names.
@@ -25,14 +25,14 @@ Handler: TypeAlias = "Callable[[Context, str], Awaitable[None]]"
 AnyHandler = TypeVar("AnyHandler", bound=Callable[..., Awaitable[None]])
 
 _NEEDED = {RunState.READY: When.IDLE, RunState.PAUSED: When.HELD}
-"""When a command must be possible, by what the program of the robot does; ALWAYS otherwise."""
+"""The least availability that a command needs in each run state; ALWAYS in the others."""
 
 HANDLERS: dict[str, Handler] = {}
-"""By the names of their commands, as far as their modules are loaded."""
+"""Handlers by the names of their commands; only of modules that are loaded."""
 
 
 def handles(name: str, /, **given: object) -> Callable[[AnyHandler], AnyHandler]:
-    """Mark the handler of a command: one function may handle several.
+    """Register the handler of a command; a function may handle several commands.
 
     ``given`` are extra arguments of the handler. Raises ``KeyError`` for a name that is not declared.
     """
@@ -54,7 +54,7 @@ def handler_of(command: Command) -> Handler:
 
 
 async def perform(ctx: Context, command: Command, argument: str | None) -> None:
-    """Run a command. ``argument`` is None where a key or the palette asked for it."""
+    """Run a command. ``argument`` is None if a key or the palette asked for it."""
     if ctx.screen is None and command.is_visual:
         say_in_words(ctx, command.in_words)
         return
@@ -79,7 +79,7 @@ async def _run(ctx: Context, command: Command, argument: str | None) -> None:
 
 
 async def attempt(ctx: Context, task: Awaitable[None]) -> None:
-    """Run a handler; answer if the learner cancels, a file fails or something can't be used."""
+    """Run a handler, and answer if the learner cancels, a file fails or something can't be used."""
     try:
         await task
     except GivenUp:
@@ -105,7 +105,7 @@ def is_possible(ctx: Context, command: Command) -> bool:
 
 
 async def _asked_for(ctx: Context, command: Command) -> str:
-    """The argument, which a key can't give."""
+    """Ask the learner for the argument, which a key can't give."""
     example = ctx.words(f"help-typed-{command.argument}")
     word = word_of(command, ctx.words.language)
     argument = await ctx.interaction.ask(ctx.words("ask-argument", word=word, example=example))
@@ -115,7 +115,7 @@ async def _asked_for(ctx: Context, command: Command) -> str:
 
 
 def say_in_words(ctx: Context, name: str) -> None:
-    """Names the command that says the same in words; without one, says that it is on the screen."""
+    """Name the command that says the same in words; without one, answer that it needs the screen."""
     command = BY_NAME.get(name)
     if command is None:
         ctx.answer("only-on-screen")
@@ -124,7 +124,7 @@ def say_in_words(ctx: Context, name: str) -> None:
 
 
 async def take_line(ctx: Context, line: str) -> bool:
-    """Run the command that a typed line asks for, or answer a slip in its word. False if it is GoDonnie."""
+    """Run the command in a typed line, or answer a misspelt command. False if it is GoDonnie."""
     found = find(line)
     if found is not None:
         await perform(ctx, *found)
@@ -132,7 +132,7 @@ async def take_line(ctx: Context, line: str) -> bool:
 
 
 def says_slip(ctx: Context, line: str) -> bool:
-    """Whether the line begins with a slip in a command's word, which is said with that word."""
+    """Answer a misspelt command with the right word. Returns whether the line begins with one."""
     unknown = unknown_word(line, ctx.program.lines, ctx.words.language, ctx.donnie.session.parse)
     if unknown is not None:
         ctx.refuse(FAILED)

@@ -1,7 +1,7 @@
 """OPEN, EXAMPLES, SAVE, SAVE AS, NEW, RECOVER, RECENT, PROGRAMS, SAVE LOG, REPORT: programs, files, pages.
 
-No typed line is lost without a question. Reading and writing happen in the background: a slow disk delays
-nothing else, and what is being saved is saved to its end, whatever is asked meanwhile.
+No typed line is lost without a question. Files are read and written in the background, so a slow disk delays
+nothing else, and a save always completes, whatever the learner asks for meanwhile.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 
 @handles("open")
 async def open_named(ctx: Context, argument: str) -> None:
-    """Open the file of a name, which is asked for where none is given."""
+    """Open the file with this name; without a name, ask for one."""
     if argument:
         await _open_text(ctx, *await _read(ctx, argument, may_begin=ctx.interaction.is_attended))
     elif not ctx.interaction.is_attended:
@@ -53,12 +53,12 @@ async def open_named(ctx: Context, argument: str) -> None:
 
 
 async def open_file(ctx: Context, name: str) -> None:
-    """Open the file of a name that was not typed here."""
+    """Open the file with a name that was not typed at this prompt."""
     await _open_text(ctx, *await _read(ctx, name))
 
 
 async def _read_asked(ctx: Context) -> tuple[Path, str]:
-    """The file of a typed name. What is wrong with the name is asked in its place."""
+    """Read the file of a typed name; if the name is wrong, say why and ask again."""
     question, name = ctx.words("ask-open"), ""
     while answer := await ctx.interaction.ask_file(question, name, ctx.workspace.recent.paths):
         try:
@@ -69,7 +69,7 @@ async def _read_asked(ctx: Context) -> tuple[Path, str]:
 
 
 async def _read(ctx: Context, name: str | Path, *, may_begin: bool = False) -> tuple[Path, str]:
-    """Raises ``DocumentError``. ``may_begin``: the name may be the beginning of one, if there is no other."""
+    """Raises ``DocumentError``. ``may_begin``: the name may be the beginning of the only matching one."""
 
     def read() -> tuple[Path, str]:
         path = checked_path(name) if isinstance(name, Path) else program_to_open(name)
@@ -82,7 +82,7 @@ async def _read(ctx: Context, name: str | Path, *, may_begin: bool = False) -> t
 
 
 async def _open_text(ctx: Context, path: Path, text: str) -> None:
-    """Replace the current program by a file that was read."""
+    """Replace the current program by the text of a file."""
     if not await may_lose_text(ctx):
         return
     ctx.workspace.open(path, text)
@@ -105,7 +105,7 @@ async def compare_with_file(ctx: Context) -> None:
 
 @handles("examples")
 async def examples(ctx: Context, argument: str) -> None:
-    """The example programs in the learner's words, to choose one; or one of them by its number."""
+    """Offer the example programs in the learner's words, or open one by its number."""
     from worlds import EXAMPLES
 
     words, chosen = ctx.words, ""
@@ -146,7 +146,7 @@ async def new(ctx: Context, _: str) -> None:
 
 @handles("recover")
 async def recover(ctx: Context, _: str) -> None:
-    """Open the newest program that was not saved; the same command again opens the next one."""
+    """Open the newest unsaved program; repeated, open the next one."""
     workspace = ctx.workspace
     found = workspace.recoverable()
     if found is None:
@@ -163,7 +163,7 @@ async def recover(ctx: Context, _: str) -> None:
 
 @handles("recent")
 async def recent(ctx: Context, _: str) -> None:
-    """Choose one of the programs that were opened and saved lately."""
+    """Offer the programs that were opened and saved lately."""
     paths = ctx.workspace.recent.paths()
     if not paths:
         ctx.answer("screen-no-recent")
@@ -179,7 +179,7 @@ async def recent(ctx: Context, _: str) -> None:
 
 @handles("programs")
 async def programs(ctx: Context, _: str) -> None:
-    """Choose one of the open programs, or one more, which is empty. No text is lost."""
+    """Offer the open programs and a new, empty one. No text is lost."""
     documents = ctx.workspace.documents
     options = [
         Option(str(at), _title(ctx, each), is_current=each is ctx.program)
@@ -211,18 +211,18 @@ def _title(ctx: Context, document: Document) -> str:
 
 @handles("save")
 async def save(ctx: Context, argument: str) -> None:
-    """Save to the file of a name, or to the program's own file; asks for a name where there is none."""
+    """Save to the file with this name, or to the program's own file; ask for a name if there is neither."""
     await save_document(ctx, argument or str(ctx.program.path or ""))
 
 
 @handles("save_as")
 async def save_as(ctx: Context, argument: str) -> None:
-    """Save to the file of a name, which is the program's own from now on."""
+    """Save to the file with this name, which becomes the program's own file."""
     await save_document(ctx, argument)
 
 
 async def save_document(ctx: Context, name: str) -> bool:
-    """Save the current program. Whether it was saved; if not, the reason was said."""
+    """Save the current program. Returns whether it was saved; if not, an answer gave the reason."""
     if not ctx.program.lines:
         ctx.answer("nothing-to-save")
         return False
@@ -238,7 +238,7 @@ async def save_document(ctx: Context, name: str) -> bool:
 
 
 async def _save(ctx: Context, name: str) -> bool:
-    """Asks before another text than the one last read or written is lost."""
+    """Asks first if the file was changed by another program."""
     document, own = ctx.program, str(ctx.program.path or "")
     has_tree = ctx.screen is not None and not ctx.screen.is_plain
     question, proposed = ctx.words("ask-save-as" if has_tree else "ask-file-name"), own
@@ -264,13 +264,13 @@ async def _save(ctx: Context, name: str) -> bool:
 
 
 def _free_name(ctx: Context) -> str:
-    """A name that Enter, or a click, can take as it is."""
+    """A free name to offer, which Enter or a click accepts."""
     names = (ctx.words("proposed-name", number=number) for number in range(1, 100))
     return next((each for each in names if not exists(program_to_save(each, ctx.donnie.in_use))), "")
 
 
 async def _write(ctx: Context, document: Document, path: Path) -> bool:
-    """Writes the program; text that is typed during the write is not saved."""
+    """Write the program; text that is typed during the write is not saved."""
     text, slow = document.text, ctx.words("slow-saving", name=path.name)
     try:
         await ctx.interaction.background(lambda: ctx.workspace.save(document, path, text), slow)
@@ -283,7 +283,7 @@ async def _write(ctx: Context, document: Document, path: Path) -> bool:
 
 
 async def _confirm_replacing(ctx: Context, code: str, path: Path) -> None:
-    """Raises ``GivenUp`` unless the learner agrees, ``DocumentError`` where there is no learner to ask."""
+    """Raises ``GivenUp`` unless the learner agrees, ``DocumentError`` if no learner can be asked."""
     if not ctx.interaction.is_attended:
         raise DocumentError("file-exists", str(path))
     if not await ctx.interaction.confirm(ctx.words(code, name=path.name)):
@@ -294,7 +294,7 @@ async def _confirm_replacing(ctx: Context, code: str, path: Path) -> None:
 
 
 async def may_lose_text(ctx: Context) -> bool:
-    """Offer to save the current program before another one replaces it. False to keep it, which is said."""
+    """Offer to save the current program before it is replaced. Returns False, after an answer, to keep it."""
     document = ctx.program
     while True:
         await ctx.interaction.finished()  # what is being saved just now is not asked about
@@ -312,7 +312,7 @@ async def may_lose_text(ctx: Context) -> bool:
 
 
 async def may_lose_all(ctx: Context) -> bool:
-    """The same for every open program, the current one first, and for a world that was built."""
+    """As ``may_lose_text`` for every open program, the current one first, and for a built world."""
     from donnie_tui.commands.build import may_leave_built
 
     await ctx.interaction.finished()
@@ -330,7 +330,7 @@ async def may_lose_all(ctx: Context) -> bool:
 
 @handles("save_log")
 async def save_log(ctx: Context, argument: str) -> None:
-    """Write all that was said, as plain text."""
+    """Write the log to a file as plain text."""
     if not argument and not ctx.interaction.is_attended:
         raise NotUnderstood
     if ctx.screen is None and not len(ctx.answers):
@@ -345,7 +345,7 @@ async def save_log(ctx: Context, argument: str) -> None:
 
 @handles("report")
 async def report(ctx: Context, argument: str) -> None:
-    """REPORT map map.html; with .csv a table, with .txt sentences. A run is said where no file is named."""
+    """REPORT map map.html writes a page, .csv a table, .txt sentences. Without a file name, say the run."""
     from donnie_tui.i18n.help import sections
     from donnie_tui.world.run_picture import as_picture, on_swell_paper, plot_as_png
 

@@ -1,4 +1,4 @@
-"""HELP, MANUAL, TOUR, CHALLENGE, KEYS, LINEAR, VISUAL, QUIT: help, what to do, and the ways out."""
+"""HELP, MANUAL, TOUR, CHALLENGE, KEYS, LINEAR, VISUAL, QUIT: help, challenges, changing the mode, leaving."""
 
 from __future__ import annotations
 
@@ -45,14 +45,14 @@ TOPICS = {
         ("quiet", "last", "spell", "cues", "detail", "feel"),
     ),
 }
-"""By what a learner wants to do: words of GoDonnie, and commands."""
+"""Words of GoDonnie and commands, grouped by purpose."""
 
 # --- help
 
 
 @handles("help")
 async def say_help(ctx: Context, argument: str) -> None:
-    """Words to begin with, those of a topic, all of them, or what is said of a word, a setting, the keys."""
+    """Answer HELP: the first words, a topic, all words, or the help of a word, a setting or the keys."""
     topic = " ".join(argument.split())
     asked, listed = find(topic), meant(topic, "help")
     if ctx.screen is not None and (not topic or listed == "all"):
@@ -73,7 +73,7 @@ async def say_help(ctx: Context, argument: str) -> None:
 
 
 def _says_setting(ctx: Context, name: str) -> bool:
-    """A setting and what it can be; whether there is one of that name."""
+    """Say a setting and its values. Returns whether there is a setting of that name."""
     from donnie_tui.commands.preferences import find_preference
     from donnie_tui.commands.settings import say_with_values
 
@@ -84,7 +84,7 @@ def _says_setting(ctx: Context, name: str) -> bool:
 
 
 def first_words(words: Wording) -> tuple[str, ...]:
-    """What the first lesson needs, and how to ask for more."""
+    """The words that the first lesson needs, and how to ask for more."""
     lines = _lines_of(FIRST_LESSON, _FIRST_COMMANDS, words)
     return (words("help-first", count=len(lines)), *lines, words("help-topics"), words("help-all-hint"))
 
@@ -95,20 +95,20 @@ def _lines_of(godonnie: Iterable[str], commands: Iterable[str], words: Wording) 
 
 
 def _topic_lines(topic: str, typed: str, words: Wording) -> tuple[str, ...]:
-    """The words of a topic; first what is said of the word itself, where it means something else, too."""
+    """The words of a topic, after the help of the topic's own word if it is also a command."""
     about = help_of(typed, words) or (words.help(typed) if said_for(typed, words) else ())
     lines = [each for each in _lines_of(*TOPICS[topic], words) if each not in about]
     return (*about, words(f"topic-{topic}", count=len(lines)), *lines)
 
 
 def _command_lines(typed: str, words: Wording) -> tuple[str, ...]:
-    """The lines about a command, then the word of GoDonnie that a beginner may mean: MOVE, BACK."""
+    """The help of a command, then the GoDonnie word that a beginner may mean, as for MOVE and BACK."""
     lines, meant_word = help_of(typed, words), said_for(typed, words)
     return (*lines, words.help(meant_word)[0]) if lines and meant_word else lines
 
 
 def _list_commands(ctx: Context) -> None:
-    """GoDonnie's words, then the commands."""
+    """List GoDonnie's words, then the commands."""
     commands = [each for each in COMMANDS if not (each.is_visual or each.is_godonnie)]
     ctx.say(*ctx.words.help(None))
     ctx.answer("help-commands", count=len(commands))
@@ -118,14 +118,14 @@ def _list_commands(ctx: Context) -> None:
 
 @handles("keys_here")
 async def keys_here(ctx: Context, _: str) -> None:
-    """What can be pressed where the focus is."""
+    """List the keys that work in the focused pane."""
     if ctx.screen is not None:
         ctx.screen.show_keys()
 
 
 @handles("manual")
 async def manual(ctx: Context, argument: str) -> None:
-    """The chapters of the manual, one of them by its number, or what is said of a word."""
+    """List the chapters of the manual, show one by its number, or say what it says of a word."""
     number = count_in(argument, 0)
     if number and number <= len(CHAPTERS):
         chapter = CHAPTERS[number - 1]
@@ -146,7 +146,7 @@ async def manual(ctx: Context, argument: str) -> None:
 
 @handles("tour")
 async def tour(ctx: Context, _: str) -> None:
-    """Donnie in five minutes, from the page that was left to try something."""
+    """Show the tour, beginning with the page on which the learner left it."""
     if ctx.screen is not None:
         ctx.screen.show_tour()
         return
@@ -156,7 +156,7 @@ async def tour(ctx: Context, _: str) -> None:
 
 
 async def _say_page(ctx: Context, number: int) -> None:
-    """One page. An empty line continues; after any other line TOUR does. After the last one a task begins."""
+    """Say a page of the tour. Enter or TOUR continues; after the last page a challenge begins."""
     ctx.say(*tour_page(number, ctx.words))
     ctx.tour_page = number if number < TOUR_PAGES else 1
     if number < TOUR_PAGES:
@@ -171,7 +171,7 @@ async def _say_page(ctx: Context, number: int) -> None:
 
 @handles("challenge")
 async def challenge(ctx: Context, argument: str) -> None:
-    """The challenges in their order, to choose one; or one of them by its number, name or file."""
+    """Offer the challenges in their order, or enter one by its number, name or file."""
     if not argument:
         options = _challenge_options(ctx)
         printed = tuple(each.text for each in options)
@@ -208,7 +208,7 @@ def _task_lines(found: Challenge, words: Wording, *_room: int) -> tuple[str, ...
 
 @handles("next_challenge")
 async def next_challenge(ctx: Context, _: str) -> None:
-    """The challenge after this one; outside of a challenge the first one that is not solved."""
+    """Enter the challenge after this one, or the first unsolved one."""
     current = ctx.donnie.world.challenge
     if current is None:
         solved = progress().solved
@@ -223,7 +223,7 @@ async def next_challenge(ctx: Context, _: str) -> None:
 
 @handles("task")
 async def task(ctx: Context, _: str) -> None:
-    """What the challenge asks for; else what the author of the world proposes."""
+    """Say the task of the challenge, else the one that the world's author proposes."""
     from donnie_tui.core.describe import task_in_words
 
     about = ctx.donnie.world.about(ctx.words.language)
@@ -237,7 +237,7 @@ async def task(ctx: Context, _: str) -> None:
 
 @handles("goals")
 async def goals(ctx: Context, _: str) -> None:
-    """Which goals are met now, and what the others lack."""
+    """Say which goals are met now, and what the others lack."""
     from donnie_tui.core.describe import goals_in_words
 
     if ctx.attempt is None:
@@ -248,7 +248,7 @@ async def goals(ctx: Context, _: str) -> None:
 
 @handles("hint")
 async def hint(ctx: Context, _: str) -> None:
-    """The next hint."""
+    """Say the next hint."""
     if ctx.attempt is None:
         ctx.answer("challenge-none")
         return
@@ -262,7 +262,7 @@ async def hint(ctx: Context, _: str) -> None:
 
 @handles("questions")
 async def questions(ctx: Context, _: str) -> None:
-    """Ask what the challenge asks about its world; an empty answer leaves them."""
+    """Ask the questions of the challenge about its world; an empty answer leaves them."""
     attempt = ctx.attempt
     if attempt is not None and attempt.unsensed:
         await _ask_about_goals(ctx, attempt)
@@ -290,7 +290,7 @@ async def questions(ctx: Context, _: str) -> None:
 
 
 async def _ask_about_goals(ctx: Context, attempt: Attempt) -> None:
-    """Those, and the rules, that a real robot can't sense; then the verdict."""
+    """Ask about the goals and rules that a real robot can't sense, then say the verdict."""
     from donnie_tui.core.questions import unsensed_question
 
     answers: dict[Unsensed, bool] = {}
@@ -305,7 +305,7 @@ async def _ask_about_goals(ctx: Context, attempt: Attempt) -> None:
 
 @handles("results")
 async def results(ctx: Context, _: str) -> None:
-    """Lists the challenges that were tried and solved. Compares no learners."""
+    """List the challenges that the learner tried and solved. Compares no learners."""
     kept: dict[str, list[Attempted]] = {}
     here = ctx.attempt
     waiting = here.tried if here is not None else None
@@ -340,7 +340,7 @@ async def results(ctx: Context, _: str) -> None:
 
 @handles("linear")
 async def linear(ctx: Context, _: str) -> None:
-    """Go on in the linear mode, the robot where it is."""
+    """Continue in the linear mode; the robot stays where it is."""
     if ctx.screen is None:
         ctx.answer("already-linear")
     elif ctx.screen.is_page:
@@ -351,7 +351,7 @@ async def linear(ctx: Context, _: str) -> None:
 
 @handles("visual")
 async def visual(ctx: Context, _: str) -> None:
-    """Go on in the full screen, the robot where it is."""
+    """Continue in the full screen; the robot stays where it is."""
     if ctx.screen is not None:
         ctx.answer("screen-is-visual")
     else:
@@ -359,7 +359,7 @@ async def visual(ctx: Context, _: str) -> None:
 
 
 async def _switch_mode(ctx: Context) -> None:
-    """Stops what runs, then changes the mode."""
+    """Stop the programs, then change the mode."""
     team = ctx.donnie.team
     runs = [session.run for session in team.running if session.run is not None]
     team.stop()

@@ -3,8 +3,8 @@
 ``Interaction`` is for every front end, ``Screen`` for one that shows program, map and log at once.
 This module imports nothing heavy: the front ends start with it.
 
-What was typed after a command word, or as an answer, is parsed here: yes and no, on and off, numbers, a line
-with its text. Anything else is None and never taken for nothing, so that a slip of the fingers deletes no
+The functions parse arguments and answers: yes and no, on and off, numbers, a line
+with its text. They return None for anything else, never an empty value, so that a typing slip deletes no
 line; ``read_count`` and ``read_numbers`` raise ``NotUnderstood``."""
 
 from __future__ import annotations
@@ -37,18 +37,18 @@ class NotUnderstood(Exception):
 
 
 class GivenUp(Exception):
-    """Raised where the learner gave up a question or a slow task. The dispatcher says it."""
+    """Raised if the learner cancels a question or a slow task. The dispatcher answers."""
 
 
 class EnterWorld(Exception):
-    """Raised by a front end that ends and begins again in another world, which can be loaded."""
+    """Raised to leave this world for another one, which can be loaded."""
 
     def __init__(self, name: str) -> None:
         self.name = name
 
 
 class SwitchMode(Exception):
-    """Raised by a front end that the learner leaves for the other one, with what that one takes over."""
+    """Raised to leave this front end for the other one, with what that one takes over."""
 
     def __init__(self, text: str, name: str | None, donnie: Donnie | None = None) -> None:
         """``donnie`` is the session to continue with, its robot where it stands.
@@ -66,15 +66,15 @@ class Option(Struct, frozen=True):
     value: str
     text: str
     is_current: bool = False
-    """Whether it is what is chosen now."""
+    """Whether it is the current choice."""
     number: int = 0
-    """What is typed to choose it where the options are printed; 0 where they can't be chosen so."""
+    """The number that chooses it from a printed list; 0 if it has none."""
     also: str = ""
     """Other words with which a learner may look for it; they are not shown."""
     columns: tuple[str, ...] = ()
-    """What ``text`` says, in columns, where a list has room for them; no option has more than the first."""
+    """``text`` in columns, if a list has room for them; no option has more than the first."""
     detail: Callable[[int, int], Sequence[str]] | None = None
-    """More about it, in so many columns and rows, where a list has room for that, too."""
+    """Returns details for so many columns and rows, if a list has room for them."""
 
 
 class Interaction(Protocol):
@@ -94,7 +94,7 @@ class Interaction(Protocol):
         text: str = "",
         accepts: Callable[[str], str | None] | None = None,
     ) -> str | None:
-        """One line, with ``text`` to begin with; None where the learner gave up.
+        """Ask for a line that begins with ``text``; None if the learner cancels.
 
         ``accepts`` returns what is wrong with a line, and the question is asked again.
         """
@@ -102,7 +102,7 @@ class Interaction(Protocol):
     async def ask_file(
         self, question: str, text: str, recent: Callable[[], Sequence[Path]], *, is_new: bool = False
     ) -> str | Path | None:
-        """The name of a program as it was typed, or its file where it was chosen; None where neither was.
+        """Ask for a program: its typed name, its file if it was chosen from a list, or None.
 
         A front end with lists shows the folders, the ``recent`` programs first. ``is_new``: the name may be
         that of a new file.
@@ -111,71 +111,71 @@ class Interaction(Protocol):
     async def choose(
         self, question: str, options: Sequence[Option], printed: Sequence[str] = ()
     ) -> str | None:
-        """The value of the option that was chosen; None where none was.
+        """The value of the chosen option, or None.
 
         A front end without lists says ``printed`` instead; options with numbers can be chosen there too.
         """
 
     async def confirm(self, question: str) -> bool | None:
-        """Yes or no; Enter alone means no. None for no answer."""
+        """Ask for yes or no. Enter alone means no; None is no answer."""
 
     async def edit_line(self, question: str, text: str = "") -> str | None:
-        """A line of the program, ``text`` as the learner changed it; None where the learner gave up."""
+        """Let the learner edit ``text``, a line of the program. None if the learner cancels."""
 
     async def show_pages(
         self, title: str, lines: Sequence[str], printed: Sequence[str] | None = None
     ) -> None:
-        """Something longer to read. A front end without windows says ``printed``, or ``lines``."""
+        """Show a longer text. A front end without windows prints ``printed``, or ``lines``."""
 
     async def background(
         self, task: Callable[[], T], slow: str, *, may_be_left: bool = False, is_slow: bool = False
     ) -> T:
-        """Run ``task`` in a thread of its own, and say ``slow`` from time to time while it takes long.
+        """Run ``task`` in its own thread; a long one is reported with ``slow`` from time to time.
 
         Raises ``GivenUp`` where the learner gives up a task that ``may_be_left``. ``is_slow``: the learner
         knows that it takes some seconds.
         """
 
     async def finish(self, task: Coroutine[Any, Any, T]) -> T:
-        """Run it to its end, whatever the learner asks for meanwhile; one such task at a time."""
+        """Run ``task`` to its end, whatever the learner asks for meanwhile; one such task at a time."""
 
     async def finished(self) -> None:
-        """Wait for a task that ``finish`` runs just now."""
+        """Wait until the task of ``finish`` has ended."""
 
     async def follow(self, runs: Sequence[tuple[str | None, Run]]) -> bool:
-        """Wait for the end of runs where a prompt follows it, each by its robot's name in events.
+        """Wait for the end of the runs if a prompt follows them, each by its robot's name in events.
 
         False where the learner continues meanwhile.
         """
 
     async def wait(self, seconds: float) -> bool:
-        """Whether the learner wants something else before that time has passed."""
+        """Wait for so many seconds. Returns whether the learner interrupted."""
 
     def continue_on_enter(self, more: Callable[[], Coroutine[Any, Any, None]]) -> None:
-        """Run ``more`` where the learner types an empty line next."""
+        """Run ``more`` if the next line is empty."""
 
     def setting_changed(self, key: str) -> None:
-        """Behave as the setting of that name says from now on."""
+        """Apply the new value of a setting."""
 
     def before_robot_changes(self) -> None:
-        """The learner will talk to another robot: what is in front of the learner belongs to this one."""
+        """Keep the text for the current robot: the learner is about to choose another one."""
 
     def robot_changed(self) -> None:
         """The learner talks to another robot."""
 
     async def type_again(self, line: str) -> None:
-        """Take a line as if it had been typed."""
+        """Handle a line as if the learner had typed it."""
 
     def print_soon(self) -> None:
-        """Print what was said so far: the command takes longer. From any thread."""
+        """Print the answers so far, since the command takes longer. From any thread."""
 
     # --- ways out
 
     async def enter_world(self, name: str) -> None:
-        """Go on in that world with the same programs, unless the learner stays because of unsaved changes."""
+        """Enter a world with the same programs, unless the learner stays because of unsaved changes."""
 
     async def switch_mode(self) -> None:
-        """Go on in the other front end."""
+        """Continue in the other front end."""
 
     async def quit(self) -> None:
         """End Donnie, unless the learner stays because of unsaved changes."""
@@ -222,7 +222,7 @@ class Screen(Protocol):
     def log_text(self) -> str: ...
 
     def focus(self, pane: str) -> None:
-        """Go to ``program``, ``map``, ``log`` or ``variables``; the last one is shown or hidden."""
+        """Focus ``program``, ``map`` or ``log``; show or hide ``variables``."""
 
     async def complete(self) -> None:
         """Offer the words that may continue what was typed, at the cursor."""
@@ -262,7 +262,7 @@ class Screen(Protocol):
     def repaint(self) -> None: ...
 
     def robot_changed(self) -> None:
-        """The robot is another one, or stands elsewhere without having moved there."""
+        """Update the screen: the robot is another one, or was placed elsewhere."""
 
     @property
     def is_plain(self) -> bool:
@@ -281,7 +281,7 @@ class Screen(Protocol):
 
 
 def drive(coroutine: Coroutine[Any, Any, T]) -> T:
-    """Run a coroutine of a front end whose questions block, so that nothing in it ever waits."""
+    """Run a coroutine that never waits, because the front end's questions block."""
     try:
         coroutine.send(None)
     except StopIteration as done:
@@ -292,7 +292,7 @@ def drive(coroutine: Coroutine[Any, Any, T]) -> T:
 
 
 def begin(coroutine: Coroutine[Any, Any, None]) -> Awaitable[None] | None:
-    """Run a coroutine until it first waits. What is left of it is to be awaited; None where it is done.
+    """Run a coroutine until it first waits. Returns the rest to await, or None if it has ended.
 
     It waits with ``asyncio.sleep(0)`` before anything else, so that the rest may run in a task of its own.
     """
@@ -362,7 +362,7 @@ NO_REPLACEMENT = '""'
 def replacement(typed: str | None) -> str | None:
     """The text with which REPLACE replaces a word. None for no answer and for Enter alone: nothing changes.
 
-    Two quotes delete the word: they are not typed by mistake.
+    Two quotes delete the word, since they are not typed by mistake.
     """
     return "" if typed == NO_REPLACEMENT else typed or None
 
@@ -373,7 +373,7 @@ _MOST_CHARACTERS = 8
 
 
 def numbers_in(typed: str, *, most: int) -> tuple[int, ...] | None:
-    """Reads at most so many whole numbers, with blanks or commas between them."""
+    """Read at most so many whole numbers, with blanks or commas between them."""
     words = typed.replace(",", " ").split()
     if len(words) > most or not all(map(_is_whole, words)):
         return None
@@ -382,7 +382,7 @@ def numbers_in(typed: str, *, most: int) -> tuple[int, ...] | None:
 
 
 def number_in(typed: str, default: int) -> int | None:
-    """The one number that stands there, or ``default`` where nothing does."""
+    """The only number in the text, or ``default`` if it is empty."""
     found = numbers_in(typed, most=1)
     return found if found is None else next(iter(found), default)
 

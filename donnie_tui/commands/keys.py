@@ -51,7 +51,7 @@ SIGNS = {
 
 
 def after_menu(key: str) -> str:
-    """A key that was pressed, as it is named after the menu key: a capital is its letter with Shift."""
+    """The name of a key pressed after the menu key: a capital is its letter with Shift."""
     return f"shift+{key.lower()}" if len(key) == 1 and key.isupper() else key
 
 
@@ -65,7 +65,7 @@ def key_label(key: str, language: str) -> str:
 
 
 def _part_label(part: str, language: str) -> str:
-    """As keyboards of that language have it: Brazilian ones keep most English names."""
+    """The name on keyboards of that language; Brazilian ones keep most English names."""
     if part in SIGNS:
         return SIGNS[part]
     try:
@@ -90,7 +90,7 @@ _OF_TEXTS = frozenset(
         *("backspace", "delete", "space", "ctrl+c", PALETTE, MENU),
     )
 )
-"""They write and move wherever the focus is; two of them stop and list everything."""
+"""Keys that every text field needs, and the two that stop and list everything."""
 
 _LONGEST_KEY = 40
 
@@ -124,7 +124,7 @@ class KeyTable:
         return self._keys.get(name, ())
 
     def label(self, name: str, language: str) -> str:
-        """The key that is shown, as it is called; empty where there is none."""
+        """The name of the key that is shown; empty if there is none."""
         return next((key_label(each, language) for each in self.of(name)), "")
 
     def labels(self, name: str, language: str) -> str:
@@ -149,19 +149,19 @@ def _is_function_key(key: str) -> bool:
 
 
 def understood(chosen: str) -> tuple[tuple[str, str], ...]:
-    """The pairs of a choice that mean something: a command, and a key that can be given to it."""
+    """The valid pairs of a choice: a command, and a key that can be given to it."""
     pairs = (_pair(entry) for entry in chosen.split(","))
     return tuple((name, key) for name, key in pairs if name in KEYS and is_free_to_give(key))
 
 
 def not_understood(chosen: str) -> tuple[str, ...]:
-    """The entries of a choice that mean nothing."""
+    """The invalid entries of a choice."""
     known = set(understood(chosen))
     return tuple(each.strip() for each in chosen.split(",") if each.strip() and _pair(each) not in known)
 
 
 def with_key(chosen: str, name: str, key: str | None) -> str:
-    """A choice in which that command has this key; with None it has only its own keys."""
+    """The choice with this key for the command; with None the command has only its default keys."""
     kept = [pair for pair in understood(chosen) if pair[0] != name and pair[1] != key]
     return ", ".join(" ".join(pair) for pair in ([*kept, (name, key)] if key else kept))
 

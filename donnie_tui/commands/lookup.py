@@ -44,7 +44,7 @@ def words_of(name: str, language: str) -> tuple[str, ...]:
 
 
 def word_of(command: Command, language: str) -> str:
-    """The word that Donnie lists for it."""
+    """The word that Donnie shows for it."""
     return words_of(command.name, language)[0]
 
 
@@ -72,7 +72,7 @@ def find(line: str, commands: tuple[Command, ...] = COMMANDS) -> tuple[Command, 
 
 
 def _is_everyday(words: Sequence[str], length: int) -> bool:
-    """Whether more than the command's words are what beginners say for GoDonnie: MOVE FORWARD."""
+    """Whether the words are a beginner's way to say a GoDonnie statement, such as MOVE FORWARD."""
     from language.suggestions import everyday  # most lines have no such words
 
     said = everyday([_folded(each) for each in words])
@@ -98,7 +98,7 @@ def _folded(word: str) -> str:
 
 
 def line_command(line: str) -> tuple[Command, str] | None:
-    """The command that a line of the program asks for: one of a few, alone on the line."""
+    """The command that stands alone on a line of the program; only a few commands may."""
     found = find(line, _LINE_COMMANDS)
     return found if found is not None and (found[0].argument or not found[1]) else None
 
@@ -191,7 +191,7 @@ def _is_name_in(word: str, lines: Sequence[str]) -> bool:
 
 
 def _mistake_in(line: str, lines: Sequence[str], parse: Callable[[str], Parsed]) -> Diagnostic | None:
-    """The mistake that the line begins with an unknown command, if it does."""
+    """The mistake of an unknown command at the beginning of the line, or None."""
     from language.diagnostics import MistakeKind
 
     number = len(lines) + 1

@@ -1,6 +1,6 @@
 """The settings that the learner changes while Donnie runs: one value each, for both front ends.
 
-Each is chosen by a word or from a list, counts at once, and is kept in the settings file. The value is that
+Each is chosen by a word or from a list, applies at once, and is kept in the settings file. The value is that
 of ``Settings``; a front end reads it there.
 """
 
@@ -50,16 +50,16 @@ class Preference(Struct, frozen=True):
     key: str
     """Its name in the settings file."""
     values: tuple[str, ...] = ()
-    """What it can be, as the settings file has it; empty where it is typed."""
+    """The valid values, as the settings file writes them; empty if any text is allowed."""
     where: Where = Where.BOTH
     numbers: tuple[int, int] | None = None
-    """The least and the largest number that it can be."""
+    """The least and the largest valid number."""
     is_audible: bool = False
     """Whether it is about voice and cues."""
     has_words: bool = True
     """Whether SET lists it in words."""
     has_sentence: bool = False
-    """Whether that is a sentence of its own, ``preference-KEY``."""
+    """Whether the sentence ``preference-KEY`` says it."""
     examples: str = ""
     """Values that have no words."""
 
@@ -108,7 +108,7 @@ _MEANT_BY_SWITCH = {"speech": {True: "tts", False: "off"}}
 
 
 class Preferences:
-    """The settings of this start, as the learner changes them."""
+    """The current settings of the session, which the learner can change."""
 
     def __init__(self, settings: Settings, environment: Mapping[str, str]) -> None:
         """``environment`` says where the settings file is."""
@@ -116,11 +116,11 @@ class Preferences:
         self._environment = environment
 
     def value(self, key: str) -> str:
-        """As the settings file has it."""
+        """The value as the settings file writes it."""
         return as_text(getattr(self.settings, BY_KEY[key].name))
 
     def choose(self, key: str, text: str) -> None:
-        """Change it to a text as in the settings file. Raises ``ValueError`` for a text that is no value."""
+        """Set the value from a text as in the settings file. Raises ``ValueError`` for an invalid one."""
         from donnie_tui.commands.keys import not_understood  # few settings are keys
 
         if key == "keys" and not_understood(text):
@@ -219,7 +219,7 @@ def find_preference(typed: str, words: Words) -> Preference | None:
 
 
 def value_typed(preference: Preference, typed: str, words: Words) -> str | None:
-    """The value, as the settings file has it, that was typed in any language; None for anything else."""
+    """The value, as the settings file writes it, for a word of any language; None for anything else."""
     key, is_on = preference.key, switched(typed)
     if key == "lang":
         return language_named(typed)
@@ -256,7 +256,7 @@ def values_in_words(preference: Preference, words: Words) -> str:
 
 
 def as_text(value: object) -> str:
-    """A value as the settings file has it."""
+    """The value as the settings file writes it."""
     if isinstance(value, bool) or value is None:
         return "on" if value else "off"
     if isinstance(value, Mapping):

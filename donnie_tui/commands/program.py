@@ -75,7 +75,7 @@ def _numbered(ctx: Context, number: int) -> str:
 
 
 def say_line(ctx: Context, number: int, before: int) -> None:
-    """The line; its level, where it differs from that of the line ``before``."""
+    """Say the line; its level only if it differs from that of the line ``before``."""
     text = ctx.program.structure
     level_of = text.line(before) if 1 <= before <= len(text) else None
     ctx.say(line_in_words(text.line(number), level_of, ctx.words))
@@ -86,7 +86,7 @@ def say_line(ctx: Context, number: int, before: int) -> None:
 
 @contextmanager
 def _changing(ctx: Context) -> Iterator[None]:
-    """A change and its answer; answers where the text gets too long, or all that ran waits again."""
+    """Wraps a change; answers if the text gets too long, or if all lines wait to be run again."""
     ran, waiting = ctx.program.ran, ctx.program.waiting
     try:
         yield
@@ -100,7 +100,7 @@ def _changing(ctx: Context) -> Iterator[None]:
 
 @handles("change")
 async def change(ctx: Context, argument: str) -> None:
-    """CHANGE 3 FW 2. Without a text the line is offered for editing."""
+    """CHANGE 3 FW 2: replace line 3. Without a text, offer the line for editing."""
     document, (number, text) = ctx.program, _number_and_text(argument)
     lines, rejected = document.lines, document.rejected
     if rejected is not None and number == len(lines) + 1 and (text or ctx.interaction.can_edit):
@@ -123,7 +123,7 @@ async def change(ctx: Context, argument: str) -> None:
 
 @handles("insert")
 async def insert(ctx: Context, argument: str) -> None:
-    """INSERT 3 FW 2: the lines from there on move down. Without a text the line is asked for."""
+    """INSERT 3 FW 2: insert a line before line 3. Without a text, ask for it."""
     document, (number, text) = ctx.program, _number_and_text(argument)
     if not 1 <= number <= len(document.lines) + 1:
         ctx.answer_no_line(number)
@@ -152,7 +152,7 @@ def _number_and_text(argument: str) -> tuple[int, str]:
 
 
 async def offer_again(ctx: Context, line: str) -> None:
-    """A line that was rejected because of a mistake: the learner corrects it, and enters it again.
+    """Offer a line that was rejected because of a mistake, to be corrected and entered again.
 
     A front end that can't offer a line adds it to the program, where it waits.
     """
@@ -168,9 +168,9 @@ async def offer_again(ctx: Context, line: str) -> None:
 
 @handles("delete")
 async def delete(ctx: Context, argument: str) -> None:
-    """One line, or the lines from one to another.
+    """Delete one line, or the lines from one to another.
 
-    Without a number the line of the cursor; where there is no cursor, the lines that have not run.
+    Without a number, delete the line of the cursor; without a cursor, the lines that have not run.
     """
     given, document = read_numbers(argument, most=2), ctx.program
     if not given and not document.is_in_editor:
@@ -238,7 +238,7 @@ async def copy(ctx: Context, argument: str) -> None:
 
 @handles("comment")
 async def comment(ctx: Context, argument: str) -> None:
-    """Make comments of lines, which then don't run; or lines of the program again."""
+    """Turn lines into comments, or comments back into lines."""
     given, lines = read_numbers(argument, most=2), list(ctx.program.lines)
     first, last = (given[0], given[-1]) if given else (max(1, ctx.program.place),) * 2
     if not _has_lines(ctx, first, last):
@@ -257,7 +257,7 @@ async def comment(ctx: Context, argument: str) -> None:
 
 
 def _has_lines(ctx: Context, first: int, last: int) -> bool:
-    """Whether there are such lines; answers where there are not."""
+    """Whether there are such lines; answers if there are none."""
     count = len(ctx.program.lines)
     if not 1 <= first <= last <= count:
         ctx.answer_no_line(first if not 1 <= first <= count else last)
@@ -285,9 +285,9 @@ def _uncommented(line: str) -> str:
 @handles("undo", change=Document.undo)
 @handles("redo", change=Document.redo)
 async def undo(ctx: Context, _: str, change: Callable[[Document], int | None]) -> None:
-    """Undo the last change, or make it again, and say the first line that differs now.
+    """Undo or redo the last change, and say the first line that differs.
 
-    What was built after the last change of the program is undone first, and built again last.
+    Changes of the world since the last change of the program are undone first and redone last.
     """
     is_undo = change == Document.undo
     if ctx.donnie.site.past if is_undo else ctx.donnie.site.undone:
@@ -316,7 +316,7 @@ def _say_changed(ctx: Context, changed: int | None) -> None:
 
 
 def say_restored(ctx: Context) -> None:
-    """Another program is the current one again; its name, where it has a file."""
+    """Say that an earlier program is current again, with its name if it has a file."""
     document, lines = ctx.program, len(ctx.program.lines)
     if document.path is None:
         ctx.answer("answer-recovered" if lines else "answer-new", lines=lines)
@@ -332,8 +332,8 @@ def say_restored(ctx: Context) -> None:
 async def fix(ctx: Context, _: str) -> None:
     """Replace a mistake by what was probably meant, and say the line.
 
-    The mistake in the line that was read last, else the one that ERROR speaks of, else the next one. A line
-    that was rejected is offered again, fixed as far as that is known. A line that has run stays as it is:
+    Fixes the mistake in the line that was read last, else the one that ERROR said, else the next one. A line
+    that was rejected is offered again with the fix. A line that has run stays as it is:
     otherwise the robot would repeat what it has done. The line at which the program failed waits again.
     """
     document, session = ctx.program, ctx.donnie.session
@@ -388,13 +388,13 @@ async def _fix_rejected(ctx: Context, line: str) -> None:
 
 @handles("search")
 async def search(ctx: Context, argument: str) -> None:
-    """The next line with the word, from the reading place on and once round."""
+    """Go to the next line with the word, from the reading place on and once around."""
     _search(ctx, argument or await _asked_for_word(ctx))
 
 
 @handles("search_again")
 async def search_again(ctx: Context, _: str) -> None:
-    """The next line with the word that was searched last."""
+    """Go to the next line with the last searched word."""
     _search(ctx, ctx.workspace.searched or await _asked_for_word(ctx))
 
 
@@ -422,7 +422,7 @@ async def _asked_for_word(ctx: Context) -> str:
 
 @handles("replace")
 async def replace(ctx: Context, argument: str) -> None:
-    """Replace a word everywhere in the program, as it is written; asks by what."""
+    """Replace a word, in this spelling, everywhere in the program; ask for the replacement."""
     document, wanted = ctx.program, argument or await _asked_for_word(ctx)
     count = document.text.count(wanted)
     if not count:
@@ -442,7 +442,7 @@ async def replace(ctx: Context, argument: str) -> None:
 
 @handles("format")
 async def format_program(ctx: Context, _: str) -> None:
-    """Lay the program out in its canonical form."""
+    """Format the program canonically."""
     await _lay_out(ctx, None)
 
 

@@ -1,6 +1,6 @@
 """READ, NEXT, UP, OUTLINE, ERROR, EXPLAIN; LAST, SPELL, FIND, TYPED: the program, and what was said.
 
-The reading place is the line that was read last, or the line of the cursor. A move that is not possible says
+The reading place is the line that was read last, or the line of the cursor. An impossible move says
 so and stays.
 """
 
@@ -43,14 +43,14 @@ def go_to(ctx: Context, number: int) -> None:
 
 @handles("read")
 async def read(ctx: Context, argument: str) -> None:
-    """Read a line, or once more the one of the reading place."""
+    """Read a line, or the one of the reading place again."""
     given = read_numbers(argument, most=1)
     go_to(ctx, given[0] if given else max(1, ctx.program.place))
 
 
 @handles("go_to")
 async def go_to_line(ctx: Context, argument: str) -> None:
-    """Go to a line by its number, which is asked for."""
+    """Go to a line by its number; without one, ask for it."""
     typed = argument or await ctx.interaction.ask(ctx.words("ask-line"))
     if typed:
         (number,) = read_numbers(typed, least=1, most=1)
@@ -60,7 +60,7 @@ async def go_to_line(ctx: Context, argument: str) -> None:
 @handles("next", otherwise="read-no-next", by=1)
 @handles("back", otherwise="read-no-back", by=-1)
 async def next_line(ctx: Context, _: str, otherwise: str, by: int) -> None:
-    """The next line, or the line before."""
+    """Read the next or the previous line."""
     number, last = ctx.program.place + by, len(ctx.program.lines)
     if last and not 1 <= number <= last:
         ctx.answer(otherwise)
@@ -70,13 +70,13 @@ async def next_line(ctx: Context, _: str, otherwise: str, by: int) -> None:
 
 @handles("first")
 async def first_line(ctx: Context, _: str) -> None:
-    """The first line."""
+    """Read the first line."""
     go_to(ctx, 1)
 
 
 @handles("last_line")
 async def last_line(ctx: Context, _: str) -> None:
-    """The last line."""
+    """Read the last line."""
     go_to(ctx, len(ctx.program.structure))
 
 
@@ -85,7 +85,7 @@ async def last_line(ctx: Context, _: str) -> None:
 @handles("next_same", otherwise="read-no-next_same", find=ProgramText.next_same)
 @handles("back_same", otherwise="read-no-back_same", find=ProgramText.back_same)
 async def move(ctx: Context, _: str, otherwise: str, find: Callable[[ProgramText, int], int | None]) -> None:
-    """To the line that opens the block, into the block, or along the lines of one level."""
+    """Read the line that opens the block, the first line in the block, or the next line of the same level."""
     text = ctx.program.structure
     if not text:
         ctx.answer("no-lines")
@@ -103,7 +103,7 @@ def _line_within(ctx: Context, text: ProgramText) -> int:
 
 @handles("place")
 async def place(ctx: Context, _: str) -> None:
-    """In which blocks the line is."""
+    """Say in which blocks the line is."""
     text = ctx.program.structure
     if text:
         ctx.say(*place_in_words(text, _line_within(ctx, text), ctx.words))
@@ -113,7 +113,7 @@ async def place(ctx: Context, _: str) -> None:
 
 @handles("outline")
 async def outline(ctx: Context, _: str) -> None:
-    """The lines that open blocks and procedures, to choose one."""
+    """Offer the lines that open blocks and procedures, to go to one."""
     text, words = ctx.program.structure, ctx.words
     lines = text.outline_lines
     printed = outline_in_words(text, words)
@@ -134,7 +134,7 @@ async def outline(ctx: Context, _: str) -> None:
 @handles("error_next", by=1)
 @handles("error_previous", by=-1)
 async def error(ctx: Context, _: str, by: int) -> None:
-    """The mistake that was said last, the next one, or the one before; the reading place goes there."""
+    """Say the current, the next or the previous mistake, and move the reading place there."""
     found, lines = ctx.errors.go(by, ctx.words)
     if found is not None:
         _show(ctx, found)
@@ -142,7 +142,7 @@ async def error(ctx: Context, _: str, by: int) -> None:
 
 
 def _show(ctx: Context, error: Error) -> None:
-    """The reading place goes to a mistake, the focus stays."""
+    """Move the reading place to a mistake; the focus stays."""
     if ctx.screen is not None:
         ctx.screen.place_cursor(error.line, error.column)
     else:
@@ -151,7 +151,7 @@ def _show(ctx: Context, error: Error) -> None:
 
 @handles("errors")
 async def errors(ctx: Context, _: str) -> None:
-    """All mistakes of the last run; on a screen also those of the text as it is, to go to one."""
+    """Say all mistakes of the last run; on a screen also those of the current text, to go to one."""
     screen = ctx.screen
     options = [] if screen is None else _mistakes_to_choose(ctx)
     if screen is None or screen.is_plain or not options:
@@ -166,7 +166,7 @@ async def errors(ctx: Context, _: str) -> None:
 
 
 def _mistakes_to_choose(ctx: Context) -> list[Option]:
-    """Those of the text as it is, then what went wrong in the last run in other lines, with their places."""
+    """The mistakes of the current text, then those of the last run in other lines, with their places."""
     lines, words, now = ctx.program.lines, ctx.words, ctx.errors.now
     found = {
         (each.line, 1): each.message
@@ -192,7 +192,7 @@ def _mistakes_to_choose(ctx: Context) -> list[Option]:
 
 @handles("explain")
 async def explain(ctx: Context, _: str) -> None:
-    """The mistake in plain words and what to do, with an example and the line as it was then."""
+    """Explain the mistake: what to do, an example, and the line at that time."""
     found = ctx.errors.now
     ctx.say(*ctx.errors.explained(ctx.donnie.session.hub.robot, ctx.words))
     if found is None:
@@ -219,7 +219,7 @@ async def last(ctx: Context, argument: str) -> None:
 
 @handles("spell")
 async def spell(ctx: Context, argument: str) -> None:
-    """Spell the last line of an answer."""
+    """Spell the last line of an earlier answer."""
     _spell(ctx, ctx.answers.last_line(read_count(argument, 1)))
 
 
@@ -235,7 +235,7 @@ def _spell(ctx: Context, text: str) -> None:
 
 @handles("find")
 async def find_answers(ctx: Context, argument: str) -> None:
-    """The lines that have a word; the log on the screen goes to it."""
+    """Say the lines of the log with a word; on a screen the log scrolls to it."""
     if not argument:
         raise NotUnderstood
     is_found = bool(ctx.answers.found(argument))
@@ -246,7 +246,7 @@ async def find_answers(ctx: Context, argument: str) -> None:
 
 @handles("filter")
 async def filter_log(ctx: Context, _: str) -> None:
-    """Show the lines of one kind in the log, or all again; the number of lines is next to each."""
+    """Offer the kinds of lines in the log with their numbers, and show only one kind, or all again."""
     assert ctx.screen is not None
     kinds, words = ctx.screen.log_kinds, ctx.words
     everything = Option("", words("log-all", lines=sum(kinds.values())), is_current=not ctx.screen.log_filter)
@@ -266,7 +266,7 @@ async def filter_log(ctx: Context, _: str) -> None:
 
 @handles("show_log")
 async def show_log(ctx: Context, _: str) -> None:
-    """Go to the log; where there is no screen, repeat the last answers, the newest last."""
+    """Focus the log; without a screen, repeat the last answers, the newest last."""
     if ctx.screen is not None:
         ctx.screen.focus("log")
         return
@@ -280,14 +280,14 @@ async def show_log(ctx: Context, _: str) -> None:
 
 @handles("open_log")
 async def open_log(ctx: Context, _: str) -> None:
-    """Open the log in the pager, where the terminal's own ways of reading work."""
+    """Open the log in the pager, where the terminal's own search and scrolling work."""
     if ctx.screen is not None:
         ctx.screen.show_in_pager(ctx.screen.log_text)
 
 
 @handles("typed")
 async def typed(ctx: Context, argument: str) -> None:
-    """The lines that were typed last; the one that is chosen is typed again."""
+    """Offer the lines that were typed last, to type one again."""
     lines = [each for each in enumerate(ctx.past.lines, 1) if not _is_typed(each[1])]
     count = read_count(argument, MOST_TYPED if ctx.screen is None else max(1, len(lines)))
     if not lines:
@@ -302,6 +302,6 @@ async def typed(ctx: Context, argument: str) -> None:
 
 
 def _is_typed(line: str) -> bool:
-    """Whether the line asks for the lines that were typed."""
+    """Whether the line is the command TYPED."""
     found = find(line)
     return found is not None and found[0].name == "typed"

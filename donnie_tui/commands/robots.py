@@ -24,7 +24,7 @@ MOST_ROBOTS = 30
 
 @handles("robots")
 async def robots(ctx: Context, _: str) -> None:
-    """Which robots there are and where, to choose one where there are several."""
+    """Say which robots there are and where; offer them if there are several."""
     ctx.say(*robots_in_words(ctx))
     if ctx.donnie.team.has_several and ctx.screen is not None:
         await robot(ctx, "")
@@ -32,7 +32,7 @@ async def robots(ctx: Context, _: str) -> None:
 
 @handles("robot")
 async def robot(ctx: Context, argument: str) -> None:
-    """Talk to that robot; without a name, to the one that is chosen from a list."""
+    """Make this robot the current one; without a name, offer the robots."""
     team, words = ctx.donnie.team, ctx.words
     if not argument and not team.has_several:
         ctx.say(*robots_in_words(ctx))
@@ -63,7 +63,7 @@ def _choose_robot(ctx: Context, typed: str) -> None:
 
 
 def robots_in_words(ctx: Context) -> tuple[str, ...]:
-    """Which robots there are and where, a line each; the one that the learner talks to first."""
+    """The robots and their places, a line each, the current robot first."""
     team, words = ctx.donnie.team, ctx.words
     if not team.has_several:
         return (words("robots-only-one", name=team.chosen.name),)
@@ -74,7 +74,7 @@ def robots_in_words(ctx: Context) -> tuple[str, ...]:
 
 
 def _robot_in_words(ctx: Context, session: Session) -> str:
-    """Where that robot is, and whether its program runs."""
+    """The place of a robot, and whether its program runs."""
     pose = session.pose
     return ctx.words(
         "robot-listed" if session.run is None else "robot-listed-running",
@@ -90,7 +90,7 @@ def _robot_in_words(ctx: Context, session: Session) -> str:
 
 @handles("connect")
 async def connect(ctx: Context, argument: str) -> None:
-    """Use the robot of that number; else say which there are, to choose one. That takes some seconds."""
+    """Connect the robot with this number; without one, offer the robots found. Takes some seconds."""
     slow = ctx.words("slow-connect")
     number = count_in(argument, 0)
     if not number:
@@ -107,7 +107,7 @@ async def connect(ctx: Context, argument: str) -> None:
 
 
 def _connections(ctx: Context) -> list[Option]:
-    """What can be connected, in the order of the numbers, with its state. Looks for devices."""
+    """Look for devices; the robots that can be connected, by number, with their state."""
     connection = ctx.donnie.connection
     return [
         Option(str(number), _option_in_words(ctx, number, option), option.robot == connection.robot)
@@ -129,7 +129,7 @@ def _option_in_words(ctx: Context, number: int, option: RobotOption) -> str:
 
 
 def _connect_to(ctx: Context, number: int) -> None:
-    """Connects the robot of that number, in a thread of its own. The answers are printed at once."""
+    """Connect the robot of that number, in its own thread. Answers are printed at once."""
     connection, options = ctx.donnie.connection, ctx.donnie.connection.options()
     if not 1 <= number <= len(options):
         ctx.answer("connect-unknown", number=number)
@@ -155,7 +155,7 @@ def _connect_to(ctx: Context, number: int) -> None:
 
 
 def _keep_connection(ctx: Context) -> None:
-    """A real robot announces itself."""
+    """Use this connection at the next start, too. A real robot announces itself."""
     robot = ctx.donnie.connection.robot
     if robot == SIMULATED:
         ctx.answer("connect-simulator")

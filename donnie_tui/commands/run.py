@@ -29,9 +29,9 @@ DROPPING_IS_EXPLAINED = 2
 @handles("run", is_whole=False)
 @handles("again", is_whole=True)
 async def run(ctx: Context, _: str, is_whole: bool) -> None:
-    """Run what was typed and has not run yet, or the whole program from the start of the world.
+    """Run the lines that have not run yet, or the whole program from the start of the world.
 
-    A program that is edited as a whole always runs as a whole. RUN continues a program that is held.
+    A program in an editor always runs as a whole. RUN continues a held program.
     """
     if ctx.runs.is_held and not is_whole:
         ctx.runs.continue_()
@@ -40,7 +40,7 @@ async def run(ctx: Context, _: str, is_whole: bool) -> None:
 
 
 async def run_program(ctx: Context, *, is_whole: bool, begin: Begin | None = None) -> None:
-    """Run the program, or its lines that wait. Of these only what is newly wrong is said."""
+    """Run the program, or its waiting lines; of the latter only new mistakes are reported."""
     is_again = not is_whole and ctx.program.refusals > 0
     if is_again and ctx.program.is_still_refused:
         _say_what_waits(ctx)
@@ -63,7 +63,7 @@ async def run_program(ctx: Context, *, is_whole: bool, begin: Begin | None = Non
 
 
 async def run_alone(ctx: Context, line: str) -> None:
-    """Run a line that is no part of the program. What runs already is stopped first."""
+    """Run a line that is not part of the program. A running program is stopped first."""
     running = ctx.donnie.session.run
     if running is not None:
         ctx.donnie.session.stop()
@@ -73,7 +73,7 @@ async def run_alone(ctx: Context, line: str) -> None:
 
 
 def whole_program(ctx: Context) -> RunRequest:
-    """The program as it is run from the start of the world."""
+    """A request to run the program from the start of the world."""
     document = ctx.program
     return RunRequest(document.text, _name(ctx), breakpoints=document.breakpoints)
 
@@ -99,7 +99,7 @@ def _name(ctx: Context) -> str:
 
 
 def _note_run(ctx: Context, ended: Run, *, is_whole: bool) -> None:
-    """After a mistake, says in one line what ran, what waits and what was dropped."""
+    """After a mistake, say in one line what ran, what waits and what was dropped."""
     program = ctx.program
     if not ended.was_refused:
         first = 1 if is_whole else program.ran + 1
@@ -122,7 +122,7 @@ def _note_run(ctx: Context, ended: Run, *, is_whole: bool) -> None:
 
 
 def _say_what_waits(ctx: Context) -> None:
-    """The lines that wait are still wrong: where, and the second time how to drop them."""
+    """Say where the waiting lines are still wrong, and from the second time on how to drop them."""
     program, first = ctx.program, ctx.errors.all[:1]
     program.refusals += 1
     line = _line_to_change(first[0]) if first else len(program.lines)
@@ -132,7 +132,7 @@ def _say_what_waits(ctx: Context) -> None:
 
 
 def _say_what_ran(ctx: Context, first: int) -> None:
-    """Says what ran of a program that began at line ``first`` and failed at a later one."""
+    """Say what ran of a program that began at line ``first`` and failed at a later one."""
     program, error = ctx.program, ctx.errors.all[-1] if ctx.errors.all else None
     line = (error.calls[-1] if error.calls else error.line) if error is not None else 0
     if not first <= line <= len(program.lines):
@@ -153,7 +153,7 @@ def _say_what_ran(ctx: Context, first: int) -> None:
 
 
 def _is_one_statement(ctx: Context, line: int) -> bool:
-    """Whether nothing can have run before a mistake in the line: it is one statement without a block."""
+    """Whether the line is one statement without a block, so that nothing can have run before its mistake."""
     from language.syntax import walk
 
     program = ctx.donnie.session.parse(ctx.program.lines[line - 1]).program
@@ -166,7 +166,7 @@ def _line_to_change(error: Error) -> int:
 
 @handles("start")
 async def start(ctx: Context, _: str) -> None:
-    """Run the program in the background. Waits for nothing but its reading: mistakes are the answer."""
+    """Run the program in the background. Waits only for parsing; the answer lists the mistakes."""
     document, session = ctx.program, ctx.donnie.session
     try:
         started = ctx.runs.start_in_background(whole_program(ctx))
@@ -183,7 +183,7 @@ async def start(ctx: Context, _: str) -> None:
 
 @handles("together")
 async def together(ctx: Context, _: str) -> None:
-    """Run the programs of all robots, which start at the same moment."""
+    """Run the programs of all robots, starting at the same moment."""
     team, documents = ctx.donnie.team, ctx.workspace.by_robot()
     if ctx.program.is_in_editor:  # one text for all, given to the robot that is talked to
         documents = {ctx.donnie.session.name: ctx.program}
@@ -232,7 +232,7 @@ async def stop_all(ctx: Context, _: str) -> None:
 
 @handles("pause")
 async def pause(ctx: Context, _: str) -> None:
-    """Hold the program, which says where it is held; a second time let it run on."""
+    """Hold the program, which says where it is; a second time, let it continue."""
     try:
         if ctx.runs.state is RunState.PAUSED:
             await continue_(ctx, "")
@@ -244,7 +244,7 @@ async def pause(ctx: Context, _: str) -> None:
 
 @handles("continue_")
 async def continue_(ctx: Context, _: str) -> None:
-    """Let the program that is held run on."""
+    """Continue the held program."""
     try:
         ctx.runs.require(Request.CONTINUE)
     except NothingRuns:
@@ -257,9 +257,9 @@ async def continue_(ctx: Context, _: str) -> None:
 @handles("step", go_on=RunController.step)
 @handles("step_over", go_on=RunController.step_over)
 async def step(ctx: Context, _: str, go_on: Callable[[RunController], None]) -> None:
-    """One statement; with OVER a procedure as a whole.
+    """Run one statement; with OVER, a whole procedure call.
 
-    Where STEP BACK has led into the past, a step leads towards the present, and the robot stays.
+    After STEP BACK, a step goes forward in the recorded past, and the robot stays.
     """
     if ctx.runs.past is not None:
         go_on(ctx.runs)
@@ -269,7 +269,7 @@ async def step(ctx: Context, _: str, go_on: Callable[[RunController], None]) -> 
 
 @handles("run_to")
 async def run_to(ctx: Context, argument: str) -> None:
-    """Run until that line is next."""
+    """Run until this line is next."""
     (line,) = read_numbers(argument, least=1, most=1)
     if not 1 <= line <= len(ctx.program.lines):
         ctx.answer_no_line(line)
@@ -282,7 +282,7 @@ async def run_to(ctx: Context, argument: str) -> None:
 
 
 async def _step(ctx: Context, go_on: Callable[[RunController], None], begin: Begin) -> None:
-    """Ask the program that is held; where none is, start: what waits, or the whole program once more."""
+    """Step the held program; without one, start the waiting lines, or the whole program again."""
     if ctx.runs.is_steppable:
         go_on(ctx.runs)
     elif ctx.runs.state is not RunState.READY:
@@ -296,7 +296,7 @@ async def _step(ctx: Context, go_on: Callable[[RunController], None], begin: Beg
 
 @handles("step_back")
 async def step_back(ctx: Context, _: str) -> None:
-    """What happened last, undone in words; once more goes further back."""
+    """Go back by one event and say it; repeated, go further back."""
     ctx.say(*ctx.runs.step_back())
 
 
@@ -325,7 +325,7 @@ async def break_(ctx: Context, argument: str) -> None:
 
 @handles("watch")
 async def watch(ctx: Context, argument: str) -> None:
-    """Describe a variable at each change from now on, or no more; alone, list the watched variables."""
+    """Start or stop reporting each change of a variable; alone, list the watched variables."""
     if argument and not argument.isidentifier():
         raise NotUnderstood
     ctx.say(*ctx.runs.toggle_watch(argument))
@@ -333,7 +333,7 @@ async def watch(ctx: Context, argument: str) -> None:
 
 @handles("show_variables")
 async def show_variables(ctx: Context, _: str) -> None:
-    """The calls, innermost first, and the variables of the innermost; after a run what it left."""
+    """Say the calls, innermost first, and the variables of the innermost; after a run its final variables."""
     if ctx.screen is not None:
         ctx.screen.focus("variables")
         return
@@ -360,7 +360,7 @@ async def slower(ctx: Context, _: str, changed: Callable[[float | None], float |
 
 @handles("speed")
 async def speed(ctx: Context, argument: str) -> None:
-    """Change the speed, where one is given, and say it."""
+    """Change the speed if one is given, and say it."""
     if argument:
         try:
             ctx.donnie.session.speed = read_speed(fold_name(argument))
@@ -376,7 +376,7 @@ def _say_speed(ctx: Context) -> None:
 
 @handles("reset")
 async def reset(ctx: Context, _: str) -> None:
-    """The robot at its start, with nothing remembered."""
+    """Put the robot to its start, and forget the variables."""
     try:
         ctx.runs.reset()
     except Busy:

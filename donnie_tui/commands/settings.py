@@ -1,6 +1,6 @@
-"""LANGUAGE, DETAIL, SET, THEME, PLAIN, CHANGE KEYS, REDRAW: what the learner chooses counts at once.
+"""LANGUAGE, DETAIL, SET, THEME, PLAIN, CHANGE KEYS, REDRAW: changes of settings, which apply at once.
 
-A choice at a prompt or on the screen is kept in the settings file; lines of a file choose for themselves.
+A change at a prompt or on the screen is kept in the settings file; a change by a script is not.
 """
 
 from __future__ import annotations
@@ -29,16 +29,16 @@ from language.source import printable
 LONGEST_NAME = 40
 """Characters of a typed name that an answer repeats."""
 VOLUMES = (100, 75, 50, 25, 0)
-"""Of a cue, to choose from; any other can be typed: SET cue bump 60."""
+"""Volumes of a cue to choose from; others can be typed: SET cue bump 60."""
 _AS_BEFORE = ""
-"""The row of the keys that gives all commands their own keys again."""
+"""The row that restores the default keys of all commands."""
 
 
 @handles("language", key="lang")
 @handles("detail", key="verbosity")
 @handles("theme", key="theme")
 async def choose(ctx: Context, argument: str, key: str) -> None:
-    """A value that was typed, or one that is chosen from a list; where there is no list, say the value."""
+    """Set the typed value, or offer the values; without a list, say the current one."""
     preference = BY_KEY[key]
     if not argument:
         await _choose_from_list(ctx, preference)
@@ -51,7 +51,7 @@ async def choose(ctx: Context, argument: str, key: str) -> None:
 
 @handles("plain")
 async def plain(ctx: Context, _: str) -> None:
-    """One column without decoration, or the panes again."""
+    """Switch between the plain layout, one column without decoration, and the panes."""
     assert ctx.screen is not None
     change(ctx, "plain", "off" if ctx.screen.is_plain else "on")
 
@@ -69,7 +69,7 @@ async def redraw(ctx: Context, _: str) -> None:
 
 @handles("set")
 async def set_value(ctx: Context, argument: str) -> None:
-    """SET alone lists the settings, SET name gives one with its choices, SET name value changes it."""
+    """SET lists the settings, SET name says one with its values, SET name value changes it."""
     name, _, typed = argument.partition(" ")
     if not name:
         await _list(ctx)
@@ -98,7 +98,7 @@ def _only_in_other_mode(ctx: Context) -> str:
 
 
 async def _list(ctx: Context) -> None:
-    """One setting after the other, until the learner goes back; where there is no list, all of them."""
+    """Offer the settings, until the learner goes back; without a list, say all of them."""
     words = ctx.words
     printed = [
         ctx.preferences.in_words(each.key, words)
@@ -130,13 +130,13 @@ def _row(ctx: Context, preference: Preference) -> str:
 
 
 def _columns(ctx: Context, preference: Preference) -> tuple[str, str, str]:
-    """Name, value, and what it does."""
+    """Name, value and purpose."""
     key, words = preference.key, ctx.words
     return label(key, words), ctx.preferences.value_label(key, words), words(f"about-setting-{key}")
 
 
 async def _ask_for_value(ctx: Context, preference: Preference) -> None:
-    """Asks for a value, from a list or typed; where there is no screen the choices are said."""
+    """Ask for a value, from a list or typed; without a screen, say the valid values."""
     key, words = preference.key, ctx.words
     if preference.values or ctx.screen is None:
         await _choose_from_list(ctx, preference)
@@ -165,12 +165,12 @@ async def _choose_from_list(ctx: Context, preference: Preference) -> None:
 
 
 def say_with_values(ctx: Context, preference: Preference) -> None:
-    """The setting as it is, and what it can be."""
+    """Say the setting and its valid values."""
     ctx.say(ctx.preferences.in_words(preference.key, ctx.words), values_in_words(preference, ctx.words))
 
 
 def change(ctx: Context, key: str, value: str) -> None:
-    """Choose a value from now on, say it, and keep it. ``value`` is as the settings file has it."""
+    """Apply a value, say it, and keep it. ``value`` is as the settings file writes it."""
     preferences = ctx.preferences
     preferences.choose(key, value)
     chosen = preferences.settings
@@ -195,7 +195,7 @@ def change(ctx: Context, key: str, value: str) -> None:
 
 
 async def _set_cue(ctx: Context, argument: str) -> None:
-    """``bump 50``, ``bump off``; a cue alone gives its volume, nothing gives all."""
+    """``bump 50``, ``bump off``: set a volume. Say the volume of a cue alone, or of all."""
     word, _, typed = argument.partition(" ")
     cue = cue_meant(word) if word else None
     if word and cue is None:
@@ -213,7 +213,7 @@ async def _set_cue(ctx: Context, argument: str) -> None:
 
 
 async def _choose_cues(ctx: Context) -> None:
-    """One cue after the other, until the learner goes back."""
+    """Offer the cues, until the learner goes back."""
     chosen: str | None = ""
     while chosen is not None:
         rows = [Option(cue, _cue_row(ctx, cue, _volume(ctx, cue)), cue == chosen) for cue in CUES]
@@ -249,7 +249,7 @@ def _cue_in_words(ctx: Context, cue: str) -> str:
 
 
 def _change_cue(ctx: Context, cue: str, percent: int) -> None:
-    """Changes the volume of a cue from now on, and plays the cue once."""
+    """Change the volume of a cue, and play the cue once."""
     volumes = {**ctx.preferences.settings.cues, cue: percent}
     change(ctx, "cues", ", ".join(f"{name} {each}" for name, each in volumes.items()))
     chime(ctx.donnie, cue)
@@ -261,7 +261,7 @@ def _change_cue(ctx: Context, cue: str, percent: int) -> None:
 
 @handles("change_keys")
 async def change_keys(ctx: Context, _: str) -> None:
-    """One command after the other gets another key, until the learner goes back."""
+    """Offer the commands, to change their keys, until the learner goes back."""
     assert ctx.screen is not None
     words, chosen, offers = ctx.words, _AS_BEFORE, ctx.screen.key_table.offers
     names = [each.name for each in COMMANDS if offers(each.name)]

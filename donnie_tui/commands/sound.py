@@ -25,7 +25,7 @@ _LONGEST_UTTERANCE = 100
 
 @handles("quiet")
 async def quiet(ctx: Context, _: str) -> None:
-    """End what is being spoken. The answer is printed only, and LAST means the answer before."""
+    """Stop the speech. The answer is only printed, and LAST repeats the answer before it."""
     ctx.donnie.outlets.audible.hush_all()
     answer = Answered(ctx.words("quiet"), in_print_only=True, at_once=ctx.is_urgent, is_repeated=True)
     ctx.donnie.session.hub.publish(answer)
@@ -33,7 +33,7 @@ async def quiet(ctx: Context, _: str) -> None:
 
 @handles("cues")
 async def cues(ctx: Context, argument: str) -> None:
-    """Play each cue with its name and meaning, or the one that was typed. A key ends it."""
+    """Play each cue, or one by its name, and say its name and meaning. A key ends it."""
     audible, name = ctx.donnie.outlets.audible, cue_meant(argument)
     if argument and name is None:
         ctx.answer("cues-unknown", name=argument[:LONGEST_NAME])
@@ -51,7 +51,7 @@ async def cues(ctx: Context, argument: str) -> None:
 
 
 async def _is_disturbed_by_cue(ctx: Context, cue: str, hushed: int) -> bool:
-    """Play it, then say it: a cue never waits for its sentence. Whether the learner ended that."""
+    """Play the cue, then say it. Returns whether the learner interrupted."""
     has_cues = ctx.donnie.outlets.audible.has_cues
     if has_cues:
         chime(ctx.donnie, cue)
@@ -60,7 +60,7 @@ async def _is_disturbed_by_cue(ctx: Context, cue: str, hushed: int) -> bool:
 
 
 async def _is_disturbed_until_spoken(ctx: Context, hushed: int) -> bool:
-    """Wait until what was said is spoken. Whether the learner ended it; ``hushed`` counts hushes before."""
+    """Wait until the speech has ended. Returns whether the learner interrupted; ``hushed``: hushes before."""
     audible = ctx.donnie.outlets.audible
 
     async def is_disturbed(seconds: float) -> bool:
@@ -78,7 +78,7 @@ async def _is_disturbed_until_spoken(ctx: Context, hushed: int) -> bool:
 
 @handles("feel")
 async def feel(ctx: Context, argument: str) -> None:
-    """What the belt shows, with ROWS each motor; with ON every change from now on, with OFF none."""
+    """Say what the belt shows, with ROWS each motor; ON reports every change from now on, OFF none."""
     belt, is_on = ctx.donnie.outlets.belt, switched(argument)
     if is_on is not None:
         belt.is_on = is_on
@@ -93,22 +93,22 @@ async def feel(ctx: Context, argument: str) -> None:
 
 
 def cue_meant(typed: str) -> str | None:
-    """The cue of which ``typed`` is a word in any language, or its own name."""
+    """The cue that ``typed`` names in any language."""
     return typed if typed in CUES else meant(typed, "cues")
 
 
 def cue_word(cue: str, language: str) -> str:
-    """What a cue is called."""
+    """The name of a cue."""
     return spelled(cue, language, "cues")
 
 
 def chime(donnie: Donnie, cue: str) -> None:
-    """Play a cue, as loud as it is set."""
+    """Play a cue at its volume."""
     donnie.session.hub.publish(Chimed(cue))
 
 
 def chime_block(donnie: Donnie, before: int, after: int) -> None:
-    """Play the cue for a block that was opened or closed, the higher the deeper it is."""
+    """Play the cue of an opened or closed block; the deeper the block, the higher the tone."""
     if before == after or not donnie.outlets.audible.has_cues:
         return
     from devices.audio.cues import pitch_of_level

@@ -25,19 +25,19 @@ from language.source import printable
 LONGEST_NAME = 40
 """Characters of a typed name that an answer repeats."""
 LEAST_MAP_ROWS = 5
-"""Rows without which a map in a list shows nothing."""
+"""The least number of rows for a map in a list."""
 
 
 @handles("where")
 async def where(ctx: Context, _: str) -> None:
-    """Where the robot is, or was where STEP BACK has come; at full detail its last move too."""
+    """Say where the robot is, or was at the moment of STEP BACK; at full detail its last move too."""
     is_full = ctx.words.detail == "full"
     pose, moves = _moment(ctx)
     ctx.say_of_robot(*place_in_words(pose, moves, ctx.words, is_full=is_full))
 
 
 def _moment(ctx: Context) -> tuple[Pose, Trail]:
-    """The robot's place and its moves as they are now, or where STEP BACK has come."""
+    """The robot's place and moves now, or at the moment of STEP BACK."""
     past, robot = ctx.runs.past, ctx.donnie.session.hub.robot
     if past is None:
         return ctx.donnie.session.pose, ctx.trail
@@ -49,7 +49,7 @@ def _moment(ctx: Context) -> tuple[Pose, Trail]:
 
 @handles("around")
 async def around(ctx: Context, argument: str) -> None:
-    """What is around the robot as it looks, or by the compass, beginning with a point."""
+    """Say what is around the robot, by the robot's directions or from a point of the compass."""
     from donnie_tui.core.map_words import around_in_words, compass_point
 
     point = compass_point(argument)
@@ -62,7 +62,7 @@ async def around(ctx: Context, argument: str) -> None:
 
 @handles("trail")
 async def trail(ctx: Context, argument: str) -> None:
-    """The robot's last moves."""
+    """Say the robot's last moves."""
     count = read_count(argument, DEFAULT_MOVES)
     _, moves = _moment(ctx)
     ctx.say_of_robot(*ctx.counted(moves.in_words(count, ctx.words)))
@@ -70,7 +70,7 @@ async def trail(ctx: Context, argument: str) -> None:
 
 @handles("show_path")
 async def show_path(ctx: Context, _: str) -> None:
-    """The way that was driven since the start: leg by leg, and on the map in letters."""
+    """Say the driven path since the start leg by leg, and print it on the map in letters."""
     pose, moves = _moment(ctx)
     path = moves.path
     lines = ctx.counted(path_in_words(path, ctx.words))
@@ -84,14 +84,14 @@ async def show_path(ctx: Context, _: str) -> None:
 
 
 def _free(ctx: Context) -> str:
-    """What is shown for a free square."""
+    """The sign of a free square."""
     letter = ctx.preferences.settings.free
     return FREE if letter == "dot" else letter
 
 
 @handles("sensors")
 async def sensors(ctx: Context, _: str) -> None:
-    """What the robot has; on the screen also how far it reaches, until the robot moves."""
+    """Say the robot's sensors; on the screen show their reach, until the robot moves."""
     from donnie_tui.core.describe import sensors_in_words, sensors_of_board
 
     name = shown_name(ctx.donnie.session.name)
@@ -109,7 +109,7 @@ async def sensors(ctx: Context, _: str) -> None:
 
 @handles("map")
 async def whole_map_or_square(ctx: Context, argument: str) -> None:
-    """The whole map, or the square at x, y."""
+    """Say the whole map, or the square at x, y."""
     place, pose = read_numbers(argument, most=2), ctx.donnie.session.pose
     if len(place) == 1:
         raise NotUnderstood
@@ -127,21 +127,21 @@ def _say_map(ctx: Context) -> None:
 
 @handles("map_row")
 async def map_row(ctx: Context, argument: str) -> None:
-    """The squares of one row."""
+    """Say the squares of one row."""
     (y,) = read_numbers(argument, least=1, most=1)
     ctx.say_of_robot(*map_words.row_in_words(ctx.map_grid(), y, ctx.words))
 
 
 @handles("map_column")
 async def map_column(ctx: Context, argument: str) -> None:
-    """The squares of one column."""
+    """Say the squares of one column."""
     (x,) = read_numbers(argument, least=1, most=1)
     ctx.say_of_robot(*map_words.column_in_words(ctx.map_grid(), x, ctx.words))
 
 
 @handles("map_picture")
 async def map_picture(ctx: Context, _: str) -> None:
-    """The map as letters, a character a square."""
+    """Print the map in letters, a character a square."""
     lines = map_words.picture_in_letters(ctx.map_grid(), ctx.words, _free(ctx))
     with_name = ctx.of_robot(*lines)
     await ctx.interaction.show_pages(ctx.words("key-show_map"), lines, with_name)
@@ -149,7 +149,7 @@ async def map_picture(ctx: Context, _: str) -> None:
 
 @handles("show_map")
 async def show_map(ctx: Context, _: str) -> None:
-    """Go to the map; where there is no screen, say it."""
+    """Focus the map; without a screen, say it."""
     if ctx.screen is None:
         _say_map(ctx)
     else:
@@ -168,7 +168,7 @@ def _on_screen(ctx: Context) -> Screen:
 @handles("next_thing", forward=True)
 @handles("previous_thing", forward=False)
 async def next_thing(ctx: Context, _: str, forward: bool) -> None:
-    """Point to the next thing on the map, or to the one before."""
+    """Point to the next or the previous thing on the map."""
     screen = _on_screen(ctx)
     pointer = screen.map.pointer
     if pointer is None or not pointer.scene.things:
@@ -196,7 +196,7 @@ async def from_here(ctx: Context, _: str) -> None:
 
 @handles("to_there")
 async def to_there(ctx: Context, _: str) -> None:
-    """The way from the marked square to the one that is pointed to."""
+    """Say the way from the marked square to the pointer."""
     pointer = _on_screen(ctx).map.pointer
     if pointer is not None:
         ctx.say(pointer.way(ctx.words))
@@ -205,7 +205,7 @@ async def to_there(ctx: Context, _: str) -> None:
 @handles("zoom_in", by=1)
 @handles("zoom_out", by=-1)
 async def zoom(ctx: Context, _: str, by: int) -> None:
-    """Show fewer steps, larger; or more, smaller."""
+    """Zoom in or out."""
     pane = _on_screen(ctx).map
     pane.set_zoom(pane.zoom + by)
     _say_scale(ctx)
@@ -257,7 +257,7 @@ async def picture(ctx: Context, _: str) -> None:
 
 @handles("legend")
 async def show_legend(ctx: Context, _: str) -> None:
-    """What the letters of the map mean."""
+    """Say what the letters of the map mean."""
     scale = _on_screen(ctx).map.scale
     if scale is not None:
         lines = legend(scale.scene, ctx.words)
@@ -269,7 +269,7 @@ async def show_legend(ctx: Context, _: str) -> None:
 
 @handles("world")
 async def world(ctx: Context, argument: str) -> None:
-    """What the author says of the world, what is in it, what to try there; or the way to another one."""
+    """Say the author's description, the things and the task of the world, or enter another one."""
     from donnie_tui.core.describe import world_introduction
     from donnie_tui.core.map_words import map_in_words
     from donnie_tui.core.transcript import lines_with_robot_name
@@ -286,7 +286,7 @@ async def world(ctx: Context, argument: str) -> None:
 
 @handles("worlds")
 async def worlds(ctx: Context, argument: str) -> None:
-    """The worlds that ship, with their titles and tasks, to choose one; or one of them by name."""
+    """Offer the built-in worlds with titles and tasks, or enter one by its name."""
     import worlds as shipped
     from donnie_tui.core.describe import world_columns, world_row, worlds_in_words
 
@@ -313,7 +313,7 @@ async def worlds(ctx: Context, argument: str) -> None:
 
 
 def _world_detail(name: str, words: Words, columns: int, rows: int) -> tuple[str, ...]:
-    """What is there, a task, and the map as far as there is room."""
+    """The things, a task, and the map if there is room."""
     from textwrap import wrap
 
     from donnie_tui.core.describe import world_sentences
@@ -330,7 +330,7 @@ def _world_detail(name: str, words: Words, columns: int, rows: int) -> tuple[str
 
 
 async def enter_world(ctx: Context, typed: str) -> None:
-    """Go on in another world with the same programs. A file of the learner may take long to be read."""
+    """Enter another world with the same programs. Reading a learner's file may take long."""
     from donnie_tui.commands.build import may_leave_built
 
     slow = ctx.words("slow-world", name=typed[:LONGEST_NAME])
@@ -342,7 +342,7 @@ async def enter_world(ctx: Context, typed: str) -> None:
 
 
 def may_leave_world(ctx: Context) -> bool:
-    """False while this session is recorded: the recording would be lost. The answer says so."""
+    """False, after an answer, while the session is recorded: the recording would be lost."""
     recording = ctx.donnie.outlets.written.of_this_session
     if recording is not None:
         ctx.answer("world-kept", path=recording)
@@ -350,7 +350,7 @@ def may_leave_world(ctx: Context) -> bool:
 
 
 def world_to_enter(ctx: Context, typed: str) -> str | None:
-    """The name or file of a world that can be loaded; None where it can't, after an answer that says why."""
+    """The name or file of a world that can be loaded; None after an answer that says why not."""
     from donnie_tui.core.describe import world_meant
     from donnie_tui.i18n.words import Unusable
     from donnie_tui.world.loading import allowed_folders, choose_world, with_robot
@@ -375,7 +375,7 @@ def world_to_enter(ctx: Context, typed: str) -> str | None:
 
 
 def settings_there(donnie: Donnie, settings: Settings, name: str) -> Settings:
-    """``settings`` in that world, with what was chosen by commands meanwhile."""
+    """``settings`` for that world, with the changes by commands meanwhile."""
     words, robot = donnie.words, donnie.connection.robot
     found = replace(
         settings,
@@ -391,7 +391,7 @@ def settings_there(donnie: Donnie, settings: Settings, name: str) -> Settings:
 
 
 def arrive(ctx: Context, *, is_silent: bool) -> None:
-    """Say what the other world has. ``is_silent``: SOUND OFF was typed in the one before.
+    """Describe the entered world. ``is_silent``: the learner typed SOUND OFF in the one before.
 
     Another challenge begins with an empty program.
     """

@@ -61,9 +61,9 @@ class Console:
         """Ends a search for a robot, which keeps the main thread from waiting here; whether there was one."""
         self._has_given_up = False
         self.last: Sequence[Task] = ()
-        """Stops the robot and keeps the text, at the same time, where the main thread hangs at the end."""
+        """Stops the robot and keeps the text, in parallel, if the main thread hangs at the end."""
         self.has_run_away: Callable[[], bool] = _never
-        """Whether the robot drives although all was done to stop it."""
+        """Whether the robot still drives after every attempt to stop it."""
         self.before_suspending: Callable[[], object] = _nothing
         """Stops a robot that can't be left alone, and returns once it stands."""
         self.on_not_suspended: Callable[[], object] = _nothing
@@ -94,7 +94,7 @@ class Console:
             terminal.take()
 
     def edit(self, on: bool) -> None:
-        """Let Donnie edit lines key by key, or the terminal itself."""
+        """Let Donnie edit lines key by key (``on``), or leave editing to the terminal."""
         if self._terminal and on:
             self._terminal.take()
         elif self._terminal:
@@ -204,12 +204,12 @@ class Console:
             self._suspend()
 
     def _pass_on(self, number: int) -> None:
-        """To the main thread, from any thread."""
+        """Pass a signal on to the main thread, from any thread."""
         self._numbers.append(number)
         self._nudges.nudge()
 
     def _part(self, number: int) -> None:
-        """The main thread hangs: the end without it, and the terminal as far as it can be given back."""
+        """End the process without the main thread, which hangs; restore the terminal as far as possible."""
         returned = (self._terminal.give_back,) if self._terminal else ()
         end_process(lambda: 1 if self.has_run_away() else 128 + number, (*self.last, *returned))
 

@@ -43,7 +43,7 @@ _LONGEST_NUMBER = 8
 
 
 class ConversationState(Struct, frozen=True):
-    """What a conversation continues with in another world."""
+    """The state that a conversation takes into another world."""
 
     workspace: Workspace
     answers: AnswerLog

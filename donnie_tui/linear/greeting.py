@@ -39,7 +39,7 @@ _LFLAG, _IFLAG, _CC = 3, 0, 6
 
 
 class Greeting:
-    """What was printed already, and the terminal that was taken for it. A process has one of them."""
+    """The lines that were printed, and the terminal that was taken. A process has only one."""
 
     def __init__(self) -> None:
         self.was_printed = False

@@ -158,7 +158,7 @@ class EditingReader:
     # --- while a program runs
 
     def take_ahead(self, is_wanted: Callable[[str], bool]) -> str | None:
-        """The first whole line typed meanwhile that is wanted now, wherever it stands among those that wait.
+        """The first whole line typed meanwhile that is wanted now, anywhere among those that wait.
 
         The line is not read again; the others stay as they were typed. None if there is no such line.
 
