@@ -121,7 +121,7 @@ class Class:
             self._read(1.0)
 
     def memory(self) -> float | None:
-        """MB a session; None where the system doesn't report it."""
+        """MB a session; None if the system doesn't report it."""
         shares = [_share(each.pid) for each in self.sessions]
         known = [each for each in shares if each is not None]
         return sum(known) / len(known) / 1e6 if len(known) == len(shares) else None

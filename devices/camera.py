@@ -165,7 +165,7 @@ class CameraSweep:
         return self._camera is None or self.problem is not None
 
     def look(self, direction: int) -> None:
-        """Does nothing where no picture is wanted, or after a fault."""
+        """Does nothing if no picture is wanted, or after a fault."""
         if self._camera is None or self.problem is not None or direction not in self.directions:
             return
         try:

@@ -172,7 +172,7 @@ class SerialPort:
 
     @property
     def unsent(self) -> int:
-        """Bytes that were written and still wait in the system; 0 where that is unknown."""
+        """Bytes that were written and still wait in the system; 0 if that is unknown."""
         waiting: int = getattr(self._port, "out_waiting", 0)
         return waiting
 

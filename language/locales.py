@@ -90,7 +90,7 @@ def first_page(language: str) -> str:
 
 
 def compiled_file(language: str, source: str, name: str) -> str | None:
-    """The path of what the build made of a file of the language; None where it is missing or out of date."""
+    """The path of what the build made of a file of the language; None if it is missing or out of date."""
     folder = folders()[language]
     compiled = f"{folder}/compiled/{name}"
     try:
@@ -104,7 +104,7 @@ def compiled_file(language: str, source: str, name: str) -> str | None:
 
 
 def table(language: str, name: str) -> dict[str, object]:
-    """A table of the language: ``keywords``, ``commands`` or ``words``. Empty where none can be read."""
+    """A table of the language: ``keywords``, ``commands`` or ``words``. Empty if none can be read."""
     if (language, name) not in _tables:
         _tables[language, name] = _read(language, name)
     return _tables[language, name]
@@ -160,7 +160,7 @@ def words(language: str, name: str, *keys: str) -> tuple[str, ...]:
 
 
 def own_words(language: str, name: str, *keys: str) -> tuple[str, ...]:
-    """The words of an entry in the language itself, none where it has none."""
+    """The words of an entry in the language itself, none if it has none."""
     found = _entry(language, name, keys)
     is_list = isinstance(found, list) and all(isinstance(each, str) for each in found)
     return tuple(found) if isinstance(found, list) and is_list else ()

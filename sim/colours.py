@@ -148,7 +148,7 @@ class Colour(Struct, frozen=True):
     """A colour of a model. Components from 0 to 1."""
 
     name: str
-    """As the world names it; empty where it gives numbers."""
+    """As the world names it; empty if it gives numbers."""
     red: float
     green: float
     blue: float

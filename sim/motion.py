@@ -464,7 +464,7 @@ WALL, ROBOT = "wall", "robot"
 
 
 class Meeting:
-    """Asked when a movement is over. It finds nothing where nothing was in the way."""
+    """Asked when a movement is over. It finds nothing if nothing was in the way."""
 
     def __init__(self, mover: Mover, scene: Scene, robot: int) -> None:
         """``robot``: the index of its model."""

@@ -48,7 +48,7 @@ class Thing(Struct, frozen=True, eq=False):
     """One thing of the world that is neither wall nor the robot."""
 
     name: str
-    """Empty where the world gives none."""
+    """Empty if the world gives none."""
     kind: str
     """The word that made it in the world's file, such as ``chair``."""
     letter: str

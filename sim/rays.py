@@ -95,7 +95,7 @@ def _direct(library: Any, space: pymunk.Space, owners: dict[object, Any]) -> _Fi
 
 @cache
 def _library() -> Any:
-    """pymunk's private module, or None where it is not as it was; Any, as it has no types."""
+    """pymunk's private module, or None if it is not as it was; Any, as it has no types."""
     try:
         library = importlib.import_module("pymunk._chipmunk_cffi")
         broken = (AttributeError, TypeError, KeyError, ValueError, library.ffi.error)

@@ -71,7 +71,7 @@ class SimulatedRobot:
         """Held while the vehicle is made or reset."""
         self._vehicle: Vehicle | None = None
         self._refused: dict[tuple[Motion, int], _Outcome] = {}
-        """Movements that did nothing where the robot stands, what ended them, and what was met."""
+        """Movements that did nothing if the robot stands, what ended them, and what was met."""
         self._refused_at: Whereabouts | None = None
         self._seen: tuple[Spot, Moment, dict[Bearing, int]] | None = None
         """The last result of ``known_distances``, its pose, and the number of changes in the world then."""
@@ -387,6 +387,6 @@ class SimulatedRobot:
         return Sighting(degrees, found.steps, "", self._name_of(found.model), found.number)
 
     def _name_of(self, root: int | None) -> str:
-        """As its world calls it; empty where it only has a number."""
+        """As its world calls it; empty if it only has a number."""
         name = "" if root is None else self._ground.scene.models[root].spoken_name
         return "" if ":" in name else name

@@ -215,7 +215,7 @@ class Model(Struct, frozen=True):
     pushable: bool
     """Whether a robot that drives against it moves it."""
     mass: float
-    """Kilograms; 0 where the file gives none."""
+    """Kilograms; 0 if the file gives none."""
     ignore_zloc: bool
     """Whether its sensors see things whatever their height."""
     boundary: bool

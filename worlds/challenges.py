@@ -83,7 +83,7 @@ class Goal(Struct, frozen=True, forbid_unknown_fields=True):
 
     @property
     def kind(self) -> str:
-        """Which goal it is; empty where none or several are named."""
+        """Which goal it is; empty if none or several are named."""
         named = {each for each in KINDS if getattr(self, each) is not None}
         if named in ({"at", "thing"}, {"area", "thing"}):
             return "thing"
@@ -225,7 +225,7 @@ class Rules(Struct, frozen=True, forbid_unknown_fields=True):
     format: Literal[1]
     world: str
     goal: Annotated[tuple[Goal, ...], Meta(max_length=MOST)] = ()
-    """Empty where the end of the solution is the goal."""
+    """Empty if the end of the solution is the goal."""
     difficulty: Difficulty = Difficulty.UNSTATED
     after: tuple[str, ...] = ()
     """The challenges that should be solved before; only advice."""
@@ -345,7 +345,7 @@ def find(name: str) -> Challenge:
 
 
 def files_in(folder: str) -> tuple[Path, ...]:
-    """The challenges of a folder, and of the folders in it; none where the name is of no folder."""
+    """The challenges of a folder, and of the folders in it; none if the name is of no folder."""
     path = Path(folder)
     return _files(path, f"*{SUFFIX}", f"*/*{SUFFIX}") if folder and is_allowed(path) else ()
 
@@ -536,7 +536,7 @@ def _statement_at(lines: list[str], line: int) -> tuple[int, int]:
 
 
 def line_of(lines: Sequence[str], table: str, key: str, text: str = "") -> int:
-    """The line of a key, or of its table's head where ``key`` is empty; 0 where it isn't found.
+    """The line of a key, or of its table's head where ``key`` is empty; 0 if it isn't found.
 
     ``table`` is as msgspec names it: ``goal[1]``, ``en.hint[0]``, or empty for what stands before all tables.
     ``text``: what the key has in quotes, perhaps on a later line.

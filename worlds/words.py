@@ -73,7 +73,7 @@ class BadWords(Exception):
 
 
 def words_file(world: str) -> str | None:
-    """The path of the file with the author's words for a world file; None where there is none."""
+    """The path of the file with the author's words for a world file; None if there is none."""
     file = _file_of(world)
     return str(file) if file.is_file() else None
 

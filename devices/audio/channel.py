@@ -252,7 +252,7 @@ def has_voice(root: str = "/") -> bool:
 
 
 def has_sound_device(variables: Mapping[str, str], root: str = "/") -> bool:
-    """Whether a sound card or a sound server is plausible. True where only a trial could show it."""
+    """Whether a sound card or a sound server is plausible. True if only a trial could show it."""
     if sys.platform != "linux" or variables.get("PULSE_SERVER"):
         return True
     runtime = variables.get("XDG_RUNTIME_DIR")
@@ -289,7 +289,7 @@ def _running_readers(root: str) -> Iterator[str]:
 
 
 def _entries(folder: str) -> list[os.DirEntry[str]]:
-    """Empty where there is no such folder, or no permission."""
+    """Empty if there is no such folder, or no permission."""
     try:
         return [*os.scandir(folder)]
     except OSError:

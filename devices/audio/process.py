@@ -68,13 +68,13 @@ class Ping(_Message, frozen=True):
 
 
 class SoundReady(_Message, frozen=True):
-    """A player was opened; ``player`` is empty where nothing can make a sound."""
+    """A player was opened; ``player`` is empty if nothing can make a sound."""
 
     player: str
 
 
 class VoiceReady(_Message, frozen=True):
-    """The voice is loaded for ``languages``; empty where there is none."""
+    """The voice is loaded for ``languages``; empty if there is none."""
 
     languages: tuple[str, ...]
 

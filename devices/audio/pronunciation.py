@@ -38,7 +38,7 @@ class SpokenLanguage(Struct, frozen=True):
     voices: tuple[str, ...]
     """Tags of the voices that read it, such as ``pt-br``, the best one first."""
     signs: SignWords | None = None
-    """None where it is unknown how signs are read."""
+    """None if it is unknown how signs are read."""
 
 
 ENGLISH_ONLY: Mapping[str, SpokenLanguage] = {"en": SpokenLanguage(("en", "en-gb", "en-us"))}
@@ -46,7 +46,7 @@ ENGLISH_ONLY: Mapping[str, SpokenLanguage] = {"en": SpokenLanguage(("en", "en-gb
 
 
 def sign_words(language: str, known: Mapping[str, SpokenLanguage]) -> SignWords | None:
-    """How a language such as ``pt`` or ``pt-BR`` reads signs; None where that is unknown."""
+    """How a language such as ``pt`` or ``pt-BR`` reads signs; None if that is unknown."""
     spoken = known.get(language.lower()) or known.get(base_language(language))
     return spoken.signs if spoken is not None else None
 

@@ -175,7 +175,7 @@ def find_address(variables: Mapping[str, str]) -> SsipAddress | None:
 
 
 def parse_address(given: str) -> SsipAddress | None:
-    """The address in ``SPEECHD_ADDRESS``; None where it can't be parsed."""
+    """The address in ``SPEECHD_ADDRESS``; None if it can't be parsed."""
     method, _, place = given.partition(":")
     if method == "unix_socket" and place and _has_unix_sockets():
         return SsipAddress(path=place)

@@ -53,7 +53,7 @@ class RangerReading(Struct, frozen=True):
     sensors: tuple[tuple[float, ...], ...]
     """The samples of each of its sensors, counter-clockwise; a sonar has one."""
     returns: tuple[tuple[float, ...], ...] = ()
-    """How strongly what is there answers, as its world says; 0 where nothing is."""
+    """How strongly what is there answers, as its world says; 0 if nothing is."""
 
 
 class BumperReading(Struct, frozen=True):

@@ -150,12 +150,12 @@ class Grip(Enum):
 
 
 class GripResult(Struct, frozen=True):
-    """A finished attempt to grip or to release. ``name``: the thing's, or empty where it has none."""
+    """A finished attempt to grip or to release. ``name``: the thing's, or empty if it has none."""
 
     outcome: Grip
     name: str = ""
     kind: str = ""
-    """The thing's kind in its world, and its colour; empty where there is none."""
+    """The thing's kind in its world, and its colour; empty if there is none."""
     colour: str = ""
 
 

@@ -98,7 +98,7 @@ class Gate:
 
 
 def _only(request: web.BaseRequest, name: str) -> str:
-    """The value of a header; empty where there are none or several."""
+    """The value of a header; empty if there are none or several."""
     values = request.headers.getall(name, [])
     return values[0] if len(values) == 1 else ""
 

@@ -132,7 +132,7 @@ def folders_in(name: str) -> tuple[str, ...]:
 
 
 def _entries(name: str, is_wanted: Callable[[Path], bool]) -> tuple[str, ...] | None:
-    """What is in a folder, by name; None where there is none, or reading it will report why."""
+    """What is in a folder, by name; None if there is none, or reading it will report why."""
     folder = Path(name)
     try:
         if is_allowed(folder) and folder.is_dir():

@@ -108,7 +108,7 @@ def _shown(text: str) -> str:
 
 
 def _prepared(stream: TextIO | None, number: int) -> TextIO:
-    """The stream as UTF-8, or a place for nothing where the process was started without one."""
+    """The stream as UTF-8, or a place for nothing if the process was started without one."""
     if stream is None:
         return open(os.devnull, "w", encoding="utf-8")  # noqa: PTH123 -- lives as long as the process
     reconfigure = getattr(stream, "reconfigure", None)

@@ -145,7 +145,7 @@ class Interaction(Protocol):
     async def follow(self, runs: Sequence[tuple[str | None, Run]]) -> bool:
         """Wait for the end of the runs if a prompt follows them, each by its robot's name in events.
 
-        False where the learner continues meanwhile.
+        False if the learner continues meanwhile.
         """
 
     async def wait(self, seconds: float) -> bool:

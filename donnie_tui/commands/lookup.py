@@ -168,7 +168,7 @@ def unknown_word(
     parse: Callable[[str], Parsed],
     commands: Sequence[Command] = COMMANDS,
 ) -> Unknown | None:
-    """The word of a command that ``line`` was meant to begin with. None where the line may be GoDonnie.
+    """The word of a command that ``line`` was meant to begin with. None if the line may be GoDonnie.
 
     ``lines`` are those of the program before it, ``parse`` reads GoDonnie.
     """

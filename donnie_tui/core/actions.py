@@ -80,7 +80,7 @@ class Handling:
         self._moved_things = moved_things
 
     def grip(self) -> None:
-        """Closes the gripper and publishes the result, also when the robot has none."""
+        """Closes the gripper and publishes the result, even if the robot has none."""
         self._use(lambda gripper: gripper.grip())
 
     def release(self) -> None:
@@ -99,7 +99,7 @@ class Handling:
         self.publish_things()
 
     def publish_things(self) -> None:
-        """Publishes where things are now, if that has changed. A fresh start may put them back, too."""
+        """Publishes the places of things if they changed, also after a fresh start."""
         places = self._moved_things()
         if places is not None:
             self._hub.publish(ThingsMoved(places))
@@ -167,7 +167,7 @@ class RobotActions:
         """The codes of the problems that were announced in this run."""
 
     def begin_run(self) -> None:
-        """Problems are announced again, and hints given."""
+        """Forgets which problems and hints this run has announced."""
         self._announced.clear()
         self._loop_hints.begin_run()
 
@@ -372,7 +372,7 @@ _FATAL = {
     StoppedBy.WRONG_WAY: "wrong-way",
     StoppedBy.RUNAWAY: "runaway",
 }
-"""The ends of a movement after which no other one can be right, and the codes of their problems."""
+"""Ends of a movement that make every later one wrong, and the codes of their problems."""
 
 
 def _refuse_beyond_limit(amount: int) -> None:
@@ -419,7 +419,7 @@ class _Simulated(Protocol):
 
     @property
     def is_in_the_open(self) -> bool:
-        """Whether its world has nothing that a distance sensor could ever find."""
+        """Whether its world has nothing that a distance sensor could find."""
 
 
 def _knows_its_world(robot: object) -> TypeGuard[_Simulated]:

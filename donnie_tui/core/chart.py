@@ -72,7 +72,7 @@ class Chart(Struct, frozen=True):
 
 
 def chart(picture: Picture, pose: Pose, robot: str | None, wording: Wording) -> Chart:
-    """The world in which ``robot`` starts at ``pose``; None where there is no robot."""
+    """The world in which ``robot`` starts at ``pose``; None if there is no robot."""
     things = [each for each in picture.things if not each.is_robot]
     others = [ChartedRobot(each.name or each.kind, _pose(each)) for each in picture.things if each.is_robot]
     me = [] if robot is None else [ChartedRobot(robot, pose)]
@@ -126,7 +126,7 @@ def with_marks(
         return rows[row][column] if 0 <= row < len(rows) and 0 <= column < len(rows[0]) else ""
 
     def room(mark: ColourMark) -> tuple[int, int] | None:
-        """Where it is a second letter, after or under the first."""
+        """The place of the second letter, after or under the first."""
         row, column, letter = mark.row // down, mark.column // across, mark.thing.letter.lower()
         after = (((row, x), (row, x - 1)) for x in (column, column + 1))
         under = (((y, column), (y - 1, column)) for y in (row, row + 1))
@@ -150,7 +150,7 @@ def _pose(thing: Thing) -> Pose:
 
 
 def _lettered(robots: Iterable[ChartedRobot], taken: set[str]) -> tuple[ChartedRobot, ...]:
-    """Each robot with a letter of its name if that is free; those that are too many share the last one."""
+    """Each robot with a free letter of its name; surplus robots share the last one."""
     lettered: list[ChartedRobot] = []
     taken = set(taken)
     shared = next((each for each in reversed(ascii_lowercase) if each not in taken), "z")
@@ -263,7 +263,7 @@ _SLENDER = 5 / 3
 
 
 def braille_pages(title: str, chart: Chart, wording: Wording) -> str:
-    """The pages of a world, with line ends and form feeds as embossers want them."""
+    """The pages of a world, with the line ends and form feeds of embossers."""
     legend = _page_legend(chart, wording)
     page = LINES - _HEADING
     across = _scale(chart, page)
@@ -278,7 +278,7 @@ def braille_pages(title: str, chart: Chart, wording: Wording) -> str:
 
 
 def _scale(chart: Chart, most_lines: int) -> int:
-    """How many letters of the chart a cell is wide, so that all of it has its place."""
+    """How many letters of the chart a cell stands for, so that all of the chart fits."""
     across = 1
     while len(chart.rows[0]) > CELLS * across or len(chart.rows) > most_lines * _down(across):
         across += 1

@@ -1,6 +1,6 @@
-"""What may continue a program at a place: words that the grammar allows there, and the next line.
+"""What may continue a program at the cursor: words that the grammar allows, and the next line.
 
-Where a block is open, its END comes first. What ends the lesson and not the program (QUIT) is never offered.
+Inside a block its END comes first. QUIT is never offered, since it ends the lesson.
 After the first line of a block the next one is indented, and the END is there already.
 """
 
@@ -21,7 +21,7 @@ from language.parser import kinds_after
 from language.source import fold_name
 
 MOST_WORDS = 50
-"""Suggestions; a listener does not follow more."""
+"""Suggestions; more are too many to listen to."""
 
 USUAL_NUMBERS = ("1", "2", "3", "4", "5", "10", "45", "90")
 """Of steps, rounds and degrees."""
@@ -34,7 +34,7 @@ _SIGNS = {
 }
 """Signs that continue a command, by their terminals."""
 _COUNTED = frozenset(KIND[each] for each in ("FW", "BW", "TR", "TL", "WAIT", "REPEAT", "COMPARATOR", "LSQB"))
-"""Kinds of tokens after which a number is likelier than a word."""
+"""Kinds of tokens that a number follows more often than a word."""
 
 _FIRST = (
     *("FW", "TR", "TL", "BW", "SPEAK", "REPEAT", "IF", "VAR", "FOR", "WHILE", "PROCEDURE", "WAIT"),
@@ -56,7 +56,7 @@ class Completion(msgspec.Struct, frozen=True):
     typed: str
     words: tuple[str, ...]
     listed: tuple[str, ...] = ()
-    """The words, and usual numbers and signs where one may stand: for those who choose from a list."""
+    """The words, with usual numbers and signs if one may stand there, for a list to choose from."""
 
 
 def completion(text: str, at: int, language: str, colours: Iterable[str] | None = None) -> Completion:
@@ -176,7 +176,7 @@ def _arguments(terminal: str, language: str, colours: Iterable[str] | None) -> I
 def _names(text: str, typed_at: int, before: Sequence[Token], kinds: frozenset[int]) -> tuple[str, ...]:
     """Variables in an expression; where a statement begins, procedures too. The nearest above come first.
 
-    A name that is new there, as after VAR, is not to be guessed.
+    A new name, as after VAR, can't be guessed.
     """
     last = before[-1][0] if before else None
     is_new = last in (_VAR, _PROCEDURE, _COLON) or (last == _COMMA and NUMBER not in kinds)
@@ -211,7 +211,7 @@ def _name_at(text: str, start: int) -> str:
 
 
 def _as_typed(word: str, typed: str) -> str:
-    """The word in small letters where those were typed; a name stays as it is."""
+    """The word in small letters if the learner typed these; a name stays as it is."""
     is_keyword = folded_word(word) in TERMINAL_OF_WORD
     return word.lower() if typed and typed.islower() and is_keyword else word
 
@@ -222,14 +222,14 @@ INDENT = "  "
 
 
 class NextLine(msgspec.Struct, frozen=True):
-    """What Enter makes of the line that it finishes, and what it writes."""
+    """The effect of Enter on the line that it ends, and the text that it inserts."""
 
     before: str
-    """What the finished line begins with: an END stands under the first line of its block."""
+    """The new indentation of the finished line: an END stands under the first line of its block."""
     indent: str
-    """What the next line begins with."""
+    """The indentation of the next line."""
     end: str = ""
-    """The line after it: the END of the block that begins here, where there is none."""
+    """The line after it: the END of the block that begins here, if that is missing."""
     doubled: bool = False
     """Whether the line after the finished one is the same END once more, for no block."""
 

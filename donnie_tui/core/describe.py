@@ -4,10 +4,10 @@ Places are given from the robot, in steps: as it sees them (ahead, to the left),
 suits a learner who studies the world before anything moves. The description is bounded: the nearest things
 one by one, the others counted by kind.
 
-Walls are described where the author of a world wrote nothing about them. A search over the free squares of
+Walls are described if the author of a world wrote nothing about them. A search over the free squares of
 the map decides whether there are walls all around.
 
-A world is found by its name or by its title in any language: in any case, without accents, and with blanks or
+A learner finds a world by its name or title in any language: in any case, without accents, and with blanks or
 nothing in place of underscores.
 """
 
@@ -50,7 +50,7 @@ _WALL = "#"
 
 
 def walls_in_words(picture: Picture, pose: Pose, wording: Wording) -> tuple[str, ...]:
-    """One sentence about the walls as seen from ``pose``; none where there are none."""
+    """One sentence about the walls as seen from ``pose``; none if there are none."""
     if not picture.has_walls:
         return ()
     if not has_way_out(picture, pose):
@@ -156,7 +156,7 @@ def describe(
 ) -> tuple[str, ...]:
     """A world before anything moves: all of it, its walls, then its things. One sentence a line.
 
-    ``robot`` is the name of the robot at ``pose``, None where there is no robot. ``about`` has the author's
+    ``robot`` is the name of the robot at ``pose``, None if there is no robot. ``about`` has the author's
     words.
     """
     return (

@@ -89,7 +89,7 @@ class Document:
         self.versions = UndoHistory()
         self._editor: TextEditor | None = None
         self._is_edited_as_text = False
-        """Whether it was in an editor: there a program is meant to stay from its first line on."""
+        """Whether an editor showed it: there even a first line is worth keeping."""
         self._text: ProgramText | None = None
 
     # --- the editor
@@ -118,7 +118,7 @@ class Document:
             self._editor.show("\n".join(self._lines) + ending, self._breakpoints)
 
     def _read_editor(self) -> None:
-        """The learner may have typed since it was last read; that ends what REDO can do."""
+        """Reads the editor's text again; if the learner has typed, REDO has nothing left."""
         if self._editor is not None:
             lines = lines_in(self._editor.text)
             if lines != self._lines:
@@ -198,7 +198,7 @@ class Document:
     def find_next(self, wanted: str) -> int | None:
         """The line of the next place with a word, from the reading place on and once round.
 
-        It is the reading place then; an editor selects the word.
+        That becomes the reading place; an editor selects the word.
         """
         from donnie_tui.core.program_text import find_word
 
@@ -221,7 +221,7 @@ class Document:
         return self._lines == self._saved_lines
 
     def mark_saved(self, path: Path | None = None, text: str | None = None) -> None:
-        """The file has the lines, or ``text``, now; ``path`` is the file from now on."""
+        """Notes that the file ``path`` has the lines, or ``text``, now."""
         self._saved_lines = list(self.lines) if text is None else lines_in(text)
         self.path = path or self.path
 
@@ -289,7 +289,7 @@ class Document:
         return Batch("\n".join(waiting), self._ran + 1, len(waiting))
 
     def batch_ran(self) -> None:
-        """The batch, or all lines, have run. Where these were changed meanwhile, all wait again."""
+        """Notes that the batch, or all lines, have run. If they were changed meanwhile, all wait again."""
         ran, self._running = self._running or self._lines, None
         self._ran = len(ran) if self._lines[: len(ran)] == ran else 0
         self.was_opened = False
@@ -321,7 +321,7 @@ class Document:
         return self.is_waiting and self.waiting_text == self._refused_text
 
     def batch_failed(self, line: int) -> None:
-        """The lines have run up to ``line``, where a statement failed."""
+        """Notes that the lines have run up to ``line``, where a statement failed."""
         text = self.structure
         if 0 < line <= len(text) and text.line(line).level == 0 and text.down(line) is None:
             self._report_wrong({line: ""})
@@ -448,9 +448,9 @@ class Document:
     def replace(
         self, text: str, path: Path | None, *, in_file: str | None = None, keeps_empty: bool = False
     ) -> None:
-        """Put another program in its place, which waits. ``in_file``: the text of its file, if it differs.
+        """Replace the program by another one, which waits. ``in_file``: the text of its file, if it differs.
 
-        UNDO restores the one before, and with ``keeps_empty`` also one without lines.
+        UNDO restores the old program, with ``keeps_empty`` also one without lines.
         """
         self.rejected = None
         self._forget_refusal()
@@ -475,7 +475,7 @@ class Document:
         return lines
 
     def _edit(self, lines: list[str], breakpoints: frozenset[int], touched: int) -> None:
-        """Make a change from line ``touched`` on. Where it had run the whole program waits again."""
+        """Make a change from line ``touched`` on. If that line had run, the whole program waits again."""
         if self._editor is not None:
             self.versions.forget_undone()
             self._editor.change_lines(lines)
@@ -487,7 +487,7 @@ class Document:
             self._ran = 0
 
     def _cleaned(self, text: str) -> str:
-        """The text without control characters. Its size is added to all that was ever typed."""
+        """The text without control characters. Its size counts towards ``LARGEST``."""
         text = cleaned(text)
         if self._size + len(text) + 1 > LARGEST:
             raise ProgramTooLong
@@ -517,7 +517,7 @@ class Document:
         return None if after is None else self._become(after)
 
     def _step_in_editor(self, step: Callable[[], None]) -> int | None:
-        """A step in the editor's own history; None where it changed nothing."""
+        """A step in the editor's own history; None if it changed nothing."""
         assert self._editor is not None
         self._read_editor()
         text, lines = self._editor.text, self._lines
@@ -548,7 +548,7 @@ class Document:
         return Version(self._lines.copy(), self._ran, self._runs, origin)
 
     def _version_now(self, is_another: bool) -> Version:
-        """The document as it is, with its file where another program takes its place."""
+        """The current version, with its file if another program replaces it."""
         self._read_editor()
         return self._version(self._origin if is_another else None)
 

@@ -93,23 +93,23 @@ class UndoHistory:
         self._future: list[Version] = []
 
     def add(self, before: Version) -> None:
-        """Remembers the version before a change, which ends what REDO can do."""
+        """Remembers the version before a change; REDO has nothing left then."""
         self._future.clear()
         self._past.append(before)
         self._drop_oldest()
 
     def add_line(self, count: int) -> None:
-        """As ``add``, where a line was added after so many."""
+        """As ``add``, for a line that was added after ``count`` lines."""
         self._future.clear()
         self._past.append(count)
 
     def forget_lines(self, first: int) -> None:
-        """The lines that were added last, from index ``first`` on, were dropped."""
+        """Forgets the last added lines, from index ``first`` on, which were dropped."""
         while self._past and isinstance(self._past[-1], int) and self._past[-1] >= first:
             self._past.pop()
 
     def forget_undone(self) -> None:
-        """There is nothing to redo any more."""
+        """Leave nothing to redo."""
         self._future.clear()
 
     def undo(self, version: Callable[[bool], Version]) -> Version | int | None:
@@ -185,7 +185,7 @@ def shifted(lines: Iterable[int], first: int, last: int, added: int) -> frozense
 
 
 def followed(lines: Iterable[int], before: Sequence[str], after: Sequence[str]) -> frozenset[int]:
-    """Where the lines are once the program ``before`` is the program ``after``, as far as a diff shows it."""
+    """The new numbers of lines after the program ``before`` became ``after``, found by a diff."""
     added = len(after) - len(before)
     top, same = common_lines(before, after)
     return shifted(lines, top, len(before) - same, added) if added else frozenset(lines)

@@ -447,7 +447,7 @@ def as_line(stamped: Stamped, *, whole: bool = False) -> str:
 
 
 _UNSAFE = "[\x7f-\x9f\u061c\u200e\u200f\u2028\u2029\u202a-\u202e\u2066-\u2069]"
-"""What JSON may contain as it is, and what a terminal obeys or what changes the direction of text."""
+"""Characters that a terminal obeys, or that change the direction of text."""
 
 
 def json_line(record: Mapping[str, object]) -> str:

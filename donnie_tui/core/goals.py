@@ -104,7 +104,7 @@ class Track(Struct, frozen=True):
     """The things where they are at the end."""
     said: tuple[str, ...]
     held: Mapping[str, str]
-    """By robot; empty where the gripper holds nothing."""
+    """By robot; empty if the gripper holds nothing."""
     events: tuple[Event, ...]
     seconds: float
     """Of robot time, of the robot that took longest."""
@@ -151,7 +151,7 @@ class Judgment(Struct, frozen=True):
 
     track: Track
     of_goals: tuple[Shortfall | None, ...]
-    """What each goal lacks, in the order of the file; None where it is met."""
+    """What each goal lacks, in the order of the file; None if it is met."""
     shortfalls: tuple[Shortfall, ...]
     """The most important first; empty if the challenge is solved."""
 

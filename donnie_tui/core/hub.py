@@ -41,7 +41,7 @@ LAST_WORD = 2.0
 
 _NO_THREAD = 0
 _HANDED_OVER = -1
-"""Stands for the delivering thread until that thread is known."""
+"""A placeholder for the delivering thread until that thread is known."""
 
 
 class _End(Enum):
@@ -211,7 +211,7 @@ class Stream:
 
 
 class HasHub(Protocol):
-    """An object with a hub."""
+    """An object that has a hub."""
 
     @property
     def hub(self) -> Hub: ...

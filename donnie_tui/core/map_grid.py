@@ -183,7 +183,7 @@ class MapGrid:
         return min(alike, key=lambda each: hypot(each.x - x, each.y - y), default=None)
 
     def is_wide(self, thing: Thing) -> bool:
-        """Whether it takes several cells: its letter, and the initial of its colour in the middle."""
+        """Whether it takes several cells, with room for the initial of its colour in the middle."""
         return max(thing.width, thing.depth) >= 1.5 * self.picture.cell
 
     @property
@@ -214,7 +214,7 @@ class MapGrid:
         return {WALL: Kind.WALL, FREE: Kind.FREE}.get(self.floor_letter(cell), Kind.THING)
 
     def _is_start(self, cell: Cell) -> bool:
-        """Whether the trail is seen to begin there."""
+        """Whether the visible trail begins there."""
         return cell == self.start and Kind.TRAIL not in self.hidden
 
     def _has_trail(self, cell: Cell) -> bool:

@@ -238,7 +238,7 @@ class MapScene:
         return self.robot_at(cell) or (resting.name if resting is not None else "")
 
     def colour_of_robot(self, cell: Cell) -> str:
-        """The colour word of the other robot there, empty where none is known."""
+        """The colour word of the other robot there, empty if none is known."""
         name = self.name_of_robot(cell)
         robots = (each for each in self.grid.picture.things if each.is_robot and each.name == name)
         return next((each.colour for each in robots), "")
@@ -263,7 +263,7 @@ class MapScene:
         return None if cell in self._lifted else self._things.get(cell)
 
     def colour(self, cell: Cell) -> str:
-        """The colour word of what is shown there, empty where nothing has one."""
+        """The colour word of what is shown there, empty if nothing has one."""
         thing = self.thing(cell) if self.kind(cell) is Kind.THING else None
         return thing.colour if thing else ""
 

@@ -372,14 +372,14 @@ def _is_inside(point: _Point, polygon: Sequence[_Point]) -> bool:
 
 
 def _apart(mine: _Box, other: _Box) -> float:
-    """Between two boxes; 0 where they touch."""
+    """Between two boxes; 0 if they touch."""
     return hypot(
         max(mine[0] - other[2], other[0] - mine[2], 0.0), max(mine[1] - other[3], other[1] - mine[3], 0.0)
     )
 
 
 def _from_segment(box: _Box, segment: Sequence[_Point]) -> float:
-    """The shortest way from a box to a line; 0 where the line crosses it."""
+    """The shortest way from a box to a line; 0 if the line crosses it."""
     (ax, ay), (bx, by) = segment
     left, top, right, bottom = box
     first, last = 0.0, 1.0  # the part of the line inside, as Liang and Barsky cut it

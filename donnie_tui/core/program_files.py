@@ -281,7 +281,7 @@ def _open_pipe(path: Path) -> BinaryIO:
 
 
 def saved_text(path: Path) -> str:
-    """The text of a file; empty where it can't be read."""
+    """The text of a file; empty if it can't be read."""
     try:
         return read_program(path)
     except DocumentError:
@@ -297,7 +297,7 @@ def changed_since(path: Path, known: str) -> bool:
 
 
 def save_question(path: Path, own: Path | None, known: str) -> str:
-    """The code of the question before a save replaces ``path``; empty where nothing would be lost.
+    """The code of the question before a save replaces ``path``; empty if nothing would be lost.
 
     ``own`` is the file of the program, and ``known`` its text when it was last read or written.
     """

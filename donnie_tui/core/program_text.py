@@ -295,7 +295,7 @@ class LineMistake(msgspec.Struct, frozen=True):
     end: int
     """Offsets of the text that is to be replaced."""
     meant: str
-    """What to put there instead; empty where that is not known."""
+    """What to put there instead; empty if that is not known."""
     fixed_line: int
     """The line that the fix changes: a missing word may belong at the end of the line before."""
 

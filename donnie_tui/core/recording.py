@@ -164,7 +164,7 @@ class Recording:
     def __init__(self, file: BinaryIO) -> None:
         """Reads the whole file once. Raises ``NoRecordingError``, ``OSError``."""
         self.header: Header | None = None
-        """None where it is damaged."""
+        """None if it is damaged."""
         self.is_newer = False
         """Whether a newer version of Donnie wrote the format."""
         self.damages: list[Damage] = []

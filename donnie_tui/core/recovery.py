@@ -267,7 +267,7 @@ def _path(name: str) -> Path:
 
 
 def _make_newest(copy: Path, newest_first: list[Path]) -> None:
-    """Several copies may be left within one tick of the clock; RECOVER opens the last one first."""
+    """Gives the copy the newest time: several may be left within one tick of the clock."""
     copy.touch()
     before = newest_first[0].stat().st_mtime_ns if newest_first else 0
     if copy.stat().st_mtime_ns <= before:

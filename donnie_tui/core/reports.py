@@ -1,8 +1,8 @@
 """REPORT: help, manual, program, map, trail, run, distances or a sheet for swell paper as a file.
 
 A web page has headings for screen readers that jump by them; a name that ends in ``.csv`` gives a table for
-spreadsheets, one that ends in ``.txt`` the sentences. What has a picture is the picture alone where the name
-ends as pictures do: the run as it was driven, and the distances, the speed and the variables over the time.
+spreadsheets, ``.txt`` the sentences. A report with a picture is the picture alone if the name
+ends as pictures do: the driven run, and the distances, the speed and the variables over time.
 """
 
 from __future__ import annotations
@@ -71,9 +71,9 @@ class Subject(Struct, frozen=True):
 
 
 def asked(typed: str) -> tuple[str, str] | None:
-    """What the report is about, and the name of its file, of ``map map.html``; None if that is not clear.
+    """Parse ``map map.html``: the subject of the report and the name of its file; None if it is unclear.
 
-    What can be said in some sentences needs no file: its name is empty then.
+    A report that fits in some sentences needs no file: its name is empty then.
     """
     word, _blank, name = typed.strip().partition(" ")
     what = meant(word, "reports")
@@ -197,7 +197,7 @@ _SECTIONS = {
 
 
 class Series(Struct, frozen=True):
-    """One thing over the time."""
+    """A measured value over time."""
 
     name: str
     points: tuple[tuple[float, float], ...]
@@ -205,11 +205,11 @@ class Series(Struct, frozen=True):
     kind: str
     """``distance``, ``speed`` or ``variable``."""
     spoken: str = ""
-    """Its name in sentences, if that is another one."""
+    """Its name in sentences, if it differs."""
     steps: int = 0
     """How far the robot walked between the first and the last reading."""
     jumps: tuple[int, ...] = ()
-    """After how many of these steps a distance had changed by more than the robot walked meanwhile."""
+    """The number of these steps in which a distance changed by more than the robot walked."""
 
 
 JUMP = 3
@@ -310,7 +310,7 @@ _Point: TypeAlias = tuple[float, float]
 
 
 class PlotText(Struct, frozen=True):
-    """A word, with the place of its base line."""
+    """A text of a plot, with the place of its base line."""
 
     x: float
     y: float
@@ -340,7 +340,7 @@ _LONGEST_NUMBER = 9
 
 
 def plotted(title: str, series: Sequence[Series], about: str, seconds: str) -> Plot:
-    """Each series in a part of its own, all over the same time."""
+    """Draws each series in its own panel, all with the same time axis."""
     height = _ROW * 3 + _PANEL * len(series)
     times = [t for each in series for t, _ in each.points] or [0.0]
     first, last = min(times), max(max(times), min(times) + 1)

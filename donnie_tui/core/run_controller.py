@@ -78,7 +78,7 @@ class RunController:
         """``has_prompt``: the learner waits for a prompt that comes back after each run, and can ask for
         programs that run unattended. The end of a program that said something needs no words then.
 
-        ``can_hold`` is False where no request for a pause or a step can come.
+        ``can_hold`` is False if no request for a pause or a step can come.
         """
         self._team, self._words, self._chronicle = team, words, chronicle
         self.observer = RunObserver()
@@ -90,7 +90,7 @@ class RunController:
         self.past: Timeline | None = None
         """The position of STEP BACK; None in the present."""
         self.judge: Callable[[bool], tuple[str, ...]] | None = None
-        """What there is to say about a run that ended by itself, where the learner solves a challenge.
+        """Returns the verdict about a run that ended by itself, in a challenge.
 
         Its argument: whether more than a line ran.
         """
@@ -165,7 +165,7 @@ class RunController:
 
     @property
     def past_steps(self) -> tuple[int, int] | None:
-        """How many steps are before the moment that STEP BACK has led to, and how many there are; or None."""
+        """The number of steps before the moment of STEP BACK and in all, or None in the present."""
         stepping = self._record.narrator.stepping if self._record is not None else None
         if self.past is None or stepping is None:
             return self.past.steps if self.past is not None else None
@@ -173,9 +173,9 @@ class RunController:
 
     @property
     def worked_out(self) -> tuple[tuple[str, ...], ...]:
-        """Of each expression of the statement that is next: its text, then its text with values, to the end.
+        """For each expression of the next statement: its text, then each stage of its evaluation.
 
-        Empty while the program is not held, and at a moment of the past before which it was not.
+        Empty unless the program is held, or was held at that moment of the past.
         """
         record = self._record
         stepping = record.narrator.stepping if record is not None else None
@@ -184,7 +184,7 @@ class RunController:
 
     @property
     def knows_variables(self) -> bool:
-        """False at a moment of the past of which nothing was kept."""
+        """False at a moment of the past without kept variables."""
         return self.past is None or self._past_frames is not None
 
     # --- starting
@@ -309,11 +309,11 @@ class RunController:
         self._go_on(Request.CONTINUE, ExecutionControl.resume)
 
     def step(self) -> None:
-        """To the next statement; where STEP BACK has led into the past, a step towards the present."""
+        """Run to the next statement; after STEP BACK, go one step towards the present."""
         self._go_on(Request.STEP, ExecutionControl.step, is_step=True)
 
     def step_over(self) -> None:
-        """As ``step``, a procedure as a whole."""
+        """As ``step``, but runs a procedure call as a whole."""
         self._go_on(Request.STEP, ExecutionControl.step_over, is_step=True)
 
     def run_to(self, line: int) -> None:
@@ -353,7 +353,7 @@ class RunController:
     def look_at(self, step: int) -> tuple[str, ...]:
         """Go back or forward to the moment after so many steps; the sentences of the last one on the way.
 
-        A step that did several things is undone at once: then it goes past that moment.
+        A step that did several things is undone at once, so this may go past that moment.
         """
         sentences: tuple[str, ...] = ()
         here = self.past_steps
@@ -379,7 +379,7 @@ class RunController:
         return (*sentences, *(self.to_present() if is_present else ()))
 
     def to_present(self) -> tuple[str, ...]:
-        """Ends the way back: what is asked for now starts from where the robot is. Says so if it was away."""
+        """Returns to the present, so that the next request starts from the robot's place. The sentences say so."""
         was_past, self.past = self.past is not None, None
         return (self._words("looking-back-ended"),) if was_past else ()
 
@@ -438,7 +438,7 @@ class RunController:
                 record.stopped_line = frames[0].line
 
     def break_at(self, lines: frozenset[int]) -> None:
-        """The breakpoints of the program have changed: a run of it holds before those that there are now."""
+        """Sets the breakpoints of a running program."""
         record, run = self._record, self._session.run
         if run is not None and record is not None and (record.request.is_whole or self._has_prompt):
             run.control.break_at(lines)
@@ -515,7 +515,7 @@ class RunController:
                 pass
 
     def _keep_variables(self, seq: int, frames: Sequence[Frame]) -> None:
-        """They can't have changed during the movement: the program waits for its end."""
+        """Keeps the variables of a movement, which can't change before it ends."""
         if frames and frames[-1].variables:
             self.variables_during[seq] = frames[-1].variables
         if len(self.variables_during) > MOST_KEPT:
@@ -547,12 +547,12 @@ class RunController:
 
     @property
     def is_verdict_due(self) -> bool:
-        """Whether all programs have ended that no prompt waited for, and wait for their verdict."""
+        """Whether all programs in the background have ended and wait for their verdict."""
         runs = self._unjudged if self.judge is not None else ()
         return bool(runs) and all(each.is_background and each.has_ended for each in runs)
 
     def say_verdict(self) -> None:
-        """Says the verdict about programs that no prompt waited for, once all have ended."""
+        """Says the verdict about programs in the background, once all have ended."""
         for each in self._unjudged if self.is_verdict_due else ():
             if each.run is not None:
                 each.run.wait(LAST_WORDS)
@@ -584,7 +584,7 @@ class RunController:
         self._answer_of(session, "answer-stopped-at" if line else "answer-stopped", line=line)
 
     def forget_ended(self) -> None:
-        """Another robot was chosen: if its program is over, that needs no words any more."""
+        """Drops the report of an ended program after the learner chose another robot."""
         record = self._record
         if record is not None and record.run is not None and record.run.is_over:
             record.is_summed_up = True

@@ -102,7 +102,7 @@ class NothingToRun(Exception):
 
 
 Begin: TypeAlias = Callable[[ExecutionControl], None]
-"""Asks for something before the first statement: a step, say."""
+"""Makes a request before the first statement, such as a step."""
 
 
 class RunObserver:
@@ -159,7 +159,7 @@ class RunRecord:
 
     @property
     def is_current(self) -> bool:
-        """Whether the robot runs this, and not something that was started later."""
+        """Whether this is the robot's latest run."""
         run = self.session.run
         return run is not None and run.control is self.control
 
@@ -169,13 +169,13 @@ class RunRecord:
         return len(self._frames) < MOST_FRAMES
 
     def keep_frames(self, seq: int, frames: Sequence[Frame]) -> None:
-        """Remembers where the program was while the event of that number happened."""
+        """Remembers the calls at the event with that number."""
         self._frames[seq] = tuple(frames[:MOST_CALLS])
         if len(self._frames) > MOST_FRAMES:
             del self._frames[next(iter(self._frames))]
 
     def frames_at(self, timeline: Timeline) -> tuple[Frame, ...] | None:
-        """The calls at that position, where the program did what came next. None where they were not kept."""
+        """The calls at that position; None if they were not kept."""
         robot = self.session.hub.robot
         following = (timeline.events[at] for at in range(timeline.at, len(timeline)))
         done = (each for each in following if each.robot == robot and is_main_event(each.event))
@@ -183,7 +183,7 @@ class RunRecord:
 
     @property
     def state(self) -> RunState:
-        """A run that is attended is STOPPING until it is summed up."""
+        """The state; an attended run is STOPPING until it is summed up."""
         if self.control is None or self.is_summed_up or not (self.is_attended or self.is_current):
             return RunState.READY
         return STATE_OF.get(self.control.state, RunState.RUNNING)
@@ -332,12 +332,12 @@ class RunErrors:
 
 
 def line_of(error: Error, wording: Wording) -> tuple[str, ...]:
-    """The line as it was when the mistake was made, none where it is not known."""
+    """The line as it was when the mistake was made, none if it is not known."""
     return lines_of(error, wording)[1:2] if error.source_line else ()
 
 
 def hints_for(text: str, session: Session, wording: Wording) -> tuple[str, ...]:
-    """What had no effect as that text ran, and what was probably meant."""
+    """Hints about statements of a run without effect, and what was probably meant."""
     found = session.check(text, whole=False)[:MOST_HINTS] if len(text) <= LARGEST_HINTED else ()
     sentences = ((wording.mistake(each), wording.hint(each)) for each in found)
     return tuple(sentence for both in sentences for sentence in both if sentence)

@@ -70,9 +70,9 @@ class _Hold(Struct, frozen=True):
     frames: tuple[Frame, ...]
     """The open calls, innermost first."""
     is_next: bool
-    """Whether the hold before it led here by one step."""
+    """Whether one step led here from the hold before it."""
     worked_out: tuple[tuple[str, ...], ...] = ()
-    """What ``worked_out`` has of each expression of the statement."""
+    """The results of ``worked_out`` for the statement's expressions."""
 
     @property
     def variables(self) -> Mapping[str, int]:
@@ -249,7 +249,7 @@ class _Round(Struct):
     loop: Statement
     calls: int
     count: int | None
-    """The number of the round; None where the beginning of the loop was not seen."""
+    """The number of the round; None if the beginning of the loop was not seen."""
     total: int | None = None
     has_gone_round: bool = False
 
@@ -265,7 +265,7 @@ class StepNarrator:
     def __init__(
         self, program: Program | None, lines: Sequence[str], wording: Wording, *, is_first: bool = True
     ) -> None:
-        """Arguments as of ``Stepping``."""
+        """Takes the arguments of ``Stepping``."""
         self._program = program
         self._lines = lines
         self._say = wording
@@ -334,7 +334,7 @@ class StepNarrator:
     def _work_out(
         self, statement: Statement | None, variables: Mapping[str, int]
     ) -> Iterator[tuple[str, ...]]:
-        """What the statement computes before it does anything, as far as no sensor is needed."""
+        """The evaluations of the statement's expressions that need no sensor."""
         expressions: tuple[Expression | TextLiteral | None, ...] = ()
         match statement:
             case Declare(value=value) | Assign(value=value) | SpeakCommand(what=value):
@@ -393,7 +393,7 @@ class StepNarrator:
     # --- conditions
 
     def _condition(self) -> Iterator[str]:
-        """Uses the values at the condition: the next statement may be after the end of a procedure."""
+        """The condition with its values at that time: the next statement may be after the end of a procedure."""
         if isinstance(self._before, If | While | For):
             condition, reads = self._before.condition, iter(self._reads)
             variables = self._variables
@@ -415,7 +415,7 @@ class StepNarrator:
             yield fold_name(made.name.name), value
 
     def _condition_in_words(self, condition: Condition, left: int, right: int) -> str:
-        """The condition as the program has it, with its values, and then its value."""
+        """The condition as written, with its values, and its result."""
         is_true = {
             "==": left == right,
             "<>": left != right,
@@ -430,7 +430,7 @@ class StepNarrator:
     def _value(
         self, expression: Expression, variables: Mapping[str, int], reads: Iterator[int]
     ) -> int | None:
-        """The value of an expression just now; None where it is not known."""
+        """The current value of an expression; None if it is unknown."""
         match expression:
             case NumberLiteral(value=value):
                 return value
@@ -463,7 +463,7 @@ def _computed(operator: str, left: int, right: int) -> int | None:
 
 
 def worked_out(expression: Expression, program: Program, variables: Mapping[str, int]) -> Iterator[str]:
-    """The expression as it is typed, then with the values of its variables, then operation by operation."""
+    """The expression as typed, then with the values of its variables, then operation by operation."""
     yield program.typed(expression.span)
     known = _with_values(expression, variables)
     if known != _with_values(expression, {}):
@@ -498,7 +498,7 @@ def _with_values(expression: Expression, variables: Mapping[str, int]) -> Expres
 
 
 def _operated(expression: Expression) -> Expression | None:
-    """The expression after its first possible operation; None where there is none."""
+    """The expression after its first possible operation; None if there is none."""
     match expression:
         case Negative(operand=operand):
             inner = _operated(operand)

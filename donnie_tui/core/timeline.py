@@ -62,7 +62,7 @@ _LEADING_ON = ("step-forward", "step-back", "turn-right", "turn-left", "waiting"
 
 
 class _Place(Struct, frozen=True):
-    """A robot was here after so many events."""
+    """The place of a robot after so many events."""
 
     at: int
     pose: Pose
@@ -141,7 +141,7 @@ class Timeline:
         return tuple(robot for robot, places in self._places.items() if places)
 
     def pose(self, robot: str | None = None) -> Pose | None:
-        """The robot's pose here. None where it is not known yet."""
+        """The robot's pose here. None if it is not known yet."""
         places = self._places.get(robot)
         return places[-1].pose if places else None
 
@@ -325,7 +325,7 @@ def moments_of(events: Iterable[Stamped]) -> array[float]:
 
 
 def map_at(timeline: Timeline, picture: Picture, robot: str | None) -> MapScene | None:
-    """The map at this position, with that robot's trail. None where the robot's place is not known yet."""
+    """The map at this position, with that robot's trail. None if the robot's place is not known yet."""
     trail = timeline.trail(robot)
     if not trail:
         return None
@@ -425,7 +425,7 @@ def _what(event: Event, wording: Wording) -> str:
 
 
 def _trifle(event: Event, wording: Wording) -> str:
-    """Words for a minor event, which is a step of its own only while a program is held within a step."""
+    """Words for a minor event, which counts as a step only while a program is held within a step."""
     match event:
         case Statement(line=line):
             return wording("undone-statement", line=line)

@@ -179,7 +179,7 @@ def printed_lines(stamped: Stamped, wording: Wording) -> tuple[str, ...]:
 
 
 def with_robot_name(robot: str | None, sentence: str, wording: Wording) -> str:
-    """A sentence about a robot, with its name before it; ``robot`` is None where the world has but one."""
+    """A sentence about a robot, with its name before it; ``robot`` is None if the world has but one."""
     return sentence if robot is None else wording("robot-says", robot=printable(robot), text=sentence)
 
 
@@ -299,7 +299,7 @@ class SummaryFilter:
         is_wanted: Callable[[], bool],
         is_known: Callable[[Error], bool] = lambda _: False,
     ) -> None:
-        """``now`` in seconds. ``is_wanted`` is called at each event: False where the robot has no pace.
+        """``now`` in seconds. ``is_wanted`` is called at each event: False if the robot has no pace.
 
         ``is_known``: whether a mistake was reported before, which is not said again.
         """
@@ -364,7 +364,7 @@ class SummaryFilter:
 
 
 def _is_routine(stamped: Stamped, robot: _Robot) -> bool:
-    """Whether it says only that the last movement was done, or where it led."""
+    """Whether the event only confirms the last movement or its end place."""
     is_of_movement = isinstance(stamped.event, Announced) and stamped.event.code in _MOVEMENTS
     return is_of_movement and robot.last is not None and robot.last.stopped_by is None
 

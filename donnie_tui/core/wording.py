@@ -52,13 +52,13 @@ class Wording(Protocol):
         """Whether there is a sentence of that code."""
 
     def mistake(self, diagnostic: Diagnostic) -> str:
-        """What is wrong, in one sentence."""
+        """One sentence that says what is wrong."""
 
     def hint(self, diagnostic: Diagnostic) -> str | None:
-        """What would put it right, where that is known."""
+        """The fix, if it is known."""
 
     def explanation(self, error: Error) -> tuple[str, ...]:
-        """A mistake in plain words, and what to do, with an example where there is one; a line each."""
+        """An explanation of a mistake: what to do, with an example if there is one; a line each."""
 
     def help(self, topic: str | None) -> tuple[str, ...]:
         """The help for a word, or the list of commands; a line each."""
@@ -142,13 +142,13 @@ def _is_name(typed: str, language: str) -> bool:
 
 
 def name_of_language(language: str, spoken: str) -> str:
-    """What a language is called in another one, or in itself; its code where nothing names it."""
+    """The name of a language in another one, or in itself; its code if it has no name."""
     names = names_of(language, spoken) or names_of(language, language) or names_of(language, ENGLISH)
     return names[0] if names else language
 
 
 def names_of(language: str, spoken: str) -> tuple[str, ...]:
-    """What the language ``spoken`` calls a language."""
+    """The names of a language in the language ``spoken``."""
     return locales.own_words(spoken, "words", "languages", language)
 
 

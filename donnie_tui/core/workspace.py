@@ -40,7 +40,7 @@ class Workspace:
         self.searched = ""
         """What SEARCH looked for last."""
         self.report_failure: Callable[[DocumentError], object] = lambda _: None
-        """Called once, in another thread, where copies can't be written."""
+        """Called once, in another thread, if copies can't be written."""
         self._copies_name, self._recent_name = copies, recent
         self._breakpoint_file = BreakpointFile(breakpoints)
         self._robot = ""
@@ -63,17 +63,17 @@ class Workspace:
     # --- the documents
 
     def add_document(self) -> Document:
-        """One more, which is empty."""
+        """Add an empty document."""
         self.documents.append(Document())
         return self.documents[-1]
 
     def attach(self, editor: TextEditor) -> None:
-        """Show the current document there, and every one that ``turn_to`` makes the current one."""
+        """Show the current document in an editor, and every later current one."""
         self._editor = editor
         self.document.attach(editor)
 
     def detach(self) -> None:
-        """The editor is closed."""
+        """Stop showing documents in the editor."""
         self._editor = None
         self.document.detach()
 
@@ -96,7 +96,7 @@ class Workspace:
 
     @contextmanager
     def as_current(self, document: Document) -> Iterator[None]:
-        """Makes it the current document for a while."""
+        """Makes it the current document inside the ``with`` block."""
         before, self.document = self.document, document
         try:
             yield
@@ -106,16 +106,16 @@ class Workspace:
     # --- robots
 
     def begin_with(self, robot: str) -> None:
-        """In this world the learner talks to ``robot``, which has the current document.
+        """Give the current document to ``robot``, the current robot of a new world.
 
-        The other documents wait for the robots of their names; one of the same name gets another.
+        Other documents are kept for robots of the same names; a robot of this name gets a new one.
         """
         others = {name: each for name, each in self.by_robot().items() if each is not self.document}
         self._by_robot = {f"{name} 2" if name == robot else name: each for name, each in others.items()}
         self._robot = robot
 
     def choose_robot(self, robot: str) -> None:
-        """The learner talks to another robot; its document is the current one."""
+        """Make the document of another robot the current one."""
         self._by_robot[self._robot] = self.document
         self._robot = robot
         if robot not in self._by_robot:
@@ -150,7 +150,7 @@ class Workspace:
             document.breakpoints = self._breakpoint_file.read(path, len(document.lines))
 
     def put_away(self) -> int:
-        """Begin with an empty program, for every robot. UNDO and RECOVER restore what was there.
+        """Begin with an empty program for every robot. UNDO and RECOVER restore the old ones.
 
         Returns how many lines the current program had.
         """
@@ -162,7 +162,7 @@ class Workspace:
         return lines
 
     def save(self, document: Document, path: Path, text: str) -> None:
-        """Write ``text``, which the document had when it was asked for. Raises ``DocumentError``."""
+        """Write ``text``, the document's text at the time of the request. Raises ``DocumentError``."""
         from donnie_tui.core.program_files import write_program
 
         write_program(path, text)
@@ -172,7 +172,7 @@ class Workspace:
             self._breakpoint_file.write(path, document.breakpoints)
 
     def keep_breakpoints(self) -> None:
-        """Keep the breakpoints of the current document for the next time that it is opened."""
+        """Keep the breakpoints of the current document until it is opened again."""
         self._breakpoint_file.write(self.document.path, self.document.breakpoints)
 
     # --- recovering
@@ -212,7 +212,7 @@ class Workspace:
         self.keep_copies()
 
     def _replaced(self) -> list[Replaced]:
-        """The unsaved programs that others took the place of, the newest last."""
+        """The unsaved programs that were replaced, the newest last."""
         present = {Replaced(each.text, each.path) for each in self.documents}
         found = [
             each for document in self.documents for each in document.versions.replaced if each not in present
@@ -224,7 +224,7 @@ class Workspace:
     # --- copies
 
     def keep_copies(self) -> bool:
-        """Write down in the background what is not saved. Whether there was anything to write."""
+        """Write the unsaved programs in the background. Returns whether there was anything to write."""
         unsaved = (
             *((each.text, each.path) for each in self.documents if not each.is_saved),
             *self._replaced(),
@@ -236,14 +236,14 @@ class Workspace:
         return True
 
     def write_copies(self) -> None:
-        """As ``keep_copies``, done once this returns. Failures are ignored, since Donnie ends."""
+        """As ``keep_copies``, but returns only after the writing. Ignores failures, since Donnie ends."""
         if not self._is_finished:
             self._updated_copies()
         for copy in (*self._copies_of_replaced.values(), *self._copies.values(), *self._removals):
             copy.write_quietly()
 
     def leave_copies(self, *, everything: bool = True) -> None:
-        """The learner leaves on purpose: at the next start RECOVER opens what is not saved.
+        """Leaves copies for RECOVER of what is unsaved when the learner quits.
 
         That start offers only a program that was kept without a question, and it offers it once.
 
@@ -260,7 +260,7 @@ class Workspace:
         self._is_finished = True
 
     def hand_over(self) -> None:
-        """The other front end gets the current program, and offers the others to recover."""
+        """Hands the current program to the other front end, which offers the others to recover."""
         self._updated_copies()
         for copy in self._copies_of_replaced.values():
             copy.leave()

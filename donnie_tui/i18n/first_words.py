@@ -28,7 +28,7 @@ def early(code: str, language: str) -> str:
 
 
 def _read(language: str) -> dict[str, str] | None:
-    """None where the sentences of the language are not compiled."""
+    """None if the sentences of the language are not compiled."""
     file = compiled_file(language, "messages.po", FILE)
     if file is None:
         return None

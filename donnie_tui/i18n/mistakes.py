@@ -410,7 +410,7 @@ def _advice(error: Error, topic: str, words: Wording) -> tuple[str, ...]:
 
 
 def _topic(error: Error) -> str:
-    """The command of which an example helps; empty where there is none, or the advice has one."""
+    """The command of which an example helps; empty if there is none, or the advice has one."""
     if error.kind == MistakeKind.UNKNOWN_COMMAND.value:
         meant = keywords.topic(error.meant) or keywords.topic_at(error.meant, 1)
         return "PROCEDURE" if error.code == "procedure" else meant

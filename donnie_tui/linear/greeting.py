@@ -170,7 +170,7 @@ class Terminal:
 
 
 def _plain_options(arguments: list[str]) -> dict[str, str] | None:
-    """The options and the FILE, or None where there is anything that is not obvious."""
+    """The options and the FILE, or None if there is anything that is not obvious."""
     found: dict[str, str] = {}
     rest = iter(arguments)
     for each in rest:

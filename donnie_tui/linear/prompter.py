@@ -67,7 +67,7 @@ class Streams(Struct, frozen=True):
 
     console: Console
     editing: EditingReader | None
-    """Edits lines key by key; None where that is impossible."""
+    """Edits lines key by key; None if that is impossible."""
     plain: Reader
     output: PacedOutput
     queue: OutputQueue

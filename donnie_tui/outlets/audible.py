@@ -361,7 +361,7 @@ def spoken_languages() -> Mapping[str, SpokenLanguage]:
 
 
 def _sign_words(language: str) -> SignWords | None:
-    """None where the numbers are missing: nothing is read in the words of another language."""
+    """None if the numbers are missing: nothing is read in the words of another language."""
     minus, point, degree, degrees = (
         "".join(_words(language, each)[:1]) for each in ("minus", "point", "degree", "degrees")
     )

@@ -27,7 +27,7 @@ class ChosenBelt:
     """A listener that shows the chosen robot's levels, and none once its run is over, whatever happened."""
 
     def __init__(self, chosen: Callable[[], str | None], show: Callable[[Levels], None]) -> None:
-        """``chosen``: the robot's name as its events have it, None where there is but one."""
+        """``chosen``: the robot's name as its events have it, None if there is but one."""
         self._chosen = chosen
         self._show = show
         self._levels: dict[str | None, Levels] = {}

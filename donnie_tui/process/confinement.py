@@ -116,7 +116,7 @@ def confine(confinement: Confinement | None) -> None:
 
 
 def confinement() -> Confinement | None:
-    """None where nothing is confined."""
+    """None if nothing is confined."""
     return _confinement
 
 

@@ -53,7 +53,7 @@ class TakenSignals:
         self._are_taken = True
 
     def handler_before(self, number: int) -> Handler | None:
-        """The handler that this signal had when it was taken; None where that was no function."""
+        """The handler that this signal had when it was taken; None if that was no function."""
         found = self._found[number]
         return found if callable(found) else None
 

@@ -401,7 +401,7 @@ def read_settings(environment: Mapping[str, str]) -> tuple[dict[str, object], tu
 
 
 def read_file(file: str) -> tuple[dict[str, object], tuple[Notice, ...]]:
-    """Reads the file: its settings, and what is wrong with it; both empty where there is none."""
+    """Reads the file: its settings, and what is wrong with it; both empty if there is none."""
     try:
         with open_bytes(file) as stream:
             data = stream.read(LARGEST_FILE + 1)

@@ -259,7 +259,7 @@ class Settings(Struct, frozen=True):
     theme: str = "dark"
     """The look of the full screen."""
     plain: bool | None = None
-    """One column without decoration; None where a screen reader decides."""
+    """One column without decoration; None if a screen reader decides."""
     mouse: bool = True
     motion: str = "full"
     completion: bool = True

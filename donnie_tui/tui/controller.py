@@ -156,7 +156,7 @@ class ScreenController:
     def do(self, name: str, argument: str | None = None) -> Awaitable[None] | None:
         """Run a command. What is left of it after its first question is to be awaited.
 
-        ``argument`` is None where a key or the palette asked for it.
+        ``argument`` is None if a key or the palette asked for it.
         """
         self._end_answer()
         return begin(self._perform(BY_NAME[name], argument))
@@ -328,7 +328,7 @@ class ScreenKeyEcho:
 
 
 def _before_cursor(widget: Widget | None) -> str | None:
-    """What stands before the cursor in its line; None where nothing can be typed."""
+    """What stands before the cursor in its line; None if nothing can be typed."""
     match widget:
         case TextArea():
             row, column = widget.cursor_location

@@ -241,7 +241,7 @@ class ScreenWatchdog(Watchdog):
             suspend()
 
     def _back(self, number: int, frame: FrameType | None) -> None:
-        """Textual takes the terminal again, but paints nothing where the size is what it was."""
+        """Textual takes the terminal again, but paints nothing if the size is what it was."""
         found = self.handler_before(number)
         if found is not None:
             found(number, frame)

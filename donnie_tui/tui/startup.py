@@ -64,7 +64,7 @@ class SessionHandle:
 
     @property
     def next_world(self) -> str:
-        """The world in which the screen is to come back; empty where it is not."""
+        """The world in which the screen is to come back; empty if it is not."""
         return self.controller.next_world if self.controller is not None else ""
 
     @property

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
 
 def diff_output(console: Console) -> Painted | None:
-    """What leaves unchanged cells out of the output; None where this version of Textual doesn't fit."""
+    """What leaves unchanged cells out of the output; None if this version of Textual doesn't fit."""
     try:
         from donnie_tui.tui.terminal_output import Painted, fits
     except (ImportError, TypeError):
@@ -56,7 +56,7 @@ class _Driver(Protocol):
 
 
 def use_mouse(driver: object, *, wanted: bool) -> None:
-    """From now on, or no more; does nothing where there is no terminal."""
+    """From now on, or no more; does nothing if there is no terminal."""
     if not hasattr(driver, "_enable_mouse_support"):
         return
     terminal = cast(_Driver, driver)

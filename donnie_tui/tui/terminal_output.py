@@ -209,7 +209,7 @@ def _runs(changed: Sequence[int]) -> Iterator[tuple[int, int]]:
 
 
 def _cells_of(strip: Strip) -> list[Cell] | None:
-    """None where a letter may be wider than a cell, or have none."""
+    """None if a letter may be wider than a cell, or have none."""
     cells: list[Cell] = []
     for text, style, control in strip:
         if control or not _is_simple(text):

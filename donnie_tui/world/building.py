@@ -156,7 +156,7 @@ class Building:
         return found
 
     def _include(self, kind: str, text: str) -> str:
-        """The line that a world needs for its first thing of a kind; empty where it knows the kind."""
+        """The line that a world needs for its first thing of a kind; empty if it knows the kind."""
         file = things.KINDS[kind]
         files = {PurePath(each).name for each in self._site.world.scene.report.files}
         is_known = file in files or re.search(rf"^\s*define\s+{kind}\s", text, re.MULTILINE)

@@ -153,7 +153,7 @@ class SiteChange(Struct, frozen=True):
     index_of: Mapping[int, int]
     """The index there of each model at the top level, by the one it has now."""
     changed: int | None
-    """The index of the thing there; None where it is gone then."""
+    """The index of the thing there; None if it is gone then."""
     program: str
     """The text of the program at that moment."""
 

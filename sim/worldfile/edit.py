@@ -31,7 +31,7 @@ class WrittenModel(Struct, frozen=True):
     inside: int
     """Before its last bracket."""
     pose: tuple[int, int] | None
-    """From the bracket of its pose to after the other one; None where it says none."""
+    """From the bracket of its pose to after the other one; None if it says none."""
 
 
 def written_models(text: str, path: Path, allowed: tuple[Path, ...] = ()) -> tuple[WrittenModel | None, ...]:

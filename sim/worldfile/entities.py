@@ -92,7 +92,7 @@ class FileReader:
         return any(resolved.is_relative_to(folder) for folder in self._roots)
 
     def folder_outside(self, path: Path) -> str:
-        """The folder to allow for a file that may not be read; empty where the session is confined."""
+        """The folder to allow for a file that may not be read; empty if the session is confined."""
         return str(path.resolve().parent) if confinement() is None else ""
 
     def _included(self, include: parser.Include, path: Path, above: tuple[Path, ...]) -> Iterator[Placed]:

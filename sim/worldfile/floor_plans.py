@@ -37,7 +37,7 @@ MOST_EDGES = 200_000
 
 
 def count_outlines(picture: Bitmap) -> int | None:
-    """The number of polygons, holes included; None where the borders are too long to follow."""
+    """The number of polygons, holes included; None if the borders are too long to follow."""
     leaving: dict[tuple[int, int], list[tuple[int, int]]] = {}
     for i, (start, end) in enumerate(_borders(picture)):
         if i == MOST_EDGES:

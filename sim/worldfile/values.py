@@ -67,7 +67,7 @@ _KNOWN = SIMULATED | QUIET | UNUSED
 
 
 def types_of(name: str) -> tuple[str, ...]:
-    """The types that the property may have; empty where it is unknown."""
+    """The types that the property may have; empty if it is unknown."""
     if name in _TWO_TYPES:
         return _TWO_TYPES[name]
     return (_KNOWN[name],) if name in _KNOWN else ()

@@ -148,7 +148,7 @@ def left_as_found(terminal: Terminal) -> bool:
 
 
 def falls_silent(donnie: Terminal, seconds: float) -> bool:
-    """Wait until nothing was written for so long. False where the program keeps writing."""
+    """Wait until nothing was written for so long. False if the program keeps writing."""
     end = time.monotonic() + TIMEOUT
     while donnie.read(seconds):
         if time.monotonic() > end:

@@ -76,7 +76,7 @@ def mistakes(text: str) -> Iterator[tuple[str, str]]:
 
 
 def verdicts_of(name: str) -> dict[str, str]:
-    """By mistake; empty where the program still solves the challenge."""
+    """By mistake; empty if the program still solves the challenge."""
     found, words, settings = challenges.find(name), Words("en"), Settings()
     starts = starts_of(choose_challenge(name, words), words, settings)
     said = {}

@@ -296,7 +296,7 @@ _COLUMN_GAP, _FEW = 2, 4
 
 
 def _columns(choices: Sequence[Option]) -> tuple[int, ...]:
-    """The widths of columns, with the gap between them; empty where a choice has none."""
+    """The widths of columns, with the gap between them; empty if a choice has none."""
     rows = [each.columns or ((each.text,) if each.detail is not None else ()) for each in choices]
     if not rows or not all(rows):
         return ()

@@ -97,7 +97,7 @@ class FileTree(Tree[Row]):
 
     @property
     def row(self) -> Row | None:
-        """The chosen row; None where none is."""
+        """The chosen row; None if none is."""
         node = self.cursor_node if self.cursor_line >= 0 else None
         return node.data if node is not None else None
 

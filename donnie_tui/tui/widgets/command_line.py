@@ -115,7 +115,7 @@ class InputLine(Input):
 
     @property
     def _changed(self) -> Region | None:
-        """The columns that look different; None where that may be all of them."""
+        """The columns that look different; None if that may be all of them."""
         if not self.is_mounted or self._painted is None:
             return None
         value, cursor = self._painted

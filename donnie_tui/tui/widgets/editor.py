@@ -99,7 +99,7 @@ class Editor(TextArea):
         self._notes: dict[int, LineMistake] = {}
         self._breakpoints: frozenset[int] = frozenset()
         self.complete: Callable[[str, int], Completion] | None = None
-        """What may stand at an offset of the text; None where nothing is to be offered."""
+        """What may stand at an offset of the text; None if nothing is to be offered."""
         self.first_steps: tuple[str, ...] = ()
         """What an empty program shows faintly below its first line, which stays free for typing."""
         self.next_line: Callable[[Sequence[str], int], NextLine] | None = None

@@ -11,7 +11,7 @@ MISTAKES = tuple(Error("unknown-command", line, 1, f"m{line}", None, f"FWD {line
 
 
 def way(errors: RunErrors, *moves: int) -> list[int | None]:
-    """The lines that it leads to, None where it stays."""
+    """The lines that it leads to, None if it stays."""
     return [error and error.line for by in moves for error, _ in (errors.go(by, SAY),)]
 
 

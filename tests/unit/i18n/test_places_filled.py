@@ -46,7 +46,7 @@ def codes(call: ast.Call) -> Iterator[str]:
 
 
 def values(call: ast.Call) -> set[str] | None:
-    """Named one by one, or in a dictionary; None where that is made elsewhere."""
+    """Named one by one, or in a dictionary; None if that is made elsewhere."""
     names = {each.arg for each in call.keywords}
     if called(call) not in ("Answer", "Notice"):
         return None if None in names else names
