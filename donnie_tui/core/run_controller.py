@@ -379,7 +379,7 @@ class RunController:
         return (*sentences, *(self.to_present() if is_present else ()))
 
     def to_present(self) -> tuple[str, ...]:
-        """Returns to the present, so that the next request starts from the robot's place. The sentences say so."""
+        """Returns to the present, where the next request starts. The sentences say so."""
         was_past, self.past = self.past is not None, None
         return (self._words("looking-back-ended"),) if was_past else ()
 

@@ -393,7 +393,7 @@ class StepNarrator:
     # --- conditions
 
     def _condition(self) -> Iterator[str]:
-        """The condition with its values at that time: the next statement may be after the end of a procedure."""
+        """The condition with its values at that time, since a procedure may have ended meanwhile."""
         if isinstance(self._before, If | While | For):
             condition, reads = self._before.condition, iter(self._reads)
             variables = self._variables

@@ -61,7 +61,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
     ) -> None:
         """``text``: what the other mode left, unsaved changes included. ``folder`` holds the copies.
 
-        ``search`` gives up the search for a robot, where ``assemble`` looks for one. ``restored`` is kept
+        ``search`` gives up the search for a robot, if ``assemble`` looks for one. ``restored`` is kept
         from the world before, and ``typed`` are the keys that were not taken there.
         """
         super().__init__(settings)
@@ -113,7 +113,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         )
 
     def _start_controller(self, donnie: Donnie) -> None:
-        """From now on there are dialogs, too; nothing on the main screen has their styles."""
+        """Make the controller and load the styles of dialogs, which the main screen does not need."""
         from donnie_tui.bootstrap import open_workspace
         from donnie_tui.commands.preferences import Preferences
         from donnie_tui.tui.interaction import connect
@@ -141,7 +141,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
     # --- looks
 
     def apply_settings(self, settings: Settings) -> None:
-        """The layout and the keys, too."""
+        """Apply the settings, the layout and the keys among them."""
         super().apply_settings(settings)
         if settings.plain is not None:
             self.main_screen.set_plain(settings.plain)
@@ -149,7 +149,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         self._bind(settings.keys)
 
     def _bind(self, chosen: str) -> None:
-        """The keys of the table; those that the learner chose replace them."""
+        """Bind the keys of the table; the learner's choice replaces them."""
         self.key_table.choose(chosen)
         self._bindings = bindings(self.key_table)
 
@@ -163,13 +163,13 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         self.call_after_refresh(self.startup.begin)
 
     def watch_app_focus(self, has_focus: bool) -> None:
-        """A page of a browser, or a window in the background, begins without the focus."""
+        """Focus the first widget, since a page in a browser may begin without the focus."""
         place = self.main_screen
         if has_focus and place.is_mounted and self.screen is place and place.focused is None:
             place.set_focus(place.first_focus)  # before the next key
 
     def _display(self, screen: Screen[Any], renderable: RenderableType | None) -> None:
-        """A new layout, or another screen, is painted once: Textual would leave it out while one is held."""
+        """Paint a new layout or screen once, which Textual would leave out while painting is held."""
         if renderable is not None:
             self.main_screen.hold_nothing()
         super()._display(screen, renderable)
@@ -184,7 +184,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         await self._keyboard.on_event(event)
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
-        """Actions belong to the main screen, but a stop is always possible; else Ctrl+C copies."""
+        """Allow actions on the main screen, and a stop anywhere; otherwise Ctrl+C copies."""
         if action == "do":
             only_while_running = len(parameters) > 1
             is_stop = self.session.runs and parameters[0] in STOPS
@@ -199,19 +199,19 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             self._keyboard.release()
 
     def action_do(self, name: str, _only_while_running: bool = False) -> None:
-        """A key was pressed."""
+        """Run the command of a pressed key."""
         self._keyboard.act(name)
 
     async def action_quit(self) -> None:
         self.do("quit")
 
     def action_key_menu(self) -> None:
-        """The keys after the menu key."""
+        """List the keys that may follow the menu key."""
         if self.controller is not None and self.screen is self.main_screen:
             self._keyboard.open_menu(self.controller.words)
 
     def action_command_palette(self) -> None:
-        """Every command to choose from; there once there are words."""
+        """Offer every command, once the sentences are loaded."""
         if self.controller is not None and self.screen is self.main_screen:
             self._await(self._choose_command(self.controller))
 
@@ -250,7 +250,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             self._await(self.controller.run_line(event.text))
 
     def _await(self, asking: Awaitable[None] | None) -> None:
-        """A command that asks something has its effect when it is answered."""
+        """Run the rest of a command that asks a question in a worker."""
         if asking is not None:
             self.run_worker(self._finish(asking, self._dialogs.begin()), exclusive=True)
 
@@ -263,7 +263,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             self.controller.display.update()
 
     def keys_not_taken(self) -> list[events.Event]:
-        """What was typed for the next world, once this screen is gone."""
+        """The keys that were typed for the next world, after this screen has closed."""
         return [*filter(None, map(_typed_again, (*self._keyboard.give_up(), *self.messages_not_taken())))]
 
     # --- messages
@@ -281,7 +281,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             self.controller.run_view.on_state_changed()
 
     def on_run_finished(self, event: RunFinished) -> None:
-        """QUIT, typed with other commands, leaves once they are done."""
+        """Leave after a QUIT that was typed with other commands, once they have run."""
         if self.controller is not None:
             self.controller.run_view.on_finished(event)
             if self.controller.ctx.attempt is not None and self.controller.ctx.attempt.has_questions:
@@ -297,19 +297,19 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             self.controller.assistant.line_finished(event.row)
 
     def on_editor_gutter_clicked(self, event: Editor.GutterClicked) -> None:
-        """It sets a breakpoint there, or removes it."""
+        """Set or remove the breakpoint of the clicked line."""
         if self.controller is not None:
             self._await(self.controller.do("break_", str(event.line)))
 
     def on_pane_title_clicked(self, event: Pane.TitleClicked) -> None:
-        """The title names what can be chosen: a program, a world."""
+        """Offer what the clicked title names: the programs or the worlds."""
         place = self.main_screen
         action = {place.program_pane: "open", place.map_pane: "worlds"}.get(event.pane)
         if action is not None:
             self._keyboard.act(action)
 
     def on_status_line_clicked(self) -> None:
-        """The line that says the speed leads to the settings."""
+        """Open the settings, since the line shows the speed."""
         self._keyboard.act("set")
 
     def on_map_view_explored(self) -> None:
@@ -321,12 +321,12 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             self.controller.display.entitle_map()
 
     def on_text_rows_read(self, event: TextRows.Read) -> None:
-        """Each row that the learner moves to is spoken: of the help, of the keys after a key, of the log."""
+        """Speak each row that the learner moves to: of the help, the key menu, the log."""
         if event.has_focus and event.text:
             self.session.point(event.text)
 
     def on_main_screen_entered(self) -> None:
-        """The focus came to another part: it is spoken, and shown in the status line."""
+        """Speak the newly focused part, and show it in the status line."""
         if self.controller is not None:
             self.controller.point(self.controller.display.focus_sentence)
 
@@ -343,9 +343,9 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
     # --- the end
 
     def on_unmount(self) -> None:
-        """A terminal can still get stuck on the way out; what has none needs nothing more.
+        """End the watchdog if there is no terminal, which could get stuck while the screen closes.
 
-        A console has no other screen to go back to: what was painted must not be in the shell's way.
+        A console has no alternate screen, so what was painted is erased for the shell.
         """
         if self.is_headless:
             self.shutdown.end_watchdog()
@@ -358,7 +358,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         self._fatal_error()
 
     def _fatal_error(self) -> None:
-        """Our own fault, of which Textual prints pages: the robot stops, the text is kept, one sentence."""
+        """Handle Donnie's own fault: stop the robot, keep the text, print a sentence, not Textual's pages."""
         self.shutdown.save_from_fault()
         if not self._exit_renderables:
             self._exit_renderables.append(Text(early("screen-fault", self._language)))

@@ -59,7 +59,7 @@ COPY_AFTER = 1.0
 
 
 class ScreenState(Struct, frozen=True):
-    """What is kept on the way to another world: the programs, the log and what was typed."""
+    """The state that the screen takes into another world: the programs, the log and the typed lines."""
 
     log: tuple[tuple[str, str], ...]
     """The lines of the log, each with the words of its kind."""
@@ -72,7 +72,7 @@ class ScreenState(Struct, frozen=True):
     focus: str
     """The part of the screen that had the focus."""
     is_silent: bool
-    """Whether SOUND OFF was said."""
+    """Whether SOUND OFF was typed."""
 
 
 class ScreenController:
@@ -99,13 +99,13 @@ class ScreenController:
         self._apply_motion()
         self._unsubscribe = donnie.team.stream.subscribe(queue)
         self.next_world = ""
-        """The world in which the screen is to come back."""
+        """The world in which the screen opens again."""
         self.left_for_linear = False
 
     def begin(
         self, file: Path | None, text: str | None, restored: ScreenState | None, state_folder: str
     ) -> Coroutine[None, None, None] | None:
-        """Say what is to be known at the start; what is returned opens the first file.
+        """Say the notices of the start; returns a coroutine that opens the first file.
 
         ``text``: what the other mode left, unsaved changes included.
         """
@@ -128,7 +128,7 @@ class ScreenController:
         return opening
 
     def _restore(self, state: ScreenState) -> None:
-        """Continue with the answers of the world before, and say that this one is there."""
+        """Continue with the answers of the world before, and announce this one."""
         self.answers = self.ctx.answers = state.answers
         self.answers.end_answer()
         self.main_screen.command_line.have_typed(state.typed)
@@ -138,7 +138,7 @@ class ScreenController:
 
     @property
     def state(self) -> ScreenState:
-        """What is kept for another world."""
+        """The state to take into another world."""
         log = self.main_screen.log_rows
         return ScreenState(
             log.with_kinds,
@@ -154,7 +154,7 @@ class ScreenController:
     # --- commands
 
     def do(self, name: str, argument: str | None = None) -> Awaitable[None] | None:
-        """Run a command. What is left of it after its first question is to be awaited.
+        """Run a command up to its first question; returns the rest to await.
 
         ``argument`` is None if a key or the palette asked for it.
         """
@@ -168,7 +168,7 @@ class ScreenController:
         self.display.update()
 
     def look_at(self, step: int) -> None:
-        """The moment of the run so far after so many steps."""
+        """Show the moment of the run after so many steps."""
         self._end_answer()
         self.ctx.say(*self.ctx.runs.look_at(step))
         self.run_view.show_past()
@@ -190,12 +190,12 @@ class ScreenController:
         return None
 
     def _end_answer(self) -> None:
-        """What is said from now on is the answer to something else."""
+        """End the current answer; the next line begins another one."""
         self.events.flush()
         self.answers.end_answer()
 
     def _opens_block(self, typed: str) -> bool:
-        """Whether it does; then an answer names the place where a block has room."""
+        """Whether the line opens a block; then an answer says that blocks belong into the program."""
         missing = self.donnie.session.parse(typed).diagnostics
         if not missing or any(each.kind is not MistakeKind.MISSING_END for each in missing):
             return False
@@ -204,7 +204,7 @@ class ScreenController:
         return True
 
     def key_pressed(self, event: events.Event, focused: Widget | None) -> None:
-        """Any key ends what is being said, and is itself spoken where the learner wants that."""
+        """Stop the speech at any key, and speak the key if the learner wants that."""
         self.donnie.outlets.audible.hush()
         self._key_echo(event, focused)
         self.display.acted()
@@ -212,25 +212,25 @@ class ScreenController:
     # --- events
 
     def _receive(self, batch: EventBatch) -> None:
-        """What the robot senses has changed, too, where others or things are elsewhere now."""
+        """Show a batch of events; ask for the distances again if robots or things have moved."""
         self.display.receive(batch)
         self.run_view.polling.on_event()
         if batch.others or batch.things is not None:
             self.display.ask_distances()
 
     def _write(self, lines: Sequence[LogLine]) -> None:
-        """Into the log, and into what can be said again."""
+        """Write lines into the log and into the answers to repeat."""
         for line in lines:
             if not line.is_repeated:
                 self.answers.add_line(line.text)
         self.display.write((line.text, line.kind) for line in lines)
 
     def point(self, words: str) -> None:
-        """Speak what the learner looks at on the map or in a list; any key ends it, and no log keeps it."""
+        """Speak the pointed square or list row; any key ends it, and it is not logged."""
         self.donnie.session.hub.publish(Pointed(words))
 
     def on_explored(self) -> None:
-        """Another square of the map: spoken, and shown in the status line."""
+        """Speak the explored square of the map, and show it in the status line."""
         pointer = self.main_screen.map.pointer
         if pointer is not None and pointer.cell is not None:
             self.point(pointer.words(self.words))
@@ -239,7 +239,7 @@ class ScreenController:
     # --- settings
 
     def apply_setting(self, key: str) -> None:
-        """Show the session as the setting of that name says from now on."""
+        """Apply the new value of a setting to the screen."""
         if key == "lang":
             self.display.relabel()
             self.assistant.check_now()
@@ -261,20 +261,20 @@ class ScreenController:
     # --- the end
 
     def switch_to_linear(self) -> None:
-        """The other mode has the text from now on: no copy of it is needed."""
+        """Continue in the linear mode, which has the text now, so that no copy is needed."""
         self.assistant.stop_copying()
         self.workspace.hand_over()
         self.left_for_linear = True
         self.app.exit(0)
 
     def leave(self) -> None:
-        """Leaves for good, because the learner wants it."""
+        """Leave because the learner asked for it."""
         self.assistant.stop_copying()
         self.workspace.leave_copies()
         self.app.exit(0)
 
     def change_world(self, name: str) -> None:
-        """Another world, with the same program: everything begins anew there."""
+        """Enter another world with the same program."""
         self.ctx.runs.stop_to_leave()
         self.ctx.answer_entering(name)
         self.events.flush()
@@ -284,7 +284,7 @@ class ScreenController:
         self.app.exit(0)
 
     def hand_over(self) -> Donnie:
-        """Give the session to the other mode, where it continues; what runs here ends."""
+        """Hand the session to the other mode, and end everything of the screen."""
         self.ctx.close()
         self._unsubscribe()
         self.donnie.team.stop()
@@ -295,14 +295,14 @@ class ScreenController:
         return self.donnie
 
     def close(self) -> None:
-        """Ends what runs and writes what is to be written, after the screen is gone."""
+        """End programs and write copies after the screen has closed."""
         self.donnie.close()
         self.workspace.detach()
         self.workspace.write_copies()
 
 
 class ScreenKeyEcho:
-    """Speaks what is typed: in the program, in the command line and in questions.
+    """Speaks typed keys: in the program, in the command line and in questions.
 
     It gets each key and each paste before the widget with the focus.
     """
@@ -328,7 +328,7 @@ class ScreenKeyEcho:
 
 
 def _before_cursor(widget: Widget | None) -> str | None:
-    """What stands before the cursor in its line; None if nothing can be typed."""
+    """The text before the cursor in its line; None if nothing can be typed."""
     match widget:
         case TextArea():
             row, column = widget.cursor_location
@@ -342,7 +342,7 @@ def _before_cursor(widget: Widget | None) -> str | None:
 class EditorAssistant:
     """Helps while a program is typed: completion, marked mistakes, cues of blocks, and unsaved copies.
 
-    Nothing waits for any of it; what costs time comes a moment after the last letter.
+    Nothing waits for it; slow work is done a moment after the last letter.
     """
 
     def __init__(self, app: App[Any], ctx: Context, display: Display, editor: Editor) -> None:
@@ -350,10 +350,10 @@ class EditorAssistant:
         self._checking: Timer | None = None
         self._copying: Timer | None = None
         self._reported: Run | None = None
-        """The run of which was said that it follows the text before a change."""
+        """The last run for which a change of its text was reported."""
 
     def edited(self) -> None:
-        """The text changed: check it and copy it soon."""
+        """Schedule a check and a copy of the changed text."""
         self._report_running()
         self._display.show_titles()
         if self._checking is not None:
@@ -363,7 +363,7 @@ class EditorAssistant:
             self._copying = self._app.set_timer(COPY_AFTER, self._keep_copy)
 
     def _report_running(self) -> None:
-        """Says once in each run that the robot still follows the text before the change."""
+        """Say, once in each run, that the robot still runs the text before the change."""
         runs, run = self._ctx.runs, self._ctx.donnie.session.run
         is_running = runs.is_whole and runs.state in (RunState.RUNNING, RunState.PAUSED)
         if is_running and run is not self._reported and self._editor.is_typed:
@@ -371,7 +371,7 @@ class EditorAssistant:
             self._ctx.answer("edited-while-running")
 
     def check_now(self) -> None:
-        """Mark the mistakes of the text as it is."""
+        """Mark the mistakes of the current text."""
         self._checking = None
         text, session = self._editor.text, self._ctx.donnie.session
         found = session.check(text) if 0 < len(text) <= LONGEST_CHECKED and text.strip() else ()
@@ -380,21 +380,21 @@ class EditorAssistant:
         self._display.say_status()
 
     def offer_words(self, *, wanted: bool) -> None:
-        """Whether the editor shows how a word may continue, indents lines and ends blocks."""
+        """Turn the editor's suggestions, indentation and block ends on or off."""
         self._editor.complete = self.completion if wanted else None
         self._editor.next_line = self.next_line if wanted else None
 
     def next_line(self, lines: Sequence[str], row: int) -> NextLine:
-        """What Enter writes at the end of that row."""
+        """The text that Enter writes at the end of that row."""
         return next_line(lines, row, self._ctx.words.language)
 
     def completion(self, text: str, at: int) -> Completion:
-        """What could be meant at that place of the text."""
+        """The possible words at that place of the text."""
         language, colours = self._ctx.words.language, self._ctx.donnie.session.colours
         return completion(text, at, language, colours)
 
     def line_finished(self, row: int) -> None:
-        """Enter was pressed in that row (from 0): a cue sounds for a block that it opens or closes."""
+        """Play the cue of a block that the finished row (from 0) opens or closes."""
         text, donnie = self._editor.text, self._ctx.donnie
         if donnie.outlets.audible.has_cues and len(text) <= LONGEST_CHECKED:
             lines = text.split("\n")
@@ -408,6 +408,6 @@ class EditorAssistant:
         self._ctx.workspace.keep_copies()
 
     def stop_copying(self) -> None:
-        """The learner leaves: the last copies are written at the end."""
+        """Stop copying because the learner leaves; the last copies are written at the end."""
         if self._copying is not None:
             self._copying.stop()

@@ -1,6 +1,6 @@
-"""What the main screen shows of the session: titles, marks, map, inspector, status line, keys, log.
+"""Shows the session on the main screen: titles, marks, map, inspector, status line, keys, log.
 
-It knows the last values (pose, distances, readings, belt) and nothing about where they are from.
+It keeps the last values (pose, distances, readings, belt) and does not know their source.
 """
 
 from __future__ import annotations
@@ -39,10 +39,10 @@ from language.keywords import spelling
 from language.runtime import Frame
 
 LEAST_CHART = 24
-"""Columns of a chart, however little room there is before the inspector is shown."""
+"""The least columns of a chart."""
 
 _WORDLESS = ("answer",)
-"""Kinds of lines in the log that have no words before them."""
+"""Kinds of lines in the log without a name before them."""
 
 _OFFERED = {
     RunState.READY: ("run", "help", "quit", "step", "save", "open", "show_variables"),
@@ -60,13 +60,13 @@ _OFFERED = {
     ),
     RunState.STOPPING: ("help", "quit"),
 }
-"""The keys that the bottom line shows, by what the program does; what there is no room for goes last."""
+"""The keys of the bottom line by run state, the most important first."""
 _OFFERED_FIRST = ("run", "help", "examples", "challenge", "quit", "open", "show_variables")
-"""The same while the program is empty."""
+"""The keys while the program is empty."""
 _OFFERED_PAST = ("run", "help", "quit", "step_back", "step", "show_variables")
-"""The same while the learner looks back at a run that is over."""
+"""The keys after STEP BACK in an ended run."""
 _OFFERED_WRONG = ("run", "help", "errors", "fix", "quit", "save", "open")
-"""The same while lines are marked as wrong."""
+"""The keys while lines are marked as wrong."""
 
 
 class Display:
@@ -82,7 +82,7 @@ class Display:
         self._readings: dict[tuple[str, str], Read] = {}
         self._distances: Mapping[Bearing, int] = {}
         self._offered: tuple[object, ...] = ()
-        """What the bottom line was written for last: a letter changes nothing of it."""
+        """The state for which the bottom line was last written; a letter does not change it."""
         self._has_belt = False
         """Whether a belt has shown anything yet."""
         self._changes = VariableChanges()
@@ -91,13 +91,13 @@ class Display:
         self._was_stopped = False
         """Whether the latest run was stopped."""
         self._answer = ""
-        """The last answer, until the learner looks elsewhere."""
+        """The last answer, until the focus or the cursor moves."""
         self._has_acted = False
-        """Whether the learner pressed anything since: what moves by itself leaves the sentence there."""
+        """Whether the learner has pressed anything since; a moving cursor alone keeps the sentence."""
         self.show_world()
 
     def show_world(self) -> None:
-        """The map of the robot that is talked to: to each, the others are things and itself is none."""
+        """Show the map of the current robot; the other robots are things on it."""
         self._pose = self._donnie.session.pose
         picture = self._donnie.picture()
         self.scene = MapScene(picture, self._pose, shown_name(self._donnie.session.name))
@@ -110,7 +110,7 @@ class Display:
         self._entitle_inspector()
 
     def show_marks_of_map(self) -> None:
-        """Trail, rays and goals, as the settings say."""
+        """Show or hide trail, rays and goals, as the settings say."""
         self._place.map.update_cells(self.scene.hide(self._hidden_marks))
 
     @property
@@ -124,7 +124,7 @@ class Display:
         self._place.inspector_pane.entitle(self._words(code))
 
     def entitle_map(self) -> None:
-        """The world, its size, where more of it is outside, and that north is above."""
+        """Entitle the map: the world, its size, the sides with more floor outside, and north above."""
         picture = self.scene.picture
         width, height = floor_size(picture)
         title = self._donnie.world.title(self._words.language)
@@ -136,7 +136,7 @@ class Display:
         self._place.map_pane.entitle(*titles, corner=north)
 
     def _with_robot(self, title: str) -> str:
-        """A title that says of which robot it is, where there are several."""
+        """A title with the name of the robot if there are several."""
         name = self._donnie.session.name
         is_one = name is None or not self._donnie.team.has_several
         return title if is_one else self._words("pane-of-robot", robot=name, title=title)
@@ -144,7 +144,7 @@ class Display:
     # --- the robot
 
     def begin(self, pose: Pose, *, fresh: bool) -> None:
-        """A run begins with the robot here; a fresh one has no trail and no readings."""
+        """Begin a run with the robot here; a fresh run has no trail and no readings."""
         self._pose, self._was_stopped = pose, False
         if fresh:
             self._place.map.begin(self.scene.begin(pose) | self._show_others())
@@ -153,23 +153,23 @@ class Display:
             self._histories.forget()
 
     def end(self, event: RunEnded) -> None:
-        """The run is over; the robot stands here."""
+        """End the run with the robot here."""
         self._was_stopped = event.outcome is Outcome.STOPPED
         self.move((event.pose,))
 
     def _show_others(self) -> frozenset[Cell]:
-        """The robots that are not chosen stay where they are when this one begins anew."""
+        """Show the other robots, which keep their places when this one starts again."""
         others = (each for each in self._donnie.team.sessions if each is not self._donnie.session)
         return frozenset().union(*(self.scene.move_other(each.name, each.pose) for each in others))
 
     def move(self, poses: tuple[Pose, ...]) -> None:
-        """The robot went through these places."""
+        """Move the robot through these places."""
         if poses:
             self._pose = poses[-1]
             self._place.map.update_cells(frozenset().union(*map(self.scene.move, poses)))
 
     def receive(self, batch: EventBatch) -> None:
-        """What happened since the last look, but for the words."""
+        """Show a batch of events, except its sentences."""
         if batch.things is not None:
             self._place.map.update_cells(self.scene.place_things(batch.things))
         self.move(batch.poses)
@@ -186,11 +186,11 @@ class Display:
             self._show_inspector()
 
     def show_fields(self, lines: Iterable[Line]) -> None:
-        """What the robot's devices reach, in its frame, until it moves."""
+        """Show the reach of the robot's devices, in its frame, until it moves."""
         self._place.map.update_cells(self.scene.show_fields(lines))
 
     def show_past(self, timeline: Timeline) -> None:
-        """The map as it was at that position, or is at the end."""
+        """Show the map at that position of the timeline."""
         robot = self._donnie.session.name if self._donnie.team.has_several else None
         at = timeline.at
         timeline.go_to(max(1, at))  # where the robot was at first is known from the beginning of the run
@@ -210,13 +210,13 @@ class Display:
         self.look()
 
     def show_slider(self) -> None:
-        """Where in the run so far the learner looks."""
+        """Show the slider at the step that STEP BACK has reached."""
         self._place.show_slider(self._runs.past_steps)
 
     # --- the language
 
     def relabel(self) -> None:
-        """Everything again, in another language."""
+        """Show everything again in another language."""
         self._kinds.clear()
         self._place.map.call_colours(colour_initials(self._words))
         self._place.map.restart()
@@ -228,14 +228,14 @@ class Display:
     # --- the log
 
     def entitle_log(self) -> None:
-        """Which lines it shows."""
+        """Entitle the log with the kind of lines that it shows."""
         only = self._place.log_rows.only
         self._place.log_pane.entitle(
             self._words("pane-log-only", kind=only) if only else self._words("pane-log")
         )
 
     def write(self, lines: Iterable[tuple[str, str]]) -> None:
-        """Lines with the codes of their kinds."""
+        """Write lines into the log, each with the code of its kind."""
         given = list(lines)
         seen = [each for each in given if each[1] != "typed"] if self._place.is_plain else given
         self._place.log_lines([(text, self._kind_words(kind)) for text, kind in seen])
@@ -251,7 +251,7 @@ class Display:
         self.say_status()
 
     def _kind_words(self, kind: str) -> str:
-        """What the log calls a kind; looked up once each, a flood has few kinds."""
+        """The log's name for a kind, cached since a flood of lines has few kinds."""
         if kind not in self._kinds:
             code = f"kind-{kind}"
             known = self._words(code) if self._words.knows(code) else kind
@@ -264,17 +264,17 @@ class Display:
     # --- all the rest
 
     def update(self) -> None:
-        """Bring everything up to date, the distances too."""
+        """Update everything, the distances too."""
         self.ask_distances()
         self.look()
 
     def ask_distances(self) -> None:
-        """Have them published, where they are shown."""
+        """Ask for the distances to be published, if they are shown."""
         if self.shows_distances:
             self._donnie.session.publish_distances()
 
     def look(self) -> None:
-        """Titles, marks, status line, keys and inspector as they should be now."""
+        """Update titles, marks, status line, keys and inspector."""
         self.show_titles()
         self._show_marks()
         self.say_status()
@@ -299,7 +299,7 @@ class Display:
         return KeyEntry(name, self._table.label(name, self._words.language), self._words(f"key-{shown_as}"))
 
     def show_titles(self) -> None:
-        """The name of the program, how to begin an empty one, and the keys that fit."""
+        """Show the program's name, first steps for an empty one, and the keys that fit."""
         document = self._workspace.document
         name = document.path.name if document.path else self._words("new-program")
         code = "pane-program" if document.is_saved else "pane-program-changed"
@@ -317,12 +317,12 @@ class Display:
         self._place.editor.mark(lines[0] if lines else None, frozenset(lines[1:]), working)
 
     def _program_frames(self) -> tuple[Frame, ...]:
-        """Where the editor's program is; empty while it is not running."""
+        """The calls of the editor's program; empty while it is not running."""
         return self._runs.frames if self._runs.is_whole else ()
 
     @property
     def shows_distances(self) -> bool:
-        """False in the plain layout while the robot moves: readers would speak every distance on the way."""
+        """False in the plain layout while the robot moves, since readers would speak every distance."""
         return not (self._place.is_plain and self._runs.state is RunState.RUNNING)
 
     def _show_inspector(self) -> None:
@@ -353,9 +353,9 @@ class Display:
         self._place.inspector.show((*goals, *lines, *working, *charts))
 
     def say_status(self) -> None:
-        """Where the focus is, where Donnie is, what the program does.
+        """Show the focus, Donnie's place and the program's state.
 
-        Of what a listener has just heard in the log nothing is said again: there it is the focus alone.
+        In the log only the focus is shown, since the listener has just heard the rest.
         """
         if self._place.is_plain and self._place.log_is_seen:
             self._place.status.say(f" {self.focus_sentence}")
@@ -386,11 +386,11 @@ class Display:
         self._place.status.say(*choices, badge=badge, colour=colour)
 
     def acted(self) -> None:
-        """The learner pressed a key or the mouse."""
+        """Note that the learner pressed a key or the mouse."""
         self._has_acted = True
 
     def looked(self) -> None:
-        """The focus or the cursor is elsewhere: the last answer is read by then."""
+        """Drop the last answer, which is read once the focus or the cursor moves."""
         if self._has_acted:
             self._answer = ""
         self.show_titles()
@@ -421,7 +421,7 @@ class Display:
 
     @property
     def _running_sentence(self) -> str:
-        """The line being run, or looked back at, and the innermost block around it; empty for none."""
+        """The line that runs, or that STEP BACK has reached, with its innermost block; empty for none."""
         frames = self._program_frames()
         if not frames:
             return ""
@@ -436,14 +436,14 @@ class Display:
 
     @property
     def _is_in_sight(self) -> bool:
-        """Whether the focus says no more than the program shows: its line, and nothing wrong there."""
+        """Whether the program pane shows all of it: the line is visible and has no mistake."""
         editor = self._place.editor
         is_wrong = editor.mistake is not None and self._runs.state is RunState.READY
         return editor.has_focus and not is_wrong
 
     @property
     def _mistake_in_short(self) -> tuple[str, ...]:
-        """What is wrong in the cursor's line, for where its number has no room: that is next to the line."""
+        """The mistake of the cursor's line, used if the line number has no room in the status line."""
         mistake, words = self._place.editor.mistake, self._words
         if mistake is None or self._runs.state is not RunState.READY or not self._place.editor.has_focus:
             return ()
@@ -452,6 +452,6 @@ class Display:
         return (*((meant,) if mistake.meant and key else ()), mistake.message)
 
     def _program_line(self) -> int:
-        """The line being run, or the one of the cursor."""
+        """The line that runs, or the one of the cursor."""
         frames = self._program_frames()
         return frames[0].line if frames else self._place.editor.line

@@ -1,4 +1,4 @@
-"""What is around the screen: the variables that Textual finds, and the terminal's normal screen.
+"""The screen's environment: Textual's environment variables, and the terminal's normal screen.
 
 ``prepare`` runs before Textual is imported, which reads its switches then. The plain layout is for screen
 readers: one column, and nothing that a reader would speak without need. On the normal screen the log is
@@ -22,7 +22,7 @@ _WITHOUT_KEY_REPORTS = ("linux", "vt", "screen", "tmux")
 
 
 def prepare(settings: Settings, environment: MutableMapping[str, str] = os.environ) -> None:
-    """No key reports or mouse pixels that only some terminals know; before Textual is imported."""
+    """Turn off key reports and mouse pixels that only some terminals know; before Textual is imported."""
     environment.setdefault("TEXTUAL_SMOOTH_SCROLL", "0")
     environment.setdefault("TEXTUAL_ANIMATIONS", "none")
     if is_plain(settings) or environment.get("TERM", "").startswith(_WITHOUT_KEY_REPORTS):
@@ -49,12 +49,12 @@ def is_page(environment: Mapping[str, str] = os.environ) -> bool:
 
 
 def wants_mouse(settings: Settings) -> bool:
-    """Mouse reports cost bytes over SSH and take the terminal's own selection; a reader needs neither."""
+    """False over SSH or with a reader: mouse reports cost bytes and disable the terminal's own selection."""
     return settings.mouse and not is_plain(settings)
 
 
 def is_plain(settings: Settings) -> bool:
-    """As the learner chose; without a choice, plain if a screen reader runs."""
+    """The learner's choice, else plain if a screen reader runs."""
     if settings.plain is not None:
         return settings.plain
     return _screen_reader_runs()
@@ -86,7 +86,7 @@ def may_need_linear(environment: Mapping[str, str] = os.environ) -> bool:
 
 @cache
 def _screen_reader_runs() -> bool:
-    """Looked up once: it is asked three times before the first frame, and looks at all processes."""
+    """Whether a screen reader runs. Cached, since it reads all processes and is called three times."""
     from devices.audio.channel import find_screen_reader
 
     return find_screen_reader(os.environ) is not None
@@ -110,7 +110,7 @@ class PagerError(Exception):
 
 
 def print_last_lines(lines: Sequence[str]) -> None:
-    """The end of the log, where the shell continues: it can be read again there."""
+    """Print the end of the log before the shell's prompt, to be read again there."""
     from language.source import printable
 
     if is_page():
@@ -141,7 +141,7 @@ def pager(environment: Mapping[str, str]) -> list[str] | None:
 
 
 def run_pager(command: Sequence[str], text: str) -> None:
-    """Wait until it was read. Raises ``PagerError``: a pager that can't be run, a full disk."""
+    """Run the pager and wait for its end. Raises ``PagerError``: it can't be run, or the disk is full."""
     import subprocess
     import tempfile
     from pathlib import Path

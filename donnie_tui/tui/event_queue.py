@@ -45,17 +45,17 @@ from donnie_tui.core.transcript import printed_lines
 from donnie_tui.core.wording import Wording
 
 MOST_LINES = 100_000
-"""Lines that wait for the screen at most: as many as the log keeps, so that it misses none it could show."""
+"""Lines that may wait for the screen: as many as the log keeps, so that it misses none."""
 MOST_POSES = 5_000
 MOST_MEASURED = 100
-"""Readings between two looks."""
+"""Readings that are kept between two batches."""
 MOST_LOOKS = 50
 
 
 FRAME = 1 / 20
-"""Seconds between two looks into the queue: the map moves at most so often."""
+"""Seconds between two batches, which limits how often the map moves."""
 CALM = 1 / 2
-"""The same with reduced motion: whole squares, at most twice a second."""
+"""As ``FRAME``, with reduced motion: whole squares, at most twice a second."""
 FLUSH = 1 / 5
 """Seconds between two writes into the log."""
 
@@ -66,11 +66,11 @@ class LogLine(NamedTuple):
     text: str
     kind: str
     is_repeated: bool = False
-    """Whether it was said before: LAST does not count it again."""
+    """Whether it repeats an earlier answer, which LAST does not count again."""
 
 
 class EventBatch(Struct, frozen=True):
-    """What happened since the last look."""
+    """The events since the queue was last emptied."""
 
     lines: tuple[LogLine, ...]
     missed: int
@@ -80,29 +80,29 @@ class EventBatch(Struct, frozen=True):
     """The last reading of each sensor that was read."""
     belt: tuple[int, ...] | None
     looks: tuple[Read | Scanned, ...] = ()
-    """What sensors looked along since the robot moved last."""
+    """The rays of sensors since the robot's last move."""
     others: tuple[tuple[str, Pose], ...] = ()
     """Where the other robots are now."""
     things: tuple[PlacedThing, ...] | None = None
-    """What is elsewhere than at the start of the world; None if nothing was moved since."""
+    """The things that are not at their start; None if nothing has moved since."""
     distances: Mapping[Bearing, int] | None = None
-    """What is known of them now; None if that is what it was."""
+    """The current distances; None if they are unchanged."""
     measured: tuple[Read, ...] = ()
-    """All readings in their order, but for the oldest of very many."""
+    """All readings in order; of very many the newest."""
 
 
 NOTHING = EventBatch((), 0, (), (), None)
 
 
 class EventsQueued(Message):
-    """Events wait. Two of these messages are as good as one."""
+    """Posted when events wait; a second message adds nothing."""
 
     def can_replace(self, message: Message) -> bool:
         return isinstance(message, EventsQueued)
 
 
 class RunBegan(Message):
-    """A run began, with the robot here; ``fresh``: at its start, without a past."""
+    """A run began with the robot at this pose; ``fresh``: at its start, without a past."""
 
     def __init__(self, program: str, pose: Pose, *, fresh: bool = False) -> None:
         super().__init__()
@@ -112,7 +112,7 @@ class RunBegan(Message):
 
 
 class RunFinished(Message):
-    """A run of ``robot`` ended, where there are several; ``errors`` are its mistakes."""
+    """A run ended, of ``robot`` if there are several; ``errors`` are its mistakes."""
 
     def __init__(self, event: RunEnded, errors: tuple[Error, ...], robot: str | None = None) -> None:
         super().__init__()
@@ -122,7 +122,7 @@ class RunFinished(Message):
 
     @property
     def asks_to_quit(self) -> bool:
-        """Whether QUIT was reached where it is allowed."""
+        """Whether the run reached a QUIT that is allowed."""
         return self.event.outcome is Outcome.QUIT
 
 
@@ -136,7 +136,7 @@ class EventQueue:
         pose: Callable[[], Pose],
         name: Callable[[], str] = str,
     ) -> None:
-        """``pose`` and ``name`` return those of the robot that the learner talks to."""
+        """``pose`` and ``name`` return those of the current robot."""
         self._post = post
         self._wording = wording
         self._pose = pose
@@ -153,13 +153,13 @@ class EventQueue:
         self._things: tuple[PlacedThing, ...] | None = None
         self._distances: Mapping[Bearing, int] | None = None
         self._sensed: Mapping[Bearing, int] = {}
-        """What the screen knows of them, or is to know."""
+        """The distances that the screen has or will get."""
         self._errors: deque[Error] = deque(maxlen=100)
         self._stopped_by: dict[str | None, StoppedBy | None] = {}
-        """What ended the last movement of each robot before its end."""
+        """What cut the last movement of each robot short."""
         self._awake = False
         self._is_beginning = False
-        """Whether a run has begun that the screen has not begun yet."""
+        """Whether a run has begun that the screen does not show yet."""
 
     def __call__(self, stamped: Stamped) -> None:
         """Called by the stream, in the thread that published."""
@@ -202,7 +202,7 @@ class EventQueue:
                     pass
 
     def _go_to(self, pose: Pose) -> None:
-        """What was looked along before is not shown from there."""
+        """Move the robot; the rays of the place before are dropped."""
         self._poses.append(pose)
         self._looks.clear()
 
@@ -266,11 +266,11 @@ class EventQueue:
         return errors
 
     def begun(self) -> None:
-        """The screen shows the beginning of the run: what is in the queue may follow. In its thread."""
+        """Release the events of a run whose beginning the screen shows. In the screen's thread."""
         self._is_beginning = False
 
     def take(self) -> EventBatch:
-        """Empty the queue: for the screen, in its thread. The events of a run wait for its beginning."""
+        """Empty the queue, in the screen's thread. The events of a run wait until its beginning is shown."""
         with self._lock:
             if self._is_beginning:
                 return NOTHING
@@ -299,7 +299,7 @@ class EventQueue:
 
 
 class EventReader:
-    """Empties the queue, in the screen's thread: often enough to be alive, seldom enough to be cheap."""
+    """Empties the queue in the screen's thread, at a limited rate."""
 
     def __init__(
         self,
@@ -324,7 +324,7 @@ class EventReader:
         self._writing: Timer | None = None
 
     def on_queued(self) -> None:
-        """Events wait: take them now, or when it is time again."""
+        """Take waiting events now, or at the next allowed moment."""
         due = self.taken_at + self.frame - time.monotonic()
         if due <= 0:
             self.take()
@@ -332,7 +332,7 @@ class EventReader:
             self._taking = self._set_timer(due, self.take)
 
     def begun(self) -> None:
-        """A run is shown to have begun: take what has happened in it so far."""
+        """Take the events of a run whose beginning is shown now."""
         self._queue.begun()
         self.take()
 

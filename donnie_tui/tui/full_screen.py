@@ -1,6 +1,6 @@
 """The full screen from its first start to the end: through other worlds, and to the linear mode.
 
-However the screen is left, nothing of it keeps running. An exception is raised once the terminal is given
+However the screen ends, nothing of it keeps running. Exceptions are raised once the terminal is given
 back.
 """
 
@@ -24,16 +24,16 @@ if TYPE_CHECKING:
     from donnie_tui.tui.controller import ScreenState
 
 SWITCH = 0.0002
-"""Seconds that a program which computes may keep the interpreter from the screen. A key passes from thread to
+"""Seconds that a computing program may keep the interpreter from the screen. A key passes from thread to
 thread some five times until it is seen, so Python's own 0.005 would be felt."""
 
 
 def run_full_screen(
     settings: Settings, file: str | None, *, text: str | None = None, donnie: Donnie | None = None
 ) -> int:
-    """Work at the screen until the learner leaves; the exit code.
+    """Run the full screen until the learner leaves. Returns the exit code.
 
-    ``text`` is the program that the other mode left, where it did, ``donnie`` its session. Raises
+    ``text`` is the program that the other mode left, if any, ``donnie`` its session. Raises
     ``SwitchMode`` if the learner goes to the linear mode, ``Unusable`` if the world or a device can't be
     used.
     """
@@ -70,7 +70,7 @@ def _shown(
     restored: ScreenState | None,
     typed: list[Event],
 ) -> DonnieApp:
-    """The screen until it is left. Raises as ``run_full_screen`` does."""
+    """Show the screen until the learner leaves it. Raises as ``run_full_screen``."""
     search = _pending_search() if donnie is None and _takes_time(settings) else None
     app = DonnieApp(
         settings,
@@ -98,7 +98,7 @@ def _shown(
 
 
 def _in_next_world(app: DonnieApp) -> tuple[Settings, ScreenState]:
-    """The settings as they were chosen, and what is kept on the way there."""
+    """The settings for the next world, and the screen's state to keep."""
     from donnie_tui.commands.world import settings_there
 
     controller = app.controller
@@ -108,7 +108,7 @@ def _in_next_world(app: DonnieApp) -> tuple[Settings, ScreenState]:
 
 
 def _takes_time(settings: Settings) -> bool:
-    """Whether a real robot is looked for, as a configuration file may ask for one too."""
+    """Whether the start searches for a real robot, which a configuration file may ask for, too."""
     return is_far(settings.robot) or settings.world.endswith(".cfg")
 
 

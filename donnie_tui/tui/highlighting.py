@@ -1,7 +1,7 @@
-"""Which stretch of a program is a command, a number, a text, a comment: from the language's own lexer.
+"""Syntax highlighting with the language's own lexer: commands, numbers, texts, comments.
 
-No second description of GoDonnie: what the parser reads as a command looks like one. Stretches are as the
-editor wants them: by line, in UTF-8 bytes.
+So the highlighting agrees with the parser. Ranges have the form that Textual's
+editor needs: by line, in UTF-8 bytes.
 """
 
 from __future__ import annotations
@@ -16,10 +16,10 @@ Highlight: TypeAlias = tuple[int, int | None, str]
 """First byte, byte after the last (None: to the end of the line), and the name of the look."""
 
 LARGEST = 200_000
-"""Characters beyond which a program is shown plainly: every keystroke reads it anew."""
+"""Longer programs have no highlighting, since every keystroke reads the whole text."""
 
 LONGEST_LINE = 2000
-"""Characters beyond which a line is shown plainly: the editor goes through all of it for each row of it."""
+"""Longer lines have no highlighting, since the editor scans the whole line for each row of it."""
 
 _LOOK_OF_KIND = {NAME: "", NUMBER: "number", STRING: "string", TOPIC: "argument", FRAGMENT: ""}
 _LOOK_OF_TERMINAL = {
@@ -30,7 +30,7 @@ _LOOK_OF_TERMINAL = {
 
 
 def highlights(source: str) -> dict[int, list[Highlight]]:
-    """The looks of a text, by line from 0. Never raises, whatever the text is."""
+    """The highlights of a text, by line from 0. Never raises."""
     found: dict[int, list[Highlight]] = defaultdict(list)
     if len(source) > LARGEST:
         return found
@@ -64,7 +64,7 @@ class _Places:
         self._line = 0
 
     def add(self, found: dict[int, list[Highlight]], start: int, end: int, look: str) -> None:
-        """A stretch, cut where lines end. They mostly come in order: the search starts where it was."""
+        """Add a range, split at line ends. Ranges mostly come in order, so the search continues."""
         while start < self._starts[self._line]:
             self._line -= 1
         while self._line + 1 < len(self._lines) and start >= self._starts[self._line + 1]:

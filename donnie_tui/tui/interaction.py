@@ -64,8 +64,8 @@ def connect(
 class ScreenInteraction:
     """``commands.interaction.Interaction`` and ``Screen`` of the application.
 
-    A question begins with ``asyncio.sleep(0)``: a command runs at once as far as its first question, and the
-    rest of it in a worker, which Textual needs for a dialog. What is shown is spoken too.
+    A question begins with ``asyncio.sleep(0)``: a command runs at once up to its first question, and the
+    rest of it in a worker, which Textual needs for a dialog. Everything shown is also spoken.
     """
 
     can_edit = is_attended = True
@@ -78,7 +78,7 @@ class ScreenInteraction:
         self._controller: ScreenController
         self._finishing = asyncio.Lock()
         self._tour_page = 0
-        """The page of the tour that was left, from 0."""
+        """The page on which the learner left the tour, from 0."""
 
     # --- questions
 
@@ -179,7 +179,7 @@ class ScreenInteraction:
         may_be_left: bool = False,
         is_slow: bool = False,
     ) -> T:
-        """Where something else is asked for meanwhile, the log says that nothing changed."""
+        """If the learner runs another command meanwhile, the log says that nothing changed."""
         del may_be_left
         await asyncio.sleep(0)
         if is_slow:
@@ -219,13 +219,13 @@ class ScreenInteraction:
         """The log shows every line at once."""
 
     def continue_on_enter(self, more: Callable[[], Coroutine[Any, Any, None]]) -> None:
-        """Pages are windows here."""
+        """Do nothing: the full screen shows pages as windows."""
 
     def setting_changed(self, key: str) -> None:
         self._controller.apply_setting(key)
 
     def before_robot_changes(self) -> None:
-        """The text is that robot's, if there is any."""
+        """Let the current robot keep the text, if there is any."""
         text, path = self._place.editor.text, self._controller.workspace.document.path
         if text.strip():
             team, name = self._controller.donnie.team, path.name if path else self._words("new-program")
@@ -301,7 +301,7 @@ class ScreenInteraction:
         self._place.editor.go_to(line, column)
 
     def explore(self, change: Callable[[Pointer], object]) -> None:
-        """With the focus on the map: the cursor is on what is said."""
+        """Move the pointer with the focus on the map, so that the cursor is on the spoken square."""
         place = self._place
         if not place.map.has_focus:
             place.go_to(place.map_pane)
@@ -340,7 +340,7 @@ class ScreenInteraction:
             self._controller.ctx.answer(problem.code, **problem.values)
 
     def show_help(self, *, is_everything: bool) -> None:
-        """What the first lesson needs, or all words. F1 in the help opens the manual."""
+        """Show the words of the first lesson, or all words. F1 in the help opens the manual."""
         if is_everything:
             lines = help_text(self._words, self.key_table)
         else:
@@ -352,7 +352,7 @@ class ScreenInteraction:
         self._open_page(self._words("lines-title", title=heading.rstrip(":.")), lines)
 
     def show_tour(self) -> None:
-        """From the page that was left. Where there is room it leaves all else usable; then TOUR turns it."""
+        """Show the tour from the page that was left; below the panes, if there is room."""
 
         place, point = self._place, self._controller.point
         if place.tour is not None:
@@ -372,7 +372,7 @@ class ScreenInteraction:
         self._turned_tour(page)
 
     def _turned_tour(self, page: int) -> None:
-        """To continue there; after the last page at the first one, and the first challenge begins."""
+        """Remember the page for the next TOUR; after the last page, begin the first challenge."""
         self._tour_page = page % SCREEN_TOUR_PAGES
         if page == SCREEN_TOUR_PAGES:
             word = word_of(BY_NAME["challenge"], self._words.language)

@@ -1,6 +1,6 @@
-"""The keyboard: which keys there are, and what a pressed key does and when.
+"""The keyboard: the key bindings, and the order in which keys and commands take effect.
 
-A stop waits for nothing. Whatever else a key does comes after what was typed before it.
+A stop acts at once. Every other command of a key acts after the keys typed before it.
 
 Textual handles a key with priority at once, while letters wait in the queue of the widget with the focus. In
 one burst (a paste over SSH, a fast braille keyboard) F5 would run a program whose last letters are still to
@@ -8,7 +8,7 @@ come. So the command of a key follows the letters through the same queues, and l
 done. An arrow, Backspace or Tab is taken by the first widget on the way up that knows it, while letters are
 taken at once: letters after it wait too, until it is up.
 
-Keys for a dialog wait as well, until it is shown: what is typed after the key of a question is its answer.
+Keys for a dialog wait as well, until it is shown: they answer its question.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ T = TypeVar("T")
 
 
 def bindings(key_table: KeyTable) -> BindingsMap:
-    """The keys of the table, and those that no setting changes."""
+    """The bindings of the table, and those that no setting changes."""
     of_commands = [
         Binding(key, f"do('{name}')", priority=True)
         for name, keys in key_table.all.items()
@@ -94,32 +94,32 @@ class Keyboard:
     ) -> None:
         """``feed`` has Textual take an event; ``do`` runs a command of the table.
 
-        ``must_wait``: whether there is nothing yet that keys could be for.
+        ``must_wait``: whether keys must wait because nothing can take them yet.
         """
         self._app, self._session, self._place, self._key_table = app, session, place, key_table
         self._dialogs = dialogs
         self._feed, self._must_wait, self._do = feed, must_wait, do
         self._queue = KeyQueue(app, self._take, must_wait)
         self._has_warned = False
-        """Whether the last key was Esc, and was answered with what Esc does."""
+        """Whether the last key was Esc, and its answer said what Esc does."""
         self._menu: KeyMenu | None = None
-        """The list of the keys after the menu key, while one of them is waited for."""
+        """The shown key menu, until the next key."""
 
     @property
     def waiting_text(self) -> str:
-        """What was typed and can't be taken yet. Works in any thread."""
+        """The text of the waiting keys. Works in any thread."""
         return self._queue.held_text
 
     def hold(self, typed: Iterable[Event]) -> None:
-        """Takes these keys before any others, once the session is loaded."""
+        """Handle these keys before any others, once the session is loaded."""
         self._queue.hold(*typed)
 
     def give_up(self) -> list[Event]:
-        """What was typed and not taken."""
+        """Return the waiting keys, and forget them."""
         return self._queue.give_up()
 
     async def on_event(self, event: Event) -> None:
-        """Take an event of the application, which may be a key."""
+        """Handle an event of the application, which may be a key."""
         is_typed = isinstance(event, (Key, Paste)) and not event.is_forwarded
         controller = self._session.controller
         if is_typed and controller is not None:
@@ -136,7 +136,7 @@ class Keyboard:
             await self._take(event)
 
     async def _take(self, event: Event) -> None:
-        """A key whose turn it is. What is no letter to write may mean something further up: the next wait."""
+        """Handle the next key. If it writes no letter, a parent widget may use it, so later keys wait."""
         if isinstance(event, Key) and (
             self._did_by_menu(event) or self._closed_tour(event) or self._is_too_late(event)
         ):
@@ -146,7 +146,7 @@ class Keyboard:
             self._queue.follow(submits=event.key == "enter" and not isinstance(self._app.focused, TextArea))
 
     def _closed_tour(self, event: Key) -> bool:
-        """Esc in the tour closes it, and the next one may have been meant for it."""
+        """Close the tour on Esc; the next Esc may have been meant for it, too."""
         tour = self._place.tour if self._app.screen is self._place else None
         if event.key != "escape" or tour is None or not tour.has_focus:
             return False
@@ -156,11 +156,11 @@ class Keyboard:
 
     @property
     def _is_writing(self) -> bool:
-        """Whether a letter is just a letter; elsewhere it may call for something."""
+        """Whether a letter is typed as text; elsewhere it may run a command."""
         return isinstance(self._app.focused, (Input, TextArea))
 
     def _is_too_late(self, event: Key) -> bool:
-        """Esc may be meant for a question or a page just gone, and never drives a real robot at first."""
+        """Whether Esc may be meant for a dialog that just closed. A first Esc never drives a real robot."""
         if self._app.screen is not self._place:
             return False
         has_gone, had_warned, self._has_warned = self._dialogs.forget_gone(), self._has_warned, False
@@ -183,11 +183,11 @@ class Keyboard:
         return isinstance(event, Key) and event.key in ("ctrl+c", *self._key_table.of("stop"))
 
     def release(self) -> None:
-        """Take the keys that had to wait."""
+        """Handle the keys that had to wait."""
         self._queue.do(lambda: None)
 
     def when_taken(self, command: Callable[[], None], looks: int = TAKEN_LOOKS) -> None:
-        """Runs ``command`` once all keys were taken, or after ``looks`` looks: some keys may never be."""
+        """Run ``command`` once all keys were handled, or after ``looks`` checks: some may never be."""
         self._app.call_later(self._when_taken, command, looks)
 
     def _when_taken(self, command: Callable[[], None], looks: int) -> None:
@@ -200,14 +200,14 @@ class Keyboard:
             command()
 
     def act(self, name: str) -> None:
-        """A key of this command was pressed. Stopping comes first, all else after what was typed before."""
+        """Run the command of a pressed key: a stop at once, others after the keys typed before."""
         if name in STOPS:
             self._do(name)
         else:
             self._queue.do(lambda: self._do_in_turn(name))
 
     def _do_in_turn(self, name: str) -> None:
-        """Running from the command line runs what is typed there."""
+        """Run a command in its turn; RUN from the command line runs the line that is typed there."""
         line = self._place.command_line
         if name == "run" and line.has_focus and line.value.strip():
             line.finish()
@@ -217,7 +217,7 @@ class Keyboard:
     # --- the keys after the menu key
 
     def open_menu(self, words: Words) -> None:
-        """A list of them, and the next letter."""
+        """Show the key menu, and take the next letter for it."""
         from donnie_tui.tui.screens.pages import KeyMenu
 
         self._menu = KeyMenu(self._key_table.all, words, self._session.point, is_plain=self._place.is_plain)
@@ -229,9 +229,9 @@ class Keyboard:
         self._menu = None
 
     def _did_by_menu(self, event: Key) -> bool:
-        """The letter after the menu key counts at once, whether its list is seen yet or not.
+        """Handle the letter after the menu key, whether its list is shown yet or not.
 
-        One that means nothing there closes it, too: what comes next is no command.
+        An unknown letter closes the menu, too, so that the next key is no command.
         """
         menu = self._menu
         if menu is None or event.key in menu.READING:
@@ -253,7 +253,7 @@ class Keyboard:
 
 
 class KeyQueue:
-    """Keeps the order. ``feed`` takes an event as if it came just now."""
+    """Keeps keys in order. ``feed`` handles an event as if it had just come."""
 
     def __init__(
         self,
@@ -261,24 +261,24 @@ class KeyQueue:
         feed: Callable[[Event], Awaitable[None]],
         must_wait: Callable[[], bool] = lambda: False,
     ) -> None:
-        """``must_wait``: whether there is nothing yet that keys are for; ``do`` lets them go on later."""
+        """``must_wait``: whether nothing can take keys yet; ``do`` releases them later."""
         self._app = app
         self._feed, self._must_wait = feed, must_wait
         self._held: deque[Event] = deque()
         self._command: KeyCommand | None = None
         self._then: deque[tuple[KeyCommand, int]] = deque()
-        """Further commands, and for how many rounds each is passed on."""
+        """Further commands, each with its number of rounds."""
         self._timer: Timer | None = None
         self._steps = 0
 
     @property
     def is_holding(self) -> bool:
-        """Whether keys have to wait just now."""
+        """Whether keys have to wait."""
         return self._command is not None or bool(self._held)
 
     @property
     def held_text(self) -> str:
-        """What the waiting keys would write. Works in any thread."""
+        """The text that the waiting keys would write. Works in any thread."""
         text = ""
         for event in tuple(self._held):
             if isinstance(event, Paste):
@@ -297,7 +297,7 @@ class KeyQueue:
         return held
 
     def do(self, command: KeyCommand, rounds: int = ROUNDS) -> None:
-        """Do it once everything that came before has been."""
+        """Run ``command`` after everything that came before it."""
         if self._command is not None:
             self._then.append((command, rounds))
             return
@@ -306,7 +306,7 @@ class KeyQueue:
         self._look_later(command, LOOKS)
 
     def follow(self, *, submits: bool) -> None:
-        """What comes now waits until the last key has done what it does; ``submits``: by way of a message."""
+        """Hold new keys until the last key has taken effect; ``submits``: it posts a message."""
         if self._command is None:
             self.do(lambda: None, ROUNDS if submits else 0)
 
@@ -314,7 +314,7 @@ class KeyQueue:
         return self._app.focused or self._app.screen
 
     def _pass_on(self, pump: MessagePump, command: KeyCommand, rounds: int) -> None:
-        """To the end of one queue after the other, in the way of a key that no widget takes."""
+        """Send the command through one queue after the other, as a key that no widget takes."""
         self._steps += command is self._command
         if pump is not self._app:
             above = pump._parent or self._app
@@ -330,7 +330,7 @@ class KeyQueue:
         self._timer = self._app.set_timer(LOOK, lambda: self._look(command, looks, steps))
 
     def _look(self, command: KeyCommand, looks: int, steps: int) -> None:
-        """In the timer's own task, which ends when the timer is stopped: nothing is done here."""
+        """Check the progress, in the timer's task, which ends when the timer stops; runs nothing itself."""
         if command is not self._command:
             return
         if self._steps != steps:
@@ -369,12 +369,12 @@ class Dialogs:
     def __init__(self, app: App[int], place: Screen[None], release_keys: Callable[[], None]) -> None:
         self._app, self._place, self._release_keys = app, place, release_keys
         self._asking: object | None = None
-        """The command that asks just now."""
+        """The command that may ask now."""
         self._timer: Timer | None = None
         self._screen: Screen[Any] | None = None
-        """What was called for and is not there yet."""
+        """The screen that was pushed and is not shown yet."""
         self._has_gone = False
-        """Whether a question or a page has gone since ``forget_gone``."""
+        """Whether a dialog or page has closed since ``forget_gone``."""
 
     @property
     def holds_keys(self) -> bool:
@@ -382,13 +382,13 @@ class Dialogs:
         return in_front is self._screen or (in_front is self._place and self._asking is not None)
 
     def begin(self) -> object:
-        """A command that asks begins. What is returned is to be given to ``done``."""
+        """Begin a command that may ask. Give the returned token to ``done``."""
         self._asking = object()
         self._wait_a_moment()
         return self._asking
 
     def done(self, asking: object) -> None:
-        """The command is done. An earlier one, which another has replaced, counts no more."""
+        """End the command of this token, unless another command has replaced it."""
         if asking is self._asking:
             self._stop_waiting()
 
@@ -407,7 +407,7 @@ class Dialogs:
 
     @contextmanager
     def checking(self, screen: Screen[Any]) -> Iterator[None]:
-        """Keys wait while an answer to the dialog is checked: they may be for what comes after it."""
+        """Hold keys while an answer is checked: they may be for what follows the dialog."""
         self._screen = screen
         try:
             yield
@@ -420,23 +420,23 @@ class Dialogs:
         self._app.push_screen(page, lambda _: self.note_gone())
 
     def _call_for(self, screen: Screen[Any]) -> None:
-        """It is in front from now on, and there once its own queue is emptied."""
+        """Push a screen, and wait until its own queue is empty."""
         self._screen = screen
         screen.call_later(self._is_there, screen)
 
     def _gone(self, screen: Screen[Any]) -> None:
-        """It was answered, or is not wanted any more."""
+        """Note that a screen was answered or replaced."""
         self._is_there(screen)
         self.note_gone()
         if self._asking is not None:
             self._wait_a_moment()
 
     def note_gone(self) -> None:
-        """Something that was in front of the main screen has gone: the next Esc may be meant for it."""
+        """Note that a dialog or page has closed: the next Esc may be meant for it."""
         self._has_gone = True
 
     def forget_gone(self) -> bool:
-        """Whether something has gone since this was asked last."""
+        """Whether a dialog or page has closed since the last call."""
         has_gone, self._has_gone = self._has_gone, False
         return has_gone
 

@@ -30,7 +30,7 @@ from language.runtime import Frame
 
 
 def robot_sentence(name: str | None, pose: Pose, words: Wording) -> str:
-    """Where the robot is; without a name of its own it is Donnie.
+    """The robot's place; without a name the robot is Donnie.
 
     Between the points of the compass its heading is a number: the line is short.
     """
@@ -46,7 +46,7 @@ def robot_sentence(name: str | None, pose: Pose, words: Wording) -> str:
 
 
 def state_sentences(state: str, speed: float | None, words: Wording) -> tuple[str, str]:
-    """What the program does, and how fast; and without the speed, where there is no room.
+    """The run state with the speed, and without it for small room.
 
     ``state`` is the value of a ``RunState``, or "looking-back".
     """
@@ -72,7 +72,7 @@ def state_badge(
     *,
     was_stopped: bool = False,
 ) -> tuple[str, str]:
-    """What the program does and how fast, or how far back the learner looks, in capitals; and its colour."""
+    """The run state and the speed, or the position of STEP BACK, in capitals; and its colour."""
     if past is not None:
         step, steps = past
         return words("status-past", step=step, steps=steps).rstrip(".").upper(), "$warning"
@@ -86,7 +86,7 @@ def state_badge(
 
 
 def goal_lines(attempt: Attempt, words: Wording, *, is_seen: bool) -> tuple[str, ...]:
-    """The task of a challenge, and each goal in words; where they are seen, with a mark, too."""
+    """The task of a challenge, and each goal in words, with a mark if the learner sees them."""
     judgment = attempt.now
     goals = goals_in_words(judgment, words)
     marks = ("[ ] " if each else "[x] " for each in judgment.of_goals)
@@ -98,7 +98,7 @@ def goal_lines(attempt: Attempt, words: Wording, *, is_seen: bool) -> tuple[str,
 
 
 class VariableChanges:
-    """What variables were before their last change, and which the last step changed.
+    """The values of variables before their last change, and those that the last step changed.
 
     A scope is a procedure, or the program with an empty name.
     """
@@ -109,7 +109,7 @@ class VariableChanges:
         self.changed: frozenset[tuple[str, str]] = frozenset()
 
     def look(self, scopes: Sequence[tuple[str, Sequence[tuple[str, int]]]], lines: Sequence[int]) -> None:
-        """The variables of each scope, at these lines of the calls."""
+        """Note the variables of each scope, at these lines of the calls."""
         place, before = self._seen
         now = {(scope, name): value for scope, variables in scopes for name, value in variables}
         if (tuple(lines), now) == (place, before):
@@ -125,24 +125,24 @@ class VariableChanges:
 
 
 class Histories:
-    """What was measured and what variables were, in their order: for charts."""
+    """The readings and the values of variables in order, for charts."""
 
     def __init__(self) -> None:
         self._series: dict[str, deque[int]] = {}
 
     def add(self, name: str, value: int) -> None:
-        """A reading."""
+        """Add a reading."""
         self._series.setdefault(name, deque(maxlen=_MOST_MOMENTS)).append(value)
 
     def look(self, scopes: Sequence[tuple[str, Sequence[tuple[str, int]]]]) -> None:
-        """The variables as they are: only a change is a moment of its own."""
+        """Add the values of variables that have changed."""
         for _scope, variables in scopes:
             for name, value in variables:
                 if self._series.get(name, [None])[-1] != value:
                     self.add(name, value)
 
     def charts(self, columns: int, words: Wording) -> tuple[str, ...]:
-        """Some that changed, as letters in so many columns: the highest value above, the lowest below."""
+        """Charts of some changed values, as letters in so many columns, the highest value above."""
         changing = [
             (name, values)
             for name, values in self._series.items()
@@ -163,7 +163,7 @@ _MOST_MOMENTS, _LEAST_MOMENTS, _MOST_CHARTS, _CHART_ROWS = 200, 3, 3, 4
 
 
 def _chart(values: Iterable[int], columns: int) -> tuple[str, ...]:
-    """A ``*`` for each moment, the newest at the right."""
+    """A chart with a ``*`` for each moment, the newest at the right."""
     shown = list(values)
     labels = str(max(shown)), str(min(shown))
     width = max(map(len, labels))
@@ -181,7 +181,7 @@ def _chart(values: Iterable[int], columns: int) -> tuple[str, ...]:
 def scopes_of(
     frames: Sequence[Frame], variables: Mapping[str, int]
 ) -> tuple[tuple[str, Sequence[tuple[str, int]]], ...]:
-    """The variables that can be used now: those of the procedure that runs, and those of the program."""
+    """The variables in scope: those of the running procedure, and those of the program."""
     if not frames:
         return (("", tuple(variables.items())),)
     inner, outer = frames[0], frames[-1]
@@ -229,7 +229,7 @@ def inspector_lines(
 def _table(
     scopes: Sequence[tuple[str, Sequence[tuple[str, int]]]], changes: VariableChanges, words: Wording
 ) -> tuple[str, ...]:
-    """Name, value, and what it was; ``*`` is before the ones that the last step changed."""
+    """Name, value and previous value; ``*`` marks those that the last step changed."""
     head = tuple(words(f"inspector-{column}") for column in ("name", "value", "was"))
     rows: list[tuple[str, tuple[str, str, str]]] = [(" ", (head[0], head[1], head[2]))]
     for number, (scope, variables) in enumerate(scopes):
@@ -256,7 +256,7 @@ _AROUND = {
 
 
 def _compass(distances: Mapping[Bearing, int], words: Wording) -> tuple[str, ...]:
-    """The distances where they were measured, around the robot, which looks up."""
+    """The distances arranged around the robot, which looks up."""
     if not distances:
         return ()
     sides = words("where-front"), words("where-back")
@@ -283,7 +283,7 @@ def _variables(scopes: Sequence[tuple[str, Sequence[tuple[str, int]]]], words: W
 
 
 def _short(value: int) -> str:
-    """A number that fits; of a long one the first digits and how many there are."""
+    """A number that fits: of a long one the first digits and their count."""
     if abs(value) < 10**18:
         return str(value)
     digits = str(abs(value))
@@ -291,7 +291,7 @@ def _short(value: int) -> str:
 
 
 def working_lines(worked_out: Sequence[Sequence[str]], words: Wording) -> tuple[str, ...]:
-    """How the expressions of the statement that is next come to their values."""
+    """How the expressions of the next statement are evaluated."""
     if not worked_out:
         return ()
     rows = (text if not at else f"= {text}" for texts in worked_out for at, text in enumerate(texts))
@@ -299,7 +299,7 @@ def working_lines(worked_out: Sequence[Sequence[str]], words: Wording) -> tuple[
 
 
 def working_in_a_row(worked_out: Sequence[Sequence[str]]) -> tuple[str, ...]:
-    """The same in one row, from the longest to the shortest."""
+    """``working_lines`` in one row: choices from the longest to the shortest."""
     if not worked_out:
         return ()
     whole = "; ".join(" = ".join(texts) for texts in worked_out)
@@ -320,7 +320,7 @@ def _call(frame: Frame, words: Wording) -> str:
 
 
 def _distances(distances: Mapping[Bearing, int], words: Wording) -> tuple[str, ...]:
-    """From the front to the right and round."""
+    """The distances, clockwise from the front."""
     if not distances:
         return ()
     lines = (
@@ -346,7 +346,7 @@ def _reading(read: Read, words: Wording) -> str:
 
 
 def reading_name(read: Read, words: Wording) -> str:
-    """Which sensor was read, and where it looks or for what."""
+    """The sensor that was read, and its direction or colour."""
     where = read.argument
     if read.sensor == "distance":
         where = _where(read.argument, words)
@@ -366,7 +366,7 @@ _NEAR = {
     "log": ("open_log", "find", "save_log"),
     "command": ("typed", "run"),
 }
-"""The commands that are near at hand in each pane."""
+"""The most useful commands of each pane."""
 _EVERYWHERE = ("stop", "keys_here", "help", "quit")
 
 
@@ -388,7 +388,7 @@ def help_lines(place: MainScreen, words: Words, table: KeyTable) -> tuple[str, .
 
 
 def help_text(words: Wording, table: KeyTable) -> tuple[str, ...]:
-    """Every command of the screen, the typed word first: it works everywhere; then those of GoDonnie."""
+    """Every command of the screen, its typed word first, which works everywhere; then GoDonnie's."""
     return (
         words("help-screen-words"),
         *(help_line(each, words, table.labels(each.name, words.language)) for each in _offered(table)),
@@ -399,13 +399,13 @@ def help_text(words: Wording, table: KeyTable) -> tuple[str, ...]:
 
 
 def _program_lines(words: Wording) -> tuple[str, ...]:
-    """GoDonnie's commands, but for those that the screen has listed."""
+    """GoDonnie's commands, except those that the screen has listed."""
     listed = {word_of(each, words.language) for each in COMMANDS}
     return tuple(line for line in words.help(None) if line.partition(":")[0] not in listed)
 
 
 def tour_pages(words: Words, table: KeyTable) -> tuple[TourPage, ...]:
-    """The pages of the tour, with the key of each command as it is now; of one without a key its word."""
+    """The pages of the tour, with the current key of each command, or its word."""
     language = words.language
     keys = {each.name: table.label(each.name, language) or word_of(each, language) for each in COMMANDS}
     keys |= {"menu": key_label(MENU, language), "palette": key_label(PALETTE, language)}
@@ -419,7 +419,7 @@ def tour_pages(words: Words, table: KeyTable) -> tuple[TourPage, ...]:
 
 
 def keys_here(place: MainScreen, words: Words, table: KeyTable) -> tuple[str, ...]:
-    """What can be pressed where the focus is: a heading, then a line each."""
+    """The keys of the focused part: a heading, then a line each."""
     pane = _focused_part(place)
     codes = (f"here-{pane}-{number}" for number in range(1, _MOST_LINES + 1))
     of_pane = (words(code) for code in codes if words.knows(code))
@@ -433,7 +433,7 @@ def keys_here(place: MainScreen, words: Words, table: KeyTable) -> tuple[str, ..
 
 
 def _focused_part(place: MainScreen) -> str:
-    """The pane of the focus; the program where there is none."""
+    """The focused pane, or the program."""
     if place.map.has_focus:
         return "map"
     if place.inspector.has_focus:
@@ -444,7 +444,7 @@ def _focused_part(place: MainScreen) -> str:
 
 
 def palette(words: Words, table: KeyTable, preferences: Preferences) -> tuple[Option, ...]:
-    """Every command, with its keys; it is also found by what people call it elsewhere.
+    """Every command with its keys, also found by its usual names in other programs.
 
     Then the settings, the looks and the worlds; the value of such an option begins with ``TYPED_LINE``.
     """
@@ -465,7 +465,7 @@ def palette(words: Words, table: KeyTable, preferences: Preferences) -> tuple[Op
 
 
 TYPED_LINE = "> "
-"""Before the line that an option of the palette types."""
+"""The prefix of an option's value that types a line."""
 
 
 def _typed_option(line: tuple[str, str]) -> Option:
@@ -474,7 +474,7 @@ def _typed_option(line: tuple[str, str]) -> Option:
 
 
 def _more_lines(words: Words, preferences: Preferences) -> Iterator[tuple[str, str]]:
-    """What can be typed to change a setting, the look or the world, and what that is about."""
+    """The lines that change a setting, the theme or the world, each with its purpose."""
     import worlds
     from worlds.words import about
 

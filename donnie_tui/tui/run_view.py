@@ -44,7 +44,7 @@ class RunView(RunObserver):
         self.polling = Polling(display.update, app.set_timer)
         self._reading: Reminder | None = None
         self._past: Timeline | None = None
-        """What the map shows; None is the present."""
+        """The position that the map shows; None is the present."""
 
     # --- one run
 
@@ -52,7 +52,7 @@ class RunView(RunObserver):
         self._app.post_message(RunStateChanged())
 
     def on_began(self, event: RunBegan) -> None:
-        """What waits in the queue is this run's: the end of the last one took everything."""
+        """Begin to show a run; all queued events are its own, as the end of the last run took the others."""
         self.show_past()
         self._stop_reminder()
         if self._runs.is_whole:
@@ -68,14 +68,14 @@ class RunView(RunObserver):
             self._reading = None
 
     def _report_reading(self) -> None:
-        """A huge program is still read and checked: nothing of it has run yet."""
+        """Report that a huge program is still being parsed, and nothing of it has run."""
         if self._runs.state is RunState.RUNNING and not self._runs.frames:
             self._ctx.answer("slow-reading", lines=self._editor.line_count)
         else:
             self._stop_reminder()
 
     def on_state_changed(self) -> None:
-        """A pause was described; put the cursor there."""
+        """Put the cursor to the line of a described pause."""
         frames = self._runs.frames
         if self._runs.is_held and frames:
             self.show_past()
@@ -112,7 +112,7 @@ class RunView(RunObserver):
     # --- which robot, and where it stands
 
     def robot_changed(self) -> None:
-        """The learner talks to another robot, or it stands elsewhere: the map shows its way."""
+        """Show the map with the path of the robot, which is another one or was placed elsewhere."""
         display, donnie = self._display, self._ctx.donnie
         self._runs.forget_ended()
         self._stop_reminder()
@@ -128,7 +128,7 @@ class RunView(RunObserver):
         display.update()
 
     def show_past(self) -> None:
-        """The map as STEP BACK left it, or as it is now."""
+        """Show the map at the position of STEP BACK, or as it is now."""
         past, before = self._runs.past, self._past
         self._past = past
         if past is not None or before is not None:
@@ -154,9 +154,9 @@ class Reminder:
 
 
 class Polling:
-    """Looks again and again at what no event reports: the line that runs, and the variables.
+    """Polls what no event reports: the line that runs, and the variables.
 
-    Each look takes from the program's time. So it comes soon after an event, and in silence more and more
+    Each poll costs the program time, so it comes soon after an event, and without events more and more
     seldom.
     """
 
@@ -175,7 +175,7 @@ class Polling:
             self._look_in(SOON)
 
     def on_event(self) -> None:
-        """Something happened: the next look is soon."""
+        """Poll soon, since something happened."""
         if self._timer is not None and self._rest > SOON:
             self._timer.stop()
             self._look_in(SOON)

@@ -1,4 +1,4 @@
-"""The end of the full screen where nothing else works: by a signal, a lost connection, stuck output, a fault.
+"""Ends the full screen after a signal, a lost connection, stuck output or a fault.
 
 A terminal that takes no output holds the main thread, and with it every key and every handler of the event
 loop. So the watchdog, which gets the signals, watches the output too. It takes the next signal whatever
@@ -43,7 +43,7 @@ from donnie_tui.tui.startup import SessionHandle
 CRASHED = 1
 """The return code of Textual after an internal error; the text is kept for the next start."""
 FAULT = "fault.txt"
-"""In the folder of the copies: what went wrong at last."""
+"""The file with the last fault, in the folder of the copies."""
 
 
 class Shutdown:
@@ -61,16 +61,16 @@ class Shutdown:
     ) -> None:
         """``folder`` holds the copies; ``stop_all`` is as the key of that name.
 
-        ``after_keys`` does something once what was typed before has been taken.
+        ``after_keys`` runs a function after the keys typed before.
         """
         self._app, self._session, self._folder = app, session, folder
         self._stop_all, self._repaint, self._after_keys = stop_all, repaint, after_keys
         self._watchdog: ScreenWatchdog | None = None
         self._readers: ReaderWatch | None = None
-        """Of a page: the server may be gone."""
+        """Readers of a page's server, which may be gone."""
 
     def begin(self) -> None:
-        """From now on a signal or a lost connection ends the screen. SIGINT only stops the program."""
+        """Handle signals and a lost connection, which end the screen. SIGINT only stops the program."""
         loop = asyncio.get_running_loop()
 
         def notify(number: int) -> None:
@@ -96,14 +96,14 @@ class Shutdown:
                 self._readers = ReaderWatch()
 
     def end_watchdog(self) -> None:
-        """Call it in the main thread, once nothing is written to the screen any more."""
+        """End the watchdog. Call it in the main thread, once nothing is written to the screen any more."""
         if self._readers is not None:
             self._readers.close()
         if self._watchdog is not None:
             self._watchdog.end()
 
     def close_session(self) -> None:
-        """Close the session after ``end_watchdog``. After a signal the process ends in time all the same."""
+        """Close the session after ``end_watchdog``. After a signal the process still ends in time."""
         left = self._watchdog.left if self._watchdog is not None else None
         if left is None:
             self._session.close()
@@ -127,14 +127,14 @@ class Shutdown:
             self._session.say("stuck-stopped")
 
     def _interrupt(self) -> None:
-        """As the key that stops all."""
+        """Stop all programs, as the key for it does."""
         if not self._session.give_up_search() and self._session.runs:
             self._stop_all()
         if self._watchdog is not None:
             self._watchdog.answered.set()
 
     def leave(self, number: int) -> None:
-        """Leaves because of a signal, after the keys that were typed before it."""
+        """Leave because of a signal, after the keys typed before it."""
         self._session.halt()
         self._session.keep_text()
         self._session.is_leaving = True
@@ -145,7 +145,7 @@ class Shutdown:
         self._app.exit(128 + number)
 
     def save_from_fault(self) -> None:
-        """Save what can be saved, while an exception that nothing caught is handled."""
+        """Save what can be saved while an uncaught exception is handled."""
         with suppress(Exception):
             self._session.halt()
         with suppress(Exception):
@@ -158,7 +158,7 @@ class Shutdown:
     # --- in the thread of the watchdog
 
     def _part(self, number: int) -> None:
-        """The screen did not leave by itself: what can be saved in a moment, and the end."""
+        """End the process if the screen does not leave by itself, after saving what a moment allows."""
 
         def save() -> None:
             self._session.keep_text()
@@ -171,30 +171,30 @@ class Shutdown:
         end_process(code, (self._session.stop_real_robot, save))
 
     def _part_from_session(self, number: int) -> None:
-        """The text is kept by then."""
+        """End the session, after the text was kept."""
         end_process(lambda: 128 + number, (self._session.stop_real_robot,))
 
 
 LOOK = 0.5
-"""Seconds between two looks at the output."""
+"""Seconds between two checks of the output."""
 MOST_LOOKS = 5
-"""After so many at the same waiting piece the terminal counts as stuck. It is reported again after as many: a
+"""Checks with the same waiting piece, after which the terminal counts as stuck, and again after as many: a
 key may have started a robot meanwhile."""
 ANSWER = 0.3
-"""Seconds in which the screen stops a program by itself, and says where."""
+"""Seconds that the screen has to stop a program by itself, and to say where."""
 LEAVE = 2.0
-"""Seconds in which the screen leaves by itself after a signal."""
+"""Seconds that the screen has to leave by itself after a signal."""
 LONGEST_REST = 2.0
-"""Seconds that the main thread waits before it rests; it may hold what the robot's stop needs."""
+"""Seconds that the main thread waits before a suspension; it may hold a lock that the stop needs."""
 
 BACK = getattr(signal, "SIGCONT", -1)
-"""The signal that the process continues: whatever ran meanwhile wrote over the screen."""
+"""The signal that the process continues; other programs may have written over the screen."""
 
 REST = getattr(signal, "SIGTSTP", -2)
 """The signal of Ctrl+Z in other programs; passed on where it can't suspend the process."""
 
 _HANGING_UP = getattr(signal, "SIGHUP", signal.SIGTERM)
-"""As if it had come: the terminal is gone, where the thread that writes to it has ended."""
+"""Handled as if it had come: the terminal is gone if the thread that writes to it has ended."""
 
 
 class ScreenWatchdog(Watchdog):
@@ -222,14 +222,14 @@ class ScreenWatchdog(Watchdog):
         self._before_rest, self._notify = before_rest, notify
         self._on_stuck, self._writer = on_stuck, writer
         self.answered = threading.Event()
-        """The screen has done what an interrupt asks for."""
+        """Set once the screen has handled an interrupt."""
         self._is_leaving = False
         self._head: object = None
         self._looks = 0
         self._due = time.monotonic() + LOOK
 
     def _rest(self, number: int, frame: FrameType | None) -> None:
-        """Textual gives the terminal back before it rests; the robot comes before that."""
+        """Stop the robot before Textual gives the terminal back and suspends the process."""
         if not can_suspend():
             self._notify(number)
             return
@@ -241,7 +241,7 @@ class ScreenWatchdog(Watchdog):
             suspend()
 
     def _back(self, number: int, frame: FrameType | None) -> None:
-        """Textual takes the terminal again, but paints nothing if the size is what it was."""
+        """Repaint after a suspension: Textual paints nothing if the size is unchanged."""
         found = self.handler_before(number)
         if found is not None:
             found(number, frame)
@@ -269,7 +269,7 @@ class ScreenWatchdog(Watchdog):
             self.deputy.do(self._halt)
 
     def _look_at_terminal(self) -> None:
-        """Leave if it is gone; report a piece of output that waited at the last look too."""
+        """Leave if the terminal is gone; report output that has not been written since the last check."""
         if is_hung_up(0):  # an idle screen writes nothing, and no signal may come
             self._hang_up()
         writer = self._writer()
@@ -287,7 +287,7 @@ class ScreenWatchdog(Watchdog):
 
 
 def _first(writer: Any) -> object:
-    """The oldest piece that is not written yet."""
+    """The oldest piece of output that is not written yet."""
     try:
         return writer._queue.queue[0]  # Textual does not report that it is stuck
     except (AttributeError, IndexError):
@@ -295,7 +295,7 @@ def _first(writer: Any) -> object:
 
 
 def give_back(driver: Any) -> None:
-    """The terminal as far as it can be given back at once; it may take nothing, or be gone."""
+    """Restore the terminal as far as possible at once; it may take no output, or be gone."""
     import termios
 
     with suppress(AttributeError, OSError, TypeError, termios.error):
@@ -309,4 +309,4 @@ def give_back(driver: Any) -> None:
 
 
 _AS_BEFORE = b"\x1b[?1049l\x1b[?25h\x1b[?1000l\x1b[?1003l\x1b[?1006l\x1b[?2004l\x1b[<u\r\n"
-"""The normal screen, a cursor, no mouse, no marked pasting, plain keys."""
+"""Sequences for the normal screen: a cursor, no mouse, no bracketed paste, plain keys."""

@@ -1,7 +1,7 @@
 """The start of the full screen: a greeting at once, then the session, then the first file.
 
-The first frame waits for nothing. What takes long runs in the background and is reported. Keys that are
-typed meanwhile wait for what they are meant for.
+The first frame waits for nothing. Long tasks run in the background and are reported. Keys that are
+typed meanwhile wait until the session can take them.
 """
 
 from __future__ import annotations
@@ -28,11 +28,11 @@ if TYPE_CHECKING:
     from donnie_tui.tui.controller import ScreenController, ScreenState
 
 _TITLES = ("pane-program-empty", "pane-map-empty", "pane-inspector", "pane-log")
-"""Of the panes, before there is a program and a world."""
+"""Titles of the panes, before there is a program and a world."""
 
 
 class SessionHandle:
-    """The session as the screen reaches it: empty first, then assembled, then with its controller.
+    """The screen's reference to the session: empty first, then assembled, then with its controller.
 
     Keys, signals and faults may come before there is a session. What stops the robots works in any thread.
     """
@@ -40,15 +40,15 @@ class SessionHandle:
     def __init__(
         self, search: Search | None, typed: Callable[[], str] = str, copies: Path | None = None
     ) -> None:
-        """``search`` gives up the first search for a robot, where there is one.
+        """``search`` gives up the first search for a robot, if there is one.
 
         ``typed`` is the program that was typed before there is a session; it is kept in ``copies``.
         """
         self._search, self._typed, self._copies = search, typed, copies
         self._copy: UnsavedCopy | None = None
-        """Of what was typed before there is a session, once it was written."""
+        """The copy of the text typed before there was a session, once it was written."""
         self.assembled: Donnie | None = None
-        """Kept so that ``close`` ends it, too, where the learner leaves before there is a controller."""
+        """Kept so that ``close`` also ends it if the learner leaves before there is a controller."""
         self.controller: ScreenController | None = None
         """None until it is loaded."""
         self.is_leaving = False
@@ -64,7 +64,7 @@ class SessionHandle:
 
     @property
     def next_world(self) -> str:
-        """The world in which the screen is to come back; empty if it is not."""
+        """The world in which the screen opens again; empty if it does not."""
         return self.controller.next_world if self.controller is not None else ""
 
     @property
@@ -89,7 +89,7 @@ class SessionHandle:
         return self.controller is not None and self.controller.donnie.stop_real_robot()
 
     def point(self, words: str) -> None:
-        """Speak what the learner looks at."""
+        """Speak words about the pointed square or row."""
         if self.controller is not None:
             self.controller.point(words)
 
@@ -120,7 +120,7 @@ class SessionHandle:
         return code if donnie is None else donnie.code_at_end(code, report)
 
     def close(self) -> None:
-        """Ends what runs, after the screen is gone."""
+        """End the session, after the screen has closed."""
         if self.controller is not None:
             self.controller.close()
         elif self.assembled is not None:
@@ -142,9 +142,9 @@ class Startup:
         start_controller: Callable[[Donnie], object],
         release_keys: Callable[[], None],
     ) -> None:
-        """``start_controller`` takes what ``assemble`` made; ``release_keys`` releases those that wait.
+        """``start_controller`` takes the result of ``assemble``; ``release_keys`` releases waiting keys.
 
-        ``search`` gives up the search for a robot, where ``assemble`` looks for one.
+        ``search`` gives up the search for a robot, if ``assemble`` looks for one.
         """
         self._app, self._session, self._place, self._settings = app, session, place, settings
         self._search, self._assemble = search, assemble
@@ -152,11 +152,11 @@ class Startup:
         self.is_opening = False
         """While the first file is read."""
         self.trouble: Exception | None = None
-        """What kept the session from being loaded."""
+        """The reason why the session could not be loaded."""
         self._was_slow = False
-        """Whether a slow world was reported: then its end is reported too."""
+        """Whether a slow world was reported, so that its end is reported, too."""
         self._greeting: tuple[str, ...] = ()
-        """What was shown before there was a voice."""
+        """The sentences shown before there was a voice."""
 
     @property
     def holds_keys(self) -> bool:
@@ -164,7 +164,7 @@ class Startup:
         return self._session.controller is None or self.is_opening
 
     def greet(self, key_table: KeyTable, restored: ScreenState | None = None) -> None:
-        """Show the titles, and which keys there are or the log of the world before."""
+        """Show the titles, and the keys or the log of the world before."""
         language, place = self._settings.language, self._place
         for pane, code in zip(place.panes, _TITLES, strict=True):
             pane.entitle(early(code, language))
@@ -196,9 +196,9 @@ class Startup:
             self._fail(trouble)
 
     async def _search_and_begin(self) -> None:
-        """Looking for a robot takes some seconds, in which keys can give it up.
+        """Search for a robot, which takes some seconds and can be given up, and load the session.
 
-        A learner's own world may be large, and takes as long as it takes.
+        A learner's own world may be large and load slowly.
         """
         slowly = self._app.set_timer(SLOW, self._report_world)
         if self._search is not None:
@@ -229,7 +229,7 @@ class Startup:
 
     @property
     def _has_shipped_world(self) -> bool:
-        """Whether the world is built in: those are compiled, and load at once."""
+        """Whether the world is built in and compiled, so that it loads at once."""
         import worlds
 
         return self._settings.world in worlds.names()
@@ -250,7 +250,7 @@ class Startup:
         return Path(self._settings.world).name
 
     def _print(self, code: str, **values: object) -> None:
-        """Prints a sentence; there is no voice before there is a session."""
+        """Print a sentence; there is no voice without a session."""
         from donnie_tui.i18n.words import Words
 
         words = Words(self._settings.language, self._settings.verbosity)
@@ -261,7 +261,7 @@ class Startup:
     # --- the first file
 
     def open_with(self, opening: Coroutine[None, None, None]) -> None:
-        """Read the first file. Keys wait for it, but not where it takes long."""
+        """Read the first file. Keys wait for it, but not for a slow one."""
         self.is_opening = True
         self._app.set_timer(SLOW, self._opened)
         self._app.run_worker(self._open(opening), group="opening")

@@ -1,7 +1,7 @@
-"""Textual as a terminal wants it that may be slow, plain, without colours, or read aloud.
+"""Adapts Textual to terminals that are slow, plain, without colours, or read aloud.
 
-A style sheet is read once, unchanged cells are not painted again, no byte is written that a terminal might
-show as letters, and the terminal's own cursor is where the focus is.
+A style sheet is read once, unchanged cells are not painted again, no byte is written that a terminal may
+show as letters, and the terminal's own cursor follows the focus.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
 
 def diff_output(console: Console) -> Painted | None:
-    """What leaves unchanged cells out of the output; None if this version of Textual doesn't fit."""
+    """Removes unchanged cells from the output; None if this version of Textual doesn't fit."""
     try:
         from donnie_tui.tui.terminal_output import Painted, fits
     except (ImportError, TypeError):
@@ -46,7 +46,7 @@ def diff_output(console: Console) -> Painted | None:
 
 
 class _Driver(Protocol):
-    """What Textual's drivers for terminals have; a test guards the names."""
+    """The attributes of Textual's drivers for terminals; a test guards the names."""
 
     _mouse: bool
 
@@ -56,7 +56,7 @@ class _Driver(Protocol):
 
 
 def use_mouse(driver: object, *, wanted: bool) -> None:
-    """From now on, or no more; does nothing if there is no terminal."""
+    """Turn mouse reports on or off; does nothing without a terminal."""
     if not hasattr(driver, "_enable_mouse_support"):
         return
     terminal = cast(_Driver, driver)
@@ -69,9 +69,9 @@ def use_mouse(driver: object, *, wanted: bool) -> None:
 
 
 def take_any_bytes(driver: type) -> None:
-    """A byte that is no UTF-8, as terminals of other encodings send it, is a sign like "\ufffd".
+    """Decode a byte that is no UTF-8, from a terminal with another encoding, as "\ufffd".
 
-    Textual's driver for terminals would end the screen.
+    Textual's driver would end the screen.
     """
     module: Any = sys.modules[driver.__module__]
     if hasattr(module, "getincrementaldecoder"):
@@ -81,7 +81,7 @@ def take_any_bytes(driver: type) -> None:
 
 
 def _stop_reading(driver: Any) -> None:
-    """As Textual's driver does, which also throws away what was typed and not read yet."""
+    """Stop reading as Textual's driver does, but keep the input that was not read yet."""
     import signal
 
     if driver.exit_event.is_set():
@@ -94,7 +94,7 @@ def _stop_reading(driver: Any) -> None:
 
 
 LONGEST_READ = 1.0
-"""Seconds in which the thread that reads the terminal ends."""
+"""Seconds within which the thread that reads the terminal ends."""
 
 SHOW_CURSOR = "\x1b[?25h"
 
@@ -102,11 +102,11 @@ _HARMFUL = re.compile(HARMFUL)
 
 
 class TerminalApp(App[int], inherit_bindings=False):
-    """Looks and output; its subclasses decide what is shown."""
+    """The themes and the output; subclasses decide what is shown."""
 
     def __init__(self, settings: Settings) -> None:
         self._variables_of: dict[str, dict[str, str]] = {}
-        """By theme. They are asked for again and again before the first frame."""
+        """The variables by theme; Textual asks for them repeatedly before the first frame."""
         super().__init__(ansi_color=True if "NO_COLOR" in os.environ else None)  # the filters ask at once
         take_any_bytes(self.driver_class)
         self._kept_input: list[Message] = []
@@ -115,7 +115,7 @@ class TerminalApp(App[int], inherit_bindings=False):
             self.register_theme(themes.theme(name))
         self.theme = themes.TERMINAL if self.no_color else themes.name_of(settings.theme)
         self._read_with = self.get_css_variables()
-        """The colours and sizes with which the style sheets were read last."""
+        """The colours and sizes of the last reading of the style sheets."""
         self.stylesheet.set_variables(self._read_with)
         self._filters.append(PrintableFilter())
         self._painted = diff_output(self.console)
@@ -123,24 +123,24 @@ class TerminalApp(App[int], inherit_bindings=False):
     # --- the looks
 
     def apply_settings(self, settings: Settings) -> None:
-        """Take the theme from the settings, where there are colours, and the use of the mouse."""
+        """Apply the theme, if there are colours, and the use of the mouse."""
         if not self.no_color:
             self.theme = themes.name_of(settings.theme)
         use_mouse(self._driver, wanted=wants_mouse(settings))
 
     def get_css_variables(self) -> dict[str, str]:
-        """Worked out once for each theme, which stays as it is."""
+        """The variables of the theme, cached since themes never change."""
         if self.theme not in self._variables_of:
             self._variables_of[self.theme] = super().get_css_variables()
         self.theme_variables = self._variables_of[self.theme]
         return self.theme_variables
 
     def get_theme_variable_defaults(self) -> dict[str, str]:
-        """Before a theme is chosen the style sheet is read with these."""
+        """The variables with which the style sheet is read before a theme is chosen."""
         return themes.theme(themes.DARK).variables
 
     def refresh_css(self, animate: bool = True) -> None:
-        """Not as the application begins, when Textual asks for it too: nothing has changed by then."""
+        """Restyle, but not at the start of the application, when nothing has changed."""
         variables = self.get_css_variables()
         if variables != self._read_with:
             self._read_with = variables
@@ -149,7 +149,7 @@ class TerminalApp(App[int], inherit_bindings=False):
     # --- the input
 
     def keep_input(self) -> None:
-        """From now on nothing that comes from the terminal is taken here."""
+        """Stop reading the terminal; its input is kept."""
         driver: Any = self._driver
         if driver is None:
             return
@@ -158,7 +158,7 @@ class TerminalApp(App[int], inherit_bindings=False):
             driver.disable_input = partial(_stop_reading, driver)
 
     def messages_not_taken(self) -> list[Message]:
-        """In the order in which they came, once the screen is gone; no thread reads the terminal then."""
+        """The messages that were not handled, in order, after the screen has closed."""
         thread = getattr(self._driver, "_key_thread", None)
         if thread is not None:
             thread.join(LONGEST_READ)
@@ -171,11 +171,11 @@ class TerminalApp(App[int], inherit_bindings=False):
 
     @property
     def is_read_by_rows(self) -> bool:
-        """Whether a screen reader may read what is painted: rows are written whole then."""
+        """Whether a screen reader may read the output, so that rows are written whole."""
         return False
 
     def _display(self, screen: Screen[Any], renderable: RenderableType | None) -> None:
-        """All that is painted passes here. In the plain layout readers speak it: rows are written whole."""
+        """Filter all output. In the plain layout rows are written whole, since readers speak them."""
         if self._painted is not None:
             is_typing = isinstance(screen.focused, (TextArea, Input))
             typing = self.cursor_position if is_typing else None
@@ -184,13 +184,13 @@ class TerminalApp(App[int], inherit_bindings=False):
 
     @contextmanager
     def suspend(self) -> Iterator[None]:
-        """As Textual's; all is painted again after the other program, which wrote over the terminal."""
+        """As Textual's, with a full repaint after the other program, which wrote over the terminal."""
         with super().suspend():
             yield
         self.repaint()
 
     def repaint(self) -> None:
-        """All of it: something else may have written over the terminal."""
+        """Paint everything again: another program may have written over the terminal."""
         self._forget_cells()
         self.refresh()
         self.show_cursor()
@@ -200,37 +200,37 @@ class TerminalApp(App[int], inherit_bindings=False):
             self._painted.forget()
 
     def on_resize(self, event: Resize) -> None:
-        """Terminals move what they show, also one that is as large again before Textual notices a change."""
+        """Repaint: a terminal moves its content, even if its size is restored before Textual notices."""
         self._forget_cells()
         if self._size is not None and event.size in (self._size, self.screen.size):
             self.repaint()
 
     def _set_pointer_shape(self, shape: str) -> None:
-        """Written by no program here: it costs bytes, and a console shows it as letters."""
+        """Write no pointer shape: it costs bytes, and a console shows it as letters."""
 
     @property
     def cursor_position(self) -> Offset:
-        """Where the terminal's own cursor stands: where the widget with the focus says, at every update."""
+        """The place of the terminal's own cursor, given by the focused widget at every update."""
         place = getattr(self.focused, "cursor_screen_offset", None) if self.is_running else None
         return place if isinstance(place, Offset) else Offset(0, 0)
 
     @cursor_position.setter
     def cursor_position(self, _place: Offset) -> None:
-        """Textual's editor and input line write here, also without the focus: not what is asked."""
+        """Ignore the value: Textual's editor and input line set it even without the focus."""
 
     def on_ready(self) -> None:
         self.show_cursor()
 
     def show_cursor(self) -> None:
-        """Textual hides the terminal's cursor; braille displays and console readers need it."""
+        """Show the terminal's cursor, which Textual hides; braille displays and console readers need it."""
         if self._driver is not None:
             self._driver.write(SHOW_CURSOR)
 
 
 class PrintableFilter(LineFilter):
-    """Paints no control character of a program or a file name: it could set the terminal's title.
+    """Removes control characters of programs and file names, which could set the terminal's title.
 
-    One that has a width becomes blanks, one that has none disappears.
+    A character with a width becomes blanks, one without disappears.
     """
 
     def apply(self, segments: list[Segment], background: Color) -> list[Segment]:  # noqa: ARG002 -- Textual's

@@ -1,8 +1,8 @@
-"""The output to the terminal: of what is painted only the cells that changed are sent. SSH has few bytes.
+"""The output to the terminal: sends only changed cells, since an SSH connection may be slow.
 
-A row that a program moves up by one, or a letter in a line, costs what differs from what stood there. In the
-plain layout screen readers speak what is written, and half a sentence is none: there a row that differs is
-written whole, but for the letters that are being typed in it.
+A row that scrolls, or a letter in a line, costs only the cells that differ from what was there. In the
+plain layout screen readers speak what is written, so a row that differs is
+written whole, except for letters that are typed in it.
 
 This module alone uses the private names of Textual for its updates. ``diff_output`` in ``terminal`` checks
 with ``fits`` whether they are as this module needs them; otherwise Textual's own output is sent.
@@ -30,9 +30,9 @@ from textual.geometry import Offset, Region
 from textual.strip import Strip
 
 _GAP = 16
-"""So many equal cells between two that changed cost less than going there."""
+"""Writing so many equal cells between two changed ones costs less than moving the cursor."""
 _MOST_TYPED = 2
-"""Rows that a typed letter changes: its own, and the status."""
+"""Rows that a typed letter may change: its own, and the status line."""
 _FIRST_COMBINING = "\u0300"
 _SOFT_HYPHEN = "\xad"
 
@@ -44,9 +44,9 @@ Piece = tuple[Style, str]
 
 
 def fits(console: Console) -> bool:
-    """Whether the updates of this version of Textual have the form that is read here.
+    """Whether the updates of this version of Textual have the expected form.
 
-    Two small ones are rendered: the first must be Textual's own output, of the second one letter is left.
+    Renders two small ones: the first must equal Textual's output, the second must leave one letter.
     """
     try:
         first, second = (Strip([Segment(text, Style.null())]) for text in ("ab", "ac"))
@@ -66,19 +66,19 @@ class Painted:
     def __init__(self) -> None:
         self._cells: dict[tuple[int, int], Cell] = {}
         self._first: LayoutUpdate | None = None
-        """What was painted where nothing was known; not looked at before something else is painted."""
+        """The update that was painted on an unknown screen; read before the next one."""
 
     def forget(self) -> None:
-        """The terminal may show anything: all of it is painted next."""
+        """Assume nothing about the terminal, so that the next update is painted whole."""
         self._cells.clear()
         self._first = None
 
     def less(
         self, update: RenderableType | None, *, rows: bool = False, typing: Offset | None = None
     ) -> RenderableType | None:
-        """The same, with what is there already left out. ``rows``: a row that differs is written whole.
+        """The update without the cells that are shown already. ``rows``: a row that differs is written whole.
 
-        ``typing``: where the cursor stands in a text that is typed; letters that come there stay letters.
+        ``typing``: the cursor in a typed text; new letters there are written alone.
         """
         if isinstance(update, LayoutUpdate) and not self._knows_something:
             return cast(RenderableType, FullRepaint(update, self))
@@ -89,7 +89,7 @@ class Painted:
         return update
 
     def begin_with(self, update: LayoutUpdate) -> None:
-        """It was painted where nothing was known."""
+        """Note an update that was painted on an unknown screen."""
         self._first = update
 
     @property
@@ -97,7 +97,7 @@ class Painted:
         return self._first is not None or bool(self._cells)
 
     def learn(self) -> None:
-        """What the first picture has shown, before it is compared with another one."""
+        """Read the cells of the first update, before another one is compared with it."""
         first, self._first = self._first, None
         if first is not None:
             for x, y, strip in _strips_of(first):
@@ -105,7 +105,7 @@ class Painted:
                 self._cells.update({(at, y): cell for at, cell in enumerate(cells, x)})
 
     def differs(self, x: int, y: int, strip: Strip, *, letters: bool = False) -> int | None:
-        """The first column that differs from what is shown, in its look or in its ``letters``; None: none."""
+        """The first column whose style or text (with ``letters`` the text alone) differs, or None."""
         cells = _cells_of(strip)
         if cells is None:
             return x
@@ -116,7 +116,7 @@ class Painted:
         return None
 
     def changes(self, x: int, y: int, strip: Strip, *, rows: bool = False) -> Iterator[Piece]:
-        """What makes the terminal show the strip there; from then on it does."""
+        """The pieces that make the terminal show the strip, which counts as shown then."""
         cells = _cells_of(strip)
         if cells is None:
             for at in range(x, x + strip.cell_length):
@@ -134,7 +134,7 @@ class Painted:
 
 
 class FullRepaint(CompositorUpdate):
-    """All of the screen, as it is. It is remembered when it is written, as Textual drops some updates."""
+    """A whole screen, noted only when it is written, as Textual drops some updates."""
 
     def __init__(self, update: LayoutUpdate, painted: Painted) -> None:
         self._update, self._painted = update, painted
@@ -145,7 +145,7 @@ class FullRepaint(CompositorUpdate):
 
 
 class ChangedCells(CompositorUpdate):
-    """Textual's update, less what is there already. Each style is written once."""
+    """Textual's update without the cells that are shown already. Each style is written once."""
 
     def __init__(
         self, update: Update, painted: Painted, *, rows: bool = False, typing: Offset | None = None
@@ -166,7 +166,7 @@ class ChangedCells(CompositorUpdate):
         )
 
     def _typed_row(self, pieces: Sequence[tuple[int, int, Strip]]) -> int | None:
-        """The row of the cursor, where what differs are letters there; other rows would move as well."""
+        """The row of the cursor, if only letters there differ; None if other rows change, too."""
         cursor = self._typing
         differing = {
             y: (x, strip) for x, y, strip in pieces if self._painted.differs(x, y, strip) is not None
@@ -179,7 +179,7 @@ class ChangedCells(CompositorUpdate):
 
 
 def _strips_of(update: Update) -> Iterator[tuple[int, int, Strip]]:
-    """Column, row and cells of whatever is to be painted, from the beginning of its widget's row."""
+    """Column, row and cells of each painted strip, from the beginning of its widget's row."""
     return _strips_of_all(update) if isinstance(update, LayoutUpdate) else _strips_of_parts(update)
 
 
@@ -199,7 +199,7 @@ def _strips_of_parts(update: ChopsUpdate) -> Iterator[tuple[int, int, Strip]]:
 
 
 def _runs(changed: Sequence[int]) -> Iterator[tuple[int, int]]:
-    """Pieces from the first to after the last, near ones joined."""
+    """The runs of changed columns, end excluded, near ones joined."""
     begin = 0
     for at in range(len(changed)):
         is_last = at + 1 == len(changed)
@@ -209,7 +209,7 @@ def _runs(changed: Sequence[int]) -> Iterator[tuple[int, int]]:
 
 
 def _cells_of(strip: Strip) -> list[Cell] | None:
-    """None if a letter may be wider than a cell, or have none."""
+    """The cells of a strip; None if a letter may be wider than a cell, or have none."""
     cells: list[Cell] = []
     for text, style, control in strip:
         if control or not _is_simple(text):
@@ -226,14 +226,14 @@ def _is_simple(text: str) -> bool:
 
 @lru_cache(1024)
 def _of_blank(style: Style) -> Style:
-    """What is seen of it on a blank: neighbours that differ in more are equal."""
+    """The part of a style that is visible on a blank."""
     if style.underline or style.underline2 or style.reverse or style.strike or style.overline or style.link:
         return style
     return Style(bgcolor=style.bgcolor)
 
 
 def _pieces_of(x: int, y: int, cells: Sequence[Cell]) -> Iterator[Piece]:
-    """One for each style; blanks take the style before them where no difference is seen."""
+    """A piece for each style; blanks take the style before them if that looks the same."""
     worn: list[Cell] = []
     for letter, look in cells:
         before = worn[-1][1] if worn else look

@@ -1,7 +1,7 @@
 """The four looks: dark, light, high contrast, and the terminal's own colours.
 
 Rules: every text is at least 7:1 against what it stands on, the dots of the free floor at least 3:1 (a test
-measures what is painted), and no colour says what letters and words don't. One table of roles a look; style
+measures the painted cells), and no meaning is in a colour alone. A look has one table of roles; style
 sheet and widgets have no other colours.
 """
 
@@ -18,10 +18,10 @@ from donnie_tui.core import PAINTED
 DARK, LIGHT, CONTRAST, TERMINAL = "donnie-dark", "donnie-light", "donnie-contrast", "donnie-terminal"
 
 ROLES = ("background", "foreground", "surface", "panel", "muted", "border", "chosen", "on-chosen", "faint")
-"""What a text stands on or is; ``chosen`` is the background of the row or the title with the focus."""
+"""Roles of backgrounds and texts; ``chosen`` is the background of the focused row or title."""
 
 COLOURS = tuple(PAINTED)
-"""The colour words of the language, as a thing of that colour is painted."""
+"""The paint of each colour word of the language."""
 
 _PALETTES: dict[str, dict[str, str]] = {
     DARK: {
@@ -70,7 +70,7 @@ _OF_SIXTEEN = {
     CONTRAST: _BRIGHT,
     TERMINAL: _PALETTES[TERMINAL],
 }  # fmt: skip
-"""How things are painted with 16 colours. Each is one of them; of those above the nearest are often the same.
+"""The paint of things with 16 colours, where the nearest ones of ``COLOURS`` are often equal.
 
 Only the terminal's look has their names: in the others Textual replaces a name by a mixed colour.
 """
@@ -89,7 +89,7 @@ _LOOKS: dict[str, tuple[str, str, str]] = {
     "heading": ("accent", "", "bold"), "changed": ("warning", "", "bold"), "chart": ("success", "", ""),
     "says": ("accent", "", ""), "typed": ("success", "", "italic"), "row": ("on-chosen", "chosen", ""),
 }  # fmt: skip
-"""What the widgets paint row by row, by its name: in the editor, on the map, in rows of text. Its role, that
+"""The looks by name that widgets paint row by row: in the editor, on the map, in rows of text. Its role, that
 of its background where it has one of its own, and how it is written. As classes of the style sheet each was
 worked out for each widget before the first frame, and whenever the focus came or went."""
 
@@ -123,7 +123,7 @@ def theme(name: str) -> Theme:
 
 
 def _of_textual(roles: dict[str, str], *, is_ansi: bool) -> dict[str, str]:
-    """Variables of Textual's own widgets, which would otherwise be mixtures of lower contrast."""
+    """Variables of Textual's own widgets, which would otherwise be mixed colours of lower contrast."""
     chosen = ("ansi_white", "ansi_black") if is_ansi else (roles["chosen"], roles["on-chosen"])
     background, foreground = chosen
     return {
@@ -151,7 +151,7 @@ def _of_textual(roles: dict[str, str], *, is_ansi: bool) -> dict[str, str]:
 
 @cache
 def looks(name: str) -> dict[str, Style]:
-    """What the names of looks mean in that theme."""
+    """The styles of the looks in that theme."""
     roles = _PALETTES.get(name, _PALETTES[TERMINAL])
 
     def painted(role: str, behind: str, how: str) -> Style:
@@ -169,13 +169,13 @@ def looks(name: str) -> dict[str, Style]:
 
 @cache
 def block_of_sixteen(name: str, colour: str) -> Style:
-    """A thing in the picture of a terminal of 16 colours; never bold, which is brighter on a console."""
+    """The style of a thing in the picture with 16 colours; never bold, which is brighter on a console."""
     found = _OF_SIXTEEN.get(name, _OF_SIXTEEN[TERMINAL])[colour]
     return Style(color=Color.parse(found).rich_color, bold=False)
 
 
 def syntax_styles(name: str) -> dict[str, Style]:
-    """How the editor shows the parts of a program; colours repeat what weight and slant say."""
+    """The editor's syntax styles; colours repeat what weight and slant say."""
     roles = _PALETTES.get(name, _PALETTES[TERMINAL])
 
     def painted(role: str, *, bold: bool = False, italic: bool = False) -> Style:

@@ -31,20 +31,20 @@ from donnie_tui.tui.widgets.command_line import InputLine
 from donnie_tui.tui.widgets.rows import DialogKeys, TextRows, rows_always_seen
 
 MOST_SEEN = 8
-"""Rows of a list next to something else."""
+"""Rows of a list of proposed answers."""
 
 
 _HIGH = 20
-"""Rows from which on the titles of the panes stay in sight above a panel."""
+"""With so many rows, the titles of the panes stay visible above a panel."""
 
 T = TypeVar("T")
 
 
 class Dialog(ModalScreen[T]):
-    """A screen above the main one. Only its first answer counts."""
+    """A screen in front of the main one. Only its first answer counts."""
 
     def dismiss(self, result: T | None = None) -> AwaitComplete:
-        """Textual closes whatever is in front; after a second answer that would be another screen."""
+        """Close only this dialog: after a second answer Textual would close another screen."""
         return super().dismiss(result) if self.is_active else AwaitComplete()
 
     def fit(self, panel: Widget, *, covers_command_line: bool = False) -> Size:
@@ -62,13 +62,13 @@ class Dialog(ModalScreen[T]):
 
 
 class Panel(Dialog[T]):
-    """What lies over the panes. A click next to it goes back, as it does in other programs.
+    """A panel in front of the panes. A click next to it goes back, as in other programs.
 
     The second half of a double click that opened it does not.
     """
 
     _was_pressed = False
-    """Whether the mouse was pressed since the panel is there."""
+    """Whether the mouse was pressed since the panel opened."""
 
     def on_mouse_down(self) -> None:
         self._was_pressed = True
@@ -148,7 +148,7 @@ class Question(Dialog[str | None]):
             self._point(self._list.row_text)
 
     def action_write_row(self) -> None:
-        """The chosen row, or the first one, goes into the line."""
+        """Write the chosen row, or the first one, into the line."""
         if self._list is not None:
             line = self._line
             line.value = self._list.row_text
@@ -181,11 +181,11 @@ class Question(Dialog[str | None]):
 
 
 FAR = 10**6
-"""Rows: farther than any list is long."""
+"""More rows than any list has."""
 
 
 def _rank(text: str, typed: str) -> int:
-    """The order of an option, ``text`` and below it the other words for it, for what was typed.
+    """The rank of an option for the typed letters; ``text`` has its name, and below its other words.
 
     The exact name comes first, then another word for it, the beginning of a name, a word, a part of one.
     """
@@ -199,7 +199,7 @@ def _rank(text: str, typed: str) -> int:
 
 
 class _Rows(TextRows, can_focus=False):
-    """Rows of which one is always chosen: the focus stays where one types."""
+    """Rows with one chosen row; the focus stays in the input line."""
 
     class Clicked(Message):
         """A line was clicked."""
@@ -213,7 +213,7 @@ class _Rows(TextRows, can_focus=False):
         return True
 
     def on_click(self, event: events.Click) -> None:
-        """The line under the mouse, if there is one."""
+        """Post the clicked line, if there is one."""
         place = event.get_content_offset(self)
         row = self.scroll_offset.y + place.y if place is not None else self.row_count
         if row < self.row_count:
@@ -222,7 +222,7 @@ class _Rows(TextRows, can_focus=False):
 
 
 class _Answers(_Rows):
-    """What a question may be answered with. None of it is chosen at first: Enter takes what is typed."""
+    """Proposed answers to a question. None is chosen at first: Enter takes the typed text."""
 
     def __init__(self, answers: Sequence[str]) -> None:
         super().__init__(id="answers")
@@ -235,17 +235,17 @@ class _Answers(_Rows):
         return self.is_chosen
 
     def offer(self, most: int) -> None:
-        """At most so many rows are seen."""
+        """Show at most so many rows."""
         self.show(self._answers)
         self.styles.height = min(len(self._answers), most)
 
     def leave(self) -> None:
-        """Nothing is chosen any more."""
+        """Choose no row."""
         self.is_chosen = False
         self._read(0)
 
     def choose(self, down: int) -> None:
-        """The row so far away; the first one at first."""
+        """Choose the next or previous row, at first the first one."""
         self.choose_line(min(max(0, self.line + down), len(self.lines) - 1) if self.is_chosen else 0)
 
     def choose_line(self, line: int) -> None:
@@ -254,7 +254,7 @@ class _Answers(_Rows):
 
 
 class _Narrowing(InputLine):
-    """What is typed narrows the list; the cursor is shown on the row."""
+    """The line whose text narrows the list; the cursor is on the chosen row."""
 
     def __init__(self, rows: _Rows) -> None:
         super().__init__(id="narrowing")
@@ -267,10 +267,10 @@ class _Narrowing(InputLine):
 
 
 class _Detail(TextRows, can_focus=False):
-    """What else there is about a row."""
+    """Details of the chosen row."""
 
     class Resized(Message):
-        """There is another room for it."""
+        """The size for the details has changed."""
 
     @property
     def is_read(self) -> bool:
@@ -282,17 +282,17 @@ class _Detail(TextRows, can_focus=False):
 
 
 _LEAST_PANEL, _DETAIL, _MOST_DETAIL = 56, 40, 90
-"""Columns: of a panel, and of what is next to a list, at least and at most."""
+"""Columns: the least of a panel, the least and the most of the details next to a list."""
 LEAST_REST = 8
 """Columns left next to a panel, if any are."""
 _LEAST_BOTH = 8
-"""Rows from which on what is about a row may be below the list, where it has no room next to it."""
+"""With so many rows, the details may be below the list, if there is no room next to it."""
 _DETAIL_ROWS, _FRAME_ROWS = 16, 3
-"""Of what is next to a list, at least; and of the title, of what is typed and of the keys."""
+"""Rows: the least of the details; those of the title, the input line and the keys."""
 
 
 _COLUMN_GAP, _FEW = 2, 4
-"""Blanks between columns; one choice in so many may have a longer name than its column has room for."""
+"""Blanks between columns; one choice in so many may have a name longer than its column."""
 
 
 def _columns(choices: Sequence[Option]) -> tuple[int, ...]:
@@ -328,7 +328,7 @@ class Chooser(Panel[str | None]):
         *,
         is_plain: bool = False,
     ) -> None:
-        """``nothing`` is shown where no row fits what was typed; ``point`` says the row that is chosen.
+        """``nothing`` is shown if no row fits the typed text; ``point`` speaks the chosen row.
 
         A plain list has the whole screen, and rows of text.
         """
@@ -345,7 +345,7 @@ class Chooser(Panel[str | None]):
         may_drop = not is_plain and any(len(each.columns) > 1 for each in choices)
         self._detail = _Detail(id="detail") if self._has_details or may_drop else None
         self._columns: tuple[int, ...] = ()
-        """Their widths; empty where rows are texts. What else there are is below the list."""
+        """The widths of the columns in the list, the others are in the details; empty if rows are texts."""
 
     def compose(self) -> ComposeResult:
         with self._panel:
@@ -370,7 +370,7 @@ class Chooser(Panel[str | None]):
         self._show_detail()
 
     def _lay_out(self) -> None:
-        """The panel is as large as what it lists, and keeps its size while that is narrowed."""
+        """Make the panel as large as its list; it keeps this size while the list is narrowed."""
         width, height = self.fit(self._panel)
         columns = () if self.has_class("-plain") else _columns(self._choices)
         if self._has_details:
@@ -409,7 +409,7 @@ class Chooser(Panel[str | None]):
         panel.styles.height = min(height, max(rows, 2) + _FRAME_ROWS)
 
     def _columns_in(self, room: int, columns: tuple[int, ...], *, may_drop: bool) -> tuple[int, ...]:
-        """The widths of as many columns as fit. Next to a few long names the others may be aligned."""
+        """The widths of as many columns as fit. A few long names may exceed their column."""
         for count in range(len(columns), 0 if may_drop else len(columns) - 1, -1):
             others = sum(columns[1:count]) - _COLUMN_GAP
             if columns[0] + others <= room:
@@ -426,7 +426,7 @@ class Chooser(Panel[str | None]):
         return _FEW * sum(choices) <= len(self._choices)
 
     def _rows_below(self, width: int, height: int) -> int:
-        """Half of the rows, or as many as the columns need that have no room in the list."""
+        """The rows of the details below the list: half, or as many as the dropped columns need."""
         half = (height - _FRAME_ROWS) // 2
         if self._has_details:
             return half
@@ -437,7 +437,7 @@ class Chooser(Panel[str | None]):
         return min(half, max(needed, default=1) + 1)
 
     def _dropped(self, choice: Option) -> tuple[str, ...]:
-        """The columns that have no room in the list."""
+        """The columns without room in the list."""
         return tuple(filter(None, choice.columns[len(self._columns) :]))
 
     def _row(self, choice: Option) -> str:
@@ -450,7 +450,7 @@ class Chooser(Panel[str | None]):
         return row
 
     def _show_detail(self) -> None:
-        """What else there is about the row."""
+        """Show the details of the chosen row."""
         if self._detail is None or not self._detail.display or not self._detail.size.area:
             return
         chosen = self._fitting[min(self.rows.line, len(self._fitting) - 1)] if self._fitting else None
@@ -497,7 +497,7 @@ class Chooser(Panel[str | None]):
             self.dismiss(self._fitting[min(line, len(self._fitting) - 1)].value)
 
     def on_text_rows_read(self) -> None:
-        """Another row is chosen, by a key or by the wheel."""
+        """Speak the row that a key or the wheel has chosen."""
         self._show_detail()
 
     def on__detail_resized(self) -> None:
@@ -510,7 +510,7 @@ class Chooser(Panel[str | None]):
             self.action_go_back()
 
     def on__rows_clicked(self, event: _Rows.Clicked) -> None:
-        """A click chooses, as Enter does."""
+        """Answer the clicked row, as Enter does."""
         self._take(event.line)
 
     def action_go_back(self) -> None:
@@ -518,7 +518,7 @@ class Chooser(Panel[str | None]):
 
 
 class _Words(OptionList):
-    """Textual's, with the terminal's own cursor on the row."""
+    """Textual's list, with the terminal's own cursor on the row."""
 
     @property
     def cursor_screen_offset(self) -> Offset:
@@ -537,9 +537,9 @@ class Completions(Dialog[tuple[str, str]]):
     def __init__(
         self, words: Sequence[str], below: Offset, room: Region, point: Callable[[str], object]
     ) -> None:
-        """``below``: where the cursor is, on the screen. The list stays in ``room`` if a row is left there.
+        """``below``: the cursor's place on the screen. The list stays in ``room`` if a row is left there.
 
-        ``point`` says the word that is chosen.
+        ``point`` speaks the chosen word.
         """
         super().__init__()
         self._point = point

@@ -1,8 +1,8 @@
 """The programs to open, or the place for a new one: a tree of folders, and a line for a name.
 
-What is typed narrows the tree and is completed from it; in the line of a new name it does not narrow. Up and
-Down go to the rows of the tree, Right and Left open and close folders there. Enter takes the row, or what is
-typed: the file of that name, else the only program that fits. Folders are read in the background.
+Typing narrows the tree and is completed from it; a new name does not narrow it. Up and
+Down choose rows of the tree, Right and Left open and close folders there. Enter takes the row, or the
+typed name: the file of that name, else the only program that fits. Folders are read in the background.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ MOST_SHOWN = 500
 _WIDTH, _HEIGHT = 80, 26
 """Columns and rows of the panel, at most."""
 _LEAST_KEYS = 8
-"""Rows from which on it has keys."""
+"""With so many rows, it shows its keys."""
 _WHEEL = 3
 _FAR = 10**6
 
@@ -59,14 +59,14 @@ class Folder:
     """A folder of the tree; it is read when it is opened."""
 
     def __init__(self, path: Path, name: str, inside: frozenset[str] = frozenset()) -> None:
-        """``inside``: where this folder, and those above it in the tree, lead to."""
+        """``inside``: the real paths of this folder and of those above it in the tree."""
         self.path, self.name, self.inside = path, name, inside
         self.above: Path | None = None
-        """The folder above the tree, where the learner may go there."""
+        """The folder above the tree, if the learner may go there."""
         self.entries: tuple[ProgramEntry, ...] | None = None
         """None until it was read."""
         self.problem = ""
-        """Why it can't be read."""
+        """The reason why it can't be read."""
         self.is_open = self.is_reading = False
         self.most = MOST_SHOWN
 
@@ -76,17 +76,17 @@ class Row(Struct, frozen=True):
 
     text: str
     remark: str = ""
-    """After the text, fainter."""
+    """Faint text after the name."""
     path: Path | None = None
     """The program."""
     folder: Folder | None = None
     more: Folder | None = None
-    """The folder of which this row shows more."""
+    """The folder whose further rows this row shows."""
     above: Path | None = None
 
 
 class FileTree(Tree[Row]):
-    """Textual's, in letters alone; the focus stays where one types."""
+    """Textual's tree, in letters alone; the focus stays in the input line."""
 
     ICON_NODE, ICON_NODE_EXPANDED = "+ ", "- "
 
@@ -111,7 +111,7 @@ class FileTree(Tree[Row]):
             self.scroll_to_line(self.cursor_line, animate=False)
 
     def get_label_width(self, node: TreeNode[Row]) -> int:  # noqa: ARG002 -- Textual's own
-        """It is never moved sideways: what has no room is cut."""
+        """The width of a row: the tree never scrolls sideways, so long rows are cut."""
         return 1
 
     def render_label(self, node: TreeNode[Row], base_style: Style, style: Style) -> Text:
@@ -134,7 +134,7 @@ class FileTree(Tree[Row]):
         self._roll(event, -_WHEEL)
 
     def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
-        """What is seen is what Enter would take."""
+        """Choose another row, so that Enter takes a visible one."""
         self._roll(event, _WHEEL)
 
     def _roll(self, event: events.MouseEvent, rows: int) -> None:
@@ -144,7 +144,7 @@ class FileTree(Tree[Row]):
 
 
 class _NameLine(InputLine):
-    """The cursor of the terminal is on the row that is chosen."""
+    """The input line; the terminal's cursor is on the chosen row."""
 
     def __init__(self, value: str, files: FileTree, complete: Callable[[str], str]) -> None:
         self._files = files
@@ -158,7 +158,7 @@ class _NameLine(InputLine):
 
     @property
     def _changed(self) -> None:
-        """What is offered after the cursor changes, too."""
+        """The changed columns, with the completion after the cursor."""
         return
 
 
@@ -172,7 +172,7 @@ class _Completion(Suggester):
 
 
 class FilePanel(Panel[str | Path | None]):
-    """Answers what was typed, or the file that was chosen; None after Esc."""
+    """Answers the typed name or the chosen file; None after Esc."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("escape,ctrl+q", "go_back", priority=True),
@@ -199,7 +199,7 @@ class FilePanel(Panel[str | Path | None]):
         checking: Callable[[Screen[Any]], AbstractContextManager[None]],
         is_new: bool = False,
     ) -> None:
-        """``point`` says the row that is chosen; ``checking``: see ``Dialogs.checking``.
+        """``point`` speaks the chosen row; ``checking``: see ``Dialogs.checking``.
 
         ``is_new``: see ``Interaction.ask_file``.
         """
@@ -214,11 +214,11 @@ class FilePanel(Panel[str | Path | None]):
         self._panel = Vertical(id="panel")
         self._home = Path()
         self._root = Folder(self._home, "")
-        """The folder that is shown where none is typed."""
+        """The folder that is shown if none is typed."""
         self._recent = Folder(self._home, words("ask-recent"))
         self._folders: dict[Path, Folder] = {}
         self._is_typed = False
-        """Whether the line is no longer as it was at first."""
+        """Whether the learner has changed the line."""
 
     def compose(self) -> ComposeResult:
         with self._panel:
@@ -263,7 +263,7 @@ class FilePanel(Panel[str | Path | None]):
     # --- folders
 
     def _folder(self, path: Path, entry: ProgramEntry | None = None, above: Folder | None = None) -> Folder:
-        """The one of that path; ``entry`` is its row in the folder ``above``."""
+        """The folder of a path; ``entry`` is its row in the folder ``above``."""
         if path not in self._folders:
             inside = above.inside | {entry.real} if above is not None and entry is not None else frozenset()
             name = entry.name if entry is not None else printable(f"{path.name}/")
@@ -297,12 +297,12 @@ class FilePanel(Panel[str | Path | None]):
 
     @property
     def _typed(self) -> tuple[str, str]:
-        """The folder, with its slash, and the name; both empty until something is typed."""
+        """The typed folder with its slash, and the typed name; both empty at first."""
         before, slash, name = self._line.value.lstrip().rpartition("/") if self._is_typed else ("", "", "")
         return before + slash, name
 
     def _top(self) -> Folder:
-        """The folder that is shown, in which a typed name is looked for."""
+        """The shown folder, in which a typed name is searched."""
         before, _name = self._typed
         if not before:
             return self._root
@@ -321,7 +321,7 @@ class FilePanel(Panel[str | Path | None]):
         self._show()
 
     def _completed(self, value: str) -> str:
-        """What the line may become: the first name that begins as what is typed."""
+        """The completed line: the first name that begins with the typed letters."""
         before, slash, name = value.rpartition("/")
         folder = self._root if not slash else self._folders.get(_below(self._home, before + slash))
         entries = folder.entries if folder is not None and name else ()
@@ -331,7 +331,7 @@ class FilePanel(Panel[str | Path | None]):
         return f"{before}{slash}{found.name}" if found is not None else ""
 
     def action_complete(self) -> None:
-        """The chosen row goes into the line, or the name that begins as what is typed."""
+        """Write the chosen row, or the completed name, into the line."""
         row = self.files.row
         folder = row.folder.path if row is not None and row.folder is not None else None
         path = (row.path or folder or row.above) if row is not None else None
@@ -343,7 +343,7 @@ class FilePanel(Panel[str | Path | None]):
             self._write(f"{self._typed[0]}{fitting[0].name}")
 
     def _written(self, path: Path, *, is_folder: bool) -> str:
-        """As a learner would type it."""
+        """The path as a learner would type it."""
         name = str(path.relative_to(self._home)) if path.is_relative_to(self._home) else str(path)
         return printable("" if name == "." else f"{name.rstrip('/')}/" if is_folder else name)
 
@@ -354,7 +354,7 @@ class FilePanel(Panel[str | Path | None]):
     # --- the tree
 
     def _fitting(self, folder: Folder) -> list[ProgramEntry]:
-        """What is shown of a folder: all where nothing is typed, and for a new name."""
+        """The shown rows of a folder: all, unless typed letters narrow them."""
         entries, typed = folder.entries or (), self._typed[1]
         if self._is_new or not typed.strip():
             return list(entries)
@@ -370,7 +370,7 @@ class FilePanel(Panel[str | Path | None]):
         return folder is not None and folder.is_open and bool(self._fitting(folder))
 
     def _programs(self, folder: Folder) -> set[Path]:
-        """The programs that are shown, in the folders that are open."""
+        """The shown programs of all open folders."""
         found = set()
         for each in self._fitting(folder):
             below = self._folders.get(each.path) if each.real else None
@@ -391,7 +391,7 @@ class FilePanel(Panel[str | Path | None]):
         return [self._recent, top] if has_recent else [top]
 
     def _show(self) -> None:
-        """All rows anew; the chosen one stays chosen."""
+        """Build all rows again; the chosen one stays chosen."""
         tree, chosen = self.files, self.files.row
         tree.unselect()
         top = tree.scroll_offset.y
@@ -470,7 +470,7 @@ class FilePanel(Panel[str | Path | None]):
             self._line.action_home()
 
     def action_fold(self, right: bool) -> None:
-        """Open and close folders where a row is chosen; else move in the line."""
+        """Open or close the chosen folder; without a chosen row, move in the line."""
         row, node = self.files.row, self.files.cursor_node
         if row is None or node is None:
             if right:
@@ -506,7 +506,7 @@ class FilePanel(Panel[str | Path | None]):
             self.action_go_back()
 
     def on_tree_node_selected(self, event: Tree.NodeSelected[Row]) -> None:
-        """A click does what Enter does on that row."""
+        """Take the clicked row, as Enter does."""
         event.stop()
         if event.node.data is not None:
             self._take(event.node.data)
@@ -534,13 +534,13 @@ class FilePanel(Panel[str | Path | None]):
         self._show()
 
     def _put_into(self, path: Path) -> None:
-        """The new name is one in that folder, and Enter takes it."""
+        """Move the new name into that folder; Enter takes it."""
         name = self._line.value.rpartition("/")[2]
         self._write(f"{self._written(path, is_folder=True)}{name}")
         self.files.unselect()
 
     def _submit(self) -> None:
-        """Enter alone chooses the first program, which the next Enter takes."""
+        """Take the chosen row or the typed name. Enter alone chooses the first program."""
         row, typed = self.files.row, self._line.value.strip()
         if row is not None:
             self._take(row)
@@ -555,7 +555,7 @@ class FilePanel(Panel[str | Path | None]):
 
     @work(exclusive=True, group="answer")
     async def _answer(self, typed: str) -> None:
-        """A slow folder does not stop the screen; what is typed after Enter waits."""
+        """Check the typed name in the background; later keys wait."""
         with self._checking(self):
             found = await asyncio.to_thread(_named, typed)
             if found == "folder":
@@ -581,20 +581,20 @@ def _working_folder() -> Path:
 
 
 def _folder_above(path: Path) -> Path | None:
-    """Where the learner may go there."""
+    """The folder above, if the learner may go there."""
     above = path.parent
     return above if above != path and is_allowed(above) else None
 
 
 def _short(path: Path) -> str:
-    """As it is shown."""
+    """The path as it is shown."""
     home = os.path.expanduser("~")  # noqa: PTH111 -- it does not fail without one
     below = part_below(home, str(path)) if confinement() is None else None
     return printable(str(path) if below is None else f"~/{below}".rstrip("/"))
 
 
 def _below(home: Path, typed: str) -> Path:
-    """The folder that a learner typed, with its slash."""
+    """The path of a typed folder, with its slash."""
     try:
         return home / Path(typed).expanduser()
     except RuntimeError:  # there is no such account
@@ -602,7 +602,7 @@ def _below(home: Path, typed: str) -> Path:
 
 
 def _named(typed: str) -> str:
-    """Whether it names a ``folder`` or a ``file``; empty for neither."""
+    """Whether the text names a ``folder`` or a ``file``; empty for neither."""
     try:
         path = program_to_open(typed)
     except DocumentError as error:
@@ -617,7 +617,7 @@ def _depth(node: TreeNode[Row]) -> int:
 
 
 def _is_typable(entry: ProgramEntry) -> bool:
-    """Whether the name that is shown is the name."""
+    """Whether the shown name is the real one."""
     return entry.name.rstrip("/") == entry.path.name
 
 

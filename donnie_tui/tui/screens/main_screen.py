@@ -1,7 +1,7 @@
 """The main screen: program, map, inspector, log, command line, status line, keys, in the order of reading.
 
-A view: it shows what it is given and posts what was done to it; it decides nothing about programs. On a small
-terminal one pane is shown at a time, with the command line and the status line always there.
+A view: it shows values and posts messages, and decides nothing about programs. On a small
+terminal it shows one pane at a time; the command line and the status line are always visible.
 """
 
 from __future__ import annotations
@@ -40,13 +40,13 @@ if TYPE_CHECKING:
     from donnie_tui.tui.screens.pages import TourStrip
 
 WIDE, LOW = 110, 18
-"""From WIDE columns on there is room for the inspector too; below NARROW or LOW for one pane only."""
+"""With WIDE columns there is room for the inspector; below NARROW or LOW for one pane only."""
 
 LONGEST_HELD = 0.15
 """Seconds."""
 
 LEAST_PROGRAM, LEAST_MAP = 39, 20
-"""Columns that a program needs to be read, and a map to be one."""
+"""The least columns of a program and of a map."""
 LEAST_LOG = 9
 """Rows, with its title."""
 _INSPECTOR = 30
@@ -64,13 +64,13 @@ class MainScreen(Screen[None]):
     VERTICAL_BREAKPOINTS = [(0, "-lowest"), (LOWEST, "-low"), (LOW, "-high"), (32, "-tall")]  # noqa: RUF012
 
     class Looked(Message):
-        """The focus, or what is read in it, is elsewhere."""
+        """The focus or the cursor has moved."""
 
     class Entered(Message):
-        """The focus came from one part of the main screen to another."""
+        """The focus moved from one part of the main screen to another."""
 
     def __init__(self, size: Size, *, plain: bool = False, focus: str = "", first_row: str = "") -> None:
-        """``size`` is what the terminal seems to have: a class that is changed later costs a restyling.
+        """``size`` is the terminal's size: to change a style class later costs a restyling.
 
         ``focus`` is the ``focus_was`` of the screen before; empty at the start. ``first_row`` is a sentence
         above all; empty for none.
@@ -101,14 +101,14 @@ class MainScreen(Screen[None]):
         self._before_tour: Widget | None = None
         self._slider: Slider | None = None
         self._holding: ExitStack | None = None
-        """While it is there nothing is painted."""
+        """While it is set nothing is painted."""
         self._entered: Widget | None = None
-        """What had the focus last."""
+        """The last focused part."""
         self._shown.add_class("-shown")  # before they are mounted: afterwards each class costs a restyling
         self._shown.set_class(not plain, "-chosen")
         self._was_seen = False
         self.first_focus: Widget = self._parts.get(focus) or (self.command_line if plain else self.editor)
-        """Each change of panes costs a restyling: it is where the learner is from the start."""
+        """The widget that is focused from the start, since each change of panes costs a restyling."""
         self.AUTO_FOCUS = f"#{self.first_focus.id}"  # type: ignore[misc] # Textual asks the screen, not its class
 
     def compose(self) -> ComposeResult:
@@ -127,7 +127,7 @@ class MainScreen(Screen[None]):
         yield self.keys
 
     def on_screen_resume(self, event: ScreenResume) -> None:
-        """At first all is in the style that it just got: to work out every style again took its time."""
+        """Skip Textual's first restyling, which is slow, since all styles are new."""
         event.refresh_styles = self._was_seen
         self._was_seen = True
 
@@ -143,20 +143,20 @@ class MainScreen(Screen[None]):
 
     @property
     def focus_was(self) -> str:
-        """What had the focus last, also once the screen is gone."""
+        """The last focused part, also after the screen has closed."""
         return str(self._entered.id) if self._entered is not None else ""
 
     # --- the tour
 
     def show_tour(self, strip: TourStrip) -> None:
-        """Below the panes, with the focus."""
+        """Show the tour below the panes, and focus it."""
         self._before_tour = self.focused
         self.tour = strip
         self.mount(strip, before="#command-row")
         strip.focus()
 
     def close_tour(self) -> None:
-        """The focus returns to where it was."""
+        """Close the tour, and restore the focus."""
         strip, self.tour = self.tour, None
         if strip is not None:
             if strip.has_focus:
@@ -169,7 +169,7 @@ class MainScreen(Screen[None]):
     # --- the run so far
 
     def show_slider(self, steps: tuple[int, int] | None) -> None:
-        """Below the panes, where the learner looks back; None for the present."""
+        """Show the slider below the panes after STEP BACK; None hides it."""
         if steps is None or self.is_plain or self.is_small:
             slider, self._slider = self._slider, None
             if slider is not None:
@@ -184,12 +184,12 @@ class MainScreen(Screen[None]):
 
     @property
     def is_plain(self) -> bool:
-        """One column without decoration, for those who listen; the map and the variables by themselves."""
+        """Whether the layout is plain: one column without decoration, map and variables on their own."""
         return self.has_class("-plain")
 
     @property
     def is_small(self) -> bool:
-        """Whether one pane is seen at a time."""
+        """Whether only one pane is visible at a time."""
         return self.has_class("-one-pane")
 
     def set_plain(self, plain: bool) -> None:
@@ -208,7 +208,7 @@ class MainScreen(Screen[None]):
 
     @property
     def focus_chain(self) -> list[Widget]:
-        """In the order of reading; the plain layout has the command line first and the map last."""
+        """The widgets in reading order; in the plain layout the command line is first and the map last."""
         tour = () if self.tour is None else (self.tour,)
         reading = (self.editor, self.map, self.inspector, self.log_rows, *tour, self.command_line)
         plain = (self.command_line, self.editor, self.log_rows, self.map, self.inspector)
@@ -216,7 +216,7 @@ class MainScreen(Screen[None]):
         return [each for each in (plain if self.is_plain else reading) if each in chain]
 
     def room_around(self, row: int) -> Region:
-        """The rows around that one in which nothing is always to be seen."""
+        """The rows around that one that a list may cover."""
         fixed = [each.region for each in (self.command_line, self.status, self.keys) if each.region]
         top = max((each.bottom for each in fixed if each.bottom <= row), default=0)
         bottom = min((each.y for each in fixed if each.y > row), default=self.size.height)
@@ -224,7 +224,7 @@ class MainScreen(Screen[None]):
 
     @property
     def panes(self) -> tuple[Pane, ...]:
-        """In the order of reading."""
+        """The panes in reading order."""
         return (self.program_pane, self.map_pane, self.inspector_pane, self.log_pane)
 
     @property
@@ -237,7 +237,7 @@ class MainScreen(Screen[None]):
         pane.content.focus()
 
     def toggle_inspector(self) -> None:
-        """Show it, in the map's place where there is no room for both; or go back from it."""
+        """Show or hide the inspector, in the map's place if there is no room for both."""
         if self.inspector.has_focus:
             self._inspect(False)
             self.go_to(self.program_pane)
@@ -246,7 +246,7 @@ class MainScreen(Screen[None]):
             self.go_to(self.inspector_pane)
 
     def _inspect(self, inspecting: bool) -> None:
-        """Whether the inspector has the map's place, where there is room for one of them."""
+        """Show the inspector in the map's place, if there is room for only one."""
         if inspecting != self.has_class("-inspecting"):
             self.set_class(inspecting, "-inspecting")
             self._give_room()
@@ -279,7 +279,7 @@ class MainScreen(Screen[None]):
             self._arrange()
 
     def _arrange(self) -> None:
-        """On a small terminal Tab leads to panes that are not seen: they are there, with no size."""
+        """Lay out the panes. On a small terminal hidden panes have no size, so that Tab reaches them."""
         for pane in self.panes:
             pane.set_class(pane is self._shown, "-shown")
         self.query_one("#upper").set_class(self._shown is not self.log_pane, "-shown")
@@ -288,18 +288,18 @@ class MainScreen(Screen[None]):
     # --- what it shows
 
     def show_map(self, scene: MapScene) -> None:
-        """A floor, whole; its pane takes what the floor needs, as far as the program keeps its room.
+        """Show a whole floor; its pane takes the room that it needs, and leaves the program its own.
 
-        In the plain layout a square is a step: it is explored by ear. So it is on an endless empty floor.
+        In the plain layout, and on an endless empty floor, a square is a step.
         """
         is_room = scene.picture.has_walls or bool(scene.picture.things)
         self.map.show(scene, whole=is_room and not self.is_plain)
         self._give_room()
 
     def _give_room(self) -> None:
-        """Where the whole width of the floor can be seen, it is; for its whole height the log has less.
+        """Give the map the floor's whole width if possible; for its whole height the log shrinks.
 
-        The numbers at its edges take their room from the program and the log, too.
+        The numbers at its edges also take room from the program and the log.
         """
         free = not self.has_class("-one-pane") and not self.has_class("-inspecting") and not self.is_plain
         floor = self.map.grid.bounds if self.map.grid else None
@@ -325,9 +325,9 @@ class MainScreen(Screen[None]):
             self.hold_nothing()
 
     def _await_answer(self) -> None:
-        """In the plain layout the command line is cleared in the same repaint as the answer appears.
+        """Hold the repaint in the plain layout, so that the answer appears with the cleared command line.
 
-        Some screen readers speak a lone deletion. What takes longer than a moment is not waited for.
+        Some screen readers speak a lone deletion. Waits for a moment at most.
         """
         if self.is_plain and self.log_is_seen and not self.log_rows.begin_answer():
             self.hold_nothing()
@@ -336,7 +336,7 @@ class MainScreen(Screen[None]):
             self.set_timer(LONGEST_HELD, self.hold_nothing)
 
     def hold_nothing(self) -> None:
-        """From now on all is painted, what waits too."""
+        """Stop holding, and paint everything."""
         holding, self._holding = self._holding, None
         if holding is not None:
             holding.close()

@@ -1,10 +1,10 @@
 """Screens to read, and the keys after the menu key.
 
-``Help`` shows lines; what is shown first is spoken, then each row as it is reached. ``Tour`` shows a page at
+``Help`` shows lines; the first ones are spoken, then each row that is reached. ``Tour`` shows a page at
 a time: Enter turns the page, Backspace turns back, Esc lets the learner try what it says; ``TourStrip`` is
 the same below the panes. ``KeyMenu`` lists what each key after the menu key does; the next key does it.
-``KeyCapture`` waits for the key that a command is to have: Esc goes back, Backspace takes a chosen key away.
-Its answer is the key as the settings file has it, an empty one for none, or None if the learner went back.
+``KeyCapture`` waits for the new key of a command: Esc goes back, Backspace removes a chosen key.
+Its answer is the key as the settings file writes it, empty for none, or None if the learner went back.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from donnie_tui.tui.widgets.rows import DialogKeys, TextRows
 
 
 class Help(Panel[None]):
-    """Shows lines until Esc; F1 goes ``further`` where there is more to read."""
+    """Shows lines until Esc; F1 goes ``further`` if there is more to read."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("escape,q", "dismiss", priority=True),
@@ -41,7 +41,7 @@ class Help(Panel[None]):
     ]
     AUTO_FOCUS = "#help-rows"
     _LEAVES_ROWS = True
-    """Whether the state is seen below."""
+    """Whether the state stays visible below."""
 
     def __init__(
         self,
@@ -81,7 +81,7 @@ class Help(Panel[None]):
 
 
 class TourPage(Struct, frozen=True):
-    """A page of the tour: what stands above it, and its lines."""
+    """A page of the tour: its heading and its lines."""
 
     title: str
     lines: tuple[str, ...]
@@ -90,7 +90,7 @@ class TourPage(Struct, frozen=True):
 class Tour(Help):
     """Begins at one of ``pages`` and closes after the last one; ``turned`` as that of the strip.
 
-    It has all of the screen: a page is read whole.
+    It fills the screen, so that a page is read as a whole.
     """
 
     _LEAVES_ROWS = False
@@ -131,7 +131,7 @@ class Tour(Help):
 
 
 class TourStrip(Vertical, can_focus=True):
-    """The tour above the command line, while everything else can be used.
+    """The tour above the command line; everything else stays usable.
 
     With the focus Enter turns the page and Backspace turns back; a click on it turns the page, too.
     """
@@ -142,7 +142,7 @@ class TourStrip(Vertical, can_focus=True):
     ]
 
     class Left(Message):
-        """A click on what is said of Esc."""
+        """A click on the words about Esc."""
 
     def __init__(
         self,
@@ -196,12 +196,12 @@ class TourStrip(Vertical, can_focus=True):
 
 
 class KeyMenu(Panel[None]):
-    """Lists ``names``, the commands by their keys. The application runs what is chosen."""
+    """Lists ``names``, the commands by their keys. The application runs the chosen one."""
 
     BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "leave", priority=True)]
     AUTO_FOCUS = "#key-rows"
     READING = ("escape", "up", "down", "pageup", "pagedown", "home", "end")
-    """What is pressed to read the list; any other key ends it."""
+    """Keys that move in the list; any other key closes it."""
 
     def __init__(
         self,
@@ -225,7 +225,7 @@ class KeyMenu(Panel[None]):
             (key_label(key, words.language), word_of(BY_NAME[name], words.language), words(f"action-{name}"))
             for key, name in sorted(self.names.items(), key=_place)
         ]
-        """Of each row: the key, the word and what it does."""
+        """For each row: the key, the word and the purpose."""
         self.rows = TextRows(id="key-rows")
         self._panel = Vertical(id="panel")  # a letter may close the menu before it has its children
 
@@ -245,7 +245,7 @@ class KeyMenu(Panel[None]):
             self.rows.read_line(line)
 
     def _lay_out(self) -> None:
-        """Columns in a panel that is as wide as they are, where they have room."""
+        """Use columns, in a panel of their width, if there is room."""
         widths = [max(map(cell_len, column)) for column in zip(*self.cells, strict=True)]
         panel, width = self._panel, sum(widths) + 2 * len(widths) + 2
         room = self.fit(panel)
@@ -264,7 +264,7 @@ class KeyMenu(Panel[None]):
         return ": ".join(self.cells[line])
 
     def on_text_rows_read(self, event: TextRows.Read) -> None:
-        """Of a row with columns the sentence is spoken."""
+        """Speak the row; if it has columns, as a sentence."""
         if event.has_focus and event.text == self.rows.lines[self.rows.line]:
             event.stop()
             self._point(self._sentence(self.rows.line))
@@ -278,13 +278,13 @@ class KeyMenu(Panel[None]):
 
 
 def _place(key_and_name: tuple[str, str]) -> tuple[bool, bool, str]:
-    """Letters first, then letters with Shift, then all else."""
+    """Sort letters first, then letters with Shift, then other keys."""
     key = key_and_name[0]
     return not (len(key) == 1 and key.isalpha()), not key.startswith("shift+"), key
 
 
 class _KeyLine(InputLine):
-    """Where the cursor stands; keys are taken and not written."""
+    """The line of the cursor; it takes keys and writes none."""
 
     def __init__(self, take: Callable[[str], None]) -> None:
         super().__init__(id="answer")
@@ -309,7 +309,7 @@ class KeyCapture(Dialog[str | None]):
         accepts: Callable[[str], str | None],
         point: Callable[[str], object],
     ) -> None:
-        """``asked_after_menu`` is said after the menu key; ``accepts`` answers what is wrong with a key.
+        """``asked_after_menu`` is asked after the menu key; ``accepts`` returns what is wrong with a key.
 
         ``point`` says what is asked.
         """

@@ -1,1 +1,1 @@
-"""One widget a file. They get values and post messages; they never call each other."""
+"""Widgets: they get values and post messages, and never call each other."""

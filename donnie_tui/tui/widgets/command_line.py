@@ -27,13 +27,13 @@ from language.source import cleaned
 
 
 class Heading(Static):
-    """A title, and perhaps a mark at the right end that is seen however long the title is."""
+    """A title, and a mark at the right end that stays visible with a long title."""
 
     _titles: tuple[str, ...] = ("",)
     _corner = ""
 
     def write(self, titles: tuple[str, ...], corner: str) -> None:
-        """The first of the titles for which there is room, or what fits of the last."""
+        """Show the first title that fits, or the beginning of the last, with ``corner`` at the right."""
         self._titles, self._corner = titles, corner
         room = self.size.width - cell_len(corner) - 1
         title = titles[0]
@@ -49,7 +49,7 @@ class Heading(Static):
 
 
 class Pane(Vertical):
-    """One titled part of the main screen."""
+    """A titled part of the main screen."""
 
     class TitleClicked(Message):
         """A click on the title."""
@@ -70,7 +70,7 @@ class Pane(Vertical):
         yield self.content
 
     def entitle(self, *titles: str, corner: str = "") -> None:
-        """Another title, plain text: the first that has room next to ``corner``, which is at the right."""
+        """Set the title, plain text: the first that fits next to ``corner``, which is at the right."""
         if (titles, corner) != (self._titles, self._corner):
             self._titles, self._corner = titles, corner
             self._write()
@@ -96,18 +96,18 @@ class Pane(Vertical):
 
 
 class InputLine(Input):
-    """Textual's, with a steady cursor where the terminal's own is, and nothing but text."""
+    """Textual's input line, with a steady cursor at the terminal's own, and plain text."""
 
     def __init__(self, value: str = "", *, id: str) -> None:  # noqa: A002 -- Textual's own name
         self._painted: tuple[str, int] | None = None
-        """Value and cursor as they were painted last, from the first column on."""
+        """The last painted value and cursor, from the first visible column on."""
         super().__init__(value, id=id, compact=True, select_on_focus=False)
         self.cursor_blink = False
 
     def refresh(
         self, *regions: Region, repaint: bool = True, layout: bool = False, recompose: bool = False
     ) -> Self:
-        """Only what a key changed: over a slow line each byte counts, and a reader reads what is painted."""
+        """Paint only what a key changed: a connection may be slow, and a reader speaks what is painted."""
         changed = self._changed if repaint and not (regions or recompose) else None
         if changed is not None:
             regions, layout = (changed,), False  # the line keeps its size, whatever is typed
@@ -115,7 +115,7 @@ class InputLine(Input):
 
     @property
     def _changed(self) -> Region | None:
-        """The columns that look different; None if that may be all of them."""
+        """The columns that look different; None if all may."""
         if not self.is_mounted or self._painted is None:
             return None
         value, cursor = self._painted
@@ -135,7 +135,7 @@ class InputLine(Input):
 
     @property
     def cursor_screen_offset(self) -> Offset:
-        """Textual reports one column more at the end of the text; braille displays follow this one."""
+        """The cursor's column, which Textual reports one too far at the end of the text."""
         before = cell_len(self.value[: self.cursor_position].expandtabs(4))
         x, y, _width, _height = self.content_region
         return Offset(x + before - self.scroll_offset.x, y)
@@ -147,7 +147,7 @@ class InputLine(Input):
 
 
 class CommandLine(InputLine):
-    """One line of input with its past."""
+    """A line of input with its history."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("up", "earlier"),
@@ -155,7 +155,7 @@ class CommandLine(InputLine):
     ]
 
     class Typed(Message):
-        """A line was finished."""
+        """Posted when a line is finished."""
 
         def __init__(self, text: str) -> None:
             super().__init__()
@@ -168,12 +168,12 @@ class CommandLine(InputLine):
         self.have_typed(LineHistory())
 
     def have_typed(self, past: LineHistory) -> None:
-        """These lines can be recalled."""
+        """Set the lines that can be recalled."""
         self.past = past
         self._recall = Recall(past)
 
     def finish(self) -> None:
-        """Hand over what is typed, and begin anew."""
+        """Post the typed line, and clear it."""
         text = self.value.strip()
         if text:
             self._send()

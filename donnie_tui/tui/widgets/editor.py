@@ -34,19 +34,19 @@ if TYPE_CHECKING:
 
 HERE, CALLER, BREAK, MISTAKE, HINT = ">", "*", "B", "!", "?"
 MARKS = 2
-"""Columns for marks."""
+"""Columns of the marks."""
 
 _EMPTY_LINE = "▌"
-"""What Textual paints in a selected line without text, in a colour that may be the background's."""
+"""Textual's sign in a selected empty line, whose colour may be the background's."""
 
 _LONGEST_WORD = 80
-"""Characters of a line that may hold only a command."""
+"""A longer line is no command."""
 
 LONGEST_WRAPPED = 20_000
-"""Characters beyond which a line is one row that scrolls sideways: each key wraps all of its line anew."""
+"""A longer line is one row that scrolls sideways, since each key wraps its whole line again."""
 
 LEAST_TYPED = 2
-"""Letters before a word is offered, where more than one fits."""
+"""Letters before a word is suggested, if more than one fits."""
 LEAST_NOTE = 12
 """Columns that the sentence of a mistake needs."""
 
@@ -58,7 +58,7 @@ class Editor(TextArea):
 
     _is_editing = False  # asked before the constructor has ended
     _has_looks = False
-    """Whether the colours were looked up since all rows were to be painted."""
+    """Whether the colours were looked up since the last full repaint."""
 
     class LineWordTyped(Message):
         """Enter on a line that holds only a command; the line is taken out."""
@@ -75,13 +75,13 @@ class Editor(TextArea):
             self.line = line
 
     class Edited(Message, bubble=False):
-        """The text is another one."""
+        """The text has changed."""
 
     class Looked(Message, bubble=False):
-        """The cursor was put somewhere, perhaps where it was."""
+        """The cursor was placed, perhaps at the same place."""
 
     class LineFinished(Message):
-        """Enter, in that row (from 0)."""
+        """Enter was pressed in that row (from 0)."""
 
         def __init__(self, row: int) -> None:
             super().__init__()
@@ -91,26 +91,26 @@ class Editor(TextArea):
         super().__init__(id=id, soft_wrap=True, tab_behavior="focus", show_line_numbers=True)
         self.cursor_blink = False
         self.is_typed = False
-        """Whether a key made the last change of the text, and no command."""
+        """Whether a key, and no command, made the last change of the text."""
         self._chosen_painted: tuple[Offset, Offset] | None = None
-        """Where the selection is, while rows are painted."""
+        """The place of the selection, while rows are painted."""
         self._marks: dict[int, str] = {}
         self._working: tuple[str, ...] = ()
         self._notes: dict[int, LineMistake] = {}
         self._breakpoints: frozenset[int] = frozenset()
         self.complete: Callable[[str, int], Completion] | None = None
-        """What may stand at an offset of the text; None if nothing is to be offered."""
+        """Returns the possible words at an offset of the text; None for no suggestions."""
         self.first_steps: tuple[str, ...] = ()
-        """What an empty program shows faintly below its first line, which stays free for typing."""
+        """Faint lines of an empty program, below the first line, which stays free for typing."""
         self.next_line: Callable[[Sequence[str], int], NextLine] | None = None
-        """What Enter at the end of a row writes; None, or without line numbers: only a new line."""
+        """Returns what Enter writes at the end of a row. None, or no line numbers: a plain new line."""
 
     def on_mount(self) -> None:
         self.app.theme_changed_signal.subscribe(self, lambda _: self._wear())
         self._wear()
 
     def _wear(self) -> None:
-        """The looks of the application's theme."""
+        """Take the looks of the application's theme."""
         name = self.app.theme
         self.register_theme(TextAreaTheme(name=name, syntax_styles=dict(themes.syntax_styles(name))))
         self.theme = name
@@ -118,7 +118,7 @@ class Editor(TextArea):
     # --- typing
 
     def on_text_area_changed(self, event: TextArea.Changed) -> None:
-        """Straight to the application: on the way through five containers a letter pays for each."""
+        """Post straight to the application, since each of five containers on the way costs time."""
         event.stop()
         self.app.post_message(self.Edited())
 
@@ -142,7 +142,7 @@ class Editor(TextArea):
                 self._begin_line(self.next_line)
 
     def _begin_line(self, next_line: Callable[[Sequence[str], int], NextLine]) -> None:
-        """The next line, with the indentation that it should have; perhaps the END of its block below."""
+        """Begin the next line with its indentation, and add the END of its block if that is missing."""
         row, column = self.cursor_location
         line = self.document.get_line(row)
         if column < len(line.rstrip()):
@@ -160,7 +160,7 @@ class Editor(TextArea):
 
     @property
     def _line_command(self) -> tuple[str, str | None] | None:
-        """The name and the argument of the command that is all of the line, with the cursor at its end."""
+        """The command and argument, if they are the whole line, with the cursor at its end."""
         row, column = self.cursor_location
         line = self.document.get_line(row)
         if len(line) >= _LONGEST_WORD or column < len(line.rstrip()) or not self.selection.is_empty:
@@ -171,14 +171,14 @@ class Editor(TextArea):
         return (found[0].name, found[1] or None) if found is not None else None
 
     def _take_line_out(self, row: int) -> None:
-        """The last line stays, empty, so that typing continues there."""
+        """Remove a line; the last one stays, empty, so that typing continues there."""
         is_last = row == self.document.line_count - 1
         end = (row, len(self.document.get_line(row))) if is_last else (row + 1, 0)
         self.delete((row, 0), end, maintain_selection_offset=False)
         self.move_cursor((row, 0))
 
     async def _on_mouse_down(self, event: events.MouseDown) -> None:
-        """A click next to a line moves no cursor."""
+        """Post a click in the gutter, which moves no cursor."""
         place, wrapped = event.get_content_offset(self), self.wrapped_document
         row = self.scroll_offset.y + place.y if place is not None else wrapped.height
         if place is not None and place.x < self.gutter_width and row < wrapped.height:
@@ -199,7 +199,7 @@ class Editor(TextArea):
     ) -> None:
         """Mark the line being run (from 1; None: nothing is run) and those that called it.
 
-        ``working`` is what the line computes, in a few lengths, the longest first.
+        ``working`` is the line's evaluation in a few lengths, the longest first.
         """
         marks = dict.fromkeys(callers, CALLER)
         if line is not None:
@@ -214,7 +214,7 @@ class Editor(TextArea):
             self.refresh(*gutters)
 
     def note(self, mistakes: Mapping[int, LineMistake]) -> None:
-        """The mistakes of the text as it is now, by line."""
+        """Mark the mistakes of the current text, by line."""
         last = self.document.line_count
         changed = {
             each
@@ -227,12 +227,12 @@ class Editor(TextArea):
 
     @property
     def mistake(self) -> LineMistake | None:
-        """What is wrong in the line of the cursor."""
+        """The mistake of the cursor's line."""
         return self._notes.get(self.line)
 
     @property
     def mistakes(self) -> tuple[LineMistake, ...]:
-        """What is wrong in all lines, from the first one."""
+        """The mistakes of all lines, from the first one."""
         return tuple(self._notes[line] for line in sorted(self._notes))
 
     @property
@@ -247,7 +247,7 @@ class Editor(TextArea):
             self.refresh()
 
     def show(self, text: str, breakpoints: frozenset[int]) -> None:
-        """Another program, from its first line; the history begins again."""
+        """Show another program, from its first line; the history begins again."""
         self.is_typed = False
         self.load_text(text)
         self._choose_wrapping()
@@ -255,7 +255,7 @@ class Editor(TextArea):
         self.move_cursor((0, 0))
 
     def edit(self, edit: Edit) -> EditResult:
-        """Breakpoints go with their lines. A letter has only the rows of its line painted again."""
+        """Edit the text; breakpoints move with their lines. A letter repaints only the rows of its line."""
         start, end = sorted((edit.from_location, edit.to_location))
         whole_lines = start[1] == end[1] == 0
         first, last = (start[0], end[0]) if whole_lines else (start[0] + 1, end[0] + 1)
@@ -276,32 +276,32 @@ class Editor(TextArea):
     def refresh(
         self, *regions: Region, repaint: bool = True, layout: bool = False, recompose: bool = False
     ) -> Self:
-        """Textual asks for all rows at each letter; ``edit`` asks for those that an edit changes."""
+        """Ignore Textual's request for all rows at each letter; ``edit`` repaints the changed ones."""
         if self._is_editing and not (regions or layout or recompose):
             return self
         self._has_looks = self._has_looks and bool(regions)
         return super().refresh(*regions, repaint=repaint, layout=layout, recompose=recompose)
 
     def _beyond(self, row: int) -> tuple[object, ...]:
-        """What an edit of that line may change in the rows of others."""
+        """A key of what an edit of that line may change in other rows."""
         looks = {line: each for line, each in self._highlights.items() if line != row}
         places = self.wrapped_document.height, self.document.line_count, self.gutter_width, self.soft_wrap
         return looks, places, self.scroll_offset, self._others_marked(row)
 
     def _others_marked(self, row: int) -> tuple[object, ...]:
-        """The rows of the selection and of the bracket of a pair, where they are not in that line only."""
+        """The rows of the selection and of a bracket pair, unless they are all in that line."""
         bracket = self._matching_bracket_location
         marked = {*(each[0] for each in self.selection), *([bracket[0]] if bracket else [])}
         return () if marked == {row} else (self.selection, bracket)
 
     def _rows_of(self, row: int) -> Region:
-        """Where a line is in the window."""
+        """The place of a line in the window."""
         line = self.document.get_line(row)
         first, last = (self.wrapped_document.location_to_offset((row, at)).y for at in (0, len(line)))
         return Region(0, first - self.scroll_offset.y, self.size.width, last + 1 - first)
 
     def undo(self) -> None:
-        """Breakpoints go with their lines here too."""
+        """Undo the last edit; breakpoints move with their lines."""
         self.is_typed = False
         before = list(self.document.lines) if self.breakpoints else []
         super().undo()
@@ -316,16 +316,16 @@ class Editor(TextArea):
         self._follow(before)
 
     def _choose_wrapping(self) -> None:
-        """Rows as wide as the window, unless a line is so long that each key would take a moment."""
+        """Wrap lines at the window's width, unless a line is so long that each key would be slow."""
         self.soft_wrap = max(map(len, self.document.lines)) <= LONGEST_WRAPPED
 
     def _follow(self, before: Sequence[str]) -> None:
-        """The text was ``before`` and is another one now: what differs is all that is known."""
+        """Move breakpoints after the text has changed from ``before``, found by the difference."""
         if before:
             self.breakpoints = followed(self.breakpoints, before, self.document.lines)
 
     def _shift_breakpoints(self, first: int, last: int, added: int) -> None:
-        """Lines after ``last`` have moved; what is after ``first`` up to there is gone."""
+        """Move breakpoints of lines after ``last``, and drop those after ``first`` up to there."""
         if added and self.breakpoints:
             self.breakpoints = shifted(self.breakpoints, first, last, added)
 
@@ -355,7 +355,7 @@ class Editor(TextArea):
     def replace_range(self, start: int, end: int, text: str) -> None:
         """Replace the characters between two offsets. The cursor stays at its letter.
 
-        Where it was in what is replaced, or in another line, it comes after the new text.
+        If it was in the replaced text, or in another line, it moves after the new text.
         """
         self.is_typed = False
         here, new_end = self.offset_of_cursor, start + len(text)
@@ -366,7 +366,7 @@ class Editor(TextArea):
         self.move_cursor(self.location_of(cursor))
 
     def _replace_lines(self, first: int, end: int, lines: Sequence[str]) -> None:
-        """Rows ``first`` up to ``end`` become ``lines``; what is gone takes its end of line with it."""
+        """Replace the rows ``first`` up to ``end`` by ``lines``, with their line ends."""
         last = self.document.line_count
         if end < last:
             self.replace("".join(f"{each}\n" for each in lines), (first, 0), (end, 0))
@@ -392,7 +392,7 @@ class Editor(TextArea):
         return sum(len(line) + 1 for line in self.document.lines[:row]) + column
 
     def location_of(self, offset: int) -> tuple[int, int]:
-        """Row and column of an offset, as near as there is text."""
+        """The row and column of an offset, or the nearest in the text."""
         for row, line in enumerate(self.document.lines):
             if offset <= len(line):
                 return row, offset
@@ -400,7 +400,7 @@ class Editor(TextArea):
         return self.document.end
 
     def update_suggestion(self) -> None:
-        """What would most likely come next, faintly after the cursor; the right arrow takes it."""
+        """Show the likeliest next word faintly after the cursor; the right arrow accepts it."""
         self.suggestion = ""
         row, column = self.cursor_location
         if self.complete is None or column < len(self.document.get_line(row)):
@@ -411,17 +411,17 @@ class Editor(TextArea):
             self.suggestion = found.words[0][len(found.typed) :]
 
     def _watch_selection(self, previous_selection: Selection, selection: Selection) -> None:
-        """A cursor that moves leaves what was offered; after an edit the offer is made anew."""
+        """Drop the suggestion when the cursor moves; after an edit make a new one."""
         super()._watch_selection(previous_selection, selection)
         self.suggestion = ""
 
     def put_in_place_of(self, typed: str, word: str) -> None:
-        """The chosen word instead of the letters before the cursor."""
+        """Replace the letters before the cursor by the chosen word."""
         row, column = self.cursor_location
         self.replace(word, (row, column - len(typed)), (row, column), maintain_selection_offset=False)
 
     def go_to(self, line: int, column: int = 1) -> None:
-        """Put the cursor there, both from 1, as near as there is text."""
+        """Put the cursor there, both from 1, or to the nearest place in the text."""
         row = min(max(line, 1), self.document.line_count) - 1
         self.move_cursor((row, min(max(column, 1) - 1, len(self.document.get_line(row)))))
 
@@ -447,13 +447,13 @@ class Editor(TextArea):
 
     @property
     def gutter_width(self) -> int:
-        """More than Textual's, for the marks."""
+        """The width of the line numbers and the marks."""
         return super().gutter_width + MARKS
 
     def render_lines(self, crop: Region) -> list[Strip]:
-        """Where the selection is in a line of any length is looked for once, and not for each row.
+        """The rows; the selection's place in a long line is computed once and not for each row.
 
-        Textual looks up the colours each time, also for a letter.
+        Textual looks up the colours at each letter.
         """
         self._chosen_painted = None if self.selection.is_empty else self._chosen
         paint = ScrollView.render_lines if self._has_looks else TextArea.render_lines
@@ -483,7 +483,7 @@ class Editor(TextArea):
         return Strip.join([Strip([Segment(marks, style + Style(bold=True))]), strip.crop(MARKS)])
 
     def _with_first_step(self, strip: Strip, row: int) -> Strip:
-        """In italics too, which no line of a program is in all its words."""
+        """Add a first step, also in italics, as no whole line of a program is."""
         if row >= len(self.first_steps):
             return strip
         style = self.rich_style + themes.looks(self.app.theme)["kind"]
@@ -491,7 +491,7 @@ class Editor(TextArea):
         return Strip([Segment(words, style)]).crop_extend(0, self.size.width, self.rich_style)
 
     def _with_gutter(self, strip: Strip) -> Strip:
-        """Textual has columns for numbers only where there are numbers; the marks want theirs everywhere."""
+        """Add the gutter to every row; Textual has it only in rows with a line number."""
         if self.show_line_numbers:
             return strip
         first = next(iter(strip), None)
@@ -499,7 +499,7 @@ class Editor(TextArea):
         return Strip.join([gutter, strip]).crop(0, self.size.width)
 
     def _with_selection(self, strip: Strip, y: int) -> Strip:
-        """The chosen columns in the colours for it, over those of the syntax, which Textual leaves there."""
+        """Paint the selected columns in the selection's colours, over those of the syntax."""
         if self.selection.is_empty:
             return strip
         row, (first, last) = y + self.scroll_offset.y, self._chosen_painted or self._chosen
@@ -518,7 +518,7 @@ class Editor(TextArea):
 
     @property
     def _chosen(self) -> tuple[Offset, Offset]:
-        """Where the selection begins and ends in the wrapped text, in cells."""
+        """The beginning and end of the selection in the wrapped text, in cells."""
         first, last = sorted(self.selection)
         wrapped = self.wrapped_document
         return wrapped.location_to_offset(first), wrapped.location_to_offset(last)
@@ -529,7 +529,7 @@ class Editor(TextArea):
         return self._marks.get(line, " ") + second
 
     def _line_at(self, y: int) -> tuple[int, bool, bool]:
-        """The line from 1 of a row of the window, whether the row is its first and its last; 0: none."""
+        """The line of a window's row, from 1 or 0 for none; whether the row is its first and its last."""
         row = y + self.scroll_offset.y
         wrapped = self.wrapped_document
         if not (self._marks or self._notes or self.breakpoints) or row >= wrapped.height:
@@ -539,7 +539,7 @@ class Editor(TextArea):
         return line + 1, column == 0, is_last
 
     def _with_note(self, strip: Strip, look: str, *choices: str) -> Strip:
-        """The first that fits after the line, else the last as far as there is room for more than a word."""
+        """Add the first note that fits after the line, else the last one cut, if more than a word fits."""
         used = len(strip.text.rstrip()) + 2
         room = strip.cell_length - used
         words = next((each for each in choices if len(each) <= room), choices[-1])

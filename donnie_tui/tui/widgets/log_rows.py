@@ -1,4 +1,4 @@
-"""The log. In the plain layout a printed row stays in its place: a screen reader repeats what moves.
+"""The log. In the plain layout a printed row stays in its place, as a screen reader repeats rows that move.
 
 So a page is filled from above. When the next row has no room, or a command is typed on a page that is half
 full, a page without a word comes first, and then the rows on it: a reader compares what it sees, and passes
@@ -17,17 +17,17 @@ from textual.timer import Timer
 from donnie_tui.tui.widgets.rows import TextRows
 
 REST = 0.3
-"""Seconds that a full page stays: a reader speaks what it finds when it looks."""
+"""Seconds that a full page stays, so that a reader finds it."""
 BREATH = 0.1
-"""Seconds that a page stays empty, long enough to be looked at."""
+"""Seconds that a page stays empty, so that a reader notices."""
 _FLOOD = 200
-"""Rows; more at once are not to be spoken line by line."""
+"""More rows at once are not spoken line by line."""
 _SHORT = 20
 """Digits of a number to which a full stop is added; a longer one may continue in the next row."""
 
 
 class LogRows(TextRows):
-    """All lines of the log, the newest being read."""
+    """The lines of the log, the newest chosen."""
 
     BINDINGS: ClassVar[list[BindingType]] = [Binding("f", "app.do('filter')")]
 
@@ -39,16 +39,16 @@ class LogRows(TextRows):
         self._paged = 0
         """The number of rows that have been on a page."""
         self._waiting: Timer | None = None
-        """Until the page goes, or something comes onto an empty one."""
+        """The timer of the next page."""
 
     def set_paged(self, wanted: bool) -> None:
-        """No kinds after the lines, which a reader would speak; and no row moves, or passes unseen."""
+        """Show pages: without kinds, which a reader would speak, and without rows that scroll."""
         if wanted != self._is_paged:
             self._is_paged = wanted
             self._lay_out()
 
     def begin_answer(self) -> bool:
-        """Whether the answer comes on a new page, as there is little room."""
+        """Begin an answer. Returns whether it comes on a new page, as there is little room."""
         room = self._page + self.size.height - self._paged
         turns = self._fills_pages and self._waiting is None and room * 2 < self.size.height
         if turns:
@@ -69,7 +69,7 @@ class LogRows(TextRows):
             self._fill()
 
     def _fill(self) -> None:
-        """What there is room for on the page; the rest after it."""
+        """Show the rows that fit on the page; the rest follows on the next one."""
         self._waiting = None
         rows, height = len(self._rows), self.size.height
         if not height:
@@ -85,7 +85,7 @@ class LogRows(TextRows):
                 self._wait(REST, self._turn)
 
     def _turn(self) -> None:
-        """An empty page, and then what comes onto it."""
+        """Show an empty page, then its rows."""
         self._page = self._paged
         self._go_to_page()
         self.refresh()
@@ -105,20 +105,20 @@ class LogRows(TextRows):
             self._waiting = None
 
     def _show_newest(self) -> None:
-        """As many rows as there is room for, paged or not: no page is to be spoken before."""
+        """Show as many of the newest rows as fit, without paging."""
         self._give_up_waiting()
         self._paged = len(self._rows)
         self._page = max(0, self._paged - self.size.height)
         self.refresh()
 
     def on_resize(self) -> None:
-        """Before the rows are laid out, as Textual asks the subclass first."""
+        """Note the new size, before the base class lays out the rows."""
         self._show_newest()
 
     def watch_has_focus(self, has_focus: bool) -> None:
-        """With the focus all of it is seen; without it a reader speaks what comes, wherever it was read.
+        """Show all rows while focused; without the focus a reader speaks new rows.
 
-        Nothing moves for that, as far as possible: it would be spoken again.
+        Rows move as little as possible, since moved rows would be spoken again.
         """
         super().watch_has_focus(has_focus)
         if self._is_paged:
@@ -131,7 +131,7 @@ class LogRows(TextRows):
     # --- as rows
 
     def search(self, wanted: str) -> bool:
-        """What was found is printed: without the focus no reader would speak an answer in an older place."""
+        """Print the found row: without the focus no reader would speak an older row."""
         return (not self._is_paged or self.has_focus) and super().search(wanted)
 
     def _forget_oldest(self) -> int:
@@ -161,6 +161,6 @@ class LogRows(TextRows):
         return self._paged if self._fills_pages else len(self._rows)
 
     def _words_of(self, row: int) -> str:
-        """A number alone is a sentence: Orca takes nothing but digits for something typed."""
+        """The words of a row; a lone number gets a full stop, since Orca takes digits for typed ones."""
         words = super()._words_of(row)
         return f"{words}." if self._is_paged and words.isdecimal() and len(words) <= _SHORT else words

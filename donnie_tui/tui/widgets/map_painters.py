@@ -1,8 +1,8 @@
-"""How the squares of a map are painted: as letters, or as a picture of coloured blocks.
+"""Painters of the map's squares: letters, or a picture of coloured blocks.
 
-A painter says which room a square takes and what is seen there; the map does all the rest. In letters nothing
-is said by colour alone. A picture shows twice as many rows of squares, as half blocks, and only where a
-learner asks for it; robots and what lies on the floor are letters there, too.
+A painter gives the size of a square and its content; the map does the rest. In letters nothing
+is shown by colour alone. A picture shows twice as many rows of squares, as half blocks, and only if a
+learner asks for it; robots and marks on the floor are letters there, too.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _UPPER, _LOWER, _FULL = "▀", "▄", "█"
 
 
 class Extent(Struct, frozen=True):
-    """What a square takes: columns and rows; or several squares one above the other take one row."""
+    """The size of a square in columns and rows, or the squares that share one row."""
 
     columns: int
     rows: int
@@ -34,26 +34,26 @@ class Extent(Struct, frozen=True):
 
 
 class Painter(Protocol):
-    """One way to show squares."""
+    """A way to paint squares."""
 
     extents: tuple[Extent, ...]
-    """From far to near."""
+    """From the farthest to the nearest zoom."""
 
     def fitting(self, floor: Size, room: Size) -> int:
-        """Which extent shows a floor of so many squares at zoom 0."""
+        """The index of the extent that shows a floor of so many squares at zoom 0."""
 
     def paint(self, scale: MapScale, square: Cell, extent: Extent, row: int, look: Look) -> Segment:
-        """One row of a square, of the upper one where they are stacked."""
+        """Paint a row of a square, of the upper one if they are stacked."""
 
 
 class Letters:
-    """Things and robots as letters, with initials where they have room: in columns or in squares."""
+    """Paints things and robots as letters, with initials if there is room."""
 
     extents: tuple[Extent, ...] = (Extent(1, 1), Extent(2, 1), Extent(4, 2), Extent(6, 3))
 
     def __init__(self) -> None:
         self.initials: Mapping[str, str] = {}
-        """Of colour words, in the learner's language."""
+        """The initials of colour words, in the learner's language."""
         self.mixed: frozenset[str] = frozenset()
         """The letters of things that come in several colours."""
 
@@ -65,7 +65,7 @@ class Letters:
         return Segment(self._filled(scale, square, kind, letter, extent, row), look(kind))
 
     def _filled(self, scale: MapScale, square: Cell, kind: str, letter: str, extent: Extent, row: int) -> str:
-        """All columns of a wide square: walls and things are solid, else a letter and blanks."""
+        """The text of a wide square: walls and things fill it, others are a letter and blanks."""
         _thing, is_thing, colour = kind.partition("thing-")
         if is_thing and letter in self.mixed:
             initial = self.initials.get(colour, letter)
@@ -85,7 +85,7 @@ def _is_robot(kind: str) -> bool:
 
 
 class Blocks:
-    """Walls and things as blocks of their colours, on a blank floor."""
+    """Paints walls and things as blocks of their colours, on a blank floor."""
 
     extents: tuple[Extent, ...] = (Extent(1, 1, 2), Extent(2, 1), Extent(4, 2), Extent(6, 3))
 
@@ -105,7 +105,7 @@ class Blocks:
 
 
 def _stacked(upper: tuple[str, str], lower: tuple[str, str], look: Look) -> Segment:
-    """Two squares in one row: a robot before all, then blocks, then what lies on the floor."""
+    """Paint two squares in one row: a robot has priority, then blocks, then marks on the floor."""
     for letter, kind in (upper, lower):
         if _is_robot(kind):
             return Segment(letter, look(kind))

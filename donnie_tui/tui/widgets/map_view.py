@@ -1,10 +1,10 @@
 """The map: a window on the floor that follows the robot or shows all of it, and repaints only what changed.
 
-The terminal's own cursor stands on the robot, or on the square that is being explored, while the map has the
-focus; only so long the window stays with that square. A step is two columns wide where the world fits so,
-because cells are twice as high as wide, and up to six by three where the learner zooms in. Where a step has
-several columns, things that differ only in colour have its initial, and robots that of their name. What is
-where, and what it is called, the core knows; here it is placed, and ``map_painters`` paint it.
+The terminal's own cursor stands on the robot, or on the explored square, while the map has the
+focus; only then the window follows that square. A step is two columns wide if the world fits so,
+because cells are twice as high as wide, and up to six by three if the learner zooms in. If a step has
+several columns, things that differ only in colour have its initial, and robots that of their name. The core
+knows places and names; this module lays them out, and ``map_painters`` paint them.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from donnie_tui.core.map_words import Pointer
 
 _MARGIN = 3
-"""Cells that stay visible between the robot and the border, where there is more floor beyond."""
+"""Cells that stay visible between the robot and the border, if there is more floor beyond."""
 
 RULER = 4
 """Columns of the numbers at the left; at the top they take one row."""
@@ -40,12 +40,12 @@ _EVERY = 5
 NEAREST = len(Letters.extents) - 1
 
 OUTSIDE = "+"
-"""At the edge: a thing, a robot or a goal lies outside there. No thing has this letter."""
+"""The mark at the edge for a thing, a robot or a goal outside. No thing has this letter."""
 _COVERED = ("free", "trail", "wall", "ray")
-"""What such a mark may cover."""
+"""The kinds that such a mark may cover."""
 _ROBOT = Style(bold=True, reverse=True)
 _UNDER_NAMES = ("free", "trail", "ray")
-"""What a name may cover."""
+"""The kinds that a name may cover."""
 
 
 class MapView(PaintedRows, can_focus=True):
@@ -70,13 +70,13 @@ class MapView(PaintedRows, can_focus=True):
     ]
 
     class Explored(Message):
-        """Another square is being explored."""
+        """Another square was explored."""
 
     class EdgesChanged(Message):
-        """Floor that was seen is outside now, or the other way round."""
+        """The sides with floor outside the window have changed."""
 
     class RulersChanged(Message):
-        """The numbers at the edges came or left: the map takes more room or less."""
+        """The numbers at the edges were shown or hidden, which changes the map's size."""
 
     def __init__(self, *, id: str) -> None:  # noqa: A002 -- Textual's own name
         super().__init__(id=id)
@@ -91,16 +91,16 @@ class MapView(PaintedRows, can_focus=True):
         self._painter: Painter = self._letters
         self._extent = self._painter.extents[0]
         self.hidden: tuple[str, ...] = ()
-        """The sides on which more floor is outside."""
+        """The sides with more floor outside."""
         self._marks: frozenset[Offset] = frozenset()
         """The places on the edge with ``OUTSIDE``."""
         self._bounds: Bounds
-        """Of the floor as it was laid out last, once there is one."""
+        """The bounds of the last layout."""
 
     # --- what is shown
 
     def show(self, scene: MapScene, *, whole: bool = False) -> None:
-        """Another floor, all of it or as much as has room."""
+        """Show another floor, all of it or as much as fits."""
         from donnie_tui.core.map_scene import MapScale
         from donnie_tui.core.map_words import Pointer
 
@@ -110,21 +110,21 @@ class MapView(PaintedRows, can_focus=True):
         self._fit()
 
     def call_colours(self, initials: Mapping[str, str]) -> None:
-        """The initials of colours, in the learner's language."""
+        """Set the initials of colours, in the learner's language."""
         self._letters.initials = initials
 
     def restart(self) -> None:
-        """Everything may look different."""
+        """Lay out and paint everything again."""
         self._fit()
 
     def begin(self, cells: Iterable[Cell]) -> None:
-        """These cells look different, and the robot is where all begins."""
+        """Paint cells at the beginning of a run, and follow the robot."""
         self.update_cells(cells)
         if self.scale is not None:
             self._follow(self._followed, centre=True)
 
     def update_cells(self, cells: Iterable[Cell]) -> None:
-        """These cells look different; the robot may be elsewhere."""
+        """Paint cells that look different, and follow the robot."""
         if self.scale is None:
             return
         squares = self.scale.squares_of(cells)
@@ -149,7 +149,7 @@ class MapView(PaintedRows, can_focus=True):
 
     @property
     def zoom(self) -> int:
-        """Above 0 nearer, below 0 further away than a square a step; of the whole floor what it comes to."""
+        """The zoom: 0 is a square a step, above 0 nearer, below 0 farther."""
         if self.shows_all and self.scale is not None:
             return -(self.scale.factor - 1).bit_length()
         return self._zoom
@@ -160,12 +160,12 @@ class MapView(PaintedRows, can_focus=True):
         self._fit()
 
     def show_all(self, whole: bool) -> None:
-        """The whole floor, or as near as before, following the robot."""
+        """Show the whole floor, or follow the robot at the zoom of before."""
         self.shows_all = whole
         self._fit()
 
     def show_names(self, labels: Callable[[MapScale, int], dict[Cell, str]] | None) -> None:
-        """Names next to the things, as ``labels`` places them; None: no names."""
+        """Show names next to the things, placed by ``labels``; None hides them."""
         self._labels = labels
         self._fit()
 
@@ -179,16 +179,16 @@ class MapView(PaintedRows, can_focus=True):
 
     @property
     def has_colours(self) -> bool:
-        """Whether a picture would show anything."""
+        """Whether the terminal has the colours for a picture."""
         return not self.app.no_color
 
     def show_picture(self, wanted: bool) -> None:
-        """Coloured blocks instead of letters."""
+        """Show coloured blocks instead of letters, or letters again."""
         self._painter = Blocks() if wanted and self.has_colours else self._letters
         self._fit()
 
     def show_rulers(self, shown: bool) -> None:
-        """Numbers at the left and at the top: steps to the north and to the east."""
+        """Show or hide numbers at the left and at the top: steps to the north and to the east."""
         self.has_rulers = shown
         self._fit()
         self.post_message(self.RulersChanged())
@@ -200,7 +200,7 @@ class MapView(PaintedRows, can_focus=True):
 
     @property
     def rulers(self) -> Offset:
-        """What the numbers take."""
+        """The columns and rows of the numbers."""
         return Offset(RULER, 1) if self.has_rulers else Offset(0, 0)
 
     def _fit(self) -> None:
@@ -220,7 +220,7 @@ class MapView(PaintedRows, can_focus=True):
         self.refresh()
 
     def _note_hidden(self) -> None:
-        """Which sides of the floor are outside the window."""
+        """Note which sides of the floor are outside the window."""
         (left, top), size, floor = self.scroll_offset, self.size, self.virtual_size
         sides = {
             "north": top > 0,
@@ -236,11 +236,11 @@ class MapView(PaintedRows, can_focus=True):
 
     @property
     def _window(self) -> Region:
-        """Where floor is seen, in the widget."""
+        """The part of the widget that shows floor."""
         return self.size.region.shrink((self.rulers.y, 0, 0, self.rulers.x))
 
     def _mark_edges(self, changed: frozenset[Cell] | None = None) -> None:
-        """Marks anew after a scroll; else only if one of the squares that changed is outside."""
+        """Update the marks at the edges after a scroll, or if a changed square is outside."""
         if not self.hidden and not self._marks:
             return
         assert self.scale is not None
@@ -273,7 +273,7 @@ class MapView(PaintedRows, can_focus=True):
             self.scale.factor = 2 ** max(0, -self._zoom)
 
     def _write_names(self, squares: frozenset[Cell]) -> None:
-        """A name next to a thing that moved moves too."""
+        """Place the names again if one of the squares has changed."""
         if self._labels is None or self.scale is None:
             return
         written = self._labels(self.scale, self._extent.columns)
@@ -284,23 +284,23 @@ class MapView(PaintedRows, can_focus=True):
 
     @property
     def _square(self) -> Cell:
-        """The square under the cursor: the robot's, unless another one is being explored."""
+        """The square under the cursor: the robot's, unless another one is explored."""
         assert self.scale is not None and self.pointer is not None
         return self.scale.square_of(self.pointer.here)
 
     @property
     def _followed(self) -> Cell:
-        """The square that is to be seen: without the focus nothing is explored."""
+        """The square to keep visible; without the focus the robot's."""
         assert self.scale is not None
         return self._square if self.has_focus else self.scale.robot
 
     def on_focus(self) -> None:
-        """The square that was explored last is still the one under the cursor."""
+        """Keep the cursor on the square that was explored last."""
         if self.scale is not None:
             self._follow(self._square)
 
     def _follow(self, square: Cell, *, centre: bool = False) -> None:
-        """Scroll no further than needed while it moves; on a new floor, put it into the middle."""
+        """Scroll to the square, no further than needed; on a new floor, put it into the middle."""
         place = self._region_of(square, scrolled=False)
         if not centre:
             place = place.grow((_MARGIN,) * 4)
@@ -317,7 +317,7 @@ class MapView(PaintedRows, can_focus=True):
 
     @property
     def cursor_screen_offset(self) -> Offset:
-        """Braille displays and console readers look where the terminal's cursor is: here."""
+        """The place of the terminal's cursor, which braille displays and console readers follow."""
         if self.scale is None:
             return self.content_region.offset
         return self.content_region.offset + self._region_of(self._square).offset
@@ -325,13 +325,13 @@ class MapView(PaintedRows, can_focus=True):
     # --- exploring
 
     def action_explore(self, east: int, north: int) -> None:
-        """One square further, whatever a square is."""
+        """Move the pointer by one square."""
         if self.pointer is not None and self.scale is not None:
             factor = self.scale.factor
             self.explore(lambda pointer: pointer.move(east * factor, north * factor))
 
     def on_click(self, event: Click) -> None:
-        """The square under the mouse, if there is floor."""
+        """Explore the clicked square, if there is floor."""
         place, scale = event.get_content_offset(self), self.scale
         if place is None or scale is None:
             return
@@ -340,7 +340,7 @@ class MapView(PaintedRows, can_focus=True):
             self.explore(lambda pointer: pointer.go(scale.cell_of(square)))
 
     def _square_at(self, place: Offset) -> Cell:
-        """The square that is painted there, or would be if there were floor."""
+        """The square at a place of the widget, also beyond the floor."""
         assert self.scale is not None
         right, down = place - self.rulers + self.scroll_offset
         bounds, extent = self._bounds, self._extent
@@ -361,7 +361,7 @@ class MapView(PaintedRows, can_focus=True):
     # --- painting
 
     def render_line(self, y: int) -> Strip:
-        """One row of the window, equal neighbours joined into one segment."""
+        """A row of the window; equal neighbours are one segment."""
         base = self.painted_as()
         if self.scale is None:
             return Strip.blank(self.size.width, base)
@@ -387,7 +387,7 @@ class MapView(PaintedRows, can_focus=True):
         return strip
 
     def _floor_row(self, north: int, row: int) -> Strip:
-        """One of the rows of the squares of a latitude."""
+        """A row of the squares at that distance to the north."""
         assert self.scale is not None
         if north < self._bounds.bottom:
             return Strip.blank(self.size.width, self.painted_as())
@@ -418,7 +418,7 @@ class MapView(PaintedRows, can_focus=True):
         return painted
 
     def _look(self, kind: str) -> Style:
-        """Things of a colour that has no look are grey; other robots have their own colour."""
+        """The style of a kind. Things of an unknown colour are grey; other robots have their own colour."""
         _other, is_robot, colour = kind.partition("other-")
         if is_robot and colour in COLOURS:
             return self.painted_as(f"thing-{colour}") + _ROBOT

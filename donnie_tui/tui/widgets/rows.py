@@ -36,7 +36,7 @@ from language.source import fold_name
 
 
 class PaintedRows(ScrollView):
-    """Knows what its looks are: worked out once, until the styles are others. Each row asks for them."""
+    """A widget that paints rows, with a cache of its looks."""
 
     def __init__(self, *, id: str) -> None:  # noqa: A002 -- Textual's own name
         super().__init__(id=id)
@@ -47,7 +47,7 @@ class PaintedRows(ScrollView):
         super().notify_style_update()
 
     def painted_as(self, name: str = "") -> Style:
-        """A look of that name (see ``themes``) on the background that there is; without one, plain text."""
+        """The style of a look (see ``themes``) on the widget's background; plain text for an empty name."""
         if name not in self._looks:
             base = self.rich_style
             self._looks[name] = base + themes.looks(self.app.theme)[name] if name else base
@@ -60,7 +60,7 @@ line, the status line and the keys, in rows."""
 
 
 def rows_always_seen(size: Size) -> int:
-    """The command line, the state and the keys; none of them where a screen is lower than all."""
+    """The rows of the command line, the state and the keys; 0 on a screen lower than these."""
     return 0 if size.height < LOWEST else FIXED_ROWS + (size.width < NARROW)
 
 
@@ -68,7 +68,7 @@ _GAP = "  "
 
 
 class FixedLine(Static):
-    """One sentence after the other, plain text; before them may be a badge in reverse video."""
+    """A sentence of plain text, perhaps after a badge in reverse video."""
 
     def __init__(self, *, id: str) -> None:  # noqa: A002 -- Textual's own name
         super().__init__(id=id, markup=False)
@@ -78,7 +78,7 @@ class FixedLine(Static):
         self._shown = ("", "")
 
     def say(self, *choices: str, badge: str = "", colour: str = "") -> None:
-        """The first of the choices for which there is room, or the last."""
+        """Show the first of the choices that fits, or the last."""
         self._choices, self.badge, self._colour = choices, badge, colour
         self._write()
 
@@ -93,7 +93,7 @@ class FixedLine(Static):
             self.update(self._painted(badge, words), layout=False)
 
     def _has_room(self, text: str) -> bool:
-        """Whether it fits into the rows, of which each but the last ends with a word."""
+        """Whether the text fits into the rows, broken at words."""
         width, rows = self.size.width, max(1, self.size.height)
         for _ in range(rows - 1):
             if cell_len(text) > width:
@@ -110,10 +110,10 @@ TYPED_MARK = "> "
 
 
 class StatusLine(FixedLine):
-    """What the program does, and where the focus and the robot are."""
+    """The run state, the focus and the robot's place."""
 
     class Clicked(Message):
-        """A click on it."""
+        """The status line was clicked."""
 
     def on_click(self, _event: Click) -> None:
         self.post_message(self.Clicked())
@@ -132,7 +132,7 @@ class KeyEntry(Struct, frozen=True):
 
 
 class KeyLine(FixedLine):
-    """What can be pressed now: as many entries as there is room for, the most important first."""
+    """The keys of the current state: as many entries as fit, the most important first."""
 
     class Clicked(Message):
         """An entry was clicked: the same as its key."""
@@ -147,7 +147,7 @@ class KeyLine(FixedLine):
         self._seen: tuple[KeyEntry, ...] = ()
 
     def offer(self, entries: Sequence[KeyEntry]) -> None:
-        """The last one is shown wherever it fits at all."""
+        """Show entries; the last one is shown whenever it fits."""
         self._entries = tuple(entries)
         self._fit()
 
@@ -177,7 +177,7 @@ class KeyLine(FixedLine):
         self.say(f" {_GAP.join(each.text for each in self._seen)}")
 
     def _painted(self, badge: str, words: str) -> Content:  # noqa: ARG002 -- it has no badge
-        """Keys look like keys."""
+        """Paint the keys in their own style."""
         parts: list[str | tuple[str, str]] = []
         for each in self._seen:
             parts += [_GAP if parts else " ", (each.key, "reverse"), f" {each.words}"]
@@ -185,10 +185,10 @@ class KeyLine(FixedLine):
 
 
 class Slider(FixedLine):
-    """Where in the run so far the learner looks. A click goes there; at the ends it goes a step."""
+    """The position of STEP BACK in the run. A click goes there; at the ends it goes a step."""
 
     class Moved(Message):
-        """To the moment after so many steps."""
+        """The learner moved the slider to the moment after so many steps."""
 
         def __init__(self, step: int) -> None:
             super().__init__()
@@ -232,11 +232,11 @@ _BACK, _FORWARD = " < |", "| > "
 
 
 _CLICKABLE = {"Enter": "enter", "Esc": "escape"}
-"""Keys that are clicked where a dialog names them."""
+"""Keys whose names in a dialog can be clicked."""
 
 
 class DialogKeys(Static):
-    """What can be pressed in a dialog, in words. A click on what is said of Enter or Esc presses it."""
+    """The keys of a dialog in words. A click on the words about Enter or Esc presses that key."""
 
     class Clicked(Message):
         """Enter or Esc was clicked."""
@@ -250,12 +250,12 @@ class DialogKeys(Static):
         self.words = self._all = words
 
     def say(self, words: str) -> None:
-        """Other keys."""
+        """Set the words."""
         self.words = words
         self.update(f" {words}", layout=False)
 
     def fit(self, columns: int) -> None:
-        """All of them in a row of so many columns, or Enter and Esc alone, which no list shows."""
+        """Show all keys in a row of so many columns, or only Enter and Esc."""
         self.words = self._all
         if cell_len(self._all) + 1 > columns:
             self.words = ", ".join(
@@ -264,7 +264,7 @@ class DialogKeys(Static):
         self.update(f" {self.words}")
 
     def on_click(self, event: Click) -> None:
-        """The clause under the mouse; in a row that was broken, the one that begins nearest before it."""
+        """Press the key of the clicked clause; in a wrapped row, of the nearest one before it."""
         place = event.get_content_offset(self)
         if place is None:
             return
@@ -281,13 +281,13 @@ class DialogKeys(Static):
 
 
 MOST_LINES = 100_000
-"""Lines that are kept; beyond, the oldest tenth is forgotten."""
+"""Lines that are kept; when there are more, the oldest tenth is dropped."""
 
 _NOT_KNOWN = 1 << 16
-"""The width of a log before there is one: a line is a row."""
+"""The width before the first layout: each line is a row."""
 _KIND_WIDTH = 10
 _WHEEL = 3
-"""Rows that the wheel of a mouse goes."""
+"""Rows of a step of the mouse wheel."""
 _NARROW = 56
 """Columns below which the kinds have no column of their own."""
 
@@ -299,11 +299,11 @@ LOOKS = {
     "spoke": "says",
     "typed": "typed",
 }
-"""The looks of the kinds that have one; of all others it is ``kind``. The words say the same."""
+"""The looks of kinds with a look of their own; others have ``kind``. The words say the same."""
 
 
 class TextRows(PaintedRows, can_focus=True):
-    """Shows lines with their kinds; both are given as the words to show. ``follows``: a log."""
+    """Rows of text, each with the name of its kind. ``follows``: a log, which scrolls to new rows."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("up", "row(-1)"),
@@ -315,7 +315,7 @@ class TextRows(PaintedRows, can_focus=True):
     ]
 
     class Read(Message):
-        """Another row is being read, from these rows or from elsewhere."""
+        """Another row was chosen, by a key here or by a command."""
 
         def __init__(self, text: str, *, has_focus: bool) -> None:
             super().__init__()
@@ -328,24 +328,24 @@ class TextRows(PaintedRows, can_focus=True):
         self._kinds: list[str] = []
         self._rows: list[str] = []
         self._row_kinds: list[str] = []
-        """A row each; the kind stands in the first row of its line."""
+        """The kind of each row; only the first row of a line has one."""
         self._heights: list[int] = []
-        """How many rows each line takes."""
+        """The number of rows of each line."""
         self._has_kinds = follows
-        """Whether there is a column for kinds, where it has room."""
+        """Whether kinds have a column, if there is room."""
         self._marked = ""
-        """The text of the last search. The rows that had it then begin with ``*``."""
+        """The text of the last search. Rows with it begin with ``*``."""
         self._searched = self._marked_rows = 0
-        """How many lines and rows there were then."""
+        """The number of lines and rows at the search."""
         self.only = ""
         """The kind of the lines that are shown; empty for all."""
         self.looks: dict[str, str] = {}
-        """Of the words of a kind, where it has a look of its own."""
+        """Looks by the name of a kind."""
         self.look_of: Callable[[str], str] = lambda _text: ""
-        """Of a row that is not being read."""
+        """Returns the look of a row that is not chosen."""
         self._wrapped_at = (0, True, False)
         self._row: int | None = None if follows else 0
-        """The row being read; None is the newest, whatever comes."""
+        """The chosen row; None follows the newest one."""
 
     # --- what is shown
 
@@ -367,7 +367,7 @@ class TextRows(PaintedRows, can_focus=True):
             self._follow()
 
     def show(self, lines: Iterable[str]) -> None:
-        """Other lines instead; the row that is being read stays where it can."""
+        """Show other lines; the chosen row stays if possible."""
         texts = list(lines)
         if texts == self._lines:
             return
@@ -390,12 +390,12 @@ class TextRows(PaintedRows, can_focus=True):
 
     @property
     def row(self) -> int:
-        """The row being read, from 0."""
+        """The chosen row, from 0."""
         return max(0, len(self._rows) - 1) if self._row is None else self._row
 
     @property
     def line(self) -> int:
-        """The line whose row is being read, from 0."""
+        """The line of the chosen row, from 0."""
         rows = 0
         for line, height in enumerate(self._heights):
             rows += height
@@ -404,7 +404,7 @@ class TextRows(PaintedRows, can_focus=True):
         return max(0, len(self._lines) - 1)
 
     def read_line(self, line: int) -> None:
-        """Read the first row of a line; its others are seen too, as far as there is room."""
+        """Choose the first row of a line, and show its other rows if there is room."""
         first = sum(self._heights[:line])
         self._read(first)
         if line < len(self._heights):
@@ -412,7 +412,7 @@ class TextRows(PaintedRows, can_focus=True):
 
     @property
     def is_read(self) -> bool:
-        """Whether the row being read is marked."""
+        """Whether the chosen row is marked."""
         return self.has_focus
 
     @property
@@ -467,7 +467,7 @@ class TextRows(PaintedRows, can_focus=True):
         return max(1, width - _KIND_WIDTH - 1 if self._shows_kinds else width)
 
     def _wrap_from(self, first: int) -> None:
-        """The lines from there on. What the size says is asked once: it is slow to answer."""
+        """Wrap the lines from there on."""
         width, begins_with_kind = self._text_width, self._begins_with_kinds
         for text, kind in zip(self._lines[first:], self._kinds[first:], strict=True):
             if self.only and kind != self.only:
@@ -490,14 +490,14 @@ class TextRows(PaintedRows, can_focus=True):
         self._lay_out()
 
     def _lay_out(self) -> None:
-        """Everything, where the size or the kinds are others."""
+        """Wrap all lines again if the size or the kinds have changed."""
         self._fit_rows()
         self._extent(())
         self.refresh()
         self._follow()
 
     def _fit_rows(self) -> None:
-        """To the width that there is."""
+        """Wrap the rows to the current width."""
         if self._wrapped_at != self._look_of_rows:
             self._wrapped_at = self._look_of_rows
             line = self.line
@@ -506,7 +506,7 @@ class TextRows(PaintedRows, can_focus=True):
                 self._row = sum(self._heights[:line])
 
     def _extent(self, changed: Collection[int]) -> None:
-        """There are so many rows, and these look different: no others are painted, each costs bytes."""
+        """Set the number of rows, and paint only the changed ones, since each costs bytes."""
         size = self.size  # slow to answer
         extent = Size(size.width, self._height)
         if (
@@ -520,7 +520,7 @@ class TextRows(PaintedRows, can_focus=True):
             self.refresh(*(Region(0, y, size.width, 1) for y in seen))
 
     def _follow(self) -> None:
-        """Show the row that is being read; the newest of all once there is room for any."""
+        """Scroll to the chosen row, or to the newest one."""
         if self._row is None and not self.size.height:
             return
         self._scroll_to_rows(self.row, 1)
@@ -541,7 +541,7 @@ class TextRows(PaintedRows, can_focus=True):
 
     @property
     def cursor_screen_offset(self) -> Offset:
-        """Where the terminal's cursor stands: at the row that is being read."""
+        """The place of the terminal's cursor: the chosen row."""
         return self.content_region.offset + Offset(0, self.row - self.scroll_offset.y)
 
     # --- reading
@@ -557,7 +557,7 @@ class TextRows(PaintedRows, can_focus=True):
         self._read(self.row - _WHEEL)
 
     def on_mouse_scroll_down(self, event: MouseScrollDown) -> None:
-        """The wheel reads, as the arrows do: what is seen is what Enter, or a click, would take."""
+        """Choose another row, as the arrows do, so that Enter takes a visible one."""
         event.stop()
         self._read(self.row + _WHEEL)
 
@@ -576,20 +576,20 @@ class TextRows(PaintedRows, can_focus=True):
 
     @property
     def _said(self) -> str:
-        """Of the row being read: where a line begins all of it, so that a sentence is spoken whole."""
+        """The words to speak: in the first row of a line the whole line, else the row."""
         line = self.line
         begins = self.row == sum(self._heights[:line])
         return self._lines[line] if begins and self._lines else self.row_text
 
     def filter(self, kind: str) -> None:
-        """Only the lines of that kind, the newest being read; all with an empty one."""
+        """Show only the lines of a kind, all for an empty one; the newest is chosen."""
         self.only = kind
         self._rewrap()
         self._lay_out()
         self.action_newest()
 
     def search(self, wanted: str) -> bool:
-        """Read the nearest older line that has the text, else the newest that has; False if none has.
+        """Choose the nearest older line with the text, else the newest; False if there is none.
 
         What a filter hides is shown again.
         """
@@ -612,7 +612,7 @@ class TextRows(PaintedRows, can_focus=True):
     # --- painting
 
     def render_lines(self, crop: Region) -> list[Strip]:
-        """The first frame is painted before the size is known."""
+        """The rows; the first frame is painted before the size is known."""
         self._fit_rows()
         return super().render_lines(crop)
 
@@ -645,7 +645,7 @@ class TextRows(PaintedRows, can_focus=True):
 
 
 def _with_kind(text: str, kind: str) -> str:
-    """The kind before a sentence that doesn't begin with it."""
+    """The sentence with its kind before it, unless it begins with the kind."""
     short = kind[:_KIND_WIDTH]
     return text if text.casefold().startswith(short.casefold()) else f"{short}: {text}"
 
@@ -666,13 +666,13 @@ def _wrapped(text: str, width: int) -> tuple[str, ...]:
 
 
 def _pieces(text: str, width: int) -> Iterable[str]:
-    """The words, those that are wider than a row cut."""
+    """The words; a word wider than a row is cut."""
     for word in text.split():
         yield from chop_cells(word, width) if cell_len(word) > width else (word,)
 
 
 def inspector_look(text: str) -> str:
-    """Headings, what the last step changed, and charts: what their signs say, in colours."""
+    """The look of an inspector line by its sign: heading, changed variable or chart."""
     if text.endswith(":"):
         return "heading"
     if text.startswith("*"):
