@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def main(*, joins_server: bool = False) -> int:
-    """Everything that ``donnie`` does; the exit code."""
+    """Run ``donnie``. Returns the exit code."""
     try:
         load_undisturbed()
         _open_what_is_closed()
@@ -29,12 +29,12 @@ def main(*, joins_server: bool = False) -> int:
 
 
 def godonnie() -> int:
-    """The same, with the robot of a Player server that runs here, as the original's client."""
+    """Run ``donnie`` as the original's client: with the robot of a Player server on this machine."""
     return main(joins_server=True)
 
 
 def donnie_player() -> int:
-    """``donnie player`` with the world that ships for it; options may follow."""
+    """Run ``donnie player`` with its built-in world; options may follow."""
     from worlds import PLAYER
 
     sys.argv[1:1] = ["player", PLAYER]
@@ -42,7 +42,7 @@ def donnie_player() -> int:
 
 
 def _open_what_is_closed() -> None:
-    """Keep the number of a closed input taken: the linear mode read its own pipe for ever."""
+    """Occupy the number of a closed input, else the linear mode would read its own pipe for ever."""
     while (number := os.open(os.devnull, os.O_RDWR)) <= HIGHEST_STANDARD:
         pass
     os.close(number)
@@ -63,7 +63,7 @@ def _load_msgspec() -> None:
 
 
 def _greet_early() -> Greeting | None:
-    """Where a settings file might have a say in it, the greeting waits for it."""
+    """Greet before Donnie is loaded, unless a settings file may change the greeting."""
     from donnie_tui.settings.folders import machine_settings_file, settings_file
 
     files = machine_settings_file(), settings_file(os.environ)

@@ -1,6 +1,6 @@
 """The only place that names concrete classes: a session with its world, its robot and its outlets.
 
-What is heavy is imported where it is used, so that a command loads no more than it needs.
+Heavy modules are imported where they are used, so that a command loads no more than it needs.
 """
 
 from __future__ import annotations
@@ -73,11 +73,11 @@ class Notices(Struct, frozen=True):
     """The sentences that a start prints about what this session lacks."""
 
     about_world: tuple[str, ...]
-    """Slips in a file of the learner's own."""
+    """Notices about mistakes in a learner's own world file."""
     about_settings: tuple[str, ...]
     about_voice: tuple[str, ...]
     about_devices: tuple[str, ...]
-    """The belt and the robot."""
+    """Notices about the belt and the robot."""
 
     @property
     def all(self) -> tuple[str, ...]:
@@ -91,11 +91,11 @@ class Donnie(Struct, frozen=True):
     site: Site
     """Its world, which can be changed by words."""
     team: Team
-    """The robots of the world, and which of them the learner talks to."""
+    """The robots of the world, one of them current."""
     connection: Connection
-    """Whether the robot is simulated or real, and changing that."""
+    """The connection to the robot, which can be changed."""
     chronicle: Chronicle
-    """What happened lately, to go back through."""
+    """The latest events, for STEP BACK."""
     outlets: Outlets
     notices: Notices
     _shared: World
@@ -103,16 +103,16 @@ class Donnie(Struct, frozen=True):
 
     @property
     def world(self) -> ChosenWorld:
-        """Its name, its scene and, for a world that ships, title, description and task."""
+        """The world: its name, its scene and, if it is built in, title, description and task."""
         return self.site.world
 
     @property
     def session(self) -> Session:
-        """The session of the robot that is talked to."""
+        """The session of the current robot."""
         return self.team.chosen
 
     def publish_answers(self, *sentences: str) -> None:
-        """Answer the learner: each sentence is printed, spoken and can be repeated."""
+        """Publish answers, which are printed, spoken and can be repeated."""
         for sentence in sentences:
             self.session.hub.publish(Answered(sentence))
 
@@ -141,11 +141,11 @@ class Donnie(Struct, frozen=True):
 
     @property
     def holds_something(self) -> bool:
-        """Whether a robot has something in its gripper."""
+        """Whether a robot holds something in its gripper."""
         return self._shared.is_holding
 
     def rescue_world(self) -> Path | None:
-        """Where a world that was changed and not saved is kept: no question was possible."""
+        """Keep a changed, unsaved world in a file, because no question is possible. Returns the file."""
         if self.site.is_saved:
             return None
         from pathlib import Path
@@ -162,7 +162,7 @@ class Donnie(Struct, frozen=True):
         return file
 
     def mounted(self) -> tuple[Mounted, ...]:
-        """The devices of the robot in its world; a board has its own."""
+        """The devices of the current robot in its world; a board has its own."""
         from sim.sensors import mounted
 
         if self.connection.mounted is not None:
@@ -170,26 +170,26 @@ class Donnie(Struct, frozen=True):
         return () if self.connection.is_board else mounted(self.world.scene, self.session.name)
 
     def picture_now(self) -> Picture:
-        """The world as the robot that is talked to finds it now: others and things where they are."""
+        """The world for the current robot, with other robots and things at their current places."""
         from sim.picture import picture
 
         return picture(self._shared.scene_now(), self.team.chosen_name)
 
     def drawings_now(self) -> tuple[Drawing, ...]:
-        """What stands in the world, where it is now, as lines."""
+        """The outlines of everything in the world at its current place."""
         from sim.picture import drawings
 
         return drawings(self._shared.scene_now())
 
     def get_ready_to_move(self) -> None:
-        """Load now what the first movement would load, while the prompt is idle."""
+        """Load the modules of the first movement while the prompt is idle."""
         if not self.connection.is_real:
             self._shared.get_ready()
 
     def stop_real_robot(self) -> bool:
-        """Before this process rests: a board would drive on by itself. True if it had something to stop.
+        """Stop a real robot before a suspension, in which its board would drive on. True if it drove.
 
-        Returns once the robot stands, or all was done that can be; also where it was stopped before.
+        Returns once the robot stands, or every attempt has failed; also if it was stopped before.
         """
         is_running = self.connection.is_real and bool(self.team.running)
         if is_running:
@@ -203,14 +203,14 @@ class Donnie(Struct, frozen=True):
             self.session.hub.publish(Announced("link", self.words("network-stopped")))
 
     def code_at_end(self, code: int, report: Callable[[str], object]) -> int:
-        """The exit code once it is closed: 1, and a sentence, if the real robot drives all the same."""
+        """The exit code after ``close``: 1, with a sentence, if the real robot still drives."""
         if not self.connection.has_run_away:
             return code
         report(self.words("link-runaway"))
         return 1
 
     def close(self) -> None:
-        """Close the session. The robots stop first; the rest may take its time."""
+        """Close the session. The robots stop first; the rest may take longer."""
         self.team.stop()
         self._closing.close()
 
@@ -223,7 +223,7 @@ def assemble(
     is_linear: bool = True,
     search: Search | None = None,
 ) -> Donnie:
-    """A session as the settings want it. ``out`` takes the events of ``--events -``. Raises ``Unusable``.
+    """Make a session from the settings. ``out`` takes the events of ``--events -``. Raises ``Unusable``.
 
     ``terminal``: QUIT is allowed, and a later batch may declare a name again. ``is_linear``: sentences are
     printed line by line, for a screen reader. ``search``: the search for the robot, to cancel it.
@@ -252,7 +252,7 @@ def _assembled(
     is_linear: bool,
     search: Search | None,
 ) -> Donnie:
-    """All listeners subscribe before the robot is connected, so that they miss no event."""
+    """Make a session; all listeners subscribe before the robot is connected, so that they miss no event."""
     from sim.world import World
 
     words = Words(settings.language, settings.verbosity)
@@ -322,7 +322,7 @@ def _remarks(world: ChosenWorld, words: Words) -> tuple[str, ...]:
 def _announce_hold_ups(
     team: Team, shared: World, words: Words, speech_wait: SpeechWait, closing: ExitStack
 ) -> None:
-    """A program that says something at its own pace holds the others up on purpose."""
+    """Report programs that keep their turn too long, unless they wait for their voice."""
     from donnie_tui.core.team import TurnMonitor
 
     turn_monitor = TurnMonitor(team, shared.turn, words, is_excused=lambda: speech_wait.waiting > 0)
@@ -347,7 +347,7 @@ def _written(
 
 
 def _decided(audible: Audible, words: Words) -> tuple[str, ...]:
-    """Which voice speaks and how to change it: at the first start, and when that changes."""
+    """The sentences about the chosen voice and how to change it, at the first start and after a change."""
     code = audible.decided
     return (words(code),) if code and is_new_decision(state_path(os.environ), code) else ()
 
@@ -355,7 +355,7 @@ def _decided(audible: Audible, words: Words) -> tuple[str, ...]:
 def _connect_robot(
     connection: Connection, settings: Settings, words: Words, world: ChosenWorld, terminal: bool
 ) -> tuple[str, ...]:
-    """The robot of the settings, or the real one that a configuration file asks for.
+    """Connect the robot of the settings, or the real one that a configuration file asks for.
 
     Raises ``Unusable`` if it is missing and the learner can't choose another one.
     """
@@ -384,7 +384,7 @@ def make_team(
     speech_wait: SpeechWait | None = None,
     shared: World | None = None,
 ) -> Team:
-    """The robots of a simulated world. The first one is the learner's until another one is chosen."""
+    """Make the robots of a simulated world, the first one chosen."""
     from sim.world import World
 
     shared = shared or World(world.scene, seed=settings.seed)
@@ -557,5 +557,5 @@ def _try_from(start: Start, programs: Programs, words: Words, settings: Settings
 
 
 def open_workspace(state_folder: str) -> Workspace:
-    """An empty workspace, with what earlier starts kept in that folder."""
+    """Make an empty workspace over the folder in which earlier starts kept their copies."""
     return Workspace(f"{state_folder}/{UNSAVED}", f"{state_folder}/{BREAKPOINTS}", f"{state_folder}/{RECENT}")

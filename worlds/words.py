@@ -1,4 +1,4 @@
-"""What a world is, in words: of a built-in world, and of one whose author wrote a file of words for it."""
+"""Worlds in words: of a built-in world, and of one whose author wrote a file of words."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ MOST_DOTS = 200
 
 
 class Difficulty(Enum):
-    """How much of the language the task of a world needs."""
+    """How much of the language a world's task needs."""
 
     EASY = "easy"
     """A few commands in a row."""
@@ -33,11 +33,11 @@ class Difficulty(Enum):
     HARD = "hard"
     """A program that decides for itself."""
     UNSTATED = ""
-    """The author of a world says nothing of it."""
+    """The author of a world doesn't state it."""
 
 
 class About(Struct, frozen=True):
-    """What is said of a world in one language."""
+    """The words about a world in one language."""
 
     title: str
     description: str
@@ -53,7 +53,7 @@ class About(Struct, frozen=True):
 
 
 def about(name: str, language: str) -> About:
-    """What to say of a built-in world, in English where the language is missing. Raises ``KeyError``."""
+    """The words about a built-in world, in English if the language is missing. Raises ``KeyError``."""
     texts = _read(_file_of(path(name)))
     return _about(texts, language if language in texts else ENGLISH)
 
@@ -65,11 +65,11 @@ class BadWords(Exception):
         super().__init__(f"{file}: {key or line}")
         self.file = file
         self.key = key
-        """What is missing in it or is no text, such as ``en.title``; empty if it can't be read at all."""
+        """The key that is missing or no text, such as ``en.title``; empty for an unreadable file."""
         self.line = line
-        """Where it can't be read, if that is known."""
+        """The line that can't be read, if it is known."""
         self.limit = limit
-        """How many bytes it may have, if it has more."""
+        """The allowed number of bytes, if the file has more."""
 
 
 def words_file(world: str) -> str | None:
@@ -79,7 +79,7 @@ def words_file(world: str) -> str | None:
 
 
 def about_file(world: str, language: str) -> About | None:
-    """What the author of a world file says of it in its file of words, None without one. Raises ``BadWords``.
+    """The words about a world file from its file of words, None without one. Raises ``BadWords``.
 
     In that language if it is there, else in English, else in the first one of the file.
     """

@@ -1,6 +1,6 @@
-"""``donnie calibrate``: the robot moves, a person measures, and its sizes go into the settings file.
+"""``donnie calibrate``: the robot moves, a person measures, and Donnie stores the sizes in the settings file.
 
-``donnie calibrate colour``: a person shows things to the camera; the ranges of their colours go there.
+``donnie calibrate colour``: a person shows things to the camera, and Donnie stores the colour ranges.
 
 However it ends, by a signal too, the robot stands before the port is closed, and the settings are unchanged
 unless the measurement was completed. Measurements of a simulated board are not kept: the settings are the
@@ -50,7 +50,7 @@ DEGREES = 720
 """Two turns, for the same reason."""
 
 FAR = 2.0
-"""Times what was asked: a measure that is so far off is asked again, and taken if it is meant."""
+"""A measure that differs by this factor is asked again, and accepted if it is repeated."""
 
 _SMALLEST, _LARGEST = 0.001, 1.0
 """Metres that a radius or an axle can have in the settings."""
@@ -73,7 +73,7 @@ class _Sizes(Struct, frozen=True):
 
 
 class _Lost(Exception):
-    """The robot was lost during a movement, and that was reported; with the exit code."""
+    """Raised when the robot was lost during a movement, which was reported; has the exit code."""
 
     def __init__(self, code: ExitCode) -> None:
         super().__init__(code)
@@ -101,7 +101,7 @@ def calibrate(order: Order, made: Callable[..., MeasurableRobot] = make_measurab
 
 
 def _measured(order: Order, made: Callable[..., MeasurableRobot]) -> _Sizes:
-    """The robot stands, and its port is free, once this is answered or raised."""
+    """Measure the robot. It stands, and its port is free, when this returns or raises."""
 
     def report(news: LinkNotice, _reason: str) -> None:
         if news is not LinkNotice.CONNECTED:
@@ -125,7 +125,7 @@ def _measured(order: Order, made: Callable[..., MeasurableRobot]) -> _Sizes:
 
 @contextmanager
 def _guarded(robot: MeasurableRobot, *, is_real: bool) -> Iterator[None]:
-    """A robot whose program was killed, or that was lost while it drove, is stopped."""
+    """Stop the robot if this process is killed, or if it was lost while it drove."""
     guard = Guard(robot.port) if is_real else None
     try:
         yield
@@ -135,7 +135,7 @@ def _guarded(robot: MeasurableRobot, *, is_real: bool) -> Iterator[None]:
 
 
 def _keep(order: Order, sizes: _Sizes) -> int:
-    """Write what was measured. Raises ``Unusable``."""
+    """Write the measured sizes. Raises ``Unusable``."""
     measured = {"wheel_radius": sizes.wheel_radius, "axle_length": sizes.axle_length}
     if not any(measured.values()):
         order.output.line(order.words("calibrate-nothing"))
@@ -189,7 +189,7 @@ class _Calibration:
         return self._sound(axle_length(counts, self._config.counts_a_turn, radius, degrees))
 
     def _counted(self, code: str, amount: int, go: Callable[[], WalkResult | TurnResult]) -> float:
-        """What the wheels counted on the average of both; 0 if that is not to be measured."""
+        """The counts of both wheels on average; 0 if this is not measured."""
         self._say(code, amount=amount)
         while line := self._input.line():
             self._say("calibrate-enter-alone")
@@ -218,7 +218,7 @@ class _Calibration:
     # --- asking
 
     def _ask(self, code: str, expected: float) -> float | None:
-        """A number above 0 that is near what is expected, or was typed twice; None for nothing."""
+        """Ask for a number above 0, near the expected one or typed twice; None for an empty answer."""
         self._say(code)
         doubted = 0.0
         while line := self._input.line():
@@ -256,7 +256,7 @@ def _mean_counts(before: Telemetry, after: Telemetry) -> float:
 
 
 def _end(_number: int, _frame: FrameType | None) -> NoReturn:
-    """A signal ends the conversation as Ctrl+C does, so that the robot is stopped on the way out."""
+    """End the conversation after a signal as after Ctrl+C, so that the robot is stopped."""
     raise KeyboardInterrupt
 
 
@@ -264,13 +264,13 @@ def _end(_number: int, _frame: FrameType | None) -> NoReturn:
 
 
 class _Audience(Struct, frozen=True):
-    """Nothing happens to a robot here; only the voice is wanted."""
+    """Listeners for the voice alone, as no robot moves."""
 
     hub: Hub
 
 
 def _calibrate_colours(order: Order, what: str) -> int:
-    """Ask, look, ask, for each colour; then write. The exit code is 1 if nothing is to be kept."""
+    """Measure each colour, then write the ranges. The exit code is 1 if there is nothing to keep."""
     if what.lower() not in COLOUR:
         raise Unusable(order.words("usage-unrecognized", what=what[:40]))
     camera = make_camera(order.settings)
@@ -313,7 +313,7 @@ class _ColourCalibration:
         self._is_over = False
 
     def talk(self) -> dict[str, ColourRange]:
-        """The ranges that are to be replaced. Raises ``RobotProblem``."""
+        """Run the dialogue. Returns the new ranges. Raises ``RobotProblem``."""
         self._camera.directions()
         self._say("calibrate-colour-start")
         taken: dict[str, ColourRange] = {}
@@ -324,7 +324,7 @@ class _ColourCalibration:
         return taken
 
     def _measured(self, colour: str) -> ColourRange | None:
-        """None if the person skips it. Only Enter alone takes a picture."""
+        """Measure a colour; None if the person skips it. Only Enter alone takes a picture."""
         from devices.camera import blobs_in, measured_range
 
         while True:
@@ -346,7 +346,7 @@ class _ColourCalibration:
             return found
 
     def _is_wanted(self, colour: str, measured: ColourRange, ranges: dict[str, ColourRange]) -> bool:
-        """Asks before anything is replaced; what is no answer is asked again."""
+        """Ask before a range is replaced; repeat the question after an unclear answer."""
         from devices.camera import do_overlap
 
         for other, limits in ranges.items():

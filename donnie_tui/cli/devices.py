@@ -1,6 +1,6 @@
 """``donnie devices`` and ``donnie stop``.
 
-``devices`` lists the serial ports, what answers there, and how to repair those that can't be used. It offers
+``devices`` lists the serial ports, the devices that answer, and remedies for unusable ports. It offers
 to stop a robot that drives. ``stop`` halts a robot whose program is gone; a service manager can call it too.
 """
 
@@ -45,7 +45,7 @@ def list_devices(
     asked: Callable[..., IdentifiedDevice] = identify,
     halted: Callable[..., HaltOutcome] = halt,
 ) -> int:
-    """A line a port. The exit code is 2 if a port that was named can't be used, 1 if a robot drives on."""
+    """Print a line a port. The exit code is 2 if a named port can't be used, 1 if a robot drives on."""
     named: list[str] = order.invocation.arguments.port
     plugged = () if named else found()
     ports = named or [each.stable for each in plugged if each.is_board]
@@ -83,7 +83,7 @@ def _is_stopped(port: str, order: Order, halted: Callable[..., HaltOutcome]) -> 
 
 
 def _describe_all(ports: Iterable[str], ask: Callable[..., IdentifiedDevice], order: Order) -> Iterator[bool]:
-    """Whether each can't be used, in their order. Ctrl+C gives all of them up."""
+    """Describe each port in order; yields whether it is unusable. Ctrl+C gives up all of them."""
     ended = threading.Event()
     asking = partial(ask, is_given_up=ended.is_set)
     with ThreadPoolExecutor(MOST_AT_ONCE) as pool:
@@ -127,7 +127,7 @@ _CODE_OF = {
     HaltOutcome.UNCONFIRMED: ExitCode.FAILED,
     HaltOutcome.IN_USE: ExitCode.FAILED,
 }
-"""Only a robot that is known to stand is one that was stopped."""
+"""The exit codes; only a robot that certainly stands counts as stopped."""
 
 
 def _pause(seconds: float) -> None:
@@ -139,14 +139,14 @@ def stop(
     halted: Callable[..., HaltOutcome] = halt,
     pause: Callable[[float], object] = _pause,
 ) -> int:
-    """Stop it, and say what is known of it. ``--wait`` waits for its port."""
+    """Stop the robot, and report its state. ``--wait`` waits for its port."""
     waits = order.invocation.arguments.wait
     port = order.invocation.arguments.port or _found(order, pause)
     return _halt_and_report(port, order, halted, pause=pause if waits else None)
 
 
 def _found(order: Order, pause: Callable[[float], object]) -> str:
-    """Its port; with ``--wait``, once there is one."""
+    """The robot's port; with ``--wait``, once there is one."""
     ends = monotonic() + RETURNS if order.invocation.arguments.wait else 0.0
     is_reported = False
     while True:
@@ -168,7 +168,7 @@ def _halt_and_report(
     *,
     pause: Callable[[float], object] | None = None,
 ) -> ExitCode:
-    """``pause``: where its port is waited for. Raises ``Unusable``."""
+    """Stop the robot at a port. ``pause`` waits between attempts. Raises ``Unusable``."""
 
     def stop_now() -> HaltOutcome:
         by_force = partial(_pull_pin, order.settings, port)
@@ -186,6 +186,6 @@ def _halt_and_report(
 
 
 def _pull_pin(settings: Settings, port: str) -> bool:
-    """DTR has done what it can when the port was opened."""
+    """Reset the board by the pin; a reset by DTR was done when the port was opened."""
     reset = reset_of(settings.reset_line, port)
     return isinstance(reset, GpioReset) and reset.pull(None, Event().wait)

@@ -1,4 +1,4 @@
-"""``donnie doctor``: what works, what was chosen and why, and how to repair the rest, a line each.
+"""``donnie doctor``: checks the installation and says how to repair it, a line a finding.
 
 It checks packages, terminal, screen reader, speech, sound, serial ports, camera and settings, and changes
 nothing. A finding is a code with values. One that is not well has a remedy: the sentence ``CODE-remedy``,

@@ -33,18 +33,18 @@ if TYPE_CHECKING:
 
 
 class _CarriedOver(Struct):
-    """What one mode passes on to the other."""
+    """The state that one mode passes to the other."""
 
     file: str | None
     greeting: Greeting | None
-    """The linear mode's, of this process."""
+    """The greeting of this process's linear mode."""
     text: str | None = None
-    """The program that was left; without it ``file`` is read."""
+    """The program of the other mode; without it ``file`` is read."""
     donnie: Donnie | None = None
 
 
 def start(order: Order) -> int:
-    """Stay until the learner leaves for good; returns its exit code."""
+    """Run the front ends until the learner leaves Donnie. Returns the exit code."""
     arguments = order.invocation.arguments
     settings = replace(order.settings, plain=True) if arguments.plain else order.settings
     option = True if arguments.linear else False if arguments.visual else None
@@ -84,11 +84,11 @@ class ProcessEnvironment(Struct, frozen=True):
     stdout_is_terminal: bool
     environment: Mapping[str, str]
     stderr_is_terminal: bool = True
-    """The screen is painted there."""
+    """Whether standard error, on which Textual paints, is a terminal."""
 
     @property
     def is_terminal(self) -> bool:
-        """A browser is one too: what paints there is named in TEXTUAL_DRIVER."""
+        """Whether there is a terminal; a browser, named in TEXTUAL_DRIVER, counts as one."""
         is_browser = bool(self.environment.get("TEXTUAL_DRIVER"))
         return is_browser or (self.stdin_is_terminal and self.stdout_is_terminal and self.stderr_is_terminal)
 
@@ -118,7 +118,7 @@ def cause_of_linear(option: bool | None, configured: bool | None, around: Proces
 def _chosen(
     option: bool | None, configured: bool | None, environment: Mapping[str, str]
 ) -> tuple[bool, str] | None:
-    """The mode that was chosen, and where; None if none was."""
+    """The chosen mode and its source; None without a choice."""
     if option is not None:
         return option, "option"
     variable = _by_variable(environment)
@@ -178,7 +178,7 @@ def serve_clients(order: Order) -> int:
 
 
 def speaks_for_robots(speech: str, facts: DetectedEnvironment) -> bool:
-    """Whether what robots say is spoken too: where the linear mode would speak."""
+    """Whether the words of robots are also spoken, as the linear mode would do."""
     from devices.audio.channel import Channel, choose_channel
 
     return speech == "robot" or choose_channel(speech, facts).channel is not Channel.TEXT
@@ -229,7 +229,7 @@ def serve(order: Order) -> int:
 
 
 def number_in(words: Words, complaint: str, typed: str, allowed: range) -> int:
-    """The number that was typed. Raises ``Unusable`` for any other."""
+    """Parse a typed number. Raises ``Unusable`` if it is not allowed."""
     number = int(typed) if typed.isdecimal() and len(typed) <= _MOST_DIGITS else -1
     if number not in allowed:
         raise Unusable(words(complaint, value=typed[:20], least=allowed[0], most=allowed[-1]))
@@ -240,7 +240,7 @@ _MOST_DIGITS = 9
 
 
 def page_command(options: Mapping[str, str]) -> list[str]:
-    """What is run for each page: the full screen with the same options.
+    """The command for each page: the full screen with the same options.
 
     ``-P``: a learner's file called ``donnie_tui.py`` must not be imported from the folder of the session.
     """
@@ -255,9 +255,9 @@ def page_command(options: Mapping[str, str]) -> list[str]:
 
 
 def _confine_pages() -> None:
-    """To the folder of this process, which may have left the one in which a relative name was given.
+    """Confine pages to this process's folder, as a relative name may mean another one by then.
 
-    And to its ports: a source that is weaker than the variable of the folder can name no more of them.
+    Confine them to its ports as well: a source weaker than the folder's variable can't add any.
     """
     here = confinement()
     if here is not None:
@@ -269,7 +269,7 @@ def _confine_pages() -> None:
 
 
 def _installing() -> str:
-    """The command that installs what is missing, here: a checkout is on no index of packages."""
+    """The command that installs the extra; a checkout is not in a package index."""
     import shlex
     from pathlib import Path
 

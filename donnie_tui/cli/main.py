@@ -47,25 +47,25 @@ if TYPE_CHECKING:
 
 
 class _Start(Struct, frozen=True):
-    """What is known before the command line is parsed."""
+    """The facts that are known before the command line is parsed."""
 
     output: Output
     machine: Mapping[str, object]
-    """What the settings of the machine say."""
+    """The settings of the machine."""
     account: Mapping[str, object]
-    """What those of the account say."""
+    """The settings of the account."""
     troubles: tuple[Notice, ...]
-    """What is wrong with the settings of the account."""
+    """The problems of the account's settings."""
     greeting: Greeting | None
     joins_server: bool
 
 
 class _OwnSettings(Struct, frozen=True):
-    """What is a learner's own in a confined session."""
+    """The learner's own settings in a confined session."""
 
     settings: Mapping[str, object]
     troubles: tuple[Notice, ...]
-    """What is wrong with all settings."""
+    """The problems of all settings."""
 
 
 TEACHERS = (CONFINED.key, DEVICES.key)
@@ -73,7 +73,7 @@ TEACHERS = (CONFINED.key, DEVICES.key)
 
 
 def main(arguments: list[str], greeting: Greeting | None = None, *, joins_server: bool = False) -> int:
-    """Do it, and give the exit code. Prints; never raises for what the user did.
+    """Run a command line. Returns the exit code; never raises for a mistake of the user.
 
     ``greeting``: what the linear mode printed before anything was loaded. ``joins_server``: a Player server
     that runs on this machine has the robot, if no other one is chosen.
@@ -122,7 +122,7 @@ def _obey(arguments: list[str], words: Words, start: _Start) -> int:
 
 
 def _limit(invocation: Invocation, words: Words, start: _Start) -> _OwnSettings:
-    """Keep to the limits that a teacher has set, from here to the end; the settings of the learner there.
+    """Apply the limits that a teacher has set. Returns the learner's settings under them.
 
     Raises ``BadLimitsError`` or ``Unusable``.
     """
@@ -153,7 +153,7 @@ def _limit(invocation: Invocation, words: Words, start: _Start) -> _OwnSettings:
 
 
 def _import_nothing_from(folder: str) -> None:
-    """``python -m`` looks for modules where it begins, and a learner may have made one there."""
+    """Remove a folder from the module path: ``python -m`` adds the one in which a learner may have files."""
     from pathlib import Path  # slow to load, and few sessions are confined
 
     root = os.path.realpath(Path(donnie_tui.__file__).parents[1])
@@ -162,7 +162,7 @@ def _import_nothing_from(folder: str) -> None:
 
 
 def _ignore_suspension(words: Words) -> None:
-    """Ctrl+Z would lead to the shell above, from every command."""
+    """Ignore Ctrl+Z, which would lead to the shell above."""
 
     def refuse(*_: object) -> None:
         with suppress(OSError):
@@ -174,7 +174,7 @@ def _ignore_suspension(words: Words) -> None:
 
 
 def _lift_limits() -> None:
-    """A process of its own has none yet; several commands may run in one process, one after the other."""
+    """Lift the limits of an earlier command in the same process."""
     confine(None)
     keep_in(None)
     port = sys.modules.get("devices.serial_ports")
@@ -183,7 +183,7 @@ def _lift_limits() -> None:
 
 
 def _order(invocation: Invocation, own: _OwnSettings, start: _Start) -> Order:
-    """A command reports problems of the settings at once; a front end does so once it listens."""
+    """Make the order. A command reports problems of the settings at once, a front end once it listens."""
     is_command = bool(invocation.command or invocation.arguments.run)
     default_speed = None if is_command else FRONT_END_SPEED
     if invocation.command == "player":
@@ -221,7 +221,7 @@ def _with_original_flags(settings: Settings, invocation: Invocation) -> Settings
 
 
 def handler_of(invocation: Invocation) -> Callable[[Order], int]:
-    """Each command loads no more than it needs."""
+    """Import the handler of a command, so that each command loads no more than it needs."""
     is_original = not invocation.command and invocation.arguments.run
     place = RUN_ORIGINAL if is_original else SUBCOMMANDS[invocation.command].handler
     module, _, function = place.partition(".")

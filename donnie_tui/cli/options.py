@@ -183,11 +183,11 @@ RUN_ORIGINAL = "run.run_original"
 
 COMMANDS = tuple(name for name in SUBCOMMANDS if name)
 CHALLENGE_ORDERS = ("check", "test", "new")
-"""What follows ``donnie challenge`` in place of the name of one, which starts a session with it."""
+"""The words after ``donnie challenge`` that are no name of a challenge; a name starts a session."""
 
 
 class WrongUsage(Exception):
-    """The command line can't be understood: the code of a sentence, and what it is about."""
+    """Raised for a command line that can't be understood: the code of a sentence and its subject."""
 
     def __init__(self, code: str, what: str, near: str = "") -> None:
         """``near`` is the command that was probably meant."""
@@ -198,7 +198,7 @@ class WrongUsage(Exception):
 
 
 class Invocation(Struct, frozen=True):
-    """A command line that was understood."""
+    """A parsed command line."""
 
     command: str
     """Empty for the program itself."""
@@ -234,7 +234,7 @@ def _written_as_it_happens(settings: Settings) -> Iterator[tuple[str, str]]:
 
 
 def _pages(invocation: Invocation) -> Iterator[tuple[str, str]]:
-    """What ``donnie world`` and ``donnie replay`` write."""
+    """The output files of ``donnie world`` and ``donnie replay``."""
     for option in ("svg", "brf", "png", "gif", "swell"):
         name = getattr(invocation.arguments, option, None)
         if name:
@@ -245,7 +245,7 @@ def _pages(invocation: Invocation) -> Iterator[tuple[str, str]]:
 
 
 def understand(arguments: list[str], words: Words) -> Invocation:
-    """The command and its options. Prints help or the version and exits where that is asked for.
+    """Parse the command and its options. For help or the version, prints it and exits.
 
     Raises ``WrongUsage`` or ``BadOption``.
     """
@@ -274,7 +274,7 @@ def understand(arguments: list[str], words: Words) -> Invocation:
 
 
 def _refuse_second_limit(arguments: list[str]) -> None:
-    """Raises ``WrongUsage`` where a second value would take the place of the teacher's."""
+    """Raises ``WrongUsage`` if a second value would replace the teacher's."""
     for each in (CONFINED.option, DEVICES.option):
         if sum(given == each or given.startswith(f"{each}=") for given in arguments) > 1:
             raise WrongUsage("usage-twice", each)
@@ -338,13 +338,13 @@ _PROBLEMS = (
     (r"argument ([^:]*): invalid int .*", "usage-no-number"),
     (r"argument ([^:]*): not allowed with.*", "usage-not-together"),
 )
-"""What argparse complains about, and the code of our sentence for it."""
+"""The errors of argparse, each with the code of its sentence."""
 
 _LONGEST_QUOTE = 40
 
 
 class _Parser(argparse.ArgumentParser):
-    """Complains by code, in no language. Its help is codes too, until it is printed: few starts print it."""
+    """A parser whose errors and help are codes; they become sentences only when printed."""
 
     def __init__(self, command: str, sentence: Words) -> None:
         super().__init__(

@@ -1,9 +1,9 @@
 """The server of ``donnie serve``: pages in a browser, each with a full screen in a process of its own.
 
-A page can do what its learner can: write files and drive the robot. So only the holder of the link gets one.
-The link has a secret, which the browser exchanges for a cookie; without the cookie, from another host or from
-another page's origin every request is refused. What a page sends is bounded. When it is gone, its robot
-stops, its text is kept and its process ends.
+A page can do what its learner can: write files and drive the robot. So only the holder of the link gets in.
+The link has a secret, which the browser exchanges for a cookie. Without the cookie, from another host or from
+another page's origin every request is refused. The size of messages is bounded. When a page is gone, its
+robot stops, its text is kept and its process ends.
 """
 
 from __future__ import annotations
@@ -44,13 +44,13 @@ _LONGEST_QUOTE = 60
 
 
 class Gate:
-    """Knows the secret and the cookie, and which requests may come in."""
+    """Checks requests against the secret, the cookie, the hosts and the origins."""
 
     def __init__(self, address: str, port: int) -> None:
         self._address, self._port = address, port
         self.secret = secrets.token_urlsafe(_SECRET_SIZE)
         self.cookie_name = f"donnie-{port}"
-        """The pages of all ports of a host share their cookies."""
+        """The cookie's name has the port, as all ports of a host share their cookies."""
         self.cookie = secrets.token_urlsafe(_SECRET_SIZE)
 
     @property
@@ -67,7 +67,7 @@ class Gate:
         return ("", with_port) if self._port == _HTTP else (with_port,)
 
     def objection(self, request: web.BaseRequest) -> tuple[str, str] | None:
-        """Why the request is refused: the code of a sentence, and what it is about. None if it is let in."""
+        """The reason to refuse a request: the code of a sentence and its subject. None if it is accepted."""
         host = _only(request, "Host")
         if host.lower() not in self._hosts(request):
             return "serve-refused-host", host
@@ -88,7 +88,7 @@ class Gate:
     def _hosts(self, request: web.BaseRequest) -> frozenset[str]:
         """The hosts under which the socket of this request may be reached.
 
-        A name that anyone can buy and let point here is none of them; an address is never such a name.
+        Other names are refused, since anyone can buy a name that points here.
         """
         ours = str((request.get_extra_info("sockname") or ("",))[0])
         names = {_in_host(ours), LOCALHOST} if is_loopback(ours) else {_in_host(ours), *_names_of_machine()}
@@ -104,7 +104,7 @@ def _only(request: web.BaseRequest, name: str) -> str:
 
 
 def _is_same(given: str, secret: str) -> bool:
-    """Takes as long for any wrong one."""
+    """Compares in constant time."""
     return secrets.compare_digest(given.encode(errors="replace"), secret.encode())
 
 
@@ -129,7 +129,7 @@ def _names_of_machine() -> tuple[str, ...]:
 
 
 async def serve_until_signal(server: PageServer, on_start: Callable[[], object]) -> None:
-    """``on_start`` is called once it listens. Raises ``OSError``.
+    """Serve until a signal comes. ``on_start`` is called once it listens. Raises ``OSError``.
 
     If a signal finds the server hanging, the process ends all the same, and each page's session with it.
     """
@@ -168,7 +168,7 @@ class PageServer:
         self._ended = asyncio.Condition()
         """Notified when a session has ended."""
         self._unproven: set[asyncio.BaseProtocol] = set()
-        """Connections on which nothing was let in yet."""
+        """Connections without an accepted request so far."""
         self._listeners: list[asyncio.Server] = []
 
     @property
@@ -202,7 +202,7 @@ class PageServer:
             raise
 
     async def _listen(self, address: str) -> None:
-        """A machine may have one version of the protocol only."""
+        """Listen at an address; a machine may have only one version of the protocol."""
         try:
             server = await asyncio.get_running_loop().create_server(self._connect, address, self.port)
         except OSError as problem:
@@ -212,7 +212,7 @@ class PageServer:
         self._listeners.append(server)
 
     async def close(self) -> None:
-        """All sessions end, each with its text kept."""
+        """End all sessions; each keeps its text."""
         for each in self._listeners:
             each.close()
         sessions = [*self._sessions]
@@ -265,7 +265,7 @@ class PageServer:
         return web.Response(status=status, text=text, content_type="text/html")
 
     async def _give_cookie(self, _: web.Request) -> web.Response:
-        """The next page is asked for by this one: a link on a foreign page would not send the cookie."""
+        """Set the cookie, and let this page load the next one: a foreign page's link sends no cookie."""
         response = self._note("serve-starting", refresh='<meta http-equiv="refresh" content="0; url=/" />')
         name, cookie = self.gate.cookie_name, self.gate.cookie
         response.set_cookie(name, cookie, httponly=True, samesite="Strict", path="/")
@@ -326,7 +326,7 @@ class PageServer:
         return page
 
     async def _has_room(self) -> bool:
-        """Waits a little where a session is just ending: a page that is loaded again has left one."""
+        """Whether another session may begin; waits a little for one that is just ending."""
 
         def is_clear() -> bool:
             is_full = len(self._sessions) >= self._limits.sessions
@@ -363,14 +363,14 @@ async def _add_policies(_: web.Request, response: web.StreamResponse) -> None:
 
 
 def _bound_output(transport: asyncio.Transport) -> None:
-    """The system would keep megabytes for a page that takes nothing, and show it the past later."""
+    """Limit the system's buffer, which would keep megabytes of old output for a slow page."""
     opened = transport.get_extra_info("socket")
     if opened is not None:
         opened.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, _OUTPUT)
 
 
 _OUTPUT = 65536
-"""Bytes that the system keeps of what a page has not taken yet."""
+"""Bytes of output that the system buffers for a page."""
 
 
 def _number(request: web.Request, name: str, otherwise: int) -> int:
@@ -385,7 +385,7 @@ def _template(name: str) -> Template:
 
 
 def _statics() -> Path:
-    """The terminal for the browser, which textual-serve brings."""
+    """The folder of textual-serve's terminal for the browser."""
     spec = find_spec("textual_serve")
     assert spec is not None and spec.origin is not None
     return Path(spec.origin).parent / "static"
@@ -400,7 +400,7 @@ class _Refusal(asyncio.Protocol):
 
 
 class _Faults(logging.Handler):
-    """One sentence for each fault that aiohttp logs, instead of a traceback."""
+    """Logs a sentence for each fault of aiohttp, instead of a traceback."""
 
     def __init__(self, report: Callable[[], object]) -> None:
         super().__init__(logging.WARNING)

@@ -1,4 +1,4 @@
-"""One page of ``donnie serve``: passes its keys to a process, and what the process paints to the page.
+"""A page of ``donnie serve``: passes its keys to a process, and the process's output to the page.
 
 The process is a full screen with Textual's driver for pages. Both ends are bounded: a page that takes no
 output stops its robot and then counts as gone, and a process that takes no input is ended.
@@ -26,39 +26,39 @@ LONGEST_REASON = 123
 """Bytes of the reason with which a WebSocket is closed."""
 _LONGEST_PING = 60
 IDLE_CODE, FAILED_CODE = 4000, 4001
-"""Our own codes with which a WebSocket is closed."""
+"""Donnie's own codes for the closing of a WebSocket."""
 
 
 _BEGINNING = b"__GANGLION__\n"
-"""What Textual's driver writes before its first packet."""
+"""The line that Textual's driver writes before its first packet."""
 
 
 class PageLimits(Struct, frozen=True):
-    """What the pages may use. Times are in seconds."""
+    """The limits of pages. Times are in seconds."""
 
     sessions: int = 8
     idle: float = 3600
-    """Without a key for so long, a page ends; 0 is never."""
+    """A page ends after so long without a key; 0 is never."""
     frame: int = 2**20
     """Bytes of one message from a page."""
     connections: int = 100
     """Open at once, with the refused ones."""
     first_request: float = 10
-    """Until a new connection has shown the cookie or the link."""
+    """The time for a new connection to show the cookie or the link."""
     heartbeat: float = 10
-    """Between two questions whether the page is there; it has half of it to answer."""
+    """The time between two pings; a page has half of it to answer."""
     stalled: float = 2.5
-    """After so long in which a page takes no output its robot stops."""
+    """The robot stops after a page has taken no output for so long."""
     lost: float = 20
-    """After so long more it counts as gone."""
+    """The page counts as gone after so long more."""
     late: float = 2
-    """Until a page that is gone before its process took its keys is given up."""
+    """The time for a process to take the keys of a page that is gone."""
     end: float = 5
-    """Until a process that should end is killed."""
+    """The time for a process to end before it is killed."""
 
 
 class PageSession(AppService):
-    """The process behind a page, from ``start`` to ``end``."""
+    """The process of a page, from ``start`` to ``end``."""
 
     def __init__(
         self,
@@ -80,9 +80,9 @@ class PageSession(AppService):
         self._abort = abort
         self.is_ending = False
         self._is_listening = False
-        """Whether the driver in the process reads: not before it began, nor between two worlds."""
+        """Whether the process's driver reads; not before its start, nor between two worlds."""
         self._held: list[bytes] = []
-        """Packets for the driver that begins next."""
+        """Packets for the next driver."""
         self._all_passed = asyncio.Event()
         """Set while no key is held."""
         self._all_passed.set()
@@ -90,13 +90,13 @@ class PageSession(AppService):
         self._has_focus = False
         self._has_painted = False
         self._complaint = b""
-        """The end of what the process wrote to standard error."""
+        """The last lines of the process's standard error."""
         self._last_key = 0.0
 
     # --- from the beginning to the end
 
     async def start(self, width: int, height: int) -> None:
-        """Raises ``OSError``. The process has its own group: Ctrl+C at the server is not for it."""
+        """Start the process in its own group, which Ctrl+C at the server doesn't reach. Raises ``OSError``."""
         self._size = width, height
         self._process = await asyncio.create_subprocess_exec(
             *self._arguments,
@@ -110,7 +110,7 @@ class PageSession(AppService):
         self._task = asyncio.create_task(self.run())
 
     async def talk(self) -> None:
-        """Pass on what the page sends, until it is gone or was closed."""
+        """Pass on the page's messages until it is gone or was closed."""
         self._last_key = asyncio.get_running_loop().time()
         idle = asyncio.create_task(self._close_when_idle())
         try:
@@ -123,7 +123,7 @@ class PageSession(AppService):
             idle.cancel()
 
     async def end(self) -> None:
-        """The page is gone: as if a terminal had hung up, the robot stops and the text is kept."""
+        """Hang up the process of a page that is gone, so that its robot stops and its text is kept."""
         process, task = self._process, self._task
         self.is_ending = True
         if process is None or task is None:
@@ -144,7 +144,7 @@ class PageSession(AppService):
         _send(self._process, getattr(signal, "SIGHUP", signal.SIGTERM))
 
     def _lose(self) -> None:
-        """The page takes nothing any more; what waits for it must not go on waiting."""
+        """Give up a page that takes no output, and release everything that waits for it."""
         self.is_ending = True
         self._abort()
         self._hang_up()
@@ -158,13 +158,13 @@ class PageSession(AppService):
         await self.close(IDLE_CODE, self._words("serve-idle", minutes=max(1, round(idle / 60))))
 
     async def close(self, code: int, sentence: str) -> None:
-        """End the page, which shows the sentence."""
+        """Close the page, which shows the sentence."""
         await self._page.close(code=code, message=as_reason(sentence))
 
     # --- from the page
 
     async def _take(self, data: str) -> None:
-        """Obeys a message of the page, and ignores one that can't be understood."""
+        """Handle a message of the page; ignores an invalid one."""
         try:
             message = _MESSAGES.decode(data)
         except msgspec.DecodeError:
@@ -191,7 +191,7 @@ class PageSession(AppService):
         await self._pass_on(b"M", json.dumps(values).encode())
 
     async def _pass_on(self, kind: bytes, payload: bytes) -> None:
-        """To the process. One that takes nothing for long has a page that can't be served."""
+        """Send a packet to the process. If it takes none for long, the page is closed."""
         packet = self.encode_packet(kind, payload)  # type: ignore[arg-type] # D or M
         if not self._is_listening:
             if sum(map(len, self._held)) < self._limits.frame:
@@ -209,7 +209,7 @@ class PageSession(AppService):
     # --- from the process
 
     async def run(self) -> None:
-        """Pass on what the process paints, to its end; then close the page."""
+        """Pass on the output of the process to its end, then close the page."""
         process = self._process
         assert process is not None and process.stdout is not None and process.stderr is not None
         complaints = asyncio.create_task(self._read_complaints(process.stderr))
@@ -224,7 +224,7 @@ class PageSession(AppService):
             await self.close(FAILED_CODE if has_failed else WSCloseCode.OK, self._last_line if code else "")
 
     async def _read_packets(self, output: asyncio.StreamReader) -> None:
-        """Each world has a driver of its own. It begins with a line, and may paint after its end, too."""
+        """Read the packets of each world's driver, which begins with a line and may paint after its end."""
         while await output.readline() != _BEGINNING:
             if output.at_eof():
                 return
@@ -241,7 +241,7 @@ class PageSession(AppService):
                 self._is_listening = False
 
     async def _begin(self) -> None:
-        """A driver listens. It knows the first size, and begins without the focus."""
+        """Send the current size and the focus to a driver that has begun to listen."""
         self._is_listening = True
         held, self._held = self._held, []
         if self._has_painted:
@@ -253,7 +253,7 @@ class PageSession(AppService):
         self._all_passed.set()
 
     async def on_data(self, payload: bytes) -> None:
-        """To the page. While that takes nothing, the process waits and can't see a key: its robot stops."""
+        """Send output to the page. If the page takes none for long, the robot stops."""
         self._has_painted = True
         if self.is_ending:
             return
@@ -286,16 +286,16 @@ class _Size(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 _MESSAGES = msgspec.json.Decoder(list[str | _Size])
-"""With these types nothing is nested: the decoder would recurse as deep as a page likes."""
+"""Messages have flat types only, since the decoder recurses into nested ones."""
 
 
 def size_of(width: int, height: int) -> tuple[int, int]:
-    """As a screen may have it."""
+    """A size within the limits of a screen."""
     return min(max(width, 20), 500), min(max(height, 6), 200)
 
 
 def as_reason(sentence: str) -> bytes:
-    """As long as a WebSocket takes it, in whole characters."""
+    """The reason cut to the size that a WebSocket takes, in whole characters."""
     return sentence.encode(errors="replace")[:LONGEST_REASON].decode(errors="ignore").encode()
 
 

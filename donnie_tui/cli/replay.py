@@ -50,7 +50,7 @@ LONGEST_EXCERPT = 160
 
 
 def run_again(order: Order, recording: Recording) -> int:
-    """0 if everything is the same as far as it can be compared, 1 if something differs."""
+    """Run a recording again and compare. Returns 0 if all comparable events are the same, else 1."""
     header = _usable(recording, order.words)
     tone = Words()
     settings = settings_of(header, order.settings, order.words)
@@ -104,7 +104,7 @@ _NEAR_THE_BEGINNING = 100
 """Events in which the first run is looked for."""
 
 FIXED = ("world", "robot", "seed", "belt", "record")
-"""Options that mean nothing to what has happened already."""
+"""Options without effect on a recording."""
 
 
 class _Audience(Struct, frozen=True):
@@ -134,7 +134,7 @@ def replay(order: Order) -> int:
 
 
 def _refuse_what_has_no_meaning(order: Order) -> None:
-    """Raises ``Unusable`` for an option that would do nothing: what was recorded is fixed."""
+    """Raises ``Unusable`` for an option without effect on a recording."""
     arguments, given, words = order.invocation.arguments, order.invocation.options, order.words
     fixed = next((each for each in FIXED if each in given), None)
     if fixed is not None:
@@ -186,7 +186,7 @@ def _pictures(order: Order) -> tuple[tuple[str, str | None], ...]:
 
 
 def _draw(order: Order, recording: Recording, closing: ExitStack) -> int:
-    """Write the pictures that are asked for, with the goals of a challenge, and print the path in words."""
+    """Write the requested pictures, with the goals of a challenge, and print the path in words."""
     from donnie_tui.core.goals import places_of
     from donnie_tui.core.program_files import DocumentError, write_bytes
     from donnie_tui.world.loading import choose_challenge, moved_to
@@ -238,7 +238,7 @@ def _draw(order: Order, recording: Recording, closing: ExitStack) -> int:
 
 
 class _Player:
-    """One replay, from the first word to the last."""
+    """A replay, from its first sentence to its last."""
 
     def __init__(self, order: Order, recording: Recording, closing: ExitStack) -> None:
         self._order = order
@@ -280,7 +280,7 @@ class _Player:
         return bool(self._written.lost)
 
     def _begin_at(self, seq: int | None, backwards: bool) -> None:
-        """Just before the event of that number; backwards, just after it."""
+        """Begin just before the event of that number; backwards, just after it."""
         events = self._timeline.events
         if seq is None:
             self._timeline.go_to(len(events) if backwards else 0)
@@ -313,7 +313,7 @@ class _Player:
             self._order.output.line(row)
 
     def _map_of(self, recording: Recording, closing: ExitStack) -> ReplayMap | None:
-        """The map, if it was asked for and the recording has its world."""
+        """The map, if it was requested and the recording has its world."""
         arguments = self._order.invocation.arguments
         if not (arguments.map or arguments.step) or recording.header is None:
             return None
@@ -327,13 +327,13 @@ class _Player:
 
 
 def _first_language(recording: Recording) -> str | None:
-    """That of the first run, where it stands near the beginning."""
+    """The language of the first run, if it is near the beginning."""
     first = islice(recording.events, _NEAR_THE_BEGINNING)
     return next(filter(None, map(_language_of, first)), None)
 
 
 def _follower(of_run: Words) -> Callable[[Stamped], None]:
-    """The sentences of a run are in its language, so the sentences around them are, too."""
+    """Switches the language with each run, as the recorded sentences are in the run's language."""
 
     def follow(stamped: Stamped) -> None:
         of_run.language = _language_of(stamped) or of_run.language
@@ -365,7 +365,7 @@ LONGEST_LINE = 200
 
 
 class ReplayMap:
-    """Each robot's picture of the floor is made once."""
+    """The map at any position; each robot's picture of the floor is made once."""
 
     def __init__(self, scene: Scene, words: Words) -> None:
         self._scene = scene

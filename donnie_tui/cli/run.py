@@ -48,7 +48,7 @@ from language.locales import languages
 
 
 def read_programs(arguments: Sequence[str], words: Words) -> tuple[tuple[str | None, RunRequest], ...]:
-    """What was written after ``donnie run``: the robot's name, None for the first one, and its program.
+    """Read the programs of ``donnie run``: each with the robot's name, None for the first one.
 
     Raises ``Unusable``. A file of exactly that name wins over a robot.
     """
@@ -63,7 +63,7 @@ def read_programs(arguments: Sequence[str], words: Words) -> tuple[tuple[str | N
 def assign(
     programs: Sequence[tuple[str | None, RunRequest]], team: Team, words: Words
 ) -> dict[str, RunRequest]:
-    """The programs by the names that the robots have in their world. Raises ``Unusable``."""
+    """The programs by their robots' names. Raises ``Unusable``."""
     assigned: dict[str, RunRequest] = {}
     for robot, program in programs:
         name = team.names[0] if robot is None else team.called(robot)
@@ -87,9 +87,9 @@ def _program(file: str, words: Words) -> RunRequest:
 
 
 _ENOUGH = 4096
-"""Bytes that are looked at."""
+"""Bytes that are read of a file."""
 _BRAILLE = frozenset(range(0x20, 0x60)) | frozenset(b"\r\n\f")
-"""What ASCII braille is made of."""
+"""The characters of ASCII braille."""
 
 _SVG = (b'<svg xmlns="http://www.w3.org/2000/svg" role="img" width="',)
 _BEGINNINGS: Mapping[str, tuple[bytes, ...]] = {
@@ -99,11 +99,11 @@ _BEGINNINGS: Mapping[str, tuple[bytes, ...]] = {
     "--swell": _SVG,
 }
 _SOUND = re.compile(rb"RIFF....WAVEfmt \x10\0\0\0\x01\0\x02\0" + SAMPLE_RATE.to_bytes(4, "little"), re.DOTALL)
-"""Uncompressed, in two channels, at the rate of Donnie's sounds."""
+"""The format of Donnie's sounds: uncompressed, two channels."""
 
 
 def may_be_replaced(option: str, path: Path) -> bool:
-    """Whether nothing is there, nothing is in it, or it is what ``option`` writes; also what is no file."""
+    """Whether ``path`` may be replaced: missing, empty, no file, or of the kind that ``option`` writes."""
     try:
         if not path.is_file():
             return True
@@ -130,7 +130,7 @@ def _is_of_kind(option: str, beginning: bytes, path: Path) -> bool:
 
 
 def _titles_in_braille() -> tuple[bytes, ...]:
-    """How the first page of a world begins, in each language."""
+    """The beginning of a world's first braille page, in each language."""
     from donnie_tui.core.chart import braille
 
     titles = ((each, Words(each)("paper-title", name="|").partition("|")[0]) for each in languages())
@@ -138,7 +138,7 @@ def _titles_in_braille() -> tuple[bytes, ...]:
 
 
 def refuse_overwriting(order: Order) -> None:
-    """Raises ``Unusable`` where an option names a file that the command needs, or that another one names."""
+    """Raises ``Unusable`` if an output is an input of the command, or the file of another output."""
     outputs = tuple((option, _checked(name, order.words)) for option, name in order.outputs)
     for (option, path), (other, other_path) in combinations(outputs, 2):
         if is_same_file(path, other_path):
@@ -154,7 +154,7 @@ def refuse_overwriting(order: Order) -> None:
 
 
 def _checked(name: str, words: Words) -> Path:
-    """The path of an output. A refusal says nothing else of a file outside."""
+    """The path of an output. Raises ``Unusable`` for a file outside of a confined session."""
     try:
         return checked_path(Path(name))
     except DocumentError as error:
@@ -162,7 +162,7 @@ def _checked(name: str, words: Words) -> Path:
 
 
 def _programs(order: Order) -> Iterator[str]:
-    """All that may be meant: ``ROBOT=FILE`` is a file of that name too."""
+    """The possible program files: ``ROBOT=FILE`` may also be a file of that name."""
     arguments = order.invocation.arguments
     named = getattr(arguments, "file", None)
     files = [named] if isinstance(named, str) else named or []
@@ -194,7 +194,7 @@ def _is_regular(path: Path) -> bool:
 
 
 _CHECK_INTERVAL = 0.5
-"""Seconds between two looks for a signal where waiting can't be interrupted by one."""
+"""Seconds between two checks for a signal during a wait that a signal can't interrupt."""
 
 _CODE_OF = {
     Outcome.COMPLETED: ExitCode.DONE,
@@ -260,7 +260,7 @@ def _assembled(order: Order) -> Donnie:
 
 
 def _run_to_the_end(donnie: Donnie, programs: Mapping[str, RunRequest], output: Output, trace: bool) -> int:
-    """The worst exit code of all."""
+    """Run all programs. Returns the worst exit code."""
     output.on_broken = donnie.team.stop
     with (
         stopped_by_signals(
@@ -281,7 +281,7 @@ def _run_to_the_end(donnie: Donnie, programs: Mapping[str, RunRequest], output: 
 
 
 def _await_end(run: Run, stopped: threading.Event, donnie: Donnie) -> None:
-    """Wait for the run. A stopped run that can't end, because its output is not read, is left once its
+    """Wait for the run. Leaves a stopped run that can't end, because its output is not read, once its
     robot stands."""
     while not run.wait(_CHECK_INTERVAL):
         if not stopped.is_set():

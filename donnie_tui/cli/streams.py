@@ -1,4 +1,4 @@
-"""Standard input, output and error of the commands, and what ends a command early.
+"""Standard input, output and error of the commands, and the signals that end a command early.
 
 Output is always UTF-8; a character that has no UTF-8 becomes an escape. If the reader of the output is gone,
 output ends and ``on_broken`` is called. Input is read line by line; undecodable bytes become replacement
@@ -37,13 +37,13 @@ class Output:
         self.out = _prepared(out or sys.stdout, 1)
         self._err = _prepared(err or sys.stderr, 2)
         self.is_broken = False
-        """Nothing can be written any more."""
+        """Whether nothing can be written any more."""
         self.problem: str | None = None
-        """Why, unless the reader just went away."""
+        """The reason, unless the reader has just closed the pipe."""
         self.on_broken: Callable[[], None] = _nothing
 
     def line(self, text: str) -> None:
-        """One line of what was asked for, without anything that a terminal would obey."""
+        """Write a line of the result, without anything that a terminal would obey."""
         self.text(f"{_shown(text)}\n")
 
     def text(self, text: str) -> None:
@@ -58,7 +58,7 @@ class Output:
             self._give_up(getattr(problem, "strerror", None) or str(problem))
 
     def complaint(self, *sentences: str) -> None:
-        """Diagnostics of our own, to standard error, a line each."""
+        """Write Donnie's own diagnostics to standard error, a line each."""
         try:
             self._err.writelines(f"{_shown(each)}\n" for each in sentences)
             self._err.flush()
@@ -66,7 +66,7 @@ class Output:
             _throw_away(self._err)
 
     def finish(self) -> None:
-        """Flushes what the screen wrote. Where its terminal is gone, the exit code stays what it is."""
+        """Flush the output. A lost terminal does not change the exit code."""
         for stream in (self.out, self._err):
             try:
                 stream.flush()
@@ -81,7 +81,7 @@ class Output:
 
 
 class Guarded:
-    """A stream for listeners that must not fail: what can't be written ends the output instead."""
+    """A stream for listeners that must not fail: a failed write ends the output instead."""
 
     def __init__(self, output: Output) -> None:
         self._output = output
@@ -91,7 +91,7 @@ class Guarded:
         return len(text)
 
     def flush(self) -> None:
-        """Every write is flushed already."""
+        """Does nothing: every write is flushed already."""
 
     @property
     def closed(self) -> bool:
@@ -99,7 +99,7 @@ class Guarded:
 
 
 def _shown(text: str) -> str:
-    """Names out of files, worlds and boards may hold anything."""
+    """Make a text printable, as names in files, worlds and boards may contain anything."""
     if text.isprintable():
         return text
     from language.source import printable
@@ -108,7 +108,7 @@ def _shown(text: str) -> str:
 
 
 def _prepared(stream: TextIO | None, number: int) -> TextIO:
-    """The stream as UTF-8, or a place for nothing if the process was started without one."""
+    """The stream as UTF-8, or an empty one if the process was started without it."""
     if stream is None:
         return open(os.devnull, "w", encoding="utf-8")  # noqa: PTH123 -- lives as long as the process
     reconfigure = getattr(stream, "reconfigure", None)
@@ -122,7 +122,7 @@ def _is_ours(stream: TextIO, number: int) -> bool:
 
 
 def _throw_away(stream: TextIO) -> None:
-    """Let the interpreter's last flush go nowhere, quietly."""
+    """Redirect the stream to nowhere, so that the interpreter's last flush can't fail."""
     try:
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
     except (OSError, ValueError):
@@ -134,7 +134,7 @@ def _nothing() -> None:
 
 
 class Input:
-    """Made before anything is read: how bytes are taken can't be changed later."""
+    """Standard input. Make it before anything is read, as the decoding can't be changed later."""
 
     def __init__(self) -> None:
         self._stream = sys.stdin
@@ -147,7 +147,7 @@ class Input:
         return is_terminal(self._stream)
 
     def line(self, longest: int = -1) -> str | None:
-        """The next one without blanks around it, of a long one so many characters; None at the end."""
+        """Read a line, without blanks around it and cut to ``longest`` characters; None at the end."""
         try:
             typed = self._stream.readline(longest) if self._stream is not None else ""
         except (OSError, ValueError):  # a lost terminal; closed
@@ -159,13 +159,13 @@ _STOPPED = 130
 """The exit code of a command that a signal ended."""
 
 _MOMENT = 0.05
-"""Seconds within which a signal ends the voice too."""
+"""Seconds until a signal also ends the voice."""
 
 _LONGEST_REST = 2.5
 """Seconds that the main thread waits for a rest to begin; it may hold what the stop before it needs."""
 
 _LONGEST_SPEECH = 2400
-"""Moments that the voice may take after the end: two minutes."""
+"""Moments that the voice may speak after the end: two minutes."""
 
 
 @contextmanager
@@ -174,7 +174,7 @@ def stopped_by_signals(
     last: Sequence[Task] = (),
     code: Callable[[], int] = lambda: _STOPPED,
 ) -> Iterator[threading.Event]:
-    """Any of them, any number of times, sets the event and has ``stop`` called, in another thread.
+    """Each signal sets the event and has ``stop`` called in another thread.
 
     ``last`` and ``code`` are as in ``on_signals``.
     """
@@ -195,7 +195,7 @@ def on_signals(
 ) -> Iterator[None]:
     """Each signal calls ``on_signal``, which interrupts the main thread anywhere: it must take no lock.
 
-    The loss of the reader of the output counts as a signal. Where the main thread hangs, ``last`` is done and
+    The loss of the output's reader counts as a signal. If the main thread hangs, ``last`` runs and
     the process ends with ``code``, unless the signal was Ctrl+C.
     """
     with _watchdog(lambda *_: on_signal(), last, code), closing(ReaderWatch()):
@@ -217,7 +217,7 @@ def stopped_by_suspension(
     stop: Callable[[], bool], refuse: Callable[[], object]
 ) -> Iterator[threading.Event]:
     """Ctrl+Z calls ``stop`` first, in another thread; it returns once all stands. The event is set if it had
-    something to stop. ``refuse`` is called there instead, where Ctrl+Z has no effect."""
+    something to stop. ``refuse`` is called instead if Ctrl+Z has no effect."""
     stopped = threading.Event()
 
     def rest() -> None:

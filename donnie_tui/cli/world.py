@@ -1,4 +1,4 @@
-"""``donnie worlds`` and ``donnie world NAME``: worlds in words, as a map, on paper, as a report, as JSON.
+"""``donnie worlds`` and ``donnie world NAME``: worlds as words, map, paper, report or JSON.
 
 The JSON, the models that Stage would build in metres and degrees, is a contract.
 """
@@ -90,7 +90,7 @@ WIDEST_MAP = 80
 _ARROWS = "^>v<"
 _FLOOR = {"#": "legend-wall", ".": "legend-free"}
 MOST_NAMES = 4
-"""What is named for one letter of ``--map``."""
+"""Names that are listed for one letter of ``--map``."""
 
 
 def list_worlds(order: Order) -> int:
@@ -103,7 +103,7 @@ def list_worlds(order: Order) -> int:
 
 
 def describe_world(order: Order) -> int:
-    """Describes a world in the form that was asked for, else in words; ``new`` and a file make a world."""
+    """Describe a world in the requested form, else in words; ``new`` and a file make a world."""
     arguments, words = order.invocation.arguments, order.words
     match arguments.name:
         case ["new", file] if file and arguments.drawing != "":
@@ -139,7 +139,7 @@ EMPTY_ROOM = "\n".join([*_HALF_ROOM, f"#{'.' * 15}^{'.' * 15}#", *reversed(_HALF
 
 
 def _new_world(order: Order, file: str) -> int:
-    """Write the world that a drawing means, or an empty room; nothing if the drawing has mistakes."""
+    """Write the world of a drawing, or an empty room; nothing if the drawing has mistakes."""
     from donnie_tui.cli.programs import read_source
     from donnie_tui.world.drawing import world_of
 
@@ -160,7 +160,7 @@ def _new_world(order: Order, file: str) -> int:
 
 
 def _without_world(world: ChosenWorld, words: Words) -> tuple[str, ...]:
-    """That there is only a real robot, and on which floor it is drawn."""
+    """The sentence that there is only a real robot, and on which floor it is drawn."""
     if not world.stands_in_for:
         return ()
     values = {"name": world.stands_in_for, "port": world.physical_port, "floor": WITHOUT_WORLD}
@@ -180,7 +180,7 @@ def _lines(arguments: object, world: ChosenWorld, words: Words) -> tuple[str, ..
 
 
 def _json(world: ChosenWorld) -> str:
-    """Readable, with escapes for what a terminal would obey."""
+    """The JSON of a world, with escapes for characters that a terminal would obey."""
     text = json.dumps(records(world.scene), ensure_ascii=False, indent=1)
     return "".join(each if each == "\n" or each.isprintable() else json.dumps(each)[1:-1] for each in text)
 
@@ -313,7 +313,7 @@ def _raised_picture(world: ChosenWorld, words: Words) -> str:
 
 
 def _written(option: str, path: str, text: str, words: Words) -> str:
-    """Written whole or not at all. Raises ``Unusable``."""
+    """Write a file whole or not at all. Raises ``Unusable``."""
     if not path:
         raise Unusable(words("usage-without-value", what=option))
     try:

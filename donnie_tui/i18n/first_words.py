@@ -1,6 +1,6 @@
 """The sentences that Donnie prints before anything else is loaded. Imports next to nothing.
 
-``linear-cause-CAUSE`` is how the linear mode came about: ``option``, ``variable`` (DONNIE_LINEAR or
+``linear-cause-CAUSE`` says why the mode is linear: ``option``, ``variable`` (DONNIE_LINEAR or
 ACCESSIBLE), ``settings``, ``no-terminal``, ``simple-terminal`` (TERM=dumb) or ``word`` (LINEAR was typed).
 """
 
@@ -15,7 +15,7 @@ _known: dict[str, dict[str, str] | None] = {}
 
 
 def early(code: str, language: str) -> str:
-    """A sentence of the topic ``start``, in English where the language has none."""
+    """A sentence of the topic ``start``, in English if the language lacks it."""
     for each in (language, ENGLISH):
         if each not in _known:
             _known[each] = _read(each)

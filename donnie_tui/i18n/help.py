@@ -1,9 +1,9 @@
 """HELP, the manual of GoDonnie and the tour.
 
-HELP lists GoDonnie's commands, and has of each its purpose, its form and one example.
+HELP lists GoDonnie's commands, each with its purpose, its form and one example.
 
-Forms and examples are templates: ``{REPEAT}`` is spelled in the learner's language, ``{commands}`` stands
-for something else. The tests parse every example in every language.
+Forms and examples are templates: ``{REPEAT}`` is spelled in the learner's language, ``{commands}`` is a name
+for statements. The tests parse every example in every language.
 """
 
 from __future__ import annotations
@@ -24,15 +24,15 @@ from language.suggestions import SAMPLES, everyday
 
 
 class HelpTopic(Struct, frozen=True):
-    """One command: how it is written, and used. ``leaders`` are the words that it may begin with."""
+    """The form and example of a command. ``leaders`` are the words that it may begin with."""
 
     leaders: tuple[str, ...]
     rest: str
-    """What follows the leader."""
+    """The form after the leader."""
     example: str
     """A program that uses it."""
     other: str = ""
-    """Another thing that may follow it."""
+    """Another form after the leader."""
 
 
 ENTRIES: dict[str, HelpTopic] = {
@@ -83,7 +83,7 @@ ENTRIES: dict[str, HelpTopic] = {
     "HELP": HelpTopic(("HELP",), "{word}", "{HELP} {FW}"),
     "QUIT": HelpTopic(("QUIT", "EXIT"), "", "{QUIT}"),
 }
-"""By topic, in the order in which a learner needs them."""
+"""The topics, in the order in which a learner needs them."""
 
 _NEEDS = {
     "SPEAK": (("text",), '"{hello}"'),
@@ -94,13 +94,13 @@ _NEEDS = {
     "FOR": (("name",), "{VAR} i = 1"),
     "PROCEDURE": (("name",), "P {DO}"),
 }
-"""By topic: what a command without anything after it needs, and how it could continue."""
+"""By topic: the classes of words that must follow the command, and an example."""
 
 _PLACE = re.compile(r"\{([^{}]+)\}")
 
 
 def help_lines(topic: str | None, words: Wording) -> tuple[str, ...]:
-    """The list, or what there is to say about a word of any language."""
+    """The list of commands, or the help of a word of any language."""
     if topic is None:
         return _list(words)
     found = said_for(topic, words)
@@ -108,7 +108,7 @@ def help_lines(topic: str | None, words: Wording) -> tuple[str, ...]:
 
 
 def said_for(typed: str, words: Wording) -> str | None:
-    """The topic of a word of GoDonnie, or of what a beginner says for one: WALK, TURN LEFT."""
+    """The topic of a GoDonnie word, or of a beginner's word for it, such as WALK or TURN LEFT."""
     found = keywords.topic(typed)
     said = typed.split() if found is None else ()
     beginning = everyday([fold_name(each) for each in said], (words.language,))
@@ -134,7 +134,7 @@ def _entry(topic: str, words: Wording) -> tuple[str, ...]:
 
 
 def form_sentences(topic: str, words: Wording) -> Iterator[str]:
-    """How the command is written."""
+    """The sentences about the form of the command."""
     entry = ENTRIES[topic]
     for each in (entry.rest, entry.other) if entry.other else (entry.rest,):
         yield words("help-form", form=forms(entry.leaders, each, words)) + "."
@@ -154,7 +154,7 @@ def example(topic: str, words: Wording) -> str:
 
 
 def needs(word: str, words: Wording) -> tuple[tuple[str, ...], str]:
-    """What is missing after a word of GoDonnie, as classes of words, and an example with the word."""
+    """The classes of words that must follow a GoDonnie word, and an example with it."""
     topic = keywords.topic(word) or ""
     classes, rest = _NEEDS.get(topic) or (("number",), SAMPLES.get(topic, ""))
     return classes, f"{_spelled(word, words)} {_filled(rest, words)}".strip()
@@ -165,7 +165,7 @@ def _filled(template: str, words: Wording) -> str:
 
 
 def _spelled(place: str, words: Wording) -> str:
-    """A keyword, the argument of one (``ON``, ``red``), or what a placeholder is called."""
+    """The spelling of a keyword, an argument (``ON``, ``red``) or a placeholder."""
     if place in ("ON", "OFF"):
         return keywords.argument_spelling(place == "ON", words.language)
     if place == "red":
@@ -192,7 +192,7 @@ CHAPTERS = ("begin", "move", "look", "numbers", "decide", "repeat", "procedures"
 
 
 def manual(words: Wording) -> tuple[str, ...]:
-    """The lines, in the learner's language."""
+    """The lines of the manual, in the learner's language."""
     lines: list[str] = []
     for chapter in CHAPTERS:
         lines.append(words(f"manual-{chapter}").upper())
@@ -226,7 +226,7 @@ def chapter_lines(words: Wording, chapter: str) -> tuple[str, ...]:
 
 TOUR_PAGES = 9
 STEP_PAGE = 8
-"""The page of the linear mode's tour that has the learner step through a program."""
+"""The page of the linear mode's tour on which the learner steps through a program."""
 SCREEN_TOUR_PAGES = 9
 _MOST_LINES = 6
 

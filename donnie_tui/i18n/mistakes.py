@@ -1,9 +1,9 @@
 """Mistakes as sentences in the learner's language: in programs, for EXPLAIN, and in world files.
 
-A diagnostic's ``code`` chooses among the sentences of its kind; the kind's own is the one that always
-exists. Words of GoDonnie are spelled in the learner's language, what was typed is quoted as it was typed.
-What is known of this one mistake (what was meant, the command it is in) comes before what can be said of
-all mistakes of its kind.
+A diagnostic's ``code`` chooses among the sentences of its kind; the kind's own sentence always
+exists. GoDonnie's words are spelled in the learner's language, typed text is quoted unchanged.
+Details of this mistake (the probable meaning, its command) come before general advice about
+its kind.
 """
 
 from __future__ import annotations
@@ -33,25 +33,25 @@ if TYPE_CHECKING:
     from sim.worldfile.mistakes import WorldError
 
 LONGEST_QUOTE = 24
-"""Characters of what was typed that are repeated in a sentence."""
+"""Characters of typed text that a sentence repeats."""
 
 MOST_EXPECTED = 4
 """More things than these are no help: the sentence names none."""
 
 _SAYS_WHAT_IS_MEANT = ("missing-argument", "number-word", "short-change", "text-quotes", "filler")
-"""Codes with a sentence that says already what was meant."""
+"""Codes whose sentence already says what was meant."""
 
 _ARGUMENTS_OF = {"direction": "DIRECTION", "axis": "AXIS", "colour": "COLOUR", "on-or-off": "SWITCH"}
 
 
 def mistake(diagnostic: Diagnostic, words: Wording) -> str:
-    """What is wrong, in one sentence."""
+    """The sentence that says what is wrong."""
     make = _SENTENCE_OF.get(diagnostic.kind, _plain)
     return make(diagnostic, words)
 
 
 def hint(diagnostic: Diagnostic, words: Wording) -> str | None:
-    """What would put it right, where that is known. Of arguments there are few: all are listed too."""
+    """The fix, if it is known; for an argument with few values also all values."""
     make = _HINT_OF.get(diagnostic.kind)
     if diagnostic.meant and diagnostic.code in _SAYS_WHAT_IS_MEANT:
         return None
@@ -65,7 +65,7 @@ def hint(diagnostic: Diagnostic, words: Wording) -> str | None:
 
 
 def remark(diagnostic: Diagnostic, words: Wording) -> str:
-    """A hint of the checker as one line: what it is about, and what would be better."""
+    """A hint of the checker as one line: its subject, and the better form."""
     advice = hint(diagnostic, words)
     sentence = mistake(diagnostic, words)
     return f"{sentence} {advice}" if advice else sentence
@@ -75,7 +75,7 @@ def remark(diagnostic: Diagnostic, words: Wording) -> str:
 
 
 def _plain(diagnostic: Diagnostic, words: Wording) -> str:
-    """The kind's own sentence, filled with whatever the diagnostic knows."""
+    """The kind's own sentence, filled with the values of the diagnostic."""
     kind = diagnostic.kind.value
     special = f"mistake-{kind}-{diagnostic.code}"
     code = special if diagnostic.code and words.knows(special) else f"mistake-{kind}"
@@ -138,7 +138,7 @@ def _undeclared_variable(diagnostic: Diagnostic, words: Wording) -> str:
 
 
 def _robot(diagnostic: Diagnostic, words: Wording) -> str:
-    """What the robot can't do, by the code of its problem; in general words where there are none for it."""
+    """The sentence about what the robot can't do, by the code of its problem, else a general one."""
     code = f"problem-{diagnostic.details.get('problem', '')}"
     if not words.knows(code):
         return _plain(diagnostic, words)
@@ -204,7 +204,7 @@ def _hint_for_character(diagnostic: Diagnostic, words: Wording) -> str | None:
 
 
 def _hint_for_argument(diagnostic: Diagnostic, words: Wording) -> str | None:
-    """The words that may stand there."""
+    """The possible words at that place."""
     if diagnostic.code == "unseen-colour":
         colours = str(diagnostic.details.get("wanted", "")).split(", ")
         allowed = [argument_spelling(each, words.language) for each in colours if each]
@@ -288,7 +288,7 @@ _HINT_OF: dict[MistakeKind, Callable[[Diagnostic, Wording], str | None]] = {
 
 
 def _values(diagnostic: Diagnostic, words: Wording) -> dict[str, object]:
-    """What the places of a sentence may be filled with."""
+    """The values for the placeholders of a sentence."""
     values: dict[str, object] = {"name": _name(diagnostic), "limit": "", "word": "", "wanted": 0, "given": 0}
     values |= diagnostic.details
     values |= {"found": _found(diagnostic, words), "expected": _expected(diagnostic, words)}
@@ -300,26 +300,26 @@ def _values(diagnostic: Diagnostic, words: Wording) -> dict[str, object]:
 
 
 def _name(diagnostic: Diagnostic) -> str:
-    """The name as it was typed, else as the details have it."""
+    """The name as typed, else from the details."""
     return _shortened(diagnostic.found or str(diagnostic.details.get("name", "")))
 
 
 def _closer(diagnostic: Diagnostic, words: Wording) -> str:
-    """The word that closes what was opened."""
+    """The word that closes the open block."""
     opener = keywords.canonical(str(diagnostic.details.get("opener", ""))) or ""
     ends = [each for each in diagnostic.expected if each.startswith("END ")]
     return _spelled(ends[0] if ends else f"END {opener}", words)
 
 
 def _expected(diagnostic: Diagnostic, words: Wording) -> str:
-    """What was expected, as a list in words; empty if there was nothing, or too much to name."""
+    """The expected tokens as a list in words; empty if there are none, or too many to name."""
     if not 0 < len(diagnostic.expected) <= MOST_EXPECTED:
         return ""
     return either([_thing(each, words) for each in diagnostic.expected], words)
 
 
 def either(things: list[str], words: Wording) -> str:
-    """They as a list in words, each once."""
+    """The things as a list in words, each once."""
     distinct = list(dict.fromkeys(things))
     if len(distinct) < 2:
         return "".join(distinct)
@@ -355,7 +355,7 @@ def _spelled(word: str, words: Wording) -> str:
 
 
 def _shortened(text: str) -> str:
-    """As it was typed, but never long, and nothing that a terminal would obey."""
+    """The typed text, shortened, without characters that a terminal would obey."""
     shown = printable(" ".join(text.split()))
     return shown if len(shown) <= LONGEST_QUOTE else f"{shown[: LONGEST_QUOTE - 1]}…"
 
@@ -370,13 +370,13 @@ _HINT_IS_ADVICE = {
     MistakeKind.MISSING_END.value,
     MistakeKind.WRONG_END.value,
 }
-"""Kinds whose hint says more than what can be said of all of them."""
+"""Kinds whose hint is better than the general advice."""
 _TOPIC_OF = {
     MistakeKind.UNDECLARED_PROCEDURE.value: "PROCEDURE",
     MistakeKind.TOO_DEEP.value: "PROCEDURE",
     MistakeKind.RECURSION_LIMIT.value: "IF",
 }
-"""What helps against a kind, whatever command it is in."""
+"""The help topic of a kind, whatever its command."""
 _HAS_COMMAND = _FORM_HELPS | {MistakeKind.MISSING_END.value, MistakeKind.WRONG_END.value}
 
 
@@ -396,7 +396,7 @@ def explanation(error: Error, words: Wording) -> tuple[str, ...]:
 
 
 def _is_of_numbers(error: Error) -> bool:
-    """A number that is not whole: 2,5 or 2.5."""
+    """Whether the mistake is a number that is not whole: 2,5 or 2.5."""
     is_point = error.kind == MistakeKind.UNKNOWN_CHARACTER.value and re.search(r"\d\.\d", error.source_line)
     return error.code == "whole-numbers" or bool(is_point)
 
@@ -423,11 +423,11 @@ def _topic(error: Error) -> str:
 # --- world files
 
 _WITHOUT_PLACE = ("is-folder", "file-not-found", "file-unreadable", "file-too-large")
-"""About the file as a whole, where the file is the world itself."""
+"""Codes about the file as a whole, if the file is the world itself."""
 
 
 def world_mistake(error: WorldError, words: Wording) -> str:
-    """One sentence with the place; what the file has of control characters is only text in it."""
+    """A sentence with the place; control characters of the file are shown as text."""
     message = printable(_world_message(error, words))
     nearest = error.details.get("nearest")
     if nearest:
@@ -438,7 +438,7 @@ def world_mistake(error: WorldError, words: Wording) -> str:
 
 
 def world_note(note: Note, words: Wording) -> str:
-    """One remark of a load report, with its place where it has one."""
+    """A remark of a load report, with its place if it has one."""
     details = dict(note.details)
     if note.code == "unknown-colour":
         details["nearest"] = _colour_in_english(str(details.get("name", ""))) or details.get("nearest", "")
@@ -450,7 +450,7 @@ def world_note(note: Note, words: Wording) -> str:
 
 
 def _colour_in_english(name: str) -> str:
-    """World files are Stage's: of a colour in a learner's language the word that it takes."""
+    """The English word of a colour in a learner's language, as world files are English."""
     colour = keywords.argument("COLOUR", name)
     return str(colour.value) if colour else ""
 
@@ -465,7 +465,7 @@ def _world_message(error: WorldError, words: Wording) -> str:
 
 
 def _world_code(error: WorldError, found: str, expected: str) -> str:
-    """The sentence of the mistake; "unexpected" says what was expected where that is short."""
+    """The code of the sentence; "unexpected" lists what was expected if that is short."""
     code = error.code.value
     if code == "wrong-count" and not expected:
         return "world-too-many"

@@ -51,7 +51,7 @@ class Entry(NamedTuple):
 
     @property
     def sentence(self) -> str:
-        """What is printed for it where it is English."""
+        """The English sentence."""
         return self.text or self.english
 
 
@@ -174,7 +174,7 @@ def header(entries: Iterable[Entry]) -> Mapping[str, str]:
 
 
 def number_of_forms(plural_forms: str) -> int:
-    """How many forms a word has that agrees with a number. Raises ``ValueError`` for a rule that is none."""
+    """The number of plural forms of a language. Raises ``ValueError`` for an invalid rule."""
     found = re.fullmatch(r"nplurals\s*=\s*([1-9])\s*;\s*plural\s*=\s*([^;]+);?", plural_forms)
     if found is None:
         raise ValueError(plural_forms)
@@ -186,7 +186,7 @@ def number_of_forms(plural_forms: str) -> int:
 
 
 def mistakes(file: Path, entries: Sequence[Entry]) -> Iterator[tuple[Entry, Mistake]]:
-    """Each entry that can't be used, and why. Without a plural rule none can."""
+    """Each unusable entry with its mistake; without a plural rule every entry is unusable."""
     try:
         forms = number_of_forms(header(entries).get("Plural-Forms", ""))
     except ValueError:
@@ -222,7 +222,7 @@ def _wrong_with(entry: Entry, forms: int) -> str | None:
 
 
 def _places(text: str) -> list[tuple[str, str]]:
-    """Each place: its name, and the form in which its value is shown."""
+    """The placeholders: name and format of each."""
     return [(name, form or "") for _, name, form, _ in Formatter().parse(text) if name is not None]
 
 
@@ -237,7 +237,7 @@ def usable(file: Path) -> tuple[Entry, ...]:
 
 
 def compiled(entries: Iterable[Entry], list_key: str, *, is_english: bool) -> bytes:
-    """What ``gettext.GNUTranslations`` reads: the header, and each translated sentence by its context.
+    """The file for ``gettext.GNUTranslations``: the header, and each translated sentence by its context.
 
     ``list_key`` is the key of a text with all contexts, a line each: gettext can't list them.
     """

@@ -74,7 +74,7 @@ def _print(line: str) -> None:
 
 
 def mistakes() -> tuple[Mistake, ...]:
-    """Everything that is wrong in the files of all languages; what is wrong in the English one, once."""
+    """All mistakes in the files of all languages; those of the English files once."""
     english = Path(BUILT_IN, ENGLISH, SOURCE)
     try:
         known = [each.context for each in po.read(english)] if english.exists() else codes(ENGLISH)
@@ -106,7 +106,7 @@ def _mistakes_in(folder: Path, known_codes: frozenset[str]) -> Iterator[Mistake]
 def _shared_ranks() -> Iterator[Mistake]:
     """Languages with the ``rank`` of another: which one a program is in would depend on their codes.
 
-    The mistake is never the built-in language's where the other one is from outside.
+    If one of two languages is built in, the mistake is the other's.
     """
     owner: dict[object, str] = {}
     for language in sorted(languages(), key=lambda each: Path(folders()[each]).parent != Path(BUILT_IN)):
@@ -117,7 +117,7 @@ def _shared_ranks() -> Iterator[Mistake]:
 
 
 def ambiguous_keywords() -> Iterator[Mistake]:
-    """Words of GoDonnie that mean something else in a language with a smaller rank, and so everywhere."""
+    """GoDonnie words that mean something else in a language with a smaller rank, which wins."""
     from language.keywords import WORDS, word
 
     for each in WORDS:
@@ -194,10 +194,10 @@ def _without(english: Mapping[str, Any], other: Mapping[str, Any], section: str 
 
 
 def compile_all() -> tuple[Mistake, ...]:
-    """Make what Donnie loads of every language. Returns the mistakes.
+    """Compile the files of every language. Returns the mistakes.
 
     A mistake in a built-in folder keeps everything from being compiled. A folder from outside never does:
-    where it has a mistake, only it is left out, and Donnie takes what is right in it and else English.
+    if it has a mistake, only it is left out, and Donnie takes its valid entries, else English.
     """
     found = mistakes()
     if any(map(is_built_in, found)):
@@ -234,7 +234,7 @@ def _compile(language: str, folder: Path) -> None:
 
 
 def _replace(file: Path, content: bytes) -> None:
-    """Replace the file at once, because a Donnie that starts meanwhile may read it."""
+    """Replace the file atomically, because another Donnie may read it."""
     new = file.with_suffix(".new")
     new.write_bytes(content)
     new.replace(file)

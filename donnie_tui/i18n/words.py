@@ -1,6 +1,6 @@
 """Sentences in the learner's language and at the learner's level of detail.
 
-What makes sentences of mistakes, and HELP, is loaded when it is wanted: the first frame needs neither.
+The modules for mistakes and HELP are loaded on demand, as the first frame needs neither.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ class Unusable(Exception):
 
     @property
     def sentence(self) -> str:
-        """All of them."""
+        """All sentences as one text."""
         return " ".join(self.sentences)
 
 
@@ -42,7 +42,7 @@ class Words:
     def __call__(self, code: str, **values: object) -> str:
         """The sentence of a code. Raises ``KeyError`` for a code that English does not have.
 
-        A ``reason`` may be in the system's words.
+        A ``reason`` may be the system's own message.
         """
         sentence = find(code, self.language, self.detail)
         if sentence is None:
@@ -52,7 +52,7 @@ class Words:
         return filled(sentence, values)
 
     def _reason(self, code: str, reason: str) -> str:
-        """The system's reason (no such folder, disk full) in the learner's language, where it is known."""
+        """The system's reason (no such folder, disk full) in the learner's language, if it is known."""
         name = _error_names().get(reason)
         for each in (f"reason-{name}-{code}", f"reason-{name}"):
             if name and self.knows(each):
@@ -86,7 +86,7 @@ class Words:
 
 @cache
 def _error_names() -> dict[str, str]:
-    """The names of the system's errors, such as ``ENOENT``, by what the system says of them."""
+    """The names of the system's errors, such as ``ENOENT``, by the system's message."""
     import errno
     import os
 
@@ -105,18 +105,18 @@ _GROUPED = "grouped"
 """A large number with blanks between its thousands."""
 
 _LAST_FORM = 9
-"""No language has so many forms."""
+"""Higher than the index of any plural form."""
 
 
 class Sentence(NamedTuple):
-    """A text and the language that it is in: what a language lacks is English."""
+    """A text and its language, which is English for a missing translation."""
 
     text: str
     language: str
 
 
 def find(code: str, language: str, detail: str = "normal") -> Sentence | None:
-    """The sentence of a code at a level of detail, else at the normal one; None where English has none."""
+    """The sentence of a code at a level of detail, else at the normal one; None for an unknown code."""
     for each in (language, ENGLISH):
         translations = _translations(each)
         text = translations.gettext(f"{code}|{detail}") or translations.gettext(code)
@@ -132,7 +132,7 @@ def codes(language: str) -> tuple[str, ...]:
 
 
 class _Missing(NullTranslations):
-    """Has no sentence at all."""
+    """A catalogue without sentences."""
 
     def gettext(self, message: str) -> str:  # noqa: ARG002
         return ""
@@ -140,7 +140,7 @@ class _Missing(NullTranslations):
 
 @cache
 def _translations(language: str) -> NullTranslations:
-    """The sentences of a language; without a readable file it has none, and speaks English."""
+    """The sentences of a language; none without a readable file, so that English is used."""
     try:
         found = GNUTranslations(BytesIO(_compiled(language)))
     except (OSError, ValueError, LookupError, struct.error):  # the last two of a damaged compiled file
@@ -150,7 +150,7 @@ def _translations(language: str) -> NullTranslations:
 
 
 def _compiled(language: str) -> bytes:
-    """The compiled file; while a translator edits the sentences, what would be compiled."""
+    """The content of the compiled file, or compiled now if a translator has edited the source."""
     file = compiled_file(language, SOURCE, COMPILED)
     if file is not None:
         return content_of(file)
@@ -166,7 +166,7 @@ def _compiled(language: str) -> bytes:
 
 
 def filled(sentence: Sentence, values: Mapping[str, object]) -> str:
-    """The text with its places filled. Raises ``KeyError`` for a place without a value."""
+    """The text with its placeholders filled. Raises ``KeyError`` for one without a value."""
     text, language = sentence
     if "{" not in text and "}" not in text:
         return text
@@ -174,7 +174,7 @@ def filled(sentence: Sentence, values: Mapping[str, object]) -> str:
 
 
 class _Place:
-    """A value as the place asks for it."""
+    """A value formatted for its placeholder."""
 
     __slots__ = ("_language", "_value")
 
@@ -197,7 +197,7 @@ class _Place:
 
 
 def _form_of(value: object, language: str) -> int:
-    """Which form of a word agrees with a number, from 0; the last one for a fraction."""
+    """The index of the plural form for a number; the last form for a fraction."""
     if not isinstance(value, int | float) or value != int(value):
         return _LAST_FORM
     return _plural_rule(language)(abs(int(value)))

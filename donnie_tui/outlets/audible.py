@@ -1,6 +1,6 @@
 """Voice and cues of a session, as the settings and the environment allow. Nothing is started here.
 
-The first utterance or cue starts the worker. What turns out to be missing only then is reported once, by an
+The first utterance or cue starts the worker. A device that turns out to be missing is reported once, by an
 answer on the stream.
 """
 
@@ -66,7 +66,7 @@ class _Voiced(Protocol):
 def make_audible(
     settings: Settings, session: HasHub, words: Words, closing: ExitStack, *, is_linear: bool = True
 ) -> Audible:
-    """Add the voice and the cues that are wanted and possible."""
+    """Subscribe the voice and the cues that are requested and possible."""
     audible = Audible(settings, session, words, is_linear=is_linear)
     closing.callback(audible.close)
     return audible
@@ -107,9 +107,9 @@ class Audible:
         self._made = made.make(self._facts)
         notice = NOTICE_FOR.get(self.choice.reason)
         self.notices: tuple[str, ...] = (self._words(notice),) if notice else ()
-        """What is wanted and not possible, a sentence each."""
+        """Sentences about requested devices that are not possible."""
         self.decided: str | None = DECIDED_FOR.get(self.choice.reason)
-        """The code of the sentence about what was decided unasked."""
+        """The code of the sentence about the automatic choice of the voice."""
 
     def close(self) -> None:
         """Be silent for good."""
@@ -127,7 +127,7 @@ class Audible:
 
     @property
     def settings(self) -> Settings:
-        """As they are now."""
+        """The current settings."""
         return self._settings
 
     @property
@@ -142,7 +142,7 @@ class Audible:
 
     @property
     def has_cues(self) -> bool:
-        """Whether a cue would sound now."""
+        """Whether cues are audible now."""
         return self._made.cue_player is not None and self._is_on and not self._is_mute
 
     @property
@@ -157,7 +157,7 @@ class Audible:
 
     @property
     def echoes(self) -> bool:
-        """Whether what is typed may be said: by the built-in voice, and only where no screen reader does."""
+        """Whether the built-in voice may speak typed keys, which it leaves to a screen reader."""
         is_own = self.choice.channel is Channel.TTS and self._facts.screen_reader is None
         return is_own and self._is_on
 
@@ -166,37 +166,37 @@ class Audible:
         return all(each.wait_until_quiet(seconds) for each in self._made.voiced)
 
     def is_still_within(self, seconds: float) -> bool:
-        """Wait until every utterance and every cue has ended, as above."""
+        """As ``is_quiet_within``, for utterances and cues."""
         audio = self._made.audio
         return self.is_quiet_within(seconds) and (audio is None or audio.wait_until_silent(seconds))
 
     def hush(self) -> None:
-        """Silence everything that was said until now."""
+        """Stop all utterances so far."""
         self.hushed += 1
         for each in self._made.speakers:
             each.silence()
 
     def hush_all(self) -> None:
-        """No sentence and no cue."""
+        """Stop all utterances and cues."""
         self.hush()
         if self._made.cue_player is not None:
             self._made.cue_player.silence()
 
     def say_printed(self, *lines: str) -> None:
-        """Say what stood printed before there was a voice, such as the greeting."""
+        """Speak the lines that were printed before there was a voice, such as the greeting."""
         for each in self._made.speakers[:1] if self.speaks and self._is_on else ():
             for line in lines:
                 each.say(Utterance(line, Urgency.ANSWER, self._words.language))
 
     def echo(self, text: str) -> None:
-        """Say what was typed."""
+        """Speak typed text."""
         for each in self._made.speakers[:1]:
             each.say(Utterance(text, Urgency.PROGRESS, self._words.language))
 
     # --- changing
 
     def adjust(self, **changed: object) -> None:
-        """Settings from now on, by the names of their fields."""
+        """Change settings, by the names of their fields."""
         sources = {**self._settings.sources, **dict.fromkeys(changed, SettingSource.OPTION)}
         self._settings = replace(self._settings, sources=sources, **changed)
         if changed.keys() & _OF_THE_CHANNEL or self._lacks_cues():
@@ -208,7 +208,7 @@ class Audible:
             self._made.audio.set_cue_volumes(cue_volumes(self._settings))
 
     def move_to(self, *, is_linear: bool) -> None:
-        """Close the voice before the other mode takes over, which chooses its own."""
+        """Close the voice before the other mode chooses its own."""
         if is_linear != self._is_linear:
             self._is_linear = is_linear
             self._make_anew()
@@ -243,7 +243,7 @@ def wants_cues(settings: Settings, facts: DetectedEnvironment) -> bool:
 
 
 def voice_of(settings: Settings) -> VoiceSettings:
-    """How the built-in voice sounds."""
+    """The settings of the built-in voice."""
     from devices.ports.audio import VoiceSettings
 
     names = {"rate": "words_per_minute", "pitch": "pitch", "volume": "volume"}
@@ -268,7 +268,7 @@ class _Made(Struct, frozen=True):
 
 
 class _Maker:
-    """Connects what was chosen with the stream."""
+    """Connects the chosen voice and cues with the stream."""
 
     def __init__(
         self,
@@ -354,14 +354,14 @@ class _Maker:
 
 
 def spoken_languages() -> Mapping[str, SpokenLanguage]:
-    """The languages of the voice, by code. One without a voice is read by the voice of that tag."""
+    """The languages of the voice, by code, each with the tag of its voice."""
     return {
         each: SpokenLanguage(_words(each, "voices") or (each,), _sign_words(each)) for each in languages()
     }
 
 
 def _sign_words(language: str) -> SignWords | None:
-    """None if the numbers are missing: nothing is read in the words of another language."""
+    """The names of signs and numbers; None if the numbers are missing."""
     minus, point, degree, degrees = (
         "".join(_words(language, each)[:1]) for each in ("minus", "point", "degree", "degrees")
     )
@@ -389,9 +389,9 @@ LONGEST_PASTED = 200
 
 
 class TypingEcho:
-    """Speaks what is typed, for both front ends: characters, words or nothing.
+    """Speaks typed keys, for both front ends: characters, words or nothing.
 
-    Silent where a screen reader speaks it. Call it before each change, with the text ``before`` the cursor.
+    Silent if a screen reader speaks them. Call it before each change, with the text ``before`` the cursor.
     """
 
     def __init__(self, audible: Audible, words: Wording) -> None:
@@ -400,7 +400,7 @@ class TypingEcho:
 
     @property
     def kind(self) -> str:
-        """What is spoken; ``none`` where a screen reader speaks it."""
+        """The spoken units; ``none`` if a screen reader speaks them."""
         return self._audible.settings.key_echo if self._audible.echoes else "none"
 
     def typed(self, text: str, before: str) -> None:
@@ -416,7 +416,7 @@ class TypingEcho:
             self._say(before[-1:])
 
     def ended(self, before: str) -> None:
-        """Enter ends a word too."""
+        """Speak the word that Enter ends."""
         if self.kind == "words":
             self._say_word(before)
 

@@ -24,10 +24,10 @@ if TYPE_CHECKING:
 
 
 class ChosenBelt:
-    """A listener that shows the chosen robot's levels, and none once its run is over, whatever happened."""
+    """Shows the chosen robot's levels, and none after the end of its run."""
 
     def __init__(self, chosen: Callable[[], str | None], show: Callable[[Levels], None]) -> None:
-        """``chosen``: the robot's name as its events have it, None if there is but one."""
+        """``chosen`` returns the robot's name in its events, None in a world of one robot."""
         self._chosen = chosen
         self._show = show
         self._levels: dict[str | None, Levels] = {}
@@ -60,15 +60,15 @@ class BeltAnnouncer:
         team.stream.subscribe(ChosenBelt(lambda: team.chosen.hub.robot, self._on_levels))
 
     def now(self) -> str:
-        """What the belt shows."""
+        """The sentence about what the belt shows."""
         return in_words(self._levels, self._say, self._settings)
 
     def rows(self) -> tuple[str, ...]:
-        """What it shows, then both rows of motors, each with its level."""
+        """The sentence about what it shows, then both rows of motors with their levels."""
         return (self.now(), *rows_in_words(self._levels, self._say))
 
     def _on_levels(self, levels: Levels) -> None:
-        """Say repeated pulses of the same pattern once."""
+        """Announce levels; repeated pulses of the same pattern once."""
         self._levels = levels
         words = self.now()
         if self.is_on and words != self._last_words:
@@ -77,7 +77,7 @@ class BeltAnnouncer:
 
 
 def belt_settings(settings: Settings) -> BeltSettings:
-    """Thresholds and columns; what is not set is as with the original."""
+    """The thresholds and columns; by default those of the original belt."""
     usual = BeltSettings()
     strong, medium, weak = settings.belt_steps or (usual.strong, usual.medium, usual.weak)
     return BeltSettings(strong, medium, weak, {**usual.columns, **(settings.belt_columns or {})})

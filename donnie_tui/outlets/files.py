@@ -43,7 +43,7 @@ class SoundFile:
     """Listens to the stream and writes. A failure is reported once."""
 
     def __init__(self, path: str, tell: Callable[[OSError], None]) -> None:
-        """Raises ``OSError`` where it can't be written at all."""
+        """Raises ``OSError`` if the file can't be written."""
         from devices.audio.mixer import WavCueWriter
 
         self._renderer, self._tell = WavCueWriter(open_bytes(path, "wb")), tell
@@ -87,7 +87,7 @@ class Written:
         self.lost: list[str] = []
         """The files that could not be written to their end."""
         self.paths: list[str] = []
-        """All that are written as it goes."""
+        """The files that are written during the session."""
         self._settings = settings
         self._hub = hub
         self._words = words
@@ -95,11 +95,11 @@ class Written:
 
     @property
     def of_this_session(self) -> str | None:
-        """The file that another session would begin anew, if there is one."""
+        """The first file that another session would overwrite, or None."""
         return self._settings.record or self._settings.events or self._sounds
 
     def events(self, standard_output: TextIO | None) -> None:
-        """Events as JSON lines, to standard output or a file, if asked for."""
+        """Write events as JSON lines, to standard output or a file, if requested."""
         name = self._settings.events
         if name is None:
             return
@@ -109,7 +109,7 @@ class Written:
         self._subscribe_lines(self._not_waited_for(out), name)
 
     def recording(self, world: ChosenWorld) -> None:
-        """The recording: everything to replay the session or run it again, if asked for."""
+        """Write the recording, to replay the session or run it again, if requested."""
         name = self._settings.record
         if name is None:
             return
@@ -126,7 +126,7 @@ class Written:
         return self._settings.sound if isinstance(self._settings.sound, str) else None
 
     def sounds(self) -> None:
-        """The cues as a WAV file, if asked for."""
+        """Write the cues as a WAV file, if requested."""
         if self._sounds is None:
             return
 
@@ -144,7 +144,7 @@ class Written:
         self._hub.subscribe(JsonLines(out, self._loss_reporter(name), whole=whole))
 
     def log(self) -> None:
-        """``Log/log_001.txt`` and so on, as the original GoDonnie did."""
+        """Write ``Log/log_001.txt`` and so on, as the original GoDonnie did."""
         if not self._settings.log:
             return
 
@@ -161,7 +161,7 @@ class Written:
         self._hub.subscribe(TranscriptLog(out, self._words, self._loss_reporter(name)))
 
     def _not_waited_for(self, out: TextIO) -> TextIO:
-        """A named pipe may have a reader that does not read: no run waits for it."""
+        """Wrap a named pipe, whose reader may not read, so that no run waits for it."""
         if not is_named_pipe(out):
             return out
 
@@ -190,7 +190,7 @@ class Written:
         )
 
     def _open(self, name: str) -> TextIO:
-        """Lone surrogates become the escapes that JSON has for them."""
+        """Open a text file; lone surrogates become JSON's escapes."""
         try:
             out = open_text(name, "w", errors="backslashreplace")
         except (OSError, ValueError) as problem:
@@ -214,7 +214,7 @@ class Written:
 
 
 def bundle_of(world: ChosenWorld, settings: Settings) -> WorldBundle:
-    """All that was read for the world. Raises ``BundleError``."""
+    """All files of the world. Raises ``BundleError``."""
     from pathlib import Path
 
     from donnie_tui.world.recorded import pack
@@ -227,7 +227,7 @@ def bundle_of(world: ChosenWorld, settings: Settings) -> WorldBundle:
 
 
 def is_named_pipe(out: TextIO) -> bool:
-    """Whether it was opened by its name, and is not our standard output, whose reader wants every event."""
+    """Whether it is a pipe opened by its name, and not standard output, whose reader wants every event."""
     try:
         return out.fileno() > HIGHEST_STANDARD and S_ISFIFO(os.fstat(out.fileno()).st_mode)
     except (OSError, AttributeError, ValueError):  # no file at all
@@ -239,13 +239,13 @@ def _reason(problem: OSError | ValueError) -> str:
 
 
 def _close_quietly(out: TextIO) -> None:
-    """Failures were reported when they happened."""
+    """Close a file, and ignore failures, which were reported earlier."""
     with suppress(OSError):
         out.close()
 
 
 MOST_WAITING = 4_000_000
-"""Bytes, and the line that reaches it."""
+"""Bytes that may wait, plus the line that exceeds them."""
 LONGEST_STALL = 1.0
 """Seconds without progress after which, at the end, the reader counts as gone."""
 
@@ -268,7 +268,7 @@ class SlowReader:
         return self._is_over
 
     def write(self, text: str) -> int:
-        """Queues text and returns at once. Raises ``OSError`` where the reader takes nothing."""
+        """Queues text and returns at once. Raises ``OSError`` if the reader takes nothing."""
         data = text.encode("utf-8", "backslashreplace")
         with self._changed:
             if self._problem is None and self._bytes >= MOST_WAITING:
@@ -340,19 +340,19 @@ class Outlets(Struct, frozen=True):
     """All outputs of a session; the bootstrap makes and closes them."""
 
     audible: Audible
-    """What makes a voice and sounds."""
+    """The voice and the cues."""
     belt: BeltAnnouncer
     """The belt in words."""
     written: Written
     speech_wait: SpeechWait
-    """What programs wait at."""
+    """Lets programs wait for the voice."""
 
     def adjust_sound(self, **changed: object) -> None:
-        """Settings of voice and cues from now on, by the names of their fields."""
+        """Change settings of voice and cues, by the names of their fields."""
         self.audible.adjust(**changed)
         self.let_programs_wait()
 
     def let_programs_wait(self) -> None:
-        """Programs wait until their sentences were spoken, if the learner wants that."""
+        """Let programs wait for the end of their sentences, if the learner wants that."""
         waits = self.audible.settings.wait_for_speech
         self.speech_wait.is_quiet_within = self.audible.is_quiet_within if waits else None

@@ -29,7 +29,7 @@ Datum = tuple[int, Values]
 """A subtype and its values."""
 
 _FARTHEST = 1e6
-"""The largest number of metres, radians or their speeds that a command may have."""
+"""The largest distance, angle or speed of a command, in metres and radians."""
 
 
 def _are_usable(values: Values) -> bool:
@@ -40,22 +40,22 @@ class Reporter(Protocol):
     """Learns what clients do with the robots, by their names."""
 
     def opened(self, name: str) -> bool:
-        """A client opens a robot that no other has opened. False: it can't now."""
+        """A client opens the robot as the first one. False refuses it."""
 
     def left(self, name: str) -> None:
-        """No client has it open any more."""
+        """The last client has closed it."""
 
     def happened(self, name: str, event: Event) -> None: ...
 
     def vibrated(self, name: str, motor: int, letter: str) -> None:
-        """A cell of the belt's frame, by its number, which counts the frame's start too."""
+        """A client sets a cell of the belt's frame; its number counts the frame's start, too."""
 
     def on_tick(self) -> None:
         """Before each tick."""
 
 
 class Fitting(Struct):
-    """Where a device is, and what it works with."""
+    """The place of a device, and the objects that it works with."""
 
     interface: Interface
     index: int
@@ -68,7 +68,7 @@ class Fitting(Struct):
 
 
 class Equipment:
-    """A device that anyone may open, that has no data and refuses all requests."""
+    """The base class: a device that can be opened, has no data and refuses all requests."""
 
     def __init__(self, fitting: Fitting) -> None:
         self.interface, self.index = fitting.interface, fitting.index
@@ -76,7 +76,7 @@ class Equipment:
         self._robot, self._loop, self._reporter = fitting.robot, fitting.loop, fitting.reporter
 
     def open(self) -> bool:
-        """False: it can't be opened now."""
+        """Opens the device. False refuses it."""
         self.users += 1
         return True
 
@@ -110,16 +110,16 @@ class MountedDevice(Equipment):
         self.begin()
 
     def begin(self) -> None:
-        """Sets the state that it has before a client opens it."""
+        """Sets the state before a client opens it."""
 
     def _place(self) -> tuple[float, ...]:
-        """Its pose on its robot, of a robot itself 0, and its size."""
+        """Its pose on its robot (0 for a robot) and its size."""
         here, z = self._on_robot, local_z(self._model, self._loop.scene.models)
         return (here.x, here.y, z, 0.0, 0.0, angle(here.yaw), *box3d(self._model.size))
 
 
 class PositionDevice(MountedDevice):
-    """What drives or turns by velocities, or to a goal."""
+    """A device that drives or turns by velocities, or to a goal."""
 
     _goal: MetricPose | None = None
 
@@ -142,7 +142,7 @@ class PositionDevice(MountedDevice):
 
 
 class WheelDevice(PositionDevice):
-    """A robot. It stands as soon as the last client has closed it."""
+    """A robot, which stops when the last client has closed it."""
 
     def open(self) -> bool:
         if not self.users and not self._reporter.opened(self._robot):
@@ -180,7 +180,7 @@ class WheelDevice(PositionDevice):
 
 
 class HeadDevice(PositionDevice):
-    """A part that turns by itself on its robot, with all that is mounted on it."""
+    """A head: a part that turns on its robot, with everything mounted on it."""
 
     _turned = _rate = 0.0
 
@@ -229,7 +229,7 @@ def _turn(by: float) -> float:
 
 
 SONARS = (-45, 0, 45, 135, 180, -135)
-"""Where the six sonars of Donnie look, in the order that the original's clients know."""
+"""The directions of Donnie's six sonars, in the order of the original's clients."""
 
 
 class RangeFinder(MountedDevice):
@@ -284,11 +284,11 @@ class BumperBars(MountedDevice):
 
 
 HALF_HEIGHT = 0.3
-"""Metres: a seen thing is taken to be twice as high."""
+"""Metres: seen things count as twice as high."""
 
 
 class ColourFinder(MountedDevice):
-    """Coloured things in the columns and rows of a picture."""
+    """A blob finder: coloured things in the columns and rows of a picture."""
 
     def data(self) -> Iterator[Datum]:
         finder = self._model.blobfinder
@@ -312,7 +312,7 @@ def _pixel(share: float, size: int) -> int:
 
 
 class MarkReader(MountedDevice):
-    """Fiducial marks, and the one that its own robot shows."""
+    """A fiducial finder: marks, and the one of its own robot."""
 
     def request(self, subtype: int, values: Values) -> Values | None:
         if subtype == 8:
@@ -335,7 +335,7 @@ OPEN, CLOSED, MOVING = 1, 2, 3
 
 
 class Paddles(MountedDevice):
-    """A gripper. What is between its paddles when they have closed is carried along."""
+    """A gripper. It carries the thing between its closed paddles."""
 
     def begin(self) -> None:
         gripper = self._model.gripper
@@ -369,11 +369,11 @@ class Paddles(MountedDevice):
 
 
 LONGEST_TEXT, LONGEST_FRAME = 1000, 36
-"""Characters of a text that is said, and of a frame of the belt."""
+"""Characters of a spoken text and of a frame of the belt."""
 
 
 class SpeechDevice(Equipment):
-    """Texts that are said in a robot's name."""
+    """Takes texts that are spoken in a robot's name."""
 
     def command(self, subtype: int, values: Values) -> None:
         if subtype == 1 and values[0]:
@@ -382,7 +382,7 @@ class SpeechDevice(Equipment):
 
 
 class BeltFrames(Equipment):
-    """Texts that are frames of the belt: a letter for each of its cells."""
+    """Takes texts that are frames of the belt: a letter for each cell."""
 
     def command(self, subtype: int, values: Values) -> None:
         for motor, letter in enumerate(values[0][:LONGEST_FRAME] if subtype == 1 else ""):
@@ -390,7 +390,7 @@ class BeltFrames(Equipment):
 
 
 class DigitalOutputs(Equipment):
-    """Digital outputs, such as the belt's: they show what was asked for last."""
+    """Digital outputs, such as the belt's: they have the last values."""
 
     _last: Values = (0, 0)
 
@@ -404,7 +404,7 @@ class DigitalOutputs(Equipment):
 
 
 class SoundDevice(Equipment):
-    """Built-in sounds by the names of files, of which none is opened."""
+    """Plays built-in sounds by the names of files, which are never opened."""
 
     def command(self, subtype: int, values: Values) -> None:
         if subtype == 1:
@@ -422,7 +422,7 @@ class Battery(Equipment):
 
 
 class Whole(Equipment):
-    """The simulation: where things are, and putting them elsewhere. It works without being opened."""
+    """The simulation: reads and sets the poses of things. It works without being opened."""
 
     def __init__(self, fitting: Fitting) -> None:
         super().__init__(fitting)
@@ -501,12 +501,12 @@ MOUNTED: Mapping[str, tuple[Callable[[Fitting, Model], MountedDevice], Callable[
     "fiducial": (MarkReader, lambda each: each.fiducial_finder),
     "gripper": (Paddles, lambda each: each.gripper),
 }
-"""What a driver of Stage's provides: the device, and whether a model can be one."""
+"""The device of each interface of Stage's driver, and the models that can be one."""
 _SERVICES = {"dio": DigitalOutputs, "sound": SoundDevice, "speech": SpeechDevice}
 
 
 def service_of(interface: str, driver: str) -> type[Equipment] | None:
-    """The device that such a driver provides without a model of its own; what others provide is left out."""
+    """The device of a driver that has no model; None for other drivers."""
     if interface == "power":
         return None if driver == STAGE else Battery
     if interface == "simulation":
@@ -517,7 +517,7 @@ def service_of(interface: str, driver: str) -> type[Equipment] | None:
 
 
 def local_z(model: Model, models: Sequence[Model]) -> float:
-    """How high it is on top of its parent, as its world file has it."""
+    """The height above its parent, from its world file."""
     parent = None if model.parent is None else models[model.parent]
     return model.pose.z - (0.0 if parent is None else parent.pose.z + parent.size[2])
 

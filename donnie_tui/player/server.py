@@ -1,9 +1,9 @@
-"""From a configuration file to the devices of each port, and their sockets and ticks, in one asyncio loop.
+"""The Player server: the devices of each port, their sockets and ticks, in one asyncio loop.
 
-The addresses of a driver are taken in the order written; each gets the first model of its type that is not
-given away yet, the robot itself before its parts. A client that reads slowly delays no other: nothing more is
-written to it until it has read, and its data are replaced by newer ones. What a client sends is bounded, and
-so is how many there are.
+The addresses of a driver are taken in their order; each gets the first free model of its type,
+the robot itself before its parts. A client that reads slowly delays no other: nothing more is
+written to it until it has read, and newer data replace waiting ones. Messages and the number of
+clients are bounded.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ class PortStation:
         self.devices[key] = device
 
     def publish(self) -> None:
-        """The data of what is open, to all clients."""
+        """Send the data of open devices to all clients."""
         for key, device in self.devices.items():
             if device.users:
                 for subtype, values in device.data():
@@ -69,11 +69,11 @@ class Stations:
     def __init__(
         self, drivers: Sequence[Driver], loop: VelocityLoop, default_port: int, reporter: Reporter
     ) -> None:
-        """``default_port``: of what names no other. Raises ``ServerProblem``."""
+        """``default_port`` is for addresses without a port. Raises ``ServerProblem``."""
         self.by_port: dict[int, PortStation] = {}
         self._drivers = drivers
         self.left_out: list[str] = []
-        """Addresses of what isn't offered here."""
+        """Addresses of devices that Donnie doesn't offer."""
         self._scene, self._loop, self._reporter, self._default = loop.scene, loop, reporter, default_port
         given: set[int] = set()
         for driver in drivers:
@@ -86,7 +86,7 @@ class Stations:
                     self.by_port.setdefault(port, PortStation(port, loop)).add(device)
 
     def step(self) -> None:
-        """One tick: what the devices want, the world, then the data."""
+        """Run a tick: the devices' commands, the world, then the data."""
         self._reporter.on_tick()
         for station in self.by_port.values():
             for device in station.devices.values():
@@ -122,7 +122,7 @@ class Stations:
         return Fitting(interface, address.index, driver.name, robot, self._loop, self._reporter)
 
     def _robot_of(self, address: Address) -> str:
-        """The robot of that port, for what no model of its own provides."""
+        """The robot of that port, for devices without a model of their own."""
         port = self._port(address)
         for offer in self._drivers:
             if offer.model and any(self._port(each) == port for each in offer.addresses):
@@ -142,14 +142,14 @@ class Stations:
 # --- sockets
 
 MOST_CLIENTS = 64
-"""Of all ports together."""
+"""Clients of all ports together."""
 SILENCE = 60.0
-"""Seconds in which a client must have sent a whole message, and one that doesn't read must have read."""
+"""Seconds within which a client must send a whole message, or read waiting data."""
 _HIGH_WATER = 256 * 1024
 _SHORTEST = 1e-6
-"""Seconds between two ticks: what the clients have sent until then counts before the next one."""
+"""The least seconds between two ticks, so that commands arrive before the next one."""
 _LATE = 1.0
-"""Seconds behind real time after which what is lost is not made up for."""
+"""Seconds behind real time after which lost time is not made up for."""
 
 
 class PlayerServer:
@@ -214,7 +214,7 @@ class ClientProtocol(asyncio.Protocol):
         self._transport: asyncio.Transport
         self._may_write = True
         self._since = 0.0
-        """When it connected, or stopped reading."""
+        """The time of its connection, or when it stopped reading."""
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         self._transport = cast(asyncio.Transport, transport)
@@ -255,7 +255,7 @@ class ClientProtocol(asyncio.Protocol):
         self._connection.close()
 
     def pass_on(self) -> None:
-        """Write what may go out now."""
+        """Write waiting data as far as the client takes them."""
         if self._may_write and not self._transport.is_closing():
             data = self._connection.take()
             if data:
@@ -264,7 +264,7 @@ class ClientProtocol(asyncio.Protocol):
                 self._transport.resume_reading()
 
     def check(self, now: float) -> None:
-        """Send it away if it was silent, or read nothing, for too long."""
+        """Close the connection if the client was silent, or read nothing, for too long."""
         if now - self._since > SILENCE and not (self._may_write and self._connection.has_spoken):
             self.end()
 

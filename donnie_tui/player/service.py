@@ -1,7 +1,7 @@
-"""Clients in a session: their server in a thread of its own, and events about what they do with its robots.
+"""Clients in a session: their server in its own thread, and events about what they do with its robots.
 
-A robot that a client has opened has a run, so that a stop or a pause holds it as it holds a program. What was
-stopped drives again once it was opened anew. A program of the learner's waits until all clients have left,
+A robot that a client has opened has a run, so that a stop or a pause holds it like a program. A stopped
+robot drives again once it is reopened. A program of the learner waits until all clients have left,
 and no client can open a robot while one runs: only one of them moves the world.
 """
 
@@ -45,14 +45,14 @@ SELDOM = 1.0
 FRAME = 1 / 20
 """Seconds of real time between two poses for a moving picture."""
 SLOWEST, SLOWEST_TURN = 0.005, 2.0
-"""Metres and degrees a second: what is slower stands."""
+"""Metres and degrees a second below which a robot counts as standing."""
 STARTING, ENDING = 20.0, 2.0
 """Seconds that the server may take."""
 _LEVELS = {"A": STRONG, "B": MEDIUM, "P": 0}
 
 
 class _Driving:
-    """What a robot runs while clients drive it: nothing, until they have left it."""
+    """The run of a robot that clients drive: it waits until they have left."""
 
     def __init__(self) -> None:
         self.is_left = False
@@ -70,11 +70,11 @@ class _Driving:
         return ()
 
     def progress(self) -> None:
-        """None: it has no statements."""
+        """None, as it has no statements."""
 
 
 class _Robot(Struct):
-    """One robot that clients have opened."""
+    """A robot that clients have opened."""
 
     session: Session
     program: _Driving
@@ -89,7 +89,7 @@ class _Robot(Struct):
 
 
 class ClientService:
-    """The server from ``start`` to ``close``. All but these two is called in its thread."""
+    """The server from ``start`` to ``close``. Other methods are called in its thread."""
 
     def __init__(
         self, served: ServedFile, team: Team, world: ChosenWorld, shared: World, words: Words
@@ -127,13 +127,13 @@ class ClientService:
             raise Unusable(self._words(self._problem.code, **self._problem.values))
 
     def close(self) -> None:
-        """Robots stop, and connections end."""
+        """Stop the robots, and close the connections."""
         self._cancel()
         self._thread.join(ENDING)
 
     @property
     def notices(self) -> tuple[str, ...]:
-        """Where it listens, and what is missing."""
+        """Sentences about its addresses and missing devices."""
         host, words = self._served.host, self._words
         left_out = self.stations.left_out
         return (
@@ -231,7 +231,7 @@ class ClientService:
 
 
 def motion_of(state: DriveState) -> str:
-    """How a robot is driven, as ``Driven`` has it."""
+    """The motion of a driven robot, as in ``Driven``."""
     velocity = state.velocity
     if state.is_stalled:
         return "blocked"

@@ -1,4 +1,4 @@
-"""What happens to the process: signals, suspension, lost connections, garbage, copies. No robots."""
+"""The process: signals, suspension, lost connections, garbage collection, forked copies. No robots."""
 
 from __future__ import annotations
 

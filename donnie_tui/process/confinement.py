@@ -1,8 +1,8 @@
-"""Which files and programs this process may use: all, or the files of one folder and no other program.
+"""Confines a process: it may use all files and programs, or the files of one folder and no other program.
 
 A teacher confines a session with ``donnie --confined FOLDER``. There is one ``Confinement`` in a process. The
-command line makes it before anything is opened, and no command lifts it. Every file that a learner can name
-is opened, made and replaced here.
+command line sets it before anything is opened, and no command lifts it. Every file that a learner can name
+is opened, created and replaced here.
 
 A path means the file that it leads to once its links are resolved. Then each folder on the way is opened by
 itself, without following a link, so a link that is made in between leads nowhere. Names that begin with a dot
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     AnyPath: TypeAlias = str | os.PathLike[str]
 
 OWN_FOLDER = ".donnie"
-"""In the folder of a confined session: its settings, its history and its unsaved copies."""
+"""The folder of settings, history and unsaved copies, inside that of a confined session."""
 
 IS_POSSIBLE = hasattr(os, "O_NOFOLLOW") and os.open in os.supports_dir_fd
 """Whether this system can open a file below an open folder."""
@@ -31,7 +31,7 @@ IS_POSSIBLE = hasattr(os, "O_NOFOLLOW") and os.open in os.supports_dir_fd
 _FOLDER = getattr(os, "O_DIRECTORY", 0)
 _NO_LINK = getattr(os, "O_NOFOLLOW", 0)
 _PASSING = getattr(os, "O_PATH", os.O_RDONLY) | _FOLDER | _NO_LINK
-"""How a folder on the way is opened; where possible without the permission to list it."""
+"""Flags to open a folder on the way; if possible without the permission to list it."""
 _CHANGING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
 
 
@@ -45,7 +45,7 @@ class OutsideError(PermissionError):
 
 
 class Confinement:
-    """The files of one folder, and those that come with Donnie."""
+    """Allows the files of one folder, and the built-in ones."""
 
     def __init__(self, folder: str, readable: Iterable[str] = ()) -> None:
         """``readable``: folders outside that can be read."""
@@ -54,7 +54,7 @@ class Confinement:
         self._readable = tuple(map(os.path.realpath, readable))
 
     def check(self, path: AnyPath) -> None:
-        """Raises ``OutsideError`` unless a learner may name this path: inside, and nothing is hidden."""
+        """Raises ``OutsideError`` unless a learner may name this path: inside the folder and not hidden."""
         inside = part_below(self.folder, os.path.realpath(path))
         if inside is None:
             raise OutsideError(path)
@@ -89,7 +89,7 @@ def _parts(path: str) -> list[str]:
 
 
 def _opened_below(root: str, inside: str, flags: int, permissions: int) -> int:
-    """Opens folder after folder; none of them, and not the file either, may be a link."""
+    """Opens folder after folder; neither these nor the file may be links."""
     *folders, name = _parts(inside)
     here = os.open(root, _PASSING)
     try:
@@ -108,7 +108,7 @@ _confinement: Confinement | None = None
 
 
 def confine(confinement: Confinement | None) -> None:
-    """From now on this process is confined, or not. A relative name means a file inside."""
+    """Confine this process, or lift it with None. A relative name means a file inside."""
     global _confinement
     _confinement = confinement
     if confinement is not None and part_below(confinement.folder, os.path.realpath(os.curdir)) is None:
@@ -121,7 +121,7 @@ def confinement() -> Confinement | None:
 
 
 def may_run_programs() -> bool:
-    """Whether a pager may be started, and a shell above may be returned to. Donnie's own voice always may."""
+    """Whether a pager may start, and Ctrl+Z may return to a shell. Donnie's own voice may always start."""
     return _confinement is None
 
 
@@ -177,14 +177,14 @@ def _open_without_waiting(path: AnyPath, flags: int) -> int:
 
 
 def open_text(path: AnyPath, mode: str = "r", *, errors: str = "strict") -> TextIO:
-    """The same as text in UTF-8."""
+    """As ``open_bytes``, as text in UTF-8."""
     newline = None if mode == "r" else "\n"
     how: Any = {"encoding": "utf-8", "errors": errors, "newline": newline, "opener": open_descriptor}
     return open(path, mode, **how)  # type: ignore[return-value] # noqa: PTH123 -- as above
 
 
 def make_folder(path: AnyPath) -> None:
-    """A folder with all above it, if it is not there. Raises ``OSError``."""
+    """Create a folder and those above it, if they are missing. Raises ``OSError``."""
     if _confinement is not None:
         check_own(path)
     os.makedirs(path, exist_ok=True)  # noqa: PTH103
@@ -193,7 +193,7 @@ def make_folder(path: AnyPath) -> None:
 def folder_items(path: AnyPath) -> list[tuple[str, bool, bool]]:
     """The files and folders in a folder: each name, whether it is a folder, and whether it is a link.
 
-    Without what is hidden, and without what a confined session must not use. Raises ``OSError``.
+    Leaves out hidden ones, and those that a confined session must not use. Raises ``OSError``.
     """
     check_name(path)
     number = None if _confinement is None else open_descriptor(path, os.O_RDONLY | _FOLDER)
@@ -234,7 +234,7 @@ class OpenFolder:
         )
 
     def replace(self, name: str, other: str) -> None:
-        """Put the file ``name`` in the place of ``other``."""
+        """Replace the file ``other`` by the file ``name``."""
         os.replace(self._place(name), self._place(other), src_dir_fd=self._number, dst_dir_fd=self._number)
 
     def remove(self, name: str) -> None:

@@ -30,7 +30,7 @@ _TIOCGPTN = 0x80045430
 
 
 def watch_for_hang_up() -> None:
-    """Costs a look at the open files where all is well."""
+    """Watch for the end of the terminal's owner. Costs little if all is well."""
     if sys.platform != "linux":
         return
     ours = _own_terminal()
@@ -114,14 +114,14 @@ def _end_with(keeper: int) -> None:
 
 TABLES = ("/proc/net/tcp", "/proc/net/tcp6")
 LOOK = 1.0
-"""Seconds between two looks."""
+"""Seconds between two checks."""
 MANY = 4
 """Attempts without an answer; after some four seconds on a fast network, some six on a slow one."""
 
 _LOCAL, _REMOTE, _ATTEMPTS = 1, 2, 6
 """Columns of the tables."""
 _MAPPED = "0000000000000000" + ("FFFF0000" if sys.byteorder == "little" else "0000FFFF")
-"""What stands before an address of version 4 in the table of version 6."""
+"""The prefix of an address of version 4 in the table of version 6."""
 
 
 class NetworkWatch:
@@ -154,7 +154,7 @@ class NetworkWatch:
 
 
 def ssh_connections_of(environment: Mapping[str, str]) -> tuple[tuple[str, str], ...]:
-    """Our end and the other one of the SSH connection, as the tables of both versions write them."""
+    """Both ends of the SSH connection, as the tables of both versions of the protocol write them."""
     words = environment.get("SSH_CONNECTION", "").split()
     try:
         there, there_port, here, here_port = words
@@ -215,7 +215,7 @@ class ReaderWatch:
             self._thread.start()
 
     def close(self) -> None:
-        """No signal comes any more."""
+        """End the watch; no signal comes any more."""
         if self._thread is not None:
             os.close(self._writing)
             self._thread.join()

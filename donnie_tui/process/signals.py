@@ -1,8 +1,8 @@
-"""Signals: taken for a while and given back as they were; the end that they ask for; and Ctrl+Z.
+"""Signals: taken for a while and restored; the end of the process in time; and Ctrl+Z.
 
-The main thread takes them and gives them back. The ``Deputy``, a thread, does what they ask for: a handler
+The main thread takes and restores them. The ``Deputy``, a thread, does their work: a handler
 interrupts the main thread anywhere, in another handler too, so it must not take a lock. It calls ``do`` and
-nothing else that could wait. A suspended process can't stop its robot, and a board drives on by itself: the
+nothing else that could wait. A suspended process can't stop its robot, and a board drives on: the
 robot must stand before ``suspend`` is called. Where ``can_suspend`` says no, Ctrl+Z does nothing, and the
 front end says so.
 
@@ -45,7 +45,7 @@ LEAVING = numbers_of("SIGTERM", "SIGHUP", "SIGQUIT")
 
 
 class TakenSignals:
-    """Taken from the making to ``give_back``, or the end of ``with``."""
+    """Handlers that are set until ``give_back``, or the end of ``with``."""
 
     def __init__(self, handlers: Mapping[int, Handler]) -> None:
         """Raises ``ValueError`` outside of the main thread."""
@@ -58,7 +58,7 @@ class TakenSignals:
         return found if callable(found) else None
 
     def give_back(self) -> None:
-        """Any number of times."""
+        """Restore the old handlers. May be called any number of times."""
         if self._are_taken:
             self._are_taken = False
             for number, handler in self._found.items():
@@ -118,13 +118,13 @@ class WakingSignals(TakenSignals, Nudges):
 
 
 _LAST_TASKS = 2.0
-"""Seconds that ``close`` waits for what was asked for; it needs a few thousandths unless something hangs."""
+"""Seconds that ``close`` waits for tasks, which take a few thousandths unless one hangs."""
 
 Task: TypeAlias = Callable[[], object]
 
 
 class Deputy:
-    """Does one thing after the other. From its making to ``close``."""
+    """A thread that runs tasks one after the other, until ``close``."""
 
     def __init__(self) -> None:
         self._tasks: SimpleQueue[Task | None] = SimpleQueue()  # its ``put`` may interrupt itself
@@ -132,11 +132,11 @@ class Deputy:
         self._thread.start()
 
     def do(self, task: Task) -> None:
-        """Have it done. Any thread, a signal's handler too; never waits."""
+        """Queue a task. Any thread, also a signal's handler; never waits."""
         self._tasks.put(task)
 
     def see_done(self, task: Task, seconds: float) -> None:
-        """Do it in the deputy's thread and wait, at most so long: the caller may hold a needed lock."""
+        """Queue a task and wait for it, at most so long, as the caller may hold a needed lock."""
         done: SimpleQueue[None] = SimpleQueue()
 
         def do_and_notify() -> None:
@@ -150,7 +150,7 @@ class Deputy:
             done.get(timeout=seconds)
 
     def close(self) -> None:
-        """All that was asked for is done, unless something hangs."""
+        """Wait until all tasks are done, unless one hangs."""
         self._tasks.put(None)
         self._thread.join(_LAST_TASKS)
 
@@ -160,7 +160,7 @@ class Deputy:
 
 
 def attempt(task: Task) -> None:
-    """Do it; a failure is logged, and nothing else: the next signal must be heeded all the same."""
+    """Run a task. A failure is only logged, since the next signal must still be handled."""
     try:
         task()
     except Exception:
@@ -172,7 +172,7 @@ def attempt(task: Task) -> None:
 LEAVE = 3.0
 """Seconds in which Donnie leaves by itself after a signal that ends it; a robot needs up to 2.2."""
 LAST = 1.5
-"""Seconds for what is done last where it does not: all of it at the same time."""
+"""Seconds for the last tasks, which run in parallel."""
 _AGAIN = 0.5
 """Seconds until the end is tried again where it failed."""
 
@@ -225,7 +225,7 @@ class Watchdog:
         self._thread.start()
 
     def end(self) -> None:
-        """Everything as it was found, and all that was asked for is done. Any number of times."""
+        """Restore the handlers and finish all tasks. May be called any number of times."""
         if self._ended.is_set():
             return
         self._signals.give_back()
@@ -245,7 +245,7 @@ class Watchdog:
         self.end()
 
     def take(self) -> None:
-        """Heed all signals that came. Any thread; once this returns, none is on its way in another one."""
+        """Handle all signals that came. Any thread; when it returns, no other thread handles one."""
         is_mine = self._taking.acquire(timeout=_AGAIN)  # the other one may hang
         try:
             for number in self._signals.numbers():
@@ -258,7 +258,7 @@ class Watchdog:
                 self._taking.release()
 
     def leave(self, number: int, since: float | None = None) -> None:
-        """End the process in time, as that signal does. Any thread."""
+        """End the process in time, as after that signal. Any thread."""
         self.deputy.do(self._halt)
         if self.left is None:
             self.left = number, time.monotonic() if since is None else since
@@ -289,11 +289,11 @@ class Watchdog:
 
 
 def heeded(_number: int, _frame: FrameType | None) -> None:
-    """The handler of a signal that the watchdog alone heeds."""
+    """The handler of a signal that only the watchdog handles."""
 
 
 def end_process(code: Callable[[], int], last: Sequence[Task]) -> NoReturn:
-    """Do what is last, as far as it doesn't hang, and end. Nothing else is closed: it may hang as well."""
+    """Run the last tasks, as far as they don't hang, and end. Nothing else is closed, as it may hang, too."""
     until = time.monotonic() + _longer(LAST)
     threads = [threading.Thread(target=_quietly, args=(task,), daemon=True) for task in last]
     for each in threads:
@@ -345,7 +345,7 @@ def has_shell_above() -> bool:
 
 
 def has_unread(number: int) -> bool:
-    """Whether something waits in that terminal or pipe and was not read yet."""
+    """Whether the terminal or pipe has input that was not read yet."""
     try:
         ready, _, _ = select.select([number], [], [], 0)
         return bool(ready) and not is_hung_up(number)

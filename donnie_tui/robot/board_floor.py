@@ -1,6 +1,6 @@
 """The floor under a simulated board: the walls and things of a world, as its sensors meet them.
 
-Nothing gives way there: the board has no gripper and pushes nothing.
+Nothing moves there: the board has no gripper and pushes nothing.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ TOUCH = 0.003
 """Metres before a thing at which a bumper is pressed."""
 
 _SONARS = RobotConfig().sonars
-"""Where the sonars of the original board look, whatever the driver's settings say."""
+"""The directions of the original board's sonars, independent of the driver's settings."""
 
 _PRESSED_BY = {
     0: (BumperSwitch.NE, BumperSwitch.NW),
@@ -73,7 +73,7 @@ class SceneFloor:
 
 
 def place_of(start: Pose) -> AxlePose:
-    """A pose in steps and compass degrees, as the board has it."""
+    """A pose in steps and compass degrees as the board's pose."""
     return AxlePose(start.x * STEP, start.y * STEP, radians(90.0 - start.heading))
 
 

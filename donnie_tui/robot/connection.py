@@ -68,7 +68,7 @@ class Connectable(ResettableRobot, Protocol):
 
     @property
     def has_run_away(self) -> bool:
-        """Whether its wheels turn although all was done to stop them."""
+        """Whether its wheels still turn after every attempt to stop them."""
 
 
 class MeasurableRobot(Connectable, Protocol):
@@ -79,7 +79,7 @@ class MeasurableRobot(Connectable, Protocol):
 
 
 class _Connected(Struct):
-    """The robot that is connected now, if any, and what became of the last one."""
+    """The connected robot, if any, and the end of the last one."""
 
     robot: Connectable | None = None
     guard: Guard | None = None
@@ -125,27 +125,27 @@ class Connection:
         self._now = _Connected()
         self._lock = threading.Lock()
         self.robot = SIMULATED
-        """The robot that is there, as ``--robot`` takes it."""
+        """The connected robot, as an argument of ``--robot``."""
 
     @property
     def is_real(self) -> bool:
-        """Whether something moves outside of this process."""
+        """Whether the robot is real, outside of this process."""
         return self.robot not in (SIMULATED, DOUBLE)
 
     @property
     def has_run_away(self) -> bool:
-        """Whether the robot drives although all was done to stop it; of one that is gone, its end counts."""
+        """Whether the robot still drives after every attempt to stop it, or did when it was lost."""
         robot = self._now.robot
         return self._now.has_run_away if robot is None else robot.has_run_away
 
     @property
     def is_board(self) -> bool:
-        """Whether a board drives it, a simulated one too: it senses as boards do in any world."""
+        """Whether a board drives it, real or simulated, with a board's sensors in any world."""
         return self.robot != SIMULATED
 
     @property
     def mounted(self) -> tuple[Mounted, ...] | None:
-        """The devices of a robot that says which it has."""
+        """The devices of a robot that reports them; None for others."""
         return getattr(self._now.robot, "mounted", None)
 
     @property
@@ -161,7 +161,7 @@ class Connection:
         return robot_options(self._settings, self._words, self._found or list_ports)
 
     def connect(self, robot: str) -> tuple[str, ...]:
-        """Change to that robot; what can't be done, a sentence each. The simulator is left where it can't.
+        """Change to a robot. Returns a sentence for each problem; the old robot stays if it fails.
 
         Raises ``Busy`` while a program runs.
         """
@@ -207,7 +207,7 @@ class Connection:
             self._connect(robot)
 
     def _back_to_simulated(self) -> None:
-        """To the simulated robot, at the speed of the simulated board."""
+        """Change to the simulated robot, at the speed of the simulated board."""
         speed = self._session.speed
         self._session.change_robot(None)
         self._now.drop()
@@ -236,7 +236,7 @@ class Connection:
         self._session.hub.publish(Link(LinkNotice.CONNECTED.value, name))
 
     def _stop_what_runs(self) -> None:
-        """A program that was started while the robot was looked for has none."""
+        """Stop a program that was started during the search for the robot."""
         self._session.stop()
         self._session.wait_for_stop()
 
@@ -315,7 +315,7 @@ class Connection:
     # --- reporting
 
     def _report(self, news: LinkNotice, reason: str) -> None:
-        """Reports changes from now on; the caller that connected reports the connection itself."""
+        """Report changes of the connection; the caller of ``connect`` reports the connection itself."""
         if news is not LinkNotice.CONNECTED:
             self._session.hub.publish(Link(news.value, reason))
 
@@ -328,7 +328,7 @@ class Connection:
 
 
 class Guard:
-    """A process that stops the robot at a port when this process has ended, also by ``kill -9``.
+    """A process that stops the robot at a port after this process has ended, also by ``kill -9``.
 
     Nothing is sent by the board itself: its motors turn until a stop comes.
     """
@@ -345,7 +345,7 @@ class Guard:
             )
 
     def end(self, *, may_drive_on: bool) -> None:
-        """The connection was closed. If the robot may drive on, the guard stops it when its port is back."""
+        """End the guard, unless the robot may drive on: then it stops the robot when its port is back."""
         if self._process is None or self._process.stdin is None:
             return
         from devices.port_exchange import NOT_NEEDED
@@ -427,7 +427,7 @@ def make_camera(settings: Settings) -> ColourCamera | None:
 
 
 def robot_config(settings: Settings) -> RobotConfig:
-    """A real robot as the settings have it; what is not set is as with the original."""
+    """The configuration of a real robot from the settings; by default the original's."""
     from devices.serial_robot.config import RobotConfig
 
     config = _profiled(RobotConfig(), settings)
@@ -444,7 +444,7 @@ def robot_config(settings: Settings) -> RobotConfig:
 
 
 def _profiled(config: RobotConfig, settings: Settings) -> RobotConfig:
-    """The senses of its wheels and its head: the profile's, but for what is set by itself."""
+    """The configuration with the profile's directions of wheels and head, unless they are set."""
     if settings.profile == NEWER:
         config = config.as_of_2018()
     is_open = settings.profile == AUTOMATIC and settings.encoders is None

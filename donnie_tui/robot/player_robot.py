@@ -50,7 +50,7 @@ class PlayerRobot(LinkedRobot[ServerLink]):
     ``time``, ``speed`` and ``known_distances``."""
 
     may_drive_on = has_run_away = False
-    """The server stops a robot when its last client leaves."""
+    """False, as the server stops a robot when its last client leaves."""
 
     start = Pose(0.0, 0.0, 0.0)
     """Where its wheels count from, if they begin at 0 0 0. Set after construction, as the next two."""
@@ -59,14 +59,14 @@ class PlayerRobot(LinkedRobot[ServerLink]):
     leave: tuple[Callable[[], object], ...] = ()
     """Called when the robot is closed."""
     _origin = Spot(0.0, 0.0, 0.0)
-    """Where the world has the 0 0 0 of the robot's own counting."""
+    """The place of the robot's own 0 0 0 in the world."""
     _began = _owed_way = _owed_turn = 0.0
     """Its server's time at 0; metres ahead and degrees to the right by which the last movement was too
     short."""
 
     @property
     def view(self) -> float:
-        """Degrees of its camera's picture. Only a finder of marks can be asked for them: with a camera."""
+        """Degrees of its camera's picture, known only if it has a fiducial finder."""
         given = degrees((self._link.shape(RobotPart.MARKS, 2) or (0.0,))[-1])
         return self.chosen_view or (given if NARROWEST <= given <= WIDEST else VIEW)
 
@@ -75,7 +75,7 @@ class PlayerRobot(LinkedRobot[ServerLink]):
         return frozenset(FAMILIES) if RobotPart.CAMERA in self._link.shapes else frozenset()
 
     def connect(self) -> None:
-        """Some seconds at most. Raises ``RobotProblem``."""
+        """Connect, within some seconds. Raises ``RobotProblem``."""
         self._link.connect()
         first = self._link.wheels()
         if first.x == first.y == first.yaw == 0.0:
@@ -202,7 +202,7 @@ class PlayerRobot(LinkedRobot[ServerLink]):
     # --- waiting and sensing
 
     def wait(self, seconds: float) -> bool:
-        """RobotProblem ``link-lost`` without a server, or if it is lost meanwhile."""
+        """Wait. Raises ``RobotProblem`` ``link-lost`` without a server, or if it is lost meanwhile."""
         self._require_link()
         ends = self._link.wheels().time + max(0.0, seconds)
         return self._wait(lambda now: now.time >= ends - 1e-9)
@@ -218,7 +218,7 @@ class PlayerRobot(LinkedRobot[ServerLink]):
         return self._link.wheels().time - self._began
 
     def pose(self) -> Pose:
-        """Where the last movement should have ended: the next movement corrects the difference."""
+        """The intended end of the last movement; the next movement corrects the difference."""
         now = self._link.wheels()
         here = Spot(now.x, now.y, now.yaw - self._owed_turn)
         ended = here.ahead(self._owed_way, here.yaw)
@@ -312,7 +312,7 @@ class PlayerRobot(LinkedRobot[ServerLink]):
         return self._wait(is_over)
 
     def _blobs(self) -> Iterator[Blob]:
-        """As far as the head's sonar would measure it, which is not in the middle."""
+        """Things that the camera sees, with distances from the head's sonar, which is not in the middle."""
         width, _, blobs = self._link.values(RobotPart.CAMERA) or (1, 1, ())
         sonar = self._link.shape(RobotPart.HEAD_SONAR)
         ahead = sonar[-2][0][0] if sonar and sonar[-2] else 0.0
@@ -366,6 +366,6 @@ class PlayerRobot(LinkedRobot[ServerLink]):
 
 
 ORIGINAL_SONARS = [-45.0, 0.0, 45.0, 135.0, 180.0, -135.0]
-"""Where the sonars of a server look that doesn't say it."""
+"""The directions of sonars if the server doesn't report them."""
 WIDE, NARROW = 22.5, 7.5
 """Degrees from a bearing: of one of several sensors, and of a sample of one."""

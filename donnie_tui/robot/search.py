@@ -1,4 +1,4 @@
-"""Which robot is meant, at which port, and what to say and do if it can't be used.
+"""Finds the robot of the settings and its port, and says what to do if it can't be used.
 
 A search takes some seconds, and the learner may cancel it. ``Search`` takes no lock, because a signal handler
 calls it.
@@ -58,11 +58,11 @@ class Search:
         """Reports that it continues, if it takes longer than a second; in the thread that connects."""
 
     def expect(self) -> None:
-        """It begins soon, and may be given up before. ``end`` is to follow."""
+        """Announce a search, which can be given up even before it begins. Call ``end`` later."""
         self._is_pending = True
 
     def give_up(self) -> bool:
-        """Whether there was anything to give up. Any thread."""
+        """Give up the search. Returns whether there was one. Any thread."""
         robot = self._robot
         if robot is None and not self._is_pending:
             return False
@@ -142,7 +142,7 @@ def robot_options(settings: Settings, words: Words, found: Lister = list_ports) 
 
 
 def _kind(port: str, configured: str, may_be_belt: bool) -> str:
-    """What is known of a board without asking it: of several, only the one chosen before is a robot."""
+    """The kind of a board as far as it is known without a question to it."""
     is_known = bool(configured) and is_same_port(port, configured)
     return "connect-option-board" if may_be_belt and not is_known else "connect-option-port"
 
@@ -167,7 +167,7 @@ def find_port(
 
 
 def sentences_of(problem: PortProblem | RobotProblem, words: Words) -> tuple[str, ...]:
-    """What is wrong, and what can be done about it where that is known."""
+    """The sentences about a problem and its remedy, if one is known."""
     if isinstance(problem, PortProblem):
         code, values = problem.fault.value, {"port": problem.port, "reason": problem.reason}
     else:

@@ -1,7 +1,7 @@
 """The connection to a Player server: it opens a robot's devices, keeps their newest data and drives it.
 
-Its time is the server's, which all data carry, so a server may run at any pace. What is commanded names the
-number of the last halt that it knows; a command that is older than a halt is not sent. The server stops a
+Its time is the server's, which all data carry, so a server may run at any pace. A command has the
+number of the last halt that it knows; a command older than a halt is not sent. The server stops a
 robot that its last client has left.
 """
 
@@ -62,7 +62,7 @@ class RobotPart(Enum):
 
 
 SILENT = frozenset({RobotPart.MARKS, RobotPart.SPEECH, RobotPart.BELT, RobotPart.SECOND_BELT})
-"""Those whose data are not read."""
+"""Devices whose data are not read."""
 
 CONNECTING, ANSWERING, SETTLING = 2.0, 5.0, 1.0
 """Seconds that the server may take to accept a connection, to answer a request, and to send a first datum of
@@ -114,7 +114,7 @@ class ServerLink:
         """How often the server was lost."""
         self.is_there = False
         self.shapes: dict[RobotPart, dict[int, Values]] = {}
-        """Of what was opened: what is in the reply to each request for its shape, empty if it was refused."""
+        """Of opened devices: the content of each reply about their shape, empty if it was refused."""
 
     def connect(self) -> None:
         """Raises ``RobotProblem``."""
@@ -142,7 +142,7 @@ class ServerLink:
         return self._data.get((*self._key(part), 1), (-inf, ()))[1]
 
     def time_of(self, part: RobotPart) -> float:
-        """The time of its newest datum; before all time if there is none."""
+        """The time of its newest datum; minus infinity if there is none."""
         return self._data.get((*self._key(part), 1), (-inf, ()))[0]
 
     def shape(self, part: RobotPart, subtype: int = 1) -> Values:
@@ -172,7 +172,7 @@ class ServerLink:
         self._steer(permit, 2, state.x, state.y, radians(normal(yaw)), 0.0, 0.0, 0.0, 1)
 
     def stop(self) -> None:
-        """Any thread; never raises."""
+        """Stop the robot. Any thread; never raises."""
         with self._changed:
             self.permit += 1
             self._driven_until = inf
@@ -184,7 +184,7 @@ class ServerLink:
             pause.wait(0.02)
 
     def command(self, part: RobotPart, subtype: int, *values: object) -> None:
-        """Has no effect without a connection, or for a device that isn't open."""
+        """Send a command. Has no effect without a connection, or for a device that isn't open."""
         if part in self.shapes:
             with suppress(OSError):
                 self._send(self._key(part), COMMAND, subtype, *values)

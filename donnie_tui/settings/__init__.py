@@ -1,5 +1,5 @@
-"""What a learner has chosen, what is kept from one start to the next, and where."""
+"""The settings, and the files and folders that keep them from one start to the next."""
 
 ON = ("on", "yes", "true", "1")
 OFF = ("off", "no", "false", "0")
-"""How variables and the file write a switch."""
+"""The spellings of a switch in variables and the file."""

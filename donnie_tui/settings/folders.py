@@ -1,4 +1,4 @@
-"""The folders of settings and state (histories, recovery), and what is announced at the first start only.
+"""The folders of settings and state (histories, recovery), and announcements of the first start.
 
 Each platform has its own folders; the code that writes into a folder creates it. An empty file in the state
 folder records that the tour was offered; the setting ``tour``, off, never offers it. The decision about the
@@ -19,13 +19,13 @@ if TYPE_CHECKING:
 
 SETTINGS_NAME = "settings.toml"
 MACHINE_FOLDERS = {"darwin": "/Library/Application Support/donnie", "win32": r"C:\ProgramData\donnie"}
-"""Of the settings of a whole machine: no variable changes where they are."""
+"""The folders of a whole machine's settings, which no variable can change."""
 UNSAVED = "unsaved"
-"""In the state folder: the folder of the copies of what is not saved."""
+"""In the state folder: the folder of copies of unsaved programs."""
 BREAKPOINTS = "breakpoints.txt"
 """In the state folder: the breakpoints of each program."""
 PROGRESS = "challenges.txt"
-"""In the state folder: what was done for challenges."""
+"""In the state folder: the progress in challenges."""
 UNSAVED_WORLD = "unsaved.world"
 RECENT = "recent.txt"
 """In the state folder: the programs that were opened and saved lately."""
@@ -35,7 +35,7 @@ _own_folder: str | None = None
 
 
 def keep_in(folder: str | None) -> None:
-    """From now on the learner's settings and state are in that folder; None: in those of the account."""
+    """Keep the learner's settings and state in this folder; None: in those of the account."""
     global _own_folder
     _own_folder = folder
 
@@ -60,21 +60,21 @@ def settings_file(environment: Mapping[str, str], platform: str = sys.platform) 
 
 
 def own_sounds(environment: Mapping[str, str], platform: str = sys.platform) -> Path:
-    """The folder of the account in which sounds take the place of cues."""
+    """The account's folder of sounds that replace cues."""
     from pathlib import Path
 
     return Path(account_settings_file(environment, platform)).parent / "sounds"
 
 
 def state_folder(environment: Mapping[str, str], platform: str = sys.platform) -> Path:
-    """The folder of what the learner did last: histories, texts to recover."""
+    """The state folder: histories, texts to recover."""
     from pathlib import Path
 
     return Path(state_path(environment, platform))
 
 
 def state_path(environment: Mapping[str, str], platform: str = sys.platform) -> str:
-    """The same as text."""
+    """The state folder as text."""
     return _own_folder or _folder(environment, platform, "XDG_STATE_HOME", ".local/state")
 
 
@@ -105,7 +105,7 @@ if TYPE_CHECKING:
 
 
 def offers_tour(folder: str, environment: Mapping[str, str]) -> bool:
-    """Whether it is to be offered now; the next time it is not. ``folder``: the one of the state."""
+    """Whether to offer the tour now, which happens once. ``folder``: the state folder."""
     path = f"{folder}/{MARKER}"
     if environment.get("DONNIE_TOUR", "").strip().lower() in OFF or os.path.exists(path):  # noqa: PTH110 -- pathlib is slow to load
         return False

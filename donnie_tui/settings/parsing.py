@@ -1,4 +1,4 @@
-"""Reads the text of a setting, wherever it was given; reads the settings files, and writes a line in them.
+"""Parses the text of a setting; reads the settings files, and writes a line in them.
 
 Each reader raises ``ValueError``. Volume and speaking rate out of range are clamped, not refused.
 
@@ -59,14 +59,14 @@ def one_of(words: tuple[str, ...]) -> Callable[[str], str]:
 
 
 def read_text(text: str) -> str:
-    """Any that is not empty."""
+    """Reads any text that is not empty."""
     if not text or "\0" in text:
         raise ValueError(text)
     return text
 
 
 def read_line(text: str) -> str:
-    """Any, an empty one too."""
+    """Reads any text, also an empty one."""
     return read_text(text) if text else ""
 
 
@@ -87,7 +87,7 @@ def read_folders(text: str) -> tuple[str, ...]:
 
 
 def folders_of(text: str) -> tuple[str, ...]:
-    """The same of any text; an empty one has none."""
+    """As ``read_folders``, of any text; an empty one has none."""
     given = (each for each in text.split(os.pathsep) if each.strip())
     return tuple(os.path.expanduser(each) for each in given)  # noqa: PTH111 -- pathlib's raises
 
@@ -129,7 +129,7 @@ def read_free(text: str) -> str:
 
 
 def read_speech(text: str) -> str:
-    """``on`` is the built-in voice, whatever would be chosen."""
+    """Reads which voice speaks; ``on`` is the built-in one."""
     return "tts" if text.strip().lower() == "on" else one_of(SPEECH)(text)
 
 
@@ -193,7 +193,7 @@ COLUMNS_WANTED = "front 3, front-right 4, back 0 6"
 METRES_WANTED = "0.001-1"
 SONARS_WANTED = "front-right front front-left back-left back back-right"
 PROFILES = ("auto", "2016", "2018")
-"""The firmware of a real robot; ``auto`` is that of 2016 until its wheels count the other way."""
+"""The firmware of a real robot; ``auto`` assumes that of 2016 until the wheels count backwards."""
 WHEELS_WANTED = "normal reversed"
 HEADS = ("left", "right")
 RESET_WANTED = "auto, dtr, gpio:22, none"
@@ -206,7 +206,7 @@ BUMPERS_WANTED = "front front front back back back"
 
 
 def read_robot(text: str) -> str:
-    """Which robot: a simulated one, a real one, the simulated board of a real one, or a server's."""
+    """Reads a robot: simulated, real, the simulated board of a real one, or a server's."""
     kind, colon, port = text.strip().partition(":")
     if kind.lower() == PLAYER and port.startswith("//"):
         return read_server(port.removeprefix("//"))
@@ -425,7 +425,7 @@ def _parsed(text: str) -> tuple[dict[str, object], tuple[Notice, ...]]:
 
 
 def remember(key: str, value: str | bool | float, environment: Mapping[str, str]) -> None:
-    """Put one setting into the file; the others, and comments, stay. Raises ``DocumentError``."""
+    """Write a setting into the file; other lines stay. Raises ``DocumentError``."""
     from pathlib import Path
 
     from donnie_tui.core.program_files import DocumentError, write_program  # a start only reads

@@ -1,4 +1,4 @@
-"""Every setting by its name, and where its value came from: command line, environment, file, default.
+"""Every setting by its name, and the source of its value: command line, environment, file, default.
 
 The sources are given as mappings. A value that can't be read is reported and the next source applies; on the
 command line it is an error.
@@ -93,13 +93,13 @@ class Key(Struct, frozen=True):
     read: Callable[[str], object]
     """The value of a text. Raises ``ValueError``."""
     wanted: str
-    """What it takes, for the error."""
+    """The valid values, for the error."""
     is_example: bool = False
-    """Whether ``wanted`` is one of many that it takes."""
+    """Whether ``wanted`` is only an example of its values."""
 
     @property
     def has_named_values(self) -> bool:
-        """Whether ``wanted`` lists the very words that it takes, of which one is chosen."""
+        """Whether ``wanted`` lists all of its values."""
         words = self.wanted.split(", ")
         return len(words) > 1 and not any(each.isupper() or any(map(str.isdigit, each)) for each in words)
 
@@ -183,7 +183,7 @@ FRONT_END_SPEED = 5.0
 
 
 class SettingSource(Enum):
-    """Where a value came from, strongest first."""
+    """The source of a value, strongest first."""
 
     OPTION = "option"
     ENVIRONMENT = "environment"
@@ -192,12 +192,12 @@ class SettingSource(Enum):
 
 
 class ServedFile(Struct, frozen=True):
-    """What ``donnie player`` serves, and where it listens."""
+    """The file that ``donnie player`` serves, and its address."""
 
     file: str
     host: str
     port: int
-    """Of the robots without a port of their own."""
+    """The port of robots without a port of their own."""
 
 
 class Settings(Struct, frozen=True):
@@ -207,7 +207,7 @@ class Settings(Struct, frozen=True):
     world_folders: tuple[str, ...] = ()
     """Folders from which worlds may include files, besides their own project."""
     allowed_folders: tuple[str, ...] = ()
-    """More of them, those of ``--allow``."""
+    """More such folders, from ``--allow``."""
     robot: str = "sim"
     language: str = "en"
     speed: float | None = FRONT_END_SPEED
@@ -215,18 +215,18 @@ class Settings(Struct, frozen=True):
     speech: str = "auto"
     sound: Sound = True
     speak: str = "here"
-    """Where the words of SPEAK are spoken."""
+    """The voice for the words of SPEAK."""
     rate: int = 180
     """Words a minute of the built-in voice; speech-dispatcher's only if it was chosen."""
     pitch: int = 50
     volume: int = 100
     punctuation: str = "some"
     key_echo: str = "none"
-    """What the built-in voice says of what is typed."""
+    """What the built-in voice speaks while the learner types."""
     cues: Mapping[str, int] = field(default_factory=dict)
     """Volumes in percent by the name of a cue; 0 is off."""
     wait_for_speech: bool = False
-    """Whether a program waits until what it says was said."""
+    """Whether a program waits for the end of its sentences."""
     verbosity: str = "normal"
     events: str | None = None
     record: str | None = None
@@ -251,11 +251,11 @@ class Settings(Struct, frozen=True):
     camera_view: float | None = None
     """Degrees that its picture is wide; None as in the original."""
     colours: ColourRanges | None = None
-    """As a calibration found them; None as in the original."""
+    """The colour ranges of a calibration; None as in the original."""
     reset_line: str = "auto"
-    """What restarts a board by force."""
+    """The pin that restarts a board."""
     linear: bool | None = None
-    """What the settings file says; the variables and the options are weighed in ``cli.front_end``."""
+    """The value in the settings file; ``cli.front_end`` also uses variables and options."""
     theme: str = "dark"
     """The look of the full screen."""
     plain: bool | None = None
@@ -282,13 +282,13 @@ class Settings(Struct, frozen=True):
     tour: bool = True
     """Whether the tour may be offered at the first start."""
     served: ServedFile | None = None
-    """What clients may drive."""
+    """The file served to clients."""
     log: bool = False
     """Whether every sentence also goes to a numbered file, as with the original's ``-l``."""
     notices: tuple[Notice, ...] = ()
-    """What to report about the settings themselves once a front end listens."""
+    """Problems of the settings, reported once a front end listens."""
     sources: Mapping[str, SettingSource] = field(default_factory=dict)
-    """Where each field came from; what is not in it is a default."""
+    """The source of each field; a field that is not in it is a default."""
 
     @property
     def include_folders(self) -> tuple[str, ...]:
@@ -340,14 +340,14 @@ def resolve(
 
 
 class SessionLimits(Struct, frozen=True):
-    """To what a session is limited. ``devices`` None: it may use any."""
+    """The limits of a session. ``devices`` None: it may use any."""
 
     folder: str | None = None
     devices: tuple[str, ...] | None = None
 
 
 class BadLimitsError(Exception):
-    """Limits that can't be kept, so that Donnie must not start: the code of a sentence and its values."""
+    """Raised for unusable limits, so that Donnie must not start: the code of a sentence and its values."""
 
     def __init__(self, code: str, **values: object) -> None:
         super().__init__(code)
@@ -360,7 +360,7 @@ def limits_of(
     account: Mapping[str, object],
     options: Mapping[str, str],
 ) -> SessionLimits:
-    """The limits that hold, of the settings of the machine and of the account among others.
+    """The limits from all sources, such as the settings of the machine and of the account.
 
     Here the strongest source is the one furthest from the learner, and a weaker one can only limit more.
     Raises ``BadLimitsError`` also for a value that can't be read: without it a learner would be free.
@@ -427,7 +427,7 @@ def language_of(environment: Mapping[str, str]) -> str:
 def _given(
     each: Key, options: Mapping[str, str], environment: Mapping[str, str], file: Mapping[str, object]
 ) -> list[tuple[SettingSource, str, str]]:
-    """Where the key is given, strongest first: the source, what it is called there, and the text."""
+    """The sources that have the key, strongest first: the source, the key's name there, and the text."""
     given: list[tuple[SettingSource, str, str]] = []
     if each.key in options:
         given.append((SettingSource.OPTION, each.option, options[each.key]))

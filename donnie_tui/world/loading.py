@@ -39,17 +39,17 @@ _SLIPS = frozenset(
     {"unknown-property", "unknown-colour", "unknown-model", "unknown-word", "second-define", "missing-point"}
     | {"empty-bitmap"}
 )
-"""Of what was ignored or repaired: what the author wrote without effect."""
+"""Codes of ignored or repaired parts of a file, which have no effect."""
 LONGEST_NAME = 80
 """Characters of a wrong name that a sentence repeats."""
 MOST_KNOWN = 8
-"""Names that could have been meant, where none is near."""
+"""Names that are listed if none is near."""
 MOST_REMARKS = 3
 """Remarks that are listed one by one."""
 
 
 def remarks(world: ChosenWorld, words: Wording) -> tuple[str, ...]:
-    """A sentence each; none of a world that ships."""
+    """Remarks about a world file, a sentence each; none for a built-in world."""
     if world.ships:
         return ()
     notes = world.scene.report.notes
@@ -65,7 +65,7 @@ def remarks(world: ChosenWorld, words: Wording) -> tuple[str, ...]:
 
 
 def _bad_words(world: ChosenWorld, words: Wording) -> tuple[str, ...]:
-    """Why the author's words can't be used, if there are any."""
+    """The reason why the author's words can't be used, if there are any."""
     from worlds.words import BadWords, about_file
 
     try:
@@ -79,7 +79,7 @@ def _bad_words(world: ChosenWorld, words: Wording) -> tuple[str, ...]:
 
 
 WITHOUT_WORLD = "open_floor"
-"""Where a configuration file asks for a real robot only: something to draw it on."""
+"""The world on which a robot is drawn if a configuration file asks for a real robot only."""
 
 
 class ChosenWorld(Struct, frozen=True):
@@ -89,25 +89,25 @@ class ChosenWorld(Struct, frozen=True):
     path: str
     scene: Scene
     ships: bool
-    """Whether it ships with Donnie, with words about it."""
+    """Whether it is built in, with words about it."""
     offers: tuple[Offer, ...] = ()
-    """What a configuration file offers, and under which addresses."""
+    """The robots that a configuration file offers, with their addresses."""
     drivers: tuple[Driver, ...] = ()
-    """All that it provides."""
+    """All its drivers."""
     physical_port: str | None = None
     """The serial port of the real robot that a configuration file asks for."""
     stands_in_for: str = ""
-    """The configuration file that has no world; what was loaded is only there to draw its robot on."""
+    """The configuration file without a world, whose robot is drawn on another world."""
     challenge: Challenge | None = None
-    """What there is to do in it."""
+    """The challenge of this world."""
     is_rebuilt: bool = False
-    """Whether things were added, moved or removed: its author's words don't count any more."""
+    """Whether things were added, moved or removed, so that its author's words no longer apply."""
     before_moves: ChosenWorld | None = None
-    """The world as its file says, where a challenge moved things in it."""
+    """The world of its file, before a challenge moved things in it."""
     moves: Mapping[int, Placement] = {}
-    """Where a challenge moved the models of these indices."""
+    """The places to which a challenge moved models, by index."""
     text: str = ""
-    """What its file would be where Donnie changed it: a robot was put in, or things were scattered."""
+    """The changed text of its file, if Donnie put a robot in or scattered things."""
     is_robot_put_in: bool = False
     """Whether its file has no robot."""
 
@@ -125,7 +125,7 @@ class ChosenWorld(Struct, frozen=True):
             return None  # reported when the world was loaded
 
     def title(self, language: str) -> str:
-        """What the author calls it, else the name of its file."""
+        """The author's title, else the name of its file."""
         about = self.about(language)
         return about.title if about is not None else self.name
 
@@ -136,7 +136,7 @@ class ChosenWorld(Struct, frozen=True):
         return self.challenge.rules
 
     def start(self) -> Pose:
-        """Where its first robot stands; the middle, facing north, if it has none."""
+        """The pose of its first robot; the middle, facing north, if it has none."""
         if not self.scene.robots:
             return Pose(0.0, 0.0, 0.0)
         place = self.scene.models[self.scene.robots[0]].pose
@@ -144,16 +144,16 @@ class ChosenWorld(Struct, frozen=True):
 
 
 class SiteChange(Struct, frozen=True):
-    """What a change of the world is undone with, or made again."""
+    """The values to undo or redo a change of the world."""
 
     world: ChosenWorld
-    """The one to go back to."""
+    """The world to restore."""
     text: str
     is_saved: bool
     index_of: Mapping[int, int]
-    """The index there of each model at the top level, by the one it has now."""
+    """The index in that world of each top-level model, by its index now."""
     changed: int | None
-    """The index of the thing there; None if it is gone then."""
+    """The index of the changed thing there; None if it does not exist."""
     program: str
     """The text of the program at that moment."""
 
@@ -164,14 +164,14 @@ class Site:
     def __init__(self, world: ChosenWorld) -> None:
         self.world = world
         self.text = world.text
-        """What its file would be; empty while nothing was changed."""
+        """The text of the changed world; empty while nothing was changed."""
         self.is_saved = True
         self.past: list[SiteChange] = []
         """The changes, the oldest first."""
         self.undone: list[SiteChange] = []
-        """Those that were taken back, the last one last."""
+        """The undone changes, the latest last."""
         self.path: Path | None = None
-        """The file of the learner's own that it was last read from or written to."""
+        """The learner's file that it was last read from or written to."""
         if not world.ships:
             from pathlib import Path
 
@@ -179,7 +179,7 @@ class Site:
 
 
 def files_of(world: ChosenWorld) -> tuple[str, ...]:
-    """All that was read for the world, or is to be: an own one's words too."""
+    """All files of the world, also a learner's file of words."""
     report = world.scene.report
     return (world.path, *report.files, *report.pictures, *_own_words(world))
 
@@ -464,7 +464,7 @@ def scattered_by(seed: int, world: ChosenWorld, words: Words, folders: tuple[Pat
 def inhabited_world(
     name_or_file: str, words: Words, folders: tuple[str, ...] = (), *, seed: int = 0
 ) -> ChosenWorld:
-    """The world of ``--world`` as the seed has it, with a Donnie if it has no robot. Raises ``Unusable``."""
+    """The world of ``--world`` with its seed, and a Donnie if it has no robot. Raises ``Unusable``."""
     world = choose_world(name_or_file, words, folders)
     if (
         world.scene.robots and "scatter" not in world.scene.settings
@@ -491,14 +491,14 @@ def allowed_folders(folders: tuple[str, ...]) -> tuple[Path, ...]:
 
 
 class ThingWatch:
-    """Where the things of a simulated world are now. The robot that has the turn asks it."""
+    """Reports the places of a simulated world's things, for the robot that has the turn."""
 
     def __init__(self, world: World) -> None:
         self._world = world
         self._last: tuple[PlacedThing, ...] = ()
 
     def __call__(self) -> tuple[PlacedThing, ...] | None:
-        """All that are not at their start; None if nothing has changed since the last answer."""
+        """The things that are not at their start; None if nothing has changed since the last call."""
         moved = self._world.moved_things()
         if not moved and not self._last:
             return None

@@ -1,6 +1,6 @@
 """All files of a world in one value, and a world loaded from a recording alone.
 
-File names are ``N/PATH``: 0 is the folder of the world, or the one above that has all files of its project;
+File names are ``N/PATH``: 0 is the folder of the world, or the folder above with all files of its project;
 the others are folders that it may include from.
 ``unpack`` writes nothing outside the folder that is given to it, and a loaded recording leaves no files.
 """
@@ -35,7 +35,7 @@ _PLACE = re.compile(r"\d{1,3}")
 
 
 class BundleError(Exception):
-    """A world that can't be bundled or taken out. ``code`` is a sentence of the catalogue."""
+    """Raised for a world that can't be packed or unpacked. ``code`` is a sentence of the catalogue."""
 
     def __init__(self, code: str, **values: object) -> None:
         super().__init__(code)
@@ -44,17 +44,17 @@ class BundleError(Exception):
 
 
 class WorldBundle(Struct, frozen=True):
-    """A world with everything that it reads."""
+    """A world with all its files."""
 
     name: str
-    """What the events call it."""
+    """Its name in events."""
     main: str
     """Which of the files is the world."""
     files: tuple[tuple[str, bytes], ...]
     robots: tuple[str, ...]
     """The robots that it offers, the learner's first."""
     moves: tuple[tuple[int, float, float, float, float], ...] = ()
-    """The models that a challenge moved: index, and where in the file's units."""
+    """The models that a challenge moved: index, and place in the file's units."""
 
     def as_record(self) -> dict[str, object]:
         """For JSON: texts as they are, everything else in base64."""
@@ -149,7 +149,7 @@ def _content(data: bytes) -> dict[str, str]:
 
 
 def _names_of(file: Path, places: Sequence[Path]) -> tuple[str, ...]:
-    """Its names in the bundle: in each folder that it lies in, as it may be looked for from any of them."""
+    """The names of a file in the bundle, one for each folder that contains it."""
     paths = (Path(os.path.normpath(file.absolute())), file.resolve())
     found = (
         f"{number}/{path.relative_to(place).as_posix()}"
@@ -184,7 +184,7 @@ def _checked(name: str) -> PurePosixPath:
 
 @contextmanager
 def unpacked(header: Header, words: Words) -> Iterator[ChosenWorld]:
-    """The world as it was, in a folder that is gone afterwards. Raises ``Unusable``."""
+    """The recorded world, in a temporary folder. Raises ``Unusable``."""
     with TemporaryDirectory(prefix="donnie-", dir=_place_for_unpacking()) as folder:
         try:
             bundle = from_record(header.world)
@@ -195,7 +195,7 @@ def unpacked(header: Header, words: Words) -> Iterator[ChosenWorld]:
 
 
 def _place_for_unpacking() -> str | None:
-    """In a confined session all stays in its folder."""
+    """The place for the temporary folder: in a confined session inside its folder."""
     limits = confinement()
     if limits is None:
         return None
@@ -224,12 +224,12 @@ def _loaded(
 
 
 def _ships(bundle: WorldBundle) -> bool:
-    """Whether there are words about it, if it has the name of a world that ships."""
+    """Whether it is a built-in world, which has words about it."""
     return bundle.name in worlds.names()
 
 
 def settings_of(header: Header, settings: Settings, words: Words) -> Settings:
-    """What matters of how it was recorded, over the settings of now. Raises ``Unusable``."""
+    """The settings with those of the recording that matter. Raises ``Unusable``."""
     try:
         strong, medium, weak = (_number(each) for each in _list(header.belt["steps"]))
         columns = {

@@ -1,4 +1,4 @@
-"""A run as a picture for those who see: walls, things where they ended, goals, and the path of each robot.
+"""A run as a picture: walls, things at their last places, goals, and the path of each robot.
 
 As SVG and as GIF a ring whose stroke looks ahead drives along each path at the pace of the run. Things that
 were pushed or carried move with it. Title and description of the SVG say the path in words, and letters stand
@@ -50,7 +50,7 @@ MARGIN, LETTER, LINE = 24.0, 14.0, 20.0
 LEAST_GOAL = 10.0
 """Half the width and height of the place of a goal on the picture."""
 STEPS_A_SECOND = 10.0
-"""How fast the dot drives: ten times the robot's pace."""
+"""The pace of the dot: ten times the robot's."""
 MOST_FRAMES = 60
 """Pictures of a GIF."""
 FRAME = 0.1
@@ -92,7 +92,7 @@ class DrivenPath(Struct, frozen=True):
 
 
 class MovedThing(Struct, frozen=True):
-    """A thing that was pushed or carried: its number among the world's models, and where it was when.
+    """A thing that was pushed or carried: its number among the world's models, and its timed places.
 
     Seconds of the moving dots; its start first.
     """
@@ -109,7 +109,7 @@ class MovedThing(Struct, frozen=True):
         return max(0.1, self.moments[-1][0])
 
     def at(self, seconds: float) -> Pose:
-        """Where it is after that time."""
+        """Its pose after that time."""
         for (begin, here), (end, there) in pairwise(self.moments):
             if seconds < end:
                 part = max(0.0, seconds - begin) / (end - begin)
@@ -125,7 +125,7 @@ def _turned(here: Pose, there: Pose) -> float:
 
 
 def moved_things(events: Iterable[Stamped], scene: Scene) -> tuple[MovedThing, ...]:
-    """The things that stand elsewhere now. A push moves a thing in the last part of a walk."""
+    """The things that have moved. A push moves a thing in the last part of a walk."""
     from donnie_tui.core.events import Driven, Moved, Reset, RunStarted, ThingsMoved, Turned
 
     poses: dict[str | None, Pose] = {}
@@ -171,7 +171,7 @@ class ShownGoal(Struct, frozen=True):
 
 
 class RunPicture(Struct, frozen=True):
-    """What is drawn, and where: the scale and the edges of the world's part that is shown."""
+    """The content of the picture, its scale, and the edges of the shown part of the world."""
 
     title: str
     drawings: tuple[Drawing, ...]
@@ -184,7 +184,7 @@ class RunPicture(Struct, frozen=True):
     height: float
     legend: tuple[str, ...]
     letters: Mapping[int, str]
-    """Those of each thing, by its index: a second one is the initial of its colour where that is needed."""
+    """The letters of each thing by its index; a second one is the initial of its colour, if needed."""
     goals: tuple[GoalPlace, ...] = ()
     moved: tuple[MovedThing, ...] = ()
 
