@@ -446,7 +446,7 @@ def world_note(note: Note, words: Wording) -> str:
     remark = printable(words(f"note-{note.code}{near}", **details))
     if not note.line:
         return remark
-    return words("note-at", line=note.line, file=PurePath(note.file).name, remark=remark)
+    return words("note-at", line=note.line, column=note.column, file=PurePath(note.file).name, remark=remark)
 
 
 def _colour_in_english(name: str) -> str:

@@ -37,7 +37,7 @@ CHALLENGE = "challenge:"
 _INSIDE = "starts-inside"
 _SLIPS = frozenset(
     {"unknown-property", "unknown-colour", "unknown-model", "unknown-word", "second-define", "missing-point"}
-    | {"empty-bitmap"}
+    | {"empty-bitmap", "read-as", "line-block", "no-samples", "lone-window", "include-rest"}
 )
 """Codes of ignored or repaired parts of a file, which have no effect."""
 LONGEST_NAME = 80

@@ -31,7 +31,7 @@ from sim.scene import (
 from sim.worldfile.entities import MODEL_TYPES, Entity, Setting
 from sim.worldfile.floor_plans import NOTHING, Plan, rectangle
 from sim.worldfile.mistakes import Code, WorldError
-from sim.worldfile.values import ValueReader, mistake
+from sim.worldfile.values import ValueReader
 
 Trace = Callable[[Setting, tuple[float, float, float]], Plan]
 """The dark pixels of the picture that a ``bitmap`` names, for a model of that size."""
@@ -65,12 +65,15 @@ class Builder:
         self._sees_any_height = reader.number(world, "ignore_zloc", 1)
 
     def build(self, entities: Iterable[Entity]) -> None:
-        counts: Counter[str] = Counter(model=1)  # Stage counts its invisible floor
+        self._build(entities, Counter(model=1))  # Stage counts its invisible floor
+
+    def _build(self, entities: Iterable[Entity], counts: Counter[str]) -> None:
         for entity in entities:
             if entity.type in MODEL_TYPES:
                 self._model(entity, None, counts)
             elif entity.type == "window":
                 self._reader.check(entity.settings, quiet=True)
+                self._build(entity.children, counts)
             else:
                 place = (entity.file, entity.line, entity.column)
                 raise WorldError(Code.MISPLACED, *place, found=entity.type)
@@ -90,7 +93,8 @@ class Builder:
                 self._remark("lone-sensor", child, NoteKind.REPAIRED, name=model.name)
                 self._model(_ranger_around(child), model, inner)
             elif child.type == "window":
-                raise WorldError(Code.MISPLACED, child.file, child.line, child.column, found="window")
+                self._reader.check(child.settings, quiet=True)
+                self._remark("lone-window", child, NoteKind.WARNING)
 
     def _bare(
         self, entity: Entity, parent: Model | None, blocks: tuple[Entity, ...], counts: Counter[str]
@@ -100,7 +104,8 @@ class Builder:
         default = f"{entity.type}:{counts[entity.type]}"
         counts[entity.type] += 1
         name = read.string(settings, "name", f"{parent.name}.{default}" if parent else default)
-        size = read.size(settings, _SIZES.get(entity.type, (0.4, 0.4, 1.0)))
+        scale = read.size(settings, _SIZES.get(entity.type, (0.4, 0.4, 1.0)))
+        size = (abs(scale[0]), abs(scale[1]), scale[2])
         plan = self._trace(settings["bitmap"], size) if "bitmap" in settings else NOTHING
         origin = read.place(settings, "origin")
         walled = read.number(settings, "boundary", 0) != 0
@@ -110,7 +115,7 @@ class Builder:
             drawn = gripper_blocks(gripper, float(gripper.closed), float(gripper.lifted))
         else:
             drawn = plan.polygons
-        polygons = fitted(self._shape(entity, drawn, blocks, walled), size, origin)
+        polygons = fitted(self._shape(entity, drawn, blocks, walled), scale, origin)
         return Model(
             index=index,
             type=entity.type,
@@ -169,6 +174,9 @@ class Builder:
         for child in entity.children:
             if child.type == "sensor" and entity.type == "ranger":
                 sensor = self._sensor(child)
+                if not sensor.samples:
+                    self._remark("no-samples", child, NoteKind.WARNING)
+                    continue
                 self._samples += sensor.samples
                 self._bound(entity, "samples", self._samples, MOST_SAMPLES_OF_ALL)
                 yield sensor
@@ -207,18 +215,14 @@ UNIT = Polygon(((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)), 0.0, 1.0)
 
 def read_block(reader: ValueReader, entity: Entity) -> Polygon:
     """One block as it is written, not scaled yet."""
-    count = reader.number(entity.settings, "points", 0)
-    if not 3 <= count <= MOST_POINTS or count != int(count):
-        raise WorldError(
-            Code.TOO_FEW_POINTS,
-            entity.file,
-            entity.line,
-            entity.column,
-            ("3",),
-            given=int(count) if count == int(count) else count,
-            limit=MOST_POINTS,
-        )
-    points = tuple(_point(reader, entity, i) for i in range(int(count)))
+    place = (entity.file, entity.line, entity.column)
+    count = reader.whole(entity.settings, "points", 0)
+    if not 2 <= count <= MOST_POINTS:
+        raise WorldError(Code.TOO_FEW_POINTS, *place, ("2",), given=count, limit=MOST_POINTS)
+    points = tuple(_point(reader, entity, i) for i in range(count))
+    if count == 2:
+        reader.remark(Note(NoteKind.WARNING, "line-block", *place))
+        points = (*points, points[1])
     bottom, top = reader.pair(entity.settings["z"]) if "z" in entity.settings else (0.0, 1.0)
     return Polygon(points, min(bottom, top), max(bottom, top))
 
@@ -249,7 +253,10 @@ def gripper_blocks(it: Gripper, closed: float, lifted: float) -> tuple[Polygon, 
 def fitted(
     polygons: tuple[Polygon, ...], size: tuple[float, float, float], origin: Placement
 ) -> tuple[Polygon, ...]:
-    """All blocks of a model together scaled and centred to its size, then shifted by its origin."""
+    """All blocks of a model together scaled and centred to its size, then shifted by its origin.
+
+    A negative size mirrors them.
+    """
     xs = [x for polygon in polygons for x, _ in polygon.points]
     ys = [y for polygon in polygons for _, y in polygon.points]
     if not xs:
@@ -301,6 +308,8 @@ MOST_BUMPERS = 1000
 MOST_SAMPLES = 10_000
 """Of one sensor."""
 MOST_SAMPLES_OF_ALL = 2_000_000
+_FASTEST = 1e6
+"""Metres or degrees a second."""
 _SHORTEST_PADDLE, _LONGEST_PADDLE = 0.01, 0.99
 
 _Settings = Mapping[str, Setting]
@@ -310,8 +319,9 @@ def read_range_sensor(read: ValueReader, settings: _Settings) -> RangeSensor:
     usual = RangeSensor()
     minimum, maximum = read.span(settings, "range", (usual.minimum, usual.maximum))
     fov = _fov(read.angle(settings, "fov", usual.fov))
-    samples = read.whole(settings, "samples", 1, MOST_SAMPLES)
-    size = read.size(settings, usual.size)
+    samples = read.limited(settings, "samples", 1, MOST_SAMPLES)
+    across, down, up = read.size(settings, usual.size)
+    size = (abs(across), abs(down), up)
     noise = _noise(read, settings)
     return RangeSensor(read.place(settings, "pose"), minimum, maximum, fov, samples, noise, size)
 
@@ -351,7 +361,7 @@ def read_bumpers(read: ValueReader, settings: _Settings) -> Iterable[Bumper]:
     """Reads the bumpers; without a ``bcount`` as many as there are poses."""
     given = sum(1 for name in settings if name.startswith("bpose["))
     common = max(0.0, read.length(settings, "blength", 0.1))
-    for i in range(read.whole(settings, "bcount", given, MOST_BUMPERS, least=0)):
+    for i in range(read.limited(settings, "bcount", given, MOST_BUMPERS)):
         length = max(0.0, read.length(settings, f"blength[{i}]", common))
         yield Bumper(read.place(settings, f"bpose[{i}]"), length)
 
@@ -370,7 +380,7 @@ def _paddle_state(read: ValueReader, settings: _Settings) -> tuple[bool, bool]:
     setting = settings.get("paddle_state")
     if setting is None:
         return False, False
-    states = read.words(setting, ("open", "closed", "up", "down"))
+    states = read.words(setting, ("open", "closed", "up", "down"), usual="open down")
     return "closed" in states, "up" in states
 
 
@@ -414,17 +424,12 @@ def _limits(read: ValueReader, settings: _Settings, name: str) -> Limits | None:
     if (setting := settings.get(name)) is None:
         return None
     values = read.numbers(setting, 8, 8)
-    x, y = _bounds(setting, values[0:2], read.metres), _bounds(setting, values[2:4], read.metres)
-    return Limits(x, y, _bounds(setting, values[6:8], read.degrees))
 
+    def bounds(first: int, unit: float) -> Bounds:
+        low, high = sorted(min(_FASTEST, max(-_FASTEST, each * unit)) for each in values[first : first + 2])
+        return read.bounds(setting, first, (low, high), unit)
 
-def _bounds(setting: Setting, pair: tuple[float, ...], unit: float) -> Bounds:
-    low, high = pair[0] * unit, pair[1] * unit
-    if low > high:
-        raise mistake(Code.WRONG_ORDER, setting, name=setting.property.name)
-    if not -1e6 <= low <= high <= 1e6:
-        raise mistake(Code.OUT_OF_RANGE, setting, name=setting.property.name)
-    return low, high
+    return Limits(bounds(0, read.metres), bounds(2, read.metres), bounds(6, read.degrees))
 
 
 def _fov(degrees: float) -> float:

@@ -97,6 +97,10 @@ class FileReader:
 
     def _included(self, include: parser.Include, path: Path, above: tuple[Path, ...]) -> Iterator[Placed]:
         found = self._checked(include, path, above)
+        if include.rest:
+            place = (str(path), include.line, include.column)
+            details = {"found": include.rest[:60]}
+            self.notes.append(Note(NoteKind.WARNING, "include-rest", *place, details))
         yield from self.statements(self._text(found, include, str(path)), found, above)
 
     def _body(

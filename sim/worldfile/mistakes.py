@@ -116,8 +116,6 @@ class Code(Enum):
     WRONG_TYPE = "wrong-type"  # name
     WRONG_COUNT = "wrong-count"  # name, given
     OUT_OF_RANGE = "out-of-range"  # name
-    WRONG_ORDER = "wrong-order"  # name: of two numbers the smaller comes first
-    UNKNOWN_WORD = "unknown-word"  # name, found, nearest
     TOO_FEW_POINTS = "too-few-points"  # given
 
 

@@ -28,13 +28,18 @@ LARGEST = 1e12
 _TOKEN = re.compile(
     r"""(?P<BLANK>[ \t\r\f\v\u00a0]+|\#[^\n]*)
     | (?P<NEWLINE>\n)
-    | (?P<NUMBER>[+-]?(?:[0-9]++(?:\.[0-9]*+)?|\.[0-9]++)(?:[eE][+-]?[0-9]++)?+)(?![\w.])
+    | (?P<NUMBER>[+-]?(?:[0-9]++(?:\.[0-9]*+)?|\.[0-9]++)(?:[eE][+-]?[0-9]++)?+)(?![\w.+\-])
+    | (?P<SIGNS>[+\-.0-9]++)(?!\w)
     | (?P<WORD>[^\W\d_][\w.\-]*(?:\[[0-9]+\][\w.\-]*)*)
     | "(?P<STRING>[^"\n]*)"
     | (?P<LPAR>\() | (?P<RPAR>\)) | (?P<LSQB>\[) | (?P<RSQB>\])""",
     re.VERBOSE,
 )
+_LINE = re.compile(r".[^\n]*")
 _CLOSES = {"RPAR": "LPAR", "RSQB": "LSQB"}
+_LEADING = re.compile(r"[ \t]*+([+-]?(?:[0-9]++(?:\.[0-9]*+)?|\.[0-9]++)(?:[eE][+-]?[0-9]++)?+)")
+_REST = re.compile(r"[ \t]*+[^\w\s#()\[\]\"][^\n]*")
+"""Of the line of an include: what can't begin anything."""
 
 
 # --- the tree: as it was written, nothing is looked up yet
@@ -44,6 +49,9 @@ class Number(Struct, frozen=True):
     line: int
     column: int
     value: float
+    text: str
+    is_plain: bool = True
+    """False: digits, points and signs in an order that is no number. Stage reads the first part that is."""
 
 
 class String(Struct, frozen=True):
@@ -97,6 +105,8 @@ class Include(Struct, frozen=True):
     line: int
     column: int
     path: str
+    rest: str = ""
+    """What follows on its line and has no effect, as in Stage."""
 
 
 class Included(Struct, frozen=True):
@@ -116,7 +126,7 @@ Statement: TypeAlias = Property | Instance | Define | Include
 
 class WorldToken(NamedTuple):
     kind: str
-    """NUMBER, WORD, INCLUDE, DEFINE, STRING, LPAR, RPAR, LSQB or RSQB."""
+    """NUMBER, WORD, INCLUDE, DEFINE, STRING, LPAR, RPAR, LSQB, RSQB, or REST, of the line of an include."""
     text: str
     line: int
     column: int
@@ -131,7 +141,9 @@ class WordCount:
     def take(self, text: str, file: str) -> None:
         """Raises ``WorldError`` where there are too many."""
         position = 0
-        while (match := _TOKEN.match(text, position)) is not None:
+        while position < len(text):
+            match = _TOKEN.match(text, position) or _LINE.match(text, position)
+            assert match is not None
             if match.lastgroup not in ("BLANK", "NEWLINE"):
                 self._left -= 1
                 if self._left < 0:
@@ -162,31 +174,46 @@ def tokens(text: str, file: str) -> Iterator[WorldToken]:
 
 
 def _read(text: str, file: str) -> Iterator[WorldToken]:
-    position, line, line_start = 0, 1, 0
+    position, line, line_start, before = 0, 1, 0, ("", "")
     while position < len(text):
         column = position - line_start + 1
+        if before == ("INCLUDE", "STRING") and (rest := _REST.match(text, position)) is not None:
+            yield WorldToken("REST", rest[0].strip(), line, column)
+            position, before = rest.end(), ("", "")
+            continue
         match = _TOKEN.match(text, position)
         if match is None:
             raise _unreadable(text, position, file, line, column)
         position = match.end()
         kind = match.lastgroup
         if kind == "NEWLINE":
-            line, line_start = line + 1, position
+            line, line_start, before = line + 1, position, ("", "")
         elif kind != "BLANK":
             assert kind is not None
-            yield _token(kind, match[kind], file, line, column)
+            token = _token(kind, match[kind], file, line, column)
+            before = (before[1], token.kind)
+            yield token
 
 
 def _token(kind: str, word: str, file: str, line: int, column: int) -> WorldToken:
     if kind == "WORD" and word in ("include", "define"):
         kind = word.upper()
-    if kind == "NUMBER" and not abs(float(word)) <= LARGEST:
+    if kind == "SIGNS":
+        kind = "NUMBER"
+    if kind == "NUMBER" and not abs(leading_number(word)) <= LARGEST:
         raise WorldError(Code.NUMBER_TOO_LARGE, file, line, column, found=word[:40], limit=LARGEST)
     return WorldToken(kind, word, line, column)
 
 
-_COMMENTS = ("//", "/*", "--", ";;")
-"""What other languages begin comments with."""
+def leading_number(text: str) -> float:
+    """The number with which a text begins; 0 if with none, as in Stage."""
+    number = _LEADING.match(text)
+    return float(number[1]) if number else 0.0
+
+
+_DASHES = "--"
+_COMMENTS = ("//", "/*", ";;")
+"""What other languages begin comments with; those that begin with two dashes are found by the parser."""
 
 
 def _unreadable(text: str, position: int, file: str, line: int, column: int) -> WorldError:
@@ -231,7 +258,9 @@ def _unexpected(problem: UnexpectedToken, file: str) -> WorldError:
     line, column = int(token.line or 1), int(token.column or 1)
     if token.type in ("INCLUDE", "DEFINE"):
         return WorldError(Code.MISPLACED, file, line, column, found=str(token))
-    expected = tuple(_EXPECTED[name] for name in sorted(_acceptable(problem)))
+    if token.startswith(_DASHES):
+        return WorldError(Code.COMMENT_SIGN, file, line, column, ("#",), found=_DASHES)
+    expected = tuple(_EXPECTED[name] for name in sorted(_acceptable(problem) - {"REST"}))
     return WorldError(Code.UNEXPECTED, file, line, column, expected, found=str(token)[:60])
 
 
@@ -266,8 +295,8 @@ class _Builder(Transformer[Token, object]):
     def start(self, *statements: Statement) -> tuple[Statement, ...]:
         return statements
 
-    def include(self, _: Token, path: Token) -> Include:
-        return Include(*_place(path), str(path))
+    def include(self, _: Token, path: Token, rest: str = "") -> Include:
+        return Include(*_place(path), str(path), str(rest))
 
     def define(self, word: Token, name: Token, base: Token, body: tuple[Item, ...]) -> Define:
         return Define(*_place(word), str(name), str(base), body, *_place(base))
@@ -282,7 +311,8 @@ class _Builder(Transformer[Token, object]):
         return items
 
     def number(self, number: Token) -> Number:
-        return Number(*_place(number), float(number))
+        is_plain = _LEADING.fullmatch(number) is not None
+        return Number(*_place(number), leading_number(number), str(number), is_plain)
 
     def string(self, string: Token) -> String:
         return String(*_place(string), str(string))

@@ -62,6 +62,7 @@ _TWO_TYPES = {
     "resolution": ("number", "tuple"),
     "type": ("number", "string"),
     "paddle_state": ("string", "tuple"),
+    "colors": ("string", "tuple"),
 }
 _KNOWN = SIMULATED | QUIET | UNUSED
 
@@ -84,7 +85,6 @@ Size = tuple[float, float, float]
 LONGEST = 1e5
 """Metres: no world is larger."""
 
-_TYPES = {parser.Number: "number", parser.String: "string", parser.Tuple: "tuple"}
 UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001}
 ANGLES = {"degrees": 1.0, "radians": degrees(1.0)}
 
@@ -113,43 +113,49 @@ class ValueReader:
         word = self.string(settings, name, default)
         if word in choices:
             return word
-        nearest = next(iter(get_close_matches(word[:60], choices, 1)), "")
-        details = {"name": name, "found": word[:60], "used": default, "nearest": nearest}
-        self.note(NoteKind.WARNING, "unknown-word", settings[name], **details)
+        self._unknown_word(settings[name], word, choices, default)
         return default
+
+    def _unknown_word(self, setting: Setting, word: str, choices: tuple[str, ...], usual: str) -> None:
+        nearest = next(iter(get_close_matches(word[:60], choices, 1)), "")
+        details = {"name": setting.property.name, "found": word[:60], "used": usual, "nearest": nearest}
+        self.note(NoteKind.WARNING, "unknown-word", setting, **details)
 
     def string(self, settings: Mapping[str, Setting], name: str, default: str) -> str:
         setting = settings.get(name)
         if setting is None:
             return default
-        value = setting.property.value
-        if not isinstance(value, parser.String):
-            raise mistake(Code.WRONG_TYPE, setting, ("string",), name=name)
-        return value.text
+        return self._string(setting, self._first(setting, "string"))
 
     def number(self, settings: Mapping[str, Setting], name: str, default: float) -> float:
         setting = settings.get(name)
-        return default if setting is None else _number(setting, setting.property.value)
+        return default if setting is None else self._number(setting, self._first(setting, "number"))
 
     def length(self, settings: Mapping[str, Setting], name: str, default: float) -> float:
         setting = settings.get(name)
-        return default if setting is None else self._length(setting, setting.property.value)
+        return default if setting is None else self._length(setting, self._first(setting, "number"))
 
     def angle(self, settings: Mapping[str, Setting], name: str, default: float) -> float:
         setting = settings.get(name)
-        return default if setting is None else _number(setting, setting.property.value) * self.degrees
+        return (
+            default
+            if setting is None
+            else self._number(setting, self._first(setting, "number")) * self.degrees
+        )
 
     def size(
         self, settings: Mapping[str, Setting], default: tuple[float, float, float]
     ) -> tuple[float, float, float]:
-        """Two numbers leave the height as it is."""
+        """Two numbers leave the height as it is. A negative one mirrors the shape, as in Stage."""
         setting = settings.get("size")
         if setting is None:
             return default
-        sides = [self._length(setting, item) for item in self._items(setting, 2, 3)]
-        if min(sides) < 0:
-            raise mistake(Code.OUT_OF_RANGE, setting, name="size")
-        return sides[0], sides[1], sides[2] if len(sides) > 2 else default[2]
+        items = self._items(setting, 2, 3)
+        sides = [self._length(setting, item) for item in items]
+        for side, item in zip(sides, items, strict=False):
+            if side < 0:
+                self._read_as(setting, item, _as_written(item), f"{-side / self.metres:g}")
+        return sides[0], sides[1], abs(sides[2]) if len(sides) > 2 else default[2]
 
     def place(self, settings: Mapping[str, Setting], name: str) -> Placement:
         """``pose`` and ``origin``: x y z yaw; of three numbers the third is a pose's yaw, an origin's z."""
@@ -159,57 +165,68 @@ class ValueReader:
         items = self._items(setting, 3, 4)
         x, y, third = (self._length(setting, item) for item in items[:3])
         if len(items) == 4:
-            return Placement(x, y, third, _number(setting, items[3]) * self.degrees)
+            return Placement(x, y, third, self._number(setting, items[3]) * self.degrees)
         if name == "origin":
             return Placement(x, y, third)
-        return Placement(x, y, 0.0, _number(setting, items[2]) * self.degrees)
+        return Placement(x, y, 0.0, self._number(setting, items[2]) * self.degrees)
 
     def span(
         self, settings: Mapping[str, Setting], name: str, default: tuple[float, float]
     ) -> tuple[float, float]:
-        """Two lengths, the smaller first."""
+        """Two lengths from 0 on, the smaller first; a warning where the file has them otherwise."""
         setting = settings.get(name)
         if setting is None:
             return default
-        low, high = self.pair(setting)
-        if low > high:
-            raise mistake(Code.WRONG_ORDER, setting, name=name)
-        if low < 0:
-            raise mistake(Code.OUT_OF_RANGE, setting, name=name)
-        return low, high
+        low, high = sorted(max(0.0, length) for length in self.pair(setting))
+        return self.bounds(setting, 0, (low, high), self.metres)
+
+    def bounds(
+        self, setting: Setting, first: int, used: tuple[float, float], unit: float
+    ) -> tuple[float, float]:
+        """``used``, and a warning where these are not the two numbers from ``first`` on in the file."""
+        items = self._items(setting, first + 2, 1000)[first : first + 2]
+        if tuple(self._number(setting, item) * unit for item in items) != used:
+            found = " ".join(map(_as_written, items))
+            self._read_as(setting, items[0], found, " ".join(f"{each / unit:g}" for each in used))
+        return used
 
     def numbers(self, setting: Setting, least: int, most: int) -> tuple[float, ...]:
         """The numbers of a tuple as they stand there, without a unit; a lone number is a tuple of one."""
         value = setting.property.value
         if isinstance(value, parser.Number) and least <= 1:
-            return (value.value,)
-        return tuple(_number(setting, item) for item in self._items(setting, least, most))
+            return (self._number(setting, value),)
+        return tuple(self._number(setting, item) for item in self._items(setting, least, most))
 
-    def whole(
-        self, settings: Mapping[str, Setting], name: str, default: int, most: int, least: int = 1
-    ) -> int:
-        """A whole number between ``least`` and ``most``; a fraction is cut off, as in Stage."""
+    def whole(self, settings: Mapping[str, Setting], name: str, default: int) -> int:
+        """A whole number; a fraction is cut off, as in Stage."""
         setting = settings.get(name)
         if setting is None:
             return default
-        value = int(_number(setting, setting.property.value))
-        if not least <= value <= most:
-            raise mistake(Code.OUT_OF_RANGE, setting, name=name, limit=most)
+        item = self._first(setting, "number")
+        written = self._number(setting, item)
+        if written != int(written):
+            self._read_as(setting, item, _as_written(item), str(int(written)))
+        return int(written)
+
+    def limited(self, settings: Mapping[str, Setting], name: str, default: int, most: int) -> int:
+        """A whole number from 0 to ``most``."""
+        value = self.whole(settings, name, default)
+        if not 0 <= value <= most:
+            raise mistake(Code.OUT_OF_RANGE, settings[name], name=name, limit=most)
         return value
 
     def strings(self, setting: Setting, most: int) -> tuple[str, ...]:
         """The strings of a tuple."""
-        return tuple(_string(setting, item) for item in self._items(setting, 0, most))
+        return tuple(self._string(setting, item) for item in self._items(setting, 0, most))
 
-    def words(self, setting: Setting, choices: tuple[str, ...]) -> tuple[str, ...]:
-        """The words of a tuple, or the one word that stands there; each is one of ``choices``."""
-        name, value = setting.property.name, setting.property.value
+    def words(self, setting: Setting, choices: tuple[str, ...], usual: str) -> tuple[str, ...]:
+        """The words of a tuple, or the one word that stands there; a warning for each that is no choice."""
+        value = setting.property.value
         items = (value,) if isinstance(value, parser.String) else self._items(setting, 1, 8)
-        found = tuple(_string(setting, item) for item in items)
+        found = tuple(self._string(setting, item) for item in items)
         for word in found:
             if word not in choices:
-                near = next(iter(get_close_matches(word[:60], choices, 1)), "")
-                raise mistake(Code.UNKNOWN_WORD, setting, choices, name=name, found=word[:60], nearest=near)
+                self._unknown_word(setting, word, choices, usual)
         return found
 
     def pair(self, setting: Setting) -> tuple[float, float]:
@@ -223,7 +240,7 @@ class ValueReader:
             return self._any_colour(setting) if folded(name) == "random" else self.named_colour(setting, name)
         if (setting := settings.get("color_rgba")) is None:
             return default
-        levels = [min(1.0, max(0.0, _number(setting, item))) for item in self._items(setting, 3, 4)]
+        levels = [min(1.0, max(0.0, self._number(setting, item))) for item in self._items(setting, 3, 4)]
         return colour_of("", *levels)
 
     def named_colour(self, setting: Setting, name: str) -> Colour:
@@ -247,9 +264,10 @@ class ValueReader:
         setting = settings.get("colors")
         if setting is None:
             return ()
-        items = self._items(setting, 0, 1000)
+        value = setting.property.value
+        items = self._items(setting, 0, 1000) if isinstance(value, parser.Tuple) else (value,)
         count = int(min(1000, max(0, self.number(settings, "colors_count", len(items)))))
-        return tuple(self.named_colour(setting, _string(setting, item)) for item in items[:count])
+        return tuple(self.named_colour(setting, self._string(setting, item)) for item in items[:count])
 
     def note(self, kind: NoteKind, code: str, setting: Setting, **details: str) -> None:
         place = setting.property
@@ -276,7 +294,7 @@ class ValueReader:
             self.note(
                 NoteKind.IGNORED, "unknown-property", setting, name=name[:60], nearest=nearest_property(name)
             )
-        elif _TYPES[type(setting.property.value)] not in types:
+        elif types == ("tuple",) and not isinstance(setting.property.value, parser.Tuple):
             raise mistake(Code.WRONG_TYPE, setting, types, name=name)
         elif name in UNUSED and not quiet:
             self.note(NoteKind.IGNORED, "unused-property", setting, name=name)
@@ -294,11 +312,46 @@ class ValueReader:
         return value.items[:most]
 
     def _length(self, setting: Setting, value: parser.Value) -> float:
-        metres = _number(setting, value) * self.metres
+        metres = self._number(setting, value) * self.metres
         if abs(metres) > LONGEST:
             place = (setting.file, value.line, value.column)
             raise WorldError(Code.OUT_OF_RANGE, *place, name=setting.property.name, limit=LONGEST)
         return metres
+
+    def _first(self, setting: Setting, expected: str) -> parser.Value:
+        """The one value that a property takes: of a tuple the first, as in Stage."""
+        value = setting.property.value
+        if not isinstance(value, parser.Tuple):
+            return value
+        if not value.items:
+            raise mistake(Code.WRONG_TYPE, setting, (expected,), name=setting.property.name)
+        if isinstance(first := value.items[0], parser.Number | parser.String):
+            self._read_as(setting, value, _as_written(value), first.text)
+        return first
+
+    def _number(self, setting: Setting, value: parser.Value) -> float:
+        """A number, or as much of what is written there as is one, as in Stage."""
+        if isinstance(value, parser.Tuple):
+            place = (setting.file, value.line, value.column)
+            raise WorldError(Code.WRONG_TYPE, *place, ("number",), name=setting.property.name)
+        if isinstance(value, parser.Number) and value.is_plain:
+            return value.value
+        number = parser.leading_number(value.text)
+        self._read_as(setting, value, _as_written(value), f"{number:g}")
+        return number
+
+    def _string(self, setting: Setting, value: parser.Value) -> str:
+        """A text; a number is one, too, in Stage."""
+        if isinstance(value, parser.Tuple):
+            place = (setting.file, value.line, value.column)
+            raise WorldError(Code.WRONG_TYPE, *place, ("string",), name=setting.property.name)
+        if isinstance(value, parser.Number):
+            self._read_as(setting, value, value.text, f'"{value.text}"')
+        return value.text
+
+    def _read_as(self, setting: Setting, value: parser.Value, found: str, used: str) -> None:
+        details = {"name": setting.property.name, "found": found[:60], "used": used[:60]}
+        self.remark(Note(NoteKind.WARNING, "read-as", setting.file, value.line, value.column, details))
 
 
 def mistake(
@@ -320,15 +373,11 @@ def plain(value: parser.Value) -> float | str | tuple[object, ...]:
             return tuple(plain(item) for item in value.items)
 
 
-def _number(setting: Setting, value: parser.Value) -> float:
-    if not isinstance(value, parser.Number):
-        place = (setting.file, value.line, value.column)
-        raise WorldError(Code.WRONG_TYPE, *place, ("number",), name=setting.property.name)
-    return value.value
-
-
-def _string(setting: Setting, value: parser.Value) -> str:
-    if not isinstance(value, parser.String):
-        place = (setting.file, value.line, value.column)
-        raise WorldError(Code.WRONG_TYPE, *place, ("string",), name=setting.property.name)
-    return value.text
+def _as_written(value: parser.Value) -> str:
+    match value:
+        case parser.Number():
+            return value.text
+        case parser.String():
+            return f'"{value.text}"'
+        case parser.Tuple():
+            return f"[ {' '.join(_as_written(item) for item in value.items[:4])} ]"

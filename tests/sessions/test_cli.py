@@ -240,7 +240,10 @@ def test_a_report_lists_ignored_properties(printed: Printed) -> None:
     write("b.world", 'model( name "x" colr "red" )')
 
     assert printed.by("world", "b.world", "--report") == 0
-    assert "Ignored: Line 1 of b.world: the property colr is not known. Did you mean color?" in printed.out
+    assert (
+        "Ignored: Line 1, column 17, of b.world: the property colr is not known. Did you mean color?"
+        in printed.out
+    )
 
 
 @pytest.mark.parametrize(
