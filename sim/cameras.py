@@ -50,7 +50,7 @@ class Seen(Struct, frozen=True):
 
 
 class Sight(Struct, frozen=True):
-    """The same as one camera sees it."""
+    """A thing as one camera sees it."""
 
     root: int
     low: float
@@ -62,7 +62,7 @@ class Sight(Struct, frozen=True):
 
 
 class View(Struct, frozen=True):
-    """What a camera looks at, in the robot's frame."""
+    """The field of view of a camera, in the robot's frame."""
 
     x: float
     y: float
@@ -86,7 +86,7 @@ class View(Struct, frozen=True):
             yield Seen(sight.root, degrees, centimetres, sight.colour)
 
     def sights(self, around: Around, spot: Spot) -> Iterator[Sight]:
-        """The same with the borders of each thing."""
+        """As ``look``, with the borders of each thing."""
         place, reach = spot.mounted(self.x, self.y, self.yaw), self.maximum + self.offset
         box = around.within(place.x - reach, place.y - reach, place.x + reach, place.y + reach)
         parts = [part for part in box if at_height(part, self.height)]
@@ -108,7 +108,7 @@ class View(Struct, frozen=True):
             yield self._thing(root, seen, place)
 
     def _thing(self, root: int, glimpses: list[_Glimpse], place: Spot) -> Sight:
-        """The sighting of one thing; its widest unbroken stretch gives its place."""
+        """The sighting of a thing; its widest unbroken stretch gives its place."""
         metres, colour = min(((it.nearest(place), it.part.colour) for it in glimpses), key=_first)
         low, high = max(_stretches(glimpses), key=lambda stretch: stretch[1] - stretch[0])
         return Sight(root, low, high, metres, colour)
@@ -120,7 +120,7 @@ class Eyes(Struct, frozen=True):
     views: tuple[View, ...]
 
     def look(self, around: Around, spot: Spot) -> tuple[Seen, ...]:
-        """Every visible thing once, as the camera sees it that sees it nearest, from left to right."""
+        """Every visible thing once, from left to right, as seen by the camera to which it is nearest."""
         nearest: dict[int, Seen] = {}
         for view in self.views:
             for seen in view.look(around, spot):
@@ -131,7 +131,7 @@ class Eyes(Struct, frozen=True):
 
 
 class _Glimpse(Struct, frozen=True):
-    """A range of directions, in degrees from the middle of the view, in which one part is what is seen."""
+    """A range of directions, in degrees from the middle of the view, in which one part is visible."""
 
     part: Part
     low: float
@@ -169,9 +169,9 @@ def _stretches(glimpses: list[_Glimpse]) -> list[tuple[float, float]]:
 def _sectors(
     parts: Iterable[Part], coloured: Container[Part], place: Spot, reach: float, half_angle: float
 ) -> list[tuple[float, float]]:
-    """Directions between which the view can't change; where things cross each other, to a degree.
+    """Directions between which the view can't change; to a degree if things cross each other.
 
-    Only towards what is coloured: a look elsewhere meets nothing that the camera distinguishes.
+    Covers only coloured things, since the camera distinguishes nothing else.
     """
     whole = int(half_angle)
     angles = {-half_angle, half_angle, *map(float, range(-whole, whole + 1))}
@@ -219,7 +219,7 @@ class Found(Struct, frozen=True):
 
 
 class MarkFinder(Struct, frozen=True):
-    """A fiducial finder where it is mounted, in the robot's frame."""
+    """A fiducial finder at its place in the robot's frame."""
 
     x: float
     y: float
@@ -229,7 +229,7 @@ class MarkFinder(Struct, frozen=True):
     height: Height = None
 
     def look(self, around: Around, spot: Spot) -> tuple[Found, ...]:
-        """Every mark of its key that is in view and that nothing hides, from left to right."""
+        """Every visible mark with its key, from left to right."""
         place, reach = spot.mounted(self.x, self.y, self.yaw), self.finder.maximum
         parts = around.within(place.x - reach, place.y - reach, place.x + reach, place.y + reach)
         marks = {part.model.index: part for part in parts if self._is_mark(part)}

@@ -26,20 +26,20 @@ Now = tuple[float, float]
 
 
 class Landing(Enum):
-    """How a glide ended."""
+    """The end of a glide."""
 
     WHOLE = "whole"
     CUT = "cut"
-    """Something came near. The time of the last tick is spent, but its movement is not done."""
+    """Something came near. The time of the last tick has passed, but its movement is not done."""
     HALTED = "halted"
 
 
 class Glide:
-    """A robot's way of several ticks, whose turn it hands over once and not in every tick.
+    """A movement of several ticks, for which the robot hands over its turn only once.
 
-    When it begins, nothing is near its way. Meanwhile the robot is where its ticks up to now have led: the
-    ground puts it there when another robot asks about the place. Whatever comes near cuts the glide at the
-    tick that is due, so that the run is the same as without glides.
+    When it begins, nothing is near its way. Meanwhile the robot is where its past ticks have led: the
+    ground puts it there when another robot asks about the place. An approaching robot cuts the glide at the
+    current tick, so that the run is the same as without glides.
     """
 
     def __init__(
@@ -51,7 +51,7 @@ class Glide:
         way: Edge,
         guard: float,
     ) -> None:
-        """``times``: of the robot, at the end of each tick; ``places``: where so many ticks lead.
+        """``times``: the robot's at the end of each tick; ``places`` gives the place after so many ticks.
 
         ``way``: of the robot's centre. ``guard``: metres from there in which nothing may come.
         """
@@ -71,7 +71,7 @@ class Glide:
 
     @cached_property
     def times(self) -> Sequence[float]:
-        """Made when first needed: most glides end without it."""
+        """Computed on first use, as most glides end without it."""
         return self._make_times()
 
     @cached_property
@@ -79,16 +79,16 @@ class Glide:
         return self.clock.in_the_world(self.times)
 
     def is_near(self, x: float, y: float, reach: float) -> bool:
-        """Whether what is within ``reach`` of a place is too near to its way."""
+        """Whether something within ``reach`` of a place may be too near to its way."""
         ax, ay, bx, by = self.way
         return hypot(*nearest_on_edge((ax - x, ay - y, bx - x, by - y))) < self.guard + reach
 
     def is_near_way(self, way: Edge, reach: float) -> bool:
-        """Whether what is within ``reach`` of another way is too near to its own."""
+        """Whether something within ``reach`` of another way may be too near to its own."""
         return edges_apart(self.way, way) < self.guard + reach
 
     def ticks(self, now: Now) -> int:
-        """How many ticks are over."""
+        """The number of past ticks."""
         time, rank = now
         times = self._world_times
         count = bisect_left(times, time)
@@ -96,12 +96,12 @@ class Glide:
         return count + is_before
 
     def cut(self, now: Now) -> float:
-        """Ends the glide with the tick that is due. Returns the robot's time at its end."""
+        """Ends the glide with the current tick. Returns the robot's time at its end."""
         self.count = min(self.ticks(now) + 1, len(self._world_times))
         return self.times[self.count - 1]
 
     def new_place(self, now: Now) -> Placement | None:
-        """Where it is now; None if it was asked before and has not moved since."""
+        """Its place now; None if it has not moved since the last call."""
         ticks = self.ticks(now)
         if ticks == self._shown:
             return None
@@ -115,11 +115,11 @@ class Turns:
     def __init__(self) -> None:
         self.lock = threading.Lock()
         self.present = 0.0
-        """The time up to which the world has come, and has been waited for in real time."""
+        """The world's time, up to which real time was waited for."""
         self.holder: Seat | None = None
         self.queue: list[tuple[float, int, Seat]] = []
         self.glides: dict[Seat, Glide] = {}
-        """Of robots that glide, whose seat waits for the end of it."""
+        """The current glides; the seats of their robots wait for their ends."""
 
     def now(self) -> Now:
         """The time of the robot that has the turn, and its rank."""
@@ -127,7 +127,7 @@ class Turns:
         return (self.present, inf) if holder is None else (holder.time, holder.rank)
 
     def cut(self, glides: Collection[Glide]) -> None:
-        """Something has come near to robots that glide: they act again at the end of the tick that is due."""
+        """End glides that something approaches; the robots act again at the end of the current tick."""
         if not glides:
             return
         with self.lock:
@@ -141,20 +141,20 @@ class Turns:
             heapify(self.queue)
 
     def expect(self, seats: Iterable[Seat]) -> None:
-        """These take part from now on, all from the same moment. Their programs may come when they like."""
+        """Let seats take part from the same moment on, whenever their programs come."""
         with self.lock:
             for seat in seats:
                 self._admit(seat)
             self._appoint()
 
     def admit(self, seat: Seat) -> None:
-        """This one takes part, from now on if it did not before."""
+        """Let a seat take part from now on, unless it does already."""
         with self.lock:
             self._admit(seat)
             self._appoint()
 
     def dismiss(self, seat: Seat) -> None:
-        """This one takes part no more; without effect if it did not."""
+        """Let a seat no longer take part; without effect if it does not."""
         with self.lock:
             if not seat.takes_part:
                 return
@@ -180,7 +180,7 @@ class Turns:
             return None if holder is None or not self.queue else (holder.rank, self.present)
 
     def hand_over(self) -> None:
-        """The turn goes to the least; the holder gets in the queue. Under the lock."""
+        """Pass the turn to the least seat; the holder joins the queue. Under the lock."""
         holder = self.holder
         assert holder is not None
         _, _, self.holder = heapreplace(self.queue, (holder.time, holder.rank, holder))
@@ -199,7 +199,7 @@ class Turns:
 
 
 class Seat:
-    """One robot's place in the order."""
+    """A robot's place in the order."""
 
     def __init__(self, turns: Turns, rank: int) -> None:
         """``rank``: its number in the world, which decides among equal times."""
@@ -208,11 +208,11 @@ class Seat:
         self.time = 0.0
         self.takes_part = False
         self._gate = threading.Lock()
-        """Shut while there is nothing to look at. A condition would cost twice as much."""
+        """A lock, held while there is nothing to check. A condition would cost twice as much."""
         self._gate.acquire()
 
     def take(self, time: float, halted: Callable[[], bool]) -> bool:
-        """Wait until it is this one's turn at ``time``. False if ``halted`` first; ``nudge`` has it asked."""
+        """Wait for the turn at ``time``. False if ``halted`` comes first, which ``nudge`` lets it check."""
         self.time = time
         while True:
             with self.turns.lock:
@@ -255,7 +255,7 @@ class Seat:
             self.wake()
 
     def wake(self) -> None:
-        """Let a ``take`` that waits look again. Under the lock."""
+        """Let a waiting ``take`` check again. Under the lock."""
         if self._gate.locked():
             self._gate.release()
 
@@ -316,12 +316,12 @@ class Clock:
         self._seat.nudge()
 
     def begin(self) -> bool:
-        """A command begins: an earlier halt is over. False if it must stop before its turn came."""
+        """Begin a command, which ends an earlier halt. False if it must stop before its turn comes."""
         self._halted = False
         return self._take_turn()
 
     def is_active(self) -> bool:
-        """Whether the command may continue. Spends no time."""
+        """Whether the command may continue; takes no time."""
         return not self._halted and self._rests(0.0)
 
     def reset(self) -> None:
@@ -336,7 +336,7 @@ class Clock:
 
     @property
     def others_glide(self) -> bool:
-        """Whether there is no time at all in which no other robot can act: one of them glides."""
+        """Whether another robot glides, so that one may act at any time."""
         return bool(self._turns.glides and self._turns.queue) and self._seat.takes_part
 
     def may_leap(self) -> bool:
@@ -373,11 +373,11 @@ class Clock:
         return spent
 
     def elapse(self, seconds: float) -> bool:
-        """Let ``seconds`` go by in which others act. False if it was cut short."""
+        """Let ``seconds`` pass, in which others act. False if it was cut short."""
         return self.elapse_until(self.seconds + seconds)
 
     def elapse_until(self, time: float) -> bool:
-        """The same until a time of this robot."""
+        """As ``elapse``, until a time of this robot."""
         if not self.is_active():
             return False
         began = self.seconds
@@ -421,7 +421,7 @@ class Clock:
         self._seat.time = end + self._joined_at
 
     def was_halted(self) -> bool:
-        """Whether a stop ended what went on since the last command began."""
+        """Whether a stop ended the last command."""
         return self._halted
 
     def _reach(self, began: float, spent: float, until: float, passing: Passing | None) -> float:
@@ -444,7 +444,7 @@ class Clock:
         return self._seat.is_next(time)
 
     def _rests(self, seconds: float) -> bool:
-        """Sleep; what the pace says is remembered until the next command."""
+        """Sleep; the pace's answer is kept until the next command."""
         if self._pace.sleep(seconds):
             return True
         self._halted = True
@@ -455,7 +455,7 @@ class Clock:
         return self._seat.is_next(time) or (self._rests(0.0) and self._seat.take(time, self.was_halted))
 
     def _catch_up(self) -> bool:
-        """Wait until real time has come to this robot's time too."""
+        """Wait until real time reaches this robot's time."""
         time = self.seconds + self._joined_at
         while self._turns.present < time:
             if not self._sleep_towards(time) or not self._take_turn():

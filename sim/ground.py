@@ -1,4 +1,4 @@
-"""Where everything in a world is now. All robots share one ground, from any thread.
+"""The places of everything in a world. All robots share one ground, from any thread.
 
 Robots, and things that can be pushed or gripped, may move; the rest stays. Positions are computed on request,
 so that a robot alone pays nothing for moving. The first request or movement loads pymunk and lays everything
@@ -33,9 +33,9 @@ class Ground:
     def __init__(self, scene: Scene, looks: Looks | None = None) -> None:
         self.scene = scene
         self.looks = looks
-        """What robots saw, which worlds of one scene may share."""
+        """Sightings, which worlds of one scene may share."""
         self.pushable = frozenset(model.index for model in _things(scene) if model.pushable)
-        """The roots of things that give way to a robot."""
+        """The roots of things that a robot can push."""
         self.grippable = frozenset(model.index for model in _things(scene) if model.grippable)
         """The roots of things that a gripper can take."""
         self._lock = threading.RLock()
@@ -50,18 +50,18 @@ class Ground:
         self.fastest = 0.0
         """Metres a second: no point of anything that moves in its turn is faster."""
         self.jumps = 0
-        """Counts what moved out of turn, or became faster: what was known to be far may be near now."""
+        """Counts movements out of turn and increases of speed, after which known distances are invalid."""
         self._glides: dict[int, Glide] = {}
-        """Of the robots that glide, which are put to where they are now when that matters."""
+        """The glides of robots, whose places are updated when they matter."""
         self._now_in_turn: Callable[[], Now] = _at_once
         self._cut: Callable[[Collection[Glide]], None] = _nothing
         self._widest_guard = 0.0
         self._layout: Layout | None = None
         self._guards: dict[float, None] = {}
-        """The guard distances that were asked for before all was laid out."""
+        """The guard distances requested before the layout."""
 
     def begin(self) -> None:
-        """Lay everything out, unless that was done: it takes longer than all the rest of a world's start."""
+        """Lay everything out once; it takes longer than the rest of a world's start."""
         with self._lock:
             if self._layout is None:
                 self._lay_out()
@@ -69,18 +69,18 @@ class Ground:
     # --- robots that glide
 
     def follow(self, now: Callable[[], Now], cut: Callable[[Collection[Glide]], None]) -> None:
-        """``now``: the time of the world; ``cut``: to be called with glides to which something comes near."""
+        """``now`` gives the world's time; ``cut`` is called with glides to which something comes near."""
         self._now_in_turn, self._cut = now, cut
 
     def jump(self) -> None:
-        """Something moves out of turn, or becomes faster."""
+        """Note that something moved out of turn, or became faster."""
         self.jumps += 1
         with self._lock:
             if self._glides:
                 self._cut(self._glides.values())
 
     def begin_glide(self, glide: Glide) -> bool:
-        """From now on the robot is where the glide leads. False: another glide leads too near."""
+        """Let the robot follow a glide. False if another glide leads too near."""
         with self._lock:
             moving = (self._layout or self._lay_out()).moving
             x, y, half, extent = glide.x, glide.y, glide.half, moving.extent(glide.root)
@@ -93,20 +93,20 @@ class Ground:
             return True
 
     def end_glide(self, root: int, now: Placement | None) -> None:
-        """The robot is there; None: it is where it was, until it is put elsewhere."""
+        """End a glide with the robot at ``now``; None: at its place of before, until it is put elsewhere."""
         with self._lock:
             del self._glides[root]
             self._put(root, self._now[root] if now is None else now)
 
     def _gliding_near(self, asker: int, x: float, y: float, reach: float) -> list[Glide]:
-        """The glides of others that may be near to what comes within ``reach`` of a place."""
+        """Other robots' glides that may come near to something within ``reach`` of a place."""
         assert self._layout is not None
         glides, reach = self._glides, reach + self._widest_guard
         near = self._layout.moving.close_to(asker, x, y, reach)
         return [glides[root] for root in near if root in glides] if near else []
 
     def _catch_up(self, asker: int, roots: Iterable[int]) -> None:
-        """Put robots that glide to where they are now. Under the lock."""
+        """Put gliding robots to their current places. Under the lock."""
         glides = self._glides
         if glides and (gliding := [root for root in roots if root in glides and root != asker]):
             now = self._now_in_turn()
@@ -115,14 +115,14 @@ class Ground:
                     self._place(root, place)
 
     def roots_within(self, asker: int, x: float, y: float, reach: float) -> list[int]:
-        """What else may move, and comes within ``reach`` of a place; perhaps some more, in no order."""
+        """Other movable roots within ``reach`` of a place, and perhaps some more, in no order."""
         with self._lock:
             roots = (self._layout or self._lay_out()).moving.close_to(asker, x, y, reach)
             self._catch_up(asker, roots)
             return roots
 
     def _others(self, asker: int, left: float, bottom: float, right: float, top: float) -> list[int]:
-        """What else may move and may come into a box, where it is now, in no order. Under the lock."""
+        """Other movable roots that may be in a box now, in no order. Under the lock."""
         roots = (self._layout or self._lay_out()).moving.within(asker, left, bottom, right, top)
         self._catch_up(asker, roots)
         return roots
@@ -130,11 +130,11 @@ class Ground:
     # --- where things are
 
     def place(self, root: int) -> Placement:
-        """Where a movable root is now."""
+        """The place of a movable root."""
         return self._now[root]
 
     def start(self, root: int) -> Placement:
-        """Where it was at the start, its heading from 0 to below 360."""
+        """Its place at the start, with a heading from 0 to below 360."""
         return self._start[root]
 
     def around_start(self, root: int) -> tuple[Part, ...]:
@@ -143,7 +143,7 @@ class Ground:
             return (self._layout or self._lay_out()).around_start[root]
 
     def put(self, root: int, now: Placement) -> None:
-        """Put a movable root there."""
+        """Put a movable root to a place."""
         with self._lock:
             self._put(root, now)
             if self._glides and self._layout is not None:
@@ -166,26 +166,26 @@ class Ground:
             self._layout.changed(root)
 
     def quicken(self, speed: float) -> None:
-        """Something may be that fast from now on (metres a second)."""
+        """Note that something may be this fast from now on (metres a second)."""
         if speed > self.fastest:
             self.fastest = speed
             self.jump()
 
     def put_things_back(self) -> None:
-        """To where they started, but for those that a robot holds."""
+        """Put all things to their starts, except those that a robot holds."""
         for root in self.moved():
             if root not in self.scene.robots and not self.is_attached(root):
                 self.put(root, self._start[root])
                 self.jump()
 
     def moved(self) -> Mapping[int, Placement]:
-        """The movable roots that are not where they started, and where they are."""
+        """The movable roots that are not at their starts, with their places."""
         with self._lock:
             self._catch_up(-1, self._glides)
             return {root: now for root, now in self._now.items() if now != self._start[root]}
 
     def attach(self, root: int, robot: int | None) -> None:
-        """A thing is part of that robot's body from now on; of none if it is None."""
+        """Make a thing part of a robot's body, or of none."""
         with self._lock:
             self._groups[root] = 0 if robot is None else robot + 1
             self.jump()
@@ -221,7 +221,7 @@ class Ground:
     def first_hits(
         self, asker: int, x: float, y: float, ends: Sequence[Point], ranging: bool, but: frozenset[int]
     ) -> list[Hit[Part]]:
-        """What looks from one place to each of ``ends`` meet first, and where on the way."""
+        """The first hits of rays from one place to each of ``ends``."""
         with self._lock:
             if self._glides:
                 xs, ys = zip((x, y), *ends, strict=True)
@@ -231,7 +231,7 @@ class Ground:
     def nearest(
         self, asker: int, wedge: Wedge, height: float | None, but: frozenset[int], has_still: bool = True
     ) -> Sighted:
-        """What rangers see, as ``rangers.Around`` says; without ``has_still`` only of what may move."""
+        """The nearest thing for rangers, see ``rangers.Around``; without ``has_still`` only movable ones."""
         with self._lock:
             layout = self._layout or self._lay_out()
             nearest = layout.nearest_still(wedge, height, but) if has_still else (inf, None)
@@ -247,7 +247,7 @@ class Ground:
     ) -> float:
         """The part of the way, from 0 to 1, on which nothing comes nearer than ``guard``.
 
-        That is one that ``guarded`` has answered.
+        ``guard`` is a distance that ``guarded`` has returned.
         """
         with self._lock:
             layout = self._layout or self._lay_out()
@@ -257,9 +257,9 @@ class Ground:
             return way
 
     def still_room(self, x: float, y: float, guard: float) -> float:
-        """How far round a place nothing that never moves comes nearer than ``guard``; below 0: none.
+        """The radius around a place without still parts nearer than ``guard``; below 0: none.
 
-        Some metres at most.
+        At most some metres.
         """
         with self._lock:
             return (self._layout or self._lay_out()).still_room(x, y, guard)
@@ -274,7 +274,7 @@ class Ground:
             return bool(roots) and layout.has_others(asker, roots)
 
     def moment(self, asker: int) -> Moment:
-        """What ``is_unchanged`` takes."""
+        """A moment for ``is_unchanged``."""
         now = self._now_in_turn() if self._glides else _AT_REST
         return self._changes - self._own_changes.get(asker, 0), now
 
@@ -287,7 +287,7 @@ class Ground:
             )
 
     def guarded(self, guard: float) -> float:
-        """Prepare for ``free_way`` with that distance (metres). Answers the one that is really kept."""
+        """Prepare ``free_way`` for a distance (metres). Returns the distance that is kept."""
         rounded: float = _FINENESS ** ceil(log(guard) / log(_FINENESS))
         with self._lock:
             self._widest_guard = max(self._widest_guard, rounded)
@@ -306,16 +306,16 @@ class Ground:
 
 
 Looks = dict["Hashable", tuple["Sighting", ...]]
-"""What a robot saw, by all that decides it."""
+"""The sightings of a robot, by all values that decide them."""
 MOST_LOOKS = 20_000
 """Looks that are kept."""
 Moment = tuple[int, "Now"]
-"""How often something was moved, and the world's time if a robot glides."""
+"""The count of movements, and the world's time if a robot glides."""
 _AT_REST: Now = (0.0, 0.0)
 
 
 def _around(x: float, y: float, end: Point, guard: float) -> tuple[float, float, float, float]:
-    """Left, bottom, right and top of what is nearer than ``guard`` to a way."""
+    """Left, bottom, right and top of the area within ``guard`` of a way."""
     to_x, to_y = end
     return min(x, to_x) - guard, min(y, to_y) - guard, max(x, to_x) + guard, max(y, to_y) + guard
 
@@ -328,6 +328,6 @@ def _nothing(_glides: Collection[Glide]) -> None: ...
 
 
 def _things(scene: Scene) -> list[Model]:
-    """What stands for itself and is no robot."""
+    """The top-level models that are not robots."""
     robots = frozenset(scene.robots)
     return [model for model in scene.models if model.parent is None and model.index not in robots]

@@ -1,7 +1,7 @@
-"""Moving things: pushing what gives way, and carrying with the gripper.
+"""Moving things: pushing them, and carrying them with the gripper.
 
-The robot and what it pushes move as one, straight ahead, until one of them meets something that doesn't give
-way. So nothing is pushed into a wall, another robot, or a thing that another robot holds. Turning pushes
+The robot and the things that it pushes move as one, straight ahead, until one of them meets an immovable
+thing. So nothing is pushed into a wall, another robot, or a thing that another robot holds. Turning pushes
 nothing.
 
 The gripper takes a thing that is between its paddles or a step in front of them. A held thing is part of the
@@ -39,13 +39,13 @@ from sim.parts import Part
 from sim.rangers import Bar, Beams
 
 MOST = 20
-"""Things that one robot can push at a time; one more is like a wall."""
+"""Things that a robot can push at a time; one more acts like a wall."""
 SLACK = 1e-6
-"""Metres by which what may be met is searched wider than computing errs."""
+"""Metres by which the search area is larger than rounding errors need."""
 
 
 class Advance(Struct, frozen=True):
-    """A short way straight on: how many metres of it are free, and what it takes along for how many."""
+    """The result of a short way straight on: the free metres, and the pushed things with their metres."""
 
     metres: float
     pushed: tuple[tuple[int, float], ...]
@@ -63,7 +63,7 @@ class Pushing:
         self._answer = Advance(0.0, ())
 
     def advance(self, spot: Spot, angle: float, length: float) -> Advance:
-        """What would become of ``length`` metres (at most a step) to ``angle``; nothing moves yet."""
+        """Compute ``length`` metres (at most a step) to ``angle``; nothing moves yet."""
         asked, ground, root = (spot, angle, length), self._ground, self._mover.around.root
         # a tick asks before and after the others have had their turn
         if asked != self._asked or not ground.is_unchanged(root, self._when):
@@ -103,7 +103,7 @@ class Pushing:
         return part.root in self._ground.pushable and not self._ground.is_attached(part.root)
 
     def _join(self, root: int, since: float, angle: float, length: float) -> _Joined:
-        """A thing that is pushed from now on, ``length`` metres at most."""
+        """Add a thing that is pushed from here on, ``length`` metres at most."""
         outlines = [part.points for part in self._ground.parts_of(root) if part.solid]
         others = self._in_the_way(root, outlines, length)
         mine = [_seen(points, angle) for points in outlines]
@@ -123,7 +123,7 @@ class Pushing:
 
 
 class _Joined:
-    """A thing that is pushed along, and what it may meet on its way: nothing farther is measured."""
+    """A pushed thing, and the parts that it may meet on its way."""
 
     __slots__ = ("_ahead", "_angle", "_mine", "_outlines", "since")
 
@@ -150,7 +150,7 @@ class _Joined:
         return any(part.root not in joined for part, _, _ in self._ahead)
 
     def nearer(self, nearest: Contact, done: float, joined: Container[int]) -> Contact:
-        """What it meets first after ``done`` metres of the robot's way, if that is before ``nearest``."""
+        """The first contact after ``done`` metres of the robot's way, if it is before ``nearest``."""
         moved = done - self.since
         outlines, mine = self._outlines, self._mine
         for part, others, gap in self._ahead:
@@ -211,9 +211,9 @@ class Hand:
         self._ground: Ground = mover.around.ground
         self._robot = mover.around.root
         self.held: int | None = None
-        """The root that it holds."""
+        """The held root."""
         self._held_at = Placement()
-        """Where that is in the robot's frame."""
+        """The place of the held root in the robot's frame."""
 
     def grip(self, spot: Spot) -> Grip:
         """RobotProblem ``no-gripper`` if it has none."""
@@ -227,7 +227,7 @@ class Hand:
         return Grip.GRIPPED
 
     def release(self) -> Grip:
-        """What was held stays where it is. RobotProblem ``no-gripper`` if it has none."""
+        """Release the held thing at its place. RobotProblem ``no-gripper`` if the robot has none."""
         self._beams()
         if self.held is None:
             return Grip.HOLDS_NOTHING
@@ -253,7 +253,7 @@ class Hand:
         return outer, inner
 
     def carry(self, spot: Spot) -> None:
-        """The robot is there now, and so is what it holds."""
+        """Move the held thing with the robot, which is at ``spot``."""
         if self.held is not None:
             it = self._held_at
             ((x, y),) = placed(((it.x, it.y),), spot.x, spot.y, spot.yaw)
@@ -266,7 +266,7 @@ class Hand:
         return beams
 
     def _nearest(self, beams: Beams, spot: Spot) -> int | None:
-        """The root, free to be gripped, that comes nearest to the middle of the gripper."""
+        """The grippable root nearest to the middle of the gripper."""
         place = spot.mounted(beams.x, beams.y, beams.yaw)
         near = self._mover.around.near(place.x, place.y, beams.length / 2 + beams.width + STEP)
         reached = [
@@ -290,7 +290,7 @@ class Hand:
 
 
 def _distance(part: Part, place: Spot, beams: Beams) -> float | None:
-    """From the gripper's middle to the part, if that comes between the paddles or a step before them."""
+    """The distance from the gripper's middle to a part between the paddles or a step before them."""
     points = seen_from(part.points, place.x, place.y, place.yaw)
     if contains(points, 0.0, 0.0):
         return 0.0

@@ -1,8 +1,8 @@
-"""Which parts come into a box or a wedge: squares of a grid for what lies still, circles for what may move.
+"""Finds the parts in a box or a wedge: a grid for still parts, circles for movable ones.
 
-The grid is made once. A root that moves costs one entry in a table; its parts are placed anew only when a
-question comes near it. What is in view of a sensor, and lies still, is kept for the next one that looks from
-about there to about the same side.
+The grid is made once. A root that moves costs one entry in a table; its parts are placed only when a
+query comes near it. The still parts in view of a sensor are kept for the next query from
+about the same place to about the same side.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ LEAST, MOST = 0.25, 2.0
 FEW = 16
 """So many parts, about, are looked for around a place at first."""
 NO_ROOT = -1
-"""In place of a root, where no root asks."""
+"""The asker of a query that belongs to no root."""
 VIEWED_FROM = 1.0
 """Metres of the side of a square from which views are kept."""
 _NEARER = 0.75 * VIEWED_FROM
@@ -35,13 +35,13 @@ _NEARER = 0.75 * VIEWED_FROM
 SECTOR = 30.0
 """Degrees of the directions that share a view."""
 MOST_VIEWS = 20_000
-"""When there are so many, all are dropped."""
+"""Views that are kept; with more, all are dropped."""
 MOST_SQUARES = 256
-"""A part that lies in more squares than that is looked at in every question."""
+"""A part in more squares than this is checked in every query."""
 
 
 class StillParts:
-    """What never moves."""
+    """The parts that never move."""
 
     def __init__(self, parts: Sequence[Part]) -> None:
         self._entries = [entry for part in parts for entry in entries_of(part, is_whole(part))]
@@ -74,7 +74,7 @@ class StillParts:
         return found
 
     def reach_of(self, count: int) -> float:
-        """Metres around a place in which about so many parts are, where there are any."""
+        """The radius around a place with about so many parts."""
         squares = max(1, len(self._squares))
         return self._side * sqrt(count * squares / max(1, len(self._entries))) / 2
 
@@ -101,13 +101,13 @@ Circle = tuple[float, float, float]
 DRIFT = 0.3
 """Metres that a root moves until what is near it must be found again."""
 CLOSE = 0.75
-"""Metres: a movement looks for what is near as far as that, a sensor farther."""
+"""Metres within which a movement looks for near roots; a sensor looks farther."""
 InView = tuple[float, int, float, float, float, Part]
 """How far a part is at least; its rank; x, y and radius of a circle around it, a hair wider; the part."""
 
 
 class Views:
-    """What rangers see and what never moves, from the squares of a grid to all sides, the nearest first."""
+    """The still parts that rangers see from each square of a grid, the nearest first."""
 
     def __init__(self, still: StillParts) -> None:
         self._still = still
@@ -119,7 +119,7 @@ class Views:
         """The same by the square, the sector, and a sensor's half angle."""
 
     def of(self, wedge: Wedge, reach: float) -> tuple[float, list[InView]]:
-        """All that may come into the wedge up to a distance, perhaps some more; and that distance.
+        """The parts that may be in a wedge up to a distance, perhaps some more; and that distance.
 
         It is ``reach`` at least.
         """
@@ -172,13 +172,13 @@ class Views:
 
 
 class MovingRoots:
-    """What may move: a circle around each root, in a wider one, its *range*, which stays for a while.
+    """Movable roots: a circle around each, inside a wider one, its *range*, which changes rarely.
 
-    Which ranges are near a robot is kept, and changes only when a root leaves its range.
+    The ranges near a robot are cached until a root leaves its range.
     """
 
     def __init__(self, parts: Mapping[int, Sequence[Part]], now: Mapping[int, Placement]) -> None:
-        """``parts``: of each root, where it is ``now``."""
+        """``parts`` of each root, at its place ``now``."""
         self._extents = {root: _extent(parts[root], place) + MARGIN for root, place in now.items()}
         self._circles: dict[int, Circle] = {}
         """Around each root."""
@@ -203,11 +203,11 @@ class MovingRoots:
         return self._extents[root]
 
     def move(self, root: int, now: Placement) -> None:
-        """It is there now."""
+        """Note the new place of a root."""
         self.cover(root, now.x, now.y, 0.0)
 
     def cover(self, root: int, x: float, y: float, reach: float) -> None:
-        """From now on it is within ``reach`` of a place, until it is moved."""
+        """Note that a root stays within ``reach`` of a place until it is moved."""
         radius = self._extents[root] + reach
         self._circles[root] = x, y, radius
         its_x, its_y, most = self._ranges[root]
@@ -215,7 +215,7 @@ class MovingRoots:
             self._leave(root, x, y, radius + DRIFT)
 
     def _leave(self, root: int, x: float, y: float, radius: float) -> None:
-        """It gets another range."""
+        """Give a root another range."""
         self._squares.get(self._square(*self._ranges[root][:2]), set()).discard(root)
         self._squares.setdefault(self._square(x, y), set()).add(root)
         self._ranges[root] = x, y, radius

@@ -1,4 +1,4 @@
-"""What a robot can meet and see in a world: its parts as bodies of pymunk, in layers.
+"""The parts of a world as pymunk bodies, in layers, for collisions and sight.
 
 Only this module and ``rays`` know pymunk. A ray of pymunk's with a radius can't be trusted: its trees are
 searched with the thin ray (measured: two of three thick rays through a field of boxes missed). So a sweep
@@ -39,7 +39,7 @@ from sim.scene import Scene
 
 
 class Layer:
-    """Ranks of parts, by place. A part belongs to a root; a root that may move has a body of its own.
+    """The ranks of parts by place. A part belongs to a root; a movable root has its own body.
 
     A question is about all but a ``group``, those of a ``category``.
     """
@@ -61,7 +61,7 @@ class Layer:
     ) -> list[Hit[int]]:
         """The parts that rays from one place to each of ``ends`` hit first, and where on the way.
 
-        As if the parts ``but`` were not there.
+        Ignores the parts ``but``.
         """
         wanted = _filter(group, category)
         if not but:
@@ -97,7 +97,7 @@ class Layer:
             shape.filter = pymunk.ShapeFilter(group, before.categories, before.mask)
 
     def free(self) -> None:
-        """Give pymunk's memory back. Nothing may be asked from now on."""
+        """Free pymunk's memory; the layer can't be used afterwards."""
         self._rays.clear()
         del self._rays, self._space
         self._bodies.clear()
@@ -131,14 +131,14 @@ def _filter(group: int, category: int) -> pymunk.ShapeFilter:
 
 @atexit.register
 def _free_all() -> None:
-    """pymunk frees a space by calls back into Python, which are gone at the interpreter's end: a crash."""
+    """Free all layers at exit: pymunk calls back into Python, which crashes at the interpreter's end."""
     for each in tuple(_ALIVE):
         each.free()
     gc.collect()
 
 
 def _shapes(body: pymunk.Body, points: tuple[Point, ...], radius: float) -> Iterable[pymunk.Shape]:
-    """A polygon for pymunk, ``radius`` thicker: as it is where it is convex, else its edges."""
+    """Shapes for a polygon, ``radius`` thicker: the polygon if it is convex, else its edges."""
     if abs(signed_area(points)) > 1e-9 and is_convex(points):
         return [pymunk.Poly(body, points, radius=radius)]
     return [pymunk.Segment(body, (ax, ay), (bx, by), radius) for ax, ay, bx, by in edges(points)]
@@ -151,7 +151,7 @@ MOST_ROOM = 5.0
 
 
 class Layout:
-    """All parts of a scene. For what robots ask see ``Ground``."""
+    """All parts of a scene, behind the queries of ``Ground``."""
 
     def __init__(
         self,
@@ -196,7 +196,7 @@ class Layout:
         """The parts of others inside which a movable root stands at the start."""
 
     def keep(self, guard: float) -> None:
-        """Have layers for ``free_way`` and ``still_room`` with that distance (metres)."""
+        """Make layers for ``free_way`` and ``still_room`` with that distance (metres)."""
         if guard not in self._layers:
             wanted = [part for part in self.at_start if part.solid or part.seen]
             still = [part for part in wanted if part.root not in self._start]
@@ -204,13 +204,13 @@ class Layout:
             self._layers[guard] = self._made([part for part in wanted if part.root in self._start], guard)
 
     def changed(self, root: int) -> None:
-        """It is elsewhere now."""
+        """Note that a root has moved."""
         self._unplaced.add(root)
         for kept in self._layers.values():
             kept.stale.add(root)
 
     def group(self, root: int) -> None:
-        """It belongs to another robot now, or to none."""
+        """Note that a root belongs to another robot now, or to none."""
         for kept in self._layers.values():
             kept.layer.group(root, self._groups[root])
 
@@ -227,7 +227,7 @@ class Layout:
         return self._of_root[root]
 
     def within(self, asker: int, roots: Iterable[int], box: Box, but: frozenset[int]) -> list[Part]:
-        """``roots``: what may move and may come into the box."""
+        """``roots``: the movable ones that may be in the box."""
         left, bottom, right, top = box
         found = self._still.within(left, bottom, right, top)
         group, groups = asker + 1, self._groups
@@ -251,7 +251,7 @@ class Layout:
         return [(None if rank is None else self._placed(rank), way) for rank, way in hits]
 
     def nearest_still(self, wedge: Wedge, height: float | None, but: frozenset[int]) -> Sighted:
-        """See ``Ground.nearest``: of what never moves."""
+        """As ``Ground.nearest``, for still parts."""
         reach, views = wedge.reach, self._views
         known = views.first
         while True:
@@ -270,7 +270,7 @@ class Layout:
         but: frozenset[int],
         nearest: Sighted,
     ) -> Sighted:
-        """The same of ``roots``, which may move, and of what was ``nearest`` before."""
+        """As ``nearest_still``, for the movable ``roots``, compared with the ``nearest`` so far."""
         group, groups = asker + 1, self._groups
         views = [
             (0.0, part.rank, *part.middle, part.reach + HAIR, part)
@@ -294,7 +294,7 @@ class Layout:
         return self._still_layers[guard].room(x, y, MOST_ROOM)
 
     def has_others(self, asker: int, roots: Iterable[int]) -> bool:
-        """Whether any of these is not of the asker's body."""
+        """Whether any of these roots is not part of the asker's body."""
         group, groups = asker + 1, self._groups
         return any(groups.get(root, 0) != group for root in roots)
 
@@ -320,7 +320,7 @@ class Layout:
         return kept
 
     def _update(self, kept: _Kept, asker: int) -> None:
-        """Let a layer know what was moved, but for the asker itself."""
+        """Update a layer after movements, except the asker's own."""
         stale = kept.stale
         if len(stale) == 1 and asker in stale:
             return
@@ -329,7 +329,7 @@ class Layout:
         stale.clear()
 
     def _placed(self, rank: int) -> Part:
-        """That part where it is now."""
+        """The part at its current place."""
         root = self.at_start[rank].root
         if root in self._unplaced:
             self._place_parts(root)
@@ -381,7 +381,7 @@ def _nearest(
 
 
 class _Kept:
-    """A layer, and what was moved since it was last asked."""
+    """A layer, and the roots that moved since its last query."""
 
     __slots__ = ("layer", "stale")
 

@@ -1,9 +1,9 @@
-"""How far a robot gets: walks and turns of one body among things as they are now, and what stopped it.
+"""How far a robot can walk or turn among the things around it, and what stops it.
 
 ``Surroundings`` are the ground without the robot, or the pushed thing, itself. A part that contains its
 centre from the start, such as a floor drawn as a box, is not an obstacle for it.
 
-Nothing is stepped through where the way is free: a thin ray through thickened bodies finds the first step
+A free way is not checked step by step: a thin ray through thickened bodies finds the first step
 that needs a closer look. ``careful`` looks at every step; both give the same result (a property test checks
 it).
 """
@@ -59,7 +59,7 @@ _NO_ROOM: _Room = 0.0, 0.0, -1.0
 
 
 class OtherRobots:
-    """What is around one robot, as far as it is robots."""
+    """The other robots around a robot."""
 
     def __init__(self, around: Surroundings) -> None:
         self._around = around
@@ -78,7 +78,7 @@ class OtherRobots:
         return [part for part in found if part.root in self._robots]
 
     def first_hits(self, x: float, y: float, ends: Sequence[Point], ranging: bool = False) -> list[Hit[Part]]:
-        """The robots that looks meet first, unless something else is before them."""
+        """The robots that rays hit first, unless something else is before them."""
         hits = self._around.first_hits(x, y, ends, ranging)
         return [hit if hit[0] and hit[0].root in self._robots else (None, 1.0) for hit in hits]
 
@@ -89,7 +89,7 @@ class OtherRobots:
 
     @cached_property
     def _things(self) -> frozenset[int]:
-        """The ranks of what may move and is no robot."""
+        """The ranks of movable things."""
         ground = self._around.ground
         roots = ground.movable - self._robots
         return frozenset(part.rank for root in roots for part in ground.parts_of(root)) | self._around.absent
@@ -119,12 +119,12 @@ class Surroundings:
         return self._ignored | frozenset(part.rank for part in self.ground.around_start(self.root))
 
     def without(self, roots: frozenset[int]) -> Surroundings:
-        """The same, as if these were not there either."""
+        """The surroundings without these roots."""
         ignored = (part.rank for root in roots if root != self.root for part in self.ground.parts_of(root))
         return Surroundings(self.ground, self.root, self._ignored | frozenset(ignored))
 
     def keep(self, guard: float) -> None:
-        """Have ``free_way`` keep that distance (metres) from everything."""
+        """Prepare ``free_way`` for this distance (metres) from everything."""
         self._guard = self.ground.guarded(guard)
         self._room = _NO_ROOM
 
@@ -144,7 +144,7 @@ class Surroundings:
         return self.ground.within(self.root, left, bottom, right, top, self.absent)
 
     def first_hits(self, x: float, y: float, ends: Sequence[Point], ranging: bool = False) -> list[Hit[Part]]:
-        """The parts that looks from one place to each of ``ends`` meet first, and where on the way.
+        """The first hits of rays from one place to each of ``ends``.
 
         ``ranging``: as a ranger sees, to which some things are invisible.
         """
@@ -157,7 +157,7 @@ class Surroundings:
     def has_room(self, x: float, y: float, to_x: float, to_y: float) -> bool:
         """Whether a way is known to keep the guard distance; False says nothing.
 
-        Of what never moves it is known for all ways within a circle, which is looked for where a way leaves
+        Still parts are known to be away from a circle, which is computed again if a way leaves
         the last one.
         """
         if self.absent:
@@ -196,7 +196,7 @@ def _always() -> bool:
 
 
 class WalkOutcome(Struct, frozen=True):
-    """How far a walk led, and what ended it."""
+    """The steps of a walk, and what ended it."""
 
     metres: float
     steps: int
@@ -205,7 +205,7 @@ class WalkOutcome(Struct, frozen=True):
 
 
 class Contact(Struct, frozen=True):
-    """What a body meets first on its way, and after how many metres; infinity if the way is free."""
+    """The first thing that a body meets, and after how many metres; infinity if the way is free."""
 
     metres: float
     part: Part | None
@@ -215,7 +215,7 @@ NO_CONTACT = Contact(inf, None)
 
 
 class Mover:
-    """One robot's body and senses among its surroundings."""
+    """A robot's body and sensors among its surroundings."""
 
     def __init__(self, ground: Ground, robot: int) -> None:
         """``robot``: the index of its model."""
@@ -238,7 +238,7 @@ class Mover:
         }
 
     def hold(self, outlines: tuple[Outline, ...]) -> None:
-        """From now on these polygons, in the robot's frame, are part of its body; earlier ones are not."""
+        """Make these polygons, in the robot's frame, part of the body in place of earlier ones."""
         self.body = self._bare.holding(outlines) if outlines else self._bare
         self._stuck = None
         self._keep_guard()
@@ -285,14 +285,14 @@ class Mover:
         return not self._reaches_into_any(spot) and self.walk(spot, bearing, 1, careful=True).steps == 1
 
     def has_free_rest(self, spot: Spot, angle: float, length: float) -> bool:
-        """The same of the rest of a step, before which the sensors were looked at."""
+        """As ``has_free_step``, for the rest of a step before which the sensors were checked."""
         middle = spot.ahead(length / 2, angle)
         if self._others.is_any_near(middle, self.walking_guard + length / 2) or self._reaches_into_any(spot):
             return False
         return self.contact(spot, angle, length).metres >= length - TOUCHING
 
     def has_free_turn(self, spot: Spot, degrees: int) -> bool:
-        """The same of a turn."""
+        """As ``has_free_step``, for a turn."""
         return self.turn(spot, degrees) == degrees and not self._reaches_into_any(spot)
 
     def turn_contact(self, spot: Spot, sign: int) -> float:
@@ -328,7 +328,7 @@ class Mover:
     def contact_with_any(
         self, parts: Iterable[Part], spot: Spot, angle: float, but: Container[int]
     ) -> Contact:
-        """Which of ``parts`` is met first, those with the roots ``but`` not in the way."""
+        """The first contact with one of ``parts``, except those of the roots ``but``."""
         nearest = NO_CONTACT
         for part in parts:
             if part.root in but:
@@ -464,7 +464,7 @@ WALL, ROBOT = "wall", "robot"
 
 
 class Meeting:
-    """Asked when a movement is over. It finds nothing if nothing was in the way."""
+    """Finds what ended a movement; nothing if the way was free."""
 
     def __init__(self, mover: Mover, scene: Scene, robot: int) -> None:
         """``robot``: the index of its model."""
@@ -493,7 +493,7 @@ class Meeting:
         return None
 
     def turning(self, spot: Spot, stopped_by: StoppedBy | None) -> Met | None:
-        """After a turn on the spot, or on a car's circle."""
+        """The thing that ended a turn on the spot, or on a car's circle."""
         if stopped_by is StoppedBy.OBSTACLE:
             return self.walking(spot, stopped_by)
         if stopped_by is StoppedBy.COLLISION:

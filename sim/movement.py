@@ -3,7 +3,7 @@
 A ``Walk`` goes straight, forward or backward, step by step, and pushes what gives way. A ``Turn`` is on the
 spot. A ``Bend``, for a car, follows the smallest circle that it can drive.
 
-Where nothing can interfere, the way is computed at once and then played. Where other robots may act
+If nothing can interfere, the way is computed at once and then played. If other robots may act
 meanwhile, or something is pushed, the movement advances in small fixed ticks, each of which looks at the
 world again. With one moving robot both give the same result (a property test checks it).
 """
@@ -56,17 +56,17 @@ class Movement(ABC):
 
     @abstractmethod
     def _go_on(self) -> StoppedBy | None:
-        """Go some of the way. Answers why no more can be gone."""
+        """Go a part of the way. Returns what ends the movement, if anything."""
 
     def _stride(self, count: int) -> int:
         return self._every * -(-count // (self._every * MOST_REPORTS))
 
     def _when(self, done: float) -> float:
-        """The robot's time at which so much is done. However it is divided into ticks, it is the same."""
+        """The robot's time at which so much is done, independent of the division into ticks."""
         return self._began + self._course.seconds(0.0, done)
 
     def _come_to(self, done: float) -> None:
-        """Note how much is done now, perhaps less than the time that was spent allows."""
+        """Note how much is done, perhaps less than the passed time allows."""
         self._began = self._vehicle.clock.seconds - self._course.seconds(0.0, done)
 
     def _report_progress(self) -> None:
@@ -81,7 +81,7 @@ class Movement(ABC):
 
 
 class Sweeping(Movement):
-    """A movement that is computed at once, as far as no other robot can act."""
+    """A movement that is computed at once while no other robot can act."""
 
     def _go_on(self) -> StoppedBy | None:
         if not self._vehicle.clock.others_glide and (room := self._room()):
@@ -108,11 +108,11 @@ class Sweeping(Movement):
 
     @abstractmethod
     def _at(self, done: float) -> Whereabouts:
-        """Where so many steps or degrees lead."""
+        """The place after so many steps or degrees."""
 
     @abstractmethod
     def _free_to(self) -> int:
-        """How many steps or degrees are done after the next glide. Nothing is in the way up to there now."""
+        """The steps or degrees done after the next glide, up to which nothing is in the way now."""
 
     @abstractmethod
     def _stops(self, end: int) -> Sequence[float]:
@@ -128,10 +128,10 @@ class Sweeping(Movement):
 
     @abstractmethod
     def _tick(self) -> StoppedBy | None:
-        """A little way, while others may act."""
+        """Move for a tick, while others may act."""
 
     def _room(self) -> int:
-        """Whole steps or degrees that can be gone at once."""
+        """The whole steps or degrees that can be done at once."""
         left = self._asked - self._whole
         seconds = self._vehicle.clock.undisturbed()
         if seconds == inf:
@@ -267,7 +267,7 @@ class Walk(Sweeping):
         return None
 
     def _next_stop(self) -> float:
-        """A step on where no other robot acts or is near, and no moving picture is shown; else a tick on."""
+        """A step further if no robot is near or acts, and no moving picture is shown; else a tick further."""
         vehicle = self._vehicle
         is_alone = vehicle.clock.speed is None and self._is_whole and super()._room() > 0
         if is_alone and not vehicle.mover.is_robot_near(vehicle.here.truth, STEP):
@@ -275,13 +275,13 @@ class Walk(Sweeping):
         return min(self._asked, self._course.next_stop(self._done))
 
     def _push(self, free: float) -> float:
-        """Take along what is in the way. Answers how many metres of it are free now."""
+        """Push the things in the way. Returns how many metres are free now."""
         way = self._vehicle.way(self._angle, free)
         self._vehicle.take_along(way, self._angle)
         return way.metres
 
     def _is_barred(self) -> bool:
-        """Sensors are looked at before every step, and within it when something else has moved meanwhile."""
+        """Check the sensors before every step, and within a step if something else has moved."""
         vehicle, mover, here = self._vehicle, self._vehicle.mover, self._vehicle.here.truth
         if self._is_whole:
             self._looked = vehicle.moment
@@ -291,7 +291,7 @@ class Walk(Sweeping):
         return mover.is_met(here, self._bearing, self._whole + 1 - self._done)
 
     def _go(self, following: float, length: float, free: float) -> None:
-        """As far as was free before this robot's turn came, and still is."""
+        """Go as far as was free before this robot's turn, and still is."""
         vehicle = self._vehicle
         metres = free if self._is_clear and vehicle.is_clear() else self._push(free)
         has_come = metres >= length - TOUCHING
@@ -304,7 +304,7 @@ class Walk(Sweeping):
             self._arrive(round(following))
 
     def _arrive(self, whole: int) -> None:
-        """A step is done."""
+        """Finish a step."""
         self._whole, self._must_push = whole, False
         self._report_progress()
 
@@ -326,7 +326,7 @@ class Turn(Sweeping):
         return self._vehicle.turned(self._start, self._sign * degrees)
 
     def _room(self) -> int:
-        """All or nothing, so that others see the same headings however the turn is divided."""
+        """All degrees or none, so that others see the same headings however the turn is divided."""
         left = self._asked - self._whole
         seconds = self._course.seconds(self._whole, left)
         return left if self._vehicle.clock.undisturbed() >= seconds else 0

@@ -1,4 +1,4 @@
-"""The polygons of a world, each where it is now: obstacles and visible things. Values only.
+"""The polygons of a world at their current places: obstacles and visible things. Values only.
 
 A robot's ``Body`` is everything of it that can bump: its shape, what is attached to it, and what it holds.
 """
@@ -21,7 +21,7 @@ BODY, SIGHT, RANGED = 1, 2, 4
 
 
 class Part(Struct, frozen=True):
-    """One polygon of the world, where it lies. Equal to nothing but itself."""
+    """A polygon of the world at its place. Equal only to itself."""
 
     rank: int
     """Its number in the world: queries answer in this order, so that runs repeat exactly."""
@@ -59,7 +59,7 @@ class Part(Struct, frozen=True):
         return seen_from((*self.points, self.place), start.x, start.y, start.yaw)
 
     def moved(self, local: Sequence[Point], now: Placement) -> Part:
-        """The same polygon where its top-level model is ``now``. ``local``: as ``seen_from`` gave it."""
+        """The polygon with its top-level model at ``now``. ``local``: the result of ``seen_from``."""
         *points, place = placed(local, now.x, now.y, now.yaw)
         return Part(
             self.rank,
@@ -172,7 +172,7 @@ _MOST_CHECKS = 1_000_000
 
 
 def free_place(scene: Scene) -> tuple[int, int]:
-    """In steps: where nothing is near, nearest to 0, 0, or to the middle of walls that leave 0, 0 out."""
+    """A free place in steps, nearest to 0, 0, or to the middle of walls that exclude 0, 0."""
     solid = [each for each in parts_of(scene) if each.solid]
     if not solid:
         return 0, 0

@@ -72,7 +72,7 @@ class Thing(Struct, frozen=True, eq=False):
 
     @property
     def _compared(self) -> tuple[object, ...]:
-        """All but ``index`` and ``outlines``: what is the same to look at."""
+        """All fields except ``index`` and ``outlines``: equal things look the same."""
         return tuple(getattr(self, name) for name in self.__struct_fields__[:-2])
 
     def __eq__(self, other: object) -> bool:
@@ -83,7 +83,7 @@ class Thing(Struct, frozen=True, eq=False):
 
 
 class Drawing(Struct, frozen=True):
-    """What stands in the world as lines: each wall, thing and robot with its outlines, in steps."""
+    """A wall, thing or robot with its outlines, in steps."""
 
     outlines: tuple[tuple[Point, ...], ...]
     thing: Thing | None
@@ -225,7 +225,7 @@ def is_wall(model: Model, me: Model | None) -> bool:
 
 
 def _is_wall(model: Model, box: tuple[float, float, float, float], me: Model | None) -> bool:
-    """Outlines, pictures used as plans, what is called a wall, and what has the robot in its midst."""
+    """Whether it is an outline, a floor plan, named a wall, or around the robot."""
     if model.type != "model":
         return False
     if model.boundary or model.kind.lower().startswith(_WALL_KINDS) or model.name.lower().startswith("wall"):
@@ -278,7 +278,7 @@ class _Grid:
 
 
 def _kind(model: Model) -> str:
-    """What things of a sort are called: the macro's word, else the thing's name."""
+    """The kind of a thing: the macro's word, else the thing's name."""
     return model.kind if model.kind != model.type else _called(model) or model.type
 
 
@@ -331,9 +331,9 @@ Outlines = Sequence[Sequence[Point]]
 
 
 class Room:
-    """A robot at one place of a picture. All lengths in steps, all directions in compass degrees.
+    """A robot at a place of a picture. Lengths are in steps, directions in compass degrees.
 
-    What its middle is in, such as a floor drawn as a box, is not in its way: so it is for the simulator.
+    As in the simulator, a thing around its middle, such as a floor drawn as a box, is not in its way.
     """
 
     def __init__(self, picture: Picture, pose: Pose) -> None:

@@ -115,7 +115,7 @@ class SimulatedRobot:
 
     @property
     def placement(self) -> Placement:
-        """Where it is in truth, in metres. ``pose`` is what the robot believes."""
+        """The true place, in metres. ``pose`` is the believed one."""
         if self._vehicle is None:
             return self._ground.start(self._model.index)
         spot = self._vehicle.here.truth
@@ -123,7 +123,7 @@ class SimulatedRobot:
 
     @property
     def situation(self) -> Hashable | None:
-        """Equal where the robot and all around it are the same again; None where chance decides, too."""
+        """Equal if the robot and all around it are the same again; None if chance decides, too."""
         if self._chance is not None:
             return None
         vehicle = self._vehicle
@@ -150,7 +150,7 @@ class SimulatedRobot:
 
     @cached_property
     def _movements(self) -> tuple[type[Walk], type[Turn], type[Bend]]:
-        """Loaded at the first movement, and only once: even to import them again takes time."""
+        """The classes of movements, imported at the first movement and cached."""
         from sim.movement import Bend, Turn, Walk
 
         return Walk, Turn, Bend
@@ -167,21 +167,21 @@ class SimulatedRobot:
         self._clock.leave()
 
     def reset(self) -> None:
-        """Back to the start: place, heading, gripper, time; and all things, if no other robot takes part."""
+        """Reset place, heading, gripper and time; and all things, if no other robot takes part."""
         self.go_home()
         if not self._clock.has_company:
             self._ground.put_things_back()
         self._clock.reset()
 
     def go_home(self) -> None:
-        """Stand at the start, with empty hands. What was held stays where it is."""
+        """Put the robot to its start with an empty gripper; the held thing stays in its place."""
         with self._making:
             self._chance = self._new_chance()
             if self._vehicle is not None:
                 self._vehicle.begin_anew(self._chance)
 
     def stand_on(self, ground: Ground, robot: int) -> None:
-        """Stay where it is in a world that was rebuilt. ``robot``: the index of its model there."""
+        """Keep the robot's place in a rebuilt world. ``robot``: the index of its model there."""
         with self._making:
             before, self._vehicle, self._seen, self._scanned = self._vehicle, None, None, None
             self._refused_at = None
@@ -229,7 +229,7 @@ class SimulatedRobot:
         return self._clock.seconds
 
     def pose(self) -> Pose:
-        """Where the robot believes to be: the truth, unless it counts its wheels' turns with errors."""
+        """The believed pose: the true one, unless odometry has errors."""
         vehicle = self._vehicle
         return pose_of(self._ground.start(self._model.index) if vehicle is None else vehicle.here.belief)
 
@@ -281,7 +281,7 @@ class SimulatedRobot:
         return seen[3]
 
     def _look(self, vehicle: Vehicle) -> tuple[Sighting, ...]:
-        """What it sees, or saw with all at the same places."""
+        """The sightings, cached while everything is at the same places."""
         looks = self._ground.looks
         if looks is None:
             return self._sightings(vehicle)
@@ -306,7 +306,7 @@ class SimulatedRobot:
         return self._gripped(outcome, self.holds)
 
     def release(self) -> GripResult:
-        """Let go what is held; it stays there. RobotProblem ``no-gripper``."""
+        """Release the held thing, which stays there. RobotProblem ``no-gripper``."""
         self._clock.begin()
         held = self.holds
         return self._gripped(self.get_ready().release(), held)
@@ -339,9 +339,9 @@ class SimulatedRobot:
         movement: Movement,
         meeting: Callable[[Spot, StoppedBy | None], Met | None],
     ) -> _Outcome:
-        """Whole steps or degrees, what ended the movement, and what was met.
+        """Run a movement: whole steps or degrees, what ended it, and what it met.
 
-        Where a command did nothing, and nothing that moves is near, it does nothing again.
+        A command that did nothing, with nothing movable near, does nothing again.
         """
         vehicle.pushed.clear()
         here = vehicle.here

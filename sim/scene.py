@@ -1,4 +1,4 @@
-"""A world as it was loaded: models, shapes, equipment. Values only; nothing here moves or reads files.
+"""A loaded world: models, shapes, equipment. Values only; nothing moves or reads files.
 
 Metres, kilograms, seconds, and degrees counter-clockwise from the x axis, as Stage has them; equipment
 (wheels, sensors, grippers) is in the frame of its model. ``LoadReport`` says by code what was ignored,
@@ -157,7 +157,7 @@ class OdometryError(Struct, frozen=True):
 
 
 class Wheels(Struct, frozen=True):
-    """How a position model drives, and what it knows about where it is."""
+    """The drive of a position model, and its localization."""
 
     drive: Drive = Drive.DIFF
     localization: Localization = Localization.GPS
@@ -191,7 +191,7 @@ class Polygon(Struct, frozen=True):
 
 
 class Model(Struct, frozen=True):
-    """One thing, or a part of one."""
+    """A thing, or a part of one."""
 
     index: int
     type: str
@@ -239,7 +239,7 @@ class Model(Struct, frozen=True):
 
     @property
     def spoken_name(self) -> str:
-        """What a robot is called in programs and sentences."""
+        """The robot's name in programs and sentences."""
         return self.alias or self.name
 
     def outlines(self) -> Iterator[tuple[Point, ...]]:
@@ -298,7 +298,7 @@ class Scene(Struct, frozen=True):
 
     @property
     def robot_names(self) -> tuple[str, ...]:
-        """What the robots are called, in their order; no two are called the same."""
+        """The robots' names, in their order; no two are equal."""
         return tuple(self.models[index].spoken_name for index in self.robots)
 
     def robot(self, name: str) -> Model:

@@ -41,7 +41,7 @@ class Senses(Struct, frozen=True):
     """The sensors of each part that the world gives a name."""
 
     def at(self, bearing: Bearing) -> tuple[Ranger, ...]:
-        """The sensors for that bearing; empty if none looks there."""
+        """The sensors of a bearing; empty if there is none."""
         return self.by_bearing[bearing]
 
     def steps(self, around: Around, spot: Spot, bearing: Bearing, chance: Random | None = None) -> int:
@@ -74,7 +74,7 @@ class Senses(Struct, frozen=True):
         return self.eyes.look(around, spot)
 
     def marks(self, around: Around, spot: Spot) -> tuple[Found, ...]:
-        """What the fiducial finders find, finder by finder."""
+        """The marks of the fiducial finders, finder by finder."""
         return tuple(found for finder in self.finders for found in finder.look(around, spot))
 
     def marks_ahead(self, around: Around, spot: Spot) -> list[Found]:
@@ -223,7 +223,7 @@ def _beams(model: Model, frame: Placement) -> Beams:
 
 
 def _mounted(place: Placement, frame: Placement) -> tuple[float, float, float]:
-    """A place of the world in the robot's frame: x, y, yaw."""
+    """A place of the world, converted to the robot's frame: x, y, yaw."""
     ((x, y),) = seen_from(((place.x, place.y),), frame.x, frame.y, frame.yaw)
     return round(x, 9), round(y, 9), normal(place.yaw - frame.yaw)
 

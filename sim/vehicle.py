@@ -1,4 +1,4 @@
-"""One robot as it moves: its pose, the pose that it believes, its drive and what it carries.
+"""A moving robot: its true and its believed pose, its drive and its load.
 
 A robot walks one step (0.05 m) or turns 45 degrees in a second, more slowly where its world limits its
 velocity or acceleration. A limited acceleration makes a trapezoid of the speed: the top speed is reached only
@@ -42,7 +42,7 @@ _FINEST = 1e-5
 
 
 class Rate(Struct, frozen=True):
-    """How fast something goes at most, and how fast it comes there, and to rest again. 0: not at all."""
+    """The top speed of a movement, and its acceleration and deceleration. 0: it can't move."""
 
     top: float
     """Steps or degrees a second."""
@@ -51,7 +51,7 @@ class Rate(Struct, frozen=True):
     down: float = inf
 
     def over(self, asked: float) -> Course:
-        """A movement of so much."""
+        """The course of a movement of so much."""
         return _even(self.top) if self.up == self.down == inf else Ramped(self, asked)
 
 
@@ -64,18 +64,18 @@ def _stops(course: Course, done: float, end: float) -> tuple[float, ...]:
 
 
 class Course(Protocol):
-    """Way and time of one movement."""
+    """The distance of a movement over time."""
 
     def __hash__(self) -> int: ...
 
     def seconds(self, done: float, further: float) -> float:
-        """How long it takes to go ``further`` where ``done`` was gone before."""
+        """The seconds to go ``further`` after ``done``."""
 
     def further(self, done: float, seconds: float) -> float:
-        """How much is gone in ``seconds`` where ``done`` was gone before."""
+        """The distance in ``seconds`` after ``done``."""
 
     def times(self, began: float, done: Sequence[float]) -> list[float]:
-        """When each of these amounts is done, if it began at that time."""
+        """The times at which each of these amounts is done, if it began at that time."""
 
     def next_stop(self, done: float) -> float:
         """Where a tick of a walk ends that begins after ``done`` steps: at the next whole one at most."""
@@ -85,7 +85,7 @@ class Course(Protocol):
 
 
 class Even:
-    """At one pace from start to end."""
+    """A course at one speed."""
 
     def __init__(self, rate: float) -> None:
         self._rate = rate
@@ -119,7 +119,7 @@ _even = cache(Even)
 
 
 class Ramped:
-    """Faster, evenly, slower; on a short way only faster and slower."""
+    """A course with acceleration and deceleration; a short one never reaches the top speed."""
 
     def __init__(self, rate: Rate, asked: float) -> None:
         slowness = 1.0 / rate.up + 1.0 / rate.down
@@ -177,7 +177,7 @@ LEAST_GAIN = 1e-2
 
 
 class Rates(Struct, frozen=True):
-    """How fast a robot is. 0: it can't do that."""
+    """The rates of a robot. 0: it can't move so."""
 
     forward: Rate = Rate(STEPS_A_SECOND)
     """In steps."""
@@ -207,7 +207,7 @@ _ANY = Limits((-inf, inf), (-inf, inf), (-inf, inf))
 
 
 def _both_ways(speeds: Bounds, gains: Bounds, unit: float, usual: float) -> tuple[Rate, Rate]:
-    """Towards the lower and the upper bounds: what gains speed one way loses it the other."""
+    """The rates towards both bounds; an acceleration one way is a deceleration the other way."""
     low, high = (_bounded(most / unit, usual) for most in (-speeds[0], speeds[1]))
     less, more = (most / unit for most in (-gains[0], gains[1]))
     if min(less, more) < LEAST_GAIN * usual:
@@ -242,7 +242,7 @@ def turning(rate: Rate) -> Rate:
 
 
 class Odometry(Struct, frozen=True):
-    """How a robot's belief about where it is follows from what it drives. Errors are parts of the whole."""
+    """Computes the believed place from driven distances. Errors are fractions."""
 
     along: float = 0.0
     turn: float = 0.0
@@ -252,11 +252,11 @@ class Odometry(Struct, frozen=True):
         return self.along == 0.0 and self.turn == 0.0
 
     def ahead(self, belief: Spot, metres: float, turned: float) -> Spot:
-        """After so many metres in the direction that is ``turned`` from the front."""
+        """The belief after so many metres in the direction ``turned`` from the front."""
         return belief.ahead(metres * (1.0 + self.along), belief.yaw + turned)
 
     def turned(self, belief: Spot, degrees: float) -> Spot:
-        """After so many degrees counter-clockwise."""
+        """The belief after so many degrees counter-clockwise."""
         return Spot(belief.x, belief.y, (belief.yaw + degrees * (1.0 + self.turn)) % 360.0)
 
 
@@ -273,7 +273,7 @@ CLEARANCE = 0.3
 
 
 class Whereabouts(Struct, frozen=True):
-    """Where a robot is, and where it believes to be."""
+    """The true and the believed place of a robot."""
 
     truth: Spot
     belief: Spot
@@ -309,18 +309,18 @@ class Vehicle:
 
     @cached_property
     def meeting(self) -> Meeting:
-        """What is found at the end of a movement."""
+        """Finds what ended a movement."""
         from sim.motion import Meeting  # loaded at the first movement
 
         return Meeting(self.mover, self._ground.scene, self._root)
 
     def begin_anew(self, chance: Random | None) -> None:
-        """To the start, with empty hands. What was held stays where it is."""
+        """Reset to the start with an empty gripper; the held thing stays in its place."""
         self.hand.let_go()
         self.go_to(self._begin(chance))
 
     def _begin(self, chance: Random | None) -> Whereabouts:
-        """Nothing of what was before counts. Answers where that is."""
+        """Forget everything, and return the start."""
         self.odometry = odometry_of(self._wheels, chance)
         self._leaps = self.odometry.is_exact and self.watcher is None
         self._shown = self._clear_until = -inf
@@ -346,7 +346,7 @@ class Vehicle:
         return Placement(spot.x, spot.y, self._z, spot.yaw)
 
     def quicken(self) -> None:
-        """Its body has changed: let the ground know how fast points of it may be now."""
+        """Report to the ground how fast points of the changed body may be."""
         self._clear_until = -inf
         rates = self.rates
         turning = radians(max(rates.right.top, rates.left.top)) * self.mover.body.radius
@@ -362,9 +362,9 @@ class Vehicle:
         return self._ground.is_unchanged(self._root, since)
 
     def is_clear(self) -> bool:
-        """Whether nothing can come in the way of the next tick, as far as that is worth a look.
+        """Whether nothing can come in the way of the next tick.
 
-        Known for a while after it was found out; what others do in their last tick takes a step at most.
+        The result stays valid for a while; another robot's last tick moves it a step at most.
         """
         seconds, ground = self.clock.seconds, self._ground
         if self._clear_until >= seconds + TICK and self._jumps == ground.jumps:
@@ -445,7 +445,7 @@ class Vehicle:
         return landing, glide.count or 0
 
     def way(self, angle: float, length: float) -> Advance:
-        """What would become of so many metres (at most a step) to ``angle``, from here."""
+        """Compute so many metres (at most a step) to ``angle``, from here."""
         return self._pushing.advance(self.here.truth, angle, length)
 
     def grip(self) -> Grip:
@@ -461,7 +461,7 @@ class Vehicle:
         return outcome
 
     def take_along(self, advance: Advance, angle: float) -> None:
-        """Move what the way pushes."""
+        """Move the things that the way pushes."""
         for root, metres in advance.pushed:
             self.pushed[root] = self.pushed.get(root, 0.0) + metres
         self._pushing.take_along(advance, angle)

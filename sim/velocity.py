@@ -61,7 +61,7 @@ class VelocityLoop:
 
     @property
     def scene(self) -> Scene:
-        """As it is now, but for where things are."""
+        """The scene with its changes, except the places of things."""
         return self._world.scene
 
     @property
@@ -75,7 +75,7 @@ class VelocityLoop:
         return self._ticks * TICK
 
     def advance(self) -> None:
-        """One tick: velocities are taken, then all robots move."""
+        """Run a tick: take the velocities, then move all robots."""
         if self.is_paused:
             return
         moving = [each for each in self._drives.values() if each.begin_tick()]
@@ -89,14 +89,14 @@ class VelocityLoop:
         self._ticks += 1
 
     def pose(self, name: str) -> MetricPose:
-        """Where a robot or a thing at the top level of the world is. KeyError if there is none."""
+        """The pose of a robot or a top-level thing. KeyError if there is none."""
         if name in self._drives:
             return self._drives[name].state().truth
         model, ground = self._model(name), self._world.ground
         return _metric(ground.place(model.index) if model.index in ground.movable else model.pose)
 
     def put(self, name: str, pose: MetricPose) -> None:
-        """Put a robot, or a thing that can move, there. KeyError for anything else."""
+        """Put a robot or a movable thing to a pose. KeyError for anything else."""
         if name in self._drives:
             self._drives[name].set_pose(pose)
             return
@@ -106,11 +106,11 @@ class VelocityLoop:
         ground.put(model.index, Placement(pose.x, pose.y, model.pose.z, pose.yaw))
 
     def change(self, index: int, **properties: object) -> None:
-        """A model, by its index, has another colour or mark from now on."""
+        """Change the colour or mark of a model, by its index."""
         self._world.change(index, **properties)
 
     def reset(self) -> None:
-        """All robots and things are at their start. Velocities stay."""
+        """Put all robots and things to their starts. Velocities stay."""
         self._world.reset()
         for drive in self._drives.values():
             drive.set_odometry(MetricPose())
@@ -157,17 +157,17 @@ class RobotDrive:
         """In this tick, at once."""
 
     def subscribe(self) -> None:
-        """One more user. Only a robot with users drives."""
+        """Add a user. Only a robot with users drives."""
         self._users += 1
 
     def unsubscribe(self) -> None:
-        """One user has left. When the last one leaves, the robot stops at once."""
+        """Remove a user. When the last one leaves, the robot stops at once."""
         self._users = max(0, self._users - 1)
         if self._users == 0:
             self._asked = self._speed = STANDING
 
     def drive(self, velocity: Velocity) -> None:
-        """From the next tick on, until the next call. ValueError for what is no finite number."""
+        """Set the velocity from the next tick on, until the next call. ValueError for infinite numbers."""
         if not all(isfinite(each) for each in (velocity.ahead, velocity.left, velocity.turn)):
             raise ValueError("a velocity is made of finite numbers")
         if self._users:
@@ -179,12 +179,12 @@ class RobotDrive:
         return DriveState(believed, truth, self._speed, self._is_stalled)
 
     def set_pose(self, pose: MetricPose) -> None:
-        """Put it there. Its velocity stays."""
+        """Put the robot to a pose. Its velocity stays."""
         spot = Spot(pose.x, pose.y, pose.yaw % 360.0)
         self._vehicle.go_to(Whereabouts(spot, spot))
 
     def set_odometry(self, pose: MetricPose) -> None:
-        """It believes to be there from now on. No effect on a robot that knows its true pose."""
+        """Set the believed pose. No effect on a robot that knows its true pose."""
         if self._counted is not None:
             self._counted = Spot(pose.x, pose.y, pose.yaw % 360.0)
 
@@ -220,7 +220,7 @@ class RobotDrive:
     # --- the loop's
 
     def begin_tick(self) -> bool:
-        """The velocity that was asked for counts from now on. Whether there is anything to do."""
+        """Take the requested velocity. Returns whether there is anything to do."""
         self._is_stalled = self._has_moved = False
         self._wanted = STANDING if self.is_held else self._asked
         if self.is_held:
@@ -232,14 +232,14 @@ class RobotDrive:
         return self._speed != STANDING or self._wanted != STANDING
 
     def substeps(self) -> int:
-        """How many it needs in this tick."""
+        """The number of substeps of this tick."""
         way, turn = 0.0, 0.0
         for each in (self._speed, self._wanted):
             way, turn = max(way, hypot(each.ahead, each.left)), max(turn, abs(each.turn))
         return ceil(max(1.0, way * TICK / FARTHEST, turn * TICK / WIDEST))
 
     def take_at_once(self) -> None:
-        """The whole tick, if its velocity stays the same and nothing is near."""
+        """Run the whole tick at once, if the velocity is constant and nothing is near."""
         speed = self._speed
         if speed != self._wanted or abs(speed.turn * TICK) > 45.0:
             return
@@ -295,7 +295,7 @@ class RobotDrive:
 
     @property
     def _vehicle(self) -> Vehicle:
-        """Another one after the world was changed."""
+        """The vehicle, made again after a change of the world."""
         return self._robot.get_ready()
 
     @property

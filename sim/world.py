@@ -26,7 +26,7 @@ class _AtOnce:
 
 
 class World:
-    """A scene that lives."""
+    """A simulated scene."""
 
     def __init__(self, scene: Scene, *, seed: int = 0, looks: Looks | None = None) -> None:
         """``seed``: of whatever is drawn by lot; 0 draws nothing, all is exact. ``looks``: see ``Ground``."""
@@ -67,7 +67,7 @@ class World:
         return self._robots.get(self._index(name)) or self.robot(name, pace=_AtOnce())
 
     def change(self, index: int, **properties: object) -> None:
-        """A model has another colour or mark from now on. Only while no robot takes part."""
+        """Change the colour or mark of a model. Only while no robot takes part."""
         models = list(self.scene.models)
         models[index] = replace(models[index], **properties)
         self.rebuild(replace(self.scene, models=tuple(models)), {each.root: each.root for each in models})
@@ -85,11 +85,11 @@ class World:
         return None if held is None else (self.scene.robot_names[held[0]], held[1])
 
     def poses(self) -> Mapping[str, Placement]:
-        """Where every robot that was made is in truth, by name."""
+        """The true places of all robots that were made, by name."""
         return {robot.name: robot.placement for robot in tuple(self._robots.values())}
 
     def moved_things(self) -> Mapping[int, Placement]:
-        """Where things are that were pushed or carried, by the index of their (top-level) model."""
+        """The places of pushed or carried things, by the index of their (top-level) model."""
         return {root: now for root, now in self._ground.moved().items() if root not in self._seats}
 
     def scene_now(self) -> Scene:
@@ -110,7 +110,7 @@ class World:
         self._ground.begin()
 
     def reset(self) -> None:
-        """Everything back to its start. Only while no robot takes part."""
+        """Reset everything to its start. Only while no robot takes part."""
         for robot in tuple(self._robots.values()):
             robot.reset()
         self._ground.put_things_back()
@@ -121,7 +121,7 @@ class World:
         return any(robot.holds is not None for robot in tuple(self._robots.values()))
 
     def places_in(self, scene: Scene, index_of: Mapping[int, int]) -> Mapping[int, Placement]:
-        """Where the things that were moved would be in another scene; see ``rebuild``."""
+        """The places of moved things in another scene; see ``rebuild``."""
         starts = self.scene.models
         return {
             index_of[old]: place

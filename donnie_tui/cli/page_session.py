@@ -96,7 +96,7 @@ class PageSession(AppService):
     # --- from the beginning to the end
 
     async def start(self, width: int, height: int) -> None:
-        """Start the process in its own group, which Ctrl+C at the server doesn't reach. Raises ``OSError``."""
+        """Start the process in its own group, out of reach of the server's Ctrl+C. Raises ``OSError``."""
         self._size = width, height
         self._process = await asyncio.create_subprocess_exec(
             *self._arguments,

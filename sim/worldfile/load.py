@@ -174,7 +174,7 @@ def _scene(name: str, reader: FileReader, statements: Iterable[Placed]) -> Scene
 
 
 def _robots(models: tuple[Model, ...]) -> tuple[int, ...]:
-    """Position models that see, then those that feel only; those without any sense where no other is."""
+    """Position models with range sensors or cameras, then those with bumpers; without any, all others."""
     robots: list[int] = []
     for senses in (_SENSES, _LESSER_SENSES):
         sensing = {model.root for model in models if model.type in senses}

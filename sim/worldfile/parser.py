@@ -265,13 +265,13 @@ def _unexpected(problem: UnexpectedToken, file: str) -> WorldError:
 
 
 def _acceptable(problem: UnexpectedInput) -> set[str]:
-    """``problem.expected`` lists too much: only the parser itself knows what fits here."""
+    """The terminals that fit here; ``problem.expected`` lists too many."""
     parser = getattr(problem, "interactive_parser", None)
     return set(parser.accepts()) if parser is not None else set()
 
 
 class _Source:
-    """A text that knows its file, on its way through lark to our lexer."""
+    """A text with the name of its file, passed through lark to ``_Words``."""
 
     def __init__(self, text: str, file: str) -> None:
         self.text = text
@@ -279,7 +279,7 @@ class _Source:
 
 
 class _Words(Lexer):
-    """Our tokens in lark's clothes."""
+    """A lark lexer over the tokens of ``tokens``."""
 
     def __init__(self, lexer_conf: object) -> None:
         pass
