@@ -27,7 +27,7 @@ from donnie_tui.core.workspace import Workspace
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.audible import Audible, make_audible
 from donnie_tui.outlets.belt import BeltAnnouncer, belt_settings, connect_belt
-from donnie_tui.outlets.files import Outlets, Written
+from donnie_tui.outlets.files import Outlets, SessionFiles
 from donnie_tui.process import loaded
 from donnie_tui.robot.connection import Connection
 from donnie_tui.robot.search import Search
@@ -337,8 +337,8 @@ def _written(
     world: ChosenWorld,
     out: TextIO | None,
     closing: ExitStack,
-) -> Written:
-    written = Written(settings, session.hub, words, closing)
+) -> SessionFiles:
+    written = SessionFiles(settings, session.hub, words, closing)
     written.events(out)
     written.recording(world)
     written.sounds()

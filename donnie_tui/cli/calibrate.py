@@ -65,7 +65,7 @@ class _Steady(Struct):
         return not self.ended.wait(seconds)
 
 
-class _Sizes(Struct, frozen=True):
+class _Measures(Struct, frozen=True):
     """In metres; None is not measured."""
 
     wheel_radius: float | None
@@ -100,7 +100,7 @@ def calibrate(order: Order, made: Callable[..., MeasurableRobot] = make_measurab
     return _keep(order, sizes)
 
 
-def _measured(order: Order, made: Callable[..., MeasurableRobot]) -> _Sizes:
+def _measured(order: Order, made: Callable[..., MeasurableRobot]) -> _Measures:
     """Measure the robot. It stands, and its port is free, when this returns or raises."""
 
     def report(news: LinkNotice, _reason: str) -> None:
@@ -134,7 +134,7 @@ def _guarded(robot: MeasurableRobot, *, is_real: bool) -> Iterator[None]:
             guard.end(may_drive_on=robot.may_drive_on)
 
 
-def _keep(order: Order, sizes: _Sizes) -> int:
+def _keep(order: Order, sizes: _Measures) -> int:
     """Write the measured sizes. Raises ``Unusable``."""
     measured = {"wheel_radius": sizes.wheel_radius, "axle_length": sizes.axle_length}
     if not any(measured.values()):
@@ -166,12 +166,12 @@ class _Calibration:
         self._input = Input()
         self._config: RobotConfig = robot_config(order.settings)
 
-    def talk(self) -> _Sizes:
+    def talk(self) -> _Measures:
         """Raises ``_Lost``, and ``RobotProblem`` where nothing moves."""
         self._say("calibrate-start")
         self._robot.connect()
         radius = self._measured_radius()
-        return _Sizes(radius, self._measured_axle(radius or self._config.wheel_radius))
+        return _Measures(radius, self._measured_axle(radius or self._config.wheel_radius))
 
     def _measured_radius(self) -> float | None:
         counts = self._counted("calibrate-walk", STEPS, lambda: self._robot.forward(STEPS))
@@ -263,7 +263,7 @@ def _end(_number: int, _frame: FrameType | None) -> NoReturn:
 # --- the colours of a camera
 
 
-class _Audience(Struct, frozen=True):
+class _Listeners(Struct, frozen=True):
     """Listeners for the voice alone, as no robot moves."""
 
     hub: Hub
@@ -280,7 +280,7 @@ def _calibrate_colours(order: Order, what: str) -> int:
         # loaded here: the wheels are measured without a voice
         from donnie_tui.outlets.audible import make_audible
 
-        audience = _Audience(Hub(lambda: 0.0, None, Stream()))
+        audience = _Listeners(Hub(lambda: 0.0, None, Stream()))
         audible = make_audible(order.settings, audience, order.words, closing_voice)
 
         def say(code: str, **values: object) -> None:

@@ -31,7 +31,7 @@ from donnie_tui.core.transcript import printed_lines, with_robot_name
 from donnie_tui.core.wording import keys_of, meant, position_in_words, spelled
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.audible import make_audible
-from donnie_tui.outlets.files import Written
+from donnie_tui.outlets.files import SessionFiles
 from donnie_tui.process.confinement import OutsideError, check_name, open_bytes
 from donnie_tui.settings.parsing import SIMULATED
 from donnie_tui.settings.settings import faster_than, slower_than, speed_words
@@ -107,7 +107,7 @@ FIXED = ("world", "robot", "seed", "belt", "record")
 """Options without effect on a recording."""
 
 
-class _Audience(Struct, frozen=True):
+class _Listeners(Struct, frozen=True):
     """The listeners of a replay."""
 
     hub: Hub
@@ -251,14 +251,14 @@ class _Player:
         self._moved: str | None = None
         """The robots that moved in the current step."""
         self._has_moved = False
-        self._written = Written(order.settings, self._hub, order.words, closing)
+        self._written = SessionFiles(order.settings, self._hub, order.words, closing)
         self._written.events(cast(TextIO, Guarded(order.output)))
         self._written.sounds()
         with_words = order.settings.events != "-"
         of_run = Words(_first_language(recording) or order.words.language, order.words.detail)
         self._stream.subscribe(_follower(of_run))
         self._stream.subscribe(_printer(order.output, of_run, with_words=with_words))
-        self._audible = make_audible(order.settings, _Audience(self._hub), of_run, closing)
+        self._audible = make_audible(order.settings, _Listeners(self._hub), of_run, closing)
         self._replay = Replay(self._timeline, self._control, order.settings.speed)
 
     def play(self) -> int:

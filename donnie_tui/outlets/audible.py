@@ -95,7 +95,7 @@ class Audible:
             is_linear=self._is_linear, has_real_robot=self._settings.robot.startswith("serial")
         )
         self.choice = choose_channel(self._settings.speech, self._facts, self._settings.speak)
-        made = _Maker(
+        made = _AudioAssembler(
             self._settings,
             self._session,
             self._words,
@@ -258,7 +258,7 @@ def cue_volumes(settings: Settings) -> dict[str, float]:
     return {name: percent / 100 for name, percent in settings.cues.items()}
 
 
-class _Made(Struct, frozen=True):
+class _SoundOutputs(Struct, frozen=True):
     """The voice and the cues, as far as there are any."""
 
     speakers: tuple[Speaker, ...]
@@ -267,7 +267,7 @@ class _Made(Struct, frozen=True):
     audio: AudioService | None
 
 
-class _Maker:
+class _AudioAssembler:
     """Connects the chosen voice and cues with the stream."""
 
     def __init__(
@@ -287,13 +287,13 @@ class _Maker:
         self._speakers: list[Speaker] = []
         self._voiced: list[_Voiced] = []
 
-    def make(self, facts: DetectedEnvironment) -> _Made:
+    def make(self, facts: DetectedEnvironment) -> _SoundOutputs:
         cues = wants_cues(self._settings, facts)
         speaks = self._choice.channel is Channel.TTS or self._choice.speak is not SpeakPlace.HERE
         audio = self._worker() if speaks or cues else None
         self._connect_voices(audio)
         player = self._cue_player(audio) if audio is not None and cues else None
-        return _Made(tuple(self._speakers), tuple(self._voiced), player, audio)
+        return _SoundOutputs(tuple(self._speakers), tuple(self._voiced), player, audio)
 
     def _connect_voices(self, audio: AudioService | None) -> None:
         match self._choice.channel:

@@ -80,7 +80,7 @@ class SoundFile:
                 self._tell(problem)
 
 
-class Written:
+class SessionFiles:
     """The files of one session, closed with it. Every method raises ``Unusable``."""
 
     def __init__(self, settings: Settings, hub: Hub, words: Words, closing: ExitStack) -> None:
@@ -343,7 +343,7 @@ class Outlets(Struct, frozen=True):
     """The voice and the cues."""
     belt: BeltAnnouncer
     """The belt in words."""
-    written: Written
+    written: SessionFiles
     speech_wait: SpeechWait
     """Lets programs wait for the voice."""
 

@@ -54,7 +54,7 @@ class Reporter(Protocol):
         """Before each tick."""
 
 
-class Fitting(Struct):
+class DeviceContext(Struct):
     """The place of a device, and the objects that it works with."""
 
     interface: Interface
@@ -70,10 +70,10 @@ class Fitting(Struct):
 class Equipment:
     """The base class: a device that can be opened, has no data and refuses all requests."""
 
-    def __init__(self, fitting: Fitting) -> None:
-        self.interface, self.index = fitting.interface, fitting.index
-        self.driver, self.users = fitting.driver, 0
-        self._robot, self._loop, self._reporter = fitting.robot, fitting.loop, fitting.reporter
+    def __init__(self, context: DeviceContext) -> None:
+        self.interface, self.index = context.interface, context.index
+        self.driver, self.users = context.driver, 0
+        self._robot, self._loop, self._reporter = context.robot, context.loop, context.reporter
 
     def open(self) -> bool:
         """Opens the device. False refuses it."""
@@ -103,10 +103,10 @@ class Equipment:
 class MountedDevice(Equipment):
     """A device on a robot, or the robot itself."""
 
-    def __init__(self, fitting: Fitting, model: Model) -> None:
-        super().__init__(fitting)
-        self._model, self._drive = model, fitting.loop.drives[fitting.robot]
-        self._on_robot = relative(model.pose, fitting.loop.scene.models[model.root].pose)
+    def __init__(self, context: DeviceContext, model: Model) -> None:
+        super().__init__(context)
+        self._model, self._drive = model, context.loop.drives[context.robot]
+        self._on_robot = relative(model.pose, context.loop.scene.models[model.root].pose)
         self.begin()
 
     def begin(self) -> None:
@@ -334,7 +334,7 @@ class MarkReader(MountedDevice):
 OPEN, CLOSED, MOVING = 1, 2, 3
 
 
-class Paddles(MountedDevice):
+class GripperDevice(MountedDevice):
     """A gripper. It carries the thing between its closed paddles."""
 
     def begin(self) -> None:
@@ -421,12 +421,12 @@ class Battery(Equipment):
         yield 1, (8, 0.0, 100.0, 0.0, 0.0, 0)
 
 
-class Whole(Equipment):
+class SimulationDevice(Equipment):
     """The simulation: reads and sets the poses of things. It works without being opened."""
 
-    def __init__(self, fitting: Fitting) -> None:
-        super().__init__(fitting)
-        models = fitting.loop.scene.models
+    def __init__(self, context: DeviceContext) -> None:
+        super().__init__(context)
+        models = context.loop.scene.models
         self._names = {_whole_name(model, models): model.index for model in reversed(models)}
 
     def command(self, subtype: int, values: Values) -> None:  # noqa: ARG002 -- it has none
@@ -489,17 +489,17 @@ def _whole_name(model: Model, models: Sequence[Model]) -> str:
 STAGE, BELT = "stage", "vib_belt"
 
 
-def _position_device(fitting: Fitting, model: Model) -> MountedDevice:
-    return (WheelDevice if model.parent is None else HeadDevice)(fitting, model)
+def _position_device(context: DeviceContext, model: Model) -> MountedDevice:
+    return (WheelDevice if model.parent is None else HeadDevice)(context, model)
 
 
-MOUNTED: Mapping[str, tuple[Callable[[Fitting, Model], MountedDevice], Callable[[Model], object]]] = {
+MOUNTED: Mapping[str, tuple[Callable[[DeviceContext, Model], MountedDevice], Callable[[Model], object]]] = {
     "position2d": (_position_device, lambda each: each.wheels),
     "ranger": (RangeFinder, lambda each: each.sensors),
     "bumper": (BumperBars, lambda each: each.bumpers),
     "blobfinder": (ColourFinder, lambda each: each.blobfinder),
     "fiducial": (MarkReader, lambda each: each.fiducial_finder),
-    "gripper": (Paddles, lambda each: each.gripper),
+    "gripper": (GripperDevice, lambda each: each.gripper),
 }
 """The device of each interface of Stage's driver, and the models that can be one."""
 _SERVICES = {"dio": DigitalOutputs, "sound": SoundDevice, "speech": SpeechDevice}
@@ -510,7 +510,7 @@ def service_of(interface: str, driver: str) -> type[Equipment] | None:
     if interface == "power":
         return None if driver == STAGE else Battery
     if interface == "simulation":
-        return Whole if driver == STAGE else None
+        return SimulationDevice if driver == STAGE else None
     if (interface, driver) == ("speech", BELT):
         return BeltFrames
     return _SERVICES.get(interface) if driver in (STAGE, "soxplayer", "gtts", BELT) else None

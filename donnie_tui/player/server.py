@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, cast
 from devices.player.codec import DATA, Interface, Key, TooLong, body_of
 from devices.player.connection import ClientConnection
 from devices.ports.drive import TICK
-from donnie_tui.player.equipment import MOUNTED, STAGE, Equipment, Fitting, Reporter, service_of
+from donnie_tui.player.equipment import MOUNTED, STAGE, DeviceContext, Equipment, Reporter, service_of
 
 if TYPE_CHECKING:
     from sim.scene import Model
@@ -117,9 +117,9 @@ class Stations:
                 return kind(self._fitting(driver, address, robot), model)
         raise ServerProblem("player-no-model", what=f"{interface}:{address.index}")
 
-    def _fitting(self, driver: Driver, address: Address, robot: str) -> Fitting:
+    def _fitting(self, driver: Driver, address: Address, robot: str) -> DeviceContext:
         interface = Interface[address.interface.upper()]
-        return Fitting(interface, address.index, driver.name, robot, self._loop, self._reporter)
+        return DeviceContext(interface, address.index, driver.name, robot, self._loop, self._reporter)
 
     def _robot_of(self, address: Address) -> str:
         """The robot of that port, for devices without a model of their own."""

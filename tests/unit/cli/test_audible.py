@@ -112,7 +112,7 @@ def test_a_default_voice_is_announced_with_the_word_that_changes_it(
 ) -> None:
     """The greeting says which voice was chosen without a question."""
     monkeypatch.setattr(audible, "DetectedEnvironment", lambda **_: around)
-    monkeypatch.setattr(audible._Maker, "make", lambda *_: SimpleNamespace())
+    monkeypatch.setattr(audible._AudioAssembler, "make", lambda *_: SimpleNamespace())
     with ExitStack() as closing:
         decided = make_audible(
             Settings(speech=speech, sound=False), Floor().session, Words(), closing

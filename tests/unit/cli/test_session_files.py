@@ -18,7 +18,7 @@ from donnie_tui.core.hub import Hub
 from donnie_tui.core.session import RunOptions
 from donnie_tui.core.transcript import printed_lines
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.outlets.files import Written
+from donnie_tui.outlets.files import SessionFiles
 from donnie_tui.settings.settings import Settings
 from tests.floor import Floor
 from tests.timeouts import TIMEOUT
@@ -35,7 +35,7 @@ def test_a_full_log_is_reported_once_and_counts_as_lost(
     hub, words, said = Hub(lambda: 0.0), Words(), list[str]()
     hub.subscribe(lambda stamped: said.extend(printed_lines(stamped, words)))
     with ExitStack() as closing:
-        written = Written(Settings(log=True), hub, words, closing)
+        written = SessionFiles(Settings(log=True), hub, words, closing)
         written.log()
         hub.publish(Spoke("a"))
         hub.publish(Spoke("b"))
@@ -47,7 +47,7 @@ def test_a_full_log_is_reported_once_and_counts_as_lost(
 @pytest.mark.parametrize("files", [{"record": "a"}, {"events": "a"}, {"sound": "a"}])
 def test_another_session_would_overwrite_a_file_of_this_session(files: dict[str, str]) -> None:
     with ExitStack() as closing:
-        assert Written(Settings(**files), Hub(lambda: 0.0), Words(), closing).of_this_session == "a"
+        assert SessionFiles(Settings(**files), Hub(lambda: 0.0), Words(), closing).of_this_session == "a"
 
 
 def test_cues_of_a_run_are_written_into_a_file_the_same_every_time(tmp_path: Path) -> None:
@@ -56,7 +56,7 @@ def test_cues_of_a_run_are_written_into_a_file_the_same_every_time(tmp_path: Pat
     def bytes_of(name: str) -> bytes:
         floor, path = Floor(), tmp_path / name
         with ExitStack() as closing:
-            Written(Settings(sound=str(path)), floor.session.hub, Words(), closing).sounds()
+            SessionFiles(Settings(sound=str(path)), floor.session.hub, Words(), closing).sounds()
             assert floor.session.start("FW 3 TR 90", "a.gd", RunOptions(fresh=True)).wait(TIMEOUT)
         return path.read_bytes()
 
@@ -68,7 +68,7 @@ def test_cues_of_a_run_are_written_into_a_file_the_same_every_time(tmp_path: Pat
 def test_a_sound_file_that_can_not_be_written_prevents_the_start(tmp_path: Path) -> None:
     wrong = str(tmp_path / "none" / "a.wav")
     with ExitStack() as closing, pytest.raises(Unusable):
-        Written(Settings(sound=wrong), Floor().session.hub, Words(), closing).sounds()
+        SessionFiles(Settings(sound=wrong), Floor().session.hub, Words(), closing).sounds()
 
 
 def loud_seconds(path: Path) -> list[float]:
@@ -84,7 +84,7 @@ def test_a_second_run_sounds_after_the_first_and_sound_off_writes_nothing(
 ) -> None:
     floor, path = Floor(), tmp_path / "a.wav"
     with ExitStack() as closing:
-        Written(Settings(sound=str(path)), floor.session.hub, Words(), closing).sounds()
+        SessionFiles(Settings(sound=str(path)), floor.session.hub, Words(), closing).sounds()
         for program in ("FW 1 WAIT 4", "SOUND OFF FW 1 WAIT 4", "SOUND ON FW 1 WAIT 4"):
             assert floor.session.start(program, "a.gd", RunOptions(fresh=True)).wait(TIMEOUT)
 
