@@ -39,6 +39,7 @@ OPEN_HALF = 30
 """Steps to each side of the robot that are shown of a floor without walls."""
 LARGE = 8
 """Steps: a thing as long as this has a capital letter."""
+WALL = "#"
 _TAKEN = "aov"
 """Letters that a map needs for the start, the trail and the robot."""
 _WALL_KINDS = ("wall", "floorplan", "room", "map")
@@ -145,7 +146,7 @@ def picture(scene: Scene, robot: str | None = None) -> Picture:
     width, height = ceil((right - left) / cell) + 1, ceil((top - bottom) / cell) + 1
     grid = _Grid(left, bottom, width, height, cell)
     for shape in sorted(shapes, key=lambda shape: not shape.is_wall):
-        letter = "#" if shape.is_wall else _sized(letters[_kind(shape.model)], shape)
+        letter = WALL if shape.is_wall else _sized(letters[_kind(shape.model)], shape)
         grid.draw(shape, letter)
     robots = frozenset(scene.robots)
     things = tuple(_thing(shape, letters, robots) for shape in shapes if not shape.is_wall)
@@ -173,20 +174,24 @@ def _from(me: Model, outlines: Iterable[tuple[Point, ...]]) -> Iterator[tuple[Po
 
 
 def drawings(scene: Scene) -> tuple[Drawing, ...]:
-    """Everything that stands in the scene, robots too; things have the letters that ``picture`` gives."""
+    """Everything that stands in the scene, as lines."""
+    return tuple(
+        Drawing(each.outlines, None if each.letter == WALL else each, bool(scene.models[each.index].bitmap))
+        for each in all_things(scene)
+    )
+
+
+def all_things(scene: Scene) -> tuple[Thing, ...]:
+    """Everything that stands in the scene: robots and walls too, whose letter is ``WALL``.
+
+    Things have the letters that ``picture`` gives.
+    """
     me, robots = _me(scene, None), frozenset(scene.robots)
     shapes = tuple(_shapes(scene, None, walls_around=me))
     letters = _letters(shape for shape in shapes if not shape.is_wall and shape.model is not me)
     if me is not None:
         letters.setdefault(_kind(me), "x")
-    return tuple(
-        Drawing(
-            shape.outlines,
-            None if shape.is_wall else _thing(shape, letters, robots),
-            bool(shape.model.bitmap),
-        )
-        for shape in shapes
-    )
+    return tuple(_thing(shape, letters, robots) for shape in shapes)
 
 
 def _me(scene: Scene, robot: str | None) -> Model | None:
@@ -312,7 +317,7 @@ def _thing(shape: _Shape, letters: dict[str, str], robots: frozenset[int]) -> Th
     return Thing(
         name=_called(model),
         kind=model.kind,
-        letter=_sized(letters[_kind(model)], shape),
+        letter=WALL if shape.is_wall else _sized(letters[_kind(model)], shape),
         colour=model.colour.family,
         x=round(x, 6),
         y=round(y, 6),

@@ -153,9 +153,8 @@ def _new_world(order: Order, file: str) -> int:
         write_program(target, built.text)
     except DocumentError as problem:
         raise Unusable(words(problem.code, path=problem.path, reason=problem.reason)) from None
-    values = {"width": built.width, "depth": built.depth, "robots": built.robots, "things": built.things}
     command = f"donnie --world {shlex.quote(str(target))}"
-    order.output.line(words("world-new", path=target, command=command, **values))
+    order.output.line(words("world-new", path=target, command=command, **built.counts))
     return ExitCode.DONE
 
 

@@ -5,13 +5,12 @@ Each answer says where the thing is afterwards, or why nothing changed.
 
 from __future__ import annotations
 
-import re
 from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.declarations import BY_NAME
-from donnie_tui.commands.dispatch import attempt, handler_of, handles
+from donnie_tui.commands.dispatch import attempt, confirm_replacing, handler_of, handles
 from donnie_tui.commands.interaction import GivenUp, NotUnderstood, numbers_in
 from donnie_tui.core.transcript import with_robot_name
 from donnie_tui.i18n.words import Unusable
@@ -29,30 +28,29 @@ async def put(ctx: Context, argument: str) -> None:
 
     PUT wall -5 8 5 8 adds a wall between two squares.
     """
-    what, place, name = _parts(argument, 4 if things.means_wall(argument) else 2, 2)
+    what, place = _with_numbers(argument, 4, 2)
     building = _building(ctx)
     try:
         described = things.description_of(what, ctx.words)
     except things.BadDescription:
-        if re.search(r"(?<!\S)-?\d+,?(?!\S)", what) and not building.named(what):
-            raise NotUnderstood from None  # too many numbers
-        if name or not building.named(what):
+        if len(place) > 2 or not building.named(what):
+            if len(place) > 2 or things.with_numbers(what, 1)[1]:  # too many
+                raise NotUnderstood from None
             raise
-        thing, (x, y) = building.find(what), place[-2:]
+        thing, (x, y) = building.find(what), place
         _say_place(ctx, *building.move(thing, x - thing.x, y - thing.y))
         return
-    if len(described.colours) > 1:
+    is_wall = described.kind == things.WALL
+    if len(described.colours) > 1 or (len(place) > 2 and not is_wall):
         raise NotUnderstood
-    code, thing = building.put(described, name, place)
-    (x, to_x), (y, to_y) = ((min(each), max(each)) for each in (place[::2], place[1::2]))
-    _say_place(
-        ctx, "built-wall" if described.kind == things.WALL else code, thing, x=x, y=y, to_x=to_x, to_y=to_y
-    )
+    code, thing = building.put(described, place)
+    (x, to_x), (y, to_y) = (sorted((each[0], each[-1])) for each in (place[::2], place[1::2]))
+    _say_place(ctx, "built-wall" if is_wall else code, thing, x=x, y=y, to_x=to_x, to_y=to_y)
 
 
 async def move_thing(ctx: Context, argument: str) -> None:
     """MOVE treasure 2 0: move a thing two steps to the east."""
-    what, (east, north), _ = _parts(argument, 2)
+    what, (east, north) = _with_numbers(argument, 2, form="thing-and-steps")
     building = _building(ctx)
     _say_place(ctx, *building.move(building.find(what), east, north))
 
@@ -62,7 +60,7 @@ async def turn(ctx: Context, argument: str) -> None:
     """TURN treasure 90: turn a thing to the right in its place."""
     if not argument:
         ctx.answer("built-turn-robot", example=f"{keywords.spelling('TR', ctx.words.language)} 90")
-    what, (degrees,), _ = _parts(argument, 1)
+    what, (degrees,) = _with_numbers(argument, 1)
     building = _building(ctx)
     _, turned = building.move(building.find(what), degrees=degrees)
     _say_place(ctx, "built-turned", turned, degrees=degrees)
@@ -78,20 +76,12 @@ async def remove(ctx: Context, argument: str) -> None:
     _say_place(ctx, *building.remove(building.find(argument)))
 
 
-def _parts(argument: str, *counts: int) -> tuple[str, tuple[int, ...], str]:
-    """Parse the thing, the wanted count of numbers, and the name after AS. Raises ``NotUnderstood``.
-
-    Numbers before these are part of a name: MOVE box 2 1 0.
-    """
-    text, name = things.split_name(argument)
-    before = text.split()
-    places = [at for at, each in enumerate(before) if re.fullmatch(r"-?\d+,?", each)]
-    count = next((each for each in counts if each <= len(places)), counts[-1])
-    what = " ".join(each for at, each in enumerate(before) if at not in places[-count:])
-    found = numbers_in(" ".join(before[at] for at in places[-count:]), most=count)
-    if not what or name == "" or found is None or len(found) != count:
-        raise NotUnderstood
-    return what, found, name or ""
+def _with_numbers(argument: str, *counts: int, form: str = "") -> tuple[str, tuple[int, ...]]:
+    """As ``things.with_numbers``. Raises ``NotUnderstood`` if the thing or the numbers are missing."""
+    what, numbers = things.with_numbers(argument, *counts)
+    if not what or not numbers:
+        raise NotUnderstood(form)
+    return what, numbers
 
 
 def _say_place(ctx: Context, code: str, thing: Thing, **values: object) -> None:
@@ -109,20 +99,19 @@ def _say_place(ctx: Context, code: str, thing: Thing, **values: object) -> None:
 
 def _building(ctx: Context) -> Building:
     """Return the world for a change. Raises ``Unusable`` if it can't be changed."""
-    donnie, words = ctx.donnie, ctx.words
-    world, recording = donnie.world, donnie.outlets.written.of_this_session
+    donnie, words, world = ctx.donnie, ctx.words, ctx.donnie.world
+    recording = donnie.outlets.written.of_this_session
     if donnie.team.running:
         raise Unusable(with_robot_name(donnie.session.hub.robot, words("screen-busy"), words))
-    if donnie.connection.is_real or donnie.connection.is_board:
-        raise Unusable(words("built-real"))
-    if world.challenge is not None:
-        raise Unusable(words("built-challenge"))
-    if world.offers or world.stands_in_for:
-        raise Unusable(words("built-configuration"))
-    if recording is not None:
-        raise Unusable(words("built-recorded", path=recording))
-    if donnie.holds_something:
-        raise Unusable(words("built-holding"))
+    reasons = {
+        "built-real": donnie.connection.is_real or donnie.connection.is_board,
+        "built-challenge": world.challenge,
+        "built-configuration": world.offers or world.stands_in_for,
+        "built-recorded": recording,
+        "built-holding": donnie.holds_something,
+    }
+    for code in (code for code, holds in reasons.items() if holds):
+        raise Unusable(words(code, path=recording))
     return donnie.building(ctx.program.text)
 
 
@@ -158,9 +147,8 @@ async def save_world(ctx: Context, argument: str) -> None:
     if not name:
         raise GivenUp
     path = file_to_save(name, donnie.in_use, SUFFIX, own)
-    question = ctx.words("ask-replace", name=path.name) if path != own and exists(path) else ""
-    if question and not await ctx.interaction.confirm(question):
-        raise GivenUp
+    if path != own and exists(path):
+        await confirm_replacing(ctx, "ask-replace", path)
     donnie.building().save(path)
     ctx.answer("built-saved", name=path.name)
 

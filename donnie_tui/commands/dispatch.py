@@ -19,6 +19,8 @@ from donnie_tui.core.run_state import RunState
 from donnie_tui.i18n.words import Unusable
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from donnie_tui.core.program_files import DocumentError
 
 Handler: TypeAlias = "Callable[[Context, str], Awaitable[None]]"
@@ -65,8 +67,8 @@ async def perform(ctx: Context, command: Command, argument: str | None) -> None:
         ctx.say(*ctx.runs.to_present())
     try:
         await attempt(ctx, _run(ctx, command, argument))
-    except NotUnderstood:
-        ctx.say(not_understood(command, ctx.words))
+    except NotUnderstood as slip:
+        ctx.say(not_understood(command, ctx.words, slip.meant))
 
 
 async def _run(ctx: Context, command: Command, argument: str | None) -> None:
@@ -90,6 +92,14 @@ async def attempt(ctx: Context, task: Awaitable[None]) -> None:
     except _document_error() as error:
         ctx.refuse(UNUSABLE)
         ctx.answer(error.code, path=error.path, reason=error.reason)
+
+
+async def confirm_replacing(ctx: Context, code: str, path: Path) -> None:
+    """Raises ``GivenUp`` unless the learner agrees, ``DocumentError`` if no learner can be asked."""
+    if not ctx.interaction.is_attended:
+        raise _document_error()("file-exists", str(path))
+    if not await ctx.interaction.confirm(ctx.words(code, name=path.name)):
+        raise GivenUp
 
 
 def _document_error() -> type[DocumentError]:

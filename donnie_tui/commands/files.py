@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from donnie_tui.commands.context import UNUSABLE, Context
 from donnie_tui.commands.declarations import COMMANDS
-from donnie_tui.commands.dispatch import handles
+from donnie_tui.commands.dispatch import confirm_replacing, handles
 from donnie_tui.commands.interaction import GivenUp, NotUnderstood, Option, read_count
 from donnie_tui.commands.lookup import help_line
 from donnie_tui.commands.program import say_restored
@@ -259,7 +259,7 @@ async def _save(ctx: Context, name: str) -> bool:
         lambda: save_question(path, document.path, document.saved_text), slow
     )
     if asked:
-        await _confirm_replacing(ctx, asked, path)
+        await confirm_replacing(ctx, asked, path)
     return await ctx.interaction.finish(_write(ctx, document, path))
 
 
@@ -280,14 +280,6 @@ async def _write(ctx: Context, document: Document, path: Path) -> bool:
     ctx.workspace.keep_copies()
     ctx.answer("answer-saved", name=path.name, lines=text.count("\n"))
     return True
-
-
-async def _confirm_replacing(ctx: Context, code: str, path: Path) -> None:
-    """Raises ``GivenUp`` unless the learner agrees, ``DocumentError`` if no learner can be asked."""
-    if not ctx.interaction.is_attended:
-        raise DocumentError("file-exists", str(path))
-    if not await ctx.interaction.confirm(ctx.words(code, name=path.name)):
-        raise GivenUp
 
 
 # --- before a text is lost
@@ -396,7 +388,7 @@ async def _write_page(ctx: Context, name: str, content: Callable[[], bytes]) -> 
     """Asks before it replaces a file. Raises ``DocumentError``."""
     path = page_to_save(name, ctx.workspace.files, ctx.donnie.in_use)
     if exists(path):
-        await _confirm_replacing(ctx, "ask-replace", path)
+        await confirm_replacing(ctx, "ask-replace", path)
     await ctx.interaction.finish(_finish_page(ctx, path, content))
 
 

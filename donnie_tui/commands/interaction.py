@@ -35,6 +35,10 @@ T = TypeVar("T")
 class NotUnderstood(Exception):
     """Raised by a handler that can't understand its argument. The dispatcher answers with the typed form."""
 
+    def __init__(self, meant: str = "") -> None:
+        """``meant``: the kind of argument that was meant, of a command that takes several."""
+        self.meant = meant
+
 
 class GivenUp(Exception):
     """Raised if the learner cancels a question or a slow task. The dispatcher answers."""

@@ -111,17 +111,18 @@ _LINE_COMMANDS = tuple(each for each in COMMANDS if each.name in _ON_A_LINE)
 # --- how a command is typed, and what it is for
 
 
-def typed_form(command: Command, wording: Wording) -> str:
-    """How it is typed, with an example of its argument: ``LIST 2 5``."""
-    argument = wording(f"help-typed-{command.argument}") if command.argument else ""
+def typed_form(command: Command, wording: Wording, kind: str = "") -> str:
+    """How it is typed, with an example of its argument, or of that ``kind`` of argument: ``LIST 2 5``."""
+    kind = kind or command.argument
+    argument = wording(f"help-typed-{kind}") if kind else ""
     return " ".join(filter(None, (word_of(command, wording.language), argument)))
 
 
-def not_understood(command: Command, wording: Wording) -> str:
-    """The answer to an argument that the command can't understand."""
+def not_understood(command: Command, wording: Wording, meant: str = "") -> str:
+    """The answer to an argument that the command can't understand. ``meant``: the kind that it was to be."""
     if not command.argument:
         return wording("word-takes-nothing", word=word_of(command, wording.language))
-    return wording("command-example", example=typed_form(command, wording))
+    return wording("command-example", example=typed_form(command, wording, meant))
 
 
 def help_line(command: Command, wording: Wording, keys: str = "") -> str:

@@ -12,23 +12,21 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache
-from itertools import cycle
+from itertools import chain, count, cycle
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple, TypeAlias
+from typing import TypeAlias
 
 from msgspec import Struct
-from msgspec.structs import replace
 
 import worlds
 from devices.ports.robot import STEP
-from donnie_tui.core.wording import Wording
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.world import things
+from donnie_tui.world.loading import allowed_folders, scene_of
 from language.locales import languages
 from language.source import fold_name
-
-if TYPE_CHECKING:
-    from sim.scene import Scene
+from sim.picture import Thing, all_things
+from sim.scene import Scene
 
 WALL, FREE, ARROWS = "#", ".", "^>v<"
 MOST_SIDE = 400
@@ -41,14 +39,6 @@ MOST_SLIPS = 20
 """Mistakes that are listed."""
 _HEADING = {"^": 90, ">": 0, "v": -90, "<": 180}
 """As world files have it: counter-clockwise from the east."""
-
-
-class Slip(NamedTuple):
-    """One mistake: its place (line 0: nowhere) and the sentence about it."""
-
-    line: int
-    column: int
-    message: str
 
 
 Square: TypeAlias = tuple[int, int]
@@ -106,65 +96,24 @@ def _around(square: Square) -> Iterator[Square]:
     return ((row + down, column + right) for down in (-1, 0, 1) for right in (-1, 0, 1))
 
 
-# --- the legend
+# --- the world
 
 
-class _Legend:
-    """The lines under a drawing."""
+class Built(Struct, frozen=True):
+    """A drawing as a world file."""
 
-    def __init__(self, lines: Iterable[tuple[int, str]], wording: Wording) -> None:
-        """``lines``: with their numbers."""
-        self.things: dict[str, things.Description] = {}
-        """By their letters."""
-        self.places: dict[str, tuple[int, int]] = {}
-        """Line and column of each description, also where it has mistakes."""
-        self.bodies = set[str]()
-        """The letters around robots in a map that was printed."""
-        self.robots: list[str] = []
-        self.line_of_robots = 0
-        self.has_none = False
-        """Whether it says that there is no robot."""
-        self.scale = 1
-        """Steps that a letter is wide and high."""
-        self.slips: list[Slip] = []
-        self._words = wording
-        for number, line in lines:
-            if line.strip():
-                self._read(line, number)
+    text: str
+    counts: Mapping[str, int]
+    """What is in it: ``width`` and ``depth`` in steps, ``robots``, ``things``."""
 
-    def _read(self, line: str, number: int) -> None:
-        text, digits, found = line.strip(), re.search(r"\d{1,6}", line), _meaning().fullmatch(line)
-        first, steps = text.split()[0], int(digits[0]) if digits else 0
-        if _is_sentence(text, "map-no-robot"):
-            self.has_none = True
-        elif steps and _is_sentence(text, "map-scale", steps=steps):
-            self.scale = min(LARGEST_SCALE, steps)
-        elif found is None and first not in (WALL, FREE):
-            code = "drawing-gap" if {*text} <= {WALL, FREE} else "drawing-legend"
-            self._report(number, line.index(first), code, found=first[:40])
-        elif found is not None:
-            self._read_letter(found, number)
 
-    def _read_letter(self, found: re.Match[str], number: int) -> None:
-        letter, meaning = found["letter"], found["meaning"]
-        names = [each.strip() for each in meaning.split(",") if each.strip()]
-        if letter[0] in ARROWS:
-            self.robots, self.line_of_robots = names, number
-        elif letter in self.places:
-            self._report(number, found.start("letter"), "drawing-letter-twice", letter=letter)
-        elif names and {*names} <= {*self.robots, "…"}:
-            self.bodies.add(letter)
-        else:
-            self.places[letter] = number, found.start("meaning") + 1
-            text, name = things.split_name(meaning)
-            try:
-                self.things[letter] = replace(things.description_of(text, self._words), name=name or "")
-            except things.BadDescription as bad:
-                begin = found.start("meaning") + 1
-                self.slips += (Slip(number, begin + at, each) for at, each in bad.mistakes.items())
+def world_of(text: str, file: str, wording: Words) -> Built:
+    """The world that a drawing means. Raises ``Unusable`` with a sentence for each mistake in ``file``."""
+    return _Drawing(text, file, wording).built()
 
-    def _report(self, number: int, at: int, code: str, **values: object) -> None:
-        self.slips.append(Slip(number, at + 1, self._words(code, **values)))
+
+_LEGEND_LINE = re.compile(rf"(\w|[{re.escape(ARROWS)}])\s+\w\w")
+"""How a line says what a letter means: ``c chair green``. A row has no blanks."""
 
 
 @cache
@@ -179,227 +128,228 @@ def _is_sentence(text: str, code: str, **values: object) -> bool:
     return any(text == Words(each)(code, **values) for each in languages())
 
 
-# --- the world
-
-
-class Built(Struct, frozen=True):
-    """A drawing as a world file, and what is in it."""
-
-    text: str
-    width: int
-    """Steps from west to east."""
-    depth: int
-    robots: int
-    things: int
-
-
-class _BadDrawing(Exception):
-    """Its arguments are the mistakes."""
-
-
-def world_of(text: str, file: str, wording: Wording) -> Built:
-    """The world that a drawing means. Raises ``Unusable`` with a sentence for each mistake in ``file``."""
-    try:
-        return _Drawing(text, wording).built()
-    except _BadDrawing as bad:
-        slips = sorted({*bad.args})
-    shown = (
-        wording("world-error-at" if each.line else "drawing-error", file=file, **each._asdict())
-        for each in slips[:MOST_SLIPS]
-    )
-    raise Unusable(*shown, wording("world-new-mistakes", count=len(slips)))
-
-
-_LEGEND_LINE = re.compile(rf"(\w|[{re.escape(ARROWS)}])\s+\w\w")
-"""How a line says what a letter means: ``c chair green``. A row has no blanks."""
-
-
 class _Drawing:
     """A drawing with its legend, and the world file that it means."""
 
-    def __init__(self, text: str, wording: Wording) -> None:
+    def __init__(self, text: str, file: str, wording: Words) -> None:
+        self._file, self._words = file, wording
+        self._slips = set[tuple[int, int, str]]()
+        """Line (0: nowhere), column, and the sentence."""
+        self._things: dict[str, things.Description] = {}
+        """By their letters."""
+        self._places: dict[str, tuple[int, int]] = {}
+        """Line and column of each description, also where it has mistakes."""
+        self._bodies = set[str]()
+        """The letters around robots in a map that was printed."""
+        self._names: list[str] = []
+        """Those of the robots."""
+        self._has_none = False
+        """Whether the legend says that there is no robot."""
+        self._scale = 1
+        """Steps that a letter is wide and high."""
         lines = [each.rstrip(" ") for each in text.splitlines()]
-        begin = next((at for at, each in enumerate(lines) if each), len(lines))
-        below = enumerate(lines[begin:], start=begin)
-        end = next((at for at, each in below if not each or _LEGEND_LINE.match(each)), len(lines))
-        self._words = wording
-        self._legend = legend = _Legend(enumerate(lines[end:], start=end + 1), wording)
-        walls = {letter for letter, each in legend.things.items() if each.kind == things.WALL}
-        self._rows = rows = [
-            each.translate(dict.fromkeys(map(ord, walls), WALL)) for each in lines[begin:end]
-        ]
+        begin = next((at for at, each in enumerate(lines) if each), 0)
+        ends = (at for at, each in enumerate(lines) if at >= begin and (not each or _LEGEND_LINE.match(each)))
+        end = next(ends, len(lines))
+        for number, line in enumerate(lines[end:], start=end + 1):
+            if line.strip():
+                self._read_legend(number, line)
+        walls = [letter for letter, each in self._things.items() if each.kind == things.WALL]
+        self._rows = [each.translate(dict.fromkeys(map(ord, walls), WALL)) for each in lines[begin:end]]
         self._first = begin + 1
         """The number of the first row's line."""
-        self._step = legend.scale * STEP
-        _refuse(self._slips_of_size())
-        marks = {letter: each.marks for letter, each in legend.things.items()}
-        self._groups = [*groups_in(rows, marks)]
-        known = ((each, legend.things.get(each.letter)) for each in self._groups)
-        self._things = [(group, described) for group, described in known if described]
-        bodies = {square for each in self._groups if each.letter in legend.bodies for square in each.squares}
-        robots = (square for square, letter in _squares(rows) if letter in ARROWS)
-        self._robots = sorted(robots, key=lambda each: (not bodies.isdisjoint(_around(each)), each))
-        """In reading order; those amid the letters of their bodies last, as a printed map has them."""
-        self._origin = next(iter(self._robots), (len(rows) // 2, len(rows[0]) // 2))
+        self._step = self._scale * STEP
+
+    def _read_legend(self, number: int, line: str) -> None:
+        text, digits, found = line.strip(), re.search(r"\d{1,6}", line), _meaning().fullmatch(line)
+        first, steps = text.split()[0], int(digits[0]) if digits else 0
+        letter, meaning = found.group("letter", "meaning") if found else ("", "")
+        names = [things.name_in(each) for each in meaning.split(",") if each.strip()]
+        if first in (WALL, FREE):
+            return
+        if _is_sentence(text, "map-no-robot"):
+            self._has_none = True
+        elif steps and _is_sentence(text, "map-scale", steps=steps):
+            self._scale = min(LARGEST_SCALE, steps)
+        elif found is None or letter in self._places:
+            code = "drawing-letter-twice" if found else "drawing-legend"
+            code = "drawing-gap" if {*text} <= {WALL, FREE} else code
+            self._slip(code, number, line.index(first) + 1, letter=letter, found=first[:40])
+        elif letter[0] in ARROWS:
+            self._names, self._places[ARROWS] = names, (number, 1)
+        elif names and {*names} <= {*self._names, "…"}:
+            self._bodies.add(letter)
+        else:
+            place = self._places[letter] = number, found.start("meaning") + 1
+            try:
+                self._things[letter] = things.description_of(meaning, self._words)
+            except things.BadDescription as bad:
+                self._slips |= {(number, place[1] + at, each) for at, each in bad.mistakes.items()}
 
     # --- mistakes
 
-    def _slip(self, code: str, square: tuple[int, int], **values: object) -> Slip:
-        return Slip(self._first + square[0], square[1] + 1, self._words(code, **values))
+    def _slip(self, code: str, line: int, column: int, **values: object) -> None:
+        self._slips.add((line, column, self._words(code, **values)))
 
-    def _slips_of_size(self) -> Iterator[Slip]:
+    def _slip_at(self, code: str, square: Square, **values: object) -> None:
+        self._slip(code, self._first + square[0], square[1] + 1, **values)
+
+    def _refuse_slips(self) -> None:
+        """Raises ``Unusable`` if there are any."""
+        shown = (
+            self._words(
+                "world-error-at" if line else "drawing-error",
+                file=self._file,
+                line=line,
+                column=column,
+                message=message,
+            )
+            for line, column, message in sorted(self._slips)[:MOST_SLIPS]
+        )
+        if self._slips:
+            raise Unusable(*shown, self._words("world-new-mistakes", count=len(self._slips)))
+
+    def _check_rows(self) -> None:
         rows = self._rows
-        wide = next((row for row, line in enumerate(rows) if len(line) > MOST_SIDE), None)
         if not rows:
-            yield Slip(0, 0, self._words("drawing-empty"))
-        elif len(rows) > MOST_SIDE:
-            yield self._slip("drawing-high", (MOST_SIDE, 0), most=MOST_SIDE)
-        elif wide is not None:
-            yield self._slip("drawing-wide", (wide, MOST_SIDE), most=MOST_SIDE)
+            self._slip("drawing-empty", 0, 0)
+        if len(rows) > MOST_SIDE:
+            self._slip_at("drawing-high", (MOST_SIDE, 0), most=MOST_SIDE)
+        for row, line in enumerate(rows):
+            if len(line) > MOST_SIDE:
+                self._slip_at("drawing-wide", (row, MOST_SIDE), most=MOST_SIDE)
+        self._refuse_slips()
 
-    def _slips_of_letters(self) -> Iterator[Slip]:
-        """In the legend; lines of another length; each letter without a meaning once."""
-        yield from self._legend.slips
-        known, first = {*self._legend.places, *self._legend.bodies}, len(self._rows[0])
-        for row, count in enumerate(map(len, self._rows)):
-            if count != first:
-                yield self._slip("drawing-ragged", (row, min(count, first)), count=count, first=first)
-        unknown = {
-            each.letter: each.squares[0] for each in reversed(self._groups) if each.letter not in known
-        }
+    def _check_letters(self, groups: Sequence[Group]) -> None:
+        """Lines of another length; each letter without a meaning once."""
+        known, first = {*self._places, *self._bodies}, len(self._rows[0])
+        for row, line in enumerate(self._rows):
+            if len(line) != first:
+                self._slip_at("drawing-ragged", (row, min(len(line), first)), count=len(line), first=first)
+        unknown = {each.letter: each.squares[0] for each in reversed(groups) if each.letter not in known}
         for letter, square in unknown.items():
-            near = letter.swapcase() if letter.swapcase() in known else ""
-            code = "sign" if not letter.isalnum() else "letter-near" if near else "letter"
+            near = letter.swapcase()
+            code = "sign" if not letter.isalnum() else "letter-near" if near in known else "letter"
             code = ("tab" if letter == "\t" else "blank") if letter.isspace() else code
-            yield self._slip(f"drawing-{code}", square, letter=letter, near=near, sign=letter)
+            self._slip_at(f"drawing-{code}", square, letter=letter, near=near, sign=letter)
 
-    def _slips_of_robots(self) -> Iterator[Slip]:
-        names, count, place = self._legend.robots, len(self._robots), (self._legend.line_of_robots, 1)
-        if not count and not self._legend.has_none:
-            yield Slip(0, 0, self._words("drawing-no-robot"))
+    def _check_robots(self, robots: Sequence[Square]) -> None:
+        names, count, place = self._names, len(robots), self._places.get(ARROWS, (0, 0))
+        if not count and not self._has_none:
+            self._slip("drawing-no-robot", 0, 0)
         elif names and len(names) != count and "…" not in names:
-            yield Slip(*place, self._words("drawing-robot-names", names=len(names), count=count))
+            self._slip("drawing-robot-names", *place, names=len(names), count=count)
         elif len({*map(fold_name, names)}) != len(names):
-            yield Slip(*place, self._words("drawing-name-twice"))
+            self._slip("drawing-name-twice", *place)
         elif count > 1 and not names:
-            yield self._slip("drawing-robots", sorted(self._robots)[1], count=count)
+            self._slip_at("drawing-robots", sorted(robots)[1], count=count)
 
-    def _slips_of_colours(self) -> Iterator[Slip]:
+    def _check_colours(self, groups: Sequence[Group]) -> None:
         """Things of one letter with more or fewer colours than there are things."""
-        for letter, described in self._legend.things.items():
-            groups, colours = [each for each in self._groups if each.letter == letter], len(described.colours)
-            if described.marks:
-                colours = sum(bool(each.colour) for each in groups)
-            if (colours > 1 or described.marks) and colours != len(groups):
-                message = self._words("drawing-colours", count=len(groups), colours=colours)
-                yield Slip(*self._legend.places[letter], message)
+        for letter, described in self._things.items():
+            found = [bool(each.colour) for each in groups if each.letter == letter]
+            colours = sum(found) if described.marks else len(described.colours)
+            if (colours > 1 or described.marks) and colours != len(found):
+                self._slip("drawing-colours", *self._places[letter], count=len(found), colours=colours)
 
-    def _slips_of_room(
-        self, scene: Scene, walls: Sequence[Box], robots: Mapping[str, Square]
-    ) -> Iterator[Slip]:
+    def _check_room(self, scene: Scene, drawn: Sequence[Group], robots: Mapping[str, Square]) -> None:
         """Things of one letter that are larger than the free floor around it, and robots inside something."""
-        boxes = [(self._fitted(each, it.kind)[0], it.kind, each) for each, it in self._things]
-        solid = [*((each, things.WALL, None) for each in walls), *boxes]
-        for mine, kind, group in boxes:
-            over = (other for box, other, each in solid if each is not group and _overlap(mine, box))
+        everything = [each for each in all_things(scene) if not each.is_robot]
+        for group, mine in zip(drawn, everything, strict=True):
+            over = (each for each in everything if each is not mine and _overlap(mine, each))
             other = next(over, None) if len(group.squares) == 1 else None
             if other is not None:
-                names = {"thing": self._called(kind), "other": self._called(other)}
-                sides = {"width": round(mine[2] - mine[0]), "depth": round(mine[3] - mine[1])}
-                yield self._slip("drawing-thing-room", group.squares[0], **names, **sides)
-        for note in scene.report.notes if self._legend.scale == 1 else ():
-            square = robots.get(str(note.details.get("name"))) if note.code == "starts-inside" else None
-            if square is not None:
-                yield self._slip("drawing-robot-room", square, thing=self._called(str(note.details["thing"])))
-
-    def _called(self, kind: str) -> str:
-        return things.word_for(kind, self._words)
+                thing, over_it = (things.word_for(each.kind, self._words) for each in (mine, other))
+                sides = {"width": round(mine.width), "depth": round(mine.depth)}
+                self._slip_at("drawing-thing-room", group.squares[0], thing=thing, other=over_it, **sides)
+        for note in scene.report.notes if self._scale == 1 else ():
+            if note.code == "starts-inside":
+                thing = things.word_for(str(note.details["thing"]), self._words)
+                self._slip_at("drawing-robot-room", robots[str(note.details["name"])], thing=thing)
 
     # --- the world file
 
     def built(self) -> Built:
-        """Raises ``_BadDrawing``."""
-        from sim.worldfile import Code, WorldError, load_text, rectangles  # loads the parser
+        """Raises ``Unusable``."""
+        from sim.worldfile import rectangles  # loads the parser
 
-        for slips in (self._slips_of_letters(), self._slips_of_robots(), self._slips_of_colours()):
-            _refuse(slips)
-        rows, scale = self._rows, self._legend.scale
-        walls = [*rectangles(bytes(each == WALL for each in row) for row in rows)]
-        robots = dict(zip(self._robot_names(), self._robots, strict=True))
-        text = things.world_text(
-            [*map(self._wall, walls)],
-            [*self._thing_lines()],
-            [
-                things.model_line("donnie", self._pose((x, y, x + 1, y + 1), _HEADING[rows[y][x]]), name)
-                for name, (y, x) in robots.items()
-            ],
+        self._check_rows()
+        rows = self._rows
+        groups = [*groups_in(rows, {letter: each.marks for letter, each in self._things.items()})]
+        bodies = {square for each in groups if each.letter in self._bodies for square in each.squares}
+        arrows = [square for square, letter in _squares(rows) if letter in ARROWS]
+        arrows.sort(key=lambda each: (not bodies.isdisjoint(_around(each)), each))
+        self._origin = next(iter(arrows), (len(rows) // 2, len(rows[0]) // 2))
+        self._check_letters(groups)
+        self._check_robots(arrows)
+        self._check_colours(groups)
+        self._refuse_slips()
+        of_walls = rectangles(bytes(each == WALL for each in row) for row in rows)
+        walls = [Group(WALL, ((top, left), (bottom - 1, right - 1))) for left, top, right, bottom in of_walls]
+        self._things[WALL] = things.Description(things.WALL)
+        drawn = [*walls, *(each for each in groups if each.letter in self._things)]
+        if len(drawn) > MOST_PIECES:
+            self._slip("drawing-much", 0, 0, count=len(drawn), most=MOST_PIECES)
+            self._refuse_slips()
+        lines, robots = [*self._lines(drawn)], dict(zip(self._robot_names(), arrows, strict=False))
+        headings = (
+            (name, self._pose((x, y, x + 1, y + 1), _HEADING[rows[y][x]])) for name, (y, x) in robots.items()
         )
-        try:
-            if len(walls) + len(self._things) > MOST_PIECES:
-                raise WorldError(Code.TOO_MUCH, "", limit=MOST_PIECES)
-            scene = load_text(text, Path(worlds.SCENES, "drawing.world"), allowed=(Path(worlds.SCENES),))
-        except WorldError:
-            values = {"count": len(walls) + len(self._things), "most": MOST_PIECES}
-            raise _BadDrawing(Slip(0, 0, self._words("drawing-much", **values))) from None
-        _refuse(self._slips_of_room(scene, walls, robots))
-        return Built(text, len(rows[0]) * scale, len(rows) * scale, len(robots), len(self._things))
+        of_robots = [things.model_line("donnie", pose, name) for name, pose in headings]
+        text = things.world_text(lines[: len(walls)], lines[len(walls) :], of_robots)
+        scene = scene_of(text, Path(worlds.SCENES, "drawing.world"), self._words, allowed_folders(()))
+        self._check_room(scene, drawn, robots)
+        self._refuse_slips()
+        width, depth = len(rows[0]) * self._scale, len(rows) * self._scale
+        counts = {"width": width, "depth": depth, "robots": len(robots), "things": len(drawn) - len(walls)}
+        return Built(text, counts)
 
-    def _robot_names(self) -> list[str]:
-        names = [each for each in self._legend.robots if each != "…"] or ["donnie"]
-        more = (f"{names[0]}{number}" for number in range(2, MOST_PIECES))
-        return [*names, *(each for each in more if each not in names)][: len(self._robots)]
+    def _robot_names(self) -> Iterator[str]:
+        names = [each for each in self._names if each != "…"] or ["donnie"]
+        more = (f"{names[0]}{number}" for number in count(2))
+        return chain(names, (each for each in more if each not in names))
 
-    def _pose(self, box: Box, angle: float = 0) -> tuple[float, float, float]:
+    def _pose(self, box: Box, angle: float) -> tuple[float, float, float]:
         """Of the middle: metres to the east and to the north of the first robot, and an angle."""
         (left, top, right, bottom), (row, column) = box, self._origin
         east, north = (left + right - 1) / 2 - column, row - (top + bottom - 1) / 2
         return round(east * self._step, 6) + 0.0, round(north * self._step, 6) + 0.0, angle
 
-    def _wall(self, box: Box) -> str:
-        width, depth = ((box[at + 2] - box[at]) * self._step for at in (0, 1))
-        return things.model_line(things.WALL, self._pose(box), size=(width, depth, things.WALL_HEIGHT))
-
-    def _thing_lines(self) -> Iterator[str]:
-        colours = {letter: cycle(each.colours or ("",)) for letter, each in self._legend.things.items()}
+    def _lines(self, drawn: Iterable[Group]) -> Iterator[str]:
+        """Of walls, which have no names, and of things."""
+        colours = {letter: cycle(each.colours or ("",)) for letter, each in self._things.items()}
         used = Counter[str]()
-        for group, described in self._things:
-            colour = next(colours[group.letter])
-            name = described.name or described.kind.replace("_", " ")
+        for group in drawn:
+            described, colour = self._things[group.letter], next(colours[group.letter])
+            kind = described.kind
+            name = "" if kind == things.WALL else described.name or kind.replace("_", " ")
             used[name] += 1
-            name = name if used[name] == 1 else f"{name} {used[name]}"
-            box, angle, size = self._fitted(group, described.kind)
-            pose, colour = self._pose(box, angle), group.colour or colour
-            yield things.model_line(described.kind, pose, name, size, colour)
+            number = f" {used[name]}" if name and used[name] > 1 else ""
+            angle, size = self._fitted(group, kind)
+            yield things.model_line(
+                kind, self._pose(group.box, angle), name + number, size, group.colour or colour
+            )
 
-    def _fitted(self, group: Group, kind: str) -> tuple[Box, int, tuple[float, ...]]:
-        """Box, angle and size of a thing as large as its letters; no size where it is the usual one."""
+    def _fitted(self, group: Group, kind: str) -> tuple[int, tuple[float, ...]]:
+        """Angle and size of a thing as large as its letters; no size where it is the usual one."""
         left, top, right, bottom = group.box
-        width, depth, slack = (right - left) * self._step, (bottom - top) * self._step, self._step
+        sides = (right - left) * self._step, (bottom - top) * self._step
         across, along, height = usual_sizes()[kind]
-        if len(group.squares) == 1:
-            east, south = (round(each / self._step - 1, 6) / 2 for each in (across, along))
-            return (left - east, top - south, right + east, bottom + south), 0, ()
-        for angle, mine, other in ((0, across, along), (90, along, across)):
-            if 0 <= round(width - mine, 3) <= slack and 0 <= round(depth - other, 3) <= slack:
-                return group.box, angle, ()
-        return group.box, 0, (width, depth, height)
+        for angle, usual in () if kind == things.WALL else ((0, (across, along)), (90, (along, across))):
+            slack = [round(mine - each, 3) for mine, each in zip(sides, usual, strict=True)]
+            if len(group.squares) == 1 or (min(slack) >= 0 and max(slack) <= self._step):
+                return angle, ()
+        return 0, (*sides, height)
 
 
 @cache
 def usual_sizes() -> Mapping[str, tuple[float, float, float]]:
     """Metres, by kind: from west to east, from south to north, and up."""
-    from sim.worldfile import load_text  # loads the parser
-
     text = things.world_text([f"{kind}()" for kind in things.KINDS])
-    scene = load_text(text, Path(worlds.SCENES, "sizes.world"), allowed=(Path(worlds.SCENES),))
+    scene = scene_of(text, Path(worlds.SCENES, "sizes.world"), Words(), allowed_folders(()))
     return {each.kind: each.size for each in scene.models}
 
 
-def _refuse(slips: Iterable[Slip]) -> None:
-    found = [*slips]
-    if found:
-        raise _BadDrawing(*found)
-
-
-def _overlap(mine: Box, other: Box) -> bool:
-    return mine[0] < other[2] and other[0] < mine[2] and mine[1] < other[3] and other[1] < mine[3]
+def _overlap(mine: Thing, other: Thing) -> bool:
+    apart = abs(mine.x - other.x) * 2, abs(mine.y - other.y) * 2
+    return round(apart[0] - mine.width - other.width, 6) < 0 > round(apart[1] - mine.depth - other.depth, 6)

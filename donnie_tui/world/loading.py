@@ -146,14 +146,10 @@ class ChosenWorld(Struct, frozen=True):
 class SiteChange(Struct, frozen=True):
     """The values to undo or redo a change of the world."""
 
-    world: ChosenWorld
-    """The world to restore."""
     text: str
-    is_saved: bool
-    index_of: Mapping[int, int]
-    """The index in that world of each top-level model, by its index now."""
-    changed: int | None
-    """The index of the changed thing there; None if it does not exist."""
+    """The text of the world to restore."""
+    number: int
+    """The number of the thing among the top-level models, in the world that has it."""
     program: str
     """The text of the program at that moment."""
 
@@ -163,9 +159,8 @@ class Site:
 
     def __init__(self, world: ChosenWorld) -> None:
         self.world = world
-        self.text = world.text
-        """The text of the changed world; empty while nothing was changed."""
-        self.is_saved = True
+        self.text = self.first_text = self.saved_text = world.text
+        """The text of the world now, at first and in its file; empty before the first change."""
         self.past: list[SiteChange] = []
         """The changes, the oldest first."""
         self.undone: list[SiteChange] = []
@@ -176,6 +171,10 @@ class Site:
             from pathlib import Path
 
             self.path = Path(world.path)
+
+    @property
+    def is_saved(self) -> bool:
+        return self.text == self.saved_text
 
 
 def files_of(world: ChosenWorld) -> tuple[str, ...]:

@@ -8,7 +8,6 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from functools import cache
-from itertools import zip_longest
 from unicodedata import normalize
 
 from msgspec import Struct
@@ -21,9 +20,8 @@ from language.source import fold, fold_name
 from language.suggestions import nearest
 from sim.picture import Thing
 
-WALL = "wall"
-WALL_HEIGHT = 0.24
-"""Metres."""
+WALL, WALL_HEIGHT = "wall", 0.24
+"""The height is in metres."""
 KINDS = {
     **dict.fromkeys(("chair", "table", "small_sofa", "large_sofa"), "furniture.inc"),
     **dict.fromkeys(("box", "ball", "cone", "post", "flower", "stone", "crystal"), "things.inc"),
@@ -53,28 +51,15 @@ class Description(Struct, frozen=True):
 
 
 @cache
-def _kinds() -> Mapping[str, str]:
-    """By the folded words of all languages."""
-    found = {kind.replace("_", " "): kind for kind in KINDS}
-    for words in map(Words, languages()):
-        for kind in KINDS:
-            found.setdefault(fold_name(word_for(kind, words)), kind)
-    return found
-
-
-@cache
-def _kind_in_a_text() -> re.Pattern[str]:
-    known = "|".join(re.escape(each).replace(r"\ ", r"\s+") for each in sorted(_kinds(), key=len)[::-1])
-    return re.compile(rf"(?<![^\s,:;.])(?:{known})(?![^\s,:;.])")
-
-
-@cache
-def _colours() -> Mapping[str, str]:
-    """By the folded words of all languages, also as they agree with a thing."""
-    every = [(Words(each), colour) for each in languages() for colour in COLOURS]
-    return {
-        fold_name(words(f"colour-{colour}{end}")): colour for words, colour in every for end in ("", "-f")
-    }
+def _meanings() -> tuple[Mapping[str, str], Mapping[str, str], re.Pattern[str]]:
+    """Kinds and colours by the folded words of all languages, and what finds these and other words."""
+    every = [*map(Words, reversed(languages()))]
+    kinds = {fold_name(word_for(kind, words)): kind for words in every for kind in reversed(KINDS)}
+    kinds |= {kind.replace("_", " "): kind for kind in KINDS}
+    ends = [(words, colour, end) for words in every for colour in COLOURS for end in ("", "-f")]
+    colours = {fold_name(words(f"colour-{colour}{end}")): colour for words, colour, end in ends}
+    known = "|".join(re.escape(each).replace(r"\ ", r"\s+") for each in sorted(kinds, key=len, reverse=True))
+    return kinds, colours, re.compile(rf"(?<![^\s,:;.])(?:{known})(?![^\s,:;.])|[^\s,:;.…]+")
 
 
 def word_for(kind: str, wording: Wording) -> str:
@@ -89,16 +74,28 @@ def thing_in_words(thing: Thing, wording: Wording) -> str:
     return re.sub(rf"^{WALL}(?=$| \d+$)", wording("cell-wall"), thing.name or WALL)
 
 
-def means_wall(text: str) -> bool:
-    """Whether one of the words means a wall in any language."""
-    return any(_kinds().get(fold_name(each)) == WALL for each in text.split())
+def _as_in(text: str) -> re.Match[str] | None:
+    """The word AS, in any language, which a name follows."""
+    return next((each for each in re.finditer(r"\S+", text) if meant(each[0], "building") == "as"), None)
 
 
-def split_name(text: str) -> tuple[str, str | None]:
-    """The words for a thing, and its name after AS; None without AS."""
-    words = re.finditer(r"\S+", text)
-    as_ = next((each for each in words if meant(each[0], "building") == "as"), None)
-    return (text[: as_.start()], text[as_.end() :].strip(" .")) if as_ else (text, None)
+def with_numbers(text: str, *counts: int) -> tuple[str, tuple[int, ...]]:
+    """The text without the last numbers before AS, and these: as many as the first of ``counts`` there is.
+
+    Numbers before them are part of a name: box 2 1 0.
+    """
+    as_ = _as_in(text)
+    places = [*re.finditer(r"(?<!\S)(-?\d{1,7}),?(?!\S)", text[: as_.start()] if as_ else text)]
+    count = next((each for each in counts if each <= len(places)), 0)
+    numbers = places[len(places) - count :]
+    for each in reversed(numbers):
+        text = text[: each.start()] + text[each.end() :]
+    return " ".join(text.split()), tuple(int(each[1]) for each in numbers)
+
+
+def name_in(text: str) -> str:
+    """A name as world files have it, which know no escapes."""
+    return "".join(each for each in text if each.isprintable() and each not in '"\\')[:60].strip(" .")
 
 
 def description_of(text: str, wording: Wording) -> Description:
@@ -106,38 +103,36 @@ def description_of(text: str, wording: Wording) -> Description:
 
     A word that is a colour too, such as orange, is the kind only if nothing else is.
     """
+    kinds, colours, pattern = _meanings()
     text = normalize("NFC", text)
-    found = [*_kind_in_a_text().finditer(fold(text).replace("_", " "))]
-    kind = next((each for each in found if each[0] not in _colours()), next(iter(found), None))
-    begin, end = kind.span() if kind else (0, 0)
-    rest = [each for each in re.finditer(r"[^\s,:;.…]+", text) if not begin <= each.start() < end]
-    colours, marks, mistakes = list[str](), list[str](), dict[int, str]()
-    for each, following in zip_longest(rest, rest[1:]):
-        colour = _colours().get(fold_name(each[0]))
-        if colour:
-            colours.append(colour)
-        elif (
-            _is_letter(each[0])
-            and each.start() >= end
-            and following
-            and fold_name(following[0]) in _colours()
-        ):
-            marks.append(each[0])
+    as_ = _as_in(text)
+    what, name = (text[: as_.start()], name_in(text[as_.end() :])) if as_ else (text, "")
+    found = [*pattern.finditer(fold(what).replace("_", " "))]
+    phrases = [fold_name(" ".join(each[0].split())) for each in found] + [""]
+    of_kinds = sorted((phrase in colours, at) for at, phrase in enumerate(phrases) if phrase in kinds)
+    kind = of_kinds[0][1] if of_kinds else len(found)
+    shades, marks, mistakes = list[str](), list[str](), dict[int, str]()
+    for at, each in enumerate(found):
+        typed, phrase = what[each.start() : each.end()], phrases[at]
+        if at == kind:
+            continue
+        if phrase in colours:
+            shades.append(colours[phrase])
+        elif len(typed) == 1 and typed.isalpha() and at > kind and phrases[at + 1] in colours:
+            marks.append(typed)
         else:
-            near = near_word(each[0], wording)
+            near = near_word(typed, wording)
             code = "drawing-word-near" if near else "drawing-word"
-            mistakes[each.start()] = wording(code, word=each[0][:40], near=near)
-    if kind is None and not mistakes:
+            mistakes[each.start()] = wording(code, word=typed[:40], near=near)
+    if as_ and not name[:1].isalpha():
+        mistakes[as_.start()] = wording("built-bad-name")
+    if not of_kinds and not mistakes:
         known = ", ".join(word_for(each, wording) for each in KINDS if each != WALL)
         mistakes[0] = wording("drawing-no-kind", known=known)
-    if kind is None or mistakes:
+    if mistakes:
         raise BadDescription(mistakes)
-    marked = dict(zip(marks, colours, strict=True)) if len(marks) == len(colours) else {}
-    return Description(_kinds()[" ".join(kind[0].split())], () if "…" in text else tuple(colours), marked)
-
-
-def _is_letter(word: str) -> bool:
-    return len(word) == 1 and word.isalpha()
+    marked = dict(zip(marks, shades, strict=True)) if len(marks) == len(shades) else {}
+    return Description(kinds[phrases[kind]], () if "…" in what else tuple(shades), marked, name)
 
 
 def near_word(word: str, wording: Wording) -> str | None:
@@ -156,24 +151,14 @@ def model_line(
 ) -> str:
     """A thing, wall or robot as a world file has it."""
     x, y, angle = pose
-    parts = (
-        f"name {quoted(name)}" if name else "",
-        f"pose [ {x:g} {y:g} 0 {angle:g} ]",
-        f"size [ {' '.join(f'{each:.6g}' for each in size)} ]" if size else "",
-        f'color "{colour}"' if colour else "",
-    )
-    return f"{kind}( {' '.join(filter(None, parts))} )"
-
-
-def quoted(name: str) -> str:
-    """A string of a world file, which knows no escapes."""
-    return '"' + "".join(each for each in name if each.isprintable() and each not in '"\\')[:60] + '"'
+    sides = " ".join(f"{each:.6g}" for each in size)
+    parts = (f'name "{name}"', f"pose [ {x:g} {y:g} 0 {angle:g} ]", f"size [ {sides} ]", f'color "{colour}"')
+    given = (part for part, is_given in zip(parts, (name, True, size, colour), strict=True) if is_given)
+    return f"{kind}( {' '.join(given)} )"
 
 
 def world_text(*sections: Sequence[str]) -> str:
-    """A world file of these lines, with the files that they need."""
-    kinds = {line.partition("(")[0] for section in sections for line in section}
-    files = dict.fromkeys(file for kind, file in KINDS.items() if kind in kinds)
-    includes = "\n".join(f'include "{each}"' for each in ("donnie.inc", *files))
+    """A world file of these lines, which knows all kinds of things."""
+    includes = "\n".join(f'include "{each}"' for each in dict.fromkeys(("donnie.inc", *KINDS.values())))
     parts = ("# A step is 0.05 m.", includes, "resolution 0.02", *map("\n".join, sections))
     return "\n\n".join(filter(None, parts)) + "\n"

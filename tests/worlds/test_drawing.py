@@ -250,6 +250,14 @@ def test_two_robots_are_named_under_the_drawing(tmp_path: Path) -> None:
             ],
         ),
         (
+            ROOM.replace("chair green AS throne", 'chiar AS ""'),
+            [
+                "Error, map.txt, line 11, column 3: chiar is neither a thing nor a color. "
+                "Did you mean chair?",
+                "Error, map.txt, line 11, column 9: A name begins with a letter: AS treasure.",
+            ],
+        ),
+        (
             ROOM.replace("box red", "box red blue"),
             ["Error, map.txt, line 12, column 3: 1 thing, but 2 colors. Give one color, or one for each."],
         ),
@@ -287,7 +295,7 @@ def test_two_robots_are_named_under_the_drawing(tmp_path: Path) -> None:
             ["Error, map.txt, line 401, column 1: Too many lines: 400 at most."],
         ),
     ],
-    ids=map(str, range(1, 24)),
+    ids=map(str, range(1, 25)),
 )
 def test_every_mistake_in_a_drawing_has_its_place(drawing: str, sentences: list[str]) -> None:
     count = len(sentences)

@@ -163,8 +163,15 @@ def test_a_pushed_thing_is_moved_from_where_it_is(open_script: OpenScript) -> No
         ("TURN donnie 90", "Donnie is a robot. It moves by its program."),
         ("PUT box 4", "I did not understand. Type PUT box red 4 6."),
         ("PUT 4 6", "I did not understand. Type PUT box red 4 6."),
-        ("PUT box 4 6 AS", "I did not understand. Type PUT box red 4 6."),
+        ("PUT box 4 6 AS", "A name begins with a letter: AS treasure."),
+        ('PUT box 4 6 AS ""', "A name begins with a letter: AS treasure."),
+        ("PUT box 4 6 AS .", "A name begins with a letter: AS treasure."),
+        ("PUT box 4 6 AS 7", "A name begins with a letter: AS treasure."),
+        ('PUT box 4 6 AS "ball"', "Ball is there already. Choose another name."),
         ("TURN ball", "I did not understand. Type TURN treasure 90."),
+        ("MOVE ball", "I did not understand. Type MOVE treasure 2 0."),
+        ("MOVE ball 1", "I did not understand. Type MOVE treasure 2 0."),
+        ("MOVE 1", "I did not understand. Type MOVE 5 2."),
     ],
 )
 def test_what_can_not_be_done_changes_nothing_and_says_why(
@@ -228,6 +235,37 @@ def test_a_thing_with_a_name_is_put_to_a_place(open_script: OpenScript) -> None:
     assert script.answers_to("PUT treasure -4 6") == [
         "Treasure, box, red: now at -4, 6. From the robot: 4 left, 6 ahead."
     ]
+
+
+@pytest.mark.parametrize(
+    ("language", "line", "sentence"),
+    [
+        ("pt", 'COLOCAR caixa 4 6 COMO ""', "Um nome começa com uma letra: COMO tesouro."),
+        ("es", 'PONER caja 4 6 COMO ""', "Un nombre empieza con una letra: COMO tesoro."),
+    ],
+)
+def test_a_name_is_one_that_other_commands_can_find(
+    open_script: OpenScript, language: str, line: str, sentence: str
+) -> None:
+    script = open_script(world="first_room", language=language)
+
+    assert script.answers_to(line) == [sentence]
+    assert script.donnie.site.is_saved
+
+
+@pytest.mark.parametrize(
+    ("language", "line", "sentence"),
+    [
+        ("pt", "MOVER sofá 1", "Não entendi. Digite assim: MOVER tesouro 2 0."),
+        ("es", "MOVER sofá 1", "No entendí. Escribe MOVER tesoro 2 0."),
+    ],
+)
+def test_a_slip_in_moving_a_thing_is_answered_with_the_form_for_things(
+    open_script: OpenScript, language: str, line: str, sentence: str
+) -> None:
+    script = open_script(world="first_room", language=language)
+
+    assert script.answers_to(line) == [sentence]
 
 
 def test_lines_of_the_program_are_moved_and_removed_as_before(open_script: OpenScript) -> None:
@@ -565,3 +603,27 @@ def test_nothing_is_put_back_onto_the_robot(open_script: OpenScript) -> None:
     assert said == script.answers_to("UNDO")
     script.answers_to("BW 6")
     assert script.answers_to("UNDO")[0].startswith("Treasure, box, red: at 0, 6.")
+
+
+def test_a_world_that_was_saved_and_taken_back_is_not_lost(open_script: OpenScript, tmp_path: Path) -> None:
+    """What is kept where no question is possible is the world as it is then."""
+    script = open_script()
+
+    script.answers_to("PUT box red 4 6 AS treasure", "SAVE WORLD mine", "UNDO")
+    assert not script.donnie.site.is_saved
+    kept = script.donnie.rescue_world()
+    assert kept is not None
+    text = kept.read_text(encoding="utf-8")
+    assert "donnie(" in text
+    assert "treasure" not in text
+    script.answers_to("REDO")
+    assert script.donnie.site.is_saved
+
+
+def test_the_words_of_the_author_are_back_where_all_was_taken_back(open_script: OpenScript) -> None:
+    script = open_script(world="first_room")
+
+    script.answers_to("PUT box red 4 6")
+    assert script.donnie.world.about("en") is None
+    script.answers_to("UNDO")
+    assert script.donnie.world.about("en") is not None
