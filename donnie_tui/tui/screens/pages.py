@@ -66,6 +66,9 @@ class Help(Panel[None]):
 
     def on_mount(self) -> None:
         self.on_resize()
+        self._show()
+
+    def _show(self) -> None:
         self.rows.show(self._lines)
         self._point(f"{self._title_words}. {next(iter(self._lines), '')}")
 
@@ -109,9 +112,6 @@ class Tour(Help):
     ) -> None:
         super().__init__(pages[at].title, pages[at].lines, point)
         self._pages, self._at, self._turned = pages, at, turned
-
-    def on_mount(self) -> None:
-        self._show()
 
     def _show(self) -> None:
         page = self._pages[self._at]
