@@ -410,7 +410,7 @@ class Chooser(Panel[str | None]):
 
     def _columns_in(self, room: int, columns: tuple[int, ...], *, may_drop: bool) -> tuple[int, ...]:
         """The widths of as many columns as fit. A few long names may exceed their column."""
-        for count in range(len(columns), 0 if may_drop else len(columns) - 1, -1):
+        for count in range(len(columns), 0 if may_drop else max(0, len(columns) - 1), -1):
             others = sum(columns[1:count]) - _COLUMN_GAP
             if columns[0] + others <= room:
                 return columns[:count]
