@@ -155,7 +155,7 @@ class KeyLine(FixedLine):
         place = event.get_content_offset(self)
         begin = 1
         for each in self._seen:
-            if place is not None and begin <= place.x < min(begin + len(each.text), len(self.words)):
+            if place is not None and begin <= place.x < begin + len(each.text):
                 self.post_message(self.Clicked(each.action))
             begin += len(each.text) + len(_GAP)
 
