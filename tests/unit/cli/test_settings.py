@@ -10,7 +10,17 @@ from donnie_tui.core.program_files import DocumentError
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.folders import settings_file, state_folder
 from donnie_tui.settings.parsing import colours_text, read_settings, remember, with_setting
-from donnie_tui.settings.settings import KEYS, BadOption, Settings, SettingSource, language_of, resolve
+from donnie_tui.settings.settings import (
+    BY_KEY,
+    KEYS,
+    BadLimitsError,
+    BadOption,
+    Settings,
+    SettingSource,
+    language_of,
+    limits_of,
+    resolve,
+)
 from tests.traced_memory import traced
 
 
@@ -296,3 +306,168 @@ def test_colours_that_are_no_ranges_are_refused(text: str) -> None:
 )
 def test_a_view_is_between_20_and_150_degrees(text: str, view: float | None) -> None:
     assert resolve({}, {}, {"camera_view": text})[0].camera_view == view
+
+
+# --- defaults and names
+
+
+def test_what_counts_where_nothing_is_chosen() -> None:
+    defaults = {
+        "world": "first_room",
+        "robot": "sim",
+        "language": "en",
+        "speed": 5.0,
+        "seed": 0,
+        "speech": "auto",
+        "sound": True,
+        "speak": "here",
+        "rate": 180,
+        "pitch": 50,
+        "volume": 100,
+        "punctuation": "some",
+        "key_echo": "none",
+        "cues": {},
+        "wait_for_speech": False,
+        "verbosity": "normal",
+        "profile": "auto",
+        "reset_line": "auto",
+        "theme": "dark",
+        "mouse": True,
+        "motion": "full",
+        "completion": True,
+        "trail": True,
+        "rays": True,
+        "goals": True,
+        "keys": "",
+        "page": "rest",
+        "prompt": "short",
+        "hold": "off",
+        "editor": "own",
+        "enter": "waits",
+        "progress": "10",
+        "clock": "off",
+        "free": "dot",
+        "tour": True,
+        "log": False,
+        "world_folders": (),
+        "allowed_folders": (),
+        "sources": {},
+        "notices": (),
+    }
+    rest = {each for each in Settings.__struct_fields__ if getattr(Settings(), each) is None}
+
+    assert {
+        each: getattr(Settings(), each) for each in Settings.__struct_fields__ if each not in rest
+    } == defaults
+    assert rest == {
+        "events",
+        "record",
+        "belt",
+        "belt_steps",
+        "belt_columns",
+        "wheel_radius",
+        "axle_length",
+        "sonars",
+        "bumpers",
+        "motors",
+        "encoders",
+        "head",
+        "camera",
+        "camera_view",
+        "colours",
+        "linear",
+        "plain",
+        "served",
+    }
+
+
+def test_a_start_without_a_pace_of_its_own_has_the_one_that_it_is_given() -> None:
+    assert resolve({}, {}, {}, default_speed=None)[0].speed is None
+    assert resolve({"speed": "2"}, {}, {}, default_speed=None)[0].speed == 2.0
+
+
+@pytest.mark.parametrize(
+    ("key", "option", "variable", "wanted", "code"),
+    [
+        ("belt_steps", "--belt-steps", "DONNIE_BELT_STEPS", "5 10 20", "-example"),
+        ("theme", "--theme", "DONNIE_THEME", "dark, light, contrast, terminal", "-values"),
+        ("linear", "--linear", "DONNIE_LINEAR", "on, off", "-values"),
+        ("rate", "--rate", "DONNIE_RATE", "80-450", ""),
+        ("volume", "--volume", "DONNIE_VOLUME", "0-100", ""),
+        ("speed", "--speed", "DONNIE_SPEED", "0.1-1000, max", ""),
+        ("camera_view", "--camera-view", "DONNIE_CAMERA_VIEW", "20-150", ""),
+        ("sound", "--sound", "DONNIE_SOUND", "on, off, wav:FILE", "-values"),
+        ("lang", "--lang", "DONNIE_LANG", "en, pt, es", "-values"),
+        ("progress", "--progress", "DONNIE_PROGRESS", "0-3600", ""),
+    ],
+)
+def test_each_setting_has_its_names_and_says_what_it_can_be(
+    key: str, option: str, variable: str, wanted: str, code: str
+) -> None:
+    found = BY_KEY[key]
+    assert (found.option, found.variable, found.wanted) == (option, variable, wanted)
+    _, (in_file,) = resolve({}, {}, {key: "~" * 50})
+    _, (in_variable,) = resolve({}, {variable: "~" * 50}, {})
+    values = {"value": "~" * 40, "wanted": wanted}
+    assert (in_file.code, in_file.values) == (f"setting-not-understood{code}", {"name": key, **values})
+    assert (in_variable.code, in_variable.values) == (
+        f"variable-not-understood{code}",
+        {"name": variable, **values},
+    )
+    with pytest.raises(BadOption) as bad:
+        resolve({key: "~"}, {}, {})
+    assert (bad.value.key, bad.value.value, bad.value.wanted) == (key, "~", wanted)
+
+
+def test_an_unknown_name_of_the_file_is_cut_and_true_and_false_are_on_and_off() -> None:
+    settings, notices = resolve({}, {}, {"x" * 50: 1, "mouse": False, "linear": True, "page": 5})
+    assert [each.values["name"] for each in notices] == ["x" * 40, "page"]
+    assert (settings.mouse, settings.linear) == (False, True)
+
+
+# --- what a teacher allows
+
+
+def test_a_weaker_source_can_only_limit_a_session_more(tmp_path: Path) -> None:
+    school, lesson, other = tmp_path / "school", tmp_path / "school" / "lesson", tmp_path / "schools"
+    for each in (lesson, other):
+        each.mkdir(parents=True)
+
+    def limits(*sources: dict[str, str]) -> tuple[str | None, tuple[str, ...] | None]:
+        found = limits_of(*sources)  # type: ignore[arg-type]
+        return found.folder, found.devices
+
+    long = {"name": "devices", "value": "x://" + "y" * 36}
+    missing = str(tmp_path / "none")
+    at_school, in_lesson = {"confined": str(school)}, {"confined": str(lesson)}
+    assert limits({}, {}, {}, {}) == (None, None)
+    assert limits({}, {}, {}, at_school) == (str(school), ())
+    assert limits({}, {"DONNIE_CONFINED": str(school)}, {}, in_lesson) == (str(lesson), ())
+    assert limits({"devices": "a,b"}, {"DONNIE_DEVICES": "b"}, {}, {}) == (None, ("b",))
+    assert limits({"devices": "a"}, {}, {}, at_school) == (str(school), ("a",))
+    assert limits({**at_school, "devices": "a"}, {}, {}, {"devices": "a"}) == (str(school), ("a",))
+    assert limits({"devices": ""}, {}, at_school, {}) == (str(school), ())
+    for sources, code, values in (
+        *(
+            ((at_school, {}, {}, {"confined": path}), "confined-wider", {"path": path, "folder": str(school)})
+            for path in (str(tmp_path), str(other))
+        ),
+        ((at_school, {}, {}, {"devices": "a"}), "devices-wider", {"port": "a"}),
+        (({"devices": "a"}, {}, {"devices": "a,c"}, {}), "devices-wider", {"port": "c"}),
+        (({"confined": missing}, {}, {}, {}), "confined-no-folder", {"path": missing}),
+        (({"devices": "x://" + "y" * 50}, {}, {}, {}), "limit-not-understood", long),
+    ):
+        with pytest.raises(BadLimitsError) as wrong:
+            limits_of(*sources)
+        assert (wrong.value.code, wrong.value.values) == (code, values)
+
+
+def test_a_tilde_is_the_home_of_the_account(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    import pwd
+
+    home = pwd.getpwuid(os.getuid()).pw_dir
+    monkeypatch.setenv("HOME", str(tmp_path))
+    assert limits_of({"confined": "~"}, {}, {}, {}).folder == os.path.realpath(home)
+    assert limits_of({"confined": "~/"}, {}, {}, {}).folder == os.path.realpath(home)
+    with pytest.raises(BadLimitsError):
+        limits_of({"confined": "~x"}, {}, {}, {})
