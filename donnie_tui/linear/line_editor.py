@@ -152,8 +152,7 @@ def _escape(text: str, at: int, keys: list[KeyPress]) -> int:
     if not sequence:
         keys.append(KeyPress(Act.ESCAPE))
         return at + 1
-    parameters, final, letter = sequence.groups()
-    act = _act(parameters or "", final or "", letter or "")
+    act = _act(*sequence.groups(""))
     if act:
         keys.append(KeyPress(act))
     return sequence.end()
@@ -247,7 +246,7 @@ class EditLine:
         first = max(0, self._cursor - 1)
         with_marks = clusters("".join(self._text[first : self._cursor]) + text)
         added = with_marks[: room + self._cursor - first]
-        if first < self._cursor and added[:1] == self._text[first : self._cursor]:
+        if added[:1] == self._text[first : self._cursor]:
             first, added = self._cursor, added[1:]
         return self._put(first, self._cursor, added, first + len(added)) if added else ""
 
@@ -308,7 +307,7 @@ class EditLine:
     def _move(self, here: tuple[int, int], there: tuple[int, int], passing: list[str] | None = None) -> str:
         """Moves the cursor; to the right over ``passing``, where given, by writing it again."""
         rows, cells = there[0] - here[0], there[1] - here[1]
-        if passing and rows == 0 and len(passing) == 1 and width(passing[0]) == cells:
+        if passing and len(passing) == 1 and width(passing[0]) == cells:
             return passing[0]
         vertical = f"\x1b[{-rows}A" if rows < 0 else f"\x1b[{rows}B" if rows > 0 else ""
         return vertical + _sideways(cells)
@@ -371,8 +370,4 @@ def places(row: int, column: int, text: list[str], columns: int) -> list[tuple[i
 
 
 def _is_mark(character: str) -> bool:
-    return (
-        character == _JOINER
-        or unicodedata.category(character) in ("Mn", "Me")
-        or "\ufe00" <= character <= "\ufe0f"
-    )
+    return character == _JOINER or unicodedata.category(character) in ("Mn", "Me")

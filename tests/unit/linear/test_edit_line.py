@@ -57,6 +57,12 @@ def edited(*steps: str | Act, offered: str = "") -> EditLine:
         (("e", "\u0301", "x"), "e\u0301x"),
         (("漢字", Act.LEFT, "x"), "漢x字"),
         (("👩‍💻a", Act.LEFT, Act.BACKSPACE), "a"),
+        (("FW", Act.HOME, Act.BACKSPACE, "x"), "xFW"),
+        (("FW", Act.DELETE, "x"), "FWx"),
+        (("FW", Act.HOME, Act.LEFT, "x"), "xFW"),
+        (("a b ", Act.HOME, Act.KILL_WORD, "x"), "xa b "),
+        (("ab  ", Act.KILL_WORD), ""),
+        (("FW", Act.CLOSE, Act.HOME, Act.CLOSE), "W"),
     ],
 )
 def test_keys_edit(steps: tuple[str | Act, ...], text: str) -> None:
@@ -83,6 +89,35 @@ def test_what_a_key_writes_at_the_end_of_a_line(act: Act, written: str) -> None:
 
 def test_moving_right_says_the_passed_character() -> None:
     assert edited("FW 3", Act.HOME).do(Act.RIGHT) == "F"
+
+
+@pytest.mark.parametrize(
+    ("steps", "act", "written"),
+    [
+        (("abc",), Act.HOME, "\b\b\b"),
+        (("FW 3", Act.HOME), Act.END, "\x1b[4C"),
+        (("漢", Act.HOME), Act.RIGHT, "漢"),
+        (("ab", Act.HOME), Act.END, "\x1b[2C"),
+        (("ab", Act.LEFT), Act.DELETE, "\x1b[K"),
+        (("abc", Act.HOME), Act.DELETE, "bc\x1b[K\b\b"),
+    ],
+)
+def test_a_line_writes_as_little_as_it_can(steps: tuple[str | Act, ...], act: Act, written: str) -> None:
+    assert edited(*steps).do(act) == written
+
+
+def test_a_line_that_ends_in_the_row_of_the_cursor_writes_nothing_more() -> None:
+    assert edited("FW 3", Act.HOME).finish() == ""
+
+
+@pytest.mark.parametrize(
+    ("typed", "word", "written"),
+    [("RE", "REPEAT", "PEAT"), ("REPEAT", "REPEAT", ""), ("re", "REPEAT", "\b\bREPEAT"), ("", "FW", "FW")],
+)
+def test_a_word_that_is_completed_writes_what_is_new_in_it(typed: str, word: str, written: str) -> None:
+    line = edited(f"FW {typed}")
+    assert line.complete(typed, word) == written
+    assert line.text == f"FW {word}"
 
 
 def test_a_line_takes_no_more_than_it_can_hold() -> None:
@@ -138,7 +173,10 @@ def test_each_character_has_its_width(character: str, cells: int) -> None:
 
 def test_a_wide_character_that_does_not_fit_begins_the_next_row() -> None:
     assert places(0, 2, clusters("a漢b"), 4) == [(0, 2), (1, 0), (1, 2), (1, 3)]
+    assert places(0, 0, clusters("ab"), 2) == [(0, 0), (0, 1), (1, 0)]
+    assert places(3, 1, [], 2) == [(3, 1)]
 
 
 def test_an_enclosing_mark_belongs_to_its_character() -> None:
     assert clusters("1\u20e3b") == ["1\u20e3", "b"]
+    assert clusters("❤\ufe0fb") == ["❤\ufe0f", "b"]

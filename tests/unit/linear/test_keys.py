@@ -30,6 +30,13 @@ def text(typed: str) -> KeyPress:
         (b"\x7f", Act.BACKSPACE),
         (b"\x08", Act.BACKSPACE),
         (b"\x1b[3~", Act.DELETE),
+        (b"\x1b[3;5~", Act.DELETE),
+        (b"\x1b[8~", Act.END),
+        (b"\x1bOH", Act.HOME),
+        (b"\x02", Act.LEFT),
+        (b"\x06", Act.RIGHT),
+        (b"\x0e", Act.NEWER),
+        (b"\x10", Act.OLDER),
         (b"\x1b[A", Act.OLDER),
         (b"\x1bOA", Act.OLDER),
         (b"\x1b[1;5A", Act.OLDER),
@@ -69,6 +76,12 @@ def test_an_escape_waits_for_what_may_follow() -> None:
     assert decoder.is_waiting
     assert decoder.feed(b"[A") == [KeyPress(Act.OLDER)]
     assert not decoder.is_waiting
+
+
+def test_an_escape_and_the_sign_after_it_are_two_keys_if_nothing_more_comes() -> None:
+    assert decoded(b"\x1b[") == [KeyPress(Act.ESCAPE), text("[")]
+    assert decoded(b"\x1b[1;") == [KeyPress(Act.ESCAPE), text("[1;")]
+    assert KeyDecoder().give_up_waiting() == []
 
 
 def test_an_escape_before_text_is_a_key_of_its_own() -> None:
