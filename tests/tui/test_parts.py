@@ -4,6 +4,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from textual.app import App, ComposeResult
+from textual.color import Color
+from textual.theme import Theme
 from textual.widgets import TextArea
 
 from donnie_tui.commands.declarations import BY_NAME, COMMANDS
@@ -11,7 +13,8 @@ from donnie_tui.commands.interaction import Option
 from donnie_tui.commands.lookup import find, word_of
 from donnie_tui.core.document import ANOTHER_PROGRAM, Document
 from donnie_tui.core.program_files import as_lines
-from donnie_tui.settings.settings import SPEEDS
+from donnie_tui.settings.settings import SPEEDS, THEMES
+from donnie_tui.tui import themes
 from donnie_tui.tui.highlighting import highlights
 from donnie_tui.tui.screens.dialogs import Chooser
 from donnie_tui.tui.widgets.editor import Editor
@@ -320,3 +323,163 @@ async def test_what_a_list_is_about_is_where_there_is_room_for_it(width, place):
         is_shown = pilot.app.screen.query_one("#detail").display
 
         assert (is_shown, is_below) == (place != "nowhere", place == "below")
+
+
+# --- looks
+
+
+RGB = [each for each in themes.NAMES if each != themes.TERMINAL]
+OF_COLOURS = {f"thing-{each}": each for each in themes.COLOURS}
+PAINTED_AS = {
+    "robot": "accent", "other": "warning", "start": "success", "goal": "warning", "trail": "success",
+    "wall": "foreground", "free": "faint", "ray": "warning", "name": "foreground", "ruler": "muted",
+    "outside": "warning", "note": "error", "kind": "muted", "error": "error", "warning": "warning",
+    "heading": "accent", "changed": "warning", "chart": "success", "says": "accent", "typed": "success",
+    "row": "on-chosen", "selected": "on-chosen", **OF_COLOURS,
+}  # fmt: skip
+HOW = {
+    "bold": {
+        "robot",
+        "other",
+        "start",
+        "goal",
+        "outside",
+        "error",
+        "warning",
+        "heading",
+        "changed",
+        *OF_COLOURS,
+    },
+    "italic": {"note", "name", "kind", "typed"},
+    "reverse": {"robot", "other"},
+}
+
+
+def light(colour: str) -> float:
+    """Relative luminance, as the web's guidelines for contrast define it."""
+    parts = [int(colour[at : at + 2], 16) / 255 for at in (1, 3, 5)]
+    red, green, blue = (
+        part / 12.92 if part <= 0.03928 else ((part + 0.055) / 1.055) ** 2.4 for part in parts
+    )
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+
+def contrast(one: str, other: str) -> float:
+    low, high = sorted((light(one), light(other)))
+    return (high + 0.05) / (low + 0.05)
+
+
+@pytest.mark.parametrize("name", RGB)
+def test_every_role_of_a_theme_can_be_read_where_it_stands(name):
+    """Text at 7 to 1, borders at 4.5 and the dots of the floor at 3."""
+    palette = themes._PALETTES[name]
+    texts = ("foreground", "muted", "accent", "success", "warning", "error")
+    for surface in ("background", "surface", "panel"):
+        assert [each for each in texts if contrast(palette[each], palette[surface]) < 7] == []
+    assert [each for each in themes.COLOURS if contrast(palette[each], palette["background"]) < 7] == []
+    assert contrast(palette["on-chosen"], palette["chosen"]) >= 7
+    assert contrast(palette["border"], palette["background"]) >= 4.5
+    assert 3 <= contrast(palette["faint"], palette["background"]) < 7
+
+
+@pytest.mark.parametrize("name", themes.NAMES)
+def test_what_widgets_paint_has_the_colour_of_its_role_and_is_written_so(name):
+    palette, looks = themes._PALETTES[name], themes.looks(name)
+
+    assert looks.keys() == PAINTED_AS.keys()
+    for look, role in PAINTED_AS.items():
+        assert looks[look].color == Color.parse(palette[role]).rich_color, look
+        assert {how for how, its in HOW.items() if getattr(looks[look], how)} - {"reverse"} == {
+            how for how, its in HOW.items() if look in its
+        } - {"reverse"}, look
+    behind = {"row": "chosen", "selected": "chosen", "ruler": "panel"}
+    assert {each for each in looks if looks[each].bgcolor is not None} == behind.keys()
+    assert all(looks[each].bgcolor == Color.parse(palette[role]).rich_color for each, role in behind.items())
+    reversed_ = {each for each in looks if looks[each].reverse}
+    assert reversed_ == HOW["reverse"] | ({"selected"} if name == themes.TERMINAL else set())
+    assert [each for each in looks if looks[each].dim] == (["free"] if name == themes.TERMINAL else [])
+
+
+@pytest.mark.parametrize("name", themes.NAMES)
+def test_a_theme_of_textual_has_the_roles_and_names_that_textual_knows(name):
+    palette, theme = themes._PALETTES[name], themes.theme(name)
+    of_roles = {
+        "primary": "accent",
+        "secondary": "accent",
+        "accent": "accent",
+        "success": "success",
+        "warning": "warning",
+        "error": "error",
+        "foreground": "foreground",
+        "background": "background",
+        "surface": "surface",
+        "panel": "panel",
+        "boost": "surface",
+    }
+    known = Theme(name="any", primary="#ffffff").to_color_system().generate()
+    own = {"muted", "chosen", "on-chosen"}
+
+    assert {field: getattr(theme, field) for field in of_roles} == {
+        field: palette[role] for field, role in of_roles.items()
+    }
+    assert (theme.dark, theme.ansi) == (name != themes.LIGHT, name == themes.TERMINAL)
+    assert own <= theme.variables.keys() <= own | known.keys() | {"ansi-background", "ansi-foreground"}
+    assert {each: theme.variables[each] for each in own} == {each: palette[each] for each in own}
+    assert theme.variables.pop("input-cursor-text-style") == "none"
+    for colour in theme.variables.values():
+        Color.parse(colour)
+    chosen = (
+        ("ansi_white", "ansi_black") if name == themes.TERMINAL else (palette["chosen"], palette["on-chosen"])
+    )
+    for kind in (
+        "block-cursor",
+        "block-cursor-blurred",
+        "input-cursor",
+        "input-selection",
+        "screen-selection",
+    ):
+        assert (theme.variables[f"{kind}-background"], theme.variables[f"{kind}-foreground"]) == chosen
+    assert {theme.variables[each] for each in ("text-muted", "text-disabled")} == {palette["muted"]}
+    assert {theme.variables[each] for each in ("border", "border-blurred")} == {palette["border"]}
+    assert (theme.variables["text"], theme.variables["block-hover-background"]) == (
+        palette["foreground"],
+        palette["panel"],
+    )
+
+
+@pytest.mark.parametrize("name", themes.NAMES)
+def test_things_in_sixteen_colours_are_seven_different_ones_of_them(name):
+    """The sixteen of a PC, and in the terminal's own look their names."""
+    parts = ("00", "aa", "55", "ff")
+    sixteen = {f"#{red}{green}{blue}" for red in parts for green in parts for blue in parts}
+    styles = [themes.block_of_sixteen(name, each) for each in themes.COLOURS]
+
+    assert len({each.color for each in styles}) == len(themes.COLOURS) == 7
+    assert not any(each.bold for each in styles)
+    if name != themes.TERMINAL:
+        assert {each.color.name for each in styles} <= sixteen
+
+
+@pytest.mark.parametrize("name", themes.NAMES)
+def test_the_parts_of_a_program_differ_in_weight_and_slant_too(name):
+    styles = themes.syntax_styles(name)
+
+    assert {each: (bool(it.bold), bool(it.italic)) for each, it in styles.items()} == {
+        "command": (True, False),
+        "argument": (True, False),
+        "number": (False, False),
+        "string": (False, True),
+        "comment": (False, True),
+        "operator": (False, False),
+    }
+    roles = ("accent", "success", "warning", "orange", "muted", "foreground")
+    for style, role in zip(styles.values(), roles, strict=True):
+        expected = None if name == themes.TERMINAL else themes._PALETTES[name][role]
+        assert (style.color.name if style.color else None) == expected
+
+
+def test_a_theme_that_is_none_of_donnie_s_looks_as_the_terminal_s_own():
+    assert themes.looks("textual-dark") == themes.looks(themes.TERMINAL)
+    assert themes.syntax_styles("textual-dark") == themes.syntax_styles(themes.TERMINAL)
+    assert themes.block_of_sixteen("textual-dark", "red") == themes.block_of_sixteen(themes.TERMINAL, "red")
+    assert [themes.name_of(each) for each in THEMES] == [*themes.NAMES]
