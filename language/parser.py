@@ -145,34 +145,21 @@ def kinds_after(tokens: Sequence[Token]) -> frozenset[int]:
     """
     states = [START]
     for token in tokens:
-        if not _shift(states, token[0]):
-            while len(states) > 1 and not _can_shift(states, _SPEAK):
-                states.pop()
-            _shift(states, token[0])
-    return frozenset(kind for kind in range(1, len(TERMINALS)) if _can_shift(states, kind))
+        following = _following(states, token[0])
+        while following is None and len(states) > 1 and _following(states, _SPEAK) is None:
+            states.pop()
+        states = following or _following(states, token[0]) or states
+    return frozenset(kind for kind in range(1, len(TERMINALS)) if _following(states, kind))
 
 
-def _shift(states: list[int], kind: int) -> bool:
-    """Whether the token fits; only then the states change."""
-    kept, added = len(states), list[int]()
-    while True:
-        action = ACTIONS[added[-1] if added else states[kept - 1]][kind]
-        if action >= 0:
-            break
+def _following(states: list[int], kind: int) -> list[int] | None:
+    """The states after a token of that kind, or None if it doesn't fit."""
+    after = list(states)
+    while (action := ACTIONS[after[-1]][kind]) < 0:
         nonterminal, count, _, _ = RULES[action]
-        taken = min(count, len(added))
-        del added[len(added) - taken :]
-        kept -= count - taken
-        added.append(GOTOS[added[-1] if added else states[kept - 1]][nonterminal])
-    if action == 0:
-        return False
-    states[kept:] = [*added, action]
-    return True
-
-
-def _can_shift(states: list[int], kind: int) -> bool:
-    """Whether a token of that kind fits."""
-    return _shift(states[:], kind)
+        del after[len(after) - count :]
+        after.append(GOTOS[after[-1]][nonterminal])
+    return [*after, action] if action else None
 
 
 # --- mistakes that the grammar allows -----------------------------------------------------------------
