@@ -399,7 +399,7 @@ class RobotMovement:
     def _allow_more(self, telemetry: Telemetry) -> Clearance:
         """Allow the next stride if it is time to, and the way is free."""
         left = self._allowed - self.units
-        if self._allowed and (self._allowed >= self._plan.amount or left > RENEW_BEFORE * self._plan.stride):
+        if self._allowed and left > RENEW_BEFORE * self._plan.stride:
             return Clearance.FREE
         clearance = self._clearance(telemetry, left)
         if clearance is Clearance.FREE:
