@@ -36,7 +36,8 @@ def test_a_sensor_with_a_name_is_described_by_it_and_a_finder_of_marks_is_there(
     devices = mounted(
         scene(
             'define it position ( ranger( name "left eye" sensor( range [ 0 3 ] fov 15 pose [ 0 0 0 90 ] ) )'
-            " ranger( sensor( range [ 0 2 ] fov 15 ) ) fiducial( range_max 5 fov 90 ) )"
+            " ranger( sensor( range [ 0 2 ] fov 15 ) ) fiducial( range_max 5 fov 90 )"
+            " ranger( sensor( range [ 0 4 ] fov 120 samples 31 pose [ 0 0 0 -45 ] ) ) )"
             ' it( name "al" )'
         ),
         "al",
@@ -45,6 +46,7 @@ def test_a_sensor_with_a_name_is_described_by_it_and_a_finder_of_marks_is_there(
     assert sensors_in_words(devices, "al", Words("en", "normal"))[1:] == (
         'Distance sensor "left eye", 90 left, 15 degrees wide, range 3 m.',
         "Distance sensor ahead, 15 degrees wide, range 2 m.",
+        "Distance sensor 45 right, 120 degrees wide, range 4 m.",
         "Finder of marks ahead, 90 degrees wide, range 5 m.",
     )
 

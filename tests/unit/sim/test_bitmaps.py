@@ -190,6 +190,19 @@ def test_a_picture_with_too_many_pixels_is_refused_with_their_number(width: int,
     assert (refused.value.given, refused.value.limit) == (width * height, MOST_PIXELS)
 
 
+def test_a_picture_whose_size_pillow_does_not_say_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    from PIL import Image
+
+    def refuse(*_: object, **__: object) -> None:
+        raise Image.DecompressionBombError("too large")
+
+    monkeypatch.setattr(Image, "open", refuse)
+
+    with pytest.raises(OversizedBitmapError) as refused:
+        read_bitmap(blank_png(1, 1))
+    assert (refused.value.given, refused.value.limit) == (100_000_001, 100_000_000)
+
+
 def test_a_floor_plan_of_eighty_million_pixels_is_read_with_its_thin_walls() -> None:
     from PIL import Image, ImageDraw
 
