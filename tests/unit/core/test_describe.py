@@ -108,6 +108,32 @@ def test_the_nearest_of_many_robots_are_named() -> None:
     assert len(sentences) == 13
 
 
+@pytest.mark.parametrize(
+    ("others", "said"),
+    [
+        (9, "10 robots: me, r0, r1, r2, r3, r4, r5, r6, r7, r8."),
+        (10, "11 robots: me, r0, r1, r2, r3, r4, r5, r6, r7, r8 and 1 more."),
+    ],
+)
+def test_up_to_ten_robots_are_all_named(others: int, said: str) -> None:
+    sentences = describe(large(0, others), Pose(0.0, 0.0, 0.0), Words(), robot="me")
+
+    assert sentences[1] == said
+    assert sentences[-2].startswith("Robot r8, ")
+
+
+def test_of_the_things_farther_away_the_five_commonest_kinds_are_counted() -> None:
+    kinds = ["a"] * 20 + [kind for count, kind in enumerate("bcdefgh", start=1) for _ in range(count)]
+    things = tuple(Thing("", kind, kind, "red", 0.0, float(at), 1.0, 1.0) for at, kind in enumerate(kinds))
+    seen = Picture(0, 0, 9, 9, 1, ("." * 9,) * 9, things, has_walls=False)
+
+    said = things_in_words(seen, Pose(0.0, 0.0, 0.0), Words())
+
+    assert said[19] == "A, red: 19 ahead."
+    assert said[20] == "28 more things are farther away."
+    assert [each[:1] for each in said[21:]] == ["7", "6", "5", "4", "3"]
+
+
 def test_two_robots_are_described_by_name() -> None:
     sentences = describe(large(0, 1), Pose(0.0, 0.0, 0.0), Words("pt"), robot="me")
 
@@ -119,8 +145,15 @@ def test_two_robots_are_described_by_name() -> None:
 
 
 def test_a_large_thing_is_described_with_its_size() -> None:
-    wide = Thing("", "table", "t", "red", 0.0, 20.0, 5.0, 10.0)
+    wide = Thing("", "table", "t", "red", 0.0, 20.0, 5.0, 8.0)
     seen = Picture(0, 0, 9, 9, 1, ("." * 9,) * 9, (wide,), has_walls=True)
 
-    assert describe(seen, Pose(0.0, 0.0, 0.0), Words(), robot="me")[-1] == "Table, red, 5 by 10: 20 north."
-    assert things_in_words(seen, Pose(0.0, 0.0, 180.0), Words()) == ("Table, red, 5 by 10: 20 behind.",)
+    assert describe(seen, Pose(0.0, 0.0, 0.0), Words(), robot="me")[-1] == "Table, red, 5 by 8: 20 north."
+    assert things_in_words(seen, Pose(0.0, 0.0, 180.0), Words()) == ("Table, red, 5 by 8: 20 behind.",)
+
+
+def test_the_size_of_a_thing_below_eight_steps_is_not_given() -> None:
+    small = Thing("", "table", "t", "red", 0.0, 20.0, 7.4, 7.0)
+    seen = Picture(0, 0, 9, 9, 1, ("." * 9,) * 9, (small,), has_walls=True)
+
+    assert things_in_words(seen, Pose(0.0, 0.0, 0.0), Words()) == ("Table, red: 20 ahead.",)

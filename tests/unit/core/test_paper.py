@@ -14,7 +14,18 @@ from PIL import ImageFont
 
 import worlds
 from devices.ports.robot import STEP, Pose
-from donnie_tui.core.chart import ASCII, Chart, ChartedRobot, braille, braille_pages, chart, dots, shrunk
+from donnie_tui.core.chart import (
+    ASCII,
+    Chart,
+    ChartedRobot,
+    ColourMark,
+    braille,
+    braille_pages,
+    chart,
+    dots,
+    shrunk,
+    with_marks,
+)
 from donnie_tui.core.paper import A4, LINE, PRINT, raised_picture
 from donnie_tui.i18n.words import Words
 from sim.picture import Drawing, Picture, Thing, drawings, picture
@@ -94,6 +105,39 @@ def test_too_many_robots_share_a_letter() -> None:
 
     assert len({each.letter for each in it.robots}) == 7
     assert it.legend[it.robots[-1].letter] == "24 more robots"
+
+
+def test_a_robot_outside_of_the_map_is_in_the_legend_only() -> None:
+    it = chart(Picture(0, 0, 3, 1, 1, ("...",), (), has_walls=False), Pose(50, 0, 0), "me", Words())
+
+    assert (it.rows, it.legend) == (("...",), {"m": "me, looks north"})
+
+
+def test_a_robot_without_a_name_is_called_by_its_kind() -> None:
+    other = Thing("", "rover", "r", "red", 1, 0, 1, 1, is_robot=True)
+    it = chart(Picture(0, 0, 3, 1, 1, (".r.",), (other,), has_walls=False), Pose(0, 0, 0), None, Words())
+
+    assert (it.rows, it.legend) == ((".r.",), {"r": "rover, looks north"})
+
+
+@pytest.mark.parametrize(
+    ("rows", "row", "marked"),
+    [
+        (("f..f",), 0, None),  # a square each has no room; the last square of a row is not next to the first
+        (("ff.f", "...f"), 0, ("fr.f", "...b")),
+        (("f...", "f.ff"), 1, ("f...", "r.fb")),
+        (("f..f", "f..."), 0, None),  # all are marked, or none
+    ],
+)
+def test_the_initial_of_a_colour_is_the_second_letter_of_its_thing(
+    rows: tuple[str, ...], row: int, marked: tuple[str, ...] | None
+) -> None:
+    def mark(column: int, initial: str) -> ColourMark:
+        return ColourMark(row, column, Thing("", "flower", "f", initial, column, 0, 1, 1), initial)
+
+    assert with_marks(rows, [mark(0, "r"), mark(3, "b")]) == (
+        (rows, frozenset()) if marked is None else (marked, {"f"})
+    )
 
 
 def test_a_block_of_letters_keeps_what_matters_most() -> None:

@@ -66,6 +66,25 @@ def test_the_description_of_a_thousand_sensors_is_cut() -> None:
     assert said[-1] == "E mais 80."
 
 
+@pytest.mark.parametrize(
+    ("degrees", "where"), [(0.4, "ahead"), (-1, "1 left"), (179, "179 right"), (-180, "behind"), (180, "behind")]
+)
+def test_the_direction_of_a_sensor_is_given_from_the_front(degrees: float, where: str) -> None:
+    _, said = sensors_in_words([Mounted(Device.BUMPER, degrees)], "al", Words("en", "normal"))
+
+    assert said == f"Bumper {where}."
+
+
+def test_twenty_kinds_of_sensors_are_all_described() -> None:
+    devices = [Mounted(Device.BUMPER, degrees) for degrees in range(1, MOST + 1)]
+
+    assert len(sensors_in_words(devices, "al", Words("en", "normal"))) == 1 + MOST
+    assert sensors_in_words(devices[:1] * 3, "", Words("en", "normal")) == (
+        "Donnie has:",
+        "3 times: Bumper 1 right.",
+    )
+
+
 @pytest.mark.parametrize("yaw", [0, 90, 225])
 def test_a_camera_looks_along_two_sides_and_an_arc_where_it_is_mounted(yaw: int) -> None:
     """20 steps at 60 degrees: 10 to either side of the middle, 17.3 away. It looks to the right."""
