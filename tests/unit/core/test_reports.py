@@ -10,7 +10,7 @@ import pytest
 from msgspec.structs import replace
 from PIL import ImageFont
 
-from devices.ports.robot import Pose
+from devices.ports.robot import Pose, StoppedBy
 from donnie_tui.core.events import (
     Event,
     HowStarted,
@@ -39,7 +39,7 @@ from donnie_tui.core.reports import (
     suffixes_of,
 )
 from donnie_tui.i18n.words import Words
-from sim.picture import Picture
+from sim.picture import Picture, Thing
 
 TABLE = Section("The <map>", ["Two & two."], [("name", "x"), ("a, b", -3)])
 
@@ -271,6 +271,72 @@ def test_a_text_has_the_sentences_alone() -> None:
         "The robot moves for 22 of 24 seconds, at most 1 step a second.",
         "Variables at the end: a = 3.",
     ]
+
+
+def test_a_plot_is_laid_out_to_scale() -> None:
+    """720 wide, of which 96 and 40 are left and right; 130 for each thing, and three lines of 20 below."""
+    rising = Series("up", ((0, 0), (10, 4)), "speed")
+    once = Series("once", ((5, -2),), "variable")
+    plot = plotted("t", [rising, once], "", "seconds")
+
+    assert (plot.width, plot.height) == (720, 320)
+    assert plot.axes == (((96, 34), (96, 130), (680, 130)), ((96, 164), (96, 260), (680, 260)))
+    assert plot.curves == (((96, 130), (680, 34)), ((388, 260),))
+    assert plot.dots == ((388, 260),)  # no line is drawn of one value
+    assert [(each.x, each.y, each.text, each.anchor) for each in plot.texts] == [
+        (96, 24, "up", "start"),
+        (88, 135, "0", "end"),
+        (88, 39, "4", "end"),
+        (96, 154, "once", "start"),
+        (88, 265, "-2", "end"),
+        (88, 169, "-1", "end"),  # an axis has a length of 1 at least
+        (96, 288, "0", "middle"),
+        (388, 288, "5", "middle"),
+        (680, 288, "10", "middle"),
+        (388, 308, "seconds", "middle"),
+    ]
+
+
+def test_an_axis_has_room_for_nine_signs_and_a_plot_of_nothing_is_a_second_long() -> None:
+    def on_axis(value: float) -> str:
+        return plotted("t", [Series("a", ((0, 0), (1, value)), "speed")], "", "s").texts[2].text
+
+    assert [on_axis(each) for each in (0.25, 123456789, 1234567890)] == ["1", "123456789", "1.23e+09"]
+    assert [each.text for each in plotted("t", [], "", "s").texts] == ["0", "0.5", "1", "s"]
+    assert plotted("t", [Series("a", ((3, 0),), "distance")], "", "s").curves == (((96, 130),),)
+
+
+TABLES = {
+    "help": [["how it is typed", "what it does"], ["FW n", "walks: n steps"]],
+    "list": [["line", "level", "text"], ["1", "0", "REPEAT 2 TIMES"], ["2", "1", "FW 1"]],
+    "map": [["name", "color", "x", "y", "place"], ["crate", "red", "-2", "5", "5 right, 2 ahead"]],
+    "trail": [
+        ["command", "done", "x", "y", "heading", "blocked"],
+        ["FW 5", "2", "3", "-4", "90", "yes"],
+        ["TR 90", "90", "3", "-4", "180", "no"],
+    ],
+}
+
+
+@pytest.mark.parametrize("what", TABLES)
+def test_a_report_is_a_table_whose_columns_have_names(what: str) -> None:
+    crate = Thing("", "crate", "c", "red", -2.2, 4.8, 1, 1)
+    trail = Trail()
+    for event in (
+        Moved("FW 5", 5, 2, StoppedBy.OBSTACLE, Pose(3, -4, 90), forward=True),
+        Turned("TR 90", 90, 90, None, Pose(3, -4, 180), right=True),
+    ):
+        trail.on_event(at(1, event))
+    about = Subject(
+        ("REPEAT 2 TIMES", "FW 1"),
+        Pose(0, 0, 270),
+        Picture(-9, -9, 18, 18, 1, ("." * 18,) * 18, (crate,), has_walls=False),
+        trail,
+        ["FW n: walks: n steps"],
+        (),
+    )
+
+    assert list(csv.reader(report(what, f"{what}.csv", about, Words()).decode().splitlines())) == TABLES[what]
 
 
 def test_how_the_name_of_a_file_may_end_depends_on_what_it_is_about() -> None:
