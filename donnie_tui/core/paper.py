@@ -325,10 +325,7 @@ def _clear_places(
         if (
             is_on_sheet
             and all(_apart(label, each) >= 2 * GAP for each in taken)
-            and all(
-                _apart(label, _box_of(each)) >= reach or _from_segment(label, each) >= reach
-                for each in lines.of(label, reach)
-            )
+            and all(_from_segment(label, each) >= reach for each in lines.of(label, reach))
         ):
             yield label
 
@@ -545,7 +542,7 @@ def _braille(cells: str, x: float, y: float) -> str:
         for dot in dots(cell)
     ]
     circles = "".join(f'<circle cx="{cx:.2f}" cy="{cy:.2f}" r="{DOT / 2}"/>' for cx, cy in centres)
-    return f'<g fill="black">{circles}</g>' if circles else ""
+    return f'<g fill="black">{circles}</g>'
 
 
 def _print(text: str, x: float, y: float) -> str:
