@@ -113,6 +113,14 @@ def test_a_robot_outside_of_the_map_is_in_the_legend_only() -> None:
     assert (it.rows, it.legend) == (("...",), {"m": "me, looks north"})
 
 
+def test_every_square_of_a_robot_has_its_letter() -> None:
+    body = Thing("other", "rover", "r", "red", 5, 5, 9, 9, is_robot=True)
+    rows = ("." * 11, *["." + "r" * 9 + "."] * 9, "." * 11)
+    it = chart(Picture(0, 0, 11, 11, 1, rows, (body,), has_walls=False), Pose(0, 0, 0), None, Words())
+
+    assert it.rows == tuple(row.replace("r", "o") for row in rows)
+
+
 def test_a_robot_without_a_name_is_called_by_its_kind() -> None:
     other = Thing("", "rover", "r", "red", 1, 0, 1, 1, is_robot=True)
     it = chart(Picture(0, 0, 3, 1, 1, (".r.",), (other,), has_walls=False), Pose(0, 0, 0), None, Words())
@@ -513,6 +521,22 @@ def test_a_label_is_next_to_its_thing_with_its_letter_in_print_above() -> None:
     assert labels_of(root) == [[(174.6, 94.6), (177.1, 94.6)]]
     (printed,) = (each for each in root.iter(f"{SVG}text") if each.text == "C")
     assert (printed.get("x"), printed.get("y")) == ("173.80", "93.20")
+
+
+def test_no_label_leaves_the_sheet_or_is_in_a_wall() -> None:
+    """To the right of the cup is the edge of the sheet, to the right of the crate a thick wall."""
+    corners = ((2.5, -5.0), (4.5, -5.0), (4.5, -3.0), (2.5, -3.0))
+    cup = Drawing((corners,), Thing("cup", "cup", "u", "red", 3.5, -4, 2, 2, index=1), False)
+    wall = Drawing((((3.0, -1.0), (4.5, -1.0), (4.5, 3.0), (3.0, 3.0)),), None, False)
+
+    crate, left = labels_of(small_sheet(cup))
+    # 3.7 mm, and a letter of 4.1 mm, to the left of 160.8; a U is dots 1, 3 and 6
+    assert crate == [(174.6, 94.6), (177.1, 94.6)]
+    assert left == pytest.approx([(153.8, 187.6), (153.8, 192.6), (156.3, 192.6)])
+
+    (label,) = labels_of(small_sheet(wall))
+    # two rows of the key leave 17.7 mm for a step: the crate begins at 96.15
+    assert [x for x, _ in label] == pytest.approx([89.15, 91.65])
 
 
 def test_the_foot_of_a_sheet_has_the_legend_the_key_and_the_scale() -> None:
