@@ -212,6 +212,22 @@ def test_a_running_program_holds_at_each_of_its_breakpoints(make: Make) -> None:
 
 
 @steppable
+def test_a_breakpoint_that_is_set_during_a_run_holds_it(make: Make) -> None:
+    control, held = ExecutionControl(), []
+
+    def on_state(state: ControlState) -> None:
+        if state is ControlState.PAUSED:
+            held.append(control.held_at)
+            control.resume()
+
+    control.observe(on_state)
+    recorder = Recorder(before=lambda _: control.break_at(frozenset({3})))
+    make(read("SPEAK 1\nSPEAK 2\nSPEAK 3\nSPEAK 4")).run(recorder, control, Memory())
+
+    assert held == [(3, 1)]
+
+
+@steppable
 def test_breakpoints_also_hold_on_the_way_to_a_line_and_in_a_step_over(make: Make) -> None:
     def begin(control: ExecutionControl) -> None:
         control.break_at(frozenset({4}))
