@@ -50,6 +50,7 @@ from language.runtime import Frame
 from language.source import fold_name
 
 if TYPE_CHECKING:
+    from donnie_tui.core.stepping import Stepping
     from donnie_tui.core.timeline import Timeline
 
 MOST_KEPT = 20_000
@@ -159,17 +160,19 @@ class RunController:
         record, past = self._record, self.past
         if record is None or past is None:
             return None
-        stepping = record.narrator.stepping
-        held = stepping.frames_at(past) if stepping is not None else None
+        held = self._stepping.frames_at(past) if self._stepping is not None else None
         return held if held is not None else record.frames_at(past)
+
+    @property
+    def _stepping(self) -> Stepping | None:
+        return self._record.narrator.stepping if self._record is not None else None
 
     @property
     def past_steps(self) -> tuple[int, int] | None:
         """The number of steps before the moment of STEP BACK and in all, or None in the present."""
-        stepping = self._record.narrator.stepping if self._record is not None else None
-        if self.past is None or stepping is None:
-            return self.past.steps if self.past is not None else None
-        return stepping.counted(self.past)
+        if self.past is None:
+            return None
+        return self.past.steps if self._stepping is None else self._stepping.counted(self.past)
 
     @property
     def worked_out(self) -> tuple[tuple[str, ...], ...]:
@@ -177,10 +180,9 @@ class RunController:
 
         Empty unless the program is held, or was held at that moment of the past.
         """
-        record = self._record
-        stepping = record.narrator.stepping if record is not None else None
-        is_known = stepping is not None and (self.past is not None or self.is_held)
-        return stepping.worked_out(self.past) if is_known and stepping is not None else ()
+        if self._stepping is None or (self.past is None and not self.is_held):
+            return ()
+        return self._stepping.worked_out(self.past)
 
     @property
     def knows_variables(self) -> bool:
@@ -322,7 +324,7 @@ class RunController:
 
     def _go_on(self, request: Request, ask: Begin, *, is_step: bool = False) -> None:
         if is_step and self.past is not None:
-            self._answer(*self._step_forward(self.past))
+            self._answer(*self._step_forward())
             return
         self.require(request)
         record, run = self._record, self._session.run
@@ -339,12 +341,9 @@ class RunController:
         self.require(Request.STEP_BACK)
         is_first_step = self.past is None
         past = self.past = self.past or self._chronicle.timeline()
-        record = self._record
         begun = (self._words("looking-back"),) if is_first_step else ()
-        if record is not None and record.narrator.stepping is not None:
-            undone = record.narrator.stepping.step_back(
-                past, self._session.variables, is_first_step=is_first_step
-            )
+        if self._stepping is not None:
+            undone = self._stepping.step_back(past, self._session.variables, is_first_step=is_first_step)
             return (*begun, *undone)
         from donnie_tui.core.stepping import undo_event
 
@@ -358,19 +357,20 @@ class RunController:
         sentences: tuple[str, ...] = ()
         here = self.past_steps
         is_back = here is not None and here[0] > step
-        while self.past is not None and here is not None and (here[0] > step if is_back else here[0] < step):
-            sentences = self.step_back() if is_back else self._step_forward(self.past)
+        while here is not None and (here[0] > step if is_back else here[0] < step):
+            sentences = self.step_back() if is_back else self._step_forward()
             before, here = here, self.past_steps
             if here == before:
                 break
         return sentences
 
-    def _step_forward(self, past: Timeline) -> tuple[str, ...]:
+    def _step_forward(self) -> tuple[str, ...]:
         """The sentences for one step from the past to the present, which ends the way back."""
-        stepping = self._record.narrator.stepping if self._record is not None else None
-        if stepping is not None:
-            sentences = stepping.step_forward(past)
-            is_present = stepping.is_present(past)
+        past = self.past
+        assert past is not None, "only on the way back"
+        if self._stepping is not None:
+            sentences = self._stepping.step_forward(past)
+            is_present = self._stepping.is_present(past)
         else:
             from donnie_tui.core.stepping import redo_event
 
