@@ -174,10 +174,10 @@ class Expressions:
 
     def _quotient(self, site: int, left: _Value, right: _Value) -> py.Expr:
         """Python rounds down, which truncates if both signs are the same. It raises an error for zero."""
-        if right.constant is not None and right.constant > 0 and not left.natural:
-            return self._quotient_by_number(site, left, right)
         if left.natural and right.natural:
             return py.binary(site, "//", left.code, right.code)
+        if right.constant is not None and right.constant > 0:
+            return self._quotient_by_number(site, left, right)
         return self._quotient_by_anything(site, left, right)
 
     def _quotient_by_number(self, site: int, left: _Value, right: _Value) -> py.Expr:

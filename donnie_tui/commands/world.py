@@ -79,7 +79,7 @@ async def show_path(ctx: Context, _: str) -> None:
         grid = MapGrid(donnie.picture_now(), path[0], shown_name(donnie.session.name))
         for each in (*path[1:], pose):
             grid.move(each)
-        lines = (*lines, *map_words.picture_in_letters(grid, ctx.words, _free(ctx), has_path=True))
+        lines = (*lines, *map_words.picture_in_letters(grid, ctx.words, _free(ctx)))
     await ctx.interaction.show_pages(ctx.words("path-title"), lines, ctx.of_robot(*lines))
 
 

@@ -145,13 +145,10 @@ def names_of_letters(picture: Picture, wording: Wording) -> dict[str, str]:
     return names
 
 
-def picture_in_letters(
-    grid: MapGrid, wording: Wording, free: str = FREE, *, has_path: bool = False
-) -> tuple[str, ...]:
+def picture_in_letters(grid: MapGrid, wording: Wording, free: str = FREE) -> tuple[str, ...]:
     """What the letters mean, then the squares around the robot, the northern row first.
 
-    ``free`` is shown for a free square: a full stop, or a letter for those who read braille. ``has_path``:
-    the start and the trail are drawn, too.
+    ``free`` is shown for a free square: a full stop, or a letter for those who read braille.
     """
     window = grid.bounds.part(grid.robot, WIDEST, HIGHEST)
     rows = [
@@ -160,14 +157,15 @@ def picture_in_letters(
     ]
     shown = set("".join(rows)) - {TRAIL, START}
     names = names_of_letters(grid.picture, wording)
-    shown_as = _braille_letters(names) | {FREE: free, START: _START if has_path else free}
+    shown_as = _braille_letters(names) | {FREE: free, START: _START}
     colours = _colours_in(grid, window)
     initials = colour_initials(wording, {*shown_as.values(), *_OF_THE_ROBOT})
     shown_colours = [each for each in initials if each in colours.values()]
     of_path = ({wording("cell-start"): _START} if START in "".join(rows) else {}) | (
         {wording("cell-trail"): TRAIL} if TRAIL in "".join(rows) else {}
     )
-    legend = [
+    legend = [wording("picture-letter", name=name, letter=sign) for name, sign in of_path.items()]
+    legend += [
         wording("picture-letter", name=names[letter], letter=shown_as[letter])
         for letter in sorted(shown & names.keys())
     ]
@@ -175,8 +173,6 @@ def picture_in_letters(
         wording("picture-letter", name=wording(f"colour-{each}"), letter=initials[each].lower())
         for each in shown_colours
     ]
-    if has_path:
-        legend[:0] = [wording("picture-letter", name=name, letter=sign) for name, sign in of_path.items()]
     goals = sorted({number for cell, number in grid.goals.items() if window.around(cell) == window})
     letters = {
         number: next(grid.letter(cell) for cell in grid.goals if grid.goals[cell] == number)
