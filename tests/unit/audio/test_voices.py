@@ -49,6 +49,9 @@ def test_a_language_is_read_by_its_own_voice_or_by_none(
         (VoiceSettings(200, 40, 0.5), VoiceSettings(200, 40, 0.5)),
         (VoiceSettings(volume=math.nan), VoiceSettings()),
         (VoiceSettings(volume=math.inf), VoiceSettings(volume=1.0)),
+        (VoiceSettings(punctuation="most"), VoiceSettings(punctuation="some")),
+        (VoiceSettings(punctuation="all"), VoiceSettings(punctuation="all")),
+        (VoiceSettings(), VoiceSettings(180, 50, 1.0, "some")),
     ],
 )
 def test_settings_are_clamped_and_not_refused(asked: VoiceSettings, given: VoiceSettings) -> None:

@@ -1,6 +1,7 @@
 """A recording holds a world with all files that it reads. The world loads from there unchanged."""
 
 import json
+import math
 from pathlib import Path
 
 import pytest
@@ -79,12 +80,26 @@ def test_a_binary_file_is_kept_byte_by_byte(tmp_path: Path) -> None:
         {"name": 1, "main": "0/x", "robots": [], "files": []},
         {"name": "x", "main": "0/x", "robots": [1], "files": []},
         {"name": "x", "main": "0/x", "robots": [], "files": [["0/x", "text"]]},
+        {"name": "x", "main": "0/x", "robots": [], "files": [], "moves": [[0, 0.0, math.inf, 0.0, 0.0]]},
     ],
-    ids=range(7),
+    ids=range(8),
 )
 def test_a_value_that_is_no_bundle_is_refused(record: object) -> None:
-    with pytest.raises(BundleError):
+    with pytest.raises(BundleError) as refused:
         from_record(record)
+    assert refused.value.code == "bundle-damaged"
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["x.world", "a/x.world", "0/../x.world", "/0/x.world", "0/a\\b", "0/c:x", "0/a\0", f"0/{'x' * 999}"],
+)
+def test_a_bundle_with_a_name_that_leads_elsewhere_is_refused(name: str, tmp_path: Path) -> None:
+    with pytest.raises(BundleError) as refused:
+        unpack(WorldBundle("x", name, ((name, b""),), ("donnie",)), tmp_path)
+
+    assert refused.value.code == "bundle-damaged"
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_a_bundle_beyond_its_limit_is_refused_by_its_reader_and_its_writer(

@@ -25,6 +25,7 @@ from donnie_tui.core.chart import (
     dots,
     shrunk,
     with_marks,
+    wrapped,
 )
 from donnie_tui.core.paper import A4, LINE, PRINT, raised_picture
 from donnie_tui.i18n.words import Words
@@ -184,6 +185,18 @@ def test_there_are_sixty_four_cells_each_with_its_dots() -> None:
         (3, 4, 5, 6),
         (3,),
     ]
+
+
+@pytest.mark.parametrize(
+    ("line", "parts"),
+    [
+        ("f  flower, b blue, y yellow", ["f  flower, b blue,", "   y yellow"]),
+        ("F  FLOWER1 B BLUE1 Y YELLOW", ["F  FLOWER1 B BLUE1", "   Y YELLOW"]),
+        ("f  flower, blue and a yellow", ["f  flower, blue and a", "   yellow"]),
+    ],
+)
+def test_the_initial_of_a_colour_stays_with_its_colour(line: str, parts: list[str]) -> None:
+    assert wrapped(line, 21) == parts
 
 
 @pytest.mark.parametrize("name", worlds.names())

@@ -67,7 +67,8 @@ def test_the_description_of_a_thousand_sensors_is_cut() -> None:
 
 
 @pytest.mark.parametrize(
-    ("degrees", "where"), [(0.4, "ahead"), (-1, "1 left"), (179, "179 right"), (-180, "behind"), (180, "behind")]
+    ("degrees", "where"),
+    [(0.4, "ahead"), (-1, "1 left"), (179, "179 right"), (-180, "behind"), (180, "behind")],
 )
 def test_the_direction_of_a_sensor_is_given_from_the_front(degrees: float, where: str) -> None:
     _, said = sensors_in_words([Mounted(Device.BUMPER, degrees)], "al", Words("en", "normal"))
@@ -100,6 +101,18 @@ def test_a_camera_looks_along_two_sides_and_an_arc_where_it_is_mounted(yaw: int)
     assert right[1] == pytest.approx((20 * 3**0.5 / 2, -10))
     assert (arc[0], arc[-1]) == (left[1], right[1])
     assert all(x * x + y * y == pytest.approx(400) for x, y in arc)
+
+
+@pytest.mark.parametrize("yaw", [0, 90, 225])
+def test_a_camera_that_is_not_in_the_middle_looks_from_where_it_is(yaw: int) -> None:
+    """4 steps before the middle and 2 to its left; it sees nothing nearer than a step, at 30 degrees."""
+    camera = "camera( pose [ 0.2 0.1 0 0 ] range [ 0.05 1 ] fov [ 60 40 ] )"
+    text = f'define it position( {camera} ) it( name "al" pose [ 3 -2 0 {yaw} ] )'
+    (left, right, _) = mounted(scene(text), "al")[0].lines
+
+    assert left[0] == pytest.approx((-2 - 1 / 2, 4 + 3**0.5 / 2))
+    assert right[0] == pytest.approx((-2 + 1 / 2, 4 + 3**0.5 / 2))
+    assert left[1] == pytest.approx((-2 - 20 / 2, 4 + 20 * 3**0.5 / 2))
 
 
 def test_the_paddles_of_a_gripper_are_two_lines_ahead() -> None:

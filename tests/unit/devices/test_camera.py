@@ -395,6 +395,7 @@ def test_a_camera_of_the_computer_sees_and_may_be_unplugged_and_come_back(
 
     assert seen(made) == [("blue", each) for each in range(-90, 91, 30)]
     assert Device.opened == 1
+    assert Device.left == 1000 - 7 * 5  # a camera keeps up to four pictures of before
 
     Device.left = 12
     problem = swept(made).problem

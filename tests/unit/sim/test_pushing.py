@@ -259,6 +259,29 @@ def test_a_refused_grip_has_a_reason() -> None:
     assert robot.grip().outcome is Grip.NOTHING_THERE
 
 
+@pytest.mark.parametrize(
+    ("x", "y", "grip"),
+    [
+        *(
+            (0.27, 0, Grip.GRIPPED),
+            (0.28, 0, Grip.NOTHING_THERE),
+        ),  # the paddles end at 0.2, and a step is 0.05
+        *((0.2, 0.07, Grip.GRIPPED), (0.2, 0.08, Grip.NOTHING_THERE)),
+        *((0.2, -0.07, Grip.GRIPPED), (0.2, -0.08, Grip.NOTHING_THERE)),
+    ],
+)
+def test_what_is_between_the_paddles_or_a_step_before_them_is_taken(x: float, y: float, grip: Grip) -> None:
+    world = World(scene(GRIPPER + f"ball( pose [ {x} {y} 0 0 ] )"))
+
+    assert world.robot(pace=Unpaced()).grip().outcome is grip
+
+
+def test_of_two_things_the_one_nearer_to_the_middle_of_the_gripper_is_taken() -> None:
+    near, far = 'ball( name "near" pose [ 0.2 0.03 0 0 ] )', 'ball( name "far" pose [ 0.2 -0.05 0 0 ] )'
+    for balls in (near + far, far + near):
+        assert World(scene(GRIPPER + balls)).robot(pace=Unpaced()).grip().name == "near"
+
+
 def test_a_released_thing_is_no_longer_part_of_the_body() -> None:
     """It walks as far towards a wall behind it as a robot that never held anything."""
     behind = WALL.format(-0.6)

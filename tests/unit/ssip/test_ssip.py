@@ -226,6 +226,29 @@ def test_a_sentence_that_was_silenced_before_the_server_was_lost_is_not_said_aga
     assert mailbox.wait_until_quiet(0)
 
 
+@pytest.mark.parametrize(
+    ("spoken", "urgency", "ends"),
+    [
+        (Urgency.PROGRESS, Urgency.ALERT, True),
+        (Urgency.PROGRAM, Urgency.ALERT, False),
+        (Urgency.PROGRESS, Urgency.PROGRAM, False),
+        (None, Urgency.ALERT, False),
+    ],
+)
+def test_an_alert_ends_progress_that_is_being_said(
+    spoken: Urgency | None, urgency: Urgency, ends: bool
+) -> None:
+    mailbox = Mailbox()
+    if spoken is not None:
+        mailbox.offer(say("First.", spoken), 0.0)
+        mailbox.take()
+
+    mailbox.offer(say("Second.", urgency), 1.0)
+
+    assert mailbox.take_silence() is ends
+    assert not mailbox.take_silence()
+
+
 def test_a_missing_end_is_reported_ten_seconds_after_the_slowest_voice_is_done() -> None:
     assert (conversation.END_SECONDS, conversation.SECONDS_A_CHARACTER) == (10.0, 0.2)
 
