@@ -165,8 +165,7 @@ class Stepping:
         while _seq(timeline) < hold.seq and (hold.is_next or not redone):
             redone += redo_event(timeline, self._words)
         self._at = at
-        if len(redone) > MOST_UNDONE:
-            redone[MOST_UNDONE:] = [self._words("redone-more", count=len(redone) - MOST_UNDONE)]
+        redone = self._shortened(redone, "redone-more")
         return (*redone, *(hold.sentences if _seq(timeline) >= hold.seq else ()))
 
     def is_present(self, timeline: Timeline) -> bool:
@@ -201,9 +200,12 @@ class Stepping:
         undone: list[str] = []
         while _seq(timeline) > seq and (most is None or len(undone) < most):
             undone.append(undo_event(timeline, self._words))
-        if len(undone) > MOST_UNDONE:
-            undone[MOST_UNDONE:] = [self._words("undone-more", count=len(undone) - MOST_UNDONE)]
-        return tuple(undone) or (self._words("undone-step"),)
+        return tuple(self._shortened(undone, "undone-more")) or (self._words("undone-step"),)
+
+    def _shortened(self, lines: list[str], code: str) -> list[str]:
+        """The first ones, and how many more there are."""
+        more = len(lines) - MOST_UNDONE
+        return lines if more <= 0 else [*lines[:MOST_UNDONE], self._words(code, count=more)]
 
     def _changed_back(self, then: Mapping[str, int], later: Mapping[str, int]) -> tuple[str, ...]:
         """The old values of what the step changed, and the variables that it made."""

@@ -203,6 +203,33 @@ def test_a_held_program_is_stepped_and_looked_back_at(open_script: OpenScript) -
         assert (typed, script.answers_to(typed)) == (typed, answers)
 
 
+@pytest.mark.parametrize(
+    ("said", "back", "again"),
+    [
+        (5, ["Back: 5.", "Back: 4.", "Back: 3.", "Back: 2.", "Back: 1."], ["1", "2", "3", "4", "5"]),
+        (
+            7,
+            ["Back: 7.", "Back: 6.", "Back: 5.", "Back: 4.", "Back: 3.", "Back: 2 more."],
+            ["1", "2", "3", "4", "5", "2 more."],
+        ),
+    ],
+)
+def test_of_a_step_that_did_much_the_first_five_are_undone_and_redone_in_words(
+    open_script: OpenScript, said: int, back: list[str], again: list[str]
+) -> None:
+    speak = " ".join(f"SPEAK {each}" for each in range(1, said + 1))
+    script = open_script("PROCEDURE P DO", speak, "END PROCEDURE", "P []", "SPEAK 8")
+    for typed in ("BREAK 4", "AGAIN", "OVER"):
+        script.answers_to(typed)
+
+    assert script.answers_to("STEP BACK") == [
+        "Looking back. The robot stays where it is.",
+        *back,
+        "Line 4: P []",
+    ]
+    assert script.answers_to("STEP") == [*again, "Line 5: SPEAK 8", "You are back in the present."]
+
+
 def test_run_continues_what_is_held_and_a_stop_says_where(open_script: OpenScript) -> None:
     script = open_script("FW 1", "SPEAK 2", "SPEAK 3")
     script.answers_to("STEP", "STEP")

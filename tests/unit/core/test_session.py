@@ -14,6 +14,7 @@ from donnie_tui.core.events import (
     Event,
     Outcome,
     Read,
+    Reset,
     RunEnded,
     RunStarted,
     Spoke,
@@ -321,6 +322,17 @@ def test_closing_a_session_stops_its_run() -> None:
 
     assert run.is_over
     assert run.outcome is Outcome.STOPPED
+
+
+def test_a_change_of_robots_is_a_reset_if_anything_was_done() -> None:
+    there = Floor()
+    there.session.change_robot(None)
+    there.session.change_robot(None)
+    assert of(Reset, there) == []
+
+    there.run("TR 360")
+    there.session.change_robot(None)
+    assert of(Reset, there) == [Reset(Pose(0, 0, 0))]
 
 
 def test_an_internal_fault_is_reported_and_ends_the_run(caplog: pytest.LogCaptureFixture) -> None:
