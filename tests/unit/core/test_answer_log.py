@@ -2,7 +2,14 @@
 
 import pytest
 
-from donnie_tui.core.answer_log import KEPT, LONGEST_ANSWER, MOST_FOUND, AnswerLog, spelled
+from donnie_tui.core.answer_log import (
+    KEPT,
+    LONGEST_ANSWER,
+    MOST_FOUND,
+    AnswerLog,
+    found_in_words,
+    spelled,
+)
 from donnie_tui.i18n.words import Words
 
 
@@ -83,8 +90,58 @@ def test_spelling_names_capitals_blanks_and_signs(language: str, text: str, said
     assert spelled(text, Words(language)) == (said,)
 
 
+SIGNS = {
+    **{"=": "equals sign", "<": "less-than sign", ">": "greater-than sign", "+": "plus sign"},
+    **{"-": "minus sign", "*": "star", "/": "slash", "\\": "backslash", "_": "underscore", "^": "caret"},
+    **{"(": "opening parenthesis", ")": "closing parenthesis", "[": "opening bracket"},
+    **{"]": "closing bracket", "{": "opening brace", "}": "closing brace", ",": "comma", ":": "colon"},
+    **{";": "semicolon", ".": "full stop", "!": "exclamation mark", "?": "question mark"},
+    **{"#": "hash sign", "$": "dollar sign", "%": "percent sign", "&": "ampersand", "@": "at sign"},
+    **{"'": "apostrophe", "\u2019": "apostrophe", "\u2018": "apostrophe", "`": "grave accent"},
+    **{'"': "quotation mark", "\u201c": "quotation mark", "\u201d": "quotation mark"},
+    **{"|": "vertical bar", "~": "tilde"},
+}
+
+
+@pytest.mark.parametrize("sign", SIGNS)
+def test_each_sign_is_spelled_by_its_name(sign: str) -> None:
+    assert spelled(sign, Words()) == (f"{SIGNS[sign]}.",)
+
+
 def test_a_long_word_is_spelled_in_lines_for_a_braille_display() -> None:
     lines = spelled("abcdefghij" * 5, Words())
 
     assert max(map(len, lines)) <= 40
     assert "".join(each for line in lines for each in line if each.isalpha()) == "abcdefghij" * 5
+
+
+@pytest.mark.parametrize(("text", "lines"), [("/abcdefghijk", 1), ("/abcdefghijkl", 2), ("abcdefghijklm", 1)])
+def test_a_line_of_spelling_has_38_characters_at_most(text: str, lines: int) -> None:
+    """And a full stop: "slash" and eleven letters with their commas and blanks are 38."""
+    assert len(spelled(text, Words())) == lines
+
+
+def test_of_a_long_text_the_first_two_hundred_characters_are_spelled() -> None:
+    assert sum(line.count("a") for line in spelled("a" * 201, Words())) == 200
+    assert spelled("a\u0301", Words("pt")) == ("\u00e1.",)
+
+
+def test_nothing_has_no_letters() -> None:
+    assert spelled("", Words()) == ("Nothing has been said yet.",)
+
+
+@pytest.mark.parametrize(
+    ("answers", "said", "word"),
+    [((), "", ""), ((("a b",),), "a b", "b"), ((("a", "The sum is 7."),), "The sum is 7.", "7")],
+)
+def test_the_last_word_is_that_of_the_last_line(
+    answers: tuple[tuple[str, ...], ...], said: str, word: str
+) -> None:
+    assert (log(*answers).last_line(), log(*answers).last_word()) == (said, word)
+
+
+def test_what_was_not_said_is_quoted_up_to_forty_characters() -> None:
+    found = found_in_words(log(("a word",)), "w" * 41, Words())
+
+    assert found == (f"I have not said {'w' * 40}.",)
+    assert found_in_words(log(("a word",), ("word",)), "WORD", Words())[1:] == ("a word", "word")
