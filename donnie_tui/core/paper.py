@@ -22,6 +22,7 @@ from devices.ports.robot import STEP, Pose
 from donnie_tui.core.chart import Chart, braille, dots, wrapped
 from donnie_tui.core.map_grid import WALL
 from donnie_tui.core.wording import Wording
+from sim.geometry import contains, nearest_on_edge
 
 if TYPE_CHECKING:
     from sim.picture import Drawing, Picture
@@ -280,7 +281,7 @@ def _labels(
         )
         middles = ((each, ((each[0] + each[2]) / 2, (each[1] + each[3]) / 2)) for each in places)
         label = next(
-            (each for each, at in middles if not any(_is_inside(at, wall) for wall in near_walls.of(each))),
+            (each for each, at in middles if not any(contains(wall, *at) for wall in near_walls.of(each))),
             None,
         )
         if label is not None:
@@ -355,19 +356,6 @@ class _Near:
                 yield column, row
 
 
-def _is_inside(point: _Point, polygon: Sequence[_Point]) -> bool:
-    """Whether a point is inside: the number of edges to the east of it is odd."""
-    x, y = point
-    return (
-        sum(
-            (ay > y) != (by > y) and x < ax + (y - ay) / (by - ay) * (bx - ax)
-            for (ax, ay), (bx, by) in pairwise((*polygon, polygon[0]))
-        )
-        % 2
-        == 1
-    )
-
-
 def _apart(mine: _Box, other: _Box) -> float:
     """Between two boxes; 0 if they touch."""
     return hypot(
@@ -390,14 +378,8 @@ def _from_segment(box: _Box, segment: Sequence[_Point]) -> float:
         return 0.0
     ends_apart = (_apart(box, (x, y, x, y)) for x, y in segment)
     corners = ((left, top), (right, top), (right, bottom), (left, bottom))
-    return min(*ends_apart, *(_to_line(x, y, segment) for x, y in corners))
-
-
-def _to_line(x: float, y: float, segment: Sequence[_Point]) -> float:
-    (ax, ay), (bx, by) = segment
-    length = (bx - ax) ** 2 + (by - ay) ** 2
-    part = max(0.0, min(1.0, ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / length)) if length else 0.0
-    return hypot(ax + part * (bx - ax) - x, ay + part * (by - ay) - y)
+    nearest = (nearest_on_edge((ax - x, ay - y, bx - x, by - y)) for x, y in corners)
+    return min(*ends_apart, *(hypot(*each) for each in nearest))
 
 
 def _box_on(drawing: Drawing, sheet: _Sheet) -> _Box:
