@@ -22,7 +22,7 @@ from devices.ports.robot import STEP, Pose
 from donnie_tui.core.chart import Chart, braille, dots, wrapped
 from donnie_tui.core.map_grid import WALL
 from donnie_tui.core.wording import Wording
-from sim.geometry import contains, nearest_on_edge
+from sim.geometry import contains, edges, edges_apart
 
 if TYPE_CHECKING:
     from sim.picture import Drawing, Picture
@@ -365,21 +365,12 @@ def _apart(mine: _Box, other: _Box) -> float:
 
 def _from_segment(box: _Box, segment: Sequence[_Point]) -> float:
     """The shortest way from a box to a line; 0 if the line crosses it."""
-    (ax, ay), (bx, by) = segment
     left, top, right, bottom = box
-    first, last = 0.0, 1.0  # the part of the line inside, as Liang and Barsky cut it
-    for step, low, high in ((bx - ax, left - ax, right - ax), (by - ay, top - ay, bottom - ay)):
-        if step:
-            ends = sorted((low / step, high / step))
-            first, last = max(first, ends[0]), min(last, ends[1])
-        elif low > 0 or high < 0:
-            last = -1.0
-    if first <= last:
-        return 0.0
-    ends_apart = (_apart(box, (x, y, x, y)) for x, y in segment)
     corners = ((left, top), (right, top), (right, bottom), (left, bottom))
-    nearest = (nearest_on_edge((ax - x, ay - y, bx - x, by - y)) for x, y in corners)
-    return min(*ends_apart, *(hypot(*each) for each in nearest))
+    start, end = segment
+    if contains(corners, *start):
+        return 0.0
+    return min(edges_apart((*start, *end), each) for each in edges(corners))
 
 
 def _box_on(drawing: Drawing, sheet: _Sheet) -> _Box:
