@@ -1,5 +1,6 @@
 """The typed program: pending lines, lines that have run, saved lines, and line numbers."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
@@ -14,6 +15,7 @@ from donnie_tui.core.document import (
 )
 from donnie_tui.core.editing import Replaced
 from donnie_tui.core.program_files import save_question
+from language.parser import parse
 
 
 def typed(*lines: str) -> Document:
@@ -395,3 +397,180 @@ def test_only_the_next_line_continues_a_program_that_failed() -> None:
 
     assert program.add("x = 4") is None
     assert program.add("SPEAK 1 / x") is None
+
+
+def test_a_breakpoint_is_set_where_a_run_can_pause_and_cleared_again() -> None:
+    program = typed("FW 1", "-- a remark", "REPEAT 2 TIMES", "FW 2", "END REPEAT")
+
+    assert [program.toggle_breakpoint(line, parse) for line in (1, 2, 4, 5)] == [1, 3, 4, None]
+    assert program.breakpoints == {1, 3, 4}
+    assert program.toggle_breakpoint(3, parse) == 3
+    assert program.breakpoints == {1, 4}
+
+
+def test_in_a_program_with_mistakes_a_breakpoint_may_be_in_each_line() -> None:
+    assert typed("FWD 1", "-- a remark").pausing_line(2, parse) == 2
+
+
+@pytest.mark.parametrize(
+    ("failed", "found"), [(2, 2), (4, None), (3, None), (6, None), (0, None)], ids=lambda value: str(value)
+)
+def test_only_a_statement_outside_of_blocks_that_failed_can_be_corrected(
+    failed: int, found: int | None
+) -> None:
+    program = typed("VAR x = 0", "FW 1 / x", "REPEAT 2 TIMES", "FW 1 / x", "END REPEAT")
+    program.batch_ran()
+    program.batch_failed(failed)
+
+    assert program.failed_line == found
+
+
+def test_a_line_that_failed_is_known_until_it_is_changed() -> None:
+    program = typed("FW 1 / 0")
+    program.batch_ran()
+    program.batch_failed(1)
+    assert program.failed_line == 1
+
+    program.change(1, "FW 1")
+    assert program.failed_line is None
+
+
+@pytest.mark.parametrize(
+    ("first", "last", "to"), [(1, 2, 0), (1, 1, 5), (2, 3, 2), (2, 3, 3), (2, 3, 4), (0, 1, 3), (2, 4, 1)]
+)
+def test_lines_are_not_moved_into_themselves_or_out_of_the_program(first: int, last: int, to: int) -> None:
+    program = typed("A", "B", "C")
+
+    with pytest.raises(IndexError):
+        program.move(first, last, to)
+    assert program.lines == ("A", "B", "C")
+
+
+def test_moving_lines_that_ran_makes_the_whole_program_pending() -> None:
+    program = typed("A", "B", "C")
+    program.batch_ran()
+    program.move(1, 1, 4)
+
+    assert (program.lines, program.waiting) == (("B", "C", "A"), 3)
+
+
+# --- in an editor
+
+
+class Editor:
+    """As the one of the full screen: a text with a cursor and its own history."""
+
+    def __init__(self) -> None:
+        self.breakpoints = frozenset[int]()
+        self.text = ""
+        self.line = 1
+        self.selected: tuple[int, int, int] | None = None
+        self._past: list[str] = []
+        self._future: list[str] = []
+
+    def type(self, text: str) -> None:
+        self._past.append(self.text)
+        self.text = text
+
+    def show(self, text: str, breakpoints: frozenset[int]) -> None:
+        self.text, self.breakpoints = text, breakpoints
+        self._past, self._future = [], []
+
+    def change_lines(self, lines: Sequence[str]) -> None:
+        self.type("\n".join(lines))
+
+    @property
+    def cursor_location(self) -> tuple[int, int]:
+        return (self.line - 1, 0) if self.selected is None else (self.selected[0], self.selected[2])
+
+    def go_to(self, line: int) -> None:
+        self.line = line
+
+    def select(self, row: int, start: int, end: int) -> None:
+        self.selected, self.line = (row, start, end), row + 1
+
+    def replace_range(self, start: int, end: int, text: str) -> None:
+        self.type(self.text[:start] + text + self.text[end:])
+
+    def undo(self) -> None:
+        if self._past:
+            self._future.append(self.text)
+            self.text = self._past.pop()
+
+    def redo(self) -> None:
+        if self._future:
+            self._past.append(self.text)
+            self.text = self._future.pop()
+
+
+def shown(*lines: str) -> tuple[Document, Editor]:
+    program, editor = Document(), Editor()
+    program.replace("".join(f"{line}\n" for line in lines), Path("mine.gd"))
+    program.breakpoints = frozenset({2})
+    program.place = 2
+    program.attach(editor)
+    return program, editor
+
+
+def test_a_document_is_shown_with_its_breakpoints_at_the_line_that_was_read_last() -> None:
+    program, editor = shown("A", "B", "")
+
+    assert (editor.text, editor.breakpoints, editor.line) == ("A\nB\n\n", {2}, 2)
+    assert (program.lines, program.is_in_editor) == (("A", "B", ""), True)
+
+
+def test_a_document_that_leaves_its_editor_keeps_what_was_done_there() -> None:
+    program, editor = shown("A", "B")
+    editor.type("A\nB\nC")
+    editor.breakpoints, editor.line = frozenset({3}), 3
+    program.detach()
+    editor.text, editor.breakpoints, editor.line = "another", frozenset(), 1
+
+    assert (program.lines, program.breakpoints, program.place) == (("A", "B", "C"), {3}, 3)
+    assert not program.is_in_editor
+    program.detach()
+    assert program.lines == ("A", "B", "C")
+
+
+def test_what_commands_change_is_changed_in_the_editor() -> None:
+    program, editor = shown("A", "B")
+    program.add("C")
+    program.change(1, "X")
+    program.insert(2, "Y")
+    program.delete(3, 3)
+    assert editor.text == "X\nY\nC"
+
+    program.replace_range(0, 1, "Z\x07")
+    program.breakpoints |= {3}
+    program.place = 3
+    assert (editor.text, editor.breakpoints, editor.line) == ("Z \nY\nC", {2, 3}, 3)
+    assert (program.breakpoints, program.place) == ({2, 3}, 3)
+    program.place = 0
+    assert editor.line == 3
+
+
+def test_a_word_that_is_found_is_selected_and_the_next_search_goes_on_after_it() -> None:
+    program, editor = shown("FW 1 FW 2", "BW 2")
+    program.place = 1
+
+    found = [(program.find_next("fw"), editor.selected) for _ in range(2)]
+    assert found == [(1, (0, 0, 2)), (1, (0, 5, 7))]
+    assert (program.find_next("2"), editor.selected) == (1, (0, 8, 9))
+    assert program.find_next("TR") is None
+
+
+def test_undo_takes_the_steps_of_the_editor_first() -> None:
+    program, editor = shown("A", "B")
+    editor.type("A\nX")
+    editor.type("Y\nX")
+
+    assert (program.undo(), editor.text) == (1, "A\nX")
+    assert (program.redo(), editor.text) == (1, "Y\nX")
+    assert (program.undo(), program.undo(), program.lines) == (1, 2, ("A", "B"))
+    assert program.undo() is None
+    program.replace("C\n", None)
+    assert (program.undo(), editor.text, program.path) == (ANOTHER_PROGRAM, "A\nB", Path("mine.gd"))
+    editor.type("D")
+    assert program.lines == ("D",)
+    editor.undo()
+    assert (program.lines, program.redo()) == (("A", "B"), 1)
