@@ -64,17 +64,24 @@ def test_what_may_not_stand_there_is_not_offered(text: str, offered: tuple[str, 
 def test_on_an_empty_line_the_commonest_commands_come_first(text: str) -> None:
     found = words(text)
 
-    assert found[:3] == ("FW", "TR", "TL")
+    assert found[:8] == ("FW", "TR", "TL", "BW", "SPEAK", "REPEAT", "IF", "VAR")
+    assert found[8:13] == ("FOR", "WHILE", "PROCEDURE", "WAIT", "FORWARD")
     assert not {"QUIT", "EXIT", "END IF", "ELSE", "THEN", "DO"} & set(found)
 
 
 @pytest.mark.parametrize(
     ("text", "first"),
     [
-        ("FW ", ("1", "2", "3")),
+        *(
+            (f"{word} ", ("1", "2", "3", "4", "5", "10", "45", "90"))
+            for word in ("FW", "BW", "TR", "TL", "WAIT")
+        ),
+        ("REPEAT ", ("1", "2")),
+        ("PROCEDURE P: n DO\nEND PROCEDURE\nP [", ("1", "2")),
         ("IF ", ("DISTANCE",)),
         ("VAR a = 1\nIF ", ("a", "DISTANCE")),
-        ("VAR a = 1\nIF a ", ("==", "<", ">")),
+        ("VAR a = 1\nIF a ", ("==", "<", ">", "<=", ">=", "<>")),
+        ("PROCEDURE Square ", (":",)),
         ("IF DISTANCE F > ", ("1", "2")),
         ("VAR a ", ("=",)),
         ("VAR a = 1\na ", ("=",)),
@@ -89,6 +96,20 @@ def test_the_list_has_the_likelier_of_words_numbers_and_signs_first(
 ) -> None:
     """By the forms in the manual."""
     assert completion(text, len(text), "en").listed[: len(first)] == first
+
+
+@pytest.mark.parametrize(
+    ("text", "wrong"),
+    [("VAR a = 1\na ", "["), ("PROCEDURE P: n DO\nEND PROCEDURE\nP ", "="), ("VAR a\n", "="), ("FW 1 ", "=")],
+)
+def test_no_sign_is_listed_that_can_not_follow(text: str, wrong: str) -> None:
+    assert wrong not in completion(text, len(text), "en").listed
+
+
+def test_only_names_of_the_head_of_a_procedure_are_its_parameters() -> None:
+    text = "PROCEDURE P: side, size DO\nP [side, sink]\nFW si"
+
+    assert set(words(text)) == {"side", "size"}
 
 
 def test_an_open_block_is_ended_first_and_a_finished_one_last() -> None:
@@ -168,6 +189,8 @@ def entered(text: str, language: str = "en") -> tuple[str, str, str, bool]:
         ),
         ("IF 1 == 1 THEN\n  FW 1\n  ELSE|\nEND IF", "en", ("", "  ", "", False)),
         ("REPEAT 4 TIMES\n  |\nEND REPEAT", "en", ("", "  ", "", False)),
+        ("REPEAT 4 TIMES\n  END REPEAT|\nFW 1\nEND REPEAT", "en", ("", "", "", False)),
+        ("REPEAT 4 TIMES\n  END REPEAT|\nEND  Repeat", "en", ("", "", "", True)),
     ],
 )
 def test_after_enter_the_next_line_is_indented_and_a_block_has_its_end(text, language, expected) -> None:
