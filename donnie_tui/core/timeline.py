@@ -317,7 +317,7 @@ def moments_of(events: Iterable[Stamped]) -> array[float]:
                 together = now
             began[stamped.robot] = together if how and how.together else now
             running.add(stamped.robot)
-        now = max(now, began.get(stamped.robot, now) + stamped.t) if stamped.robot in running else now
+        now = max(now, began[stamped.robot] + stamped.t) if stamped.robot in running else now
         moments.append(now)
         if isinstance(stamped.event, RunEnded):
             running.discard(stamped.robot)

@@ -1,23 +1,30 @@
 """Steps back through the events restore the earlier states, step by step and event by event."""
 
 import pytest
+from msgspec import structs
 
-from devices.ports.robot import Pose
+from devices.ports.robot import Grip, Pose
 from donnie_tui.core.events import (
     TRANSIENT,
     Announced,
     BeltShown,
     CueSounded,
+    Error,
     Event,
+    GripperUsed,
+    Link,
     Moved,
     Passing,
     PlacedThing,
     Read,
     Reset,
+    RunStarted,
+    SoundSwitched,
     Spoke,
     Stamped,
     Statement,
     ThingsMoved,
+    Waited,
 )
 from donnie_tui.core.timeline import Chronicle, Timeline, undone_in_words
 from donnie_tui.i18n.words import Words
@@ -136,6 +143,40 @@ def test_an_unfinished_command_is_described_by_its_name(event: Event, said: str)
     assert undone_in_words((timeline.events[1],), timeline, Words("pt")) == said
 
 
+STARTED = RunStarted("a.gd", "world", "donnie", 0, "0")
+
+
+@pytest.mark.parametrize(
+    ("event", "said"),
+    [
+        (GripperUsed(Grip.GRIPPED, "ball"), "Back: gripped."),
+        (GripperUsed(Grip.RELEASED, "ball"), "Back: let go."),
+        (GripperUsed(Grip.HOLDS_NOTHING, ""), "Back: nothing let go."),
+        (Error("meaning", 3, 1, "There is no x.", None), "Back: mistake in line 3."),
+        (SoundSwitched(True), "Back: sound switched."),
+        (Link("lost", ""), "Back: news of the connection."),
+        (Waited(1), "Back: waited 1 second."),
+        (STARTED, "Back: start of a.gd. Position 0, 1."),
+        (structs.replace(STARTED, program="typed"), "Back: start of the program. Position 0, 1."),
+        (Reset(HERE), "Back: back to the start. Position 0, 1."),
+        (Spoke("Two\n lines."), "Back: Two lines."),
+        (Spoke("w" * 60), f"Back: {'w' * 60}."),
+        (Spoke("w" * 61), f"Back: {'w' * 59}\N{HORIZONTAL ELLIPSIS}."),
+    ],
+)
+def test_what_is_undone_is_named(event: Event, said: str) -> None:
+    timeline = Timeline(
+        [
+            Stamped(1, 0.0, Moved("FW 1", 1, 1, None, Pose(0, 1, 0), True)),
+            Stamped(2, 0.0, event),
+        ]
+    )
+    timeline.go_to(2)
+    timeline.back()
+
+    assert undone_in_words((timeline.events[1],), timeline, Words()) == said
+
+
 def test_a_trail_begins_anew_with_a_reset() -> None:
     stamped = [
         Stamped(1, 0.0, Moved("FW 1", 1, 1, None, Pose(0, 1, 0), True)),
@@ -188,6 +229,8 @@ def test_a_chronicle_keeps_the_newest_and_nothing_transient() -> None:
         chronicle(Stamped(number, 0.0, Spoke(str(number))))
         chronicle(Stamped(0, 0.0, Passing(HERE)))
 
+    assert chronicle.last_seq == 5
+    assert Chronicle().last_seq == 0
     timeline = chronicle.timeline()
     assert [each.seq for each in timeline.events] == [3, 4, 5]
     assert timeline.at == 3
