@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from devices.ports.robot import Grip, Met, StoppedBy
+from donnie_tui.core import recording
 from donnie_tui.core.events import (
     TRANSIENT,
     Announced,
@@ -237,6 +238,23 @@ def test_a_hundred_damages_are_listed_at_most() -> None:
 
     assert [each.line for each in found.damages] == list(range(2, 202, 2))
     assert len(found.events) == 110
+
+
+def test_of_too_many_events_the_first_are_read(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(recording, "MOST_EVENTS", 2)
+    two = (head(), line(1, Reset(HERE)), line(2, Reset(HERE)))
+
+    assert [each.seq for each in recorded(*two, line(3, Reset(HERE))).events] == [1, 2]
+    assert recorded(*two).damages == [Damage("too-many", 3)]
+
+
+def test_a_line_that_is_too_long_is_damaged_and_the_next_one_is_read(monkeypatch: pytest.MonkeyPatch) -> None:
+    first = line(1, Reset(HERE))
+    monkeypatch.setattr(recording, "LONGEST_LINE", len(first))
+    found = recorded(head(), first, line(2, Spoke("a" * 999)), line(3, Reset(HERE)))
+
+    assert [each.seq for each in found.events] == [1, 3]
+    assert found.damages == [Damage("line", 3)]
 
 
 def test_before_its_first_event_a_recording_begins_at_line_one() -> None:
