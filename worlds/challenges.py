@@ -9,13 +9,14 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Mapping, Sequence
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from enum import Enum
 from functools import cache
-from itertools import chain
+from itertools import pairwise
 from pathlib import Path
-from typing import Annotated, Any, Literal, TypeAlias, TypeVar
+from typing import Annotated, Any, Literal, TypeAlias, TypeVar, cast
 
 import msgspec
 from msgspec import Meta, Struct, field
@@ -31,6 +32,8 @@ SUFFIX, SOLUTION = ".toml", ".solution.gd"
 LARGEST_NUMBER = 1_000_000
 MOST_MISTAKES = 20
 """Those of a file that are listed."""
+MOST_CORRECTIONS = 100
+"""Of a table and those in it."""
 MOST = 50
 """Goals, variants or questions of one challenge."""
 Whole: TypeAlias = Annotated[int, Meta(ge=-LARGEST_NUMBER, le=LARGEST_NUMBER)]
@@ -83,20 +86,13 @@ class Goal(Struct, frozen=True, forbid_unknown_fields=True):
 
     @property
     def kind(self) -> str:
-        """Which goal it is; empty if none or several are named."""
-        named = {each for each in KINDS if getattr(self, each) is not None}
-        if named in ({"at", "thing"}, {"area", "thing"}):
-            return "thing"
-        if named == {"at", "robots"}:
-            return "robots"
-        return named.pop() if len(named) == 1 and named != {"thing"} else ""
+        """Which goal it is; empty where none or several are named."""
+        return _KIND_OF.get(tuple(each for each in KINDS if getattr(self, each) is not None), "")
 
     @property
     def is_sensed(self) -> bool:
         """Whether a real robot can know it, which counts its steps and knows no things around it."""
-        places = (self.at, self.near, *(self.visited or ()))
-        is_about_things = bool(self.thing or self.holds or self.robots)
-        return not (is_about_things or any(isinstance(each, str) for each in places))
+        return not (self.robots or any(isinstance(each, str) for each in self.targets))
 
     @property
     def targets(self) -> tuple[Target, ...]:
@@ -106,6 +102,11 @@ class Goal(Struct, frozen=True, forbid_unknown_fields=True):
 
 
 KINDS = ("at", "facing", "visited", "near", "area", "thing", "said", "counted", "holds", "robots")
+_KIND_OF: dict[tuple[str, ...], str] = {
+    **{(each,): each for each in KINDS if each != "thing"},
+    **{("at", "thing"): "thing", ("area", "thing"): "thing", ("at", "robots"): "robots"},
+}
+"""By the keys that say what a goal is."""
 
 
 class Avoided(Struct, frozen=True):
@@ -240,6 +241,14 @@ class Rules(Struct, frozen=True, forbid_unknown_fields=True):
     """Asked after a run."""
 
     @property
+    def parts(self) -> Iterator[tuple[str, Goal | Never | Variant | ChallengeQuestion]]:
+        """Its tables that name things, each with its name as in ``line_of``."""
+        yield "never", self.never
+        yield from ((f"goal[{at}]", each) for at, each in enumerate(self.goal))
+        yield from ((f"variant[{at}]", each) for at, each in enumerate(self.variant))
+        yield from ((f"question[{at}]", each) for at, each in enumerate(self.question))
+
+    @property
     def unsensed(self) -> tuple[Unsensed, ...]:
         """What a real robot can't know of all that a challenge asks for; the learner is asked about it."""
         return (*(each for each in self.goal if not each.is_sensed), *self.never.avoided)
@@ -303,35 +312,32 @@ class BadChallenge(Exception):
 
 
 @cache
-def _ladders() -> Mapping[str, list[str]]:
-    """The names of the challenges that ship, by their ladders, in the order in which to solve them."""
+def _ladders() -> Mapping[str, str]:
+    """The ladder of each challenge that ships, in the order in which to solve them."""
     with open_bytes(Path(LADDERS, "order.txt")) as stream:
         parts = (line.partition(":") for line in stream.read(LARGEST).decode().splitlines())
-        return {ladder: steps.split() for ladder, _, steps in parts}
+        return {name: ladder for ladder, _, steps in parts for name in steps.split()}
 
 
 def names() -> tuple[str, ...]:
     """The challenges that ship, in the order in which to solve them."""
-    return tuple(chain(*_ladders().values()))
+    return tuple(_ladders())
 
 
 def ladder_of(name: str) -> str:
     """The ladder on which a challenge is a step; empty for one that does not ship."""
-    return next((ladder for ladder, steps in _ladders().items() if name in steps), "")
+    return _ladders().get(name, "")
 
 
 def after(name: str) -> str | None:
     """The one to solve next, among those that ship."""
-    shipped = names()
-    at = shipped.index(name) + 1 if name in shipped else len(shipped)
-    return shipped[at] if at < len(shipped) else None
+    return dict(pairwise(names())).get(name)
 
 
 def find(name: str) -> Challenge:
     """The challenge of that name, number or file, or the only one of that folder. Raises ``BadChallenge``."""
     ours = names()
-    if name.isascii() and name.isdigit() and 0 < int(name[:4]) <= len(ours):
-        name = ours[int(name) - 1]
+    name = {str(number): each for number, each in enumerate(ours, start=1)}.get(name, name)
     path = Path(LADDERS, f"{name}{SUFFIX}") if name in ours else Path(name)
     if path.suffix == SUFFIX:
         return read(path)
@@ -368,9 +374,7 @@ def read(path: Path) -> Challenge:
         most = f"{LARGEST:,}".replace(",", " ")
         raise BadChallenge(path, ChallengeMistake("challenge-too-large", what=most))
     reader = _Reader(data)
-    texts = reader.texts()
-    rules = reader.table(Rules, reader.content, "")
-    found = Challenge(path.name.removesuffix(SUFFIX), path, rules, texts, tuple(reader.lines))
+    found = Challenge(path.name.removesuffix(SUFFIX), path, reader.rules, reader.texts, tuple(reader.lines))
     reader.check(found)
     if reader.mistakes:
         raise BadChallenge(path, *reader.mistakes, found=found)
@@ -379,47 +383,48 @@ def read(path: Path) -> Challenge:
 
 _Table = TypeVar("_Table", bound=Struct)
 _TABLES: dict[str, type[Struct]] = {
-    "goal": Goal,
-    "never": Never,
-    "limit": Limit,
-    "variant": Variant,
-    "question": ChallengeQuestion,
-    "hint": ChallengeHint,
+    **{"goal": Goal, "never": Never, "limit": Limit, "variant": Variant},
+    **{"question": ChallengeQuestion, "hint": ChallengeHint},
 }
 _CHOICES: dict[str, tuple[str, ...]] = {
     "difficulty": tuple(each.value for each in Difficulty if each is not Difficulty.UNSTATED),
     "ask": tuple(each.value for each in Ask),
-    "start": tuple(COMPASS),
-    "facing": tuple(COMPASS),
 }
-"""What can be written in place of a word that is none of these."""
-_STAND_INS = {"format": 1, "world": "", "title": "", "task": "", "text": "", "ask": Ask.COUNT, "of": "-"}
+"""What can be written in place of a word that is none of these, by the key; else it is a heading."""
+_STAND_INS = {"format": 1, "world": "", "title": "", "task": "", "text": "", "ask": "count", "of": ()}
 """In place of what is required and wrong."""
+_PROBLEM = re.compile(r"(?:(Object \w+|Invalid)[^`']*[`'](.*)[`']|.*) - at `\$\[0\](.*)`", re.DOTALL)
+"""What msgspec says: the kind of the problem and its name, if it has one, and where it is."""
+_VALUE = re.compile(r"(.*)\.(\w+)(?:\[[^\]]*\])*")
+"""Where a wrong value is: a table, a key, and perhaps a part of the value."""
 
 
 class _Reader:
-    """Reads the tables of a file, each value by itself, and notes all mistakes."""
+    """Reads a file, and notes all mistakes: without what is wrong it reads on."""
 
     def __init__(self, data: bytes) -> None:
         self.mistakes: list[ChallengeMistake] = []
         self.lines: list[str] = []
-        self.content: dict[str, Any] = {}
-        """What is not read yet."""
-        self._wrong = set[str]()
-        """The tables with mistakes."""
+        self._wrong, self._misspelt = set[str](), set[str]()
+        """The tables with mistakes, and those with unknown keys."""
+        content: dict[str, Any] = {}
         try:
             self.lines = data.decode("utf-8-sig").replace("\r\n", "\n").split("\n")
-            self._parse()
+            content = self._parsed()
         except ValueError:
             self._note("challenge-not-toml")
         self._is_whole = not self.mistakes
+        languages = [key for key in content if re.fullmatch("[a-z]{2,3}", key)]
+        if ENGLISH not in languages and self._is_whole:
+            self._note("challenge-missing", ENGLISH, what=f"{ENGLISH}.title")
+        self.texts = {each: self._table(ChallengeText, content.pop(each), each) for each in languages}
+        self.rules = self._table(Rules, content, "")
 
-    def _parse(self) -> None:
-        """Parses the file without the statements and tables that can't be read. Raises ``ValueError``."""
+    def _parsed(self) -> dict[str, Any]:
+        """The file without the statements and tables that can't be read. Raises ``ValueError``."""
         while len(self.mistakes) < MOST_MISTAKES:
             try:
-                self.content = parsed("\n".join(self.lines).encode())
-                return
+                return parsed("\n".join(self.lines).encode())
             except (ValueError, RecursionError) as problem:
                 place = re.search(r"line (\d+)", str(problem))
                 if place is None:
@@ -428,93 +433,81 @@ class _Reader:
             first, end = _statement_at(self.lines, line)
             self.mistakes.append(ChallengeMistake("challenge-not-toml", first + 1 if end < line else line))
             self.lines[first:end] = [""] * (end - first)
+        return {}
 
-    def _note(
-        self,
-        code: str,
-        table: str = "",
-        key: str = "",
-        what: str = "",
-        known: tuple[str, ...] = (),
-        text: str = "",
-    ) -> None:
+    def _note(self, code: str, table: str = "", key: str = "", *, text: str = "", **details: Any) -> None:
         """Note a mistake, with the line of that key, else of that table."""
         self._wrong.add(table)
         if len(self.mistakes) < MOST_MISTAKES:
-            line = line_of(self.lines, table, key, text) or line_of(self.lines, table, "")
-            self.mistakes.append(ChallengeMistake(code, line, what, known))
+            line = line_of(self.lines, table, key, text)
+            self.mistakes.append(ChallengeMistake(code, line, **details))
 
-    def texts(self) -> dict[str, ChallengeText]:
-        """The texts by language."""
-        languages = [key for key in self.content if re.fullmatch("[a-z]{2,3}", key)]
-        if ENGLISH not in languages and self._is_whole:
-            self._note("challenge-missing", what=f"{ENGLISH}.title")
-        return {each: self.table(ChallengeText, self.content.pop(each), each) for each in languages}
-
-    def table(self, kind: type[_Table], content: object, name: str) -> _Table:
+    def _table(self, kind: type[_Table], content: Any, name: str) -> _Table:
         """A table without what is wrong in it, with something in place of what it lacks."""
-        if not isinstance(content, dict):
+        is_table = isinstance(content, dict)
+        if not is_table:
             self._note("challenge-value", name, what=name)
-            content = _STAND_INS
-        known = {each.encode_name: each for each in fields(kind)}
-        unknown = [key for key in content if key not in known and content is not _STAND_INS]
-        for key in unknown:
-            self._note("challenge-key", name, key, key, tuple(known))
-        found: dict[str, Any] = {}
-        for key, each in known.items():
-            if key in content:
-                with suppress(msgspec.ValidationError):
-                    found[each.name] = self._value(content[key], each.type, name, key)
-            elif each.required and self._is_whole and not unknown:  # an unknown one may be meant as it
-                self._note("challenge-missing", name, "", ".".join(filter(None, (name, key))))
-            if each.required:
-                found.setdefault(each.name, _STAND_INS[key])
-        return kind(**found)
+        for _ in range(MOST_CORRECTIONS if is_table else 0):
+            try:
+                return cast(_Table, msgspec.convert([content], tuple[kind])[0])  # type: ignore[valid-type]
+            except msgspec.ValidationError as problem:
+                self._correct(content, kind, name, str(problem))
+        return kind(**{each.name: _STAND_INS[each.name] for each in fields(kind) if each.required})
 
-    def _value(self, content: Any, wanted: Any, table: str, key: str) -> Any:
-        """The value of a key. Raises ``ValidationError``, which is noted."""
-        before, place = len(self.mistakes), f"{table}.{key}".lstrip(".")
-        if key in _TABLES and isinstance(content, list):
-            content = [self.table(_TABLES[key], each, f"{place}[{at}]") for at, each in enumerate(content)]
-        elif key in _TABLES and isinstance(content, dict):
-            content = self.table(_TABLES[key], content, place)
-        try:
-            return msgspec.convert(content, wanted)
-        except msgspec.ValidationError as problem:
-            wrong = re.search("enum value '(.*)'", str(problem))
-            if wrong and key in _CHOICES:
-                self._note("challenge-choice", table, key, wrong[1], _CHOICES[key])
-            elif before == len(self.mistakes):
-                self._note("challenge-value", table, key, key)
-            raise
+    def _correct(self, content: Any, kind: type[Struct], name: str, problem: str) -> None:
+        """Note what msgspec found wrong, and take it away or put something in its place."""
+        found = _PROBLEM.fullmatch(problem)
+        assert found is not None
+        problem, key, path = found.groups()
+        value = None if problem and problem.startswith("Object") else _VALUE.fullmatch(path)
+        if value is not None:
+            path, key, word = value[1], value[2], key
+        table = f"{name}{path}".lstrip(".")
+        if problem == "Object contains":
+            known = fields(_TABLES.get(re.sub(r".*\.|\[.*", "", path), kind))
+            self._note("challenge-key", table, key, what=key, known=tuple(each.encode_name for each in known))
+            self._misspelt.add(table)
+        elif value is None:
+            if self._is_whole and table not in self._misspelt:  # an unknown key may be meant as it
+                self._note("challenge-missing", table, what=f"{table}.{key}".lstrip("."))
+        elif word:
+            self._note("challenge-choice", table, key, what=word, known=_CHOICES.get(key, tuple(COMPASS)))
+        else:
+            self._note("challenge-value", table, key, what=key)
+        for step in re.findall(r"\w+", path):
+            content = content[int(step) if step.isdigit() else step]
+        content.pop(key, None)
+        if problem != "Object contains" and key in _STAND_INS:
+            content[key] = _STAND_INS[key]
 
     def check(self, found: Challenge) -> None:
         """Check what the types don't say."""
         rules, folder = found.rules, found.path.parent
-        files = {each.name: each for each in _files(folder, "*.world", "*.cfg", f"*{SUFFIX}")}
-        others = tuple(name.removesuffix(SUFFIX) for name in files if name.endswith(SUFFIX))
-        known_worlds = (*world_names(), *(each for each in files if not each.endswith(SUFFIX)))
+        beside = [each.name for each in _files(folder, "*.world", "*.cfg", f"*{SUFFIX}")]
+        known = (*names(), *(each.removesuffix(SUFFIX) for each in beside if each.endswith(SUFFIX)))
+        worlds = (*world_names(), *(each for each in beside if not each.endswith(SUFFIX)))
+        links = [each.name for each in _files(folder, f"*{SOLUTION}") if each.is_symlink()]
         if Path(rules.world).name != rules.world or (rules.world and (folder / rules.world).is_symlink()):
-            self._note("challenge-outside", "", "world", rules.world)
-        elif found.solution().is_symlink():
-            self.mistakes.append(ChallengeMistake("challenge-outside", what=found.solution().name))
-        elif rules.world and rules.world not in known_worlds:
-            self._note("challenge-world", "", "world", rules.world, known_worlds)
-        for each in (name for name in rules.after if name not in (*names(), *others)):
-            self._note("challenge-unknown", "", "after", each, (*names(), *others), each)
-        for index, question in enumerate(rules.question):
-            table = f"question[{index}]"
-            if not question.is_complete and table not in self._wrong:
-                self._note("challenge-value", table, "of", "of")
-        for index, goal in enumerate(rules.goal):
-            table = f"goal[{index}]"
-            if not goal.kind and self._is_whole and table not in self._wrong:
-                self._note("challenge-goal", table, "", ", ".join(KINDS))
+            self._note("challenge-outside", "", "world", what=rules.world)
+        elif rules.world and rules.world not in worlds:
+            self._note("challenge-world", "", "world", what=rules.world, known=worlds)
+        for link in (each for each in links if each.partition(".")[0] == found.name):
+            self.mistakes.append(ChallengeMistake("challenge-outside", what=link))
+        for each in (name for name in rules.after if name not in known):
+            self._note("challenge-unknown", "", "after", text=each, what=each, known=known)
+        for table, part in rules.parts:
+            if table in self._wrong:
+                continue
+            if isinstance(part, ChallengeQuestion) and not part.is_complete:
+                self._note("challenge-value", table, "of", what="of")
+            if isinstance(part, Goal) and not part.kind and self._is_whole:
+                self._note("challenge-goal", table, what=", ".join(KINDS))
         if not (rules.goal or self.mistakes or os.path.lexists(found.solution())):
             self._note("challenge-solution", what=found.solution().name)
 
 
 _HEAD = re.compile(r"\s*(\[\[?)\s*([\w.]+)\s*\]")
+_KEY = re.compile(r"\s*[\"']?([^\s\"'=]+)[\"']?\s*=")
 _BEGINNING = re.compile(r"\s*(\[\[?\s*[A-Za-z]|[\w\"'.-]+\s*=)")
 """Of a table or a value."""
 
@@ -536,24 +529,19 @@ def _statement_at(lines: list[str], line: int) -> tuple[int, int]:
 
 
 def line_of(lines: Sequence[str], table: str, key: str, text: str = "") -> int:
-    """The line of a key, or of its table's head where ``key`` is empty; 0 if it isn't found.
+    """The line of a key, else of its table's head; 0 where neither is found.
 
     ``table`` is as msgspec names it: ``goal[1]``, ``en.hint[0]``, or empty for what stands before all tables.
     ``text``: what the key has in quotes, perhaps on a later line.
     """
-    counted, current = dict[str, int](), ""
+    found, counted, current = {("", ""): 0}, Counter[str](), ""
     for number, line in enumerate(lines, start=1):
-        head = _HEAD.match(line)
-        if head:
-            current = head[2]
-            if head[1] == "[[":
-                at = counted[current] = counted.get(current, -1) + 1
-                current = f"{current}[{at}]"
-            if (current == table and not key) or (head[2] == key and not table):
-                return number
-        elif current == table and key and re.match(rf"\s*[\"']?{re.escape(key)}[\"']?\s*=", line):
-            quoted = (f'"{text}"', f"'{text}'")
-            following = enumerate(lines[number - 1 :], start=number)
-            named = (at for at, each in following if any(one in each for one in quoted))
-            return next(named, number) if text else number
-    return 0
+        if head := _HEAD.match(line):
+            current = head[2] if head[1] == "[" else f"{head[2]}[{counted[head[2]]}]"
+            counted[head[2]] += 1
+            found.setdefault(("", head[2]), number)
+        value = _KEY.match(line)
+        found.setdefault((current, value[1] if value else ""), number)
+    first = found.get((table, key), found.get((table, ""), 0))
+    following = enumerate(lines[first - 1 :] if text else (), start=first)
+    return next((at for at, each in following if f'"{text}"' in each or f"'{text}'" in each), first)
