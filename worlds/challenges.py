@@ -100,6 +100,12 @@ class Goal(Struct, frozen=True, forbid_unknown_fields=True):
         named = (self.at, self.near, self.thing, self.holds, *(self.visited or ()))
         return tuple(each for each in named if each is not None)
 
+    @property
+    def areas(self) -> tuple[Area, ...]:
+        """The places that it names, and its area."""
+        places = ((each, each) for each in self.targets if not isinstance(each, str))
+        return (*places, *filter(None, (self.area,)))
+
 
 KINDS = ("at", "facing", "visited", "near", "area", "thing", "said", "counted", "holds", "robots")
 _KIND_OF: dict[tuple[str, ...], str] = {

@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from itertools import combinations, pairwise
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import lru_cache
+from itertools import combinations
 from math import atan2, ceil, degrees, hypot
-from typing import Any, TypeAlias
+from typing import TypeAlias, TypeVar
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -34,7 +35,7 @@ from donnie_tui.core.events import (
     Waited,
 )
 from worlds import challenges
-from worlds.challenges import Area, Avoided, Challenge, Goal, Heading, Place, Rules, Target, Unsensed
+from worlds.challenges import Area, Avoided, Challenge, Goal, Heading, Limit, Place, Rules, Target, Unsensed
 
 DEGREES = 10.0
 """What a robot that faces a direction may be off by, for each step of ``within``."""
@@ -53,6 +54,16 @@ class Item(Struct, frozen=True):
     y: float
     half_width: float = 0.0
     half_height: float = 0.0
+
+    @property
+    def place(self) -> Place:
+        return self.x, self.y
+
+    @property
+    def box(self) -> Area:
+        """Two opposite corners."""
+        width, height = self.half_width, self.half_height
+        return (self.x - width, self.y - height), (self.x + width, self.y + height)
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -85,10 +96,13 @@ class Inventory(Struct, frozen=True):
 
 
 class Moment(Struct, frozen=True):
-    """Where a robot is, and the things while it came there."""
+    """Where the robots are, by name, and the things while they came there."""
 
-    pose: Pose
+    poses: Mapping[str, Pose]
     items: tuple[Item, ...]
+
+
+_E = TypeVar("_E", bound=Event)
 
 
 class Track(Struct, frozen=True):
@@ -96,31 +110,30 @@ class Track(Struct, frozen=True):
 
     room: Inventory
     """As it was then."""
-    ways: Mapping[str, tuple[Moment, ...]]
-    """By robot: where a movement began or ended, and where things changed; straight in between."""
-    meetings: Sequence[Mapping[str, Pose]]
-    """Where the robots were at the same moment, whenever one had moved."""
-    items: tuple[Item, ...]
-    """The things where they are at the end."""
-    said: tuple[str, ...]
-    held: Mapping[str, str]
-    """By robot; empty if the gripper holds nothing."""
-    events: tuple[Event, ...]
-    seconds: float
-    """Of robot time, of the robot that took longest."""
-    variables: Mapping[str, Mapping[str, int]]
-    """By robot."""
-    errors: Mapping[str, Error]
-    """The first mistake of each robot's last run."""
-    is_stopped: bool
-    """Whether a robot's last run was."""
+    happened: Sequence[tuple[str, Event]]
+    """What happened, with the name of the robot."""
+    moments: Sequence[Moment]
+    """The start, and whenever a movement began or ended, or things changed."""
+
+    @property
+    def items(self) -> tuple[Item, ...]:
+        """The things where they are at the end."""
+        return self.moments[-1].items
 
     @property
     def has_run(self) -> bool:
-        return any(isinstance(each, RunStarted | Reset) for each in self.events)
+        return self.count(RunStarted, Reset) > 0
 
     def count(self, *kinds: type[Event]) -> int:
-        return sum(isinstance(each, kinds) for each in self.events)
+        return sum(isinstance(each, kinds) for _, each in self.happened)
+
+    def of(self, kind: type[_E]) -> list[_E]:
+        """The events of a kind."""
+        return [each for _, each in self.happened if isinstance(each, kind)]
+
+    def last(self, kind: type[_E]) -> Mapping[str, _E]:
+        """The last event of a kind, by robot."""
+        return {robot: each for robot, each in self.happened if isinstance(each, kind)}
 
     @property
     def commands(self) -> int:
@@ -128,12 +141,54 @@ class Track(Struct, frozen=True):
 
     @property
     def steps(self) -> int:
-        return sum(each.walked for each in self.events if isinstance(each, Moved))
+        return sum(each.walked for each in self.of(Moved))
+
+    @property
+    def turns(self) -> int:
+        return self.count(Turned)
+
+    @property
+    def seconds(self) -> float:
+        """Of robot time, of the robot that took longest."""
+        spent = dict.fromkeys(self.moments[0].poses, 0.0)
+        for robot, each in self.happened:
+            spent[robot] += each.seconds if isinstance(each, RunEnded) else 0.0
+        return max(spent.values())
+
+    @property
+    def moves(self) -> list[Moved | Turned]:
+        return [each for _, each in self.happened if isinstance(each, Moved | Turned)]
 
     @property
     def bumps(self) -> int:
-        moves = [each for each in self.events if isinstance(each, Moved | Turned)]
-        return sum(each.stopped_by in (StoppedBy.COLLISION, StoppedBy.OBSTACLE) for each in moves)
+        return sum(each.stopped_by in (StoppedBy.COLLISION, StoppedBy.OBSTACLE) for each in self.moves)
+
+    @property
+    def held(self) -> Mapping[str, str]:
+        """By robot; empty where the gripper holds nothing."""
+        used = self.last(GripperUsed).items()
+        return {name: (it.thing or it.kind) if it.outcome is Grip.GRIPPED else "" for name, it in used}
+
+    def end(self, robot: str) -> Pose:
+        """Where a robot is at the end; empty for the first one."""
+        return self.moments[-1].poses[self.room.robot_called(robot) or ""]
+
+    def way(self, robot: str) -> Iterator[tuple[Pose, tuple[Item, ...]]]:
+        """Where a robot and the things were: straight from pose to pose, a tenth of a step apart at most."""
+        name = self.room.robot_called(robot) or ""
+        start = self.moments[0].poses[name]
+        yield start, self.moments[0].items
+        for each in self.moments[1:]:
+            end = each.poses[name]
+            x, y = end.x - start.x, end.y - start.y
+            points = max(1, ceil(hypot(x, y) * 10))
+            parts = (at / points for at in range(1, points + 1))
+            yield from ((Pose(start.x + it * x, start.y + it * y, end.heading), each.items) for it in parts)
+            start = end
+
+    def smallest_gap(self, target: Target, robot: str) -> float:
+        """How near a robot came."""
+        return min(gap_to(pose, target, self.room, items)[0] for pose, items in self.way(robot))
 
 
 class Shortfall(Struct, frozen=True):
@@ -180,7 +235,7 @@ def judge(
     """
     track, rules = track_of(room, events), challenge.rules
     missing = tuple(
-        _missing(goal, track)
+        next(_missing(goal, track), None)
         if answers is None or goal.is_sensed or not track.has_run
         else _answered(answers.get(goal), number)
         for number, goal in enumerate(rules.goal, start=1)
@@ -201,49 +256,35 @@ GoalPlace: TypeAlias = tuple[int, float, float, float, float]
 
 def places_of(rules: Rules) -> tuple[GoalPlace, ...]:
     """The goals with a place or an area, for the map."""
-    found: list[GoalPlace] = []
-    for number, goal in enumerate(rules.goal, start=1):
-        for target in (goal.at, goal.near, *(goal.visited or ())):
-            if target is not None and not isinstance(target, str):
-                found.append((number, *target, *target))
-        if goal.area is not None:
-            (west, east), (south, north) = (sorted(each) for each in zip(*goal.area, strict=True))
-            found.append((number, west, south, east, north))
-    return tuple(found)
+    numbered = ((number, each) for number, goal in enumerate(rules.goal, start=1) for each in goal.areas)
+    return tuple((number, *_sides(area)) for number, area in numbered)
 
 
 def goals_of_end(room: Inventory, events: Iterable[Stamped]) -> tuple[Goal, ...]:
     """The end of a solution as goals: where the robots and the things that it moved are, and what it said."""
     track = track_of(room, events)
-    names = track.ways if len(room.robots) > 1 else ("",)
-    ends = ((name, _end(name, track)) for name in names)
+    said = tuple(each.text for each in track.of(Spoke))
+    ends = ((name, track.end(name)) for name in (room.robots if len(room.robots) > 1 else ("",)))
     goals = [Goal(at=(round(end.x, 1), round(end.y, 1)), robot=name, within=0.5) for name, end in ends]
     for start, end in zip(room.items, track.items, strict=True):
         if hypot(end.x - start.x, end.y - start.y) > NEARLY and end.name not in track.held.values():
             goals.append(Goal(thing=start.name or start.kind, at=(round(end.x, 1), round(end.y, 1))))
     goals += [Goal(holds=thing) for thing in track.held.values() if thing]
-    return (*goals, Goal(said=track.said)) if track.said else tuple(goals)
+    return (*goals, Goal(said=said)) if said else tuple(goals)
 
 
-_NAMING = {
-    "goal": ("at", "visited", "near", "thing", "holds", "robot", "robots"),
-    "never": ("touch", "near"),
-    "variant": ("things",),
-    "question": ("of", "origin"),
-}
-"""What names things and robots, by table."""
+_NAMING = ("at", "visited", "near", "thing", "holds", "robot", "robots", "touch", "things", "of", "origin")
+"""The fields that name things and robots."""
 
 
 def unknown_names(rules: Rules, room: Inventory) -> Iterator[tuple[str, str, str]]:
     """The names that no thing or robot of the world has: the table of the file, the key, and the name."""
-    for table, keys in _NAMING.items():
-        found = getattr(rules, table)
-        several = ((f"{table}[{at}]", each) for at, each in enumerate(found)) if table != "never" else ()
-        for place, one in several or ((table, found),):
-            for key, named in ((key, getattr(one, key)) for key in keys):
-                for name in (named,) if isinstance(named, str) else named or ():
-                    if isinstance(name, str) and not _is_known(name, key, room):
-                        yield place, "from" if key == "origin" else key, name
+    for table, part in rules.parts:
+        for key in (each for each in part.__struct_fields__ if each in _NAMING):
+            named = getattr(part, key)
+            for name in (named,) if isinstance(named, str) else named or ():
+                if isinstance(name, str) and not _is_known(name, key, room):
+                    yield table, "from" if key == "origin" else key, name
 
 
 def _is_known(name: str, key: str, room: Inventory) -> bool:
@@ -258,59 +299,27 @@ def _is_known(name: str, key: str, room: Inventory) -> bool:
 
 def track_of(room: Inventory, events: Iterable[Stamped]) -> Track:
     """What the runs did since the robots were put to their starts the last time."""
-    happened = last_try(tuple(events))
     first = room.robot_called("") or ""
-    here, meetings = dict(room.robots), list[Mapping[str, Pose]]()
-    items = room.items
-    ways = {name: [Moment(pose, items)] for name, pose in room.robots.items()}
-    said, held, variables = list[str](), dict[str, str](), dict[str, Mapping[str, int]]()
-    errors, outcomes, seconds = dict[str, Error](), dict[str, Outcome](), dict[str, float]()
-    for stamped in happened:
-        robot, event = stamped.robot or first, stamped.event
-        pose = None
-        match event:
-            case RunStarted():
-                errors.pop(robot, None)
-                outcomes.pop(robot, None)
-                pose = event.how.pose if event.how is not None else None
-                if begins_anew(event):
-                    ways[robot] = []
-            case Reset():
-                pose, ways[robot] = event.pose, []
-            case Moved() | Turned():
-                pose = event.pose
-            case ThingsMoved():
-                places = {each.index: each.pose for each in event.places}
-                items = tuple(_moved(each, places.get(each.index)) for each in room.items)
-                for way in filter(None, ways.values()):
-                    way.append(Moment(way[-1].pose, items))
-            case Spoke():
-                said.append(event.text)
-            case GripperUsed():
-                held[robot] = event.thing or event.kind if event.outcome is Grip.GRIPPED else ""
-            case Error():
-                errors.setdefault(robot, event)
-            case RunEnded():
-                pose, outcomes[robot] = event.pose, event.outcome
-                variables[robot] = dict(event.variables)
-                seconds[robot] = seconds.get(robot, 0.0) + event.seconds
+    happened = [(each.robot or first, each.event) for each in last_try(tuple(events))]
+    starts = {robot: _pose_of(each) for robot, each in happened if begins_anew(each)}
+    here = dict(room.robots) | {robot: pose for robot, pose in starts.items() if pose is not None}
+    moments = [Moment(here, room.items)]
+    for robot, event in happened:
+        items, pose = moments[-1].items, _pose_of(event)
+        if isinstance(event, ThingsMoved):
+            places = {each.index: each.pose for each in event.places}
+            moved = ((each, places.get(each.index)) for each in room.items)
+            items = tuple(each if it is None else replace(each, x=it.x, y=it.y) for each, it in moved)
         if pose is not None:
-            ways.setdefault(robot, []).append(Moment(pose, items))
-            here[robot] = pose
-            meetings.append(dict(here))
-    return Track(
-        room,
-        {name: tuple(way) for name, way in ways.items()},
-        meetings,
-        items,
-        tuple(said),
-        held,
-        tuple(each.event for each in happened),
-        max(seconds.values(), default=0.0),
-        variables,
-        errors,
-        Outcome.STOPPED in outcomes.values(),
-    )
+            here = {**here, robot: pose}
+        moments.append(Moment(here, items))
+    return Track(room, happened, moments)
+
+
+def _pose_of(event: Event) -> Pose | None:
+    if isinstance(event, RunStarted):
+        return event.how.pose if event.how is not None else None
+    return event.pose if isinstance(event, Reset | Moved | Turned | RunEnded) else None
 
 
 def begins_anew(event: Event) -> bool:
@@ -326,19 +335,15 @@ def last_try(events: Sequence[Stamped]) -> tuple[Stamped, ...]:
     return tuple(each for at, each in enumerate(events) if at >= starts.get(each.robot, 0))
 
 
-def _moved(item: Item, pose: Pose | None) -> Item:
-    return item if pose is None else replace(item, x=pose.x, y=pose.y)
-
-
 # --- goals
 
 
-def _missing(goal: Goal, track: Track) -> Shortfall | None:
-    """What is missing; None if the goal is met."""
+def _missing(goal: Goal, track: Track) -> Iterator[Shortfall]:
+    """What is missing first; nothing if the goal is met."""
     if not track.has_run:
-        return Shortfall("goal-no-run", {})
-    found = _JUDGES[goal.kind](goal, getattr(goal, goal.kind), track)
-    return found if found is None or not goal.robot else _of_robot(found, goal.robot)
+        yield Shortfall("goal-no-run", {})
+    for found in getattr(_Lacking(goal, track), goal.kind)(getattr(goal, goal.kind)):
+        yield _of_robot(found, goal.robot) if goal.robot else found
 
 
 def _of_robot(found: Shortfall, name: str) -> Shortfall:
@@ -351,156 +356,122 @@ def _answered(answer: bool | None, number: int) -> Shortfall | None:
     return None if answer else Shortfall(code, {"number": number})
 
 
-def _way(robot: str, track: Track) -> Sequence[Moment]:
-    """Where the robot of that name was, at least its start."""
-    ways = track.ways
-    return ways.get(track.room.robot_called(robot) or "") or next(iter(ways.values()))
+class _Lacking:
+    """What a goal lacks, by a method for each key that says what a goal is, with the value of that key."""
 
+    def __init__(self, goal: Goal, track: Track) -> None:
+        self._goal, self._track = goal, track
+        self._robot = track.room.robot_called(goal.robot) or ""
+        self._most = goal.within + NEARLY
 
-def _end(robot: str, track: Track) -> Pose:
-    return _way(robot, track)[-1].pose
+    def at(self, target: Target, robot: str = "") -> Iterator[Shortfall]:
+        """``robot``: one of several that are meant, in place of the goal's."""
+        here, track = self._track.end(robot or self._robot), self._track
+        gap, direction = gap_to(here, target, track.room, track.items)
+        if gap > self._most:
+            code = "goal-at-thing" if isinstance(target, str) else "goal-at-place"
+            yield Shortfall(code, {"steps": in_steps(gap), "direction": direction, "target": target})
 
+    def facing(self, wanted: Heading) -> Iterator[Shortfall]:
+        off = (self._track.end(self._robot).heading - challenges.degrees_of(wanted) + 180) % 360 - 180
+        if abs(off) > self._goal.within * DEGREES:
+            code = "goal-facing-right" if off < 0 else "goal-facing-left"
+            yield Shortfall(code, {"degrees": round(abs(off))})
 
-def _at(goal: Goal, target: Target, track: Track, robot: str | None = None) -> Shortfall | None:
-    """``robot``: one of several that are meant, in place of the goal's."""
-    here = _end(goal.robot if robot is None else robot, track)
-    gap, item = gap_to(here, target, track.room, track.items)
-    if gap <= goal.within + NEARLY:
-        return None
-    if item is not None:
-        code, direction = "goal-at-thing", bearing(here.x, here.y, item.x, item.y)
-    else:
-        code, direction = "goal-at-place", bearing(*_middle(target, track), here.x, here.y)
-    return Shortfall(code, {"steps": in_steps(gap), "direction": direction, "target": target})
+    def visited(self, targets: Sequence[Target]) -> Iterator[Shortfall]:
+        missed, track = [*targets], self._track
+        if self._goal.any_order:
+            missed = [each for each in targets if track.smallest_gap(each, self._robot) > self._most]
+        else:
+            for pose, items in track.way(self._robot):
+                while missed and gap_to(pose, missed[0], track.room, items)[0] <= self._most:
+                    missed.pop(0)
+        yield from (Shortfall("goal-visited", {"target": each}) for each in missed)
 
+    def near(self, target: Target) -> Iterator[Shortfall]:
+        gap = self._track.smallest_gap(target, self._robot)
+        if gap > self._most:
+            yield Shortfall("goal-near", {"steps": in_steps(gap), "target": target})
 
-def _facing(goal: Goal, wanted: Heading, track: Track) -> Shortfall | None:
-    off = (_end(goal.robot, track).heading - challenges.degrees_of(wanted) + 180) % 360 - 180
-    if abs(off) <= goal.within * DEGREES:
-        return None
-    code = "goal-facing-right" if off < 0 else "goal-facing-left"
-    return Shortfall(code, {"degrees": round(abs(off))})
+    def area(self, area: Area) -> Iterator[Shortfall]:
+        """Reached at any time; with ``stay`` not left afterwards."""
+        is_inside = False
+        for pose, _ in self._track.way(self._robot):
+            gap, direction = way_out(pose.x, pose.y, area)
+            if is_inside and self._goal.stay and gap > NEARLY:
+                yield Shortfall("goal-area-left", {"direction": direction, "area": area})
+            is_inside = is_inside or gap <= NEARLY
+        if not is_inside:
+            yield Shortfall("goal-area", {"steps": in_steps(gap), "direction": direction, "area": area})
 
+    def thing(self, name: str) -> Iterator[Shortfall]:
+        track, at = self._track, self._goal.at
+        of_thing = [
+            (each.place, each.place) for each in track.items if isinstance(at, str) and each.is_called(at)
+        ]
+        area = (*self._goal.areas, *of_thing)[0]
+        ways = [way_out(*each.place, area) for each in track.items if each.is_called(name)]
+        gap, direction = min(ways, default=(0.0, 0.0))
+        if not ways:
+            yield Shortfall("goal-no-thing", {"target": name})
+        elif gap > (self._most if self._goal.area is None else NEARLY):
+            code = "goal-thing" if self._goal.area is None else "goal-thing-area"
+            yield Shortfall(code, {"steps": in_steps(gap), "direction": direction, "target": name})
 
-def _visited(goal: Goal, targets: Sequence[Target], track: Track) -> Shortfall | None:
-    way, room = _way(goal.robot, track), track.room
-    if goal.any_order:
-        gaps = ((each, smallest_gap(each, room, way)) for each in targets)
-        missed = [each for each, gap in gaps if gap > goal.within + NEARLY]
-    else:
-        missed = [*targets]
-        for pose, items in every_tenth(way):
-            while missed and gap_to(pose, missed[0], room, items)[0] <= goal.within + NEARLY:
-                missed.pop(0)
-    return Shortfall("goal-visited", {"target": missed[0]}) if missed else None
+    def said(self, wanted: object) -> Iterator[Shortfall]:
+        """A text, or several in this order; other sentences may come between."""
+        all_said = [_parts(each.text) for each in self._track.of(Spoke)]
+        following, before = iter(all_said), ""
+        for each in map(str, wanted if isinstance(wanted, tuple) else (wanted,)):
+            if _parts(each) not in following:
+                code = "goal-said-order" if before and _parts(each) in all_said else "goal-said"
+                yield Shortfall(code, {"text": each, "before": before})
+            before = each
 
+    def counted(self, name: str) -> Iterator[Shortfall]:
+        ended = self._track.last(RunEnded).get(self._robot)
+        variables = {folded(each): value for each, value in (ended.variables.items() if ended else ())}
+        value, wanted = variables.get(folded(name)), self._goal.value
+        if value is None:
+            yield Shortfall("goal-not-counted", {"name": name})
+        elif value != wanted:
+            yield Shortfall("goal-counted", {"name": name, "value": value, "wanted": wanted})
 
-def _near(goal: Goal, target: Target, track: Track) -> Shortfall | None:
-    gap = smallest_gap(target, track.room, _way(goal.robot, track))
-    if gap <= goal.within + NEARLY:
-        return None
-    return Shortfall("goal-near", {"steps": in_steps(gap), "target": target})
+    def holds(self, thing: str) -> Iterator[Shortfall]:
+        wanted = [name for each in self._track.room.called(thing) for name in (each.name, each.kind) if name]
+        if self._track.held.get(self._robot) not in wanted:
+            yield Shortfall("goal-holds", {"target": thing})
 
-
-def _area(goal: Goal, area: Area, track: Track) -> Shortfall | None:
-    """Reached at any time; with ``stay`` not left afterwards."""
-    is_inside = False
-    for pose, _ in every_tenth(_way(goal.robot, track)):
-        gap, direction = way_out(pose.x, pose.y, area)
-        if is_inside and goal.stay and gap > NEARLY:
-            return Shortfall("goal-area-left", {"direction": direction, "area": area})
-        is_inside = is_inside or gap <= NEARLY
-    if is_inside:
-        return None
-    return Shortfall("goal-area", {"steps": in_steps(gap), "direction": direction, "area": area})
-
-
-def _thing(goal: Goal, name: str, track: Track) -> Shortfall | None:
-    found = [each for each in track.items if each.is_called(name)]
-    if not found:
-        return Shortfall("goal-no-thing", {"target": name})
-    if goal.area is not None:
-        code, within, area = "goal-thing-area", 0.0, goal.area
-    else:
-        assert goal.at is not None
-        code, within, area = "goal-thing", goal.within, (_middle(goal.at, track),) * 2
-    gap, direction = min(way_out(each.x, each.y, area) for each in found)
-    if gap <= within + NEARLY:
-        return None
-    return Shortfall(code, {"steps": in_steps(gap), "direction": direction, "target": name})
-
-
-def _middle(target: Target, track: Track) -> Place:
-    if not isinstance(target, str):
-        return target
-    found = next(each for each in track.items if each.is_called(target))
-    return found.x, found.y
-
-
-def _said(_: Goal, wanted: object, track: Track) -> Shortfall | None:
-    """A text, or several in this order; other sentences may come between."""
-    said, before = iter(track.said), ""
-    for each in map(str, wanted if isinstance(wanted, tuple) else (wanted,)):
-        if not any(_is_same_text(each, one) for one in said):
-            is_said = before and any(_is_same_text(each, one) for one in track.said)
-            return Shortfall("goal-said-order" if is_said else "goal-said", {"text": each, "before": before})
-        before = each
-    return None
-
-
-def _counted(goal: Goal, name: str, track: Track) -> Shortfall | None:
-    variables = track.variables.get(track.room.robot_called(goal.robot) or "", {})
-    value = {folded(each): value for each, value in variables.items()}.get(folded(name))
-    if value is None:
-        return Shortfall("goal-not-counted", {"name": name})
-    if value == goal.value:
-        return None
-    return Shortfall("goal-counted", {"name": name, "value": value, "wanted": goal.value})
-
-
-def _holds(goal: Goal, thing: str, track: Track) -> Shortfall | None:
-    wanted = [name for each in track.room.called(thing) for name in (each.name, each.kind)]
-    held = track.held.get(track.room.robot_called(goal.robot) or "", "")
-    return None if held and held in wanted else Shortfall("goal-holds", {"target": thing})
-
-
-def _robots(goal: Goal, robots: Sequence[str], track: Track) -> Shortfall | None:
-    """All at their place at the end; without a place, side by side at some moment."""
-    names = [track.room.robot_called(each) or "" for each in robots]
-    if goal.at is not None:
-        missing = ((_at(goal, goal.at, track, name), name) for name in names)
-        return next((_of_robot(found, name) for found, name in missing if found is not None), None)
-    for one, other in combinations(names, 2):
-        ways = ((each[one], each[other]) for each in track.meetings)
-        gaps = [hypot(a.x - b.x, a.y - b.y) - 2 * track.room.radius for a, b in ways]
-        gap = max(min(gaps, default=0.0), 0.0)
-        if gap > goal.within + NEARLY:
-            return Shortfall("goal-not-together", {"first": one, "second": other, "steps": in_steps(gap)})
-    return None
-
-
-_JUDGES: Mapping[str, Callable[[Goal, Any, Track], Shortfall | None]] = {
-    "at": _at,
-    "facing": _facing,
-    "visited": _visited,
-    "near": _near,
-    "area": _area,
-    "thing": _thing,
-    "said": _said,
-    "counted": _counted,
-    "holds": _holds,
-    "robots": _robots,
-}
-"""By the key that says what a goal is; with the value of that key."""
+    def robots(self, robots: Sequence[str]) -> Iterator[Shortfall]:
+        """All at their place at the end; without a place, side by side at some moment."""
+        names, radius = (
+            [self._track.room.robot_called(each) or "" for each in robots],
+            self._track.room.radius,
+        )
+        if self._goal.at is not None:
+            yield from (_of_robot(found, name) for name in names for found in self.at(self._goal.at, name))
+            return
+        for one, other in combinations(names, 2):
+            ways = ((each.poses[one], each.poses[other]) for each in self._track.moments)
+            gap = max(min(hypot(a.x - b.x, a.y - b.y) for a, b in ways) - 2 * radius, 0.0)
+            if gap > self._most:
+                yield Shortfall("goal-not-together", {"first": one, "second": other, "steps": in_steps(gap)})
 
 
 # --- what must not happen
 
 
-def _ended_badly(track: Track) -> Iterable[Shortfall]:
-    for error in list(track.errors.values())[:1]:
+def _ended_badly(track: Track) -> Iterator[Shortfall]:
+    """The first mistake of the last run of a robot, or that one was stopped."""
+    errors = dict[str, Error]()
+    for robot, event in track.happened:
+        if isinstance(event, RunStarted):
+            errors.pop(robot, None)
+        elif isinstance(event, Error):
+            errors.setdefault(robot, event)
+    for error in list(errors.values())[:1]:
         yield Shortfall("goal-mistake", {"line": error.line, "message": error.message})
-    if track.is_stopped and not track.errors:
+    if not errors and Outcome.STOPPED in (each.outcome for each in track.last(RunEnded).values()):
         yield Shortfall("goal-endless", {})
 
 
@@ -511,7 +482,7 @@ def _of_words(challenge: Challenge, track: Track) -> Iterable[Shortfall]:
         return
     from language.keywords import topic
 
-    starts = (each.how for each in track.events if isinstance(each, RunStarted))
+    starts = (each.how for each in track.of(RunStarted))
     used = _words_in("\n".join(each.text for each in starts if each is not None and not each.refused))
     for name in (each for each in used if rules.words and each not in map(topic, rules.words)):
         number = _lesson_of(name, challenge.name)
@@ -553,66 +524,42 @@ def _forbidden(rules: Rules, track: Track, answers: Mapping[Unsensed, bool] | No
 
 def _is_broken(rule: Avoided, track: Track) -> bool:
     if rule.how == "near":
-        ways = track.ways.values()
-        return min(smallest_gap(rule.target, track.room, way) for way in ways) < rule.within
-    moves = [each for each in track.events if isinstance(each, Moved | Turned)]
-    touched = [(each.met.kind, each.met.name) for each in moves if each.met is not None]
-    touched += [(thing.kind, thing.name) for each in moves for thing in each.pushed]
+        return any(track.smallest_gap(rule.target, each) < rule.within for each in track.moments[0].poses)
+    touched = [(each.met.kind, each.met.name) for each in track.moves if each.met is not None]
+    touched += [(thing.kind, thing.name) for each in track.moves for thing in each.pushed]
     return any((each.kind, each.name) in touched for each in track.room.called(rule.target))
 
 
-def _over_limit(rules: Rules, track: Track) -> Iterable[Shortfall]:
-    limit = rules.limit
-    for code, most, needed in (
-        ("limit-commands", limit.commands, track.commands),
-        ("limit-seconds", limit.seconds, ceil(track.seconds - NEARLY)),
-        ("limit-steps", limit.steps, track.steps),
-        ("limit-turns", limit.turns, track.count(Turned)),
-    ):
+def _over_limit(rules: Rules, track: Track) -> Iterator[Shortfall]:
+    for name in Limit.__struct_fields__:
+        most, needed = getattr(rules.limit, name), ceil(getattr(track, name) - NEARLY)
         if most is not None and needed > most:
-            yield Shortfall(code, {"count": needed, "most": round(most)})
+            yield Shortfall(f"limit-{name}", {"count": needed, "most": round(most)})
 
 
 # --- distances
 
 
-def gap_to(pose: Pose, target: Target, room: Inventory, items: Sequence[Item]) -> tuple[float, Item | None]:
-    """How far the robot is from a place, or from the nearest thing that is meant."""
+def gap_to(pose: Pose, target: Target, room: Inventory, items: Sequence[Item]) -> tuple[float, float]:
+    """How far the robot is from a place and where from there, or how far and where the nearest thing is."""
     if not isinstance(target, str):
-        return hypot(target[0] - pose.x, target[1] - pose.y), None
-    gaps = [(_gap_to_item(pose, each, room.radius), each) for each in items if each.is_called(target)]
-    return min(gaps, key=lambda each: each[0])
+        return way_out(pose.x, pose.y, (target, target))
+    gaps = [(way_out(pose.x, pose.y, it.box)[0] - room.radius, it) for it in items if it.is_called(target)]
+    gap, nearest = min(gaps, key=lambda each: max(each[0], 0.0))
+    return max(gap, 0.0), bearing(pose.x, pose.y, *nearest.place)
 
 
-def _gap_to_item(pose: Pose, item: Item, radius: float) -> float:
-    dx = max(abs(item.x - pose.x) - item.half_width, 0.0)
-    dy = max(abs(item.y - pose.y) - item.half_height, 0.0)
-    return max(hypot(dx, dy) - radius, 0.0)
-
-
-def smallest_gap(target: Target, room: Inventory, way: Sequence[Moment]) -> float:
-    """To the nearest that the robot came."""
-    return min(gap_to(pose, target, room, items)[0] for pose, items in every_tenth(way))
-
-
-def every_tenth(way: Sequence[Moment]) -> Iterator[tuple[Pose, tuple[Item, ...]]]:
-    """Where the robot and the things were: straight from pose to pose, a tenth of a step apart at most."""
-    yield way[0].pose, way[0].items
-    for before, after in pairwise(way):
-        start, end = before.pose, after.pose
-        points = max(1, ceil(hypot(end.x - start.x, end.y - start.y) * 10))
-        yield from ((_between(start, end, at / points), after.items) for at in range(1, points + 1))
-
-
-def _between(start: Pose, end: Pose, part: float) -> Pose:
-    return Pose(start.x + part * (end.x - start.x), start.y + part * (end.y - start.y), end.heading)
+def _sides(area: Area) -> tuple[float, float, float, float]:
+    """West, south, east and north."""
+    (west, east), (south, north) = (sorted(each) for each in zip(*area, strict=True))
+    return west, south, east, north
 
 
 def way_out(x: float, y: float, area: Area) -> tuple[float, float]:
     """How far a place is from an area, 0 within it, and in which direction from there."""
-    (west, east), (south, north) = (sorted(each) for each in zip(*area, strict=True))
-    nearest_x, nearest_y = min(max(x, west), east), min(max(y, south), north)
-    return hypot(x - nearest_x, y - nearest_y), bearing(nearest_x, nearest_y, x, y)
+    west, south, east, north = _sides(area)
+    nearest = min(max(x, west), east), min(max(y, south), north)
+    return hypot(x - nearest[0], y - nearest[1]), bearing(*nearest, x, y)
 
 
 def bearing(x: float, y: float, to_x: float, to_y: float) -> float:
@@ -631,13 +578,8 @@ def in_steps(steps: float) -> int:
 _NUMBER = re.compile(r"[-−]?\d+(?:[.,]\d+)?")
 
 
-def _is_same_text(wanted: str, said: str) -> bool:
-    """Numbers count by value, letters without case, accents and punctuation."""
-    return _parts(wanted) == _parts(said)
-
-
 def _parts(text: str) -> list[str | float]:
-    """The words and numbers of a text."""
+    """The words and numbers of a text: numbers count by value, letters without case, accents, punctuation."""
     parts: list[str | float] = []
     at = 0
     for found in _NUMBER.finditer(text):
@@ -647,6 +589,7 @@ def _parts(text: str) -> list[str | float]:
     return parts + folded(text[at:]).split()
 
 
+@lru_cache(1000)
 def folded(text: str) -> str:
     """The text without case, accents, punctuation and doubled blanks."""
     plain = unicodedata.normalize("NFKD", text.casefold())

@@ -102,12 +102,11 @@ class Asked(Struct, frozen=True):
         return with_colour(item.kind, item.name, item.colour, wording)
 
     def _origin(self) -> Pose:
-        way = next(iter(self.track.ways.values()))
         match self.question.origin:
             case "start":
-                return way[0].pose
+                return next(iter(self.track.moments[0].poses.values()))
             case "end":
-                return way[-1].pose
+                return self.track.end("")
             case str() as name:
                 item = self._item(name)
                 return Pose(item.x, item.y, 0.0)
