@@ -44,6 +44,8 @@ def asked(
         # From 0, 0 to the box's south side at 19, less the body's 3: 16; from 0, 5 it is 11.
         (asked(Ask.DISTANCE, "red box"), ["16", "15 steps", "18"], ["19", "13", ""]),
         (asked(Ask.DISTANCE, "red box", "end"), ["11"], ["16"]),
+        # From -30, 10 the nearer box is the blue one, straight south; the red one is at 72 degrees.
+        (asked(Ask.DIRECTION, "box", (-30, 10)), ["180"], ["72"]),
         # From the middle of the blue box, at -30, 0, to 8, 8: hypot(38, 8) is 38.8.
         (asked(Ask.DISTANCE, "green chair", "blue box"), ["39"], ["36"]),
         (asked(Ask.COUNT, "box"), ["2", "2.0", "there are 2", "Two.", "dois"], ["3", "some"]),
