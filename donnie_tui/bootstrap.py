@@ -16,8 +16,8 @@ from typing import TYPE_CHECKING, TextIO, TypeAlias
 from msgspec import Struct
 from msgspec.structs import replace
 
-from devices.ports.robot import Pace, Pose, Watcher
-from donnie_tui.core.events import Announced, Answered, Read, RunStarted, Scanned, Stamped
+from devices.ports.robot import Pace, Watcher
+from donnie_tui.core.events import Announced, Answered, Read, Scanned, Stamped
 from donnie_tui.core.hub import Stream
 from donnie_tui.core.outlets import SpeechWait
 from donnie_tui.core.session import ResettableRobot, Session, SessionSetup
@@ -438,122 +438,111 @@ class Start(Struct, frozen=True):
     """What the robots of all tries saw there."""
 
 
-def starts_of(world: ChosenWorld, words: Words, settings: Settings) -> tuple[Start, ...]:
-    """All starts of the challenge of a world. Without goals the end of its solution is the goal.
-
-    Raises ``Unusable`` if the solution is needed and can't be read.
-    """
-    from donnie_tui.core.goals import goals_of_end
-
-    challenge, rules, starts = world.challenge, world.rules, list[Start]()
-    assert challenge is not None
-    solution = {} if rules.goal else solution_of(world, words)
-    for each in rules.variant:
-        there = started_at(world, each, words, settings.include_folders)
-        own = replace(challenge, rules=replace(rules, variant=(each,)))
-        start = Start(own, there, inventory_of(there.scene))
-        if not rules.goal:
-            goals = goals_of_end(start.room, _try_from(start, solution, words, settings))
-            start = replace(start, challenge=replace(own, rules=replace(own.rules, goal=goals)))
-        starts.append(start)
-    return tuple(starts)
-
-
 Programs: TypeAlias = str | Mapping[str, str]
 """The program of the first robot, or those of several, by the robots' names."""
 
 
-def judge_program(
-    programs: Programs, starts: Sequence[Start], words: Words, settings: Settings
-) -> tuple[Judgment, ...]:
-    """The outcomes from the starts of a challenge, up to the first that does not solve it.
+class Judge:
+    """Judges by the challenge of a world, from each of its starts.
 
-    Each try has a world of its own, and nothing of it is printed. Several programs begin at the same moment.
-    An endless program ends where all is as it was before, else by robot time and by the number of its
-    statements, so a busy machine changes nothing.
+    Without goals the end of the solution is the goal. Raises ``Unusable`` if that can't be read.
     """
-    from donnie_tui.core.goals import judge
 
-    verdicts: list[Judgment] = []
-    for each in starts:
-        verdicts.append(judge(each.challenge, each.room, _try_from(each, programs, words, settings)))
-        if not verdicts[-1].is_solved:
-            break
-    return tuple(verdicts)
+    def __init__(self, world: ChosenWorld, words: Words, settings: Settings) -> None:
+        from donnie_tui.core.goals import goals_of_end
 
+        assert world.challenge is not None
+        self.world, self.challenge, self.words, self._settings = world, world.challenge, words, settings
+        self.starts: list[Start] = []
+        solution = {} if world.rules.goal else solution_of(world, words)
+        for each in world.rules.variant:
+            there = started_at(world, each, words, settings.include_folders)
+            rules, room = replace(world.rules, variant=(each,)), inventory_of(there.scene)
+            start = Start(replace(self.challenge, rules=rules), there, room)
+            if not rules.goal:
+                rules = replace(rules, goal=goals_of_end(room, self.try_from(start, solution)))
+                start = replace(start, challenge=replace(self.challenge, rules=rules))
+            self.starts.append(start)
+        self.room = self.starts[0].room
 
-def judge_events(
-    events: Sequence[Stamped],
-    starts: Sequence[Start],
-    words: Words,
-    settings: Settings,
-    answers: Mapping[Unsensed, bool] | None = None,
-) -> tuple[Judgment, ...]:
-    """Of what happened from the start of a challenge where the robot stood first.
+    def programs(self, given: Programs, starts: Sequence[Start] | None = None) -> tuple[Judgment, ...]:
+        """The outcomes from the starts, all if none are named, up to the first that does not solve it."""
+        from donnie_tui.core.goals import judge
 
-    Where that solves it, all that ran must solve it from the other starts, too. ``answers``: as ``judge``.
-    """
-    from donnie_tui.core.goals import judge, last_try
+        verdicts: list[Judgment] = []
+        for each in self.starts if starts is None else starts:
+            verdicts.append(judge(each.challenge, each.room, self.try_from(each, given)))
+            if not verdicts[-1].is_solved:
+                break
+        return tuple(verdicts)
 
-    rooms = [each.room for each in starts]
-    first = starts[0].world.scene.robot_names[0]
-    stood, texts = dict[str, Pose](), dict[str, str]()
-    for each in last_try(tuple(events)):
-        how = each.event.how if isinstance(each.event, RunStarted) else None
-        if how is not None and not how.refused:
-            robot = each.robot or first
-            stood.setdefault(robot, how.pose)
-            texts[robot] = f"{texts[robot]}\n{how.text}" if robot in texts else how.text
-    at = next((at for at, room in enumerate(rooms) if stood.items() <= room.robots.items()), 0)
-    here = judge(starts[at].challenge, rooms[at], events, answers)
-    if not here.is_solved:
-        return (here,)
-    others = judge_program(texts, [*starts[:at], *starts[at + 1 :]], words, settings)
-    return (*others[:at], here, *others[at:])
+    def events(
+        self, events: Sequence[Stamped], answers: Mapping[Unsensed, bool] | None = None
+    ) -> tuple[Judgment, ...]:
+        """Of what happened from the start where the robot stood first.
 
+        Where that solves it, all that ran must solve it from the others, too. ``answers``: as ``judge``.
+        """
+        from donnie_tui.core.goals import judge, track_of
 
-def _try_from(start: Start, programs: Programs, words: Words, settings: Settings) -> list[Stamped]:
-    """Runs the programs in the world of that start, and returns what happened."""
-    from donnie_tui.core.runner import Run, RunRequest
-    from sim.world import World
+        starts, ran = self.starts, track_of(self.starts[0].room, events).ran
+        stood = {robot: how.pose for robot, how in reversed(ran)}
+        texts = {name: "\n".join(how.text for robot, how in ran if robot == name) for name in stood}
+        at = next((at for at, it in enumerate(starts) if stood.items() <= it.room.robots.items()), 0)
+        here = judge(starts[at].challenge, starts[at].room, events, answers)
+        if not here.is_solved:
+            return (here,)
+        others = self.programs(texts, [*starts[:at], *starts[at + 1 :]])
+        return (*others[:at], here, *others[at:])
 
-    settings = replace(settings, speed=None, seed=start.challenge.rules.variant[0].seed)
-    shared = World(start.world.scene, seed=settings.seed, looks=start.looks)
-    team = make_team(settings, words, start.world, terminal=False, shared=shared)
-    events, first = list[Stamped](), team.chosen_name
-    given = {first: programs} if isinstance(programs, str) else programs
-    readings, looks = Counter[str | None](), Counter[str | None]()
+    def try_from(self, start: Start, programs: Programs) -> list[Stamped]:
+        """Runs the programs in the world of a start, and returns what happened. Nothing of it is printed.
 
-    def note(stamped: Stamped) -> None:
-        event, robot = stamped.event, stamped.robot
-        events.append(stamped)
-        readings[robot] += isinstance(event, Read)
-        looks[robot] += isinstance(event, Scanned) or (isinstance(event, Read) and event.sensor == "colour")
-        if stamped.t > LONGEST_TRY or readings[robot] > MOST_READINGS or looks[robot] > MOST_LOOKS:
-            team.session(robot or first).stop()
+        Several programs begin at the same moment. An endless program ends where all is as it was before, else
+        by robot time and by the number of its statements, so a busy machine changes nothing.
+        """
+        from donnie_tui.core.runner import Run, RunRequest
+        from sim.world import World
 
-    def limit(session: Session, run: Run) -> None:
-        statements, robot = count(1), shared.inhabitant(session.name)
-        seen, noted = set[Hashable](), 0
+        settings = replace(self._settings, speed=None, seed=start.challenge.rules.variant[0].seed)
+        shared = World(start.world.scene, seed=settings.seed, looks=start.looks)
+        team = make_team(settings, self.words, start.world, terminal=False, shared=shared)
+        events, first = list[Stamped](), team.chosen_name
+        given = {first: programs} if isinstance(programs, str) else programs
+        readings, looks = Counter[str | None](), Counter[str | None]()
 
-        def before_statement() -> None:
-            nonlocal noted
-            is_repeated = False
-            if noted != len(events) and len(seen) < MOST_SITUATIONS and len(given) == 1:
-                noted, now = len(events), (run.progress(), robot.situation)
-                is_repeated = now in seen and now[1] is not None
-                seen.add(now)
-            if is_repeated or next(statements) > MOST_STATEMENTS:
-                session.stop()
+        def note(stamped: Stamped) -> None:
+            event, robot = stamped.event, stamped.robot
+            events.append(stamped)
+            readings[robot] += isinstance(event, Read)
+            looks[robot] += isinstance(event, Scanned) or (
+                isinstance(event, Read) and event.sensor == "colour"
+            )
+            if stamped.t > LONGEST_TRY or readings[robot] > MOST_READINGS or looks[robot] > MOST_LOOKS:
+                team.session(robot or first).stop()
 
-        run.control.look_before_each(before_statement)
+        def limit(session: Session, run: Run) -> None:
+            statements, robot = count(1), shared.inhabitant(session.name)
+            seen, noted = set[Hashable](), 0
 
-    team.stream.subscribe(note)
-    requests = {name: RunRequest(text, "program") for name, text in given.items()}
-    for each in team.start_together(requests, prepare=limit):
-        each.wait()
-    team.close()
-    return events
+            def before_statement() -> None:
+                nonlocal noted
+                is_repeated = False
+                if noted != len(events) and len(seen) < MOST_SITUATIONS and len(given) == 1:
+                    noted, now = len(events), (run.progress(), robot.situation)
+                    is_repeated = now in seen and now[1] is not None
+                    seen.add(now)
+                if is_repeated or next(statements) > MOST_STATEMENTS:
+                    session.stop()
+
+            run.control.look_before_each(before_statement)
+
+        team.stream.subscribe(note)
+        requests = {name: RunRequest(text, "program") for name, text in given.items()}
+        for each in team.start_together(requests, prepare=limit):
+            each.wait()
+        team.close()
+        return events
 
 
 def open_workspace(state_folder: str) -> Workspace:

@@ -14,6 +14,8 @@ import io
 import sys
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
+from itertools import groupby, islice
 from pathlib import Path
 from typing import TypeAlias
 
@@ -21,12 +23,12 @@ import msgspec
 from msgspec import Struct
 from msgspec.structs import astuple, replace
 
-from donnie_tui.bootstrap import Programs, judge_events, judge_program, starts_of
+from donnie_tui.bootstrap import Judge
 from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.streams import Output
 from donnie_tui.core.describe import task_in_words, verdict_in_words
 from donnie_tui.core.events import RunStarted, Stamped
-from donnie_tui.core.goals import Judgment, folded
+from donnie_tui.core.goals import folded
 from donnie_tui.core.program_files import (
     LARGEST,
     DocumentError,
@@ -44,7 +46,7 @@ from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.process import in_processes, processors
 from donnie_tui.process.confinement import is_allowed, make_folder
 from donnie_tui.settings.settings import SettingSource
-from donnie_tui.world.loading import choose_challenge, inventory_of, solution_of
+from donnie_tui.world.loading import choose_challenge, solution_of
 from language.checker import check as hints_for
 from language.diagnostics import MOST_MISTAKES, Diagnostic, Severity
 from language.formatter import formatted
@@ -237,27 +239,30 @@ def challenge(order: Order) -> int:
 
 
 def _list_challenges(order: Order) -> int:
-    ladder = ""
-    for number, name in enumerate(challenges.names(), start=1):
-        found = challenges.find(name)
-        if challenges.ladder_of(name) != ladder:
-            ladder = challenges.ladder_of(name)
-            order.output.line(order.words(f"ladder-{ladder}"))
-        title = found.text(order.words.language).title
-        level = order.words(f"difficulty-{found.rules.difficulty.value}")
-        values = {"name": name, "title": title, "difficulty": level}
-        order.output.line(order.words("challenge-listed", number=number, **values))
+    numbers = {name: number for number, name in enumerate(challenges.names(), start=1)}
+    for ladder, steps in groupby(numbers, challenges.ladder_of):
+        order.output.line(order.words(f"ladder-{ladder}"))
+        for found in map(challenges.find, steps):
+            title = found.text(order.words.language).title
+            level = order.words(f"difficulty-{found.rules.difficulty.value}")
+            values = {"name": found.name, "title": title, "difficulty": level}
+            order.output.line(order.words("challenge-listed", number=numbers[found.name], **values))
     return ExitCode.DONE
+
+
+def _judge(order: Order, name: str) -> Judge:
+    """What judges by a challenge. Raises ``Unusable``."""
+    return Judge(choose_challenge(name, order.words), order.words, order.settings)
 
 
 def check_challenge(order: Order, name: str, files: Sequence[str]) -> int:
     """Judge programs; 1 if one does not solve the challenge, 2 if one can't be read."""
-    judging = _Judging(order, name)
-    pupils = judging.pupils(files)
+    judge = _judge(order, name)
+    pupils = _pupils(judge, files)
     if not pupils:
         raise Unusable(order.words("check-no-programs", path=files[0]))
     is_json, records = getattr(order.invocation.arguments, "json", False), list[_Record]()
-    for pupil, record in zip(pupils, judging.records(pupils), strict=True):
+    for pupil, record in zip(pupils, _records(judge, pupils), strict=True):
         records.append(record)
         if not is_json:
             said = order.words("challenge-verdict", file=pupil.label, verdict=record.verdict)
@@ -277,15 +282,12 @@ _CODES = {True: ExitCode.DONE, False: ExitCode.FAILED, None: ExitCode.UNUSABLE}
 
 def judge_recording(order: Order, name: str, recorded: Sequence[Stamped], *, is_simulated: bool) -> int:
     """Judge a recording, of a real robot only what it can sense; 1 if it does not solve the challenge."""
-    judging = _Judging(order, name)
-    answers: dict[challenges.Unsensed, bool] | None = None if is_simulated else {}
-    began = (each.event.world for each in recorded if isinstance(each.event, RunStarted))
-    wanted = judging.world.name
-    other = next((each for each in began if each != wanted), None)
-    if other is not None:
-        path = order.invocation.arguments.file
-        raise Unusable(order.words("challenge-other-world", path=path, world=other, wanted=wanted))
-    verdicts = judge_events(recorded, judging.starts, order.words, order.settings, answers)
+    judge = _judge(order, name)
+    wanted, path = judge.world.name, order.invocation.arguments.file
+    for world in (each.event.world for each in recorded if isinstance(each.event, RunStarted)):
+        if world != wanted:
+            raise Unusable(order.words("challenge-other-world", path=path, world=world, wanted=wanted))
+    verdicts = judge.events(recorded, None if is_simulated else {})
     order.output.line(verdict_in_words(verdicts, order.words))
     return _CODES[all(each.is_solved for each in verdicts)]
 
@@ -388,35 +390,57 @@ def _test_challenges(order: Order, given: Sequence[str]) -> int:
 
 
 def _test_challenge(order: Order, name: str) -> int:
-    """Whether its words are complete and short in each of its languages, and what solves it.
+    """Whether it is as ``_faults`` wants it."""
+    judge = _judge(order, name)
+    faults = [*_faults(judge)]
+    good = order.words("challenge-test-good", name=judge.challenge.name, starts=len(judge.starts))
+    for line in faults or (good,):
+        order.output.line(line)
+    return ExitCode.FAILED if faults else ExitCode.DONE
+
+
+def _faults(judge: Judge) -> Iterator[str]:
+    """What is wrong with a challenge: its words in each language, its starts, and what solves it.
 
     The solution must solve it from every start; the empty program, and the solution without one of its
     commands, must not.
     """
-    judging = _Judging(order, name)
-    found = judging.found
-    faults = (*_faults_of_words(found, order.words), *judging.faults_of_starts())
-    for fault in faults:
-        order.output.line(fault)
-    solution = solution_of(judging.world, order.words)
-    verdicts = judging.verdicts(solution)
-    wrong = not verdicts[-1].is_solved
-    if wrong:
-        order.output.line(order.words("challenge-test-unsolved", name=found.name))
-        order.output.line(verdict_in_words(verdicts, order.words))
-    easy = judging.is_solved_by_nothing()
-    if easy:
-        order.output.line(order.words("challenge-test-empty", name=found.name))
-    spare = None if wrong or easy else judging.spare_line(solution)
-    if spare is not None:
-        robot, line = spare
-        is_of_first = robot == judging.world.scene.robot_names[0]
-        name = found.name if is_of_first else f"{found.name}.{robot}"
-        order.output.line(order.words("challenge-test-spare", name=name, line=line))
-    if wrong or easy or spare or faults:
-        return ExitCode.FAILED
-    order.output.line(order.words("challenge-test-good", name=found.name, starts=len(verdicts)))
-    return ExitCode.DONE
+    words, name = judge.words, judge.challenge.name
+    yield from _faults_of_words(judge.challenge, words)
+    yield from _faults_of_starts(judge)
+    solution = solution_of(judge.world, words)
+    verdicts = judge.programs(solution)
+    is_easy = any(judge.programs("", (each,))[0].is_solved for each in judge.starts)
+    if not verdicts[-1].is_solved:
+        yield words("challenge-test-unsolved", name=name)
+        yield verdict_in_words(verdicts, words)
+    if is_easy:
+        yield words("challenge-test-empty", name=name)
+    elif verdicts[-1].is_solved:
+        yield from islice(_spare_lines(judge, solution), 1)
+
+
+def _spare_lines(judge: Judge, solution: Mapping[str, str]) -> Iterator[str]:
+    """The commands that a solution does not need."""
+    for robot, text in solution.items():
+        program = parse(text).program
+        for span in (each.span for each in walk(program.body if program is not None else ())):
+            shorter = text[: span.start] + text[span.end :]
+            if not parse(shorter).diagnostics and judge.programs({**solution, robot: shorter})[-1].is_solved:
+                is_of_first = robot == judge.world.scene.robot_names[0]
+                name = judge.challenge.name + ("" if is_of_first else f".{robot}")
+                yield judge.words("challenge-test-spare", name=name, line=span.line)
+
+
+def _faults_of_starts(judge: Judge) -> Iterator[str]:
+    """Robots that begin inside something."""
+    from sim.worldfile import standing_inside  # loads the parser
+
+    words = judge.words
+    for number, start in enumerate(judge.starts, start=1):
+        for note in standing_inside(start.world.scene):
+            said = f"{words('challenge-start', number=number)} {words(f'note-{note.code}', **note.details)}"
+            yield words("challenge-verdict", file=judge.challenge.name, verdict=said)
 
 
 MOST_SENTENCES = 5
@@ -448,133 +472,81 @@ FEW = 25
 """Programs for which another process isn't worth its start."""
 
 
-class _Judging:
-    """Judges programs by one challenge. Each runs in a world of its own, from every start."""
+def _pupils(judge: Judge, given: Sequence[str]) -> tuple[_Pupil, ...]:
+    """Those whose programs were given: files, folders, or a program for each robot.
 
-    def __init__(self, order: Order, name: str) -> None:
-        """Raises ``Unusable``."""
-        self._words, self._settings = order.words, order.settings
-        self.world = choose_challenge(name, order.words)
-        self._room = inventory_of(self.world.scene)
-        self.starts = starts_of(self.world, order.words, order.settings)
+    In a world with several robots a folder with files such as ``alice.gd`` is that of one pupil. Raises
+    ``Unusable`` for a robot that is not there.
+    """
+    named = [robot_and_file(each) for each in given]
+    if not named or any(robot is None for robot, _ in named):
+        return tuple(replace(each, given=name) for name in given for each in _in_folder(judge, name))
+    files = dict[str | None, str]()
+    for robot, file in named:
+        called = judge.room.robot_called(robot or "")
+        if called is None:
+            raise Unusable(no_such_robot(robot or "", [*judge.room.robots], MOST_NAMES, judge.words))
+        if called in files:
+            raise Unusable(judge.words("robot-twice", name=called))
+        files[called] = file
+    return (_Pupil(", ".join(Path(file).name for file in files.values()), files),)
 
-    @property
-    def found(self) -> challenges.Challenge:
-        """The challenge."""
-        assert self.world.challenge is not None
-        return self.world.challenge
 
-    def pupils(self, given: Sequence[str]) -> tuple[_Pupil, ...]:
-        """Those whose programs were given: files, folders, or a program for each robot.
+def _in_folder(judge: Judge, name: str) -> Iterator[_Pupil]:
+    """Those of a folder, or of a file alone."""
+    is_of_one = bool(_files_of_robots(judge, name))
+    for folder in (name,) if is_of_one else (*folders_in(name), name):
+        if own := _files_of_robots(judge, folder):
+            yield _Pupil(folder, own)
+        else:
+            programs = programs_in(folder)
+            yield from (_Pupil(each, {None: each}, "" if folder == name else folder) for each in programs)
 
-        In a world with several robots a folder with files such as ``alice.gd`` is that of one pupil.
-        Raises ``Unusable`` for a robot that is not there.
-        """
-        named = [robot_and_file(each) for each in given]
-        if named and all(robot is not None for robot, _ in named):
-            return (self._pupil_with(named),)
-        return tuple(replace(each, given=file) for file in given for each in self._in_folder(file))
 
-    def _pupil_with(self, named: Sequence[tuple[str | None, str]]) -> _Pupil:
-        files = dict[str | None, str]()
-        for robot, file in named:
-            called = self._room.robot_called(robot or "")
-            if called is None:
-                names = self.world.scene.robot_names
-                raise Unusable(no_such_robot(robot or "", names, MOST_NAMES, self._words))
-            if called in files:
-                raise Unusable(self._words("robot-twice", name=called))
-            files[called] = file
-        return _Pupil(", ".join(Path(file).name for file in files.values()), files)
+def _files_of_robots(judge: Judge, folder: str) -> Mapping[str | None, str]:
+    """Its programs that are called as the robots are, where there are several."""
+    if len(judge.room.robots) < 2 or not is_allowed(Path(folder)):
+        return {}
+    named = {folded(Path(each).stem): each for each in programs_in(folder) if each != folder}
+    return {each: named[folded(each)] for each in judge.room.robots if folded(each) in named}
 
-    def _in_folder(self, name: str) -> Iterator[_Pupil]:
-        """Those of a folder, or of a file alone."""
-        own = self._files_of_robots(name)
-        if own:
-            yield _Pupil(name, own)
-            return
-        for folder in folders_in(name):
-            own = self._files_of_robots(folder)
-            if own:
-                yield _Pupil(folder, own)
-            else:
-                yield from (_Pupil(each, {None: each}, folder) for each in programs_in(folder))
-        yield from (_Pupil(each, {None: each}) for each in programs_in(name))
 
-    def _files_of_robots(self, folder: str) -> Mapping[str | None, str]:
-        """Its programs that are called as the robots are, where there are several."""
-        if len(self._room.robots) < 2 or not is_allowed(Path(folder)):
-            return {}
-        named = {folded(Path(each).stem): each for each in programs_in(folder) if each != folder}
-        return {each: named[folded(each)] for each in self._room.robots if folded(each) in named}
+def _records(judge: Judge, pupils: Sequence[_Pupil]) -> Iterator[_Record]:
+    """That of each pupil, in their order. Equal programs, which many hand in, are judged once.
 
-    def records(self, pupils: Sequence[_Pupil]) -> Iterator[_Record]:
-        """That of each pupil, in their order. Equal programs, which many hand in, are judged once."""
-        read = [self._read(each) for each in pupils]
-        different = dict.fromkeys(each for each in read if isinstance(each, tuple))
-        outcomes, known = self._judged_all([*different]), dict[_Texts, _Record]()
-        for pupil, given in zip(pupils, read, strict=True):
-            if isinstance(given, str):
-                yield _Record(pupil.name, None, verdict=given)
-                continue
-            outcome = known.get(given) or known.setdefault(given, next(outcomes))
-            died = "" if outcome.verdict else self._words("challenge-died", path=pupil.name)
-            yield replace(outcome, file=pupil.name, verdict=outcome.verdict or died)
+    Many are judged in as many processes as there are processors; see ``in_processes``.
+    """
+    read = [_read(judge, each) for each in pupils]
+    different = [*dict.fromkeys(each for each in read if isinstance(each, tuple))]
+    judged, processes = partial(_judged, judge), min(processors(), len(different) // FEW)
+    outcomes: Iterator[_Record] = map(judged, different)
+    if processes > 1:
+        outcomes = in_processes(judged, different, processes, instead=_Record("", None))
+    known = dict[_Texts, _Record]()
+    for pupil, given in zip(pupils, read, strict=True):
+        if isinstance(given, str):
+            yield _Record(pupil.name, None, verdict=given)
+            continue
+        outcome = known.get(given) or known.setdefault(given, next(outcomes))
+        died = "" if outcome.verdict else judge.words("challenge-died", path=pupil.name)
+        yield replace(outcome, file=pupil.name, verdict=outcome.verdict or died)
 
-    def _read(self, pupil: _Pupil) -> _Texts | str:
-        """The programs, or why they can't be read. Refuses links, which could lead to any other file."""
-        first, texts = self.world.scene.robot_names[0], list[tuple[str, str]]()
-        try:
-            for robot, file in pupil.files.items():
-                if pupil.given and not Path(file).resolve().is_relative_to(Path(pupil.given).resolve()):
-                    return self._words("check-leads-out", path=file)
-                texts.append((robot or first, read_source(file, self._words).text))
-        except Unusable as unusable:
-            return unusable.sentence
-        return tuple(texts)
 
-    def _judged_all(self, given: Sequence[_Texts]) -> Iterator[_Record]:
-        """In this process, or many in as many as there are processors; see ``in_processes``."""
-        processes = min(processors(), len(given) // FEW)
-        if processes < 2:
-            return map(self._judged, given)
-        return in_processes(self._judged, given, processes, instead=_Record("", None))
+def _read(judge: Judge, pupil: _Pupil) -> _Texts | str:
+    """The programs, or why they can't be read. Refuses links, which could lead to any other file."""
+    first, texts = next(iter(judge.room.robots)), list[tuple[str, str]]()
+    try:
+        for robot, file in pupil.files.items():
+            if pupil.given and not Path(file).resolve().is_relative_to(Path(pupil.given).resolve()):
+                return judge.words("check-leads-out", path=file)
+            texts.append((robot or first, read_source(file, judge.words).text))
+    except Unusable as unusable:
+        return unusable.sentence
+    return tuple(texts)
 
-    def _judged(self, texts: _Texts) -> _Record:
-        verdicts = self.verdicts(dict(texts))
-        shown = verdicts[0] if verdicts[-1].is_solved else verdicts[-1]
-        goals, track = (shown.goals, shown.met), shown.track
-        counts = (track.commands, track.steps, track.bumps)
-        return _Record("", shown.is_solved, *goals, *counts, verdict_in_words(verdicts, self._words))
 
-    def verdicts(self, programs: Programs) -> tuple[Judgment, ...]:
-        """One for each start, up to the first that does not solve it."""
-        return judge_program(programs, self.starts, self._words, self._settings)
-
-    def faults_of_starts(self) -> Iterator[str]:
-        """Robots that begin inside something."""
-        from sim.worldfile import standing_inside  # loads the parser
-
-        for number, start in enumerate(self.starts, start=1):
-            for note in standing_inside(start.world.scene):
-                where = self._words("challenge-start", number=number)
-                fault = self._words(f"note-{note.code}", **note.details)
-                yield self._words("challenge-verdict", file=self.found.name, verdict=f"{where} {fault}")
-
-    def is_solved_by_nothing(self) -> bool:
-        """Whether the empty program solves it from a start."""
-        verdicts = (judge_program("", (each,), self._words, self._settings) for each in self.starts)
-        return any(each.is_solved for (each,) in verdicts)
-
-    def spare_line(self, solution: Mapping[str, str]) -> tuple[str, int] | None:
-        """The robot and the line of the first command that a solution does not need; None if it needs all."""
-        for robot, text in solution.items():
-            program = parse(text).program
-            for span in (each.span for each in walk(program.body if program is not None else ())):
-                shorter = text[: span.start] + text[span.end :]
-                if (
-                    not parse(shorter).diagnostics
-                    and self.verdicts({**solution, robot: shorter})[-1].is_solved
-                ):
-                    return robot, span.line
-        return None
+def _judged(judge: Judge, texts: _Texts) -> _Record:
+    verdicts = judge.programs(dict(texts))
+    shown = verdicts[0] if verdicts[-1].is_solved else verdicts[-1]
+    counts = (shown.goals, shown.met, shown.track.commands, shown.track.steps, shown.track.bumps)
+    return _Record("", shown.is_solved, *counts, verdict_in_words(verdicts, judge.words))

@@ -9,14 +9,7 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
-from donnie_tui.bootstrap import (
-    Donnie,
-    Start,
-    judge_events,
-    judge_program,
-    progress,
-    starts_of,
-)
+from donnie_tui.bootstrap import Donnie, Judge, progress
 from donnie_tui.commands.declarations import BY_NAME
 from donnie_tui.commands.interaction import Interaction, Screen
 from donnie_tui.commands.lookup import word_of
@@ -257,7 +250,7 @@ class Attempt:
         """The judgment of what was done from the first start."""
         from donnie_tui.core.goals import judge
 
-        return judge(self._starts[0].challenge, self.room, self._happened(), self._no_answers)
+        return judge(self._judge.starts[0].challenge, self.room, self._happened(), self._no_answers)
 
     @property
     def _no_answers(self) -> Mapping[Unsensed, bool] | None:
@@ -270,22 +263,21 @@ class Attempt:
 
     @property
     def rules(self) -> Rules:
-        """The rules with the goals of the first start; a goal may be where the solution ends."""
-        return self._starts[0].challenge.rules
+        """The rules with the goals of the first start, which the end of the solution may be."""
+        return self._judge.starts[0].challenge.rules
 
     @cached_property
-    def _starts(self) -> tuple[Start, ...]:
-        return starts_of(self._donnie.world, self._donnie.words, self._preferences.settings)
+    def _judge(self) -> Judge:
+        return Judge(self._donnie.world, self._donnie.words, self._preferences.settings)
 
     @cached_property
     def _shortest(self) -> int:
         """The steps of the solution from the first start."""
-        donnie, settings = self._donnie, self._preferences.settings
         try:
-            solution = solution_of(donnie.world, donnie.words)
+            solution = solution_of(self._donnie.world, self._donnie.words)
         except Unusable:
             return 0
-        return judge_program(solution, self._starts[:1], donnie.words, settings)[0].track.steps
+        return self._judge.programs(solution, self._judge.starts[:1])[0].track.steps
 
     def judge(self, is_program: bool) -> tuple[str, ...]:
         """Judge a run, keep it as a try, and return the verdict. ``is_program``: more than a line ran.
@@ -309,8 +301,7 @@ class Attempt:
         self._answers.update(answers)
         self.unsensed = tuple(each for each in self.unsensed if each not in answers)
         known = None if self._no_answers is None else self._answers
-        words, settings = self._donnie.words, self._preferences.settings
-        return self._verdict(judge_events(self._happened(), self._starts, words, settings, known))
+        return self._verdict(self._judge.events(self._happened(), known))
 
     def _verdict(self, verdicts: Sequence[Judgment]) -> tuple[str, ...]:
         from donnie_tui.core.describe import verdict_in_words

@@ -22,6 +22,7 @@ from donnie_tui.core.events import (
     Error,
     Event,
     GripperUsed,
+    HowStarted,
     Moved,
     Outcome,
     Reset,
@@ -162,6 +163,12 @@ class Track(Struct, frozen=True):
     @property
     def bumps(self) -> int:
         return sum(each.stopped_by in (StoppedBy.COLLISION, StoppedBy.OBSTACLE) for each in self.moves)
+
+    @property
+    def ran(self) -> list[tuple[str, HowStarted]]:
+        """The programs and lines that ran, with their robots."""
+        runs = ((robot, each.how) for robot, each in self.happened if isinstance(each, RunStarted))
+        return [(robot, how) for robot, how in runs if how is not None and not how.refused]
 
     @property
     def held(self) -> Mapping[str, str]:
@@ -482,8 +489,7 @@ def _of_words(challenge: Challenge, track: Track) -> Iterable[Shortfall]:
         return
     from language.keywords import topic
 
-    starts = (each.how for each in track.of(RunStarted))
-    used = _words_in("\n".join(each.text for each in starts if each is not None and not each.refused))
+    used = _words_in("\n".join(how.text for _, how in track.ran))
     for name in (each for each in used if rules.words and each not in map(topic, rules.words)):
         number = _lesson_of(name, challenge.name)
         yield Shortfall("word-in-lesson" if number else "word-later", {"word": name, "number": number})

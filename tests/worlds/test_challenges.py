@@ -502,10 +502,10 @@ def test_a_program_that_only_senses_ends_after_so_many_readings(
     """A reading of the camera is much more work than a statement."""
     monkeypatch.setattr(bootstrap, "MOST_READINGS", most)
     words, settings = Words("en"), Settings()
-    starts = bootstrap.starts_of(choose_challenge("first_walk", words), words, settings)
+    judge = bootstrap.Judge(choose_challenge("first_walk", words), words, settings)
 
     text = "VAR n = 0\nREPEAT 6 TIMES\nn = DISTANCE F\nEND REPEAT\nFW 5"
-    (judged,) = bootstrap.judge_program(text, starts, words, settings)
+    (judged,) = judge.programs(text)
     assert judged.is_solved == solved
     assert [each.code for each in judged.shortfalls[:1]] == [*(["goal-endless"] if not solved else [])]
 
@@ -517,10 +517,10 @@ def test_a_program_that_only_looks_ends_after_fewer_readings(
 ) -> None:
     monkeypatch.setattr(bootstrap, "MOST_LOOKS", most)
     words, settings = Words("en"), Settings()
-    starts = bootstrap.starts_of(choose_challenge("first_walk", words), words, settings)
+    judge = bootstrap.Judge(choose_challenge("first_walk", words), words, settings)
 
     text = f"VAR n = 0\nREPEAT 6 TIMES\n{line}\nEND REPEAT\nFW 5"
-    (judged,) = bootstrap.judge_program(text, starts, words, settings)
+    (judged,) = judge.programs(text)
     assert judged.is_solved == solved
     assert [each.code for each in judged.shortfalls[:1]] == [*(["goal-endless"] if not solved else [])]
 
@@ -537,9 +537,9 @@ def test_a_program_that_only_looks_ends_after_fewer_readings(
 def test_a_program_ends_as_endless_where_all_is_as_it_was_before(text: str, round_: int) -> None:
     """``round_``: the commands until it begins anew."""
     words, settings = Words("en"), Settings()
-    starts = bootstrap.starts_of(choose_challenge("first_walk", words), words, settings)
+    judge = bootstrap.Judge(choose_challenge("first_walk", words), words, settings)
 
-    (judged,) = bootstrap.judge_program(text, starts, words, settings)
+    (judged,) = judge.programs(text)
 
     assert judged.shortfalls[0].code == "goal-endless"
     assert round_ < judged.track.commands <= round_ + 2
@@ -555,19 +555,19 @@ def test_a_program_ends_as_endless_where_all_is_as_it_was_before(text: str, roun
 )
 def test_a_program_that_does_the_same_often_and_ends_is_right(text: str) -> None:
     words, settings = Words("en"), Settings()
-    starts = bootstrap.starts_of(choose_challenge("first_walk", words), words, settings)
+    judge = bootstrap.Judge(choose_challenge("first_walk", words), words, settings)
 
-    assert bootstrap.judge_program(text, starts, words, settings)[0].is_solved
+    assert judge.programs(text)[0].is_solved
 
 
 def test_a_program_is_tried_from_no_further_start_after_one_that_fails() -> None:
     words, settings = Words("en"), Settings()
-    starts = bootstrap.starts_of(choose_challenge("to_the_cone", words), words, settings)
+    judge = bootstrap.Judge(choose_challenge("to_the_cone", words), words, settings)
 
-    verdicts = bootstrap.judge_program("FW 1", starts, words, settings)
+    verdicts = judge.programs("FW 1")
 
     assert [each.is_solved for each in verdicts] == [False]
-    assert len(bootstrap.judge_program("FW DISTANCE F - 1", starts, words, settings)) == len(starts) == 3
+    assert len(judge.programs("FW DISTANCE F - 1")) == len(judge.starts) == 3
 
 
 def test_answers_and_tables_that_cannot_be_written_are_a_sentence(
@@ -586,8 +586,10 @@ def test_answers_and_tables_that_cannot_be_written_are_a_sentence(
 def test_equal_programs_are_judged_once_and_have_a_line_each(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    judged, judge = list[object](), programs.judge_program
-    monkeypatch.setattr(programs, "judge_program", lambda *given: judged.append(given[0]) or judge(*given))
+    judged, judge = list[object](), programs.Judge.programs
+    monkeypatch.setattr(
+        programs.Judge, "programs", lambda self, given: judged.append(given) or judge(self, given)
+    )
     for name, text in {"ana": "FW 5", "bia": "FW 4", "caio": "FW 5", "davi": "FW 4"}.items():
         (tmp_path / f"{name}.gd").write_text(text)
 

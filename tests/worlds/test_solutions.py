@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
-from donnie_tui.bootstrap import _try_from, judge_program, starts_of
+from donnie_tui.bootstrap import Judge
 from donnie_tui.core.describe import verdict_in_words
 from donnie_tui.core.events import Event, Moved, Spoke, Turned
 from donnie_tui.i18n.words import Words
@@ -78,10 +78,10 @@ def mistakes(text: str) -> Iterator[tuple[str, str]]:
 def verdicts_of(name: str) -> dict[str, str]:
     """By mistake; empty if the program still solves the challenge."""
     found, words, settings = challenges.find(name), Words("en"), Settings()
-    starts = starts_of(choose_challenge(name, words), words, settings)
+    judge = Judge(choose_challenge(name, words), words, settings)
     said = {}
     for what, program in mistakes(found.solution().read_text(encoding="utf-8")):
-        judged = judge_program(program, starts, words, settings)
+        judged = judge.programs(program)
         is_solved = judged[-1].is_solved
         said[what] = "" if is_solved else verdict_in_words(judged, words)
     return said
@@ -108,12 +108,13 @@ def test_what_solves_one_start_of_a_looking_challenge_does_not_solve_the_others(
     """The commands that the solution carries out at one start, with their numbers, fail at another one."""
     found, words, settings = challenges.find(name), Words("en"), Settings()
     world, solution = choose_challenge(name, words), found.solution().read_text(encoding="utf-8")
-    for start in starts_of(world, words, settings):
-        events = _try_from(start, solution, words, settings)
+    judge = Judge(world, words, settings)
+    for start in judge.starts:
+        events = judge.try_from(start, solution)
         blind = "\n".join(commands(each.event for each in events))
         free = replace(found, rules=replace(found.rules, required=()))
-        others = starts_of(replace(world, challenge=free), words, settings)
-        verdicts = [judge_program(blind, (each,), words, settings)[0] for each in others]
+        others = Judge(replace(world, challenge=free), words, settings)
+        verdicts = [others.programs(blind, (each,))[0] for each in others.starts]
         assert any(each.is_solved for each in verdicts)
         assert not all(each.is_solved for each in verdicts), blind
 
