@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import os
 from collections import Counter
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from contextlib import ExitStack
 from functools import partial
 from itertools import count
@@ -437,6 +437,12 @@ class Start(Struct, frozen=True):
     looks: Looks = {}
     """What the robots of all tries saw there."""
 
+    def judge(self, events: Iterable[Stamped], answers: Mapping[Unsensed, bool] | None = None) -> Judgment:
+        """As ``goals.judge``."""
+        from donnie_tui.core.goals import judge
+
+        return judge(self.challenge, self.room, events, answers)
+
 
 Programs: TypeAlias = str | Mapping[str, str]
 """The program of the first robot, or those of several, by the robots' names."""
@@ -467,11 +473,9 @@ class Judge:
 
     def programs(self, given: Programs, starts: Sequence[Start] | None = None) -> tuple[Judgment, ...]:
         """The outcomes from the starts, all if none are named, up to the first that does not solve it."""
-        from donnie_tui.core.goals import judge
-
         verdicts: list[Judgment] = []
         for each in self.starts if starts is None else starts:
-            verdicts.append(judge(each.challenge, each.room, self.try_from(each, given)))
+            verdicts.append(each.judge(self.try_from(each, given)))
             if not verdicts[-1].is_solved:
                 break
         return tuple(verdicts)
@@ -483,13 +487,13 @@ class Judge:
 
         Where that solves it, all that ran must solve it from the others, too. ``answers``: as ``judge``.
         """
-        from donnie_tui.core.goals import judge, track_of
+        from donnie_tui.core.goals import track_of
 
         starts, ran = self.starts, track_of(self.starts[0].room, events).ran
         stood = {robot: how.pose for robot, how in reversed(ran)}
         texts = {name: "\n".join(how.text for robot, how in ran if robot == name) for name in stood}
         at = next((at for at, it in enumerate(starts) if stood.items() <= it.room.robots.items()), 0)
-        here = judge(starts[at].challenge, starts[at].room, events, answers)
+        here = starts[at].judge(events, answers)
         if not here.is_solved:
             return (here,)
         others = self.programs(texts, [*starts[:at], *starts[at + 1 :]])

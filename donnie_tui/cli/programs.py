@@ -548,5 +548,4 @@ def _read(judge: Judge, pupil: _Pupil) -> _Texts | str:
 def _judged(judge: Judge, texts: _Texts) -> _Record:
     verdicts = judge.programs(dict(texts))
     shown = verdicts[0] if verdicts[-1].is_solved else verdicts[-1]
-    counts = (shown.goals, shown.met, shown.track.commands, shown.track.steps, shown.track.bumps)
-    return _Record("", shown.is_solved, *counts, verdict_in_words(verdicts, judge.words))
+    return _Record("", shown.is_solved, **shown.counts, verdict=verdict_in_words(verdicts, judge.words))

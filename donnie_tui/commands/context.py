@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -20,7 +21,6 @@ from donnie_tui.core.events import (
     Answered,
     Chimed,
     CueSounded,
-    Event,
     GripperUsed,
     Moved,
     Reset,
@@ -47,7 +47,7 @@ if TYPE_CHECKING:
     from donnie_tui.core.program_files import Attempted
     from donnie_tui.core.questions import Asked
     from donnie_tui.core.workspace import Workspace
-    from worlds.challenges import Challenge, Rules, Unsensed
+    from worlds.challenges import Unsensed
 
 MOST_AT_ONCE = 18
 """A longer list begins with the number of its lines."""
@@ -94,7 +94,7 @@ class Context:
         self.attempt: Attempt | None = None
         """What was done for the challenge of this world, if it has one."""
         if donnie.world.challenge is not None:
-            self.attempt = Attempt(donnie, donnie.world.challenge, preferences)
+            self.attempt = Attempt(donnie, preferences)
             self.runs.judge = self.attempt.judge
         self.trail = Trail(lambda: donnie.session.hub.robot)
         self.errors = RunErrors(of=lambda: donnie.session.hub.robot)
@@ -172,8 +172,8 @@ class Context:
 
 
 _BEYOND_REPAIR = ("never-", "limit-", "word-in-lesson", "word-later")
-"""Prefixes of the codes of failures that no further line can repair."""
-_ACTS = (RunStarted, Moved, Turned, Spoke, ThingsMoved, GripperUsed)
+"""How the codes of what a run did begin that no further line takes back."""
+_ACTS = (RunStarted, Reset, Moved, Turned, Spoke, ThingsMoved, GripperUsed)
 """Events that may meet a goal."""
 
 
@@ -185,16 +185,16 @@ class Attempt:
     MOST_LIVE = 500
     """After so many events goals have no cue until the end, since each judgment reads all events before."""
 
-    def __init__(self, donnie: Donnie, challenge: Challenge, preferences: Preferences) -> None:
-        from donnie_tui.world.loading import inventory_of
-
-        self.challenge = challenge
-        self.room = inventory_of(donnie.world.scene)
+    def __init__(self, donnie: Donnie, preferences: Preferences) -> None:
+        self._judge = Judge(donnie.world, donnie.words, preferences.settings)
+        self.challenge = self._judge.starts[0].challenge
+        """With the goals of the first start, which the end of the solution may be."""
+        self.room = self._judge.room
         self.hints = 0
         """Those that were given."""
         self._met = frozenset[int]()
-        """The goals that were met, by their index in the file; each has its cue once."""
-        self._donnie, self._preferences = donnie, preferences
+        """The goals that were met, by their places in the file; each has its cue once."""
+        self._donnie = donnie
         self._events: deque[Stamped] = deque(maxlen=self.MOST_EVENTS)
         self.has_questions = False
         """Whether the last run is followed by questions that were not asked yet."""
@@ -202,82 +202,61 @@ class Attempt:
         """Whether all questions were."""
         self._was_asked = self._is_program = False
         """Whether the questions were asked without a solution, and whether more than a line ran last."""
-        self.unsensed: tuple[Unsensed, ...] = ()
-        """After a run of a real robot, what it can't sense and the learner has not answered yet."""
-        self._answers: dict[Unsensed, bool] = {}
+        self._answers: dict[Unsensed, bool] | None = None
+        """After a run of a real robot, what the learner said about what it can't sense."""
         self._is_lost = False
         """Whether the learner knows that only a new start helps."""
-        self._now: Judgment | None = None
         self.tried: Attempted | None = None
         """The last run, until it is written."""
+        self.now = self.judgment()
+        """The last judgment, for a screen; while much happens it is not the newest."""
         self._unsubscribe = donnie.team.stream.subscribe(self._on_event)
 
     def _on_event(self, stamped: Stamped) -> None:
-        from donnie_tui.core.goals import begins_anew, judge
+        from donnie_tui.core.goals import begins_anew
 
-        if begins_anew(stamped.event):
+        is_start = begins_anew(stamped.event)
+        if is_start:
             others = (each for each in self._events if each.robot != stamped.robot)
             self._events = deque(others, maxlen=self.MOST_EVENTS)
-            self._met, self._now, self._is_lost = frozenset(), None, False
+            self._met, self._is_lost = frozenset(), False
         if not isinstance(stamped.event, TRANSIENT):
             self._events.append(stamped)
         if isinstance(stamped.event, _ACTS) and len(self._events) <= self.MOST_LIVE:
-            self._chime(judge(self.challenge, self.room, self._happened(), self._no_answers), stamped.event)
+            self._chime(self.judgment(), is_start=is_start or isinstance(stamped.event, RunStarted))
 
-    def _chime(self, now: Judgment, event: Event | None = None) -> None:
-        """Play a cue for each newly met goal, except goals that are met from the beginning."""
+    def _chime(self, now: Judgment, *, is_start: bool = False) -> None:
+        """A cue for each goal that is met now and was not; none for those that are met before anything."""
         met = frozenset(at for at, each in enumerate(now.of_goals) if each is None)
-        if self.challenge.rules.goal:
-            self._now = now
-        if met - self._met and not isinstance(event, RunStarted):
+        if met - self._met and not is_start:
             self._donnie.session.hub.publish(Chimed("goal"))
-        self._met |= met
+        self._met, self.now = self._met | met, now
 
     @property
     def goal_places(self) -> tuple[GoalPlace, ...]:
         """The places of the goals."""
         from donnie_tui.core.goals import places_of
 
-        return places_of(self.rules)
-
-    @property
-    def now(self) -> Judgment:
-        """The last judgment, for a screen; it may be out of date while many events come."""
-        self._now = self._now or self.judgment()
-        return self._now
+        return places_of(self.challenge.rules)
 
     def judgment(self) -> Judgment:
         """The judgment of what was done from the first start."""
-        from donnie_tui.core.goals import judge
-
-        return judge(self._judge.starts[0].challenge, self.room, self._happened(), self._no_answers)
+        return self._judge.starts[0].judge(self._happened(), self._no_answers)
 
     @property
-    def _no_answers(self) -> Mapping[Unsensed, bool] | None:
-        """None unless the robot can't sense the things around it."""
+    def _no_answers(self) -> dict[Unsensed, bool] | None:
+        """None unless the robot is one that knows no things around it."""
         connection = self._donnie.connection
         return {} if connection.is_real or connection.is_board else None
 
+    @property
+    def unsensed(self) -> tuple[Unsensed, ...]:
+        """After a run of a real robot, what it can't sense and the learner has not answered yet."""
+        known = self._answers
+        return () if known is None else tuple(it for it in self.challenge.rules.unsensed if it not in known)
+
     def _happened(self) -> tuple[Stamped, ...]:
         return tuple(self._events) or (Stamped(0, 0.0, Reset(self._donnie.session.pose)),)
-
-    @property
-    def rules(self) -> Rules:
-        """The rules with the goals of the first start, which the end of the solution may be."""
-        return self._judge.starts[0].challenge.rules
-
-    @cached_property
-    def _judge(self) -> Judge:
-        return Judge(self._donnie.world, self._donnie.words, self._preferences.settings)
-
-    @cached_property
-    def _shortest(self) -> int:
-        """The steps of the solution from the first start."""
-        try:
-            solution = solution_of(self._donnie.world, self._donnie.words)
-        except Unusable:
-            return 0
-        return self._judge.programs(solution, self._judge.starts[:1])[0].track.steps
 
     def judge(self, is_program: bool) -> tuple[str, ...]:
         """Judge a run, keep it as a try, and return the verdict. ``is_program``: more than a line ran.
@@ -286,47 +265,59 @@ class Attempt:
         real robot can't sense everything, the learner is asked first.
         """
         self.keep_try()
-        self._answers, self._is_program = {}, is_program
-        self.unsensed = self.rules.unsensed if self._no_answers is not None else ()
-        if not self.unsensed:
-            return self.judge_answered({})
-        self.has_questions = True
-        return (self._donnie.words("goals-asked"),)
+        self._answers, self._is_program = self._no_answers, is_program
+        self.has_questions = bool(self.unsensed)
+        return (self._donnie.words("goals-asked"),) if self.has_questions else self.judge_answered({})
 
     def judge_answered(self, answers: Mapping[Unsensed, bool]) -> tuple[str, ...]:
         """As ``judge``, with the learner's answers about what the robot can't sense.
 
         The other starts are those of the simulated world. What was not answered can be asked again.
         """
-        self._answers.update(answers)
-        self.unsensed = tuple(each for each in self.unsensed if each not in answers)
-        known = None if self._no_answers is None else self._answers
-        return self._verdict(self._judge.events(self._happened(), known))
+        from datetime import datetime
 
-    def _verdict(self, verdicts: Sequence[Judgment]) -> tuple[str, ...]:
         from donnie_tui.core.describe import verdict_in_words
+        from donnie_tui.core.program_files import Attempted
         from worlds import challenges
 
-        donnie, here = self._donnie, verdicts[0]
-        is_solved = all(each.is_solved for each in verdicts)
-        self._now = here
-        self.tried = self._try_of(here, is_solved=is_solved)
+        if self._answers is not None:
+            self._answers |= answers
+        verdicts, words = self._judge.events(self._happened(), self._answers), self._donnie.words
+        here, is_solved = verdicts[0], all(each.is_solved for each in verdicts)
+        self.tried = Attempted(
+            datetime.now().astimezone().isoformat(timespec="seconds"),
+            self.challenge.name,
+            is_solved,
+            hints=self.hints,
+            seconds=round(here.track.seconds),
+            shortest=self._shortest if is_solved else 0,
+            **here.counts,
+        )
         self.has_questions = self._is_to_be_asked(is_solved=is_solved)
         if not (self.has_questions or self.unsensed):
             self.keep_try()
         if is_solved:
-            donnie.session.hub.publish(CueSounded("solved", 0.0, None))
+            self.now = here
+            self._donnie.session.hub.publish(CueSounded("solved", 0.0, None))
         else:
             self._chime(here)
-        sentence, language = verdict_in_words(verdicts, donnie.words), donnie.words.language
+        lines = [verdict_in_words(verdicts, words)]
         following = challenges.after(self.challenge.name) if is_solved else None
         if following is not None:
-            title = challenges.find(following).text(language).title
-            word = word_of(BY_NAME["next_challenge"], language)
-            return (sentence, donnie.words("challenge-next", word=word, title=title))
-        if self._no_answers is None and not is_solved and self._becomes_lost(verdicts[-1]):
-            return (sentence, donnie.words("challenge-again", word=word_of(BY_NAME["reset"], language)))
-        return (sentence,)
+            title = challenges.find(following).text(words.language).title
+            word = word_of(BY_NAME["next_challenge"], words.language)
+            lines.append(words("challenge-next", word=word, title=title))
+        elif self._answers is None and not is_solved and self._becomes_lost(verdicts[-1]):
+            lines.append(words("challenge-again", word=word_of(BY_NAME["reset"], words.language)))
+        return tuple(lines)
+
+    @cached_property
+    def _shortest(self) -> int:
+        """The steps of the solution from the first start."""
+        with suppress(Unusable):
+            solution = solution_of(self._judge.world, self._donnie.words)
+            return self._judge.programs(solution, self._judge.starts[:1])[0].track.steps
+        return 0
 
     def _becomes_lost(self, verdict: Judgment) -> bool:
         """Whether no further line can solve the challenge now. A whole program starts again by itself."""
@@ -351,25 +342,6 @@ class Attempt:
 
         track = self.judgment().track
         return tuple(Asked(each, track) for each in self.challenge.rules.question)
-
-    def _try_of(self, judgment: Judgment, *, is_solved: bool) -> Attempted:
-        from datetime import datetime
-
-        from donnie_tui.core.program_files import Attempted
-
-        return Attempted(
-            datetime.now().astimezone().isoformat(timespec="seconds"),
-            self.challenge.name,
-            is_solved,
-            judgment.met,
-            judgment.goals,
-            judgment.track.commands,
-            judgment.track.steps,
-            judgment.track.bumps,
-            self.hints,
-            round(judgment.track.seconds),
-            self._shortest if is_solved else 0,
-        )
 
     def keep_try(self, questions: int = 0, right: int = 0) -> None:
         """Write the last run into the progress file, with the questions that followed it."""

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from functools import partial
+from functools import partial, wraps
 from typing import TYPE_CHECKING
+
+from msgspec.structs import asdict
 
 from donnie_tui.bootstrap import progress
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.declarations import BY_NAME, COMMANDS
-from donnie_tui.commands.dispatch import handles
+from donnie_tui.commands.dispatch import Handler, handles
 from donnie_tui.commands.interaction import Option, count_in
 from donnie_tui.commands.lookup import find, help_line, help_of
 from donnie_tui.core.runner import LAST_WORDS
@@ -18,7 +20,7 @@ from language.locales import first_page
 from worlds import challenges
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Awaitable, Callable, Iterable, Iterator, Sequence
 
     from donnie_tui.commands.context import Attempt
     from donnie_tui.core.program_files import Attempted
@@ -169,6 +171,19 @@ async def _say_page(ctx: Context, number: int) -> None:
 # --- challenges
 
 
+def in_challenge(handler: Callable[[Context, Attempt], Awaitable[None]]) -> Handler:
+    """A handler that is for a challenge only, and gets what was done for it."""
+
+    @wraps(handler)
+    async def handle(ctx: Context, _: str) -> None:
+        if ctx.attempt is None:
+            ctx.answer("challenge-none")
+        else:
+            await handler(ctx, ctx.attempt)
+
+    return handle
+
+
 @handles("challenge")
 async def challenge(ctx: Context, argument: str) -> None:
     """Offer the challenges in their order, or enter one by its number, name or file."""
@@ -188,15 +203,12 @@ async def _enter_challenge(ctx: Context, typed: str) -> None:
 
 
 def _challenge_options(ctx: Context) -> list[Option]:
-    solved = progress().solved
-    current, options = ctx.donnie.world.challenge, []
-    for number, name in enumerate(challenges.names(), start=1):
-        found = challenges.find(name)
-        title = found.text(ctx.words.language).title
-        code = "challenge-row-solved" if name in solved else "challenge-row"
-        text = ctx.words(code, number=number, title=title)
-        is_current = current is not None and current.name == name
-        options.append(Option(name, text, is_current, detail=partial(_task_lines, found, ctx.words)))
+    solved, current, options = progress().solved, ctx.donnie.world.challenge, list[Option]()
+    for number, found in enumerate(map(challenges.find, challenges.names()), start=1):
+        code = "challenge-row-solved" if found.name in solved else "challenge-row"
+        text = ctx.words(code, number=number, title=found.text(ctx.words.language).title)
+        is_current = current is not None and current.name == found.name
+        options.append(Option(found.name, text, is_current, detail=partial(_task_lines, found, ctx.words)))
     return options
 
 
@@ -208,13 +220,10 @@ def _task_lines(found: Challenge, words: Wording, *_room: int) -> tuple[str, ...
 
 @handles("next_challenge")
 async def next_challenge(ctx: Context, _: str) -> None:
-    """Enter the challenge after this one, or the first unsolved one."""
-    current = ctx.donnie.world.challenge
-    if current is None:
-        solved = progress().solved
-        following = next((each for each in challenges.names() if each not in solved), None)
-    else:
-        following = challenges.after(current.name)
+    """The challenge after this one; outside of a challenge the first one that is not solved."""
+    current, solved = ctx.donnie.world.challenge, progress().solved
+    unsolved = (each for each in challenges.names() if each not in solved)
+    following = next(unsolved, None) if current is None else challenges.after(current.name)
     if following is None:
         ctx.answer("challenge-last")
     else:
@@ -223,12 +232,10 @@ async def next_challenge(ctx: Context, _: str) -> None:
 
 @handles("task")
 async def task(ctx: Context, _: str) -> None:
-    """Say the task of the challenge, else the one that the world's author proposes."""
-    from donnie_tui.core.describe import task_in_words
-
+    """What the challenge asks for; else what the author of the world proposes."""
     about = ctx.donnie.world.about(ctx.words.language)
     if ctx.attempt is not None:
-        ctx.say(*task_in_words(ctx.attempt.challenge, ctx.words))
+        ctx.say(*_task_lines(ctx.attempt.challenge, ctx.words))
     elif about is not None and about.task:
         ctx.answer("world-task", task=about.task)
     else:
@@ -236,43 +243,37 @@ async def task(ctx: Context, _: str) -> None:
 
 
 @handles("goals")
-async def goals(ctx: Context, _: str) -> None:
-    """Say which goals are met now, and what the others lack."""
+@in_challenge
+async def goals(ctx: Context, attempt: Attempt) -> None:
+    """Which goals are met now, and what the others lack."""
     from donnie_tui.core.describe import goals_in_words
 
-    if ctx.attempt is None:
-        ctx.answer("challenge-none")
-    else:
-        ctx.say(*goals_in_words(ctx.attempt.judgment(), ctx.words))
+    ctx.say(*goals_in_words(attempt.judgment(), ctx.words))
 
 
 @handles("hint")
-async def hint(ctx: Context, _: str) -> None:
-    """Say the next hint."""
-    if ctx.attempt is None:
-        ctx.answer("challenge-none")
-        return
-    hints = ctx.attempt.challenge.text(ctx.words.language).hint
-    if ctx.attempt.hints < len(hints):
-        ctx.attempt.hints += 1
-        ctx.say(hints[ctx.attempt.hints - 1].text)
-    else:
-        ctx.answer("challenge-no-hint")
+@in_challenge
+async def hint(ctx: Context, attempt: Attempt) -> None:
+    """The next hint."""
+    hints = attempt.challenge.text(ctx.words.language).hint
+    is_left = attempt.hints < len(hints)
+    ctx.say(hints[attempt.hints].text if is_left else ctx.words("challenge-no-hint"))
+    attempt.hints += is_left
 
 
 @handles("questions")
-async def questions(ctx: Context, _: str) -> None:
-    """Ask the questions of the challenge about its world; an empty answer leaves them."""
-    attempt = ctx.attempt
-    if attempt is not None and attempt.unsensed:
+@in_challenge
+async def questions(ctx: Context, attempt: Attempt) -> None:
+    """Ask what the challenge asks about its world; an empty answer leaves them."""
+    if attempt.unsensed:
         await _ask_about_goals(ctx, attempt)
         if attempt.unsensed or not attempt.has_questions:
             return
-    asked = attempt.questions() if attempt is not None else ()
-    if attempt is None or not asked:
-        ctx.answer("challenge-none" if attempt is None else "questions-none")
+    asked, right = attempt.questions(), 0
+    if not asked:
+        ctx.answer("questions-none")
         return
-    attempt.has_questions, right = False, 0
+    attempt.has_questions = False
     try:
         for each in asked:
             typed = await ctx.interaction.ask(each.text(ctx.words))
@@ -295,8 +296,7 @@ async def _ask_about_goals(ctx: Context, attempt: Attempt) -> None:
 
     answers: dict[Unsensed, bool] = {}
     for each in attempt.unsensed:
-        question = unsensed_question(each, attempt.room, ctx.words)
-        answer = await ctx.interaction.confirm(question)
+        answer = await ctx.interaction.confirm(unsensed_question(each, attempt.room, ctx.words))
         if answer is None:
             break
         answers[each] = answer
@@ -307,32 +307,35 @@ async def _ask_about_goals(ctx: Context, attempt: Attempt) -> None:
 async def results(ctx: Context, _: str) -> None:
     """List the challenges that the learner tried and solved. Compares no learners."""
     kept: dict[str, list[Attempted]] = {}
-    here = ctx.attempt
-    waiting = here.tried if here is not None else None
-    for each in (*progress().attempts(), *((waiting,) if waiting is not None else ())):
+    waiting = ctx.attempt.tried if ctx.attempt is not None else None
+    for each in (*progress().attempts(), *filter(None, (waiting,))):
         kept.setdefault(each.name, []).append(each)
     if not kept:
         ctx.answer("results-none")
         return
     solved = sum(any(each.solved for each in tries) for tries in kept.values())
-    shipped = challenges.names()
-    lines = [ctx.words("results-total", solved=solved, tried=len(kept))]
+    ctx.answer("results-total", solved=solved, tried=len(kept))
     for name, tries in kept.items():
-        given = here.hints if here is not None and here.challenge.name == name else 0
-        title = challenges.find(name).text(ctx.words.language).title if name in shipped else name
-        code = "results-solved" if any(each.solved for each in tries) else "results-open"
-        hints, bumps = max(given, *(each.hints for each in tries)), sum(each.bumps for each in tries)
-        lines.append(ctx.words(code, title=title, tries=len(tries), hints=hints, bumps=bumps))
-        best = min((each for each in tries if each.solved), key=lambda each: each.steps, default=None)
-        one = best or tries[-1]
-        if one.seconds:
-            code = "results-way" if one.shortest else "results-time"
-            values = {"steps": one.steps, "shortest": one.shortest, "seconds": one.seconds}
-            lines.append(ctx.words(code, **values))
-        asked = max((each for each in tries if each.questions), key=lambda each: each.right, default=None)
-        if asked is not None:
-            lines.append(ctx.words("questions-done", right=asked.right, questions=asked.questions))
-    ctx.say(*lines)
+        here = ctx.attempt if ctx.attempt is not None and ctx.attempt.challenge.name == name else None
+        ctx.say(*_tries_in_words(name, tries, here.hints if here is not None else 0, ctx.words))
+
+
+def _tries_in_words(name: str, tries: Sequence[Attempted], hints: int, words: Wording) -> Iterator[str]:
+    """``hints``: those that were given here."""
+    best = min((each for each in tries if each.solved), key=lambda each: each.steps, default=None)
+    asked = max((each for each in tries if each.questions), key=lambda each: each.right, default=None)
+    one = best or tries[-1]
+    yield words(
+        "results-open" if best is None else "results-solved",
+        title=challenges.find(name).text(words.language).title if name in challenges.names() else name,
+        tries=len(tries),
+        hints=max(hints, *(each.hints for each in tries)),
+        bumps=sum(each.bumps for each in tries),
+    )
+    if one.seconds:
+        yield words("results-way" if one.shortest else "results-time", **asdict(one))
+    if asked is not None:
+        yield words("questions-done", right=asked.right, questions=asked.questions)
 
 
 # --- ways out

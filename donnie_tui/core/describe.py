@@ -380,7 +380,7 @@ def verdict_in_words(verdicts: Sequence[Judgment], wording: Wording) -> str:
     if failed is None:
         return wording("challenge-solved", commands=verdicts[0].track.commands)
     at, verdict = failed
-    said = [wording("challenge-met", met=verdict.met, goals=verdict.goals)]
+    said = [wording("challenge-met", **verdict.counts)]
     if at > 1:
         said.append(wording("challenge-start", number=at))
     said += [shortfall_in_words(each, verdict.track.room, wording) for each in verdict.shortfalls]

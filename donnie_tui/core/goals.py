@@ -218,12 +218,10 @@ class Judgment(Struct, frozen=True):
     """The most important first; empty if the challenge is solved."""
 
     @property
-    def goals(self) -> int:
-        return len(self.of_goals)
-
-    @property
-    def met(self) -> int:
-        return self.of_goals.count(None)
+    def counts(self) -> dict[str, int]:
+        """What is counted for a table."""
+        track, of_goals = self.track, {"goals": len(self.of_goals), "met": self.of_goals.count(None)}
+        return of_goals | {"commands": track.commands, "steps": track.steps, "bumps": track.bumps}
 
     @property
     def is_solved(self) -> bool:

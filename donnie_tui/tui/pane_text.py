@@ -92,7 +92,7 @@ def goal_lines(attempt: Attempt, words: Wording, *, is_seen: bool) -> tuple[str,
     marks = ("[ ] " if each else "[x] " for each in judgment.of_goals)
     return (
         *task_in_words(attempt.challenge, words),
-        words("inspector-goals", met=judgment.met, goals=judgment.goals),
+        words("inspector-goals", **judgment.counts),
         *(f"{mark}{line}" if is_seen else line for mark, line in zip(marks, goals, strict=True)),
     )
 

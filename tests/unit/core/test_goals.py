@@ -64,7 +64,7 @@ def test_a_stop_elsewhere_says_how_far_and_on_which_side(
 ) -> None:
     verdict = judge(challenge(Goal(at=(4.0, 4.0))), ROOM, run(end=Pose(*end, 0.0)))
 
-    assert (verdict.met, verdict.goals) == (0, 1)
+    assert (verdict.counts["met"], verdict.counts["goals"]) == (0, 1)
     (missing,) = verdict.shortfalls
     assert missing.code == "goal-at-place"
     assert (missing.values["steps"], missing.values["direction"]) == (steps, bearing)
