@@ -160,14 +160,6 @@ class Variant(Struct, frozen=True, forbid_unknown_fields=True):
     """Where things and other robots stand, by name, that stand elsewhere than in the world."""
     seed: Whole = 0
 
-    @property
-    def place(self) -> tuple[float, float, float] | None:
-        """The start with its heading in compass degrees."""
-        if self.start is None:
-            return None
-        x, y, heading = self.start
-        return x, y, degrees_of(heading)
-
 
 def degrees_of(heading: Heading) -> float:
     """Compass degrees."""

@@ -289,7 +289,7 @@ class Attempt:
             self.challenge.name,
             is_solved,
             hints=self.hints,
-            seconds=round(here.track.seconds),
+            seconds=round(here.track.counts["seconds"]),
             shortest=self._shortest if is_solved else 0,
             **here.counts,
         )
@@ -316,7 +316,7 @@ class Attempt:
         """The steps of the solution from the first start."""
         with suppress(Unusable):
             solution = solution_of(self._judge.world, self._donnie.words)
-            return self._judge.programs(solution, self._judge.starts[:1])[0].track.steps
+            return self._judge.programs(solution, self._judge.starts[:1])[0].counts["steps"]
         return 0
 
     def _becomes_lost(self, verdict: Judgment) -> bool:

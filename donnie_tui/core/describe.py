@@ -22,11 +22,11 @@ import worlds.words
 from devices.ports.robot import Pose
 from donnie_tui.core.transcript import with_robot_name
 from donnie_tui.core.wording import (
-    COMPASS,
     Wording,
     called,
     coloured,
     coloured_thing,
+    compass_point,
     facing,
     name_of,
     specific_name_of,
@@ -378,7 +378,7 @@ def verdict_in_words(verdicts: Sequence[Judgment], wording: Wording) -> str:
     """That a challenge is solved, or what the first start that fails lacks. One verdict for each start."""
     failed = next(((at, each) for at, each in enumerate(verdicts, start=1) if not each.is_solved), None)
     if failed is None:
-        return wording("challenge-solved", commands=verdicts[0].track.commands)
+        return wording("challenge-solved", **verdicts[0].counts)
     at, verdict = failed
     said = [wording("challenge-met", **verdict.counts)]
     if at > 1:
@@ -402,19 +402,17 @@ def shortfall_in_words(shortfall: Shortfall, room: Inventory, wording: Wording) 
     """What is missing, with the distance and the direction in it."""
     values = dict(shortfall.values)
     if "direction" in values:
-        at = round(cast("float", values["direction"]) / 45) % 8
-        values["direction"] = wording(f"compass-{COMPASS[at]}")
+        values["direction"] = compass_point(cast("float", values["direction"]), wording)
     if "word" in values:
         values["word"] = keywords.spelling(str(values["word"]), wording.language)
     if "target" in values:
         values["target"] = target_in_words(cast("Target", values["target"]), room, wording)
     if "area" in values:
-        (from_x, from_y), (x, y) = cast("Area", values["area"])
-        corners = {"from_x": f"{from_x:g}", "from_y": f"{from_y:g}", "x": f"{x:g}", "y": f"{y:g}"}
-        values["area"] = wording("area-corners", **corners)
-    return with_robot_name(
-        cast("str | None", values.get("robot")), wording(shortfall.code, **values), wording
-    )
+        corners = (f"{each:g}" for corner in cast("Area", values["area"]) for each in corner)
+        named = dict(zip(("from_x", "from_y", "x", "y"), corners, strict=True))
+        values["area"] = wording("area-corners", **named)
+    robot = cast("str | None", values.get("robot"))
+    return with_robot_name(robot, wording(shortfall.code, **values), wording)
 
 
 def target_in_words(target: Target, room: Inventory, wording: Wording) -> str:

@@ -137,32 +137,22 @@ class Track(Struct, frozen=True):
         return {robot: each for robot, each in self.happened if isinstance(each, kind)}
 
     @property
-    def commands(self) -> int:
-        return self.count(Moved, Turned, Waited, Spoke, Scanned, GripperUsed)
-
-    @property
-    def steps(self) -> int:
-        return sum(each.walked for each in self.of(Moved))
-
-    @property
-    def turns(self) -> int:
-        return self.count(Turned)
-
-    @property
-    def seconds(self) -> float:
-        """Of robot time, of the robot that took longest."""
-        spent = dict.fromkeys(self.moments[0].poses, 0.0)
-        for robot, each in self.happened:
-            spent[robot] += each.seconds if isinstance(each, RunEnded) else 0.0
-        return max(spent.values())
+    def counts(self) -> Mapping[str, float]:
+        """What there is of everything that can be limited or is kept. The robot that takes longest counts."""
+        spent = [(robot, each.seconds) for robot, each in self.happened if isinstance(each, RunEnded)]
+        each_one = (sum(time for robot, time in spent if robot == name) for name in self.moments[0].poses)
+        stopped = [each.stopped_by for each in self.moves]
+        return {
+            "commands": self.count(Moved, Turned, Waited, Spoke, Scanned, GripperUsed),
+            "seconds": max(each_one),
+            "steps": sum(each.walked for each in self.of(Moved)),
+            "turns": self.count(Turned),
+            "bumps": stopped.count(StoppedBy.COLLISION) + stopped.count(StoppedBy.OBSTACLE),
+        }
 
     @property
     def moves(self) -> list[Moved | Turned]:
         return [each for _, each in self.happened if isinstance(each, Moved | Turned)]
-
-    @property
-    def bumps(self) -> int:
-        return sum(each.stopped_by in (StoppedBy.COLLISION, StoppedBy.OBSTACLE) for each in self.moves)
 
     @property
     def ran(self) -> list[tuple[str, HowStarted]]:
@@ -176,17 +166,12 @@ class Track(Struct, frozen=True):
         used = self.last(GripperUsed).items()
         return {name: (it.thing or it.kind) if it.outcome is Grip.GRIPPED else "" for name, it in used}
 
-    def end(self, robot: str) -> Pose:
-        """Where a robot is at the end; empty for the first one."""
-        return self.moments[-1].poses[self.room.robot_called(robot) or ""]
-
     def way(self, robot: str) -> Iterator[tuple[Pose, tuple[Item, ...]]]:
         """Where a robot and the things were: straight from pose to pose, a tenth of a step apart at most."""
-        name = self.room.robot_called(robot) or ""
-        start = self.moments[0].poses[name]
+        start = self.moments[0].poses[robot]
         yield start, self.moments[0].items
         for each in self.moments[1:]:
-            end = each.poses[name]
+            end = each.poses[robot]
             x, y = end.x - start.x, end.y - start.y
             points = max(1, ceil(hypot(x, y) * 10))
             parts = (at / points for at in range(1, points + 1))
@@ -220,8 +205,11 @@ class Judgment(Struct, frozen=True):
     @property
     def counts(self) -> dict[str, int]:
         """What is counted for a table."""
-        track, of_goals = self.track, {"goals": len(self.of_goals), "met": self.of_goals.count(None)}
-        return of_goals | {"commands": track.commands, "steps": track.steps, "bumps": track.bumps}
+        of_goals, of_track = (
+            {"goals": len(self.of_goals), "met": self.of_goals.count(None)},
+            self.track.counts,
+        )
+        return of_goals | {each: round(of_track[each]) for each in ("commands", "steps", "bumps")}
 
     @property
     def is_solved(self) -> bool:
@@ -269,7 +257,7 @@ def goals_of_end(room: Inventory, events: Iterable[Stamped]) -> tuple[Goal, ...]
     """The end of a solution as goals: where the robots and the things that it moved are, and what it said."""
     track = track_of(room, events)
     said = tuple(each.text for each in track.of(Spoke))
-    ends = ((name, track.end(name)) for name in (room.robots if len(room.robots) > 1 else ("",)))
+    ends = ((name if len(room.robots) > 1 else "", end) for name, end in track.moments[-1].poses.items())
     goals = [Goal(at=(round(end.x, 1), round(end.y, 1)), robot=name, within=0.5) for name, end in ends]
     for start, end in zip(room.items, track.items, strict=True):
         if hypot(end.x - start.x, end.y - start.y) > NEARLY and end.name not in track.held.values():
@@ -371,14 +359,15 @@ class _Lacking:
 
     def at(self, target: Target, robot: str = "") -> Iterator[Shortfall]:
         """``robot``: one of several that are meant, in place of the goal's."""
-        here, track = self._track.end(robot or self._robot), self._track
+        here, track = self._track.moments[-1].poses[robot or self._robot], self._track
         gap, direction = gap_to(here, target, track.room, track.items)
         if gap > self._most:
             code = "goal-at-thing" if isinstance(target, str) else "goal-at-place"
             yield Shortfall(code, {"steps": in_steps(gap), "direction": direction, "target": target})
 
     def facing(self, wanted: Heading) -> Iterator[Shortfall]:
-        off = (self._track.end(self._robot).heading - challenges.degrees_of(wanted) + 180) % 360 - 180
+        heading = self._track.moments[-1].poses[self._robot].heading
+        off = (heading - challenges.degrees_of(wanted) + 180) % 360 - 180
         if abs(off) > self._goal.within * DEGREES:
             code = "goal-facing-right" if off < 0 else "goal-facing-left"
             yield Shortfall(code, {"degrees": round(abs(off))})
@@ -517,8 +506,9 @@ def _lesson_of(word: str | None, now: str) -> int:
 
 
 def _forbidden(rules: Rules, track: Track, answers: Mapping[Unsensed, bool] | None) -> Iterable[Shortfall]:
-    if rules.never.bump and track.bumps:
-        yield Shortfall("never-bump", {"times": track.bumps})
+    bumps = track.counts["bumps"]
+    if rules.never.bump and bumps:
+        yield Shortfall("never-bump", {"times": bumps})
     for each in rules.never.avoided if track.has_run else ():
         is_broken = _is_broken(each, track) if answers is None else answers.get(each)
         if is_broken is not False:
@@ -535,8 +525,9 @@ def _is_broken(rule: Avoided, track: Track) -> bool:
 
 
 def _over_limit(rules: Rules, track: Track) -> Iterator[Shortfall]:
+    counts = track.counts
     for name in Limit.__struct_fields__:
-        most, needed = getattr(rules.limit, name), ceil(getattr(track, name) - NEARLY)
+        most, needed = getattr(rules.limit, name), ceil(counts[name] - NEARLY)
         if most is not None and needed > most:
             yield Shortfall(f"limit-{name}", {"count": needed, "most": round(most)})
 

@@ -473,7 +473,7 @@ class RecentFiles:
         return [] if len(text) > self.LARGEST else text.splitlines()[: self.MOST]
 
 
-class Attempted(Struct, frozen=True):
+class Attempted(Struct, frozen=True, array_like=True, forbid_unknown_fields=True):
     """One run for a challenge, as it is kept."""
 
     when: str
@@ -514,13 +514,10 @@ class ProgressFile:
                 lines = file.read(self.LARGEST).splitlines()
         except (OSError, ValueError):
             return ()
-        fields, found = Attempted.__struct_fields__, []
+        found = []
         for line in lines:
             with contextlib.suppress(ValueError):
-                values = line.split("\t")
-                if len(values) <= len(fields):
-                    named = dict(zip(fields, values, strict=False))
-                    found.append(convert(named, Attempted, strict=False))
+                found.append(convert(line.split("\t"), Attempted, strict=False))
         return tuple(found)
 
     @property

@@ -16,7 +16,7 @@ from msgspec.structs import replace
 from devices.ports.robot import Pose
 from donnie_tui.core.describe import target_in_words
 from donnie_tui.core.goals import Inventory, Item, Track, gap_to, in_steps
-from donnie_tui.core.wording import COMPASS, Wording, called, coloured, meant, the_coloured
+from donnie_tui.core.wording import COMPASS, Wording, called, coloured, compass_point, meant, the_coloured
 from language import keywords
 from language.suggestions import number_in_digits
 from worlds.challenges import Ask, Avoided, ChallengeQuestion, Unsensed
@@ -51,8 +51,7 @@ class Asked(Struct, frozen=True):
             return wording("answer-colour", colour=wording(f"colour-{right}"))
         if isinstance(right, list):
             return wording("answer-order", numbers=" ".join(map(str, right)))
-        point = wording(f"compass-{COMPASS[round(right / 45) % 8]}")
-        number = round(right)
+        number, point = round(right), compass_point(right, wording)
         values = {"direction": point, "degrees": number % 360, "steps": number, "count": number}
         return wording(f"answer-{ask.value}", **values)
 

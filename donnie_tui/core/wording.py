@@ -83,10 +83,15 @@ SIDES = ("front", "front-right", "right", "back-right", "back", "back-left", "le
 """The sides of the robot, clockwise from the front."""
 
 
+def compass_point(degrees: float, wording: Wording) -> str:
+    """The nearest of the eight points of the compass."""
+    return wording(f"compass-{COMPASS[round(degrees / 45) % 8]}")
+
+
 def facing(pose: Pose, wording: Wording) -> str:
     """The heading in words: "north", "o norte", or "40 degrees, near northeast"."""
     degrees = compass_heading(pose)
-    point = wording(f"compass-{COMPASS[round(degrees / 45) % 8]}")
+    point = compass_point(degrees, wording)
     if degrees % 45 == 0:
         return wording("facing-exact", point=point)
     return wording("facing-between", degrees=degrees, point=point)

@@ -227,17 +227,17 @@ def choose_challenge(name: str, words: Words, folders: tuple[str, ...] = ()) -> 
         file, mistakes = found.path, list[ChallengeMistake]()
     except BadChallenge as bad:
         found, file, mistakes = bad.found, bad.file, [*bad.mistakes]
+    codes = {each.code for each in mistakes}
     if found is not None:
-        mistakes += _unknown_words(found)
         try:
-            if not {each.code for each in mistakes} & {"challenge-world", "challenge-outside"}:
+            if found.rules.world and not codes & {"challenge-world", "challenge-outside"}:
                 world = inhabited_world(found.world, words, folders)
         except Unusable as problem:
-            unread = problem.sentences if found.rules.world else ()
-        mistakes += _unknown_things(found, world) if world is not None else ()
+            unread = problem.sentences
+        mistakes += _unknown(found, world)
         if world is None and any(unknown_names(found.rules, Inventory((), 0.0))):
             unread += (words("challenge-unchecked"),)
-    if any(each.code == "challenge-not-toml" for each in mistakes):
+    if "challenge-not-toml" in codes:
         unread += (words("challenge-unread"),)
     if mistakes or found is None or world is None:
         raise Unusable(*_in_words(file, mistakes, words), *unread)
@@ -247,15 +247,24 @@ def choose_challenge(name: str, words: Words, folders: tuple[str, ...] = ()) -> 
     return world
 
 
-def _unknown_words(found: Challenge) -> Iterator[ChallengeMistake]:
-    """The words of a challenge that GoDonnie doesn't have."""
+def _unknown(found: Challenge, world: ChosenWorld | None) -> Iterator[ChallengeMistake]:
+    """The words of a challenge that GoDonnie doesn't have, and the names that its world doesn't have."""
+    from donnie_tui.core.goals import unknown_names
     from language.keywords import all_words, canonical
     from worlds.challenges import ChallengeMistake, line_of
 
-    for key, named in (("words", found.rules.words), ("required", found.rules.required)):
-        for word in (each for each in named if canonical(each) is None):
-            line = line_of(found.lines, "", key, word)
-            yield ChallengeMistake("challenge-word", line, word, all_words("en"))
+    rules, known = found.rules, tuple(all_words("en"))
+    of_lists = [("", key, each) for key in ("words", "required") for each in getattr(rules, key)]
+    unknown = [(*each, "challenge-word", known) for each in of_lists if canonical(each[-1]) is None]
+    if world is not None:
+        room = inventory_of(world.scene)
+        things = sorted(room.items, key=lambda each: max(each.half_width, each.half_height))  # walls last
+        named = [[name for name in each.names if name.strip()] for each in things]
+        first = (each[0] for each in named if each)
+        known = tuple(dict.fromkeys((*first, *room.robots, *(name for each in named for name in each))))
+        unknown += [(*each, "challenge-thing", known) for each in unknown_names(rules, room)]
+    for table, key, name, code, names in unknown:
+        yield ChallengeMistake(code, line_of(found.lines, table, key, name), name, names)
 
 
 def _titled(title: str) -> Challenge | None:
@@ -263,12 +272,10 @@ def _titled(title: str) -> Challenge | None:
     from donnie_tui.core.goals import folded
     from worlds.challenges import find, names
 
-    if not title or title.isdigit() or title in names():
+    if title.isdigit() or title in names():  # the others need not be read
         return None
-    found = map(find, names())
-    return next(
-        (it for it in found if folded(title) in (folded(each.title) for each in it.texts.values())), None
-    )
+    titled = ((it, folded(text.title)) for it in map(find, names()) for text in it.texts.values())
+    return next((it for it, each in titled if title and each == folded(title)), None)
 
 
 def _in_words(file: Path, mistakes: Sequence[ChallengeMistake], words: Words) -> Iterator[str]:
@@ -286,20 +293,6 @@ def _in_words(file: Path, mistakes: Sequence[ChallengeMistake], words: Words) ->
         yield words("more-mistakes", limit=MOST_MISTAKES)
 
 
-def _unknown_things(found: Challenge, world: ChosenWorld) -> Iterator[ChallengeMistake]:
-    """The names in a challenge that its world doesn't have."""
-    from donnie_tui.core.goals import unknown_names
-    from worlds.challenges import ChallengeMistake, line_of
-
-    room = inventory_of(world.scene)
-    things = sorted(room.items, key=lambda each: max(each.half_width, each.half_height))  # walls last
-    names = [[name for name in each.names if name.strip()] for each in things]
-    first = (each[0] for each in names if each)
-    known = tuple(dict.fromkeys((*first, *room.robots, *(name for each in names for name in each))))
-    for table, key, name in unknown_names(found.rules, room):
-        yield ChallengeMistake("challenge-thing", line_of(found.lines, table, key, name), name, known)
-
-
 def solution_of(world: ChosenWorld, words: Words) -> dict[str, str]:
     """The solution of its challenge, for each robot that needs one.
 
@@ -308,14 +301,14 @@ def solution_of(world: ChosenWorld, words: Words) -> dict[str, str]:
     from donnie_tui.core.program_files import DocumentError, checked_path, exists, read_to_the_end
 
     assert world.challenge is not None
-    first, *others = world.scene.robot_names
-    files = {each: world.challenge.solution(each) for each in others}
-    files = {
-        first: world.challenge.solution(),
-        **{name: file for name, file in files.items() if exists(file)},
-    }
+    solution, names = world.challenge.solution, world.scene.robot_names
+    files = {name: solution(name if at else "") for at, name in enumerate(names)}
     try:
-        return {name: read_to_the_end(checked_path(file)) for name, file in files.items()}
+        return {
+            name: read_to_the_end(checked_path(file))
+            for name, file in files.items()
+            if name == names[0] or exists(file)
+        }
     except DocumentError as error:
         raise Unusable(words(error.code, path=error.path, reason=error.reason)) from None
 
@@ -535,21 +528,19 @@ def started_at(
     """The world with its first robot and its things as the variant and its seed say. Raises ``Unusable``."""
     from sim.geometry import Placement
     from sim.scene import moved
+    from worlds.challenges import degrees_of
 
     plain = replace(world.before_moves or world, challenge=None)
     world = scattered_by(variant.seed, plain, words, allowed_folders(folders))
-    scene = world.scene
-    models, places = scene.models, dict[int, Placement]()
+    scene, room, places = world.scene, inventory_of(world.scene), dict[int, Placement]()
     robots = dict(zip(scene.robot_names, scene.robots, strict=True))
     for name, (x, y) in variant.things.items():
-        found = [each.index for each in inventory_of(scene).called(name)]
-        for index in (robots[name],) if name in robots else found[:1]:
-            before = models[index].pose
-            places[index] = Placement(x * STEP, y * STEP, before.z, before.yaw)
-    if variant.place is not None:
-        first = scene.robots[0]
-        x, y, heading = variant.place
-        places[first] = Placement(x * STEP, y * STEP, models[first].pose.z, 90.0 - heading)
+        index = robots[name] if name in robots else room.called(name)[0].index
+        places[index] = replace(scene.models[index].pose, x=x * STEP, y=y * STEP)
+    if variant.start is not None:
+        x, y, heading = variant.start
+        z = scene.models[scene.robots[0]].pose.z
+        places[scene.robots[0]] = Placement(x * STEP, y * STEP, z, 90.0 - degrees_of(heading))
     return replace(world, scene=moved(scene, places), moves=places, before_moves=plain)
 
 
@@ -557,23 +548,14 @@ def inventory_of(scene: Scene) -> Inventory:
     """What the goals of a challenge need to know of a world."""
     from donnie_tui.core.goals import Inventory, Item
 
-    things = [each for each in scene.models if each.parent is None and each.index not in scene.robots]
-    items = tuple(
-        Item(
-            each.index,
-            each.name,
-            each.kind,
-            each.colour.family or "",
-            round(each.pose.x / STEP, 6),
-            round(each.pose.y / STEP, 6),
-            *_half_size(each),
-        )
-        for each in things
+    things = (each for each in scene.models if each.parent is None and each.index not in scene.robots)
+    items = ((it, _pose(it.pose), it.colour.family or "", _half_size(it)) for it in things)
+    poses = (_pose(scene.models[at].pose) for at in scene.robots)
+    return Inventory(
+        tuple(Item(it.index, it.name, it.kind, colour, at.x, at.y, *half) for it, at, colour, half in items),
+        sum(_half_size(scene.models[scene.robots[0]])) / 2,
+        dict(zip(scene.robot_names, poses, strict=True)),
     )
-    robots = {
-        each: _pose(scene.models[at].pose) for each, at in zip(scene.robot_names, scene.robots, strict=True)
-    }
-    return Inventory(items, sum(_half_size(scene.models[scene.robots[0]])) / 2, robots)
 
 
 def _half_size(model: Model) -> tuple[float, float]:

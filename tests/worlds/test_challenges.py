@@ -542,7 +542,7 @@ def test_a_program_ends_as_endless_where_all_is_as_it_was_before(text: str, roun
     (judged,) = judge.programs(text)
 
     assert judged.shortfalls[0].code == "goal-endless"
-    assert round_ < judged.track.commands <= round_ + 2
+    assert round_ < judged.counts["commands"] <= round_ + 2
 
 
 @pytest.mark.parametrize(
