@@ -86,7 +86,7 @@ class Goal(Struct, frozen=True, forbid_unknown_fields=True):
 
     @property
     def kind(self) -> str:
-        """Which goal it is; empty where none or several are named."""
+        """Which goal it is; empty if none or several are named."""
         return _KIND_OF.get(tuple(each for each in KINDS if getattr(self, each) is not None), "")
 
     @property
@@ -527,7 +527,7 @@ def _statement_at(lines: list[str], line: int) -> tuple[int, int]:
 
 
 def line_of(lines: Sequence[str], table: str, key: str, text: str = "") -> int:
-    """The line of a key, else of its table's head; 0 where neither is found.
+    """The line of a key, else of its table's head; 0 if neither is found.
 
     ``table`` is as msgspec names it: ``goal[1]``, ``en.hint[0]``, or empty for what stands before all tables.
     ``text``: what the key has in quotes, perhaps on a later line.

@@ -172,7 +172,7 @@ class Context:
 
 
 _BEYOND_REPAIR = ("never-", "limit-", "word-in-lesson", "word-later")
-"""How the codes of what a run did begin that no further line takes back."""
+"""Prefixes of the codes of failures that no further line can repair."""
 _ACTS = (RunStarted, Reset, Moved, Turned, Spoke, ThingsMoved, GripperUsed)
 """Events that may meet a goal."""
 
@@ -188,12 +188,12 @@ class Attempt:
     def __init__(self, donnie: Donnie, preferences: Preferences) -> None:
         self._judge = Judge(donnie.world, donnie.words, preferences.settings)
         self.challenge = self._judge.starts[0].challenge
-        """With the goals of the first start, which the end of the solution may be."""
+        """With the goals of the first start; a goal may be where the solution ends."""
         self.room = self._judge.room
         self.hints = 0
         """Those that were given."""
         self._met = frozenset[int]()
-        """The goals that were met, by their places in the file; each has its cue once."""
+        """The goals that were met, by their index in the file; each has its cue once."""
         self._donnie = donnie
         self._events: deque[Stamped] = deque(maxlen=self.MOST_EVENTS)
         self.has_questions = False
@@ -209,7 +209,7 @@ class Attempt:
         self.tried: Attempted | None = None
         """The last run, until it is written."""
         self.now = self.judgment()
-        """The last judgment, for a screen; while much happens it is not the newest."""
+        """The last judgment, for a screen; it may be out of date while many events come."""
         self._unsubscribe = donnie.team.stream.subscribe(self._on_event)
 
     def _on_event(self, stamped: Stamped) -> None:
@@ -226,7 +226,7 @@ class Attempt:
             self._chime(self.judgment(), is_start=is_start or isinstance(stamped.event, RunStarted))
 
     def _chime(self, now: Judgment, *, is_start: bool = False) -> None:
-        """A cue for each goal that is met now and was not; none for those that are met before anything."""
+        """Play a cue for each newly met goal, except goals that are met from the beginning."""
         met = frozenset(at for at, each in enumerate(now.of_goals) if each is None)
         if met - self._met and not is_start:
             self._donnie.session.hub.publish(Chimed("goal"))
@@ -245,7 +245,7 @@ class Attempt:
 
     @property
     def _no_answers(self) -> dict[Unsensed, bool] | None:
-        """None unless the robot is one that knows no things around it."""
+        """None unless the robot can't sense the things around it."""
         connection = self._donnie.connection
         return {} if connection.is_real or connection.is_board else None
 

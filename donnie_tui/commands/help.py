@@ -172,7 +172,7 @@ async def _say_page(ctx: Context, number: int) -> None:
 
 
 def in_challenge(handler: Callable[[Context, Attempt], Awaitable[None]]) -> Handler:
-    """A handler that is for a challenge only, and gets what was done for it."""
+    """Make a handler that works in a challenge only, and gets the learner's attempt."""
 
     @wraps(handler)
     async def handle(ctx: Context, _: str) -> None:
@@ -220,7 +220,7 @@ def _task_lines(found: Challenge, words: Wording, *_room: int) -> tuple[str, ...
 
 @handles("next_challenge")
 async def next_challenge(ctx: Context, _: str) -> None:
-    """The challenge after this one; outside of a challenge the first one that is not solved."""
+    """Enter the challenge after this one, or the first unsolved one."""
     current, solved = ctx.donnie.world.challenge, progress().solved
     unsolved = (each for each in challenges.names() if each not in solved)
     following = next(unsolved, None) if current is None else challenges.after(current.name)
@@ -232,7 +232,7 @@ async def next_challenge(ctx: Context, _: str) -> None:
 
 @handles("task")
 async def task(ctx: Context, _: str) -> None:
-    """What the challenge asks for; else what the author of the world proposes."""
+    """Say the task of the challenge, else the one that the world's author proposes."""
     about = ctx.donnie.world.about(ctx.words.language)
     if ctx.attempt is not None:
         ctx.say(*_task_lines(ctx.attempt.challenge, ctx.words))
@@ -245,7 +245,7 @@ async def task(ctx: Context, _: str) -> None:
 @handles("goals")
 @in_challenge
 async def goals(ctx: Context, attempt: Attempt) -> None:
-    """Which goals are met now, and what the others lack."""
+    """Say which goals are met now, and what the others lack."""
     from donnie_tui.core.describe import goals_in_words
 
     ctx.say(*goals_in_words(attempt.judgment(), ctx.words))
@@ -254,7 +254,7 @@ async def goals(ctx: Context, attempt: Attempt) -> None:
 @handles("hint")
 @in_challenge
 async def hint(ctx: Context, attempt: Attempt) -> None:
-    """The next hint."""
+    """Say the next hint."""
     hints = attempt.challenge.text(ctx.words.language).hint
     is_left = attempt.hints < len(hints)
     ctx.say(hints[attempt.hints].text if is_left else ctx.words("challenge-no-hint"))
@@ -264,7 +264,7 @@ async def hint(ctx: Context, attempt: Attempt) -> None:
 @handles("questions")
 @in_challenge
 async def questions(ctx: Context, attempt: Attempt) -> None:
-    """Ask what the challenge asks about its world; an empty answer leaves them."""
+    """Ask the questions of the challenge about its world; an empty answer leaves them."""
     if attempt.unsensed:
         await _ask_about_goals(ctx, attempt)
         if attempt.unsensed or not attempt.has_questions:
@@ -321,7 +321,7 @@ async def results(ctx: Context, _: str) -> None:
 
 
 def _tries_in_words(name: str, tries: Sequence[Attempted], hints: int, words: Wording) -> Iterator[str]:
-    """``hints``: those that were given here."""
+    """One challenge in the results. ``hints``: those that were given in this session."""
     best = min((each for each in tries if each.solved), key=lambda each: each.steps, default=None)
     asked = max((each for each in tries if each.questions), key=lambda each: each.right, default=None)
     one = best or tries[-1]

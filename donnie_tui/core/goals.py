@@ -162,7 +162,7 @@ class Track(Struct, frozen=True):
 
     @property
     def held(self) -> Mapping[str, str]:
-        """By robot; empty where the gripper holds nothing."""
+        """By robot; empty if the gripper holds nothing."""
         used = self.last(GripperUsed).items()
         return {name: (it.thing or it.kind) if it.outcome is Grip.GRIPPED else "" for name, it in used}
 
