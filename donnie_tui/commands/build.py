@@ -5,7 +5,6 @@ Each answer says where the thing is afterwards, or why nothing changed.
 
 from __future__ import annotations
 
-from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from donnie_tui.commands.context import Context
@@ -30,19 +29,17 @@ async def put(ctx: Context, argument: str) -> None:
     """
     what, place = _with_numbers(argument, 4, 2)
     building = _building(ctx)
-    try:
-        described = things.description_of(what, ctx.words)
-    except things.BadDescription:
-        if len(place) > 2 or not building.named(what):
-            if len(place) > 2 or things.with_numbers(what, 1)[1]:  # too many
-                raise NotUnderstood from None
-            raise
+    described, mistakes = things.description_of(what, ctx.words)
+    is_wall, is_square = described.kind == things.WALL, len(place) == 2
+    if mistakes and is_square and building.named(what):
         thing, (x, y) = building.find(what), place
         _say_place(ctx, *building.move(thing, x - thing.x, y - thing.y))
         return
-    is_wall = described.kind == things.WALL
-    if len(described.colours) > 1 or (len(place) > 2 and not is_wall):
+    has_more_numbers = bool(mistakes and things.with_numbers(what, 1)[1]) or not (is_square or is_wall)
+    if has_more_numbers or len(described.colours) > 1:
         raise NotUnderstood
+    if mistakes:
+        raise Unusable(*mistakes.values())
     code, thing = building.put(described, place)
     (x, to_x), (y, to_y) = (sorted((each[0], each[-1])) for each in (place[::2], place[1::2]))
     _say_place(ctx, "built-wall" if is_wall else code, thing, x=x, y=y, to_x=to_x, to_y=to_y)
@@ -155,18 +152,12 @@ async def save_world(ctx: Context, argument: str) -> None:
 
 async def may_leave_built(ctx: Context) -> bool:
     """Offer to save a built world before leaving it. Returns False, after an answer, to stay."""
-    if ctx.donnie.site.is_saved or not ctx.interaction.is_attended:
+    site = ctx.donnie.site
+    if site.is_saved or not ctx.interaction.is_attended:
         return True
     wants_to_save = await ctx.interaction.confirm(ctx.words("ask-save-world"))
-    if wants_to_save is False:
-        return True
     if wants_to_save:
-        await attempt(ctx, _save_or_give_up(ctx))
-    if not ctx.donnie.site.is_saved:
+        await attempt(ctx, save_world(ctx, ""))
+    if wants_to_save is not False and not site.is_saved:
         ctx.answer("stays-unsaved")
-    return ctx.donnie.site.is_saved
-
-
-async def _save_or_give_up(ctx: Context) -> None:
-    with suppress(GivenUp):
-        await save_world(ctx, "")
+    return wants_to_save is False or site.is_saved

@@ -8,8 +8,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from functools import partial
-from itertools import islice
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, TypeAlias
 
@@ -60,27 +58,24 @@ class Building:
 
     def _everything(self) -> list[Thing]:
         """All but robots, where they are now, and but walls that are none to their author."""
-        every = all_things(self._shared.scene_now())
-        return [
-            each for each in every if not each.is_robot and (each.letter != WALL or each.kind == things.WALL)
-        ]
+        shown = all_things(self._shared.scene_now())
+        return [it for it in shown if not it.is_robot and (it.letter != WALL or it.kind == things.WALL)]
 
     def find(self, typed: str) -> Thing:
         """The one thing that a name, or a kind and a colour, means. Raises ``Unusable``."""
-        words, wanted = self._words, fold_name(typed)
-        if wanted in map(fold_name, self._site.world.scene.robot_names):
+        words = self._words
+        if fold_name(typed) in map(fold_name, self._site.world.scene.robot_names):
             raise Unusable(words("built-robot", name=typed))
         named = self.named(typed)
         found = named if len(named) == 1 else self._meant(typed) or named
         if len(found) == 1:
             return found[0]
-        places = (f"{each.name or each.kind}: {round(each.x)}, {round(each.y)}" for each in found)
-        names = [each.name for each in self._everything()]
-        near = nearest(typed, names) or things.near_word(typed, words)
+        near = nearest(typed, [each.name for each in self._everything()]) or things.near_word(typed, words)
         code = "which" if found else "unknown-near" if near else "unknown"
         code = "which-wall" if found and found[0].kind == things.WALL else code
-        listed = "; ".join(islice(places, _MOST_NAMES))
-        raise Unusable(words(f"built-{code}", name=typed[:40], near=near, count=len(found), names=listed))
+        places = [f"{each.name or each.kind}: {round(each.x)}, {round(each.y)}" for each in found]
+        values = {"name": typed[:40], "near": near, "names": "; ".join(places[:_MOST_NAMES])}
+        raise Unusable(words(f"built-{code}", count=len(found), **values))
 
     def named(self, typed: str) -> list[Thing]:
         """Those with exactly that name, or called so where they are listed."""
@@ -90,37 +85,32 @@ class Building:
     def _meant(self, typed: str) -> list[Thing]:
         """Those of a kind, perhaps of a colour, perhaps on a square: red box, wall 4 6."""
         what, square = things.with_numbers(typed, 2)
-        try:
-            described = things.description_of(what, self._words)
-        except things.BadDescription:  # of a kind of the author's
+        described, mistakes = things.description_of(what, self._words)
+        if mistakes:  # of a kind of the author's
             described = things.Description(fold_name(what))
-        return [
-            each
-            for each in self._everything()
-            if fold_name(each.kind) == described.kind
-            and (not described.colours or each.colour in described.colours)
-            and (not square or _covers(each, *square))
-        ]
+        found = [each for each in self._everything() if fold_name(each.kind) == described.kind]
+        found = [each for each in found if not described.colours or each.colour in described.colours]
+        return [each for each in found if not square or _covers(each, *square)]
 
     # --- changes
 
     def put(self, described: things.Description, place: Sequence[int]) -> Changed:
         """A new thing, its middle at a place in steps; a wall on all squares from one place to another."""
-        kind, name, scene = described.kind, described.name, self._site.world.scene
+        kind, scene, is_wall = described.kind, self._site.world.scene, described.kind == things.WALL
         sides = [(min(each), max(each) + 1) for each in (place[::2], place[1::2])]
         x, y = ((low + high - 1) / 2 * STEP for low, high in sides)
-        self._check_outside([(x, y)], kind == things.WALL)
-        size = (*((high - low) * STEP for low, high in sides), things.WALL_HEIGHT)
+        self._check_outside([(x, y)], is_wall)
+        size = (*((high - low) * STEP for low, high in sides), things.WALL_HEIGHT) if is_wall else ()
         taken = {fold_name(each.name) for each in scene.models if each.parent is None}
-        if name and fold_name(name) in taken:
-            raise Unusable(self._words("built-name-there", name=name))
         plain = kind.replace("_", " ")
-        names = (name or plain, *(f"{plain} {number}" for number in range(2, len(taken) + 3)))
-        name = next(each for each in names if fold_name(each) not in taken)
-        line = things.model_line(
-            kind, (x, y, 0), name, size if kind == things.WALL else (), next(iter(described.colours), "")
-        )
-        return self._changed(f"{self._site.text.rstrip()}\n{self._include(kind)}{line}\n", len(_tops(scene)))
+        numbered = (plain, *(f"{plain} {number}" for number in range(2, len(taken) + 3)))
+        names = (described.name,) if described.name else numbered
+        name = next((each for each in names if fold_name(each) not in taken), "")
+        if not name:
+            raise Unusable(self._words("built-name-there", name=described.name))
+        line = things.model_line(kind, (x, y, 0), name, size, next(iter(described.colours), ""))
+        text = self._site.text.rstrip("\n")
+        return self._changed(f"{text}\n{self._include(kind)}{line}\n", len(_tops(scene)))
 
     def remove(self, thing: Thing) -> Changed:
         from sim.worldfile import taken_out
@@ -135,7 +125,7 @@ class Building:
         yaw = (here.yaw - degrees) % 360.0 if degrees else here.yaw
         place = Placement(here.x + east * STEP, here.y + north * STEP, here.z, yaw)
         self._check_outside([(place.x, place.y)], thing.kind == things.WALL)
-        return self._edit(thing, partial(put_elsewhere, place=place))
+        return self._edit(thing, lambda text, model: put_elsewhere(text, model, place))
 
     # --- the text
 
@@ -150,11 +140,9 @@ class Building:
 
     def _include(self, kind: str) -> str:
         """The line that a world needs for its first thing of a kind; empty if it knows the kind."""
-        file, files = things.KINDS[kind], map(PurePath, self._site.world.scene.report.files)
-        is_known = file in {each.name for each in files} or re.search(
-            rf"(?m)^\s*define\s+{kind}\s", self._site.text
-        )
-        return "" if is_known else f'include "{file}"\n'
+        file, files = things.KINDS[kind], self._site.world.scene.report.files
+        is_defined = re.search(rf"(?m)^\s*define\s+{kind}\s", self._site.text)
+        return "" if is_defined or file in {PurePath(each).name for each in files} else f'include "{file}"\n'
 
     def _changed(self, text: str, number: int) -> Changed:
         """Go on in the world of that text. ``number``: of the thing."""

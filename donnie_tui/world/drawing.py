@@ -135,12 +135,10 @@ class _Drawing:
         self._file, self._words = file, wording
         self._slips = set[tuple[int, int, str]]()
         """Line (0: nowhere), column, and the sentence."""
-        self._things: dict[str, things.Description] = {}
+        self._things = {WALL: things.Description(things.WALL)}
         """By their letters."""
         self._places: dict[str, tuple[int, int]] = {}
-        """Line and column of each description, also where it has mistakes."""
-        self._bodies = set[str]()
-        """The letters around robots in a map that was printed."""
+        """Line and column of what each letter means; those without a thing are around robots, as in a map."""
         self._names: list[str] = []
         """Those of the robots."""
         self._has_none = False
@@ -158,7 +156,6 @@ class _Drawing:
         self._rows = [each.translate(dict.fromkeys(map(ord, walls), WALL)) for each in lines[begin:end]]
         self._first = begin + 1
         """The number of the first row's line."""
-        self._step = self._scale * STEP
 
     def _read_legend(self, number: int, line: str) -> None:
         text, digits, found = line.strip(), re.search(r"\d{1,6}", line), _meaning().fullmatch(line)
@@ -177,36 +174,29 @@ class _Drawing:
             self._slip(code, number, line.index(first) + 1, letter=letter, found=first[:40])
         elif letter[0] in ARROWS:
             self._names, self._places[ARROWS] = names, (number, 1)
-        elif names and {*names} <= {*self._names, "…"}:
-            self._bodies.add(letter)
         else:
-            place = self._places[letter] = number, found.start("meaning") + 1
-            try:
-                self._things[letter] = things.description_of(meaning, self._words)
-            except things.BadDescription as bad:
-                self._slips |= {(number, place[1] + at, each) for at, each in bad.mistakes.items()}
+            self._places[letter] = number, found.start("meaning") + 1
+            if not names or not {*names} <= {*self._names, "…"}:
+                self._things[letter], mistakes = things.description_of(meaning, self._words)
+                for at, message in mistakes.items():
+                    self._add(number, found.start("meaning") + 1 + at, message)
 
     # --- mistakes
 
+    def _add(self, line: int, column: int, message: str) -> None:
+        code, values = ("world-error-at" if line else "drawing-error"), {"line": line, "column": column}
+        self._slips.add((line, column, self._words(code, file=self._file, message=message, **values)))
+
     def _slip(self, code: str, line: int, column: int, **values: object) -> None:
-        self._slips.add((line, column, self._words(code, **values)))
+        self._add(line, column, self._words(code, **values))
 
     def _slip_at(self, code: str, square: Square, **values: object) -> None:
         self._slip(code, self._first + square[0], square[1] + 1, **values)
 
     def _refuse_slips(self) -> None:
         """Raises ``Unusable`` if there are any."""
-        shown = (
-            self._words(
-                "world-error-at" if line else "drawing-error",
-                file=self._file,
-                line=line,
-                column=column,
-                message=message,
-            )
-            for line, column, message in sorted(self._slips)[:MOST_SLIPS]
-        )
         if self._slips:
+            shown = [sentence for _, _, sentence in sorted(self._slips)[:MOST_SLIPS]]
             raise Unusable(*shown, self._words("world-new-mistakes", count=len(self._slips)))
 
     def _check_rows(self) -> None:
@@ -222,7 +212,7 @@ class _Drawing:
 
     def _check_letters(self, groups: Sequence[Group]) -> None:
         """Lines of another length; each letter without a meaning once."""
-        known, first = {*self._places, *self._bodies}, len(self._rows[0])
+        known, first = self._places, len(self._rows[0])
         for row, line in enumerate(self._rows):
             if len(line) != first:
                 self._slip_at("drawing-ragged", (row, min(len(line), first)), count=len(line), first=first)
@@ -276,26 +266,24 @@ class _Drawing:
         self._check_rows()
         rows = self._rows
         groups = [*groups_in(rows, {letter: each.marks for letter, each in self._things.items()})]
-        bodies = {square for each in groups if each.letter in self._bodies for square in each.squares}
+        bodies = {square for each in groups if each.letter not in self._things for square in each.squares}
         arrows = [square for square, letter in _squares(rows) if letter in ARROWS]
         arrows.sort(key=lambda each: (not bodies.isdisjoint(_around(each)), each))
         self._origin = next(iter(arrows), (len(rows) // 2, len(rows[0]) // 2))
+        of_walls = rectangles(bytes(each == WALL for each in row) for row in rows)
+        walls = [Group(WALL, ((top, left), (bottom - 1, right - 1))) for left, top, right, bottom in of_walls]
+        drawn = [*walls, *(each for each in groups if each.letter in self._things)]
+        if len(drawn) > MOST_PIECES:
+            self._slip("drawing-much", 0, 0, count=len(drawn), most=MOST_PIECES)
         self._check_letters(groups)
         self._check_robots(arrows)
         self._check_colours(groups)
         self._refuse_slips()
-        of_walls = rectangles(bytes(each == WALL for each in row) for row in rows)
-        walls = [Group(WALL, ((top, left), (bottom - 1, right - 1))) for left, top, right, bottom in of_walls]
-        self._things[WALL] = things.Description(things.WALL)
-        drawn = [*walls, *(each for each in groups if each.letter in self._things)]
-        if len(drawn) > MOST_PIECES:
-            self._slip("drawing-much", 0, 0, count=len(drawn), most=MOST_PIECES)
-            self._refuse_slips()
-        lines, robots = [*self._lines(drawn)], dict(zip(self._robot_names(), arrows, strict=False))
-        headings = (
-            (name, self._pose((x, y, x + 1, y + 1), _HEADING[rows[y][x]])) for name, (y, x) in robots.items()
-        )
-        of_robots = [things.model_line("donnie", pose, name) for name, pose in headings]
+        robots = dict(zip(self._robot_names(), arrows, strict=False))
+        of_robots = [
+            self._line(Group(rows[y][x], ((y, x),)), "donnie", name) for name, (y, x) in robots.items()
+        ]
+        lines = [*self._lines(drawn)]
         text = things.world_text(lines[: len(walls)], lines[len(walls) :], of_robots)
         scene = scene_of(text, Path(worlds.SCENES, "drawing.world"), self._words, allowed_folders(()))
         self._check_room(scene, drawn, robots)
@@ -309,37 +297,35 @@ class _Drawing:
         more = (f"{names[0]}{number}" for number in count(2))
         return chain(names, (each for each in more if each not in names))
 
-    def _pose(self, box: Box, angle: float) -> tuple[float, float, float]:
-        """Of the middle: metres to the east and to the north of the first robot, and an angle."""
-        (left, top, right, bottom), (row, column) = box, self._origin
-        east, north = (left + right - 1) / 2 - column, row - (top + bottom - 1) / 2
-        return round(east * self._step, 6) + 0.0, round(north * self._step, 6) + 0.0, angle
-
     def _lines(self, drawn: Iterable[Group]) -> Iterator[str]:
         """Of walls, which have no names, and of things."""
         colours = {letter: cycle(each.colours or ("",)) for letter, each in self._things.items()}
         used = Counter[str]()
         for group in drawn:
             described, colour = self._things[group.letter], next(colours[group.letter])
-            kind = described.kind
-            name = "" if kind == things.WALL else described.name or kind.replace("_", " ")
+            name = described.name or described.kind.replace("_", " ")
             used[name] += 1
-            number = f" {used[name]}" if name and used[name] > 1 else ""
-            angle, size = self._fitted(group, kind)
-            yield things.model_line(
-                kind, self._pose(group.box, angle), name + number, size, group.colour or colour
-            )
+            name = name if used[name] == 1 else f"{name} {used[name]}"
+            name = "" if described.kind == things.WALL else name
+            yield self._line(group, described.kind, name, group.colour or colour)
 
-    def _fitted(self, group: Group, kind: str) -> tuple[int, tuple[float, ...]]:
-        """Angle and size of a thing as large as its letters; no size where it is the usual one."""
-        left, top, right, bottom = group.box
-        sides = (right - left) * self._step, (bottom - top) * self._step
-        across, along, height = usual_sizes()[kind]
-        for angle, usual in () if kind == things.WALL else ((0, (across, along)), (90, (along, across))):
-            slack = [round(mine - each, 3) for mine, each in zip(sides, usual, strict=True)]
-            if len(group.squares) == 1 or (min(slack) >= 0 and max(slack) <= self._step):
-                return angle, ()
-        return 0, (*sides, height)
+    def _line(self, group: Group, kind: str, name: str, colour: str = "") -> str:
+        """A wall is as large as its letters, as is a thing of several, unless that is its usual size."""
+        (left, top, right, bottom), (row, column), step = group.box, self._origin, self._scale * STEP
+        east, north = (left + right - 1) / 2 - column, row - (top + bottom - 1) / 2
+        angle, size = _HEADING.get(group.letter, 0), tuple[float, ...]()
+        if len(group.squares) > 1:
+            across, along, height = usual_sizes()[kind]
+            width, depth, slack = (
+                (right - left) * step,
+                (bottom - top) * step,
+                0 if kind == things.WALL else step,
+            )
+            turns = {0: (width - across, depth - along), 90: (width - along, depth - across)}
+            fits = [each for each, over in turns.items() if all(0 <= round(it, 3) <= slack for it in over)]
+            angle, size = (fits[0], ()) if fits else (0, (width, depth, height))
+        pose = round(east * step, 6) + 0.0, round(north * step, 6) + 0.0, angle
+        return things.model_line(kind, pose, name, size, colour)
 
 
 @cache

@@ -13,7 +13,7 @@ from unicodedata import normalize
 from msgspec import Struct
 
 from donnie_tui.core.wording import Wording, coloured_thing, meant, noun
-from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.i18n.words import Words
 from language.keywords import COLOURS
 from language.locales import languages
 from language.source import fold, fold_name
@@ -29,15 +29,6 @@ KINDS = {
     WALL: "things.inc",
 }
 """What there is, by the words of world files, with the files that define it."""
-
-
-class BadDescription(Unusable):
-    """Words that mean no thing."""
-
-    def __init__(self, mistakes: Mapping[int, str]) -> None:
-        """``mistakes``: the sentences by their places in the text."""
-        super().__init__(*mistakes.values())
-        self.mistakes = mistakes
 
 
 class Description(Struct, frozen=True):
@@ -98,8 +89,8 @@ def name_in(text: str) -> str:
     return "".join(each for each in text if each.isprintable() and each not in '"\\')[:60].strip(" .")
 
 
-def description_of(text: str, wording: Wording) -> Description:
-    """What a thing is. Raises ``BadDescription`` with all words that mean nothing.
+def description_of(text: str, wording: Wording) -> tuple[Description, Mapping[int, str]]:
+    """What a thing is, or, by their places in the text, the sentences about all words that mean nothing.
 
     A word that is a colour too, such as orange, is the kind only if nothing else is.
     """
@@ -130,9 +121,9 @@ def description_of(text: str, wording: Wording) -> Description:
         known = ", ".join(word_for(each, wording) for each in KINDS if each != WALL)
         mistakes[0] = wording("drawing-no-kind", known=known)
     if mistakes:
-        raise BadDescription(mistakes)
+        return Description(""), mistakes
     marked = dict(zip(marks, shades, strict=True)) if len(marks) == len(shades) else {}
-    return Description(kinds[phrases[kind]], () if "…" in what else tuple(shades), marked, name)
+    return Description(kinds[phrases[kind]], () if "…" in what else tuple(shades), marked, name), {}
 
 
 def near_word(word: str, wording: Wording) -> str | None:
