@@ -96,8 +96,8 @@ def main(arguments: list[str], greeting: Greeting | None = None, *, joins_server
         option, value = f"--{bad.key.replace('_', '-')}", bad.value[:40]
         complaint = words("bad-option", option=option, value=value, wanted=bad.wanted)
     except Unusable as unusable:
-        start.output.complaint(*unusable.sentences[:-1])
-        complaint = unusable.sentences[-1]
+        *before, complaint = unusable.sentences_after(arguments)
+        start.output.complaint(*before)
     except KeyboardInterrupt:
         return ExitCode.STOPPED
     if greeting is not None:

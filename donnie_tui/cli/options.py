@@ -154,6 +154,8 @@ SUBCOMMANDS: dict[str, Subcommand] = {
         OptionSpec(("--png",), "option-replay-png", "FILE"),
         OptionSpec(("--gif",), "option-replay-gif", "FILE"),
         OptionSpec(("--swell",), "option-replay-swell", "FILE"),
+        OptionSpec(("--csv",), "option-replay-csv", "FILE"),
+        OptionSpec(("--report",), "option-replay-report", "WORDS"),
     ),
     "doctor": _command("doctor.doctor"),
     "devices": _command("devices.list_devices", OptionSpec(("port",), "option-ports", "PORT", nargs="*")),
@@ -235,10 +237,15 @@ def _written_as_it_happens(settings: Settings) -> Iterator[tuple[str, str]]:
 
 def _pages(invocation: Invocation) -> Iterator[tuple[str, str]]:
     """The output files of ``donnie world`` and ``donnie replay``."""
-    for option in ("svg", "brf", "png", "gif", "swell"):
+    for option in ("svg", "brf", "png", "gif", "swell", "csv"):
         name = getattr(invocation.arguments, option, None)
         if name:
             yield f"--{option}", name
+    if isinstance(typed := getattr(invocation.arguments, "report", None), str):
+        from donnie_tui.core.reports import asked  # slow to load, and few commands report
+
+        if (found := asked(typed)) and found[1]:
+            yield "--report", found[1]
 
 
 # --- reading a command line ----------------------------------------------------------------------------

@@ -9,8 +9,9 @@ and Ctrl+C stops playing, or ends the replay."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import ExitStack
+from functools import partial
 from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO, cast
@@ -41,6 +42,7 @@ from language.locales import languages
 from language.source import printable
 
 if TYPE_CHECKING:
+    from donnie_tui.core.reports import Subject
     from sim.picture import Picture
     from sim.scene import Scene
 
@@ -123,8 +125,8 @@ def replay(order: Order) -> int:
             order.output.complaint(words(f"damaged-{damage.code}", line=damage.line, count=damage.last))
         if arguments.check:
             return run_again(order, recording)
-        if any(name is not None for _, name in _pictures(order)):
-            return _draw(order, recording, closing)
+        if any(name is not None for _, name in _files(order)):
+            return _report(order, recording, closing)
         if arguments.challenge is not None:
             is_simulated = recording.header is None or recording.header.robot == SIMULATED
             return judge_recording(order, arguments.challenge, recording.events, is_simulated=is_simulated)
@@ -141,10 +143,10 @@ def _refuse_what_has_no_meaning(order: Order) -> None:
         raise Unusable(words("replay-fixed", option=f"--{fixed}"))
     ways = ("--check", arguments.check), ("--step", arguments.step), ("--backwards", arguments.backwards)
     chosen = [option for option, is_chosen in ways if is_chosen]
-    pictures = [option for option, name in _pictures(order) if name is not None]
-    if arguments.challenge is not None and not pictures:
+    files = [option for option, name in _files(order) if name is not None]
+    if arguments.challenge is not None and not files:
         chosen.append("--challenge")
-    chosen += pictures[:1]
+    chosen += files[:1]
     if arguments.check or arguments.challenge is not None:
         others = [
             ("--map", arguments.map),
@@ -176,28 +178,106 @@ def _opened(name: str, words: Words, closing: ExitStack) -> Recording:
         raise Unusable(words("file-unreadable", path=name, reason=reason)) from None
 
 
-# --- a picture of the run
+# --- files about the run
 
 
-def _pictures(order: Order) -> tuple[tuple[str, str | None], ...]:
-    """The options, and the files that they name."""
+class _Wanted(Struct, frozen=True):
+    """A report that is asked for, with the option that asks for it."""
+
+    option: str
+    what: str
+    """As in REPORT."""
+    suffix: str
+    """What the file is, whatever its name ends in."""
+    name: str
+    """Of the file; empty for sentences."""
+
+
+_FORMS = {
+    "--svg": ("run", ".svg"),
+    "--png": ("run", ".png"),
+    "--gif": ("run", ".gif"),
+    "--swell": ("paper", ".svg"),
+    "--csv": ("distances", ".csv"),
+}
+
+
+def _files(order: Order) -> tuple[tuple[str, str | None], ...]:
+    """The options, and the files that they name, or the words of a report."""
     it = order.invocation.arguments
-    return ("--svg", it.svg), ("--png", it.png), ("--gif", it.gif), ("--swell", it.swell)
+    pictures = ("--svg", it.svg), ("--png", it.png), ("--gif", it.gif), ("--swell", it.swell)
+    return *pictures, ("--csv", it.csv), ("--report", it.report)
 
 
-def _draw(order: Order, recording: Recording, closing: ExitStack) -> int:
-    """Write the requested pictures, with the goals of a challenge, and print the path in words."""
-    from donnie_tui.core.goals import places_of
+def _wanted(order: Order) -> Iterator[_Wanted]:
+    """Raises ``Unusable`` for what no report is, and for a name that can't end as it does."""
+    from donnie_tui.core.reports import asked, suffixes_of
+
+    for option, given in _files(order):
+        if given is None:
+            continue
+        if not given:
+            raise Unusable(order.words("usage-without-value", what=option))
+        if option != "--report":
+            yield _Wanted(option, *_FORMS[option], given)
+        elif (found := asked(given)) is None:
+            raise Unusable(order.words("replay-report", what=printable(given)))
+        else:
+            what, name = found
+            suffix, suffixes = Path(name).suffix.lower(), suffixes_of(what)
+            if name and suffix not in suffixes:
+                typed = printable(given.split()[0].lower())
+                values = {"what": typed, "suffix": suffix, "suffixes": ", ".join(suffixes)}
+                raise Unusable(order.words("report-suffix", **values))
+            yield _Wanted(option, what, suffix, name)
+
+
+def _report(order: Order, recording: Recording, closing: ExitStack) -> int:
+    """Write the files that are asked for, as REPORT does, and print what they show in words."""
     from donnie_tui.core.program_files import DocumentError, write_bytes
+    from donnie_tui.core.reports import in_sentences, report
+
+    words, line = order.words, order.output.line
+    wanted = tuple(_wanted(order))
+    subject, legend = _subject(order, recording, closing)
+    for each in wanted:
+        if not each.name:
+            continue
+        try:
+            write_bytes(Path(each.name), report(each.what, f"report{each.suffix}", subject, words))
+        except DocumentError as problem:
+            raise Unusable(words(problem.code, path=problem.path, reason=problem.reason)) from None
+        line(words("paper-written", path=each.name))
+    if any(each.name and each.what in ("run", "paper") for each in wanted):
+        for said in legend:
+            line(said)
+    spoken = (each.what for each in wanted if each.what == "distances" or not each.name)
+    for what in dict.fromkeys(spoken):
+        for said in in_sentences(what, subject, words):
+            line(said)
+    return ExitCode.DONE
+
+
+def _subject(order: Order, recording: Recording, closing: ExitStack) -> tuple[Subject, tuple[str, ...]]:
+    """The subject of REPORT, and the legend of the picture of the run with the goals of a challenge.
+
+    In a world of several robots moves and distances are those of the first that began.
+    """
+    from donnie_tui.commands.lookup import words_in_lines
+    from donnie_tui.core.goals import places_of
+    from donnie_tui.core.map_grid import Trail
+    from donnie_tui.core.reports import Subject
+    from donnie_tui.i18n.help import sections
     from donnie_tui.world.loading import choose_challenge, moved_to
     from donnie_tui.world.run_picture import (
         DrivenPath,
         as_picture,
         moved_things,
         on_swell_paper,
+        plot_as_png,
         run_picture,
     )
-    from sim.picture import drawings
+    from sim.picture import drawings, picture
 
     words = order.words
     if recording.header is None:
@@ -205,33 +285,39 @@ def _draw(order: Order, recording: Recording, closing: ExitStack) -> int:
     world = closing.enter_context(unpacked(recording.header, words))
     timeline = Timeline(recording.events)
     timeline.go_to(len(timeline))
-    trails = ((robot or "", timeline.trail(robot)) for robot in timeline.robots)
-    paths = tuple(DrivenPath(robot, poses) for robot, poses in trails if poses)
-    if not paths:
+    if not timeline.robots:
         raise Unusable(words("trail-none"))
+    robot = timeline.robots[0]
+    trail = Trail(lambda: robot)
+    for stamped in timeline.events:
+        trail.on_event(stamped)
+    paths = [DrivenPath(robot or "", path) for robot, path in trail.paths.items()]
+    scene = moved_to(world.scene, timeline.things)
     title = words("paper-title", name=world.title(words.language))
-    shown = drawings(moved_to(world.scene, timeline.things))
     challenge = order.invocation.arguments.challenge
     goals = () if challenge is None else places_of(choose_challenge(challenge, words).rules)
-    picture = run_picture(title, shown, paths, words, goals, moved_things(timeline.events, world.scene))
-    for option, name in _pictures(order):
-        if name is None:
-            continue
-        if not name:
-            raise Unusable(words("usage-without-value", what=option))
-        try:
-            if option != "--swell":
-                content = as_picture(picture, f".{option.removeprefix('--')}")
-            else:
-                driven = [path.poses for path in paths]
-                content = on_swell_paper(world, timeline.things, driven, words).encode()
-            write_bytes(Path(name), content)
-        except DocumentError as problem:
-            raise Unusable(words(problem.code, path=problem.path, reason=problem.reason)) from None
-        order.output.line(words("paper-written", path=name))
-    for line in picture.legend:
-        order.output.line(line)
-    return ExitCode.DONE
+    moved = moved_things(timeline.events, world.scene)
+    drawn = run_picture(title, drawings(scene), paths, words, goals, moved)
+    driven = [path.poses for path in paths]
+    own = [each for each in timeline.events if each.robot == robot]
+    lines: list[str] = []
+    for each in own:
+        if isinstance(each.event, RunStarted) and (how := each.event.how):
+            lines[how.first_line - 1 :] = how.text.splitlines()
+    names = scene.robot_names
+    subject = Subject(
+        tuple(lines),
+        timeline.pose(robot) or world.start(),
+        picture(scene, robot if robot in names else next(iter(names), None)),
+        trail,
+        words_in_lines(words),
+        sections(words),
+        own,
+        run_picture=partial(as_picture, drawn),
+        plot_as_png=plot_as_png,
+        paper=partial(on_swell_paper, world, timeline.things, driven, words),
+    )
+    return subject, drawn.legend
 
 
 # --- showing

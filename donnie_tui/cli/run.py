@@ -120,13 +120,17 @@ def _is_of_kind(option: str, beginning: bytes, path: Path) -> bool:
     if option == "--brf":
         is_braille = path.suffix.lower() in (".brf", ".brl") and _BRAILLE.issuperset(beginning)
         return is_braille and beginning.startswith(_titles_in_braille())
+    if option == "--report":  # the file is what its name ends in
+        option = f"--{path.suffix.lower().removeprefix('.')}"
+    if option in ("--csv", "--html", "--htm"):
+        return beginning.startswith(_beginnings_of_reports())
     if option == "--png":
         return beginning.startswith(b"\x89PNG") and b"tEXtSoftware\0donnie" in beginning[:100]
     if option == "--gif":
         return beginning.startswith(b"GIF8") and b"\x06donnie\0" in beginning
     if option == "--sound":
         return _SOUND.match(beginning) is not None
-    return beginning.removeprefix(b"\xef\xbb\xbf").lstrip().startswith(_BEGINNINGS[option])
+    return beginning.removeprefix(b"\xef\xbb\xbf").lstrip().startswith(_BEGINNINGS.get(option, ()))
 
 
 def _titles_in_braille() -> tuple[bytes, ...]:
@@ -135,6 +139,13 @@ def _titles_in_braille() -> tuple[bytes, ...]:
 
     titles = ((each, Words(each)("paper-title", name="|").partition("|")[0]) for each in languages())
     return tuple(braille(title, each).encode("ascii") for each, title in titles)
+
+
+def _beginnings_of_reports() -> tuple[bytes, ...]:
+    """The beginnings of tables and pages that are reports, in each language."""
+    from donnie_tui.core.reports import beginnings
+
+    return tuple(each.encode() for language in languages() for each in beginnings(Words(language)))
 
 
 def refuse_overwriting(order: Order) -> None:

@@ -12,10 +12,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from donnie_tui.commands.context import UNUSABLE, Context
-from donnie_tui.commands.declarations import COMMANDS
 from donnie_tui.commands.dispatch import confirm_replacing, handles
 from donnie_tui.commands.interaction import GivenUp, NotUnderstood, Option, read_count
-from donnie_tui.commands.lookup import help_line
+from donnie_tui.commands.lookup import words_in_lines
 from donnie_tui.commands.program import say_restored
 from donnie_tui.core import reports
 from donnie_tui.core.program_files import (
@@ -351,7 +350,7 @@ async def report(ctx: Context, argument: str) -> None:
         ctx.donnie.session.pose,
         ctx.donnie.picture_now(),
         ctx.trail,
-        (*words.help(None)[1:], *(help_line(each, words) for each in COMMANDS if not each.is_visual)),
+        words_in_lines(words),
         sections(words),
         [each for each in timeline.events if each.robot == robot],
         dict(ctx.runs.variables_during),

@@ -131,6 +131,12 @@ def help_line(command: Command, wording: Wording, keys: str = "") -> str:
     return f"{typed_form(command, wording)}{in_brackets}: {wording(f'action-{command.name}')}"
 
 
+def words_in_lines(wording: Wording) -> tuple[str, ...]:
+    """The words of GoDonnie and the commands, a line each: usage, a colon, purpose."""
+    commands = (help_line(each, wording) for each in COMMANDS if not each.is_visual)
+    return (*wording.help(None)[1:], *commands)
+
+
 def help_of(topic: str, wording: Wording) -> tuple[str, ...]:
     """HELP with the word of a command: its purpose, its form, an example. Empty for any other word."""
     found = find(topic)

@@ -21,6 +21,7 @@ from msgspec import Struct
 from devices.ports.robot import Bearing, Pose
 from donnie_tui.core.describe import place_of
 from donnie_tui.core.events import Moved, Read, RunEnded, RunStarted, Stamped, Turned, Waited
+from donnie_tui.core.goals import begins_anew
 from donnie_tui.core.map_grid import Trail, path_in_words
 from donnie_tui.core.map_words import floor_in_words
 from donnie_tui.core.program_files import unquoted
@@ -111,6 +112,14 @@ def report(what: str, name: str, subject: Subject, wording: Wording) -> bytes:
     heading = wording("report-manual") if what == "manual" else sections[0].heading
     page = as_html(wording("report-title", what=heading), wording.language, sections)
     return page.encode("utf-8", "replace")
+
+
+def beginnings(wording: Wording) -> tuple[str, ...]:
+    """How its tables and pages begin."""
+    tables = (f"{','.join(_columns(wording, what))}\n" for what in _COLUMNS)
+    page = as_html(wording("report-title", what=""), wording.language, ())
+    seconds = wording("report-column-seconds")
+    return *tables, f"{seconds},", f"{seconds}\n", page.partition("</title>")[0]
 
 
 def in_sentences(what: str, subject: Subject, wording: Wording) -> Sequence[str]:
@@ -228,12 +237,16 @@ def measured(
     distances: dict[str, list[tuple[float, float, float]]] = {}
     speed: list[tuple[float, float]] = []
     variables: dict[str, list[tuple[float, float]]] = {}
-    since = walked = 0.0
+    since = walked = before = 0.0
     for stamped in events:
-        t, event = stamped.t, stamped.event
-        if isinstance(event, RunStarted) and ((event.how and event.how.fresh) or t < since):
+        event = stamped.event
+        if begins_anew(event):
+            since = walked = before = 0.0
             for each in (distances, speed, variables):
                 each.clear()
+        elif isinstance(event, RunStarted) and before + stamped.t < since:
+            before = since - stamped.t  # its clock begins at 0 again
+        t = before + stamped.t
         if isinstance(event, Read) and event.sensor == "distance":
             distances.setdefault(event.argument, []).append((t, event.value, walked))
         if isinstance(event, Moved | Turned | Waited) and t > since:
@@ -246,7 +259,7 @@ def measured(
         if isinstance(event, RunEnded):
             for name, value in event.variables.items():
                 variables.setdefault(name, []).append((t, value))
-        if isinstance(event, Moved | Turned | Waited | RunStarted):
+        if isinstance(event, Moved | Turned | Waited | RunStarted | RunEnded):
             since = t
     found = [_distance(where, readings, wording) for where, readings in distances.items()]
     if speed:

@@ -9,7 +9,6 @@ its kind.
 from __future__ import annotations
 
 import re
-import shlex
 import unicodedata
 from collections.abc import Callable
 from functools import cache
@@ -459,8 +458,7 @@ def _world_message(error: WorldError, words: Wording) -> str:
     expected = either([_world_thing(each, words) for each in error.expected], words)
     values = {"found": "", "expected": expected, "name": "", "given": "", "limit": "", "path": ""}
     found = str(error.details.get("found", ""))
-    folder = shlex.quote(str(error.details.get("folder", "")))
-    filled = {**values, **error.details, "found": _found_in_world(found, words), "folder": folder}
+    filled = {**values, **error.details, "found": _found_in_world(found, words)}
     return words(_world_code(error, found, expected), **filled)
 
 

@@ -6,7 +6,7 @@ The modules for mistakes and HELP are loaded on demand, as the first frame needs
 from __future__ import annotations
 
 import struct
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from gettext import GNUTranslations, NullTranslations, c2py
 from io import BytesIO
@@ -30,6 +30,27 @@ class Unusable(Exception):
     def sentence(self) -> str:
         """All sentences as one text."""
         return " ".join(self.sentences)
+
+    def sentences_after(self, command: Sequence[str]) -> tuple[str, ...]:  # noqa: ARG002
+        """The sentences for a learner who typed this command, without the name of the program."""
+        return self.sentences
+
+
+class NotAllowed(Unusable):
+    """A world that asks for a file in a folder which ``--allow`` would allow."""
+
+    def __init__(self, sentence: str, words: Words, command: Sequence[str], folder: str) -> None:
+        """``command``: what starts a session in the world, without the name of the program."""
+        self._sentence, self._words, self._folder = sentence, words, folder
+        super().__init__(*self.sentences_after(command))
+
+    def sentences_after(self, command: Sequence[str]) -> tuple[str, ...]:
+        import shlex
+
+        from language.source import printable
+
+        typed = printable(shlex.join(("donnie", *command, "--allow", self._folder)))
+        return self._sentence, self._words("world-allow", command=typed)
 
 
 class Words:

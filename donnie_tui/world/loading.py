@@ -17,7 +17,7 @@ import worlds
 from devices.ports.robot import STEP, Pose
 from donnie_tui.core.events import PlacedThing
 from donnie_tui.core.wording import Wording
-from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.i18n.words import NotAllowed, Unusable, Words
 from sim.compiled_scene import read_scene
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from sim.geometry import Placement
     from sim.scene import Model, Scene
     from sim.world import World
-    from sim.worldfile import Configuration, Driver, Offer
+    from sim.worldfile import Configuration, Driver, Offer, WorldError
     from worlds.challenges import Challenge, ChallengeMistake, Rules, Variant
     from worlds.words import About
 
@@ -353,14 +353,21 @@ def _configured(path: Path, words: Words, folders: tuple[str, ...]) -> ChosenWor
 
 def configuration_of(path: Path, words: Words, folders: tuple[str, ...] = ()) -> Configuration:
     """What a configuration file chose. Raises ``Unusable``."""
-    from donnie_tui.i18n.mistakes import world_mistake
     from sim.worldfile import WorldError, load_configuration
 
     _refuse_outside(path, words)
     try:
         return load_configuration(path, allowed=allowed_folders(folders))
     except WorldError as error:
-        raise Unusable(world_mistake(error, words)) from None
+        raise _refused(error, path, words) from None
+
+
+def _refused(error: WorldError, path: Path, words: Words) -> Unusable:
+    """Why the world at ``path`` can't be used, and the command that would allow what it asks for."""
+    from donnie_tui.i18n.mistakes import world_mistake
+
+    sentence, folder = world_mistake(error, words), str(error.details.get("folder", ""))
+    return NotAllowed(sentence, words, ("--world", str(path)), folder) if folder else Unusable(sentence)
 
 
 def _unknown_world(name: str, words: Words, code: str) -> str:
@@ -385,13 +392,12 @@ def _load(path: str, words: Words, folders: tuple[str, ...]) -> Scene:
 
 def scene_of(text: str | None, path: Path, words: Words, allowed: tuple[Path, ...]) -> Scene:
     """The scene of a world file, or of a text in its place. Raises ``Unusable``."""
-    from donnie_tui.i18n.mistakes import world_mistake
     from sim.worldfile import WorldError, load_text, load_world
 
     try:
         return load_world(path, allowed=allowed) if text is None else load_text(text, path, allowed=allowed)
     except WorldError as error:
-        raise Unusable(world_mistake(error, words)) from None
+        raise _refused(error, path, words) from None
 
 
 def with_robot(world: ChosenWorld, words: Words, folders: tuple[Path, ...]) -> ChosenWorld:
@@ -439,7 +445,6 @@ def scattered_by(seed: int, world: ChosenWorld, words: Words, folders: tuple[Pat
     from pathlib import Path
 
     from donnie_tui.core.program_files import DocumentError, read_program
-    from donnie_tui.i18n.mistakes import world_mistake
     from sim.worldfile import WorldError, load_text, scattered
 
     path = Path(world.path)
@@ -449,7 +454,7 @@ def scattered_by(seed: int, world: ChosenWorld, words: Words, folders: tuple[Pat
     except DocumentError as error:
         raise Unusable(words(error.code, path=error.path, reason=error.reason)) from None
     except WorldError as error:
-        raise Unusable(world_mistake(error, words)) from None
+        raise _refused(error, path, words) from None
     return replace(world, scene=scene, text=text)
 
 

@@ -282,3 +282,84 @@ def test_the_map_of_a_replay_has_the_initials_of_colours(tmp_path: Path) -> None
     assert "fOf" in shown
     assert "fYf" in shown
     assert "sSs" not in shown  # there is one stone
+
+
+REPORTS = (
+    *("distances d.csv", "distances d.svg", "distances d.png", "distances d.txt", "distances d.html"),
+    *("run r.svg", "run r.png", "run r.gif", "run r.html", "run r.csv", "trail t.csv", "map m.html"),
+    *("list l.csv", "help h.csv", "manual m.txt", "paper p.svg"),
+)
+
+
+def test_a_replay_reports_what_the_session_reported(here: Here) -> None:
+    """A conversation of three runs, each with its own clock; a file of each kind from both is the same."""
+    typed = ["FW 2", "SPEAK DISTANCE F", "RUN", "TR 90", "FW 3", "RUN", "SPEAK DISTANCE F", "RUN"]
+    typed += [f"REPORT {each}" for each in REPORTS] + ["REPORT distances", "REPORT run"]
+    options = ("--linear", "--world", "living_room", "--record", "a.rec", "--speed", "max", *QUIET)
+    out = donnie(here.folder, *options, typed="\n".join(typed)).stdout.decode().splitlines()
+    names = [each.split()[1] for each in REPORTS]
+    written = [(here.folder / name).read_bytes() for name in names]
+    assert out[-7:-1] == [
+        "Distance ahead rises from 22 to 32 in 3 steps, one jump at 3.",
+        "The robot moves for 5 of 7 seconds, at most 1 step a second.",
+        "The path starts at 0, 0.",
+        "North: 2 steps, to 0, 2.",
+        "East: 3 steps, to 3, 2.",
+        "5 steps in all.",
+    ]
+
+    for each in REPORTS:
+        what, name = each.split()
+        assert here.replay("--report", f"{what} 2{name}")[0] == f"I wrote 2{name}."
+    again = [(here.folder / f"2{name}").read_bytes() for name in names]
+
+    assert [name for name, one, other in zip(names, written, again, strict=True) if one != other] == []
+    assert here.replay("--report", "distances") == out[-7:-5]
+    assert here.replay("--report", "RUN") == out[-5:-1]
+
+
+def test_a_table_of_distances_and_speed_is_written_with_its_sentences(here: Here) -> None:
+    here.record("FW 2\nSPEAK DISTANCE F\nFW 1", "--world", "living_room")
+
+    for _ in range(2):  # an earlier table of Donnie's is replaced
+        assert here.replay("--csv", "d.csv", "--lang", "pt") == [
+            "Gravei d.csv.",
+            "Distância à frente começa e termina em 22 em 0 passos.",
+            "O robô anda durante 3 de 3 segundos, no máximo 1 passo por segundo.",
+        ]
+    assert (here.folder / "d.csv").read_text().splitlines() == [
+        "segundos,distância F,velocidade",
+        *("0,,1", "2,22,1", "3,,1"),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("given", "sentence"),
+    [
+        (("--report", "tea"), 'I can\'t report tea. Say for example: --report "distances plot.svg".'),
+        (("--report", "map"), 'I can\'t report map. Say for example: --report "distances plot.svg".'),
+        (("--report", ""), "The option --report needs a value. The option --help says more."),
+        (
+            ("--report", "map m.png"),
+            "A report of map can't end in .png. It can in .html, .htm, .csv, .txt.",
+        ),
+        (("--report", "run mine.csv"), "--report would overwrite mine.csv, which is something else."),
+        (("--csv", "mine.csv"), "--csv would overwrite mine.csv, which is something else."),
+        (("--csv", "a.rec"), "--csv would overwrite a.rec, which is read here."),
+        (("--csv", "d.csv", "--step"), "--csv and --step do not go together."),
+        (
+            ("--csv", "d.csv", "--report", "run d.csv"),
+            "--csv and --report can't both write d.csv. Give two names.",
+        ),
+    ],
+)
+def test_a_report_that_can_not_be_written_is_refused(
+    here: Here, given: tuple[str, ...], sentence: str
+) -> None:
+    here.record("FW 1")
+    (here.folder / "mine.csv").write_text("name,mark\nAna,9\n")
+    done = here.donnie("replay", "a.rec", *given)
+
+    assert (done.returncode, done.out) == (2, [])
+    assert done.err[-1].startswith(sentence)
+    assert (here.folder / "mine.csv").read_text() == "name,mark\nAna,9\n"

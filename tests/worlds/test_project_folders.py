@@ -1,10 +1,13 @@
 """A world includes files of its project, of the current folder, and of folders that are allowed."""
 
+import shlex
 from pathlib import Path
 
 import pytest
 
 from donnie_tui.cli.main import main
+from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.world.loading import choose_world
 from donnie_tui.world.recorded import pack, unpack
 from sim.worldfile import Code, WorldError, load_configuration, load_world
 
@@ -128,13 +131,42 @@ def test_pictures_have_the_same_limit(folder: Path) -> None:
     assert len(load_world(world(folder)).models[0].polygons) == 2
 
 
-def test_a_refusal_says_how_the_folder_is_allowed(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    code = main(["world", str(world(folder))])
-    shown = capsys.readouterr()
+@pytest.mark.parametrize(
+    "before",
+    [("world",), ("world", "--report"), ("run", "my program.gd", "--world"), ("--linear", "--world")],
+)
+def test_a_refusal_says_the_command_that_allows_the_folder(
+    folder: Path, before: tuple[str, ...], capsys: pytest.CaptureFixture[str]
+) -> None:
+    """It repeats what was typed, and works where it is copied."""
+    Path("my program.gd").write_text("SPEAK 1")
+    code = main([*before, str(world(folder)), "--speech", "off"])
+    mistake, remedy = capsys.readouterr().err.splitlines()
 
     assert code == 2
-    assert f"{world(folder)}, line 1" in shown.err or f"{world(folder)}:1:9" in shown.err
-    assert f"donnie --allow {folder}" in shown.err
+    assert f"{world(folder)}, line 1" in mistake or f"{world(folder)}:1:9" in mistake
+    assert mistake.endswith("../../chair.inc is outside the project of the world.")
+    name, *typed = shlex.split(remedy.removeprefix("To allow its folder: "))
+    assert [name, *typed] == [
+        "donnie",
+        *before,
+        str(world(folder)),
+        "--speech",
+        "off",
+        "--allow",
+        str(folder),
+    ]
+    if "--linear" not in before:
+        assert main(typed) == 0
+
+
+def test_a_refusal_within_a_session_says_the_command_that_begins_in_that_world(folder: Path) -> None:
+    with pytest.raises(Unusable) as refused:
+        choose_world(str(world(folder)), Words("pt"))
+
+    assert refused.value.sentences[1:] == (
+        f"Para permitir a pasta: donnie --world {world(folder)} --allow {folder}",
+    )
 
 
 @pytest.mark.parametrize("separator", ["=", " "])

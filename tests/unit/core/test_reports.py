@@ -7,7 +7,6 @@ from itertools import combinations
 from xml.etree import ElementTree
 
 import pytest
-from msgspec.structs import replace
 from PIL import ImageFont
 
 from devices.ports.robot import Pose, StoppedBy
@@ -17,6 +16,7 @@ from donnie_tui.core.events import (
     Moved,
     Outcome,
     Read,
+    Reset,
     RunEnded,
     RunStarted,
     Stamped,
@@ -197,18 +197,33 @@ def test_the_distance_that_was_read_most_is_said_by_its_name() -> None:
     )
 
 
-def test_a_fresh_run_or_an_earlier_clock_begins_the_measuring_anew() -> None:
+def test_a_fresh_run_or_a_reset_begins_the_measuring_anew() -> None:
     how = HowStarted("", 1, True, False, False, Pose(0, 0, 0))
-    fresh, going_on = (
-        at(30, RunStarted("p", "w", "donnie", 0, "0", replace(how, fresh=is_fresh)))
-        for is_fresh in (True, False)
-    )
-    (last,) = [at(40, Read("distance", "front", 7))]
+    fresh = at(30, RunStarted("p", "w", "donnie", 0, "0", how))
+    last = at(40, Read("distance", "front", 7))
 
     assert [each.points for each in measured([*RUN, fresh, last], Words())] == [((40, 7.0),)]
-    assert measured([*RUN, going_on, last], Words())[0].points[0] == (0, 34)
-    earlier = at(3, RUN[0].event)
-    assert [each.points for each in measured([*RUN, earlier, last], Words())] == [((40, 7.0),)]
+    assert [each.points for each in measured([*RUN, at(0, Reset(Pose(0, 0, 0))), last], Words())] == [
+        ((40, 7.0),)
+    ]
+
+
+def test_the_lines_of_a_conversation_are_measured_one_after_the_other() -> None:
+    """Each is a run of its own, with its own clock from 0."""
+    how = HowStarted("", 1, False, True, False, Pose(0, 0, 0))
+    line = RunStarted("typed", "w", "donnie", 0, "0", how)
+    events = [
+        *(at(0, line), walked(2, 2), at(2, Read("distance", "front", 22))),
+        at(2, RunEnded(Outcome.COMPLETED, Pose(0, 2, 0), {"a": 1}, 2.0)),
+        *(at(0, line), walked(3, 3), at(3, Read("distance", "front", 19))),
+        at(5, RunEnded(Outcome.COMPLETED, Pose(0, 5, 0), {"a": 2}, 5.0)),
+        *(at(0, line), at(0, RunEnded(Outcome.QUIT, Pose(0, 5, 0), {}, 0.0))),
+    ]
+    distance, speed, variable = measured(events, Words())
+
+    assert (distance.points, distance.steps) == (((2, 22), (5, 19)), 3)
+    assert speed.points == ((0, 1), (2, 1), (2, 1), (5, 1))
+    assert variable.points == ((2, 1), (7, 2))
 
 
 def test_the_speed_counts_while_the_robot_walks_and_not_while_it_waits() -> None:
