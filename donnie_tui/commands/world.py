@@ -351,13 +351,17 @@ def may_leave_world(ctx: Context) -> bool:
 
 def world_to_enter(ctx: Context, typed: str) -> str | None:
     """The name or file of a world that can be loaded; None after an answer that says why not."""
+    from os.path import expanduser
+
     from donnie_tui.core.describe import world_meant
+    from donnie_tui.core.program_files import unquoted
     from donnie_tui.i18n.words import Unusable
     from donnie_tui.world.loading import allowed_folders, choose_world, with_robot
 
     if not may_leave_world(ctx):
         return None
-    donnie, name = ctx.donnie, world_meant(typed) or typed
+    file = expanduser(unquoted(typed))  # noqa: PTH111 -- a path would make ./maze the name of a world
+    donnie, name = ctx.donnie, world_meant(typed) or file
     if name == donnie.world.name and donnie.world.ships:
         ctx.answer("world-here-already", name=name)
         return None

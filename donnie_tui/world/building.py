@@ -70,16 +70,18 @@ class Building:
         found = named if len(named) == 1 else self._meant(typed) or named
         if len(found) == 1:
             return found[0]
-        near = nearest(typed, [each.name for each in self._everything()]) or things.near_word(typed, words)
+        names = [things.name_in_words(each, words) for each in self._everything()]
+        near = nearest(typed, names) or things.near_word(typed, words)
         code = "which" if found else "unknown-near" if near else "unknown"
         code = "which-wall" if found and found[0].kind == things.WALL else code
-        places = [f"{each.name or each.kind}: {round(each.x)}, {round(each.y)}" for each in found]
+        places = [f"{things.name_in_words(it, words)}: {round(it.x)}, {round(it.y)}" for it in found]
         values = {"name": typed[:40], "near": near, "names": "; ".join(places[:_MOST_NAMES])}
         raise Unusable(words(f"built-{code}", count=len(found), **values))
 
     def named(self, typed: str) -> list[Thing]:
         """Those with exactly that name, or called so where they are listed."""
-        names = ((each, (each.name, things.thing_in_words(each, self._words))) for each in self._everything())
+        in_words = (lambda it, _: it.name, things.name_in_words, things.thing_in_words)
+        names = ((each, [name(each, self._words) for name in in_words]) for each in self._everything())
         return [each for each, known in names if fold_name(typed) in map(fold_name, known)]
 
     def _meant(self, typed: str) -> list[Thing]:

@@ -59,10 +59,14 @@ def word_for(kind: str, wording: Wording) -> str:
 
 
 def thing_in_words(thing: Thing, wording: Wording) -> str:
-    """A thing in a list; a wall without a name of its own with its number: "parede 2"."""
-    if thing.kind != WALL:
-        return coloured_thing(thing, wording)
-    return re.sub(rf"^{WALL}(?=$| \d+$)", wording("cell-wall"), thing.name or WALL)
+    """A thing in a list."""
+    return name_in_words(thing, wording) if thing.kind == WALL else coloured_thing(thing, wording)
+
+
+def name_in_words(thing: Thing, wording: Wording) -> str:
+    """Its name; without one of its own its kind with its number: "parede 2"."""
+    kind = thing.kind.replace("_", " ")
+    return re.sub(rf"^{re.escape(kind)}(?=$| \d+$)", word_for(thing.kind, wording), thing.name or kind)
 
 
 def _as_in(text: str) -> re.Match[str] | None:
@@ -76,7 +80,7 @@ def with_numbers(text: str, *counts: int) -> tuple[str, tuple[int, ...]]:
     Numbers before them are part of a name: box 2 1 0.
     """
     as_ = _as_in(text)
-    places = [*re.finditer(r"(?<!\S)(-?\d{1,7}),?(?!\S)", text[: as_.start()] if as_ else text)]
+    places = [*re.finditer(r"(?<![^\s,])(-?\d{1,7})(?:,\s*|(?!\S))", text[: as_.start()] if as_ else text)]
     count = next((each for each in counts if each <= len(places)), 0)
     numbers = places[len(places) - count :]
     for each in reversed(numbers):
@@ -113,7 +117,7 @@ def description_of(text: str, wording: Wording) -> tuple[Description, Mapping[in
             marks.append(typed)
         else:
             near = near_word(typed, wording)
-            code = "drawing-word-near" if near else "drawing-word"
+            code = "drawing-second" if phrase in kinds else "drawing-word-near" if near else "drawing-word"
             mistakes[each.start()] = wording(code, word=typed[:40], near=near)
     if as_ and not name[:1].isalpha():
         mistakes[as_.start()] = wording("built-bad-name")

@@ -242,6 +242,13 @@ def test_two_robots_are_named_under_the_drawing(tmp_path: Path) -> None:
             ],
         ),
         (
+            ROOM.replace("chair green AS throne", "chair green small sofa"),
+            [
+                "Error, map.txt, line 11, column 15: small sofa is one thing too many. "
+                "Each line says one thing.",
+            ],
+        ),
+        (
             ROOM.replace("chair green AS throne", "green"),
             [
                 "Error, map.txt, line 11, column 3: The name of the thing is missing. Things are: chair, "
@@ -295,7 +302,7 @@ def test_two_robots_are_named_under_the_drawing(tmp_path: Path) -> None:
             ["Error, map.txt, line 401, column 1: Too many lines: 400 at most."],
         ),
     ],
-    ids=map(str, range(1, 25)),
+    ids=map(str, range(1, 26)),
 )
 def test_every_mistake_in_a_drawing_has_its_place(drawing: str, sentences: list[str]) -> None:
     count = len(sentences)

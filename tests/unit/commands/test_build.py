@@ -34,6 +34,15 @@ OpenScript = Callable[..., Script]
             ],
         ),
         (
+            "en",
+            ("PUT box red 4,6 AS treasure", "MOVE treasure 2,-1", "PUT treasure -4, 6"),
+            [
+                "Treasure, box, red: at 4, 6. From the robot: 4 right, 6 ahead.",
+                "Treasure, box, red: now at 6, 5. From the robot: 6 right, 5 ahead.",
+                "Treasure, box, red: now at -4, 6. From the robot: 4 left, 6 ahead.",
+            ],
+        ),
+        (
             "pt",
             (
                 "COLOCAR caixa vermelha 4 6 COMO tesouro",
@@ -156,6 +165,7 @@ def test_a_pushed_thing_is_moved_from_where_it_is(open_script: OpenScript) -> No
         ("PUT chair 8 0", "The yellow ball is in the way. Nothing changed."),
         ("MOVE ball 7 0", "There is a wall at that place. Nothing changed."),
         ("MOVE ball -8 0", "The robot donnie is at that place. Nothing changed."),
+        ("PUT chair table 4 6", "table is one thing too many. Each line says one thing."),
         ("PUT chiar 4 6", "chiar is neither a thing nor a color. Did you mean chair?"),
         ("PUT box 4 6 AS ball", "Ball is there already. Choose another name."),
         ("MOVE bal 1 0", "There is no bal here. Did you mean ball?"),
@@ -205,6 +215,35 @@ def test_of_several_things_the_names_are_said(open_script: OpenScript) -> None:
         "There are 2: box 2: 8, 6; box 3: 8, 12. Type the name of one."
     ]
     assert script.answers_to("REMOVE box 3") == ["Box, blue: gone from 8, 12."]
+
+
+@pytest.mark.parametrize(
+    ("language", "lines", "answers"),
+    [
+        (
+            "pt",
+            ("COLOCAR caixa azul 4 6", "COLOCAR caixa azul 8 6", "REMOVER caixa azul", "REMOVER caixa 2"),
+            [
+                "Há 2: caixa: 4, 6; caixa 2: 8, 6. Digite o nome de um.",
+                "Caixa azul: não está mais em 8, 6.",
+            ],
+        ),
+        (
+            "es",
+            ("PONER caja azul 4 6", "PONER caja azul 8 6", "QUITAR caja azul", "QUITAR box 2"),
+            [
+                "Hay 2: caja: 4, 6; caja 2: 8, 6. Escribe el nombre de uno.",
+                "Caja azul: ya no está en 8, 6.",
+            ],
+        ),
+    ],
+)
+def test_things_without_a_name_are_numbered_in_the_learners_language(
+    open_script: OpenScript, language: str, lines: tuple[str, ...], answers: list[str]
+) -> None:
+    script = open_script(world="first_room", language=language)
+
+    assert [said for line in lines for said in script.answers_to(line)][2:] == answers
 
 
 def test_a_thing_is_found_by_its_kind_and_one_of_its_squares(open_script: OpenScript) -> None:
@@ -495,6 +534,22 @@ def test_the_name_of_a_world_is_read_as_that_of_a_program(
     assert script.answers_to("SAVE WORLD folder.world") == ["folder.world is a folder."]
     assert script.answers_to('SAVE WORLD "~/a\x1bb"')[0].startswith("World saved as a b.world.")
     assert (tmp_path / "a b.world").is_file()
+
+
+@pytest.mark.parametrize(
+    "typed", ['"~/a b.world"', "~/a b.world", "'{folder}/a b.world'", "{folder}/a b.world"]
+)
+def test_the_name_that_saved_a_world_enters_it(
+    open_script: OpenScript, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, typed: str
+) -> None:
+    monkeypatch.setenv("HOME", str(tmp_path))
+    script = open_script(world="first_room")
+    name = typed.format(folder=tmp_path)
+
+    script.answers_to("PUT box red 4 6", f"SAVE WORLD {name}")
+    with pytest.raises(EnterWorld) as entered:
+        script.type(f"WORLD {name}")
+    assert entered.value.name == str(tmp_path / "a b.world")
 
 
 def test_a_world_of_the_learner_is_saved_to_its_file(open_script: OpenScript, tmp_path: Path) -> None:
