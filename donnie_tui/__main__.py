@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 
-from donnie_tui.process import HIGHEST_STANDARD, load_undisturbed
+from donnie_tui.process import HIGHEST_STANDARD, Later, load_undisturbed, load_with, module
 from donnie_tui.process.disconnection import watch_for_hang_up
 
 TYPE_CHECKING = False  # that of typing costs as much as the rest of the first prompt
@@ -20,7 +20,7 @@ def main(*, joins_server: bool = False) -> int:
         _open_what_is_closed()
         watch_for_hang_up()
         greeting = _greet_early()
-        _load_msgspec()
+        _load_libraries()
         from donnie_tui.cli.main import main as command
 
         return command(sys.argv[1:], greeting, joins_server=joins_server)
@@ -48,18 +48,30 @@ def _open_what_is_closed() -> None:
     os.close(number)
 
 
-def _load_msgspec() -> None:
-    """Load msgspec without typing_extensions, which it prefers to typing where both are installed.
+def _load_libraries() -> None:
+    """Load libraries without what they load and Donnie does not need: a twelfth of a linear session.
 
-    typing_extensions loads inspect, ast and dis: 1.2 MB of each session, a fourteenth of a linear one.
+    msgspec prefers typing_extensions to typing, which loads inspect, ast and dis. It looks into types for
+    programs that want their schemas. argparse translates its complaints, for which gettext loads the names of
+    all locales; ``cli.options`` knows them in English, and complains in sentences of its own.
     """
-    loaded: dict[str, object] = sys.modules  # type: ignore[assignment]
-    if "typing_extensions" in loaded:
-        return
-    loaded["typing_extensions"] = None  # Python's own way to say that there is none
-    import msgspec  # noqa: F401
 
-    del loaded["typing_extensions"]
+    def of_schemas(name: str) -> Later:
+        return Later(lambda: getattr(module(_SCHEMAS), name))
+
+    inspect = Later(lambda: module("msgspec.inspect"))
+    names = {each: of_schemas(each) for each in ("schema", "schema_components")}
+    schemas = Later(lambda: module(_SCHEMAS), **names)
+    load_with("msgspec", **{"typing_extensions": None, "msgspec.inspect": inspect, _SCHEMAS: schemas})
+    untranslated = Later(lambda: module("gettext"), gettext=str, ngettext=_as_in_english)
+    load_with("argparse", gettext=untranslated)
+
+
+_SCHEMAS = "msgspec._json_schema"
+
+
+def _as_in_english(one: str, several: str, number: int) -> str:
+    return one if number == 1 else several
 
 
 def _greet_early() -> Greeting | None:

@@ -12,6 +12,7 @@ from collections.abc import Callable, Collection, Hashable, Iterable, Mapping, S
 from math import ceil, hypot, inf, log
 from typing import TYPE_CHECKING
 
+from donnie_tui.process import Later, load_with, module
 from sim.geometry import Placement
 from sim.scene import Model, Scene
 
@@ -299,6 +300,7 @@ class Ground:
 
     def _lay_out(self) -> Layout:
         """Under the lock, before anything has moved."""
+        _load_pymunk()
         from sim.layout import Layout  # pymunk, a third of a start: loaded at the first movement
 
         self._layout = Layout(self.scene, self._start, self._now, self._groups, self._guards)
@@ -331,3 +333,12 @@ def _things(scene: Scene) -> list[Model]:
     """The top-level models that are not robots."""
     robots = frozenset(scene.robots)
     return [model for model in scene.models if model.parent is None and model.index not in robots]
+
+
+def _load_pymunk() -> None:
+    """Load pymunk without logging, to which it writes errors only: a thirtieth of a linear session."""
+
+    def logger(name: str) -> Later:
+        return Later(lambda: module("logging").getLogger(name))
+
+    load_with("pymunk", logging=Later(lambda: module("logging"), getLogger=logger))

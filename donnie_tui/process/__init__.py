@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import os
+import sys
 
 TYPE_CHECKING = False  # that of typing takes longer to load than all that is here
 if TYPE_CHECKING:
@@ -33,6 +34,53 @@ def loaded() -> None:
     if gc.get_threshold()[0] == WHILE_LOADING:
         gc.freeze()
         gc.set_threshold(AFTERWARDS)
+
+
+# --- libraries that load what they rarely need
+
+
+class Later:
+    """Is in the place of a value that is loaded when it is first called or asked for an attribute."""
+
+    def __init__(self, load: Callable[[], Any], **known: object) -> None:
+        """``known``: attributes that load nothing."""
+        self._load = load
+        self.__dict__.update(known)
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("__"):  # the importing of a module asks for some
+            raise AttributeError(name)
+        return getattr(self._load(), name)
+
+    def __call__(self, *given: object, **named: object) -> Any:
+        return self._load()(*given, **named)
+
+
+def module(name: str) -> Any:
+    """Load a module, which may have another one in its place."""
+    from importlib import import_module
+
+    if isinstance(sys.modules.get(name), Later):  # in another thread than that of ``load_with``
+        del sys.modules[name]
+    return import_module(name)
+
+
+def load_with(library: str, **in_place: object) -> None:
+    """Load ``library``, with other values than usual in the place of modules that it loads.
+
+    None: the library is loaded as if there were no such module.
+    """
+    modules: dict[str, object] = sys.modules  # type: ignore[assignment] # None is Python's own way to say so
+    before = {name: modules.get(name) for name in in_place}
+    modules.update(in_place)
+    try:
+        module(library)
+    finally:
+        for name, usual in before.items():
+            if usual is not None:
+                modules[name] = usual
+            elif name in modules and modules[name] is in_place[name]:
+                del modules[name]
 
 
 # --- work in copies of this process
