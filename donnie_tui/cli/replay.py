@@ -25,9 +25,10 @@ from donnie_tui.cli.programs import judge_recording
 from donnie_tui.cli.streams import Guarded, Input, Output, let_sound, stopped_by_signals
 from donnie_tui.core.events import Answered, Moved, RunStarted, Stamped, Turned, as_line
 from donnie_tui.core.hub import Hub, Stream
+from donnie_tui.core.map_scene import map_at, rows_of
 from donnie_tui.core.recheck import Result, Verdict, recheck
 from donnie_tui.core.recording import LARGEST, Header, NoRecordingError, Recording
-from donnie_tui.core.timeline import Replay, Timeline, map_at, redone_in_words, rows_of, undone_in_words
+from donnie_tui.core.timeline import Replay, Timeline, redone_in_words, undone_in_words
 from donnie_tui.core.transcript import printed_lines, with_robot_name
 from donnie_tui.core.wording import keys_of, meant, position_in_words, spelled
 from donnie_tui.i18n.words import Unusable, Words
@@ -265,8 +266,8 @@ def _subject(order: Order, recording: Recording, closing: ExitStack) -> tuple[Su
     """
     from donnie_tui.commands.lookup import words_in_lines
     from donnie_tui.core.goals import places_of
-    from donnie_tui.core.map_grid import Trail
     from donnie_tui.core.reports import Subject
+    from donnie_tui.core.timeline import Trail
     from donnie_tui.i18n.help import sections
     from donnie_tui.world.loading import choose_challenge, moved_to
     from donnie_tui.world.run_picture import (

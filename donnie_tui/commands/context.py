@@ -30,10 +30,9 @@ from donnie_tui.core.events import (
     ThingsMoved,
     Turned,
 )
-from donnie_tui.core.map_grid import Trail
-from donnie_tui.core.program_text import no_such_line
 from donnie_tui.core.run_controller import RunController
 from donnie_tui.core.run_state import RunErrors
+from donnie_tui.core.timeline import Trail
 from donnie_tui.core.transcript import lines_with_robot_name, with_robot_name
 from donnie_tui.core.wording import shown_name
 from donnie_tui.i18n.words import Unusable
@@ -141,6 +140,8 @@ class Context:
 
     def answer_no_line(self, number: int) -> None:
         """Answer that the program has no line of that number."""
+        from donnie_tui.core.program_text import no_such_line
+
         self.say(no_such_line(len(self.program.lines), number, self.words))
 
     def say_of_robot(self, *lines: str) -> None:

@@ -15,8 +15,9 @@ from donnie_tui.commands.interaction import NotUnderstood, Option, Screen, read_
 from donnie_tui.commands.lookup import word_of
 from donnie_tui.core import map_words
 from donnie_tui.core.events import SoundSwitched
-from donnie_tui.core.map_grid import DEFAULT_MOVES, FREE, MapGrid, Trail, path_in_words, place_in_words
+from donnie_tui.core.map_grid import DEFAULT_MOVES, FREE, MapGrid, path_in_words, place_in_words
 from donnie_tui.core.map_words import Pointer, legend
+from donnie_tui.core.timeline import Trail
 from donnie_tui.core.wording import shown_name
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.settings import Settings, SettingSource

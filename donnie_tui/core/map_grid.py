@@ -1,4 +1,4 @@
-"""The floor of a world as letters, with one robot, its start and its trail; the trail and the path in words.
+"""The floor of a world as letters, with one robot, its start and its trail; places and paths in words.
 
 Cells are counted from the south-west corner of the simulator's picture. A cell is one step wide, or several
 in a very large world. The floor has no end: beyond the picture it is free. The trail is bounded: its oldest
@@ -8,7 +8,7 @@ cells are forgotten first.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from enum import Enum
 from itertools import pairwise
 from math import atan2, degrees, floor, hypot
@@ -16,9 +16,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from msgspec import Struct
 
-from devices.ports.robot import Pose, StoppedBy
-from donnie_tui.core.events import Driven, Moved, Reset, RunEnded, RunStarted, Stamped, Turned
-from donnie_tui.core.wording import COMPASS, Wording, compass_heading, facing, position_in_words, whole_steps
+from devices.ports.robot import Pose
+from donnie_tui.core.timeline import SAME_PLACE, Trail, apart
+from donnie_tui.core.wording import COMPASS, Wording, facing, position_in_words, whole_steps
 
 if TYPE_CHECKING:
     from sim.picture import Picture, Thing
@@ -272,95 +272,15 @@ def _on_the_way(start: Cell, end: Cell, step: int, length: int) -> Cell:
     )
 
 
-# --- the trail in words
+# --- places and paths in words
 
 DEFAULT_MOVES = 5
 """Moves that TRAIL gives without a number."""
 
-MOVES_KEPT = 1000
-"""Moves that are remembered."""
-POSES_KEPT = 2 * MOVES_KEPT
-"""A path has its turns too."""
-
-
-class Trail:
-    """The moves of each robot so far. Subscribe ``on_event`` to a hub."""
-
-    def __init__(self, of: Callable[[], str | None] = lambda: None) -> None:
-        """``of`` returns the robot's name in its events; None in a world of one robot."""
-        self._of = of
-        self._moves_of: dict[str | None, deque[Moved | Turned]] = {}
-        self._last_poses: dict[str | None, Pose] = {}
-        self._paths: dict[str | None, deque[Pose]] = {}
-
-    @property
-    def path(self) -> tuple[Pose, ...]:
-        """Where the robot was, since it was at its start or put elsewhere; its start first."""
-        return tuple(self._paths.get(self._of(), ()))
-
-    @property
-    def paths(self) -> dict[str | None, tuple[Pose, ...]]:
-        """As ``path``, of each robot that drove, by its name in events."""
-        return {
-            robot: tuple(path)
-            for robot, path in self._paths.items()
-            if any(_apart(path[0], pose) > _SAME_PLACE for pose in path)
-        }
-
-    @property
-    def last_pose(self) -> Pose | None:
-        """The robot's last pose; None before anything ran."""
-        return self._last_poses.get(self._of())
-
-    @property
-    def _moves(self) -> list[Moved | Turned]:
-        return list(self._moves_of.get(self._of(), ()))
-
-    def on_event(self, stamped: Stamped) -> None:
-        """Called in any thread."""
-        event = stamped.event
-        if isinstance(event, Moved | Turned):
-            self._moves_of.setdefault(stamped.robot, deque(maxlen=MOVES_KEPT)).append(event)
-        if isinstance(event, Moved | Turned | Driven):
-            self._paths.setdefault(stamped.robot, deque(maxlen=POSES_KEPT)).append(event.pose)
-        if isinstance(event, Moved | Turned | Driven | RunEnded):
-            self._last_poses[stamped.robot] = event.pose
-        elif isinstance(event, Reset):
-            self._paths.pop(stamped.robot, None)
-        elif isinstance(event, RunStarted) and event.how is not None:
-            robot = stamped.robot if event.how.named else None
-            self._last_poses[robot] = event.how.pose
-            path = self._paths.get(robot, ())
-            if not path or _apart(path[-1], event.how.pose) > _SAME_PLACE:
-                self._paths[robot] = deque([event.how.pose], maxlen=POSES_KEPT)
-
-    def in_words(self, count: int, wording: Wording) -> tuple[str, ...]:
-        """The last ``count`` moves, a sentence each."""
-        moves = self._moves[-count:] if count else []
-        return tuple(_move(each, wording) for each in moves) or (wording("trail-none"),)
-
-    def rows(self) -> tuple[tuple[str, int, int, int, int, bool], ...]:
-        """The rows of a table: command, steps or degrees done, x, y, heading, whether it was cut short."""
-        return tuple(
-            (
-                each.command,
-                each.walked if isinstance(each, Moved) else each.turned,
-                whole_steps(each.pose.x),
-                whole_steps(each.pose.y),
-                compass_heading(each.pose),
-                each.stopped_by is not None,
-            )
-            for each in self._moves
-        )
-
-
-_SAME_PLACE = 0.01
-"""Steps."""
-
 
 def path_in_words(path: Sequence[Pose], wording: Wording) -> tuple[str, ...]:
     """A driven path: its start, a sentence for each straight leg, and its length."""
-    places = [pose for before, pose in pairwise(path) if _apart(before, pose) > _SAME_PLACE]
+    places = [pose for before, pose in pairwise(path) if apart(before, pose) > SAME_PLACE]
     if not places:
         return (wording("trail-none"),)
     legs: list[tuple[Pose, Pose]] = []
@@ -369,7 +289,7 @@ def path_in_words(path: Sequence[Pose], wording: Wording) -> tuple[str, ...]:
             legs[-1] = legs[-1][0], there
         else:
             legs.append((here, there))
-    total = sum(_apart(*each) for each in legs)
+    total = sum(apart(*each) for each in legs)
     return (
         wording("path-start", **_whole(path[0])),
         *(_leg(*each, wording) for each in legs),
@@ -381,15 +301,11 @@ def _leg(here: Pose, there: Pose, wording: Wording) -> str:
     bearing = round(_bearing(here, there)) % 360
     point = f"compass-{COMPASS[bearing // 45]}"
     towards = facing(Pose(0, 0, bearing), wording) if bearing % 45 else wording(point)
-    return wording("path-leg", steps=round(_apart(here, there)), towards=towards, **_whole(there))
+    return wording("path-leg", steps=round(apart(here, there)), towards=towards, **_whole(there))
 
 
 def _whole(pose: Pose) -> dict[str, int]:
     return {"x": whole_steps(pose.x), "y": whole_steps(pose.y)}
-
-
-def _apart(here: Pose, there: Pose) -> float:
-    return hypot(there.x - here.x, there.y - here.y)
 
 
 def _bearing(here: Pose, there: Pose) -> float:
@@ -401,17 +317,3 @@ def place_in_words(pose: Pose, trail: Trail, wording: Wording, *, is_full: bool)
     """The answer to WHERE: the robot's place, and at full its last move."""
     place = position_in_words(pose, wording)
     return (place, *trail.in_words(1, wording)) if is_full else (place,)
-
-
-_NOT_BLOCKED = (StoppedBy.USER, StoppedBy.LINK, StoppedBy.WRONG_WAY, StoppedBy.RUNAWAY)
-"""What ends a movement although nothing is in the way."""
-
-
-def _move(event: Moved | Turned, wording: Wording) -> str:
-    if isinstance(event, Turned):
-        return wording("trail-turned", command=event.command, facing=facing(event.pose, wording))
-    code = "trail-blocked" if event.stopped_by else "trail-walked"
-    if event.stopped_by in _NOT_BLOCKED:
-        code = "trail-stopped"
-    x, y = whole_steps(event.pose.x), whole_steps(event.pose.y)
-    return wording(code, command=event.command, done=event.walked, x=x, y=y)

@@ -20,9 +20,17 @@ from msgspec.structs import replace
 from devices.ports.robot import Bearing, Pose
 from donnie_tui.core.events import PlacedThing, Read, Scanned
 from donnie_tui.core.map_grid import FREE, Bounds, Cell, Kind, MapGrid, arrow_of, cells_between
-from donnie_tui.core.wording import Wording, coloured_thing, letters_of_several_colours, name_of, shade
+from donnie_tui.core.wording import (
+    Wording,
+    colour_initials,
+    coloured_thing,
+    letters_of_several_colours,
+    name_of,
+    shade,
+)
 
 if TYPE_CHECKING:
+    from donnie_tui.core.timeline import Timeline
     from sim.picture import Picture, Thing
 
 
@@ -459,4 +467,48 @@ def _is_free(scale: MapScale, square: Cell) -> bool:
         Kind.FREE,
         Kind.TRAIL,
         Kind.RAY,
+    )
+
+
+# --- the map at a moment of the past
+
+WIDEST, HIGHEST = 78, 22
+"""Squares of a map: what a terminal of 80 by 24 shows at once."""
+
+
+def map_at(timeline: Timeline, picture: Picture, robot: str | None) -> MapScene | None:
+    """The map at this position, with that robot's trail. None if the robot's place is not known yet."""
+    trail = timeline.trail(robot)
+    if not trail:
+        return None
+    scene = MapScene(picture, trail[0])
+    scene.place_things(timeline.things)
+    for pose in trail[1:]:
+        scene.move(pose)
+    for other in timeline.robots:
+        pose_of_other = timeline.pose(other)
+        if other is not None and other != robot and pose_of_other is not None:
+            scene.move_other(other, pose_of_other)
+    return scene
+
+
+def rows_of(scene: MapScene, wording: Wording) -> tuple[str, ...]:
+    """The map's rows, the northern one first; of a large map the part around the robot.
+
+    In the middle of a thing that differs from others in colour only is the initial of its colour.
+    """
+    part = scene.bounds.part(scene.robot, WIDEST, HIGHEST)
+    mixed, initials = scene.letters_of_several_colours, colour_initials(wording)
+
+    def shown(cell: Cell) -> str:
+        letter = scene.letter(cell)
+        return (
+            initials.get(scene.colour(cell), letter)
+            if letter in mixed and scene.has_room_for_colour(cell)
+            else letter
+        )
+
+    return tuple(
+        "".join(shown(Cell(x, y)) for x in range(part.left, part.right + 1))
+        for y in range(part.top, part.bottom - 1, -1)
     )

@@ -22,10 +22,11 @@ from devices.ports.robot import Bearing, Pose
 from donnie_tui.core.describe import place_of
 from donnie_tui.core.events import Moved, Read, RunEnded, RunStarted, Stamped, Turned, Waited
 from donnie_tui.core.goals import begins_anew
-from donnie_tui.core.map_grid import Trail, path_in_words
+from donnie_tui.core.map_grid import path_in_words
 from donnie_tui.core.map_words import floor_in_words
 from donnie_tui.core.program_files import unquoted
 from donnie_tui.core.program_text import ProgramText
+from donnie_tui.core.timeline import Trail
 from donnie_tui.core.wording import Wording, meant, shade, specific_name_of
 from language.keywords import argument_spelling
 from language.source import cleaned

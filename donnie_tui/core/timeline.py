@@ -2,7 +2,7 @@
 
 A position is the number of events before it. At each position the timeline knows the place and trail of every
 robot; variables are known only where a run ended. A step is one command with all announcements about it.
-``Chronicle`` is the listener that keeps the newest events for it.
+``Chronicle`` is the listener that keeps the newest events for it, ``Trail`` the one that keeps movements.
 
 A replay keeps the program's time, divided by the speed, forwards and backwards. The caller decides how events
 are shown. All waiting goes through the control, so that a stop takes effect at once."""
@@ -12,11 +12,11 @@ from __future__ import annotations
 from array import array
 from collections import deque
 from collections.abc import Callable, Iterable, Sequence
-from typing import TYPE_CHECKING
+from math import hypot
 
 from msgspec import Struct
 
-from devices.ports.robot import Pose
+from devices.ports.robot import Pose, StoppedBy
 from donnie_tui.core.events import (
     TRANSIENT,
     TYPED,
@@ -44,16 +44,10 @@ from donnie_tui.core.events import (
     Waited,
     event_name,
 )
-from donnie_tui.core.map_grid import Cell
-from donnie_tui.core.map_scene import MapScene
 from donnie_tui.core.transcript import printed_lines, with_robot_name
-from donnie_tui.core.wording import Wording, colour_initials, facing, whole_steps
+from donnie_tui.core.wording import Wording, compass_heading, facing, whole_steps
 from language.control import ExecutionControl
 from language.source import printable
-
-if TYPE_CHECKING:
-    from sim.picture import Picture
-
 
 _ABOUT_AN_EVENT = ("moved", "turned", "driven", "scan", "sound", "link", "gripper", "pushed")
 """Announcements that follow an event of their own; any other is an event in itself."""
@@ -256,9 +250,6 @@ class Chronicle:
         return timeline
 
 
-WIDEST, HIGHEST = 78, 22
-"""Squares of a map: what a terminal of 80 by 24 shows at once."""
-
 LONGEST_PAUSE = 5.0
 """Seconds of real time that a replay pauses at most, so that a WAIT 1000 is not waited for again."""
 
@@ -322,44 +313,6 @@ def moments_of(events: Iterable[Stamped]) -> array[float]:
         if isinstance(stamped.event, RunEnded):
             running.discard(stamped.robot)
     return moments
-
-
-def map_at(timeline: Timeline, picture: Picture, robot: str | None) -> MapScene | None:
-    """The map at this position, with that robot's trail. None if the robot's place is not known yet."""
-    trail = timeline.trail(robot)
-    if not trail:
-        return None
-    scene = MapScene(picture, trail[0])
-    scene.place_things(timeline.things)
-    for pose in trail[1:]:
-        scene.move(pose)
-    for other in timeline.robots:
-        pose_of_other = timeline.pose(other)
-        if other is not None and other != robot and pose_of_other is not None:
-            scene.move_other(other, pose_of_other)
-    return scene
-
-
-def rows_of(scene: MapScene, wording: Wording) -> tuple[str, ...]:
-    """The map's rows, the northern one first; of a large map the part around the robot.
-
-    In the middle of a thing that differs from others in colour only is the initial of its colour.
-    """
-    part = scene.bounds.part(scene.robot, WIDEST, HIGHEST)
-    mixed, initials = scene.letters_of_several_colours, colour_initials(wording)
-
-    def shown(cell: Cell) -> str:
-        letter = scene.letter(cell)
-        return (
-            initials.get(scene.colour(cell), letter)
-            if letter in mixed and scene.has_room_for_colour(cell)
-            else letter
-        )
-
-    return tuple(
-        "".join(shown(Cell(x, y)) for x in range(part.left, part.right + 1))
-        for y in range(part.top, part.bottom - 1, -1)
-    )
 
 
 LONGEST_QUOTE = 60
@@ -452,3 +405,104 @@ def _place(event: Event, pose: Pose | None, wording: Wording) -> str:
 def _quoted(text: str) -> str:
     shown = printable(" ".join(text.split())).rstrip(".")
     return shown if len(shown) <= LONGEST_QUOTE else f"{shown[: LONGEST_QUOTE - 1]}…"
+
+
+# --- where a robot was
+
+MOVES_KEPT = 1000
+"""Moves that are remembered."""
+POSES_KEPT = 2 * MOVES_KEPT
+"""A path has its turns too."""
+
+
+class Trail:
+    """The moves of each robot so far. Subscribe ``on_event`` to a hub."""
+
+    def __init__(self, of: Callable[[], str | None] = lambda: None) -> None:
+        """``of`` returns the robot's name in its events; None in a world of one robot."""
+        self._of = of
+        self._moves_of: dict[str | None, deque[Moved | Turned]] = {}
+        self._last_poses: dict[str | None, Pose] = {}
+        self._paths: dict[str | None, deque[Pose]] = {}
+
+    @property
+    def path(self) -> tuple[Pose, ...]:
+        """Where the robot was, since it was at its start or put elsewhere; its start first."""
+        return tuple(self._paths.get(self._of(), ()))
+
+    @property
+    def paths(self) -> dict[str | None, tuple[Pose, ...]]:
+        """As ``path``, of each robot that drove, by its name in events."""
+        return {
+            robot: tuple(path)
+            for robot, path in self._paths.items()
+            if any(apart(path[0], pose) > SAME_PLACE for pose in path)
+        }
+
+    @property
+    def last_pose(self) -> Pose | None:
+        """The robot's last pose; None before anything ran."""
+        return self._last_poses.get(self._of())
+
+    @property
+    def _moves(self) -> list[Moved | Turned]:
+        return list(self._moves_of.get(self._of(), ()))
+
+    def on_event(self, stamped: Stamped) -> None:
+        """Called in any thread."""
+        event = stamped.event
+        if isinstance(event, Moved | Turned):
+            self._moves_of.setdefault(stamped.robot, deque(maxlen=MOVES_KEPT)).append(event)
+        if isinstance(event, Moved | Turned | Driven):
+            self._paths.setdefault(stamped.robot, deque(maxlen=POSES_KEPT)).append(event.pose)
+        if isinstance(event, Moved | Turned | Driven | RunEnded):
+            self._last_poses[stamped.robot] = event.pose
+        elif isinstance(event, Reset):
+            self._paths.pop(stamped.robot, None)
+        elif isinstance(event, RunStarted) and event.how is not None:
+            robot = stamped.robot if event.how.named else None
+            self._last_poses[robot] = event.how.pose
+            path = self._paths.get(robot, ())
+            if not path or apart(path[-1], event.how.pose) > SAME_PLACE:
+                self._paths[robot] = deque([event.how.pose], maxlen=POSES_KEPT)
+
+    def in_words(self, count: int, wording: Wording) -> tuple[str, ...]:
+        """The last ``count`` moves, a sentence each."""
+        moves = self._moves[-count:] if count else []
+        return tuple(_move(each, wording) for each in moves) or (wording("trail-none"),)
+
+    def rows(self) -> tuple[tuple[str, int, int, int, int, bool], ...]:
+        """The rows of a table: command, steps or degrees done, x, y, heading, whether it was cut short."""
+        return tuple(
+            (
+                each.command,
+                each.walked if isinstance(each, Moved) else each.turned,
+                whole_steps(each.pose.x),
+                whole_steps(each.pose.y),
+                compass_heading(each.pose),
+                each.stopped_by is not None,
+            )
+            for each in self._moves
+        )
+
+
+SAME_PLACE = 0.01
+"""Steps."""
+
+
+def apart(here: Pose, there: Pose) -> float:
+    return hypot(there.x - here.x, there.y - here.y)
+
+
+_NOT_BLOCKED = (StoppedBy.USER, StoppedBy.LINK, StoppedBy.WRONG_WAY, StoppedBy.RUNAWAY)
+"""What ends a movement although nothing is in the way."""
+
+
+def _move(event: Moved | Turned, wording: Wording) -> str:
+    if isinstance(event, Turned):
+        return wording("trail-turned", command=event.command, facing=facing(event.pose, wording))
+    code = "trail-blocked" if event.stopped_by else "trail-walked"
+    if event.stopped_by in _NOT_BLOCKED:
+        code = "trail-stopped"
+    x, y = whole_steps(event.pose.x), whole_steps(event.pose.y)
+    return wording(code, command=event.command, done=event.walked, x=x, y=y)

@@ -17,7 +17,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
-from string import ascii_uppercase
 from typing import TYPE_CHECKING, Protocol
 
 from devices.ports.robot import Pose
@@ -255,6 +254,8 @@ def shade(thing: Thing, wording: Wording) -> str:
 
 def colour_initials(wording: Wording, taken: Iterable[str] = ()) -> dict[str, str]:
     """A capital letter for each colour, its first that is not ``taken`` and not another colour's."""
+    from string import ascii_uppercase
+
     from language.keywords import COLOURS  # the first frame needs none
 
     used = {each.upper() for each in taken}

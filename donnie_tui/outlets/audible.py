@@ -23,7 +23,6 @@ from devices.audio.channel import (
     choose_channel,
     ssip_address,
 )
-from devices.audio.pronunciation import SignWords, SpokenLanguage
 from devices.ports.audio import CuePlayer, Speaker, Urgency, Utterance
 from donnie_tui.core.answer_log import spelled
 from donnie_tui.core.events import Answered, SoundSwitched, Stamped
@@ -37,6 +36,7 @@ from donnie_tui.settings.settings import Settings, SettingSource
 from language.locales import keys, languages, own_words, table
 
 if TYPE_CHECKING:
+    from devices.audio.pronunciation import SignWords, SpokenLanguage
     from devices.audio.service import AudioService
     from devices.ports.audio import AudioNotice, VoiceSettings
 
@@ -355,6 +355,8 @@ class _AudioAssembler:
 
 def spoken_languages() -> Mapping[str, SpokenLanguage]:
     """The languages of the voice, by code, each with the tag of its voice."""
+    from devices.audio.pronunciation import SpokenLanguage
+
     return {
         each: SpokenLanguage(_words(each, "voices") or (each,), _sign_words(each)) for each in languages()
     }
@@ -362,6 +364,8 @@ def spoken_languages() -> Mapping[str, SpokenLanguage]:
 
 def _sign_words(language: str) -> SignWords | None:
     """The names of signs and numbers; None if the numbers are missing."""
+    from devices.audio.pronunciation import SignWords
+
     minus, point, degree, degrees = (
         "".join(_words(language, each)[:1]) for each in ("minus", "point", "degree", "degrees")
     )

@@ -8,20 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from contextlib import suppress
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from msgspec import Struct
 
 from devices.ports.robot import RobotProblem
-from devices.serial_ports import (
-    FoundPort,
-    PortFault,
-    PortProblem,
-    group_of,
-    is_named,
-    is_same_port,
-    list_ports,
-)
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.settings.parsing import (
     DOUBLE,
@@ -34,6 +25,9 @@ from donnie_tui.settings.parsing import (
     socket_of,
 )
 from donnie_tui.settings.settings import Settings
+
+if TYPE_CHECKING:
+    from devices.serial_ports import FoundPort, PortProblem
 
 
 class Searchable(Protocol):
@@ -87,11 +81,13 @@ class Search:
 def _nothing() -> None: ...
 
 
-Lister = Callable[[], tuple[FoundPort, ...]]
+Lister = Callable[[], "tuple[FoundPort, ...]"]
 
 
 def running_server(environment: Mapping[str, str]) -> str | None:
     """The Player server that the original's variables name, or one that runs on this machine."""
+    from devices.serial_ports import is_named
+
     host, port = environment.get("DONNIE_IP", ""), environment.get("DONNIE_PORT", "")
     try:
         server = read_server(f"{host or LOCAL_SERVER}:{port or PLAYER_PORT}")
@@ -122,8 +118,10 @@ class RobotOption(Struct, frozen=True):
     sentence: str
 
 
-def robot_options(settings: Settings, words: Words, found: Lister = list_ports) -> tuple[RobotOption, ...]:
+def robot_options(settings: Settings, words: Words, found: Lister | None = None) -> tuple[RobotOption, ...]:
     """The simulator, the boards that are plugged in and the one of the settings, and the simulated board."""
+    from devices.serial_ports import is_same_port
+
     ports = dict.fromkeys(each.stable for each in _boards(settings, found))
     may_be_belt = len(ports) > 1 and not settings.belt
     server = settings.robot if settings.robot.startswith(PLAYER) else ""
@@ -143,12 +141,14 @@ def robot_options(settings: Settings, words: Words, found: Lister = list_ports) 
 
 def _kind(port: str, configured: str, may_be_belt: bool) -> str:
     """The kind of a board as far as it is known without a question to it."""
+    from devices.serial_ports import is_same_port
+
     is_known = bool(configured) and is_same_port(port, configured)
     return "connect-option-board" if may_be_belt and not is_known else "connect-option-port"
 
 
 def find_port(
-    settings: Settings, words: Words, found: Lister = list_ports, *, remedy: str = "remedy-simulator"
+    settings: Settings, words: Words, found: Lister | None = None, *, remedy: str = "remedy-simulator"
 ) -> str:
     """The port of the robot that the settings name, or of the one board that is plugged in and is no belt.
 
@@ -168,6 +168,8 @@ def find_port(
 
 def sentences_of(problem: PortProblem | RobotProblem, words: Words) -> tuple[str, ...]:
     """The sentences about a problem and its remedy, if one is known."""
+    from devices.serial_ports import PortFault, PortProblem, group_of
+
     if isinstance(problem, PortProblem):
         code, values = problem.fault.value, {"port": problem.port, "reason": problem.reason}
     else:
@@ -181,6 +183,13 @@ def sentences_of(problem: PortProblem | RobotProblem, words: Words) -> tuple[str
     return problem_line, words("remedy-no-group") if group is None else words(f"remedy-{code}", group=group)
 
 
-def _boards(settings: Settings, found: Lister) -> tuple[FoundPort, ...]:
+def _boards(settings: Settings, found: Lister | None) -> tuple[FoundPort, ...]:
+    """Those of the machine, unless ``found`` lists others."""
+    from devices.serial_ports import is_same_port, list_ports
+
     belt = settings.belt
-    return tuple(each for each in found() if each.is_board and not (belt and is_same_port(each.device, belt)))
+    return tuple(
+        each
+        for each in (found or list_ports)()
+        if each.is_board and not (belt and is_same_port(each.device, belt))
+    )

@@ -23,7 +23,6 @@ from donnie_tui.core.events import (
     Turned,
     Waited,
 )
-from donnie_tui.core.map_grid import Trail
 from donnie_tui.core.reports import (
     PLOT_LETTER,
     Section,
@@ -38,6 +37,7 @@ from donnie_tui.core.reports import (
     report,
     suffixes_of,
 )
+from donnie_tui.core.timeline import Trail
 from donnie_tui.i18n.words import Words
 from sim.picture import Picture, Thing
 

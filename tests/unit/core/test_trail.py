@@ -2,7 +2,8 @@
 
 from devices.ports.robot import Pose, StoppedBy
 from donnie_tui.core.events import HowStarted, Moved, Outcome, Reset, RunEnded, RunStarted, Stamped, Turned
-from donnie_tui.core.map_grid import MOVES_KEPT, Trail, path_in_words
+from donnie_tui.core.map_grid import path_in_words
+from donnie_tui.core.timeline import MOVES_KEPT, Trail
 from donnie_tui.i18n.words import Words
 
 WALK = Moved("FW 3", 3, 3, None, Pose(0, 3, 0), True)
