@@ -69,7 +69,7 @@ class _OwnSettings(Struct, frozen=True):
 
 
 TEACHERS = (CONFINED.key, DEVICES.key)
-"""Settings that a learner can't make."""
+"""Settings that a learner can't make: ``limits_of`` doesn't read the learner's own."""
 
 
 def main(arguments: list[str], greeting: Greeting | None = None, *, joins_server: bool = False) -> int:
@@ -147,9 +147,7 @@ def _limit(invocation: Invocation, words: Words, start: _Start) -> _OwnSettings:
     _ignore_suspension(words)
     own, troubles = read_file(settings_file(os.environ))
     refused = tuple(Notice("setting-of-teacher", {"name": each}) for each in TEACHERS if each in own)
-    return _OwnSettings(
-        {key: value for key, value in own.items() if key not in TEACHERS}, start.troubles + troubles + refused
-    )
+    return _OwnSettings(own, start.troubles + troubles + refused)
 
 
 def _import_nothing_from(folder: str) -> None:
