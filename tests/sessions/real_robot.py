@@ -14,6 +14,8 @@ from tests.board_on_pty import PtyBoard
 from tests.timeouts import TIMEOUT
 
 LONG_WALK = "FW 100\n"
+SOON = {"DONNIE_ROBOT_TIMEOUTS": "6"}
+"""The wheels of a robot that does not stop are watched for nine seconds."""
 
 
 def until(is_met: Callable[[], bool]) -> bool:

@@ -32,6 +32,23 @@ def test_a_signal_to_leave_rescues_the_program(number: int, tmp_path: Path) -> N
     again.sees("1: FW 1\r\n2: FW 2\r\n> ")
 
 
+def test_a_signal_rescues_what_could_not_be_written_before(tmp_path: Path) -> None:
+    """As when the disk was full, and has room again."""
+    state = tmp_path / "state" / "donnie"
+    state.mkdir(parents=True)
+    in_the_way = state / "unsaved"
+    in_the_way.touch()
+    learner = Learner(tmp_path)
+    learner.enters("FW 1")
+    while b"What you type can't be kept safe" not in learner.raw:
+        learner.enters("LIST")
+    in_the_way.unlink()
+    learner.child.kill(signal.SIGTERM)
+
+    assert learner.leaves() == 128 + signal.SIGTERM
+    assert [each.read_text() for each in copies(tmp_path)] == ["FW 1\n"]
+
+
 def test_a_rescued_program_has_its_file_again(tmp_path: Path) -> None:
     (tmp_path / "walk.gd").write_text("FW 1\n")
     learner = Learner(tmp_path)

@@ -18,7 +18,7 @@ from devices.wire.frames import CONFIGURE, STOP
 from tests.board_on_pty import PtyBoard
 from tests.sessions.command import COMMAND, QUIET, environment
 from tests.sessions.learner import Learner
-from tests.sessions.real_robot import half_a_frame, program, serial, until
+from tests.sessions.real_robot import SOON, half_a_frame, program, serial, until
 from tests.sessions.shell import is_stopped
 from tests.timeouts import TIMEOUT
 
@@ -74,6 +74,26 @@ def test_a_run_with_unread_output_stops_its_robot_and_ends(
         assert until(lambda: not run.isalive())
         assert not robot.board.is_driving
     assert run.exitstatus == 130
+
+
+def test_a_run_with_unread_output_whose_robot_does_not_stop_fails(tmp_path: Path, robot: PtyBoard) -> None:
+    run = pexpect.spawn(
+        sys.executable,
+        [*COMMAND[1:], "run", program(tmp_path, "FW 300\n"), *serial(robot), *QUIET],
+        env=environment(tmp_path, SOON),
+        cwd=str(tmp_path),
+        timeout=TIMEOUT,
+    )
+    assert until(lambda: robot.board.is_driving)
+    with terminal_that_takes_nothing(run):
+        robot.board.millivolts = 6000
+        assert until(is_stuck(run.pid))
+        robot.board.is_deaf = True
+        run.kill(signal.SIGINT)
+
+        assert until(lambda: not run.isalive())
+    assert robot.board.is_driving
+    assert run.exitstatus == 1
 
 
 def test_control_z_stops_the_robot_of_the_linear_mode_at_a_stuck_terminal(

@@ -13,14 +13,12 @@ import pytest
 from tests.board_on_pty import PtyBoard
 from tests.sessions.command import COMMAND, QUIET, donnie, environment, start
 from tests.sessions.learner import Learner
-from tests.sessions.real_robot import LONG_WALK, leave_driving, program, serial, until
+from tests.sessions.real_robot import LONG_WALK, SOON, leave_driving, program, serial, until
 from tests.timeouts import TIMEOUT
 
 pytestmark = pytest.mark.slow
 
 SENTENCE = "It does not stop. Switch it off."
-SOON = {"DONNIE_ROBOT_TIMEOUTS": "6"}
-"""The wheels are watched for nine seconds."""
 
 
 def test_a_run_whose_robot_does_not_stop_says_so_and_fails(tmp_path: Path, robot: PtyBoard) -> None:

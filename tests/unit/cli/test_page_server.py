@@ -526,6 +526,20 @@ async def test_a_page_whose_process_takes_no_keys_counts_as_gone(serving: Any, c
         assert await until_closed(page) == (1006, "")  # it was cut
 
 
+async def test_a_page_that_is_lost_hangs_up_its_process_before_the_keys_that_wait(
+    serving: Any, client: ClientSession
+) -> None:
+    """As after a key was held down at a process that hangs. Each of them would wait for half a second."""
+    async with serving("deaf", lost=0.5, heartbeat=NEVER) as served:
+        page = await served.page(client)
+        await until_shown(page, b"first screen")
+        await page.send_json(["stdin", "x" * 2**19])  # more than pipes and buffers hold
+        for _ in range(2000):
+            await page.send_json(["stdin", "x"])
+        await until(lambda: served.signals == [HUNG_UP])
+        await page.close()
+
+
 async def test_a_page_that_answers_no_longer_counts_as_gone(serving: Any, client: ClientSession) -> None:
     """As after a pulled cable: nothing is closed."""
     async with serving(heartbeat=1) as served:
