@@ -6,8 +6,8 @@ import pytest
 from devices.ports.robot import Pose
 from donnie_tui.core.events import PlacedThing, Read, Scanned, SeenGroup
 from donnie_tui.core.map_grid import Bounds, Cell, Kind
-from donnie_tui.core.map_scene import RAY, MapScale, MapScene, factor_for, labels
-from donnie_tui.core.map_words import Pointer, legend
+from donnie_tui.core.map_scene import RAY, MapScale, MapScene, factor_for, floor_rows, labels
+from donnie_tui.core.map_words import Pointer, content, legend
 from donnie_tui.i18n.words import Words
 from sim.picture import Picture, Thing
 
@@ -281,3 +281,141 @@ def test_the_legend_explains_every_letter_of_the_floor() -> None:
 
     assert lines[-1] == "c is chair, red."
     assert any(line.startswith("# ") for line in lines)
+
+
+# --- several robots and things
+
+COURT = ("##########", "#........#", "#..cc..b.#", "#......bb#", "#.t......#", "##########")
+
+
+def court() -> MapScene:
+    """10 by 6 cells, the corner at 0, 0: a chair, a table, Bob facing east, and alice at 1, 1 facing north."""
+    things = (
+        Thing("", "chair", "c", "red", 3.5, 3, 2, 1, index=1),
+        Thing("tea", "table", "t", "blue", 2, 1, 1, 1, index=2),
+        Thing("Bob", "donnie", "b", "green", 7, 3, 1, 1, is_robot=True, heading=90.0, index=3),
+    )
+    return MapScene(Picture(0, 0, 10, 6, 1, COURT, things, has_walls=True), Pose(1, 1, 0), "alice")
+
+
+def test_a_robot_that_has_not_moved_is_an_arrow_where_it_stands_and_nothing_after_it_has_left() -> None:
+    it = court()
+    stands, beside = Cell(7, 3), Cell(7, 2)
+    assert (it.letter(stands), it.letter(beside), it.name_of_robot(stands)) == (">", "b", "Bob")
+    assert (it.name_of_robot(it.robot), it.name_of_robot(Cell(5, 1))) == ("alice", "")
+    assert scene().name_of_robot(scene().robot) == ""
+    assert [each.letter for each in it.things] == ["c", "t", "b"]
+
+    changed = it.move_other("Bob", Pose(5, 1, 180))
+    assert {stands, beside, Cell(5, 1)} <= changed
+    assert [it.letter(each) for each in (stands, beside, Cell(5, 1))] == [".", ".", "v"]
+    assert (it.name_of_robot(Cell(5, 1)), it.name_of_robot(stands), it.thing(stands)) == ("Bob", "", None)
+    assert [each.letter for each in it.things] == ["c", "t"]
+
+    it.place_things((PlacedThing("tea", Pose(7, 1, 0), 2),))
+    assert (it.letter(stands), it.kind(Cell(7, 1)), it.thing(Cell(7, 1)).name) == (".", Kind.THING, "tea")
+    it.begin(Pose(1, 1, 0))
+    it.place_things(())
+    assert (it.letter(stands), it.letter(Cell(7, 1)), it.letter(Cell(2, 1))) == (">", ".", "t")
+
+
+def test_a_square_is_painted_as_what_it_shows() -> None:
+    it = court()
+    it.look_along(Read("distance", "front", 1))
+    scale = MapScale(it)
+
+    cells = (Cell(0, 0), Cell(1, 1), Cell(1, 2), Cell(2, 1), Cell(3, 3), Cell(7, 3), Cell(8, 1))
+    assert [scale.shown(each) for each in cells] == [
+        *(("#", "wall"), ("^", "robot"), (".", "free"), ("t", "thing-blue"), ("c", "thing-red")),
+        *((">", "other-green"), (".", "free")),
+    ]
+    it.move_other("Bob", Pose(8, 1, 0))
+    it.move_other("stranger", Pose(5, 1, 0))
+    assert [scale.shown(each) for each in (Cell(8, 1), Cell(5, 1))] == [("^", "other-green"), ("^", "other-")]
+
+
+def test_the_whole_floor_in_letters_has_two_columns_a_square() -> None:
+    assert floor_rows(court(), 20, 6) == (
+        "#" * 20,
+        "##. . . . . . . . ##",
+        "##. . cccc. . > . ##",
+        "##. . . . . . bbbb##",
+        "##^ tt. . . . . . ##",
+        "#" * 20,
+    )
+    assert len(floor_rows(court(), 10, 6)) == 3
+
+
+def test_the_finger_goes_from_thing_to_thing_by_their_distance_and_round() -> None:
+    pointer = Pointer(court())
+    places = []
+    for forward in (True, True, True, True, False, False):
+        assert pointer.to_next_thing(forward)
+        places.append(pointer.here)
+
+    table, chair, bob = Cell(2, 1), Cell(4, 3), Cell(7, 3)
+    assert places == [table, chair, bob, table, bob, chair]
+    pointer.to_robot()
+    assert pointer.to_next_thing(False)
+    assert pointer.here == bob
+    pointer.go(Cell(40, -3))
+    assert pointer.here == Cell(9, 0)
+    empty = Picture(0, 0, 3, 1, 1, ("...",), (), has_walls=False)
+    assert not Pointer(MapScene(empty, Pose(0, 0, 0))).to_next_thing(True)
+
+
+@pytest.mark.parametrize(
+    ("cell", "said"),
+    [
+        (Cell(0, 0), "wall"),
+        (Cell(5, 1), "goal 2"),
+        (Cell(8, 4), "free"),
+        (Cell(1, 1), "alice"),
+        (Cell(2, 1), "tea, table, blue"),
+        (Cell(3, 3), "chair, red"),
+        (Cell(6, 1), "carol"),
+    ],
+)
+def test_a_square_is_named_by_what_is_there(cell: Cell, said: str) -> None:
+    it = court()
+    it.grid.mark_goals([(2, 5.0, 1.0, 5.0, 1.0)])
+    it.move_other("carol", Pose(6, 1, 0))
+
+    assert content(it, cell, Words()) == said
+    assert content(scene(), Cell(1, 1), Words()) == "Donnie"
+
+
+def test_the_legend_has_the_names_that_are_true_of_all_things_of_a_letter() -> None:
+    two = tuple(msgspec.structs.replace(CHAIR, name=f"c{at}", x=at, y=6, index=at) for at in (2, 4))
+    it = MapScene(Picture(-1, 0, 10, 10, 1, ROWS, two, has_walls=True), Pose(0, 1, 0))
+
+    assert legend(it, Words())[-1] == "c is chair, red."
+    assert legend(court(), Words())[0].startswith("^ > v < is alice, looking north")
+    assert [line[0] for line in legend(court(), Words())[-3:]] == ["b", "c", "t"]
+
+
+def test_of_a_coarse_picture_a_cell_is_several_steps() -> None:
+    """Cells of 2 steps, the middle of the first one at -4, -2."""
+    it = MapScene(Picture(-4, -2, 4, 2, 2, (".cc.", "...."), (), has_walls=False), Pose(0, 0, 0))
+
+    assert (it.robot, it.place(Cell(3, 1)), it.cell_at(0.9, -0.9)) == (Cell(2, 1), (2, 0), Cell(2, 1))
+    assert it.cell_at(1.1, -1.1) == Cell(3, 0)
+    assert (it.bounds.width, it.bounds.height) == (4, 2)
+    it.move(Pose(9, 0, 90))
+    assert it.bounds == Bounds(0, 0, 7, 1)
+
+
+@pytest.mark.parametrize(
+    ("cell", "widest", "part"),
+    [
+        (Cell(0, 0), 4, Bounds(0, 0, 3, 3)),
+        (Cell(5, 5), 4, Bounds(3, 3, 6, 6)),
+        (Cell(9, 9), 4, Bounds(6, 6, 9, 9)),
+        (Cell(5, 5), 10, Bounds(0, 0, 9, 9)),
+        (Cell(5, 5), 99, Bounds(0, 0, 9, 9)),
+    ],
+)
+def test_a_part_of_a_floor_has_the_robot_in_its_middle_unless_an_edge_is_near(
+    cell: Cell, widest: int, part: Bounds
+) -> None:
+    assert Bounds(0, 0, 9, 9).part(cell, widest, widest) == part
