@@ -207,7 +207,7 @@ def argument_spelling(value: Bearing | Axis | str | bool, language: str) -> str:
     Raises ``KeyError`` for any other value.
     """
     for each in ARGUMENTS:
-        if each.value is value or (isinstance(value, str) and each.value == value):
+        if each.value == value:
             return each.spellings[language][0]
     raise KeyError(value)
 

@@ -112,8 +112,8 @@ _BEGIN_NO_CONDITION = OPENERS.keys() | SIMPLE | {KIND["VAR"]}
 
 def is_split_else(tokens: Sequence[Token], at: int) -> bool:
     """Whether ``SI NO`` is there, as learners write SINO: the line ends after it, or a command follows."""
-    opener, word, after = (*tokens[at : at + 3], None, None)[:3]
-    if opener is None or opener[0] != KIND["IF"] or word is None or word[0] != NAME:
+    word, after = (*tokens[at + 1 : at + 3], None, None)[:2]
+    if tokens[at][0] != KIND["IF"] or word is None or word[0] != NAME:
         return False
     is_over = after is None or after[3] > word[3] or after[1] == after[2] or after[0] in _BEGIN_NO_CONDITION
     return is_over and fold_name(word[5]) in _NOT

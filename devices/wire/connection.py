@@ -362,7 +362,7 @@ class BoardConnection:
     def _check_deadlines(self, now: float) -> None:
         if now >= self._lease_ends:
             self._end_drive(now)
-        if self.state is LinkState.STREAMING and now >= self._silent_at():
+        if now >= self._silent_at():
             self._lose(LinkTrigger.SILENCE, now, "silence")
             self._deadline = now + self._config.first_answer
         elif self.state is LinkState.WAITING and now >= self._deadline:

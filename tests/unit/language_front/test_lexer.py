@@ -117,6 +117,9 @@ def test_help_takes_a_word_of_its_own_line(source: str, expected: str) -> None:
         ("\ufeffFW\u00a01", "FW NUMBER"),
         ("posic\u0327a\u0303o X", "POS AXIS"),
         ("VAR ação = 1", "VAR NAME ASSIGN NUMBER"),
+        ("VAR 9x = 2", "VAR NAME ASSIGN NUMBER"),
+        (f"FW {'7' * 4301} TR", "FW NUMBER TR"),
+        (f"FW {'0' * 5000}7 TR", "FW NUMBER TR"),
     ],
 )
 def test_signs_strings_comments_and_blanks(source: str, expected: str) -> None:
