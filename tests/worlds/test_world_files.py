@@ -1,10 +1,11 @@
 """World files that load, and what each piece of the language means."""
 
+from colorsys import hsv_to_rgb
 from pathlib import Path
 
 import pytest
 
-from sim.colours import FAMILIES
+from sim.colours import FAMILIES, colour_of, families, rgb
 from sim.geometry import Placement
 from sim.scene import Model, NoteKind, Scene
 from sim.worldfile import Code, WorldError, load_text, load_world
@@ -149,6 +150,64 @@ def test_colours_are_named_in_any_case(name: str) -> None:
     colour = only(f'model ( color "{name}" )').colour
 
     assert (colour.red, colour.green, round(colour.blue * 255), colour.family) == (0, 0, 139, "blue")
+
+
+@pytest.mark.parametrize(
+    ("degrees", "saturation", "value", "family"),
+    [
+        *((0, 1, 1, "red"), (11.9, 1, 1, "red"), (12.1, 1, 1, "orange"), (47.9, 1, 1, "orange")),
+        *((48.1, 1, 1, "yellow"), (69.9, 1, 1, "yellow"), (70.1, 1, 1, "green"), (164.9, 1, 1, "green")),
+        *((165.1, 1, 1, "blue"), (269.9, 1, 1, "blue"), (270.1, 1, 1, "pink"), (344.9, 1, 1, "pink")),
+        *((345.1, 1, 1, "red"), (359, 1, 1, "red")),
+        *((0, 0.4, 0.9, "pink"), (350, 0.4, 0.9, "pink"), (11, 0.4, 0.9, "pink"), (13, 0.4, 0.9, "orange")),
+        *((0, 0.4, 0.5, "red"), (350, 0.6, 0.9, "red"), (200, 0.4, 0.9, "blue")),
+        *((200, 0.14, 0.9, "gray"), (200, 0.16, 0.9, "blue"), (200, 1, 0.14, "gray"), (200, 1, 0.16, "blue")),
+    ],
+)
+def test_the_word_of_a_colour_depends_on_its_hue(
+    degrees: float, saturation: float, value: float, family: str
+) -> None:
+    colour = colour_of("", *hsv_to_rgb(degrees / 360, saturation, value))
+
+    assert colour.family == family
+    assert colour_of("Light Gray", 1, 0, 0).family == colour_of("grey9", 1, 0, 0).family == "gray"
+    assert colour_of("HotPink", 0, 0, 1).family == "pink"
+
+
+@pytest.mark.parametrize(
+    ("name", "level"),
+    [
+        *(("gray0", 0), ("gray1", 3), ("gray10", 26), ("gray 30", 77), ("grey33", 84), ("Gray50", 127)),
+        *(
+            ("gray51", 130),
+            ("gray66", 168),
+            ("grey70", 179),
+            ("gray90", 229),
+            ("gray99", 252),
+            ("gray100", 255),
+        ),
+    ],
+)
+def test_the_levels_of_gray_are_those_of_x11(name: str, level: int) -> None:
+    assert rgb(name) == (level, level, level)
+
+
+def test_cameras_distinguish_all_words_or_those_of_their_colours() -> None:
+    red, blue, dark = (
+        colour_of(each, *levels)
+        for each, levels in (
+            ("red", (1.0, 0.0, 0.0)),
+            ("blue", (0.0, 0.0, 1.0)),
+            ("DarkBlue", (0.0, 0.0, 139 / 255)),
+        )
+    )
+
+    assert families([(red,), (blue, dark)]) == {"red", "blue"}
+    assert families([(red,), ()]) == families([()]) == set(FAMILIES)
+    assert families([]) == frozenset()
+    assert red.same(colour_of("", 1.0, 0.0, 0.0, 0.5))
+    for changed in ((254 / 255, 0.0, 0.0), (1.0, 1 / 255, 0.0), (1.0, 0.0, 1 / 255)):
+        assert not red.same(colour_of("", *changed))
 
 
 def test_an_unknown_colour_is_red_and_a_warning_with_the_nearest_name() -> None:
