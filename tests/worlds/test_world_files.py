@@ -206,7 +206,7 @@ def test_cameras_distinguish_all_words_or_those_of_their_colours() -> None:
     assert families([(red,), ()]) == families([()]) == set(FAMILIES)
     assert families([]) == frozenset()
     assert red.same(colour_of("", 1.0, 0.0, 0.0, 0.5))
-    for changed in ((254 / 255, 0.0, 0.0), (1.0, 1 / 255, 0.0), (1.0, 0.0, 1 / 255)):
+    for changed in ((253 / 255, 0.0, 0.0), (1.0, 1 / 255, 0.0), (1.0, 0.0, 1 / 255)):
         assert not red.same(colour_of("", *changed))
 
 

@@ -289,7 +289,7 @@ COURT = ("##########", "#........#", "#..cc..b.#", "#......bb#", "#.t......#", "
 
 
 def court() -> MapScene:
-    """10 by 6 cells, the corner at 0, 0: a chair, a table, Bob facing east, and alice at 1, 1 facing north."""
+    """10 by 6 cells, the corner at 0, 0: a chair, a table, Bob facing east; alice at 1, 1 faces north."""
     things = (
         Thing("", "chair", "c", "red", 3.5, 3, 2, 1, index=1),
         Thing("tea", "table", "t", "blue", 2, 1, 1, 1, index=2),
