@@ -1,11 +1,12 @@
 """The scene as a grid of letters and a list of things."""
 
-from math import hypot
+from math import atan2, degrees, hypot
 from pathlib import Path
 
 import pytest
 
-from sim.picture import Thing, drawings, picture
+from devices.ports.robot import Pose
+from sim.picture import Picture, Room, Thing, drawings, picture
 from sim.worldfile import load_text
 from tests.unit.sim.floors import IDEAL, scene
 
@@ -163,3 +164,72 @@ def test_a_drawing_has_the_outlines_of_walls_things_and_all_robots() -> None:
         (21, 22),
         (19, 22),
     }
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "cell"),
+    [
+        *((-3, 2, (1, 0)), (-3.1, 2, None), (4.9, 2, (1, 3)), (5, 2, None)),
+        *((0, 5.9, (0, 1)), (0, 6, None), (0, 2, (1, 1)), (0, 1.9, None), (0, 4, (0, 1))),
+    ],
+)
+def test_a_place_is_in_a_cell_or_outside(x: float, y: float, cell: tuple[int, int] | None) -> None:
+    """Cells of 2 steps: from -3 to 5 and from 2 to 6."""
+    assert Picture(-2, 3, 4, 2, 2, ("....", "...."), (), has_walls=False).at(x, y) == cell
+
+
+def test_an_open_floor_is_shown_thirty_steps_around_the_robot_and_as_far_as_its_things() -> None:
+    it = picture(scene(ROBOT))
+    assert (it.left, it.bottom, it.width, it.height, it.cell) == (-30, -30, 60, 60, 1)
+
+    wide = picture(scene(ROBOT + "thing( pose [ 2 -1.8 0 0 ] )"))
+    assert (wide.left, wide.bottom, wide.width, wide.height) == (-30, -36, 71, 66)
+
+
+def box(left: float, bottom: float, right: float, top: float) -> tuple[tuple[float, float], ...]:
+    return ((left, bottom), (right, bottom), (right, top), (left, top))
+
+
+def standing(heading: float, *walls: tuple[tuple[float, float], ...]) -> Room:
+    """A robot of 2 by 1 steps, at 1, 1."""
+    floor = Picture(0, 0, 9, 9, 1, ("." * 9,) * 9, (), True, walls, (box(-1, -0.5, 1, 0.5),))
+    return Room(floor, Pose(1, 1, heading))
+
+
+@pytest.mark.parametrize(
+    ("heading", "wall", "gap", "towards"),
+    [
+        (90, box(5, 0, 6, 2), 3, 90),
+        (0, box(5, 0, 6, 2), 3.5, 90),
+        (0, box(0, 5, 2, 6), 3, 0),
+        (180, box(0, -6, 2, -5), 5, 180),
+        (90, box(5, 4.5, 6, 6), 18**0.5, degrees(atan2(4, 3.5))),  # 3 east and 3 north of the body
+    ],
+)
+def test_the_nearest_edge_of_a_thing_has_its_gap_and_its_heading(
+    heading: float, wall: tuple[tuple[float, float], ...], gap: float, towards: float
+) -> None:
+    found = standing(heading).nearest([wall])
+
+    assert found == (
+        pytest.approx(4.2426 if towards == 48.814 else gap, abs=1e-3),
+        pytest.approx(towards, abs=1e-3),
+    )
+
+
+def test_a_robot_can_be_moved_until_it_touches() -> None:
+    there = standing(0, box(5, 0, 6, 2), box(0, 5, 2, 6), box(-9, -9, 9, 9))
+
+    assert len(there.walls) == 2  # the third one is around its middle
+    assert [there.ahead(there.walls, heading) for heading in (0, 90, 180)] == [3, 3.5, float("inf")]
+    assert standing(90).ahead([box(5, 0, 6, 2)], 90) == 3
+    assert (Room.whole(2.89), Room.whole(2.9), Room.whole(0.5)) == (2, 3, 0)
+
+
+def test_kinds_without_a_free_letter_share_one() -> None:
+    many = " ".join(f"define q{'q' * at} model( ) q{'q' * at}( pose [ {at} 9 0 0 ] )" for at in range(30))
+    letters = [each.letter.lower() for each in picture(scene(ROBOT + many)).things]
+
+    assert letters[0] == "q"
+    assert letters[-1] == letters[-2] == "x"
+    assert len(set(letters)) == 23  # without a, o and v
