@@ -306,7 +306,7 @@ def test_what_another_program_drives_is_announced_once_for_each_motion() -> None
         "Something blocks bob.",
         "Another program has stopped bob.",
     ]
-    assert [each.name for each in heard if isinstance(each, CueSounded)] == ["bump"]
+    assert [each for each in heard if isinstance(each, CueSounded)] == [CueSounded("bump", 0.0, 0.0)]
 
 
 @pytest.mark.parametrize(

@@ -53,6 +53,8 @@ def test_three_walks_of_no_steps_say_how_near_the_obstacle_is() -> None:
         "FW 20 FW 1 FW 1",
         "FW 20 FW 1 FW 1 BW 1 FW 2 FW 1",
         "FW 20 REPEAT 3 TIMES FW 0 END REPEAT",
+        "PROCEDURE P DO FW 1 END PROCEDURE FW 20 P [] P [] TR 180 P [] TR 180 P [] P []",
+        "PROCEDURE P DO FW 1 END PROCEDURE FW 20 P [] P [] FW 2 P []",
     ],
 )
 def test_fewer_walks_or_walks_of_zero_steps_say_nothing(program: str) -> None:

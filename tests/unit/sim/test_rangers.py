@@ -142,6 +142,22 @@ def test_a_cone_may_be_wider_than_a_half_circle(fov: float, expected: float | No
     assert reading == (None if expected is None else pytest.approx(expected * 100, abs=1.1))
 
 
+@pytest.mark.parametrize("fov", [60, 100, 360])
+@pytest.mark.parametrize(("away", "expected"), [(0.7, 99), (0.72, None)])
+def test_a_cone_reaches_as_far_to_its_corners(fov: float, away: float, expected: int | None) -> None:
+    """Things to all four corners, 0.7 and 0.72 times the root of 2 metres away; the range is a metre."""
+    poles = " ".join(
+        f"model( size [ 0.002 0.002 1 ] pose [ {x * away} {y * away} 0 0 ] )"
+        for x in (1, -1)
+        for y in (1, -1)
+    )
+    it = Sensing(f"position( {BODY} ranger( sensor( range [ 0 1 ] fov {fov} pose [ 0 0 0 45 ] ) ) )" + poles)
+
+    assert it.senses.rangers[0].centimetres(it.around, it.spot) == (
+        None if expected is None else pytest.approx(expected, abs=1)
+    )
+
+
 # --- heights
 
 LOW = "model( size [ 0.2 2 0.5 ] pose [ 1.1 0 0 0 ] )"
