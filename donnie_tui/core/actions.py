@@ -307,7 +307,7 @@ class RobotActions:
         robot = self._robot
         names = robot.ranger_names if _names_rangers(robot) else ()
         called = next((each for each in names if fold_name(each) == fold_name(name)), None)
-        if not names or called is None or not _names_rangers(robot):
+        if called is None or not _names_rangers(robot):
             code = "no-ranger" if names else "no-named-rangers"
             raise _refused(RobotProblem(code, name=name, names=", ".join(names)))
         try:

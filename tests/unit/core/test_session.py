@@ -9,6 +9,7 @@ import pytest
 from devices.ports.robot import Pose
 from donnie_tui.core.events import (
     TRANSIENT,
+    Announced,
     CueSounded,
     Error,
     Event,
@@ -219,6 +220,30 @@ def test_a_command_that_no_robot_can_execute_is_refused(command: str) -> None:
 
     assert floor.run(command) is Outcome.FAILED
     assert [each.kind for each in of(Error, floor) if isinstance(each, Error)] == ["number-too-large"]
+
+
+@pytest.mark.parametrize("seconds", [1_000_000_000, 1_000_000_001])
+def test_a_command_may_ask_for_a_milliard(seconds: int) -> None:
+    outcome = Outcome.COMPLETED if seconds == 1_000_000_000 else Outcome.FAILED
+
+    assert Floor().run(f"WAIT {seconds}") is outcome
+
+
+def test_a_wait_that_is_stopped_took_less_than_it_was_to_take() -> None:
+    floor, waiting = Floor(speed=1.0, terminal=True), threading.Event()
+    floor.session.hub.subscribe(lambda stamped: waiting.set() if _announces(stamped, "waiting") else None)
+    run = floor.session.start("WAIT 100000", "test.gd")
+    assert waiting.wait(TIMEOUT)
+    floor.session.stop()
+
+    assert run.wait(TIMEOUT)
+    (waited,) = of(Waited, floor)
+    assert isinstance(waited, Waited)
+    assert waited.seconds < 100_000
+
+
+def _announces(stamped: Stamped, code: str) -> bool:
+    return isinstance(stamped.event, Announced) and stamped.event.code == code
 
 
 def test_a_belt_that_is_off_gives_no_pulse() -> None:

@@ -54,6 +54,14 @@ def test_four_movements_a_second_are_printed_and_the_others_summed_up_at_the_end
     assert listener.printed == ["Walked 1."] * 4 + ["12 more steps."]
 
 
+def test_a_movement_is_printed_when_it_ends_if_there_is_time() -> None:
+    listener = Listener()
+    for number in range(5):
+        listener.now = 0.25 * number
+        listener.receive(*walk(number))
+        assert listener.printed[-1] == f"Walked {number}."
+
+
 @pytest.mark.parametrize(
     ("language", "said"),
     [

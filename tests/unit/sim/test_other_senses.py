@@ -147,6 +147,22 @@ def test_a_finder_finds_at_the_very_edge_of_its_view() -> None:
     assert marks(finder("fov 89.9", edge)) == []
 
 
+def test_the_range_of_a_finder_is_a_circle() -> None:
+    """The mark is 2.83 metres away, to the left and ahead."""
+    corner = pole("corner", 2, 2, more="fiducial_return 1")
+
+    assert [found[0] for found in marks(finder("range_max 2.84", corner))] == ["corner"]
+    assert marks(finder("range_max 2.82", corner)) == []
+
+
+@pytest.mark.parametrize(("yaw", "place", "degrees"), [(90, "0 3", 90), (-90, "0 -3", -90), (30, "3 0", 0)])
+def test_a_mark_has_its_direction_from_the_front_of_the_robot(yaw: int, place: str, degrees: int) -> None:
+    x, y = map(float, place.split())
+    (found,) = marks(finder(f"pose [ 0 0 0 {yaw} ]", pole("door", x, y, more="fiducial_return 1")))
+
+    assert found[:3] == ("door", degrees, pytest.approx(3))
+
+
 def test_a_mark_at_the_limit_of_reading_is_not_read() -> None:
     ((*_, number),) = marks(finder("range_max_id 3", pole("door", 3, 0, more="fiducial_return 7")))
 
