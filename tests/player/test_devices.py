@@ -385,6 +385,28 @@ def test_a_robot_within_two_centimetres_only_turns() -> None:
     assert towards(MetricPose(0.01, 0.01, 90), MetricPose()).ahead == 0.0
 
 
+@pytest.mark.parametrize(
+    ("x", "y", "yaw", "ahead", "turn"),
+    [
+        *(
+            (1, 0, 0, 0.4, 0),
+            (0.03, 0, 0, 0.3, 0),
+            (0.02, 0.02, 3, 0, -30),
+            (-0.02, -0.02, -134, 0, 180 / pi),
+        ),
+        *((1, 0, 4.9, 0.4, -49), (1, 0, -4.9, 0.4, 49), (1, 0, 5.1, 0, -51), (1, 0, -90, 0, 180 / pi)),
+        *((0, 1, 0, 0, 180 / pi), (0, -1, 0, 0, -180 / pi), (0.01, 0.01, 170, 0, -180 / pi)),
+    ],
+)
+def test_a_robot_turns_to_its_goal_and_then_drives(
+    x: float, y: float, yaw: float, ahead: float, turn: float
+) -> None:
+    """In a tenth of a second; at most 0.4 metres and one radian a second."""
+    found = towards(MetricPose(x, y, 0), MetricPose(0, 0, yaw))
+
+    assert (found.ahead, found.left, found.turn) == pytest.approx((ahead, 0, turn))
+
+
 HEADED = """
 define sonar sensor ( range [ 0 6 ] fov 1 )
 model ( name "wall" size [ 0.2 8 1 ] pose [ 3.1 0 0 0 ] )

@@ -16,6 +16,7 @@ from donnie_tui.core.program_files import (
     RecentFiles,
     decode,
     file_names,
+    is_same_file,
     program_meant,
     program_to_open,
     program_to_save,
@@ -270,6 +271,19 @@ def test_a_list_of_programs_has_a_hundred_thousand_bytes_at_most(
     kept.write_text(f"{program}\n".ljust(size, "x"))
 
     assert len(RecentFiles(str(kept)).paths()) == count
+
+
+def test_two_names_are_one_file_if_they_lead_to_it(tmp_path: Path) -> None:
+    one, other, link, missing = (tmp_path / each for each in ("one.gd", "other.gd", "link.gd", "missing.gd"))
+    for each in (one, other):
+        each.write_text("FW 1\n")
+    link.symlink_to(one)
+
+    assert is_same_file(one, link)
+    assert is_same_file(missing, tmp_path / "folder" / ".." / "missing.gd")
+    assert not is_same_file(one, other)
+    assert not is_same_file(one, missing)
+    assert not is_same_file(Path("/dev/null"), Path("/dev/null"))
 
 
 def test_breakpoints_are_kept_within_their_limits(tmp_path: Path) -> None:
