@@ -601,8 +601,8 @@ def _line(entry: tuple[str, tuple[int, ...]]) -> str:
 
 
 def _entry(line: str) -> tuple[str, tuple[int, ...]] | None:
-    numbers, tab, name = line.partition("\t")
+    numbers, _tab, name = line.partition("\t")
     given = numbers.split()
-    if not tab or not name or not all(each.isdecimal() and len(each) < 9 for each in given):
+    if not name or not all(each.isdecimal() and len(each) < 9 for each in given):
         return None
     return name, tuple(map(int, given))

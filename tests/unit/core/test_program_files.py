@@ -34,6 +34,7 @@ from donnie_tui.core.program_files import (
         ('SPEAK "olá"'.encode(), 'SPEAK "olá"'),
         (b"\xef\xbb\xbfFW 1", "FW 1"),
         ("CRIAR ação = 1".encode("cp1252"), "CRIAR ação = 1"),
+        (b"a\x81\xe9", "a\ufffd\xe9"),
         (b"FW 1\r\nFW 2", "FW 1\r\nFW 2"),
     ],
 )

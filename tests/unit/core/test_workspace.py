@@ -13,6 +13,7 @@ from donnie_tui.core.program_files import DocumentError, write_program
 from donnie_tui.core.recovery import CopyFolder, read_copy
 from donnie_tui.core.workspace import Workspace
 from tests.timeouts import TIMEOUT
+from tests.unit.core.text_editor import Editor
 
 
 class Disk:
@@ -337,3 +338,77 @@ def test_a_line_typed_during_a_save_is_not_saved(tmp_path: Path) -> None:
 
     assert not workspace.document.is_saved
     assert workspace.document.saved_text == "FW 1\n"
+
+
+# --- several documents
+
+
+def test_the_editor_shows_the_document_that_is_current(tmp_path: Path) -> None:
+    workspace, editor = workspace_in(tmp_path), Editor()
+    first, second = workspace.document, workspace.add_document()
+    second.add("TR 90")
+    assert workspace.current_first == (first, second)
+
+    workspace.attach(editor)
+    editor.type("FW 1")
+    workspace.turn_to(second)
+    assert (first.lines, first.is_in_editor, editor.text) == (("FW 1",), False, "TR 90")
+    assert workspace.current_first == (second, first)
+
+    workspace.detach()
+    editor.type("BW 5")
+    assert (second.lines, second.is_in_editor) == (("TR 90",), False)
+    workspace.turn_to(first)
+    assert (editor.text, first.is_in_editor) == ("BW 5", False)
+
+
+def test_each_robot_has_its_own_document(tmp_path: Path) -> None:
+    workspace = workspace_in(tmp_path)
+    workspace.document.add("FW 1")
+    one = workspace.document
+    workspace.choose_robot("two")
+    two = workspace.document
+
+    assert (two.lines, workspace.by_robot()) == ((), {"one": one, "two": two})
+    workspace.choose_robot("one")
+    assert (workspace.document, len(workspace.documents)) == (one, 2)
+
+    workspace.begin_with("two")
+    assert workspace.by_robot() == {"two": one, "two 2": two}
+    workspace.choose_robot("two 2")
+    assert workspace.document is two
+
+
+def test_breakpoints_come_back_with_their_program(tmp_path: Path) -> None:
+    workspace, program = workspace_in(tmp_path), tmp_path / "a.gd"
+    workspace.document.add("FW 1")
+    workspace.document.breakpoints = frozenset({1})
+    workspace.save(workspace.document, program, "FW 1\n")
+    assert (program.read_text(), workspace.document.path, workspace.document.is_saved) == (
+        "FW 1\n",
+        program,
+        True,
+    )
+    assert workspace.recent.paths()[:1] == (program,)
+
+    again = workspace_in(tmp_path)
+    again.open(program, "FW 1\n")
+    assert again.document.breakpoints == {1}
+    again.document.breakpoints = frozenset()
+    again.keep_breakpoints()
+    again.open(program, "FW 1\n")
+    assert again.document.breakpoints == frozenset()
+
+
+def test_what_a_challenge_puts_away_can_be_undone_for_each_robot(tmp_path: Path) -> None:
+    workspace = workspace_in(tmp_path)
+    workspace.document.add("FW 1")
+    workspace.choose_robot("two")
+    for line in ("TR 90", "TL 90"):
+        workspace.document.add(line)
+
+    assert workspace.put_away() == 2
+    assert [each.lines for each in workspace.documents] == [(), ()]
+    for each in workspace.documents:
+        each.undo()
+    assert [each.lines for each in workspace.documents] == [("FW 1",), ("TR 90", "TL 90")]
