@@ -308,6 +308,64 @@ def test_in_full_detail_a_step_says_what_it_computes() -> None:
     ]
 
 
+@pytest.mark.parametrize(
+    ("source", "said"),
+    [
+        ("SPEAK -2 * 3", ["-2 * 3: -6."]),
+        ("VAR \u00c1 = 4\na = \u00e1 * A\nSPEAK A + 1", ["\u00e1 * A: 4 * 4, 16.", "A + 1: 16 + 1, 17."]),
+        (
+            "TR 45 + 45\nTL 9 - 8\nBW 2 / 2\nWAIT 1 + 1",
+            ["45 + 45: 90.", "9 - 8: 1.", "2 / 2: 1.", "1 + 1: 2."],
+        ),
+        (
+            "PROCEDURE P: n, m DO\nFW n - m\nEND PROCEDURE\nP [1 + 1, 3 - 2]",
+            ["1 + 1: 2.", "3 - 2: 1.", "n - m: 2 - 1, 1."],
+        ),
+        (
+            "VAR n = 1\nWHILE n * 2 < 3 + 0 DO\nn = n + 1\nEND WHILE",
+            ["n * 2: 1 * 2, 2.", "3 + 0: 3.", "n + 1: 1 + 1, 2.", "n * 2: 2 * 2, 4.", "3 + 0: 3."],
+        ),
+        ("REPEAT 1 + 1 TIMES\nREPEAT 3 - 2 TIMES\nEND REPEAT\nEND REPEAT", ["1 + 1: 2.", *["3 - 2: 1."] * 2]),
+        ('SPEAK "a: b"\nVAR x\nSPEAK 7\nSPEAK DISTANCE F', []),
+    ],
+)
+def test_each_expression_of_a_statement_is_worked_out(source: str, said: list[str]) -> None:
+    lines = step_lines(source, detail="full", values=(5,))
+
+    assert [
+        line for line in lines if ": " in line and not line.startswith("Line") and "than" not in line
+    ] == said
+
+
+def test_the_values_of_a_negative_and_of_a_quotient_are_compared() -> None:
+    source = "VAR x = 7\nIF -x / 2 == -3 THEN\nEND IF\nIF -(x - 1) < x / (0 - 2) THEN\nEND IF"
+
+    assert [line for line in step_lines(source) if line[0] in "-0123456789"] == [
+        "-3 is equal to -3: true.",
+        "-6 is less than -3: true.",
+    ]
+
+
+def test_a_statement_of_an_else_has_the_level_of_its_block() -> None:
+    source = "IF 1 > 2 THEN\nFW 1\nELSE\nREPEAT 1 TIMES\nFW 2\nEND REPEAT\nEND IF"
+
+    assert [line for line in step_lines(source, detail="full") if line.startswith("Line")] == [
+        "Line 1, level 0: IF 1 > 2 THEN",
+        "Line 4, level 1: REPEAT 1 TIMES",
+        "Line 5, level 2: FW 2",
+        "Line 4, level 1: REPEAT 1 TIMES",
+    ]
+
+
+def test_a_line_of_no_known_program_is_said_as_it_is_written() -> None:
+    words = StepNarrator(None, ["  FW 1 ", "TR 90"], Words("en", "full"))
+
+    assert [words.on_hold(line, 1, ()) for line in (1, 2, 3, 0)] == [
+        *(("Line 1: FW 1",), ("Line 2: TR 90",), ("Line 3: ",), ("Line 0: ",))
+    ]
+    assert words.on_end() == ()
+
+
 def test_a_for_loop_computes_the_start_once_and_then_its_step() -> None:
     source = "FOR VAR i = 1 + 1; i <= 3; i = i + 1 DO\nEND FOR"
 
