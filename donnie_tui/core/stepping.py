@@ -299,8 +299,7 @@ class StepNarrator:
         sentences = [*self._condition()]
         sentences += self._round(statement, len(frames), variables)
         sentences.append(self._next(statement, line, level))
-        known = {fold_name(name): value for name, value in frames[-1].variables} if frames else {}
-        self.worked_out = tuple(self._work_out(statement, known | variables))
+        self.worked_out = tuple(self._work_out(statement, variables))
         if self._say.detail == "full":
             sentences += [
                 self._say("step-worked-out", expression=typed, values=", ".join(values))
@@ -343,7 +342,7 @@ class StepNarrator:
                 expressions = (value,)
             case WalkCommand(steps=value) | TurnCommand(degrees=value) | WaitCommand(seconds=value):
                 expressions = (value,)
-            case Repeat(times=value) if not (self._rounds and self._rounds[-1].has_gone_round):
+            case Repeat(times=value) if not self._rounds[-1].has_gone_round:
                 expressions = (value,)
             case Call(arguments=arguments):
                 expressions = arguments
