@@ -244,8 +244,7 @@ class Run:
 
     def _publish_failure(self) -> None:
         """Publishes an internal error like a mistake, so that the learner knows why the program ended."""
-        frames = self.frames()
-        line = frames[0].line if frames else self._first_line
+        line = self._first_line  # no call is open any more
         sentence = self._stage.wording("internal-error")
         self._stage.hub.publish(Error(INTERNAL, line, 1, sentence, None, self._source_line(line).strip()))
 

@@ -375,6 +375,20 @@ def test_an_internal_fault_is_reported_and_ends_the_run(caplog: pytest.LogCaptur
     assert "a listener of Donnie" in caplog.text
 
 
+@pytest.mark.parametrize(
+    ("text", "line", "quoted"),
+    [("FW 1\n  FW 1 / 0", 6, "FW 1 / 0"), ("FW 1\nFWD 1", 6, "FWD 1"), ("FW 1 / 0", 5, "FW 1 / 0")],
+)
+def test_the_lines_of_a_batch_have_their_numbers_in_the_program(text: str, line: int, quoted: str) -> None:
+    floor = Floor()
+    run = floor.session.start(text, "typed", RunOptions(first_line=5))
+    assert run.wait(TIMEOUT)
+
+    (error,) = of(Error, floor)
+    assert isinstance(error, Error)
+    assert (error.line, error.source_line) == (line, quoted)
+
+
 def test_a_mistake_quotes_its_line_after_any_strange_characters() -> None:
     floor = Floor()
     floor.run('SPEAK "a\x0cb\u2028c"\r\nSPEAK q')
