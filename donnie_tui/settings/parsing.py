@@ -154,7 +154,7 @@ def read_cues(text: str) -> Mapping[str, int]:
     volumes: dict[str, int] = {}
     for each in text.split(","):
         name, _, percent = each.strip().partition(" ")
-        if not name or not name.replace("-", "").isalpha():
+        if not name.replace("-", "").isalpha():
             raise ValueError(text)
         volumes[name.lower()] = read_percent(percent)
     return volumes
@@ -210,7 +210,7 @@ def read_robot(text: str) -> str:
     kind, colon, port = text.strip().partition(":")
     if kind.lower() == PLAYER and port.startswith("//"):
         return read_server(port.removeprefix("//"))
-    if kind.lower() not in (SIMULATED, DOUBLE, SERIAL) or "\0" in text:
+    if kind.lower() not in (SIMULATED, DOUBLE, SERIAL):
         raise ValueError(text)
     if colon and (kind.lower() != SERIAL or not read_port(port)):
         raise ValueError(text)
@@ -456,10 +456,6 @@ def with_setting(text: str, key: str, value: str | bool | float) -> str:
 
 
 def _as_toml(value: str | bool | float) -> str:
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, str):
-        import json  # few starts write a setting
+    import json  # few starts write a setting
 
-        return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
-    return str(value)
+    return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")

@@ -1,5 +1,6 @@
 """Options stand before or after the command. The first other word is the command or the file."""
 
+import os
 import re
 from argparse import Namespace
 from inspect import get_annotations
@@ -8,9 +9,21 @@ from pathlib import Path
 import pytest
 
 from donnie_tui.cli.main import handler_of
-from donnie_tui.cli.options import COMMANDS, COMMON, SUBCOMMANDS, Invocation, WrongUsage, understand
+from donnie_tui.cli.options import (
+    COMMANDS,
+    COMMON,
+    SUBCOMMANDS,
+    ExitCode,
+    Invocation,
+    Order,
+    WrongUsage,
+    language_before_parsing,
+    parser_of,
+    understand,
+)
+from donnie_tui.cli.streams import Output
 from donnie_tui.i18n.words import Words
-from donnie_tui.settings.settings import BadOption
+from donnie_tui.settings.settings import BadOption, resolve
 from tests.conftest import ROOT
 
 
@@ -185,3 +198,154 @@ def test_the_common_options_are_described_with_the_forms_of_their_values() -> No
 
         for value in (each for each in form.replace(",", "|").split("|") if each.islower()):
             assert value in documented, (name, value, row)
+
+
+USAGE = {
+    "": "[--linear | --visual] [--plain] [-f FILE] [-m] [-l] [--version] [FILE]",
+    "run": "[--trace] [--challenge NAME] FILE [FILE ...]",
+    "check": "FILE [FILE ...]",
+    "challenge": "[--linear | --visual] [--plain] [--json] [--csv FILE] [--feedback FOLDER] [NAME ...]",
+    "format": "[--to {en,pt,es}] [-w] FILE [FILE ...]",
+    "worlds": "",
+    "world": "[--from DRAWING | --map | --report | --json | --svg FILE | --brf FILE] [NAME ...]",
+    "replay": (
+        "[--backwards] [--from N] [--step] [--map] [--check] [--challenge NAME]"
+        " [--svg FILE] [--png FILE] [--gif FILE] [--swell FILE] FILE"
+    ),
+    "doctor": "",
+    "devices": "[PORT ...]",
+    "stop": "[--wait] [PORT]",
+    "calibrate": "[colour]",
+    "serve": "[--port N] [--listen ADDRESS] [--sessions N] [--idle N]",
+    "player": "[--port N] [--host ADDRESS] [--linear | --visual] [--plain] FILE.cfg",
+}
+"""As docs/command-line.md has them."""
+OF_ALL = (
+    "[--world NAME_OR_FILE] [--allow FOLDER]"
+    " [--robot sim|serial|serial:PORT|double|player://HOST:PORT/INDEX] [--profile auto|2016|2018]"
+    " [--camera NUMBER|DEVICE|FILE|FOLDER] [--lang en|pt|es] [--speed N|max] [--seed N]"
+    " [--speech auto|off|text|ssip|tts|robot] [--sound on|off|wav:FILE] [--verbosity brief|normal|full]"
+    " [--record FILE] [--events FILE|-] [--belt PORT] [--confined FOLDER] [--devices PORT,PORT] [-h]"
+)
+
+
+@pytest.mark.parametrize("command", ["", *COMMANDS])
+def test_each_command_has_its_options_and_those_of_all(command: str) -> None:
+    usage = " ".join(parser_of(command, Words()).format_usage().split())
+
+    assert f" {OF_ALL}" in usage
+    assert (
+        usage.replace(f" {OF_ALL}", "")
+        == f"usage: donnie {command} {USAGE[command]}".replace("  ", " ").strip()
+    )
+
+
+@pytest.mark.parametrize(
+    ("line", "given"),
+    [
+        ("--screen-reader", {"linear": True, "visual": False, "plain": False, "run": None, "log": False}),
+        ("--visual --plain", {"linear": False, "visual": True, "plain": True}),
+        ("-L -M -F a.gd", {"log": True, "mute": True, "run": "a.gd"}),
+        ("run --trace a b --challenge c", {"trace": True, "file": ["a", "b"], "challenge": "c"}),
+        ("format --write --to es a", {"write": True, "to": "es", "file": ["a"]}),
+        ("format -w a", {"write": True, "to": None}),
+        ("challenge check c a --json --csv t --feedback f", {"json": True, "csv": "t", "feedback": "f"}),
+        ("challenge", {"what": [], "json": False}),
+        ("challenge new c", {"what": ["new", "c"]}),
+        ("world new w --from d", {"name": ["new", "w"], "drawing": "d"}),
+        ("world w --brf p", {"brf": "p", "svg": None, "map": False, "report": False, "json": False}),
+        ("replay r --from 3 --step --check", {"file": "r", "start": 3, "step": True, "check": True}),
+        ("replay r --map --backwards", {"map": True, "backwards": True, "start": None}),
+        ("replay r --svg a --png b --gif c --swell d", {"svg": "a", "png": "b", "gif": "c", "swell": "d"}),
+        ("devices a b", {"port": ["a", "b"]}),
+        ("stop", {"port": None, "wait": False}),
+        ("stop --wait p", {"port": "p", "wait": True}),
+        ("calibrate colour", {"what": "colour"}),
+        ("serve", {"port": "8000", "listen": None, "sessions": "8", "idle": "60"}),
+        ("player f.cfg", {"file": "f.cfg", "port": "6665", "host": "127.0.0.1", "linear": False}),
+    ],
+)
+def test_what_is_given_is_named(line: str, given: dict[str, object]) -> None:
+    arguments = vars(understand(line.split(), Words()).arguments)
+    assert {name: arguments[name] for name in given} == given
+
+
+@pytest.mark.parametrize(
+    ("line", "code", "what", "near"),
+    [
+        ("run", "usage-missing", "FILE", ""),
+        ("--foo", "usage-unrecognized", "--foo", ""),
+        ("--lang", "usage-without-value", "--lang", ""),
+        ("--linear --visual", "usage-not-together", "--visual", ""),
+        ("world a --map --json", "usage-not-together", "--json", ""),
+        ("--confined a --confined=b", "usage-twice", "--confined", ""),
+        ("--devices=a --devices b", "usage-twice", "--devices", ""),
+        ("chek a.gd", "usage-near-command", "chek", "check"),
+        ("rn", "usage-near-command", "rn", "run"),
+        ("Run", "usage-near-command", "Run", "run"),
+        ("replya --foo", "usage-near-command", "replya", "replay"),
+        ("xn --foo", "usage-unrecognized", "--foo", ""),
+        (f"--{'x' * 50}", "usage-unrecognized", f"--{'x' * 38}", ""),
+    ],
+)
+def test_a_wrong_line_is_reported_with_what_is_wrong(line: str, code: str, what: str, near: str) -> None:
+    with pytest.raises(WrongUsage) as wrong:
+        understand(line.split(), Words())
+
+    assert (wrong.value.code, wrong.value.what, wrong.value.near) == (code, what, near)
+
+
+def test_a_file_that_is_nearly_called_as_a_command_is_opened(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("chek").touch()
+    assert understand(["chek"], Words()).arguments.file == "chek"
+
+
+def test_a_challenge_by_its_name_is_a_session_and_folders_may_be_several() -> None:
+    found = understand(["--allow", "a", "challenge", "corner", "--allow=b", "--linear"], Words())
+
+    assert (found.command, found.arguments.linear) == ("", True)
+    assert found.options == {"world": "challenge:corner", "allow": os.pathsep.join("ab")}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "environment", "file", "language"),
+    [
+        (["--lang", "pt"], {"DONNIE_LANG": "es"}, {}, "pt"),
+        (["run", "--lang=pt"], {}, {"lang": "es"}, "pt"),
+        (["--lang", "xx"], {"DONNIE_LANG": "es"}, {}, "es"),
+        (["--lang"], {}, {"lang": "pt"}, "pt"),
+        (["--language", "pt"], {}, {}, "en"),
+        ([], {"LANG": "es_ES"}, {}, "es"),
+    ],
+)
+def test_the_language_of_complaints_is_the_first_that_can_be_read(
+    arguments: list[str], environment: dict[str, str], file: dict[str, object], language: str
+) -> None:
+    assert language_before_parsing(arguments, environment, file) == language
+
+
+def test_the_files_that_a_command_writes_are_known_with_their_options() -> None:
+    settings = resolve({"record": "r", "events": "e", "sound": "wav:s"}, {}, {})[0]
+    replayed = understand(["replay", "x", "--svg", "a", "--png", "b", "--gif", "c", "--swell", "d"], Words())
+    described = understand(["world", "x", "--brf", "a"], Words())
+    output = Output()
+
+    assert Order(replayed, settings, Words(), output, {}).outputs == (
+        *(("--record", "r"), ("--events", "e"), ("--sound", "s")),
+        *(("--svg", "a"), ("--png", "b"), ("--gif", "c"), ("--swell", "d")),
+    )
+    printed = resolve({"events": "-", "sound": "off"}, {}, {})[0]
+    assert Order(described, printed, Words(), output, {}).outputs == (("--brf", "a"),)
+
+
+def test_the_codes_with_which_commands_end_are_those_of_the_page() -> None:
+    """``130``, as of other programs after Ctrl+C."""
+    assert {each.name: each.value for each in ExitCode} == {
+        "DONE": 0,
+        "FAILED": 1,
+        "UNUSABLE": 2,
+        "STOPPED": 130,
+    }

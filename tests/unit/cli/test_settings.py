@@ -204,8 +204,9 @@ def test_a_saved_setting_is_read_again_and_the_rest_of_the_file_stays(environmen
 def test_a_setting_that_can_not_be_saved_is_reported(environment: dict[str, str]) -> None:
     Path(environment["XDG_CONFIG_HOME"], "donnie").write_text("a file, not a folder")
 
-    with pytest.raises(DocumentError):
+    with pytest.raises(DocumentError) as problem:
         remember("lang", "pt", environment)
+    assert problem.value.reason == "File exists"
 
 
 @pytest.mark.parametrize("text", ["", "a = 1", "a = 1\n", "[table]\nb = 2\n", "lang='x' # y\n[t]\n"])
