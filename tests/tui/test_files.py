@@ -1,11 +1,18 @@
 """Files at the screen: what it begins with, its title, and what is left behind when it ends."""
 
+import asyncio
 import threading
+from contextlib import nullcontext
 from pathlib import Path
 
 import pytest
+from textual.events import MouseScrollDown, MouseScrollUp
+from textual.geometry import Offset
 
+from donnie_tui.i18n.words import Words
+from donnie_tui.tui.screens.file_panel import FilePanel
 from tests.timeouts import TIMEOUT
+from tests.tui.test_dialogs import OPEN, Showing
 
 
 @pytest.fixture
@@ -543,3 +550,184 @@ async def test_in_the_plain_layout_the_question_has_no_tree(open_screen, lessons
         await screen.press("ctrl+o")
         await screen.answer("sq")
         await screen.shows("Opened square.gd")
+
+
+# --- the panel by itself
+
+
+def asking_for_a_file(said: list[str], recent=(), **given) -> FilePanel:
+    return FilePanel(
+        "Which?", "", lambda: recent, Words("en"), said.append, checking=lambda _: nullcontext(), **given
+    )
+
+
+async def open_panel(pilot, said: list[str], **given) -> FilePanel:
+    panel = asking_for_a_file(said, **given)
+    await pilot.app.show(panel)
+    await until(pilot, lambda: panel.files.last_line >= 4)
+    return panel
+
+
+async def until(pilot, condition) -> None:
+    async with asyncio.timeout(TIMEOUT):
+        while not condition():
+            await pilot.pause(0.01)
+
+
+def texts_of(panel: FilePanel) -> list[str]:
+    rows = (panel._row_at(at) for at in range(panel.files.last_line + 1))
+    return [" ".join(filter(None, (each.text, each.remark))) for each in rows]
+
+
+@pytest.fixture
+def at_home(lessons, monkeypatch):
+    monkeypatch.setenv("HOME", str(lessons.parent))
+    return lessons
+
+
+SAID = [
+    ("down down down", "square.gd"),
+    ("up", "programs/, open folder"),
+    ("down end down", "lessons/, closed folder"),
+    ("down end home", "programs/, open folder"),
+    ("down pagedown", "lessons/, closed folder"),
+    ("down end pageup", "programs/, open folder"),
+    ("down left right", "programs/, open folder"),
+    ("down right", "../, the folder above"),
+    ("down down down left", "programs/, open folder"),
+    ("down down down right", "square.gd"),
+    ("down end right", "lessons/, open folder"),
+    ("down end enter enter", "lessons/, closed folder"),
+    ("enter", "square.gd"),
+]
+
+
+async def test_each_row_of_the_tree_is_said_as_the_keys_reach_it(at_home):
+    async with Showing().run_test(size=(80, 24)) as pilot:
+        for keys, sentence in SAID:
+            said: list[str] = []
+            panel = await open_panel(pilot, said)
+            assert said == ["Which?"]
+            assert texts_of(panel) == [
+                "programs/ ~", "../ the folder above", "square.gd", "stairs.gd", "lessons/"
+            ]  # fmt: skip
+            await pilot.press(*keys.split())
+            await pilot.pause()
+            assert (said[-1], pilot.app.answer) == (sentence, OPEN), keys
+
+
+async def test_a_folder_that_is_open_leads_into_it_and_back(at_home):
+    async with Showing().run_test(size=(80, 24)) as pilot:
+        said: list[str] = []
+        panel = await open_panel(pilot, said)
+        await pilot.press("down", "end", "right")
+        await until(pilot, lambda: panel.files.last_line == 6)
+        assert texts_of(panel)[4:] == ["lessons/", "first.gd", "old/"]
+        await pilot.press("right")
+        assert said[-1] == "first.gd"
+        await pilot.press("left")
+        assert said[-1] == "lessons/, open folder"
+        await pilot.press("left")
+        assert texts_of(panel)[4:] == ["lessons/"]
+        await pilot.press("right", "right", "enter")
+        assert pilot.app.answer == at_home / "lessons" / "first.gd"
+
+
+COMPLETED = [
+    ("down end tab", "lessons/"),
+    ("down down tab", "{above}/"),
+    ("a i r tab", "stairs.gd"),
+    ("x left y end z", "yxz"),
+    ("x y left right z", "xyz"),
+    ("l e s s o n s enter", "lessons/"),
+]
+
+
+async def test_tab_completes_what_is_chosen_or_typed(at_home):
+    async with Showing().run_test(size=(80, 24)) as pilot:
+        for keys, line in COMPLETED:
+            panel = await open_panel(pilot, [])
+            await pilot.press(*keys.split())
+            wanted = line.format(above=at_home.parent)
+            await until(pilot, lambda panel=panel, wanted=wanted: panel._line.value == wanted)
+            assert pilot.app.answer == OPEN
+
+
+async def test_what_is_typed_in_a_folder_narrows_that_folder(at_home):
+    async with Showing().run_test(size=(80, 24)) as pilot:
+        panel = await open_panel(pilot, [])
+        panel._line.value = "lessons/"
+        await until(pilot, lambda: "first.gd" in texts_of(panel))
+        assert texts_of(panel) == ["lessons/ ~/programs", "../ the folder above", "first.gd", "old/"]
+        panel._line.value = "lessons/fi"
+        await pilot.pause()
+        assert texts_of(panel) == ["lessons/ ~/programs", "first.gd"]
+        panel._line.value = "lessons/x"
+        await pilot.pause()
+        assert texts_of(panel) == ["lessons/ ~/programs", Words("en")("palette-nothing")]
+        panel._line.value = ""
+        await pilot.pause()
+        assert texts_of(panel)[2:4] == ["square.gd", "stairs.gd"]
+
+
+async def test_recent_programs_have_the_folders_where_they_are_and_are_closed_for_a_new_name(
+    at_home, tmp_path
+):
+    recent = (
+        at_home / "lessons" / "first.gd",
+        at_home / "square.gd",
+        *[tmp_path / f"{at}.gd" for at in range(5)],
+    )
+    async with Showing().run_test(size=(80, 24)) as pilot:
+        panel = await open_panel(pilot, [], recent=recent)
+        await until(pilot, lambda: texts_of(panel)[0] == "Recent programs")
+        assert texts_of(panel)[1:6] == ["first.gd lessons/", "square.gd", *[f"{at}.gd ~" for at in range(3)]]
+        assert texts_of(panel)[6] == "programs/ ~"
+        panel = await open_panel(pilot, [], recent=recent, is_new=True)
+        await until(pilot, lambda: texts_of(panel)[0] == "Recent programs")
+        assert texts_of(panel)[1] == "programs/ ~"
+
+
+async def test_the_wheel_and_the_cursor_of_the_terminal_follow_the_chosen_row(at_home):
+    async with Showing().run_test(size=(80, 24)) as pilot:
+        panel = await open_panel(pilot, [])
+        files, line = panel.files, panel._line
+        assert line.cursor_screen_offset == line.content_region.offset
+        chosen = []
+        for turn in (MouseScrollDown, MouseScrollDown, MouseScrollUp, MouseScrollUp):
+            files.post_message(turn(files, 0, 0, 0, 0, 0, False, False, False))
+            await pilot.pause()
+            chosen.append(files.cursor_line)
+            assert line.cursor_screen_offset == files.content_region.offset + Offset(0, files.cursor_line)
+        assert chosen == [2, 4, 1, 0]
+
+
+async def test_a_row_has_a_mark_a_sign_for_folders_and_a_fainter_remark(at_home):
+    async with Showing().run_test(size=(80, 24)) as pilot:
+        panel = await open_panel(pilot, [])
+        await pilot.press("down", "down", "down")
+        await pilot.pause()
+        rows = [panel.files.render_line(y).text for y in range(6)]
+        assert [each.rstrip() for each in rows] == [
+            " - programs/  ~",
+            "     ../  the folder above",
+            "  >  square.gd", "     stairs.gd", "   + lessons/", "",
+        ]  # fmt: skip
+        assert {len(each) for each in rows} == {panel.files.size.width}
+
+
+@pytest.mark.parametrize(
+    ("size", "width", "height", "has_keys"),
+    [((88, 40), 80, 26, True), ((87, 24), 87, 20, True), ((80, 11), 80, 8, True), ((80, 10), 80, 7, False)],
+    ids=str,
+)
+async def test_the_panel_leaves_eight_columns_or_none_and_has_keys_from_eight_rows_on(
+    lessons, size, width, height, has_keys
+):
+    async with Showing().run_test(size=size) as pilot:
+        panel = asking_for_a_file([])
+        await pilot.app.show(panel)
+        await pilot.pause()
+        styles = panel._panel.styles
+        assert (styles.width.value, styles.height.value, panel._keys.display) == (width, height, has_keys)
+        assert panel._panel.has_class("-wide-as-all") is (width == size[0])
