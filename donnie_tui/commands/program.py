@@ -43,6 +43,8 @@ async def list_lines(ctx: Context, argument: str) -> None:
     given, lines = read_numbers(argument, most=2), ctx.program.lines
     begin = given[0] if given else 1
     end = min(given[-1] if given else len(lines), len(lines))
+    if 1 <= end < begin <= len(lines):
+        raise NotUnderstood
     if not 1 <= begin <= end:
         ctx.answer_no_line(begin)
         return
@@ -259,9 +261,12 @@ async def comment(ctx: Context, argument: str) -> None:
 def _has_lines(ctx: Context, first: int, last: int) -> bool:
     """Whether there are such lines; answers if there are none."""
     count = len(ctx.program.lines)
-    if not 1 <= first <= last <= count:
-        ctx.answer_no_line(first if not 1 <= first <= count else last)
+    wrong = next((each for each in (first, last) if not 1 <= each <= count), None)
+    if wrong is not None:
+        ctx.answer_no_line(wrong)
         return False
+    if first > last:
+        raise NotUnderstood
     return True
 
 

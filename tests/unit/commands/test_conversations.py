@@ -1,0 +1,210 @@
+"""What is answered to commands typed one after the other: limits, arguments that are missing or wrong."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from tests.unit.commands.scripted import Script
+
+OpenScript = Callable[..., Script]
+
+PROGRAM = ("FW 1", "REPEAT 2 TIMES", "FW 2", "END REPEAT")
+LISTED = ["1: FW 1", "2: REPEAT 2 TIMES", "3: FW 2", "4: END REPEAT"]
+NOTHING_SAID = "Nothing has been said yet."
+CLOSER = "Line 4: END REPEAT, closes line 2."
+
+
+def no_line(number: int) -> list[str]:
+    return [f"There is no line {number}. The last is 4."]
+
+
+def wrong(example: str) -> list[str]:
+    return [f"I did not understand. Type {example}."]
+
+
+CONVERSATIONS: dict[str, tuple[tuple[str, list[str]], ...]] = {
+    "until": (
+        *((each, wrong("UNTIL 3")) for each in ("UNTIL", "UNTIL 1 2", "UNTIL x")),
+        ("UNTIL 0", no_line(0)),
+        ("UNTIL 5", no_line(5)),
+    ),
+    "breakpoints": (
+        ("BREAK", ["There are no breakpoints."]),
+        ("BREAK 0", no_line(0)),
+        ("BREAK 5", no_line(5)),
+        ("BREAK 1 2", wrong("BREAK 3")),
+        ("BREAK 4", ["No command begins on line 4, so I can't stop there."]),
+        ("BREAK 3", ["Breakpoint at line 3."]),
+        ("BREAK 1", ["Breakpoint at line 1."]),
+        ("BREAK", ["Breakpoints: 1, 3."]),
+        ("BREAK 3", ["Line 3 has no breakpoint now."]),
+        ("BREAK", ["Breakpoints: 1."]),
+    ),
+    "reading": (
+        ("READ", ["Line 1: FW 1"]),
+        ("READ 0", no_line(0)),
+        ("READ 4", [CLOSER]),
+        ("READ", [CLOSER]),
+        ("READ 5", no_line(5)),
+        ("READ 1 2", wrong("READ 3")),
+        ("FIRST", ["Line 1: FW 1"]),
+        ("BACK", ["That is the first line."]),
+        ("LAST LINE", [CLOSER]),
+        ("NEXT", ["That is the last line."]),
+        ("UP", ["Line 2: REPEAT 2 TIMES"]),
+        ("UP", ["This line is in no block."]),
+        ("DOWN", ["Line 3, level 1: FW 2"]),
+        ("DOWN", ["No block opens here."]),
+        ("PLACE", ["Line 3 of 4, level 1.", "In REPEAT from line 2."]),
+        ("NEXT", ["Line 4, level 0: END REPEAT, closes line 2."]),
+        ("BACK", ["Line 3, level 1: FW 2"]),
+    ),
+    "listing": (
+        ("LIST", LISTED),
+        ("SHOW PROGRAM", LISTED),
+        ("LIST 2", LISTED[1:2]),
+        ("LIST 3 4", LISTED[2:]),
+        ("LIST 3, 9", LISTED[2:]),
+        ("LIST 4 3", wrong("LIST 2 5")),
+        ("LIST 1 2 3", wrong("LIST 2 5")),
+        ("LIST 0", no_line(0)),
+        ("LIST 5", no_line(5)),
+        ("LIST 5 9", no_line(5)),
+    ),
+    "changing": (
+        ("INSERT 0 FW 1", no_line(0)),
+        ("INSERT 6 FW 1", no_line(6)),
+        ("INSERT", wrong("INSERT 3")),
+        ("INSERT 1", ["Nothing was changed."]),
+        ("CHANGE", wrong("CHANGE 3")),
+        ("CHANGE 5 FW 1", no_line(5)),
+        ("CHANGE 1", ["Nothing was changed."]),
+        ("DELETE 0", no_line(0)),
+        ("DELETE 5", no_line(5)),
+        ("DELETE 3 5", no_line(5)),
+        ("DELETE 3 2", wrong("DELETE 2 5")),
+        ("MOVE", wrong("MOVE 5 2")),
+        ("MOVE 1", wrong("MOVE 5 2")),
+        ("MOVE 1 6", no_line(6)),
+        ("MOVE 5 1", no_line(5)),
+        ("COPY 5", no_line(5)),
+        ("COPY 1 6", no_line(6)),
+        ("COPY 3 2 1", wrong("COPY 2 5")),
+        ("COMMENT 5", no_line(5)),
+        ("COMMENT 3 2", wrong("COMMENT 2 5")),
+        ("LIST", LISTED),
+    ),
+    "searching": (
+        ("SEARCH FW", ["Line 1: FW 1"]),
+        ("SEARCH fw", ["Line 3, level 1: FW 2"]),
+        ("SEARCH FW", ["Line 1, level 0: FW 1"]),
+        ("SEARCH zzz", ["zzz is not in the program."]),
+        ("REPLACE zzz", ["zzz is not in the program."]),
+        ("REPLACE FW", ["Nothing was changed."]),
+        ("TRANSLATE pt", ["The program is tidy now."]),
+        ("LIST 3", ["3: PF 2"]),
+        ("TRANSLATE xx", wrong("TRANSLATE pt")),
+        ("UNDO", ["Line 1: FW 1"]),
+        ("UNDO", ["Nothing was changed."]),
+        ("REDO", ["Line 1: PF 1"]),
+        ("REDO", ["Nothing was changed."]),
+    ),
+    "watching": (
+        ("WATCH", ["I watch no variable."]),
+        ("WATCH 1x", wrong("WATCH x")),
+        ("WATCH a b", wrong("WATCH x")),
+        ("WATCH a", ["I will say when a changes."]),
+        ("SHOW VARIABLES", ["There are no variables."]),
+    ),
+    "saying": (
+        *((each, [NOTHING_SAID]) for each in ("LAST", "LAST 9", "SPELL", "LAST WORD", "SHOW LOG")),
+        *((each, wrong("LAST 2")) for each in ("LAST 0", "LAST x")),
+        ("SPELL 0", wrong("SPELL 2")),
+        ("FIND", wrong("FIND wall")),
+        ("FIND zzz", ["I have not said zzz."]),
+        ("TYPED", ["Nothing was typed yet."]),
+        ("TYPED 0", wrong("TYPED 2")),
+        ("SHOW LOG 3", ["SHOW LOG takes nothing after it. Type SHOW LOG alone."]),
+    ),
+    "running": (
+        *((each, ["Nothing is running."]) for each in ("PAUSE", "CONTINUE", "STOP ALL")),
+        ("STEP BACK", ["Looking back. The robot stays where it is.", "This is the start."]),
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("subject", CONVERSATIONS)
+def test_each_command_has_its_answer(open_script: OpenScript, subject: str) -> None:
+    script = open_script(*PROGRAM)
+    for typed, answers in CONVERSATIONS[subject]:
+        assert (typed, script.answers_to(typed)) == (typed, answers)
+
+
+WITHOUT = {
+    "There are no lines yet.": (
+        "READ", "FIRST", "LAST LINE", "NEXT", "BACK", "UP", "DOWN", "PLACE", "LIST", "FORMAT", "UNTIL 1",
+        "COPY 1", "COMMENT 1", "DELETE 1", "MOVE 1 2",
+    ),
+    "There are no errors.": ("ERROR", "ERROR NEXT", "ERROR PREVIOUS", "ERRORS", "EXPLAIN"),
+    "There is nothing to run.": ("RUN", "AGAIN", "STEP", "OVER", "START"),
+    "Nothing was changed.": ("UNDO", "REDO"),
+    "There are no blocks.": ("OUTLINE",),
+    "There is nothing to delete.": ("DELETE",),
+    "No mistakes were found.": ("FIX",),
+    "x is not in the program.": ("SEARCH x", "REPLACE x"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("answer", WITHOUT)
+def test_without_a_program_each_command_says_what_is_missing(open_script: OpenScript, answer: str) -> None:
+    script = open_script()
+    for typed in WITHOUT[answer]:
+        assert (typed, script.answers_to(typed)) == (typed, [answer])
+
+
+def test_a_program_that_is_refused_says_what_waits_and_its_mistake_is_read(open_script: OpenScript) -> None:
+    script = open_script("FW 1", "FWD 3")
+    script.interaction.until_over = script.rest
+    mistake = ["Error, line 2, column 1: I do not know FWD.", "Line 2: FWD 3", "Did you mean FW?"]
+
+    assert script.answers_to("RUN") == [*mistake, "Nothing ran, 2 lines wait. FIX corrects line 2."]
+    for typed in ("ERROR", "ERRORS", "START"):
+        assert script.answers_to(typed) == mistake
+    for typed in ("ERROR NEXT", "ERROR PREVIOUS"):
+        assert script.answers_to(typed) == ["No more errors. That is 1 of 1."]
+    assert script.ctx.program.place == 2
+    assert script.answers_to("FIX", "FIX") == ["Line 2: FW 3", "No mistakes were found."]
+
+
+def test_a_mistake_that_was_corrected_is_still_explained_with_its_line(open_script: OpenScript) -> None:
+    script = open_script("FW 1", "SPEAK 1 / 0")
+    script.interaction.until_over = script.rest
+    script.answers_to("AGAIN")
+    why = ["No number can be divided by zero.", "Check first: IF x <> 0 THEN."]
+
+    assert script.answers_to("EXPLAIN") == [*why, "Line 2: SPEAK 1 / 0"]
+    assert script.answers_to("CHANGE 2 FW 1", "EXPLAIN")[-3:] == [*why, "Line 2: SPEAK 1 / 0"]
+    assert script.ctx.program.place == 2
+
+
+def test_looking_back_at_a_run_ends_at_its_start_and_a_step_goes_forward_again(
+    open_script: OpenScript,
+) -> None:
+    script = open_script("FW 1", "TR 90")
+    script.interaction.until_over = script.rest
+    script.answers_to("AGAIN")
+    back = [script.answers_to("STEP BACK")[-1] for _ in range(4)]
+
+    assert back == [
+        "Back: end of the program. Position 0, 1.",
+        "Before TR 90: facing north.",
+        "Before FW 1: position 0, 0.",
+        "Back: start of the program.",
+    ]
+    assert script.answers_to("STEP", "OVER", "STEP") == [
+        "Start of the program.",
+        "I walked 1 step forward.",
+        "I turned 90 degrees to the right.",
+    ]
