@@ -208,3 +208,137 @@ def test_looking_back_at_a_run_ends_at_its_start_and_a_step_goes_forward_again(
         "I walked 1 step forward.",
         "I turned 90 degrees to the right.",
     ]
+
+
+PUT, THING = wrong("PUT box red 4 6"), wrong("MOVE treasure 2 0")
+ELSEWHERE: dict[str, tuple[str, tuple[tuple[str, list[str]], ...]]] = {
+    "building": (
+        "open_floor",
+        (
+            ("PUT box red 4 6 AS gold", ["Gold, box, red: at 4, 6. From the robot: 4 right, 6 ahead."]),
+            *((f"PUT {each}", PUT) for each in ("box", "4 6", "box red blue 1 1", "box 1 2 3")),
+            ("PUT box 1 2 3 4", PUT),
+            ("PUT gold 1 2 3 4", PUT),
+            ("PUT zzz 1 2", ["zzz is neither a thing nor a color."]),
+            ("PUT box 4 6", ["Gold, the red box is in the way. Nothing changed."]),
+            ("PUT box 0 0", ["The robot donnie is at that place. Nothing changed."]),
+            ("PUT gold 5 5", ["Gold, box, red: now at 5, 5. From the robot: 5 right, 5 ahead."]),
+            ("MOVE gold 2 0", ["Gold, box, red: now at 7, 5. From the robot: 7 right, 5 ahead."]),
+            *((f"MOVE {each}", THING) for each in ("gold 2", "gold")),
+            ("MOVE zzz 1 1", ["There is no zzz here. Nothing changed."]),
+            ("TURN", ["To turn the robot, type TR 90.", *wrong("TURN treasure 90")]),
+            ("TURN gold", wrong("TURN treasure 90")),
+            ("TURN zzz 90", ["There is no zzz here. Nothing changed."]),
+            ("PUT wall 5 8 -5 8", ["Wall: from -5, 8 to 5, 8."]),
+            ("REMOVE zzz", ["There is no zzz here. Nothing changed."]),
+            ("SAVE WORLD", ["Nothing was changed."]),
+            ("SAVE WORLD mine", ["World saved as mine.world. WORLD mine.world goes there."]),
+        ),
+    ),
+    "one robot": (
+        "open_floor",
+        (
+            *((each, ["There is one robot, donnie."]) for each in ("ROBOTS", "ROBOT")),
+            ("ROBOT x", ["There is no robot x here. There is donnie."]),
+            ("CONNECT 9", ["There is no number 9 in the list."]),
+            (
+                "CONNECT x",
+                [
+                    "1: the simulator, in use now.",
+                    "2: a simulated board, to try without a robot.",
+                    "Type CONNECT and a number.",
+                ],
+            ),
+        ),
+    ),
+    "two robots": (
+        "two_robots",
+        (
+            ("ROBOT BOB", ["Now you talk to bob."]),
+            ("ROBOT x", ["There is no robot x here. There are alice and bob."]),
+            ("FW 1", ["bob: I walked 1 step forward."]),
+            ("ROBOTS", ["Now you talk to bob.", "alice: 0, 0, facing north.", "bob: 0, 29, facing south."]),
+            ("TOGETHER", ["No robot has a program yet. START gives it one."]),
+            ("STOP ALL", ["No robot is running a program."]),
+        ),
+    ),
+    "settings": (
+        "open_floor",
+        (
+            ("SET zzz", ["No setting is called zzz. SET lists them."]),
+            ("SET rate 79", ["Set rate: 80."]),
+            ("SET rate 451", ["Set rate: 450."]),
+            ("SET rate x", ["Set rate: 450.", "Choose a number, 80 to 450."]),
+            ("SET page", ["Long answers, page: rest.", "Choose: rest, ask, off."]),
+            ("SET page ask", ["Long answers, page: ask."]),
+            ("SET progress 3601", ["Progress reports, progress: 10 seconds.", "Choose: 0 10 60."]),
+            ("SET theme light", ["Only in the full screen: type VISUAL."]),
+            ("SET detail full", ["Detail: full."]),
+        ),
+    ),
+    "the map": (
+        "first_room",
+        (
+            ("AROUND 3", wrong("AROUND north")),
+            ("MAP 1", wrong("MAP 3 2")),
+            ("MAP ROW", wrong("MAP ROW 2")),
+            ("MAP 3 2", ["3, 2: free. 3 right, 2 ahead."]),
+            ("MAP 99 99", ["99, 99: outside the world. 99 right, 99 ahead."]),
+            *((f"TRAIL {each}", wrong("TRAIL 2")) for each in ("0", "x")),
+            ("TRAIL", ["I have not moved yet."]),
+            ("FW 3", ["I walked 3 steps forward."]),
+            *((each, ["FW 3: 3 steps, to 0, 3."]) for each in ("TRAIL", "TRAIL 1", "TRAIL 9")),
+            ("WHERE", ["Position 0, 3. Facing north."]),
+        ),
+    ),
+    "files": (
+        "open_floor",
+        (
+            ("OPEN", ["Nothing was changed."]),
+            *((each, ["There is nothing to save."]) for each in ("SAVE", "SAVE AS")),
+            ("OPEN zzz", ["There is no file zzz."]),
+            ("SAVE LOG", [NOTHING_SAID]),
+            *((each, wrong("REPORT map map.html")) for each in ("REPORT", "REPORT x", "REPORT zzz.html")),
+            ("RECOVER", ["There is nothing to recover."]),
+            *((f"EXAMPLES {each}", wrong("EXAMPLES 2")) for each in ("0", "8", "x")),
+            ("EXAMPLES 1", ["Opened A square, 4 lines."]),
+            ("CHALLENGE zzz", ["There is no challenge zzz. donnie challenge lists them."]),
+            *((each, ["No challenge here. Type CHALLENGE."]) for each in ("GOALS", "HINT", "QUESTIONS")),
+            ("RESULTS", ["You have not tried a challenge yet."]),
+            ("LINEAR", ["You are in linear mode already."]),
+        ),
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("subject", ELSEWHERE)
+def test_each_command_about_the_world_has_its_answer(open_script: OpenScript, subject: str) -> None:
+    world, conversation = ELSEWHERE[subject]
+    script = open_script(world=world)
+    for typed, answers in conversation:
+        assert (typed, script.answers_to(typed)) == (typed, answers)
+
+
+IN_WORDS = {
+    "In linear mode, type MAP 3 2.": ("WHOLE MAP", "NAMES", "NEXT THING", "PREVIOUS THING", "TO THERE"),
+    "In linear mode, type MAP PICTURE.": ("PICTURE", "LEGEND"),
+    "In linear mode, type WHERE.": ("COORDINATES", "TO ROBOT"),
+    "In linear mode, type AROUND north.": ("FROM HERE",),
+    "In linear mode, type READ 3.": ("GO TO", "GO TO 2"),
+    "In linear mode, type FIND wall.": ("FILTER",),
+    "In linear mode, type OPEN file.": ("RECENT",),
+    "In linear mode, type HELP FW.": ("KEYS",),
+    "In linear mode, type SHOW LOG.": ("LOG",),
+    "Only in the full screen: type VISUAL.": (
+        "ZOOM IN", "ZOOM OUT", "COMPLETE", "THEME", "THEME light", "PLAIN", "REDRAW", "CHANGE KEYS"
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("answer", IN_WORDS)
+def test_a_word_of_the_screen_names_one_that_says_the_same_in_words(
+    open_script: OpenScript, answer: str
+) -> None:
+    script = open_script()
+    for typed in IN_WORDS[answer]:
+        assert (typed, script.answers_to(typed)) == (typed, [answer])
