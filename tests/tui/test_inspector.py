@@ -2,10 +2,21 @@
 
 import pytest
 
-from donnie_tui.core.events import Sensed
+from devices.ports.robot import Bearing, Pose
+from donnie_tui.core.events import Read, Sensed
 from donnie_tui.core.run_state import RunState
 from donnie_tui.i18n.words import Words
-from donnie_tui.tui.pane_text import Histories, VariableChanges, inspector_lines
+from donnie_tui.tui.pane_text import (
+    Histories,
+    VariableChanges,
+    inspector_lines,
+    robot_sentence,
+    scopes_of,
+    state_badge,
+    state_sentences,
+    working_in_a_row,
+    working_lines,
+)
 from language.runtime import Frame
 
 
@@ -311,3 +322,124 @@ async def test_the_first_step_back_after_a_run_marks_what_it_changes_alone(open_
             seen.append(list(screen.main.inspector.lines[1:3]))
 
         assert seen[1:] == [[" a         5", " sum       7"], [" a         5", "*sum       6    7"]]
+
+
+# --- the texts of the status line and the inspector, by themselves
+
+WORDS = Words("en")
+CALLS = (Frame("WALK", 2, (("steps", 3),)), Frame("", 5, (("total", 12),)))
+
+
+@pytest.mark.parametrize(
+    ("name", "pose", "sentence"),
+    [
+        (None, Pose(0, 0, 0), "Donnie at 0, 0 facing north."),
+        ("bob", Pose(3, -2, 45), "bob at 3, -2 facing northeast."),
+        (None, Pose(0, 0, 44), "Donnie at 0, 0 facing 44 degrees."),
+    ],
+)
+def test_the_status_says_where_the_robot_is_and_a_heading_between_points_as_a_number(name, pose, sentence):
+    assert robot_sentence(name, pose, WORDS) == sentence
+
+
+@pytest.mark.parametrize(
+    ("state", "past", "speed", "was_stopped", "badge"),
+    [
+        (RunState.READY, None, 5.0, False, ("READY", "$success")),
+        (RunState.READY, None, 5.0, True, ("STOPPED", "$error")),
+        (RunState.RUNNING, None, 5.0, True, ("RUNNING x5", "$accent")),
+        (RunState.RUNNING, None, None, False, ("RUNNING MAX", "$accent")),
+        (RunState.PAUSED, None, 5.0, False, ("PAUSED", "$warning")),
+        (RunState.STOPPING, None, 5.0, False, ("STOPPING", "$error")),
+        (RunState.READY, (2, 5), 5.0, True, ("LOOKING BACK, 2 OF 5", "$warning")),
+    ],
+)
+def test_the_badge_says_what_the_program_does_and_has_its_colour(state, past, speed, was_stopped, badge):
+    assert state_badge(state, past, speed, WORDS, was_stopped=was_stopped) == badge
+
+
+@pytest.mark.parametrize(
+    ("state", "sentences"),
+    [
+        ("running", ("Running, speed max.", "Running.")),
+        ("looking-back", ("Looking back.", "Looking back.")),
+    ],
+)
+def test_the_state_has_a_sentence_with_the_speed_and_one_without(state, sentences):
+    assert state_sentences(state, None, WORDS) == sentences
+
+
+def test_variables_calls_belt_and_readings_are_sentences_in_this_order():
+    readings = (Read("distance", "front", 4), Read("colour", "red", 2), Read("position", "x", 7))
+
+    assert inspector_lines(CALLS, {}, {}, readings, ("Belt: nothing near.",), WORDS) == (
+        *("Variables:", "steps is 3", "Of the program:", "total is 12"),
+        *("Calls:", "WALK, line 2", "program, line 5", "Belt: nothing near."),
+        *("Last readings:", "distance ahead: 4", "color red: 2", "position x: 7"),
+    )
+    many = inspector_lines([Frame("P", at, ()) for at in range(25)], {}, {}, (), (), WORDS)
+    assert many[-1] == "P, line 19"
+    assert len(many) == 1 + 1 + 20
+
+
+def test_distances_are_around_the_robot_for_the_eye_and_a_list_for_the_ear():
+    distances = {Bearing.BACK_LEFT: 12, Bearing.FRONT: 4}
+
+    assert inspector_lines((), {}, distances, (), (), WORDS, VariableChanges())[1:] == (
+        *("Distances now:", "ahead      -     4     -"),
+        *("            left ^ right", "behind    12     -     -"),
+    )
+    assert inspector_lines((), {}, distances, (), (), WORDS)[1:] == (
+        "Distances now:", "ahead: 4", "behind left: 12"
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("worked_out", "lines", "row"),
+    [
+        ([], (), ()),
+        ([("a", "1")], ("a", "= 1"), ("a = 1", "= 1")),
+        (
+            [("3 + 4 * 2", "3 + 8", "11"), ("a", "1")],
+            ("3 + 4 * 2", "= 3 + 8", "= 11", "a", "= 1"),
+            ("3 + 4 * 2 = 3 + 8 = 11; a = 1", "3 + 4 * 2 = 11; a = 1", "= 11; = 1"),
+        ),
+    ],
+)
+def test_what_a_line_works_out_is_shown_step_by_step_or_in_a_row(worked_out, lines, row):
+    assert working_lines(worked_out, WORDS) == (("Worked out in this line:", *lines) if lines else ())
+    assert working_in_a_row(worked_out) == row
+
+
+@pytest.mark.parametrize(
+    ("frames", "scopes"),
+    [
+        ((), (("", (("x", 1),)),)),
+        (CALLS, (("WALK", (("steps", 3),)), ("", (("total", 12),)))),
+        (CALLS[:1], (("WALK", (("steps", 3),)), ("", ()))),
+        (CALLS[1:], (("", (("total", 12),)),)),
+    ],
+)
+def test_the_variables_of_the_procedure_come_before_those_of_the_program(frames, scopes):
+    assert scopes_of(frames, {"x": 1}) == scopes
+
+
+def test_charts_are_of_three_that_changed_from_three_values_below_a_million_on():
+    histories = Histories()
+    for values, charts in (((1, 2), 0), ((3,), 1), ((10**6,), 0)):
+        for value in values:
+            histories.add("a", value)
+        assert len(histories.charts(20, WORDS)) == 5 * charts
+    for name in "bcde":
+        for value in (1, 2, 3):
+            histories.add(name, value)
+    assert histories.charts(20, WORDS)[::5] == tuple(f"{each} over time:" for each in "bcd")
+    histories.forget()
+    for value in (10**6 - 1, 1, 2, -5):
+        histories.add("a", value)
+    assert histories.charts(20, WORDS)[1:] == ("999999|*", "      |", "      |", "    -5| ***")
+    histories.forget()
+    for value in range(300):
+        histories.add("a", value)
+    charts = histories.charts(400, WORDS)
+    assert (charts[1][:4], charts[4]) == ("299|", "100|" + "*" * 34)
