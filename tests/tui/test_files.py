@@ -564,7 +564,7 @@ def asking_for_a_file(said: list[str], recent=(), **given) -> FilePanel:
 async def open_panel(pilot, said: list[str], **given) -> FilePanel:
     panel = asking_for_a_file(said, **given)
     await pilot.app.show(panel)
-    await until(pilot, lambda: panel.files.last_line >= 4)
+    await until(pilot, lambda: "../ the folder above" in texts_of(panel))
     return panel
 
 

@@ -382,7 +382,7 @@ def test_variables_calls_belt_and_readings_are_sentences_in_this_order():
     assert len(many) == 1 + 1 + 20
 
 
-def test_distances_are_around_the_robot_for_the_eye_and_a_list_for_the_ear():
+def test_distances_are_a_picture_for_the_eye_and_a_list_for_a_listener():
     distances = {Bearing.BACK_LEFT: 12, Bearing.FRONT: 4}
 
     assert inspector_lines((), {}, distances, (), (), WORDS, VariableChanges())[1:] == (

@@ -210,7 +210,7 @@ USAGE = {
     "world": "[--from DRAWING | --map | --report | --json | --svg FILE | --brf FILE] [NAME ...]",
     "replay": (
         "[--backwards] [--from N] [--step] [--map] [--check] [--challenge NAME]"
-        " [--svg FILE] [--png FILE] [--gif FILE] [--swell FILE] FILE"
+        " [--svg FILE] [--png FILE] [--gif FILE] [--swell FILE] [--csv FILE] [--report WORDS] FILE"
     ),
     "doctor": "",
     "devices": "[PORT ...]",
