@@ -128,9 +128,6 @@ def step_building(ctx: Context, *, is_undo: bool) -> bool:
 # --- saving
 
 
-SUFFIX = ".world"
-
-
 @handles("save_world")
 async def save_world(ctx: Context, argument: str) -> None:
     """Write the built world to a file; asks before it replaces another file."""
@@ -143,7 +140,7 @@ async def save_world(ctx: Context, argument: str) -> None:
     name = name or await ctx.interaction.ask(ctx.words("ask-world-name")) or ""
     if not name:
         raise GivenUp
-    path = file_to_save(name, donnie.in_use, SUFFIX, own)
+    path = file_to_save(name, donnie.in_use, ".world", own)
     if path != own and exists(path):
         await confirm_replacing(ctx, "ask-replace", path)
     donnie.building().save(path)

@@ -7,9 +7,9 @@ raises ``Unusable`` with the reason, and nothing has changed then.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path, PurePath
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TypeAlias
 
 from msgspec.structs import replace
 
@@ -26,10 +26,7 @@ from sim.geometry import Placement, Point, contains, overlapping, pose_of
 from sim.parts import Part, parts_of
 from sim.picture import WALL, Thing, all_things, is_wall, picture
 from sim.scene import Scene, moved
-
-if TYPE_CHECKING:
-    from sim.world import World
-    from sim.worldfile import WrittenModel
+from sim.world import World
 
 Changed: TypeAlias = tuple[str, Thing]
 """What happened, as the code of a sentence, and the thing as it is afterwards; or was, if it is gone."""
@@ -115,30 +112,29 @@ class Building:
         return self._changed(f"{text}\n{self._include(kind)}{line}\n", len(_tops(scene)))
 
     def remove(self, thing: Thing) -> Changed:
-        from sim.worldfile import taken_out
-
-        return self._edit(thing, taken_out)
+        return self._edit(thing, None)
 
     def move(self, thing: Thing, east: float = 0, north: float = 0, degrees: int = 0) -> Changed:
         """So many steps from where it is, and turned to the right."""
-        from sim.worldfile import put_elsewhere
-
         here = self._shared.scene_now().models[thing.index].pose
         yaw = (here.yaw - degrees) % 360.0 if degrees else here.yaw
         place = Placement(here.x + east * STEP, here.y + north * STEP, here.z, yaw)
         self._check_outside([(place.x, place.y)], thing.kind == things.WALL)
-        return self._edit(thing, lambda text, model: put_elsewhere(text, model, place))
+        return self._edit(thing, place)
 
     # --- the text
 
-    def _edit(self, thing: Thing, edit: Callable[[str, WrittenModel], str]) -> Changed:
-        from sim.worldfile import written_models
+    def _edit(self, thing: Thing, place: Placement | None) -> Changed:
+        """Put it there, or take it out."""
+        from sim.worldfile import put_elsewhere, taken_out, written_models  # loads the parser
 
+        text = self._site.text
         number = _tops(self._site.world.scene).index(thing.index)
-        written = written_models(self._site.text, self._file, self._allowed)[number]
+        written = written_models(text, self._file, self._allowed)[number]
         if written is None:
             raise Unusable(self._words("built-included", thing=things.thing_in_words(thing, self._words)))
-        return self._changed(edit(self._site.text, written), number)
+        text = taken_out(text, written) if place is None else put_elsewhere(text, written, place)
+        return self._changed(text, number)
 
     def _include(self, kind: str) -> str:
         """The line that a world needs for its first thing of a kind; empty if it knows the kind."""

@@ -43,8 +43,6 @@ _HEADING = {"^": 90, ">": 0, "v": -90, "<": 180}
 
 Square: TypeAlias = tuple[int, int]
 """Row and column of the drawing, counted from its first letter."""
-Box: TypeAlias = tuple[float, float, float, float]
-"""Its first column and row, and where they end."""
 
 
 class Group(Struct, frozen=True):
@@ -55,12 +53,6 @@ class Group(Struct, frozen=True):
     """In reading order."""
     colour: str = ""
     """That of the mark among the letters, if there is one."""
-
-    @property
-    def box(self) -> Box:
-        """In squares from the first letter of the drawing."""
-        rows, columns = zip(*self.squares, strict=True)
-        return min(columns), min(rows), max(columns) + 1, max(rows) + 1
 
 
 def groups_in(rows: Sequence[str], marks: Mapping[str, Mapping[str, str]] = {}) -> Iterator[Group]:
@@ -242,7 +234,7 @@ class _Drawing:
             if (colours > 1 or described.marks) and colours != len(found):
                 self._slip("drawing-colours", *self._places[letter], count=len(found), colours=colours)
 
-    def _check_room(self, scene: Scene, drawn: Sequence[Group], robots: Mapping[str, Square]) -> None:
+    def _check_room(self, scene: Scene, drawn: Sequence[Group], robots: Sequence[Group]) -> None:
         """Things of one letter that are larger than the free floor around it, and robots inside something."""
         everything = [each for each in all_things(scene) if not each.is_robot]
         for group, mine in zip(drawn, everything, strict=True):
@@ -252,10 +244,11 @@ class _Drawing:
                 thing, over_it = (things.word_for(each.kind, self._words) for each in (mine, other))
                 sides = {"width": round(mine.width), "depth": round(mine.depth)}
                 self._slip_at("drawing-thing-room", group.squares[0], thing=thing, other=over_it, **sides)
+        place_of = {name: each.squares[0] for name, each in zip(scene.robot_names, robots, strict=True)}
         for note in scene.report.notes if self._scale == 1 else ():
             if note.code == "starts-inside":
                 thing = things.word_for(str(note.details["thing"]), self._words)
-                self._slip_at("drawing-robot-room", robots[str(note.details["name"])], thing=thing)
+                self._slip_at("drawing-robot-room", place_of[str(note.details["name"])], thing=thing)
 
     # --- the world file
 
@@ -267,22 +260,23 @@ class _Drawing:
         rows = self._rows
         groups = [*groups_in(rows, {letter: each.marks for letter, each in self._things.items()})]
         bodies = {square for each in groups if each.letter not in self._things for square in each.squares}
-        arrows = [square for square, letter in _squares(rows) if letter in ARROWS]
-        arrows.sort(key=lambda each: (not bodies.isdisjoint(_around(each)), each))
-        self._origin = next(iter(arrows), (len(rows) // 2, len(rows[0]) // 2))
+        robots = [Group(letter, (square,)) for square, letter in _squares(rows) if letter in ARROWS]
+        robots.sort(key=lambda each: (not bodies.isdisjoint(_around(each.squares[0])), each.squares))
+        middle = len(rows) // 2, len(rows[0]) // 2
+        self._origin = robots[0].squares[0] if robots else middle
         of_walls = rectangles(bytes(each == WALL for each in row) for row in rows)
         walls = [Group(WALL, ((top, left), (bottom - 1, right - 1))) for left, top, right, bottom in of_walls]
         drawn = [*walls, *(each for each in groups if each.letter in self._things)]
         if len(drawn) > MOST_PIECES:
             self._slip("drawing-much", 0, 0, count=len(drawn), most=MOST_PIECES)
         self._check_letters(groups)
-        self._check_robots(arrows)
+        self._check_robots([each.squares[0] for each in robots])
         self._check_colours(groups)
         self._refuse_slips()
-        robots = dict(zip(self._robot_names(), arrows, strict=False))
-        of_robots = [
-            self._line(Group(rows[y][x], ((y, x),)), "donnie", name) for name, (y, x) in robots.items()
-        ]
+        names = [each for each in self._names if each != "…"] or ["donnie"]
+        more = (each for each in (f"{names[0]}{number}" for number in count(2)) if each not in names)
+        named = zip(robots, chain(names, more), strict=False)
+        of_robots = [self._line(each, "donnie", name) for each, name in named]
         lines = [*self._lines(drawn)]
         text = things.world_text(lines[: len(walls)], lines[len(walls) :], of_robots)
         scene = scene_of(text, Path(worlds.SCENES, "drawing.world"), self._words, allowed_folders(()))
@@ -291,11 +285,6 @@ class _Drawing:
         width, depth = len(rows[0]) * self._scale, len(rows) * self._scale
         counts = {"width": width, "depth": depth, "robots": len(robots), "things": len(drawn) - len(walls)}
         return Built(text, counts)
-
-    def _robot_names(self) -> Iterator[str]:
-        names = [each for each in self._names if each != "…"] or ["donnie"]
-        more = (f"{names[0]}{number}" for number in count(2))
-        return chain(names, (each for each in more if each not in names))
 
     def _lines(self, drawn: Iterable[Group]) -> Iterator[str]:
         """Of walls, which have no names, and of things."""
@@ -311,16 +300,13 @@ class _Drawing:
 
     def _line(self, group: Group, kind: str, name: str, colour: str = "") -> str:
         """A wall is as large as its letters, as is a thing of several, unless that is its usual size."""
-        (left, top, right, bottom), (row, column), step = group.box, self._origin, self._scale * STEP
-        east, north = (left + right - 1) / 2 - column, row - (top + bottom - 1) / 2
+        (ys, xs), (row, column), step = zip(*group.squares, strict=True), self._origin, self._scale * STEP
+        east, north = (min(xs) + max(xs)) / 2 - column, row - (min(ys) + max(ys)) / 2
         angle, size = _HEADING.get(group.letter, 0), tuple[float, ...]()
         if len(group.squares) > 1:
             across, along, height = usual_sizes()[kind]
-            width, depth, slack = (
-                (right - left) * step,
-                (bottom - top) * step,
-                0 if kind == things.WALL else step,
-            )
+            width, depth = (max(xs) - min(xs) + 1) * step, (max(ys) - min(ys) + 1) * step
+            slack = 0 if kind == things.WALL else step
             turns = {0: (width - across, depth - along), 90: (width - along, depth - across)}
             fits = [each for each, over in turns.items() if all(0 <= round(it, 3) <= slack for it in over)]
             angle, size = (fits[0], ()) if fits else (0, (width, depth, height))

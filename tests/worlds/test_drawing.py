@@ -283,6 +283,13 @@ def test_two_robots_are_named_under_the_drawing(tmp_path: Path) -> None:
             ],
         ),
         (
+            "#####\n#.^.#\n#...#\n#####\n\n^ a:b\n",
+            [
+                "Error, map.txt, line 2, column 3: The robot touches something: wall. "
+                "It needs free floor on every side."
+            ],
+        ),
+        (
             ROOM.replace("#..c......#", "#c........#"),
             ["Error, map.txt, line 3, column 2: Too little room: chair, 3 by 3 steps, is over wall."],
         ),
@@ -302,7 +309,7 @@ def test_two_robots_are_named_under_the_drawing(tmp_path: Path) -> None:
             ["Error, map.txt, line 401, column 1: Too many lines: 400 at most."],
         ),
     ],
-    ids=map(str, range(1, 26)),
+    ids=map(str, range(1, 27)),
 )
 def test_every_mistake_in_a_drawing_has_its_place(drawing: str, sentences: list[str]) -> None:
     count = len(sentences)
