@@ -6,7 +6,9 @@ from devices.audio.speech_queue import (
     REPEAT_WINDOW,
     SENTENCE_LIMIT,
     QueueResult,
+    SentenceTracker,
     SpeechQueue,
+    SpokenSentence,
     first_sentence,
     interrupts,
 )
@@ -209,3 +211,83 @@ def test_only_an_alert_interrupts_and_only_progress_and_hints_are_interrupted(
     expected = incoming is Urgency.ALERT and speaking in {Urgency.PROGRESS, Urgency.HINT}
 
     assert interrupts(incoming, speaking) is expected
+
+
+@pytest.mark.parametrize(
+    ("urgency", "most"),
+    [(Urgency.ALERT, 32), (Urgency.PROGRESS, 1), (Urgency.HINT, 8)],
+    ids=lambda it: str(it),
+)
+def test_of_too_many_utterances_the_newest_wait(urgency: Urgency, most: int) -> None:
+    queue = SpeechQueue()
+    for number in range(most + 2):
+        assert queue.offer(Utterance(f"{number}", urgency, "en"), number) is QueueResult.QUEUED
+
+    assert len(queue) == most
+    said = queue.next()
+    assert said is not None
+    assert said.text == "2"
+
+
+def test_five_thousand_utterances_of_a_program_wait_and_no_more() -> None:
+    queue = SpeechQueue()
+    results = [queue.offer(Utterance("a", Urgency.PROGRAM, "en"), 0.0) for _ in range(5001)]
+
+    assert results == [QueueResult.QUEUED] * 5000 + [QueueResult.REFUSED]
+    assert queue.offer(Utterance("a", Urgency.ANSWER, "en"), 0.0) is QueueResult.REFUSED
+    queue.next()
+    assert queue.offer(Utterance("a", Urgency.PROGRAM, "en"), 0.0) is QueueResult.QUEUED
+
+
+def test_sixty_four_texts_are_remembered_by_their_beginnings_and_their_length() -> None:
+    queue = SpeechQueue()
+
+    def offer(text: str, now: float = 0.0) -> QueueResult:
+        return queue.offer(Utterance(text, Urgency.ANSWER, "en"), now)
+
+    assert offer("x" * 500 + "a") is QueueResult.QUEUED
+    assert offer("x" * 500 + "b") is QueueResult.REPEATED
+    assert offer("x" * 500 + "bc") is QueueResult.QUEUED
+    assert offer("x" * 499 + "ya") is QueueResult.QUEUED
+    for number in range(62):
+        offer(f"{number}")
+    assert offer("61", 0.49) is QueueResult.REPEATED
+    assert offer("x" * 501) is QueueResult.QUEUED  # forgotten
+    assert offer("61", 0.5) is QueueResult.QUEUED
+
+
+def test_a_sentence_is_given_to_two_workers_and_no_more() -> None:
+    numbers = iter(range(1, 9))
+    tracker = SentenceTracker(lambda: next(numbers))
+    assert not tracker
+    tracker.offer(Utterance("One. Two.", Urgency.PROGRESS, "en"), 0.0)
+    tracker.current = tracker.take()
+
+    assert tracker.current == SpokenSentence(1, Utterance("One.", Urgency.PROGRESS, "en"), 1)
+    assert (tracker.is_current(1), tracker.is_current(2)) == (True, False)
+    assert tracker.is_interrupted_by(Utterance("Stop!", Urgency.ALERT, "en"))
+    assert not tracker.is_interrupted_by(Utterance("Two.", Urgency.PROGRESS, "en"))
+    tracker.retry()
+    tracker.current = tracker.take()
+    assert tracker.current == SpokenSentence(2, Utterance("One.", Urgency.PROGRESS, "en"), 2)
+    tracker.retry()
+    following = tracker.take()
+    assert following == SpokenSentence(3, Utterance("Two.", Urgency.PROGRESS, "en"), 1)
+    assert tracker
+    tracker.current = None
+    assert not tracker
+    assert (tracker.take(), tracker.is_current(3)) == (None, False)
+    assert not tracker.is_interrupted_by(Utterance("Stop!", Urgency.ALERT, "en"))
+
+
+def test_what_is_to_be_said_again_is_dropped_with_the_rest() -> None:
+    tracker = SentenceTracker(lambda: 1)
+    tracker.offer(Utterance("One. Two.", Urgency.ANSWER, "en"), 0.0)
+    tracker.current = tracker.take()
+    tracker.retry()
+    tracker.current = None
+    assert tracker
+
+    tracker.clear()
+    assert not tracker
+    assert tracker.take() is None
