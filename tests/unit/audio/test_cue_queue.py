@@ -195,3 +195,39 @@ def test_without_a_device_no_caller_waits_for_a_cue() -> None:
     supervisor.received(SoundReady(""), 0.0)
 
     assert supervisor.is_silent(0.0)
+
+
+@pytest.mark.parametrize(
+    ("name", "most"), [("scan", 0.5), ("obstacle", 1.0), ("found", 2.0), ("done", 3.0), ("error", 3.0)]
+)
+def test_a_cue_waits_only_as_long_as_it_still_says_something(name: str, most: float) -> None:
+    first = "done" if name == "error" else "error"
+
+    assert scheduled((first, most, 0.0), (name, 0.1, 0.0)) == [0.0, most]
+    assert scheduled((first, most + 0.01, 0.0), (name, 0.1, 0.0)) == [0.0, None]
+
+
+@pytest.mark.parametrize(("now", "names"), [(1.0, ["step-forward", "bump"]), (1.1, ["bump"])])
+def test_what_waited_for_more_than_a_second_is_dropped_unless_it_is_a_bump(
+    now: float, names: list[str]
+) -> None:
+    queue = CueQueue({})
+    for name in ("step-forward", "bump"):
+        assert queue.offer(Cue(name, 0.0, None), 0.0)
+
+    assert queue.are_over(now) is (now > 1.0)
+    assert [each.name for each in queue.take(now)] == names
+
+
+def test_each_cue_has_the_volume_of_its_name() -> None:
+    queue = CueQueue({"scan": 0.0, "bump": 0.25, "found": 7.0})
+
+    assert not queue.offer(Cue("scan", 0.0, None), 0.0)
+    assert not queue.offer(Cue("no such cue", 0.0, None), 0.0)
+    assert all(queue.offer(Cue(name, 0.0, None), 0.0) for name in ("bump", "found", "done"))
+    assert [(each.name, each.volume) for each in queue.take(0.0)] == [
+        *(("bump", 0.25), ("found", 1.0), ("done", 1.0))
+    ]
+    queue.set_volumes({"bump": 0.0})
+    assert not queue.offer(Cue("bump", 0.0, None), 9.0)
+    assert queue.offer(Cue("scan", 0.0, None), 9.0)
