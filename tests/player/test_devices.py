@@ -253,8 +253,10 @@ def test_a_gripper_moves_and_is_closed(stations: Stations) -> None:
 def test_a_text_is_said_in_the_robots_name(stations: Stations, notes: Notes) -> None:
     client = Client(stations, (12, 0))
     client.command(12, 0, 1, "Olá,\x1b[2J aí")
+    client.command(12, 0, 1, "")
+    client.command(12, 0, 1, "a" * 1001)
 
-    assert notes.taken == [("alice", "Olá, [2J aí")]
+    assert notes.taken == [("alice", "Olá, [2J aí"), ("alice", "a" * 1000)]
 
 
 def test_the_simulation_puts_things_elsewhere_and_knows_the_time(stations: Stations) -> None:

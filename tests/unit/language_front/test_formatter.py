@@ -15,6 +15,10 @@ PAIRS = [
         "for var i=0;i<2;i=i+1 do p[i,- -2]q[] end for",
         "FOR VAR i = 0; i < 2; i = i + 1 DO\n  p [i, - -2]\n  q []\nEND FOR\n",
     ),
+    (
+        "for var i=0;i<2;i=i+1 do fw 1;fw 2; end for;fw 3",
+        "FOR VAR i = 0; i < 2; i = i + 1 DO\n  FW 1\n  FW 2\nEND FOR\nFW 3\n",
+    ),
     ("procedure Quad:a,b do end procedure", "PROCEDURE Quad: a, b DO\nEND PROCEDURE\n"),
     ("speak distance-1 speak pos x", "SPEAK DISTANCE - 1\nSPEAK POS X\n"),
     ("sound on color RED", "SOUND ON\nCOLOR RED\n"),
