@@ -22,6 +22,7 @@ from donnie_tui.core.events import (
     ThingsMoved,
 )
 from donnie_tui.core.goals import GoalPlace
+from donnie_tui.core.reports import Plot, PlotText
 from donnie_tui.i18n.words import Words
 from donnie_tui.world.loading import moved_to
 from donnie_tui.world.run_picture import (
@@ -29,11 +30,13 @@ from donnie_tui.world.run_picture import (
     DrivenPath,
     MovedThing,
     RunPicture,
+    arrow,
     as_gif,
     as_png,
     as_svg,
     driven_to,
     moved_things,
+    plot_as_png,
     run_picture,
     texts,
 )
@@ -301,3 +304,64 @@ def test_the_gif_shows_the_thing_where_it_is_at_each_moment() -> None:
     assert [is_red(0.8, 8.6), is_red(4.4, 12)] == [True, False]
     image.seek(image.n_frames - 1)
     assert [is_red(0.8, 8.6), is_red(4.4, 12)] == [False, True]
+
+
+# --- what is drawn, alone
+
+ALONE = DrivenPath("", (Pose(0, 0, 0), Pose(0, 10, 0), Pose(0, 10, 90)))
+
+
+def alone(path: DrivenPath = ALONE) -> RunPicture:
+    return run_picture("T", (), (path,), Words())
+
+
+def test_a_short_run_is_drawn_with_24_pixels_a_step() -> None:
+    it = alone()
+    (x0, y0), (x1, y1) = it.at(0, 0), it.at(1, 10)
+
+    assert (x1 - x0, y0 - y1) == pytest.approx((24, 240))
+    assert it.width == 320 + 2 * 24
+
+
+def test_the_arrow_of_a_path_has_its_tip_where_the_robot_looks() -> None:
+    """1.3 steps from the middle to each corner: ahead, and 140 degrees to either side."""
+    it, size = alone(), 1.3 * 24
+    x, y = it.at(0, 10)
+
+    assert arrow(it, ALONE) == [
+        pytest.approx((x + size * right, y + size * down), abs=0.06)
+        for right, down in ((1, 0), (-0.766, 0.643), (-0.766, -0.643))
+    ]
+
+
+@pytest.mark.parametrize(
+    ("seconds", "y", "heading"),
+    [(0, 0, 0), (0.25, 2.5, 0), (0.5, 5, 0), (1.0, 10, 0), (1.1, 10, 90), (9, 10, 90)],
+)
+def test_the_dot_is_ten_times_as_fast_as_the_robot(seconds: float, y: float, heading: float) -> None:
+    it = alone()
+
+    assert list(driven_to(it, seconds)) == [(pytest.approx(it.at(0, y)), heading)]
+
+
+def test_a_plot_is_drawn_as_it_is_laid_out() -> None:
+    plot = Plot(
+        "t",
+        "What is said.",
+        100,
+        80,
+        axes=(((10, 10), (10, 70), (90, 70)),),
+        curves=(((20, 60), (80, 20)),),
+        dots=((30, 20),),
+        texts=(PlotText(50, 78, "M", "middle"),),
+    )
+    image = Image.open(BytesIO(plot_as_png(plot)))
+    black, white = (0, 0, 0), (255, 255, 255)
+
+    assert (image.size, image.info["Description"]) == ((100, 80), "What is said.")
+    for place in ((10, 10), (10, 40), (50, 70), (90, 70), (50, 40), (30, 20), (33, 20), (30, 17), (27, 20)):
+        assert image.getpixel(place) == black, place
+    for place in ((5, 40), (50, 65), (12, 12), (35, 20), (30, 25), (60, 40), (95, 70)):
+        assert image.getpixel(place) == white, place
+    letters = [x for x in range(100) for y in range(72, 80) if image.getpixel((x, y)) != white]
+    assert (min(letters) + max(letters)) / 2 == pytest.approx(50, abs=1.5)
