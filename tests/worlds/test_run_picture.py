@@ -365,3 +365,38 @@ def test_a_plot_is_drawn_as_it_is_laid_out() -> None:
         assert image.getpixel(place) == white, place
     letters = [x for x in range(100) for y in range(72, 80) if image.getpixel((x, y)) != white]
     assert (min(letters) + max(letters)) / 2 == pytest.approx(50, abs=1.5)
+
+
+def luminance(colour: str) -> float:
+    """Relative, as in WCAG 2."""
+    parts = [int(colour[at : at + 2], 16) / 255 for at in (1, 3, 5)]
+    red, green, blue = (
+        each / 12.92 if each <= 0.04045 else ((each + 0.055) / 1.055) ** 2.4 for each in parts
+    )
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+
+def test_four_paths_have_dark_colours_of_their_own() -> None:
+    paths = [DrivenPath(f"r{at}", (Pose(at, 0, 0), Pose(at, 5, 0))) for at in range(5)]
+    svg = ElementTree.fromstring(as_svg(run_picture("T", (), paths, Words())))
+    colours = [each.attrib["stroke"] for each in svg.iter(f"{SVG}polyline")]
+
+    assert len(set(colours[:4])) == 4
+    assert colours[4] == colours[0]
+    assert all(1.05 / (luminance(each) + 0.05) >= 4.5 for each in colours)
+
+
+def test_a_path_begins_at_a_ring_with_the_name_of_its_robot() -> None:
+    it = alone(DrivenPath("bob", (Pose(0, 0, 0), Pose(0, 10, 0))))
+    x, y = it.at(0, 0)
+    image = Image.open(BytesIO(as_png(it))).convert("RGB")
+
+    def pixel(right: int, down: int) -> object:
+        return image.getpixel((round(x) + right, round(y) + down))
+
+    ring = pixel(4, 0)
+    assert ring not in ((255, 255, 255), (0, 0, 0))
+    assert [pixel(*each) for each in ((-4, 0), (0, 4), (0, -4), (0, -60))] == [ring] * 4
+    assert pixel(0, 0) == pixel(6, 0) == pixel(0, 6) == (255, 255, 255)
+    assert [each for each in texts(it) if each[2] == "bob"] == [(x + 8, y + LETTER / 3, "bob")]
+    assert not [each for each in texts(alone()) if not each[2]]
