@@ -354,7 +354,7 @@ def _svg_shape(it: RunPicture, drawing: Drawing, inside: str = "") -> str:
         for outline in drawing.outlines
     )
     style = f'fill="{fill}" stroke="{_INK}" stroke-width="1"'
-    return f'<path d="{d}" {style}>{inside}</path>' if inside else f'<path d="{d}" {style}/>'
+    return f'<path d="{d}" {style}>{inside}</path>'
 
 
 def _svg_goal(goal: ShownGoal) -> str:
