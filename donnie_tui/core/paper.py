@@ -263,9 +263,8 @@ def _labels(
         return
     letters = {each.name: each.letter for each in chart.robots}
     initials = {each.thing.index: each.initial for each in chart.marks}
-    lines = [*_edges(drawings, sheet), *_noses(chart, sheet)]
-    for path in paths:
-        lines += (*pairwise(_on_paper(path, sheet)), *_head(path, sheet))
+    driven = [leg for path in paths for leg in (*pairwise(_on_paper(path, sheet)), *_head(path, sheet))]
+    lines = [*_edges(drawings, sheet), *_noses(chart, sheet), *driven]
     walls = [each for each in drawings if each.thing is None]
     solid = ([sheet.point(x, y) for x, y in outline] for each in walls for outline in each.outlines)
     near_lines, near_walls = _Near(lines), _Near(solid)
@@ -278,6 +277,7 @@ def _labels(
             each
             for each in _clear_places(box, len(text), near_lines, taken, sheet)
             if all(_apart(each, other) > _apart(each, box) + LINE for other in others)
+            and not any(_is_between(leg, each, box) for leg in driven)
         )
         middles = ((each, ((each[0] + each[2]) / 2, (each[1] + each[3]) / 2)) for each in places)
         label = next(
@@ -371,6 +371,13 @@ def _from_segment(box: _Box, segment: Sequence[_Point]) -> float:
     if contains(corners, *start):
         return 0.0
     return min(edges_apart((*start, *end), each) for each in edges(corners))
+
+
+def _is_between(line: _Segment, label: _Box, box: _Box) -> bool:
+    """Whether a line crosses the shortest way from the middle of a label to a box."""
+    x, y = (label[0] + label[2]) / 2, (label[1] + label[3]) / 2
+    nearest = min(max(x, box[0]), box[2]), min(max(y, box[1]), box[3])
+    return edges_apart((x, y, *nearest), (*line[0], *line[1])) == 0.0
 
 
 def _box_on(drawing: Drawing, sheet: _Sheet) -> _Box:

@@ -360,6 +360,25 @@ def test_three_millimetres_are_between_a_label_and_everything_else(
         assert all(hypot(ax - bx, ay - by) >= 6 + 1.6 - 0.01 for ax, ay in mine for bx, by in theirs)
 
 
+def test_no_driven_path_is_between_a_label_and_its_thing() -> None:
+    """The path goes round the third blue flower, and leaves it room for a letter on its other side only."""
+    path = [Pose(0, 0, 0), Pose(0, 11, 0), Pose(10, 11, 90), Pose(10, 18, 0), Pose(18, 18, 90)]
+    root = sheet("colour_garden", "pt", (path,))
+    labels = [(min(x for x, _ in each), min(y for _, y in each)) for each in labels_of(root)]
+    without = [
+        (min(x for x, _ in each), min(y for _, y in each)) for each in labels_of(sheet("colour_garden", "pt"))
+    ]
+    (dashed,) = [each for each in root.iter(f"{SVG}g") if each.get("stroke-dasharray")]
+    drawn = dashed.find(f"{SVG}path")
+    assert drawn is not None
+    points = [(float(x), float(y)) for x, y in re.findall(r"(-?[\d.]+) (-?[\d.]+)", drawn.get("d") or "")]
+    (_, east_leg), (corner, _) = points[1], points[2]
+
+    below = [each for each in labels if east_leg < each[1] < east_leg + 12 and each[0] < corner]
+    assert below == []
+    assert len(without) - len(labels) in (1, 2)
+
+
 @pytest.mark.parametrize("name", worlds.names())
 def test_every_thing_and_robot_has_its_label(name: str) -> None:
     """Between the belts of the factory is no room for the letters of the two cartons in the middle."""
