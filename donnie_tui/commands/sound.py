@@ -6,7 +6,7 @@ from devices.ports.audio import CUES
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.dispatch import handles
-from donnie_tui.commands.interaction import switched
+from donnie_tui.commands.interaction import NotUnderstood, switched
 from donnie_tui.core.events import Answered, Chimed
 from donnie_tui.core.wording import meant, spelled
 from donnie_tui.settings.parsing import read_percent
@@ -85,6 +85,8 @@ async def feel(ctx: Context, argument: str) -> None:
         ctx.answer("belt-words-on" if is_on else "belt-words-off")
     elif meant(argument, "belt") == "rows":
         ctx.say(*belt.rows())
+    elif argument:
+        raise NotUnderstood
     else:
         ctx.say(belt.now())
 

@@ -53,6 +53,8 @@ def test_the_names_of_the_cues_are_printed_where_sound_is_off(open_script: OpenS
     [
         ("LANGUAGE pt", ["Idioma: português."], ["lang"]),
         ("LANGUAGE", ["Language: English."], []),
+        ("FEEL", ["Belt: nothing near."], []),
+        ("FEEL up", ["I did not understand. Type FEEL on."], []),
         ("LANGUAGE xx", ["I did not understand. Type LANGUAGE pt."], []),
         ("DETAIL", ["Detail: normal."], []),
         ("DETAIL brief", ["Detail: brief."], ["verbosity"]),
