@@ -135,7 +135,7 @@ def _say_what_ran(ctx: Context, first: int) -> None:
     """Say what ran of a program that began at line ``first`` and failed at a later one."""
     program, error = ctx.program, ctx.errors.all[-1] if ctx.errors.all else None
     line = (error.calls[-1] if error.calls else error.line) if error is not None else 0
-    if not first <= line <= len(program.lines):
+    if error is None or not first <= line <= len(program.lines):
         return
     program.batch_failed(line)
     structure = program.structure
@@ -144,12 +144,14 @@ def _say_what_ran(ctx: Context, first: int) -> None:
     end = structure.end_of(begin)
     ran = 0 if begin < line else sum(bool(each.strip()) for each in program.lines[first - 1 : begin - 1])
     left = sum(bool(each.strip()) for each in program.lines[end:])
-    if ran or left:
+    is_within = not ran and (begin < line or bool(error.calls) or not _is_one_statement(ctx, line))
+    if is_within:
+        ctx.answer(f"line-failed-within{'-left' if left else ''}", line=error.line, unrun=left)
+    elif ran or left:
         code = f"lines{'-ran' if ran else ''}-failed{'-left' if left else ''}"
         ctx.answer(code, ran=ran, line=line, unrun=left)
-    elif error is not None:
-        is_all = begin == line and not error.calls and _is_one_statement(ctx, line)
-        ctx.answer("line-failed" if is_all else "line-failed-within", line=error.line)
+    else:
+        ctx.answer("line-failed", line=error.line)
 
 
 def _is_one_statement(ctx: Context, line: int) -> bool:

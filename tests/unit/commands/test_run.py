@@ -51,6 +51,9 @@ def test_an_unused_sensor_value_is_a_hint_for_a_program_and_a_typed_command(open
     assert hint not in script.answers_to("GRIP")
 
 
+WITHIN = "The program ran up to the mistake in line 2, 1 line did not run."
+
+
 @pytest.mark.parametrize(
     ("lines", "answer"),
     [
@@ -65,8 +68,13 @@ def test_an_unused_sensor_value_is_a_hint_for_a_program_and_a_typed_command(open
         (["REPEAT 2 TIMES", "SPEAK 1 / 0", "END REPEAT"], "The program ran up to the mistake in line 2."),
         (
             ["FW 1", "REPEAT 2 TIMES", "FW 1", "SPEAK 1 / 0", "END REPEAT", "FW 2"],
-            "Line 4 failed, 1 line did not run.",
+            "The program ran up to the mistake in line 4, 1 line did not run.",
         ),
+        (
+            ["SPEAK 1 SPEAK 1 / 0", "FW 1", "FW 2"],
+            "The program ran up to the mistake in line 1, 2 lines did not run.",
+        ),
+        (["REPEAT 2 TIMES", "SPEAK 1 / 0", "END REPEAT", "", "FW 1"], WITHIN),
         (
             ["PROCEDURE P DO", "SPEAK 1 / 0", "END PROCEDURE", "P []", "FW 1"],
             "3 lines ran, line 4 failed, 1 line did not run.",
