@@ -88,6 +88,26 @@ def test_white_black_grey_and_other_colours_are_not_found(pixel: tuple[int, int,
     assert colours(drawn((200, 100, 300, 200, pixel))) == []
 
 
+@pytest.mark.parametrize(
+    ("hue", "saturation", "value", "found"),
+    [
+        *((121, 255, 255, ["red"]), (11, 255, 255, ["red"]), (12, 255, 255, [])),
+        *((0, 32, 255, ["red"]), (0, 31, 255, []), (0, 255, 87, ["red"]), (0, 255, 86, [])),
+        *((56, 255, 255, ["green"]), (55, 255, 255, []), (89, 255, 255, ["green"])),
+        *((99, 255, 255, ["green", "blue"]), (100, 255, 255, ["blue"]), (90, 99, 200, ["blue"])),
+        *((70, 169, 255, ["green"]), (70, 168, 255, []), (60, 255, 17, ["green"]), (60, 255, 16, [])),
+        *((89, 99, 200, []), (120, 255, 255, ["blue"]), (120, 32, 255, ["blue"]), (120, 31, 255, [])),
+        *((120, 255, 48, ["blue"]), (120, 255, 47, [])),
+    ],
+)
+def test_the_limits_of_the_colours_are_those_of_the_original(
+    hue: int, saturation: int, value: int, found: list[str]
+) -> None:
+    pixel = cv2.cvtColor(np.array([[[hue, saturation, value]]], np.uint8), cv2.COLOR_HSV2RGB)[0, 0]
+
+    assert colours(drawn((200, 100, 300, 200, tuple(int(each) for each in pixel)))) == found
+
+
 def test_every_area_of_a_colour_counts() -> None:
     picture = drawn((10, 10, 60, 60, RED), (100, 10, 160, 60, RED), (300, 300, 400, 400, BLUE))
 
@@ -277,6 +297,9 @@ def test_a_name_that_is_a_number_with_a_sign_is_a_direction(tmp_path: Path) -> N
     folder = save(tmp_path / "p", {"-90.png": ahead, "0.png": ahead, "+45.png": ahead})
 
     assert seen(camera(folder)) == [("red", -90), ("red", 0), ("red", 45)]
+    for name in (".+30.png", "notes.txt"):
+        (folder / name).write_bytes((folder / "0.png").read_bytes())
+    assert seen(camera(folder)) == [("red", -90), ("red", 0), ("red", 45)]
 
 
 # --- faults
@@ -288,6 +311,10 @@ def test_an_empty_folder_is_a_fault(tmp_path: Path) -> None:
 
 def test_a_missing_picture_is_a_fault(tmp_path: Path) -> None:
     assert fault(tmp_path / "a.png") == ("picture-missing", {"path": str(tmp_path / "a.png")})
+
+
+def test_a_name_that_no_file_can_have_is_a_fault() -> None:
+    assert fault("a\0b") == ("picture-unreadable", {"path": "a\0b", "reason": "embedded null byte"})
 
 
 @pytest.mark.parametrize("data", [b"", b"FW 3\n", b"\x89PNG\r\n\x1a\n" + bytes(40), b"\xff\xd8\xff\xe0"])
@@ -452,6 +479,50 @@ def test_ranges_that_share_a_hue_overlap() -> None:
 
     assert do_overlap(red, orange)
     assert not do_overlap(red, blue)
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "is_shared"),
+    [
+        *(((10, 20), (20, 30), True), ((10, 19), (20, 30), False), ((30, 30), (30, 30), True)),
+        *(((170, 5), (5, 9), True), ((170, 5), (6, 169), False), ((170, 5), (150, 170), True)),
+        *(((170, 5), (0, 0), True), ((170, 5), (179, 179), True)),
+    ],
+)
+def test_the_hues_of_a_range_go_from_its_least_to_its_most_and_through_0(
+    one: tuple[int, int], other: tuple[int, int], is_shared: bool
+) -> None:
+    first, second = ((*each, 0, 255, 0, 255) for each in (one, other))
+
+    assert do_overlap(first, second) is is_shared
+    assert do_overlap(second, first) is is_shared
+
+
+@pytest.mark.parametrize(("view", "directions"), [(44.0, 15), (45.0, 30), (60.0, 30)])
+def test_a_narrow_camera_looks_twice_as_often(view: float, directions: int) -> None:
+    assert camera("/dev/null", view).directions() == tuple(range(-90, 91, directions))
+
+
+def test_a_camera_that_may_not_be_used_is_a_fault(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(os, "access", lambda *_: False)
+
+    assert fault("/dev/null") == ("no-permission", {"port": "/dev/null"})
+
+
+def test_a_camera_is_opened_by_its_number(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[object] = []
+
+    class Numbered(Device):
+        def __init__(self, name: object, interface: int) -> None:
+            asked.append(name)
+
+    monkeypatch.setattr(cv2, "VideoCapture", Numbered)
+    monkeypatch.setattr(os.path, "exists", lambda _: True)
+    monkeypatch.setattr(os, "access", lambda *_: True)
+    for name in ("7", "/dev/video12", "/dev/null"):
+        camera(name).look(0)
+
+    assert asked == [7, 12, "/dev/null"]
 
 
 def test_a_look_raises_the_fault(tmp_path: Path) -> None:
