@@ -240,10 +240,27 @@ def test_a_sign_of_mathematics_means_one_of_godonnie(typed: str, meant: str) -> 
         ("REPEAT 2 TIMES FW 1", ("END REPEAT",)),
         ("REPEAT 2 TIMES FW 1 END IF", ("END REPEAT",)),
         ("REPEAT 2 TIMES FW 1 10 END REPEAT", ("command", "END REPEAT")),
+        ("PROCEDURE P: a 3 DO END PROCEDURE", (",", "DO")),
+        ("P [", ("expression", "]")),
+        ("P [1 2]", ("]", ",")),
+        ("FOR VAR i 0; i < 2; i = i + 1 DO END FOR", ("=", ";")),
+        ("FOR VAR i = 0 i < 2; i = i + 1 DO END FOR", (";",)),
+        ("TR == 3", ("expression",)),
+        ("WAIT 1 +", ("expression",)),
     ],
 )
 def test_expected_are_the_words_that_fit_the_place(source: str, expected: tuple[str, ...]) -> None:
     assert the_mistake(source).expected == expected
+
+
+@pytest.mark.parametrize(
+    ("source", "name"),
+    [("FW = 3", "FW"), ("SPEAK = 3", "SPEAK"), ("REPEAT 2 TIMES\nTR = 90 END REPEAT", "TR")],
+)
+def test_a_keyword_is_no_variable_that_could_be_assigned(source: str, name: str) -> None:
+    only = the_mistake(source)
+
+    assert (only.code, only.details.get("name"), only.found) == ("assigned-keyword", name, "=")
 
 
 @pytest.mark.parametrize(
