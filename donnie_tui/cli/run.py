@@ -97,6 +97,7 @@ _BEGINNINGS: Mapping[str, tuple[bytes, ...]] = {
     "--events": (b'{"seq"',),
     "--svg": _SVG,
     "--swell": _SVG,
+    "--csv": (b"file,solved,",),
 }
 _SOUND = re.compile(rb"RIFF....WAVEfmt \x10\0\0\0\x01\0\x02\0" + SAMPLE_RATE.to_bytes(4, "little"), re.DOTALL)
 """The format of Donnie's sounds: uncompressed, two channels."""
@@ -123,7 +124,7 @@ def _is_of_kind(option: str, beginning: bytes, path: Path) -> bool:
     if option == "--report":  # the file is what its name ends in
         option = f"--{path.suffix.lower().removeprefix('.')}"
     if option in ("--csv", "--html", "--htm"):
-        return beginning.startswith(_beginnings_of_reports())
+        return beginning.startswith((*_beginnings_of_reports(), *_BEGINNINGS.get(option, ())))
     if option == "--png":
         return beginning.startswith(b"\x89PNG") and b"tEXtSoftware\0donnie" in beginning[:100]
     if option == "--gif":
