@@ -29,6 +29,7 @@ from donnie_tui.core.wording import (
     compass_point,
     facing,
     name_of,
+    own_name,
     specific_name_of,
     whole_steps,
     with_colour,
@@ -423,7 +424,8 @@ def target_in_words(target: Target, room: Inventory, wording: Wording) -> str:
             return target
         kind, name, colour = found[0].kind, found[0].name, found[0].colour
         is_alone = all(each.kind != kind or each.colour == colour for each in room.items)
-        return called(kind, name, wording) if is_alone else with_colour(kind, name, colour, wording)
+        plain = called(kind, name, wording) if is_alone else with_colour(kind, name, colour, wording)
+        return own_name(kind, name, wording) or plain
     return f"{target[0]:g}, {target[1]:g}"
 
 

@@ -6,6 +6,7 @@ import pytest
 from msgspec.structs import replace
 
 from devices.ports.robot import Met, Pose, Pushed, StoppedBy
+from donnie_tui.core.describe import target_in_words
 from donnie_tui.core.events import (
     Error,
     Event,
@@ -22,6 +23,7 @@ from donnie_tui.core.events import (
     Turned,
 )
 from donnie_tui.core.goals import Inventory, Item, Judgment, folded, goals_of_end, judge, unknown_names
+from donnie_tui.i18n.words import Words
 from worlds.challenges import Challenge, ChallengeText, Goal, Limit, Never, Rules
 
 START = Pose(0.0, 0.0, 0.0)
@@ -433,3 +435,15 @@ def test_a_thing_may_belong_to_another_thing() -> None:
 )
 def test_of_a_text_letters_and_digits_count(text: str, plain: str) -> None:
     assert folded(text).split() == plain.split()
+
+
+@pytest.mark.parametrize(
+    ("language", "chair", "throne"),
+    [("en", "chair", "trono do João"), ("pt", "cadeira", "trono do João"), ("es", "silla", "trono do João")],
+)
+def test_a_thing_with_a_name_of_its_own_is_called_by_it(language: str, chair: str, throne: str) -> None:
+    room = Inventory((CHAIR, BOX, Item(3, "trono do João", "chair", "green", 20.0, 0.0)), radius=3.0)
+    words = Words(language)
+
+    assert target_in_words("chair 1", room, words) == chair
+    assert target_in_words("trono do joão", room, words) == throne
