@@ -7,6 +7,7 @@ import pytest
 
 import worlds
 from devices.ports.robot import STEP, Bearing, Pose
+from donnie_tui.cli.main import main
 from sim.picture import Picture, picture
 from sim.robot import SimulatedRobot
 from sim.scene import Model, Scene
@@ -53,6 +54,26 @@ def test_every_step_of_the_chapter_loads_with_remarks_where_stage_fails(name: st
         assert remarks == ["lone-sensor"]
     else:
         assert remarks == []
+
+
+FILES = sorted(each.name for each in Path(worlds.MANUAL).iterdir() if each.suffix in (".world", ".cfg"))
+
+
+@pytest.mark.parametrize("file", FILES)
+def test_every_file_of_the_chapter_starts_a_session_with_a_robot_that_walks(
+    file: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "walk.gd").write_text("FW 1", encoding="utf-8")
+    options = ("--speed", "max", "--speech", "off", "--sound", "off", "--lang", "en")
+    code = main(["run", str(tmp_path / "walk.gd"), "--world", str(Path(worlds.MANUAL, file)), *options])
+    printed = capsys.readouterr()
+
+    assert code == 0
+    assert printed.out.endswith("I walked 1 step forward.\n")  # in a world of four robots after its name
+    if file in ("empty.cfg", "empty.world", "helloworld.world"):
+        assert "has no robot, so I put Donnie in, at " in printed.err
+    else:
+        assert printed.err == ""
 
 
 def test_the_empty_world_is_a_cave_with_four_chambers_and_rock_in_the_middle() -> None:
