@@ -6,7 +6,12 @@ from collections.abc import Awaitable, Callable
 from functools import partial
 from types import SimpleNamespace
 
-from donnie_tui.tui.keyboard import LOOKS, KeyQueue
+import pytest
+from textual import events
+
+from donnie_tui.commands.keys import KeyTable
+from donnie_tui.tui import keyboard
+from donnie_tui.tui.keyboard import LOOKS, TAKEN_LOOKS, Dialogs, Keyboard, KeyQueue
 
 
 class Pump:
@@ -157,3 +162,175 @@ async def test_a_command_after_another_one_waits_for_it_and_none_is_lost():
 
     assert app.done == ["run", "save", "a", "F", "F done", "b"]
     assert not app.turns.is_holding
+
+
+# --- what a key does, and when
+
+
+class Keys:
+    """A keyboard at that application, with what it said and did."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch, *, is_real: bool = False) -> None:
+        self.app = app = Application()
+        self.unread = self.must_wait = False
+        monkeypatch.setattr(keyboard, "has_unread", lambda _number: self.unread)
+        self.fed: list[str] = []
+        self.said: list[str] = []
+        self.done: list[str] = []
+        self.line = SimpleNamespace(has_focus=False, value="", finish=lambda: self.done.append("line"))
+        self.place = SimpleNamespace(command_line=self.line, tour=None, is_plain=False)
+        app.screen = self.place
+        connection = SimpleNamespace(is_real=is_real)
+        self.session = SimpleNamespace(
+            controller=SimpleNamespace(
+                key_pressed=lambda *_: None,
+                donnie=SimpleNamespace(connection=connection),
+                words=SimpleNamespace(language="en"),
+                display=SimpleNamespace(acted=lambda: None),
+            ),
+            runs=False,
+            give_up_search=lambda: False,
+            say=lambda code, **_values: self.said.append(code),
+        )
+        self.dialogs = Dialogs(app, self.place, lambda: None)
+        self.keyboard = Keyboard(
+            app, self.session, self.place, KeyTable(), dialogs=self.dialogs, feed=self._feed,
+            must_wait=lambda: self.must_wait, do=self.done.append,
+        )  # fmt: skip
+
+    async def _feed(self, event: events.Event) -> None:
+        self.fed.append(getattr(event, "key", type(event).__name__))
+
+    async def press(self, *keys: str) -> None:
+        for key in keys:
+            await self.keyboard.on_event(events.Key(key, key if len(key) == 1 else None))
+            await self.app.go_on()
+
+
+async def test_what_waits_for_all_keys_comes_at_the_second_look_at_the_earliest(monkeypatch):
+    """What was read is handled by then."""
+    keys = Keys(monkeypatch)
+    keys.keyboard.when_taken(lambda: keys.done.append("done"))
+    await keys.app.go_on()
+    assert (keys.done, len(keys.app.timers)) == ([], 1)
+    await keys.app.timers[-1].ring()
+    await keys.app.go_on()
+    assert keys.done == ["done"]
+
+
+@pytest.mark.parametrize("what", ["unread", "must_wait"])
+@pytest.mark.parametrize("looks", [3, TAKEN_LOOKS])
+async def test_what_waits_for_all_keys_comes_once_they_are_taken_or_after_so_many_looks(
+    monkeypatch, what, looks
+):
+    keys = Keys(monkeypatch)
+    setattr(keys, what, True)
+    keys.keyboard.when_taken(lambda: keys.done.append("done"))
+    for look in range(1, looks + 1):
+        await keys.app.go_on()
+        assert (keys.done, len(keys.app.timers)) == ([], look)
+        setattr(keys, what, look != 3 or looks != 3)
+        await keys.app.timers[-1].ring()
+    await keys.app.go_on()
+    assert keys.done == ["done"]
+
+
+async def test_a_stop_comes_at_once_and_all_else_in_its_turn(monkeypatch):
+    keys = Keys(monkeypatch)
+    keys.app.focused.call_later(keys.done.append, "letter")
+    for name in ("run", "stop_all", "save", "stop"):
+        keys.keyboard.act(name)
+    assert keys.done == ["stop_all", "stop"]
+    await keys.app.go_on()
+    assert keys.done[2:] == ["letter", "run", "save"]
+
+
+@pytest.mark.parametrize(
+    ("has_focus", "value", "name", "done"),
+    [
+        (True, "FW 1", "run", "line"),
+        (True, "  ", "run", "run"),
+        (False, "FW 1", "run", "run"),
+        (True, "FW 1", "step", "step"),
+    ],
+)
+async def test_running_from_the_command_line_runs_what_is_typed_there(
+    monkeypatch, has_focus, value, name, done
+):
+    keys = Keys(monkeypatch)
+    keys.line.has_focus, keys.line.value = has_focus, value
+    keys.keyboard.act(name)
+    await keys.app.go_on()
+    assert keys.done == [done]
+
+
+@pytest.mark.parametrize(
+    ("is_real", "has_gone", "pressed", "fed", "said"),
+    [
+        (False, False, ["escape"], ["escape"], 0),
+        (False, True, ["escape"], [], 1),
+        (False, True, ["escape", "escape"], ["escape"], 1),
+        (False, True, ["x", "escape"], ["x", "escape"], 0),
+        (True, False, ["escape"], [], 1),
+        (True, False, ["escape", "escape"], ["escape"], 1),
+        (True, False, ["escape", "x", "escape"], ["x"], 2),
+        (True, False, ["x"], ["x"], 0),
+    ],
+)
+async def test_esc_that_may_be_meant_for_what_has_gone_or_drives_a_real_robot_is_asked_for_again(
+    monkeypatch, is_real, has_gone, pressed, fed, said
+):
+    keys = Keys(monkeypatch, is_real=is_real)
+    if has_gone:
+        keys.dialogs.note_gone()
+    await keys.press(*pressed)
+    assert (keys.fed, keys.said) == (fed, ["esc-again"] * said)
+
+
+async def test_esc_is_not_asked_for_again_in_a_dialog_or_while_a_program_runs(monkeypatch):
+    for change in ("screen", "runs"):
+        keys = Keys(monkeypatch, is_real=True)
+        if change == "screen":
+            keys.app.screen = SimpleNamespace(call_later=keys.app.call_later)
+        else:
+            keys.session.runs = True
+        await keys.press("escape")
+        assert (keys.fed, keys.said) == (["escape"], [])
+
+
+async def test_keys_wait_while_there_is_nothing_for_them_and_a_stop_does_not(monkeypatch):
+    keys = Keys(monkeypatch)
+    keys.must_wait = keys.session.runs = True
+    await keys.press("a", "f8", "b", "backspace", "c", "enter", "ctrl+c")
+    assert keys.fed == ["f8", "ctrl+c"]
+    assert keys.keyboard.waiting_text == "ac\n"
+    keys.must_wait = False
+    keys.keyboard.release()
+    await keys.app.go_on()
+    assert keys.fed[2:] == ["a", "b", "backspace", "c", "enter"]
+    assert keys.keyboard.waiting_text == ""
+
+
+async def test_a_stop_gives_up_a_search_for_a_robot_and_does_nothing_more(monkeypatch):
+    keys = Keys(monkeypatch)
+    keys.session.give_up_search = lambda: True
+    await keys.press("f8", "x")
+    assert keys.fed == ["x"]
+
+
+async def test_what_was_typed_and_not_taken_is_given_back(monkeypatch):
+    keys = Keys(monkeypatch)
+    keys.keyboard.hold([events.Key("a", "a"), events.Paste("bc")])
+    assert keys.keyboard.waiting_text == "abc"
+    assert [type(each) for each in keys.keyboard.give_up()] == [events.Key, events.Paste]
+    assert (keys.keyboard.waiting_text, keys.keyboard.give_up()) == ("", [])
+
+
+async def test_esc_in_the_tour_closes_it_and_the_next_one_is_asked_for_again(monkeypatch):
+    keys = Keys(monkeypatch)
+    keys.place.tour = SimpleNamespace(has_focus=True)
+    keys.place.close_tour = lambda: setattr(keys.place, "tour", None)
+    await keys.press("escape")
+    assert (keys.place.tour, keys.fed, keys.said) == (None, [], [])
+    await keys.press("escape")
+    assert (keys.fed, keys.said) == ([], ["esc-again"])
