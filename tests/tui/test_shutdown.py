@@ -3,6 +3,8 @@
 import signal
 import threading
 from collections.abc import Callable, Iterator
+from functools import partial
+from pathlib import Path
 from queue import Queue
 from types import SimpleNamespace
 from typing import Any
@@ -10,7 +12,7 @@ from typing import Any
 import pytest
 
 from donnie_tui.tui import shutdown
-from donnie_tui.tui.shutdown import ScreenWatchdog
+from donnie_tui.tui.shutdown import ScreenWatchdog, Shutdown
 from tests.timeouts import TIMEOUT
 
 
@@ -146,3 +148,63 @@ def test_control_z_suspends_although_the_main_thread_holds_the_lock_of_the_stop(
         line.end()
 
     assert rested == ["rest"]
+
+
+# --- the session
+
+
+def closing(left) -> tuple[list[str], Shutdown]:
+    """A shutdown whose watchdog was left so, and what is done then."""
+    done: list[str] = []
+    session = SimpleNamespace(
+        close=lambda: done.append("close"), stop_real_robot=lambda: True, keep_text=lambda: None
+    )
+    it = Shutdown(
+        SimpleNamespace(_driver=None), session, Path(), stop_all=int, repaint=int, after_keys=lambda it: it()
+    )
+    it._watchdog = SimpleNamespace(left=left, end=lambda: done.append("end"))
+    return done, it
+
+
+class Watched:
+    """In place of the watchdog of the end."""
+
+    def __init__(self, done: list[str], *_given, **_named) -> None:
+        self._done = done
+
+    def __enter__(self) -> "Watched":
+        self._done.append("watched")
+        return self
+
+    def leave(self, *given: object) -> None:
+        self._done.append(f"leave {given}")
+
+    def __exit__(self, *_given: object) -> None:
+        self._done.append("over")
+
+
+@pytest.mark.parametrize(
+    ("left", "expected"),
+    [(None, ["close"]), ((15, 1.5), ["watched", "leave (15, 1.5)", "close", "over"])],
+    ids=["quit", "signal"],
+)
+def test_the_session_is_closed_and_after_a_signal_in_time(monkeypatch, left, expected):
+    done, it = closing(left)
+    monkeypatch.setattr(shutdown, "Watchdog", partial(Watched, done))
+    it.close_session()
+    assert done == expected
+
+
+def test_a_screen_that_never_began_to_watch_closes_its_session():
+    done, it = closing(None)
+    it._watchdog = None
+    it.end_watchdog()
+    it.close_session()
+    assert done == ["close"]
+
+
+def test_the_readers_of_a_page_are_no_longer_watched_at_the_end():
+    done, it = closing(None)
+    it._readers = SimpleNamespace(close=lambda: done.append("readers"))
+    it.end_watchdog()
+    assert done == ["readers", "end"]

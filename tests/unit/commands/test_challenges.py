@@ -9,6 +9,7 @@ import pytest
 
 from donnie_tui.commands.interaction import EnterWorld
 from donnie_tui.core.events import Chimed, CueSounded, RunEnded, Stamped
+from donnie_tui.core.program_files import Attempted
 from donnie_tui.i18n.words import Words
 from donnie_tui.world.loading import choose_world
 from tests.conftest import ROOT
@@ -177,6 +178,21 @@ def test_results_count_a_hint_that_was_asked_for_after_the_last_try(open_script:
     script.answers_to("FW 4", "HINT")
 
     assert script.answers_to("RESULTS")[1] == "The first walk: not yet, 1 try, 1 hint, 0 bumps."
+
+
+def test_results_count_a_try_that_is_not_written_yet(open_script: OpenScript) -> None:
+    """As while its questions are still to be asked."""
+    script = open_script(world="challenge:first_walk")
+    script.answers_to("FW 4")
+    attempt = script.ctx.attempt
+    assert attempt is not None
+    attempt.tried = Attempted("now", "first_walk", True, 1, 1, 1, 5, 0, 0, seconds=7, shortest=5)
+
+    assert script.answers_to("RESULTS") == [
+        "1 of 1 solved.",
+        "The first walk: solved, 2 tries, 0 hints, 0 bumps.",
+        "5 steps in 7 seconds. The shortest way takes 5.",
+    ]
 
 
 def test_a_broken_line_of_the_results_is_left_out(open_script: OpenScript, tmp_path: Path) -> None:
