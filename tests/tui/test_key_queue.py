@@ -12,6 +12,7 @@ from textual import events
 from donnie_tui.commands.keys import KeyTable
 from donnie_tui.tui import keyboard
 from donnie_tui.tui.keyboard import LOOKS, TAKEN_LOOKS, Dialogs, Keyboard, KeyQueue
+from donnie_tui.tui.run_view import Polling
 
 
 class Pump:
@@ -334,3 +335,126 @@ async def test_esc_in_the_tour_closes_it_and_the_next_one_is_asked_for_again(mon
     assert (keys.place.tour, keys.fed, keys.said) == (None, [], [])
     await keys.press("escape")
     assert (keys.fed, keys.said) == ([], ["esc-again"])
+
+
+async def test_keys_wait_from_a_command_that_asks_until_its_dialog_is_there_and_until_it_is_done(monkeypatch):
+    keys, released = Keys(monkeypatch), []
+    dialogs = Dialogs(keys.app, keys.place, lambda: released.append("released"))
+    assert not dialogs.holds_keys
+    asking = dialogs.begin()
+    assert (dialogs.holds_keys, len(keys.app.timers)) == (True, 1)
+    dialogs.done(object())  # of an earlier command
+    assert (dialogs.holds_keys, released) == (True, [])
+
+    dialog = Pump(keys.app)
+    with dialogs.checking(dialog):
+        keys.app.screen = dialog
+        assert dialogs.holds_keys
+    assert (dialogs.holds_keys, released) == (False, ["released"])
+    keys.app.screen = keys.place
+    assert dialogs.holds_keys
+    stopped = []
+    keys.app.timers[-1].stop = lambda: stopped.append("stopped")
+    dialogs.done(asking)
+    assert (dialogs.holds_keys, released, stopped) == (False, ["released"] * 2, ["stopped"])
+
+
+async def test_keys_wait_no_longer_than_a_moment_for_a_command_that_asks(monkeypatch):
+    keys, released = Keys(monkeypatch), []
+    dialogs = Dialogs(keys.app, keys.place, lambda: released.append("released"))
+    dialogs.begin()
+    stopped = []
+    keys.app.timers[-1].stop = lambda: stopped.append("first")
+    dialogs.begin()
+    assert (stopped, len(keys.app.timers)) == (["first"], 2)
+    await keys.app.timers[-1].ring()
+    assert (dialogs.holds_keys, released) == (False, ["released"])
+
+
+async def test_a_page_holds_keys_until_its_queue_is_empty_and_the_next_esc_may_be_meant_for_it(monkeypatch):
+    keys, released = Keys(monkeypatch), []
+    dialogs = Dialogs(keys.app, keys.place, lambda: released.append("released"))
+    page, closed = Pump(keys.app), []
+    keys.app.push_screen = lambda screen, callback: closed.append(callback)
+    dialogs.open(page)
+    keys.app.screen = page
+    assert dialogs.holds_keys
+    await page.work()
+    assert (dialogs.holds_keys, released, dialogs.forget_gone()) == (False, ["released"], False)
+    closed[0](None)
+    assert dialogs.forget_gone()
+    assert not dialogs.forget_gone()
+
+
+async def test_a_dialog_that_is_given_up_goes_and_is_noted(monkeypatch):
+    class Asked(Pump):
+        def pop_until_active(self) -> None:
+            left.append("popped")
+
+        def dismiss(self) -> None:
+            left.append("dismissed")
+
+    async def given_up(_screen: Pump) -> None:
+        raise asyncio.CancelledError
+
+    async def answered(_screen: Pump) -> str:
+        return "yes"
+
+    keys, left, released = Keys(monkeypatch), [], []
+    dialogs = Dialogs(keys.app, keys.place, lambda: released.append("released"))
+    asked = Asked(keys.app)
+    keys.app.screen_stack = [keys.place, asked]
+    keys.app.push_screen_wait = given_up
+    with pytest.raises(asyncio.CancelledError):
+        await dialogs.answer_of(asked)
+    assert (left, released, dialogs.forget_gone()) == (["popped", "dismissed"], ["released"], True)
+
+    keys.app.screen_stack, keys.app.push_screen_wait = [keys.place], answered
+    dialogs.begin()
+    timers = len(keys.app.timers)
+    assert await dialogs.answer_of(asked) == "yes"
+    assert (left[2:], dialogs.forget_gone(), len(keys.app.timers)) == ([], True, timers + 1)
+    keys.app.push_screen_wait = given_up
+    with pytest.raises(asyncio.CancelledError):
+        await dialogs.answer_of(asked)
+    assert left[2:] == []
+
+
+async def test_the_mouse_and_forwarded_keys_are_no_keys(monkeypatch):
+    keys, acted = Keys(monkeypatch), []
+    keys.session.controller.display.acted = lambda: acted.append("acted")
+    keys.must_wait = True
+    mouse = events.MouseDown(None, 0, 0, 0, 0, 1, False, False, False)
+    forwarded = events.Key("a", "a")
+    forwarded._forwarded = True
+    for event in (mouse, forwarded, events.Focus()):
+        await keys.keyboard.on_event(event)
+    assert (keys.fed, acted, keys.keyboard.waiting_text) == (["MouseDown", "a", "Focus"], ["acted"], "")
+    keys.session.controller = None
+    for event in (mouse, events.Key("b", "b")):
+        await keys.keyboard.on_event(event)
+    assert (keys.fed[3:], acted, keys.keyboard.waiting_text) == (["MouseDown"], ["acted"], "b")
+
+
+def test_the_screen_is_polled_soon_and_then_more_and_more_seldom():
+    polls, timers = [], []
+
+    def later(seconds: float, poll: Callable[[], None]) -> SimpleNamespace:
+        timers.append((seconds, poll))
+        return SimpleNamespace(stop=lambda: polls.append("stopped"))
+
+    polling = Polling(lambda: polls.append("look"), later)
+    polling.on_event()
+    polling.end()
+    assert (polling.is_on, timers, polls) == (False, [], [])
+    polling.begin()
+    polling.begin()
+    polling.on_event()
+    assert (polling.is_on, [each for each, _ in timers]) == (True, [0.2])
+    for _ in range(4):
+        timers[-1][1]()
+    assert ([each for each, _ in timers], polls) == ([0.2, 0.4, 0.8, 1.0, 1.0], ["look"] * 4)
+    polling.on_event()
+    assert (timers[-1][0], polls[4:]) == (0.2, ["stopped"])
+    polling.end()
+    assert (polling.is_on, polls[5:]) == (False, ["stopped"])
