@@ -28,6 +28,7 @@ CONVERSATIONS: dict[str, tuple[tuple[str, list[str]], ...]] = {
     "until": (
         *((each, wrong("UNTIL 3")) for each in ("UNTIL", "UNTIL 1 2", "UNTIL x")),
         ("UNTIL 0", no_line(0)),
+        ("UNTIL 4", ["No command begins on line 4, so I can't stop there."]),
         ("UNTIL 5", no_line(5)),
     ),
     "breakpoints": (
@@ -342,3 +343,12 @@ def test_a_word_of_the_screen_names_one_that_says_the_same_in_words(
     script = open_script()
     for typed in IN_WORDS[answer]:
         assert (typed, script.answers_to(typed)) == (typed, [answer])
+
+
+def test_without_a_learner_to_ask_a_missing_name_is_not_understood(open_script: OpenScript) -> None:
+    script = open_script(*PROGRAM)
+    script.interaction.is_attended = False
+
+    assert script.answers_to("OPEN") == wrong("OPEN file")
+    assert script.answers_to("SAVE WORLD") == wrong("SAVE WORLD room")
+    assert script.interaction.asked == []

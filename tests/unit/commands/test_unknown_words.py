@@ -50,7 +50,9 @@ def test_the_nearest_word_is_found_after_other_lines_and_within_a_block() -> Non
     assert meant("LISTT", "FW 2", "REPEAT 2 TIMES") == "LIST"
 
 
-@pytest.mark.parametrize("line", ["SPEK 3", "FWW 3", "listt = 3", "listt [2]", "", "7", "bananas", "x" * 99])
+@pytest.mark.parametrize(
+    "line", ["SPEK 3", "FWW 3", "listt = 3", "listt [2]", "", "7", "LIS7", "L1ST 2", "bananas", "x" * 99]
+)
 def test_a_line_that_may_be_godonnie_is_left_alone(line: str) -> None:
     assert meant(line) is None
 
