@@ -78,8 +78,7 @@ class Layer:
 
     def room(self, x: float, y: float, most: float) -> float:
         """Metres from a place to the nearest part, at most ``most``; below 0 inside of one."""
-        nearest = self._space.point_query_nearest((x, y), most, _ANY)
-        return most if nearest is None else nearest.distance
+        return self._rays.distance(x, y, most)
 
     def move(self, root: int, now: Placement) -> None:
         """Put a movable root there."""
@@ -119,7 +118,6 @@ class Layer:
             self._space.add(shape)
 
 
-_ANY = pymunk.ShapeFilter()
 _NONE = frozenset[int]()
 _ALIVE: WeakSet[Layer] = WeakSet()
 

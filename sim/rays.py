@@ -1,8 +1,8 @@
-"""Many rays at once through a pymunk space: what each hits first, and how far away.
+"""Many rays at once through a pymunk space: what each hits first, and where; and how near anything is.
 
-pymunk's public method makes four objects for each ray. Its library, called directly, is several times as fast
-and gives the same result to the last bit (``benchmarks/rays.py``). That interface is private: where it is
-missing, or a small trial differs from the public method, the public method is used.
+pymunk's public methods make four objects for each answer. Its library, called directly, is several times as
+fast and gives the same result to the last bit (``benchmarks/rays.py``). That interface is private: where it
+is missing, or a small trial differs from the public methods, these are used.
 """
 
 from __future__ import annotations
@@ -31,6 +31,10 @@ class Rays(Generic[Owner]):
         library = _library() if direct else None
         self._key: Callable[[pymunk.Shape], object] = _itself if library is None else _pointer
         self._first_hits = self._by_method if library is None else _direct(library, space, self._owners)
+        self.distance: Callable[[float, float, float], float] = (
+            self._distance_by_method if library is None else _direct_distance(library, space)
+        )
+        """Metres from a place to the nearest shape, at most so many; below 0 inside of one."""
 
     def own(self, shape: pymunk.Shape, owner: Owner) -> None:
         """Rays that hit ``shape`` return ``owner`` from now on."""
@@ -46,6 +50,10 @@ class Rays(Generic[Owner]):
         """What each of the thin rays from (x, y) to ``ends`` meets first, in their order."""
         return self._first_hits(x, y, ends, shapes)
 
+    def _distance_by_method(self, x: float, y: float, most: float) -> float:
+        nearest = self._space.point_query_nearest((x, y), most, _ANY)
+        return most if nearest is None else nearest.distance
+
     def _by_method(
         self, x: float, y: float, ends: Sequence[Point], shapes: pymunk.ShapeFilter
     ) -> list[Hit[Owner]]:
@@ -57,6 +65,9 @@ class Rays(Generic[Owner]):
             else:
                 hits.append((self._owners[hit.shape], hit.alpha))
         return hits
+
+
+_ANY = pymunk.ShapeFilter()
 
 
 def _itself(shape: pymunk.Shape) -> object:
@@ -93,6 +104,19 @@ def _direct(library: Any, space: pymunk.Space, owners: dict[object, Any]) -> _Fi
     return first_hits
 
 
+def _direct_distance(library: Any, space: pymunk.Space) -> Callable[[float, float, float], float]:
+    """The same for the distance of the nearest shape."""
+    ask, new = library.lib.cpSpacePointQueryNearest, library.ffi.new
+    info, place, wanted = new("cpPointQueryInfo *"), new("cpVect *"), new("cpShapeFilter *", tuple(_ANY))[0]
+    inner, at = space._space, place[0]
+
+    def distance(x: float, y: float, most: float) -> float:
+        place.x, place.y = x, y
+        return info.distance if ask(inner, at, most, wanted, info) else most
+
+    return distance
+
+
 @cache
 def _library() -> Any:
     """pymunk's private module, or None if it is not as it was; Any, as it has no types."""
@@ -115,4 +139,8 @@ def _trial(library: Any) -> bool:
     by_method: Rays[str] = Rays(space, direct=False)
     by_method.own(box, "box")
     question = (-3.0, 0.5, ((3.0, 0.7), (-3.0, 9.0)), pymunk.ShapeFilter(mask=1))
-    return _direct(library, space, {_pointer(box): "box"})(*question) == by_method.first_hits(*question)
+    direct = _direct(library, space, {_pointer(box): "box"})
+    if direct(*question) != by_method.first_hits(*question):
+        return False
+    distance, places = _direct_distance(library, space), ((3.0, 0.2, 5.0), (3.0, 0.2, 1.0), (0.5, 0.2, 5.0))
+    return all(distance(*each) == by_method.distance(*each) for each in places)

@@ -56,6 +56,27 @@ def test_both_methods_give_the_same_hits(
     assert len(quick) == len(ends)
 
 
+@settings(max_examples=examples(100))
+@given(st.lists(PLACES, max_size=8), PLACES, st.sampled_from((0.1, 2.0, 9.0)))
+def test_both_methods_give_the_same_distance(
+    places: list[tuple[float, float]], place: tuple[float, float], most: float
+) -> None:
+    space, shapes = boxes(places)
+
+    quick, plain = (owned(space, shapes, direct).distance(*place, most) for direct in (True, False))
+
+    assert quick == plain <= most
+
+
+@pytest.mark.parametrize("direct", [True, False])
+def test_a_distance_counts_from_the_border_and_is_below_0_inside(direct: bool) -> None:
+    space = pymunk.Space()
+    space.add(pymunk.Poly.create_box(space.static_body, (2.0, 2.0)))
+    it: Rays[int] = Rays(space, direct=direct)
+
+    assert [it.distance(x, 0.25, 5.0) for x in (4.0, 0.5, 7.0)] == [3.0, -0.5, 5.0]
+
+
 @pytest.mark.parametrize("direct", [True, False])
 def test_a_shape_that_left_is_not_hit_and_a_filter_holds(direct: bool) -> None:
     space, shapes = boxes([(1, 0)])
