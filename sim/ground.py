@@ -257,6 +257,12 @@ class Ground:
                 way = min(way, layout.free_of_moving(asker, x, y, end, guard, but))
             return way
 
+    def is_free_of_still(self, x: float, y: float, end: Point, guard: float) -> bool:
+        """Whether nothing that never moves comes nearer to a way than ``guard``."""
+        with self._lock:
+            layout = self._layout or self._lay_out()
+            return layout.free_of_still(x, y, end, guard, frozenset()) >= 1.0
+
     def still_room(self, x: float, y: float, guard: float) -> float:
         """The radius around a place without still parts nearer than ``guard``; below 0: none.
 

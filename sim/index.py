@@ -7,6 +7,7 @@ about the same place to about the same side.
 
 from __future__ import annotations
 
+from bisect import bisect_left, insort
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from math import dist, floor, hypot, inf, sqrt
 
@@ -24,7 +25,7 @@ MARGIN = 1e-9
 """Metres by which boxes are taken larger, for what computing errs."""
 LEAST, MOST = 0.25, 2.0
 """Metres of a square's side."""
-FEW = 16
+FEW = 40
 """So many parts, about, are looked for around a place at first."""
 NO_ROOT = -1
 """The asker of a query that belongs to no root."""
@@ -98,10 +99,10 @@ def _inside(
 
 Circle = tuple[float, float, float]
 """Its middle's x and y, and its radius."""
-DRIFT = 0.3
+DRIFT = 0.5
 """Metres that a root moves until what is near it must be found again."""
 CLOSE = 0.75
-"""Metres within which a movement looks for near roots; a sensor looks farther."""
+"""Metres within which near roots are cached at least."""
 InView = tuple[float, int, float, float, float, Part]
 """How far a part is at least; its rank; x, y and radius of a circle around it, a hair wider; the part."""
 
@@ -174,7 +175,7 @@ class Views:
 class MovingRoots:
     """Movable roots: a circle around each, inside a wider one, its *range*, which changes rarely.
 
-    The ranges near a robot are cached until a root leaves its range.
+    The ranges near a robot are cached, the nearest first, until a root leaves its range.
     """
 
     def __init__(self, parts: Mapping[int, Sequence[Part]], now: Mapping[int, Placement]) -> None:
@@ -188,12 +189,12 @@ class MovingRoots:
         self._side = max(2.0, 2.0 * max(self._extents.values(), default=0.0))
         self._squares: dict[tuple[int, int], set[int]] = {}
         """The ranges, square by square."""
-        self._close: dict[int, _Near] = {}
-        """What is near a root, as far as ``CLOSE``."""
-        self._far: dict[int, _Near] = {}
-        """The same, farther."""
+        self._kept: dict[int, _Near] = {}
+        """What is near a root."""
+        self._reaches: dict[int, float] = {}
+        """Metres up to which that was asked for, root by root."""
         self._farthest = 0.0
-        """Metres that these reach."""
+        """The most of these."""
         for root, place in now.items():
             self._ranges[root] = place.x, place.y, -inf
             self.move(root, place)
@@ -216,35 +217,50 @@ class MovingRoots:
 
     def _leave(self, root: int, x: float, y: float, radius: float) -> None:
         """Give a root another range."""
-        self._squares.get(self._square(*self._ranges[root][:2]), set()).discard(root)
+        before_x, before_y, before_radius = self._ranges[root]
+        self._squares.get(self._square(before_x, before_y), set()).discard(root)
         self._squares.setdefault(self._square(x, y), set()).add(root)
         self._ranges[root] = x, y, radius
         self._widest = max(self._widest, radius)
-        for kept in (self._close, self._far):
-            kept.pop(root, None)
-        for asker in self._in_squares(x, y, self._farthest + radius) if self._farthest else ():
-            for kept in (self._close, self._far):
-                near = kept.get(asker)
-                if near is not None and hypot(near.x - x, near.y - y) <= near.reach + radius:
-                    near.roots.add(root)
+        self._kept.pop(root, None)
+        reach = self._farthest + self._widest + hypot(x - before_x, y - before_y)
+        for asker in self._in_squares(x, y, reach) if self._kept else ():
+            near = self._kept.get(asker)
+            if near is None:
+                continue
+            bound = hypot(before_x - near.x, before_y - near.y) - before_radius
+            if bound <= near.reach:
+                del near.roots[bisect_left(near.roots, (bound, root))]
+            bound = hypot(x - near.x, y - near.y) - radius
+            if bound <= near.reach:
+                insort(near.roots, (bound, root))
 
-    def near(self, asker: int, x: float, y: float, reach: float) -> Collection[int]:
-        """The others that may come within ``reach`` of a place, and perhaps some more, in no order."""
-        kept = self._close if reach <= CLOSE else self._far
-        near = kept.get(asker)
-        if near is None or hypot(x - near.x, y - near.y) + reach > near.reach:
-            if asker not in self._ranges:
-                return self._found(asker, x, y, reach).roots
-            its_x, its_y, _ = self._ranges[asker]
-            reach = max(CLOSE, reach + hypot(x - its_x, y - its_y)) + DRIFT
-            near = kept[asker] = self._found(asker, its_x, its_y, reach)
-            self._farthest = max(self._farthest, reach)
-        return near.roots
+    def _near(self, asker: int, x: float, y: float, reach: float) -> tuple[list[tuple[float, int]], float]:
+        """The others by the least distance of their ranges from about there, and the most that counts.
+
+        Those up to there may come within ``reach`` of a place, the others can't.
+        """
+        near = self._kept.get(asker)
+        if near is not None:
+            most = reach + hypot(x - near.x, y - near.y)
+            if most <= near.reach:
+                return near.roots, most
+        if asker not in self._ranges:
+            return self._found(asker, x, y, reach).roots, reach
+        its_x, its_y, _ = self._ranges[asker]
+        most = reach + hypot(x - its_x, y - its_y)
+        farthest = self._reaches[asker] = max(self._reaches.get(asker, CLOSE), most + DRIFT)
+        self._farthest = max(self._farthest, farthest)
+        near = self._kept[asker] = self._found(asker, its_x, its_y, farthest)
+        return near.roots, most
 
     def close_to(self, asker: int, x: float, y: float, reach: float) -> list[int]:
         """The others that come within ``reach`` of a place, in no order."""
-        near, found = self.near(asker, x, y, reach), []
-        for root in near:
+        near, most = self._near(asker, x, y, reach)
+        found = list[int]()
+        for bound, root in near:
+            if bound > most:
+                break
             its_x, its_y, radius = self._circles[root]
             if hypot(its_x - x, its_y - y) <= reach + radius:
                 found.append(root)
@@ -253,11 +269,11 @@ class MovingRoots:
     def within(self, asker: int, left: float, bottom: float, right: float, top: float) -> list[int]:
         """The others that may come into a box, in no order."""
         x, y = (left + right) / 2, (bottom + top) / 2
-        near = self.near(asker, x, y, hypot(right - x, top - y))
-        if not near:
-            return []
-        found = []
-        for root in near:
+        near, most = self._near(asker, x, y, hypot(right - x, top - y))
+        found = list[int]()
+        for bound, root in near:
+            if bound > most:
+                break
             its_x, its_y, radius = self._circles[root]
             if left - radius <= its_x <= right + radius and bottom - radius <= its_y <= top + radius:
                 found.append(root)
@@ -266,10 +282,13 @@ class MovingRoots:
     def in_wedge(self, asker: int, wedge: Wedge, reach: float) -> list[int]:
         """The others that may come into a wedge up to a distance, in no order."""
         x, y = wedge.x, wedge.y
-        near, found = self.near(asker, x, y, reach), list[int]()
-        if near:
+        near, most = self._near(asker, x, y, reach)
+        found = list[int]()
+        if near and near[0][0] <= most:
             (c, s), (wc, ws), circles = wedge.facing, wedge.aside, self._circles
-            for root in near:
+            for bound, root in near:
+                if bound > most:
+                    break
                 its_x, its_y, radius = circles[root]
                 dx, dy = its_x - x, its_y - y
                 along = dx * c + dy * s
@@ -278,11 +297,13 @@ class MovingRoots:
         return found
 
     def _found(self, asker: int, x: float, y: float, reach: float) -> _Near:
-        found = set[int]()
+        found = list[tuple[float, int]]()
         for root in self._in_squares(x, y, reach + self._widest):
             its_x, its_y, radius = self._ranges[root]
-            if hypot(its_x - x, its_y - y) <= reach + radius and root != asker:
-                found.add(root)
+            bound = hypot(its_x - x, its_y - y) - radius
+            if bound <= reach and root != asker:
+                found.append((bound, root))
+        found.sort()
         return _Near(x, y, reach, found)
 
     def _in_squares(self, x: float, y: float, reach: float) -> Collection[int]:
@@ -306,7 +327,8 @@ class _Near(Struct, frozen=True):
     x: float
     y: float
     reach: float
-    roots: set[int]
+    roots: list[tuple[float, int]]
+    """Each with the least distance of its range, in order."""
 
 
 def _extent(parts: Iterable[Part], place: Placement) -> float:

@@ -154,11 +154,11 @@ class Surroundings:
         """The nearest thing that a ranger sees in a wedge."""
         return self.ground.nearest(self.root, wedge, height, self.absent)
 
-    def has_room(self, x: float, y: float, to_x: float, to_y: float) -> bool:
-        """Whether a way is known to keep the guard distance; False says nothing.
+    def has_room(self, x: float, y: float, to_x: float, to_y: float, straight: bool = False) -> bool:
+        """Whether a way is known to keep the guard distance, and all between two of them; False says nothing.
 
-        Still parts are known to be away from a circle, which is computed again if a way leaves
-        the last one.
+        Still parts are known to be away from a circle, which is computed again if a way begins outside the
+        last one. If a way leads out of the circle and is ``straight``, a ray checks this one way.
         """
         if self.absent:
             return False
@@ -166,7 +166,9 @@ class Surroundings:
         if hypot(x - its_x, y - its_y) >= radius:
             radius = max(0.0, self.ground.still_room(x, y, self._guard) - SAFE)
             self._room = its_x, its_y, radius = x, y, radius
-        if hypot(to_x - its_x, to_y - its_y) >= radius:
+        if hypot(to_x - its_x, to_y - its_y) >= radius and not (
+            straight and self.ground.is_free_of_still(x, y, (to_x, to_y), self._guard)
+        ):
             return False
         return not self.has_company or not self.ground.may_meet_others(
             self.root, x, y, (to_x, to_y), self._guard
@@ -280,7 +282,7 @@ class Mover:
     def has_free_step(self, spot: Spot, bearing: Bearing) -> bool:
         """Whether a whole step is free, and is the same however it is divided."""
         there = spot.ahead(STEP, spot.yaw + (180.0 if bearing is Bearing.BACK else 0.0))
-        if self.around.has_room(spot.x, spot.y, there.x, there.y):
+        if self.around.has_room(spot.x, spot.y, there.x, there.y, straight=True):
             return True
         return not self._reaches_into_any(spot) and self.walk(spot, bearing, 1, careful=True).steps == 1
 

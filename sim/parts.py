@@ -55,12 +55,12 @@ class Part(Struct, frozen=True):
         return edges(self.points)
 
     def seen_from(self, start: Placement) -> tuple[Point, ...]:
-        """Its points and the place of its model, in the frame of a top-level model."""
-        return seen_from((*self.points, self.place), start.x, start.y, start.yaw)
+        """Its points, the place of its model and its middle, in the frame of a top-level model."""
+        return seen_from((*self.points, self.place, self.middle), start.x, start.y, start.yaw)
 
     def moved(self, local: Sequence[Point], now: Placement) -> Part:
         """The polygon with its top-level model at ``now``. ``local``: the result of ``seen_from``."""
-        *points, place = placed(local, now.x, now.y, now.yaw)
+        *points, place, middle = placed(local, now.x, now.y, now.yaw)
         return Part(
             self.rank,
             self.root,
@@ -69,7 +69,8 @@ class Part(Struct, frozen=True):
             self.bottom,
             self.top,
             tuple(points),
-            *_circle(points),
+            middle,
+            self.reach,
             self.solid,
             self.seen,
             self.colour,

@@ -1,13 +1,23 @@
 """What the grid finds near a place is what a look at everything finds."""
 
-from math import hypot, inf
+from math import dist, hypot, inf
 from random import Random
 
 import pytest
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
-from sim.geometry import Placement, Spot, Wedge, contains, direction, edges, nearest_in_wedge, seen_from
+from sim.geometry import (
+    HAIR,
+    Placement,
+    Spot,
+    Wedge,
+    contains,
+    direction,
+    edges,
+    nearest_in_wedge,
+    seen_from,
+)
 from sim.ground import Ground
 from sim.index import VIEWED_FROM, StillParts, Views
 from sim.motion import Surroundings
@@ -165,4 +175,30 @@ def test_what_may_move_is_found_near_each_robot_however_all_drift(seed: int, cou
 
         others = {root: ground.place(root) for root in range(count) if root != asker}
         near = {root for root, it in others.items() if hypot(it.x - x, it.y - y) < reach + radius}
-        assert set(found) == near
+        assert sorted(found) == sorted(near)
+
+
+def test_a_way_that_leads_out_of_the_room_that_is_known_is_free_if_nothing_is_near_it() -> None:
+    """Known is a circle of 0.9 m: up to a wall at x = 1, less the guard of about 0.1 m."""
+    around = Surroundings(Ground(scene("position( ) model( size [ 0.2 4 1 ] pose [ 1.1 0 0 0 ] )")), 0)
+    around.keep(0.1)
+
+    assert around.has_room(0.0, 0.0, 0.05, 0.0)
+    assert around.has_room(0.85, 0.0, 0.85, 0.5, straight=True)
+    assert not around.has_room(0.85, 0.0, 0.85, 0.5)
+    assert not around.has_room(0.85, 0.0, 0.95, 0.0, straight=True)
+
+
+@settings(max_examples=examples(60), deadline=None)
+@given(st.integers(0, 10**6))
+def test_a_circle_around_a_part_holds_all_of_it_wherever_it_was_moved(seed: int) -> None:
+    chance = Random(seed)
+    corners = " ".join(f"point[{i}] [ {chance.random():.3f} {chance.random():.3f} ]" for i in range(5))
+    ground = Ground(scene(f"position( ) model( pushable 1 pose [ 3 1 0 20 ] block( points 5 {corners} ) )"))
+    root = max(ground.movable)
+    for _ in range(5):
+        place = Placement(chance.uniform(-9, 9), chance.uniform(-9, 9), 0, chance.uniform(0, 360))
+        ground.put(root, place)
+        (part,) = ground.parts_of(root)
+
+        assert all(dist(part.middle, point) <= part.reach + HAIR for point in part.points)

@@ -162,15 +162,15 @@ def test_a_wall_stops_a_robot_at_its_body() -> None:
 
 
 @pytest.mark.parametrize(
-    ("ahead", "turn", "size"),
-    [(0.15, 900.0, 0.002), (40.0, 20.0, 0.002)],
-    ids=["a tight arc, in pieces of 2 degrees", "a long arc, in pieces of 2 cm"],
+    ("ahead", "turn", "part"),
+    [(0.15, 900.0, 0.5), (40.0, 20.0, 0.25), (40.0, 300.0, 0.75)],
+    ids=["a tight arc, in pieces of 2 degrees", "a long arc, in pieces of 2 cm", "a wide arc"],
 )
 def test_what_lies_on_an_arc_stops_the_robot_however_fast_it_is(
-    ahead: float, turn: float, size: float
+    ahead: float, turn: float, part: float
 ) -> None:
     """The post is on the arc of one tick, and off the straight lines between a few points of it."""
-    radius, angle = ahead / radians(turn), radians(turn) * TICK / (2 if turn > 90 else 4)
+    size, radius, angle = 0.002, ahead / radians(turn), radians(turn) * TICK * part
     x, y = radius * sin(angle), radius * (1 - cos(angle))
     text = (
         f'position( name "it" size [ {size} {size} 0.2 ] velocity_bounds [ -50 50 0 0 0 0 -900 900 ] )\n'
