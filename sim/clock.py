@@ -14,7 +14,6 @@ import threading
 from bisect import bisect_left
 from collections.abc import Callable, Collection, Iterable, Sequence
 from enum import Enum
-from functools import cached_property
 from heapq import heapify, heappop, heappush, heapreplace
 from math import hypot, inf
 
@@ -58,6 +57,8 @@ class Glide:
         self.root = root
         self.clock = clock
         self._make_times = times
+        self._times: Sequence[float] | None = None
+        self._in_the_world: Sequence[float] | None = None
         self._places = places
         self.way = way
         self.guard = guard
@@ -69,14 +70,18 @@ class Glide:
         self.count: int | None = None
         """Ticks after which it was cut or halted."""
 
-    @cached_property
+    @property
     def times(self) -> Sequence[float]:
         """Computed on first use, as most glides end without it."""
-        return self._make_times()
+        if self._times is None:
+            self._times = self._make_times()
+        return self._times
 
-    @cached_property
+    @property
     def _world_times(self) -> Sequence[float]:
-        return self.clock.in_the_world(self.times)
+        if self._in_the_world is None:
+            self._in_the_world = self.clock.in_the_world(self.times)
+        return self._in_the_world
 
     def is_near(self, x: float, y: float, reach: float) -> bool:
         """Whether something within ``reach`` of a place may be too near to its way."""
@@ -221,6 +226,8 @@ class Seat:
                 if halted():
                     return False
             self._gate.acquire()
+            if self.is_next(self.time):
+                return True
 
     def is_next(self, time: float) -> bool:
         """Whether it would have the turn at ``time`` without any wait."""
@@ -403,14 +410,13 @@ class Clock:
     def follow(self, glide: Glide, last: float) -> Landing:
         """Let the others act until a glide is over, at the time ``last``."""
         began, turns, seat = self.seconds, self._turns, self._seat
-        with turns.lock:
-            turns.glides[seat] = glide
-            self.seconds = last
-        is_over = self._take_turn() and self._catch_up()
-        with turns.lock:
+        self.seconds = last
+        turns.glides[seat] = glide
+        if self._take_turn() and self._catch_up():
             del turns.glides[seat]
-        if is_over:
             return Landing.WHOLE if glide.count is None else Landing.CUT
+        with turns.lock:  # without the turn: another thread may be about to cut the glide
+            del turns.glides[seat]
         self.seconds = min(self.seconds, max(began, turns.present - self._joined_at))
         glide.count = sum(each <= self.seconds for each in glide.times)
         return Landing.HALTED

@@ -330,7 +330,7 @@ class SimulatedRobot:
         meeting = vehicle.meeting.walking if motion is Motion.FORWARD else vehicle.meeting.walking_backward
         walk = self._movements[0](vehicle, motion, steps, rate)
         walked, stopped_by, met = self._run(vehicle, (motion, steps), walk, meeting)
-        return WalkResult(steps, walked, stopped_by, self.pose(), met, self._pushed(vehicle))
+        return WalkResult(steps, walked, stopped_by, pose_of(vehicle.here.belief), met, self._pushed(vehicle))
 
     def _run(
         self,
