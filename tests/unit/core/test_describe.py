@@ -2,8 +2,17 @@
 
 import pytest
 
+import worlds
 from devices.ports.robot import Pose
-from donnie_tui.core.describe import MOST_THINGS, compass_place_of, describe, place_of, things_in_words
+from donnie_tui.core.describe import (
+    MOST_THINGS,
+    arrived,
+    compass_place_of,
+    describe,
+    place_of,
+    things_in_words,
+    worlds_in_words,
+)
 from donnie_tui.i18n.words import Words
 from sim.picture import Picture, Thing, picture
 from tests.floor import floor
@@ -157,3 +166,29 @@ def test_the_size_of_a_thing_below_eight_steps_is_not_given() -> None:
     seen = Picture(0, 0, 9, 9, 1, ("." * 9,) * 9, (small,), has_walls=True)
 
     assert things_in_words(seen, Pose(0.0, 0.0, 0.0), Words()) == ("Table, red: 20 ahead.",)
+
+
+def test_the_list_of_worlds_begins_with_their_number_and_marks_the_one_that_is_open() -> None:
+    count, *rows = worlds_in_words("maze", Words())
+
+    assert count == f"{len(worlds.names())} worlds. WORLD with a name goes there."
+    assert [row.partition(":")[0] for row in rows] == list(worlds.names())
+    assert [row for row in rows if row.endswith(" You are here.")] == ["maze: Maze, hard. You are here."]
+
+
+@pytest.mark.parametrize(
+    ("about", "things", "said"),
+    [
+        (None, (), ("This is the world hall.", "There are no things.")),
+        (About("The hall", "One.", "Do it.", Difficulty.EASY), (("red", 0, 10),), ("The hall", "thing")),
+    ],
+)
+def test_after_a_world_was_opened_its_name_and_its_things_are_said(
+    about: About | None, things: tuple[tuple[str, float, float], ...], said: tuple[str, str]
+) -> None:
+    title, size, has = arrived("hall", about, picture(floor(*things)), Words())
+
+    assert said[0] in title
+    assert size == "An open floor without walls."
+    assert said[1] in has
+    assert ("1" in has) is bool(things)

@@ -3,7 +3,7 @@
 import pytest
 
 from devices.ports.robot import Pose
-from donnie_tui.core.describe import MOST, sensors_in_words
+from donnie_tui.core.describe import MOST, sensors_in_words, sensors_of_board
 from donnie_tui.core.map_grid import Cell, Kind
 from donnie_tui.core.map_scene import MapScene
 from donnie_tui.i18n.words import Words
@@ -84,6 +84,32 @@ def test_twenty_kinds_of_sensors_are_all_described() -> None:
         "Donnie has:",
         "3 times: Bumper 1 right.",
     )
+
+
+@pytest.mark.parametrize(
+    ("name", "language", "has_camera", "said"),
+    [
+        (
+            "",
+            "en",
+            True,
+            ("Donnie has:", "One on its head, which turns for SCAN.", "Bumpers and a color camera."),
+        ),
+        (
+            "al",
+            "pt",
+            False,
+            ("al tem:", "Um na cabeça, que gira para ESPIAR.", "Sensores de toque. Sem câmera"),
+        ),
+    ],
+)
+def test_the_sensors_of_the_board_are_the_same_in_every_world(
+    name: str, language: str, has_camera: bool, said: tuple[str, ...]
+) -> None:
+    title, _, head, last = sensors_of_board(name, Words(language), has_camera=has_camera)
+
+    assert (title, head) == said[:2]
+    assert last.startswith(said[2])
 
 
 @pytest.mark.parametrize("yaw", [0, 90, 225])
