@@ -37,6 +37,8 @@ MOST_PIECES = 2000
 """Walls and things of a drawing; a world file has room for more."""
 MOST_SLIPS = 20
 """Mistakes that are listed."""
+_BORDER = 1e-6
+"""Steps."""
 _HEADING = {"^": 90, ">": 0, "v": -90, "<": 180}
 """As world files have it: counter-clockwise from the east."""
 
@@ -323,5 +325,6 @@ def usual_sizes() -> Mapping[str, tuple[float, float, float]]:
 
 
 def _overlap(mine: Thing, other: Thing) -> bool:
-    apart = abs(mine.x - other.x) * 2, abs(mine.y - other.y) * 2
-    return round(apart[0] - mine.width - other.width, 6) < 0 > round(apart[1] - mine.depth - other.depth, 6)
+    """Whether their boxes have more in common than a border."""
+    across, along = mine.width + other.width - _BORDER, mine.depth + other.depth - _BORDER
+    return abs(mine.x - other.x) * 2 < across and abs(mine.y - other.y) * 2 < along
