@@ -1,4 +1,4 @@
-"""Work in copies of this process: in order, one that dies, and the end of the one that began them.
+"""Work in copies of this process: in order, one that dies, Ctrl+C, and the end of the first process.
 
 Each test begins a process, because a copy must have one thread only.
 """
@@ -6,6 +6,8 @@ Each test begins a process, because a copy must have one thread only.
 from __future__ import annotations
 
 import json
+import os
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -27,6 +29,25 @@ def work(number):
     signal.pause()
 [*in_processes(work, range(2), 2, None)]
 """
+
+INTERRUPTED = """\
+def work(number):
+    os.kill(os.getpid(), signal.SIGINT)
+    return number
+print(json.dumps([*in_processes(work, range(4), 2, "died")]))
+"""
+INTERRUPTED_TOGETHER = """\
+reading, writing = os.pipe()
+def work(number):
+    print("began", flush=True)
+    os.read(reading, 1)
+    return number
+try:
+    [*in_processes(work, range(2), 2, None)]
+except KeyboardInterrupt:
+    print("ended")
+"""
+"""Ctrl+C reaches all of them while both copies work; a byte for each lets it end its work."""
 
 
 def begun(script: str) -> subprocess.Popen[str]:
@@ -50,3 +71,32 @@ def test_copies_end_with_the_process_that_began_them() -> None:
     assert process.stdout.read() == ""  # the copies have it open until they end
     assert not any(Path(f"/proc/{each}/cwd").exists() for each in copies)
     process.communicate()
+
+
+def test_a_copy_ignores_ctrl_c_and_does_its_work() -> None:
+    out, _ = begun(INTERRUPTED).communicate()
+
+    assert json.loads(out) == [0, 1, 2, 3]
+
+
+def test_ctrl_c_ends_the_first_process_when_its_copies_have_done_what_they_began() -> None:
+    reading, writing = os.pipe()
+    script = INTERRUPTED_TOGETHER.replace("os.pipe()", f"{reading}, {writing}")
+    process = subprocess.Popen(
+        [sys.executable, "-c", START + script],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        pass_fds=(reading, writing),
+        start_new_session=True,
+    )
+    assert process.stdout is not None
+    assert [process.stdout.readline() for _ in range(2)] == ["began\n"] * 2
+
+    os.killpg(process.pid, signal.SIGINT)
+    os.write(writing, b"12")
+
+    assert process.communicate() == ("ended\n", "")
+    for each in (reading, writing):
+        os.close(each)
+    assert process.returncode == 0
