@@ -216,15 +216,16 @@ class Attempt:
     def _on_event(self, stamped: Stamped) -> None:
         from donnie_tui.core.goals import begins_anew
 
-        is_start = begins_anew(stamped.event)
-        if is_start:
+        is_start = isinstance(stamped.event, RunStarted | Reset)
+        self._answers = None if is_start else self._answers
+        if begins_anew(stamped.event):
             others = (each for each in self._events if each.robot != stamped.robot)
             self._events = deque(others, maxlen=self.MOST_EVENTS)
             self._met, self._is_lost = frozenset(), False
         if not isinstance(stamped.event, TRANSIENT):
             self._events.append(stamped)
         if isinstance(stamped.event, _ACTS) and len(self._events) <= self.MOST_LIVE:
-            self._chime(self.judgment(), is_start=is_start or isinstance(stamped.event, RunStarted))
+            self._chime(self.judgment(), is_start=is_start)
 
     def _chime(self, now: Judgment, *, is_start: bool = False) -> None:
         """Play a cue for each newly met goal, except goals that are met from the beginning."""
@@ -242,7 +243,8 @@ class Attempt:
 
     def judgment(self) -> Judgment:
         """The judgment of what was done from the first start."""
-        return self._judge.starts[0].judge(self._happened(), self._no_answers)
+        answers = self._no_answers if self._answers is None else self._answers
+        return self._judge.starts[0].judge(self._happened(), answers)
 
     @property
     def _no_answers(self) -> dict[Unsensed, bool] | None:

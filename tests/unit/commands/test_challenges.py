@@ -438,6 +438,9 @@ def test_a_real_robot_asks_about_the_goals_that_it_can_not_sense(
     asked += ["Was it nearer than 3 steps: chair?"]
     assert script.interaction.asked[-4:][: len(answers) + 1] == asked[: len(answers) + 1]
     assert script.answers_to("RESULTS")[0] == f"{int('Solved' in verdict)} of 1 solved."
+    known = {"yes": "met.", "no": "You answered no to goal 1."}[answers[0]]
+    assert script.answers_to("GOALS")[0] == f"Goal 1: {known}"
+    assert script.answers_to("TR 90", "GOALS")[-3] == "Goal 1: I ask you later."
 
 
 def test_questions_that_were_left_are_asked_again_for_the_same_try(
