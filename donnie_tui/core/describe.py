@@ -384,13 +384,13 @@ def verdict_in_words(verdicts: Sequence[Judgment], wording: Wording) -> str:
     said = [wording("challenge-met", **verdict.counts)]
     if at > 1:
         said.append(wording("challenge-start", number=at))
-    said += [shortfall_in_words(each, verdict.track.room, wording) for each in verdict.shortfalls]
+    said += [shortfall_in_words(each, verdict.track.end, wording) for each in verdict.shortfalls]
     return " ".join(list(dict.fromkeys(said))[:MOST_SENTENCES])
 
 
 def goals_in_words(verdict: Judgment, wording: Wording) -> tuple[str, ...]:
     """Which goals are met, a line each."""
-    lines, room = list[str](), verdict.track.room
+    lines, room = list[str](), verdict.track.end
     for number, each in enumerate(verdict.of_goals, start=1):
         if each is None or each.code == "goal-asked":
             lines.append(wording("goal-met" if each is None else "goal-to-ask", number=number))

@@ -77,13 +77,13 @@ class Item(Struct, frozen=True):
 
 
 class Inventory(Struct, frozen=True):
-    """What goals need to know of a world."""
+    """What goals need to know of a world at a moment."""
 
     items: tuple[Item, ...]
     radius: float
     """Of the robot's body, in steps."""
     robots: Mapping[str, Pose] = {}
-    """Where the robots start, by name; the first one is meant where a goal names none."""
+    """Where the robots are, by name; the first one is meant if a goal names none."""
 
     def called(self, name: str) -> tuple[Item, ...]:
         """All things that a goal means by that name."""
@@ -96,30 +96,20 @@ class Inventory(Struct, frozen=True):
         return next((each for each in self.robots if folded(each) == folded(name)), None)
 
 
-class Moment(Struct, frozen=True):
-    """Where the robots are, by name, and the things while they came there."""
-
-    poses: Mapping[str, Pose]
-    items: tuple[Item, ...]
-
-
 _E = TypeVar("_E", bound=Event)
 
 
 class Track(Struct, frozen=True):
     """What was done since the robots were put to their starts."""
 
-    room: Inventory
-    """As it was then."""
     happened: Sequence[tuple[str, Event]]
     """What happened, with the name of the robot."""
-    moments: Sequence[Moment]
+    moments: Sequence[Inventory]
     """The start, and whenever a movement began or ended, or things changed."""
 
     @property
-    def items(self) -> tuple[Item, ...]:
-        """The things where they are at the end."""
-        return self.moments[-1].items
+    def end(self) -> Inventory:
+        return self.moments[-1]
 
     @property
     def has_run(self) -> bool:
@@ -140,7 +130,7 @@ class Track(Struct, frozen=True):
     def counts(self) -> Mapping[str, float]:
         """What there is of everything that can be limited or is kept. The robot that takes longest counts."""
         spent = [(robot, each.seconds) for robot, each in self.happened if isinstance(each, RunEnded)]
-        each_one = (sum(time for robot, time in spent if robot == name) for name in self.moments[0].poses)
+        each_one = (sum(time for robot, time in spent if robot == name) for name in self.end.robots)
         stopped = [each.stopped_by for each in self.moves]
         return {
             "commands": self.count(Moved, Turned, Waited, Spoke, Scanned, GripperUsed),
@@ -166,21 +156,21 @@ class Track(Struct, frozen=True):
         used = self.last(GripperUsed).items()
         return {name: (it.thing or it.kind) if it.outcome is Grip.GRIPPED else "" for name, it in used}
 
-    def way(self, robot: str) -> Iterator[tuple[Pose, tuple[Item, ...]]]:
+    def way(self, robot: str) -> Iterator[tuple[Pose, Inventory]]:
         """Where a robot and the things were: straight from pose to pose, a tenth of a step apart at most."""
-        start = self.moments[0].poses[robot]
-        yield start, self.moments[0].items
+        start = self.moments[0].robots[robot]
+        yield start, self.moments[0]
         for each in self.moments[1:]:
-            end = each.poses[robot]
+            end = each.robots[robot]
             x, y = end.x - start.x, end.y - start.y
             points = max(1, ceil(hypot(x, y) * 10))
             parts = (at / points for at in range(1, points + 1))
-            yield from ((Pose(start.x + it * x, start.y + it * y, end.heading), each.items) for it in parts)
+            yield from ((Pose(start.x + it * x, start.y + it * y, end.heading), each) for it in parts)
             start = end
 
     def smallest_gap(self, target: Target, robot: str) -> float:
         """How near a robot came."""
-        return min(gap_to(pose, target, self.room, items)[0] for pose, items in self.way(robot))
+        return min(gap_to(pose, target, room)[0] for pose, room in self.way(robot))
 
 
 class Shortfall(Struct, frozen=True):
@@ -205,11 +195,8 @@ class Judgment(Struct, frozen=True):
     @property
     def counts(self) -> dict[str, int]:
         """What is counted for a table."""
-        of_goals, of_track = (
-            {"goals": len(self.of_goals), "met": self.of_goals.count(None)},
-            self.track.counts,
-        )
-        return of_goals | {each: round(of_track[each]) for each in ("commands", "steps", "bumps")}
+        kept = {name: round(self.track.counts[name]) for name in ("commands", "steps", "bumps")}
+        return {"goals": len(self.of_goals), "met": self.of_goals.count(None), **kept}
 
     @property
     def is_solved(self) -> bool:
@@ -257,9 +244,9 @@ def goals_of_end(room: Inventory, events: Iterable[Stamped]) -> tuple[Goal, ...]
     """The end of a solution as goals: where the robots and the things that it moved are, and what it said."""
     track = track_of(room, events)
     said = tuple(each.text for each in track.of(Spoke))
-    ends = ((name if len(room.robots) > 1 else "", end) for name, end in track.moments[-1].poses.items())
+    ends = ((name if len(room.robots) > 1 else "", end) for name, end in track.end.robots.items())
     goals = [Goal(at=(round(end.x, 1), round(end.y, 1)), robot=name, within=0.5) for name, end in ends]
-    for start, end in zip(room.items, track.items, strict=True):
+    for start, end in zip(room.items, track.end.items, strict=True):
         if hypot(end.x - start.x, end.y - start.y) > NEARLY and end.name not in track.held.values():
             goals.append(Goal(thing=start.name or start.kind, at=(round(end.x, 1), round(end.y, 1))))
     goals += [Goal(holds=thing) for thing in track.held.values() if thing]
@@ -295,18 +282,18 @@ def track_of(room: Inventory, events: Iterable[Stamped]) -> Track:
     first = room.robot_called("") or ""
     happened = [(each.robot or first, each.event) for each in last_try(tuple(events))]
     starts = {robot: _pose_of(each) for robot, each in happened if begins_anew(each)}
-    here = dict(room.robots) | {robot: pose for robot, pose in starts.items() if pose is not None}
-    moments = [Moment(here, room.items)]
+    robots = dict(room.robots) | {robot: pose for robot, pose in starts.items() if pose is not None}
+    moments = [replace(room, robots=robots)]
     for robot, event in happened:
-        items, pose = moments[-1].items, _pose_of(event)
+        now, pose = moments[-1], _pose_of(event)
         if isinstance(event, ThingsMoved):
             places = {each.index: each.pose for each in event.places}
             moved = ((each, places.get(each.index)) for each in room.items)
             items = tuple(each if it is None else replace(each, x=it.x, y=it.y) for each, it in moved)
-        if pose is not None:
-            here = {**here, robot: pose}
-        moments.append(Moment(here, items))
-    return Track(room, happened, moments)
+            moments.append(replace(now, items=items))
+        elif pose is not None:
+            moments.append(replace(now, robots={**now.robots, robot: pose}))
+    return Track(happened, moments)
 
 
 def _pose_of(event: Event) -> Pose | None:
@@ -354,19 +341,19 @@ class _Lacking:
 
     def __init__(self, goal: Goal, track: Track) -> None:
         self._goal, self._track = goal, track
-        self._robot = track.room.robot_called(goal.robot) or ""
+        self._robot = track.end.robot_called(goal.robot) or ""
         self._most = goal.within + NEARLY
 
     def at(self, target: Target, robot: str = "") -> Iterator[Shortfall]:
         """``robot``: one of several that are meant, in place of the goal's."""
-        here, track = self._track.moments[-1].poses[robot or self._robot], self._track
-        gap, direction = gap_to(here, target, track.room, track.items)
+        end = self._track.end
+        gap, direction = gap_to(end.robots[robot or self._robot], target, end)
         if gap > self._most:
             code = "goal-at-thing" if isinstance(target, str) else "goal-at-place"
             yield Shortfall(code, {"steps": in_steps(gap), "direction": direction, "target": target})
 
     def facing(self, wanted: Heading) -> Iterator[Shortfall]:
-        heading = self._track.moments[-1].poses[self._robot].heading
+        heading = self._track.end.robots[self._robot].heading
         off = (heading - challenges.degrees_of(wanted) + 180) % 360 - 180
         if abs(off) > self._goal.within * DEGREES:
             code = "goal-facing-right" if off < 0 else "goal-facing-left"
@@ -377,8 +364,8 @@ class _Lacking:
         if self._goal.any_order:
             missed = [each for each in targets if track.smallest_gap(each, self._robot) > self._most]
         else:
-            for pose, items in track.way(self._robot):
-                while missed and gap_to(pose, missed[0], track.room, items)[0] <= self._most:
+            for pose, room in track.way(self._robot):
+                while missed and gap_to(pose, missed[0], room)[0] <= self._most:
                     missed.pop(0)
         yield from (Shortfall("goal-visited", {"target": each}) for each in missed)
 
@@ -399,12 +386,10 @@ class _Lacking:
             yield Shortfall("goal-area", {"steps": in_steps(gap), "direction": direction, "area": area})
 
     def thing(self, name: str) -> Iterator[Shortfall]:
-        track, at = self._track, self._goal.at
-        of_thing = [
-            (each.place, each.place) for each in track.items if isinstance(at, str) and each.is_called(at)
-        ]
+        end, at = self._track.end, self._goal.at
+        of_thing = [(each.place, each.place) for each in end.called(at)] if isinstance(at, str) else []
         area = (*self._goal.areas, *of_thing)[0]
-        ways = [way_out(*each.place, area) for each in track.items if each.is_called(name)]
+        ways = [way_out(*each.place, area) for each in end.called(name)]
         gap, direction = min(ways, default=(0.0, 0.0))
         if not ways:
             yield Shortfall("goal-no-thing", {"target": name})
@@ -432,22 +417,20 @@ class _Lacking:
             yield Shortfall("goal-counted", {"name": name, "value": value, "wanted": wanted})
 
     def holds(self, thing: str) -> Iterator[Shortfall]:
-        wanted = [name for each in self._track.room.called(thing) for name in (each.name, each.kind) if name]
+        wanted = [name for each in self._track.end.called(thing) for name in (each.name, each.kind) if name]
         if self._track.held.get(self._robot) not in wanted:
             yield Shortfall("goal-holds", {"target": thing})
 
     def robots(self, robots: Sequence[str]) -> Iterator[Shortfall]:
         """All at their place at the end; without a place, side by side at some moment."""
-        names, radius = (
-            [self._track.room.robot_called(each) or "" for each in robots],
-            self._track.room.radius,
-        )
+        end = self._track.end
+        names = [end.robot_called(each) or "" for each in robots]
         if self._goal.at is not None:
             yield from (_of_robot(found, name) for name in names for found in self.at(self._goal.at, name))
             return
         for one, other in combinations(names, 2):
-            ways = ((each.poses[one], each.poses[other]) for each in self._track.moments)
-            gap = max(min(hypot(a.x - b.x, a.y - b.y) for a, b in ways) - 2 * radius, 0.0)
+            ways = ((each.robots[one], each.robots[other]) for each in self._track.moments)
+            gap = max(min(hypot(a.x - b.x, a.y - b.y) for a, b in ways) - 2 * end.radius, 0.0)
             if gap > self._most:
                 yield Shortfall("goal-not-together", {"first": one, "second": other, "steps": in_steps(gap)})
 
@@ -518,10 +501,10 @@ def _forbidden(rules: Rules, track: Track, answers: Mapping[Unsensed, bool] | No
 
 def _is_broken(rule: Avoided, track: Track) -> bool:
     if rule.how == "near":
-        return any(track.smallest_gap(rule.target, each) < rule.within for each in track.moments[0].poses)
+        return any(track.smallest_gap(rule.target, each) < rule.within for each in track.end.robots)
     touched = [(each.met.kind, each.met.name) for each in track.moves if each.met is not None]
     touched += [(thing.kind, thing.name) for each in track.moves for thing in each.pushed]
-    return any((each.kind, each.name) in touched for each in track.room.called(rule.target))
+    return any((each.kind, each.name) in touched for each in track.end.called(rule.target))
 
 
 def _over_limit(rules: Rules, track: Track) -> Iterator[Shortfall]:
@@ -535,11 +518,11 @@ def _over_limit(rules: Rules, track: Track) -> Iterator[Shortfall]:
 # --- distances
 
 
-def gap_to(pose: Pose, target: Target, room: Inventory, items: Sequence[Item]) -> tuple[float, float]:
+def gap_to(pose: Pose, target: Target, room: Inventory) -> tuple[float, float]:
     """How far the robot is from a place and where from there, or how far and where the nearest thing is."""
     if not isinstance(target, str):
         return way_out(pose.x, pose.y, (target, target))
-    gaps = [(way_out(pose.x, pose.y, it.box)[0] - room.radius, it) for it in items if it.is_called(target)]
+    gaps = [(way_out(pose.x, pose.y, it.box)[0] - room.radius, it) for it in room.called(target)]
     gap, nearest = min(gaps, key=lambda each: max(each[0], 0.0))
     return max(gap, 0.0), bearing(pose.x, pose.y, *nearest.place)
 

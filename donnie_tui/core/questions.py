@@ -83,14 +83,14 @@ class Asked(Struct, frozen=True):
             case Ask.DISTANCE:
                 return self._way_to(names[0])[0]
             case Ask.COUNT:
-                return sum(each.is_called(names[0]) for each in self.track.items)
+                return len(self.track.end.called(names[0]))
             case Ask.COLOUR:
                 return self._item(names[0]).colour
             case Ask.ORDER:
                 return sorted(range(1, len(names) + 1), key=lambda number: self._way_to(names[number - 1])[0])
 
     def _item(self, name: str) -> Item:
-        return next(each for each in self.track.items if each.is_called(name))
+        return self.track.end.called(name)[0]
 
     def _called(self, name: str, wording: Wording, with_colour: _WithColour = coloured) -> str:
         """A thing, with its colour where the question names it and does not ask for it."""
@@ -101,16 +101,16 @@ class Asked(Struct, frozen=True):
 
     def _way_to(self, name: str) -> tuple[float, float]:
         """How far and in which direction a thing is: from the robot's body, or from a place or thing."""
-        track, room = self.track, replace(self.track.room, radius=0.0)
+        end, radius = self.track.end, 0.0
         match self.question.origin:
-            case "start" | "end" as end:
-                room, moment = track.room, track.moments[0 if end == "start" else -1]
-                here = next(iter(moment.poses.values()))
+            case "start" | "end" as moment:
+                radius, robots = end.radius, (end if moment == "end" else self.track.moments[0]).robots
+                here = next(iter(robots.values()))
             case str() as origin:
                 here = Pose(*self._item(origin).place, 0.0)
             case place:
                 here = Pose(*place, 0.0)
-        return gap_to(here, name, room, track.items)
+        return gap_to(here, name, replace(end, radius=radius))
 
     def _origin_in_words(self, wording: Wording) -> str:
         match self.question.origin:
