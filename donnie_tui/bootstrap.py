@@ -10,14 +10,13 @@ from collections import Counter
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from contextlib import ExitStack
 from functools import partial
-from itertools import count
 from typing import TYPE_CHECKING, TextIO, TypeAlias
 
 from msgspec import Struct
 from msgspec.structs import replace
 
 from devices.ports.robot import Pace, Watcher
-from donnie_tui.core.events import Announced, Answered, Read, Scanned, Stamped
+from donnie_tui.core.events import Announced, Answered, Outcome, Read, Scanned, Stamped
 from donnie_tui.core.hub import Stream
 from donnie_tui.core.outlets import SpeechWait
 from donnie_tui.core.session import ResettableRobot, Session, SessionSetup
@@ -444,8 +443,8 @@ class Start(Struct, frozen=True):
         return judge(self.challenge, self.room, events, answers)
 
 
-Programs: TypeAlias = str | Mapping[str, str]
-"""The program of the first robot, or those of several, by the robots' names."""
+Programs: TypeAlias = str | Mapping[str, str] | Sequence[Mapping[str, str]]
+"""The program of the first robot, those of several, by the robots' names, or several such one by one."""
 
 
 class Judge:
@@ -489,9 +488,9 @@ class Judge:
         """
         from donnie_tui.core.goals import track_of
 
-        starts, ran = self.starts, track_of(self.starts[0].room, events).ran
-        stood = {robot: how.pose for robot, how in reversed(ran)}
-        texts = {name: "\n".join(how.text for robot, how in ran if robot == name) for name in stood}
+        starts, rounds = self.starts, track_of(self.room, events).rounds
+        stood = {robot: how.pose for each in reversed(rounds) for robot, how in each.items()}
+        texts = [{robot: how.text for robot, how in each.items()} for each in rounds]
         at = next((at for at, it in enumerate(starts) if stood.items() <= it.room.robots.items()), 0)
         here = starts[at].judge(events, answers)
         if not here.is_solved:
@@ -502,10 +501,11 @@ class Judge:
     def try_from(self, start: Start, programs: Programs) -> list[Stamped]:
         """Runs the programs in the world of a start, and returns what happened. Nothing of it is printed.
 
-        Several programs begin at the same moment. An endless program ends where all is as it was before, else
-        by robot time and by the number of its statements, so a busy machine changes nothing.
+        Programs of several robots begin at the same moment. An endless program ends where all is as it was
+        before, else by robot time and by the number of its statements, so a busy machine changes nothing.
         """
         from donnie_tui.core.runner import Run, RunRequest
+        from donnie_tui.core.session import RunOptions
         from sim.world import World
 
         settings = replace(self._settings, speed=None, seed=start.challenge.rules.variant[0].seed)
@@ -513,7 +513,8 @@ class Judge:
         team = make_team(settings, self.words, start.world, terminal=False, shared=shared)
         events, first = list[Stamped](), team.chosen_name
         given = {first: programs} if isinstance(programs, str) else programs
-        readings, looks = Counter[str | None](), Counter[str | None]()
+        rounds, is_alone = [given] if isinstance(given, Mapping) else given, True
+        readings, looks, statements = Counter[str | None](), Counter[str | None](), Counter[str]()
 
         def note(stamped: Stamped) -> None:
             event, robot = stamped.event, stamped.robot
@@ -526,25 +527,31 @@ class Judge:
                 team.session(robot or first).stop()
 
         def limit(session: Session, run: Run) -> None:
-            statements, robot = count(1), shared.inhabitant(session.name)
-            seen, noted = set[Hashable](), 0
+            robot, seen, noted = shared.inhabitant(session.name), set[Hashable](), 0
 
             def before_statement() -> None:
                 nonlocal noted
                 is_repeated = False
-                if noted != len(events) and len(seen) < MOST_SITUATIONS and len(given) == 1:
+                if noted != len(events) and len(seen) < MOST_SITUATIONS and is_alone:
                     noted, now = len(events), (run.progress(), robot.situation)
                     is_repeated = now in seen and now[1] is not None
                     seen.add(now)
-                if is_repeated or next(statements) > MOST_STATEMENTS:
+                statements[session.name] += 1
+                if is_repeated or statements[session.name] > MOST_STATEMENTS:
                     session.stop()
 
             run.control.look_before_each(before_statement)
 
         team.stream.subscribe(note)
-        requests = {name: RunRequest(text, "program") for name, text in given.items()}
-        for each in team.start_together(requests, prepare=limit):
-            each.wait()
+        options = RunOptions(terminal=len(rounds) > 1)
+        for at, each in enumerate(rounds):
+            is_alone = len(each) == 1
+            requests = {name: RunRequest(text, "program") for name, text in each.items()}
+            runs = team.start_together(requests, options, fresh=at == 0, prepare=limit)
+            for run in runs:
+                run.wait()
+            if Outcome.STOPPED in [run.outcome for run in runs]:
+                break
         team.close()
         return events
 

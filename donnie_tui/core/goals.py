@@ -145,10 +145,18 @@ class Track(Struct, frozen=True):
         return [each for _, each in self.happened if isinstance(each, Moved | Turned)]
 
     @property
-    def ran(self) -> list[tuple[str, HowStarted]]:
-        """The programs and lines that ran, with their robots."""
-        runs = ((robot, each.how) for robot, each in self.happened if isinstance(each, RunStarted))
-        return [(robot, how) for robot, how in runs if how is not None and not how.refused]
+    def rounds(self) -> list[dict[str, HowStarted]]:
+        """The programs and lines that ran, by robot, one after the other; those of one round overlapped."""
+        rounds, running = list[dict[str, HowStarted]](), set[str]()
+        for robot, each in self.happened:
+            if isinstance(each, RunStarted) and each.how is not None and not each.how.refused:
+                if not running or robot in rounds[-1]:
+                    rounds.append({})
+                rounds[-1][robot] = each.how
+                running.add(robot)
+            elif isinstance(each, RunEnded):
+                running.discard(robot)
+        return rounds
 
     @property
     def held(self) -> Mapping[str, str]:
@@ -459,7 +467,7 @@ def _of_words(challenge: Challenge, track: Track) -> Iterable[Shortfall]:
         return
     from language.keywords import topic
 
-    used = _words_in("\n".join(how.text for _, how in track.ran))
+    used = _words_in("\n".join(how.text for each in track.rounds for how in each.values()))
     for name in (each for each in used if rules.words and each not in map(topic, rules.words)):
         number = _lesson_of(name, challenge.name)
         yield Shortfall("word-in-lesson" if number else "word-later", {"word": name, "number": number})

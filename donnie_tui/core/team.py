@@ -107,18 +107,19 @@ class Team:
         programs: Mapping[str, RunRequest],
         options: RunOptions = RUN_OPTIONS,
         *,
+        fresh: bool = True,
         prepare: Callable[[Session, Run], None] = lambda _session, _run: None,
     ) -> tuple[Run, ...]:
-        """Starts each robot's program from its start at the same moment, in the order of the world.
+        """Starts each robot's program at the same moment, in the order of the world.
 
-        ``prepare`` is called for each before any begins. Raises ``Busy`` before any has begun if one of them
-        runs something, ``KeyError`` for an unknown robot.
+        ``fresh``: each from the robot's start. ``prepare`` is called for each before any begins. Raises
+        ``Busy`` before any has begun if one of them runs something, ``KeyError`` for an unknown robot.
         """
         for unknown in programs.keys() - set(self.names):
             raise KeyError(unknown)
         claimed: list[tuple[Session, Run]] = []
         names = tuple(filter(programs.__contains__, self.names))
-        options = replace(options, fresh=True, together=names if len(names) > 1 else ())
+        options = replace(options, fresh=fresh, together=names if len(names) > 1 else ())
         try:
             for session in map(self.session, names):
                 program = programs[session.name]

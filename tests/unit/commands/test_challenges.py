@@ -40,6 +40,17 @@ def test_a_program_must_solve_the_challenge_from_every_start(open_script: OpenSc
     assert "Solved, in 1 command." in script.answers_to("FW DISTANCE F - 1")
 
 
+def test_lines_are_tried_from_the_other_starts_one_after_the_other(open_script: OpenScript) -> None:
+    """From the second start Bob is at 19: 4 steps are between them when Alice looks, less two bodies of 3."""
+    script = open_script(world="challenge:meet")
+
+    script.answers_to("FW 5")
+    script.type("ROBOT bob")
+    script.answers_to("FW 10")
+    script.type("ROBOT alice")
+    assert "Solved, in 3 commands." in script.answers_to("FW DISTANCE F - 1")
+
+
 @pytest.mark.parametrize(
     ("world", "lines", "verdict"),
     [
