@@ -9,8 +9,6 @@ robot time and by the number of its statements, so a busy machine changes no ver
 
 from __future__ import annotations
 
-import csv
-import io
 import sys
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -39,7 +37,7 @@ from donnie_tui.core.program_files import (
     read_to_the_end,
     write_program,
 )
-from donnie_tui.core.reports import as_cell
+from donnie_tui.core.reports import Section, as_csv
 from donnie_tui.core.wording import no_such_robot
 from donnie_tui.i18n.mistakes import remark
 from donnie_tui.i18n.words import Unusable, Words
@@ -331,11 +329,8 @@ def _write_table(order: Order, pupils: Sequence[_Pupil], records: Sequence[_Reco
         files = (Path(file).resolve() for each in pupils for file in each.files.values())
         if Path(table).resolve() in files:
             raise Unusable(order.words("challenge-csv-program", path=table))
-        text = io.StringIO()
-        rows = csv.writer(text)
-        rows.writerow(_Record.__struct_fields__)
-        rows.writerows(map(as_cell, astuple(each)) for each in records)
-        _write(Path(table), text.getvalue(), order.words)
+        rows = (_Record.__struct_fields__, *map(astuple, records))
+        _write(Path(table), as_csv([Section("", rows=rows)]), order.words)
     if folder is not None:
         _make_folder(Path(folder), order.words)
         used = Counter[str]()
