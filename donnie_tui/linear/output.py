@@ -236,7 +236,7 @@ class Listener:
         """Queue its lines. From any thread."""
         event = stamped.event
         self._put(stamped)
-        if self._is_typing and not isinstance(event, TRANSIENT):
+        if self._is_typing and (isinstance(event, Answered) or not isinstance(event, TRANSIENT)):
             self._has_lines = True
             self._console.nudge()
         if _is_urgent(event):

@@ -40,8 +40,7 @@ def test_a_signal_rescues_what_could_not_be_written_before(tmp_path: Path) -> No
     in_the_way.touch()
     learner = Learner(tmp_path)
     learner.enters("FW 1")
-    while b"What you type can't be kept safe" not in learner.raw:
-        learner.enters("LIST")
+    learner.sees("What you type can't be kept safe: File exists.\r\n> ")
     in_the_way.unlink()
     learner.child.kill(signal.SIGTERM)
 
