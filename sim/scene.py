@@ -27,9 +27,10 @@ class Note(Struct, frozen=True):
     """One remark. Codes: ``unknown-property`` (name, nearest), ``unused-property`` (name), ``not-simulated``
     (type, name), ``second-define`` (name), ``unknown-colour`` (name, nearest), ``random-colour``,
     ``read-as`` (name, found, used), ``line-block``, ``no-samples``, ``lone-window``, ``include-rest``
-    (found), ``lone-sensor`` (name), ``walls-made-solid`` (name), ``not-utf8`` (path), ``margin-cropped``
-    (path), ``no-robot``, ``robot-without-name`` and ``robot-renamed`` (name, alias), ``starts-inside`` (name,
-    thing); of a configuration file ``driver-not-used`` (name), ``unknown-model`` (name, nearest)."""
+    (found), ``broken-define`` (name), ``lone-sensor`` (name), ``walls-made-solid`` (name), ``not-utf8``
+    (path), ``margin-cropped`` (path), ``no-robot``, ``robot-without-name`` and ``robot-renamed`` (name,
+    alias), ``starts-inside`` (name, thing); of a configuration file ``driver-not-used`` (name),
+    ``unknown-model`` (name, nearest)."""
 
     kind: NoteKind
     code: str

@@ -38,6 +38,7 @@ _INSIDE = "starts-inside"
 _SLIPS = frozenset(
     {"unknown-property", "unknown-colour", "unknown-model", "unknown-word", "second-define", "missing-point"}
     | {"empty-bitmap", "read-as", "line-block", "no-samples", "lone-window", "include-rest"}
+    | {"broken-define"}
 )
 """Codes of ignored or repaired parts of a file, which have no effect."""
 LONGEST_NAME = 80

@@ -298,7 +298,12 @@ class Expander:
                     self.settings[setting.name] = Setting(placed.file, setting)
                 case parser.Instance() as instance:
                     instances.append((placed.file, instance))
-        return tuple(self._entity(file, instance, 0, _NOWHERE) for file, instance in instances)
+        entities = tuple(self._entity(file, instance, 0, _NOWHERE) for file, instance in instances)
+        for name, macro in self._macros.items():
+            if (mistake := macro.define.mistake) is not None:
+                place = (macro.file, mistake.line, mistake.column)
+                self.notes.append(Note(NoteKind.WARNING, "broken-define", *place, {"name": name}))
+        return entities
 
     def _define(self, file: str, define: parser.Define) -> None:
         if define.name in self._macros:
@@ -345,6 +350,8 @@ class Expander:
         while (macro := self._macros.get(name)) is not None and not (name in seen and name in self._types):
             if name in seen or name in within:
                 raise WorldError(Code.DEFINE_CYCLE, *place, found=name)
+            if macro.define.mistake is not None:
+                raise macro.define.mistake
             seen.add(name)
             bodies.append((macro.file, macro.define.body, within | {name}))
             name = macro.define.base

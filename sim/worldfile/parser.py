@@ -7,7 +7,7 @@ the simulator knows lark.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from importlib.resources import files
 from typing import NamedTuple, TypeAlias
@@ -15,6 +15,7 @@ from typing import NamedTuple, TypeAlias
 from lark import Lark, Token, Transformer, UnexpectedInput, UnexpectedToken, v_args
 from lark.lexer import Lexer
 from msgspec import Struct
+from msgspec.structs import replace
 
 from sim.worldfile.mistakes import Code, WorldError
 
@@ -22,6 +23,8 @@ DEEPEST = 64
 """Parentheses and brackets inside each other."""
 MOST_WORDS = 60_000
 """Words, numbers and signs of all files of a world; one of 2000 models has some 30 000."""
+MOST_WRONG = 20
+"""Defines with mistakes in a file that loads because nothing uses them."""
 LARGEST = 1e12
 """No number of a world is larger; lengths are held to a narrower limit where they are used."""
 
@@ -97,6 +100,8 @@ class Define(Struct, frozen=True):
     body: tuple[Item, ...]
     base_line: int
     base_column: int
+    mistake: WorldError | None = None
+    """Of its body, which is left out then. Stage reads a body only where it is used."""
 
 
 class Include(Struct, frozen=True):
@@ -246,11 +251,50 @@ _EXPECTED = {
 
 def parse(text: str, file: str) -> tuple[Statement, ...]:
     """The statements of one file, in order. WorldError at the first mistake of form."""
-    try:
-        statements: tuple[Statement, ...] = _grammar().parse(_Source(text, file))  # type: ignore[assignment]
-        return statements
-    except UnexpectedToken as problem:
-        raise _unexpected(problem, file) from None
+    words: Iterable[WorldToken] = tokens(text, file)
+    wrong: dict[tuple[int, int], WorldError] = {}
+    while True:
+        try:
+            statements: tuple[Statement, ...] = _grammar().parse(_Source(words))  # type: ignore[assignment]
+        except UnexpectedToken as problem:
+            mistake = _unexpected(problem, file)
+            try:
+                rest = tuple(tokens(text, file)) if not wrong else tuple(words)
+            except WorldError:  # behind it is another one, which no define can hide
+                raise mistake from None
+            around = _define_around(rest, mistake)
+            if around is None or len(wrong) == MOST_WRONG:
+                raise mistake from None
+            start, opened, closed = around
+            wrong[rest[start].line, rest[start].column] = mistake
+            words = (*rest[: opened + 1], *rest[closed:])
+        else:
+            return tuple(_with_mistake(each, wrong) for each in statements) if wrong else statements
+
+
+def _define_around(words: Sequence[WorldToken], mistake: WorldError) -> tuple[int, int, int] | None:
+    """The define in whose body a mistake is: where its word and the signs around its body are."""
+    place, depth, start, opened = (mistake.line, mistake.column), 0, -1, 0
+    for at, word in enumerate(words):
+        match word.kind:
+            case "DEFINE" if depth == 0:
+                start = at
+            case "LPAR":
+                opened = at if depth == 0 else opened
+                depth += 1
+            case "RPAR":
+                depth -= 1
+                if depth == 0:
+                    here = words[opened]
+                    if start >= 0 and (here.line, here.column) < place <= (word.line, word.column):
+                        return start, opened, at
+                    start = -1
+    return None
+
+
+def _with_mistake(statement: Statement, wrong: Mapping[tuple[int, int], WorldError]) -> Statement:
+    mistake = wrong.get((statement.line, statement.column))
+    return replace(statement, mistake=mistake) if isinstance(statement, Define) and mistake else statement
 
 
 def _unexpected(problem: UnexpectedToken, file: str) -> WorldError:
@@ -271,11 +315,10 @@ def _acceptable(problem: UnexpectedInput) -> set[str]:
 
 
 class _Source:
-    """A text with the name of its file, passed through lark to ``_Words``."""
+    """Tokens, passed through lark to ``_Words``."""
 
-    def __init__(self, text: str, file: str) -> None:
-        self.text = text
-        self.file = file
+    def __init__(self, words: Iterable[WorldToken]) -> None:
+        self.words = words
 
 
 class _Words(Lexer):
@@ -286,7 +329,7 @@ class _Words(Lexer):
 
     def lex(self, source: object) -> Iterator[Token]:  # type: ignore[override]  # lark's first interface
         assert isinstance(source, _Source)
-        for kind, text, line, column in tokens(source.text, source.file):
+        for kind, text, line, column in source.words:
             yield Token(_TERMINALS.get(kind, kind), text, 0, line, column)
 
 

@@ -175,6 +175,34 @@ def test_what_follows_an_include_and_can_be_read_counts(tmp_path: Path) -> None:
     assert [each.colour.name for each in scene.models] == ["blue", "red"]
 
 
+def test_a_mistake_in_a_define_that_nothing_uses_is_a_warning() -> None:
+    """Stage reads the body of a define where it is used, and before only counts its parentheses."""
+    scene = load("define a model ( 5 )\ndefine b model ( ( ) )\nbox ( )\ndefine box model ( size [ 2 2 2 ] )")
+
+    assert [(each.kind, each.size) for each in scene.models] == [("box", (2, 2, 2))]
+    assert [(note.code, note.line, note.column) for note in scene.report.notes[:2]] == [
+        ("broken-define", 1, 18),
+        ("broken-define", 2, 18),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "column"),
+    [
+        ("define a model ( 5 )\nmodel ( a ( ) )", 1, 18),
+        ("define a model ( 5 )\ndefine b a ( )\nb ( )", 1, 18),
+        ("define a model ( )\nmodel ( 5 )", 2, 9),
+        ("define a model ( )\na ( 5 )\ndefine b model ( 7 )", 2, 5),
+        ("define a ( 5 )", 1, 10),
+    ],
+)
+def test_a_mistake_in_what_is_used_is_still_one(text: str, line: int, column: int) -> None:
+    with pytest.raises(WorldError) as caught:
+        load(text)
+
+    assert (caught.value.code, caught.value.line, caught.value.column) == (Code.UNEXPECTED, line, column)
+
+
 def test_words_after_the_sign_of_another_languages_comment_are_still_a_mistake() -> None:
     with pytest.raises(WorldError) as caught:
         load("model ( )\n-- a table\nmodel ( )")
