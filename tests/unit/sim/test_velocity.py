@@ -97,6 +97,24 @@ def test_a_car_turns_no_tighter_than_its_wheelbase_allows() -> None:
     assert driven(robot('drive "car" wheelbase 0.5'), seconds=2.0, turn=90.0).truth == MetricPose()
 
 
+def test_robots_of_one_loop_follow_their_own_velocities_for_ten_minutes() -> None:
+    """A circle of 12 seconds, a way to the left, and a robot that stands."""
+    text = (
+        robot(name="round") + robot('drive "omni"', "0 9 0 90", "aside") + robot(pose="5 5 0 45", name="no")
+    )
+    loop = loop_of(text)
+    drive(loop, "round", ahead=0.3, turn=30.0)
+    drive(loop, "aside", left=0.01)
+    drive(loop, "no")
+
+    run(loop, 600.0)
+
+    at_end = {name: place(each.state().truth) for name, each in loop.drives.items()}
+    assert at_end["round"][:2] == pytest.approx((0.0, 0.0), abs=1e-6)
+    assert at_end["aside"] == pytest.approx((-6.0, 9.0, 90.0), abs=1e-6)
+    assert at_end["no"] == at(5, 5, 45)
+
+
 def test_a_velocity_can_change_at_any_tick() -> None:
     loop = loop_of(robot())
 
