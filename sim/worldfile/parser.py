@@ -203,9 +203,9 @@ def _read(text: str, file: str) -> Iterator[WorldToken]:
 def _token(kind: str, word: str, file: str, line: int, column: int) -> WorldToken:
     if kind == "WORD" and word in ("include", "define"):
         kind = word.upper()
-    if kind == "SIGNS":
-        kind = "NUMBER"
-    if kind == "NUMBER" and not abs(leading_number(word)) <= LARGEST:
+    number = float(word) if kind == "NUMBER" else leading_number(word) if kind == "SIGNS" else 0.0
+    kind = "NUMBER" if kind == "SIGNS" else kind
+    if not abs(number) <= LARGEST:
         raise WorldError(Code.NUMBER_TOO_LARGE, file, line, column, found=word[:40], limit=LARGEST)
     return WorldToken(kind, word, line, column)
 
@@ -354,8 +354,10 @@ class _Builder(Transformer[Token, object]):
         return items
 
     def number(self, number: Token) -> Number:
-        is_plain = _LEADING.fullmatch(number) is not None
-        return Number(*_place(number), leading_number(number), str(number), is_plain)
+        try:
+            return Number(*_place(number), float(number), str(number))
+        except ValueError:  # few worlds have such a number, and the others load faster so
+            return Number(*_place(number), leading_number(number), str(number), False)
 
     def string(self, string: Token) -> String:
         return String(*_place(string), str(string))
