@@ -137,14 +137,16 @@ async def test_what_a_question_offers_can_be_clicked():
             assert pilot.app.answer == answer
 
 
-@pytest.mark.parametrize(("height", "rows"), [(12, 4), (11, 4), (10, 3), (9, 4), (7, 2), (5, 0)])
-async def test_the_answers_of_a_question_leave_room_for_it_and_the_rows_that_are_always_seen(height, rows):
+async def test_the_answers_of_a_question_leave_room_for_it_and_the_rows_that_are_always_seen():
     """Three below from ten rows on, less the command line; five for the question; four answers."""
-    dialog = asking(answers=("a", "b", "c", "d"))
-    async with Showing(dialog).run_test(size=(60, height)) as pilot:
-        await pilot.pause()
-        assert dialog._list.styles.height.value == rows
-        assert dialog._panel.styles.margin.bottom == (2 if height >= 10 else 0)
+    async with Showing().run_test(size=(60, 24)) as pilot:
+        for height, rows in ((12, 4), (11, 4), (10, 3), (9, 4), (7, 2), (5, 0)):
+            dialog = asking(answers=("a", "b", "c", "d"))
+            await pilot.resize_terminal(60, height)
+            await pilot.app.show(dialog)
+            await pilot.pause()
+            assert dialog._list.styles.height.value == rows
+            assert dialog._panel.styles.margin.bottom == (2 if height >= 10 else 0)
 
 
 # --- lists
@@ -256,34 +258,36 @@ async def test_a_list_is_left_or_a_row_taken_by_a_click():
             assert pilot.app.answer == answer
 
 
-@pytest.mark.parametrize(
-    ("size", "panel", "is_wide"),
-    [
-        ((80, 24), (58, 8), False),
-        ((66, 24), (58, 8), False),
-        ((65, 24), (65, 8), True),
-        ((80, 10), (58, 7), False),
-        ((80, 9), (58, 8), False),
-    ],
-    ids=str,
-)
-async def test_a_list_is_as_large_as_it_must_be_and_leaves_eight_columns_or_none(size, panel, is_wide):
+SIZES = [
+    ((80, 24), (58, 8), False),
+    ((66, 24), (58, 8), False),
+    ((65, 24), (65, 8), True),
+    ((80, 10), (58, 7), False),
+    ((80, 9), (58, 8), False),
+]
+
+
+async def test_a_list_is_as_large_as_it_must_be_and_leaves_eight_columns_or_none():
     """56 columns at least, and a border; a row for each choice and three more, above the fixed rows."""
-    dialog = choosing()
-    async with Showing(dialog).run_test(size=size) as pilot:
-        await pilot.pause()
-        styles = dialog._panel.styles
-        assert (styles.width.value, styles.height.value) == panel
-        assert dialog._panel.has_class("-wide-as-all") is is_wide
-        assert styles.margin.top == (1 if size[1] >= 20 else 0)
-        assert styles.margin.bottom == (3 if size[1] >= 10 else 0)
+    async with Showing().run_test(size=(90, 24)) as pilot:
+        for size, panel, is_wide in SIZES:
+            dialog = choosing()
+            await pilot.resize_terminal(*size)
+            await pilot.app.show(dialog)
+            await pilot.pause()
+            styles = dialog._panel.styles
+            assert (styles.width.value, styles.height.value) == panel
+            assert dialog._panel.has_class("-wide-as-all") is is_wide
+            assert styles.margin.top == (1 if size[1] >= 20 else 0)
+            assert styles.margin.bottom == (3 if size[1] >= 10 else 0)
 
 
 async def test_a_long_title_or_a_long_row_makes_a_list_wider():
-    for wide in ("title", "row"):
-        options = [Option("a", "x" * (60 if wide == "row" else 5))]
-        dialog = Chooser("x" * (60 if wide == "title" else 5), "Keys", "None", options, lambda _: None)
-        async with Showing(dialog).run_test(size=(100, 24)) as pilot:
+    async with Showing().run_test(size=(100, 24)) as pilot:
+        for wide in ("title", "row"):
+            options = [Option("a", "x" * (60 if wide == "row" else 5))]
+            dialog = Chooser("x" * (60 if wide == "title" else 5), "Keys", "None", options, lambda _: None)
+            await pilot.app.show(dialog)
             await pilot.pause()
             assert dialog._panel.styles.width.value == 64
             assert dialog._panel.styles.height.value == 5
@@ -302,30 +306,31 @@ WORLDS = [
 ]
 
 
-@pytest.mark.parametrize(
-    ("size", "rows", "below"),
-    [
-        ((34, 20), ("alpha  easy  a room with nineteen", "be     hard  a hall"), ""),
-        ((33, 20), ("alpha  easy", "be     hard"), "a room with nineteen"),
-        ((12, 20), ("alpha  easy", "be     hard"), "a room"),
-        ((11, 20), ("alpha", "be"), "easy"),
-        ((33, 8), ("alpha  easy", "be     hard"), "a room with nineteen"),
-        ((33, 7), ("alpha, easy, a room", "be, hard, a hall"), ""),
-    ],
-    ids=str,
-)
-async def test_columns_without_room_are_below_the_list_where_it_is_high_enough(size, rows, below):
+COLUMNS = [
+    ((34, 20), ("alpha  easy  a room with nineteen", "be     hard  a hall"), ""),
+    ((33, 20), ("alpha  easy", "be     hard"), "a room with nineteen"),
+    ((12, 20), ("alpha  easy", "be     hard"), "a room"),
+    ((11, 20), ("alpha", "be"), "easy"),
+    ((33, 8), ("alpha  easy", "be     hard"), "a room with nineteen"),
+    ((33, 7), ("alpha, easy, a room", "be, hard, a hall"), ""),
+]
+
+
+async def test_columns_without_room_are_below_the_list_where_it_is_high_enough():
     """Columns of 5, 4 and 20 cells with gaps of two take 33, and one stays free."""
-    dialog = choosing(WORLDS)
-    async with Showing(dialog).run_test(size=size) as pilot:
-        await pilot.pause()
-        assert dialog.rows.lines == rows
-        assert dialog._listing.has_class("-below") is bool(below)
-        if below:
-            assert " ".join(dialog._detail.lines).startswith(below)
-            await pilot.press("down")
+    async with Showing().run_test(size=(90, 24)) as pilot:
+        for size, rows, below in COLUMNS:
+            dialog = choosing(WORLDS)
+            await pilot.resize_terminal(*size)
+            await pilot.app.show(dialog)
             await pilot.pause()
-            assert dialog._detail.lines[-1] in ("a hall", "hall")
+            assert dialog.rows.lines == rows
+            assert dialog._listing.has_class("-below") is bool(below)
+            if below:
+                assert " ".join(dialog._detail.lines).startswith(below)
+                await pilot.press("down")
+                await pilot.pause()
+                assert dialog._detail.lines[-1] in ("a hall", "hall")
 
 
 async def test_one_long_name_of_four_leaves_the_columns_of_the_others():

@@ -67,7 +67,6 @@ def is_seen(widget: Widget) -> bool:
         ((60, 18), ["program", "map", "log"], "-normal -high"),
         ((59, 18), ["program"], "-narrow -high -one-pane"),
         ((60, 17), ["program"], "-normal -low -one-pane"),
-        ((60, 10), ["program"], "-normal -low -one-pane"),
         ((60, 9), ["program"], "-normal -lowest -one-pane"),
     ],
     ids=str,
@@ -143,7 +142,6 @@ async def test_the_map_has_the_height_of_the_floor_where_the_log_keeps_nine_rows
 @pytest.mark.parametrize(
     ("has_walls", "has_thing", "plain", "whole"),
     [
-        (True, False, False, True),
         (False, True, False, True),
         (False, False, False, False),
         (True, True, True, False),
