@@ -425,6 +425,10 @@ class _Lexer:
         limit = {"limit": MOST_DIGITS} if kind is MistakeKind.NUMBER_TOO_LARGE else {}
         found = self._source[start:end]
         meant = _sign_meant(found) if kind is MistakeKind.UNKNOWN_CHARACTER else ""
+        if kind is MistakeKind.INVALID_NAME:
+            digits = len(found) - len(found.lstrip("0123456789"))
+            is_word = self._folded[start + digits : end] in _single
+            meant = f"{found[:digits]} {found[digits:]}" if digits and is_word else ""
         return Diagnostic(kind, Span(start, end, line, seen), found=found, meant=meant, details=limit)
 
 

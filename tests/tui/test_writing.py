@@ -332,3 +332,13 @@ async def test_what_was_opened_lately_is_offered(open_screen, tmp_path):
         await screen.until(lambda: "Recent programs" in screen.text, "the list")
 
         assert ">one.gd," in screen.text
+
+
+async def test_what_is_typed_at_once_after_a_fix_is_fixed_too(open_screen):
+    """The cursor is at the end of the line, and a command that touches the number there is none."""
+    async with open_screen("FWD 1") as screen:
+        screen.main.editor.move_cursor((0, 5))
+        await screen.press("ctrl+t")
+        await screen.until(lambda: screen.main.editor.text == "FW 1", "the word that was meant")
+        await screen.press(*"TR", "space", *"90", "ctrl+t")
+        await screen.until(lambda: screen.main.editor.text == "FW 1 TR 90", "the blank")

@@ -750,3 +750,18 @@ def test_the_keyword_of_a_second_word_is_meant_where_the_first_is_near(first: st
     found = nearest_pair(first, "DIREITA", frozenset({"TR"}))
 
     assert (found.text if found else None) == meant
+
+
+@pytest.mark.parametrize(
+    ("source", "meant"),
+    [
+        ("FW 1FW 2", "1 FW"),
+        ("GD 90PF 2", "90 PF"),
+        ("REPEAT 4TIMES FW 1 END REPEAT", "4 TIMES"),
+        ("FW 5x", ""),
+        ("VAR _fw = 2", ""),
+    ],
+)
+def test_a_command_that_touches_a_number_was_meant_after_a_blank(source: str, meant: str) -> None:
+    assert parse(source).diagnostics[0].kind is MistakeKind.INVALID_NAME
+    assert parse(source).diagnostics[0].meant == meant
