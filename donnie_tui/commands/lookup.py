@@ -104,7 +104,10 @@ def line_command(line: str) -> tuple[Command, str] | None:
 
 
 _OF_CHALLENGES = ("challenge", "next_challenge", "task", "goals", "hint")
-_ON_A_LINE = ("linear", "help", "tour", "examples", *_OF_CHALLENGES, "recover", "quit")
+_ON_A_LINE = (
+    *("linear", "help", "tour", "examples", *_OF_CHALLENGES, "recover", "quit"),
+    *("run", "stop", "save", "open"),
+)
 _LINE_COMMANDS = tuple(each for each in COMMANDS if each.name in _ON_A_LINE)
 
 

@@ -21,7 +21,7 @@ from donnie_tui.tui.pane_text import help_text
 from donnie_tui.tui.shutdown import CRASHED, FAULT
 from donnie_tui.tui.startup import SessionHandle
 from language.locales import languages
-from tests.tui.conftest import WAITING, burst
+from tests.tui.conftest import COMPUTING, WAITING, burst
 
 pytestmark = pytest.mark.slow
 
@@ -227,6 +227,43 @@ async def test_the_words_of_a_challenge_work_on_a_line_of_the_program(open_scree
         assert screen.main.editor.text == ""
 
 
+@pytest.mark.parametrize(
+    ("language", "word", "done", "is_busy", "stop"),
+    [
+        ("en", "RUN", "The program is done.", "A program is running.", "STOP"),
+        ("pt", "rodar", "O programa terminou.", "Um programa está em execução.", "parar"),
+        ("es", "Correr", "El programa terminó.", "Un programa se está ejecutando.", "Detener"),
+    ],
+)
+async def test_run_on_a_line_of_its_own_runs_the_program(open_screen, language, word, done, is_busy, stop):
+    """While one runs that is said, and the word that stops it does so on a line, too."""
+    async with open_screen("FW 1", language=language) as screen:
+        type_on_last_line(screen, word)
+        await screen.shows(done)
+        await screen.idle()
+        assert screen.main.editor.text == "FW 1\n"
+
+        screen.load(COMPUTING)
+        await screen.press("f5")
+        await screen.reaches(RunState.RUNNING)
+        type_on_last_line(screen, word)
+        await screen.shows(is_busy)
+        type_on_last_line(screen, stop)
+        await screen.idle()
+        assert screen.main.editor.text.rstrip("\n") == COMPUTING
+
+
+async def test_a_program_is_saved_and_opened_from_a_line_of_it(open_screen, tmp_path):
+    async with open_screen("FW 1") as screen:
+        type_on_last_line(screen, "save one.gd")
+        await screen.until(lambda: (tmp_path / "one.gd").exists(), "the file")
+        assert (tmp_path / "one.gd").read_text() == "FW 1\n"
+        (tmp_path / "two.gd").write_text("FW 2\n")
+        type_on_last_line(screen, "open two.gd")
+        await screen.answer("no")  # the line on which that was typed is not saved
+        await screen.until(lambda: screen.main.editor.text == "FW 2", "the other program")
+
+
 async def test_recover_on_a_line_of_its_own_gives_the_copy_back(open_screen):
     async with open_screen() as screen:
         type_on_last_line(screen, "recover")
@@ -249,7 +286,9 @@ async def test_quit_between_two_lines_is_taken_out_and_leaves(open_screen, tmp_p
         assert screen.main.editor.text == before
 
 
-@pytest.mark.parametrize("typed", ["QUIT FW 1", "SPEAK linear", "linear = 1", "tour 2", "challenge = 1"])
+@pytest.mark.parametrize(
+    "typed", ["QUIT FW 1", "SPEAK linear", "linear = 1", "tour 2", "challenge = 1", "run 2"]
+)
 async def test_a_word_with_other_text_on_its_line_is_text(open_screen, typed):
     async with open_screen() as screen:
         type_on_last_line(screen, typed)
