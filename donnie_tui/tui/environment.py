@@ -20,6 +20,8 @@ from donnie_tui.settings.settings import Settings
 _WITHOUT_KEY_REPORTS = ("linux", "vt", "screen", "tmux")
 """How the names of terminals begin that don't know key reports: some show a letter instead."""
 
+_WITH_COLOURS = ("xterm", "linux", "screen", "tmux")
+
 
 def prepare(settings: Settings, environment: MutableMapping[str, str] = os.environ) -> None:
     """Turn off key reports and mouse pixels that only some terminals know; before Textual is imported."""
@@ -27,9 +29,26 @@ def prepare(settings: Settings, environment: MutableMapping[str, str] = os.envir
     environment.setdefault("TEXTUAL_ANIMATIONS", "none")
     if is_plain(settings) or environment.get("TERM", "").startswith(_WITHOUT_KEY_REPORTS):
         environment.setdefault("TEXTUAL_DISABLE_KITTY_KEY", "1")
+    if _has_no_colours(environment):
+        environment.setdefault("NO_COLOR", "1")
     if _has_no_size():
         environment.setdefault("COLUMNS", "80")
         environment.setdefault("LINES", "24")
+
+
+def _has_no_colours(environment: Mapping[str, str]) -> bool:
+    """Whether the system knows a terminal of this name, and that it has none, as a VT100."""
+    if environment.get("COLORTERM") or environment.get("TERM", "").startswith(_WITH_COLOURS):
+        return False  # the same, without looking it up
+    try:
+        import curses  # not every Python has it
+
+        curses.setupterm(environment.get("TERM", "unknown"))
+        return curses.tigetnum("colors") <= 0
+    except ImportError:
+        return False
+    except curses.error:
+        return False
 
 
 def _has_no_size() -> bool:

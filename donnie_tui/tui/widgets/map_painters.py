@@ -117,7 +117,9 @@ def _stacked(upper: tuple[str, str], lower: tuple[str, str], look: Look) -> Segm
         top, bottom = look(upper[1]), look(lower[1])
         if top.color == bottom.color:
             return Segment(_FULL, top)
-        if bottom.color is None or bottom.color.is_default:  # a background can't be the text's own colour
+        # A background can't be the text's own colour. A bright one is dark on a console: best that of a wall.
+        is_own = bottom.color is None or bottom.color.is_default
+        if is_own or (upper[1] == "wall" and not (top.color is None or top.color.is_default)):
             return Segment(_LOWER, Style(color=bottom.color, bgcolor=top.color))
         return Segment(_UPPER, Style(color=top.color, bgcolor=bottom.color))
     return Segment(_UPPER if above else _LOWER, look(upper[1] if above else lower[1]))
