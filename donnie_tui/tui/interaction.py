@@ -167,7 +167,7 @@ class ScreenInteraction:
         lines: Sequence[str],
         printed: Sequence[str] | None = None,  # noqa: ARG002 -- for front ends without windows
     ) -> None:
-        self._open_page(self._words("lines-title", title=title), lines)
+        self._open_page(title, lines)
 
     # --- time
 
@@ -287,8 +287,9 @@ class ScreenInteraction:
             return
         await asyncio.sleep(0)
         below = editor.cursor_screen_offset
-        listed = Completions(shown, below, self._place.room_around(below.y), self._controller.point)
-        word, letter = await self._dialogs.answer_of(listed)
+        keys, room = self._words("completion-keys"), self._place.room_around(below.y)
+        listed = Completions(shown, keys, below, room, self._controller.point)
+        word, letter = await self._dialogs.answer_of(listed) or ("", "")
         if word:
             editor.put_in_place_of(found.typed, word)
         elif letter:
@@ -345,11 +346,11 @@ class ScreenInteraction:
             lines = help_text(self._words, self.key_table)
         else:
             lines = help_lines(self._place, self._words, self.key_table)
-        self._open_page(self._words("help-title"), lines, self.show_manual)
+        self._open_page(self._words("help-title"), lines, "help-keys", self.show_manual)
 
     def show_keys(self) -> None:
         heading, *lines = keys_here(self._place, self._words, self.key_table)
-        self._open_page(self._words("lines-title", title=heading.rstrip(":.")), lines)
+        self._open_page(heading.rstrip(":."), lines)
 
     def show_tour(self) -> None:
         """Show the tour from the page that was left; below the panes, if there is room."""
@@ -392,5 +393,11 @@ class ScreenInteraction:
     def is_page(self) -> bool:
         return is_page()
 
-    def _open_page(self, title: str, lines: Sequence[str], further: Callable[[], None] | None = None) -> None:
-        self._dialogs.open(Help(title, tuple(lines), self._controller.point, further))
+    def _open_page(
+        self,
+        title: str,
+        lines: Sequence[str],
+        keys: str = "page-keys",
+        further: Callable[[], None] | None = None,
+    ) -> None:
+        self._dialogs.open(Help(title, self._words(keys), tuple(lines), self._controller.point, further))

@@ -412,6 +412,7 @@ def tour_pages(words: Words, table: KeyTable) -> tuple[TourPage, ...]:
     return tuple(
         TourPage(
             words("screen-tour-title", page=page, pages=SCREEN_TOUR_PAGES),
+            words("screen-tour-keys"),
             screen_tour_page(page, words, keys),
         )
         for page in range(1, SCREEN_TOUR_PAGES + 1)

@@ -124,29 +124,28 @@ async def test_a_wrong_answer_is_reported_and_typed_over():
 
 async def test_what_a_question_offers_can_be_clicked():
     async with Showing().run_test(size=(40, 12)) as pilot:
-        for x, y, answer in ((2, 1, "no"), (2, 3, "x"), (17, 3, None)):
+        for x, y, answer in ((2, 1, "no"), (2, None, "x"), (17, None, None)):
             await pilot.app.show(asking(value="x", answers=("yes", "no")))
             await pilot.pause()
             rows = shown(pilot)
             top = next(at for at, row in enumerate(rows) if row.strip(" >") == "yes")
-            assert [row.strip(" >") for row in rows[top - 1 : top + 4]] == [
-                "What?", "yes", "no", "x", "Enter answers, Esc goes back"
-            ]  # fmt: skip
-            await pilot.click(offset=Offset(x, top + y))
+            assert [row.strip(" >") for row in rows[top - 1 : top + 3]] == ["What?", "yes", "no", "x"]
+            assert rows[-1] == " Enter answers, Esc goes back"
+            await pilot.click(offset=Offset(x, 11 if y is None else top + y))
             await pilot.pause()
             assert pilot.app.answer == answer
 
 
 async def test_the_answers_of_a_question_leave_room_for_it_and_the_rows_that_are_always_seen():
-    """Three below from ten rows on, less the command line; five for the question; four answers."""
+    """Three below from ten rows on, less the command line and the keys; four for the question."""
     async with Showing().run_test(size=(60, 24)) as pilot:
-        for height, rows in ((12, 4), (11, 4), (10, 3), (9, 4), (7, 2), (5, 0)):
+        for height, rows in ((12, 4), (10, 4), (9, 4), (7, 2), (5, 0)):
             dialog = asking(answers=("a", "b", "c", "d"))
             await pilot.resize_terminal(60, height)
             await pilot.app.show(dialog)
             await pilot.pause()
             assert dialog._list.styles.height.value == rows
-            assert dialog._panel.styles.margin.bottom == (2 if height >= 10 else 0)
+            assert dialog._panel.styles.margin.bottom == (1 if height >= 10 else 0)
 
 
 # --- lists
@@ -240,20 +239,20 @@ async def test_the_cursor_of_the_terminal_is_on_the_row_until_something_is_typed
 
 
 async def test_a_list_is_left_or_a_row_taken_by_a_click():
-    """The list is a panel of five rows with its title and its keys, in the middle of the room for it."""
+    """The list is a panel of five rows with its title, in the middle of the room; its keys are below all."""
     async with Showing().run_test(size=(80, 20)) as pilot:
         for row, column, answer in (
             (3, 12, "apple"),
             (5, 12, "pineapple"),
-            (8, 14, "apple"),
-            (8, 32, None),
+            (None, 3, "apple"),
+            (None, 20, None),
             (1, 1, None),
             (1, 12, OPEN),
         ):
             await pilot.app.show(choosing())
             await pilot.pause()
             top = next(at for at, each in enumerate(shown(pilot)) if "Fruit" in each)
-            await pilot.click(offset=(column, top + row - 1))
+            await pilot.click(offset=(column, 19 if row is None else top + row - 1))
             await pilot.pause()
             assert pilot.app.answer == answer
 
@@ -261,14 +260,17 @@ async def test_a_list_is_left_or_a_row_taken_by_a_click():
 SIZES = [
     ((80, 24), (58, 8), False),
     ((66, 24), (58, 8), False),
-    ((65, 24), (65, 8), True),
+    ((65, 24), (65, 7), True),
     ((80, 10), (58, 7), False),
-    ((80, 9), (58, 8), False),
+    ((80, 9), (58, 7), False),
 ]
 
 
 async def test_a_list_is_as_large_as_it_must_be_and_leaves_eight_columns_or_none():
-    """56 columns at least, and a border; a row for each choice and three more, above the fixed rows."""
+    """56 columns at least, and a border; a row for each choice, the title, what is typed and the border.
+
+    On a low screen what is typed is next to the title.
+    """
     async with Showing().run_test(size=(90, 24)) as pilot:
         for size, panel, is_wide in SIZES:
             dialog = choosing()
@@ -279,7 +281,7 @@ async def test_a_list_is_as_large_as_it_must_be_and_leaves_eight_columns_or_none
             assert (styles.width.value, styles.height.value) == panel
             assert dialog._panel.has_class("-wide-as-all") is is_wide
             assert styles.margin.top == (1 if size[1] >= 20 else 0)
-            assert styles.margin.bottom == (3 if size[1] >= 10 else 0)
+            assert styles.margin.bottom == (2 if size[1] >= 10 else 0)
 
 
 async def test_a_long_title_or_a_long_row_makes_a_list_wider():
@@ -297,7 +299,7 @@ async def test_rows_that_are_broken_need_more_rows():
     dialog = choosing([Option("a", "x" * 100), Option("b", "y")])
     async with Showing(dialog).run_test(size=(60, 24)) as pilot:
         await pilot.pause()
-        assert dialog._panel.styles.height.value == 3 + 3
+        assert dialog._panel.styles.height.value == 3 + 2
 
 
 WORLDS = [
@@ -351,7 +353,7 @@ async def test_a_plain_list_has_rows_of_text_and_the_whole_screen():
         await pilot.pause()
         assert dialog.rows.lines == ("alpha, easy, a room", "be, hard, a hall")
         assert dialog._detail is None
-        assert dialog._panel.region.size == (80, 24)
+        assert dialog._panel.region.size == (80, 23)
 
 
 async def test_what_else_there_is_about_a_row_is_cut_at_a_word_where_it_has_no_room():
@@ -404,7 +406,7 @@ async def test_words_are_below_the_cursor_or_above_it_where_there_is_more_room()
     async with Showing().run_test(size=(40, 20)) as pilot:
         for below, count, offset, height in BELOW:
             words = [f"word{at % 10}" for at in range(count)]
-            dialog = Completions(words, Offset(*below), Region(0, 1, 40, 17), lambda _: None)
+            dialog = Completions(words, "Keys", Offset(*below), Region(0, 1, 40, 17), lambda _: None)
             await pilot.app.show(dialog)
             await pilot.pause()
             styles = dialog.list.styles
@@ -427,7 +429,9 @@ async def test_a_word_is_taken_or_a_letter_continues():
     async with Showing().run_test(size=(40, 20)) as pilot:
         for keys, answer in TAKEN:
             said = []
-            await pilot.app.show(Completions(["one", "two"], Offset(0, 0), Region(0, 0, 40, 17), said.append))
+            await pilot.app.show(
+                Completions(["one", "two"], "Keys", Offset(0, 0), Region(0, 0, 40, 17), said.append)
+            )
             await pilot.pause()
             assert said == ["one"]
             await pilot.press(*keys.split())
@@ -436,7 +440,9 @@ async def test_a_word_is_taken_or_a_letter_continues():
 
 
 async def test_the_cursor_of_the_terminal_is_on_the_chosen_word():
-    dialog = Completions([f"w{at}" for at in range(12)], Offset(4, 0), Region(0, 0, 40, 17), lambda _: None)
+    dialog = Completions(
+        [f"w{at}" for at in range(12)], "Keys", Offset(4, 0), Region(0, 0, 40, 17), lambda _: None
+    )
     async with Showing(dialog).run_test(size=(40, 20)) as pilot:
         await pilot.press("down", "down")
         assert dialog.list.cursor_screen_offset == (4, 1 + 2)
@@ -452,10 +458,10 @@ async def test_a_page_says_its_first_line_and_is_left():
     async with Showing().run_test(size=(40, 24)) as pilot:
         for key in ("escape", "q", "f1"):
             said = []
-            dialog = Help("Title", ["one", "two"], said.append)
+            dialog = Help("Title", "Esc goes back", ["one", "two"], said.append)
             await pilot.app.show(dialog)
             await pilot.pause()
-            assert said == ["Title. one"]
+            assert said == ["Title. Esc goes back. one"]
             assert shown(pilot)[1:4] == [" Title", ">one", " two"]
             assert dialog._page.styles.height.value == 24 - 1 - 3 - 1
             await pilot.press(key)
@@ -464,22 +470,26 @@ async def test_a_page_says_its_first_line_and_is_left():
 
 async def test_a_page_without_lines_says_its_title_and_further_keeps_it():
     said = []
-    dialog = Help("Title", [], said.append, lambda: said.append("further"))
+    dialog = Help("Title", "Esc goes back", [], said.append, lambda: said.append("further"))
     async with Showing(dialog).run_test(size=(60, 24)) as pilot:
         await pilot.press("f1")
-        assert (said, pilot.app.answer) == (["Title. ", "further"], OPEN)
+        assert (said, pilot.app.answer) == (["Title. Esc goes back. ", "further"], OPEN)
         assert dialog._page.styles.height.value == 24 - 1 - 3
 
 
-PAGES = [TourPage("One", ("first", "line")), TourPage("Two", ("second",)), TourPage("Three", ())]
+PAGES = [
+    TourPage("One", "Keys", ("first", "line")),
+    TourPage("Two", "Keys", ("second",)),
+    TourPage("Three", "Keys", ()),
+]
 
 
 TURNED = [
-    ("enter", [1], "Two. second"),
-    ("pagedown enter", [1, 2], "Three."),
-    ("backspace", [0], "One. first line"),
-    ("enter pageup", [1, 0], "One. first line"),
-    ("enter enter backspace", [1, 2, 1], "Two. second"),
+    ("enter", [1], "Two. Keys. second"),
+    ("pagedown enter", [1, 2], "Three. Keys."),
+    ("backspace", [0], "One. Keys. first line"),
+    ("enter pageup", [1, 0], "One. Keys. first line"),
+    ("enter enter backspace", [1, 2, 1], "Two. Keys. second"),
 ]
 
 
@@ -495,7 +505,7 @@ async def test_a_tour_turns_its_pages_and_says_each_whole(kind):
                 await pilot.app.screen.mount(tour)
                 tour.focus()
             await pilot.pause()
-            assert spoken == ["One. first line"]
+            assert spoken == ["One. Keys. first line"]
             await pilot.press(*keys.split())
             await pilot.pause()
             assert (pages, spoken[-1], pilot.app.answer) == (turned, said, OPEN)
@@ -506,7 +516,7 @@ async def test_a_tour_closes_after_its_last_page():
     pages: list[int] = []
     async with Showing(Tour(PAGES, 2, pages.append, lambda _: None)).run_test() as pilot:
         await pilot.pause()
-        assert shown(pilot)[0] == " Three"
+        assert shown(pilot)[1] == " Three"
         await pilot.press("enter")
         assert (pages, pilot.app.answer) == ([3], None)
 
@@ -515,23 +525,23 @@ async def test_the_strip_of_a_tour_is_turned_by_a_click_and_reports_its_end():
     pages: list[int] = []
     left: list[object] = []
     strip = TourStrip(
-        [*PAGES[:2], TourPage("Enter goes on, Esc leaves", ("x",))], 1, pages.append, lambda _: None
+        [*PAGES[:2], TourPage("Three", "Enter goes on, Esc leaves", ("x",))], 1, pages.append, lambda _: None
     )
     app = Showing(Before())
     app.on_tour_strip_left = left.append
     async with app.run_test(size=(60, 24)) as pilot:
         await app.screen.mount(strip)
         await pilot.pause()
-        assert strip.title == "Two"
+        assert strip.title == "Two. Keys"
         assert strip.cursor_screen_offset == strip._body.content_region.offset
         await pilot.click(strip._body)
-        assert (pages, strip.title) == ([2], "Enter goes on, Esc leaves")
-        await pilot.click(strip._heading, offset=(20, 0))
+        assert (pages, strip.title) == ([2], "Three. Enter goes on, Esc leaves")
+        await pilot.click(strip._heading, offset=(27, 0))
         await pilot.pause()
         assert pages == [2]
-        await pilot.click(strip._heading, offset=(2, 0))
+        await pilot.click(strip._heading, offset=(9, 0))
         await pilot.pause()
-        assert (pages, strip.title) == ([2, 3], "Enter goes on, Esc leaves")
+        assert (pages, strip.title) == ([2, 3], "Three. Enter goes on, Esc leaves")
 
 
 # --- keys after the menu key
@@ -553,7 +563,7 @@ async def test_the_keys_after_the_menu_key_are_listed_letters_first():
             COMMANDS[at].name for at in (3, 1, 2, 0)
         ]  # fmt: skip
         assert [row[2] for row in menu.cells] == [words(f"action-{COMMANDS[at].name}") for at in (3, 1, 0, 2)]
-        assert said == [f"{words('menu-title')}. {': '.join(menu.cells[0])}"]
+        assert said == [f"{words('menu-title')}. {words('page-keys')}. {': '.join(menu.cells[0])}"]
         widths = [max(len(row[at]) for row in menu.cells) for at in range(3)]
         assert menu.rows.lines == tuple(
             "  ".join(cell.ljust(each) for cell, each in zip(row, widths, strict=True)).rstrip()

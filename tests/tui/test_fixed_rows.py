@@ -7,7 +7,15 @@ from textual.geometry import Size
 from textual.message import Message
 from textual.widget import Widget
 
-from donnie_tui.tui.widgets.rows import DialogKeys, FixedLine, KeyEntry, KeyLine, Slider, rows_always_seen
+from donnie_tui.tui.widgets.rows import (
+    BottomKeys,
+    DialogKeys,
+    FixedLine,
+    KeyEntry,
+    KeyLine,
+    Slider,
+    rows_always_seen,
+)
 
 ONE, TWO, LONG, SHORT, ALL = (
     KeyEntry("one", "A", "one"),
@@ -99,7 +107,7 @@ ROOM = [
     (19, (ONE, TWO, ALL), " A one  P All"),
     (13, (ONE, TWO, ALL), " A one  P All"),
     (12, (ONE, TWO, ALL), " P All"),
-    (24, (ONE, LONG, SHORT, ALL), " A one  P All"),
+    (24, (ONE, LONG, SHORT, ALL), " A one  D x  P All"),
     (40, (ONE, LONG, SHORT, ALL), " A one  C something long  D x  P All"),
 ]
 
@@ -197,17 +205,27 @@ async def test_the_slider_grows_with_its_room_and_has_a_cell_at_least():
 WORDS = "Enter takes it, Up and Down choose, Esc goes back"
 
 
-async def test_where_there_is_little_room_a_dialog_names_enter_and_esc_alone():
-    keys = DialogKeys(WORDS)
-    async with Row(keys, 60).run_test(size=(60, 4)) as pilot:
-        assert pilot.app.rows == [f" {WORDS}"]
-        keys.say("[Other]")
-        await pilot.pause()
-        assert pilot.app.rows == [" [Other]"]
-        for columns, shown in ((50, WORDS), (49, "Enter takes it, Esc goes back"), (60, WORDS)):
-            keys.fit(columns)
+ALL_WORDS = "Enter takes it, arrows choose, Tab completes, F1: help, Esc goes back"
+FITTING = [
+    (70, ALL_WORDS),
+    (69, "Enter takes it, Tab completes, F1: help, Esc goes back"),
+    (54, "Enter takes it, F1: help, Esc goes back"),
+    (39, "Enter takes it, Esc goes back"),
+    (29, "Esc goes back"),
+    (5, "Esc goes back"),
+    (70, ALL_WORDS),
+]
+
+
+async def test_where_there_is_little_room_the_bottom_line_of_a_dialog_leaves_out_what_is_needed_least():
+    keys = BottomKeys(ALL_WORDS)
+    async with Row(keys, 70).run_test(size=(80, 4)) as pilot:
+        for columns, shown in FITTING:
+            keys.styles.width = columns
             await pilot.pause()
-            assert pilot.app.rows == [f" {shown}"]
+            assert keys.words == shown
+            reversed_keys = [each.text for each in keys.render_line(0) if each.style and each.style.reverse]
+            assert columns < 20 or set(reversed_keys) <= {"Enter", "Tab", "F1", "Esc"}
 
 
 @pytest.mark.parametrize(

@@ -136,8 +136,8 @@ async def test_on_a_small_screen_the_palette_has_a_row_each_and_the_rest_is_belo
         word, purpose, key = chosen.columns
         rows = [line.strip(" >") for line in screen.text.splitlines()]
 
-        assert rows[2] == word
-        assert rows[3:5] == [each.columns[0] for each in panel._fitting[1:3]]
+        assert rows[1] == word
+        assert rows[2:6] == [each.columns[0] for each in panel._fitting[1:5]]
         below = " ".join(panel._detail.lines)
         assert purpose in below and key in below
         await screen.press("down")

@@ -4,6 +4,7 @@ import asyncio
 from contextlib import asynccontextmanager
 from itertools import pairwise
 
+import pytest
 from textual.app import App, ComposeResult
 from textual.widgets import Input
 
@@ -227,8 +228,9 @@ async def test_find_shows_what_a_filter_hides_with_its_count_and_marks(open_scre
         assert len(marked) >= 2
 
 
-async def test_what_find_typed_and_answered_has_no_mark(open_screen):
-    async with open_screen() as screen:
+@pytest.mark.parametrize("size", [(40, 12), (80, 24)])
+async def test_what_find_typed_and_answered_has_no_mark(open_screen, size):
+    async with open_screen(size=size) as screen:
         await screen.run('SPEAK "Maçã"')
         rows = screen.main.log_rows
 
@@ -241,4 +243,4 @@ async def test_what_find_typed_and_answered_has_no_mark(open_screen):
 
         await screen.type_line("FIND maca")
         await screen.shows("1 line")
-        assert marked() == ["Maçã"]
+        assert marked() == ["Maçã" if size[0] > 40 else "says: Maçã"]

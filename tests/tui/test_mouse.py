@@ -1,5 +1,6 @@
 """What a click does: a key of the bottom line is pressed, a square of the map is described."""
 
+import pytest
 from textual.geometry import Offset
 
 
@@ -174,11 +175,66 @@ async def test_a_small_list_has_one_row_a_world_and_what_is_there_below(open_scr
         await screen.painted()
         rows = [row.rstrip() for row in screen.text.splitlines()]
 
-        assert rows[2:5] == [
+        assert rows[:4] == [
+            " Worlds",
             " First room             easy",
             " Open floor             easy",
             ">Living room            easy",
         ]
-        assert rows[5] == " A room of 40 by 40 steps with walls"
-        assert rows[6].endswith(" ...")
-        assert rows[7:9] == [" Enter takes it, Esc goes back", ">"]
+        assert rows[4].endswith(" easy") and rows[5].endswith(" easy")
+        assert rows[6] == " A room of 40 by 40 steps with walls"
+        assert rows[7].endswith(" ...")
+        assert rows[8] == ">"
+        assert rows[11] == " Enter takes it, Esc goes back"
+
+
+PANELS = {
+    "list": (("ctrl+l",), "Enter takes it, Esc goes back"),
+    "files": (("ctrl+o",), "Enter takes it, Esc goes back"),
+    "help": (("f1",), "F1: the manual, Esc goes back"),
+    "page": (("ctrl+k", "0"), "Esc goes back, arrows read"),
+    "menu": (("ctrl+k",), "Esc goes back, arrows read"),
+    "question": (("ctrl+f",), "Enter answers, Esc goes back"),
+    "words": (("ctrl+@",), "Enter takes it, Esc goes back"),
+}
+
+
+@pytest.mark.parametrize("name", PANELS)
+async def test_the_bottom_line_has_the_keys_of_what_is_in_front(open_screen, name) -> None:  # type: ignore[no-untyped-def]
+    """Also where it is narrow; and a click there is that key."""
+    keys, said = PANELS[name]
+    async with open_screen("REPEAT 2 TIMES\nFW 1\nEND REPEAT", size=(40, 12)) as screen:
+        screen.main.editor.move_cursor((1, 0))
+        before = screen.text.splitlines()[-1]
+        await screen.press(*keys)
+        await screen.until(lambda: screen.app.screen is not screen.main, name)
+        await screen.painted()
+        assert screen.text.splitlines()[-1] == f" {said}"
+        assert "READY" in screen.text
+
+        await screen.pilot.click(offset=(screen.text.splitlines()[-1].index("Esc") + 1, 11))
+        await screen.until(lambda: screen.app.screen is screen.main, "the main screen")
+        await screen.painted()
+        assert screen.text.splitlines()[-1] == before
+
+
+async def test_a_click_on_the_keys_that_press_nothing_leaves_a_list_open(open_screen) -> None:  # type: ignore[no-untyped-def]
+    async with open_screen() as screen:
+        await screen.type_line("THEME")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the list")
+        listed = screen.app.screen
+        await screen.painted()
+        for said in ("Up and Down", "typing"):
+            await screen.pilot.click(offset=(screen.text.splitlines()[23].index(said) + 1, 23))
+            await screen.painted()
+            assert screen.app.screen is listed
+
+
+async def test_a_click_next_to_the_words_to_complete_closes_them(open_screen) -> None:  # type: ignore[no-untyped-def]
+    async with open_screen("FW 1") as screen:
+        await screen.press("ctrl+@")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the words")
+        await screen.painted()
+        await screen.pilot.click(offset=(60, 3))
+        await screen.until(lambda: screen.app.screen is screen.main, "the main screen")
+        assert screen.main.editor.text == "FW 1"

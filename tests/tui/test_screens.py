@@ -73,7 +73,7 @@ def same(snapshot: SnapshotAssertion):
     """``same(screen)``: the screen is as it was kept."""
 
     async def compare(screen) -> None:
-        await screen.pilot.pause()
+        await screen.painted()
         assert screen.text + "\n" == snapshot.use_extension(Words)
         assert screen.app.export_screenshot() == snapshot.use_extension(Picture)
 

@@ -96,6 +96,21 @@ def test_an_idle_screen_writes_nothing(terminal):
     assert falls_silent(terminal(), 3.0)
 
 
+def test_an_idle_list_writes_nothing_and_a_key_in_it_only_what_it_changes(terminal):
+    """Two rows of the list, with the sequences that place and colour them."""
+    donnie = terminal()
+    donnie.type("\x10")
+    donnie.shows("Type what to do")
+    assert falls_silent(donnie, 1.0)
+    before = len(donnie.raw)
+    donnie.type("\x1b[B")
+    donnie.shows(">AGAIN")
+    assert falls_silent(donnie, 1.0)
+
+    assert len(donnie.raw) - before < 2 * 80 * 2
+    assert "All" not in donnie.screen.display[-1] and "Enter takes it" in donnie.screen.display[-1]
+
+
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
 def test_a_signal_halts_keeps_the_text_and_gives_the_terminal_back(terminal, tmp_path, number):
     donnie = terminal("--speed", "1")

@@ -21,7 +21,7 @@ async def closed(screen) -> None:  # type: ignore[no-untyped-def]
 
 async def turn_to(screen, page: int, key: str = "enter") -> None:  # type: ignore[no-untyped-def]
     await screen.press(key)
-    await screen.until(lambda: f"Tour {page} of {SCREEN_TOUR_PAGES}." in screen.text, f"page {page}")
+    await screen.until(lambda: f"Tour {page} of {SCREEN_TOUR_PAGES}" in screen.text, f"page {page}")
 
 
 async def test_enter_turns_the_pages(open_screen) -> None:  # type: ignore[no-untyped-def]
@@ -149,19 +149,39 @@ async def test_it_is_in_the_learner_s_language(open_screen, language, first, las
 
 
 @pytest.mark.parametrize(
-    ("language", "heading"),
+    ("language", "heading", "state", "keys"),
     [
-        ("en", "Tour {} of 9. Enter continues, Esc ends"),
-        ("pt", "Passeio {} de 9. Enter segue, Esc fecha"),
-        ("es", "Paseo {} de 9. Enter sigue, Esc cierra"),
+        ("en", "Tour {} of 9", "READY", "Enter continues, Esc ends"),
+        ("pt", "Passeio {} de 9", "PRONTO", "Enter segue, Esc fecha"),
+        ("es", "Paseo {} de 9", "LISTO", "Enter sigue, Esc cierra"),
     ],
 )
-async def test_what_its_keys_do_is_read_whole_in_forty_columns(open_screen, language, heading) -> None:  # type: ignore[no-untyped-def]
+async def test_a_page_and_its_keys_are_read_whole_in_forty_columns(  # type: ignore[no-untyped-def]
+    open_screen, language, heading, state, keys
+) -> None:
+    """Above the state, which stays in sight."""
     async with open_screen("FW 1", size=(40, 12), language=language) as screen:
         screen.app.controller.do("tour")
         for page in range(1, SCREEN_TOUR_PAGES + 1):
             await screen.until(lambda page=page: f"{heading.format(page)}\n" in screen.text, heading)
+            await screen.painted()
+            tour, rows = screen.app.screen, screen.text.splitlines()
+            said = " ".join(" ".join(rows[1:9]).replace(">", " ").split())
+            assert said == " ".join(tour.rows.lines)
+            assert rows[9].startswith(f" {state} ")
+            assert rows[11] == f" {keys}"
             await screen.press("enter")
+
+
+async def test_a_small_page_is_turned_and_left_by_mouse(open_screen) -> None:  # type: ignore[no-untyped-def]
+    async with open_screen("FW 1", size=(40, 12)) as screen:
+        await touring(screen)
+        await screen.painted()
+        await screen.pilot.click(offset=(3, 11))
+        await screen.until(lambda: "Tour 2 of" in screen.text, "the next page")
+        await screen.painted()
+        await screen.pilot.click(offset=(20, 11))
+        await closed(screen)
 
 
 async def test_a_page_is_said_whole(open_screen, monkeypatch) -> None:  # type: ignore[no-untyped-def]

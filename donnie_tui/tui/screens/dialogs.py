@@ -28,7 +28,7 @@ from textual.widgets import Input, OptionList, Static
 
 from donnie_tui.commands.interaction import Option
 from donnie_tui.tui.widgets.command_line import InputLine
-from donnie_tui.tui.widgets.rows import DialogKeys, TextRows, rows_always_seen
+from donnie_tui.tui.widgets.rows import LOWEST, BottomKeys, DialogKeys, TextRows, rows_always_seen
 
 MOST_SEEN = 8
 """Rows of a list of proposed answers."""
@@ -50,15 +50,20 @@ class Dialog(ModalScreen[T]):
     def fit(self, panel: Widget, *, covers_command_line: bool = False) -> Size:
         """Keep a panel where the panes of the main screen are, and return the room for it.
 
-        The state stays in sight below, and on a high screen a title above. In the plain layout there is one
-        thing at a time.
+        The state stays in sight below, and on a high screen a title above. The dialog's own keys are where
+        those of the main screen are. In the plain layout there is one thing at a time.
         """
-        main, size = self.app.screen_stack[0], self.app.size
-        is_alone = main.has_class("-plain")
-        above, below = (0, 0) if is_alone else (int(size.height >= _HIGH), rows_always_seen(size))
-        below = max(0, below - covers_command_line)
+        size = self.app.size
+        above, below = (0, 0) if self.is_alone else (int(size.height >= _HIGH), rows_always_seen(size))
+        keys = len(self.query(BottomKeys))
+        below = max(0, below - keys - covers_command_line)
         panel.styles.margin = (above, 0, below, 0)
-        return Size(size.width, size.height - above - below)
+        return Size(size.width, size.height - above - below - keys)
+
+    @property
+    def is_alone(self) -> bool:
+        """Whether nothing else is seen, as in the plain layout."""
+        return self.app.screen_stack[0].has_class("-plain")
 
 
 class Panel(Dialog[T]):
@@ -120,11 +125,13 @@ class Question(Dialog[str | None]):
             if self._list is not None:
                 yield self._list
             yield self._line
-            yield DialogKeys(self._keys)
+        yield BottomKeys(self._keys)
 
     def on_dialog_keys_clicked(self, event: DialogKeys.Clicked) -> None:
         if event.key == "enter":
             self._submit(self._line.value)
+        elif event.key == "tab":
+            self.action_write_row()
         else:
             self.action_go_back()
 
@@ -136,7 +143,7 @@ class Question(Dialog[str | None]):
     def on_resize(self) -> None:
         room = self.fit(self._panel, covers_command_line=True)
         if self._list is not None:
-            self._list.offer(max(0, room.height - 5))
+            self._list.offer(max(0, room.height - 4))
 
     def on_input_changed(self, event: Input.Changed) -> None:
         if self._list is not None and event.value != self._value:
@@ -285,10 +292,11 @@ _LEAST_PANEL, _DETAIL, _MOST_DETAIL = 56, 40, 90
 """Columns: the least of a panel, the least and the most of the details next to a list."""
 LEAST_REST = 8
 """Columns left next to a panel, if any are."""
-_LEAST_BOTH = 8
+_LEAST_BOTH = 6
 """With so many rows, the details may be below the list, if there is no room next to it."""
-_DETAIL_ROWS, _FRAME_ROWS = 16, 3
-"""Rows: the least of the details; those of the title, the input line and the keys."""
+_DETAIL_ROWS, _LOW, _LEAST_TYPED = 16, 12, 12
+"""The least rows of the details; the rows below which the input line is next to the title, and the least
+columns of it there."""
 
 
 _COLUMN_GAP, _FEW = 2, 4
@@ -333,14 +341,15 @@ class Chooser(Panel[str | None]):
         A plain list has the whole screen, and rows of text.
         """
         super().__init__(classes="-plain" if is_plain else "")
-        self._title_words, self._key_words, self._nothing = title, keys, nothing
+        self._title_words, self._nothing = title, nothing
         self._choices = tuple(choices)
         self._fitting = self._choices
         self._point = point
         self.rows = _Rows(id="choices")
         self._typed = _Narrowing(self.rows)
         self._panel, self._listing = Vertical(id="panel"), Horizontal(id="listing")
-        self._keys = DialogKeys(keys)
+        self._heading = Vertical(id="heading")
+        self._keys = BottomKeys(keys)
         self._has_details = not is_plain and any(each.detail is not None for each in choices)
         may_drop = not is_plain and any(len(each.columns) > 1 for each in choices)
         self._detail = _Detail(id="detail") if self._has_details or may_drop else None
@@ -349,13 +358,14 @@ class Chooser(Panel[str | None]):
 
     def compose(self) -> ComposeResult:
         with self._panel:
-            yield Static(f" {self._title_words}", classes="screen-title", markup=False)
-            yield self._typed
+            with self._heading:
+                yield Static(f" {self._title_words} ", classes="screen-title", markup=False)
+                yield self._typed
             with self._listing:
                 yield self.rows
                 if self._detail is not None:
                     yield self._detail
-            yield self._keys
+        yield self._keys
 
     def on_mount(self) -> None:
         self._lay_out()
@@ -372,6 +382,9 @@ class Chooser(Panel[str | None]):
     def _lay_out(self) -> None:
         """Make the panel as large as its list; it keeps this size while the list is narrowed."""
         width, height = self.fit(self._panel)
+        is_low = height < _LOW and cell_len(self._title_words) + _LEAST_TYPED <= width
+        self._heading.set_class(is_low and not self.has_class("-plain"), "-low")
+        height -= 1 if is_low else 2
         columns = () if self.has_class("-plain") else _columns(self._choices)
         if self._has_details:
             room = width - (_DETAIL + 1)
@@ -388,7 +401,7 @@ class Chooser(Panel[str | None]):
         if self.has_class("-plain"):
             return
         row_widths = [cell_len(self._row(each)) for each in self._choices]
-        listing = max(max(map(cell_len, (self._title_words, self._key_words))) + 2, _LEAST_PANEL)
+        listing = max(cell_len(self._title_words) + 2, _LEAST_PANEL)
         rows = len(self._choices)
         if self._detail is not None:
             self._detail.styles.height = self._rows_below(width, height) if is_below else None
@@ -404,9 +417,9 @@ class Chooser(Panel[str | None]):
         panel = self._panel
         listing = listing + 2 if listing + 2 <= width - LEAST_REST else width
         panel.styles.width = listing
-        panel.set_class(listing == width, "-wide-as-all")
-        self._keys.fit(listing)
-        panel.styles.height = min(height, max(rows, 2) + _FRAME_ROWS)
+        is_framed = listing < width
+        panel.set_class(not is_framed, "-wide-as-all")
+        panel.styles.height = min(height, max(rows, 2) + is_framed) + (1 if is_low else 2)
 
     def _columns_in(self, room: int, columns: tuple[int, ...], *, may_drop: bool) -> tuple[int, ...]:
         """The widths of as many columns as fit. A few long names may exceed their column."""
@@ -426,15 +439,15 @@ class Chooser(Panel[str | None]):
         return _FEW * sum(choices) <= len(self._choices)
 
     def _rows_below(self, width: int, height: int) -> int:
-        """The rows of the details below the list: half, or as many as the dropped columns need."""
-        half = (height - _FRAME_ROWS) // 2
+        """The rows of the details below the list: less than half, or as many as the dropped columns need."""
+        most = height * 2 // 5
         if self._has_details:
-            return half
+            return most
         needed = (
             sum(-(-cell_len(cell) // max(1, width - 2)) for cell in self._dropped(each))
             for each in self._choices
         )
-        return min(half, max(needed, default=1) + 1)
+        return min(most, max(needed, default=1))
 
     def _dropped(self, choice: Option) -> tuple[str, ...]:
         """The columns without room in the list."""
@@ -526,8 +539,8 @@ class _Words(OptionList):
         return self.content_region.offset + Offset(0, max(0, row))
 
 
-class Completions(Dialog[tuple[str, str]]):
-    """Answers the chosen word, empty for none, and the letter that was typed instead."""
+class Completions(Panel[tuple[str, str]]):
+    """Answers the chosen word and the letter that was typed instead, one of them; None for neither."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("escape", "leave", priority=True),
@@ -535,13 +548,14 @@ class Completions(Dialog[tuple[str, str]]):
     ]
 
     def __init__(
-        self, words: Sequence[str], below: Offset, room: Region, point: Callable[[str], object]
+        self, words: Sequence[str], keys: str, below: Offset, room: Region, point: Callable[[str], object]
     ) -> None:
         """``below``: the cursor's place on the screen. The list stays in ``room`` if a row is left there.
 
         ``point`` speaks the chosen word.
         """
         super().__init__()
+        self._keys = keys
         self._point = point
         self._below, self._room = below, room
         self.list = _Words(*words, id="completions", markup=False, compact=True)
@@ -550,6 +564,14 @@ class Completions(Dialog[tuple[str, str]]):
 
     def compose(self) -> ComposeResult:
         yield self.list
+        if not self.is_alone and self.app.size.height >= LOWEST:
+            yield BottomKeys(self._keys)
+
+    def on_dialog_keys_clicked(self, event: DialogKeys.Clicked) -> None:
+        if event.key == "enter":
+            self.action_take()
+        else:
+            self.action_leave()
 
     def on_mount(self) -> None:
         room, row = self._room, self._below.y

@@ -40,7 +40,7 @@ from donnie_tui.core.wording import Wording
 from donnie_tui.process.confinement import confinement, is_allowed, part_below
 from donnie_tui.tui.screens.dialogs import LEAST_REST, Panel
 from donnie_tui.tui.widgets.command_line import InputLine
-from donnie_tui.tui.widgets.rows import DialogKeys
+from donnie_tui.tui.widgets.rows import BottomKeys, DialogKeys
 from language.source import fold_name, printable
 
 MOST_RECENT = 5
@@ -49,8 +49,6 @@ MOST_SHOWN = 500
 """Rows of a folder; its last row shows as many more."""
 _WIDTH, _HEIGHT = 80, 26
 """Columns and rows of the panel, at most."""
-_LEAST_KEYS = 8
-"""With so many rows, it shows its keys."""
 _WHEEL = 3
 _FAR = 10**6
 
@@ -210,7 +208,7 @@ class FilePanel(Panel[str | Path | None]):
         self.files = FileTree()
         self._line = _NameLine(text, self.files, self._completed)
         self._title = Static(f" {question}", classes="screen-title", markup=False)
-        self._keys = DialogKeys(words("ask-keys-files"))
+        self._keys = BottomKeys(words("ask-keys-files"))
         self._panel = Vertical(id="panel")
         self._home = Path()
         self._root = Folder(self._home, "")
@@ -225,7 +223,7 @@ class FilePanel(Panel[str | Path | None]):
             yield self._title
             yield self._line
             yield self.files
-            yield self._keys
+        yield self._keys
 
     def on_mount(self) -> None:
         self._lay_out()
@@ -243,8 +241,6 @@ class FilePanel(Panel[str | Path | None]):
         panel.styles.width = columns
         panel.set_class(columns == width, "-wide-as-all")
         panel.styles.height = min(_HEIGHT, height)
-        self._keys.fit(columns)
-        self._keys.display = height >= _LEAST_KEYS
 
     @work
     async def _begin(self) -> None:
@@ -502,6 +498,8 @@ class FilePanel(Panel[str | Path | None]):
     def on_dialog_keys_clicked(self, event: DialogKeys.Clicked) -> None:
         if event.key == "enter":
             self._submit()
+        elif event.key == "tab":
+            self.action_complete()
         else:
             self.action_go_back()
 

@@ -28,7 +28,7 @@ from donnie_tui.commands.lookup import word_of
 from donnie_tui.core.wording import Wording
 from donnie_tui.tui.screens.dialogs import Dialog, Panel
 from donnie_tui.tui.widgets.command_line import InputLine
-from donnie_tui.tui.widgets.rows import DialogKeys, TextRows
+from donnie_tui.tui.widgets.rows import BottomKeys, DialogKeys, TextRows
 
 
 class Help(Panel[None]):
@@ -40,19 +40,19 @@ class Help(Panel[None]):
         Binding("f1", "further", priority=True),
     ]
     AUTO_FOCUS = "#help-rows"
-    _LEAVES_ROWS = True
-    """Whether the state stays visible below."""
+    _COVERS_COMMAND_LINE = False
 
     def __init__(
         self,
         title: str,
+        keys: str,
         lines: Sequence[str],
         point: Callable[[str], object],
         further: Callable[[], None] | None = None,
     ) -> None:
         """``point`` says what is shown."""
         super().__init__()
-        self._title_words = title
+        self._title_words, self._keys = title, keys
         self._lines = lines
         self._point = point
         self._further = further
@@ -61,8 +61,15 @@ class Help(Panel[None]):
 
     def compose(self) -> ComposeResult:
         with self._page:
-            yield Static(f" {self._title_words}", id="help-title", classes="screen-title", markup=False)
+            yield Static(self._heading, id="help-title", classes="screen-title", markup=False)
             yield self.rows
+        if not self.is_alone:
+            yield BottomKeys(self._keys)
+
+    @property
+    def _heading(self) -> str:
+        """In the plain layout, which has no bottom line, with the keys."""
+        return f" {self._title_words}{f'. {self._keys}' if self.is_alone else ''}"
 
     def on_mount(self) -> None:
         self.on_resize()
@@ -70,11 +77,17 @@ class Help(Panel[None]):
 
     def _show(self) -> None:
         self.rows.show(self._lines)
-        self._point(f"{self._title_words}. {next(iter(self._lines), '')}")
+        self._point(f"{self._title_words}. {self._keys}. {next(iter(self._lines), '')}")
 
     def on_resize(self) -> None:
-        if self._LEAVES_ROWS:
-            self._page.styles.height = self.fit(self._page).height
+        room = self.fit(self._page, covers_command_line=self._COVERS_COMMAND_LINE)
+        self._page.styles.height = room.height
+
+    def on_dialog_keys_clicked(self, event: DialogKeys.Clicked) -> None:
+        if event.key == "f1":
+            self.action_further()
+        else:
+            self.dismiss(None)
 
     def action_further(self) -> None:
         if self._further is None:
@@ -84,19 +97,25 @@ class Help(Panel[None]):
 
 
 class TourPage(Struct, frozen=True):
-    """A page of the tour: its heading and its lines."""
+    """A page of the tour: its title, its keys and its lines."""
 
     title: str
+    keys: str
     lines: tuple[str, ...]
+
+    @property
+    def heading(self) -> str:
+        """Both in a row."""
+        return f"{self.title}. {self.keys}"
 
 
 class Tour(Help):
     """Begins at one of ``pages`` and closes after the last one; ``turned`` as that of the strip.
 
-    It fills the screen, so that a page is read as a whole.
+    It covers the command line too, so that a page is read as a whole.
     """
 
-    _LEAVES_ROWS = False
+    _COVERS_COMMAND_LINE = True
 
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("enter,pagedown", "turn(1)", priority=True),
@@ -110,15 +129,23 @@ class Tour(Help):
         turned: Callable[[int], None],
         point: Callable[[str], object],
     ) -> None:
-        super().__init__(pages[at].title, pages[at].lines, point)
+        super().__init__(pages[at].title, pages[at].keys, pages[at].lines, point)
         self._pages, self._at, self._turned = pages, at, turned
 
     def _show(self) -> None:
         page = self._pages[self._at]
-        self.query_one("#help-title", Static).update(f" {page.title}")
+        self._title_words = page.title
+        self.query_one("#help-title", Static).update(self._heading)
         self.rows.show(page.lines)
         self.rows.read_line(0)
-        self._point(" ".join((f"{page.title}.", *page.lines)))
+        self._point(" ".join((f"{page.heading}.", *page.lines)))
+
+    def on_dialog_keys_clicked(self, event: DialogKeys.Clicked) -> None:
+        event.prevent_default()
+        if event.key == "enter":
+            self.action_turn(1)
+        else:
+            self.dismiss(None)
 
     def action_turn(self, pages: int) -> None:
         at = max(0, self._at + pages)
@@ -154,7 +181,7 @@ class TourStrip(Vertical, can_focus=True):
         """``turned`` gets each page, from 0; one after the last one means that the tour is done."""
         super().__init__(id="tour")
         self._pages, self._at, self._turned, self._point = pages, at, turned, point
-        self._heading = DialogKeys(pages[at].title)
+        self._heading = DialogKeys(pages[at].heading)
         self._body = Static("\n".join(pages[at].lines), id="tour-lines", markup=False)
 
     def compose(self) -> ComposeResult:
@@ -174,9 +201,9 @@ class TourStrip(Vertical, can_focus=True):
 
     def _show(self) -> None:
         page = self._pages[self._at]
-        self._heading.say(page.title)
+        self._heading.say(page.heading)
         self._body.update("\n".join(page.lines))
-        self._point(" ".join((f"{page.title}.", *page.lines)))
+        self._point(" ".join((f"{page.heading}.", *page.lines)))
 
     def action_turn(self, pages: int) -> None:
         at = max(0, self._at + pages)
@@ -220,7 +247,7 @@ class KeyMenu(Panel[None]):
             for key in each
             if key.startswith(f"{MENU} ")
         }
-        self._title_words = words("menu-title")
+        self._title_words, self._keys = words("menu-title"), words("page-keys")
         self.cells = [
             (key_label(key, words.language), word_of(BY_NAME[name], words.language), words(f"action-{name}"))
             for key, name in sorted(self.names.items(), key=_place)
@@ -231,12 +258,18 @@ class KeyMenu(Panel[None]):
 
     def compose(self) -> ComposeResult:
         with self._panel:
-            yield Static(f" {self._title_words}", classes="screen-title", markup=False)
+            keys = f". {self._keys}" if self.is_alone else ""
+            yield Static(f" {self._title_words}{keys}", classes="screen-title", markup=False)
             yield self.rows
+        if not self.is_alone:
+            yield BottomKeys(self._keys)
+
+    def on_dialog_keys_clicked(self) -> None:
+        self.action_leave()
 
     def on_mount(self) -> None:
         self._lay_out()
-        self._point(f"{self._title_words}. {self._sentence(0)}")
+        self._point(f"{self._title_words}. {self._keys}. {self._sentence(0)}")
 
     def on_resize(self) -> None:
         line = self.rows.line
@@ -325,7 +358,10 @@ class KeyCapture(Dialog[str | None]):
         with self._panel:
             yield self._words
             yield _KeyLine(self._pressed)
-            yield Static(f" {self._key_words}", id="question-keys", markup=False)
+        yield BottomKeys(self._key_words)
+
+    def on_dialog_keys_clicked(self) -> None:
+        self.dismiss(None)
 
     def on_mount(self) -> None:
         self._point(self._asked)

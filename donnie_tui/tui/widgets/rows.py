@@ -132,7 +132,7 @@ class KeyEntry(Struct, frozen=True):
 
 
 class KeyLine(FixedLine):
-    """The keys of the current state: as many entries as fit, the most important first."""
+    """The keys of the current state: the entries that fit, the most important first."""
 
     class Clicked(Message):
         """An entry was clicked: the same as its key."""
@@ -169,10 +169,10 @@ class KeyLine(FixedLine):
         room = self.size.width - 1 - len(last.text)
         seen: list[KeyEntry] = []
         for each in entries:
-            room -= len(each.text) + len(_GAP)
-            if room < 0:
-                break
-            seen.append(each)
+            needed = len(each.text) + len(_GAP)
+            if needed <= room:
+                room -= needed
+                seen.append(each)
         self._seen = (*seen, last)
         self.say(f" {_GAP.join(each.text for each in self._seen)}")
 
@@ -231,37 +231,36 @@ class Slider(FixedLine):
 _BACK, _FORWARD = " < |", "| > "
 
 
-_CLICKABLE = {"Enter": "enter", "Esc": "escape"}
-"""Keys whose names in a dialog can be clicked."""
+_CLICKABLE = {"Esc": "escape", "Enter": "enter", "F1": "f1", "Tab": "tab"}
+"""Keys whose names in a dialog can be clicked; without room, the last goes first."""
+_KEY_NAME = re.compile(rf"\b({'|'.join(_CLICKABLE)})\b")
 
 
 class DialogKeys(Static):
-    """The keys of a dialog in words. A click on the words about Enter or Esc presses that key."""
+    """The keys of a dialog in words. A click on the words about a key presses it."""
 
     class Clicked(Message):
-        """Enter or Esc was clicked."""
+        """The words about a key were clicked."""
 
         def __init__(self, key: str) -> None:
             super().__init__()
             self.key = key
 
-    def __init__(self, words: str) -> None:
-        super().__init__(f" {words}", classes="screen-keys", markup=False)
-        self.words = self._all = words
+    def __init__(self, words: str, *, classes: str = "screen-keys") -> None:
+        super().__init__(classes=classes, markup=False)
+        self.say(words)
 
     def say(self, words: str) -> None:
-        """Set the words."""
+        """Set the words. Key names are reversed, except in the plain layout."""
         self.words = words
-        self.update(f" {words}", layout=False)
+        self.update(self._painted(f" {words}"), layout=False)
 
-    def fit(self, columns: int) -> None:
-        """Show all keys in a row of so many columns, or only Enter and Esc."""
-        self.words = self._all
-        if cell_len(self._all) + 1 > columns:
-            self.words = ", ".join(
-                each for each in self._all.split(", ") if any(name in each for name in _CLICKABLE)
-            )
-        self.update(f" {self.words}")
+    def _painted(self, text: str) -> Content:
+        if self.is_attached and self.app.screen_stack[0].has_class("-plain"):
+            return Content(text)
+        return Content.assemble(
+            *((each, "reverse") if each in _CLICKABLE else each for each in _KEY_NAME.split(text))
+        )
 
     def on_click(self, event: Click) -> None:
         """Press the key of the clicked clause; in a wrapped row, of the nearest one before it."""
@@ -274,10 +273,33 @@ class DialogKeys(Static):
             if begin <= at:
                 clause = each
             begin += cell_len(each) + 2
-        key = next((key for name, key in _CLICKABLE.items() if name in clause), None)
-        if key is not None:
+        key = _key_of(clause)
+        if key:
             event.stop()
             self.post_message(self.Clicked(key))
+
+
+class BottomKeys(DialogKeys):
+    """The keys of a dialog in the bottom line, in place of those of the main screen."""
+
+    def __init__(self, words: str) -> None:
+        self._all = words
+        super().__init__(words, classes="bottom-keys")
+
+    def on_resize(self) -> None:
+        """Show as many as fit. Rows and folders can be clicked without their keys; Esc stays."""
+        clauses = self._all.split(", ")
+        for key in ("", *reversed(_CLICKABLE.values())):
+            for each in [each for each in reversed(clauses) if _key_of(each) == key]:
+                if cell_len(", ".join(clauses)) + 1 > self.size.width and len(clauses) > 1:
+                    clauses.remove(each)
+        self.say(", ".join(clauses))
+
+
+def _key_of(clause: str) -> str:
+    """The key that a click on the clause presses, or an empty text."""
+    found = _KEY_NAME.search(clause)
+    return _CLICKABLE[found[1]] if found else ""
 
 
 MOST_LINES = 100_000
@@ -627,7 +649,7 @@ class TextRows(PaintedRows, can_focus=True):
         here = self.is_read and row == self.row
         kind = self._row_kinds[row][:_KIND_WIDTH]
         look = style if here else self.painted_as(self.looks.get(self._row_kinds[row], "kind"))
-        is_found = row < self._marked_rows and self._is_found(text)
+        is_found = row < self._marked_rows and self._is_found(text.removeprefix(f"{kind}: "))
         before = Segment(">" if here else "*" if is_found else " ", style)
         if kind and self._begins_with_kinds:
             return [before, Segment(text[: len(kind)], look), Segment(text[len(kind) :], style)]
