@@ -151,6 +151,12 @@ class RunController:
         return self._record is not None and self._record.request.is_whole
 
     @property
+    def text_on_its_way(self) -> str | None:
+        """The whole program that runs or is paused; None while there is none."""
+        is_on_its_way = self.is_whole and self.state in (RunState.RUNNING, RunState.PAUSED)
+        return self._record.request.text if is_on_its_way and self._record is not None else None
+
+    @property
     def frames(self) -> tuple[Frame, ...]:
         """The call stack, innermost first, as it is or as STEP BACK left it; empty when nothing runs."""
         return self._session.frames if self.past is None else self._past_frames or ()

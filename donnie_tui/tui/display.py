@@ -303,6 +303,9 @@ class Display:
         document = self._workspace.document
         name = document.path.name if document.path else self._words("new-program")
         code = "pane-program" if document.is_saved else "pane-program-changed"
+        running = self._runs.text_on_its_way
+        if running is not None and running != document.text:
+            code = "pane-program-old"
         title, steps = first_steps(self._words.language, self._table)
         is_beginning = self._place.is_small and document.path is None and not self._place.editor.text
         self._place.editor.show_first_steps(steps)

@@ -294,6 +294,30 @@ async def test_a_change_during_a_run_is_answered_once_that_the_robot_follows_the
         assert sum("You changed the program." in line for line in screen.log) == 1
 
 
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "Program: new program, old text runs"),
+        ("pt", "Programa: programa novo, roda o antigo"),
+        ("es", "Programa: programa nuevo, va el viejo"),
+    ],
+)
+async def test_the_title_says_as_long_as_it_is_so_that_another_text_runs(open_screen, language, said):
+    """On a small screen too, where the log is not in sight."""
+    async with open_screen(WAITING, speed=1.0, size=(40, 12), language=language) as screen:
+        await screen.press("f5")
+        await screen.reaches(RunState.RUNNING)
+        await screen.press("end", "x")
+        await screen.until(lambda: screen.text.splitlines()[0] == f">{said}", said)
+        await screen.press("backspace")
+        await screen.until(lambda: said not in screen.text, "the text that runs")
+        await screen.press("x")
+        await screen.until(lambda: said in screen.text, "another text again")
+        await screen.press("f8")
+        await screen.idle()
+        await screen.until(lambda: said not in screen.text, "the end of the run")
+
+
 @pytest.mark.parametrize("size", [(80, 24), (40, 12)])
 @pytest.mark.parametrize(
     ("language", "line", "wanted"),
