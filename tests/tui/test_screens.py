@@ -420,3 +420,55 @@ async def test_looking_back(open_screen, same, theme, size):
         await screen.until(lambda: "LOOKING BACK" in screen.text, "the badge")
         await screen.painted()
         await same(screen)
+
+
+@looks(ONE_PANE, SMALL)
+async def test_the_examples_for_an_empty_program(open_screen, same, theme, size):
+    async with open_screen(size=size, world="living_room") as screen:
+        screen.app.theme = theme
+        await screen.press(*"EXAMPLES", "enter")
+        await screen.until(lambda: "A square" in screen.text, "the list")
+        await screen.press("down")
+        await screen.painted()
+        await same(screen)
+
+
+@looks(ONE_PANE, SMALL)
+async def test_a_program_that_was_changed_while_it_runs(open_screen, same, theme, size):
+    text = "FW 1\nREPEAT 2 TIMES\n  WAIT 1000\nEND REPEAT"
+    async with open_screen(text, size=size, world="living_room", speed=5.0) as screen:
+        screen.app.theme = theme
+        await screen.press("f5")
+        await screen.shows("Waiting 1000 seconds.")
+        await screen.until(lambda: "Line 3 of 4, in REPEAT" in screen.status, "the line that runs")
+        await screen.press("end", "space", *"TR", "space")
+        await screen.shows("You changed the program.")
+        await screen.until(lambda: screen.main.editor.mistakes, "the mark of the line")
+        await screen.painted()
+        await same(screen)
+
+
+@looks(ONE_PANE, SMALL)
+async def test_a_log_in_which_a_word_was_found(open_screen, same, theme, size):
+    """With the marks, and the number of lines."""
+    async with open_screen(size=size, world="living_room") as screen:
+        screen.app.theme = theme
+        await screen.run(RECTANGLE)
+        await screen.idle()
+        await screen.type_line("FIND walked")
+        await screen.shows("4 lines")
+        screen.main.go_to(screen.main.log_pane)
+        await screen.painted()
+        await same(screen)
+
+
+@pytest.mark.parametrize("size", [pytest.param(each, id=by_size(each)) for each in SIZES])
+async def test_a_challenge(open_screen, same, size):
+    """The task, the goals and their places on the map."""
+    async with open_screen("TR 90", size=size, world="challenge:to_the_ball") as screen:
+        await screen.press("f5")
+        await screen.idle()
+        await screen.until(lambda: "turned" in " ".join(screen.log), "the turn")
+        screen.main.go_to(screen.main.inspector_pane if size == ONE_PANE else screen.main.program_pane)
+        await screen.painted()
+        await same(screen)
