@@ -717,17 +717,18 @@ async def test_a_row_has_a_mark_a_sign_for_folders_and_a_fainter_remark(at_home)
 
 
 @pytest.mark.parametrize(
-    ("size", "width", "height", "has_keys"),
-    [((88, 40), 80, 26, True), ((87, 24), 87, 20, True), ((80, 11), 80, 8, True), ((80, 10), 80, 7, False)],
+    ("size", "width", "height"),
+    [((88, 40), 80, 26), ((87, 24), 87, 20), ((80, 11), 80, 8), ((80, 10), 80, 7), ((80, 6), 80, 5)],
     ids=str,
 )
-async def test_the_panel_leaves_eight_columns_or_none_and_has_keys_from_eight_rows_on(
-    lessons, size, width, height, has_keys
+async def test_the_panel_leaves_eight_columns_or_none_and_the_bottom_line_has_its_keys(
+    lessons, size, width, height
 ):
     async with Showing().run_test(size=size) as pilot:
         panel = asking_for_a_file([])
         await pilot.app.show(panel)
         await pilot.pause()
         styles = panel._panel.styles
-        assert (styles.width.value, styles.height.value, panel._keys.display) == (width, height, has_keys)
+        assert (styles.width.value, styles.height.value) == (width, height)
+        assert panel._keys.region.y == size[1] - 1
         assert panel._panel.has_class("-wide-as-all") is (width == size[0])
