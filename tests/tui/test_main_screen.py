@@ -160,7 +160,9 @@ async def test_tab_goes_through_the_parts_in_reading_order_and_the_plain_layout_
     app = Alone(120, 30)
     async with app.run_test(size=(120, 30)) as pilot:
         assert [each.id for each in app.main.focus_chain] == ["editor", "map", "inspector", "log", "command"]
-        app.main.show_tour(TourStrip([TourPage("One", ("x",))], 0, lambda _: None, lambda _: None))
+        app.main.show_tour(
+            TourStrip([TourPage("One", "Esc leaves", ("x",))], 0, lambda _: None, lambda _: None)
+        )
         await pilot.pause()
         assert [each.id for each in app.main.focus_chain][-2:] == ["tour", "command"]
         assert app.focused is app.main.tour
@@ -181,7 +183,9 @@ async def test_the_tour_gives_the_focus_back_only_if_it_has_it():
         app.main.command_line.focus()
         await pilot.pause()
         for elsewhere in (None, app.main.map):
-            app.main.show_tour(TourStrip([TourPage("One", ("x",))], 0, lambda _: None, lambda _: None))
+            app.main.show_tour(
+                TourStrip([TourPage("One", "Esc leaves", ("x",))], 0, lambda _: None, lambda _: None)
+            )
             await pilot.pause()
             if elsewhere is not None:
                 elsewhere.focus()
