@@ -78,6 +78,14 @@ def read_source(name: str, words: Words) -> Source:
         raise Unusable(words(error.code, path=error.path, reason=error.reason)) from None
 
 
+def path_given(name: str, words: Words) -> Path:
+    """The path of an output. Raises ``Unusable`` for one that a confined session must not use."""
+    try:
+        return checked_path(Path(name))
+    except DocumentError as error:
+        raise Unusable(words(error.code, path=error.path, reason=error.reason)) from None
+
+
 def robot_and_file(argument: str) -> tuple[str | None, str]:
     """``ROBOT=FILE``, or a file of exactly that name for no robot in particular."""
     robot, equals, file = argument.partition("=")

@@ -11,7 +11,6 @@ program. Two outputs are never the same file. All of this is checked before any 
 from __future__ import annotations
 
 import os
-import re
 import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import closing
@@ -20,10 +19,9 @@ from itertools import combinations, product
 from pathlib import Path, PurePath
 from typing import TextIO, cast
 
-from devices.audio.cues import SAMPLE_RATE
 from donnie_tui.bootstrap import Donnie, assemble
 from donnie_tui.cli.options import ExitCode, Order
-from donnie_tui.cli.programs import MOST_NAMES, read_source, robot_and_file
+from donnie_tui.cli.programs import MOST_NAMES, path_given, read_source, robot_and_file
 from donnie_tui.cli.streams import (
     Guarded,
     Output,
@@ -33,18 +31,17 @@ from donnie_tui.cli.streams import (
     stopped_by_suspension,
 )
 from donnie_tui.core.events import Answered, Outcome, Stamped
-from donnie_tui.core.program_files import DocumentError, checked_path, is_same_file
+from donnie_tui.core.program_files import is_same_file
 from donnie_tui.core.runner import LAST_WORDS, Run, RunRequest
 from donnie_tui.core.session import RunOptions
 from donnie_tui.core.team import Team
 from donnie_tui.core.transcript import printed_lines
 from donnie_tui.core.wording import no_such_robot
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.process.confinement import open_bytes
+from donnie_tui.outlets.files import may_be_replaced
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.folders import settings_file
 from donnie_tui.settings.settings import Settings, SettingSource
-from language.locales import languages
 
 
 def read_programs(arguments: Sequence[str], words: Words) -> tuple[tuple[str | None, RunRequest], ...]:
@@ -86,72 +83,9 @@ def _program(file: str, words: Words) -> RunRequest:
     return RunRequest(source.text, PurePath(source.name).name)
 
 
-_ENOUGH = 4096
-"""Bytes that are read of a file."""
-_BRAILLE = frozenset(range(0x20, 0x60)) | frozenset(b"\r\n\f")
-"""The characters of ASCII braille."""
-
-_SVG = (b'<svg xmlns="http://www.w3.org/2000/svg" role="img" width="',)
-_BEGINNINGS: Mapping[str, tuple[bytes, ...]] = {
-    "--record": (b'{"donnie_recording"',),
-    "--events": (b'{"seq"',),
-    "--svg": _SVG,
-    "--swell": _SVG,
-    "--csv": (b"file,solved,",),
-}
-_SOUND = re.compile(rb"RIFF....WAVEfmt \x10\0\0\0\x01\0\x02\0" + SAMPLE_RATE.to_bytes(4, "little"), re.DOTALL)
-"""The format of Donnie's sounds: uncompressed, two channels."""
-
-
-def may_be_replaced(option: str, path: Path) -> bool:
-    """Whether ``path`` may be replaced: missing, empty, no file, or of the kind that ``option`` writes."""
-    try:
-        if not path.is_file():
-            return True
-        with open_bytes(path) as file:
-            beginning = file.read(_ENOUGH)
-    except FileNotFoundError:
-        return True
-    except (OSError, ValueError):
-        return False
-    return not beginning.strip() or _is_of_kind(option, beginning, path)
-
-
-def _is_of_kind(option: str, beginning: bytes, path: Path) -> bool:
-    if option == "--brf":
-        is_braille = path.suffix.lower() in (".brf", ".brl") and _BRAILLE.issuperset(beginning)
-        return is_braille and beginning.startswith(_titles_in_braille())
-    if option == "--report":  # the file is what its name ends in
-        option = f"--{path.suffix.lower().removeprefix('.')}"
-    if option in ("--csv", "--html", "--htm"):
-        return beginning.startswith((*_beginnings_of_reports(), *_BEGINNINGS.get(option, ())))
-    if option == "--png":
-        return beginning.startswith(b"\x89PNG") and b"tEXtSoftware\0donnie" in beginning[:100]
-    if option == "--gif":
-        return beginning.startswith(b"GIF8") and b"\x06donnie\0" in beginning
-    if option == "--sound":
-        return _SOUND.match(beginning) is not None
-    return beginning.removeprefix(b"\xef\xbb\xbf").lstrip().startswith(_BEGINNINGS.get(option, ()))
-
-
-def _titles_in_braille() -> tuple[bytes, ...]:
-    """The beginning of a world's first braille page, in each language."""
-    from donnie_tui.core.chart import braille
-
-    titles = ((each, Words(each)("paper-title", name="|").partition("|")[0]) for each in languages())
-    return tuple(braille(title, each).encode("ascii") for each, title in titles)
-
-
-def _beginnings_of_reports() -> tuple[bytes, ...]:
-    """The beginnings of tables and pages that are reports, in each language."""
-    from donnie_tui.core.reports import beginnings
-
-    return tuple(each.encode() for language in languages() for each in beginnings(Words(language)))
-
-
 def refuse_overwriting(order: Order) -> None:
     """Raises ``Unusable`` if an output is an input of the command, or the file of another output."""
-    outputs = tuple((option, _checked(name, order.words)) for option, name in order.outputs)
+    outputs = tuple((option, path_given(name, order.words)) for option, name in order.outputs)
     for (option, path), (other, other_path) in combinations(outputs, 2):
         if is_same_file(path, other_path):
             raise Unusable(order.words("output-twice", option=option, other=other, path=path))
@@ -163,14 +97,6 @@ def refuse_overwriting(order: Order) -> None:
     for option, path in outputs:
         if not may_be_replaced(option, path):
             raise Unusable(order.words("output-is-other", option=option, path=path))
-
-
-def _checked(name: str, words: Words) -> Path:
-    """The path of an output. Raises ``Unusable`` for a file outside of a confined session."""
-    try:
-        return checked_path(Path(name))
-    except DocumentError as error:
-        raise Unusable(words(error.code, path=error.path, reason=error.reason)) from None
 
 
 def _programs(order: Order) -> Iterator[str]:

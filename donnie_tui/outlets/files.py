@@ -3,7 +3,7 @@
 A file that can't be opened prevents the start. A file that fails later is reported once, and the run
 continues without it. ``--sound wav:FILE`` has the cues at their robot times and no voice, so that the bytes
 are the same on every machine; of several runs each begins where the one before ended. Writers are loaded on
-request.
+request. ``may_be_replaced`` knows the files of an option by how they begin.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import errno
 import os
 import threading
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import ExitStack, suppress
 from stat import S_ISFIFO
 from typing import TYPE_CHECKING, TextIO, cast
@@ -33,8 +33,11 @@ from donnie_tui.process import HIGHEST_STANDARD
 from donnie_tui.process.confinement import OutsideError, make_folder, open_bytes, open_text
 from donnie_tui.settings.settings import Settings
 from donnie_tui.world.loading import ChosenWorld, files_of
+from language.locales import languages
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from donnie_tui.core.recording import Header
     from donnie_tui.world.recorded import WorldBundle
 
@@ -356,3 +359,87 @@ class Outlets(Struct, frozen=True):
         """Let programs wait for the end of their sentences, if the learner wants that."""
         waits = self.audible.settings.wait_for_speech
         self.speech_wait.is_quiet_within = self.audible.is_quiet_within if waits else None
+
+
+# --- what may be replaced
+
+_ENOUGH = 4096
+"""Bytes that are read of a file."""
+_BRAILLE = frozenset(range(0x20, 0x60)) | frozenset(b"\r\n\f")
+"""The characters of ASCII braille."""
+
+_SVG = (b'<svg xmlns="http://www.w3.org/2000/svg" role="img" width="',)
+_BEGINNINGS: Mapping[str, tuple[bytes, ...]] = {
+    "--record": (b'{"donnie_recording"',),
+    "--events": (b'{"seq"',),
+    "--svg": _SVG,
+    "--swell": _SVG,
+    "--csv": (b"file,solved,",),
+}
+
+
+def may_be_replaced(option: str, path: Path) -> bool:
+    """Whether ``path`` may be replaced: missing, empty, no file, or of the kind that ``option`` writes."""
+    try:
+        if not path.is_file():
+            return True
+        with open_bytes(path) as file:
+            beginning = file.read(_ENOUGH)
+    except FileNotFoundError:
+        return True
+    except (OSError, ValueError):
+        return False
+    return not beginning.strip() or _is_of_kind(option, beginning, path)
+
+
+def _is_of_kind(option: str, beginning: bytes, path: Path) -> bool:
+    if option == "--brf":
+        is_braille = path.suffix.lower() in (".brf", ".brl") and _BRAILLE.issuperset(beginning)
+        return is_braille and beginning.startswith(_titles_in_braille())
+    if option == "--report":  # the file is what its name ends in
+        option = f"--{path.suffix.lower().removeprefix('.')}"
+    if option in ("--csv", "--html", "--htm"):
+        return beginning.startswith((*_beginnings_of_reports(), *_BEGINNINGS.get(option, ())))
+    if option == "--feedback":
+        return beginning.startswith(_beginnings_of_answers())
+    if option == "--png":
+        return beginning.startswith(b"\x89PNG") and b"tEXtSoftware\0donnie" in beginning[:100]
+    if option == "--gif":
+        return beginning.startswith(b"GIF8") and b"\x06donnie\0" in beginning
+    if option == "--sound":
+        return _is_our_sound(beginning)
+    return beginning.removeprefix(b"\xef\xbb\xbf").lstrip().startswith(_BEGINNINGS.get(option, ()))
+
+
+def _is_our_sound(beginning: bytes) -> bool:
+    """Whether it has the format of Donnie's sounds: uncompressed, two channels."""
+    from devices.audio.cues import SAMPLE_RATE
+
+    form = b"WAVEfmt \x10\0\0\0\x01\0\x02\0" + SAMPLE_RATE.to_bytes(4, "little")
+    return beginning.startswith(b"RIFF") and beginning[8:].startswith(form)
+
+
+def heading_of_answer(title: str, words: Words) -> str:
+    """The first line of what ``--feedback`` writes, by which such a file is known."""
+    return f"Donnie. {words('challenge-here', title=title)}"
+
+
+def _beginnings_of_answers() -> tuple[bytes, ...]:
+    """Their beginnings in each language."""
+    headings = (heading_of_answer("|", Words(each)) for each in languages())
+    return tuple(each.partition("|")[0].encode() for each in headings)
+
+
+def _titles_in_braille() -> tuple[bytes, ...]:
+    """The beginning of a world's first braille page, in each language."""
+    from donnie_tui.core.chart import braille
+
+    titles = ((each, Words(each)("paper-title", name="|").partition("|")[0]) for each in languages())
+    return tuple(braille(title, each).encode("ascii") for each, title in titles)
+
+
+def _beginnings_of_reports() -> tuple[bytes, ...]:
+    """The beginnings of tables and pages that are reports, in each language."""
+    from donnie_tui.core.reports import beginnings
+
+    return tuple(each.encode() for language in languages() for each in beginnings(Words(language)))

@@ -10,7 +10,6 @@ from pathlib import Path
 
 import pytest
 
-from donnie_tui.cli.run import may_be_replaced
 from donnie_tui.cli.streams import Guarded, Output, is_terminal
 from donnie_tui.core import answer_log
 from donnie_tui.core.events import Spoke
@@ -18,7 +17,7 @@ from donnie_tui.core.hub import Hub
 from donnie_tui.core.session import RunOptions
 from donnie_tui.core.transcript import printed_lines
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.outlets.files import SessionFiles
+from donnie_tui.outlets.files import SessionFiles, may_be_replaced
 from donnie_tui.settings.settings import Settings
 from tests.floor import Floor
 from tests.timeouts import TIMEOUT
