@@ -9,11 +9,12 @@ robot time and by the number of its statements, so a busy machine changes no ver
 
 from __future__ import annotations
 
+import os
 import sys
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
-from itertools import groupby, islice
+from itertools import chain, count, groupby, islice
 from pathlib import Path
 from typing import TypeAlias
 
@@ -33,6 +34,7 @@ from donnie_tui.core.program_files import (
     checked_path,
     decode,
     exists,
+    is_same_file,
     read_program,
     read_to_the_end,
     write_program,
@@ -41,8 +43,9 @@ from donnie_tui.core.reports import Section, as_csv
 from donnie_tui.core.wording import no_such_robot
 from donnie_tui.i18n.mistakes import remark
 from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.outlets.files import heading_of_answer, may_be_replaced
 from donnie_tui.process import in_processes, processors
-from donnie_tui.process.confinement import is_allowed, make_folder
+from donnie_tui.process.confinement import is_allowed, make_folder, part_below
 from donnie_tui.settings.settings import SettingSource
 from donnie_tui.world.loading import choose_challenge, solution_of
 from language.checker import check as hints_for
@@ -267,13 +270,19 @@ def check_challenge(order: Order, name: str, files: Sequence[str]) -> int:
     pupils = _pupils(judge, files)
     if not pupils:
         raise Unusable(order.words("check-no-programs", path=files[0]))
+    answers = _answers(order, pupils)
     is_json, records = getattr(order.invocation.arguments, "json", False), list[_Record]()
     for pupil, record in zip(pupils, _records(judge, pupils), strict=True):
         records.append(record)
         if not is_json:
             said = order.words("challenge-verdict", file=pupil.label, verdict=record.verdict)
             order.output.line(record.verdict if record.solved is None else said)
-    _write_table(order, pupils, records)
+    _write_table(order, records)
+    heading = heading_of_answer(judge.challenge.text(order.words.language).title, order.words)
+    for answer, record in zip(answers, records, strict=False):
+        if _is_link(answer):  # perhaps a pupil's, to any other file
+            answer.unlink()
+        _write(answer, f"{heading}\n{record.verdict}\n", order.words)
     solved = [each.solved for each in records]
     if is_json:
         order.output.text(f"{msgspec.json.format(msgspec.json.encode(records), indent=2).decode()}\n")
@@ -330,25 +339,50 @@ class _Pupil(Struct, frozen=True):
         return "/".join(filter(None, (Path(self.folder).name, Path(self.name).name)))
 
 
-def _write_table(order: Order, pupils: Sequence[_Pupil], records: Sequence[_Record]) -> None:
-    """What ``--csv`` and ``--feedback`` ask for, which ``donnie run`` does not know. Raises ``Unusable``."""
-    table, folder = (getattr(order.invocation.arguments, each, None) for each in ("csv", "feedback"))
+def _answers(order: Order, pupils: Sequence[_Pupil]) -> Sequence[Path]:
+    """The files that ``--feedback`` asks for, in its folder: one for each pupil, or none.
+
+    Raises ``Unusable`` if one of them, or ``--csv``, would destroy something. ``donnie run`` has neither.
+    """
+    table, given = (getattr(order.invocation.arguments, each, None) for each in ("csv", "feedback"))
+    read = {os.path.realpath(file) for each in pupils for file in each.files.values()}
+    if table is not None and os.path.realpath(table) in read:
+        raise Unusable(order.words("challenge-csv-program", path=table))
+    if given is None:
+        return ()
+    folder, names = path_given(given, order.words), dict[str, None]()
+    for pupil in pupils:
+        stem = Path(printable(pupil.label).replace("/", "-")).stem
+        possible = chain((f"{stem}.txt",), (f"{stem}-{number}.txt" for number in count(2)))
+        names[next(each for each in possible if each not in names)] = None
+    answers = [path_given(str(folder / each), order.words) for each in names]
+    for answer in answers:
+        if table is not None and is_same_file(Path(table), answer):
+            raise Unusable(order.words("output-twice", option="--csv", other="--feedback", path=table))
+        if _is_link(answer):
+            continue
+        if os.path.realpath(answer) in read:
+            raise Unusable(order.words("output-is-input", option="--feedback", path=answer))
+        if (exists(answer) and not answer.is_file()) or not may_be_replaced("--feedback", answer):
+            raise Unusable(order.words("output-is-other", option="--feedback", path=answer))
+    _make_folder(folder, order.words)
+    return answers
+
+
+def _is_link(path: Path) -> bool:
+    """False for a name that is too long to be looked for."""
+    try:
+        return path.is_symlink()
+    except OSError:
+        return False
+
+
+def _write_table(order: Order, records: Sequence[_Record]) -> None:
+    """What ``--csv`` asks for. Raises ``Unusable``."""
+    table = getattr(order.invocation.arguments, "csv", None)
     if table is not None:
-        files = (Path(file).resolve() for each in pupils for file in each.files.values())
-        if Path(table).resolve() in files:
-            raise Unusable(order.words("challenge-csv-program", path=table))
         rows = (_Record.__struct_fields__, *map(astuple, records))
         _write(Path(table), as_csv([Section("", rows=rows)]), order.words)
-    if folder is not None:
-        _make_folder(Path(folder), order.words)
-        used = Counter[str]()
-        for pupil, each in zip(pupils, records, strict=True):
-            stem = Path(printable(pupil.label).replace("/", "-")).stem
-            used[stem] += 1
-            file = f"{stem}-{used[stem]}.txt" if used[stem] > 1 else f"{stem}.txt"
-            if Path(folder, file).is_symlink():  # perhaps a pupil's, to any other file
-                Path(folder, file).unlink()
-            _write(Path(folder, file), f"{each.verdict}\n", order.words)
 
 
 def _write(path: Path, text: str, words: Words) -> None:
@@ -369,7 +403,7 @@ def _make_folder(folder: Path, words: Words) -> None:
 
 def _new_challenge(order: Order, name: str) -> int:
     """A folder with a challenge that works, to be changed. Raises ``Unusable`` if it is there already."""
-    folder, stem = Path(name), Path(name).name
+    folder, stem = path_given(name, order.words), Path(name).name
     if not stem or exists(folder):
         raise Unusable(order.words("challenge-new-there", path=name))
     _make_folder(folder, order.words)
@@ -540,7 +574,7 @@ def _read(judge: Judge, pupil: _Pupil) -> _Texts | str:
     first, texts = next(iter(judge.room.robots)), list[tuple[str, str]]()
     try:
         for robot, file in pupil.files.items():
-            if pupil.given and not Path(file).resolve().is_relative_to(Path(pupil.given).resolve()):
+            if pupil.given and part_below(os.path.realpath(pupil.given), os.path.realpath(file)) is None:
                 return judge.words("check-leads-out", path=file)
             texts.append((robot or first, read_source(file, judge.words).text))
     except Unusable as unusable:

@@ -323,6 +323,10 @@ COMMANDS = [
     "run mine.gd --events {}",
     "run mine.gd --sound wav:{}",
     "check --world {} mine.gd",
+    "challenge new {}",
+    "challenge check first_walk mine.gd --csv {}",
+    "challenge check first_walk mine.gd --feedback {}",
+    "challenge check first_walk mine.gd --csv table.csv --feedback {}",
 ]
 
 
@@ -353,8 +357,50 @@ def test_no_command_reads_or_writes_outside(
         out, err = capsys.readouterr()
         assert err.splitlines() == [f"{name} is not in your folder."]
         assert "4711" not in out
+        assert not out or not command.startswith("challenge")
 
     assert outside(here) == before
+    assert not (here / "table.csv").exists()
+
+
+@pytest.mark.parametrize("name", [".x", "sub/.x", ".ssh"])
+@pytest.mark.parametrize(
+    "command",
+    ["challenge new {}", "challenge check first_walk mine.gd --csv table.csv --feedback {}"],
+)
+def test_no_challenge_makes_or_fills_a_hidden_folder(
+    here: Path, command: str, name: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (here / ".ssh").mkdir()
+    before = sorted(here.rglob("*"))
+
+    assert main([*command.format(name).split(), "--confined", ".", "--lang", "en"]) == 2
+
+    assert capsys.readouterr() == ("", f"{name} is hidden. You can't use it here.\n")
+    made = [each for each in sorted(here.rglob("*")) if ".donnie" not in each.parts]
+    assert made == before
+
+
+def test_no_answer_to_a_program_is_a_hidden_file(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (here / ".profile.gd").write_text("FW 5\n")
+    command = "challenge check first_walk .profile.gd --feedback . --confined . --lang en"
+
+    assert main(command.split()) == 2
+
+    assert capsys.readouterr() == ("", ".profile.txt is hidden. You can't use it here.\n")
+    assert not (here / ".profile.txt").exists()
+
+
+def test_challenges_and_answers_are_made_in_the_folder(here: Path) -> None:
+    (here / "sub").mkdir()
+    for command in (
+        "challenge new mine",
+        "challenge test mine",
+        "challenge check first_walk mine.gd --feedback sub/answers",
+    ):
+        assert main([*command.split(), "--confined", "."]) == ("check" in command), command
+
+    assert (here / "sub" / "answers" / "mine.txt").is_file()
 
 
 def test_a_folder_of_programs_is_checked_without_what_is_outside(

@@ -148,6 +148,100 @@ def test_a_page_in_braille_is_replaced_in_every_language(language: str) -> None:
     assert (main(write), main(["world", "maze", "--brf", "b.brf"])) == (0, 0)
 
 
+NOTES = "teacher's own notes\n"
+CHECK = ["challenge", "check", "first_walk"]
+
+
+@pytest.fixture
+def answers() -> Path:
+    """A folder with an answer that Donnie wrote, and the programs of two pupils in another."""
+    for name, text in {"one": "FW 5\n", "two": "FW 4\n"}.items():
+        Path("progs").mkdir(exist_ok=True)
+        Path("progs", f"{name}.gd").write_text(text)
+    assert main([*CHECK, "progs/one.gd", "--feedback", "fb"]) == 0
+    return Path("fb")
+
+
+@pytest.mark.parametrize(
+    "notes", [NOTES, "Challenge: mine.\n", "Solved, in 1 command. Well done!\n", "Donnie\n"]
+)
+def test_an_answer_replaces_no_file_of_the_teacher(
+    answers: Path, notes: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The other answer is not written either, and no table."""
+    (answers / "two.txt").write_text(notes)
+    (answers / "one.txt").unlink()
+    capsys.readouterr()
+
+    assert main([*CHECK, "progs", "--feedback", "fb", "--csv", "t.csv"]) == 2
+
+    said = "--feedback would overwrite fb/two.txt, which is something else. Give another name.\n"
+    assert capsys.readouterr() == ("", said)
+    assert [each.name for each in answers.iterdir()] == ["two.txt"]
+    assert (answers / "two.txt").read_text() == notes
+    assert not Path("t.csv").exists()
+
+
+def test_an_answer_replaces_no_folder(answers: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (answers / "two.txt").mkdir()
+    kept = (answers / "one.txt").read_text()
+    capsys.readouterr()
+
+    assert main([*CHECK, "progs", "--feedback", "fb", "--lang", "es"]) == 2
+
+    out, err = capsys.readouterr()
+    assert (out, err.count("\n"), "fb/two.txt" in err) == ("", 1, True)
+    assert (answers / "one.txt").read_text() == kept
+
+
+@pytest.mark.parametrize("language", ["en", "pt", "es"])
+def test_an_answer_replaces_one_of_any_language(answers: Path, language: str) -> None:
+    first = (answers / "one.txt").read_text()
+    Path("progs", "one.gd").write_bytes(b"\0")  # no text: its answer has another sentence
+    (answers / "two.txt").touch()
+
+    assert main([*CHECK, "progs", "--feedback", "fb", "--lang", language]) == 2
+    unread = (answers / "one.txt").read_text()
+    Path("progs", "one.gd").write_text("FW 5\n")
+    assert main([*CHECK, "progs", "--feedback", "fb"]) == 1
+
+    assert unread != first == (answers / "one.txt").read_text()
+
+
+def test_an_answer_replaces_no_program(capsys: pytest.CaptureFixture[str]) -> None:
+    Path("ana.txt").touch()
+
+    assert main([*CHECK, "ana.txt", "--feedback", "."]) == 2
+
+    said = "--feedback would overwrite ana.txt, which is read here. Give another name.\n"
+    assert capsys.readouterr() == ("", said)
+    assert Path("ana.txt").read_bytes() == b""
+
+
+def test_no_table_is_an_answer_or_a_program(answers: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (answers / "one.txt").unlink()
+    Path("empty.gd").touch()
+    capsys.readouterr()
+
+    assert main([*CHECK, "progs", "--csv", "fb/one.txt", "--feedback", "fb"]) == 2
+    said = "--csv and --feedback can't both write fb/one.txt. Give two names.\n"
+    assert capsys.readouterr() == ("", said)
+    assert main([*CHECK, "empty.gd", "--csv", "./empty.gd"]) == 2
+    assert capsys.readouterr() == ("", "./empty.gd is one of the programs.\n")
+    assert list(answers.iterdir()) == []
+
+
+def test_each_answer_has_a_file_of_its_own(answers: Path) -> None:
+    """Also where the number of one makes the name of another."""
+    for folder, name in (("a", "one"), ("b", "one"), ("c", "one-2")):
+        Path(folder).mkdir()
+        Path(folder, f"{name}.gd").write_text("FW 5\n")
+
+    assert main([*CHECK, "a/one.gd", "b/one.gd", "c/one-2.gd", "--feedback", "new"]) == 0
+
+    assert len(list(Path("new").iterdir())) == 3
+
+
 def test_two_outputs_are_two_files(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["run", "a.gd", "--record", "b", "--events", "./b", *QUIET]) == 2
 

@@ -25,6 +25,7 @@ from tests.traced_memory import traced
 from worlds import challenges, scenarios
 from worlds.challenges import BadChallenge, Heading, degrees_of
 
+HEADING = "Donnie. Challenge: The first walk.\n"
 GOOD = """\
 format = 1
 world = "first_room"
@@ -470,7 +471,7 @@ def test_the_verdicts_are_a_table_and_a_text_for_each_pupil(tmp_path: Path) -> N
         ("josé.gd", "True", "5"),
         ("rui.gd", "False", "4"),
     ]
-    assert (answers / "josé.txt").read_text(encoding="utf-8") == "Solved, in 1 command.\n"
+    assert (answers / "josé.txt").read_text(encoding="utf-8") == f"{HEADING}Solved, in 1 command.\n"
     assert "1 step south" in (answers / "rui.txt").read_text(encoding="utf-8")
 
 
@@ -583,6 +584,22 @@ def test_answers_and_tables_that_cannot_be_written_are_a_sentence(
     assert program.read_text() == "FW 5"
 
 
+def test_a_link_in_a_circle_and_a_name_too_long_for_an_answer_are_a_sentence(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("circle.gd").symlink_to("circle.gd")
+    long = "a" * 252
+    Path(f"{long}.gd").write_text("FW 5")
+    check = ["challenge", "check", "1"]
+
+    assert main([*check, "circle.gd", "--csv", "t.csv", "--feedback", "answers", "--lang", "en"]) == 2
+    assert capsys.readouterr().out.startswith("I can't read circle.gd: ")
+    assert main([*check, f"{long}.gd", "--feedback", "answers", "--lang", "en"]) == 2
+    _, err = capsys.readouterr()
+    assert (err.count("\n"), f"answers/{long}.txt" in err) == (1, True)
+
+
 def test_equal_programs_are_judged_once_and_have_a_line_each(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -640,7 +657,7 @@ def test_many_programs_are_judged_in_several_processes_with_the_same_table(
         rows = list(csv.DictReader(file))
     assert [each["file"] for each in rows] == [each["file"] for each in json.loads(as_json)] == names
     assert [at for at, each in enumerate(rows) if each["solved"] == "True"] == solved
-    assert (tmp_path / "answers" / "0004.txt").read_text() == "Solved, in 1 command.\n"
+    assert (tmp_path / "answers" / "0004.txt").read_text() == f"{HEADING}Solved, in 1 command.\n"
 
 
 def test_ctrl_c_ends_all_processes_that_judge(tmp_path: Path) -> None:
@@ -683,7 +700,7 @@ def test_a_link_in_a_folder_of_pupils_reads_and_writes_no_other_file(
         "3 programs. 1 solved.",
     ]
     assert (private / "letter.gd").read_text() == "dear headmistress"
-    assert (answers / "ana.txt").read_text() == "Solved, in 1 command.\n"
+    assert (answers / "ana.txt").read_text() == f"{HEADING}Solved, in 1 command.\n"
 
 
 @pytest.mark.parametrize("name", ["it.world", "it.solution.gd", "it.bob.solution.gd"])
@@ -912,7 +929,7 @@ def test_a_pupil_hands_in_a_program_for_each_robot(
     assert main(["challenge", "check", str(file), str(tmp_path / "class"), *answers]) == 1
     lines = [f"{name}: {verdict}" for name, verdict in said.items()]
     assert capsys.readouterr().out.splitlines() == [*lines, "3 programs. 1 solved."]
-    assert (tmp_path / "answers" / "rui.txt").read_text() == f"{said['rui']}\n"
+    assert (tmp_path / "answers" / "rui.txt").read_text().endswith(f".\n{said['rui']}\n")
     assert main(["challenge", "check", str(file), str(ana), "--lang", "en"]) == 0
     programs = [f"alice={ana}/alice.gd", f"bob={ana}/Bob.gd"]
     assert main(["run", "--challenge", str(file), *programs, "--lang", "en"]) == 0
