@@ -61,8 +61,8 @@ GIVEN_UP = 4.0
 
 _UPPER, _LOWER = COLUMNS, 3 * COLUMNS
 _COMPLAINT = ord("E")
-_LONGEST = 16
-"""Of the bytes received, so many are searched for a complaint."""
+_KEPT = 16
+"""Of the bytes received before, so many may begin a complaint that the next ones end."""
 
 
 def encode_frame(levels: tuple[int, ...]) -> bytes:
@@ -187,8 +187,9 @@ class BeltDetector:
         self._has_asked = self._is_over = False
 
     def receive(self, received: bytes) -> None:
-        self._received = (self._received + received)[-_LONGEST:]
+        self._received += received
         self._is_over |= contains_complaint(self._received)
+        self._received = self._received[-_KEPT:]
 
     def next(self, now: float) -> BeltCheck:
         """Each answer but NOTHING is given once."""

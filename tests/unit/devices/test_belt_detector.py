@@ -37,3 +37,11 @@ def test_a_belt_that_answers_a_resync_is_not_reported(asked_at: float) -> None:
 
     assert asked in ([], [BeltCheck.ASK])
     assert detector.next(GIVEN_UP + SOON) is BeltCheck.NOTHING
+
+
+def test_a_complaint_before_much_noise_in_one_chunk_is_an_answer() -> None:
+    """As a thread that slept reads it."""
+    detector = BeltDetector(0.0)
+    detector.receive(b"E1\r\n" + bytes(40))
+
+    assert detector.next(GIVEN_UP + SOON) is BeltCheck.NOTHING
