@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
+from random import Random
 
 import pytest
 
+from devices.belt import OFF, BeltDetector, BeltSender, contains_complaint, encode_frame
 from tests.effort import examples
-from tests.tools import fuzz
+from tests.tools import fuzz, fuzz_serial
 from tests.tools.fuzz import KINDS, Input, Kind
 
 SLOW = {"sessions": 3, "screens": 3, "frames": 5}
@@ -25,6 +27,63 @@ def test_cases_of_each_kind_hold(name: str) -> None:
 @pytest.mark.parametrize("name", SLOW)
 def test_cases_of_each_slow_kind_hold(name: str) -> None:
     assert fuzz.fuzz(name, 0, range(SLOW[name])) == 0
+
+
+def is_found(name: str) -> bool:
+    """Whether one of some cases of a kind fails."""
+    kind = KINDS[name]
+    return any(fuzz.failure_of(kind, kind.make(Random(f"0 {name} {number}"))) for number in range(200))
+
+
+class Forgetful(BeltDetector):
+    """Searches only the end of a long chunk."""
+
+    def receive(self, received: bytes) -> None:
+        self._received = (self._received + received)[-16:]
+        self._is_over |= contains_complaint(self._received)
+
+
+class Hasty(BeltDetector):
+    """Doesn't see a complaint that comes in two chunks."""
+
+    def receive(self, received: bytes) -> None:
+        self._is_over |= contains_complaint(received)
+
+
+class Hoarder(BeltSender):
+    def __init__(self) -> None:
+        super().__init__()
+        self.heard = b""
+
+    def receive(self, received: bytes) -> None:
+        super().receive(received)
+        self.heard += received
+
+
+class Deaf(BeltSender):
+    def receive(self, received: bytes) -> None:
+        pass
+
+
+class Short(BeltSender):
+    """Leaves out the last letter of a frame."""
+
+    def next(self, now: float) -> bytes:
+        return super().next(now)[:35]
+
+
+class Endless(BeltSender):
+    """Never turns the belt off."""
+
+    def next(self, now: float) -> bytes:
+        data = super().next(now)
+        return b"" if data == encode_frame(OFF) else data
+
+
+@pytest.mark.parametrize("fault", [Forgetful, Hasty, Hoarder, Deaf, Short, Endless])
+def test_a_fault_of_the_belt_is_found(fault: type, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(fuzz_serial, fault.__base__.__name__, fault)
+    assert is_found("serial")
 
 
 def refuse_x(case: Input) -> None:

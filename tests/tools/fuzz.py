@@ -29,7 +29,6 @@ from types import FrameType
 from typing import TYPE_CHECKING
 
 import worlds
-from devices.wire.frames import HEADER, Decoder, encode_frame
 from donnie_tui.core.events import as_line
 from donnie_tui.core.recording import NoRecordingError, Recording
 from donnie_tui.core.timeline import Timeline, redone_in_words, undone_in_words
@@ -50,7 +49,7 @@ from tests.properties import test_language_garbage as garbage
 from tests.properties.random_programs import ProgramWriter, mixed
 from tests.properties.test_language_compiler import compare
 from tests.sessions.command import QUIET, donnie
-from tests.tools import fuzz_files, fuzz_screens, fuzz_sockets
+from tests.tools import fuzz_files, fuzz_screens, fuzz_serial, fuzz_sockets
 from tests.tools.fuzz_files import Input
 from tests.worlds import test_garbage as damaged_worlds
 
@@ -369,46 +368,6 @@ def _screen(chance: random.Random) -> bytes:
     return fuzz_screens.make_keys(chance, _line, _LINES)
 
 
-# --- serial bytes -------------------------------------------------------------------------------------
-
-
-def _serial(chance: random.Random) -> bytes:
-    """Frames, halves of frames and noise."""
-    pieces = []
-    for _ in range(chance.randrange(1, 30)):
-        frame = encode_frame(chance.choice((0xC7, 0x41, 0x81, 0x68, 0x42, 0x66, 0x15, 0x73)), _data(chance))
-        at = chance.randrange(len(frame))
-        noise = chance.randbytes(chance.randrange(60))
-        pieces.append(chance.choice((frame, frame, frame[:at], HEADER, noise, frame[:at] + noise)))
-    return b"".join(pieces)
-
-
-def _data(chance: random.Random) -> bytes:
-    kind = chance.randrange(4)
-    if kind == 0:
-        return bytes((7, *chance.randbytes(7)))
-    if kind == 1:
-        return bytes((6, *(chance.randrange(3) for _ in range(6))))
-    return chance.randbytes(8 if kind == 2 else chance.randrange(49))
-
-
-def _check_serial(data: Input) -> None:
-    """Through the decoder in two chunkings, and through a whole connection."""
-    from tests.wire.bench import streaming
-
-    assert isinstance(data, bytes)
-    whole, pieces = Decoder(lambda _: None), Decoder(lambda _: None)
-    reports = [each for at in range(0, len(data), 7) for each in pieces.feed(data[at : at + 7])]
-    assert whole.feed(data) == reports
-    assert whole.held <= 54 + 200
-    connection = streaming()
-    now = 1.0
-    for at in range(0, len(data), 20):
-        now += 0.01
-        connection.received(data[at : at + 20], now)
-        connection.actions(now)
-
-
 def _is_harmless(line: str) -> None:
     assert re.search(HARMFUL, line) is None, f"a control character in {line[:200]!r}"
 
@@ -420,7 +379,7 @@ KINDS: dict[str, Kind] = {
     "recordings": Kind(_damaged_recording, _check_recording),
     "sessions": Kind(_session, _check_session, 30.0, share=1 / _LINES),
     "screens": Kind(_screen, fuzz_screens.check_keys, 30.0, share=1 / _LINES),
-    "serial": Kind(_serial, _check_serial),
+    "serial": Kind(fuzz_serial.make_serial, fuzz_serial.check_serial),
     "challenges": Kind(fuzz_files.make_challenge, fuzz_files.check_challenge),
     "settings": Kind(fuzz_files.make_settings, fuzz_files.check_settings),
     "translations": Kind(fuzz_files.make_translation, fuzz_files.check_translation),
