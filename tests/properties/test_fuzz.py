@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+import re
+from dataclasses import replace
 from pathlib import Path
 from random import Random
 
 import pytest
 
 from devices.belt import OFF, BeltDetector, BeltSender, contains_complaint, encode_frame
+from language.compiler import compile_program
+from language.runtime import Runnable
+from language.syntax import Program
 from tests.effort import examples
 from tests.tools import fuzz, fuzz_serial
 from tests.tools.fuzz import KINDS, Input, Kind
+from tests.unit.language_back import recorder
 
 SLOW = {"sessions": 3, "screens": 3, "frames": 5}
 """Kinds that need processes or sockets, and how many cases of them are tried."""
@@ -84,6 +90,25 @@ class Endless(BeltSender):
 def test_a_fault_of_the_belt_is_found(fault: type, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(fuzz_serial, fault.__base__.__name__, fault)
     assert is_found("serial")
+
+
+@pytest.mark.parametrize(
+    "sign",
+    ["", r"(?i)falar", r"(?i)hablar", r"[-+]\s*\+"],
+    ids=["any", "Portuguese", "Spanish", "mutated"],
+)
+def test_a_fault_of_the_compiler_is_found_in_programs_of_each_sort(
+    sign: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The compiler with the fault leaves out the last statement of a program with the sign."""
+
+    def compile_part(program: Program, *, terminal: bool = False, hooked: bool = False) -> Runnable:
+        is_faulty = re.search(sign, program.source) is not None
+        part = replace(program, body=program.body[:-1]) if is_faulty else program
+        return compile_program(part, terminal=terminal, hooked=hooked)
+
+    monkeypatch.setattr(recorder, "compile_program", compile_part)
+    assert is_found("runs")
 
 
 def refuse_x(case: Input) -> None:

@@ -148,7 +148,29 @@ def _check_program(text: Input) -> None:
 
 
 def _run(chance: random.Random) -> str:
-    return ProgramWriter(chance.getrandbits(32)).program()
+    """A right program, which may fail when it runs: in one language, or mixed, and perhaps mutated."""
+    text = ProgramWriter(chance.getrandbits(32)).program()
+    kind = chance.randrange(4)
+    if kind % 2:
+        text = mixed(text, chance)
+    return mutated(text, chance) if kind >= 2 else text
+
+
+_WORD = re.compile(r"\w+|[^\w\s]+|\n")
+
+
+def mutated(program: str, chance: random.Random) -> str:
+    """With a few words or signs that another one of the program replaces, or that are gone or doubled; what
+    is no program any more is not changed so."""
+    for _ in range(chance.randrange(1, 9)):
+        places = [found.span() for found in _WORD.finditer(program)] or [(0, 0)]
+        (start, end), (first, last) = chance.choice(places), chance.choice(places)
+        old, other = program[start:end], program[first:last]
+        new = chance.choice((other, other, other, "", f"{old} {old}", f"{old} {other}"))
+        changed = program[:start] + new + program[end:]
+        if parse(changed).program is not None:
+            program = changed
+    return program
 
 
 def _check_run(text: Input) -> None:
