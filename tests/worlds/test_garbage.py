@@ -191,7 +191,7 @@ def test_a_world_beyond_a_limit_is_refused_with_the_true_cause(limit: str) -> No
     assert world_mistake(mistake.value, Words()).endswith(sentence)
 
 
-PROCESSOR_SECONDS = 5
+PROCESSOR_SECONDS = 2
 """At most, with the start of Donnie; then the system ends the process. The processor's time hardly depends on
 how busy the machine is. A refusal takes some .3 seconds of it, and took 34 before there were limits.
 """
