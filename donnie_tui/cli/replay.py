@@ -168,7 +168,7 @@ def _opened(name: str, words: Words, closing: ExitStack) -> Recording:
         if path.exists() and not (path.is_file() or path.is_dir()):
             raise Unusable(words("file-no-file", path=name))  # a device or a pipe may have no end
         if path.is_file() and path.stat().st_size > LARGEST:
-            raise Unusable(words("recording-too-large", path=name))
+            raise Unusable(words("recording-too-large", path=name, limit=LARGEST // 1024**3))
         return Recording(closing.enter_context(open_bytes(path)))
     except NoRecordingError:
         raise Unusable(words("no-recording", path=name)) from None

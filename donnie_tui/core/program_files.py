@@ -311,7 +311,7 @@ def save_question(path: Path, own: Path | None, known: str) -> str:
 def decode(data: bytes, name: str) -> str:
     """UTF-8, else the old Windows code page of our learners' languages; cleaned. Raises ``DocumentError``."""
     if len(data) > LARGEST:
-        raise DocumentError("file-too-large", name)
+        raise DocumentError("file-too-large", name, str(LARGEST // 1024**2))
     if b"\0" in data:
         raise DocumentError("file-not-text", name)
     try:

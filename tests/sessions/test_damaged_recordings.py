@@ -153,7 +153,7 @@ def test_a_special_or_huge_file_is_refused(here: Here) -> None:
     (here.folder / "a.rec").unlink()
     with (here.folder / "a.rec").open("wb") as file:
         file.truncate(5 * 1024**3)
-    here.replay(code=2, err=["a.rec is too large for a recording."])
+    here.replay(code=2, err=["a.rec is too large for a recording, at most 4 gigabytes."])
 
 
 def test_a_recording_saved_again_by_an_editor_is_whole(here: Here) -> None:
