@@ -421,7 +421,7 @@ def _topic(error: Error) -> str:
 
 # --- world files
 
-_WITHOUT_PLACE = ("is-folder", "file-not-found", "file-unreadable", "file-too-large")
+_WITHOUT_PLACE = ("is-folder", "file-no-file", "file-not-found", "file-unreadable", "file-too-large")
 """Codes about the file as a whole, if the file is the world itself."""
 
 
@@ -456,7 +456,7 @@ def _colour_in_english(name: str) -> str:
 
 def _world_message(error: WorldError, words: Wording) -> str:
     expected = either([_world_thing(each, words) for each in error.expected], words)
-    values = {"found": "", "expected": expected, "name": "", "given": "", "limit": "", "path": ""}
+    values = {**dict.fromkeys(("name", "given", "limit", "path", "reason"), ""), "expected": expected}
     found = str(error.details.get("found", ""))
     filled = {**values, **error.details, "found": _found_in_world(found, words)}
     return words(_world_code(error, found, expected), **filled)

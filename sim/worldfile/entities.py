@@ -127,7 +127,7 @@ class FileReader:
         found = self.find(include.path, path)
         if found is None:
             if self.is_special(include.path, path):
-                raise self._mistake(Code.FILE_UNREADABLE, include, path)
+                raise self._mistake(Code.NO_FILE, include, path)
             nearest = near_file(include.path, (path.resolve().parent, *self.folders))
             raise self._mistake(Code.FILE_NOT_FOUND, include, path, nearest=nearest)
         if not self.is_allowed(found):
@@ -150,9 +150,10 @@ class FileReader:
         try:
             with open_bytes(path) as stream:
                 data = stream.read(LARGEST_FILE + 1)
-        except OSError:
+        except OSError as problem:
+            reason = problem.strerror or str(problem)
             raise WorldError(
-                Code.FILE_UNREADABLE, file, include.line, include.column, path=str(path)
+                Code.FILE_UNREADABLE, file, include.line, include.column, path=str(path), reason=reason
             ) from None
         if len(data) > LARGEST_FILE:
             raise WorldError(Code.FILE_TOO_LARGE, str(path), path=str(path), limit=LARGEST_FILE)
@@ -202,7 +203,7 @@ def _no_world(path: Path) -> WorldError:
     if _is(path, Path.is_dir):
         return WorldError(Code.IS_FOLDER, str(path), path=str(path), nearest=worlds_in(path))
     if _is_special(path):
-        return WorldError(Code.FILE_UNREADABLE, str(path), path=str(path))
+        return WorldError(Code.NO_FILE, str(path), path=str(path))
     return WorldError(Code.FILE_NOT_FOUND, str(path), path=str(path), nearest=near_world(path))
 
 

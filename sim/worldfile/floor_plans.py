@@ -159,7 +159,7 @@ class Plans:
         path = self._reader.find(name, Path(setting.file))
         if path is None:
             is_special = self._reader.is_special(name, Path(setting.file))
-            code = Code.FILE_UNREADABLE if is_special else Code.BITMAP_NOT_FOUND
+            code = Code.NO_FILE if is_special else Code.BITMAP_NOT_FOUND
             raise mistake(code, setting, path=name[:200])
         if not self._reader.is_allowed(path):
             folder = self._reader.folder_outside(path)
@@ -201,8 +201,9 @@ class Plans:
             if len(data) > LARGEST_PICTURE:
                 raise mistake(Code.FILE_TOO_LARGE, setting, path=name[:200], limit=LARGEST_PICTURE)
             picture = read_bitmap(data, room=MOST_PIXELS_OF_ALL - self._pixels)
-        except OSError:
-            raise mistake(Code.FILE_UNREADABLE, setting, path=name[:200]) from None
+        except OSError as problem:
+            reason = problem.strerror or str(problem)
+            raise mistake(Code.FILE_UNREADABLE, setting, path=name[:200], reason=reason) from None
         except OversizedBitmapError as large:
             raise mistake(large.code, setting, given=large.given, limit=large.limit) from None
         except DamagedBitmapError:

@@ -83,7 +83,8 @@ class Code(Enum):
     # files
     FILE_NOT_FOUND = "file-not-found"  # path, nearest
     IS_FOLDER = "is-folder"  # path, nearest: a world in it
-    FILE_UNREADABLE = "file-unreadable"  # path
+    FILE_UNREADABLE = "file-unreadable"  # path, reason
+    NO_FILE = "file-no-file"  # path: of a device or a pipe
     FILE_TOO_LARGE = "file-too-large"  # path, limit (bytes)
     INCLUDE_CYCLE = "include-cycle"  # path
     INCLUDE_OUTSIDE = "include-outside"  # path, folder: of that file

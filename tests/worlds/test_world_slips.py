@@ -48,14 +48,14 @@ def test_a_named_pipe_is_neither_read_nor_offered_as_what_was_meant(tmp_path: Pa
     world = tmp_path / "my.world"
 
     for included, message in (
-        ("fifo.inc", "I can't read fifo.inc."),
+        ("fifo.inc", "fifo.inc is not an ordinary file."),
         ("fifos.inc", "There is no file fifos.inc."),
     ):
         world.write_text(f'include "{included}"')
         assert report(world).split(": ", 1)[1] == message
     world.write_text('model( bitmap "fifo.inc" )')
-    assert report(world).split(": ", 1)[1] == "I can't read fifo.inc."
-    assert report(tmp_path / "fifo.world") == f"I can't read {tmp_path / 'fifo.world'}."
+    assert report(world).split(": ", 1)[1] == "fifo.inc is not an ordinary file."
+    assert report(tmp_path / "fifo.world") == f"{tmp_path / 'fifo.world'} is not an ordinary file."
     assert report(tmp_path / "fifos.world") == f"There is no file {tmp_path / 'fifos.world'}."
 
 

@@ -1,5 +1,7 @@
 """Pictures as floor plans: solid pixels of each kind of file, and the shapes that they become."""
 
+import errno
+import os
 import struct
 import zlib
 from io import BytesIO
@@ -328,7 +330,7 @@ def test_the_pictures_of_a_world_are_counted_together(tmp_path: Path) -> None:
     [
         ("damaged.png", "The picture damaged.png is damaged."),
         ("plan.svg", "I can't read the picture plan.svg. It should be PNG, JPEG, PGM, PPM, BMP or GIF."),
-        ("locked.png", "I can't read locked.png."),
+        ("locked.png", "I can't read locked.png: you have no permission."),
     ],
 )
 def test_a_picture_that_cannot_be_used_says_the_true_cause(
@@ -341,7 +343,7 @@ def test_a_picture_that_cannot_be_used_says_the_true_cause(
 
     def locked(path: Path) -> object:
         if Path(path).name == "locked.png":
-            raise PermissionError
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
         return path.open("rb")
 
     monkeypatch.setattr("sim.worldfile.floor_plans.open_bytes", locked)
