@@ -206,7 +206,12 @@ def _problem(address: str, error: Exception) -> PortProblem:
 
 
 def reason_of(error: Exception) -> str:
-    """The operating system's text for an error."""
+    """The operating system's text for an error, without what a library adds to it."""
+    from socket import gaierror  # slow to load, and few robots are on a network
+
+    for each in (error, error.__context__):
+        if isinstance(each, gaierror):  # its numbers are others
+            return each.strerror or str(each)
     number = _error_number(error)
     return str(error) if number is None else os.strerror(number)
 

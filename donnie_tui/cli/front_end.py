@@ -221,10 +221,11 @@ def serve(order: Order) -> int:
     try:
         asyncio.run(serve_until_signal(server, announce))
     except OSError as problem:
-        reason = problem.strerror or str(problem)
-        if arguments.listen:
-            reason = f"{address}: {reason}"
-        raise Unusable(words("serve-failed", port=port, reason=reason)) from None
+        from devices.serial_ports import reason_of
+
+        reason = reason_of(problem)
+        code = "serve-failed-at" if arguments.listen else "serve-failed"
+        raise Unusable(words(code, address=address, port=port, reason=reason)) from None
     return ExitCode.DONE
 
 

@@ -111,7 +111,18 @@ def _error_names() -> dict[str, str]:
     import errno
     import os
 
-    return {os.strerror(number): name for number, name in errno.errorcode.items()}
+    return {**_OF_RESOLVER, **{os.strerror(number): name for number, name in errno.errorcode.items()}}
+
+
+_OF_RESOLVER = {
+    "Name or service not known": "EAI_NONAME",
+    "No address associated with hostname": "EAI_NONAME",
+    "Temporary failure in name resolution": "EAI_AGAIN",
+    "nodename nor servname provided, or not known": "EAI_NONAME",
+    "Name does not resolve": "EAI_NONAME",
+    "getaddrinfo failed": "EAI_NONAME",
+}
+"""What glibc, macOS, musl and Windows say of a machine that has no address; Python has no list of these."""
 
 
 SOURCE, COMPILED = "messages.po", "messages.mo"

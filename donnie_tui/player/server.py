@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, cast
 from devices.player.codec import DATA, Interface, Key, TooLong, body_of
 from devices.player.connection import ClientConnection
 from devices.ports.drive import TICK
+from devices.serial_ports import reason_of
 from donnie_tui.player.equipment import MOUNTED, STAGE, DeviceContext, Equipment, Reporter, service_of
 
 if TYPE_CHECKING:
@@ -177,8 +178,9 @@ class PlayerServer:
                         )
                     )
                 except OSError as problem:
-                    reason = problem.strerror or str(problem)
-                    raise ServerProblem("player-failed", port=station.port, reason=reason) from None
+                    raise ServerProblem(
+                        "serve-failed", port=station.port, reason=reason_of(problem)
+                    ) from None
             on_start()
             await self._tick(speed)
         finally:

@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 
 from devices.player.codec import MessageReader, MessageType, PlayerMessage, body_of
+from donnie_tui.i18n.words import Words
 from donnie_tui.player import server as module
 from donnie_tui.player.server import PlayerServer, ServerProblem, Stations
 from tests.free_ports import free_port
@@ -211,13 +212,21 @@ def test_five_hundred_clients_that_come_and_go_leave_nothing(tmp_path: Path) -> 
     play(tmp_path, story)
 
 
-def test_a_port_that_is_taken_is_named(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("language", "sentence"),
+    [
+        ("en", "Port {} can't be used: another program uses it."),
+        ("pt", "A porta {} não pode ser usada: está em uso."),
+        ("es", "El puerto {} no se puede usar: está en uso."),
+    ],
+)
+def test_a_port_that_is_taken_is_named(tmp_path: Path, language: str, sentence: str) -> None:
     room = Room(tmp_path)
     with socket.create_server((HOST, room.bobs)), pytest.raises(ServerProblem) as problem:
         asyncio.run(room.server.run(lambda: 1.0, lambda: None))
 
-    assert problem.value.values["port"] == room.bobs
-    assert problem.value.values["reason"]
+    found = Words(language)(problem.value.code, **problem.value.values)
+    assert found == sentence.format(room.bobs)
 
 
 def test_the_banner_comes_alone_and_small_messages_do_not_wait(tmp_path: Path) -> None:

@@ -657,18 +657,42 @@ def test_an_option_that_can_not_be_used_is_reported(
     assert capsys.readouterr() == ("", f"{complaint}\n")
 
 
+@pytest.mark.parametrize(
+    ("language", "sentence"),
+    [
+        ("en", "Port {} can't be used: another program uses it.\n"),
+        ("pt", "A porta {} não pode ser usada: está em uso.\n"),
+        ("es", "El puerto {} no se puede usar: está en uso.\n"),
+    ],
+)
 def test_a_port_that_is_taken_is_reported_before_a_link_is_printed(
-    capsys: pytest.CaptureFixture[str],
+    capsys: pytest.CaptureFixture[str], language: str, sentence: str
 ) -> None:
     with socket.socket() as taken:
         taken.bind(("127.0.0.1", 0))
         taken.listen()
         port = taken.getsockname()[1]
-        assert main(["serve", f"--port={port}", "--lang", "en"]) == 2
+        assert main(["serve", f"--port={port}", "--lang", language]) == 2
 
-    out, err = capsys.readouterr()
-    assert out == ""
-    assert err.startswith(f"Port {port} can't be used: ")
+    assert capsys.readouterr() == ("", sentence.format(port))
+
+
+@pytest.mark.parametrize(
+    ("language", "sentence"),
+    [
+        ("en", "Port {} of 192.0.2.1 can't be used: this machine does not have that address.\n"),
+        ("pt", "A porta {} de 192.0.2.1 não pode ser usada: esta máquina não tem esse endereço.\n"),
+        ("es", "El puerto {} de 192.0.2.1 no se puede usar: esta máquina no tiene esa dirección.\n"),
+    ],
+)
+def test_an_address_of_another_machine_can_not_be_listened_on(
+    capsys: pytest.CaptureFixture[str], language: str, sentence: str
+) -> None:
+    """The address is one that no machine has: RFC 5737 keeps it for examples."""
+    port = free_port()
+    assert main(["serve", "--listen=192.0.2.1", f"--port={port}", "--lang", language]) == 2
+
+    assert capsys.readouterr() == ("", sentence.format(port))
 
 
 def test_without_textual_serve_a_checkout_names_the_command_that_installs_it_there(

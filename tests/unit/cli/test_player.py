@@ -53,7 +53,7 @@ def test_a_taken_port_is_named(tmp_path: Path) -> None:
         )
 
     assert done.returncode == 2
-    assert f"Port {port} can't be used: " in done.stderr
+    assert f"Port {port} can't be used: another program uses it." in done.stderr.splitlines()
 
 
 @pytest.mark.parametrize(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import os
+import socket
 import termios
 import threading
 from contextlib import suppress
@@ -71,6 +72,19 @@ def test_an_address_that_can_not_be_parsed_is_a_problem_with_a_translated_senten
     assert (caught.value.fault, caught.value.reason) == (PortFault.UNUSABLE, "Invalid argument")
     sentence = Words("pt")("problem-port-failed", port=address, reason=caught.value.reason)
     assert sentence.endswith("não dá para entender.")
+
+
+def test_an_address_whose_machine_is_not_found_has_the_reason_of_the_resolver(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def unknown(*_: object, **__: object) -> None:
+        raise socket.gaierror(socket.EAI_NONAME, "Name or service not known")
+
+    monkeypatch.setattr("socket.getaddrinfo", unknown)
+    monkeypatch.setattr("socket.create_connection", unknown)
+    with pytest.raises(PortProblem) as caught:
+        SerialPort("socket://robot.example:1", 9600)
+    assert caught.value.reason == "Name or service not known"
 
 
 @pytest.mark.parametrize("scheme", ["spy", "SPY", "Spy"])
