@@ -31,6 +31,7 @@ from donnie_tui.process.confinement import (
     open_descriptor,
     open_text,
     part_below,
+    real_path,
 )
 from language.source import cleaned, fold_name, lines_in, printable, with_newlines
 
@@ -64,14 +65,7 @@ class FilesInUse:
 
     def __contains__(self, name: str) -> bool:
         """Finds a file under any of its names."""
-        return _real_path(name) in map(_real_path, self._names)
-
-
-def _real_path(name: str) -> str:
-    try:
-        return os.path.realpath(name)
-    except (OSError, ValueError):
-        return name
+        return real_path(name) in map(real_path, self._names)
 
 
 # --- typed names
@@ -124,7 +118,7 @@ def _typed_path(name: str) -> Path:
     from pathlib import Path  # slow to load, and a start names no file
 
     path = Path(unquoted(name))
-    if not path.name or "\0" in name:
+    if not path.name:
         raise DocumentError("file-is-folder", str(path))
     if confinement() is not None:
         return checked_path(path)
@@ -175,8 +169,8 @@ def is_same_file(one: Path, other: Path) -> bool:
     try:
         if one.exists() and other.exists():
             return one.is_file() and one.samefile(other)
-        return one.resolve() == other.resolve()
-    except (OSError, ValueError, RuntimeError):
+        return real_path(one) == real_path(other)
+    except (OSError, ValueError):
         return False
 
 
@@ -339,8 +333,13 @@ def write_program(path: Path, text: str) -> None:
 
 def write_bytes(path: Path, data: bytes) -> None:
     """Write a file whole or not at all. Raises ``DocumentError``."""
+    from pathlib import Path
+
     try:
-        target = path.resolve()  # in a confined session a link that is made from now on is not followed
+        # in a confined session a link that is made from now on is not followed
+        target = Path(real_path(path))
+        if target.is_symlink():
+            raise OSError(errno.ELOOP, os.strerror(errno.ELOOP))
         if target.is_dir():
             raise DocumentError("file-is-folder", str(path))
         if target.exists() and not target.is_file():  # to replace a device would break the machine
@@ -406,8 +405,12 @@ def _mode(target: Path) -> int:
     return 0o666 & ~mask
 
 
-def _reason(problem: Exception) -> str:
-    return getattr(problem, "strerror", None) or str(problem)
+def _reason(problem: OSError | ValueError) -> str:
+    if isinstance(problem, UnicodeError):
+        return str(problem)
+    if isinstance(problem, ValueError):  # a zero byte in the name
+        return os.strerror(errno.EINVAL)
+    return problem.strerror or str(problem)
 
 
 # --- what is kept of program files from one start to the next
@@ -458,7 +461,7 @@ class RecentFiles:
         from pathlib import Path
 
         with contextlib.suppress(OSError, ValueError):
-            name, file = str(path.resolve()), Path(self._file_name)
+            name, file = real_path(path), Path(self._file_name)
             lines = [name, *(each for each in self._lines() if each != name)][: self.MOST]
             make_folder(file.parent)
             with open_text(file, "w") as out:
@@ -560,14 +563,14 @@ class BreakpointFile:
         """The breakpoints of that program, as far as its lines reach."""
         if program is None:
             return frozenset()
-        lines = dict(self._entries()).get(_name(program), ())
+        lines = dict(self._entries()).get(real_path(program), ())
         return frozenset(each for each in lines if 1 <= each <= line_count)
 
     def write(self, program: Path | None, lines: Iterable[int]) -> None:
         """Keep these for the next start. Ignores a program without a file, and a file it can't write."""
         if program is None:
             return
-        name, chosen = _name(program), tuple(sorted(lines))[: self.MOST_LINES]
+        name, chosen = real_path(program), tuple(sorted(lines))[: self.MOST_LINES]
         before = self._entries()
         if dict(before).get(name, ()) == chosen:
             return
@@ -585,13 +588,6 @@ class BreakpointFile:
             if len(text) <= self.LARGEST:
                 return [entry for line in text.split("\n") if (entry := _entry(line)) is not None]
         return []
-
-
-def _name(program: Path) -> str:
-    try:
-        return str(program.resolve())
-    except (OSError, RuntimeError):
-        return str(program)
 
 
 def _line(entry: tuple[str, tuple[int, ...]]) -> str:

@@ -149,6 +149,17 @@ def is_allowed(path: AnyPath) -> bool:
 # --- files
 
 
+def real_path(path: AnyPath) -> str:
+    """The path with its links followed, as far as they lead anywhere; never raises.
+
+    ``Path.resolve`` raises ``RuntimeError`` for a link to itself, and ``ValueError`` for a zero byte.
+    """
+    try:
+        return os.path.realpath(path)
+    except (OSError, ValueError):
+        return os.path.abspath(path)  # noqa: PTH100 -- pathlib is slow to load
+
+
 def open_descriptor(path: AnyPath, flags: int, permissions: int = 0o666) -> int:
     """As ``os.open``, for every file that a learner can name. Raises ``OSError``."""
     if _confinement is None:

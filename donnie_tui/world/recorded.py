@@ -24,7 +24,7 @@ from devices.ports.robot import Bearing
 from donnie_tui.core.recording import Header
 from donnie_tui.i18n.mistakes import world_mistake
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.process.confinement import confinement, make_folder, open_bytes
+from donnie_tui.process.confinement import confinement, make_folder, open_bytes, real_path
 from donnie_tui.settings.settings import Settings
 from donnie_tui.world.loading import ChosenWorld, scattered_by, with_robot
 
@@ -71,10 +71,10 @@ def pack(
     name: str, main: Path, files: Sequence[str], folders: Sequence[Path], robots: Sequence[str]
 ) -> WorldBundle:
     """Read all ``files``. Raises ``BundleError``."""
-    others = [each.resolve() for each in folders]
-    found = (Path(each).resolve() for each in files)
+    others = [Path(real_path(each)) for each in folders]
+    found = (Path(real_path(each)) for each in files)
     project = [each for each in found if not any(each.is_relative_to(folder) for folder in others)]
-    first = Path(os.path.commonpath([main.resolve().parent, *(each.parent for each in project)]))
+    first = Path(os.path.commonpath([Path(real_path(main)).parent, *(each.parent for each in project)]))
     places = list(dict.fromkeys([first, *others]))
     packed: dict[str, bytes] = {}
     for file in dict.fromkeys((str(main), *files)):
@@ -150,7 +150,7 @@ def _content(data: bytes) -> dict[str, str]:
 
 def _names_of(file: Path, places: Sequence[Path]) -> tuple[str, ...]:
     """The names of a file in the bundle, one for each folder that contains it."""
-    paths = (Path(os.path.normpath(file.absolute())), file.resolve())
+    paths = (Path(os.path.normpath(file.absolute())), Path(real_path(file)))
     found = (
         f"{number}/{path.relative_to(place).as_posix()}"
         for number, place in enumerate(places)

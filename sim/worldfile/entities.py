@@ -8,14 +8,16 @@ first wins. Unlike in Stage a macro may be used before its definition.
 
 from __future__ import annotations
 
+import errno
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import dropwhile, takewhile
 from pathlib import Path
+from stat import S_ISREG
 
 from msgspec import Struct
 from msgspec.structs import replace
 
-from donnie_tui.process.confinement import confinement, is_allowed, open_bytes
+from donnie_tui.process.confinement import confinement, is_allowed, open_bytes, real_path
 from sim.scene import Note, NoteKind
 from sim.worldfile import parser
 from sim.worldfile.mistakes import Code, WorldError, defining, near_file, near_name, near_world, worlds_in
@@ -38,8 +40,8 @@ class FileReader:
     """Reads a world and its includes; ``allowed``: more folders that may be read, and where it searches."""
 
     def __init__(self, top: Path, allowed: tuple[Path, ...]) -> None:
-        own = top.resolve().parent
-        self.folders = (own, *(folder.resolve() for folder in allowed))
+        own = resolved(top).parent
+        self.folders = (own, *map(resolved, allowed))
         self._roots = (*self.folders, *roots_of(own))
         self.files: list[str] = []
         self.pictures: list[str] = []
@@ -48,7 +50,7 @@ class FileReader:
 
     def read(self, path: Path) -> Iterator[Placed]:
         """All statements of the world at ``path``, includes replaced by what they include."""
-        if not _is_file(path):
+        if not _may_be_opened(path):
             raise _no_world(path)
         yield from self.statements(self._text(path, parser.Include(1, 1, str(path)), str(path)), path, ())
 
@@ -58,7 +60,7 @@ class FileReader:
         self._words.take(text, str(path))
         for statement in parse(text, str(path)):
             if isinstance(statement, parser.Include):
-                yield from self._included(statement, path, (*above, path.resolve()))
+                yield from self._included(statement, path, (*above, resolved(path)))
             elif isinstance(statement, parser.Property):
                 yield Placed(str(path), statement)
             else:
@@ -71,9 +73,9 @@ class FileReader:
         A name that only leads outside is answered alike whether there is such a file or not. In the allowed
         folders a file is found by its bare name, too, as Stage finds it in those of ``STAGEPATH``.
         """
-        candidates = _within((including.resolve().parent, *self.folders), name)
+        candidates = _within((resolved(including).parent, *self.folders), name)
         by_name = _within(self.folders[1:], Path(name).name)
-        existing = [path for path in (*candidates, *by_name) if _is_file(path)]
+        existing = [path for path in (*candidates, *by_name) if _may_be_opened(path)]
         inside = [path for path in existing if self.is_allowed(path)]
         if not existing and not any(map(self.is_allowed, candidates)):
             return candidates[0]
@@ -81,19 +83,16 @@ class FileReader:
 
     def is_special(self, name: str, including: Path) -> bool:
         """Whether ``name`` means a pipe or a device, which ``find`` never finds."""
-        found = _within((including.resolve().parent, *self.folders), name)
+        found = _within((resolved(including).parent, *self.folders), name)
         return any(_is_special(each) and self.is_allowed(each) for each in found)
 
     def is_allowed(self, path: Path) -> bool:
-        try:
-            resolved = path.resolve()
-        except (OSError, ValueError):  # a path that no system could have
-            return True
-        return any(resolved.is_relative_to(folder) for folder in self._roots)
+        real = resolved(path)
+        return any(real.is_relative_to(folder) for folder in self._roots)
 
     def folder_outside(self, path: Path) -> str:
         """The folder to allow for a file that may not be read; empty if the session is confined."""
-        return str(path.resolve().parent) if confinement() is None else ""
+        return str(resolved(path).parent) if confinement() is None else ""
 
     def _included(self, include: parser.Include, path: Path, above: tuple[Path, ...]) -> Iterator[Placed]:
         found = self._checked(include, path, above)
@@ -114,7 +113,7 @@ class FileReader:
             case parser.Instance():
                 yield replace(item, body=self._body(item.body, path, above))
             case parser.Include():
-                for placed in self._included(item, path, (*above, path.resolve())):
+                for placed in self._included(item, path, (*above, resolved(path))):
                     statement = placed.statement
                     if not isinstance(statement, parser.Property | parser.Instance):
                         place = (placed.file, statement.line, statement.column)
@@ -128,11 +127,11 @@ class FileReader:
         if found is None:
             if self.is_special(include.path, path):
                 raise self._mistake(Code.NO_FILE, include, path)
-            nearest = near_file(include.path, (path.resolve().parent, *self.folders))
+            nearest = near_file(include.path, (resolved(path).parent, *self.folders))
             raise self._mistake(Code.FILE_NOT_FOUND, include, path, nearest=nearest)
         if not self.is_allowed(found):
             raise self._mistake(Code.INCLUDE_OUTSIDE, include, path, folder=self.folder_outside(found))
-        if found.resolve() in above:
+        if resolved(found) in above:
             raise self._mistake(Code.INCLUDE_CYCLE, include, path)
         place = (str(path), include.line, include.column)
         if len(above) > DEEPEST_INCLUDE:
@@ -211,9 +210,24 @@ def _within(folders: Iterable[Path], name: str) -> list[Path]:
     return [folder / name for folder in folders]
 
 
+def resolved(path: Path) -> Path:
+    """With its links followed; a link to itself, or a path that no system could have, stays."""
+    return Path(real_path(path))
+
+
 def _is_special(path: Path) -> bool:
     """Whether it is there and neither a file nor a folder: a named pipe, a device."""
     return _is(path, Path.exists) and not _is_file(path) and not _is(path, Path.is_dir)
+
+
+def _may_be_opened(path: Path) -> bool:
+    """Whether it is a file, or leads through a link to itself: then opening it says so."""
+    try:
+        return S_ISREG(path.stat().st_mode)
+    except OSError as problem:
+        return problem.errno == errno.ELOOP
+    except ValueError:  # a zero byte
+        return False
 
 
 def _is_file(path: Path) -> bool:

@@ -26,7 +26,7 @@ from PIL import Image
 
 from donnie_tui.process.confinement import open_bytes
 from sim.scene import NoteKind, Polygon
-from sim.worldfile.entities import FileReader, Setting
+from sim.worldfile.entities import FileReader, Setting, resolved
 from sim.worldfile.mistakes import Code
 from sim.worldfile.values import ValueReader, mistake
 
@@ -164,7 +164,7 @@ class Plans:
         if not self._reader.is_allowed(path):
             folder = self._reader.folder_outside(path)
             raise mistake(Code.BITMAP_OUTSIDE, setting, path=name[:200], folder=folder)
-        return path.resolve()
+        return resolved(path)
 
     def _trace(self, setting: Setting, path: Path, name: str, side: float) -> Plan:
         picture, solid = self._simplified(self._picture(setting, path, name), setting, name, side)

@@ -25,7 +25,7 @@ from sim.geometry import overlapping, placed
 from sim.parts import Body, Part, body_of, parts_of
 from sim.scene import LoadReport, Model, Note, NoteKind, Scene
 from sim.worldfile.build import Builder
-from sim.worldfile.entities import Entity, Expander, FileReader, Placed, Setting
+from sim.worldfile.entities import Entity, Expander, FileReader, Placed, Setting, resolved
 from sim.worldfile.floor_plans import USUAL_RESOLUTION, Plans
 from sim.worldfile.mistakes import Code, WorldError
 from sim.worldfile.values import ValueReader, mistake, plain
@@ -303,7 +303,7 @@ def load_configuration(path: Path, *, allowed: tuple[Path, ...] = ()) -> Configu
     offers = tuple(offer for offer, _ in placed)
     if world is None:
         return Configuration(path, None, None, offers, port)
-    scene = load_world(world, allowed=(path.resolve().parent, *allowed))
+    scene = load_world(world, allowed=(resolved(path).parent, *allowed))
     notes = (*reader.notes, *expander.notes, *read.notes, *_unknown(placed, scene))
     report = _with(scene.report, tuple(reader.files), notes)
     scene = replace(scene, robots=_offered(scene, offers), report=report)
@@ -359,7 +359,9 @@ class _Drivers:
         name = self._values.string({"worldfile": setting}, "worldfile", "")
         path = reader.find(name, Path(setting.file))
         if path is None:
-            raise mistake(Code.FILE_NOT_FOUND, setting, path=name[:200])
+            is_special = reader.is_special(name, Path(setting.file))
+            code = Code.NO_FILE if is_special else Code.FILE_NOT_FOUND
+            raise mistake(code, setting, path=name[:200])
         if not reader.is_allowed(path):
             folder = reader.folder_outside(path)
             raise mistake(Code.INCLUDE_OUTSIDE, setting, path=name[:200], folder=folder)

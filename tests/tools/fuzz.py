@@ -334,6 +334,7 @@ _ARGUMENTS = (
         "no",
     ),
     *("living_room", "maze", "pt", "es", "en", "help", "'", '"', "\u202eabc", "max", "brief", "." * 3000),
+    *("loop.gd", "loop.world", "a\0b", "a\0b.world"),
 )
 _GODONNIE = (
     "FW 1",
@@ -376,6 +377,8 @@ def _check_session(text: Input) -> None:
     assert isinstance(text, str)
     with tempfile.TemporaryDirectory() as folder:
         Path(folder, "work").mkdir()
+        for name in ("loop.gd", "loop.world"):
+            Path(folder, "work", name).symlink_to(name)
         # A room with walls: an example that walks up to the wall never ends on the open floor.
         options = ("--linear", *QUIET, "--speed", "max", "--robot", "sim", "--world", "first_room")
         done = donnie(Path(folder, "work"), *options, typed=text.encode("utf-8", "replace"))

@@ -732,3 +732,23 @@ async def test_the_panel_leaves_eight_columns_or_none_and_the_bottom_line_has_it
         assert (styles.width.value, styles.height.value) == (width, height)
         assert panel._keys.region.y == size[1] - 1
         assert panel._panel.has_class("-wide-as-all") is (width == size[0])
+
+
+async def test_the_screen_stays_after_a_link_to_itself_and_a_name_with_a_zero_byte(
+    open_screen, tmp_path, monkeypatch
+):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "loop.world").symlink_to("loop.world")
+    async with open_screen() as screen:
+        for typed, sentence in (
+            ("WORLD loop.world", "I can't read loop.world: its link leads back to itself."),
+            ("SAVE WORLD loop.world", "I can't write loop.world: its link leads back to itself."),
+            ("WORLD a\0b.world", "There is no file a b.world."),
+            ("WORLDS c\0d", "There is no world c d. WORLDS lists them."),
+            ("OPEN a\0b.gd", "I can't read a b.gd: it is not understood."),
+            ("WHERE", "Position 0, 0. Facing north."),
+        ):
+            await screen.type_line(typed)
+            await screen.shows(sentence)
+
+    assert (tmp_path / "loop.world").is_symlink()
