@@ -179,7 +179,9 @@ class BeltIdentification:
         return contains_complaint(self._received)
 
     def next(self, received: bytes, now: float) -> bytes:
-        self._received = (self._received + received)[-64:]
+        self._received += received
+        if not self.is_belt:
+            del self._received[:-64]
         if self._until is None:
             self._until = now + BELT_ANSWER * self._factor
             return RESYNC

@@ -114,6 +114,14 @@ def test_a_belt_is_identified_by_its_complaint() -> None:
     assert port.written == [b"Z!"]
 
 
+def test_a_belt_is_identified_however_much_noise_comes_with_its_complaint() -> None:
+    class Noisy(BeltOnly):
+        def read(self) -> bytes:
+            return super().read() + bytes(80)
+
+    assert identified(Noisy()) == IdentifiedDevice(DeviceKind.BELT)
+
+
 def test_a_silent_port_is_given_up_within_seven_seconds() -> None:
     port = BoardPort(None)
 
