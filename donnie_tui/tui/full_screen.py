@@ -52,13 +52,15 @@ def _through_worlds(settings: Settings, file: Path | None, text: str | None, don
     typed = list[Event]()
     while True:
         app = _shown(settings, file, text, donnie, restored, typed)
-        if not app.session.next_world:
+        if app.shutdown.left is not None or not app.session.next_world:
             break
         settings, restored = _in_next_world(app)
         typed = app.keys_not_taken()
         file = text = donnie = None
     print_last_lines(app.main_screen.log_rows.lines)
     code = CRASHED if app.return_code == CRASHED else app.return_value or 0
+    if app.shutdown.left is not None:  # it may have come after the screen began to leave for a world
+        code = 128 + app.shutdown.left[0]
     return app.session.code_at_end(code, print)
 
 

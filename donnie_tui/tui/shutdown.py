@@ -102,9 +102,14 @@ class Shutdown:
         if self._watchdog is not None:
             self._watchdog.end()
 
+    @property
+    def left(self) -> tuple[int, float] | None:
+        """The signal that ends the process, and when it came."""
+        return self._watchdog.left if self._watchdog is not None else None
+
     def close_session(self) -> None:
         """Close the session after ``end_watchdog``. After a signal the process still ends in time."""
-        left = self._watchdog.left if self._watchdog is not None else None
+        left = self.left
         if left is None:
             self._session.close()
             return

@@ -1,12 +1,16 @@
-"""Sessions that end by SIGKILL at random moments leave whole files; ``tests.tools.sudden_end`` has more."""
+"""Sessions that end at random moments leave whole files; ``tests.tools.sudden_end`` has more."""
 
 from __future__ import annotations
 
+import os
+import signal
 from pathlib import Path
 
 import pytest
 
+from donnie_tui.tui.app import DonnieApp
 from tests.timeouts import TIMEOUT
+from tests.tools.fuzz_screens import ForkedScreen
 from tests.tools.sudden_end import end_suddenly, made
 
 pytestmark = pytest.mark.slow
@@ -31,3 +35,29 @@ def test_the_cases_end_while_lines_are_typed_saved_and_run() -> None:
 
     assert {"RUN", "SAVE work"} < {*ends}
     assert any(each.startswith(("SPEAK", "FW")) for each in ends)
+
+
+class LeavingScreen(ForkedScreen):
+    """It is sent SIGTERM in the moment in which it leaves for another world."""
+
+    def _be_the_program(self, arguments: list[str], folder: Path) -> int:
+        keep_input = DonnieApp.keep_input
+
+        def keep_and_end(app: DonnieApp) -> None:
+            keep_input(app)
+            os.kill(os.getpid(), signal.SIGTERM)
+
+        DonnieApp.keep_input = keep_and_end  # type: ignore[method-assign] # in the child only
+        return super()._be_the_program(arguments, folder)
+
+
+def test_a_signal_ends_a_screen_that_goes_to_another_world(tmp_path: Path) -> None:
+    screen = LeavingScreen(tmp_path)
+    try:
+        screen.wait_until_loaded()
+        screen.press("CHALLENGE 2\r")
+        screen.read_while(lambda: not screen.has_ended and screen.shown.count(b"\x1b[?1049h") < 2)
+        assert screen.has_ended, "it is in the other world"
+        assert screen.end() == 128 + signal.SIGTERM
+    finally:
+        screen.close()

@@ -166,6 +166,10 @@ class Screen:
         return self._process.returncode
 
     @property
+    def has_ended(self) -> bool:
+        return self._process.poll() is not None
+
+    @property
     def is_as_before(self) -> bool:
         return self._after == self._before
 
