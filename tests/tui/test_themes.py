@@ -45,15 +45,26 @@ def painted(app) -> Iterator[Segment]:
         yield from strip
 
 
+def is_edge_of_frame(before: str = "", text: str = "", after: str = "") -> bool:
+    """Whether the middle one of three neighbours is a part of ``+-----+``, and no mark of the map."""
+    return is_line(text) or (text == "+" and (is_line(before) or is_line(after)))
+
+
+def is_line(text: str) -> bool:
+    return len(text) > 2 and set(text) == {"-"}
+
+
 def too_faint(app) -> dict[str, float]:
     """What is on the screen with too little contrast, and how much it has."""
     found = {}
-    for text, style, _ in painted(app):
+    segments = [*painted(app)]
+    for at, (text, style, _) in enumerate(segments):
         if not text.strip() or style is None or style.color is None or style.bgcolor is None:
             continue
         ratio = contrast(style.color.get_truecolor(), style.bgcolor.get_truecolor())
         signs = set(text.strip())
-        least = LEAST_BORDER if signs <= BORDERS else LEAST_FLOOR if signs <= FLOOR else LEAST_TEXT
+        is_border = signs <= BORDERS or is_edge_of_frame(*(each.text for each in segments[at - 1 : at + 2]))
+        least = LEAST_BORDER if is_border else LEAST_FLOOR if signs <= FLOOR else LEAST_TEXT
         if ratio < least or style.dim:
             found[f"{text.strip()[:30]} {style}"] = round(ratio, 2)
     return found
