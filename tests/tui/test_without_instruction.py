@@ -39,6 +39,8 @@ def _rows_with(screen: ScreenDriver, words: str) -> list[tuple[int, str]]:
 
 async def choose(screen: ScreenDriver, key: str, word: str) -> None:
     """Click on a key of the bottom line, where it has room; else on the word among all that can be done."""
+    # the mistakes of the text change the keys, a moment after it was typed
+    await screen.until(lambda: screen.app.controller.assistant._checking is None, "the check of the text")
     await screen.painted()
     if key in screen.main.keys.words:
         await click(screen, key)
