@@ -13,7 +13,7 @@ from tests.tui.conftest import ScreenDriver
 
 LONG = "REPEAT 100 TIMES\nTR 90\nTL 90\nEND REPEAT\n"
 AT_EACH_SIZE = pytest.mark.parametrize(
-    "size", [(40, 12), (80, 24), pytest.param((120, 40), marks=pytest.mark.slow)]
+    "size", [(80, 24), *(pytest.param(each, marks=pytest.mark.slow) for each in ((40, 12), (120, 40)))]
 )
 
 
@@ -57,6 +57,7 @@ def lessons(tmp_path: Path) -> Path:
     return tmp_path
 
 
+@pytest.mark.slow
 @AT_EACH_SIZE
 async def test_everything_is_done_by_mouse_alone(open_screen, lessons: Path, size) -> None:  # type: ignore[no-untyped-def]
     async with open_screen(size=size, speed=2.0) as screen:

@@ -105,7 +105,7 @@ def test_each_answer_of_a_board_has_a_sentence(port: str, lines: list[str]) -> N
             ],
         ),
         ("busy", ["Another program uses busy.", "Perhaps another Donnie uses it. Leave that one first."]),
-        ("file", ["I can't use file: Inappropriate ioctl for device."]),
+        ("file", ["I can't use file: it is not a serial port."]),
     ],
 )
 def test_an_unusable_port_is_reported_with_its_remedy(port: str, lines: list[str]) -> None:
