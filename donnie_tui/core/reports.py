@@ -358,6 +358,7 @@ def plotted(title: str, series: Sequence[Series], about: str, seconds: str) -> P
     height = _ROW * 3 + _PANEL * len(series)
     times = [t for each in series for t, _ in each.points] or [0.0]
     first, last = min(times), max(max(times), min(times) + 1)
+    span = last - first or 1.0  # a damaged recording may have times that a second doesn't change
     width = _WIDTH - _LEFT - _RIGHT
     axes, curves, dots, texts = list[tuple[_Point, ...]](), list[tuple[_Point, ...]](), list[_Point](), []
     for number, each in enumerate(series):
@@ -366,7 +367,7 @@ def plotted(title: str, series: Sequence[Series], about: str, seconds: str) -> P
         low, high = min(*values, 0), max(*values, min(*values, 0) + 1)
         curve = tuple(
             (
-                round(_LEFT + (t - first) / (last - first) * width, 1),
+                round(_LEFT + (t - first) / span * width, 1),
                 round(bottom - (value - low) / (high - low) * (bottom - top), 1),
             )
             for t, value in each.points
@@ -387,9 +388,18 @@ def plotted(title: str, series: Sequence[Series], about: str, seconds: str) -> P
     return Plot(title, about, _WIDTH, height, tuple(axes), tuple(curves), tuple(dots), tuple(texts))
 
 
+_MOST_DIGITS = 300
+"""Digits of a number that is a float, too; a variable may have thousands."""
+
+
 def _on_axis(value: float) -> str:
     text = _number(round(value, 1))
-    return text if len(text) <= _LONGEST_NUMBER else f"{value:.2e}"
+    if len(text) <= _LONGEST_NUMBER:
+        return text
+    sign, digits = text[: -len(text.lstrip("-"))], text.lstrip("-")
+    if len(digits) < _MOST_DIGITS:
+        return f"{value:.2e}"
+    return f"{sign}{digits[0]}.{digits[1:3]}e+{len(digits) - 1}"
 
 
 def plot_as_svg(plot: Plot) -> str:

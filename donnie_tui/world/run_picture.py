@@ -55,6 +55,8 @@ MOST_FRAMES = 60
 """Pictures of a GIF."""
 FRAME = 0.1
 """Seconds that each is shown, at least."""
+LONGEST_FRAME = 655_350
+"""Milliseconds that a GIF can show a picture."""
 _WALL, _OTHER, _INK = "#444444", "#bbbbbb", "#000000"
 _PATHS = ("#7b2cbf", "#006d5b", "#9d0208", "#003049")
 """Dark enough on white for lines (at least 4.5 to 1)."""
@@ -434,7 +436,7 @@ def as_gif(it: RunPicture) -> bytes:
             pen.line((x, y, *ahead), fill=_darkest(base), width=3)
         frames.append(frame)
     out = BytesIO()
-    pause = round(1000 * seconds / (count - 1))
+    pause = min(LONGEST_FRAME, round(1000 * seconds / (count - 1)))
     frames[0].save(out, "GIF", save_all=True, append_images=frames[1:], duration=pause, comment=b"donnie")
     return out.getvalue()
 

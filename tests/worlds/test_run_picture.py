@@ -222,6 +222,12 @@ def test_a_long_run_has_no_more_frames_than_one_of_six_seconds() -> None:
     assert Image.open(BytesIO(as_gif(drawn(path=long)))).n_frames == 60
 
 
+def test_a_walk_of_half_a_million_steps_has_a_gif() -> None:
+    far = DrivenPath("", (Pose(0, 0, 0), Pose(0, 500_000, 0)))
+
+    assert Image.open(BytesIO(as_gif(drawn(path=far)))).n_frames == 60
+
+
 # --- things that were pushed or carried
 
 

@@ -321,6 +321,13 @@ def test_an_axis_has_room_for_nine_signs_and_a_plot_of_nothing_is_a_second_long(
     assert plotted("t", [Series("a", ((3, 0),), "distance")], "", "s").curves == (((96, 130),),)
 
 
+def test_a_plot_of_huge_values_and_late_times_is_drawn():
+    huge = Series("f", ((0.0, -314 * 10**500), (1.0, 271 * 10**400)), "variable")
+
+    assert [each.text for each in plotted("t", [huge], "", "s").texts[1:3]] == ["-3.14e+502", "2.71e+402"]
+    assert plotted("t", [Series("a", ((1e17, 3),), "distance")], "", "s").dots == ((96.0, 34.0),)
+
+
 TABLES = {
     "help": [["how it is typed", "what it does"], ["FW n", "walks: n steps"]],
     "list": [["line", "level", "text"], ["1", "0", "REPEAT 2 TIMES"], ["2", "1", "FW 1"]],
