@@ -163,6 +163,8 @@ class ScreenController:
 
     async def _perform(self, command: Command, argument: str | None) -> None:
         self.main_screen.editor.suggestion = ""  # only typing continues an offered word
+        if command.name not in ("undo", "redo"):
+            self.main_screen.editor.finish_typed_end()
         await perform(self.ctx, command, argument)
         self.run_view.show_past()
         self.display.update()

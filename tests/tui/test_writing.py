@@ -131,6 +131,18 @@ async def test_enter_indents_and_ends_a_block_however_it_is_left(open_screen, la
         assert screen.main.editor.text == expected
 
 
+@pytest.mark.parametrize("key", ["f5", "f7", "ctrl+s"])
+async def test_an_end_that_was_typed_is_no_second_one_when_a_key_follows_at_once(open_screen, key):
+    async with open_screen() as screen:
+        keys = [*"REPEAT 2 TIMES", "enter", *"FW 1", "enter", *"END REPEAT", key]
+        await screen.press(*("space" if each == " " else each for each in keys))
+        await screen.pilot.pause()
+
+        assert screen.main.editor.text == "REPEAT 2 TIMES\n  FW 1\nEND REPEAT"
+        if key == "f5":
+            await screen.shows("The program is done.")
+
+
 async def test_in_the_plain_layout_enter_writes_nothing_but_a_line(open_screen):
     async with open_screen(plain=True) as screen:
         screen.main.editor.focus()

@@ -150,13 +150,26 @@ class Editor(TextArea):
             self.insert(f"\n{indent}")
             return
         found = next_line(self.document.lines, row)
+        self._finish_line(row, found)
+        end = (row, len(self.document.get_line(row)))
+        self.insert(f"\n{found.indent}" + (f"\n{found.end}" if found.end else ""), end)
+        self.move_cursor((row + 1, len(found.indent)))
+
+    def _finish_line(self, row: int, found: NextLine) -> None:
+        """Remove the END that the learner has typed a second time, and indent the line."""
+        line = self.document.get_line(row)
         if found.doubled:
             self.delete((row, len(line)), (row + 1, len(self.document.get_line(row + 1))))
         if not line.startswith(found.before) or line[len(found.before) :][:1].isspace():
-            line = found.before + line.lstrip()
-            self.replace(line, (row, 0), (row, len(self.document.get_line(row))))
-        self.insert(f"\n{found.indent}" + (f"\n{found.end}" if found.end else ""), (row, len(line)))
-        self.move_cursor((row + 1, len(found.indent)))
+            self.replace(found.before + line.lstrip(), (row, 0), (row, len(line)))
+
+    def finish_typed_end(self) -> None:
+        """As Enter does, for an END that was typed although its block had one, before a command."""
+        if self.next_line is not None and self.is_typed:
+            row, _ = self.cursor_location
+            found = self.next_line(self.document.lines, row)
+            if found.doubled:
+                self._finish_line(row, found)
 
     @property
     def _line_command(self) -> tuple[str, str | None] | None:
