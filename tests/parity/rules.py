@@ -53,6 +53,11 @@ _NUMBER = re.compile(r"\d+: ")
 """The linear mode numbers the rows from which something is chosen; on the screen one goes to them."""
 
 
+AT_CURSOR = "held: COMMENT"
+"""About the line of the cursor, which on a screen goes to where the program is held, once that is described."""
+_COMMENTED = re.compile(r"Line \d: -- .+")
+
+
 def is_same(case: str, line: str, linear: Outcome, screen: Outcome) -> bool:
     """Whether the two agree in what the line comes to, as far as the rules want it."""
     if line in PANES:
@@ -67,6 +72,8 @@ def is_same(case: str, line: str, linear: Outcome, screen: Outcome) -> bool:
         return bool(linear.published) and bool(screen.listed) and not screen.published
     if case in OF_WAITING_LINES:
         return True
+    if case == AT_CURSOR:
+        return all(_COMMENTED.fullmatch("\n".join(each.published)) for each in (linear, screen))
     if line in ("LINEAR", "VISUAL"):
         there, here = (screen, linear) if line == "LINEAR" else (linear, screen)
         return there.left_for == "other mode" and not here.left_for and bool(here.published)
