@@ -54,7 +54,7 @@ _NUMBER = re.compile(r"\d+: ")
 
 
 AT_CURSOR = "held: COMMENT"
-"""About the line of the cursor, which on a screen goes to where the program is held, once that is described."""
+"""About the line of the cursor, which on a screen goes to where the program is held."""
 _COMMENTED = re.compile(r"Line \d: -- .+")
 
 
