@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 
-from donnie_tui.process import HIGHEST_STANDARD, Later, load_undisturbed, load_with, module
+from donnie_tui.process import HIGHEST_STANDARD, LazyValue, load_undisturbed, load_with, real_module
 from donnie_tui.process.disconnection import watch_for_hang_up
 
 TYPE_CHECKING = False  # that of typing costs as much as the rest of the first prompt
@@ -56,14 +56,14 @@ def _load_libraries() -> None:
     all locales; ``cli.options`` knows them in English, and complains in sentences of its own.
     """
 
-    def of_schemas(name: str) -> Later:
-        return Later(lambda: getattr(module(_SCHEMAS), name))
+    def of_schemas(name: str) -> LazyValue:
+        return LazyValue(lambda: getattr(real_module(_SCHEMAS), name))
 
-    inspect = Later(lambda: module("msgspec.inspect"))
+    inspect = LazyValue(lambda: real_module("msgspec.inspect"))
     names = {each: of_schemas(each) for each in ("schema", "schema_components")}
-    schemas = Later(lambda: module(_SCHEMAS), **names)
+    schemas = LazyValue(lambda: real_module(_SCHEMAS), **names)
     load_with("msgspec", **{"typing_extensions": None, "msgspec.inspect": inspect, _SCHEMAS: schemas})
-    untranslated = Later(lambda: module("gettext"), gettext=str, ngettext=_as_in_english)
+    untranslated = LazyValue(lambda: real_module("gettext"), gettext=str, ngettext=_as_in_english)
     load_with("argparse", gettext=untranslated)
 
 

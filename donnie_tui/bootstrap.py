@@ -471,7 +471,7 @@ class Judge:
         self.room = self.starts[0].room
 
     def programs(self, given: Programs, starts: Sequence[Start] | None = None) -> tuple[Judgment, ...]:
-        """The outcomes from the starts, all if none are named, up to the first that does not solve it."""
+        """Judge programs from each start (all by default), up to the first that they do not solve."""
         verdicts: list[Judgment] = []
         for each in self.starts if starts is None else starts:
             verdicts.append(each.judge(self.try_from(each, given)))
@@ -482,9 +482,9 @@ class Judge:
     def events(
         self, events: Sequence[Stamped], answers: Mapping[Unsensed, bool] | None = None
     ) -> tuple[Judgment, ...]:
-        """Of what happened from the start where the robot stood first.
+        """Judge the events of runs, from the start at which the robot stood first.
 
-        Where that solves it, all that ran must solve it from the others, too. ``answers``: as ``judge``.
+        If they solve it, the same programs must solve it from the other starts. ``answers``: as ``judge``.
         """
         from donnie_tui.core.goals import track_of
 

@@ -12,7 +12,7 @@ from collections.abc import Callable, Collection, Hashable, Iterable, Mapping, S
 from math import ceil, hypot, inf, log
 from typing import TYPE_CHECKING
 
-from donnie_tui.process import Later, load_with, module
+from donnie_tui.process import LazyValue, load_with, real_module
 from sim.geometry import Placement
 from sim.scene import Model, Scene
 
@@ -344,7 +344,7 @@ def _things(scene: Scene) -> list[Model]:
 def _load_pymunk() -> None:
     """Load pymunk without logging, to which it writes errors only: a thirtieth of a linear session."""
 
-    def logger(name: str) -> Later:
-        return Later(lambda: module("logging").getLogger(name))
+    def logger(name: str) -> LazyValue:
+        return LazyValue(lambda: real_module("logging").getLogger(name))
 
-    load_with("pymunk", logging=Later(lambda: module("logging"), getLogger=logger))
+    load_with("pymunk", logging=LazyValue(lambda: real_module("logging"), getLogger=logger))

@@ -183,15 +183,15 @@ def _opened(name: str, words: Words, closing: ExitStack) -> Recording:
 
 
 class _Wanted(Struct, frozen=True):
-    """A report that is asked for, with the option that asks for it."""
+    """A requested report, with its option."""
 
     option: str
     what: str
     """As in REPORT."""
     suffix: str
-    """What the file is, whatever its name ends in."""
+    """The kind of file, independent of the end of its name."""
     name: str
-    """Of the file; empty for sentences."""
+    """The name of the file; empty for sentences."""
 
 
 _FORMS = {
@@ -211,7 +211,7 @@ def _files(order: Order) -> tuple[tuple[str, str | None], ...]:
 
 
 def _wanted(order: Order) -> Iterator[_Wanted]:
-    """Raises ``Unusable`` for what no report is, and for a name that can't end as it does."""
+    """The requested reports. Raises ``Unusable`` for an unknown report or a wrong end of a name."""
     from donnie_tui.core.reports import asked, suffixes_of
 
     for option, given in _files(order):
@@ -234,7 +234,7 @@ def _wanted(order: Order) -> Iterator[_Wanted]:
 
 
 def _report(order: Order, recording: Recording, closing: ExitStack) -> int:
-    """Write the files that are asked for, as REPORT does, and print what they show in words."""
+    """Write the requested files, as REPORT does, and print their content in words."""
     from donnie_tui.core.program_files import DocumentError, write_bytes
     from donnie_tui.core.reports import in_sentences, report
 

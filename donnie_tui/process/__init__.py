@@ -39,8 +39,8 @@ def loaded() -> None:
 # --- libraries that load what they rarely need
 
 
-class Later:
-    """Is in the place of a value that is loaded when it is first called or asked for an attribute."""
+class LazyValue:
+    """Stands for a value, which is loaded on the first call or the first access to an attribute."""
 
     def __init__(self, load: Callable[[], Any], **known: object) -> None:
         """``known``: attributes that load nothing."""
@@ -56,25 +56,25 @@ class Later:
         return self._load()(*given, **named)
 
 
-def module(name: str) -> Any:
-    """Load a module, which may have another one in its place."""
+def real_module(name: str) -> Any:
+    """Import a module, also if a ``LazyValue`` stands for it."""
     from importlib import import_module
 
-    if isinstance(sys.modules.get(name), Later):  # in another thread than that of ``load_with``
+    if isinstance(sys.modules.get(name), LazyValue):  # in another thread than that of ``load_with``
         del sys.modules[name]
     return import_module(name)
 
 
 def load_with(library: str, **in_place: object) -> None:
-    """Load ``library``, with other values than usual in the place of modules that it loads.
+    """Import ``library`` while other values stand for some of the modules that it imports.
 
-    None: the library is loaded as if there were no such module.
+    With None the library finds no such module.
     """
     modules: dict[str, object] = sys.modules  # type: ignore[assignment] # None is Python's own way to say so
     before = {name: modules.get(name) for name in in_place}
     modules.update(in_place)
     try:
-        module(library)
+        real_module(library)
     finally:
         for name, usual in before.items():
             if usual is not None:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from donnie_tui.process import Later, load_with, module
+from donnie_tui.process import LazyValue, load_with, real_module
 from tests.conftest import ROOT
 from tests.timeouts import TIMEOUT
 
@@ -34,8 +34,8 @@ def test_what_is_in_the_place_of_a_module_loads_it_when_it_is_asked(
         greets="import rare_one\nfrom rare_one import word\ndef greet(): return rare_one.other, word()",
         rare_one="other = 2\ndef word(): return 'good day'",
     )
-    word = Later(lambda: module("rare_one").word)
-    load_with("greets", rare_one=Later(lambda: module("rare_one"), word=word))
+    word = LazyValue(lambda: real_module("rare_one").word)
+    load_with("greets", rare_one=LazyValue(lambda: real_module("rare_one"), word=word))
     assert "rare_one" not in sys.modules
 
     assert sys.modules["greets"].greet() == (2, "good day")
@@ -52,7 +52,7 @@ def test_another_thread_that_imports_meanwhile_gets_the_module(
         loads_long="import rare_two\nanswer = rare_two.answer",
         rare_two="answer = 42",
     )
-    load_with("loads_long", rare_two=Later(lambda: module("rare_two")))
+    load_with("loads_long", rare_two=LazyValue(lambda: real_module("rare_two")))
 
     assert sys.modules["loads_long"].answer == 42
     assert sys.modules["rare_two"].answer == 42
@@ -66,16 +66,16 @@ def test_a_library_is_loaded_as_if_there_were_no_such_module(
     load_with("prefers", rare_three=None)
 
     assert sys.modules["prefers"].rare_three == "none"
-    assert module("rare_three").__name__ == "rare_three"
+    assert real_module("rare_three").__name__ == "rare_three"
 
 
 def test_a_library_that_fails_leaves_what_was_loaded_before(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     library(tmp_path, monkeypatch, fails="import rare_four\nraise OSError", rare_four="")
-    before = module("rare_four")
+    before = real_module("rare_four")
     with pytest.raises(OSError):
-        load_with("fails", rare_four=Later(lambda: None))
+        load_with("fails", rare_four=LazyValue(lambda: None))
 
     assert sys.modules["rare_four"] is before
 

@@ -164,7 +164,7 @@ class Editor(TextArea):
             self.replace(found.before + line.lstrip(), (row, 0), (row, len(line)))
 
     def finish_typed_end(self) -> None:
-        """As Enter does, for an END that was typed although its block had one, before a command."""
+        """Remove the doubled END of a typed one before a command, as Enter does."""
         if self.next_line is not None and self.is_typed:
             row, _ = self.cursor_location
             found = self.next_line(self.document.lines, row)
