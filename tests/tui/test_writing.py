@@ -141,6 +141,7 @@ async def test_an_end_that_was_typed_is_no_second_one_when_a_key_follows_at_once
         assert screen.main.editor.text == "REPEAT 2 TIMES\n  FW 1\nEND REPEAT"
         if key == "f5":
             await screen.shows("The program is done.")
+            assert not any("You changed the program" in line for line in screen.log)
 
 
 async def test_in_the_plain_layout_enter_writes_nothing_but_a_line(open_screen):

@@ -169,6 +169,7 @@ class Editor(TextArea):
             row, _ = self.cursor_location
             found = self.next_line(self.document.lines, row)
             if found.doubled:
+                self.is_typed = False
                 self._finish_line(row, found)
 
     @property
