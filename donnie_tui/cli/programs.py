@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import os
 import sys
+import tempfile
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
@@ -352,7 +353,11 @@ def _answers(order: Order, pupils: Sequence[_Pupil]) -> Sequence[Path]:
         return ()
     folder, names = path_given(given, order.words), dict[str, None]()
     for pupil in pupils:
-        stem = Path(printable(pupil.label).replace("/", "-")).stem
+        stem = (
+            Path(printable(pupil.label).replace("/", "-"))
+            .stem.encode()[:_LONGEST_STEM]
+            .decode("utf-8", "ignore")
+        )
         possible = chain((f"{stem}.txt",), (f"{stem}-{number}.txt" for number in count(2)))
         names[next(each for each in possible if each not in names)] = None
     answers = [path_given(str(folder / each), order.words) for each in names]
@@ -366,7 +371,15 @@ def _answers(order: Order, pupils: Sequence[_Pupil]) -> Sequence[Path]:
         if (exists(answer) and not answer.is_file()) or not may_be_replaced("--feedback", answer):
             raise Unusable(order.words("output-is-other", option="--feedback", path=answer))
     _make_folder(folder, order.words)
+    try:
+        tempfile.TemporaryFile(dir=folder).close()
+    except OSError as problem:
+        raise Unusable(order.words("file-unwritable", path=str(folder), reason=problem.strerror)) from None
     return answers
+
+
+_LONGEST_STEM = 200
+"""Bytes of a label in the name of an answer; the names of files have 255."""
 
 
 def _is_link(path: Path) -> bool:

@@ -584,20 +584,46 @@ def test_answers_and_tables_that_cannot_be_written_are_a_sentence(
     assert program.read_text() == "FW 5"
 
 
-def test_a_link_in_a_circle_and_a_name_too_long_for_an_answer_are_a_sentence(
+def test_a_link_in_a_circle_is_a_sentence(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
     Path("circle.gd").symlink_to("circle.gd")
-    long = "a" * 252
-    Path(f"{long}.gd").write_text("FW 5")
+    Path("right.gd").write_text("FW 5")
     check = ["challenge", "check", "1"]
 
     assert main([*check, "circle.gd", "--csv", "t.csv", "--feedback", "answers", "--lang", "en"]) == 2
     assert capsys.readouterr().out.startswith("I can't read circle.gd: ")
-    assert main([*check, f"{long}.gd", "--feedback", "answers", "--lang", "en"]) == 2
-    _, err = capsys.readouterr()
-    assert (err.count("\n"), f"answers/{long}.txt" in err) == (1, True)
+    assert main([*check, "right.gd", "--feedback", "circle.gd", "--lang", "es"]) == 2
+    assert capsys.readouterr() == ("", "No puedo crear circle.gd: ya hay un archivo con ese nombre.\n")
+
+
+def test_long_names_of_pupils_are_shortened_for_their_answers(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    for end in "ab":
+        Path("class", "é" * 125 + end).mkdir(parents=True)
+        Path("class", "é" * 125 + end, "é" * 126 + ".gd").write_text("FW 5")
+
+    assert main(["challenge", "check", "1", "class", "--feedback", "answers", "--lang", "en"]) == 0
+    assert capsys.readouterr().err == ""
+    assert sorted(each.name for each in Path("answers").iterdir()) == [
+        "é" * 100 + "-2.txt",
+        "é" * 100 + ".txt",
+    ]
+
+
+def test_a_folder_for_answers_that_can_not_be_written_is_found_before_judging(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "right.gd").write_text("FW 5")
+
+    check = ["challenge", "check", "1", str(tmp_path / "right.gd"), "--lang", "en"]
+    assert main([*check, "--feedback", "/proc"]) == 2
+    printed = capsys.readouterr()
+    assert printed.out == ""
+    assert printed.err.startswith("I can't write /proc: ")
 
 
 def test_equal_programs_are_judged_once_and_have_a_line_each(

@@ -10,7 +10,19 @@ from devices.serial_ports import reason_of
 from donnie_tui.i18n.words import Words
 
 NUMBERS = (
-    *("ENOENT", "EACCES", "EPERM", "ENOSPC", "EDQUOT", "EFBIG", "EISDIR", "EROFS", "ENAMETOOLONG", "ENOTDIR"),
+    *(
+        "ENOENT",
+        "EEXIST",
+        "EACCES",
+        "EPERM",
+        "ENOSPC",
+        "EDQUOT",
+        "EFBIG",
+        "EISDIR",
+        "EROFS",
+        "ENAMETOOLONG",
+        "ENOTDIR",
+    ),
     *("ELOOP", "EINVAL", "EIO", "EBUSY", "EMFILE", "ENFILE", "ENOMEM", "ENOTTY", "ENXIO", "ENODEV"),
     *("EADDRINUSE", "EADDRNOTAVAIL", "EAFNOSUPPORT", "ENETUNREACH", "EHOSTUNREACH", "ETIMEDOUT"),
     *("ECONNREFUSED", "ECONNRESET", "EPIPE"),
