@@ -124,7 +124,8 @@ def _is_ours(stream: TextIO, number: int) -> bool:
 def _throw_away(stream: TextIO) -> None:
     """Redirect the stream to nowhere, so that the interpreter's last flush can't fail."""
     try:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+        with open(os.devnull, "wb") as nowhere:  # noqa: PTH123
+            os.dup2(nowhere.fileno(), stream.fileno())
     except (OSError, ValueError):
         return
 

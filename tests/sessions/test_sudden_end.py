@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from donnie_tui.tui import full_screen
 from donnie_tui.tui.app import DonnieApp
 from tests.timeouts import TIMEOUT
 from tests.tools.fuzz_screens import ForkedScreen
@@ -38,26 +39,40 @@ def test_the_cases_end_while_lines_are_typed_saved_and_run() -> None:
 
 
 class LeavingScreen(ForkedScreen):
-    """It is sent SIGTERM in the moment in which it leaves for another world."""
+    """It is sent SIGTERM in the moment in which it leaves for another world, or between the two screens."""
+
+    is_between = False
 
     def _be_the_program(self, arguments: list[str], folder: Path) -> int:
-        keep_input = DonnieApp.keep_input
+        owner, name = (full_screen, "_in_next_world") if self.is_between else (DonnieApp, "keep_input")
+        usual = getattr(owner, name)
 
-        def keep_and_end(app: DonnieApp) -> None:
-            keep_input(app)
+        def end(app: DonnieApp) -> object:
             os.kill(os.getpid(), signal.SIGTERM)
+            return usual(app)
 
-        DonnieApp.keep_input = keep_and_end  # type: ignore[method-assign] # in the child only
+        setattr(owner, name, end)  # in the child only
         return super()._be_the_program(arguments, folder)
 
 
-def test_a_signal_ends_a_screen_that_goes_to_another_world(tmp_path: Path) -> None:
-    screen = LeavingScreen(tmp_path)
+class BetweenScreens(LeavingScreen):
+    is_between = True
+
+
+@pytest.mark.parametrize(
+    ("kind", "code"), [(LeavingScreen, 128 + signal.SIGTERM), (BetweenScreens, -signal.SIGTERM)]
+)
+def test_a_signal_ends_a_screen_that_goes_to_another_world(
+    tmp_path: Path, kind: type[LeavingScreen], code: int
+) -> None:
+    screen = kind(tmp_path)
     try:
         screen.wait_until_loaded()
-        screen.press("CHALLENGE 2\r")
+        screen.press("FW 3\rTR 90\rCHALLENGE 2\r")
         screen.read_while(lambda: not screen.has_ended and screen.shown.count(b"\x1b[?1049h") < 2)
         assert screen.has_ended, "it is in the other world"
-        assert screen.end() == 128 + signal.SIGTERM
+        assert screen.end() == code
+        copies = [each.read_text() for each in tmp_path.rglob("unsaved*.gd")]
+        assert copies == ["FW 3\nTR 90\n"]
     finally:
         screen.close()
