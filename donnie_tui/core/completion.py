@@ -1,6 +1,6 @@
 """What may continue a program at the cursor: words that the grammar allows, and the next line.
 
-Inside a block its END comes first. QUIT is never offered, since it ends the lesson.
+Inside a block its END comes first, once something is in it. QUIT is never offered, since it ends the lesson.
 After the first line of a block the next one is indented, and the END is there already.
 """
 
@@ -25,15 +25,21 @@ MOST_WORDS = 50
 
 USUAL_NUMBERS = ("1", "2", "3", "4", "5", "10", "45", "90")
 """Of steps, rounds and degrees."""
+USUAL_DEGREES = ("90", "45", "180", "30", "60", "120")
+"""Of a turn."""
 _SIGNS = {
     "COMPARATOR": ("==", "<", ">", "<=", ">=", "<>"),
     "ASSIGN": ("=",),
     "LSQB": ("[",),
     "COLON": (":",),
-    "SEMICOLON": (";",),
 }
 """Signs that continue a command, by their terminals."""
-_COUNTED = frozenset(KIND[each] for each in ("FW", "BW", "TR", "TL", "WAIT", "REPEAT", "COMPARATOR", "LSQB"))
+_SEPARATOR = KIND["SEMICOLON"]
+"""The last of a list: few write it between two commands. In the first line of FOR it is alone there."""
+_TURNS = (KIND["TR"], KIND["TL"])
+_COUNTED = frozenset(
+    KIND[each] for each in ("FW", "BW", "TR", "TL", "WAIT", "REPEAT", "COMPARATOR", "LSQB", "SIGN", "SCALE")
+)
 """Kinds of tokens that a number follows more often than a word."""
 
 _FIRST = (
@@ -46,7 +52,10 @@ _NEVER = ("QUIT", "EXIT")
 
 _VAR, _PROCEDURE, _COLON, _COMMA, _DO = (KIND[each] for each in ("VAR", "PROCEDURE", "COLON", "COMMA", "DO"))
 _WORDS = frozenset(KIND[each] for each in TERMINAL_OF_WORD.values()) | {NAME}
-_HALVES = (FRAGMENT, KIND["END"], KIND["FOR"])
+_HEADS = frozenset(KIND[each] for each in ("THEN", "ELSE", "TIMES", "DO"))
+"""The last words before the commands of a block."""
+_HALF_WORDS = (FRAGMENT, KIND["END"])
+_HALVES = (*_HALF_WORDS, KIND["FOR"])
 """What a token is that may become a keyword of two words: RIGHT, END, and PARA in Portuguese."""
 
 
@@ -73,18 +82,26 @@ def completion(text: str, at: int, language: str, colours: Iterable[str] | None 
 
 
 def _listed(before: str, words: tuple[str, ...]) -> Iterator[str]:
-    """The likelier first: a number after FW, a sensor after IF."""
+    """The likelier first: a number after FW, a sensor after IF, a direction after DISTANCE."""
     tokens = lex(before).tokens
     kinds = kinds_after(tokens)
     last = tokens[-1] if tokens else None
-    if last is not None and "\n" not in before[last[2] :]:
+    kind = last[0] if last is not None else None
+    is_signed = last is not None and kind not in _HALF_WORDS and "\n" not in before[last[2] :]
+    if kind in TAKES:
+        yield from words
+    if last is not None and is_signed:
         procedures, variables = _declared(tokens)
         wrong = "ASSIGN" if last[5] in procedures else "LSQB" if last[5] in variables else ""
         fitting = (signs for name, signs in _SIGNS.items() if KIND[name] in kinds and name != wrong)
         yield from chain.from_iterable(fitting)
-    numbers = USUAL_NUMBERS if NUMBER in kinds else ()
-    is_counted = last is not None and last[0] in _COUNTED
-    yield from (*numbers, *words) if is_counted else (*words, *numbers)
+    usual = USUAL_DEGREES if kind in _TURNS else USUAL_NUMBERS
+    numbers, others = usual if NUMBER in kinds else (), () if kind in TAKES else words
+    is_first_value = kind == KIND["ASSIGN"] and [each[0] for each in tokens[-3:-1]] == [_VAR, NAME]
+    is_counted = kind in _COUNTED or is_first_value
+    yield from (*numbers, *others) if is_counted else (*others, *numbers)
+    if is_signed and _SEPARATOR in kinds:
+        yield ";"
 
 
 def _start_of_word(text: str, at: int) -> int:
@@ -107,16 +124,20 @@ def _words(text: str, start: int, at: int, language: str, colours: Iterable[str]
     if terminal is not None:
         yield from _arguments(terminal, language, colours)
     elif last == HELP and "\n" not in text[before[-1][2] : start]:
+        yield from (word for each in _ranked() for word in each.spellings[language])
         yield from keywords.all_words(language)
     else:
         if last in _HALVES:
             yield from _second_words(text[:start], before, language)
-        if last not in (FRAGMENT, KIND["END"]):
+        if last not in _HALF_WORDS:
             yield from _next_words(text, start, at, before, language)
 
 
 def _next_words(text: str, start: int, at: int, before: Sequence[Token], language: str) -> Iterator[str]:
-    """The end of the block, then commands and names; an END that is written already comes last."""
+    """The end of the block, then commands and names. An END comes last if it is written already.
+
+    So it does where nothing is in the block yet.
+    """
     kinds = kinds_after(before)
     if before and "\n" in text[before[-1][2] : start] and not kinds & _WORDS:
         kinds = kinds_after(before[:-1])  # an unknown word alone in its line
@@ -127,7 +148,7 @@ def _next_words(text: str, start: int, at: int, before: Sequence[Token], languag
         (each.line, each.depth, each.is_closed) == (block.line, block.depth, True) for each in outline(rest)
     )
     may_end = bool(ends) and any(kind in ENDS for kind in kinds)
-    if may_end and not is_ended:
+    if may_end and not is_ended and before[-1][0] not in _HEADS:
         yield from ends
     names, commands = _names(text, start, before, kinds), _keywords(kinds, language)
     yield from chain(names, commands) if NUMBER in kinds else chain(commands, names)

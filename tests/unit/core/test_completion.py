@@ -72,10 +72,9 @@ def test_on_an_empty_line_the_commonest_commands_come_first(text: str) -> None:
 @pytest.mark.parametrize(
     ("text", "first"),
     [
-        *(
-            (f"{word} ", ("1", "2", "3", "4", "5", "10", "45", "90"))
-            for word in ("FW", "BW", "TR", "TL", "WAIT")
-        ),
+        *((f"{word} ", ("1", "2", "3", "4", "5", "10", "45", "90")) for word in ("FW", "BW", "WAIT")),
+        ("TR ", ("90", "45")),
+        ("TL ", ("90", "45")),
         ("REPEAT ", ("1", "2")),
         ("PROCEDURE P: n DO\nEND PROCEDURE\nP [", ("1", "2")),
         ("IF ", ("DISTANCE",)),
@@ -89,6 +88,28 @@ def test_on_an_empty_line_the_commonest_commands_come_first(text: str) -> None:
         ("FOR VAR i = 1 ", (";",)),
         ("VAR a\n", ("FW", "TR")),
         ("SPEAK ", ("DISTANCE",)),
+        ("SPEAK DISTANCE ", ("F", "FR", "FL")),
+        ("IF DISTANCE ", ("F", "FR", "FL")),
+        ("IF DISTANCE F ", ("==", "<")),
+        ("VAR a = ", ("1", "2")),
+        ("FOR VAR i = ", ("1", "2")),
+        ("FOR VAR i = 1; ", ("i",)),
+        ("FOR VAR i = 1; i ", ("==", "<")),
+        ("FOR VAR i = 1; i < ", ("1", "2")),
+        ("FOR VAR i = 1; i < 5 ", (";",)),
+        ("FOR VAR i = 1; i < 5; ", ("i",)),
+        ("FOR VAR i = 1; i < 5; i ", ("=",)),
+        ("FOR VAR i = 1; i < 5; i = ", ("i",)),
+        ("FOR VAR i = 1; i < 5; i = i + ", ("1", "2")),
+        ("FOR VAR i = 1; i < 5; i = i + 1 ", ("DO",)),
+        ("FOR VAR i = 1; i < 5; i = i + 1 DO ", ("FW",)),
+        ("FOR VAR i = 1; i < 5; i = i + 1 DO\nFW i ", ("END FOR", "FW")),
+        ("FOR VAR i = 1; i < 5; i = i + 1 DO\nFW i\nEND ", ("FOR",)),
+        ("FOR VAR i = 1; i < 5; i = i + 1 DO\nFW i\nEND FOR ", ("FW",)),
+        ("FW 3 ", ("FW", "TR")),
+        ("REPEAT 4 TIMES ", ("FW", "TR")),
+        ("RIGHT ", ("TURN",)),
+        ("HELP ", ("FW", "TR")),
     ],
 )
 def test_the_list_has_the_likelier_of_words_numbers_and_signs_first(
@@ -99,8 +120,47 @@ def test_the_list_has_the_likelier_of_words_numbers_and_signs_first(
 
 
 @pytest.mark.parametrize(
+    ("text", "language", "first"),
+    [
+        ("PARA CRIAR i = 1; i < 5; i = i + 1 FAÇA\nPF i\nFIM PARA ", "pt", "PF"),
+        ("PARA CREAR i = 1; i < 5; i = i + 1 HACER\nAV i\nFIN PARA ", "es", "AV"),
+        ("PF 3 ", "pt", "PF"),
+        ("AV 3 ", "es", "AV"),
+        ("GD ", "pt", "90"),
+        ("GI ", "es", "90"),
+        ("FALAR DISTÂNCIA ", "pt", "F"),
+        ("HABLAR DISTANCIA ", "es", "F"),
+        ("PARA CRIAR i = 1 ", "pt", ";"),
+        ("PARA CREAR i = 1 ", "es", ";"),
+        ("REPITA 4 VEZES ", "pt", "PF"),
+        ("REPITA 4 VEZES PF 1 ", "pt", "FIM REPITA"),
+    ],
+)
+def test_in_each_language_the_list_begins_with_what_a_learner_writes_there(
+    text: str, language: str, first: str
+) -> None:
+    assert completion(text, len(text), language).listed[0] == first
+
+
+@pytest.mark.parametrize(
+    "text", ["END FOR ", "FW 3 ", "VAR a ", "VAR a = 1 ", 'SPEAK "a" ', "SPEAK DISTANCE "]
+)
+def test_a_semicolon_between_commands_is_listed_last(text: str) -> None:
+    listed = completion(text, len(text), "en").listed
+
+    assert listed.index(";") == len(listed) - 1
+
+
+@pytest.mark.parametrize(
     ("text", "wrong"),
-    [("VAR a = 1\na ", "["), ("PROCEDURE P: n DO\nEND PROCEDURE\nP ", "="), ("VAR a\n", "="), ("FW 1 ", "=")],
+    [
+        ("VAR a = 1\na ", "["),
+        ("PROCEDURE P: n DO\nEND PROCEDURE\nP ", "="),
+        ("VAR a\n", "="),
+        ("FW 1 ", "="),
+        ("END ", ";"),
+        ("RIGHT ", ";"),
+    ],
 )
 def test_no_sign_is_listed_that_can_not_follow(text: str, wrong: str) -> None:
     assert wrong not in completion(text, len(text), "en").listed
@@ -113,10 +173,16 @@ def test_only_names_of_the_head_of_a_procedure_are_its_parameters() -> None:
 
 
 def test_an_open_block_is_ended_first_and_a_finished_one_last() -> None:
-    assert words("REPEAT 4 TIMES\n")[:2] == ("END REPEAT", "FW")
+    assert words("REPEAT 4 TIMES\nFW 1\n")[:2] == ("END REPEAT", "FW")
     finished = words("REPEAT 4 TIMES\n|\nEND REPEAT")
 
     assert (finished[0], finished[-1]) == ("FW", "END REPEAT")
+
+
+def test_a_block_without_commands_is_not_ended_first() -> None:
+    found = words("REPEAT 4 TIMES\n")
+
+    assert (found[0], found[-1]) == ("FW", "END REPEAT")
 
 
 def test_in_portuguese_para_continues_as_a_movement() -> None:
