@@ -169,8 +169,11 @@ def tokens(text: str, file: str) -> Iterator[WorldToken]:
             opened.append(token)
             if len(opened) > DEEPEST:
                 raise WorldError(Code.NESTED_TOO_DEEP, file, token.line, token.column, limit=DEEPEST)
-        elif opened and opened[-1].kind == _CLOSES.get(token.kind):
-            opened.pop()
+        elif token.kind in _CLOSES:
+            while token.kind == "RPAR" and len(opened) > 1 and opened[-1].kind == "LSQB":
+                opened.pop()  # in a define that nothing uses, Stage counts parentheses only
+            if opened and opened[-1].kind == _CLOSES[token.kind]:
+                opened.pop()
         yield token
     if opened:
         last = opened[-1]

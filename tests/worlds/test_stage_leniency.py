@@ -187,6 +187,29 @@ def test_a_mistake_in_a_define_that_nothing_uses_is_a_warning() -> None:
 
 
 @pytest.mark.parametrize(
+    ("body", "column"), [("size [ 1 2 3", 31), ("pose [ 1 2 ( )", 29), ("size [ [ 1", 29), ("size 1 ]", 25)]
+)
+def test_an_open_bracket_in_a_define_that_nothing_uses_is_a_warning(body: str, column: int) -> None:
+    """Stage counts the parentheses of such a body, not its brackets."""
+    scene = load(f"define a model ( {body} )\nmodel ( pose [ 1 2 0 0 ] )")
+
+    assert [each.pose.x for each in scene.models] == [1]
+    note = scene.report.notes[0]
+    assert (note.code, note.line, note.column) == ("broken-define", 1, column)
+
+
+@pytest.mark.parametrize(
+    ("text", "column"),
+    [("define a model ( size [ 1 2 3 ]\nmodel ( )", 16), ("define a model ( b ( )\nmodel ( )", 16)],
+)
+def test_an_open_parenthesis_in_a_define_is_a_mistake_as_in_stage(text: str, column: int) -> None:
+    with pytest.raises(WorldError) as caught:
+        load(text)
+
+    assert (caught.value.code, caught.value.line, caught.value.column) == (Code.UNCLOSED, 1, column)
+
+
+@pytest.mark.parametrize(
     ("text", "line", "column"),
     [
         ("define a model ( 5 )\nmodel ( a ( ) )", 1, 18),
