@@ -152,10 +152,10 @@ def _scattered_places(scene: Scene, seed: int) -> Mapping[int, Placement]:
     """
     from random import Random  # loaded where there is chance
 
-    area = scene.settings.get("scatter", ())
-    if not isinstance(area, tuple) or len(area) != 4 or not all(isinstance(each, float) for each in area):
-        return {}
-    west, south, east, north = (float(str(each)) for each in area)
+    area = scene.settings["scatter"]
+    assert isinstance(area, tuple)
+    corners = [float(str(each)) for each in area]
+    (west, east), (south, north) = sorted(corners[::2]), sorted(corners[1::2])
     chance = Random(f"scatter {seed}")
     robots = [scene.models[each] for each in scene.robots]
     taken = [(each.pose.x, each.pose.y, _half(each) + _AROUND_ROBOTS) for each in robots]

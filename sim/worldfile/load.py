@@ -154,6 +154,9 @@ def _scene(name: str, reader: FileReader, statements: Iterable[Placed]) -> Scene
     entities = expander.expand(statements)
     values.use_units(expander.settings)
     values.check(expander.settings, quiet=True)
+    settings = _plain(expander.settings)
+    if (area := expander.settings.get("scatter")) is not None:
+        settings["scatter"] = values.numbers(area, 4, 4)
     resolution = values.length(expander.settings, "resolution", USUAL_RESOLUTION)
     builder = Builder(values, Plans(reader, values, resolution).plan, expander.settings)
     builder.build(entities)
@@ -168,7 +171,7 @@ def _scene(name: str, reader: FileReader, statements: Iterable[Placed]) -> Scene
         *_no_robot(reader, robots),
     )
     report = LoadReport(tuple(dict.fromkeys(reader.files)), _counts(models), notes, tuple(reader.pictures))
-    scene = Scene(name, models, robots, _plain(expander.settings), report)
+    scene = Scene(name, models, robots, settings, report)
     inside = tuple(standing_inside(scene))
     return replace(scene, report=replace(report, notes=(*notes, *inside))) if inside else scene
 
@@ -198,7 +201,7 @@ def _counts(models: tuple[Model, ...]) -> tuple[tuple[str, int], ...]:
     return tuple(Counter(model.type for model in models).most_common())
 
 
-def _plain(settings: Mapping[str, Setting]) -> Mapping[str, float | str | tuple[object, ...]]:
+def _plain(settings: Mapping[str, Setting]) -> dict[str, float | str | tuple[object, ...]]:
     return {name: plain(setting.property.value) for name, setting in settings.items()}
 
 

@@ -296,7 +296,7 @@ class ValueReader:
             )
         elif types == ("tuple",) and not isinstance(setting.property.value, parser.Tuple):
             raise mistake(Code.WRONG_TYPE, setting, types, name=name)
-        elif name in UNUSED and not quiet:
+        elif (name in UNUSED or name == "scatter") and not quiet:  # at the top level it counts
             self.note(NoteKind.IGNORED, "unused-property", setting, name=name)
 
     def _items(self, setting: Setting, least: int, most: int) -> tuple[parser.Value, ...]:

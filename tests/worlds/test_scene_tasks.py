@@ -173,3 +173,26 @@ def test_a_scattered_world_of_a_learner_keeps_what_its_author_wrote(tmp_path: Pa
     assert 'include "donnie.inc" # mine\nscatter' in world.text
     assert not world.is_robot_put_in
     assert inhabited_world(str(file), WORDS).text == ""
+
+
+@pytest.mark.parametrize("area", ['[ "-2" -2 2 2.0.1 ]', "[ 2 -2 -2 2 5 ]", "[ 2 2 -2 -2 ]"])
+def test_a_rectangle_to_scatter_in_is_read_as_other_numbers_are(tmp_path: Path, area: str) -> None:
+    """Texts are numbers, as in Stage; a fifth value has no effect; two opposite corners in any order."""
+    file = tmp_path / "w.world"
+    line = 'model( name "in" pose [ 1 1 0 0 ] )\ninclude "donnie.inc"\ndonnie( name "d" pose [ 0 0 0 90 ] )\n'
+    file.write_text(f"scatter {area}\n{line}")
+
+    world = inhabited_world(str(file), WORDS, seed=2)
+
+    (inside,) = (each for each in world.scene.models if each.name == "in")
+    assert (inside.pose.x, inside.pose.y) != (1, 1)
+    assert {note.code for note in world.scene.report.notes} <= {"read-as", "first-values"}
+
+
+def test_a_rectangle_to_scatter_in_has_no_effect_in_a_model(tmp_path: Path) -> None:
+    file = tmp_path / "w.world"
+    file.write_text("model(\n  scatter [ -2 -2 2 2 ]\n)\n")
+
+    (note, *_) = inhabited_world(str(file), WORDS).scene.report.notes
+
+    assert (note.code, note.line, note.details["name"]) == ("unused-property", 2, "scatter")
