@@ -223,10 +223,12 @@ class Keyboard:
         self._menu = KeyMenu(self._key_table.all, words, self._session.point, is_plain=self._place.is_plain)
         self._app.push_screen(self._menu, self._menu_is_gone)
 
-    def _menu_is_gone(self, _answer: None) -> None:
-        if self._menu is not None:  # left without a command
+    def _menu_is_gone(self, clicked: str | None) -> None:
+        if self._menu is not None:  # left without a key
             self._dialogs.note_gone()
         self._menu = None
+        if clicked is not None:
+            self._queue.do(lambda: self._do_in_turn(clicked))
 
     def _did_by_menu(self, event: Key) -> bool:
         """Handle the letter after the menu key, whether its list is shown yet or not.
@@ -237,6 +239,8 @@ class Keyboard:
         if menu is None or event.key in menu.READING:
             return False
         name, self._menu = menu.names.get(after_menu(event.key)), None
+        if event.key == "enter":
+            name = name or menu.chosen
         menu.leave()
         self._queue.do(lambda: self._do_in_turn(name) if name else self._report_no_key(event))
         return True

@@ -200,6 +200,16 @@ async def test_the_menu_key_lists_its_letters_and_esc_closes_the_list(open_scree
         await screen.until(lambda: screen.app.screen is screen.main, "the main screen")
 
 
+async def test_enter_does_the_command_of_the_chosen_row_of_the_menu(open_screen):
+    async with open_screen() as screen:
+        await screen.press(MENU)
+        await screen.until(lambda: screen.app.screen is not screen.main, "the menu")
+        assert screen.app.screen.cells[2][1] == "COORDINATES"
+        await screen.press("down", "down", "enter")
+        await screen.until(lambda: screen.app.screen is screen.main, "the main screen")
+        await screen.until(lambda: screen.main.map.has_rulers, "the numbers at the edges")
+
+
 @pytest.mark.parametrize("language", ["en", "pt", "es"])
 async def test_the_keys_after_the_menu_key_are_a_panel_with_columns(open_screen, language):
     """The program stays in sight next to it."""

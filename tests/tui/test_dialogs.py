@@ -563,7 +563,7 @@ async def test_the_keys_after_the_menu_key_are_listed_letters_first():
             COMMANDS[at].name for at in (3, 1, 2, 0)
         ]  # fmt: skip
         assert [row[2] for row in menu.cells] == [words(f"action-{COMMANDS[at].name}") for at in (3, 1, 0, 2)]
-        assert said == [f"{words('menu-title')}. {words('page-keys')}. {': '.join(menu.cells[0])}"]
+        assert said == [f"{words('menu-title')}. {words('completion-keys')}. {': '.join(menu.cells[0])}"]
         widths = [max(len(row[at]) for row in menu.cells) for at in range(3)]
         assert menu.rows.lines == tuple(
             "  ".join(cell.ljust(each) for cell, each in zip(row, widths, strict=True)).rstrip()

@@ -1,6 +1,7 @@
 """What a click does: a key of the bottom line is pressed, a square of the map is described."""
 
 import pytest
+from textual import events
 from textual.geometry import Offset
 
 
@@ -193,7 +194,7 @@ PANELS = {
     "files": (("ctrl+o",), "Enter takes it, Esc goes back"),
     "help": (("f1",), "F1: the manual, Esc goes back"),
     "page": (("ctrl+k", "0"), "Esc goes back, arrows read"),
-    "menu": (("ctrl+k",), "Esc goes back, arrows read"),
+    "menu": (("ctrl+k",), "Enter takes it, Esc goes back"),
     "question": (("ctrl+f",), "Enter answers, Esc goes back"),
     "words": (("ctrl+@",), "Enter takes it, Esc goes back"),
 }
@@ -228,6 +229,43 @@ async def test_a_click_on_the_keys_that_press_nothing_leaves_a_list_open(open_sc
             await screen.pilot.click(offset=(screen.text.splitlines()[23].index(said) + 1, 23))
             await screen.painted()
             assert screen.app.screen is listed
+
+
+@pytest.mark.parametrize("size", [(40, 12), (80, 24), (120, 40)], ids=str)
+async def test_a_click_on_a_row_of_the_keys_after_the_menu_key_does_its_command(open_screen, size) -> None:  # type: ignore[no-untyped-def]
+    async with open_screen("FW 1", size=size) as screen:
+        for clicked, name in (("COORDINATES", "has_rulers"), ("PICTURE", "is_picture")):
+            await screen.press("ctrl+k")
+            await screen.until(lambda: screen.app.screen is not screen.main, "the keys")
+            await screen.painted()
+            rows = screen.text.splitlines()
+            for _ in range(20):
+                if any(clicked in row for row in rows):
+                    break
+                await screen.pilot._post_mouse_events([events.MouseScrollDown], offset=(20, 5))
+                await screen.painted()
+                rows = screen.text.splitlines()
+            row = next(at for at, each in enumerate(rows) if clicked in each)
+            await screen.pilot.click(offset=(rows[row].index(clicked) + 2, row))
+            await screen.until(lambda: screen.app.screen is screen.main, "the main screen")
+            await screen.until(lambda name=name: getattr(screen.main.map, name), clicked)
+
+
+async def test_the_wheel_moves_the_chosen_word_to_complete_with_its_list(open_screen) -> None:  # type: ignore[no-untyped-def]
+    """The words of the first lesson, by their order on an empty line; one notch is three rows."""
+    async with open_screen("") as screen:
+        await screen.press("ctrl+@")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the words")
+        await screen.painted()
+        words = screen.app.screen.list
+        seen = []
+        for turn in (events.MouseScrollDown, events.MouseScrollDown, events.MouseScrollUp):
+            await screen.pilot._post_mouse_events([turn], words)
+            await screen.painted()
+            seen.append((words.highlighted, words.scroll_offset.y))
+        assert seen == [(3, 3), (6, 6), (3, 3)]
+        await screen.press("enter")
+        await screen.until(lambda: screen.main.editor.text == "BW", "the fourth word")
 
 
 async def test_a_click_next_to_the_words_to_complete_closes_them(open_screen) -> None:  # type: ignore[no-untyped-def]

@@ -130,18 +130,26 @@ async def test_new_rows_are_read_only_by_rows_that_follow_and_are_at_the_newest(
         assert rows.row_text == ("new" if follows else "9")
 
 
-async def test_the_wheel_reads_three_rows_further_and_shows_it():
+async def test_the_wheel_moves_the_rows_and_the_one_that_is_read_by_three():
+    """At the ends of the list only the row moves."""
     async with Posting(follows=True).run_test(size=(40, 8)) as pilot:
         rows = pilot.app.rows
-        rows.append((str(i), "") for i in range(10))
+        rows.append((str(i), "") for i in range(20))
         await pilot.pause()
-        for turn, row in ((MouseScrollUp, "6"), (MouseScrollUp, "3"), (MouseScrollDown, "6")):
-            event = turn(rows, 0, 0, 0, 0, 0, False, False, False)
-            rows.post_message(event)
+        bottom = 20 - rows.size.height
+        tops = []
+        for turn, row in (
+            *((MouseScrollUp, read) for read in (16, 13, 10, 7, 4, 1, 0)),
+            *((MouseScrollDown, read) for read in (3, 6)),
+        ):
+            rows.post_message(turn(rows, 0, 0, 0, 0, 0, False, False, False))
             await pilot.pause()
-            assert rows.row_text == row
-            assert pilot.app.read[-1] == (row, False)
+            assert rows.row_text == str(row)
+            assert pilot.app.read[-1] == (str(row), False)
             assert f" {row}" in painted(rows)
+            tops.append(int(painted(rows)[0]))
+
+        assert tops == [*(max(0, bottom - 3 * turn) for turn in range(1, 8)), 3, 6]
 
 
 async def test_the_first_row_of_a_line_says_all_of_it_and_the_others_themselves():

@@ -32,8 +32,8 @@ async def click(screen: ScreenDriver, words: str) -> None:
 
 
 def _rows_with(screen: ScreenDriver, words: str) -> list[tuple[int, str]]:
-    """The rows that have these whole words, each with its place."""
-    whole = re.compile(rf"(?<!\w){re.escape(words)}(?!\w)")
+    """The rows that have these whole words, and no longer command such as STEP BACK, each with its place."""
+    whole = re.compile(rf"(?<!\w){re.escape(words)}(?!\w| [A-Z])")
     return [(y, row) for y, row in enumerate(screen.text.splitlines()) if whole.search(row)]
 
 

@@ -28,7 +28,7 @@ from textual.widgets import Input, OptionList, Static
 
 from donnie_tui.commands.interaction import Option
 from donnie_tui.tui.widgets.command_line import InputLine
-from donnie_tui.tui.widgets.rows import LOWEST, BottomKeys, DialogKeys, TextRows, rows_always_seen
+from donnie_tui.tui.widgets.rows import LOWEST, WHEEL, BottomKeys, DialogKeys, TextRows, rows_always_seen
 
 MOST_SEEN = 8
 """Rows of a list of proposed answers."""
@@ -161,7 +161,7 @@ class Question(Dialog[str | None]):
             line.value = self._list.row_text
             line.cursor_position = len(line.value)
 
-    def on__rows_clicked(self, event: _Rows.Clicked) -> None:
+    def on_clickable_rows_clicked(self, event: ClickableRows.Clicked) -> None:
         assert self._list is not None
         self._list.choose_line(event.line)
         self._answer(self._list.row_text)
@@ -205,8 +205,8 @@ def _rank(text: str, typed: str) -> int:
     return 3 if re.search(rf"\b{re.escape(typed)}\b", text) else 4
 
 
-class _Rows(TextRows, can_focus=False):
-    """Rows with one chosen row; the focus stays in the input line."""
+class ClickableRows(TextRows):
+    """Rows of which a click takes one."""
 
     class Clicked(Message):
         """A line was clicked."""
@@ -215,10 +215,6 @@ class _Rows(TextRows, can_focus=False):
             super().__init__()
             self.line = line
 
-    @property
-    def is_read(self) -> bool:
-        return True
-
     def on_click(self, event: events.Click) -> None:
         """Post the clicked line, if there is one."""
         place = event.get_content_offset(self)
@@ -226,6 +222,14 @@ class _Rows(TextRows, can_focus=False):
         if row < self.row_count:
             self._read(row)
             self.post_message(self.Clicked(self.line))
+
+
+class _Rows(ClickableRows, can_focus=False):
+    """Rows with one chosen row; the focus stays in the input line."""
+
+    @property
+    def is_read(self) -> bool:
+        return True
 
 
 class _Answers(_Rows):
@@ -522,7 +526,7 @@ class Chooser(Panel[str | None]):
         else:
             self.action_go_back()
 
-    def on__rows_clicked(self, event: _Rows.Clicked) -> None:
+    def on_clickable_rows_clicked(self, event: ClickableRows.Clicked) -> None:
         """Answer the clicked row, as Enter does."""
         self._take(event.line)
 
@@ -531,12 +535,24 @@ class Chooser(Panel[str | None]):
 
 
 class _Words(OptionList):
-    """Textual's list, with the terminal's own cursor on the row."""
+    """Textual's list, with the terminal's own cursor on the row, which the wheel moves as in other lists."""
 
     @property
     def cursor_screen_offset(self) -> Offset:
         row = (self.highlighted or 0) - self.scroll_offset.y
         return self.content_region.offset + Offset(0, max(0, row))
+
+    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
+        self._roll(event, -WHEEL)
+
+    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
+        self._roll(event, WHEEL)
+
+    def _roll(self, event: events.MouseEvent, rows: int) -> None:
+        event.stop()
+        event.prevent_default()
+        self.scroll_to(y=self.scroll_offset.y + rows, animate=False, immediate=True)
+        self.highlighted = min(max(0, (self.highlighted or 0) + rows), self.option_count - 1)
 
 
 class Completions(Panel[tuple[str, str]]):

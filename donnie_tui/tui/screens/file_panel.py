@@ -40,7 +40,7 @@ from donnie_tui.core.wording import Wording
 from donnie_tui.process.confinement import confinement, is_allowed, part_below
 from donnie_tui.tui.screens.dialogs import LEAST_REST, Panel
 from donnie_tui.tui.widgets.command_line import InputLine
-from donnie_tui.tui.widgets.rows import BottomKeys, DialogKeys
+from donnie_tui.tui.widgets.rows import WHEEL, BottomKeys, DialogKeys
 from language.source import fold_name, printable
 
 MOST_RECENT = 5
@@ -49,7 +49,6 @@ MOST_SHOWN = 500
 """Rows of a folder; its last row shows as many more."""
 _WIDTH, _HEIGHT = 80, 26
 """Columns and rows of the panel, at most."""
-_WHEEL = 3
 _FAR = 10**6
 
 
@@ -129,15 +128,16 @@ class FileTree(Tree[Row]):
     COMPONENT_CLASSES: ClassVar[set[str]] = {"file-tree--remark"}
 
     def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
-        self._roll(event, -_WHEEL)
+        self._roll(event, -WHEEL)
 
     def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
         """Choose another row, so that Enter takes a visible one."""
-        self._roll(event, _WHEEL)
+        self._roll(event, WHEEL)
 
     def _roll(self, event: events.MouseEvent, rows: int) -> None:
         event.stop()
         event.prevent_default()
+        self.scroll_to(y=self.scroll_offset.y + rows, animate=False, immediate=True)
         self.choose(max(0, self.cursor_line + rows))
 
 

@@ -2,7 +2,8 @@
 
 ``Help`` shows lines; the first ones are spoken, then each row that is reached. ``Tour`` shows a page at
 a time: Enter turns the page, Backspace turns back, Esc lets the learner try what it says; ``TourStrip`` is
-the same below the panes. ``KeyMenu`` lists what each key after the menu key does; the next key does it.
+the same below the panes. ``KeyMenu`` lists what each key after the menu key does; the next key does it, a
+click on a row, or Enter.
 ``KeyCapture`` waits for the new key of a command: Esc goes back, Backspace removes a chosen key.
 Its answer is the key as the settings file writes it, empty for none, or None if the learner went back.
 """
@@ -26,7 +27,7 @@ from donnie_tui.commands.declarations import BY_NAME
 from donnie_tui.commands.keys import MENU, after_menu, key_label
 from donnie_tui.commands.lookup import word_of
 from donnie_tui.core.wording import Wording
-from donnie_tui.tui.screens.dialogs import Dialog, Panel
+from donnie_tui.tui.screens.dialogs import ClickableRows, Dialog, Panel
 from donnie_tui.tui.widgets.command_line import InputLine
 from donnie_tui.tui.widgets.rows import BottomKeys, DialogKeys, TextRows
 
@@ -222,8 +223,8 @@ class TourStrip(Vertical, can_focus=True):
             self.post_message(self.Left())
 
 
-class KeyMenu(Panel[None]):
-    """Lists ``names``, the commands by their keys. The application runs the chosen one."""
+class KeyMenu(Panel[str | None]):
+    """Lists ``names``, the commands by their keys. Answers the clicked one; the application runs it."""
 
     BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "leave", priority=True)]
     AUTO_FOCUS = "#key-rows"
@@ -247,13 +248,14 @@ class KeyMenu(Panel[None]):
             for key in each
             if key.startswith(f"{MENU} ")
         }
-        self._title_words, self._keys = words("menu-title"), words("page-keys")
+        self._title_words, self._keys = words("menu-title"), words("completion-keys")
+        self._sorted = sorted(self.names.items(), key=_place)
         self.cells = [
             (key_label(key, words.language), word_of(BY_NAME[name], words.language), words(f"action-{name}"))
-            for key, name in sorted(self.names.items(), key=_place)
+            for key, name in self._sorted
         ]
         """For each row: the key, the word and the purpose."""
-        self.rows = TextRows(id="key-rows")
+        self.rows = ClickableRows(id="key-rows")
         self._panel = Vertical(id="panel")  # a letter may close the menu before it has its children
 
     def compose(self) -> ComposeResult:
@@ -264,8 +266,16 @@ class KeyMenu(Panel[None]):
         if not self.is_alone:
             yield BottomKeys(self._keys)
 
-    def on_dialog_keys_clicked(self) -> None:
-        self.action_leave()
+    @property
+    def chosen(self) -> str:
+        """The command of the chosen row."""
+        return self._sorted[self.rows.line][1]
+
+    def on_clickable_rows_clicked(self) -> None:
+        self.dismiss(self.chosen)
+
+    def on_dialog_keys_clicked(self, event: DialogKeys.Clicked) -> None:
+        self.dismiss(self.chosen if event.key == "enter" else None)
 
     def on_mount(self) -> None:
         self._lay_out()

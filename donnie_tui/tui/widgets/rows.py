@@ -24,7 +24,7 @@ from rich.segment import Segment
 from rich.style import Style
 from textual.binding import Binding, BindingType
 from textual.content import Content
-from textual.events import Click, MouseScrollDown, MouseScrollUp
+from textual.events import Click, MouseEvent, MouseScrollDown, MouseScrollUp
 from textual.geometry import Offset, Region, Size
 from textual.message import Message
 from textual.scroll_view import ScrollView
@@ -308,8 +308,8 @@ MOST_LINES = 100_000
 _NOT_KNOWN = 1 << 16
 """The width before the first layout: each line is a row."""
 _KIND_WIDTH = 10
-_WHEEL = 3
-"""Rows of a step of the mouse wheel."""
+WHEEL = 3
+"""Rows of a step of the mouse wheel in a list."""
 _NARROW = 56
 """Columns below which the kinds have no column of their own."""
 
@@ -575,13 +575,17 @@ class TextRows(PaintedRows, can_focus=True):
         self._read(self.row + down * max(1, self.size.height - 1))
 
     def on_mouse_scroll_up(self, event: MouseScrollUp) -> None:
-        event.stop()
-        self._read(self.row - _WHEEL)
+        self._roll(event, -WHEEL)
 
     def on_mouse_scroll_down(self, event: MouseScrollDown) -> None:
-        """Choose another row, as the arrows do, so that Enter takes a visible one."""
+        self._roll(event, WHEEL)
+
+    def _roll(self, event: MouseEvent, rows: int) -> None:
+        """Move the window and the chosen row together, so that Enter takes a visible row."""
         event.stop()
-        self._read(self.row + _WHEEL)
+        event.prevent_default()  # Textual would scroll two rows more
+        self.scroll_to(y=self.scroll_offset.y + rows, animate=False, force=True, immediate=True)
+        self._read(self.row + rows)
 
     def action_oldest(self) -> None:
         self._read(0)
