@@ -144,13 +144,19 @@ async def save_world(ctx: Context, argument: str) -> None:
     if path != own and exists(path):
         await confirm_replacing(ctx, "ask-replace", path)
     donnie.building().save(path)
-    ctx.answer("built-saved", name=path.name)
+    ctx.answer("built-saved", name=path)
 
 
 async def may_leave_built(ctx: Context) -> bool:
-    """Offer to save a built world before leaving it. Returns False, after an answer, to stay."""
+    """Offer to save a built world before leaving it. Returns False, after an answer, to stay.
+
+    Where no question is possible, a copy is kept.
+    """
     site = ctx.donnie.site
-    if site.is_saved or not ctx.interaction.is_attended:
+    if site.is_saved:
+        return True
+    if not ctx.interaction.is_attended:
+        keep_built(ctx)
         return True
     wants_to_save = await ctx.interaction.confirm(ctx.words("ask-save-world"))
     if wants_to_save:
@@ -158,3 +164,10 @@ async def may_leave_built(ctx: Context) -> bool:
     if wants_to_save is not False and not site.is_saved:
         ctx.answer("stays-unsaved")
     return wants_to_save is False or site.is_saved
+
+
+def keep_built(ctx: Context) -> None:
+    """Keep a copy of the built world, and say in which file."""
+    kept = ctx.donnie.rescue_world()
+    if kept is not None:
+        ctx.answer("built-rescued", path=kept)

@@ -184,9 +184,11 @@ class Conversation:
             raise
         except Gone:
             workspace.write_copies()
+            self._donnie.rescue_world()
             return self.console.code_when_gone
         except BaseException:
             workspace.write_copies()
+            self._donnie.rescue_world()
             raise
         finally:
             self._state.past.trim()

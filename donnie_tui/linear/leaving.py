@@ -99,9 +99,10 @@ class Leaving:
         elif self._prompter.has_ended:  # to stay and ask again would never end
             self._keeps_copies = True
             self._ctx.workspace.write_copies()
-            rescued = self._ctx.donnie.rescue_world()
-            if rescued is not None:
-                self._ctx.answer("built-rescued", path=rescued)
+            if not self._ctx.donnie.site.is_saved:
+                from donnie_tui.commands.build import keep_built
+
+                keep_built(self._ctx)
             if not all(each.is_saved for each in self._ctx.workspace.current_first):
                 self._ctx.answer("answer-rescued")
             self.code = code

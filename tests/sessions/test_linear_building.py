@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.sessions.command import QUIET, donnie
 from tests.sessions.learner import Learner
 
 pytestmark = pytest.mark.slow
@@ -61,3 +62,19 @@ def test_a_hangup_keeps_the_world(builder: Learner, tmp_path: Path) -> None:
 
     builder.leaves()
     assert 'box( name "treasure"' in next(tmp_path.rglob("unsaved.world")).read_text()
+
+
+@pytest.mark.parametrize("end", ["", "QUIT\n", "WORLD maze\n", "CHALLENGE 1\n"])
+def test_a_script_that_builds_and_does_not_save_keeps_the_world(tmp_path: Path, end: str) -> None:
+    done = donnie(tmp_path, "--linear", *QUIET, typed=f"PUT box red 4 6 AS treasure\n{end}")
+
+    kept = next(tmp_path.rglob("unsaved.world"))
+    assert f"Your world is kept as {kept}." in done.stdout.decode().splitlines()
+    assert 'box( name "treasure"' in kept.read_text()
+
+
+@pytest.mark.parametrize("end", ["SAVE WORLD mine\n", "UNDO\n"])
+def test_a_script_that_saves_or_takes_back_what_it_built_keeps_no_copy(tmp_path: Path, end: str) -> None:
+    donnie(tmp_path, "--linear", *QUIET, typed=f"PUT box red 4 6 AS treasure\n{end}")
+
+    assert not list(tmp_path.rglob("unsaved.world"))

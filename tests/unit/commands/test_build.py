@@ -532,8 +532,21 @@ def test_the_name_of_a_world_is_read_as_that_of_a_program(
     script.type("PUT box red 4 6")
 
     assert script.answers_to("SAVE WORLD folder.world") == ["folder.world is a folder."]
-    assert script.answers_to('SAVE WORLD "~/a\x1bb"')[0].startswith("World saved as a b.world.")
-    assert (tmp_path / "a b.world").is_file()
+    file = tmp_path / "a b.world"
+    assert script.answers_to('SAVE WORLD "~/a\x1bb"') == [f"World saved as {file}. WORLD {file} goes there."]
+    assert file.is_file()
+
+
+def test_a_saved_world_is_named_as_it_can_be_typed_again(open_script: OpenScript, tmp_path: Path) -> None:
+    (tmp_path / "sub").mkdir()
+    script = open_script(world="first_room")
+
+    script.answers_to("PUT box red 4 6")
+    (saved,) = script.answers_to("SAVE WORLD ./sub//room")
+    assert saved == "World saved as sub/room.world. WORLD sub/room.world goes there."
+    with pytest.raises(EnterWorld) as entered:
+        script.type(saved.split(". ")[1].removesuffix(" goes there."))
+    assert entered.value.name == "sub/room.world"
 
 
 @pytest.mark.parametrize(
