@@ -155,7 +155,7 @@ class Donnie(Struct, frozen=True):
         file = Path(f"{state_path(os.environ)}/{UNSAVED_WORLD}")
         try:
             make_folder(file.parent)
-            write_program(file, self.site.text)
+            write_program(file, self.building().text_at(file))
         except (DocumentError, OSError):
             return None
         return file

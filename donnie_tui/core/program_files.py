@@ -353,6 +353,23 @@ def write_bytes(path: Path, data: bytes) -> None:
         raise DocumentError("file-unwritable", str(path), _reason(problem)) from None
 
 
+def write_companion(path: Path, suffix: str, data: bytes) -> str:
+    """Write a file that belongs to ``path`` and return its name, the first that is free or has that content.
+
+    Raises ``DocumentError`` and ``OSError``.
+    """
+    for number in itertools.count(1):
+        other = path.with_name(f"{path.stem}-{number}{suffix}")
+        if not exists(other):
+            write_bytes(other, data)
+            return other.name
+        if other.is_file():
+            with open_bytes(other) as file:
+                if file.read() == data:
+                    return other.name
+    raise AssertionError("numbers have no end")
+
+
 _numbers = itertools.count()
 """Of the files of this process: a name is never given twice."""
 

@@ -15,11 +15,12 @@ from msgspec.structs import replace
 
 from devices.ports.robot import STEP
 from donnie_tui.core.describe import has_way_out
-from donnie_tui.core.program_files import read_program, write_program
+from donnie_tui.core.program_files import read_program, write_companion, write_program
 from donnie_tui.core.wording import the_coloured
 from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.process.confinement import open_bytes
 from donnie_tui.world import things
-from donnie_tui.world.loading import Site, SiteChange, allowed_folders, scene_of
+from donnie_tui.world.loading import Site, SiteChange, allowed_folders, include_for, scene_of
 from language.source import fold_name
 from language.suggestions import nearest
 from sim.geometry import Placement, Point, contains, overlapping, pose_of
@@ -107,8 +108,10 @@ class Building:
         name = next((each for each in names if fold_name(each) not in taken), "")
         if not name:
             raise Unusable(self._words("built-name-there", name=described.name))
+        from sim.worldfile import in_units, units_of  # loads the parser
+
         line = things.model_line(kind, (x, y, 0), name, size, next(iter(described.colours), ""))
-        text = self._site.text.rstrip("\n")
+        text, line = self._site.text.rstrip("\n"), in_units(line, *units_of(scene))
         return self._changed(f"{text}\n{self._include(kind)}{line}\n", len(_tops(scene)))
 
     def remove(self, thing: Thing) -> Changed:
@@ -126,21 +129,23 @@ class Building:
 
     def _edit(self, thing: Thing, place: Placement | None) -> Changed:
         """Put it there, or take it out."""
-        from sim.worldfile import put_elsewhere, taken_out, written_models  # loads the parser
+        from sim.worldfile import put_elsewhere, taken_out, units_of, written_models  # loads the parser
 
-        text = self._site.text
-        number = _tops(self._site.world.scene).index(thing.index)
+        text, scene = self._site.text, self._site.world.scene
+        number = _tops(scene).index(thing.index)
         written = written_models(text, self._file, self._allowed)[number]
         if written is None:
             raise Unusable(self._words("built-included", thing=things.thing_in_words(thing, self._words)))
-        text = taken_out(text, written) if place is None else put_elsewhere(text, written, place)
-        return self._changed(text, number)
+        if place is None:
+            return self._changed(taken_out(text, written), number)
+        return self._changed(put_elsewhere(text, written, place, units_of(scene)), number)
 
     def _include(self, kind: str) -> str:
         """The line that a world needs for its first thing of a kind; empty if it knows the kind."""
-        file, files = things.KINDS[kind], self._site.world.scene.report.files
+        file, scene = things.KINDS[kind], self._site.world.scene
         is_defined = re.search(rf"(?m)^\s*define\s+{kind}\s", self._site.text)
-        return "" if is_defined or file in {PurePath(each).name for each in files} else f'include "{file}"\n'
+        is_included = file in {PurePath(each).name for each in scene.report.files}
+        return "" if is_defined or is_included else f"{include_for(file, scene)}\n"
 
     def _changed(self, text: str, number: int) -> Changed:
         """Go on in the world of that text. ``number``: of the thing."""
@@ -176,10 +181,24 @@ class Building:
             return "built-removed", gone
         return ("built-put" if is_new else "built-moved"), self._thing(there[at])
 
+    def text_at(self, target: Path) -> str:
+        """The text of the world in that file. Pictures it could not use there are copied to its folder."""
+        from sim.worldfile import WorldError, self_contained
+
+        def copied(picture: Path) -> str:
+            with open_bytes(picture) as stream:
+                return write_companion(target, picture.suffix, stream.read())
+
+        try:
+            return self_contained(self._site.text, self._file, target, self._allowed, copied)
+        except (WorldError, OSError):  # of a file that is gone by now
+            return self._site.text
+
     def save(self, target: Path) -> None:
         """Write the world. Raises ``Unusable`` where it could not be loaded there, or ``DocumentError``."""
-        scene_of(self._site.text, target, self._words, self._allowed)
-        write_program(target, self._site.text)
+        text = self.text_at(target)
+        scene_of(text, target, self._words, self._allowed)
+        write_program(target, text)
         self._site.path, self._site.saved_text = target, self._site.text
 
     # --- room

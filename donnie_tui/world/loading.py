@@ -417,15 +417,9 @@ def with_robot(world: ChosenWorld, words: Words, folders: tuple[Path, ...]) -> C
     from sim.worldfile import WorldError, in_units, load_text, units_of
 
     x, y = free_place(world.scene)
-    include, line = (
-        'include "donnie.inc"',
-        f'donnie( name "donnie" pose [ {x * STEP:.2f} {y * STEP:.2f} 0 90 ] )',
-    )
-    metres, degrees = units_of(world.scene)
+    line = f'donnie( name "donnie" pose [ {x * STEP:.2f} {y * STEP:.2f} 0 90 ] )'
     try:
-        if (metres, degrees) != (1.0, 1.0):
-            include = in_units(read_program(Path(worlds.SCENES, "donnie.inc")), metres, degrees)
-            line = in_units(line, metres, degrees)
+        include, line = include_for("donnie.inc", world.scene), in_units(line, *units_of(world.scene))
         text = f"{(world.text or read_program(Path(world.path))).rstrip()}\n\n{include}\n{line}\n"
         scene = load_text(text, Path(world.path), allowed=folders)
     except (DocumentError, WorldError):
@@ -433,6 +427,19 @@ def with_robot(world: ChosenWorld, words: Words, folders: tuple[Path, ...]) -> C
     if not scene.robots:
         raise Unusable(words("world-without-robot", name=world.name))
     return replace(world, scene=scene, text=text, is_robot_put_in=True)
+
+
+def include_for(file: str, scene: Scene) -> str:
+    """What a world includes to know the models of one of our files: in other units all of it, converted."""
+    from pathlib import Path
+
+    from donnie_tui.core.program_files import read_program
+    from sim.worldfile import in_units, units_of
+
+    units = units_of(scene)
+    if units == (1.0, 1.0):
+        return f'include "{file}"'
+    return in_units(read_program(Path(worlds.SCENES, file)), *units)
 
 
 def scattered_by(seed: int, world: ChosenWorld, words: Words, folders: tuple[Path, ...]) -> ChosenWorld:

@@ -8,7 +8,8 @@ that rectangle elsewhere in it.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from itertools import accumulate, pairwise
 from math import hypot
 from pathlib import Path
 
@@ -18,7 +19,7 @@ from devices.ports.robot import STEP
 from sim.geometry import Placement
 from sim.scene import Model, Scene
 from sim.worldfile.entities import MODEL_TYPES, Expander, FileReader
-from sim.worldfile.parser import WorldToken, tokens
+from sim.worldfile.parser import REST, WorldToken, tokens
 from sim.worldfile.values import ANGLES, UNITS
 
 
@@ -51,13 +52,7 @@ def written_models(text: str, path: Path, allowed: tuple[Path, ...] = ()) -> tup
 
 def _models_of(text: str, file: str) -> dict[tuple[int, int], WrittenModel]:
     """The models with a body at the top level, by line and column."""
-    starts = [0]
-    for line in text.split("\n"):
-        starts.append(starts[-1] + len(line) + 1)
-
-    def offset(token: WorldToken) -> int:
-        return starts[token.line - 1] + token.column - 1
-
+    offset = _offset_in(text)
     found: dict[tuple[int, int], WrittenModel] = {}
     depth, first, pose, opened = 0, None, None, None
     before: WorldToken | None = None
@@ -80,9 +75,49 @@ def _models_of(text: str, file: str) -> dict[tuple[int, int], WrittenModel]:
     return found
 
 
-def put_elsewhere(text: str, model: WrittenModel, place: Placement) -> str:
-    """The text with another pose of the model, in metres and degrees."""
-    pose = f"[ {place.x:.6g} {place.y:.6g} {place.z:.6g} {place.yaw:.6g} ]"
+def _offset_in(text: str) -> Callable[[WorldToken], int]:
+    """How many characters are before a token."""
+    starts = [0, *accumulate(len(line) + 1 for line in text.split("\n"))]
+    return lambda token: starts[token.line - 1] + token.column - 1
+
+
+def self_contained(
+    text: str, path: Path, target: Path, allowed: tuple[Path, ...], picture: Callable[[Path], str]
+) -> str:
+    """The text of the world at ``path``, with what the files hold that a world at ``target`` can't include.
+
+    ``picture`` returns the name there of a picture that a world there can't use. Raises ``WorldError``.
+    """
+    here, there = FileReader(path, allowed), FileReader(target, allowed)
+
+    def written(text: str, file: Path) -> str:
+        offset, parts, end = _offset_in(text), list[str](), 0
+        for before, token in pairwise(tokens(text, str(file))):
+            is_include = before.kind == "INCLUDE"
+            if token.kind != "STRING" or not (is_include or before.text == "bitmap"):
+                continue
+            found, same = here.find(token.text, file), there.find(token.text, target)
+            if found is None or (same is not None and there.is_allowed(same)):
+                continue
+            begin = offset(before if is_include else token)
+            new = f"\n{written(here.text_of(found), found)}\n" if is_include else f'"{picture(found)}"'
+            parts += [text[end:begin], new]
+            end = offset(token) + len(token.text) + 2
+            if is_include:  # what follows on its line and begins nothing has no effect
+                rest = REST.match(text, end)
+                end = rest.end() if rest else end
+        return "".join((*parts, text[end:]))
+
+    return written(text, path)
+
+
+def put_elsewhere(
+    text: str, model: WrittenModel, place: Placement, units: tuple[float, float] = (1.0, 1.0)
+) -> str:
+    """The text with another pose of the model. ``units``: of the text, see ``units_of``."""
+    metres, degrees = units
+    numbers = (*(each / metres for each in (place.x, place.y, place.z)), place.yaw / degrees)
+    pose = f"[ {' '.join(f'{each:.6g}' for each in numbers)} ]"
     if model.pose is not None:
         return text[: model.pose[0]] + pose + text[model.pose[1] :]
     blank = "" if text[model.inside - 1].isspace() else " "
@@ -141,7 +176,7 @@ def scattered(text: str, scene: Scene, path: Path, allowed: tuple[Path, ...], se
     places = _scattered_places(scene, seed)
     found = [(model, places[index]) for index, model in written.items() if model and index in places]
     for model, place in sorted(found, key=lambda each: each[0].begin, reverse=True):
-        text = put_elsewhere(text, model, place)
+        text = put_elsewhere(text, model, place, units_of(scene))
     return text
 
 

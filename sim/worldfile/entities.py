@@ -52,7 +52,7 @@ class FileReader:
         """All statements of the world at ``path``, includes replaced by what they include."""
         if not _may_be_opened(path):
             raise _no_world(path)
-        yield from self.statements(self._text(path, parser.Include(1, 1, str(path)), str(path)), path, ())
+        yield from self.statements(self.text_of(path), path, ())
 
     def statements(self, text: str, path: Path, above: tuple[Path, ...]) -> Iterator[Placed]:
         """The statements of ``text``, which stands in ``path`` and is included from the files ``above``."""
@@ -100,7 +100,7 @@ class FileReader:
             place = (str(path), include.line, include.column)
             details = {"found": include.rest[:60]}
             self.notes.append(Note(NoteKind.WARNING, "include-rest", *place, details))
-        yield from self.statements(self._text(found, include, str(path)), found, above)
+        yield from self.statements(self.text_of(found, include, str(path)), found, above)
 
     def _body(
         self, body: tuple[parser.Item, ...], path: Path, above: tuple[Path, ...]
@@ -145,15 +145,15 @@ class FileReader:
             code, str(path), include.line, include.column, (), path=include.path[:200], **details
         )
 
-    def _text(self, path: Path, include: parser.Include, file: str) -> str:
+    def text_of(self, path: Path, include: parser.Include | None = None, file: str = "") -> str:
+        """The text of a file; WorldError at the include, in ``file``, that names it."""
         try:
             with open_bytes(path) as stream:
                 data = stream.read(LARGEST_FILE + 1)
         except OSError as problem:
             reason = problem.strerror or str(problem)
-            raise WorldError(
-                Code.FILE_UNREADABLE, file, include.line, include.column, path=str(path), reason=reason
-            ) from None
+            place = (file, include.line, include.column) if include else (str(path), 1, 1)
+            raise WorldError(Code.FILE_UNREADABLE, *place, path=str(path), reason=reason) from None
         if len(data) > LARGEST_FILE:
             raise WorldError(Code.FILE_TOO_LARGE, str(path), path=str(path), limit=LARGEST_FILE)
         return self._decoded(data, path)

@@ -41,7 +41,7 @@ _TOKEN = re.compile(
 _LINE = re.compile(r".[^\n]*")
 _CLOSES = {"RPAR": "LPAR", "RSQB": "LSQB"}
 _LEADING = re.compile(r"[ \t]*+([+-]?(?:[0-9]++(?:\.[0-9]*+)?|\.[0-9]++)(?:[eE][+-]?[0-9]++)?+)")
-_REST = re.compile(r"[ \t]*+[^\w\s#()\[\]\"][^\n]*")
+REST = re.compile(r"[ \t]*+[^\w\s#()\[\]\"][^\n]*")
 """Of the line of an include: what can't begin anything."""
 
 
@@ -185,7 +185,7 @@ def _read(text: str, file: str) -> Iterator[WorldToken]:
     position, line, line_start, before = 0, 1, 0, ("", "")
     while position < len(text):
         column = position - line_start + 1
-        if before == ("INCLUDE", "STRING") and (rest := _REST.match(text, position)) is not None:
+        if before == ("INCLUDE", "STRING") and (rest := REST.match(text, position)) is not None:
             yield WorldToken("REST", rest[0].strip(), line, column)
             position, before = rest.end(), ("", "")
             continue

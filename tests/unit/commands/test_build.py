@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from PIL import Image
 
 from donnie_tui.commands.build import may_leave_built
 from donnie_tui.commands.files import may_lose_all
@@ -695,3 +697,100 @@ def test_the_words_of_the_author_are_back_where_all_was_taken_back(open_script: 
     assert script.donnie.world.about("en") is None
     script.answers_to("UNDO")
     assert script.donnie.world.about("en") is not None
+
+
+FURNITURE = 'include "wood.inc" # teak\ndefine desk model ( size [ 0.5 0.25 0.4 ] wood ( ) color "brown" )\n'
+WOOD = 'define wood model ( size [ 0.1 0.1 0.1 ] bitmap "grain.png" )\n'
+
+
+def write_classroom(folder: Path) -> Path:
+    """A world that includes a file, which includes another one in its folder, which has a picture there."""
+    (folder / "class/parts").mkdir(parents=True)
+    Image.new("1", (4, 4)).save(folder / "class/parts/grain.png")
+    (folder / "class/parts/desk.inc").write_text(FURNITURE, encoding="utf-8")
+    (folder / "class/parts/wood.inc").write_text(WOOD, encoding="utf-8")
+    file = folder / "class/room.world"
+    file.write_text(
+        'include "donnie.inc"\ninclude "parts/desk.inc"; the desks\ndesk( name "front" pose [ 0 1 0 0 ] )\n'
+        'donnie( name "donnie" pose [ 0 0 0 90 ] )\n',
+        encoding="utf-8",
+    )
+    return file
+
+
+def test_a_kept_world_opens_with_all_that_it_includes(open_script: OpenScript, tmp_path: Path) -> None:
+    script = open_script(world=str(write_classroom(tmp_path)))
+    script.type("PUT box red 4 6 AS treasure")
+    built = script.donnie.picture_now()
+
+    kept = script.donnie.rescue_world()
+    assert kept is not None
+    shutil.rmtree(tmp_path / "class")
+    opened = choose_world(str(kept), Words("en"))
+
+    assert picture(opened.scene).things == built.things
+    assert "front" in [each.name for each in built.things]
+    assert 'include "donnie.inc"' in kept.read_text(encoding="utf-8")
+
+
+def test_a_world_that_includes_files_is_saved_elsewhere(open_script: OpenScript, tmp_path: Path) -> None:
+    file = write_classroom(tmp_path)
+    (tmp_path / "mine-1.png").write_bytes(b"of the learner")
+    script = open_script(world=str(file))
+    script.type("PUT box red 4 6 AS treasure")
+    built = script.donnie.picture_now()
+
+    assert script.answers_to("SAVE WORLD mine") == ["World saved as mine.world. WORLD mine.world goes there."]
+
+    assert script.donnie.site.is_saved
+    assert (tmp_path / "mine-1.png").read_bytes() == b"of the learner"
+    shutil.rmtree(tmp_path / "class")
+    assert picture(choose_world("mine.world", Words("en")).scene).things == built.things
+
+
+def test_a_world_saved_in_its_folder_keeps_its_includes(open_script: OpenScript, tmp_path: Path) -> None:
+    file = write_classroom(tmp_path)
+    script = open_script(world=str(file))
+    before = file.read_text(encoding="utf-8")
+
+    script.answers_to("REMOVE front", "PUT box red 4 6 AS treasure", "SAVE WORLD class/other")
+
+    lines = (tmp_path / "class/other.world").read_text(encoding="utf-8").splitlines()
+    assert lines[:2] == before.splitlines()[:2]
+    assert sorted(each.name for each in file.parent.iterdir()) == ["other.world", "parts", "room.world"]
+
+
+def test_a_world_of_the_manual_is_saved_in_the_folder_of_the_learner(
+    open_script: OpenScript, tmp_path: Path
+) -> None:
+    script = open_script(world="bigbob7")
+    assert script.answers_to("PUT box red 4 60")[0].startswith("Box, red: at 4, 60.")
+    built = script.donnie.picture_now()
+
+    script.type("SAVE WORLD mine")
+
+    assert picture(choose_world(str(tmp_path / "mine.world"), Words("en")).scene).things == built.things
+
+
+@pytest.mark.parametrize(
+    ("units", "hundred"),
+    [('unit_length "cm"', "100"), ('unit_length "mm" unit_angle "radians"', "1000"), ("", "1")],
+)
+def test_a_world_in_other_units_is_furnished(
+    open_script: OpenScript, tmp_path: Path, units: str, hundred: str
+) -> None:
+    file = tmp_path / "units.world"
+    file.write_text(f'{units}\nmodel( name "rock" pose [ {hundred} 0 0 0 ] )\n', encoding="utf-8")
+    script = open_script(world=str(file))
+
+    assert script.answers_to("PUT box red 4 6 AS treasure", "MOVE rock 2 10", "TURN treasure 90") == [
+        "Treasure, box, red: at 4, 6. From the robot: 4 right, 6 ahead.",
+        "Rock, red: now at 22, 10. From the robot: 22 right, 10 ahead.",
+        "Treasure, box, red: turned 90 degrees to the right, at 4, 6. It is 3 by 3 steps.",
+    ]
+    script.type("SAVE WORLD mine")
+    again = choose_world("mine.world", Words("en")).scene
+    assert {each.name: (round(each.x), round(each.y)) for each in picture(again).things} == {
+        "treasure": (4, 6),
+        "rock": (22, 10),
+    }
