@@ -40,7 +40,7 @@ def test_a_signal_rescues_what_could_not_be_written_before(tmp_path: Path) -> No
     in_the_way.touch()
     learner = Learner(tmp_path)
     learner.enters("FW 1")
-    learner.sees("What you type can't be kept safe: File exists.\r\n> ")
+    learner.sees("What you type can't be kept safe: a file has this name.\r\n> ")
     in_the_way.unlink()
     learner.child.kill(signal.SIGTERM)
 
