@@ -271,7 +271,6 @@ def _subject(order: Order, recording: Recording, closing: ExitStack) -> tuple[Su
     from donnie_tui.i18n.help import sections
     from donnie_tui.world.loading import choose_challenge, moved_to
     from donnie_tui.world.run_picture import (
-        DrivenPath,
         as_picture,
         moved_things,
         on_swell_paper,
@@ -289,17 +288,17 @@ def _subject(order: Order, recording: Recording, closing: ExitStack) -> tuple[Su
     if not timeline.robots:
         raise Unusable(words("trail-none"))
     robot = timeline.robots[0]
-    trail = Trail(lambda: robot)
+    trail = Trail(lambda: robot, len(timeline))
     for stamped in timeline.events:
         trail.on_event(stamped)
-    paths = [DrivenPath(robot or "", path) for robot, path in trail.paths.items()]
+    paths = trail.paths
     scene = moved_to(world.scene, timeline.things)
     title = words("paper-title", name=world.title(words.language))
     challenge = order.invocation.arguments.challenge
     goals = () if challenge is None else places_of(choose_challenge(challenge, words).rules)
     moved = moved_things(timeline.events, world.scene)
     drawn = run_picture(title, drawings(scene), paths, words, goals, moved)
-    driven = [path.poses for path in paths]
+    driven = [path.pieces[-1] for path in paths]
     own = [each for each in timeline.events if each.robot == robot]
     lines: list[str] = []
     for each in own:

@@ -356,7 +356,13 @@ async def report(ctx: Context, argument: str) -> None:
         dict(ctx.runs.variables_during),
         partial(as_picture, _run_picture(ctx)),
         plot_as_png,
-        partial(on_swell_paper, ctx.donnie.world, timeline.things, [*ctx.trail.paths.values()], words),
+        partial(
+            on_swell_paper,
+            ctx.donnie.world,
+            timeline.things,
+            [each.pieces[-1] for each in ctx.trail.paths],
+            words,
+        ),
     )
     if not name:
         ctx.say(*ctx.counted(reports.in_sentences(what, subject, words)))
@@ -373,14 +379,13 @@ async def report(ctx: Context, argument: str) -> None:
 
 def _run_picture(ctx: Context) -> RunPicture:
     """Where the robots drove, what stands there now, and the places of goals."""
-    from donnie_tui.world.run_picture import DrivenPath, moved_things, run_picture
+    from donnie_tui.world.run_picture import moved_things, run_picture
 
     donnie = ctx.donnie
-    paths = [DrivenPath(robot or "", path) for robot, path in ctx.trail.paths.items()]
     title = ctx.words("paper-title", name=donnie.world.title(ctx.words.language))
     goals = ctx.attempt.goal_places if ctx.attempt is not None else ()
     moved = moved_things(donnie.chronicle.timeline().events, donnie.world.scene)
-    return run_picture(title, donnie.drawings_now(), paths, ctx.words, goals, moved)
+    return run_picture(title, donnie.drawings_now(), ctx.trail.paths, ctx.words, goals, moved)
 
 
 async def _write_page(ctx: Context, name: str, content: Callable[[], bytes]) -> None:

@@ -15,7 +15,7 @@ from donnie_tui.commands.interaction import NotUnderstood, Option, Screen, read_
 from donnie_tui.commands.lookup import word_of
 from donnie_tui.core import map_words
 from donnie_tui.core.events import SoundSwitched
-from donnie_tui.core.map_grid import DEFAULT_MOVES, FREE, MapGrid, path_in_words, place_in_words
+from donnie_tui.core.map_grid import DEFAULT_MOVES, FREE, LEGS_SAID, MapGrid, path_in_words, place_in_words
 from donnie_tui.core.map_words import Pointer, legend
 from donnie_tui.core.timeline import Trail
 from donnie_tui.core.wording import shown_name
@@ -74,12 +74,15 @@ async def show_path(ctx: Context, _: str) -> None:
     """Say the driven path since the start leg by leg, and print it on the map in letters."""
     pose, moves = _moment(ctx)
     path = moves.path
-    lines = ctx.counted(path_in_words(path, ctx.words))
+    lines = ctx.counted(path_in_words(path, ctx.words, LEGS_SAID))
     if len(lines) > 1:
         donnie = ctx.donnie
-        grid = MapGrid(donnie.picture_now(), path[0], shown_name(donnie.session.name))
-        for each in (*path[1:], pose):
-            grid.move(each)
+        grid = MapGrid(donnie.picture_now(), path.poses[0], shown_name(donnie.session.name))
+        for piece in path.pieces:
+            grid.robot = grid.cell_of(piece[0])
+            for each in piece:
+                grid.move(each)
+        grid.move(pose)
         lines = (*lines, *map_words.picture_in_letters(grid, ctx.words, _free(ctx)))
     await ctx.interaction.show_pages(ctx.words("path-title"), lines, ctx.of_robot(*lines))
 

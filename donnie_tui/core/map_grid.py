@@ -7,24 +7,23 @@ cells are forgotten first.
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Iterable, Mapping, Sequence
 from enum import Enum
-from itertools import pairwise
+from itertools import islice, pairwise
 from math import atan2, degrees, floor, hypot
 from typing import TYPE_CHECKING, NamedTuple
 
 from msgspec import Struct
 
 from devices.ports.robot import Pose
-from donnie_tui.core.timeline import SAME_PLACE, Trail, apart
+from donnie_tui.core.timeline import SAME_PLACE, DrivenPath, Trail, apart
 from donnie_tui.core.wording import COMPASS, Wording, facing, position_in_words, whole_steps
 
 if TYPE_CHECKING:
     from sim.picture import Picture, Thing
 
 TRAIL, START, FREE, WALL = "o", "A", ".", "#"
-LONGEST_TRAIL = 5000
+LONGEST_TRAIL = 10_000
 """Cells of the trail that are kept; a learner's world has some 1600 in all."""
 FARTHEST = 10**9
 """The distance in cells up to which the map follows the robot."""
@@ -98,8 +97,8 @@ class MapGrid:
         """``name``: the robot's; without one it is Donnie."""
         self.picture = picture
         self.name = name
-        self._trail: dict[Cell, int] = {}
-        self._order: deque[Cell] = deque()
+        self._trail: dict[Cell, None] = {}
+        """In the order of the last visits."""
         self._goals: Mapping[Cell, int] = {}
         self.hidden: frozenset[Kind] = frozenset()
         """Marks that are not shown."""
@@ -110,7 +109,6 @@ class MapGrid:
         """Starts here, without a trail. Returns the cells that may look different."""
         before = frozenset((*self._trail, self.start, self.robot))
         self._trail.clear()
-        self._order.clear()
         self.start = self.robot = self.cell_of(pose)
         self._arrow = arrow_of(pose.heading)
         floor = Bounds(0, 0, self.picture.width - 1, self.picture.height - 1)
@@ -130,16 +128,12 @@ class MapGrid:
 
     def _walk(self, cells: tuple[Cell, ...]) -> tuple[Cell, ...]:
         for cell in cells:
-            self._order.append(cell)
-            self._trail[cell] = self._trail.get(cell, 0) + 1
-        return tuple(self._forget_oldest() for _ in range(len(self._order) - LONGEST_TRAIL))
-
-    def _forget_oldest(self) -> Cell:
-        cell = self._order.popleft()
-        self._trail[cell] -= 1
-        if not self._trail[cell]:
+            self._trail.pop(cell, None)
+            self._trail[cell] = None
+        forgotten = tuple(islice(self._trail, max(0, len(self._trail) - LONGEST_TRAIL)))
+        for cell in forgotten:
             del self._trail[cell]
-        return cell
+        return forgotten
 
     def cell_of(self, pose: Pose) -> Cell:
         """The cell in which the robot's middle is."""
@@ -278,23 +272,44 @@ DEFAULT_MOVES = 5
 """Moves that TRAIL gives without a number."""
 
 
-def path_in_words(path: Sequence[Pose], wording: Wording) -> tuple[str, ...]:
-    """A driven path: its start, a sentence for each straight leg, and its length."""
-    places = [pose for before, pose in pairwise(path) if apart(before, pose) > SAME_PLACE]
-    if not places:
-        return (wording("trail-none"),)
+LEGS_SAID, LEGS_AT_PICTURES = 200, 24
+"""Legs that SHOW PATH gives of a path, and the legend of a picture."""
+
+
+def path_in_words(path: DrivenPath, wording: Wording, most: int | None = None) -> tuple[str, ...]:
+    """A driven path: its start, a sentence for each straight leg, and its length.
+
+    Of more than ``most`` legs those in the middle are left out. Sentences say what is left out.
+    """
     legs: list[tuple[Pose, Pose]] = []
-    for here, there in pairwise((path[0], *places)):
-        if legs and abs(_bearing(*legs[-1]) - _bearing(here, there)) < 1:
+    length = 0.0
+    for here, there in pairwise(path.pieces[-1]):
+        length += apart(here, there)
+        if legs and (apart(here, there) <= SAME_PLACE or _is_straight_on(*legs[-1], there)):
             legs[-1] = legs[-1][0], there
-        else:
+        elif apart(here, there) > SAME_PLACE:
             legs.append((here, there))
-    total = sum(apart(*each) for each in legs)
+    if not legs and not path.has_gap:
+        return (wording("trail-none"),)
+    said = [_leg(*each, wording) for each in legs]
+    if most is not None and len(legs) > most:
+        first, last = most // 2, len(legs) - most // 2
+        said[first:last] = [wording("path-left-out", count=last - first, **_whole(legs[last - 1][1]))]
+    if path.has_gap:
+        length += path.lengths[1]
+        gap = wording("path-gap", steps=round(path.lengths[1]), **_whole(path.poses[1]))
+        said.insert(0, gap)
+    rounds = path.lengths[-1] - length
     return (
-        wording("path-start", **_whole(path[0])),
-        *(_leg(*each, wording) for each in legs),
-        wording("path-end", steps=round(total)),
+        wording("path-start", **_whole(path.poses[0])),
+        *said,
+        *([wording("path-rounds", steps=round(rounds))] if rounds >= 1 else []),
+        wording("path-end", steps=round(path.lengths[-1])),
     )
+
+
+def _is_straight_on(start: Pose, here: Pose, there: Pose) -> bool:
+    return abs((_bearing(start, here) - _bearing(here, there) + 180) % 360 - 180) < 1
 
 
 def _leg(here: Pose, there: Pose, wording: Wording) -> str:

@@ -22,7 +22,7 @@ from devices.ports.robot import Bearing, Pose
 from donnie_tui.core.describe import place_of
 from donnie_tui.core.events import Moved, Read, RunEnded, RunStarted, Stamped, Turned, Waited
 from donnie_tui.core.goals import begins_anew
-from donnie_tui.core.map_grid import path_in_words
+from donnie_tui.core.map_grid import LEGS_SAID, path_in_words
 from donnie_tui.core.map_words import floor_in_words
 from donnie_tui.core.program_files import unquoted
 from donnie_tui.core.program_text import ProgramText
@@ -43,7 +43,6 @@ _COLUMNS = {
     "map": ("name", "color", "x", "y", "place"),
     "trail": ("command", "done", "x", "y", "heading", "blocked"),
 }
-_MOST_MOVES = 1000
 _PAGES = (".html", ".htm", ".csv", ".txt")
 _PICTURES = {"run": (".svg", ".png", ".gif"), "distances": (".svg", ".png")}
 _PAPER = "paper"
@@ -125,6 +124,8 @@ def beginnings(wording: Wording) -> tuple[str, ...]:
 
 def in_sentences(what: str, subject: Subject, wording: Wording) -> Sequence[str]:
     """The sentences of a report without a file."""
+    if what == "run":
+        return path_in_words(subject.trail.path, wording, LEGS_SAID)
     return _SECTIONS[what](subject, wording).lines
 
 
@@ -161,11 +162,13 @@ def _map(subject: Subject, wording: Wording) -> Section:
 
 
 def _trail(subject: Subject, wording: Wording) -> Section:
-    lines = subject.trail.in_words(_MOST_MOVES, wording)
+    trail = subject.trail
     rows = [
-        (*rest, wording("report-yes" if is_blocked else "report-no"))
-        for *rest, is_blocked in subject.trail.rows()
+        (*rest, wording("report-yes" if is_blocked else "report-no")) for *rest, is_blocked in trail.rows()
     ]
+    lines = trail.in_words(len(rows), wording)
+    if trail.moves > len(rows):
+        lines = (wording("trail-newest", count=len(rows), moves=trail.moves), *lines)
     return Section(wording("report-trail"), lines, [_columns(wording, "trail"), *rows])
 
 

@@ -12,7 +12,9 @@ from __future__ import annotations
 from array import array
 from collections import deque
 from collections.abc import Callable, Iterable, Sequence
+from itertools import accumulate, pairwise
 from math import hypot
+from typing import TypeAlias
 
 from msgspec import Struct
 
@@ -409,35 +411,161 @@ def _quoted(text: str) -> str:
 
 # --- where a robot was
 
-MOVES_KEPT = 1000
+MOVES_KEPT = 10_000
 """Moves that are remembered."""
-POSES_KEPT = 2 * MOVES_KEPT
-"""A path has its turns too."""
+PLACES_KEPT = 20_000
+"""Places of a path that are remembered."""
+NEAR = 0.03
+"""Steps: the side of a square whose points count as one place, and what a path is simplified by."""
+
+
+class DrivenPath(Struct, frozen=True):
+    """Where a robot was, its start first; ``robot`` is empty in a world of one."""
+
+    robot: str
+    poses: tuple[Pose, ...]
+    driven: tuple[float, ...] = ()
+    """Steps driven until each pose. More than from pose to pose where rounds are left out."""
+    has_gap: bool = False
+    """Whether the path after its start is forgotten up to the second pose."""
+
+    @property
+    def lengths(self) -> tuple[float, ...]:
+        """Steps driven until each pose."""
+        return self.driven or tuple(accumulate((apart(*each) for each in pairwise(self.poses)), initial=0.0))
+
+    @property
+    def pieces(self) -> tuple[tuple[Pose, ...], ...]:
+        """The start, and what is known after a gap; without one the whole path."""
+        return (self.poses[:1], self.poses[1:]) if self.has_gap else (self.poses,)
+
+
+_Visit: TypeAlias = tuple[Pose, float]
+"""Where a robot was, and the steps that it had driven."""
+
+
+class _GrowingPath(Struct):
+    """The whole path of a robot in bounded memory: what is left out was driven before, or can't be seen.
+
+    Each point that is left out is nearer than a tenth of a step to the path that is kept. Of a path with too
+    many places of its own the start is kept, and the newest part.
+    """
+
+    visits: list[_Visit]
+    simplified: int = 0
+    """Visits that were simplified; once more would be further off."""
+    has_gap: bool = False
+
+    def as_path(self, robot: str | None) -> DrivenPath:
+        """Called in any thread."""
+        poses, driven = zip(*tuple(self.visits), strict=True)
+        return DrivenPath(robot or "", poses, driven, self.has_gap)
+
+    def shorten(self) -> None:
+        """Leaves visits out, so that at most three quarters of those that may be kept are left."""
+        start = self.visits[: self.has_gap]
+        visits, enough = _without_rounds(self.visits[self.has_gap :]), PLACES_KEPT * 3 // 4
+        if len(visits) > enough:
+            done = min(self.simplified, len(visits) - 1)
+            visits = _without_rounds([*visits[:done], *_simplified(visits[done:])])
+            self.simplified = len(visits) - 1
+        if len(visits) > enough:
+            start = start or visits[:1]
+            visits = visits[-enough:]
+            self.simplified, self.has_gap = enough - 1, True
+        self.visits = [*start, *visits]
+
+
+def _is_straight_on(first: Pose, before: Pose, now: Pose) -> bool:
+    """Whether the way to ``now`` continues the one to ``before``, or the robot turned twice on one spot."""
+    far, near = apart(first, before), apart(before, now)
+    if far < _ONE_SPOT and near < _ONE_SPOT:
+        return True
+    is_turned = max(abs(each.heading - now.heading) for each in (first, before)) > SAME_PLACE
+    ahead = (before.x - first.x) * (now.x - before.x) + (before.y - first.y) * (now.y - before.y)
+    return not is_turned and ahead > 0 and _off(before, first, now) < _ONE_SPOT
+
+
+_ONE_SPOT = 1e-6
+"""Steps."""
+
+
+def _without_rounds(visits: Sequence[_Visit]) -> list[_Visit]:
+    """The visits without rounds all of whose ways were driven before: the robot waits instead."""
+    kept: list[tuple[tuple[int, int], _Visit]] = []
+    ways = set[frozenset[tuple[int, int]]]()
+    since: dict[tuple[int, int], int] = {}
+    """Where in ``kept`` the robot came to each square since its last new way."""
+    for visit in visits:
+        square = round(visit[0].x / NEAR), round(visit[0].y / NEAR)
+        way = frozenset((kept[-1][0], square)) if kept else frozenset((square,))
+        if way not in ways:
+            ways.add(way)
+            since = {}
+        begin = since.setdefault(square, len(kept))
+        for gone, _ in kept[begin + 1 :]:
+            if gone != square:
+                since.pop(gone, None)
+        del kept[begin + 1 :]
+        kept.append((square, visit))
+    return [visit for _, visit in kept]
+
+
+_PART = 64
+"""Visits that are simplified together: the time grows with their square."""
+
+
+def _simplified(visits: Sequence[_Visit]) -> list[_Visit]:
+    """The visits without those that lie on the way between others, part by part (Ramer, Douglas, Peucker)."""
+    kept = [visits[0]]
+    for begin in range(0, len(visits) - 1, _PART):
+        parts = [visits[begin : begin + _PART + 1]]
+        while parts:
+            part = parts.pop()
+            offs = [_off(pose, part[0][0], part[-1][0]) for pose, _ in part[1:-1]]
+            if max(offs, default=0.0) > NEAR:
+                farthest = offs.index(max(offs)) + 1
+                parts += part[farthest:], part[: farthest + 1]
+            else:
+                kept.append(part[-1])
+    return kept
+
+
+def _off(pose: Pose, start: Pose, end: Pose) -> float:
+    """Steps from a place to a straight way."""
+    x, y = end.x - start.x, end.y - start.y
+    length = x * x + y * y
+    part = ((pose.x - start.x) * x + (pose.y - start.y) * y) / length if length else 0.0
+    part = min(1.0, max(0.0, part))
+    return hypot(pose.x - start.x - part * x, pose.y - start.y - part * y)
 
 
 class Trail:
     """The moves of each robot so far. Subscribe ``on_event`` to a hub."""
 
-    def __init__(self, of: Callable[[], str | None] = lambda: None) -> None:
+    def __init__(self, of: Callable[[], str | None] = lambda: None, most_moves: int = MOVES_KEPT) -> None:
         """``of`` returns the robot's name in its events; None in a world of one robot."""
         self._of = of
+        self._most_moves = most_moves
         self._moves_of: dict[str | None, deque[Moved | Turned]] = {}
+        self._counts: dict[str | None, int] = {}
         self._last_poses: dict[str | None, Pose] = {}
-        self._paths: dict[str | None, deque[Pose]] = {}
+        self._paths: dict[str | None, _GrowingPath] = {}
 
     @property
-    def path(self) -> tuple[Pose, ...]:
-        """Where the robot was, since it was at its start or put elsewhere; its start first."""
-        return tuple(self._paths.get(self._of(), ()))
+    def path(self) -> DrivenPath:
+        """Where the robot was, since it was at its start or put elsewhere."""
+        robot = self._of()
+        path = self._paths.get(robot)
+        return path.as_path(robot) if path is not None else DrivenPath(robot or "", ())
 
     @property
-    def paths(self) -> dict[str | None, tuple[Pose, ...]]:
-        """As ``path``, of each robot that drove, by its name in events."""
-        return {
-            robot: tuple(path)
-            for robot, path in self._paths.items()
-            if any(apart(path[0], pose) > SAME_PLACE for pose in path)
-        }
+    def paths(self) -> tuple[DrivenPath, ...]:
+        """As ``path``, of each robot that drove."""
+        paths = [path.as_path(robot) for robot, path in tuple(self._paths.items())]
+        return tuple(
+            each for each in paths if any(apart(each.poses[0], pose) > SAME_PLACE for pose in each.poses)
+        )
 
     @property
     def last_pose(self) -> Pose | None:
@@ -445,26 +573,42 @@ class Trail:
         return self._last_poses.get(self._of())
 
     @property
+    def moves(self) -> int:
+        """How often the robot moved, also what is not remembered."""
+        return self._counts.get(self._of(), 0)
+
+    @property
     def _moves(self) -> list[Moved | Turned]:
         return list(self._moves_of.get(self._of(), ()))
 
     def on_event(self, stamped: Stamped) -> None:
         """Called in any thread."""
-        event = stamped.event
+        event, robot = stamped.event, stamped.robot
         if isinstance(event, Moved | Turned):
-            self._moves_of.setdefault(stamped.robot, deque(maxlen=MOVES_KEPT)).append(event)
+            self._moves_of.setdefault(robot, deque(maxlen=self._most_moves)).append(event)
+            self._counts[robot] = self._counts.get(robot, 0) + 1
         if isinstance(event, Moved | Turned | Driven):
-            self._paths.setdefault(stamped.robot, deque(maxlen=POSES_KEPT)).append(event.pose)
+            path, pose = self._paths.get(robot), event.pose
+            before, driven = path.visits[-1] if path is not None else (pose, 0.0)
+            visit = pose, driven + hypot(pose.x - before.x, pose.y - before.y)
+            if path is None:
+                self._paths[robot] = _GrowingPath([visit])
+            elif len(path.visits) > 1 + path.has_gap and _is_straight_on(path.visits[-2][0], before, pose):
+                path.visits[-1] = visit
+            else:
+                path.visits.append(visit)
+                if len(path.visits) > PLACES_KEPT:
+                    path.shorten()
         if isinstance(event, Moved | Turned | Driven | RunEnded):
-            self._last_poses[stamped.robot] = event.pose
+            self._last_poses[robot] = event.pose
         elif isinstance(event, Reset):
-            self._paths.pop(stamped.robot, None)
+            self._paths.pop(robot, None)
         elif isinstance(event, RunStarted) and event.how is not None:
-            robot = stamped.robot if event.how.named else None
+            robot = robot if event.how.named else None
             self._last_poses[robot] = event.how.pose
-            path = self._paths.get(robot, ())
-            if not path or apart(path[-1], event.how.pose) > SAME_PLACE:
-                self._paths[robot] = deque([event.how.pose], maxlen=POSES_KEPT)
+            path = self._paths.get(robot)
+            if path is None or apart(path.visits[-1][0], event.how.pose) > SAME_PLACE:
+                self._paths[robot] = _GrowingPath([(event.how.pose, 0.0)])
 
     def in_words(self, count: int, wording: Wording) -> tuple[str, ...]:
         """The last ``count`` moves, a sentence each."""

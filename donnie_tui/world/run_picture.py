@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from io import BytesIO
 from itertools import accumulate, pairwise
-from math import cos, hypot, radians, sin
+from math import cos, radians, sin
 from textwrap import wrap
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape
@@ -20,7 +20,8 @@ from msgspec import Struct
 
 from devices.ports.robot import Pose
 from donnie_tui.core import PAINTED
-from donnie_tui.core.map_grid import path_in_words
+from donnie_tui.core.map_grid import LEGS_AT_PICTURES, path_in_words
+from donnie_tui.core.timeline import DrivenPath, apart
 from donnie_tui.core.wording import (
     Wording,
     colour_initials,
@@ -81,18 +82,6 @@ def on_swell_paper(
     return raised_picture(title, plan, seen, drawings(scene), wording, paths)
 
 
-class DrivenPath(Struct, frozen=True):
-    """Where a robot was, its start first; ``robot`` is empty in a world of one."""
-
-    robot: str
-    poses: tuple[Pose, ...]
-
-    @property
-    def seconds(self) -> float:
-        """The time of the moving dot."""
-        return max(0.1, sum(_apart(*each) for each in pairwise(self.poses)) / STEPS_A_SECOND)
-
-
 class MovedThing(Struct, frozen=True):
     """A thing that was pushed or carried: its number among the world's models, and its timed places.
 
@@ -139,7 +128,7 @@ def moved_things(events: Iterable[Stamped], scene: Scene) -> tuple[MovedThing, .
         robot = stamped.robot
         match stamped.event:
             case Moved(pose=pose) | Turned(pose=pose) | Driven(pose=pose):
-                length = _apart(poses.get(robot, pose), pose)
+                length = apart(poses.get(robot, pose), pose)
                 poses[robot], lengths[robot] = pose, (lengths.get(robot, (0.0, 0.0))[0] + length, length)
             case Reset(pose=pose):
                 poses[robot], lengths[robot] = pose, (0.0, 0.0)
@@ -154,7 +143,7 @@ def moved_things(events: Iterable[Stamped], scene: Scene) -> tuple[MovedThing, .
                     if index not in there:
                         moments.pop(index, None)
                     elif here != after:
-                        begin = (end - min(length, _apart(here, after))) / STEPS_A_SECOND
+                        begin = (end - min(length, apart(here, after))) / STEPS_A_SECOND
                         those = moments.setdefault(index, [(0.0, start)])
                         begin = max(begin, those[-1][0])
                         those += [(begin, here), (max(begin, end / STEPS_A_SECOND), after)]
@@ -279,7 +268,7 @@ def _legend(
         yield printable(f"{letter}: {'; '.join(dict.fromkeys(names))}")
     yield from (wording("cell-goal", number=number) for number in dict.fromkeys(each[0] for each in goals))
     for path in paths:
-        words = " ".join(path_in_words(path.poses, wording))
+        words = " ".join(path_in_words(path, wording, LEGS_AT_PICTURES))
         yield printable(f"{path.robot}: {words}" if path.robot else words)
 
 
@@ -370,19 +359,22 @@ def _svg_path(it: RunPicture, path: DrivenPath, number: int) -> Iterable[str]:
     colour = _PATHS[number % len(_PATHS)]
     places = [it.at(pose.x, pose.y) for pose in path.poses]
     (x, y), radius = places[0], max(3.0, 1.3 * it.scale)
-    yield f'<polyline points="{_svg_points(places)}" fill="none" stroke="{colour}" stroke-width="3"/>'
+    style = f'fill="none" stroke="{colour}" stroke-width="3"'
+    for piece in path.pieces:
+        points = _svg_points(it.at(pose.x, pose.y) for pose in piece)
+        yield from [f'<polyline points="{points}" {style}/>'] if len(piece) > 1 else ()
     yield f'<circle cx="{x:g}" cy="{y:g}" r="4" fill="white" stroke="{colour}" stroke-width="2"/>'
     yield f'<polygon points="{_svg_points(arrow(it, path))}" fill="{colour}"/>'
-    lengths = [0.0, *accumulate(_apart(*each) for each in pairwise(path.poses))]
+    lengths = path.lengths
     if lengths[-1] > 0:
         times = [each / lengths[-1] for each in lengths]
         turned = (_turned(*each) for each in pairwise(path.poses))
         headings = [*accumulate(turned, initial=path.poses[0].heading)]
         start = f"translate({x:g} {y:g}) rotate({headings[0]:g})"
         yield f'<g transform="{start}" fill="none" stroke="{colour}" stroke-width="2">'
-        yield _svg_animation("translate", [f"{x:g} {y:g}" for x, y in places], times, path.seconds)
+        yield _svg_animation("translate", [f"{x:g} {y:g}" for x, y in places], times, _seconds(path))
         turns = [f"{each:g}" for each in headings]
-        yield _svg_animation("rotate", turns, times, path.seconds, ' additive="sum"')
+        yield _svg_animation("rotate", turns, times, _seconds(path), ' additive="sum"')
         yield f'<circle r="{radius:g}"/><path d="M 0 0 V {-radius:g}"/>'
         yield "</g>"
 
@@ -414,7 +406,7 @@ def as_gif(it: RunPicture) -> bytes:
     _draw_run(it, draw, it.standing)
     base = image.quantize(palette=whole.quantize(64), dither=Dither.NONE)
     fills = {_fill(each): _nearest_colour(base, _fill(each)) for each, _ in it.moving}
-    seconds = max((*(each.seconds for each in it.paths), *(each.seconds for each in it.moved)), default=FRAME)
+    seconds = max((*map(_seconds, it.paths), *(each.seconds for each in it.moved)), default=FRAME)
     count = max(2, min(MOST_FRAMES, round(seconds / FRAME) + 1))
     frames = []
     for number in range(count):
@@ -450,18 +442,21 @@ def _moved_outlines(drawing: Drawing, end: Pose, there: Pose) -> Iterable[list[_
         yield [(there.x + c * x - s * y, there.y + s * x + c * y) for x, y in seen]
 
 
+def _seconds(path: DrivenPath) -> float:
+    """The time of the moving dot."""
+    return max(0.1, path.lengths[-1] / STEPS_A_SECOND)
+
+
 def driven_to(it: RunPicture, seconds: float) -> Iterable[tuple[_Point, float]]:
     """Where each robot is on the picture after that time, and its heading."""
     for path in it.paths:
-        left = seconds * STEPS_A_SECOND
+        driven = seconds * STEPS_A_SECOND
         x, y, heading = path.poses[0].x, path.poses[0].y, path.poses[0].heading
-        for here, there in pairwise(path.poses):
-            length = _apart(here, there)
-            part = min(1.0, left / length) if length else 1.0
+        for (begin, here), (end, there) in pairwise(zip(path.lengths, path.poses, strict=True)):
+            part = min(1.0, (driven - begin) / (end - begin)) if end > begin else 1.0
             x, y = here.x + (there.x - here.x) * part, here.y + (there.y - here.y) * part
             heading = here.heading + _turned(here, there) * part
-            left -= length
-            if left <= 0:
+            if driven <= end:
                 break
         yield it.at(x, y), heading
 
@@ -497,10 +492,10 @@ def _draw_run(it: RunPicture, draw: ImageDraw, shown: Sequence[Drawing]) -> None
         draw.rectangle(box, outline=_INK, width=2)
     for number, path in enumerate(it.paths):
         colour = _PATHS[number % len(_PATHS)]
-        places = [it.at(pose.x, pose.y) for pose in path.poses]
-        if len(places) > 1:
-            draw.line(places, fill=colour, width=3, joint="curve")
-        x, y = places[0]
+        for piece in path.pieces:
+            if len(piece) > 1:
+                draw.line([it.at(pose.x, pose.y) for pose in piece], fill=colour, width=3, joint="curve")
+        x, y = it.at(path.poses[0].x, path.poses[0].y)
         draw.ellipse((x - 4, y - 4, x + 4, y + 4), fill="white", outline=colour, width=2)
         draw.polygon(arrow(it, path), fill=colour)
     for x, y, text in _texts(it, shown):
@@ -588,7 +583,3 @@ def arrow(it: RunPicture, path: DrivenPath) -> list[_Point]:
 
 def _fill(drawing: Drawing) -> str:
     return _WALL if drawing.thing is None else PAINTED.get(drawing.thing.colour, _OTHER)
-
-
-def _apart(here: Pose, there: Pose) -> float:
-    return hypot(there.x - here.x, there.y - here.y)

@@ -23,11 +23,11 @@ from donnie_tui.core.events import (
 )
 from donnie_tui.core.goals import GoalPlace
 from donnie_tui.core.reports import Plot, PlotText
+from donnie_tui.core.timeline import DrivenPath
 from donnie_tui.i18n.words import Words
 from donnie_tui.world.loading import moved_to
 from donnie_tui.world.run_picture import (
     LETTER,
-    DrivenPath,
     MovedThing,
     RunPicture,
     arrow,

@@ -285,6 +285,29 @@ def test_pictures_of_a_run_are_what_their_names_say(open_script: OpenScript, tmp
     )
 
 
+def test_a_run_of_more_than_a_thousand_moves_is_drawn_and_said_from_its_start(
+    open_script: OpenScript, tmp_path: Path
+) -> None:
+    """600 legs on a stair of 300 steps to the north and to the east, after 7 steps to the south."""
+    script = open_script()
+    script.run("BW 7\nREPEAT 300 TIMES\nFW 1\nTR 90\nFW 1\nTL 90\nEND REPEAT")
+    script.rest()
+    script.answers_to("REPORT run run.svg")
+    svg = ElementTree.fromstring((tmp_path / "run.svg").read_text())
+    said = svg.findtext("{http://www.w3.org/2000/svg}desc") or ""
+    shown = script.answers_to("SHOW PATH")
+
+    assert "The path starts at 0, 0. South: 7 steps, to 0, -7. North: 1 step, to 0, -6." in said
+    assert "I leave out 577 legs, to " in said  # 12 of 601 at each end are said
+    assert said.endswith("East: 1 step, to 300, 293. 607 steps in all.")
+    assert float(svg.attrib["height"]) < 1200
+    assert shown[1:3] == ["The path starts at 0, 0.", "South: 7 steps, to 0, -7."]
+    assert shown[102] == "I leave out 401 legs, to 250, 243."
+    assert shown[203] == "607 steps in all."
+    assert script.answers_to("REPORT trail t.txt") == ["Wrote t.txt."]
+    assert (tmp_path / "t.txt").read_text().splitlines()[1] == "BW 7: 7 steps, to 0, -7."
+
+
 @pytest.mark.parametrize(
     ("typed", "answer"),
     [

@@ -361,6 +361,20 @@ def test_a_report_is_a_table_whose_columns_have_names(what: str) -> None:
     assert list(csv.reader(report(what, f"{what}.csv", about, Words()).decode().splitlines())) == TABLES[what]
 
 
+def test_a_report_of_the_moves_says_that_the_first_ones_are_forgotten() -> None:
+    trail = Trail(most_moves=2)
+    for degrees in (90, 180, 270):
+        trail.on_event(at(1, Turned("TR 90", 90, 90, None, Pose(0, 0, degrees), right=True)))
+    picture = Picture(-9, -9, 18, 18, 1, ("." * 18,) * 18, (), has_walls=False)
+    about = Subject((), Pose(0, 0, 270), picture, trail, [], ())
+
+    assert report("trail", "t.txt", about, Words()).decode().splitlines()[1:] == [
+        "The last 2 of 3 moves.",
+        "TR 90: now facing south.",
+        "TR 90: now facing west.",
+    ]
+
+
 def test_how_the_name_of_a_file_may_end_depends_on_what_it_is_about() -> None:
     assert asked("run run") == ("run", "run.html")
     assert asked("run") == ("run", "")

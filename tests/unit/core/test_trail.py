@@ -1,9 +1,26 @@
 """The last moves in words and as a table."""
 
+from collections.abc import Sequence
+from itertools import pairwise
+from math import cos, hypot, inf, sin
+from random import Random
+
+import pytest
+
 from devices.ports.robot import Pose, StoppedBy
-from donnie_tui.core.events import HowStarted, Moved, Outcome, Reset, RunEnded, RunStarted, Stamped, Turned
+from donnie_tui.core.events import (
+    Driven,
+    HowStarted,
+    Moved,
+    Outcome,
+    Reset,
+    RunEnded,
+    RunStarted,
+    Stamped,
+    Turned,
+)
 from donnie_tui.core.map_grid import path_in_words
-from donnie_tui.core.timeline import MOVES_KEPT, Trail
+from donnie_tui.core.timeline import MOVES_KEPT, PLACES_KEPT, DrivenPath, Trail
 from donnie_tui.i18n.words import Words
 
 WALK = Moved("FW 3", 3, 3, None, Pose(0, 3, 0), True)
@@ -98,15 +115,117 @@ def test_the_path_has_a_sentence_for_each_straight_leg_and_its_length() -> None:
 def test_the_path_continues_in_the_next_run_and_begins_anew_where_the_robot_was_put() -> None:
     first = (started(Pose(0, 0, 0)), WALK)
 
-    assert len(trail(*first, started(Pose(0, 3, 0)), BLOCKED).path) == 3
-    assert trail(*first, started(Pose(9, 9, 0))).path == (Pose(9, 9, 0),)
+    assert len(trail(*first, started(Pose(0, 3, 0)), BLOCKED).path.poses) == 3
+    assert trail(*first, started(Pose(9, 9, 0))).path.poses == (Pose(9, 9, 0),)
     assert path_in_words(trail(*first, Reset(Pose(0, 0, 0))).path, Words()) == ("I have not moved yet.",)
 
 
 def test_the_path_ends_as_the_robot_looks_and_only_one_that_drove_has_a_path_to_draw() -> None:
     turned = Turned("TR 90", 90, 90, None, Pose(0, 0, 90), True)
 
-    assert trail(started(Pose(0, 0, 0)), WALK, TURN).paths == {
-        None: (Pose(0, 0, 0), Pose(0, 3, 0), Pose(0, 3, 90))
-    }
-    assert trail(started(Pose(0, 0, 0)), turned).paths == {}
+    (path,) = trail(started(Pose(0, 0, 0)), WALK, TURN).paths
+    assert (path.robot, path.poses) == ("", (Pose(0, 0, 0), Pose(0, 3, 0), Pose(0, 3, 90)))
+    assert trail(started(Pose(0, 0, 0)), turned).paths == ()
+
+
+# --- long paths
+
+SQUARE = (
+    *(Moved("FW 5", 5, 5, None, Pose(0, 5, 0), True), Turned("TR 90", 90, 90, None, Pose(0, 5, 90), True)),
+    *(Moved("FW 5", 5, 5, None, Pose(5, 5, 90), True), Turned("TR 90", 90, 90, None, Pose(5, 5, 180), True)),
+    *(Moved("FW 5", 5, 5, None, Pose(5, 0, 180), True), Turned("TR 90", 90, 90, None, Pose(5, 0, 270), True)),
+    *(Moved("FW 5", 5, 5, None, Pose(0, 0, 270), True), Turned("TR 90", 90, 90, None, Pose(0, 0, 0), True)),
+)
+"""A round of 20 steps; positions by arithmetic."""
+
+
+def from_way(pose: Pose, way: Sequence[Pose]) -> float:
+    """Steps from a place to the nearest point of straight legs."""
+    best = inf
+    for here, there in pairwise(way):
+        x, y = there.x - here.x, there.y - here.y
+        length = x * x + y * y
+        part = ((pose.x - here.x) * x + (pose.y - here.y) * y) / length if length else 0.0
+        part = min(1.0, max(0.0, part))
+        best = min(best, hypot(here.x + part * x - pose.x, here.y + part * y - pose.y))
+    return best
+
+
+def test_straight_on_is_one_leg_however_often_the_robot_walks() -> None:
+    steps = (Moved("FW 1", 1, 1, None, Pose(0, at, 0), True) for at in range(1, 5001))
+
+    path = trail(started(Pose(0, 0, 0)), *steps).path
+
+    assert path.poses == (Pose(0, 0, 0), Pose(0, 5000, 0))
+    assert path_in_words(path, Words())[-1] == "5000 steps in all."
+
+
+def test_a_path_longer_than_the_moves_that_are_kept_has_its_true_start_and_length() -> None:
+    """4000 rounds are 32 000 moves, 80 000 steps. The first way leads to a corner of the room and back."""
+    there = Moved("BW 7", 7, 7, None, Pose(0, -7, 0), False)
+    back = Moved("FW 7", 7, 7, None, Pose(0, 0, 0), True)
+
+    path = trail(started(Pose(0, 0, 0)), there, back, *SQUARE * 4000, SQUARE[0]).path
+
+    assert len(path.poses) <= PLACES_KEPT
+    assert (path.poses[0], path.poses[-1]) == (Pose(0, 0, 0), Pose(0, 5, 0))
+    assert path.lengths[-1] == 14 + 4000 * 20 + 5
+    corners = {(pose.x, pose.y) for pose in path.poses}
+    assert corners == {(0, 0), (0, -7), (0, 5), (5, 5), (5, 0)}
+    said = path_in_words(path, Words(), 4)
+    assert said[:3] == ("The path starts at 0, 0.", "South: 7 steps, to 0, -7.", "North: 12 steps, to 0, 5.")
+    assert said[3].startswith(f"I leave out {len(path_in_words(path, Words())) - 7} legs, to ")
+    assert said[4:6] == ("West: 5 steps, to 0, 0.", "North: 5 steps, to 0, 5.")
+    assert said[6].endswith(" steps of repeated rounds.")
+    assert said[7] == "80019 steps in all."
+
+
+def test_a_long_curve_is_within_a_tenth_of_a_step_of_the_driven_one() -> None:
+    """A spiral of 200 turns, an eighth of a step from turn to turn."""
+    angles = [at / 30 for at in range(37_700)]
+    driven = [Pose(angle / 50 * cos(angle), angle / 50 * sin(angle), 0) for angle in angles]
+
+    path = trail(*(Driven("left", pose) for pose in driven)).path
+
+    assert len(path.poses) <= PLACES_KEPT
+    assert not path.has_gap
+    assert (path.poses[0], path.poses[-1]) == (driven[0], driven[-1])
+    for pose in driven[::631]:
+        near = [each for each in path.poses if hypot(each.x - pose.x, each.y - pose.y) < 2]
+        ends = {each: number for number, each in enumerate(path.poses)}
+        legs = [path.poses[ends[each] - 1 : ends[each] + 2] for each in near if ends[each]]
+        assert min(from_way(pose, leg) for leg in legs) < 0.1
+
+
+def test_a_wandering_robot_has_a_bounded_path_with_its_true_start_and_one_gap() -> None:
+    chance = Random(7)
+    places = [Pose(chance.uniform(-20, 20), chance.uniform(-20, 20), 0) for _ in range(2 * PLACES_KEPT)]
+    steps = [hypot(b.x - a.x, b.y - a.y) for a, b in pairwise((Pose(0, 0, 0), *places))]
+
+    path = trail(started(Pose(0, 0, 0)), *(Driven("forward", pose) for pose in places)).path
+    (start,), known = path.pieces
+
+    assert (start, len(known) > PLACES_KEPT / 2, len(path.poses) <= PLACES_KEPT) == (
+        Pose(0, 0, 0),
+        True,
+        True,
+    )
+    assert {*known} <= {*places}
+    assert known[-1] == places[-1]
+    assert path.lengths[-1] == pytest.approx(sum(steps))
+    forgotten = sum(steps[: places.index(known[0]) + 1])
+    assert path_in_words(path, Words(), 10)[:2] == (
+        "The path starts at 0, 0.",
+        f"{round(forgotten)} steps that I forgot, to {round(known[0].x)}, {round(known[0].y)}.",
+    )
+
+
+def test_the_parts_of_a_shortened_path_are_driven_in_their_order() -> None:
+    path = trail(started(Pose(0, 0, 0)), *SQUARE * 3000).path
+
+    assert list(path.lengths) == sorted(path.lengths)
+    assert len(path.lengths) == len(path.poses)
+
+
+def test_a_path_that_is_made_has_the_lengths_of_its_legs() -> None:
+    assert DrivenPath("", (Pose(0, 0, 0), Pose(3, 4, 0), Pose(3, 0, 0))).lengths == (0, 5, 9)
