@@ -20,7 +20,7 @@ ROOTS = {"donnie_tui", "language", "sim", "devices", "worlds"}
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("wheel")
-    # isolated, as pip builds it: what is compiled already is read by what the build requires, not by ours
+    # isolated, as pip builds it: what is compiled already is read by what the build requires
     command = [sys.executable, "-m", "build", "--wheel", "--outdir", str(folder), str(ROOT)]
     subprocess.run(command, check=True, capture_output=True, timeout=TIMEOUT)
     return next(folder.glob("donnie_tui-*.whl"))
