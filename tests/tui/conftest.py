@@ -17,6 +17,7 @@ from textual.pilot import Pilot  # noqa: E402
 from donnie_tui.bootstrap import assemble  # noqa: E402
 from donnie_tui.core.run_state import RunState  # noqa: E402
 from donnie_tui.settings.settings import Settings  # noqa: E402
+from donnie_tui.tui import run_view, startup  # noqa: E402
 from donnie_tui.tui.app import DonnieApp  # noqa: E402
 from tests.timeouts import TIMEOUT  # noqa: E402
 
@@ -133,6 +134,14 @@ def isolated_folders(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Settings and files of a test are in its own folder."""
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
     monkeypatch.chdir(tmp_path)
+
+
+@pytest.fixture(autouse=True)
+def no_reminders(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nothing counts as slow, however busy the machine is; a test that wants reminders sets these again."""
+    monkeypatch.setattr(run_view, "SLOW", TIMEOUT)
+    monkeypatch.setattr(run_view, "SLOW_AGAIN", TIMEOUT)
+    monkeypatch.setattr(startup, "SLOW", TIMEOUT)
 
 
 @pytest.fixture
