@@ -138,6 +138,12 @@ class Context:
         """Answer with a sentence of the catalogue."""
         self.say(self.words(code, **values))
 
+    def answer_once(self, code: str, **values: object) -> None:
+        """As ``answer``, unless that was the whole last answer: a key may be held down at a limit."""
+        sentence = self.words(code, **values)
+        if self.answers.last() != (sentence,):
+            self.say(sentence)
+
     def answer_no_line(self, number: int) -> None:
         """Answer that the program has no line of that number."""
         from donnie_tui.core.program_text import no_such_line

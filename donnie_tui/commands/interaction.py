@@ -197,9 +197,14 @@ class MapPane(Protocol):
     def zoom(self) -> int: ...
 
     @property
+    def columns(self) -> int:
+        """Columns of a square."""
+
+    @property
     def has_names(self) -> bool: ...
 
-    def set_zoom(self, zoom: int) -> None: ...
+    def set_zoom(self, zoom: int) -> bool:
+        """Zoom as far as possible; whether that has changed the map."""
 
     def show_all(self, whole: bool) -> None: ...
 
@@ -242,7 +247,8 @@ class Screen(Protocol):
 
     def show_sensor_ranges(self, lines: Iterable[Line]) -> None: ...
 
-    def search_log(self, word: str) -> None: ...
+    def search_log(self, word: str, lines: int) -> None:
+        """Go to the newest line of the log with the word; the title says how many ``lines`` were found."""
 
     @property
     def log_kinds(self) -> Mapping[str, int]:

@@ -238,10 +238,10 @@ async def find_answers(ctx: Context, argument: str) -> None:
     """Say the lines of the log with a word; on a screen the log scrolls to it."""
     if not argument:
         raise NotUnderstood
-    is_found = bool(ctx.answers.found(argument))
-    ctx.say(*found_in_words(ctx.answers, argument, ctx.words), is_repeated=is_found)
+    found = len(ctx.answers.found(argument))
+    ctx.say(*found_in_words(ctx.answers, argument, ctx.words), is_repeated=found > 0)
     if ctx.screen is not None:
-        ctx.screen.search_log(argument)
+        ctx.screen.search_log(argument, found)
 
 
 @handles("filter")

@@ -11,7 +11,7 @@ from donnie_tui.bootstrap import Donnie, task_on_arrival
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.declarations import BY_NAME
 from donnie_tui.commands.dispatch import handles
-from donnie_tui.commands.interaction import NotUnderstood, Option, Screen, read_count, read_numbers
+from donnie_tui.commands.interaction import MapPane, NotUnderstood, Option, Screen, read_count, read_numbers
 from donnie_tui.commands.lookup import word_of
 from donnie_tui.core import map_words
 from donnie_tui.core.events import SoundSwitched
@@ -206,13 +206,15 @@ async def to_there(ctx: Context, _: str) -> None:
         ctx.say(pointer.way(ctx.words))
 
 
-@handles("zoom_in", by=1)
-@handles("zoom_out", by=-1)
-async def zoom(ctx: Context, _: str, by: int) -> None:
-    """Zoom in or out."""
+@handles("zoom_in", by=1, limit="map-nearest")
+@handles("zoom_out", by=-1, limit="map-farthest")
+async def zoom(ctx: Context, _: str, by: int, limit: str) -> None:
+    """Zoom in or out, and say where that ends."""
     pane = _on_screen(ctx).map
-    pane.set_zoom(pane.zoom + by)
-    _say_scale(ctx)
+    if pane.set_zoom(pane.zoom + by):
+        _say_scale(ctx)
+    else:
+        ctx.answer_once(limit, steps=_steps_of_square(pane), columns=pane.columns)
 
 
 @handles("whole_map")
@@ -225,9 +227,12 @@ async def whole_map(ctx: Context, _: str) -> None:
 
 def _say_scale(ctx: Context) -> None:
     pane = _on_screen(ctx).map
-    if pane.scale is not None:
-        steps = pane.scale.factor * pane.scale.scene.picture.cell
-        ctx.answer("map-shows-all" if pane.shows_all else "map-follows", steps=steps)
+    code = "map-shows-all" if pane.shows_all else "map-nearer" if pane.zoom > 0 else "map-follows"
+    ctx.answer(code, steps=_steps_of_square(pane), columns=pane.columns)
+
+
+def _steps_of_square(pane: MapPane) -> int:
+    return pane.scale.factor * pane.scale.scene.picture.cell if pane.scale is not None else 1
 
 
 @handles("names")

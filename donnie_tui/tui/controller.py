@@ -172,7 +172,10 @@ class ScreenController:
     def look_at(self, step: int) -> None:
         """Show the moment of the run after so many steps."""
         self._end_answer()
-        self.ctx.say(*self.ctx.runs.look_at(step))
+        sentences = self.ctx.runs.look_at(step)
+        if not sentences and not step:
+            self.ctx.answer_once("undone-start")
+        self.ctx.say(*sentences)
         self.run_view.show_past()
         self.display.update()
 

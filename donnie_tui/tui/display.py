@@ -227,12 +227,17 @@ class Display:
 
     # --- the log
 
-    def entitle_log(self) -> None:
-        """Entitle the log with the kind of lines that it shows."""
-        only = self._place.log_rows.only
-        self._place.log_pane.entitle(
-            self._words("pane-log-only", kind=only) if only else self._words("pane-log")
-        )
+    def entitle_log(self, found: tuple[str, int] | None = None) -> None:
+        """Entitle the log with the kind of lines that it shows, or the word that was ``found`` and how often.
+
+        A reader would speak a changed title, so the plain layout has none of it.
+        """
+        only, title = self._place.log_rows.only, self._words("pane-log")
+        if only:
+            title = self._words("pane-log-only", kind=only)
+        elif found is not None and not self._place.is_plain:
+            title = self._words("pane-log-found", word=found[0], lines=found[1])
+        self._place.log_pane.entitle(title)
 
     def write(self, lines: Iterable[tuple[str, str]]) -> None:
         """Write lines into the log, each with the code of its kind."""

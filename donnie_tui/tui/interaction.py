@@ -18,7 +18,7 @@ from donnie_tui.commands.interaction import MapPane, Option, answered
 from donnie_tui.commands.keys import KeyTable
 from donnie_tui.commands.lookup import word_of
 from donnie_tui.commands.preferences import Preferences
-from donnie_tui.core.answer_log import AnswerLog
+from donnie_tui.core.answer_log import LONGEST_QUOTE, AnswerLog
 from donnie_tui.core.map_scene import Line
 from donnie_tui.core.map_words import Pointer
 from donnie_tui.core.runner import RunRequest
@@ -311,9 +311,9 @@ class ScreenInteraction:
     def show_sensor_ranges(self, lines: Iterable[Line]) -> None:
         self._controller.display.show_fields(lines)
 
-    def search_log(self, word: str) -> None:
-        self._place.log_rows.search(word)
-        self._controller.display.entitle_log()
+    def search_log(self, word: str, lines: int) -> None:
+        is_marked = self._place.log_rows.search(word)
+        self._controller.display.entitle_log((word[:LONGEST_QUOTE], lines) if is_marked else None)
 
     @property
     def log_kinds(self) -> Mapping[str, int]:

@@ -219,13 +219,57 @@ async def test_find_shows_what_a_filter_hides_with_its_count_and_marks(open_scre
         await screen.shows("2 lines")
 
         assert not screen.main.log_rows.only
-        assert screen.main.log_pane._titles[0] == "Log"
+        await screen.until(lambda: screen.main.log_pane._titles[0] == "Log: 2 lines with steps", "the title")
         marked = [
             at
             for at in range(screen.main.log_rows.row_count)
             if screen.main.log_rows._segments(at)[0].text == "*"
         ]
         assert len(marked) >= 2
+
+
+@pytest.mark.parametrize(
+    ("language", "title"),
+    [
+        ("en", "Log: 12 lines with apple"),
+        ("pt", "Registro: 12 linhas com apple"),
+        ("es", "Registro: 12 líneas con apple"),
+    ],
+)
+@pytest.mark.parametrize("size", [(40, 12), (80, 24), (120, 40)], ids=str)
+async def test_how_many_lines_find_found_stays_in_sight(open_screen, size, language, title):
+    """Twelve lines and their copies in the answer are more than the log has room for."""
+    async with open_screen(size=size, language=language) as screen:
+        screen.load('REPEAT 12 TIMES SPEAK "apple" END REPEAT')
+        await screen.press("f5")
+        await screen.until(lambda: screen.log.count("apple") == 12, "the words")
+        await screen.idle()
+        screen.main.go_to(screen.main.log_pane)
+        await screen.type_line("FIND apple")
+        await screen.until(lambda: screen.log.count("apple") == 24, "the answer")
+        await screen.painted()
+        for _ in range(2):
+            assert sum(title in row for row in screen.text.splitlines()) == 1
+            await screen.press("up", "pageup", "end")
+            await screen.type_line("SPEAK 7")
+            await screen.until(lambda: screen.log[-1] == "7", "another answer")
+            await screen.painted()
+        assert sum(line.startswith("12 ") for line in screen.log) == 1, "said once"
+
+        await screen.type_line("FIND pear")
+        await screen.until(lambda: "pear" in screen.log[-1], "no such line")
+        await screen.painted()
+        assert title not in screen.text
+
+
+async def test_the_plain_layout_has_one_title_of_the_log(open_screen):
+    """A reader would speak a changed one, after the answer."""
+    async with open_screen("SPEAK 12", plain=True) as screen:
+        await screen.press("f5")
+        await screen.type_line("FIND 12")
+        await screen.shows("1 line")
+        await screen.painted()
+        assert screen.main.log_pane._titles[0] == "Log"
 
 
 @pytest.mark.parametrize("size", [(40, 12), (80, 24)])

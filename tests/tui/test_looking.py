@@ -438,6 +438,42 @@ async def test_plus_comes_nearer_and_minus_goes_further_away(open_screen):
         assert widths[1] > widths[0] > widths[-1]
 
 
+NEAREST, FARTHEST = "The nearest: 6 columns a square.", "The farthest: 32 steps a square."
+"""The limits that the documents name: a step has up to six columns; five times half the size."""
+
+
+@pytest.mark.parametrize("size", [(40, 12), (80, 24), (120, 40)], ids=str)
+async def test_the_limits_of_the_zoom_are_said_once_and_the_way_back_begins_at_once(open_screen, size):
+    async with open_screen(world="living_room", size=size) as screen:
+        view = screen.main.map
+        screen.main.go_to(screen.main.map_pane)
+        await screen.pilot.pause()
+        for key, back, limit in (("plus", "minus", NEAREST), ("minus", "plus", FARTHEST)):
+            await screen.press(*[key] * 15)
+            await screen.shows(limit)
+            await screen.painted()
+            assert screen.log.count(limit) == 1
+            assert screen.log[-1] == limit
+            assert limit.rstrip(".") in " ".join(screen.text.split()), "in sight"
+            said = len(screen.log)
+            wide = view.virtual_size
+            await screen.press(back)
+            await screen.until(lambda wide=wide: view.virtual_size != wide, "another size")
+            await screen.until(lambda said=said: len(screen.log) == said + 1, "an answer")
+            await screen.press(key, key)
+            await screen.until(lambda limit=limit: screen.log.count(limit) == 2, "the limit again")
+
+
+async def test_the_limits_of_the_zoom_are_said_to_typed_words_too(open_screen):
+    async with open_screen() as screen:
+        for _ in range(6):
+            await screen.type_line("ZOOM IN")
+        await screen.shows(NEAREST)
+        await screen.type_line("WHERE")
+        await screen.type_line("ZOOM IN")
+        await screen.until(lambda: screen.log.count(NEAREST) == 2, "once more after another answer")
+
+
 async def test_a_square_grows_to_six_columns_by_three_rows_and_a_click_still_finds_it(open_screen):
     """The robot is a block of that size, which low vision and a projector need."""
     async with open_screen(world="living_room", size=(120, 40)) as screen:

@@ -94,6 +94,11 @@ async def test_a_slider_shows_how_far_back_one_looks_and_a_click_goes_there(open
         await screen.until(lambda: slider._at[0] == 1, "one step")
         await screen.pilot.click(slider, offset=(1, 0))
         await screen.until(lambda: slider._at[0] == 0, "one step back")
+        for _ in range(3):
+            await screen.pilot.click(slider, offset=(1, 0))
+        await screen.shows("This is the start.")
+        await screen.painted()
+        assert screen.log.count("This is the start.") == 1
         await screen.pilot.click(slider, offset=(40, 0))
         await screen.until(lambda: slider._at[0] == round(whole / 2), "the middle")
         await screen.pilot.click(slider, offset=(75, 0))

@@ -21,7 +21,7 @@ from textual.message import Message
 from textual.strip import Strip
 
 from donnie_tui.tui.themes import COLOURS, block_of_sixteen
-from donnie_tui.tui.widgets.map_painters import Blocks, Letters, Painter
+from donnie_tui.tui.widgets.map_painters import Blocks, Extent, Letters, Painter
 from donnie_tui.tui.widgets.rows import PaintedRows
 
 if TYPE_CHECKING:
@@ -37,7 +37,7 @@ RULER = 4
 _EVERY = 5
 """Steps between two numbers."""
 
-NEAREST = len(Letters.extents) - 1
+FARTHEST, NEAREST = -5, len(Letters.extents) - 1
 
 OUTSIDE = "+"
 """The mark at the edge for a thing, a robot or a goal outside. No thing has this letter."""
@@ -154,10 +154,27 @@ class MapView(PaintedRows, can_focus=True):
             return -(self.scale.factor - 1).bit_length()
         return self._zoom
 
-    def set_zoom(self, zoom: int) -> None:
-        self._zoom = max(-5, min(NEAREST, zoom))
+    @property
+    def columns(self) -> int:
+        """Columns of a square."""
+        return self._extent.columns
+
+    def set_zoom(self, zoom: int) -> bool:
+        """Zoom as far as possible; whether that has changed the map."""
+        before, size = (self._zoom, self.shows_all), self._square_size
+        self._zoom = max(FARTHEST, min(NEAREST, zoom))
         self.shows_all = False
         self._fit()
+        if self._square_size == size:
+            self._zoom, self.shows_all = before
+            self._fit()
+            return False
+        return True
+
+    @property
+    def _square_size(self) -> tuple[int, Extent]:
+        """The steps of a square, and its size on the screen."""
+        return self.scale.factor if self.scale is not None else 1, self._extent
 
     def show_all(self, whole: bool) -> None:
         """Show the whole floor, or follow the robot at the zoom of before."""
