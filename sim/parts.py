@@ -5,7 +5,8 @@ A robot's ``Body`` is everything of it that can bump: its shape, what is attache
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from heapq import heappop, heappush
 from itertools import islice
 from math import dist, hypot, inf
 
@@ -164,16 +165,24 @@ def _inner_radius(points: Outline) -> float:
     return min(hypot(*nearest_on_edge(edge)) for edge in edges(points))
 
 
-_ROOMS = (0.5, 0.25, 0.12)
-"""Metres around its middle that are free, the first for which there is a place; Donnie takes 0.064 m."""
+_ROOMS = (0.3, 0.12)
+"""Metres around its middle that are free, the first for which there is a place: for 4 steps, or for 1."""
+_FITS = 0.07
+"""Metres that Donnie takes, rounded up."""
 _REACH = 60
 """Steps to each side that are tried."""
 _MOST_CHECKS = 1_000_000
 """Places times polygons that are compared."""
 
+Square = tuple[int, int]
+"""A place in steps."""
 
-def free_place(scene: Scene) -> tuple[int, int]:
-    """A free place in steps, nearest to 0, 0, or to the middle of walls that exclude 0, 0."""
+
+def free_place(scene: Scene) -> Square:
+    """A free place, nearest to 0, 0, or to the middle of walls that exclude 0, 0.
+
+    From where Donnie fits that is nearest, a way leads there: it starts in the room that is drawn around.
+    """
     solid = [each for each in parts_of(scene) if each.solid]
     if not solid:
         return 0, 0
@@ -182,20 +191,45 @@ def free_place(scene: Scene) -> tuple[int, int]:
     is_inside = west < 0 < east and south < 0 < north
     is_walled = len(solid) > 1 and min(east - west, north - south) > 4
     middle = (0, 0) if is_inside or not is_walled else (round((west + east) / 2), round((south + north) / 2))
-    places = [*islice(_around(*middle), max(1, _MOST_CHECKS // len(solid)))]
-    free = ((x, y) for room in _ROOMS for x, y in places if _is_free(solid, x * STEP, y * STEP, room))
-    return next(free, middle)
+    most, reached = max(1, _MOST_CHECKS // len(solid)), list[Square]()
+
+    def is_free(at: Square, room: float) -> bool:
+        return not any(_is_near(part, at[0] * STEP, at[1] * STEP, room) for part in solid)
+
+    def fits(at: Square) -> bool:
+        return is_free(at, _FITS)
+
+    start = next((at for at in islice(_around(*middle), most) if fits(at)), middle)
+    for at in islice(_flooded(start, middle, fits), most):
+        if is_free(at, _ROOMS[0]):
+            return at
+        reached.append(at)
+    return next((at for room in _ROOMS[1:] for at in reached if is_free(at, room)), start)
 
 
-def _around(x: int, y: int) -> Iterator[tuple[int, int]]:
+def _around(x: int, y: int) -> Iterator[Square]:
     """Places, the nearest first; of equally near ones the northern and eastern first."""
     sides = range(-_REACH, _REACH + 1)
-    near = sorted(((dx, dy) for dx in sides for dy in sides), key=lambda at: (hypot(*at), -at[1], -at[0]))
-    return ((x + dx, y + dy) for dx, dy in near)
+    near = sorted((_nearness(dx, dy), dx, dy) for dx in sides for dy in sides)
+    return ((x + dx, y + dy) for _, dx, dy in near)
 
 
-def _is_free(solid: Sequence[Part], x: float, y: float, room: float) -> bool:
-    return not any(_is_near(part, x, y, room) for part in solid)
+def _nearness(dx: int, dy: int) -> tuple[float, int, int]:
+    return hypot(dx, dy), -dy, -dx
+
+
+def _flooded(start: Square, middle: Square, fits: Callable[[Square], bool]) -> Iterator[Square]:
+    """The places to which a way leads from ``start``, those near ``middle`` first."""
+    seen, waiting = {start}, [(_nearness(start[0] - middle[0], start[1] - middle[1]), start)]
+    while waiting:
+        _, (x, y) = heappop(waiting)
+        yield x, y
+        for at in ((x, y + 1), (x + 1, y), (x, y - 1), (x - 1, y)):
+            dx, dy = at[0] - middle[0], at[1] - middle[1]
+            if at not in seen and max(abs(dx), abs(dy)) <= _REACH:
+                seen.add(at)
+                if fits(at):
+                    heappush(waiting, (_nearness(dx, dy), at))
 
 
 def _is_near(part: Part, x: float, y: float, room: float) -> bool:

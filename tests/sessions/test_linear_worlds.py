@@ -162,10 +162,10 @@ def test_the_history_and_the_language_stay_in_another_world(tmp_path: Path) -> N
 
 def test_a_world_without_a_robot_says_that_donnie_was_put_in(tmp_path: Path) -> None:
     (tmp_path / "bare.world").write_text("model( size [ 0.4 0.4 1 ] )")
-    said = "The world bare.world has no robot, so I put Donnie in, at 0, 14."
+    said = "The world bare.world has no robot, so I put Donnie in, at 0, 10."
 
     there = answers_to(tmp_path, "FW 2\n\nWHERE\n", "--world", "bare.world")
-    assert there == [said, "I walked 2 steps forward.", "Position 0, 16. Facing north."]
+    assert there == [said, "I walked 2 steps forward.", "Position 0, 12. Facing north."]
     assert said in answers_to(tmp_path, "WORLD bare.world\n")
 
 
@@ -176,7 +176,7 @@ def test_a_recording_of_a_world_without_a_robot_can_be_run_again(tmp_path: Path)
     run = donnie(tmp_path, "run", "a.gd", "--world", "bare.world", "--record", "a.rec", "--speed", "max")
     again = donnie(tmp_path, "replay", "a.rec", "--check")
 
-    assert run.stderr == b"The world bare.world has no robot, so I put Donnie in, at 0, 14.\n"
+    assert run.stderr == b"The world bare.world has no robot, so I put Donnie in, at 0, 10.\n"
     assert (again.returncode, again.stderr) == (0, b"")
 
 

@@ -29,8 +29,10 @@ def start(tmp_path: Path, text: str) -> Pose:
         ("", (0, 0)),
         # 2 m to the east: nothing is near 0, 0
         ("model( pose [ 2 0 0 0 ] )", (0, 0)),
-        # a box of 0.4 m on 0, 0: 0.2 m and the room of 0.5 m are 14 steps; north comes first
-        ("model( size [ 0.4 0.4 1 ] )", (0, 14)),
+        # a box of 0.4 m on 0, 0: 0.2 m and the room of 0.3 m are 10 steps; north comes first
+        ("model( size [ 0.4 0.4 1 ] )", (0, 10)),
+        # a box whose edge is 0.35 m from 0, 0
+        ("model( pose [ 0.55 0 0 0 ] size [ 0.4 0.4 1 ] )", (0, 0)),
         # floor from x = 4 to 6 m and from y = 4 to 6 m, without 0, 0
         (
             "".join(
@@ -40,7 +42,7 @@ def start(tmp_path: Path, text: str) -> Pose:
             (100, 100),
         ),
     ],
-    ids=["nothing", "far", "a box in the middle", "walls elsewhere"],
+    ids=["nothing", "far", "a box in the middle", "a box near the middle", "walls elsewhere"],
 )
 def test_the_donnie_stands_at_the_free_place_that_is_nearest(
     tmp_path: Path, text: str, place: tuple[int, int]
@@ -48,6 +50,35 @@ def test_the_donnie_stands_at_the_free_place_that_is_nearest(
     found = start(tmp_path, text)
 
     assert (found.x, found.y, found.heading) == (*place, 0)
+
+
+@pytest.mark.parametrize("side", [0.2, 0.3, 0.4, 0.6, 0.8, 1.0])
+@pytest.mark.parametrize("shift", [(0.0, 0.0), (0.05, -0.05)])
+def test_it_starts_inside_of_the_room_that_is_drawn_around_its_place(
+    tmp_path: Path, side: float, shift: tuple[float, float]
+) -> None:
+    """Rooms of ``side`` metres inside, walls of one step; the floor outside has no end."""
+    (x, y), out, long = shift, (side + 0.05) / 2, side + 0.1
+    walls = ((x + out, y, 0.05, long), (x - out, y, 0.05, long), (x, y + out, long, 0.05))
+    text = "".join(
+        f"model( pose [ {at_x} {at_y} 0 0 ] size [ {width} {depth} 0.24 ] )\n"
+        for at_x, at_y, width, depth in (*walls, (x, y - out, long, 0.05))
+    )
+    most = side / 2 - 0.0667  # so far its middle may be from that of the room
+
+    found = start(tmp_path, text)
+
+    assert abs(found.x * STEP - x) <= most + 1e-9
+    assert abs(found.y * STEP - y) <= most + 1e-9
+
+
+def test_it_starts_beside_the_table_of_a_small_room(tmp_path: Path) -> None:
+    """A table of 0.4 m on 0, 0 in a room of 1 m: between the table and the wall are 0.3 m."""
+    room = "model( boundary 1 size [ 1.02 1.02 0.24 ] )\nmodel( size [ 0.4 0.4 0.3 ] )"
+
+    found = start(tmp_path, room)
+
+    assert max(abs(found.x), abs(found.y)) * STEP == pytest.approx(0.35)
 
 
 @pytest.mark.parametrize("name", ["empty", "helloworld"])
@@ -72,10 +103,10 @@ def test_the_session_says_it_and_saving_the_world_would_keep_the_donnie(tmp_path
     (tmp_path / "w.world").write_text("model( pose [ 0 0 0 0 ] size [ 0.4 0.4 1 ] )", encoding="utf-8")
     found = inhabited_world(str(tmp_path / "w.world"), WORDS)
 
-    assert robot_put_in(found, WORDS) == ("The world w.world has no robot, so I put Donnie in, at 0, 14.",)
+    assert robot_put_in(found, WORDS) == ("The world w.world has no robot, so I put Donnie in, at 0, 10.",)
     (tmp_path / "saved.world").write_text(Site(found).text, encoding="utf-8")
     saved = inhabited_world(str(tmp_path / "saved.world"), WORDS)
-    assert (saved.text, saved.start().y * STEP) == ("", pytest.approx(0.7))
+    assert (saved.text, saved.start().y * STEP) == ("", pytest.approx(0.5))
 
 
 PLAIN = (float, int, str, bool, type(None))
@@ -108,7 +139,7 @@ def test_a_world_in_other_units_gets_the_same_donnie(tmp_path: Path, units: str,
     plain = inhabited("model( size [ 0.4 0.4 1 ] )")
     found = inhabited(f"{units.replace(' unit', chr(10) + 'unit')}\nmodel( {box} )")
 
-    assert found.start() == plain.start() == Pose(0, 14, 0)
+    assert found.start() == plain.start() == Pose(0, 10, 0)
     for mine, other in zip(found.scene.models, plain.scene.models, strict=True):
         for here, there in zip(numbers_of(mine), numbers_of(other), strict=True):
             assert here == (pytest.approx(there, abs=1e-6) if isinstance(there, float) else there)
