@@ -13,6 +13,7 @@ import errno
 import itertools
 import os
 import re
+from codecs import BOM_UTF16_BE, BOM_UTF16_LE
 from collections.abc import Container, Iterable
 from typing import TYPE_CHECKING, BinaryIO
 
@@ -303,15 +304,19 @@ def save_question(path: Path, own: Path | None, known: str) -> str:
 
 
 def decode(data: bytes, name: str) -> str:
-    """UTF-8, else the old Windows code page of our learners' languages; cleaned. Raises ``DocumentError``."""
+    """UTF-8, or UTF-16 with its mark, else the old Windows code page of our learners' languages; cleaned.
+
+    Raises ``DocumentError``.
+    """
     if len(data) > LARGEST:
         raise DocumentError("file-too-large", name, str(LARGEST // 1024**2))
-    if b"\0" in data:
-        raise DocumentError("file-not-text", name)
     try:
-        return cleaned(data.decode("utf-8-sig"))
+        text = data.decode("utf-16" if data[:2] in (BOM_UTF16_LE, BOM_UTF16_BE) else "utf-8-sig")
     except UnicodeDecodeError:
-        return cleaned(data.decode("cp1252", errors="replace"))
+        text = data.decode("cp1252", errors="replace")
+    if "\0" in text:
+        raise DocumentError("file-not-text", name)
+    return cleaned(text)
 
 
 def as_lines(text: str) -> str:

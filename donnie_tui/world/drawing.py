@@ -191,10 +191,13 @@ class _Drawing:
         """Raises ``Unusable`` if there are any."""
         if self._slips:
             shown = [sentence for _, _, sentence in sorted(self._slips)[:MOST_SLIPS]]
+            if (more := len(self._slips) - len(shown)) > 0:
+                shown.append(self._words("drawing-more", count=more))
             raise Unusable(*shown, self._words("world-new-mistakes", count=len(self._slips)))
 
     def _check_rows(self) -> None:
-        rows = self._rows
+        """Raises ``Unusable`` where there is nothing to read, or too much."""
+        rows, of_legend = self._rows, len(self._slips)
         if not rows:
             self._slip("drawing-empty", 0, 0)
         if len(rows) > MOST_SIDE:
@@ -202,7 +205,8 @@ class _Drawing:
         for row, line in enumerate(rows):
             if len(line) > MOST_SIDE:
                 self._slip_at("drawing-wide", (row, MOST_SIDE), most=MOST_SIDE)
-        self._refuse_slips()
+        if len(self._slips) > of_legend:
+            self._refuse_slips()
 
     def _check_letters(self, groups: Sequence[Group]) -> None:
         """Lines of another length; each letter without a meaning once."""
@@ -266,15 +270,17 @@ class _Drawing:
         robots.sort(key=lambda each: (not bodies.isdisjoint(_around(each.squares[0])), each.squares))
         middle = len(rows) // 2, len(rows[0]) // 2
         self._origin = robots[0].squares[0] if robots else middle
-        of_walls = rectangles(bytes(each == WALL for each in row) for row in rows)
+        widest = max(map(len, rows))
+        of_walls = rectangles(bytes(each == WALL for each in row.ljust(widest)) for row in rows)
         walls = [Group(WALL, ((top, left), (bottom - 1, right - 1))) for left, top, right, bottom in of_walls]
-        drawn = [*walls, *(each for each in groups if each.letter in self._things)]
-        if len(drawn) > MOST_PIECES:
-            self._slip("drawing-much", 0, 0, count=len(drawn), most=MOST_PIECES)
+        known = {letter for letter, each in self._things.items() if each.kind}
+        drawn = [*walls, *(each for each in groups if each.letter in known)]
         self._check_letters(groups)
         self._check_robots([each.squares[0] for each in robots])
         self._check_colours(groups)
-        self._refuse_slips()
+        if len(drawn) > MOST_PIECES:
+            self._slip("drawing-much", 0, 0, count=len(drawn), most=MOST_PIECES)
+            self._refuse_slips()
         names = [each for each in self._names if each != "…"] or ["donnie"]
         more = (each for each in (f"{names[0]}{number}" for number in count(2)) if each not in names)
         named = zip(robots, chain(names, more), strict=False)

@@ -318,6 +318,40 @@ def test_every_mistake_in_a_drawing_has_its_place(drawing: str, sentences: list[
     assert mistakes_of(drawing) == [*sentences, total]
 
 
+def test_mistakes_in_the_legend_hide_none_in_the_drawing() -> None:
+    """Also where a row is too short, and where a thing has no room."""
+    drawing = ROOM.replace("box red", "box rde").replace("#..c......#", "#c........#")
+    drawing = drawing.replace("#.....^...#", "#......Q..#").replace("#.........#\n#.bb", "#........#\n#.bb")
+    drawing = drawing.replace("#.........#", "#.......^.#", 1)
+
+    assert mistakes_of(drawing) == [
+        "Error, map.txt, line 2, column 9: The robot touches something: wall. "
+        "It needs free floor on every side.",
+        "Error, map.txt, line 3, column 2: Too little room: chair, 3 by 3 steps, is over wall.",
+        "Error, map.txt, line 5, column 8: Nothing says what Q is. Write under the drawing: Q chair green.",
+        "Error, map.txt, line 6, column 11: This line has 10 letters, the first has 11.",
+        "Error, map.txt, line 12, column 7: rde is neither a thing nor a color. Did you mean red?",
+        "5 mistakes. I wrote nothing.",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("language", "last"),
+    [
+        ("en", ["And 5 more.", "25 mistakes. I wrote nothing."]),
+        ("pt", ["E mais 5.", "25 erros. Não escrevi nada."]),
+        ("es", ["Y 5 más.", "25 errores. No escribí nada."]),
+    ],
+)
+def test_of_many_mistakes_the_first_20_are_listed(language: str, last: list[str]) -> None:
+    letters = "abcdefghijklmnopqrstuwxyz"  # v is a robot
+    with pytest.raises(Unusable) as bad:
+        world_of(f"{letters}\n{'.' * 25}\n...^{'.' * 21}\n{'.' * 25}\n", "map.txt", Words(language))
+
+    assert len(bad.value.sentences) == 22
+    assert [*bad.value.sentences[20:]] == last
+
+
 def test_a_drawing_with_too_many_walls_is_refused() -> None:
     rows = [("#." * 100), (".#" * 100)] * 50
 

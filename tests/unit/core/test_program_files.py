@@ -35,6 +35,8 @@ from donnie_tui.core.program_files import (
         (b"\xef\xbb\xbfFW 1", "FW 1"),
         ("CRIAR ação = 1".encode("cp1252"), "CRIAR ação = 1"),
         (b"a\x81\xe9", "a\ufffd\xe9"),
+        ("\ufeffCRIAR ação = 1\r\n".encode("utf-16-le"), "CRIAR ação = 1\r\n"),
+        ("\ufeffCRIAR ação = 1\r\n".encode("utf-16-be"), "CRIAR ação = 1\r\n"),
         (b"FW 1\r\nFW 2", "FW 1\r\nFW 2"),
     ],
 )
@@ -49,9 +51,10 @@ def test_an_unreadable_file_has_an_error_code(tmp_path: Path, monkeypatch: pytes
     monkeypatch.setattr(program_files, "LARGEST", 10)
     (tmp_path / "large.gd").write_bytes(b"x" * 11)
     (tmp_path / "picture.gd").write_bytes(b"\x89PNG\0")
+    (tmp_path / "wide.gd").write_bytes("F".encode("utf-32"))
 
     codes = {}
-    for name in ("large.gd", "picture.gd", "none.gd", "."):
+    for name in ("large.gd", "picture.gd", "wide.gd", "none.gd", "."):
         with pytest.raises(DocumentError) as caught:
             read_program(tmp_path / name)
         codes[name] = caught.value.code
@@ -59,6 +62,7 @@ def test_an_unreadable_file_has_an_error_code(tmp_path: Path, monkeypatch: pytes
     assert codes == {
         "large.gd": "file-too-large",
         "picture.gd": "file-not-text",
+        "wide.gd": "file-not-text",
         "none.gd": "file-not-found",
         ".": "file-is-folder",
     }
