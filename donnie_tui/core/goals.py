@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache
 from itertools import combinations
 from math import atan2, ceil, degrees, hypot
-from typing import TypeAlias, TypeVar
+from typing import TYPE_CHECKING, TypeAlias, TypeVar
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -36,7 +36,10 @@ from donnie_tui.core.events import (
     Waited,
 )
 from worlds import challenges
-from worlds.challenges import Area, Avoided, Challenge, Goal, Heading, Limit, Place, Rules, Target, Unsensed
+from worlds.challenges import Area, Avoided, Challenge, Goal, Heading, Limit, Rules, Target, Unsensed
+
+if TYPE_CHECKING:
+    from sim.picture import Thing
 
 DEGREES = 10.0
 """What a robot that faces a direction may be off by, for each step of ``within``."""
@@ -44,56 +47,30 @@ NEARLY = 0.05
 """Steps that don't count: a wheel's rounding."""
 
 
-class Item(Struct, frozen=True):
-    """A thing of the world at its start: its box, in steps, by its middle and half of its sides."""
-
-    index: int
-    name: str
-    kind: str
-    colour: str
-    x: float
-    y: float
-    half_width: float = 0.0
-    half_height: float = 0.0
-
-    @property
-    def place(self) -> Place:
-        return self.x, self.y
-
-    @property
-    def box(self) -> Area:
-        """Two opposite corners."""
-        width, height = self.half_width, self.half_height
-        return (self.x - width, self.y - height), (self.x + width, self.y + height)
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """What a goal can call it: its name, its kind, or its colour with either."""
-        own = tuple(filter(None, (self.name, self.kind)))
-        return (*own, *(f"{self.colour} {each}" for each in own if self.colour))
-
-    def is_called(self, name: str) -> bool:
-        return folded(name) in map(folded, self.names)
-
-
 class Inventory(Struct, frozen=True):
     """What goals need to know of a world at a moment."""
 
-    items: tuple[Item, ...]
+    items: tuple[Thing, ...]
     radius: float
     """Of the robot's body, in steps."""
     robots: Mapping[str, Pose] = {}
     """Where the robots are, by name; the first one is meant if a goal names none."""
 
-    def called(self, name: str) -> tuple[Item, ...]:
+    def called(self, name: str) -> tuple[Thing, ...]:
         """All things that a goal means by that name."""
-        return tuple(each for each in self.items if each.is_called(name))
+        return tuple(each for each in self.items if folded(name) in map(folded, names_of(each)))
 
     def robot_called(self, name: str) -> str | None:
         """The robot that a goal means; the first one where it names none."""
         if not name:
             return next(iter(self.robots), "")
         return next((each for each in self.robots if folded(each) == folded(name)), None)
+
+
+def names_of(thing: Thing) -> tuple[str, ...]:
+    """What a goal can call it: its name, its kind, or its colour with either."""
+    own = tuple(filter(None, (thing.name, thing.kind)))
+    return (*own, *(f"{thing.colour} {each}" for each in own if thing.colour))
 
 
 _E = TypeVar("_E", bound=Event)
@@ -395,9 +372,9 @@ class _Lacking:
 
     def thing(self, name: str) -> Iterator[Shortfall]:
         end, at = self._track.end, self._goal.at
-        of_thing = [(each.place, each.place) for each in end.called(at)] if isinstance(at, str) else []
+        of_thing = [((each.x, each.y),) * 2 for each in end.called(at)] if isinstance(at, str) else []
         area = (*self._goal.areas, *of_thing)[0]
-        ways = [way_out(*each.place, area) for each in end.called(name)]
+        ways = [way_out(each.x, each.y, area) for each in end.called(name)]
         gap, direction = min(ways, default=(0.0, 0.0))
         if not ways:
             yield Shortfall("goal-no-thing", {"target": name})
@@ -530,9 +507,15 @@ def gap_to(pose: Pose, target: Target, room: Inventory) -> tuple[float, float]:
     """How far the robot is from a place and where from there, or how far and where the nearest thing is."""
     if not isinstance(target, str):
         return way_out(pose.x, pose.y, (target, target))
-    gaps = [(way_out(pose.x, pose.y, it.box)[0] - room.radius, it) for it in room.called(target)]
+    gaps = [(way_out(pose.x, pose.y, box_of(it))[0] - room.radius, it) for it in room.called(target)]
     gap, nearest = min(gaps, key=lambda each: max(each[0], 0.0))
-    return max(gap, 0.0), bearing(pose.x, pose.y, *nearest.place)
+    return max(gap, 0.0), bearing(pose.x, pose.y, nearest.x, nearest.y)
+
+
+def box_of(thing: Thing) -> Area:
+    """Two opposite corners."""
+    half_width, half_depth = thing.width / 2, thing.depth / 2
+    return (thing.x - half_width, thing.y - half_depth), (thing.x + half_width, thing.y + half_depth)
 
 
 def _sides(area: Area) -> tuple[float, float, float, float]:

@@ -15,10 +15,11 @@ from msgspec.structs import replace
 
 from devices.ports.robot import Pose
 from donnie_tui.core.describe import target_in_words
-from donnie_tui.core.goals import Inventory, Item, Track, gap_to, in_steps
+from donnie_tui.core.goals import Inventory, Track, gap_to, in_steps
 from donnie_tui.core.wording import COMPASS, Wording, called, coloured, compass_point, meant, the_coloured
 from language import keywords
 from language.suggestions import number_in_digits
+from sim.picture import Thing
 from worlds.challenges import Ask, Avoided, ChallengeQuestion, Unsensed
 
 TOLERANCES = {Ask.DIRECTION: 30.0, Ask.DISTANCE: 2.0}
@@ -89,7 +90,7 @@ class Asked(Struct, frozen=True):
             case Ask.ORDER:
                 return sorted(range(1, len(names) + 1), key=lambda number: self._way_to(names[number - 1])[0])
 
-    def _item(self, name: str) -> Item:
+    def _item(self, name: str) -> Thing:
         return self.track.end.called(name)[0]
 
     def _called(self, name: str, wording: Wording, with_colour: _WithColour = coloured) -> str:
@@ -107,7 +108,7 @@ class Asked(Struct, frozen=True):
                 radius, robots = end.radius, (end if moment == "end" else self.track.moments[0]).robots
                 here = next(iter(robots.values()))
             case str() as origin:
-                here = Pose(*self._item(origin).place, 0.0)
+                here = Pose(self._item(origin).x, self._item(origin).y, 0.0)
             case place:
                 here = Pose(*place, 0.0)
         return gap_to(here, name, replace(end, radius=radius))

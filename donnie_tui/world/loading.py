@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
     from donnie_tui.core.goals import Inventory
     from sim.geometry import Placement
-    from sim.scene import Model, Scene
+    from sim.scene import Scene
     from sim.world import World
     from sim.worldfile import Configuration, Driver, Offer, WorldError
     from worlds.challenges import Challenge, ChallengeMistake, Rules, Variant
@@ -250,7 +250,7 @@ def choose_challenge(name: str, words: Words, folders: tuple[str, ...] = ()) -> 
 
 def _unknown(found: Challenge, world: ChosenWorld | None) -> Iterator[ChallengeMistake]:
     """The words of a challenge that GoDonnie doesn't have, and the names that its world doesn't have."""
-    from donnie_tui.core.goals import unknown_names
+    from donnie_tui.core.goals import names_of, unknown_names
     from language.keywords import all_words, canonical
     from worlds.challenges import ChallengeMistake, line_of
 
@@ -259,8 +259,8 @@ def _unknown(found: Challenge, world: ChosenWorld | None) -> Iterator[ChallengeM
     unknown = [(*each, "challenge-word", known) for each in of_lists if canonical(each[-1]) is None]
     if world is not None:
         room = inventory_of(world.scene)
-        things = sorted(room.items, key=lambda each: max(each.half_width, each.half_height))  # walls last
-        named = [[name for name in each.names if name.strip()] for each in things]
+        things = sorted(room.items, key=lambda each: max(each.width, each.depth))  # walls last
+        named = [[name for name in names_of(each) if name.strip()] for each in things]
         first = (each[0] for each in named if each)
         known = tuple(dict.fromkeys((*first, *room.robots, *(name for each in named for name in each))))
         unknown += [(*each, "challenge-thing", known) for each in unknown_names(rules, room)]
@@ -559,22 +559,12 @@ def started_at(
 
 def inventory_of(scene: Scene) -> Inventory:
     """What the goals of a challenge need to know of a world."""
-    from donnie_tui.core.goals import Inventory, Item
+    from donnie_tui.core.goals import Inventory
+    from sim.picture import all_things
 
-    things = (each for each in scene.models if each.parent is None and each.index not in scene.robots)
-    items = ((it, _pose(it.pose), it.colour.family or "", _half_size(it)) for it in things)
-    poses = (_pose(scene.models[at].pose) for at in scene.robots)
-    return Inventory(
-        tuple(Item(it.index, it.name, it.kind, colour, at.x, at.y, *half) for it, at, colour, half in items),
-        sum(_half_size(scene.models[scene.robots[0]])) / 2,
-        dict(zip(scene.robot_names, poses, strict=True)),
-    )
-
-
-def _half_size(model: Model) -> tuple[float, float]:
-    """Half of the sides of its box, in steps."""
-    points = [point for outline in model.outlines() for point in outline]
-    return (
-        max((abs(x - model.pose.x) / STEP for x, _ in points), default=0.0),
-        max((abs(y - model.pose.y) / STEP for _, y in points), default=0.0),
-    )
+    everything = all_things(scene)
+    width, depth, _ = scene.models[scene.robots[0]].size
+    poses = {each.index: Pose(each.x, each.y, each.heading) for each in everything if each.is_robot}
+    robots = {name: poses[index] for name, index in zip(scene.robot_names, scene.robots, strict=True)}
+    items = tuple(each for each in everything if not each.is_robot)
+    return Inventory(items, (width + depth) / 4 / STEP, robots)

@@ -22,13 +22,21 @@ from donnie_tui.core.events import (
     ThingsMoved,
     Turned,
 )
-from donnie_tui.core.goals import Inventory, Item, Judgment, folded, goals_of_end, judge, unknown_names
+from donnie_tui.core.goals import Inventory, Judgment, folded, goals_of_end, judge, unknown_names
 from donnie_tui.i18n.words import Words
+from sim.picture import Thing
 from worlds.challenges import Challenge, ChallengeText, Goal, Limit, Never, Rules
 
 START = Pose(0.0, 0.0, 0.0)
-CHAIR = Item(1, "chair 1", "chair", "green", 10.0, 0.0, 2.0, 2.0)
-BOX = Item(2, "box", "cube", "red", 3.0, 4.0, 1.0, 1.0)
+
+
+def item(number: int, name: str, kind: str, colour: str, x: float, y: float, half: float = 0.0) -> Thing:
+    """A thing with its middle there, from which it reaches ``half`` to each side."""
+    return Thing(name, kind, "t", colour, x, y, 2 * half, 2 * half, index=number)
+
+
+CHAIR = item(1, "chair 1", "chair", "green", 10.0, 0.0, 2.0)
+BOX = item(2, "box", "cube", "red", 3.0, 4.0, 1.0)
 ROOM = Inventory((CHAIR, BOX), radius=3.0)
 
 
@@ -149,7 +157,7 @@ def test_bumping_and_touching_are_reported_after_the_goals() -> None:
     assert verdict.shortfalls[2].values["target"] == "green chair"
 
 
-FAR_BOX = Inventory((Item(2, "box", "cube", "red", 3.0, 20.0, 1.0, 1.0),), radius=3.0)
+FAR_BOX = Inventory((item(2, "box", "cube", "red", 3.0, 20.0, 1.0),), radius=3.0)
 """The box begins 3 steps to the east of a way to the north: a robot that passes would touch it."""
 AWAY = ThingsMoved((PlacedThing("box", Pose(20.0, 20.0, 0.0), 2),))
 BACK = ThingsMoved((PlacedThing("box", Pose(3.0, 20.0, 0.0), 2),))
@@ -374,7 +382,7 @@ def test_robots_meet_when_their_bodies_were_near_at_one_moment() -> None:
 
 
 def test_no_robot_comes_near_what_is_to_be_kept_away_from() -> None:
-    chair = Item(1, "chair 1", "chair", "green", 5.0, 20.0, 1.0, 1.0)
+    chair = item(1, "chair 1", "chair", "green", 5.0, 20.0, 1.0)
     hall = Inventory((chair,), HALL.radius, HALL.robots)
     kept = challenge(Goal(robots=("alice", "bob"), within=100), never=Never(near=("chair",)))
 
@@ -442,7 +450,7 @@ def test_of_a_text_letters_and_digits_count(text: str, plain: str) -> None:
     [("en", "chair", "trono do João"), ("pt", "cadeira", "trono do João"), ("es", "silla", "trono do João")],
 )
 def test_a_thing_with_a_name_of_its_own_is_called_by_it(language: str, chair: str, throne: str) -> None:
-    room = Inventory((CHAIR, BOX, Item(3, "trono do João", "chair", "green", 20.0, 0.0)), radius=3.0)
+    room = Inventory((CHAIR, BOX, item(3, "trono do João", "chair", "green", 20.0, 0.0)), radius=3.0)
     words = Words(language)
 
     assert target_in_words("chair 1", room, words) == chair

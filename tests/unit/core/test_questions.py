@@ -6,16 +6,23 @@ import pytest
 
 from devices.ports.robot import Pose
 from donnie_tui.core.events import Moved, Reset, Stamped
-from donnie_tui.core.goals import Inventory, Item, track_of
+from donnie_tui.core.goals import Inventory, track_of
 from donnie_tui.core.questions import Asked
 from donnie_tui.i18n.words import Words
+from sim.picture import Thing
 from worlds.challenges import Ask, ChallengeQuestion, Target
+
+
+def item(number: int, name: str, kind: str, colour: str, x: float, y: float, half: float = 0.0) -> Thing:
+    """A thing with its middle there, from which it reaches ``half`` to each side."""
+    return Thing(name, kind, "t", colour, x, y, 2 * half, 2 * half, index=number)
+
 
 ROOM = Inventory(
     (
-        Item(1, "chair", "chair", "green", 10.0, 10.0, 2.0, 2.0),
-        Item(2, "box", "box", "red", 0.0, 20.0, 1.0, 1.0),
-        Item(3, "box 2", "box", "blue", -30.0, 0.0, 1.0, 1.0),
+        item(1, "chair", "chair", "green", 10.0, 10.0, 2.0),
+        item(2, "box", "box", "red", 0.0, 20.0, 1.0),
+        item(3, "box 2", "box", "blue", -30.0, 0.0, 1.0),
     ),
     radius=3.0,
     robots={"donnie": Pose(0.0, 0.0, 0.0)},
