@@ -29,6 +29,7 @@ from donnie_tui.core.events import (
     Stamped,
     ThingsMoved,
     Turned,
+    begins_anew,
 )
 from donnie_tui.core.run_controller import RunController
 from donnie_tui.core.run_state import RunErrors
@@ -220,8 +221,6 @@ class Attempt:
         self._unsubscribe = donnie.team.stream.subscribe(self._on_event)
 
     def _on_event(self, stamped: Stamped) -> None:
-        from donnie_tui.core.goals import begins_anew
-
         is_start = isinstance(stamped.event, RunStarted | Reset)
         self._answers = None if is_start else self._answers
         if begins_anew(stamped.event):
@@ -330,8 +329,6 @@ class Attempt:
 
     def _becomes_lost(self, verdict: Judgment) -> bool:
         """Whether no further line can solve the challenge now. A whole program starts again by itself."""
-        from donnie_tui.core.goals import begins_anew
-
         before = self._is_lost
         starts = [each.event for each in self._events if isinstance(each.event, RunStarted)]
         self._is_lost = any(each.code.startswith(_BEYOND_REPAIR) for each in verdict.shortfalls)

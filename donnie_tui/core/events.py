@@ -354,6 +354,20 @@ class Stamped(Struct, frozen=True):
     """The robot's name where a world has several."""
 
 
+def pose_of(event: Event) -> Pose | None:
+    """Where the robot is with it, if it says so."""
+    if isinstance(event, RunStarted):
+        return event.how.pose if event.how is not None else None
+    return event.pose if isinstance(event, Moved | Turned | Driven | RunEnded | Reset) else None
+
+
+def begins_anew(event: Event) -> bool:
+    """Whether the robot is at its start with it, without a past."""
+    return isinstance(event, Reset) or (
+        isinstance(event, RunStarted) and event.how is not None and event.how.begins_anew
+    )
+
+
 def event_name(event: Event | type[Event]) -> str:
     """The name of an event, or of a kind of events, in the stream, such as ``run_started``."""
     return str(event.__struct_config__.tag)

@@ -34,6 +34,8 @@ from donnie_tui.core.events import (
     ThingsMoved,
     Turned,
     Waited,
+    begins_anew,
+    pose_of,
 )
 from worlds import challenges
 from worlds.challenges import Area, Avoided, Challenge, Goal, Heading, Limit, Rules, Target, Unsensed
@@ -266,11 +268,11 @@ def track_of(room: Inventory, events: Iterable[Stamped]) -> Track:
     """What the runs did since the robots were put to their starts the last time."""
     first = room.robot_called("") or ""
     happened = [(each.robot or first, each.event) for each in last_try(tuple(events))]
-    starts = {robot: _pose_of(each) for robot, each in happened if begins_anew(each)}
+    starts = {robot: pose_of(each) for robot, each in happened if begins_anew(each)}
     robots = dict(room.robots) | {robot: pose for robot, pose in starts.items() if pose is not None}
     moments = [replace(room, robots=robots)]
     for robot, event in happened:
-        now, pose = moments[-1], _pose_of(event)
+        now, pose = moments[-1], pose_of(event)
         if isinstance(event, ThingsMoved):
             places = {each.index: each.pose for each in event.places}
             moved = ((each, places.get(each.index)) for each in room.items)
@@ -279,19 +281,6 @@ def track_of(room: Inventory, events: Iterable[Stamped]) -> Track:
         elif pose is not None:
             moments.append(replace(now, robots={**now.robots, robot: pose}))
     return Track(happened, moments)
-
-
-def _pose_of(event: Event) -> Pose | None:
-    if isinstance(event, RunStarted):
-        return event.how.pose if event.how is not None else None
-    return event.pose if isinstance(event, Reset | Moved | Turned | RunEnded) else None
-
-
-def begins_anew(event: Event) -> bool:
-    """Whether the robot is put to its start with it."""
-    return isinstance(event, Reset) or (
-        isinstance(event, RunStarted) and event.how is not None and event.how.fresh
-    )
 
 
 def last_try(events: Sequence[Stamped]) -> tuple[Stamped, ...]:

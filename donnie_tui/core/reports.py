@@ -20,8 +20,7 @@ from msgspec import Struct
 
 from devices.ports.robot import Bearing, Pose
 from donnie_tui.core.describe import place_of
-from donnie_tui.core.events import Moved, Read, RunEnded, RunStarted, Stamped, Turned, Waited
-from donnie_tui.core.goals import begins_anew
+from donnie_tui.core.events import Moved, Read, RunEnded, RunStarted, Stamped, Turned, Waited, begins_anew
 from donnie_tui.core.map_grid import LEGS_SAID, path_in_words
 from donnie_tui.core.map_words import floor_in_words
 from donnie_tui.core.program_files import unquoted

@@ -44,7 +44,9 @@ from donnie_tui.core.events import (
     ThingsMoved,
     Turned,
     Waited,
+    begins_anew,
     event_name,
+    pose_of,
 )
 from donnie_tui.core.transcript import printed_lines, with_robot_name
 from donnie_tui.core.wording import Wording, compass_heading, facing, whole_steps
@@ -174,10 +176,9 @@ class Timeline:
 
     def _happen(self, stamped: Stamped) -> None:
         event = stamped.event
-        pose = _pose_of(event)
+        pose = pose_of(event)
         if pose is not None:
-            begins = isinstance(event, Reset) or (isinstance(event, RunStarted) and _begins_anew(event))
-            self._places.setdefault(stamped.robot, []).append(_Place(self.at, pose, begins))
+            self._places.setdefault(stamped.robot, []).append(_Place(self.at, pose, begins_anew(event)))
         if isinstance(event, ThingsMoved):
             self._things.append((self.at, event.places))
 
@@ -185,22 +186,6 @@ class Timeline:
 def is_main_event(event: Event) -> bool:
     """Whether it is the main event of a step, not an announcement about it or a cue before it."""
     return not (_leads_on(event) or _belongs_to_the_last(event))
-
-
-def _pose_of(event: Event) -> Pose | None:
-    match event:
-        case RunStarted(how=how):
-            return how.pose if how is not None else None
-        case Moved(pose=pose) | Turned(pose=pose) | Driven(pose=pose):
-            return pose
-        case RunEnded(pose=pose) | Reset(pose=pose):
-            return pose
-        case _:
-            return None
-
-
-def _begins_anew(event: RunStarted) -> bool:
-    return event.how is not None and event.how.begins_anew
 
 
 def _belongs_to_the_last(event: Event) -> bool:

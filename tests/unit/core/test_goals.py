@@ -272,6 +272,15 @@ def test_what_was_done_since_the_start_counts() -> None:
     assert codes(judge(goal, ROOM, [*said, reset, *run(fresh=False)])) == ["goal-said"]
 
 
+def test_a_program_that_is_refused_leaves_what_was_done() -> None:
+    """The robot was not put back to its start."""
+    how = HowStarted("", 1, True, False, False, START, refused=True)
+    refused = (RunStarted("p", "w", "donnie", 0, "0", how), Error("x", 3, 1, "message", None))
+    events = [*run(Spoke("here")), *(Stamped(9, 0.0, each) for each in refused)]
+
+    assert codes(judge(challenge(Goal(said="here")), ROOM, events)) == ["goal-mistake"]
+
+
 def test_each_goal_says_whether_it_is_met() -> None:
     judgment = judge(challenge(Goal(said="here"), Goal(at=(0, 0))), ROOM, run())
 
