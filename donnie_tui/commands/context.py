@@ -266,8 +266,10 @@ class Attempt:
     def _happened(self) -> tuple[Stamped, ...]:
         return tuple(self._events) or (Stamped(0, 0.0, Reset(self._donnie.session.pose)),)
 
-    def judge(self, is_program: bool) -> tuple[str, ...]:
+    def judge(self, is_program: bool, is_asked: bool) -> tuple[str, ...]:
         """Judge a run, keep it as a try, and return the verdict. ``is_program``: more than a line ran.
+
+        ``is_asked``: questions follow at once, else the learner must ask for them.
 
         A program that solves the challenge from the first start must solve it from the others, too. Where a
         real robot can't sense everything, the learner is asked first.
@@ -275,7 +277,8 @@ class Attempt:
         self.keep_try()
         self._answers, self._is_program = self._no_answers, is_program
         self.has_questions = bool(self.unsensed)
-        return (self._donnie.words("goals-asked"),) if self.has_questions else self.judge_answered({})
+        code = "goals-asked" if is_asked else "goals-unasked"
+        return (self._donnie.words(code),) if self.has_questions else self.judge_answered({})
 
     def judge_answered(self, answers: Mapping[Unsensed, bool]) -> tuple[str, ...]:
         """As ``judge``, with the learner's answers about what the robot can't sense.

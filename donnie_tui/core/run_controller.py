@@ -90,10 +90,10 @@ class RunController:
         """The variables that WATCH named, as they were typed."""
         self.past: Timeline | None = None
         """The position of STEP BACK; None in the present."""
-        self.judge: Callable[[bool], tuple[str, ...]] | None = None
+        self.judge: Callable[[bool, bool], tuple[str, ...]] | None = None
         """Returns the verdict about a run that ended by itself, in a challenge.
 
-        Its argument: whether more than a line ran.
+        Its arguments: whether more than a line ran, and whether a question can follow at once.
         """
         self._unjudged: list[RunRecord] = []
         """The runs since the last verdict."""
@@ -573,7 +573,8 @@ class RunController:
         ):
             requests = [each.request for each in records]
             is_program = any(each.is_whole or "\n" in each.text.strip() for each in requests)
-            self._answer(*self.judge(is_program))
+            is_asked = self._can_hold and not (self._has_prompt and records[-1].is_background)
+            self._answer(*self.judge(is_program, is_asked))
 
     def _answer_done(self, record: RunRecord) -> None:
         """Says that the program is done, if no prompt shows it."""

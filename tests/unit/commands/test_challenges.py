@@ -10,6 +10,7 @@ import pytest
 from donnie_tui.commands.interaction import EnterWorld
 from donnie_tui.core.events import Chimed, CueSounded, RunEnded, Stamped
 from donnie_tui.core.program_files import Attempted
+from donnie_tui.core.runner import RunRequest
 from donnie_tui.i18n.words import Words
 from donnie_tui.world.loading import choose_world
 from tests.conftest import ROOT
@@ -434,7 +435,7 @@ def test_a_real_robot_asks_about_the_goals_that_it_can_not_sense(
     monkeypatch.setattr(type(script.donnie.connection), "is_real", property(lambda _: True))
 
     script.answers_to("FW 1")
-    assert script.answers_to('SPEAK "here"')[-1] == "I can't sense all. Type QUESTIONS."
+    assert script.answers_to('SPEAK "here"')[-1] == "I can't sense all."
     assert script.answers_to("GOALS") == [
         "Goal 1: I ask you later.",
         "Goal 2: met.",
@@ -452,6 +453,21 @@ def test_a_real_robot_asks_about_the_goals_that_it_can_not_sense(
     known = {"yes": "met.", "no": "You answered no to goal 1."}[answers[0]]
     assert script.answers_to("GOALS")[0] == f"Goal 1: {known}"
     assert script.answers_to("TR 90", "GOALS")[-3] == "Goal 1: I ask you later."
+
+
+def test_after_a_program_in_the_background_a_real_robot_names_the_word_that_asks(
+    open_script: OpenScript, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """No question comes by itself then: the learner may be typing."""
+    file = tmp_path / "it.toml"
+    file.write_text(UNSENSED)
+    script = open_script(world=f"challenge:{file}")
+    monkeypatch.setattr(type(script.donnie.connection), "is_real", property(lambda _: True))
+
+    script.answers_to("FW 1")
+    script.ctx.runs.start(RunRequest("FW 1"), is_background=True)
+    script.rest()
+    assert script.printed[-1] == "I can't sense all. Type QUESTIONS."
 
 
 def test_questions_that_were_left_are_asked_again_for_the_same_try(
