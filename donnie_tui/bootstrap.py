@@ -63,7 +63,7 @@ if TYPE_CHECKING:
     from sim.picture import Drawing, Picture
     from sim.sensors import Mounted
     from sim.world import World
-    from worlds.challenges import Challenge, Unsensed
+    from worlds.challenges import Answers, Challenge
 
 __all__ = ["Donnie", "Unusable", "assemble", "colours_of_world", "open_workspace"]
 
@@ -436,7 +436,7 @@ class Start(Struct, frozen=True):
     looks: Looks = {}
     """What the robots of all tries saw there."""
 
-    def judge(self, events: Iterable[Stamped], answers: Mapping[Unsensed, bool] | None = None) -> Judgment:
+    def judge(self, events: Iterable[Stamped], answers: Answers = None) -> Judgment:
         """As ``goals.judge``."""
         from donnie_tui.core.goals import judge
 
@@ -479,9 +479,7 @@ class Judge:
                 break
         return tuple(verdicts)
 
-    def events(
-        self, events: Sequence[Stamped], answers: Mapping[Unsensed, bool] | None = None
-    ) -> tuple[Judgment, ...]:
+    def events(self, events: Sequence[Stamped], answers: Answers = None) -> tuple[Judgment, ...]:
         """Judge the events of runs, from the start at which the robot stood first.
 
         If they solve it, the same programs must solve it from the other starts. ``answers``: as ``judge``.

@@ -12,11 +12,10 @@ import re
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
-from enum import Enum
 from functools import cache
 from itertools import pairwise
 from pathlib import Path
-from typing import Annotated, Any, Literal, TypeAlias, TypeVar, cast
+from typing import Annotated, Any, Literal, TypeAlias, TypeVar, cast, get_args
 
 import msgspec
 from msgspec import Meta, Struct, field
@@ -166,15 +165,8 @@ def degrees_of(heading: Heading) -> float:
     return COMPASS[heading] if isinstance(heading, str) else heading
 
 
-class Ask(Enum):
-    """What a question is about."""
-
-    DIRECTION = "direction"
-    DISTANCE = "distance"
-    COUNT = "count"
-    COLOUR = "colour"
-    ORDER = "order"
-    """Which things are nearer."""
+Ask: TypeAlias = Literal["direction", "distance", "count", "colour", "order"]
+"""What a question is about; ``order``: which things are nearer."""
 
 
 class ChallengeQuestion(Struct, frozen=True, forbid_unknown_fields=True):
@@ -195,7 +187,7 @@ class ChallengeQuestion(Struct, frozen=True, forbid_unknown_fields=True):
     @property
     def is_complete(self) -> bool:
         """Whether as many things are named as it takes."""
-        return 1 < len(self.things) < 10 if self.ask is Ask.ORDER else len(self.things) == 1
+        return 1 < len(self.things) < 10 if self.ask == "order" else len(self.things) == 1
 
 
 class ChallengeHint(Struct, frozen=True, forbid_unknown_fields=True):
@@ -253,6 +245,8 @@ class Rules(Struct, frozen=True, forbid_unknown_fields=True):
 
 
 Unsensed: TypeAlias = Goal | Avoided
+Answers: TypeAlias = Mapping[Unsensed, bool] | None
+"""What the learner of a real robot said about what it can't sense; None for a simulated one."""
 
 
 class Challenge(Struct, frozen=True):
@@ -384,10 +378,8 @@ _TABLES: dict[str, type[Struct]] = {
     **{"goal": Goal, "never": Never, "limit": Limit, "variant": Variant},
     **{"question": ChallengeQuestion, "hint": ChallengeHint},
 }
-_CHOICES: dict[str, tuple[str, ...]] = {
-    "difficulty": tuple(each.value for each in Difficulty if each is not Difficulty.UNSTATED),
-    "ask": tuple(each.value for each in Ask),
-}
+_LEVELS = tuple(each.value for each in Difficulty if each is not Difficulty.UNSTATED)
+_CHOICES = {"difficulty": _LEVELS, "ask": get_args(Ask)}
 """What can be written in place of a word that is none of these, by the key; else it is a heading."""
 _STAND_INS = {"format": 1, "world": "", "title": "", "task": "", "text": "", "ask": "count", "of": ()}
 """In place of what is required and wrong."""

@@ -38,7 +38,7 @@ from donnie_tui.core.events import (
     pose_of,
 )
 from worlds import challenges
-from worlds.challenges import Area, Avoided, Challenge, Goal, Heading, Limit, Rules, Target, Unsensed
+from worlds.challenges import Answers, Area, Avoided, Challenge, Goal, Heading, Limit, Rules, Target
 
 if TYPE_CHECKING:
     from sim.picture import Thing
@@ -191,26 +191,16 @@ class Judgment(Struct, frozen=True):
 
 
 def judge(
-    challenge: Challenge,
-    room: Inventory,
-    events: Iterable[Stamped],
-    answers: Mapping[Unsensed, bool] | None = None,
+    challenge: Challenge, room: Inventory, events: Iterable[Stamped], answers: Answers = None
 ) -> Judgment:
-    """What the runs did for the challenge since the robots were put to their starts the last time.
-
-    ``answers``: of a real robot, what the learner said about what it can't sense.
-    """
+    """What the runs did for the challenge since the robots were put to their starts the last time."""
     track, rules = track_of(room, events), challenge.rules
-    missing = tuple(
-        next(_missing(goal, track), None)
-        if answers is None or goal.is_sensed or not track.has_run
-        else _answered(answers.get(goal), number)
-        for number, goal in enumerate(rules.goal, start=1)
-    )
+    numbered = enumerate(rules.goal, start=1)
+    missing = tuple(next(_missing(goal, number, track, answers), None) for number, goal in numbered)
     shortfalls = (
         *_ended_badly(track),
         *_of_words(challenge, track),
-        *(each for each in missing if each is not None),
+        *filter(None, missing),
         *_forbidden(rules, track, answers),
         *_over_limit(rules, track),
     )
@@ -292,22 +282,19 @@ def last_try(events: Sequence[Stamped]) -> tuple[Stamped, ...]:
 # --- goals
 
 
-def _missing(goal: Goal, track: Track) -> Iterator[Shortfall]:
+def _missing(goal: Goal, number: int, track: Track, answers: Answers) -> Iterator[Shortfall]:
     """What is missing first; nothing if the goal is met."""
     if not track.has_run:
         yield Shortfall("goal-no-run", {})
-    for found in getattr(_Lacking(goal, track), goal.kind)(getattr(goal, goal.kind)):
-        yield _of_robot(found, goal.robot) if goal.robot else found
+    elif answers is None or goal.is_sensed:
+        for found in getattr(_Lacking(goal, track), goal.kind)(getattr(goal, goal.kind)):
+            yield _of_robot(found, goal.robot) if goal.robot else found
+    elif not answers.get(goal):
+        yield Shortfall("goal-answered-no" if goal in answers else "goal-asked", {"number": number})
 
 
 def _of_robot(found: Shortfall, name: str) -> Shortfall:
     return Shortfall(found.code, {**found.values, "robot": name})
-
-
-def _answered(answer: bool | None, number: int) -> Shortfall | None:
-    """What the learner said about a goal."""
-    code = "goal-asked" if answer is None else "goal-answered-no"
-    return None if answer else Shortfall(code, {"number": number})
 
 
 class _Lacking:
@@ -462,7 +449,7 @@ def _lesson_of(word: str | None, now: str) -> int:
     return 0
 
 
-def _forbidden(rules: Rules, track: Track, answers: Mapping[Unsensed, bool] | None) -> Iterable[Shortfall]:
+def _forbidden(rules: Rules, track: Track, answers: Answers) -> Iterable[Shortfall]:
     bumps = track.counts["bumps"]
     if rules.never.bump and bumps:
         yield Shortfall("never-bump", {"times": bumps})

@@ -20,9 +20,9 @@ from donnie_tui.core.wording import COMPASS, Wording, called, coloured, compass_
 from language import keywords
 from language.suggestions import number_in_digits
 from sim.picture import Thing
-from worlds.challenges import Ask, Avoided, ChallengeQuestion, Unsensed
+from worlds.challenges import Avoided, ChallengeQuestion, Unsensed
 
-TOLERANCES = {Ask.DIRECTION: 30.0, Ask.DISTANCE: 2.0}
+TOLERANCES = {"direction": 30.0, "distance": 2.0}
 """Degrees and steps that an answer may be off by where the challenge doesn't say; else nothing."""
 _NUMBER = re.compile(r"\d+(?:[.,]\d+)?")
 _WithColour = Callable[[str, str, str, Wording], str]
@@ -39,9 +39,9 @@ class Asked(Struct, frozen=True):
         ask, names = self.question.ask, self.question.things
         listed = (f"{at} {self._called(name, wording)}" for at, name in enumerate(names, start=1))
         return wording(
-            f"question-{ask.value}",
+            f"question-{ask}",
             origin=self._origin_in_words(wording),
-            target=self._called(names[0], wording, coloured if ask is Ask.COUNT else the_coloured),
+            target=self._called(names[0], wording, coloured if ask == "count" else the_coloured),
             things="; ".join(listed),
         )
 
@@ -54,7 +54,7 @@ class Asked(Struct, frozen=True):
             return wording("answer-order", numbers=" ".join(map(str, right)))
         number, point = round(right), compass_point(right, wording)
         values = {"direction": point, "degrees": number % 360, "steps": number, "count": number}
-        return wording(f"answer-{ask.value}", **values)
+        return wording(f"answer-{ask}", **values)
 
     def is_right(self, typed: str) -> bool:
         """Whether the learner knows it. Numbers may be words."""
@@ -66,29 +66,27 @@ class Asked(Struct, frozen=True):
         if isinstance(right, list):
             return [int(each) for each in re.findall(r"\d", typed)] == right
         numbers = [float(each.replace(",", ".")) for each in _NUMBER.findall(typed)]
-        if ask is Ask.DIRECTION:
+        if ask == "direction":
             named = (meant(each, "compass") for each in typed.replace("-", "").strip(".").split())
             numbers = [COMPASS.index(each) * 45.0 for each in named if each is not None] + numbers
         tolerance = self.question.tolerance
         off = numbers[0] - right if numbers else inf
-        off = (off + 180) % 360 - 180 if ask is Ask.DIRECTION and numbers else off
+        off = (off + 180) % 360 - 180 if ask == "direction" and numbers else off
         return abs(off) <= (TOLERANCES.get(ask, 0.0) if tolerance is None else tolerance)
 
     @property
     def _right(self) -> float | str | list[int]:
         """Degrees, steps, a number of things, a colour, or the numbers of the things from near to far."""
         names = self.question.things
-        match self.question.ask:
-            case Ask.DIRECTION:
-                return self._way_to(names[0])[1]
-            case Ask.DISTANCE:
-                return self._way_to(names[0])[0]
-            case Ask.COUNT:
-                return len(self.track.end.called(names[0]))
-            case Ask.COLOUR:
-                return self._item(names[0]).colour
-            case Ask.ORDER:
-                return sorted(range(1, len(names) + 1), key=lambda number: self._way_to(names[number - 1])[0])
+        ways = [self._way_to(each) for each in names]
+        rights: dict[str, float | str | list[int]] = {
+            "distance": ways[0][0],
+            "direction": ways[0][1],
+            "count": len(self.track.end.called(names[0])),
+            "colour": self._item(names[0]).colour,
+            "order": sorted(range(1, len(names) + 1), key=lambda number: ways[number - 1][0]),
+        }
+        return rights[self.question.ask]
 
     def _item(self, name: str) -> Thing:
         return self.track.end.called(name)[0]
@@ -96,31 +94,26 @@ class Asked(Struct, frozen=True):
     def _called(self, name: str, wording: Wording, with_colour: _WithColour = coloured) -> str:
         """A thing, with its colour where the question names it and does not ask for it."""
         item = self._item(name)
-        if self.question.ask is Ask.COLOUR or not item.colour or item.colour not in name:
+        if self.question.ask == "colour" or not item.colour or item.colour not in name:
             return called(item.kind, item.name, wording)
         return with_colour(item.kind, item.name, item.colour, wording)
 
     def _way_to(self, name: str) -> tuple[float, float]:
         """How far and in which direction a thing is: from the robot's body, or from a place or thing."""
-        end, radius = self.track.end, 0.0
-        match self.question.origin:
-            case "start" | "end" as moment:
-                radius, robots = end.radius, (end if moment == "end" else self.track.moments[0]).robots
-                here = next(iter(robots.values()))
-            case str() as origin:
-                here = Pose(self._item(origin).x, self._item(origin).y, 0.0)
-            case place:
-                here = Pose(*place, 0.0)
-        return gap_to(here, name, replace(end, radius=radius))
+        end, origin = self.track.end, self.question.origin
+        if origin in ("start", "end"):
+            moment = end if origin == "end" else self.track.moments[0]
+            return gap_to(next(iter(moment.robots.values())), name, end)
+        x, y = (self._item(origin).x, self._item(origin).y) if isinstance(origin, str) else origin
+        return gap_to(Pose(x, y, 0.0), name, replace(end, radius=0.0))
 
     def _origin_in_words(self, wording: Wording) -> str:
-        match self.question.origin:
-            case "start" | "end" as end:
-                return wording(f"question-from-{end}")
-            case str() as name:
-                return wording("question-from", origin=self._called(name, wording, the_coloured))
-            case x, y:
-                return wording("question-from", origin=f"{x:g}, {y:g}")
+        origin = self.question.origin
+        if origin in ("start", "end"):
+            return wording(f"question-from-{origin}")
+        if not isinstance(origin, str):
+            return wording("question-from", origin=target_in_words(origin, self.track.end, wording))
+        return wording("question-from", origin=self._called(origin, wording, the_coloured))
 
 
 def unsensed_question(asked: Unsensed, room: Inventory, wording: Wording) -> str:

@@ -43,22 +43,22 @@ def asked(
     ("question", "right", "wrong"),
     [
         # From 0, 0 to 10, 10 it is northeast, 45 degrees.
-        (asked(Ask.DIRECTION, "green chair"), ["45", "NE", "nordeste", "70 degrees"], ["80", "SO", "?"]),
-        (asked(Ask.DIRECTION, "green chair"), ["to the north-east"], ["to the south"]),
-        (asked(Ask.DIRECTION, "green chair", tolerance=10), ["40"], ["70"]),
+        (asked("direction", "green chair"), ["45", "NE", "nordeste", "70 degrees"], ["80", "SO", "?"]),
+        (asked("direction", "green chair"), ["to the north-east"], ["to the south"]),
+        (asked("direction", "green chair", tolerance=10), ["40"], ["70"]),
         # From 0, 5 the box at 0, 20 is straight north; 350 is only 10 degrees off.
-        (asked(Ask.DIRECTION, "red box", "end"), ["0", "350", "norte", "N"], ["90"]),
+        (asked("direction", "red box", "end"), ["0", "350", "norte", "N"], ["90"]),
         # From 0, 0 to the box's south side at 19, less the body's 3: 16; from 0, 5 it is 11.
-        (asked(Ask.DISTANCE, "red box"), ["16", "15 steps", "18"], ["19", "13", ""]),
-        (asked(Ask.DISTANCE, "red box", "end"), ["11"], ["16"]),
+        (asked("distance", "red box"), ["16", "15 steps", "18"], ["19", "13", ""]),
+        (asked("distance", "red box", "end"), ["11"], ["16"]),
         # From -30, 10 the nearer box is the blue one, straight south; the red one is at 72 degrees.
-        (asked(Ask.DIRECTION, "box", (-30, 10)), ["180"], ["72"]),
+        (asked("direction", "box", (-30, 10)), ["180"], ["72"]),
         # From the middle of the blue box, at -30, 0, to 8, 8: hypot(38, 8) is 38.8.
-        (asked(Ask.DISTANCE, "green chair", "blue box"), ["39"], ["36"]),
-        (asked(Ask.COUNT, "box"), ["2", "2.0", "there are 2", "Two.", "dois"], ["3", "some"]),
-        (asked(Ask.COLOUR, "chair"), ["green", "It is green.", "verde", "VERDE"], ["red", ""]),
+        (asked("distance", "green chair", "blue box"), ["39"], ["36"]),
+        (asked("count", "box"), ["2", "2.0", "there are 2", "Two.", "dois"], ["3", "some"]),
+        (asked("colour", "chair"), ["green", "It is green.", "verde", "VERDE"], ["red", ""]),
         # The chair is 11.3 - 3 away, the red box 16, the blue one 26.
-        (asked(Ask.ORDER, ("blue box", "chair", "red box")), ["2 3 1", "231", "2, 3, 1"], ["1 2 3", "2 3"]),
+        (asked("order", ("blue box", "chair", "red box")), ["2 3 1", "231", "2, 3, 1"], ["1 2 3", "2 3"]),
     ],
 )  # fmt: skip
 def test_an_answer_is_right_within_the_tolerance(question: Asked, right: list[str], wrong: list[str]) -> None:
@@ -70,19 +70,19 @@ def test_an_answer_is_right_within_the_tolerance(question: Asked, right: list[st
     ("question", "text", "answer"),
     [
         (
-            asked(Ask.DIRECTION, "green chair"),
+            asked("direction", "green chair"),
             "From the start: in which direction is the green chair?",
             "It is to the northeast, 45 degrees.",
         ),
         (
-            asked(Ask.DISTANCE, "red box", "end"),
+            asked("distance", "red box", "end"),
             "From the robot: how many steps to the red box?",
             "It is 11 steps.",
         ),
-        (asked(Ask.COUNT, "blue box"), "How many of these are there: box, blue?", "There is 1."),
-        (asked(Ask.COLOUR, "chair"), "Which color is the chair?", "It is green."),
+        (asked("count", "blue box"), "How many of these are there: box, blue?", "There is 1."),
+        (asked("colour", "chair"), "Which color is the chair?", "It is green."),
         (
-            asked(Ask.ORDER, ("red box", "chair"), (1, 2)),
+            asked("order", ("red box", "chair"), (1, 2)),
             "From 1, 2: which is nearer? Type the numbers, the nearest first: 1 box, red; 2 chair.",
             "The order is 2 1.",
         ),
