@@ -24,8 +24,7 @@ from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.streams import Input, let_sound, stopped_by_suspension
 from donnie_tui.commands.interaction import answered
 from donnie_tui.core.hub import Hub, Stream
-from donnie_tui.core.program_files import DocumentError
-from donnie_tui.i18n.words import Unusable
+from donnie_tui.i18n.words import Unusable, as_unusable
 from donnie_tui.process.disconnection import ReaderWatch
 from donnie_tui.process.signals import LEAVING, Watchdog, end_process
 from donnie_tui.robot.connection import (
@@ -151,10 +150,8 @@ def _keep(order: Order, sizes: _Measures) -> int:
 
 
 def _write(order: Order, key: str, value: float | str) -> None:
-    try:
+    with as_unusable(order.words):
         remember(key, value, order.environment)
-    except DocumentError as problem:
-        raise Unusable(order.words(problem.code, path=problem.path, reason=problem.reason)) from None
 
 
 class _Calibration:

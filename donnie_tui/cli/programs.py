@@ -31,7 +31,6 @@ from donnie_tui.core.events import RunStarted, Stamped
 from donnie_tui.core.goals import folded
 from donnie_tui.core.program_files import (
     LARGEST,
-    DocumentError,
     checked_path,
     decode,
     exists,
@@ -43,7 +42,7 @@ from donnie_tui.core.program_files import (
 from donnie_tui.core.reports import Section, as_csv
 from donnie_tui.core.wording import no_such_robot
 from donnie_tui.i18n.mistakes import remark
-from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.i18n.words import Unusable, Words, as_unusable
 from donnie_tui.outlets.files import heading_of_answer, may_be_replaced
 from donnie_tui.process import in_processes, processors
 from donnie_tui.process.confinement import is_allowed, make_folder, part_below
@@ -73,21 +72,17 @@ class Source(Struct, frozen=True):
 
 def read_source(name: str, words: Words) -> Source:
     """Raises ``Unusable``."""
-    try:
+    with as_unusable(words):
         if name == "-":
             return Source("-", _standard_input(), None)
         path = checked_path(Path(name))
         return Source(name, read_to_the_end(path), path)
-    except DocumentError as error:
-        raise Unusable(words(error.code, path=error.path, reason=error.reason)) from None
 
 
 def path_given(name: str, words: Words) -> Path:
     """The path of an output. Raises ``Unusable`` for one that a confined session must not use."""
-    try:
+    with as_unusable(words):
         return checked_path(Path(name))
-    except DocumentError as error:
-        raise Unusable(words(error.code, path=error.path, reason=error.reason)) from None
 
 
 def robot_and_file(argument: str) -> tuple[str | None, str]:
@@ -400,10 +395,8 @@ def _write_table(order: Order, records: Sequence[_Record]) -> None:
 
 def _write(path: Path, text: str, words: Words) -> None:
     """Raises ``Unusable``."""
-    try:
+    with as_unusable(words):
         write_program(path, text)
-    except DocumentError as error:
-        raise Unusable(words(error.code, path=error.path, reason=error.reason)) from None
 
 
 def _make_folder(folder: Path, words: Words) -> None:
@@ -503,17 +496,15 @@ def _faults_of_words(found: challenges.Challenge, words: Words) -> Iterator[str]
     """Hints that a language lacks, and lines that are too long."""
     wanted = len(found.text(ENGLISH).hint)
     for language, text in found.texts.items():
+        fault = partial(words, name=found.name, language=language)
         if len(text.hint) != wanted:
-            values = {"language": language, "count": len(text.hint), "wanted": wanted}
-            yield words("challenge-test-hints", name=found.name, **values)
+            yield fault("challenge-test-hints", count=len(text.hint), wanted=wanted)
         count = len(task_in_words(found, Words(language)))
         if count > MOST_SENTENCES:
-            values = {"language": language, "count": count - 1, "most": MOST_SENTENCES - 1}
-            yield words("challenge-test-sentences", name=found.name, **values)
+            yield fault("challenge-test-sentences", count=count - 1, most=MOST_SENTENCES - 1)
         for line in (text.title, *text.sentences, *(each.text for each in text.hint)):
             if len(line) > LONGEST_LINE:
-                values = {"count": len(line), "most": LONGEST_LINE, "text": line}
-                yield words("challenge-test-long", name=found.name, **values)
+                yield fault("challenge-test-long", count=len(line), most=LONGEST_LINE, text=line)
 
 
 _Texts: TypeAlias = tuple[tuple[str, str], ...]

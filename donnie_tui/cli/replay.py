@@ -31,7 +31,7 @@ from donnie_tui.core.recording import LARGEST, Header, NoRecordingError, Recordi
 from donnie_tui.core.timeline import Replay, Timeline, redone_in_words, undone_in_words
 from donnie_tui.core.transcript import printed_lines, with_robot_name
 from donnie_tui.core.wording import keys_of, meant, position_in_words, spelled
-from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.i18n.words import Unusable, Words, as_unusable
 from donnie_tui.outlets.audible import make_audible
 from donnie_tui.outlets.files import SessionFiles
 from donnie_tui.process.confinement import OutsideError, check_name, open_bytes
@@ -235,7 +235,7 @@ def _wanted(order: Order) -> Iterator[_Wanted]:
 
 def _report(order: Order, recording: Recording, closing: ExitStack) -> int:
     """Write the requested files, as REPORT does, and print their content in words."""
-    from donnie_tui.core.program_files import DocumentError, write_bytes
+    from donnie_tui.core.program_files import write_bytes
     from donnie_tui.core.reports import in_sentences, report
 
     words, line = order.words, order.output.line
@@ -244,10 +244,8 @@ def _report(order: Order, recording: Recording, closing: ExitStack) -> int:
     for each in wanted:
         if not each.name:
             continue
-        try:
+        with as_unusable(words):
             write_bytes(Path(each.name), report(each.what, f"report{each.suffix}", subject, words))
-        except DocumentError as problem:
-            raise Unusable(words(problem.code, path=problem.path, reason=problem.reason)) from None
         line(words("paper-written", path=each.name))
     if any(each.name and each.what in ("run", "paper") for each in wanted):
         for said in legend:

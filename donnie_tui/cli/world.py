@@ -17,10 +17,10 @@ import worlds.words
 from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.core.chart import colour_marks, shrunk, with_marks
 from donnie_tui.core.describe import MOST_ROBOTS, describe
-from donnie_tui.core.program_files import DocumentError, FilesInUse, exists, file_to_save, write_program
+from donnie_tui.core.program_files import FilesInUse, exists, file_to_save, write_program
 from donnie_tui.core.wording import colour_initials, name_of, shade
 from donnie_tui.i18n.mistakes import world_note
-from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.i18n.words import Unusable, Words, as_unusable
 from donnie_tui.world.loading import (
     WITHOUT_WORLD,
     ChosenWorld,
@@ -144,15 +144,13 @@ def _new_world(order: Order, file: str) -> int:
     from donnie_tui.world.drawing import world_of
 
     words, drawing = order.words, order.invocation.arguments.drawing
-    try:
+    with as_unusable(words):
         target = file_to_save(file, FilesInUse(()), ".world")
         if exists(target):
             raise Unusable(words("world-new-there", path=target))
         text = EMPTY_ROOM if drawing is None else read_source(drawing, words).text
         built = world_of(text, str(drawing), words)
         write_program(target, built.text)
-    except DocumentError as problem:
-        raise Unusable(words(problem.code, path=problem.path, reason=problem.reason)) from None
     command = f"donnie --world {shlex.quote(str(target))}"
     order.output.line(words("world-new", path=target, command=command, **built.counts))
     return ExitCode.DONE
@@ -315,10 +313,8 @@ def _written(option: str, path: str, text: str, words: Words) -> str:
     """Write a file whole or not at all. Raises ``Unusable``."""
     if not path:
         raise Unusable(words("usage-without-value", what=option))
-    try:
+    with as_unusable(words):
         write_program(Path(path), text)
-    except DocumentError as problem:
-        raise Unusable(words(problem.code, path=problem.path, reason=problem.reason)) from None
     return words("paper-written", path=path)
 
 

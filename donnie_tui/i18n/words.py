@@ -6,7 +6,8 @@ The modules for mistakes and HELP are loaded on demand, as the first frame needs
 from __future__ import annotations
 
 import struct
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from functools import cache
 from gettext import GNUTranslations, NullTranslations, c2py
 from io import BytesIO
@@ -34,6 +35,17 @@ class Unusable(Exception):
     def sentences_after(self, command: Sequence[str]) -> tuple[str, ...]:  # noqa: ARG002
         """The sentences for a learner who typed this command, without the name of the program."""
         return self.sentences
+
+
+@contextmanager
+def as_unusable(words: Words) -> Iterator[None]:
+    """Raises ``Unusable``, in words, in place of a ``DocumentError``."""
+    from donnie_tui.core.program_files import DocumentError
+
+    try:
+        yield
+    except DocumentError as error:
+        raise Unusable(words(error.code, path=error.path, reason=error.reason)) from None
 
 
 class NotAllowed(Unusable):

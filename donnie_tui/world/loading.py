@@ -17,7 +17,7 @@ import worlds
 from devices.ports.robot import STEP, Pose
 from donnie_tui.core.events import PlacedThing
 from donnie_tui.core.wording import Wording
-from donnie_tui.i18n.words import NotAllowed, Unusable, Words
+from donnie_tui.i18n.words import NotAllowed, Unusable, Words, as_unusable
 from sim.compiled_scene import read_scene
 
 if TYPE_CHECKING:
@@ -299,19 +299,14 @@ def solution_of(world: ChosenWorld, words: Words) -> dict[str, str]:
 
     Raises ``Unusable`` if that of the first can't be read.
     """
-    from donnie_tui.core.program_files import DocumentError, checked_path, exists, read_to_the_end
+    from donnie_tui.core.program_files import checked_path, exists, read_to_the_end
 
     assert world.challenge is not None
     solution, names = world.challenge.solution, world.scene.robot_names
     files = {name: solution(name if at else "") for at, name in enumerate(names)}
-    try:
-        return {
-            name: read_to_the_end(checked_path(file))
-            for name, file in files.items()
-            if name == names[0] or exists(file)
-        }
-    except DocumentError as error:
-        raise Unusable(words(error.code, path=error.path, reason=error.reason)) from None
+    there = {name: file for name, file in files.items() if name == names[0] or exists(file)}
+    with as_unusable(words):
+        return {name: read_to_the_end(checked_path(file)) for name, file in there.items()}
 
 
 def _in_a_file(name: str, words: Words, folders: tuple[str, ...], unknown: str) -> ChosenWorld:
@@ -330,12 +325,10 @@ def _in_a_file(name: str, words: Words, folders: tuple[str, ...], unknown: str) 
 
 def _refuse_outside(path: Path, words: Words) -> None:
     """Raises ``Unusable`` for a world that a confined session must not use."""
-    from donnie_tui.core.program_files import DocumentError, checked_path
+    from donnie_tui.core.program_files import checked_path
 
-    try:
+    with as_unusable(words):
         checked_path(path)
-    except DocumentError as problem:
-        raise Unusable(words(problem.code, path=problem.path, reason=problem.reason)) from None
 
 
 def _configured(path: Path, words: Words, folders: tuple[str, ...]) -> ChosenWorld:
@@ -452,15 +445,14 @@ def scattered_by(seed: int, world: ChosenWorld, words: Words, folders: tuple[Pat
 
     from pathlib import Path
 
-    from donnie_tui.core.program_files import DocumentError, read_program
+    from donnie_tui.core.program_files import read_program
     from sim.worldfile import WorldError, load_text, scattered
 
     path = Path(world.path)
     try:
-        text = scattered(world.text or read_program(path), world.scene, path, folders, seed)
+        with as_unusable(words):
+            text = scattered(world.text or read_program(path), world.scene, path, folders, seed)
         scene = replace(load_text(text, path, allowed=folders), robots=world.scene.robots)
-    except DocumentError as error:
-        raise Unusable(words(error.code, path=error.path, reason=error.reason)) from None
     except WorldError as error:
         raise _refused(error, path, words) from None
     return replace(world, scene=scene, text=text)
