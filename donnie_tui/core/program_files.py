@@ -455,39 +455,17 @@ def file_names(typed: str) -> tuple[str, ...]:
     )
 
 
-class RecentFiles:
-    """The programs that were opened and saved lately, the newest first, kept from one start to the next.
+class _KeptFile:
+    """A text file that is kept from one start to the next.
 
-    They are a convenience: a fault of the file that keeps them is never reported.
+    It is a convenience: a fault of the file is never reported.
     """
 
-    MOST = 20
     LARGEST = 100_000
-    """Bytes of the file; twenty paths have a few thousand."""
+    """Bytes; a larger file is damaged."""
 
     def __init__(self, file: str) -> None:
         self._file_name = file
-
-    def paths(self) -> tuple[Path, ...]:
-        """The paths that still exist."""
-        from pathlib import Path
-
-        found = []
-        for line in self._lines():
-            with contextlib.suppress(OSError, ValueError):
-                if is_allowed(line) and Path(line).is_file():
-                    found.append(Path(line))
-        return tuple(found)
-
-    def add(self, path: Path) -> None:
-        from pathlib import Path
-
-        with contextlib.suppress(OSError, ValueError):
-            name, file = real_path(path), Path(self._file_name)
-            lines = [name, *(each for each in self._lines() if each != name)][: self.MOST]
-            make_folder(file.parent)
-            with open_text(file, "w") as out:
-                out.writelines(f"{each}\n" for each in lines)
 
     def _lines(self) -> list[str]:
         try:
@@ -495,7 +473,38 @@ class RecentFiles:
                 text = file.read(self.LARGEST + 1)
         except (OSError, ValueError):
             return []
-        return [] if len(text) > self.LARGEST else text.splitlines()[: self.MOST]
+        return text.splitlines() if len(text) <= self.LARGEST else []
+
+    def _write(self, lines: Iterable[str], mode: str = "w") -> None:
+        from pathlib import Path  # slow to load, and few programs have a file at the start
+
+        with contextlib.suppress(OSError, ValueError):
+            file = Path(self._file_name)
+            make_folder(file.parent)
+            with open_text(file, mode) as out:
+                out.writelines(f"{each}\n" for each in lines)
+
+
+class RecentFiles(_KeptFile):
+    """The programs that were opened and saved lately, the newest first."""
+
+    MOST = 20
+
+    def paths(self) -> tuple[Path, ...]:
+        """The paths that still exist."""
+        from pathlib import Path
+
+        found = []
+        for line in self._lines()[: self.MOST]:
+            with contextlib.suppress(OSError, ValueError):
+                if is_allowed(line) and Path(line).is_file():
+                    found.append(Path(line))
+        return tuple(found)
+
+    def add(self, path: Path) -> None:
+        with contextlib.suppress(OSError, ValueError):
+            name = real_path(path)
+            self._write([name, *(each for each in self._lines() if each != name)][: self.MOST])
 
 
 class Attempted(Struct, frozen=True, array_like=True, forbid_unknown_fields=True):
@@ -520,27 +529,19 @@ class Attempted(Struct, frozen=True, array_like=True, forbid_unknown_fields=True
     """The questions that were answered rightly."""
 
 
-class ProgressFile:
+class ProgressFile(_KeptFile):
     """What the learner did for challenges, one line a try, its values separated by tabs.
 
-    A fault of the file is never reported, and a line that can't be read is left out.
+    A line that can't be read is left out.
     """
 
-    LARGEST = 2_000_000
-    """Bytes that are read."""
-
-    def __init__(self, file: str) -> None:
-        self._file_name = file
+    LARGEST = 10_000_000
+    """A hundred thousand tries."""
 
     def attempts(self) -> tuple[Attempted, ...]:
         """All, the oldest first."""
-        try:
-            with open_text(self._file_name) as file:
-                lines = file.read(self.LARGEST).splitlines()
-        except (OSError, ValueError):
-            return ()
         found = []
-        for line in lines:
+        for line in self._lines():
             with contextlib.suppress(ValueError):
                 found.append(convert(line.split("\t"), Attempted, strict=False))
         return tuple(found)
@@ -551,35 +552,16 @@ class ProgressFile:
         return frozenset(each.name for each in self.attempts() if each.solved)
 
     def add(self, attempt: Attempted) -> None:
-        from pathlib import Path
-
-        with contextlib.suppress(OSError, ValueError):
-            file = Path(self._file_name)
-            make_folder(file.parent)
-            with open_text(file, "a") as out:
-                out.write("\t".join(str(each) for each in astuple(attempt)) + "\n")
+        self._write(["\t".join(map(str, astuple(attempt)))], "a")
 
 
-class BreakpointFile:
-    """The breakpoints of each program that has a file, by its path; the program used last comes first.
-
-    They are a convenience: a fault of the file that keeps them is never reported.
-    """
+class BreakpointFile(_KeptFile):
+    """The breakpoints of each program that has a file, by its path; the program used last comes first."""
 
     MOST_PROGRAMS = 200
     MOST_LINES = 200
     """Breakpoints of one program that are kept."""
     LARGEST = 400_000
-    """Bytes of the file; a larger one is damaged."""
-
-    def __init__(self, file: str) -> None:
-        self._file_name = file
-
-    @property
-    def _file(self) -> Path:
-        from pathlib import Path  # slow to load, and few programs have a file at the start
-
-        return Path(self._file_name)
 
     def read(self, program: Path | None, line_count: int) -> frozenset[int]:
         """The breakpoints of that program, as far as its lines reach."""
@@ -598,27 +580,14 @@ class BreakpointFile:
             return
         others = [each for each in before if each[0] != name]
         entries = [(name, chosen), *others][: self.MOST_PROGRAMS] if chosen else others
-        with contextlib.suppress(OSError, ValueError):
-            make_folder(self._file.parent)
-            with open_text(self._file, "w") as out:
-                out.writelines(map(_line, entries))
+        self._write(f"{' '.join(map(str, each))}\t{path}" for path, each in entries if path.isprintable())
 
     def _entries(self) -> list[tuple[str, tuple[int, ...]]]:
-        with contextlib.suppress(OSError, ValueError):
-            with open_text(self._file) as file:
-                text = file.read(self.LARGEST + 1)
-            if len(text) <= self.LARGEST:
-                return [entry for line in text.split("\n") if (entry := _entry(line)) is not None]
-        return []
-
-
-def _line(entry: tuple[str, tuple[int, ...]]) -> str:
-    """``3 7``, a tab and the path; empty for a path that does not fit into a line of text."""
-    name, lines = entry
-    return f"{' '.join(map(str, lines))}\t{name}\n" if name.isprintable() else ""
+        return [entry for line in self._lines() if (entry := _entry(line)) is not None]
 
 
 def _entry(line: str) -> tuple[str, tuple[int, ...]] | None:
+    """``3 7``, a tab and the path."""
     numbers, _tab, name = line.partition("\t")
     given = numbers.split()
     if not name or not all(each.isdecimal() and len(each) < 9 for each in given):
