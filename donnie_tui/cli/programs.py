@@ -17,7 +17,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import chain, count, groupby, islice
 from pathlib import Path
-from typing import TypeAlias
+from typing import TypeAlias, TypeVar
 
 import msgspec
 from msgspec import Struct
@@ -40,7 +40,7 @@ from donnie_tui.core.program_files import (
     write_program,
 )
 from donnie_tui.core.reports import Section, as_csv
-from donnie_tui.core.wording import no_such_robot
+from donnie_tui.core.wording import no_such_robot, robot_called
 from donnie_tui.i18n.mistakes import remark
 from donnie_tui.i18n.words import Unusable, Words, as_unusable
 from donnie_tui.outlets.files import heading_of_answer, may_be_replaced
@@ -91,6 +91,24 @@ def robot_and_file(argument: str) -> tuple[str | None, str]:
     if not (robot and equals) or exists(Path(argument)):
         return None, argument
     return robot, file
+
+
+_Given = TypeVar("_Given")
+
+
+def by_robot(
+    given: Sequence[tuple[str | None, _Given]], names: Sequence[str], words: Words
+) -> dict[str, _Given]:
+    """What is given for each robot, by its name; what is for none is the first one's. Raises ``Unusable``."""
+    found: dict[str, _Given] = {}
+    for robot, each in given:
+        name = names[0] if robot is None else robot_called(robot, names)
+        if name is None:
+            raise Unusable(no_such_robot(robot or "", names, MOST_NAMES, words))
+        if name in found:
+            raise Unusable(words("robot-twice", name=name))
+        found[name] = each
+    return found
 
 
 def _standard_input() -> str:
@@ -322,8 +340,8 @@ class _Pupil(Struct, frozen=True):
 
     name: str
     """The file, or the folder with a program for each robot."""
-    files: Mapping[str | None, str]
-    """By robot; None for the first one."""
+    files: Mapping[str, str]
+    """By robot."""
     folder: str = ""
     """The pupil's own, where the file is in one."""
     given: str = ""
@@ -522,29 +540,22 @@ def _pupils(judge: Judge, given: Sequence[str]) -> tuple[_Pupil, ...]:
     named = [robot_and_file(each) for each in given]
     if not named or any(robot is None for robot, _ in named):
         return tuple(replace(each, given=name) for name in given for each in _in_folder(judge, name))
-    files = dict[str | None, str]()
-    for robot, file in named:
-        called = judge.room.robot_called(robot or "")
-        if called is None:
-            raise Unusable(no_such_robot(robot or "", [*judge.room.robots], MOST_NAMES, judge.words))
-        if called in files:
-            raise Unusable(judge.words("robot-twice", name=called))
-        files[called] = file
+    files = by_robot(named, [*judge.room.robots], judge.words)
     return (_Pupil(", ".join(Path(file).name for file in files.values()), files),)
 
 
 def _in_folder(judge: Judge, name: str) -> Iterator[_Pupil]:
     """Those of a folder, or of a file alone."""
-    is_of_one = bool(_files_of_robots(judge, name))
+    is_of_one, first = bool(_files_of_robots(judge, name)), next(iter(judge.room.robots))
     for folder in (name,) if is_of_one else (*folders_in(name), name):
         if own := _files_of_robots(judge, folder):
             yield _Pupil(folder, own)
         else:
             programs = programs_in(folder)
-            yield from (_Pupil(each, {None: each}, "" if folder == name else folder) for each in programs)
+            yield from (_Pupil(each, {first: each}, "" if folder == name else folder) for each in programs)
 
 
-def _files_of_robots(judge: Judge, folder: str) -> Mapping[str | None, str]:
+def _files_of_robots(judge: Judge, folder: str) -> Mapping[str, str]:
     """Its programs that are called as the robots are, where there are several."""
     if len(judge.room.robots) < 2 or not is_allowed(Path(folder)):
         return {}
@@ -575,12 +586,12 @@ def _records(judge: Judge, pupils: Sequence[_Pupil]) -> Iterator[_Record]:
 
 def _read(judge: Judge, pupil: _Pupil) -> _Texts | str:
     """The programs, or why they can't be read. Refuses links, which could lead to any other file."""
-    first, texts = next(iter(judge.room.robots)), list[tuple[str, str]]()
+    texts = list[tuple[str, str]]()
     try:
         for robot, file in pupil.files.items():
             if pupil.given and part_below(os.path.realpath(pupil.given), os.path.realpath(file)) is None:
                 return judge.words("check-leads-out", path=file)
-            texts.append((robot or first, read_source(file, judge.words).text))
+            texts.append((robot, read_source(file, judge.words).text))
     except Unusable as unusable:
         return unusable.sentence
     return tuple(texts)

@@ -21,7 +21,7 @@ from typing import TextIO, cast
 
 from donnie_tui.bootstrap import Donnie, assemble
 from donnie_tui.cli.options import ExitCode, Order
-from donnie_tui.cli.programs import MOST_NAMES, path_given, read_source, robot_and_file
+from donnie_tui.cli.programs import by_robot, path_given, read_source, robot_and_file
 from donnie_tui.cli.streams import (
     Guarded,
     Output,
@@ -34,9 +34,7 @@ from donnie_tui.core.events import Answered, Outcome, Stamped
 from donnie_tui.core.program_files import is_same_file
 from donnie_tui.core.runner import LAST_WORDS, Run, RunRequest
 from donnie_tui.core.session import RunOptions
-from donnie_tui.core.team import Team
 from donnie_tui.core.transcript import printed_lines
-from donnie_tui.core.wording import no_such_robot
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.files import may_be_replaced
 from donnie_tui.robot.search import Search
@@ -55,21 +53,6 @@ def read_programs(arguments: Sequence[str], words: Words) -> tuple[tuple[str | N
     if sum(file == "-" for _, file in parts) > 1:
         raise Unusable(words("robots-one-input"))
     return tuple((robot, _program(file, words)) for robot, file in parts)
-
-
-def assign(
-    programs: Sequence[tuple[str | None, RunRequest]], team: Team, words: Words
-) -> dict[str, RunRequest]:
-    """The programs by their robots' names. Raises ``Unusable``."""
-    assigned: dict[str, RunRequest] = {}
-    for robot, program in programs:
-        name = team.names[0] if robot is None else team.called(robot)
-        if name is None:
-            raise Unusable(no_such_robot(robot or "", team.names, MOST_NAMES, words))
-        if name in assigned:
-            raise Unusable(words("robot-twice", name=name))
-        assigned[name] = program
-    return assigned
 
 
 def _refuse_nameless(parts: Sequence[tuple[str | None, str]], words: Words) -> None:
@@ -161,7 +144,7 @@ def _run(order: Order, files: Sequence[str], *, trace: bool) -> int:
     output = order.output
     donnie = _assembled(order)
     try:
-        assigned = assign(programs, donnie.team, order.words)
+        assigned = by_robot(programs, donnie.team.names, order.words)
         _print_notices(order.settings, donnie, output)
         with_words = order.settings.events != "-"
         donnie.session.hub.subscribe(_printer(donnie, output, with_words=with_words))

@@ -22,9 +22,8 @@ from donnie_tui.core.events import Answered, RunStarted, Stamped
 from donnie_tui.core.hub import Stream
 from donnie_tui.core.runner import Run, RunRequest
 from donnie_tui.core.session import RUN_OPTIONS, RunOptions, Session
-from donnie_tui.core.wording import Wording
+from donnie_tui.core.wording import Wording, robot_called
 from language.control import ControlState
-from language.source import fold_name
 
 
 class Team:
@@ -72,10 +71,8 @@ class Team:
         return session
 
     def called(self, typed: str) -> str | None:
-        """The robot's name for what was typed, in any case and with or without accents."""
-        if typed in self.names:
-            return typed
-        return next((name for name in self.names if fold_name(name) == fold_name(typed)), None)
+        """The robot's name for what was typed."""
+        return robot_called(typed, self.names)
 
     def give(self, name: str, program: RunRequest) -> None:
         """Sets the program that the robot runs when all start together."""

@@ -167,6 +167,13 @@ def shown_name(robot: str) -> str:
     return "" if robot.lower() == _DONNIE else robot
 
 
+def robot_called(typed: str, names: Sequence[str]) -> str | None:
+    """The name that was typed, in any case and with or without accents."""
+    if typed in names:
+        return typed
+    return next((name for name in names if fold_name(name) == fold_name(typed)), None)
+
+
 def no_such_robot(typed: str, names: Sequence[str], most: int, wording: Wording) -> str:
     """The sentence that no robot has that name, with the first names of those there are."""
     shown = [*names[:most], *(["…"] if len(names) > most else [])]
