@@ -13,9 +13,11 @@ from donnie_tui.commands.declarations import BY_NAME, COMMANDS
 from donnie_tui.commands.dispatch import Handler, handles
 from donnie_tui.commands.interaction import Option, count_in
 from donnie_tui.commands.lookup import find, help_line, help_of
+from donnie_tui.core.describe import goals_in_words, task_in_words
 from donnie_tui.core.runner import LAST_WORDS
 from donnie_tui.core.wording import Wording, meant
 from donnie_tui.i18n.help import CHAPTERS, TOUR_PAGES, chapter_lines, said_for, tour_page
+from donnie_tui.world.loading import CHALLENGE
 from language.locales import first_page
 from worlds import challenges
 
@@ -196,8 +198,7 @@ async def challenge(ctx: Context, argument: str) -> None:
 
 
 async def _enter_challenge(ctx: Context, typed: str) -> None:
-    from donnie_tui.commands.world import enter_world
-    from donnie_tui.world.loading import CHALLENGE
+    from donnie_tui.commands.world import enter_world  # most that load this enter no world
 
     await enter_world(ctx, f"{CHALLENGE}{typed}")
 
@@ -208,13 +209,11 @@ def _challenge_options(ctx: Context) -> list[Option]:
         code = "challenge-row-solved" if found.name in solved else "challenge-row"
         text = ctx.words(code, number=number, title=found.text(ctx.words.language).title)
         is_current = current is not None and current.name == found.name
-        options.append(Option(found.name, text, is_current, detail=partial(_task_lines, found, ctx.words)))
+        options.append(Option(found.name, text, is_current, detail=partial(_task, found, ctx.words)))
     return options
 
 
-def _task_lines(found: Challenge, words: Wording, *_room: int) -> tuple[str, ...]:
-    from donnie_tui.core.describe import task_in_words
-
+def _task(found: Challenge, words: Wording, *_room: int) -> tuple[str, ...]:
     return task_in_words(found, words)
 
 
@@ -235,7 +234,7 @@ async def task(ctx: Context, _: str) -> None:
     """Say the task of the challenge, else the one that the world's author proposes."""
     about = ctx.donnie.world.about(ctx.words.language)
     if ctx.attempt is not None:
-        ctx.say(*_task_lines(ctx.attempt.challenge, ctx.words))
+        ctx.say(*task_in_words(ctx.attempt.challenge, ctx.words))
     elif about is not None and about.task:
         ctx.answer("world-task", task=about.task)
     else:
@@ -246,8 +245,6 @@ async def task(ctx: Context, _: str) -> None:
 @in_challenge
 async def goals(ctx: Context, attempt: Attempt) -> None:
     """Say which goals are met now, and what the others lack."""
-    from donnie_tui.core.describe import goals_in_words
-
     ctx.say(*goals_in_words(attempt.judgment(), ctx.words))
 
 
