@@ -8,22 +8,35 @@ import signal
 import subprocess
 import sys
 from pathlib import Path
-from typing import cast
+from typing import cast, get_args
 
 import pytest
+from msgspec.structs import fields
 
 from donnie_tui import bootstrap
 from donnie_tui.cli import programs
 from donnie_tui.cli.main import main
 from donnie_tui.cli.options import understand
 from donnie_tui.core.describe import task_in_words
+from donnie_tui.core.questions import TOLERANCES
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.settings import Settings
 from donnie_tui.world.loading import choose_challenge
 from language.locales import languages, table
 from tests.traced_memory import traced
 from worlds import challenges, scenarios
-from worlds.challenges import BadChallenge, Heading, degrees_of
+from worlds.challenges import (
+    BadChallenge,
+    ChallengeQuestion,
+    ChallengeText,
+    Goal,
+    Heading,
+    Limit,
+    Never,
+    Rules,
+    Variant,
+    degrees_of,
+)
 
 HEADING = "Donnie. Challenge: The first walk.\n"
 GOOD = """\
@@ -1196,6 +1209,23 @@ def test_a_teacher_has_the_table_of_five_pupils_by_the_document_alone(
     with Path("t.csv").open(encoding="utf-8", newline="") as file:
         assert [each["solved"] for each in csv.DictReader(file)] == ["True", *["False"] * 4]
     assert len(list(Path("answers").iterdir())) == 5
+
+
+@pytest.mark.parametrize("language", STEP_BY_STEP)
+def test_the_document_has_each_kind_of_goal_and_each_key_with_its_default(language: str) -> None:
+    text = STEP_BY_STEP[language][0].read_text(encoding="utf-8")
+    contents = text[text.rindex("\n## ") :]
+    rows = re.findall(r"^(?:\||-) `(\w+)(?: =[^`]*)?`", contents, re.MULTILINE)
+    assert [*dict.fromkeys(rows)] == [*challenges.KINDS, *get_args(challenges.Ask)]
+
+    named = {*re.findall(r"(?:`|^)(\w+)(?: =|`)", text, re.MULTILINE)}
+    named |= {*re.findall(r"\[(?:en\.)?([a-z]+)\]", text)}
+    tables = [Rules, Goal, Never, Limit, Variant, ChallengeQuestion, ChallengeText]
+    assert {each.encode_name for kind in tables for each in fields(kind)} <= named
+
+    found = re.findall(r"(\d+) (?:if it is missing|se falta|si falta)", " ".join(contents.split()))
+    wanted = [Goal().value, Goal().within, Never().within, TOLERANCES["direction"], TOLERANCES["distance"]]
+    assert [int(each) for each in found] == wanted
 
 
 @pytest.mark.slow
