@@ -19,7 +19,9 @@ from devices.ports.robot import Pace, Watcher
 from donnie_tui.core.events import Announced, Answered, Outcome, Read, Scanned, Stamped
 from donnie_tui.core.hub import Stream
 from donnie_tui.core.outlets import SpeechWait
-from donnie_tui.core.session import ResettableRobot, Session, SessionSetup
+from donnie_tui.core.program_files import DocumentError, FilesInUse, ProgressFile, write_program
+from donnie_tui.core.runner import Run, RunRequest
+from donnie_tui.core.session import ResettableRobot, RunOptions, Session, SessionSetup
 from donnie_tui.core.team import Team
 from donnie_tui.core.timeline import Chronicle
 from donnie_tui.core.workspace import Workspace
@@ -48,6 +50,7 @@ from donnie_tui.world.loading import (
     files_of,
     inhabited_world,
     inventory_of,
+    remarks,
     robot_put_in,
     solution_of,
     started_at,
@@ -57,7 +60,6 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from donnie_tui.core.goals import Inventory, Judgment
-    from donnie_tui.core.program_files import FilesInUse, ProgressFile
     from donnie_tui.world.building import Building
     from sim.ground import Looks
     from sim.picture import Drawing, Picture
@@ -121,8 +123,6 @@ class Donnie(Struct, frozen=True):
 
     @property
     def in_use(self) -> FilesInUse:
-        from donnie_tui.core.program_files import FilesInUse  # needed only to save
-
         return FilesInUse((*self.outlets.written.paths, *files_of(self.world)))
 
     def picture(self) -> Picture:
@@ -149,7 +149,6 @@ class Donnie(Struct, frozen=True):
             return None
         from pathlib import Path
 
-        from donnie_tui.core.program_files import DocumentError, write_program
         from donnie_tui.process.confinement import make_folder
 
         file = Path(f"{state_path(os.environ)}/{UNSAVED_WORLD}")
@@ -283,7 +282,7 @@ def _assembled(
         (
             *robot_put_in(world, words),
             *task_on_arrival(world, words),
-            *(() if world.ships else _remarks(world, words)),
+            *remarks(world, words),
         ),
         tuple(words(each.code, **each.values) for each in settings.notices),
         audible.notices + (_decided(audible, words) if terminal else ()),
@@ -307,15 +306,7 @@ def task_on_arrival(world: ChosenWorld, words: Words) -> tuple[str, ...]:
 
 def progress() -> ProgressFile:
     """What was done for challenges, in all sessions."""
-    from donnie_tui.core.program_files import ProgressFile
-
     return ProgressFile(f"{state_path(os.environ)}/{PROGRESS}")
-
-
-def _remarks(world: ChosenWorld, words: Words) -> tuple[str, ...]:
-    from donnie_tui.world.loading import remarks
-
-    return remarks(world, words)
 
 
 def _announce_hold_ups(
@@ -502,8 +493,6 @@ class Judge:
         Programs of several robots begin at the same moment. An endless program ends where all is as it was
         before, else by robot time and by the number of its statements, so a busy machine changes nothing.
         """
-        from donnie_tui.core.runner import Run, RunRequest
-        from donnie_tui.core.session import RunOptions
         from sim.world import World
 
         settings = replace(self._settings, speed=None, seed=start.challenge.rules.variant[0].seed)

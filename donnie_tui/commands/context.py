@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
+from datetime import datetime
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -31,20 +32,20 @@ from donnie_tui.core.events import (
     Turned,
     begins_anew,
 )
+from donnie_tui.core.program_files import Attempted
 from donnie_tui.core.run_controller import RunController
 from donnie_tui.core.run_state import RunErrors
 from donnie_tui.core.timeline import Trail
 from donnie_tui.core.transcript import lines_with_robot_name, with_robot_name
 from donnie_tui.core.wording import shown_name
 from donnie_tui.i18n.words import Unusable
-from donnie_tui.world.loading import solution_of
+from donnie_tui.world.loading import CHALLENGE, solution_of
 
 if TYPE_CHECKING:
     from donnie_tui.core.document import Document
     from donnie_tui.core.goals import GoalPlace, Judgment
     from donnie_tui.core.line_history import LineHistory
     from donnie_tui.core.map_grid import MapGrid
-    from donnie_tui.core.program_files import Attempted
     from donnie_tui.core.questions import Asked
     from donnie_tui.core.workspace import Workspace
     from worlds.challenges import Unsensed
@@ -165,8 +166,6 @@ class Context:
 
     def answer_entering(self, world: str) -> None:
         """Announce the world that is entered next; a challenge announces its own title."""
-        from donnie_tui.world.loading import CHALLENGE
-
         if not world.startswith(CHALLENGE):
             self.answer("world-going", name=world)
 
@@ -285,10 +284,7 @@ class Attempt:
 
         The other starts are those of the simulated world. What was not answered can be asked again.
         """
-        from datetime import datetime
-
         from donnie_tui.core.describe import verdict_in_words
-        from donnie_tui.core.program_files import Attempted
         from worlds import challenges
 
         if self._answers is not None:

@@ -37,6 +37,9 @@ from donnie_tui.core.events import (
     begins_anew,
     pose_of,
 )
+from donnie_tui.core.program_files import read_to_the_end
+from language.keywords import canonical, topic
+from language.lexer import lex
 from worlds import challenges
 from worlds.challenges import Answers, Area, Avoided, Challenge, Goal, Heading, Limit, Rules, Target
 
@@ -418,8 +421,6 @@ def _of_words(challenge: Challenge, track: Track) -> Iterable[Shortfall]:
     rules = challenge.rules
     if not (rules.words or rules.required):
         return
-    from language.keywords import topic
-
     used = _words_in("\n".join(how.text for each in track.rounds for how in each.values()))
     for name in (each for each in used if rules.words and each not in map(topic, rules.words)):
         number = _lesson_of(name, challenge.name)
@@ -430,17 +431,12 @@ def _of_words(challenge: Challenge, track: Track) -> Iterable[Shortfall]:
 
 def _words_in(program: str) -> tuple[str | None, ...]:
     """The first words of its commands, in no language."""
-    from language.keywords import canonical, topic
-    from language.lexer import lex
-
     named = (token[-1] for token in lex(program).tokens)
     return tuple(dict.fromkeys(topic(each) for each in named if canonical(each) is not None))
 
 
 def _lesson_of(word: str | None, now: str) -> int:
     """The number of the first challenge after this one whose solution needs the word; 0 if none does."""
-    from donnie_tui.core.program_files import read_to_the_end
-
     shipped = challenges.names()
     passed = shipped.index(now) + 1 if now in shipped else 0
     for number, name in enumerate(shipped, start=1):

@@ -16,17 +16,18 @@ from msgspec.structs import replace
 import worlds
 from devices.ports.robot import STEP, Pose
 from donnie_tui.core.events import PlacedThing
+from donnie_tui.core.program_files import DocumentError, checked_path, exists, read_program, read_to_the_end
 from donnie_tui.core.wording import Wording
 from donnie_tui.i18n.words import NotAllowed, Unusable, Words, as_unusable
 from sim.compiled_scene import read_scene
+from sim.geometry import Placement
+from sim.scene import Scene, moved
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
     from pathlib import Path
 
     from donnie_tui.core.goals import Inventory
-    from sim.geometry import Placement
-    from sim.scene import Scene
     from sim.world import World
     from sim.worldfile import Configuration, Driver, Offer, WorldError
     from worlds.challenges import Challenge, ChallengeMistake, Rules, Variant
@@ -299,8 +300,6 @@ def solution_of(world: ChosenWorld, words: Words) -> dict[str, str]:
 
     Raises ``Unusable`` if that of the first can't be read.
     """
-    from donnie_tui.core.program_files import checked_path, exists, read_to_the_end
-
     assert world.challenge is not None
     solution, names = world.challenge.solution, world.scene.robot_names
     files = {name: solution(name if at else "") for at, name in enumerate(names)}
@@ -311,8 +310,6 @@ def solution_of(world: ChosenWorld, words: Words) -> dict[str, str]:
 
 def _in_a_file(name: str, words: Words, folders: tuple[str, ...], unknown: str) -> ChosenWorld:
     from pathlib import Path  # slow to load, and our own are called by text
-
-    from donnie_tui.core.program_files import exists
 
     path = Path(name)
     _refuse_outside(path, words)
@@ -325,8 +322,6 @@ def _in_a_file(name: str, words: Words, folders: tuple[str, ...], unknown: str) 
 
 def _refuse_outside(path: Path, words: Words) -> None:
     """Raises ``Unusable`` for a world that a confined session must not use."""
-    from donnie_tui.core.program_files import checked_path
-
     with as_unusable(words):
         checked_path(path)
 
@@ -368,8 +363,6 @@ def _unknown_world(name: str, words: Words, code: str) -> str:
     import difflib
     from pathlib import Path
 
-    from donnie_tui.core.program_files import exists
-
     if exists(Path(f"{name}.world")):
         return words("world-unknown-near", name=name, near=f"{name}.world")
     near = difflib.get_close_matches(name.lower().replace(" ", "_"), worlds.names(), n=1)
@@ -405,7 +398,6 @@ def with_robot(world: ChosenWorld, words: Words, folders: tuple[Path, ...]) -> C
 
     from pathlib import Path
 
-    from donnie_tui.core.program_files import DocumentError, read_program
     from sim.parts import free_place
     from sim.worldfile import WorldError, in_units, load_text, units_of
 
@@ -426,7 +418,6 @@ def include_for(file: str, scene: Scene) -> str:
     """What a world includes to know the models of one of our files: in other units all of it, converted."""
     from pathlib import Path
 
-    from donnie_tui.core.program_files import read_program
     from sim.worldfile import in_units, units_of
 
     units = units_of(scene)
@@ -445,7 +436,6 @@ def scattered_by(seed: int, world: ChosenWorld, words: Words, folders: tuple[Pat
 
     from pathlib import Path
 
-    from donnie_tui.core.program_files import read_program
     from sim.worldfile import WorldError, load_text, scattered
 
     path = Path(world.path)
@@ -514,9 +504,6 @@ def _pose(placement: Placement) -> Pose:
 
 def moved_to(scene: Scene, places: tuple[PlacedThing, ...]) -> Scene:
     """The scene with its things where events say that they are."""
-    from sim.geometry import Placement
-    from sim.scene import moved
-
     now = {
         each.index: Placement(
             each.pose.x * STEP, each.pose.y * STEP, scene.models[each.index].pose.z, 90.0 - each.pose.heading
@@ -531,8 +518,6 @@ def started_at(
     world: ChosenWorld, variant: Variant, words: Words, folders: tuple[str, ...] = ()
 ) -> ChosenWorld:
     """The world with its first robot and its things as the variant and its seed say. Raises ``Unusable``."""
-    from sim.geometry import Placement
-    from sim.scene import moved
     from worlds.challenges import degrees_of
 
     plain = replace(world.before_moves or world, challenge=None)
