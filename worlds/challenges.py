@@ -46,10 +46,18 @@ Target: TypeAlias = str | Place
 """A thing by its name, or a place."""
 Area: TypeAlias = tuple[Place, Place]
 """Two opposite corners of a rectangle."""
+GoalPlace: TypeAlias = tuple[int, float, float, float, float]
+"""The number of a goal, and west, south, east and north of its place."""
 COMPASS = {"north": 0.0, "east": 90.0, "south": 180.0, "west": 270.0}
 """Headings by their names in a file."""
 Heading: TypeAlias = Number | Literal["north", "east", "south", "west"]
 """Compass degrees, or a name."""
+
+
+def sides_of(area: Area) -> tuple[float, float, float, float]:
+    """West, south, east and north."""
+    (west, east), (south, north) = (sorted(each) for each in zip(*area, strict=True))
+    return west, south, east, north
 
 
 class Goal(Struct, frozen=True, forbid_unknown_fields=True):
@@ -237,6 +245,12 @@ class Rules(Struct, frozen=True, forbid_unknown_fields=True):
         yield from ((f"goal[{at}]", each) for at, each in enumerate(self.goal))
         yield from ((f"variant[{at}]", each) for at, each in enumerate(self.variant))
         yield from ((f"question[{at}]", each) for at, each in enumerate(self.question))
+
+    @property
+    def goal_places(self) -> tuple[GoalPlace, ...]:
+        """The goals with a place or an area, for the map."""
+        numbered = ((number, each) for number, goal in enumerate(self.goal, start=1) for each in goal.areas)
+        return tuple((number, *sides_of(area)) for number, area in numbered)
 
     @property
     def unsensed(self) -> tuple[Unsensed, ...]:
@@ -473,9 +487,8 @@ class _Reader:
     def check(self, found: Challenge) -> None:
         """Check what the types don't say."""
         rules, folder = found.rules, found.path.parent
-        beside = [each.name for each in _files(folder, "*.world", "*.cfg", f"*{SUFFIX}")]
-        known = (*names(), *(each.removesuffix(SUFFIX) for each in beside if each.endswith(SUFFIX)))
-        worlds = (*world_names(), *(each for each in beside if not each.endswith(SUFFIX)))
+        known = (*names(), *(each.stem for each in _files(folder, f"*{SUFFIX}")))
+        worlds = (*world_names(), *(each.name for each in _files(folder, "*.world", "*.cfg")))
         links = [each.name for each in _files(folder, f"*{SOLUTION}") if each.is_symlink()]
         if Path(rules.world).name != rules.world or (rules.world and (folder / rules.world).is_symlink()):
             self._note("challenge-outside", "", "world", what=rules.world)

@@ -263,7 +263,6 @@ def _subject(order: Order, recording: Recording, closing: ExitStack) -> tuple[Su
     In a world of several robots moves and distances are those of the first that began.
     """
     from donnie_tui.commands.lookup import words_in_lines
-    from donnie_tui.core.goals import places_of
     from donnie_tui.core.reports import Subject
     from donnie_tui.core.timeline import Trail
     from donnie_tui.i18n.help import sections
@@ -293,7 +292,7 @@ def _subject(order: Order, recording: Recording, closing: ExitStack) -> tuple[Su
     scene = moved_to(world.scene, timeline.things)
     title = words("paper-title", name=world.title(words.language))
     challenge = order.invocation.arguments.challenge
-    goals = () if challenge is None else places_of(choose_challenge(challenge, words).rules)
+    goals = () if challenge is None else choose_challenge(challenge, words).rules.goal_places
     moved = moved_things(timeline.events, world.scene)
     drawn = run_picture(title, drawings(scene), paths, words, goals, moved)
     driven = [path.pieces[-1] for path in paths]

@@ -43,7 +43,7 @@ from donnie_tui.world.loading import CHALLENGE, solution_of
 
 if TYPE_CHECKING:
     from donnie_tui.core.document import Document
-    from donnie_tui.core.goals import GoalPlace, Judgment
+    from donnie_tui.core.goals import Judgment
     from donnie_tui.core.line_history import LineHistory
     from donnie_tui.core.map_grid import MapGrid
     from donnie_tui.core.questions import Asked
@@ -126,7 +126,7 @@ class Context:
         donnie = self.donnie
         grid = MapGrid(donnie.picture_now(), donnie.session.pose, shown_name(donnie.session.name))
         if self.attempt is not None:
-            grid.mark_goals(self.attempt.goal_places)
+            grid.mark_goals(self.attempt.challenge.rules.goal_places)
         return grid
 
     # --- answers
@@ -237,13 +237,6 @@ class Attempt:
         if met - self._met and not is_start:
             self._donnie.session.hub.publish(Chimed("goal"))
         self._met, self.now = self._met | met, now
-
-    @property
-    def goal_places(self) -> tuple[GoalPlace, ...]:
-        """The places of the goals."""
-        from donnie_tui.core.goals import places_of
-
-        return places_of(self.challenge.rules)
 
     def judgment(self) -> Judgment:
         """The judgment of what was done from the first start."""

@@ -383,7 +383,7 @@ def _run_picture(ctx: Context) -> RunPicture:
 
     donnie = ctx.donnie
     title = ctx.words("paper-title", name=donnie.world.title(ctx.words.language))
-    goals = ctx.attempt.goal_places if ctx.attempt is not None else ()
+    goals = ctx.attempt.challenge.rules.goal_places if ctx.attempt is not None else ()
     moved = moved_things(donnie.chronicle.timeline().events, donnie.world.scene)
     return run_picture(title, donnie.drawings_now(), ctx.trail.paths, ctx.words, goals, moved)
 

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache
 from itertools import combinations
 from math import atan2, ceil, degrees, hypot
-from typing import TYPE_CHECKING, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -208,16 +208,6 @@ def judge(
         *_over_limit(rules, track),
     )
     return Judgment(track, missing, shortfalls)
-
-
-GoalPlace: TypeAlias = tuple[int, float, float, float, float]
-"""The number of a goal, and west, south, east and north of its place."""
-
-
-def places_of(rules: Rules) -> tuple[GoalPlace, ...]:
-    """The goals with a place or an area, for the map."""
-    numbered = ((number, each) for number, goal in enumerate(rules.goal, start=1) for each in goal.areas)
-    return tuple((number, *_sides(area)) for number, area in numbered)
 
 
 def goals_of_end(room: Inventory, events: Iterable[Stamped]) -> tuple[Goal, ...]:
@@ -490,15 +480,9 @@ def box_of(thing: Thing) -> Area:
     return (thing.x - half_width, thing.y - half_depth), (thing.x + half_width, thing.y + half_depth)
 
 
-def _sides(area: Area) -> tuple[float, float, float, float]:
-    """West, south, east and north."""
-    (west, east), (south, north) = (sorted(each) for each in zip(*area, strict=True))
-    return west, south, east, north
-
-
 def way_out(x: float, y: float, area: Area) -> tuple[float, float]:
     """How far a place is from an area, 0 within it, and in which direction from there."""
-    west, south, east, north = _sides(area)
+    west, south, east, north = challenges.sides_of(area)
     nearest = min(max(x, west), east), min(max(y, south), north)
     return hypot(x - nearest[0], y - nearest[1]), bearing(*nearest, x, y)
 

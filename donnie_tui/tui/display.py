@@ -102,7 +102,7 @@ class Display:
         picture = self._donnie.picture()
         self.scene = MapScene(picture, self._pose, shown_name(self._donnie.session.name))
         if self._attempt is not None:
-            self.scene.grid.mark_goals(self._attempt.goal_places)
+            self.scene.grid.mark_goals(self._attempt.challenge.rules.goal_places)
         self.scene.hide(self._hidden_marks)
         self._place.map.call_colours(colour_initials(self._words))
         self._place.show_map(self.scene)

@@ -36,11 +36,11 @@ if TYPE_CHECKING:
     from PIL.ImageDraw import ImageDraw
 
     from donnie_tui.core.events import PlacedThing, Stamped
-    from donnie_tui.core.goals import GoalPlace
     from donnie_tui.core.reports import Plot
     from donnie_tui.world.loading import ChosenWorld
     from sim.picture import Drawing, Thing
     from sim.scene import Scene
+    from worlds.challenges import GoalPlace
 
 _Point = tuple[float, float]
 

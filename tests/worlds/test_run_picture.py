@@ -21,7 +21,6 @@ from donnie_tui.core.events import (
     Stamped,
     ThingsMoved,
 )
-from donnie_tui.core.goals import GoalPlace
 from donnie_tui.core.reports import Plot, PlotText
 from donnie_tui.core.timeline import DrivenPath
 from donnie_tui.i18n.words import Words
@@ -42,6 +41,7 @@ from donnie_tui.world.run_picture import (
 )
 from sim.picture import drawings
 from sim.worldfile import load_text, load_world
+from worlds.challenges import GoalPlace
 
 PATH = DrivenPath("", (Pose(0, 0, 0), Pose(0, 6, 0), Pose(18, 6, 90), Pose(18, -2, 180)))
 SVG = "{http://www.w3.org/2000/svg}"
