@@ -52,6 +52,8 @@ MOST_SECONDS = 60.0
 """Of a processor, for the tests of a mutation: a busy machine runs as many of them."""
 _FEWEST_ANEW, _MOST_ANEW = 10, 60
 """Tests a mutation in a new process, which makes anew what is made once and kept."""
+_TO_BEGIN = 0.05
+"""Seconds of a test's setup and teardown, about."""
 WANTED = 0.92
 NO_END, NO_TESTS = "(no end)", "(no tests)"
 """In place of a test's name, if pytest doesn't end, or can't import what is tested."""
@@ -355,7 +357,7 @@ class Trial:
     def __init__(self, copy: Path, maps: Sequence[Map], tests: Sequence[str], most_seconds: float) -> None:
         self._copy, self._maps, self._most_seconds = copy, maps, most_seconds
         self._warm = ForkedTests(copy, (*_LEFT_OUT, *tests))
-        self._seconds = defaultdict(lambda: 1.0)
+        self._seconds = defaultdict(lambda: 0.1)
         for each in maps:
             self._seconds.update(each.seconds)
         self._mapped = frozenset(self._seconds)
@@ -393,18 +395,23 @@ class Trial:
         return self._copy / name.partition("::")[0]
 
     def _in_turn(self, names: Iterable[str], mutation: Mutation) -> list[str]:
-        """The likeliest first: the shortest of each file, then the next of each, and so on.
+        """The likeliest for its time first: short tests, and the shortest of each file before the others.
 
-        A test comes earlier if its file names the module, and if its name has words of the line.
+        A test comes earlier if its file names the module or is about its room, and if its name has words of
+        the line.
         """
         words = set(_WORD.findall(_source(mutation.path).decode().splitlines()[mutation.line - 1].lower()))
         files: dict[str, int] = defaultdict(int)
         turns = {}
         for name in sorted(names, key=lambda name: (self._seconds[name], name)):
             file, _, test = name.partition("::")
-            likely = 4 if _names_module(self._file(name), mutation) else 1
-            turns[name] = files[file] / likely / (1 + len(words.intersection(_WORD.findall(test.lower()))))
             files[file] += 1
+            likely = 1 + len(words.intersection(_WORD.findall(test.lower())))
+            if _names_module(self._file(name), mutation):
+                likely *= 8
+            elif _is_of_room(self._file(name), mutation):
+                likely *= 4
+            turns[name] = files[file] * (_TO_BEGIN + self._seconds[name]) / likely
         return sorted(turns, key=lambda name: (turns[name], self._seconds[name], name))
 
     def _noticed(self, mutation: Mutation, names: list[str], is_imported: bool) -> str:
