@@ -1,0 +1,398 @@
+"""What a typed line does at the prompt, while a program is held, and while one runs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from types import SimpleNamespace as Part
+from typing import Any
+
+import pytest
+
+from devices.ports.robot import Pose
+from donnie_tui.bootstrap import assemble
+from donnie_tui.core.run_state import RunState
+from donnie_tui.linear.output import OutputQueue
+from donnie_tui.linear.reader import How, Typed
+from donnie_tui.linear.typed_lines import RunLoop, TypedLines
+from donnie_tui.settings.settings import Settings
+from tests.timeouts import TIMEOUT
+from tests.unit.commands.scripted import Script
+
+
+class Prompt:
+    """A linear front end without a terminal."""
+
+    def __init__(self, script: Script) -> None:
+        self.script, self.ctx = script, script.ctx
+        self.settings = Settings()
+        self.time, self.did = 0.0, list[str]()
+        console = Part(
+            now=lambda: self.time, leaving=None, interrupted=False, has_news=False, nudge=lambda: None
+        )
+        self.streams: Any = Part(
+            console=console, is_attended=True, can_edit=True, takes_live_commands=True, editing=None,
+            settings=lambda: self.settings, queue=OutputQueue(lambda: None),
+            output=Part(hold_newline=lambda: self.did.append("newline held")),
+        )  # fmt: skip
+        self.lines = TypedLines(self.ctx, self.streams)
+        self.leaving: Any = Part(code=None, world="", leave=lambda code: self.did.append(f"leave {code}"))
+        prompter: Any = Part(
+            put_back=lambda typed: self.did.append(f"put back {typed.text!r}"),
+            read=lambda _: self.typed,
+        )
+        background: Any = Part(is_following=False, trim_after_stop=lambda: self.did.append("trimmed"))
+        self.typed = Typed("", How.ENTER)
+        self.loop = RunLoop(self.ctx, self.streams, Part(), prompter, background, self.leaving)  # type: ignore[arg-type]
+        self.ctx.runs.observer = script
+
+    def said(self, do: Callable[[], object]) -> list[str]:
+        printed = self.script.printed
+        before = len(printed)
+        do()
+        if self.ctx.runs.state is not RunState.READY:
+            self.script.rest()
+        self.script.donnie.session.hub.wait_until_delivered(TIMEOUT)
+        return printed[before:]
+
+    def take(self, line: str) -> list[str]:
+        return self.said(lambda: self.lines.take(line))
+
+    def held(self, line: str, how: How = How.ENTER) -> list[str]:
+        self.typed = Typed(line, how)
+        return self.said(self.loop._take_while_held)
+
+    def reported(self) -> list[str]:
+        before = len(self.script.printed)
+        self.loop._report_progress()
+        self.script.donnie.session.hub.wait_until_delivered(TIMEOUT)
+        return self.script.printed[before:]
+
+
+@pytest.fixture
+def prompt(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[..., Prompt]]:
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
+    made: list[Script] = []
+
+    def one(*lines: str, world: str = "open_floor", speed: float | None = None) -> Prompt:
+        settings = Settings(world=world, speed=speed, speech="off", sound=False)
+        script = Script(assemble(settings, terminal=True))
+        script.interaction.until_over = script.rest
+        script.ctx.workspace.begin_with(script.donnie.session.name)
+        script.ctx.workspace.replace("".join(f"{each}\n" for each in lines), None, in_file="")
+        made.append(script)
+        return Prompt(script)
+
+    yield one
+    for each in made:
+        each.close()
+        each.donnie.close()
+
+
+# --- at the prompt
+
+
+def test_lines_wait_until_an_empty_one_runs_them_but_no_part_of_a_block(
+    prompt: Callable[..., Prompt],
+) -> None:
+    it = prompt()
+    still_open = ["REPEAT in line 2 is still open."]
+    for typed, answers, waiting in (
+        ("FW 2", [], 1),
+        ("", ["I walked 2 steps forward."], 0),
+        ("", [], 0),
+        ("REPEAT 2 TIMES", [], 1),
+        ("  FW 1", [], 2),
+        ("", still_open, 2),
+        ("   ", still_open, 2),
+        ("WHERE", ["Position 0, 2. Facing north."], 2),
+        ("WHER", ["I do not know WHER. Did you mean WHERE?"], 2),
+        ("END REPEAT", [], 3),
+        ("", ["I walked 1 step forward."] * 2, 0),
+        ("FWD 1", [], 1),
+    ):
+        assert (typed, it.take(typed), it.ctx.program.waiting) == (typed, answers, waiting)
+    assert [it.lines.take(each) for each in ("FW 1", "WHERE", "WHER", "")] == [True, False, False, False]
+
+
+def test_an_else_if_that_leaves_a_block_open_is_explained(prompt: Callable[..., Prompt]) -> None:
+    it = prompt()
+    it.take("IF 1 == 1 THEN")
+    it.take("ELSE IF 2 == 2 THEN")
+
+    assert it.take("") == ["IF in line 2 is still open.", "ELSE IF needs another END IF."]
+
+
+def test_a_mistake_in_an_open_block_is_reported(prompt: Callable[..., Prompt]) -> None:
+    it = prompt()
+    it.take("REPEAT 2 TIMES")
+    it.take("FWD 1")
+
+    assert "Line 2: FWD 1" in it.take("")
+
+
+def test_escape_runs_all_at_once(prompt: Callable[..., Prompt]) -> None:
+    it = prompt()
+    it.take("FW 1")
+
+    assert it.said(lambda: it.lines.take_and_run("FW 2")) == [
+        *("I walked 1 step forward.", "I walked 2 steps forward."),
+    ]
+    it.take("FW 3")
+    assert it.said(lambda: it.lines.take_and_run("  ")) == ["I walked 3 steps forward."]
+    it.take("FW 4")
+    assert it.said(lambda: it.lines.take_and_run("WHERE")) == ["Position 0, 6. Facing north."]
+    assert it.ctx.program.waiting == 1
+
+
+def test_where_enter_runs_each_complete_line_runs_at_once(prompt: Callable[..., Prompt]) -> None:
+    it = prompt()
+    it.settings = Settings(enter="runs")
+
+    assert it.take("FW 1") == ["I walked 1 step forward."]
+    assert it.take("REPEAT 2 TIMES") == it.take("FW 1") == []
+    assert it.take("END REPEAT") == ["I walked 1 step forward."] * 2
+
+
+def test_an_empty_line_continues_once_if_no_line_waits(prompt: Callable[..., Prompt]) -> None:
+    it, called = prompt(), list[str]()
+    it.lines.continuation = lambda: called.append("continued")
+    it.take("FW 1")
+    it.take("")
+    assert called == []
+    it.take("")
+    it.take("")
+    assert called == ["continued"]
+
+
+def test_a_line_that_does_not_fit_is_refused(prompt: Callable[..., Prompt]) -> None:
+    it = prompt()
+
+    assert it.take("x" * (8 * 1024 * 1024 + 1)) == ["The program is too long. That line is lost."]
+    assert it.ctx.program.lines == ()
+
+
+# --- while a program is held
+
+HELD = ("FW 1", "TR 90", "SPEAK 3")
+REST = ["I turned 90 degrees to the right.", "3"]
+
+
+@pytest.mark.parametrize(
+    ("line", "how", "answers", "state", "did"),
+    [
+        ("", How.ENTER, [REST[0], "Line 3: SPEAK 3"], RunState.PAUSED, []),
+        (" where ", How.ENTER, ["Position 0, 1. Facing north."], RunState.PAUSED, []),
+        (
+            *("FW 1", How.ENTER),
+            ["I can't do this now: FW 1", "Enter continues. RUN runs the rest. STOP ends."],
+            *(RunState.PAUSED, []),
+        ),
+        (
+            *("x" * 31, How.ENTER),
+            [f"I can't do this now: {'x' * 30}", "Enter continues. RUN runs the rest. STOP ends."],
+            *(RunState.PAUSED, []),
+        ),
+        ("STEPP", How.ENTER, ["I do not know STEPP. Did you mean STEP?"], RunState.PAUSED, []),
+        ("", How.TOO_LONG, ["The program is too long. That line is lost."], RunState.PAUSED, []),
+        ("QUIT", How.ENTER, [], RunState.PAUSED, ["leave 0"]),
+        ("exit", How.ENTER, [], RunState.PAUSED, ["leave 0"]),
+        ("RUN", How.ENTER, REST, RunState.READY, []),
+        ("", How.ESCAPE, REST, RunState.READY, []),
+        ("zz", How.ESCAPE, REST, RunState.READY, []),
+        ("", How.INTERRUPTED, ["Stopped at line 2."], RunState.READY, []),
+        ("zz", How.CLOSED, ["Stopped at line 2."], RunState.READY, []),
+        ("STOP", How.ENTER, ["Stopped at line 2."], RunState.READY, []),
+    ],
+)
+def test_a_held_program_is_continued_stepped_or_ended(
+    prompt: Callable[..., Prompt], line: str, how: How, answers: list[str], state: RunState, did: list[str]
+) -> None:
+    it = prompt(*HELD)
+    it.said(lambda: it.script.answers_to("BREAK 2", "AGAIN"))
+
+    assert it.held(line, how) == answers
+    assert (it.ctx.runs.state, it.did) == (state, did)
+
+
+def test_quit_ends_a_held_program_once_donnie_leaves(prompt: Callable[..., Prompt]) -> None:
+    it = prompt(*HELD)
+    it.said(lambda: it.script.answers_to("BREAK 2", "AGAIN"))
+    it.leaving.code = 0
+
+    assert it.held("QUIT") == ["Stopped at line 2."]
+
+
+def test_a_held_program_ends_where_another_world_is_entered_or_a_page_is_turned(
+    prompt: Callable[..., Prompt],
+) -> None:
+    it = prompt(*HELD)
+    it.said(lambda: it.script.answers_to("BREAK 2", "AGAIN"))
+    it.leaving.world = "maze"
+    assert it.held("WHERE") == ["Position 0, 1. Facing north.", "Stopped at line 2."]
+
+    it = prompt(*HELD)
+    it.said(lambda: it.script.answers_to("BREAK 2", "AGAIN"))
+    it.loop.turns_page = lambda: True
+    assert it.held("") == ["Stopped at line 2."]
+    assert it.did == ["put back ''"]
+
+
+def test_the_reading_place_is_the_line_at_which_the_program_is_newly_held(
+    prompt: Callable[..., Prompt],
+) -> None:
+    it = prompt(*HELD)
+    it.said(lambda: it.script.answers_to("BREAK 2", "AGAIN"))
+    it.loop.on_change()
+    it.held("WHERE")
+    assert it.ctx.program.place == 2
+
+    it.ctx.program.place = 1
+    it.held("WHERE")
+    assert it.ctx.program.place == 1
+    it.held("STOP")
+
+
+# --- while one runs
+
+
+def test_a_command_for_the_running_program_is_taken_at_once(prompt: Callable[..., Prompt]) -> None:
+    it = prompt("WAIT 1000", speed=1.0)
+    typed = [None, "FW 1", "SPEED 5"]
+    it.streams.editing = Part(take_ahead=lambda _: typed.pop(0))
+    assert [it.loop._take_live() for _ in range(2)] == [False, False]
+    assert it.loop._take_live()
+
+    assert it.script.printed[-1] == "Speed 5."
+    assert [*it.ctx.past.lines] == ["SPEED 5"]
+    assert not it.ctx.is_urgent
+    it.streams.takes_live_commands = False
+    assert not it.loop._take_live()
+    it.streams.takes_live_commands, it.streams.editing = True, None
+    assert not it.loop._take_live()
+
+
+LIVE = ("STOP", "STOP ALL", "ROBOTS", "PAUSE", "SLOWER", "FASTER", "SPEED 3", "QUIET", "CONTINUE")
+
+
+@pytest.mark.parametrize("line", [*LIVE, "WHERE", "FW 1", "", "SAVE"])
+def test_few_commands_are_for_the_running_program(prompt: Callable[..., Prompt], line: str) -> None:
+    it = prompt(*HELD)
+    assert it.loop._is_live(line) == (line in LIVE)
+
+
+def test_continue_is_for_the_prompt_where_the_program_can_be_stepped(prompt: Callable[..., Prompt]) -> None:
+    it = prompt(*HELD)
+    it.said(lambda: it.script.answers_to("BREAK 2", "AGAIN"))
+
+    assert not it.loop._is_live("CONTINUE")
+    it.held("STOP")
+
+
+TO, ORIGIN = Pose(3, 4, 0), Pose(0, 0, 0)
+RUNNING, PAUSED = RunState.RUNNING, RunState.PAUSED
+
+
+@pytest.mark.parametrize(
+    ("program", "line", "state", "pose", "before", "answer"),
+    [
+        ("FW 5000", 1, RUNNING, ORIGIN, ORIGIN, "Still at line 1: FW 5000"),
+        ("FW 5000", 1, RUNNING, Pose(0, 0.4, 0), ORIGIN, "Still at line 1: FW 5000"),
+        ("FW 5000", 1, RUNNING, TO, None, "Still at line 1: FW 5000"),
+        ("FW 5000", 1, RUNNING, TO, ORIGIN, "Still walking, 5 of 5000 steps."),
+        ("FW 5000", 1, RUNNING, TO, Pose(3, 0, 0), "Still walking, 4 of 5000 steps."),
+        ("FW 5000", 1, RUNNING, Pose(0, 1, 0), ORIGIN, "Still walking, 1 of 5000 steps."),
+        ("FW a", 1, RUNNING, TO, ORIGIN, "Still walking, 5 steps so far."),
+        ("TR 90", 1, RUNNING, TO, ORIGIN, "Still walking, 5 steps so far."),
+        ("FW 5 FW 6", 1, RUNNING, TO, ORIGIN, "Still walking, 5 steps so far."),
+        ("FW 1", 2, RUNNING, ORIGIN, ORIGIN, "Still running."),
+        ("FW 1", 0, RUNNING, ORIGIN, ORIGIN, "Still reading the program."),
+        ("FW 1", 1, PAUSED, TO, ORIGIN, "Paused. Type CONTINUE to go on."),
+    ],
+)
+def test_a_report_says_how_far_the_robot_is(
+    prompt: Callable[..., Prompt],
+    monkeypatch: pytest.MonkeyPatch,
+    program: str,
+    line: int,
+    state: RunState,
+    pose: Pose,
+    before: Pose | None,
+    answer: str,
+) -> None:
+    it = prompt()
+    it.ctx.program.add(program)
+    frames = (Part(line=line),) if line else ()
+    monkeypatch.setattr(it.loop, "_runs", Part(state=state, frames=frames))
+    session = Part(run=object(), pose=pose)
+    ctx = Part(
+        donnie=Part(session=session), program=it.ctx.program, answer=it.ctx.answer,
+        answer_of_robot=it.ctx.answer, trail=Part(last_pose=before),
+    )  # fmt: skip
+    monkeypatch.setattr(it.loop, "_ctx", ctx)
+
+    assert it.reported() == [answer]
+
+
+def test_a_report_after_the_own_run_names_a_robot_that_still_runs(
+    prompt: Callable[..., Prompt], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    it, said = prompt(), list[str]()
+    running = [Part(hub=Part(robot="bob"))]
+    donnie = Part(session=Part(run=None), team=Part(running=running))
+    monkeypatch.setattr(it.loop, "_ctx", Part(donnie=donnie, words=it.ctx.words, say=said.append))
+    it.reported()
+    running.clear()
+    it.reported()
+
+    assert said == ["bob: Still running."]
+
+
+# --- stopping
+
+
+def test_ctrl_c_stops_and_leaves_the_line_to_a_terminal_that_has_shown_it(
+    prompt: Callable[..., Prompt], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    it = prompt()
+    team = Part(stop=lambda: it.did.append("stop all"))
+    donnie = Part(session=Part(stop=lambda: it.did.append("stop")), team=team)
+    monkeypatch.setattr(it.loop, "_ctx", Part(donnie=donnie))
+    monkeypatch.setattr(it.loop, "_runs", Part(note_stop=lambda: it.did.append("noted")))
+    it.loop._on_interrupt()
+    it.loop._stop_at_once()
+    assert it.did == ["noted", "stop", "stop all", "noted", "stop"]
+
+    it.did.clear()
+    it.loop._stopping, it.streams.can_edit = True, False
+    it.loop._on_interrupt()
+    it.loop._stop_at_once()
+    assert it.did == ["newline held", "stop all"]
+    it.did.clear()
+    it.streams.is_attended = False
+    it.loop._on_interrupt()
+    assert it.did == ["stop all"]
+
+
+@pytest.mark.parametrize(
+    ("is_real", "is_stopping", "did"),
+    [(False, False, []), (True, False, ["noted", "stop", "stands"]), (True, True, ["stands"])],
+)
+def test_a_real_robot_stands_before_donnie_is_suspended(
+    prompt: Callable[..., Prompt],
+    monkeypatch: pytest.MonkeyPatch,
+    is_real: bool,
+    is_stopping: bool,
+    did: list[str],
+) -> None:
+    it = prompt()
+    connection = Part(is_real=is_real, wait_until_standing=lambda: it.did.append("stands"))
+    donnie = Part(session=Part(stop=lambda: it.did.append("stop")), connection=connection)
+    monkeypatch.setattr(it.loop, "_ctx", Part(donnie=donnie))
+    monkeypatch.setattr(it.loop, "_runs", Part(note_stop=lambda: it.did.append("noted")))
+    it.loop._stopping = is_stopping
+    it.loop._stop_real_robot()
+
+    assert it.did == did
+    assert it.loop._was_suspended == (is_real and not is_stopping)
