@@ -528,3 +528,115 @@ def test_a_camera_is_opened_by_its_number(monkeypatch: pytest.MonkeyPatch) -> No
 def test_a_look_raises_the_fault(tmp_path: Path) -> None:
     with pytest.raises(RobotProblem, match="no-pictures"):
         camera(tmp_path).directions()
+
+
+# --- measuring and joining at their limits
+
+
+def of_hsv(*columns: tuple[int, tuple[int, int, int]], height: int = 30) -> np.ndarray:
+    """A picture with so many columns of each hue, saturation and value."""
+    hsv = np.concatenate([np.full((height, width, 3), pixel, np.uint8) for width, pixel in columns], axis=1)
+    return np.asarray(cv2.cvtColor(hsv, cv2.COLOR_HSV2RGB))
+
+
+GREY, GRASS = (0, 0, 128), (60, 200, 150)
+
+
+def test_only_the_middle_third_is_measured_and_widened_by_its_margins() -> None:
+    middle = of_hsv((30, GREY), (30, GRASS), (30, GREY))
+    border = of_hsv((90, (120, 200, 200)))
+    picture = np.concatenate((border, middle, border))
+    measured = measured_range(picture)
+
+    assert measured == (54, 66, pytest.approx(160, abs=2), 255, 100, 255)
+    assert measured_range(picture[30:60]) == measured
+    for row, column in ((0, 30), (60, 30), (30, 0), (30, 60)):  # what is next to it doesn't count
+        other = picture.copy()
+        other[row : row + 30, column : column + 30] = (255, 0, 255)
+        assert measured_range(other) == measured
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "hues"),
+    [(40, 80, (34, 86)), (39, 81, None), (175, 5, (169, 11)), (170, 178, (164, 4)), (20, 60, (14, 66))],
+)
+def test_one_colour_has_hues_of_at_most_forty(one: int, other: int, hues: tuple[int, int] | None) -> None:
+    measured = measured_range(of_hsv((45, (one, 255, 200)), (45, (other, 255, 200))))
+
+    assert (None if measured is None else measured[:2]) == hues
+
+
+@pytest.mark.parametrize(("columns", "is_measured"), [(59, False), (61, True)])
+def test_at_least_six_of_ten_pixels_have_a_hue(columns: int, is_measured: bool) -> None:
+    picture = of_hsv((100, GREY), (columns, GRASS), (200 - columns, GREY))
+
+    assert (measured_range(picture) is not None) == is_measured
+
+
+@pytest.mark.parametrize(
+    ("saturation", "value", "least"),
+    [(200, 200, (160, 150)), (60, 60, (40, 40)), (44, 200, (40, 150)), (200, 44, (160, 40))],
+)
+def test_a_pale_or_dark_colour_has_a_least_saturation_and_value(
+    saturation: int, value: int, least: tuple[int, int]
+) -> None:
+    measured = measured_range(of_hsv((90, (60, saturation, value))))
+
+    assert measured is not None
+    assert (measured[2], measured[4]) == pytest.approx(least, abs=3)
+    assert (measured[3], measured[5]) == (255, 255)
+
+
+@pytest.mark.parametrize("pixel", [(60, 30, 200), (60, 200, 30)])
+def test_what_is_too_pale_or_too_dark_has_no_colour(pixel: tuple[int, int, int]) -> None:
+    assert measured_range(of_hsv((90, pixel))) is None
+
+
+def joined(*looks: tuple[float, tuple[Blob, ...]]) -> list[tuple[int, int]]:
+    return [(round(each.low), round(each.high)) for each in things_in(looks, 60, is_even=True)]
+
+
+@pytest.mark.parametrize(
+    ("looks", "things"),
+    [
+        # of two glimpses the one that covers more of the thing is it
+        (
+            ((0, (Blob("red", 0.5, 0.9),)), (30, (Blob("red", 0.0, 0.3), Blob("red", 0.35, 0.5)))),
+            [(0, 24), (21, 30)],
+        ),
+        # of two things the one that is covered more
+        (
+            ((0, (Blob("red", 0.5, 0.6), Blob("red", 0.65, 0.9))), (30, (Blob("red", 0.1, 0.4),))),
+            [(0, 6), (6, 24)],
+        ),
+        # three degrees apart are two, less is one
+        (((0, (Blob("red", 0.5, 0.6),)), (30, (Blob("red", 0.15, 0.3),))), [(0, 6), (9, 18)]),
+        (((0, (Blob("red", 0.5, 0.6),)), (30, (Blob("red", 0.14, 0.3),))), [(0, 6)]),
+        # one above the other are two
+        (
+            ((0, (Blob("red", 0.5, 0.6, 0.0, 0.5),)), (30, (Blob("red", 0.0, 0.1, 0.5, 1.0),))),
+            [(0, 6), (0, 6)],
+        ),
+        (
+            ((0, (Blob("red", 0.5, 0.6, 0.5, 1.0),)), (30, (Blob("red", 0.0, 0.1, 0.0, 0.5),))),
+            [(0, 6), (0, 6)],
+        ),
+    ],
+)
+def test_neighbouring_glimpses_are_one_thing_where_they_overlap_most(
+    looks: tuple[tuple[float, tuple[Blob, ...]], ...], things: list[tuple[int, int]]
+) -> None:
+    assert sorted(joined(*looks)) == sorted(things)
+
+
+def test_hidden_files_are_no_pictures(tmp_path: Path) -> None:
+    (tmp_path / ".hidden.png").write_bytes(b"")
+
+    assert fault(tmp_path)[0] == "no-pictures"
+
+
+def test_a_sweep_without_a_camera_is_blind_and_sees_nothing() -> None:
+    sweep = CameraSweep(None)
+    sweep.look(0)
+
+    assert (sweep.is_blind, sweep.directions, sweep.things(), sweep.problem) == (True, (), (), None)
