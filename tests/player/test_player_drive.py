@@ -1,0 +1,549 @@
+"""GoDonnie's robot at a Player server, without a server: how it drives, stops, looks and grips.
+
+Ten data a second; a robot that is told a speed has it at once. A step is five centimetres.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import cos, degrees, hypot, inf, radians, sin
+from typing import Any
+
+import pytest
+
+from devices.ports.robot import STEP, Bearing, Grip, GripResult, Met, Motion, Pose, RobotProblem, StoppedBy
+from donnie_tui.robot.player_robot import PlayerRobot
+from donnie_tui.robot.server_link import RobotPart, WheelState
+from sim.sensors import Device
+
+TICK = 0.1
+SONARS = tuple((0.0, 0.0, 0.0, 0.0, 0.0, radians(yaw)) for yaw in (45, 0, -45, -135, 180, 135))
+
+
+class Link:
+    """A server with a robot on an endless floor; a wall is so many metres ahead of, or behind, its start."""
+
+    def __init__(self) -> None:
+        self.name, self.permit, self.epoch, self.is_there = "host:1", 7, 1, True
+        self.now = WheelState(5.0, 0.0, 0.0, 0.0, False, False)
+        self.shapes: dict[RobotPart, dict[int, Any]] = {}
+        self.data: dict[RobotPart, Any] = {}
+        self.speed, self.goal = 0.0, None
+        self.speeds: list[float] = []
+        self.commands: list[tuple[Any, ...]] = []
+        self.ahead, self.behind = inf, inf
+        self.is_stuck = False
+        self.on_tick: Callable[[int], object] = lambda _: None
+        self.ticks, self.stopped, self.closed = 0, 0, False
+
+    def wheels(self) -> WheelState:
+        return self.now
+
+    def shape(self, part: RobotPart, subtype: int = 1) -> Any:
+        return self.shapes.get(part, {}).get(subtype, ())
+
+    def values(self, part: RobotPart) -> Any:
+        if part is RobotPart.SONARS and min(self.ahead, self.behind) != inf:
+            way = self.now.x * cos(radians(self.now.yaw)) + self.now.y * sin(radians(self.now.yaw))
+            return ((inf, self.ahead - way, inf, inf, self.behind + way, inf),)
+        return self.data.get(part, ())
+
+    def time_of(self, part: RobotPart) -> float:
+        return self.now.time if part in self.data else -inf
+
+    def wait_for_data(self, at: float) -> WheelState | None:
+        if at < 0:
+            return self.now
+        self.ticks += 1
+        assert self.ticks < 5000, "it never ends"
+        self.on_tick(self.ticks)
+        now, speed = self.now, 0.0 if self.is_stuck else self.speed
+        yaw = now.yaw if self.goal is None or self.is_stuck else self.goal
+        way = speed * TICK
+        x, y = now.x + way * cos(radians(yaw)), now.y + way * sin(radians(yaw))
+        self.now = WheelState(now.time + TICK, x, y, yaw, now.is_stalled, speed != 0)
+        return self.now
+
+    def drive(self, permit: int, speed: float) -> None:
+        assert permit == self.permit
+        self.speed, self.goal = speed, None
+        self.speeds.append(speed)
+
+    def turn_to(self, permit: int, now: WheelState, yaw: float) -> None:
+        assert abs(yaw - now.yaw) <= 170.0
+        self.goal = now.yaw + max(-30.0, min(30.0, yaw - now.yaw))  # 30 degrees a datum
+
+    def command(self, part: RobotPart, *values: Any) -> None:
+        self.commands.append((part, *values))
+
+    def connect(self) -> None:
+        self.commands.append(("connect",))
+
+    def close(self) -> None:
+        self.closed = True
+
+    def stop(self) -> None:
+        self.stopped += 1
+
+
+class Pace:
+    goes_on = True
+
+    def sleep(self, seconds: float) -> bool:
+        return self.goes_on
+
+
+class Watcher:
+    def __init__(self) -> None:
+        self.motions: list[tuple[Motion, Pose]] = []
+
+    def progressed(self, motion: Motion, pose: Pose) -> None:
+        self.motions.append((motion, pose))
+
+    def passing(self, pose: Pose) -> None: ...
+
+    def sense_failed(self, problem: RobotProblem) -> None: ...
+
+
+class Driven:
+    def __init__(self) -> None:
+        self.link, self.pace, self.watcher = Link(), Pace(), Watcher()
+        link: Any = self.link
+        self.robot = PlayerRobot(link, pace=self.pace, watcher=self.watcher)
+        self.robot.start = Pose(0, 0, 90)
+        self.robot.connect()
+
+
+@pytest.fixture
+def driven() -> Driven:
+    return Driven()
+
+
+def place(pose: Pose) -> tuple[float, float, float]:
+    return round(pose.x, 1), round(pose.y, 1), round(pose.heading, 1)
+
+
+# --- walking
+
+
+@pytest.mark.parametrize(("name", "sense"), [("forward", 1), ("backward", -1)])
+def test_a_walk_reports_each_step_and_ends_within_a_millimetre(driven: Driven, name: str, sense: int) -> None:
+    walk = getattr(driven.robot, name)
+    done = walk(3)
+
+    assert (done.asked, done.walked, done.stopped_by, done.met) == (3, 3, None, None)
+    assert place(done.pose) == (3 * sense, 0, 90)
+    assert abs(abs(driven.link.now.x) - 3 * STEP) < 0.001
+    assert len(driven.watcher.motions) == 3
+    assert {each for each, _ in driven.watcher.motions} == {Motion.FORWARD if sense > 0 else Motion.BACKWARD}
+    assert driven.link.speeds[0] == pytest.approx(STEP * sense)
+    assert max(map(abs, driven.link.speeds)) == pytest.approx(STEP)
+    assert driven.link.speeds[-1] == 0.0
+    # near the end four times what is left, a second, but at least six millimetres
+    slow = [abs(each) for each in driven.link.speeds[:-1] if abs(each) < STEP * 0.999]
+    assert slow == sorted(slow, reverse=True)
+    assert min(slow) >= 0.006
+
+
+def test_what_a_walk_was_too_short_is_made_up_for_by_the_next(driven: Driven) -> None:
+    for number in range(1, 9):
+        driven.robot.forward(1)
+        assert abs(driven.link.now.x - number * STEP) < 0.001
+        assert place(driven.robot.pose()) == (number, 0, 90)
+    driven.robot.backward(8)
+    assert abs(driven.link.now.x) < 0.001
+
+
+@pytest.mark.parametrize(("steps", "walked"), [(3.5, 2), (4.6, 3), (1.7, 0), (1.9, 1), (20, 5)])
+@pytest.mark.parametrize(("name", "side", "way"), [("forward", "ahead", 0.0), ("backward", "behind", 180.0)])
+def test_a_step_is_begun_only_with_nearly_two_free_ones(
+    driven: Driven, steps: float, walked: int, name: str, side: str, way: float
+) -> None:
+    driven.link.shapes[RobotPart.SONARS] = {1: (SONARS, ()), 5: (0.0, 0.0, 0.0, 0.0, 3.0)}
+    setattr(driven.link, side, steps * STEP)
+    done = getattr(driven.robot, name)(5)
+    is_stopped = walked < 5
+
+    assert (done.walked, done.stopped_by) == (walked, StoppedBy.OBSTACLE if is_stopped else None)
+    assert done.met == (Met("something", "", way) if is_stopped else None)
+    assert abs(abs(driven.link.now.x) - walked * STEP) < 0.002
+    assert len(driven.watcher.motions) == walked
+
+
+def test_a_wall_that_comes_near_within_a_step_ends_the_walk_there(driven: Driven) -> None:
+    driven.link.shapes[RobotPart.SONARS] = {1: (SONARS, ()), 5: (0.0, 0.0, 0.0, 0.0, 3.0)}
+    driven.link.ahead = 2.0
+
+    def comes(tick: int) -> None:
+        if tick == 5:
+            driven.link.ahead = 0.08
+
+    driven.link.on_tick = comes
+    done = driven.robot.forward(5)
+
+    assert (done.walked, done.stopped_by) == (0, StoppedBy.OBSTACLE)
+    assert driven.link.now.x < STEP
+
+
+@pytest.mark.parametrize(
+    ("name", "pressed", "is_stopped"),
+    [
+        ("forward", 0, True), ("forward", 1, True), ("forward", 2, False), ("forward", 3, False),
+        ("backward", 0, False), ("backward", 1, False), ("backward", 2, True), ("backward", 3, True),
+        ("forward", 4, False),
+    ],
+)  # fmt: skip
+@pytest.mark.parametrize("has_places", [False, True])
+def test_a_pressed_bar_on_the_side_of_the_walk_ends_it(
+    driven: Driven, name: str, pressed: int, is_stopped: bool, has_places: bool
+) -> None:
+    if has_places:
+        driven.link.shapes[RobotPart.BUMPERS] = {1: ([(x, 0, 0, 0, 0, 0) for x in (0.1, 0.0, -0.1, -0.1)],)}
+    driven.link.data[RobotPart.BUMPERS] = (bytes(at == pressed for at in range(5)),)
+    done = getattr(driven.robot, name)(2)
+
+    assert done.stopped_by == (StoppedBy.COLLISION if is_stopped else None)
+    assert done.walked == (0 if is_stopped else 2)
+    if is_stopped:
+        assert done.met == Met("something", "", 0.0 if name == "forward" else 180.0)
+
+
+def test_a_stall_is_a_collision_from_the_second_datum_on(driven: Driven) -> None:
+    driven.link.now = WheelState(5.0, 0.0, 0.0, 0.0, True, False)
+    done = driven.robot.forward(2)
+
+    assert (done.walked, done.stopped_by, driven.link.ticks) == (0, StoppedBy.COLLISION, 1)
+    assert driven.robot.turn(90).stopped_by is StoppedBy.COLLISION
+
+
+def test_a_robot_that_does_not_move_for_three_seconds_has_stalled(driven: Driven) -> None:
+    driven.link.is_stuck = True
+    assert driven.robot.forward(2).stopped_by is StoppedBy.STALL
+    assert 30 <= driven.link.ticks <= 32
+
+    driven.link.ticks = 0
+    assert driven.robot.turn(90).stopped_by is StoppedBy.STALL
+    assert 30 <= driven.link.ticks <= 32
+    assert driven.robot.wait(10) is True, "a wait may stand as long as it likes"
+
+
+def test_a_pause_of_the_program_is_no_stall(driven: Driven) -> None:
+    driven.link.is_stuck = True
+
+    def pause(tick: int) -> None:
+        now = driven.link.now
+        if tick in (20, 40):
+            driven.link.now = WheelState(now.time + 1.2, now.x, now.y, now.yaw, False, False)
+
+    driven.link.on_tick = pause
+    driven.robot.forward(2)
+
+    assert driven.link.ticks > 65
+
+
+@pytest.mark.parametrize("do", [lambda robot: robot.forward(2), lambda robot: robot.turn(90)])
+def test_a_movement_ends_by_its_program_and_by_a_lost_server(driven: Driven, do: Any) -> None:
+    driven.pace.goes_on = False
+    assert do(driven.robot).stopped_by is StoppedBy.USER
+    driven.pace.goes_on = True
+
+    def lose(tick: int) -> None:
+        driven.link.epoch += tick == driven.link.ticks
+
+    driven.link.on_tick = lose
+    assert do(driven.robot).stopped_by is StoppedBy.LINK
+    with pytest.raises(RobotProblem, match="link-lost"):
+        do(driven.robot)
+    driven.link.on_tick = lambda _: None
+    assert do(driven.robot).stopped_by is None
+
+
+def test_a_server_that_is_gone_ends_a_wait(driven: Driven) -> None:
+    def lose(_: int) -> None:
+        driven.link.is_there = False
+
+    driven.link.on_tick = lose
+    with pytest.raises(RobotProblem, match="link-lost"):
+        driven.robot.wait(5)
+
+
+# --- turning, waiting, the place
+
+
+@pytest.mark.parametrize("asked", [90, -90, 180, 720, -45, 7, 1])
+def test_a_turn_reports_each_ten_degrees_and_ends_at_its_heading(driven: Driven, asked: int) -> None:
+    done = driven.robot.turn(asked)
+
+    assert (done.asked, done.turned, done.stopped_by) == (asked, asked, None)
+    assert round(done.pose.heading % 360) == (90 + asked) % 360
+    assert len(driven.watcher.motions) == -(-abs(asked) // 10)
+    assert {each for each, _ in driven.watcher.motions} == {Motion.RIGHT if asked > 0 else Motion.LEFT}
+    assert driven.link.speeds[-1] == 0.0
+
+
+def test_a_bar_that_is_pressed_newly_ends_a_turn(driven: Driven) -> None:
+    driven.link.data[RobotPart.BUMPERS] = (b"\1\0",)
+    assert driven.robot.turn(90).stopped_by is None
+
+    def press(tick: int) -> None:
+        driven.link.data[RobotPart.BUMPERS] = (b"\1\1",)
+
+    driven.link.on_tick = press
+    done = driven.robot.turn(-90)
+    assert done.stopped_by is StoppedBy.COLLISION
+    assert done.met == Met("something", "", -90.0)
+
+
+@pytest.mark.parametrize(("seconds", "ticks"), [(0, 0), (-1, 0), (1, 10), (2.5, 25)])
+def test_a_wait_is_as_long_as_the_servers_time(driven: Driven, seconds: float, ticks: int) -> None:
+    assert driven.robot.wait(seconds) is True
+    assert driven.link.ticks == ticks
+    assert driven.robot.time() == pytest.approx(ticks * TICK)
+    driven.robot.reset()
+    assert driven.robot.time() == 0.0
+    driven.pace.goes_on = False
+    assert driven.robot.wait(1) is False
+
+
+def test_wheels_that_begin_at_0_count_from_the_start_and_others_as_they_are() -> None:
+    for x, start, at in ((0.0, Pose(3, 4, 0), (3, 4, 0)), (0.2, Pose(3, 4, 0), (4, 0, 90))):
+        it = Driven()
+        it.robot.start = start
+        it.link.now = WheelState(0.0, x, 0.0, 0.0, False, False)
+        it.robot.connect()
+        assert place(it.robot.pose()) == at
+
+
+def test_closing_calls_those_who_leave_and_then_the_server(driven: Driven) -> None:
+    left: list[bool] = []
+    driven.robot.leave = (lambda: left.append(driven.link.closed), lambda: left.append(driven.link.closed))
+    driven.robot.close()
+
+    assert (left, driven.link.closed) == ([False, False], True)
+
+
+# --- distances
+
+
+def test_distances_are_those_of_the_sensors_that_look_there(driven: Driven) -> None:
+    driven.link.shapes[RobotPart.SONARS] = {1: (SONARS, ()), 5: (0.0, 0.0, 0.0, 0.0, 3.0)}
+    driven.link.data[RobotPart.SONARS] = ((1.0, 0.55, 2.0, 2.99, 2.996, 0.1),)
+
+    assert dict(driven.robot.known_distances()) == {
+        Bearing.FRONT_LEFT: 20, Bearing.FRONT: 11, Bearing.FRONT_RIGHT: 40,
+        Bearing.BACK_RIGHT: 59, Bearing.BACK: driven.robot.distance(Bearing.BACK), Bearing.BACK_LEFT: 2,
+    }  # fmt: skip
+    assert driven.robot.distance(Bearing.FRONT) == 11
+    assert driven.robot.distance(Bearing.BACK) > 59
+    driven.link.data.clear()
+    with pytest.raises(RobotProblem, match="no-sensor"):
+        driven.robot.distance(Bearing.FRONT)
+    driven.link.is_there = False
+    with pytest.raises(RobotProblem, match="link-lost"):
+        driven.robot.distance(Bearing.FRONT)
+
+
+def test_sonars_without_a_shape_look_as_those_of_the_original(driven: Driven) -> None:
+    driven.link.data[RobotPart.SONARS] = ((0.1, 0.2, 0.3, 0.4, 0.5, 0.6),)
+    original = {-45.0: 2, 0.0: 4, 45.0: 6, 135.0: 8, 180.0: 10, -135.0: 12}
+
+    known = driven.robot.known_distances()
+    for yaw, steps in original.items():
+        (bearing,) = (each for each in Bearing if (each.value + yaw) % 360 == 0)
+        assert known[bearing] == steps
+
+
+def test_a_scanner_has_a_sample_for_each_of_its_directions(driven: Driven) -> None:
+    """Nine samples of 45 degrees from the right behind on; a bearing is within 7.5 degrees of one."""
+    driven.link.shapes[RobotPart.SONARS] = {
+        1: ([(0.0,) * 6], ()), 5: (radians(-202.5), radians(202.5), radians(45.0), 0.0, 9.0),
+    }  # fmt: skip
+    driven.link.data[RobotPart.SONARS] = (tuple(float(at + 1) for at in range(9)),)
+
+    known = driven.robot.known_distances()
+    assert {known[each] for each in (Bearing.FRONT, Bearing.FRONT_LEFT, Bearing.FRONT_RIGHT)} == {
+        80,
+        100,
+        120,
+    }
+    assert known[Bearing.FRONT] == 100
+
+
+# --- devices
+
+
+def test_the_devices_are_those_that_the_server_names(driven: Driven) -> None:
+    driven.link.shapes = {
+        RobotPart.SONARS: {1: (SONARS[:2], ()), 5: (-0.1, 0.1, 0.0, 0.0, 3.0)},
+        RobotPart.CAMERA: {},
+        RobotPart.BUMPERS: {1: ([(0.1, 0, 0, 0, 0, radians(90)), (0.1, 0, 0, 0, 0, 0.0)],)},
+    }
+    found = [
+        (each.device, round(each.degrees), round(each.width, 1), each.metres) for each in driven.robot.mounted
+    ]
+
+    width = round(degrees(0.2), 1)
+    assert found[:3] == [
+        (Device.RANGER, -45, width, 3.0), (Device.RANGER, 0, width, 3.0), (Device.EYES, 0, 60.0, 5.0),
+    ]  # fmt: skip
+    assert [each[:2] for each in found[3:]] == [(Device.BUMPER, -90), (Device.BUMPER, 0)]
+    assert driven.robot.colours
+    driven.link.shapes.clear()
+    assert driven.robot.mounted == ()
+    assert driven.robot.colours == frozenset()
+
+
+@pytest.mark.parametrize(
+    ("given", "chosen", "view"),
+    [
+        (None, None, 60),
+        (90, None, 90),
+        (19, None, 60),
+        (20, None, 20),
+        (150, None, 150),
+        (151, None, 60),
+        (90, 45, 45),
+    ],
+)
+def test_the_view_of_the_camera_is_chosen_or_the_servers_or_the_originals(
+    driven: Driven, given: float | None, chosen: float | None, view: float
+) -> None:
+    if given is not None:
+        driven.link.shapes[RobotPart.MARKS] = {
+            2: (0.0, radians(given) * (1 + 1e-12 * (given == 20) - 1e-12 * (given == 150)))
+        }
+    driven.robot.chosen_view = chosen
+
+    assert driven.robot.view == pytest.approx(view)
+
+
+# --- the gripper, speech, belt
+
+
+@pytest.mark.parametrize(
+    ("state", "beams", "closes_on", "outcome", "moves"),
+    [
+        (2, 0b0100, 0, Grip.HOLDS_ALREADY, []),
+        (2, 0b1000, 0, Grip.HOLDS_ALREADY, []),
+        (2, 0b0011, 0b1000, Grip.GRIPPED, [1, 2]),
+        (1, 0b1100, 0b0100, Grip.GRIPPED, [1, 2]),
+        (1, 0, 0, Grip.NOTHING_THERE, [1, 2, 1]),
+    ],
+)
+def test_the_gripper_opens_closes_and_opens_again_if_there_is_nothing(
+    driven: Driven, state: int, beams: int, closes_on: int, outcome: Grip, moves: list[int]
+) -> None:
+    link = driven.link
+    link.shapes[RobotPart.GRIPPER] = {}
+    link.data[RobotPart.GRIPPER] = (state, beams, 0)
+
+    def move(_: int) -> None:
+        wanted = link.commands[-1][1]
+        link.data[RobotPart.GRIPPER] = (wanted, closes_on if wanted == 2 else 0, 0)
+
+    link.on_tick = move
+    assert driven.robot.grip() == GripResult(outcome)
+    assert [each[1] for each in link.commands if each[0] is RobotPart.GRIPPER] == moves
+
+
+@pytest.mark.parametrize(("beams", "outcome"), [(0b0100, Grip.RELEASED), (0, Grip.HOLDS_NOTHING)])
+def test_a_gripper_that_never_opens_is_given_up_after_five_seconds(
+    driven: Driven, beams: int, outcome: Grip
+) -> None:
+    driven.link.shapes[RobotPart.GRIPPER] = {}
+    driven.link.data[RobotPart.GRIPPER] = (2, beams, 0)
+
+    assert driven.robot.release() == GripResult(outcome)
+    assert 50 <= driven.link.ticks <= 52
+
+
+def test_without_a_gripper_or_eyes_the_robot_says_so(driven: Driven) -> None:
+    for do, problem in (
+        (driven.robot.grip, "no-gripper"),
+        (driven.robot.release, "no-gripper"),
+        (driven.robot.scan, "no-eyes"),
+    ):
+        with pytest.raises(RobotProblem, match=problem):
+            do()
+
+
+def test_speech_and_belt_are_commands(driven: Driven) -> None:
+    driven.link.commands.clear()
+    driven.robot.say("hello")
+    driven.robot.show_belt((0, 3) + (0,) * 12)
+
+    assert driven.link.commands[0] == (RobotPart.SPEECH, 1, "hello")
+    belts = driven.link.commands[1:]
+    assert len(belts) == 28
+    assert {each[0] for each in belts} == {RobotPart.BELT, RobotPart.SECOND_BELT}
+    assert belts[0][2:] == belts[1][2:]
+    assert belts[0][2] != belts[2][2]
+    assert belts[0][3] != belts[2][3]
+    assert {each[1] for each in belts} == {1}
+
+
+# --- looking
+
+
+def blob(left: int, right: int, rgb: int = 0xFF0000, metres: float = 1.0) -> tuple[Any, ...]:
+    return (0, rgb, 0, 0, 0, left, right, 0, 0, metres)
+
+
+def test_a_camera_without_a_head_looks_ahead_once(driven: Driven) -> None:
+    driven.link.shapes[RobotPart.CAMERA] = {}
+    driven.link.data[RobotPart.CAMERA] = (100, 50, (blob(40, 59), blob(75, 84, 0x0000FF, 2.0)))
+
+    seen = driven.robot.scan()
+    assert [(each.colour, round(each.degrees)) for each in seen] == [("red", 0), ("blue", 18)]
+    assert [round(each.steps) for each in seen] == [20, 40]
+    assert driven.link.ticks == 0
+
+
+def test_a_head_turns_from_left_to_right_and_ahead_again(driven: Driven) -> None:
+    link = driven.link
+    link.shapes[RobotPart.CAMERA] = {}
+    link.data[RobotPart.CAMERA] = (100, 50, (blob(45, 54),))
+    link.data[RobotPart.HEAD] = (0.0, 0.0, 0.0)
+
+    def turn(_: int) -> None:
+        link.data[RobotPart.HEAD] = (0.0, 0.0, link.commands[-1][4])
+
+    link.on_tick = turn
+    seen = driven.robot.scan()
+
+    assert [round(each.degrees) for each in seen] == [-60, 0, 60]
+    goals = dict.fromkeys(round(degrees(each[4])) for each in link.commands if each[0] is RobotPart.HEAD)
+    assert [*goals] == [60, 0, -60]
+    assert round(degrees(link.commands[-1][4])) == 0
+    assert {each[1:4] + each[5:] for each in link.commands if each[0] is RobotPart.HEAD} == {
+        (2, 0.0, 0.0, 0.0, 0.0, 0.0, 1)
+    }
+
+
+def test_a_head_that_is_far_away_is_another_robots(driven: Driven) -> None:
+    driven.link.shapes[RobotPart.CAMERA] = {}
+    driven.link.data[RobotPart.CAMERA] = (100, 50, ())
+    driven.link.data[RobotPart.HEAD] = (0.5, 0.0, 0.0)
+    driven.robot.scan()
+    assert not [each for each in driven.link.commands if each[0] is RobotPart.HEAD]
+    assert hypot(0.49, 0) < 0.5
+    driven.link.data[RobotPart.HEAD] = (0.49, 0.0, 0.0)
+    driven.robot.scan()
+    assert [each for each in driven.link.commands if each[0] is RobotPart.HEAD]
+
+
+def test_a_sonar_on_the_head_finds_things_by_their_echoes(driven: Driven) -> None:
+    link = driven.link
+    link.shapes[RobotPart.HEAD_SONAR] = {1: ([(0.05, 0, 0, 0, 0, 0.0)], ()), 5: (0.0, 0.0, 0.0, 0.0, 3.0)}
+    link.data[RobotPart.HEAD] = (0.0, 0.0, 0.0)
+    link.data[RobotPart.HEAD_SONAR] = ((3.0,),)
+
+    def turn(_: int) -> None:
+        link.data[RobotPart.HEAD] = (0.0, 0.0, link.commands[-1][4])
+        is_thing = abs(round(degrees(link.commands[-1][4])) - 30) <= 15
+        link.data[RobotPart.HEAD_SONAR] = ((0.5 if is_thing else 3.0,),)
+
+    link.on_tick = turn
+    (seen,) = driven.robot.scan()
+
+    assert (seen.colour, round(seen.degrees), round(seen.steps)) == ("", -30, 10)
