@@ -1,6 +1,6 @@
 """GoDonnie's robot at a Player server, without a server: how it drives, stops, looks and grips.
 
-Ten data a second; a robot that is told a speed has it at once. A step is five centimetres.
+Ten data a second; a robot has the speed of a command at once. A step is five centimetres.
 """
 
 from __future__ import annotations
@@ -174,11 +174,11 @@ def test_a_wall_that_comes_near_within_a_step_ends_the_walk_there(driven: Driven
     driven.link.shapes[RobotPart.SONARS] = {1: (SONARS, ()), 5: (0.0, 0.0, 0.0, 0.0, 3.0)}
     driven.link.ahead = 2.0
 
-    def comes(tick: int) -> None:
+    def approach(tick: int) -> None:
         if tick == 5:
             driven.link.ahead = 0.08
 
-    driven.link.on_tick = comes
+    driven.link.on_tick = approach
     done = driven.robot.forward(5)
 
     assert (done.walked, done.stopped_by) == (0, StoppedBy.OBSTACLE)
@@ -314,7 +314,7 @@ def test_wheels_that_begin_at_0_count_from_the_start_and_others_as_they_are() ->
         assert place(it.robot.pose()) == at
 
 
-def test_closing_calls_those_who_leave_and_then_the_server(driven: Driven) -> None:
+def test_close_calls_what_is_to_leave_and_then_closes_the_link(driven: Driven) -> None:
     left: list[bool] = []
     driven.robot.leave = (lambda: left.append(driven.link.closed), lambda: left.append(driven.link.closed))
     driven.robot.close()

@@ -46,7 +46,7 @@ class Opened:
         )  # fmt: skip
         self.app.push_screen(self.panel, self.answers.append)
         await self.pilot.pause()
-        await self.settle()
+        await self.rest()
 
     @property
     def rows(self) -> list[str]:
@@ -76,10 +76,10 @@ class Opened:
         """What is said after the keys."""
         self.said.clear()
         await self.pilot.press(*keys)
-        await self.settle()
+        await self.rest()
         return [*self.said]
 
-    async def settle(self) -> None:
+    async def rest(self) -> None:
         await self.app.workers.wait_for_complete()
         await self.pilot.pause()
         await self.app.workers.wait_for_complete()
