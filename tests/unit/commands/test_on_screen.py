@@ -28,10 +28,13 @@ class Map:
         scene = MapScene(donnie.picture_now(), Pose(0, 0, 0), donnie.session.name)
         self.pointer, self.scale = Pointer(scene), MapScale(scene)
         self.zoom, self.shows_all, self.has_rulers, self.is_picture = 0, False, False, False
-        self.has_names, self.has_colours = False, True
+        self.has_names, self.has_colours, self.columns = False, True, 2
 
-    def set_zoom(self, zoom: int) -> None:
-        self.zoom = zoom
+    def set_zoom(self, zoom: int) -> bool:
+        """Whether it is possible: from 0 to 2 here."""
+        if 0 <= zoom <= 2:
+            self.zoom = zoom
+        return self.zoom == zoom
 
     def show_all(self, whole: bool) -> None:
         self.shows_all = whole
@@ -121,7 +124,7 @@ CONVERSATIONS: dict[str, tuple[tuple[str, Said, Said, Said], ...]] = {
         ("SEARCH nope", ["nope is not in the program."], [], []),
         ("NEXT", ["Line 2: TR 90"], ["focus program"], []),
         ("NEXT", ["That is the last line."], [], []),
-        ("FIND FW", ["I have not said FW."], ["search_log FW"], []),
+        ("FIND FW", ["I have not said FW."], ["search_log FW 0"], []),
         ("GO TO", [], [], ["Line:"]),
         ("GO TO 1", ["Line 1: FW 1"], ["focus program"], []),
         ("GO TO 1 2", ["I did not understand. Type GO TO 3."], [], []),
@@ -214,10 +217,15 @@ def test_the_map_is_zoomed_by_one(open_script: OpenScript) -> None:
     script = open_script()
     screen = on_screen(script)
 
-    script.answers_to("ZOOM IN", "ZOOM IN", "ZOOM OUT")
+    assert script.answers_to("ZOOM IN", "ZOOM IN", "ZOOM IN", "ZOOM OUT") == [
+        *("The map follows the robot, 2 columns a square.", "The map follows the robot, 2 columns a square."),
+        *("The nearest: 2 columns a square.", "The map follows the robot, 2 columns a square."),
+    ]
     assert screen.map.zoom == 1
     screen.map.scale = MapScale(screen.map.scale.scene, 3)
-    assert script.answers_to("ZOOM OUT") == ["The map follows the robot, 3 steps a square."]
+    assert script.answers_to("ZOOM OUT", "ZOOM OUT") == [
+        *("The map follows the robot, 3 steps a square.", "The farthest: 3 steps a square."),
+    ]
 
 
 def test_a_screen_without_colours_has_no_picture(open_script: OpenScript) -> None:
@@ -236,7 +244,7 @@ def test_a_legend_and_a_map_that_is_not_there_yet(open_script: OpenScript) -> No
     assert script.answers_to("LEGEND")[-1] == "s is small sofa, blue."
     assert script.interaction.asked == ["Legend"]
     screen.map.pointer = screen.map.scale = None  # type: ignore[assignment]
-    assert script.answers_to("LEGEND", "TO THERE", "ZOOM IN") == []
+    assert script.answers_to("LEGEND", "TO THERE") == []
     assert script.answers_to("NEXT THING") == ["There are no things."]
 
 
