@@ -97,18 +97,28 @@ def _folded(word: str) -> str:
     return fold_name(word)
 
 
-def line_command(line: str) -> tuple[Command, str] | None:
-    """The command that stands alone on a line of the program; only a few commands may."""
-    found = find(line, _LINE_COMMANDS)
-    return found if found is not None and (found[0].argument or not found[1]) else None
+def line_command(line: str, above: str = "") -> tuple[Command, str] | None:
+    """The command that a line of the program asks for, below the text ``above``; None if it is GoDonnie.
+
+    So it is where a name may continue the text, as below FW alone. What is no command either, as STEP 3,
+    and what a beginner says for GoDonnie, as MOVE 3, stays in the program.
+    """
+    found = find(line)
+    if found is None or (found[1] and not found[0].argument) or _may_continue(above, line):
+        return None
+    word = line.split()[:-1]
+    is_step_or_turn = found[1].isdecimal() and _is_everyday(word, len(word) - 1)
+    return None if is_step_or_turn else found
 
 
-_OF_CHALLENGES = ("challenge", "next_challenge", "task", "goals", "hint")
-_ON_A_LINE = (
-    *("linear", "help", "tour", "examples", *_OF_CHALLENGES, "recover", "quit"),
-    *("run", "stop", "save", "open"),
-)
-_LINE_COMMANDS = tuple(each for each in COMMANDS if each.name in _ON_A_LINE)
+def _may_continue(above: str, line: str) -> bool:
+    from language.lexer import KIND, NAME, lex
+    from language.parser import kinds_after
+
+    if lex(line).tokens[0][0] != NAME:
+        return False
+    kinds = kinds_after(lex(above[-LARGEST_PROGRAM:]).tokens)
+    return NAME in kinds and KIND["SPEAK"] not in kinds
 
 
 # --- how a command is typed, and what it is for

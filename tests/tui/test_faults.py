@@ -253,6 +253,45 @@ async def test_run_on_a_line_of_its_own_runs_the_program(open_screen, language, 
         assert screen.main.editor.text.rstrip("\n") == COMPUTING
 
 
+async def test_any_command_works_on_a_line_of_the_program(open_screen, tmp_path):
+    async with open_screen("FW 1\nFWD 2\nWAIT 1000", speed=1.0) as screen:
+        text = "FW 1\nFWD 2\nWAIT 1000"
+        type_on_last_line(screen, "save log said.txt")
+        await screen.until(lambda: (tmp_path / "said.txt").exists(), "the file")
+        type_on_last_line(screen, "erros")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the mistakes")
+        await screen.press("escape")
+        await screen.until(lambda: screen.app.screen is screen.main, "the program")
+        type_on_last_line(screen, "dónde")
+        await screen.shows("Position 0, 0")
+        assert screen.main.editor.text.rstrip("\n") == text
+
+        screen.load("FW 1\nWAIT 1000")
+        type_on_last_line(screen, "step")
+        await screen.shows("Line 1: FW 1")
+        type_on_last_line(screen, "run")
+        await screen.reaches(RunState.RUNNING)
+        type_on_last_line(screen, "pause")
+        await screen.reaches(RunState.PAUSED)
+        type_on_last_line(screen, "stop")
+        await screen.idle()
+        assert screen.main.editor.text.rstrip("\n") == "FW 1\nWAIT 1000"
+
+
+async def test_undo_on_a_line_of_the_program_undoes_what_was_before_it(open_screen):
+    async with open_screen("FW 1\nFW 2") as screen:
+        screen.main.editor.focus()
+        await screen.type_line("DELETE 1")
+        await screen.until(lambda: screen.main.editor.text == "FW 2", "the change")
+        screen.main.editor.focus()
+        screen.main.editor.move_cursor(screen.main.editor.document.end)
+        await screen.press("enter", *"undo", "enter")
+        await screen.until(lambda: "undo" not in screen.main.editor.text, "the word")
+        await screen.until(lambda: screen.main.editor.text == "FW 2", "the new line is undone")
+        await screen.press("ctrl+end", "enter", *"undo", "enter", "ctrl+end", "enter", *"undo", "enter")
+        await screen.until(lambda: screen.main.editor.text == "FW 2", "the same")
+
+
 async def test_a_program_is_saved_and_opened_from_a_line_of_it(open_screen, tmp_path):
     async with open_screen("FW 1") as screen:
         type_on_last_line(screen, "save one.gd")

@@ -132,7 +132,10 @@ class Editor(TextArea):
         if command is not None:
             event.stop()
             event.prevent_default()
-            self._take_line_out(self.cursor_location[0])
+            if command[0] == "undo":
+                self._untype_line(self.cursor_location[0])
+            else:
+                self._take_line_out(self.cursor_location[0])
             self.post_message(self.LineWordTyped(*command))
         elif event.key == "enter":
             self.post_message(self.LineFinished(self.cursor_location[0]))
@@ -181,7 +184,7 @@ class Editor(TextArea):
             return None
         from donnie_tui.commands.lookup import line_command  # not for the first frame
 
-        found = line_command(line)
+        found = line_command(line, "\n".join(self.document.lines[:row]))
         return (found[0].name, found[1] or None) if found is not None else None
 
     def _take_line_out(self, row: int) -> None:
@@ -190,6 +193,15 @@ class Editor(TextArea):
         end = (row, len(self.document.get_line(row))) if is_last else (row + 1, 0)
         self.delete((row, 0), end, maintain_selection_offset=False)
         self.move_cursor((row, 0))
+
+    def _untype_line(self, row: int) -> None:
+        """Undo the typing of a line, so that UNDO on it undoes what was before."""
+        typed = self.document.get_line(row)
+        for _ in typed:
+            rest = self.document.get_line(row) if row < self.document.line_count else ""
+            if not rest or not typed.startswith(rest):
+                break
+            self.undo()
 
     async def _on_mouse_down(self, event: events.MouseDown) -> None:
         """Post a click in the gutter, which moves no cursor."""

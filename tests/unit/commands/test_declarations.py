@@ -5,7 +5,16 @@ import re
 import pytest
 
 from donnie_tui.commands.declarations import BY_NAME, COMMANDS, Command
-from donnie_tui.commands.lookup import LONGEST_WORD, find, help_line, help_of, typed_form, word_of, words_of
+from donnie_tui.commands.lookup import (
+    LONGEST_WORD,
+    find,
+    help_line,
+    help_of,
+    line_command,
+    typed_form,
+    word_of,
+    words_of,
+)
 from donnie_tui.core.reports import asked
 from donnie_tui.i18n.words import Words
 from language import keywords
@@ -60,6 +69,40 @@ def test_the_text_after_a_word_is_its_argument(command: Command, word: str) -> N
 @pytest.mark.parametrize("line", ["speed = 3", "LIST [2]", "where=1", "openx", "FW 3", "", "x" * 1000])
 def test_a_name_in_the_learners_program_is_no_command(line: str) -> None:
     assert find(line) is None
+
+
+@pytest.mark.parametrize(("command", "word"), WORDS)
+def test_each_command_may_be_a_line_of_the_program(command: Command, word: str) -> None:
+    """Also below a line with a mistake."""
+    assert [line_command(word, above) for above in ("", "FW 1", "IF 1 == 1 THEN", "foo", "FWD 3")] == [
+        find(word)
+    ] * 5
+
+
+@pytest.mark.parametrize(
+    ("line", "above"),
+    [
+        ("map = 2", ""),
+        ("map [2]", ""),
+        ("SPEAK map", ""),
+        ("map", "FW"),
+        ("n", "VAR"),
+        ("copy", "PROCEDURE"),
+        ("last", "VAR last = 1\nSPEAK last +"),
+        ("STEP 3", ""),
+        ("MOVE 3", ""),
+        ("BACK 2", ""),
+        ("TURN 90", ""),
+        ("QUIT FW 1", ""),
+    ],
+)
+def test_a_line_that_is_godonnie_or_meant_for_the_robot_stays_in_the_program(line: str, above: str) -> None:
+    assert line_command(line, above) is None
+
+
+@pytest.mark.parametrize("line", ["MOVE 5 7 2", "GO TO 3", "CHANGE 3 FW 2", "SAVE LOG said.txt", "FIND wall"])
+def test_an_argument_may_follow_on_a_line_of_the_program(line: str) -> None:
+    assert line_command(line) == find(line)
 
 
 def test_the_longer_of_two_words_with_the_same_beginning_counts() -> None:
