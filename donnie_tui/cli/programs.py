@@ -31,6 +31,7 @@ from donnie_tui.core.events import RunStarted, Stamped
 from donnie_tui.core.goals import folded
 from donnie_tui.core.program_files import (
     LARGEST,
+    STANDARD_OUTPUT,
     checked_path,
     decode,
     exists,
@@ -286,11 +287,15 @@ def check_challenge(order: Order, name: str, files: Sequence[str]) -> int:
         raise Unusable(order.words("check-no-programs", path=files[0]))
     answers = _answers(order, pupils)
     is_json, records = getattr(order.invocation.arguments, "json", False), list[_Record]()
+    is_table = getattr(order.invocation.arguments, "csv", None) == STANDARD_OUTPUT
+    if is_json and is_table:
+        raise Unusable(order.words("options-not-together", option="--csv", other="--json"))
+    line = order.output.complaint if is_table else order.output.line
     for pupil, record in zip(pupils, _records(judge, pupils), strict=True):
         records.append(record)
         if not is_json:
             said = order.words("challenge-verdict", file=pupil.label, verdict=record.verdict)
-            order.output.line(record.verdict if record.solved is None else said)
+            line(record.verdict if record.solved is None else said)
     _write_table(order, records)
     heading = heading_of_answer(judge.challenge.text(order.words.language).title, order.words)
     for answer, record in zip(answers, records, strict=False):
@@ -301,7 +306,7 @@ def check_challenge(order: Order, name: str, files: Sequence[str]) -> int:
     if is_json:
         order.output.text(f"{msgspec.json.format(msgspec.json.encode(records), indent=2).decode()}\n")
     elif len(records) > 1:
-        order.output.line(order.words("challenge-total", programs=len(records), solved=solved.count(True)))
+        line(order.words("challenge-total", programs=len(records), solved=solved.count(True)))
     return max(_CODES[each] for each in solved)
 
 
@@ -360,7 +365,7 @@ def _answers(order: Order, pupils: Sequence[_Pupil]) -> Sequence[Path]:
     """
     table, given = (getattr(order.invocation.arguments, each, None) for each in ("csv", "feedback"))
     read = {os.path.realpath(file) for each in pupils for file in each.files.values()}
-    if table is not None and os.path.realpath(table) in read:
+    if table not in (None, STANDARD_OUTPUT) and os.path.realpath(table) in read:
         raise Unusable(order.words("challenge-csv-program", path=table))
     if given is None:
         return ()
@@ -408,7 +413,11 @@ def _write_table(order: Order, records: Sequence[_Record]) -> None:
     table = getattr(order.invocation.arguments, "csv", None)
     if table is not None:
         rows = (_Record.__struct_fields__, *map(astuple, records))
-        _write(Path(table), as_csv([Section("", rows=rows)]), order.words)
+        content = as_csv([Section("", rows=rows)])
+        if table == STANDARD_OUTPUT:
+            order.output.text(content)
+        else:
+            _write(Path(table), content, order.words)
 
 
 def _write(path: Path, text: str, words: Words) -> None:

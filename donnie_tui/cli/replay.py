@@ -26,10 +26,11 @@ from donnie_tui.cli.streams import Guarded, Input, Output, let_sound, stopped_by
 from donnie_tui.core.events import Answered, Moved, RunStarted, Stamped, Turned, as_line
 from donnie_tui.core.hub import Hub, Stream
 from donnie_tui.core.map_scene import map_at, rows_of
+from donnie_tui.core.program_files import STANDARD_OUTPUT
 from donnie_tui.core.recheck import Result, Verdict, recheck
 from donnie_tui.core.recording import LARGEST, Header, NoRecordingError, Recording
 from donnie_tui.core.timeline import Replay, Timeline, redone_in_words, undone_in_words
-from donnie_tui.core.transcript import printed_lines, with_robot_name
+from donnie_tui.core.transcript import lines_with_robot_name, printed_lines, with_robot_name
 from donnie_tui.core.wording import keys_of, meant, position_in_words, spelled
 from donnie_tui.i18n.words import Unusable, Words, as_unusable
 from donnie_tui.outlets.audible import make_audible
@@ -212,7 +213,7 @@ def _files(order: Order) -> tuple[tuple[str, str | None], ...]:
 
 def _wanted(order: Order) -> Iterator[_Wanted]:
     """The requested reports. Raises ``Unusable`` for an unknown report or a wrong end of a name."""
-    from donnie_tui.core.reports import asked, suffixes_of
+    from donnie_tui.core.reports import asked, refusal, suffixes_of
 
     for option, given in _files(order):
         if given is None:
@@ -221,47 +222,58 @@ def _wanted(order: Order) -> Iterator[_Wanted]:
             raise Unusable(order.words("usage-without-value", what=option))
         if option != "--report":
             yield _Wanted(option, *_FORMS[option], given)
-        elif (found := asked(given)) is None:
-            raise Unusable(order.words("replay-report", what=printable(given)))
+        elif (found := asked(given)) is None or refusal(given, order.words):
+            raise Unusable(refusal(given, order.words))
         else:
             what, name = found
-            suffix, suffixes = Path(name).suffix.lower(), suffixes_of(what)
-            if name and suffix not in suffixes:
-                typed = printable(given.split()[0].lower())
-                values = {"what": typed, "suffix": suffix, "suffixes": ", ".join(suffixes)}
-                raise Unusable(order.words("report-suffix", **values))
+            text = ".txt" if ".txt" in suffixes_of(what) else ".svg"
+            suffix = text if name == STANDARD_OUTPUT else Path(name).suffix.lower()
             yield _Wanted(option, what, suffix, name)
 
 
 def _report(order: Order, recording: Recording, closing: ExitStack) -> int:
-    """Write the requested files, as REPORT does, and print their content in words."""
+    """Write the requested files, as REPORT does, and print their content in words.
+
+    If a file is standard output, it is alone there, and no content is said.
+    """
     from donnie_tui.core.program_files import write_bytes
     from donnie_tui.core.reports import in_sentences, report
 
     words, line = order.words, order.output.line
     wanted = tuple(_wanted(order))
-    subject, legend = _subject(order, recording, closing)
+    is_taken = any(each.name == STANDARD_OUTPUT for each in wanted)
+    for each in wanted:
+        is_picture = each.suffix in (".png", ".gif") and each.name == STANDARD_OUTPUT
+        if is_picture and order.output.is_terminal:
+            raise Unusable(words("picture-at-terminal", option=each.option, file=f"run{each.suffix}"))
+    (subject, *others), legend = _subjects(order, recording, closing)
     for each in wanted:
         if not each.name:
             continue
+        content = report(each.what, f"report{each.suffix}", subject, words, others)
+        if each.name == STANDARD_OUTPUT:
+            order.output.data(content)
+            continue
         with as_unusable(words):
-            write_bytes(Path(each.name), report(each.what, f"report{each.suffix}", subject, words))
-        line(words("paper-written", path=each.name))
+            write_bytes(Path(each.name), content)
+        (order.output.complaint if is_taken else line)(words("paper-written", path=each.name))
+    if is_taken:
+        return ExitCode.DONE
     if any(each.name and each.what in ("run", "paper") for each in wanted):
         for said in legend:
             line(said)
     spoken = (each.what for each in wanted if each.what == "distances" or not each.name)
     for what in dict.fromkeys(spoken):
-        for said in in_sentences(what, subject, words):
-            line(said)
+        for about in (subject, *others):
+            for said in lines_with_robot_name(about.robot, in_sentences(what, about, words), words):
+                line(said)
     return ExitCode.DONE
 
 
-def _subject(order: Order, recording: Recording, closing: ExitStack) -> tuple[Subject, tuple[str, ...]]:
-    """The subject of REPORT, and the legend of the picture of the run with the goals of a challenge.
-
-    In a world of several robots moves and distances are those of the first that began.
-    """
+def _subjects(
+    order: Order, recording: Recording, closing: ExitStack
+) -> tuple[tuple[Subject, ...], tuple[str, ...]]:
+    """The subject of REPORT for each robot, and the legend of the picture with the goals of a challenge."""
     from donnie_tui.commands.lookup import words_in_lines
     from donnie_tui.core.reports import Subject
     from donnie_tui.core.timeline import Trail
@@ -284,11 +296,10 @@ def _subject(order: Order, recording: Recording, closing: ExitStack) -> tuple[Su
     timeline.go_to(len(timeline))
     if not timeline.robots:
         raise Unusable(words("trail-none"))
-    robot = timeline.robots[0]
-    trail = Trail(lambda: robot, len(timeline))
+    moves = Trail(most_moves=len(timeline))
     for stamped in timeline.events:
-        trail.on_event(stamped)
-    paths = trail.paths
+        moves.on_event(stamped)
+    paths = moves.paths
     scene = moved_to(world.scene, timeline.things)
     title = words("paper-title", name=world.title(words.language))
     challenge = order.invocation.arguments.challenge
@@ -296,25 +307,29 @@ def _subject(order: Order, recording: Recording, closing: ExitStack) -> tuple[Su
     moved = moved_things(timeline.events, world.scene)
     drawn = run_picture(title, drawings(scene), paths, words, goals, moved)
     driven = [path.pieces[-1] for path in paths]
-    own = [each for each in timeline.events if each.robot == robot]
-    lines: list[str] = []
-    for each in own:
-        if isinstance(each.event, RunStarted) and (how := each.event.how):
-            lines[how.first_line - 1 :] = how.text.splitlines()
     names = scene.robot_names
-    subject = Subject(
-        tuple(lines),
-        timeline.pose(robot) or world.start(),
-        picture(scene, robot if robot in names else next(iter(names), None)),
-        trail,
-        words_in_lines(words),
-        sections(words),
-        own,
-        run_picture=partial(as_picture, drawn),
-        plot_as_png=plot_as_png,
-        paper=partial(on_swell_paper, world, timeline.things, driven, words),
-    )
-    return subject, drawn.legend
+
+    def about(robot: str | None) -> Subject:
+        own = [each for each in timeline.events if each.robot == robot]
+        lines: list[str] = []
+        for each in own:
+            if isinstance(each.event, RunStarted) and (how := each.event.how):
+                lines[how.first_line - 1 :] = how.text.splitlines()
+        return Subject(
+            tuple(lines),
+            timeline.pose(robot) or world.start(),
+            picture(scene, robot if robot in names else next(iter(names), None)),
+            moves.of(robot),
+            words_in_lines(words),
+            sections(words),
+            own,
+            run_picture=partial(as_picture, drawn),
+            plot_as_png=plot_as_png,
+            paper=partial(on_swell_paper, world, timeline.things, driven, words),
+            robot=robot if len(timeline.robots) > 1 else None,
+        )
+
+    return tuple(map(about, timeline.robots)), drawn.legend
 
 
 # --- showing

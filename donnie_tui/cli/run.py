@@ -31,7 +31,7 @@ from donnie_tui.cli.streams import (
     stopped_by_suspension,
 )
 from donnie_tui.core.events import Answered, Outcome, Stamped
-from donnie_tui.core.program_files import is_same_file
+from donnie_tui.core.program_files import STANDARD_OUTPUT, is_same_file
 from donnie_tui.core.runner import LAST_WORDS, Run, RunRequest
 from donnie_tui.core.session import RunOptions
 from donnie_tui.core.transcript import printed_lines
@@ -68,7 +68,11 @@ def _program(file: str, words: Words) -> RunRequest:
 
 def refuse_overwriting(order: Order) -> None:
     """Raises ``Unusable`` if an output is an input of the command, or the file of another output."""
-    outputs = tuple((option, path_given(name, order.words)) for option, name in order.outputs)
+    printed = [option for option, name in order.outputs if name == STANDARD_OUTPUT]
+    if len(printed) > 1:
+        raise Unusable(order.words("output-twice", option=printed[0], other=printed[1], path=STANDARD_OUTPUT))
+    files = [each for each in order.outputs if each[1] != STANDARD_OUTPUT]
+    outputs = tuple((option, path_given(name, order.words)) for option, name in files)
     for (option, path), (other, other_path) in combinations(outputs, 2):
         if is_same_file(path, other_path):
             raise Unusable(order.words("output-twice", option=option, other=other, path=path))

@@ -46,11 +46,22 @@ class Output:
         """Write a line of the result, without anything that a terminal would obey."""
         self.text(f"{_shown(text)}\n")
 
+    @property
+    def is_terminal(self) -> bool:
+        return self.out.isatty()
+
     def text(self, text: str) -> None:
+        self._write(lambda: self.out.write(text))
+
+    def data(self, content: bytes) -> None:
+        """Write the content of a file."""
+        self._write(lambda: self.out.buffer.write(content))
+
+    def _write(self, write: Callable[[], int]) -> None:
         if self.is_broken:
             return
         try:
-            self.out.write(text)
+            write()
             self.out.flush()
         except BrokenPipeError:
             self._give_up(None)

@@ -17,7 +17,13 @@ import worlds.words
 from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.core.chart import colour_marks, shrunk, with_marks
 from donnie_tui.core.describe import MOST_ROBOTS, describe
-from donnie_tui.core.program_files import FilesInUse, exists, file_to_save, write_program
+from donnie_tui.core.program_files import (
+    STANDARD_OUTPUT,
+    FilesInUse,
+    exists,
+    file_to_save,
+    write_program,
+)
 from donnie_tui.core.wording import colour_initials, name_of, shade
 from donnie_tui.i18n.mistakes import world_note
 from donnie_tui.i18n.words import Unusable, Words, as_unusable
@@ -124,6 +130,10 @@ def describe_world(order: Order) -> int:
         (order.output.line if is_printed else order.output.complaint)(sentence)
     if arguments.json:
         order.output.text(_json(world) + "\n")
+        return ExitCode.DONE
+    if STANDARD_OUTPUT in (arguments.svg, arguments.brf):
+        page = _raised_picture if arguments.svg == STANDARD_OUTPUT else _braille_pages
+        order.output.data(page(world, words).encode())
         return ExitCode.DONE
     for line in _lines(arguments, world, words):
         order.output.line(line)

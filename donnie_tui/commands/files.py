@@ -11,7 +11,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from donnie_tui.commands.context import UNUSABLE, Context
+from donnie_tui.commands.context import Context
 from donnie_tui.commands.dispatch import confirm_replacing, handles
 from donnie_tui.commands.interaction import GivenUp, NotUnderstood, Option, read_count
 from donnie_tui.commands.lookup import words_in_lines
@@ -31,6 +31,7 @@ from donnie_tui.core.program_files import (
     saved_text,
     write_bytes,
 )
+from donnie_tui.i18n.words import Unusable
 
 if TYPE_CHECKING:
     from donnie_tui.core.document import Document
@@ -340,10 +341,15 @@ async def report(ctx: Context, argument: str) -> None:
     from donnie_tui.i18n.help import sections
     from donnie_tui.world.run_picture import as_picture, on_swell_paper, plot_as_png
 
-    wanted = reports.asked(argument)
-    if wanted is None:
+    if not argument:
         raise NotUnderstood
-    (what, name), words = wanted, ctx.words
+    words = ctx.words
+    what, name = reports.asked(argument) or ("", "")
+    name = reports.with_suffix(name, ".html")
+    if name:
+        page_to_save(name, ctx.workspace.files, ctx.donnie.in_use)  # a file in use is refused as such
+    if sentence := reports.refusal(argument, words):
+        raise Unusable(sentence)
     robot, timeline = ctx.donnie.session.hub.robot, ctx.donnie.chronicle.timeline()
     subject = reports.Subject(
         ctx.program.lines,
@@ -367,14 +373,7 @@ async def report(ctx: Context, argument: str) -> None:
     if not name:
         ctx.say(*ctx.counted(reports.in_sentences(what, subject, words)))
         return
-    path, suffixes = page_to_save(name, ctx.workspace.files, ctx.donnie.in_use), reports.suffixes_of(what)
-    suffix = path.suffix.lower()
-    if suffix not in suffixes:
-        typed = argument.split()[0].lower()
-        ctx.answer("report-suffix", what=typed, suffix=suffix, suffixes=", ".join(suffixes))
-        ctx.refuse(UNUSABLE)
-    else:
-        await _write_page(ctx, name, partial(reports.report, what, name, subject, words))
+    await _write_page(ctx, name, partial(reports.report, what, name, subject, words))
 
 
 def _run_picture(ctx: Context) -> RunPicture:

@@ -46,6 +46,8 @@ LONGEST_SILENCE = 10.0
 """Seconds in which something must be written into a pipe that is read."""
 
 SUFFIX = ".gd"
+STANDARD_OUTPUT = "-"
+"""The name by which an option means standard output."""
 
 
 class DocumentError(Exception):

@@ -17,18 +17,20 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, TypeAlias
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from devices.ports.robot import Bearing, Pose
 from donnie_tui.core.describe import place_of
 from donnie_tui.core.events import Moved, Read, RunEnded, RunStarted, Stamped, Turned, Waited, begins_anew
 from donnie_tui.core.map_grid import LEGS_SAID, path_in_words
 from donnie_tui.core.map_words import floor_in_words
-from donnie_tui.core.program_files import unquoted
+from donnie_tui.core.program_files import STANDARD_OUTPUT, unquoted
 from donnie_tui.core.program_text import ProgramText
 from donnie_tui.core.timeline import Trail
-from donnie_tui.core.wording import Wording, meant, shade, specific_name_of
+from donnie_tui.core.transcript import lines_with_robot_name, with_robot_name
+from donnie_tui.core.wording import Wording, keys_of, meant, shade, specific_name_of, spelled
 from language.keywords import argument_spelling
-from language.source import cleaned
+from language.source import cleaned, printable
 
 if TYPE_CHECKING:
     from sim.picture import Picture
@@ -68,18 +70,46 @@ class Subject(Struct, frozen=True):
     plot_as_png: Callable[[Plot], bytes] = lambda _plot: b""
     paper: Callable[[], str] = str
     """The world with the driven path for swell paper, as SVG."""
+    robot: str | None = None
+    """The robot's name, if the report is about several."""
 
 
 def asked(typed: str) -> tuple[str, str] | None:
     """Parse ``map map.html``: the subject of the report and the name of its file; None if it is unclear.
 
-    A report that fits in some sentences needs no file: its name is empty then.
+    A report that fits in some sentences needs no file: its name is empty then. A file alone, such as
+    ``map.html``, is about what its name means, else about the run.
     """
-    word, _blank, name = typed.strip().partition(" ")
+    word, _blank, name = (each.strip() for each in typed.strip().partition(" "))
     what = meant(word, "reports")
-    if what is None or not (name.strip() or what in _PICTURES):
+    file = unquoted(typed.strip())
+    if what is None and (file == word or file != typed.strip()) and (suffix := Path(file).suffix.lower()):
+        about = meant(Path(file).stem, "reports")
+        what, name = about if about is not None and suffix in suffixes_of(about) else "run", file
+    if what is None or not (name or what in _PICTURES):
         return None
-    return what, with_suffix(name.strip(), ".svg" if what == _PAPER else ".html")
+    if name == STANDARD_OUTPUT:
+        return what, name
+    return what, with_suffix(name, ".svg" if what == _PAPER else ".html")
+
+
+def refusal(typed: str, wording: Wording) -> str:
+    """Why there is no such report; empty if there is one."""
+    word = typed.split()[0] if typed.split() else ""
+    found = asked(typed)
+    if found is not None:
+        what, name = found
+        suffix, suffixes = Path(name).suffix.lower(), suffixes_of(what)
+        if not suffix or suffix in suffixes:
+            return ""
+        values = {"suffix": suffix, "suffixes": ", ".join(suffixes)}
+        return wording("report-suffix", what=spelled(what, wording.language, "reports"), **values)
+    if meant(word, "reports") is not None:
+        shown = printable(word.lower())
+        suffix = ".svg" if meant(word, "reports") == _PAPER else ".html"
+        return wording("report-without-file", what=shown, file=shown + suffix)
+    kinds = ", ".join(spelled(each, wording.language, "reports") for each in keys_of("reports"))
+    return wording("report-unknown", what=printable(word), kinds=kinds)
 
 
 def suffixes_of(what: str) -> tuple[str, ...]:
@@ -93,17 +123,22 @@ def with_suffix(typed: str, suffix: str) -> str:
     return name + suffix if name and not Path(name).suffix else name
 
 
-def report(what: str, name: str, subject: Subject, wording: Wording) -> bytes:
-    """The content of the file ``name``."""
+def report(what: str, name: str, subject: Subject, wording: Wording, others: Sequence[Subject] = ()) -> bytes:
+    """The content of the file ``name``. ``others``: the other robots that it is about."""
     suffix = Path(name).suffix.lower()
     if what == _PAPER:
         return subject.paper().encode()
     if suffix in _PICTURES.get(what, ()):
         if what == "run":
             return subject.run_picture(suffix)
-        plot = _plot(subject, wording)
+        plot = _plot((subject, *others), wording)
         return subject.plot_as_png(plot) if suffix == ".png" else plot_as_svg(plot).encode()
     sections = subject.manual if what == "manual" else (_SECTIONS[what](subject, wording),)
+    if others and what in _OF_ROBOTS:
+        more = (_SECTIONS[what](each, wording) for each in others)
+        sections = _of_robots((subject, *others), (*sections, *more), wording)
+        if suffix == ".csv":
+            sections = (_joined(sections),)
     if suffix == ".csv":
         return as_csv(sections).encode("utf-8", "replace")
     if suffix == ".txt":
@@ -115,10 +150,12 @@ def report(what: str, name: str, subject: Subject, wording: Wording) -> bytes:
 
 def beginnings(wording: Wording) -> tuple[str, ...]:
     """How its tables and pages begin."""
-    tables = (f"{','.join(_columns(wording, what))}\n" for what in _COLUMNS)
+    tables = [f"{','.join(_columns(wording, what))}\n" for what in _COLUMNS]
     page = as_html(wording("report-title", what=""), wording.language, ())
     seconds = wording("report-column-seconds")
-    return *tables, f"{seconds},", f"{seconds}\n", page.partition("</title>")[0]
+    tables += f"{seconds},", f"{seconds}\n"
+    robot = wording("report-column-robot")
+    return *tables, *(f"{robot},{each}" for each in tables), page.partition("</title>")[0]
 
 
 def in_sentences(what: str, subject: Subject, wording: Wording) -> Sequence[str]:
@@ -184,7 +221,7 @@ def _distances(subject: Subject, wording: Wording) -> Section:
     at = [dict(each.points) for each in series]
     rows = [(_number(t), *(_number(each[t]) if t in each else "" for each in at)) for t in times]
     columns = [wording("report-column-seconds"), *(each.name for each in series)]
-    drawing = plot_as_svg(_plot(subject, wording))
+    drawing = plot_as_svg(_plot((subject,), wording))
     lines = measured_in_words(series, wording)
     return Section(wording("report-distances"), lines, [columns, *rows], drawing)
 
@@ -193,9 +230,15 @@ def _measured(subject: Subject, wording: Wording) -> tuple[Series, ...]:
     return measured(subject.events, wording, subject.variables)
 
 
-def _plot(subject: Subject, wording: Wording) -> Plot:
-    series = _measured(subject, wording)
-    about = " ".join(measured_in_words(series, wording))
+def _plot(subjects: Sequence[Subject], wording: Wording) -> Plot:
+    series, said = list[Series](), list[str]()
+    for subject in subjects:
+        measured_of_it = _measured(subject, wording)
+        said += lines_with_robot_name(subject.robot, measured_in_words(measured_of_it, wording), wording)
+        series += (
+            replace(each, name=with_robot_name(subject.robot, each.name, wording)) for each in measured_of_it
+        )
+    about = " ".join(said)
     return plotted(wording("report-distances"), series, about, wording("report-column-seconds"))
 
 
@@ -203,6 +246,33 @@ _SECTIONS = {
     **{"help": _help, "list": _list, "map": _map},
     **{"trail": _trail, "run": _run, "distances": _distances},
 }
+
+_OF_ROBOTS = ("list", "trail", "run", "distances")
+"""The reports about one robot each."""
+
+
+def _of_robots(
+    subjects: Sequence[Subject], sections: Sequence[Section], wording: Wording
+) -> tuple[Section, ...]:
+    """The sections with the names of their robots, which are the first column of the tables.
+
+    A picture of the run has all robots, and is there once.
+    """
+    named = list[Section]()
+    for subject, each in zip(subjects, sections, strict=True):
+        heading = with_robot_name(subject.robot, each.heading, wording)
+        names = (wording("report-column-robot"), *[subject.robot or ""] * (len(each.rows) - 1))
+        rows = [(name, *row) for name, row in zip(names, each.rows, strict=True)]
+        is_again = any(each.drawing == other.drawing for other in named)
+        named.append(Section(heading, each.lines, rows, "" if is_again else each.drawing))
+    return tuple(named)
+
+
+def _joined(sections: Sequence[Section]) -> Section:
+    """One table with all rows and columns."""
+    columns = list(dict.fromkeys(name for each in sections for name in each.rows[0]))
+    rows = [dict(zip(each.rows[0], row, strict=True)) for each in sections for row in each.rows[1:]]
+    return Section("", rows=[columns, *([row.get(name, "") for name in columns] for row in rows)])
 
 
 # --- what was measured, over the time

@@ -12,6 +12,7 @@ from __future__ import annotations
 from array import array
 from collections import deque
 from collections.abc import Callable, Iterable, Sequence
+from copy import copy
 from itertools import accumulate, pairwise
 from math import hypot
 from typing import TypeAlias
@@ -594,6 +595,12 @@ class Trail:
             path = self._paths.get(robot)
             if path is None or apart(path.visits[-1][0], event.how.pose) > SAME_PLACE:
                 self._paths[robot] = _GrowingPath([(event.how.pose, 0.0)])
+
+    def of(self, robot: str | None) -> Trail:
+        """The same moves and paths, as those of that robot."""
+        same = copy(self)
+        same._of = lambda: robot
+        return same
 
     def in_words(self, count: int, wording: Wording) -> tuple[str, ...]:
         """The last ``count`` moves, a sentence each."""

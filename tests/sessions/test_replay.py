@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 import signal
 from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
 
+from donnie_tui.cli.streams import Output
 from tests.sessions.command import QUIET, donnie, start
 from tests.sessions.here import PROGRAM, Here
 from tests.timeouts import TIMEOUT
@@ -336,8 +338,11 @@ def test_a_table_of_distances_and_speed_is_written_with_its_sentences(here: Here
 @pytest.mark.parametrize(
     ("given", "sentence"),
     [
-        (("--report", "tea"), 'I can\'t report tea. Say for example: --report "distances plot.svg".'),
-        (("--report", "map"), 'I can\'t report map. Say for example: --report "distances plot.svg".'),
+        (
+            ("--report", "tea"),
+            "I can't report tea. I can report help, list, manual, map, trail, run, distances, paper.",
+        ),
+        (("--report", "map"), "A report of map needs a file: map.html."),
         (("--report", ""), "The option --report needs a value. The option --help says more."),
         (
             ("--report", "map m.png"),
@@ -347,6 +352,7 @@ def test_a_table_of_distances_and_speed_is_written_with_its_sentences(here: Here
         (("--csv", "mine.csv"), "--csv would overwrite mine.csv, which is something else."),
         (("--csv", "a.rec"), "--csv would overwrite a.rec, which is read here."),
         (("--csv", "d.csv", "--step"), "--csv and --step do not go together."),
+        (("--svg", "-", "--csv", "-"), "--svg and --csv can't both write -. Give two names."),
         (
             ("--csv", "d.csv", "--report", "run d.csv"),
             "--csv and --report can't both write d.csv. Give two names.",
@@ -363,3 +369,80 @@ def test_a_report_that_can_not_be_written_is_refused(
     assert (done.returncode, done.out) == (2, [])
     assert done.err[-1].startswith(sentence)
     assert (here.folder / "mine.csv").read_text() == "name,mark\nAna,9\n"
+
+
+@pytest.mark.parametrize(
+    ("given", "file"),
+    [
+        (("--svg", "{}"), "run.svg"),
+        (("--png", "{}"), "run.png"),
+        (("--gif", "{}"), "run.gif"),
+        (("--swell", "{}"), "sheet.svg"),
+        (("--csv", "{}"), "d.csv"),
+        (("--report", "run {}"), "run.txt"),
+        (("--report", "paper {}"), "paper.svg"),
+    ],
+)
+def test_a_file_called_minus_is_standard_output_with_the_same_bytes_and_nothing_else(
+    here: Here, given: tuple[str, str], file: str
+) -> None:
+    here.record("FW 2\nSPEAK DISTANCE F\nFW 1", "--world", "living_room")
+    here.replay(given[0], given[1].format(file))
+    (here.folder / "-").write_text("mine")  # a file of that name is nothing to Donnie
+
+    done = donnie(here.folder, "replay", "a.rec", given[0], given[1].format("-"))
+
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert done.stdout == (here.folder / file).read_bytes()
+    assert (here.folder / "-").read_text() == "mine"
+
+
+def test_another_file_is_named_elsewhere_while_one_is_standard_output(here: Here) -> None:
+    here.record("FW 2")
+
+    done = here.donnie("replay", "a.rec", "--csv", "-", "--png", "a.png")
+
+    assert (done.returncode, done.err) == (0, ["I wrote a.png."])
+    assert done.out == ["seconds,speed", "0,1", "2,1"]
+
+
+def test_a_terminal_gets_no_bytes_of_a_picture(here: Here, monkeypatch: pytest.MonkeyPatch) -> None:
+    here.record("FW 2")
+    monkeypatch.setattr(Output, "is_terminal", True)
+
+    done = here.donnie("replay", "a.rec", "--png", "-")
+
+    assert (done.returncode, done.out) == (2, [])
+    assert done.err == ["A terminal can't show a picture. Give a file: --png run.png."]
+    assert here.donnie("replay", "a.rec", "--svg", "-").out[0].startswith("<svg ")
+
+
+def test_each_robot_is_reported(here: Here) -> None:
+    record_two(here)
+
+    here.replay("--report", "run run.csv")
+    here.replay("--report", "run run.txt")
+    here.replay("--report", "run run.html")
+    here.replay("--csv", "d.csv")
+    here.replay("--report", "distances d.svg")
+    said = here.replay("--report", "run")
+
+    rows = [line.split(",") for line in (here.folder / "run.csv").read_text().splitlines()]
+    assert rows[0] == ["robot", "command", "done", "x", "y", "heading", "blocked"]
+    assert {row[0] for row in rows[1:]} == {"alice", "bob"}
+    starts = [line for line in said if "The path starts at" in line]
+    assert [line.partition(":")[0] for line in starts] == ["alice", "bob"]
+    text = (here.folder / "run.txt").read_text()
+    assert [line for line in text.splitlines() if line.endswith(": The run")] == [
+        "alice: The run",
+        "bob: The run",
+    ]
+    page = (here.folder / "run.html").read_text()
+    assert (page.count("<h2>"), page.count("<svg "), page.count("<table>")) == (2, 1, 2)
+    table = (here.folder / "d.csv").read_text().splitlines()
+    assert table[0].startswith("robot,seconds,speed")
+    assert {row.partition(",")[0] for row in table[1:]} == {"alice", "bob"}
+    assert {"alice: speed", "bob: speed"} <= {
+        *re.findall(r">([^<>]*)</text>", (here.folder / "d.svg").read_text())
+    }
+    here.replay("--csv", "d.csv")  # an earlier table of Donnie's is replaced

@@ -202,3 +202,16 @@ def test_every_file_next_to_the_worlds_is_used_by_one_of_them() -> None:
         for file in folder.glob("*.cfg"):
             (named,) = re.findall(r'worldfile "(.*)"', file.read_text(encoding="utf-8"))
             assert (folder / named).is_file()
+
+
+@pytest.mark.parametrize(("option", "name"), [("--svg", "a.svg"), ("--brf", "a.brf")])
+def test_a_page_called_minus_is_written_to_standard_output(
+    option: str, name: str, folder: Path, capfdbinary: pytest.CaptureFixture[bytes]
+) -> None:
+    assert main(["world", "living_room", option, name]) == 0
+    capfdbinary.readouterr()
+
+    assert main(["world", "living_room", option, "-"]) == 0
+
+    assert capfdbinary.readouterr() == ((folder / name).read_bytes(), b"")
+    assert not (folder / "-").exists()

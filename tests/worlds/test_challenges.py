@@ -611,6 +611,22 @@ def test_a_link_in_a_circle_is_a_sentence(
     assert capsys.readouterr() == ("", "No puedo crear circle.gd: ya hay un archivo con ese nombre.\n")
 
 
+def test_a_table_called_minus_is_standard_output_and_the_verdicts_are_elsewhere(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("right.gd").write_text("FW 5")
+    check = ["challenge", "check", "1", "right.gd", "--lang", "en", "--csv"]
+    main([*check, "t.csv"])
+    said = capsys.readouterr().out
+
+    assert main([*check, "-"]) == 0
+    assert capsys.readouterr() == (Path("t.csv").read_text(), said)
+    assert main([*check, "-", "--json"]) == 2
+    assert capsys.readouterr() == ("", "--csv and --json do not go together.\n")
+    assert [each.name for each in Path().iterdir() if each.name == "-"] == []
+
+
 def test_long_names_of_pupils_are_shortened_for_their_answers(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -212,6 +212,7 @@ def test_looking_back_at_a_run_ends_at_its_start_and_a_step_goes_forward_again(
 
 
 PUT, THING = wrong("PUT box red 4 6"), wrong("MOVE treasure 2 0")
+REPORTS = "help, list, manual, map, trail, run, distances, paper"
 ELSEWHERE: dict[str, tuple[str, tuple[tuple[str, list[str]], ...]]] = {
     "building": (
         "open_floor",
@@ -299,7 +300,11 @@ ELSEWHERE: dict[str, tuple[str, tuple[tuple[str, list[str]], ...]]] = {
             *((each, ["There is nothing to save."]) for each in ("SAVE", "SAVE AS")),
             ("OPEN zzz", ["There is no file zzz."]),
             ("SAVE LOG", [NOTHING_SAID]),
-            *((each, wrong("REPORT map map.html")) for each in ("REPORT", "REPORT x", "REPORT zzz.html")),
+            ("REPORT", wrong("REPORT map map.html")),
+            ("REPORT x", [f"I can't report x. I can report {REPORTS}."]),
+            ("REPORT zzz zzz.html", [f"I can't report zzz. I can report {REPORTS}."]),
+            ("REPORT map", ["A report of map needs a file: map.html."]),
+            ("REPORT paper", ["A report of paper needs a file: paper.svg."]),
             ("RECOVER", ["There is nothing to recover."]),
             *((f"EXAMPLES {each}", wrong("EXAMPLES 2")) for each in ("0", "8", "x")),
             ("EXAMPLES 1", ["Opened A square, 4 lines."]),

@@ -325,6 +325,15 @@ def test_what_has_no_such_form_is_refused(
     assert not [*tmp_path.glob("*.png"), *tmp_path.glob("*.gif")]
 
 
+def test_a_picture_of_the_run_needs_no_more_than_its_name(open_script: OpenScript, tmp_path: Path) -> None:
+    script = open_script()
+    script.run("FW 2")
+    script.rest()
+
+    assert script.answers_to("REPORT lesson.svg") == ["Wrote lesson.svg."]
+    assert "2 steps in all." in (tmp_path / "lesson.svg").read_text()
+
+
 def test_the_driven_path_is_felt_on_a_sheet_for_swell_paper(open_script: OpenScript, tmp_path: Path) -> None:
     script = open_script()
     script.run("FW 2\nTR 90\nFW 1")

@@ -34,6 +34,7 @@ from donnie_tui.core.reports import (
     measured,
     measured_in_words,
     plotted,
+    refusal,
     report,
     suffixes_of,
 )
@@ -328,6 +329,7 @@ def test_a_plot_of_huge_values_and_late_times_is_drawn():
     assert plotted("t", [Series("a", ((1e17, 3),), "distance")], "", "s").dots == ((96.0, 34.0),)
 
 
+ENGLISH = "help, list, manual, map, trail, run, distances, paper"
 TABLES = {
     "help": [["how it is typed", "what it does"], ["FW n", "walks: n steps"]],
     "list": [["line", "level", "text"], ["1", "0", "REPEAT 2 TIMES"], ["2", "1", "FW 1"]],
@@ -379,9 +381,61 @@ def test_how_the_name_of_a_file_may_end_depends_on_what_it_is_about() -> None:
     assert asked("run run") == ("run", "run.html")
     assert asked("run") == ("run", "")
     assert asked("map") is None
+    assert asked("paper -") == ("paper", "-")
     assert ".svg" not in suffixes_of("map")
     assert {".svg", ".png", ".gif"} < {*suffixes_of("run")}
     assert {".svg", ".png"} < {*suffixes_of("distances")}
+
+
+@pytest.mark.parametrize(
+    ("typed", "what", "name"),
+    [
+        ("run.svg", "run", "run.svg"),
+        ("lesson.PNG", "run", "lesson.PNG"),
+        ("aula.gif", "run", "aula.gif"),
+        ("monday.html", "run", "monday.html"),
+        ('"my lesson.svg"', "run", "my lesson.svg"),
+        ("pages/map.html", "map", "pages/map.html"),
+        ("trilha.csv", "trail", "trilha.csv"),
+        ("distancias.svg", "distances", "distancias.svg"),
+        ("papel.svg", "paper", "papel.svg"),
+        ("map.svg", "run", "map.svg"),
+    ],
+)
+def test_a_file_alone_is_about_what_its_name_means_else_about_the_run(
+    typed: str, what: str, name: str
+) -> None:
+    assert asked(typed) == (what, name)
+    assert refusal(typed, Words()) == ""
+
+
+@pytest.mark.parametrize(
+    ("language", "typed", "sentence"),
+    [
+        ("en", "tea tea.html", f"I can't report tea. I can report {ENGLISH}."),
+        ("en", "tea", f"I can't report tea. I can report {ENGLISH}."),
+        (
+            "pt",
+            "chá",
+            "Não posso relatar chá. Posso relatar"
+            " ajuda, listar, manual, mapa, trilha, percurso, distâncias, papel.",
+        ),
+        (
+            "es",
+            "té",
+            "No puedo informar té. Puedo informar"
+            " ayuda, lista, manual, mapa, rastro, recorrido, distancias, papel.",
+        ),
+        ("es", "mapa", "Un informe de mapa pide un archivo: mapa.html."),
+        (
+            "en",
+            "run.bmp",
+            "A report of run can't end in .bmp. It can in .html, .htm, .csv, .txt, .svg, .png, .gif.",
+        ),
+    ],
+)
+def test_a_wrong_word_gets_the_list_of_what_can_be_reported(language: str, typed: str, sentence: str) -> None:
+    assert refusal(typed, Words(language)) == sentence
 
 
 def test_no_word_of_a_plot_touches_another_and_all_is_on_it() -> None:

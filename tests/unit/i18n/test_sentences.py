@@ -86,6 +86,7 @@ AS_IN_ENGLISH = {
     "pane-inspector": ("es",),
     "reading-colour": ("es",),
     "report-column-color": ("es",),
+    "report-column-robot": ("es",),
     "report-title": ("pt", "es"),
     "setting-mouse": ("pt",),
     "spell-ampersand": ("es",),
