@@ -331,6 +331,10 @@ def _written(option: str, path: str, text: str, words: Words) -> str:
 def _report(scene: Scene, words: Words) -> tuple[str, ...]:
     report = scene.report
     names = ", ".join(PurePath(each).name for each in report.files)
+    folder = Path(worlds.SCENES).resolve()
+    needed = [each for each in map(Path, (*report.files, *report.pictures)) if each.parent == folder]
+    is_outside = bool(needed) and Path(report.files[0]) not in needed
+    for_stage = {"files": ", ".join(each.name for each in needed), "folder": folder}
     models = ", ".join(f"{count} {type_}" for type_, count in report.loaded)
     pushable = sum(model.pushable for model in scene.models if model.parent is None)
     remarks = Counter(
@@ -338,6 +342,7 @@ def _report(scene: Scene, words: Words) -> tuple[str, ...]:
     )
     return (
         words("report-files", count=len(report.files), files=names),
+        *((words("report-stage", **for_stage),) if is_outside else ()),
         words("report-loaded", models=models or "0"),
         *_robots(scene, words),
         *((words("report-pushable", count=pushable),) if pushable else ()),

@@ -2,11 +2,13 @@
 
 import re
 import shlex
+import shutil
 from pathlib import Path
 
 import pytest
 
 from donnie_tui.i18n.words import Words
+from sim.worldfile import load_world
 from tests.conftest import ROOT
 from tests.sessions.command import QUIET, donnie
 
@@ -66,8 +68,27 @@ def test_every_thing_is_named_on_the_page(language: str, page: str) -> None:
 def test_the_files_for_paper_are_written_as_the_page_says(language: str, page: str, tmp_path: Path) -> None:
     text = (ROOT / page).read_text(encoding="utf-8")
     donnie(tmp_path, "world", "new", "sala", "--lang", language)
-    commands = [line for line in text.splitlines() if re.match(r"    donnie world sala.world", line)]
+    commands = [
+        line for line in text.splitlines() if re.match(r"    donnie world sala.world --(?:brf|svg)", line)
+    ]
 
     assert len(commands) == 2
     assert [donnie(tmp_path, *shlex.split(each)[1:]).returncode for each in commands] == [0, 0]
     assert sorted(each.name for each in tmp_path.iterdir()) == ["sala.brf", "sala.svg", "sala.world"]
+
+
+@pytest.mark.parametrize(("language", "page"), PAGES)
+def test_stage_needs_what_the_page_says_from_the_folder_of_the_report(
+    language: str, page: str, tmp_path: Path
+) -> None:
+    text = (ROOT / page).read_text(encoding="utf-8")
+    *_, world = re.findall(r"^    donnie world (\w+\.world) --report", text, re.MULTILINE)
+    (quoted,) = re.findall(r"^> (.*inc, .*) [A-Z]+\.$", text, re.MULTILINE)
+    donnie(tmp_path, "world", "new", world, "--lang", language)
+
+    printed = donnie(tmp_path, "world", world, "--report", "--lang", language).stdout.decode()
+
+    (folder,) = re.findall(rf"^{re.escape(quoted)} (.*)\.$", printed, re.MULTILINE)
+    for name in re.findall(r"\w+\.inc", quoted):
+        shutil.copy(Path(folder, name), tmp_path)
+    assert load_world(tmp_path / world).robot_names == ("donnie",)  # what the folder has is enough
