@@ -72,7 +72,7 @@ def test_it_starts_inside_of_the_room_that_is_drawn_around_its_place(
     assert abs(found.y * STEP - y) <= most + 1e-9
 
 
-def test_it_starts_beside_the_table_of_a_small_room(tmp_path: Path) -> None:
+def test_it_starts_next_to_the_table_of_a_small_room(tmp_path: Path) -> None:
     """A table of 0.4 m on 0, 0 in a room of 1 m: between the table and the wall are 0.3 m."""
     room = "model( boundary 1 size [ 1.02 1.02 0.24 ] )\nmodel( size [ 0.4 0.4 0.3 ] )"
 
