@@ -139,12 +139,15 @@ class _Drawing:
         """Whether the legend says that there is no robot."""
         self._scale = 1
         """Steps that a letter is wide and high."""
-        lines = [each.rstrip(" ") for each in text.splitlines()]
-        begin = next((at for at, each in enumerate(lines) if each), 0)
+        self._goes_on = False
+        """Whether rows follow after an empty line."""
+        lines = [each.rstrip() for each in text.splitlines()]
+        rows = (at for at, each in enumerate(lines) if each and not _LEGEND_LINE.match(each))
+        begin = next(rows, 0)
         ends = (at for at, each in enumerate(lines) if at >= begin and (not each or _LEGEND_LINE.match(each)))
         end = next(ends, len(lines))
-        for number, line in enumerate(lines[end:], start=end + 1):
-            if line.strip():
+        for number, line in enumerate(lines, start=1):
+            if line.strip() and not begin < number <= end:
                 self._read_legend(number, line)
         walls = [letter for letter, each in self._things.items() if each.kind == things.WALL]
         self._rows = [each.translate(dict.fromkeys(map(ord, walls), WALL)) for each in lines[begin:end]]
@@ -162,9 +165,12 @@ class _Drawing:
             self._has_none = True
         elif steps and _is_sentence(text, "map-scale", steps=steps):
             self._scale = min(LARGEST_SCALE, steps)
+        elif text == first and text[0] in (WALL, FREE):
+            if not self._goes_on:
+                self._slip("drawing-gap", number, line.index(first) + 1)
+            self._goes_on = self._has_none = True
         elif found is None or letter in self._places:
             code = "drawing-letter-twice" if found else "drawing-legend"
-            code = "drawing-gap" if {*text} <= {WALL, FREE} else code
             self._slip(code, number, line.index(first) + 1, letter=letter, found=first[:40])
         elif letter[0] in ARROWS:
             self._names, self._places[ARROWS] = names, (number, 1)
@@ -202,9 +208,9 @@ class _Drawing:
             self._slip("drawing-empty", 0, 0)
         if len(rows) > MOST_SIDE:
             self._slip_at("drawing-high", (MOST_SIDE, 0), most=MOST_SIDE)
-        for row, line in enumerate(rows):
-            if len(line) > MOST_SIDE:
-                self._slip_at("drawing-wide", (row, MOST_SIDE), most=MOST_SIDE)
+        wide = next((row for row, line in enumerate(rows) if len(line) > MOST_SIDE), None)
+        if wide is not None:
+            self._slip_at("drawing-wide", (wide, MOST_SIDE), most=MOST_SIDE)
         if len(self._slips) > of_legend:
             self._refuse_slips()
 

@@ -94,6 +94,17 @@ def test_the_legend_may_begin_without_an_empty_line(tmp_path: Path, first: str) 
     )
 
 
+@pytest.mark.parametrize("between", ["", "\n"])
+def test_the_legend_may_come_first(tmp_path: Path, between: str) -> None:
+    rows, legend = ROOM.split("\n\n")
+
+    assert written(f"{legend}{between}{rows}\n", tmp_path) == written(ROOM, tmp_path)
+
+
+def test_blanks_and_tabs_after_a_row_have_no_effect(tmp_path: Path) -> None:
+    assert written(ROOM.replace("#\n", "#\t \n"), tmp_path) == written(ROOM, tmp_path)
+
+
 def test_an_orange_box_is_a_box_and_an_orange_is_an_orange(tmp_path: Path) -> None:
     seen = written(ROOM.replace("chair green AS throne", "orange").replace("box red", "orange box"), tmp_path)
 
@@ -301,6 +312,20 @@ def test_two_robots_are_named_under_the_drawing(tmp_path: Path) -> None:
             ],
         ),
         (
+            "#####\n#...#\n\n#.^.#\n#####\n\nc chair\n",
+            [
+                "Error, map.txt, line 4, column 1: "
+                "The drawing goes on here after an empty line. Delete that line."
+            ],
+        ),
+        (
+            ("." * 500 + "\n") * 500,
+            [
+                "Error, map.txt, line 1, column 401: The line is too long: 400 letters at most.",
+                "Error, map.txt, line 401, column 1: Too many lines: 400 at most.",
+            ],
+        ),
+        (
             "." * 401 + "\n",
             ["Error, map.txt, line 1, column 401: The line is too long: 400 letters at most."],
         ),
@@ -309,7 +334,7 @@ def test_two_robots_are_named_under_the_drawing(tmp_path: Path) -> None:
             ["Error, map.txt, line 401, column 1: Too many lines: 400 at most."],
         ),
     ],
-    ids=map(str, range(1, 27)),
+    ids=map(str, range(1, 29)),
 )
 def test_every_mistake_in_a_drawing_has_its_place(drawing: str, sentences: list[str]) -> None:
     count = len(sentences)
