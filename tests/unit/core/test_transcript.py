@@ -1,12 +1,15 @@
 """The lines that are printed, shown and spoken: printable, short, never more than the event says."""
 
 import io
+from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace as Part
+from typing import Any
 
 import pytest
 
 from devices.ports.audio import Cue, Urgency, Utterance
-from devices.ports.robot import Pose
+from devices.ports.robot import Pose, StoppedBy
 from donnie_tui.core.answer_log import TranscriptLog, next_log
 from donnie_tui.core.events import (
     Announced,
@@ -18,10 +21,20 @@ from donnie_tui.core.events import (
     SoundSwitched,
     Spoke,
     Stamped,
+    Turned,
     Waited,
 )
 from donnie_tui.core.outlets import Cues, Voice
-from donnie_tui.core.transcript import LONGEST_SOURCE, MOST_MOVEMENTS, History, lines_of
+from donnie_tui.core.transcript import (
+    LONGEST_SOURCE,
+    MOST_MOVEMENTS,
+    History,
+    SentencePublisher,
+    lines_of,
+    lines_with_robot_name,
+    printed_lines,
+    with_robot_name,
+)
 from donnie_tui.i18n.words import Words
 
 
@@ -161,3 +174,118 @@ def test_the_history_keeps_the_newest_movements_and_counts_the_others() -> None:
 
     assert [each.done for each in history.movements] == [3, 4, 5]
     assert (history.forgotten, MOST_MOVEMENTS) == (2, 10_000)
+
+
+# --- sentences about a robot
+
+
+def said(do: Callable[[SentencePublisher], object]) -> list[tuple[str, str]]:
+    published: list[Announced] = []
+    hub: Any = Part(publish=published.append)
+    do(SentencePublisher(hub, Words()))
+    return [(each.code, each.text) for each in published]
+
+
+HERE = Pose(2.6, -3.4, 90.2)
+WALKED = Moved("FW 3", 3, 2, StoppedBy.OBSTACLE, HERE, True)
+TURNED = Turned("TR 90", 90, 90, None, HERE, True)
+
+
+NONE = "No command executed, position [2,-3,90]."
+WALK = "Command 1 was FW 3, walked 2, crashed, position [2,-3,90]."
+TURN = "Command 2 was TR 90, turned 90, didn't crash, position [2,-3,90]."
+
+
+def past(*events: Moved | Turned) -> History:
+    history = History(2)
+    for each in events:
+        history.remember(each)
+    return history
+
+
+def test_the_state_is_the_last_movement_or_that_there_was_none() -> None:
+    for events, sentence in (((), NONE), ((WALKED,), WALK), ((WALKED, TURNED), TURN)):
+        assert said(lambda it, events=events: it.state(past(*events).last, HERE)) == [("state", sentence)]
+    assert said(lambda it: it.no_history(HERE)) == [("history", NONE)]
+
+
+def test_a_history_begins_with_how_many_movements_are_forgotten() -> None:
+    history = past(WALKED, TURNED)
+    assert said(lambda it: it.history(history.movements)) == [("history", WALK), ("history", TURN)]
+    history.remember(TURNED)
+    assert history.forgotten == 1
+    codes = [code for code, _ in said(lambda it: it.history(history.movements, history.forgotten))]
+    assert codes == ["history"] * 3
+    assert said(lambda it: it.history((), 4))[0][1] == Words()("history-forgotten", count=4)
+
+
+def test_a_movement_that_lost_the_link_has_not_crashed() -> None:
+    for stopped_by, crashed in ((None, False), (StoppedBy.LINK, False), (StoppedBy.STALL, True)):
+        last = past(Moved("FW 3", 3, 2, stopped_by, HERE, True)).last
+        assert last is not None
+        assert last.crashed == crashed
+    history = past(WALKED)
+    history.forget()
+    assert (history.last, history.forgotten) == (None, 0)
+    history.remember(TURNED)
+    assert history.movements[0].number == 1
+
+
+@pytest.mark.parametrize(
+    ("do", "announced"),
+    [
+        (lambda it: it.waiting(0), []),
+        (lambda it: it.waiting(1), [("waiting", "Waiting 1 second.")]),
+        (lambda it: it.belt(True), [("belt", "Belt on.")]),
+        (lambda it: it.belt(False), [("belt", "Belt off.")]),
+        (lambda it: it.overwritten("a"), [("hint", Words()("overwritten", name="a"))]),
+        (lambda it: it.position(HERE), [("position", "Position 2, -3. Facing east.")]),
+        (lambda it: it.place("start", HERE), [("start", "Position 2, -3. Facing east.")]),
+        (lambda it: it.announce("belt-on"), [("belt-on", "Belt on.")]),
+    ],
+)
+def test_a_sentence_is_announced_with_its_code(do: Any, announced: list[tuple[str, str]]) -> None:
+    assert said(do) == announced
+
+
+def test_the_help_is_announced_line_by_line() -> None:
+    assert said(lambda it: it.help("FW")) == [("help", each) for each in Words().help("FW")]
+
+
+@pytest.mark.parametrize(
+    ("event", "lines"),
+    [
+        (Announced("hint", "a\nb"), ("bob: a", "bob: b")),
+        (Spoke(""), ("bob: ",)),
+        *((Announced(code, "a"), ("a",)) for code in ("help", "more-mistakes", "driven", "clients")),
+    ],
+)
+def test_lines_of_a_robot_have_its_name_unless_they_are_about_none(
+    event: Event, lines: tuple[str, ...]
+) -> None:
+    words = Words()
+
+    assert tuple(each.rstrip() for each in printed_lines(Stamped(1, 0.0, event, "bob"), words)) == tuple(
+        each.rstrip() for each in lines
+    )
+    assert printed_lines(Stamped(1, 0.0, event), words) == lines_of(event, words)
+
+
+def test_a_robots_name_is_before_the_first_of_its_lines() -> None:
+    words = Words()
+
+    assert lines_with_robot_name("bob", ("a", "b"), words) == ("bob: a", "b")
+    assert lines_with_robot_name(None, ("a", "b"), words) == ("a", "b")
+    assert lines_with_robot_name("bob", (), words) == ()
+    assert with_robot_name("bob", "a", words) == "bob: a"
+    assert with_robot_name(None, "a", words) == "a"
+
+
+def test_at_detail_full_a_mistake_lists_its_calls_up_to_ten() -> None:
+    error = Error("k", 3, 2, "Wrong.", "Hint.", "FW x", calls=tuple(range(1, 13)))
+    few = ["Error, line 3, column 2: Wrong.", "Line 3: FW x", "Hint."]
+
+    assert [*lines_of(error, Words())] == few
+    found = [*lines_of(error, Words("en", "full"))]
+    assert found[:3] == few
+    assert found[3:] == [Words()("called-from", line=line) for line in range(1, 11)]
