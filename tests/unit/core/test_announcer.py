@@ -3,13 +3,14 @@
 import pytest
 from msgspec.structs import replace
 
-from devices.ports.robot import Met, Motion, StoppedBy
+from devices.ports.robot import Grip, Met, Motion, Pushed, StoppedBy
 from donnie_tui.core.announcer import Announcer
 from donnie_tui.core.events import (
     Announced,
     CueSounded,
     Driven,
     Event,
+    GripperUsed,
     HowStarted,
     Link,
     Moved,
@@ -23,6 +24,7 @@ from donnie_tui.core.events import (
 )
 from donnie_tui.core.hub import Hub
 from donnie_tui.core.transcript import SentencePublisher
+from donnie_tui.core.wording import position_in_words
 from donnie_tui.i18n.words import Words
 from tests.floor import Floor
 from tests.unit.core.values import HERE
@@ -324,3 +326,97 @@ def test_a_stop_sounds_on_the_side_to_which_the_robot_moved(event: Event, cue: s
     cues = [each for each in answers_to(event) if isinstance(each, CueSounded)]
 
     assert [(each.name, each.bearing) for each in cues] == [(cue, bearing)]
+
+
+# --- after the sentence of a movement
+
+
+def announced_after(event: Event, detail: str = "normal") -> list[tuple[str, str]]:
+    """The announcements after the first."""
+    return [
+        (each.code, each.text) for each in answers_to(event, "en", detail) if isinstance(each, Announced)
+    ][1:]
+
+
+def cone(steps: float) -> Pushed:
+    return Pushed("cone", "", "red", steps)
+
+
+@pytest.mark.parametrize("event", [walked(3, 3), turned(90, 90)])
+@pytest.mark.parametrize(
+    ("steps", "pushed"),
+    [
+        ((0.1,), ["little"]), ((0.09,), []), ((0.5,), ["little"]), ((0.51,), ["1"]), ((2.4,), ["2"]),
+        ((1, 2, 3), ["1", "2", "3"]), ((1, 2, 3, 4), ["1", "2", "3", "more 1"]),
+        ((1, 2, 0.0, 3), ["1", "2", "3"]), ((1, 2, 3, 4, 5), ["1", "2", "3", "more 2"]),
+    ],
+)  # fmt: skip
+def test_what_was_pushed_is_announced_up_to_three_things(
+    event: Moved | Turned, steps: tuple[float, ...], pushed: list[str]
+) -> None:
+    words, thing = Words(), "the red cone"
+    sentences = {"little": words("pushed-little", thing=thing)}
+    sentences |= {str(each): words("pushed", thing=thing, steps=each) for each in range(1, 6)}
+    sentences |= {f"more {each}": words("pushed-more", count=each) for each in (1, 2)}
+    moved = replace(event, pushed=tuple(map(cone, steps)))
+
+    assert announced_after(moved) == [("pushed", sentences[each]) for each in pushed]
+    assert announced_after(moved, "brief") == []
+
+
+@pytest.mark.parametrize(("event", "code"), [(walked(3, 3), "moved"), (turned(90, 90), "turned")])
+def test_at_detail_full_the_place_follows_and_what_was_met(event: Moved | Turned, code: str) -> None:
+    words, place = Words("en", "full"), position_in_words(HERE, Words("en", "full"))
+    assert announced_after(event, "full") == [(code, place)]
+    still = replace(event, walked=0) if isinstance(event, Moved) else replace(event, turned=0)
+    assert announced_after(still, "full") == []
+    assert announced_after(event) == []
+
+    met = replace(event, met=Met("wall", "", 90.0), pushed=(cone(2),))
+    assert announced_after(met, "full") == [
+        (code, words("met", name=words("met-wall"), where=words("around-right"))),
+        ("pushed", words("pushed", thing="the red cone", steps=2)),
+        (code, place),
+    ]
+    assert announced_after(met) == [("pushed", words("pushed", thing="the red cone", steps=2))]
+
+
+@pytest.mark.parametrize(
+    ("kind", "name", "said"),
+    [
+        ("robot", "bob", "bob"), ("robot", "", "met-robot"), ("wall", "north", "met-wall"),
+        ("something", "x", "met-something"),
+    ],
+)  # fmt: skip
+def test_an_obstacle_has_its_name_or_its_kind(kind: str, name: str, said: str) -> None:
+    words = Words("en", "full")
+    named = words(said) if words.knows(said) else said
+    event = replace(walked(3, 0), met=Met(kind, name, 0.0))
+
+    assert announced_after(event, "full")[0] == (
+        "moved",
+        words("met", name=named, where=words("around-front")),
+    )
+
+
+THINGS = (("", "", "", ""), ("gold", "", "", "gold"), ("", "box", "red", "the red box"), ("", "", "red", ""))
+GRIPS = [
+    *(
+        (outcome, cue, thing)
+        for outcome, cue in ((Grip.GRIPPED, "grip"), (Grip.RELEASED, "release"))
+        for thing in THINGS
+    ),
+    *((Grip.HOLDS_ALREADY, "nothing", thing) for thing in THINGS),
+    *((outcome, "nothing", THINGS[0]) for outcome in (Grip.NOTHING_THERE, Grip.HOLDS_NOTHING)),
+]
+
+
+@pytest.mark.parametrize(("outcome", "cue", "thing"), GRIPS)
+def test_the_gripper_has_its_cue_and_names_the_thing(outcome: Grip, cue: str, thing: tuple[str, ...]) -> None:
+    *seen, called = thing
+    code = f"gripper-{outcome.value}{'' if called else '-something'}"
+
+    assert answers_to(GripperUsed(outcome, *seen)) == [
+        CueSounded(cue, 0.0, None),
+        Announced("gripper", Words()(code, thing=called)),
+    ]
