@@ -28,9 +28,7 @@ class Listening:
         session = Part(
             run=run,
             speed=5.0,
-            hub=Part(
-                subscribe=lambda heard: self.did.append("subscribed") or (lambda: self.did.append("left"))
-            ),
+            hub=Part(subscribe=lambda _: self.did.append("subscribed") or (lambda: self.did.append("left"))),
         )
         audible = Part(speak_only=lambda _: lambda: self.did.append("speaks all"))
         self.donnie: Any = Part(words=Words(), session=session, team=team, outlets=Part(audible=audible))
@@ -47,7 +45,7 @@ class Listening:
         )
         self.did.clear()
 
-    def hear(self, event: Event, robot: str | None = None) -> tuple[list[str], list[str]]:
+    def receive(self, event: Event, robot: str | None = None) -> tuple[list[str], list[str]]:
         """The lines to print and to remember."""
         self.listener._on_event(Stamped(1, 0.0, event, robot))
         return self.queue.take(), self.queue.take_kept()
@@ -68,36 +66,36 @@ class Listening:
 def test_what_is_printed_is_remembered_unless_it_repeats(
     event: Event, printed: list[str], kept: list[str]
 ) -> None:
-    assert Listening().hear(event) == (printed, kept)
+    assert Listening().receive(event) == (printed, kept)
 
 
 def test_a_mistake_that_is_known_is_neither_printed_nor_remembered() -> None:
     error = Error("k", 1, 1, "Wrong.", None)
 
-    assert Listening().hear(error) == (["Error, line 1, column 1: Wrong."],) * 2
-    assert Listening(known=True).hear(error) == ([], [])
+    assert Listening().receive(error) == (["Error, line 1, column 1: Wrong."],) * 2
+    assert Listening(known=True).receive(error) == ([], [])
 
 
 def test_an_answer_at_once_or_in_a_flood_comes_before_all_that_wait() -> None:
     it = Listening()
     it.queue.put(["first"])
-    assert it.hear(Answered("a")) == (["first", "a"], ["first", "a"])
+    assert it.receive(Answered("a")) == (["first", "a"], ["first", "a"])
     it.queue.put(["first"])
-    assert it.hear(Answered("a", at_once=True))[0] == ["a", "first"]
+    assert it.receive(Answered("a", at_once=True))[0] == ["a", "first"]
 
     it.donnie.team.running = ("bob",)
     many = [str(number) for number in range(LARGEST_BLOCK)]
     it.queue.put(many)
-    assert it.hear(Answered("a"))[0] == [*many, "a"]
+    assert it.receive(Answered("a"))[0] == [*many, "a"]
     it.queue.put([*many, "one more"])
-    assert it.hear(Answered("a"))[0] == ["a", *many, "one more"]
+    assert it.receive(Answered("a"))[0] == ["a", *many, "one more"]
     it.queue.put([*many, "one more"])
     it.background.is_following = True
-    assert it.hear(Answered("a"))[0][0] == "0"
+    assert it.receive(Answered("a"))[0][0] == "0"
     it.background.is_following = False
     it.donnie.team.running = ()
     it.queue.put([*many, "one more"])
-    assert it.hear(Answered("a"))[0][0] == "0"
+    assert it.receive(Answered("a"))[0][0] == "0"
 
 
 @pytest.mark.parametrize(
@@ -110,19 +108,19 @@ def test_urgent_news_come_first_while_a_program_is_stopped(
     it = Listening(state=state)
     it.queue.put(["first"])
 
-    printed, _ = it.hear(URGENT_NEWS)
+    printed, _ = it.receive(URGENT_NEWS)
     assert printed == (["urgent", "first"] if is_first else ["first", "urgent"])
     assert it.console.has_news
 
 
 def test_a_typed_line_is_interrupted_by_lines_and_not_by_what_is_only_shown() -> None:
     it = Listening()
-    it.hear(Spoke("a"))
+    it.receive(Spoke("a"))
     assert "nudged" not in it.did
     assert not it.console.lines_wait()
 
     it.listener.line_begins()
-    it.hear(Passing(HERE))
+    it.receive(Passing(HERE))
     assert "nudged" not in it.did
     it.listener._on_event(Stamped(1, 0.0, Spoke("a")))
     assert it.did.count("nudged") == 1
@@ -132,7 +130,7 @@ def test_a_typed_line_is_interrupted_by_lines_and_not_by_what_is_only_shown() ->
     it.listener._on_event(Stamped(1, 0.0, Answered("a")))
     assert it.did.count("nudged") == 2
     it.listener.line_ended()
-    it.hear(Spoke("a"))
+    it.receive(Spoke("a"))
     assert it.did.count("nudged") == 2
     it.listener.line_begins()
     assert not it.console.lines_wait()
