@@ -322,7 +322,10 @@ class Display:
     def _show_marks(self) -> None:
         lines = [frame.line for frame in self._program_frames()]
         working = working_in_a_row(self._runs.worked_out) if lines else ()
-        self._place.editor.mark(lines[0] if lines else None, frozenset(lines[1:]), working)
+        editor = self._place.editor
+        editor.mark(lines[0] if lines else None, frozenset(lines[1:]), working)
+        if lines and self._runs.state is RunState.RUNNING and not self._place.is_plain:
+            editor.follow(lines[0])
 
     def _program_frames(self) -> tuple[Frame, ...]:
         """The calls of the editor's program; empty while it is not running."""

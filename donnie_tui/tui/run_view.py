@@ -56,6 +56,7 @@ class RunView(RunObserver):
         self.show_past()
         self._stop_reminder()
         if self._runs.is_whole:
+            self._editor.begin_following()
             self._reading = Reminder(self._app, self._report_reading)
         self._display.begin(event.pose, fresh=event.fresh)
         self._events.begun()
@@ -82,6 +83,7 @@ class RunView(RunObserver):
             self._display.ask_distances()
             if self._runs.is_whole:
                 self._editor.go_to(frames[0].line)
+                self._editor.begin_following()
             self._events.flush()
         self._display.update()
 
@@ -98,6 +100,7 @@ class RunView(RunObserver):
         self._events.take()
         display.end(event.event)
         self.polling.end()
+        self._editor.end_following()
         if event.errors and self._runs.is_whole:
             self._editor.go_to(event.errors[0].line, event.errors[0].column)
         self._runs.sum_up(event.robot)

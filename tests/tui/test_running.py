@@ -1,6 +1,7 @@
 """Running, stopping, pausing, from keys and typed words."""
 
 import pytest
+from textual import events
 
 from donnie_tui.core.run_state import RunState
 from tests.tui.conftest import COMPUTING, WAITING
@@ -102,6 +103,78 @@ async def test_ctrl_c_copies_while_nothing_runs(open_screen):
 
         assert screen.app.clipboard == "FW 1"
         assert not any("running" in line for line in screen.log)
+
+
+LONG = "\n".join(["VAR a = 1", *["a = a + 1"] * 53, "WAIT 1000", *["FW 1"] * 5])
+"""Sixty lines; in the 55th the program waits."""
+
+
+@pytest.mark.parametrize("size", [(40, 12), (80, 24), (120, 40)], ids=str)
+async def test_the_line_that_runs_is_in_sight(open_screen, size):
+    """The cursor stays where it is, and is in sight again at the end."""
+    async with open_screen(LONG, size=size, speed=1.0) as screen:
+        await screen.press("f5")
+        await screen.until(lambda: ">  55  WAIT" in screen.text or "> 55  WAIT" in screen.text, "the line")
+        assert screen.main.editor.cursor_location == (0, 0)
+
+        await screen.press("f8")
+        await screen.idle()
+        await screen.until(lambda: " 1  VAR a = 1" in screen.text, "the cursor")
+
+
+async def test_nothing_is_scrolled_after_the_learner_scrolls_or_edits_until_the_run_is_held(open_screen):
+    async with open_screen(LONG, size=(40, 12), speed=1.0) as screen:
+        editor, look = screen.main.editor, screen.app.controller.display.update
+        await screen.press("f5")
+        await screen.until(lambda: "> 55  WAIT" in screen.text, "the line")
+
+        await screen.pilot._post_mouse_events([events.MouseScrollUp], editor)
+        await screen.painted()
+        top = editor.scroll_offset.y
+        editor._next_scroll = 0.0
+        editor.scroll_to(y=0, animate=False, immediate=True)
+        look()
+        await screen.painted()
+        assert (editor.scroll_offset.y, top > 0) == (0, True)
+
+        await screen.press("f6")
+        await screen.reaches(RunState.PAUSED)
+        await screen.until(lambda: "> 55  WAIT" in screen.text, "the line again")
+        await screen.press("f6")
+        await screen.reaches(RunState.RUNNING)
+        editor.move_cursor((2, 0))
+        await screen.press("x")
+        editor._next_scroll = 0.0
+        look()
+        await screen.painted()
+        assert "> 55  WAIT" not in screen.text
+        assert " 3  xa = a + 1" in screen.text
+        await screen.press("f8")
+        await screen.idle()
+        await screen.painted()
+        assert " 3  xa = a + 1" in screen.text
+
+
+async def test_a_line_that_runs_in_sight_paints_nothing_more(open_screen, monkeypatch):
+    async with open_screen(LONG, size=(80, 24), speed=1.0) as screen:
+        await screen.press("f5")
+        await screen.until(lambda: "> 55  WAIT" in screen.text, "the line")
+        await screen.painted()
+        painted = []
+        monkeypatch.setattr(screen.main.editor, "refresh", lambda *regions, **_: painted.append(regions))
+        for _ in range(3):
+            screen.main.editor._next_scroll = 0.0
+            screen.main.editor.follow(55)
+        assert painted == []
+
+
+async def test_the_plain_layout_scrolls_no_line_into_sight(open_screen):
+    """A reader would speak it."""
+    async with open_screen(LONG, size=(80, 24), speed=1.0, plain=True) as screen:
+        screen.main.go_to(screen.main.program_pane)
+        await screen.press("f5")
+        await screen.until(lambda: screen.main.editor._marks.get(55), "the mark")
+        assert screen.main.editor.scroll_offset.y == 0
 
 
 async def test_pause_holds_the_program_marks_its_line_and_goes_on(open_screen):

@@ -8,6 +8,7 @@ mistake and ``?`` a hint, whose sentence follows the line where there is room.
 from __future__ import annotations
 
 import re
+import time
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, ClassVar, Self
 
@@ -18,7 +19,7 @@ from textual import events
 from textual.binding import Binding, BindingType
 from textual.document._document import EditResult
 from textual.document._edit import Edit
-from textual.geometry import Offset, Region
+from textual.geometry import Offset, Region, Size
 from textual.message import Message
 from textual.scroll_view import ScrollView
 from textual.strip import Strip
@@ -47,6 +48,8 @@ LONGEST_WRAPPED = 20_000
 
 LEAST_TYPED = 2
 """Letters before a word is suggested, if more than one fits."""
+_SCROLL_AFTER = 1.0
+"""Seconds between two scrolls to the line that runs."""
 LEAST_NOTE = 12
 """Columns that the sentence of a mistake needs."""
 
@@ -98,6 +101,9 @@ class Editor(TextArea):
         self._working: tuple[str, ...] = ()
         self._notes: dict[int, LineMistake] = {}
         self._breakpoints: frozenset[int] = frozenset()
+        self._followed: tuple[Size, Offset, Selection] | None = None
+        """The window and the cursor as they were when the line that runs was last in sight; None at rest."""
+        self._next_scroll = 0.0
         self.complete: Callable[[str, int], Completion] | None = None
         """Returns the possible words at an offset of the text; None for no suggestions."""
         self.first_steps: tuple[str, ...] = ()
@@ -238,6 +244,39 @@ class Editor(TextArea):
         gutters = [self._gutter_of(each) for each in changed if each <= self.document.line_count]
         if gutters:  # none would mean all of the text
             self.refresh(*gutters)
+
+    # --- the line that runs
+
+    def begin_following(self) -> None:
+        """Keep the line that runs in sight from now on, as long as the learner moves nothing."""
+        self._followed, self._next_scroll = self._window, 0.0
+
+    def follow(self, line: int) -> None:
+        """Scroll to the line that runs, from 1, if it is out of sight; seldom, so that it can be read.
+
+        The cursor stays. After the learner has scrolled, edited or moved the cursor nothing is scrolled.
+        """
+        before, window = self._followed, self._window
+        is_untouched = before is not None and (before == window or before[0] != window[0])
+        if not is_untouched or line > self.document.line_count or time.monotonic() < self._next_scroll:
+            return
+        rows = self._rows_of(line - 1)
+        if rows.y < 0 or rows.bottom > self.size.height:
+            self._next_scroll = time.monotonic() + _SCROLL_AFTER
+            top = self.scroll_offset.y + rows.y - self.size.height // 3
+            self.scroll_to(y=top, animate=False, force=True, immediate=True)
+        self._followed = self._window
+
+    def end_following(self) -> None:
+        """Show the cursor again if ``follow`` has scrolled, unless the learner has moved anything."""
+        if self._followed is not None and self._followed == self._window and self._next_scroll:
+            self.scroll_cursor_visible()
+        self._followed = None
+
+    @property
+    def _window(self) -> tuple[Size, Offset, Selection]:
+        """The size, the place in the text, and the cursor."""
+        return self.size, self.scroll_offset, self.selection
 
     def note(self, mistakes: Mapping[int, LineMistake]) -> None:
         """Mark the mistakes of the current text, by line."""
