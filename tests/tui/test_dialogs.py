@@ -260,7 +260,7 @@ async def test_a_list_is_left_or_a_row_taken_by_a_click():
 SIZES = [
     ((80, 24), (58, 8), False),
     ((66, 24), (58, 8), False),
-    ((65, 24), (65, 7), True),
+    ((65, 24), (65, 8), True),
     ((80, 10), (58, 7), False),
     ((80, 9), (58, 7), False),
 ]
@@ -284,6 +284,19 @@ async def test_a_list_is_as_large_as_it_must_be_and_leaves_eight_columns_or_none
             assert styles.margin.bottom == (2 if size[1] >= 10 else 0)
 
 
+async def test_a_row_of_a_list_as_wide_as_the_screen_does_not_run_into_the_panes_below():
+    """A line of the program right below the last choice would look like one more."""
+    async with Showing(choosing()).run_test(size=(40, 12)) as pilot:
+        dialog = pilot.app.screen
+        for size, has_line in (((40, 12), True), ((40, 20), True), ((40, 6), False)):
+            await pilot.resize_terminal(*size)
+            await pilot.pause()
+            below = dialog._panel.region.bottom - 1
+            row = dialog._compositor.render_strips()[below].text
+
+            assert (row == "-" * 40) is has_line
+
+
 async def test_a_long_title_or_a_long_row_makes_a_list_wider():
     async with Showing().run_test(size=(100, 24)) as pilot:
         for wide in ("title", "row"):
@@ -299,7 +312,7 @@ async def test_rows_that_are_broken_need_more_rows():
     dialog = choosing([Option("a", "x" * 100), Option("b", "y")])
     async with Showing(dialog).run_test(size=(60, 24)) as pilot:
         await pilot.pause()
-        assert dialog._panel.styles.height.value == 3 + 2
+        assert dialog._panel.styles.height.value == 3 + 2 + 1
 
 
 WORLDS = [

@@ -421,9 +421,9 @@ class Chooser(Panel[str | None]):
         panel = self._panel
         listing = listing + 2 if listing + 2 <= width - LEAST_REST else width
         panel.styles.width = listing
-        is_framed = listing < width
-        panel.set_class(not is_framed, "-wide-as-all")
-        panel.styles.height = min(height, max(rows, 2) + is_framed) + (1 if is_low else 2)
+        panel.set_class(listing >= width, "-wide-as-all")
+        panel.set_class(rows >= height, "-high-as-all")
+        panel.styles.height = min(height, max(rows, 2) + 1) + (1 if is_low else 2)
 
     def _columns_in(self, room: int, columns: tuple[int, ...], *, may_drop: bool) -> tuple[int, ...]:
         """The widths of as many columns as fit. A few long names may exceed their column."""
