@@ -70,7 +70,9 @@ async def test_the_likely_word_is_shown_behind_the_cursor_and_taken_with_the_rig
         assert screen.main.editor.text == "REPEAT"
 
 
-@pytest.mark.parametrize("key", ["f7", "left right", "home end"])
+@pytest.mark.parametrize(
+    "key", ["f5", "f7", "f12", "left right", "home end", "tab shift+tab", "f1 escape", "ctrl+k escape"]
+)
 async def test_what_is_not_typing_drops_the_offered_word(open_screen, key):
     """Then Right moves the cursor, and writes nothing into the program."""
     async with open_screen() as screen:
@@ -82,6 +84,51 @@ async def test_what_is_not_typing_drops_the_offered_word(open_screen, key):
         await screen.press("right")
 
         assert screen.main.editor.text == "FW 1\nREPE"
+
+
+@pytest.mark.parametrize("line", [0, 1], ids=["in another line", "after its letters"])
+async def test_a_click_drops_the_offered_word(open_screen, line):
+    async with open_screen() as screen:
+        editor = screen.main.editor
+        await screen.press(*"FW", "space", *"1", "enter", *"REPE")
+        await screen.pilot.pause()
+        assert editor.suggestion == "AT"
+        await screen.pilot.click("#editor", offset=(editor.gutter_width + 4, line))
+        await screen.pilot.pause()
+        await screen.press("right")
+
+        assert editor.text == "FW 1\nREPE"
+
+
+async def test_steps_through_a_loop_write_nothing_into_it(open_screen):
+    """WARD was offered after END FOR, and Right took it wherever a step had put the cursor."""
+    text = "FW 1\nFOR VAR i = 0; i < 2; i = i + 1 DO\nFW 1\nTR 90\nEND FOR"
+    async with open_screen(text[:-1]) as screen:
+        screen.main.editor.go_to(5)
+        await screen.press("end", "R")
+        assert screen.main.editor.suggestion == ""
+        screen.main.editor.suggestion = "WARD"
+        for line in ("Line 1: ", "Line 2: ", "Line 3, "):
+            await screen.press("f7")
+            await screen.shows(line)
+        await screen.press("right")
+        await screen.pilot.pause()
+
+        assert screen.main.editor.text == text
+
+
+async def test_a_run_right_after_the_word_end_writes_nothing_after_it(open_screen):
+    text = "REPEAT 4 TIMES FW 2 TR 90 END"
+    async with open_screen() as screen:
+        await screen.press(*("space" if each == " " else each for each in text))
+        await screen.pilot.pause()
+        assert screen.main.editor.suggestion
+        await screen.press("f5")
+        await screen.until(lambda: any(line.startswith("Error") for line in screen.log), "the mistake")
+        await screen.press("right")
+        await screen.pilot.pause()
+
+        assert screen.main.editor.text == text
 
 
 async def test_after_speak_one_letter_offers_what_can_be_spoken(open_screen):

@@ -126,6 +126,9 @@ class MainScreen(Screen[None]):
         yield self.status
         yield self.keys
 
+    def on_screen_suspend(self) -> None:
+        self.editor.suggestion = ""  # only typing continues an offered word
+
     def on_screen_resume(self, event: ScreenResume) -> None:
         """Skip Textual's first restyling, which is slow, since all styles are new."""
         event.refresh_styles = self._was_seen

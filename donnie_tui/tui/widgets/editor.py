@@ -132,6 +132,9 @@ class Editor(TextArea):
         event.stop()
         self.app.post_message(self.Looked())
 
+    def on_blur(self) -> None:
+        self.suggestion = ""
+
     async def _on_key(self, event: events.Key) -> None:
         self.is_typed = True
         command = self._line_command if event.key == "enter" else None
