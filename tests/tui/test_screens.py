@@ -12,6 +12,8 @@ from pytest_textual_snapshot import SVGImageExtension
 from syrupy.assertion import SnapshotAssertion
 from syrupy.extensions.single_file import SingleFileSnapshotExtension, WriteMode
 
+from donnie_tui.robot.search import RobotOption
+
 F = TypeVar("F", bound=Callable[..., Any])
 SNAPSHOTS = Path(__file__).resolve().parents[2] / "snapshots"
 
@@ -34,7 +36,7 @@ def by_size(size: tuple[int, int]) -> str:
     return f"{size[0]}x{size[1]}"
 
 
-def looks(*quick: tuple[int, int]) -> Callable[[F], F]:
+def looks(*quick: tuple[int, int], sizes: tuple[tuple[int, int], ...] = SIZES) -> Callable[[F], F]:
     """At each size in each theme. Only the default theme, at these sizes, is part of the quick check."""
     each = [
         pytest.param(
@@ -44,7 +46,7 @@ def looks(*quick: tuple[int, int]) -> Callable[[F], F]:
             marks=() if theme == "dark" and size in quick else pytest.mark.slow,
         )
         for theme in THEMES
-        for size in SIZES
+        for size in sizes
     ]
     return pytest.mark.parametrize(("theme", "size"), each)
 
@@ -462,10 +464,84 @@ async def test_a_log_in_which_a_word_was_found(open_screen, same, theme, size):
         await same(screen)
 
 
-@pytest.mark.parametrize("size", [pytest.param(each, id=by_size(each)) for each in SIZES])
-async def test_a_challenge(open_screen, same, size):
+@looks(ONE_PANE, SMALL)
+async def test_the_kinds_of_lines_to_show(open_screen, same, theme, size):
+    async with open_screen(size=size, world="living_room") as screen:
+        screen.app.theme = theme
+        await screen.run(RECTANGLE)
+        await screen.idle()
+        await opened(screen, typed="FILTER")
+        await screen.press("down", "down")
+        await same(screen)
+
+
+@looks(ONE_PANE, SMALL, sizes=(ONE_PANE, SMALL))
+async def test_a_log_of_one_kind(open_screen, same, theme, size):
+    async with open_screen(size=size, world="living_room") as screen:
+        screen.app.theme = theme
+        await screen.run(RECTANGLE)
+        await screen.idle()
+        await opened(screen, typed="FILTER")
+        await screen.press(*"turned", "enter")
+        await screen.shows("Only turned: 4 lines.")
+        screen.main.go_to(screen.main.log_pane)
+        await same(screen)
+
+
+@looks(ONE_PANE, SMALL)
+async def test_a_program_that_was_stopped(open_screen, same, theme, size):
+    text = "FW 1\nREPEAT 2 TIMES\n  WAIT 1000\nEND REPEAT"
+    async with open_screen(text, size=size, world="living_room", speed=5.0) as screen:
+        screen.app.theme = theme
+        await screen.press("f5")
+        await screen.shows("Waiting 1000 seconds.")
+        await screen.press("f8")
+        await screen.shows("Stopped at line 3.")
+        await screen.idle()
+        await screen.until(lambda: "STOPPED" in screen.text, "the badge")
+        await same(screen)
+
+
+@looks(ONE_PANE, SMALL)
+async def test_the_list_of_challenges(open_screen, same, theme, size):
+    async with open_screen(size=size, world="living_room") as screen:
+        screen.app.theme = theme
+        await opened(screen, typed="CHALLENGE")
+        await screen.press("down", "down")
+        await same(screen)
+
+
+@looks(ONE_PANE, SMALL)
+async def test_the_robots_to_connect_to(open_screen, same, monkeypatch, theme, size):
+    """In use, not plugged in, and one to try: a port of this machine would be in the picture."""
+    async with open_screen(size=size, world="living_room") as screen:
+        screen.app.theme = theme
+        connection = screen.app.controller.donnie.connection
+        first, *_, last = connection.options()
+        board = RobotOption("serial:/dev/ttyACM9", "robot at /dev/ttyACM9")
+        monkeypatch.setattr(connection, "options", lambda: (first, board, last))
+        await opened(screen, typed="CONNECT")
+        await same(screen)
+
+
+@looks(ONE_PANE, SMALL, sizes=(ONE_PANE, SMALL))
+@pytest.mark.parametrize("zoom", [pytest.param(2, id="4x2"), pytest.param(3, id="6x3")])
+async def test_the_largest_squares_of_the_map(open_screen, same, zoom, theme, size):
+    async with open_screen("TR 90 FW 4", size=size, world="first_room") as screen:
+        screen.app.theme = theme
+        await screen.press("f5")
+        await screen.shows("The program is done.")
+        await screen.idle()
+        screen.main.go_to(screen.main.map_pane)
+        screen.main.map.set_zoom(zoom)
+        await same(screen)
+
+
+@looks(*SIZES)
+async def test_a_challenge(open_screen, same, theme, size):
     """The task, the goals and their places on the map."""
     async with open_screen("TR 90", size=size, world="challenge:to_the_ball") as screen:
+        screen.app.theme = theme
         await screen.press("f5")
         await screen.idle()
         await screen.until(lambda: "turned" in " ".join(screen.log), "the turn")
