@@ -1,5 +1,6 @@
 """What a program pays for being looked at: how often that is, and what is painted. Counts, no times."""
 
+import asyncio
 from collections.abc import Callable
 
 import pytest
@@ -99,6 +100,28 @@ def test_nothing_is_looked_at_after_the_end() -> None:
 
     assert not looks
     assert not polling.is_on
+
+
+def due() -> list[asyncio.TimerHandle]:
+    """What the event loop does later although nothing arrives."""
+    return [each for each in asyncio.get_running_loop()._scheduled if not each.cancelled()]
+
+
+@pytest.mark.parametrize(
+    "keys", ["", "tab", "shift+tab", "ctrl+p", "ctrl+p a", "ctrl+o", "f1", "ctrl+g", "ctrl+k", "R E P E"]
+)
+async def test_whatever_is_in_front_an_idle_screen_has_nothing_due_however_long_it_waits(open_screen, keys):
+    """So it writes no byte: no cursor blinks, no clock is shown, nothing is polled."""
+    async with open_screen("FW 1\n", world="living_room") as screen:
+        await screen.press("f5")
+        await screen.shows("The program is done.")
+        await screen.idle()
+        await screen.press("down", *keys.split())
+        await screen.painted()
+        await screen.until(lambda: not due(), "the last of what the keys began")
+        for _ in range(3):
+            await screen.pilot.pause()
+            assert due() == []
 
 
 async def test_a_container_is_not_painted(open_screen):
