@@ -58,6 +58,7 @@ def test_the_size_may_change_to_twenty_by_five_and_back_while_a_program_runs(ter
     donnie.shows(f"1  {program[:20]}")
     donnie.type(F5)
     donnie.shows("RUNNING x1")
+    before = tuple(donnie.screen.display)
     resize(donnie, 20, 5)
     donnie.process.send_signal(signal.SIGWINCH)
     donnie.until(lambda: donnie.screen.display[0].startswith(">Program"), "the small screen")
@@ -68,6 +69,9 @@ def test_the_size_may_change_to_twenty_by_five_and_back_while_a_program_runs(ter
     donnie.type(F8)
     donnie.shows("STOPPED")
     donnie.shows(f"1  {program[:20]}")
+    assert falls_silent(donnie, 1.0)
+    after = donnie.screen.display
+    assert [row for row, was in zip(after, before, strict=True) if was.strip() and not row.strip()] == []
 
 
 def test_a_terminal_that_is_as_large_again_before_that_was_noticed_is_painted_whole(terminal):

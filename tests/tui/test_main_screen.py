@@ -85,6 +85,18 @@ async def test_as_many_panes_are_seen_as_there_is_room_for(size, seen, classes):
         assert MainScreen.Entered not in app.posted
 
 
+@pytest.mark.parametrize("size", [(80, 24), (120, 40), (200, 60)], ids=str)
+async def test_the_log_with_its_title_has_at_most_a_third_of_the_height(size):
+    app = Alone(*size)
+    async with app.run_test(size=size) as pilot:
+        await pilot.pause()
+        for rows in (10, 100):
+            app.main.show_map(floor(40, rows))
+            await pilot.pause()
+
+            assert 5 <= 1 + app.main.log_rows.region.height <= size[1] // 3
+
+
 WIDTHS = [(19, None), (20, 20), (30, 30), (60, 60), (61, None), (50, None)]
 HEIGHTS = [(25, None), (26, 27), (27, 28), (28, None)]
 

@@ -64,6 +64,7 @@ async def test_resuming_after_steps_back_continues_from_the_present(open_screen,
             screen.app.controller.do("step_back")
         assert trail(screen) == ["^"]
         assert "> 1  FW 3" in screen.text and "LOOKING BACK, " in screen.text
+        assert not any(f"> {line} " in screen.text for line in range(2, 7))
 
         await screen.press(key)
 
