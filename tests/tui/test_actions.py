@@ -255,6 +255,10 @@ async def test_a_small_screen_and_a_plain_one_list_the_keys_after_the_menu_key_a
         ("copiar", "es", {"copy", "save_as"}),
         ("sangria", "es", {"format"}),
         ("cerrar", "es", {"quit"}),
+        ("interrupcion", "es", {"break_"}),
+        ("aumentar", "es", {"zoom_in"}),
+        ("silenciar", "es", {"quiet"}),
+        ("silenciar", "pt", {"quiet"}),
     ],
 )
 async def test_the_palette_finds_what_people_call_it_elsewhere(open_screen, typed, language, names):

@@ -468,7 +468,9 @@ async def test_a_log_in_which_a_word_was_found(open_screen, same, theme, size):
 async def test_a_word_that_is_offered_in_a_block_with_its_end(open_screen, same, theme, size):
     async with open_screen(size=size, world="living_room") as screen:
         screen.app.theme = theme
-        await screen.press(*"REPEAT", "space", *"4", "space", *"TIMES", "enter", *"FW", "space", *"1", "enter")
+        await screen.press(
+            *"REPEAT", "space", *"4", "space", *"TIMES", "enter", *"FW", "space", *"1", "enter"
+        )
         await screen.press(*"REPE")
         await screen.until(lambda: [each.line for each in screen.main.editor.mistakes] == [3], "the mark")
         assert screen.main.editor.suggestion == "AT"
