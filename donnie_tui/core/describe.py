@@ -419,10 +419,8 @@ def shortfall_in_words(shortfall: Shortfall, room: Inventory, wording: Wording) 
 def target_in_words(target: Target, room: Inventory, wording: Wording) -> str:
     """A thing or a place, without an article."""
     if isinstance(target, str):
-        found = room.called(target)
-        if not found:
-            return target
-        kind, name, colour = found[0].kind, found[0].name, found[0].colour
+        found, *_ = room.called(target)
+        kind, name, colour = found.kind, found.name, found.colour
         is_alone = all(each.kind != kind or each.colour == colour for each in room.items)
         plain = called(kind, name, wording) if is_alone else with_colour(kind, name, colour, wording)
         return own_name(kind, name, wording) or plain

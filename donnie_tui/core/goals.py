@@ -343,12 +343,9 @@ class _Lacking:
         end, at = self._track.end, self._goal.at
         of_thing = [((each.x, each.y),) * 2 for each in end.called(at)] if isinstance(at, str) else []
         area = (*self._goal.areas, *of_thing)[0]
-        ways = [way_out(each.x, each.y, area) for each in end.called(name)]
-        gap, direction = min(ways, default=(0.0, 0.0))
-        if not ways:
-            yield Shortfall("goal-no-thing", {"target": name})
-        elif gap > (self._most if self._goal.area is None else NEARLY):
-            code = "goal-thing" if self._goal.area is None else "goal-thing-area"
+        gap, direction = min(way_out(each.x, each.y, area) for each in end.called(name))
+        code, most = ("goal-thing", self._most) if self._goal.area is None else ("goal-thing-area", NEARLY)
+        if gap > most:
             yield Shortfall(code, {"steps": in_steps(gap), "direction": direction, "target": name})
 
     def said(self, wanted: object) -> Iterator[Shortfall]:
