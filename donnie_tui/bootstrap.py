@@ -143,6 +143,11 @@ class Donnie(Struct, frozen=True):
         """Whether a robot holds something in its gripper."""
         return self._shared.is_holding
 
+    @property
+    def held_thing(self) -> int | None:
+        """The index of the thing in the gripper of the current robot of the world."""
+        return self._shared.held_by(self.team.chosen_name)
+
     def rescue_world(self) -> Path | None:
         """Keep a changed, unsaved world in a file, because no question is possible. Returns the file."""
         if self.site.is_saved:

@@ -120,6 +120,11 @@ class World:
         """Whether a robot has something in its gripper."""
         return any(robot.holds is not None for robot in tuple(self._robots.values()))
 
+    def held_by(self, name: str | None) -> int | None:
+        """The index of the thing in the gripper of a robot; None if it holds nothing, or never began."""
+        robot = self._robots.get(self._index(name)) if self.scene.robots else None
+        return robot.holds if robot is not None else None
+
     def places_in(self, scene: Scene, index_of: Mapping[int, int]) -> Mapping[int, Placement]:
         """The places of moved things in another scene; see ``rebuild``."""
         starts = self.scene.models

@@ -57,8 +57,9 @@ async def around(ctx: Context, argument: str) -> None:
     if argument and point is None:
         raise NotUnderstood
     has_clock = ctx.preferences.settings.clock == "on" and not argument
-    pose = ctx.donnie.session.pose
-    ctx.say_of_robot(*around_in_words(ctx.map_grid(), pose, ctx.words, compass=point, clock=has_clock))
+    donnie, grid = ctx.donnie, ctx.map_grid()
+    pose, held = donnie.session.pose, donnie.held_thing
+    ctx.say_of_robot(*around_in_words(grid, pose, ctx.words, compass=point, clock=has_clock, held=held))
 
 
 @handles("trail")

@@ -305,19 +305,29 @@ def compass_words(language: str) -> tuple[str, ...]:
 
 
 def around_in_words(
-    grid: MapGrid, pose: Pose, wording: Wording, *, compass: int | None = None, clock: bool = False
+    grid: MapGrid,
+    pose: Pose,
+    wording: Wording,
+    *,
+    compass: int | None = None,
+    clock: bool = False,
+    held: int | None = None,
 ) -> tuple[str, ...]:
     """The number of things in range, then a line for each thing, wall or free direction.
 
-    ``compass``: by the compass, beginning with that point; else as the robot looks.
+    ``compass``: by the compass, beginning with that point; else as the robot looks. ``held``: the index of
+    the thing in the robot's gripper, which is not around it.
     """
     face = _face(pose.heading, wording.detail, compass=compass, clock=clock)
     from sim.picture import Room  # only AROUND needs geometry
 
-    room = Room(grid.picture, pose)
-    sectors = _things_by_sector(grid, room, face)
+    things = grid.picture.things
+    around = tuple(each for each in things if each.index != held)
+    room = Room(replace(grid.picture, things=around), pose)
+    sectors = _things_by_sector(around, room, face)
     count = sum(map(len, sectors))
     lines = [wording("around-things" if count else "around-none", count=count, steps=RANGE)]
+    lines += [wording("around-held", thing=_named(each, wording)) for each in things if each not in around]
     for sector in range(face.sectors):
         lines += _sector_in_words(room, face, sector, sectors[sector], wording)
     return tuple(lines)
@@ -335,10 +345,10 @@ def _face(heading: float, detail: str, *, compass: int | None, clock: bool) -> F
     return Face(8 // step, first, tuple(codes[::step]), tuple(range(8 // step)))
 
 
-def _things_by_sector(grid: MapGrid, room: Room, face: Face) -> list[list[tuple[int, Thing]]]:
+def _things_by_sector(things: Iterable[Thing], room: Room, face: Face) -> list[list[tuple[int, Thing]]]:
     """The things in range with their distances, the nearest first, by sector."""
     found: list[list[tuple[int, Thing]]] = [[] for _ in range(face.sectors)]
-    for thing in grid.picture.things:
+    for thing in things:
         gap, heading = room.nearest(thing.outlines)
         if (steps := _in_range(room, gap)) is not None:
             sector = round((heading - face.first) / (360 / face.sectors)) % face.sectors

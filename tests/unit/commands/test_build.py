@@ -381,6 +381,29 @@ def test_all_robots_stay_where_they_are(open_script: OpenScript) -> None:
     assert script.answers_to("FW 30")[0].endswith("I found an obstacle.")  # she is still in his way
 
 
+def test_what_a_robot_holds_is_not_around_it_but_in_its_gripper(open_script: OpenScript) -> None:
+    script = open_script(world="two_robots")
+    script.type("PUT box red 0 4 AS treasure")
+    script.answers_to("FW 1")
+    before = script.answers_to("AROUND")
+    script.answers_to("GRIP")
+    after = script.answers_to("AROUND")
+    script.answers_to("RELEASE")
+
+    assert sum("treasure" in line for line in before) == 1
+    assert (before[0], after[0]) == (
+        "alice: 1 thing within 10 steps.",
+        "alice: There is nothing within 10 steps.",
+    )
+    assert after[1] == "In my gripper: treasure, box, red."
+    assert [line for line in after[2:] if "treasure" in line] == []
+    assert any(line.startswith("Ahead: free, ") for line in after)
+    assert script.answers_to("AROUND") == before
+    script.answers_to("GRIP")
+    script.type("ROBOT bob")
+    assert not any("gripper" in line for line in script.answers_to("AROUND"))
+
+
 def test_a_robot_lets_go_before_the_world_is_changed(open_script: OpenScript) -> None:
     script = open_script(world="two_robots")
     script.type("PUT box red 0 4 AS treasure")
