@@ -57,6 +57,8 @@ MOST_LABELS = 60
 """Things that get a letter; more letters would cover each other."""
 PRINT = 3.2
 """The height of printed letters."""
+MOST_SPREAD = 2.0
+"""Half of it parts print from its braille, which a quarter of a millimetre does where there is no room."""
 PALE = "#b4b4b4"
 """A grey that heat does not raise."""
 DASHES = "4 3"
@@ -89,6 +91,8 @@ class _Sheet(Struct, frozen=True):
     """For a step."""
     west: float
     north: float
+    spread: float = 0.0
+    """More from line to line at its foot, where the map leaves room."""
 
     def point(self, x: float, y: float) -> _Point:
         return self.left + (x - self.west) * self.scale, self.top + (self.north - y) * self.scale
@@ -150,7 +154,7 @@ def _laid_out(
         legend = _sheet_legend(chart, _cells(width))
         key = KEY_ROW * len(_key_rows(items, width, wording))
         room = height - 2 * MARGIN - HEAD - ROW * (len(legend) + 3) - key
-        sheets.append((_fitted(box, width, height, room), legend))
+        sheets.append((_fitted(box, width, height, room, len(legend) + 2), legend))
     return max(sheets, key=lambda each: each[0].scale)
 
 
@@ -170,11 +174,13 @@ def _extent(picture: Picture, drawings: Sequence[Drawing]) -> _Box:
     return min(xs), min(ys), max(xs), max(ys)
 
 
-def _fitted(box: _Box, width: float, height: float, room: float) -> _Sheet:
+def _fitted(box: _Box, width: float, height: float, room: float, lines: int) -> _Sheet:
+    """``lines``: those at the foot, which share the room that the map does not need."""
     west, south, east, north = box
     scale = min((width - 2 * MARGIN) / max(east - west, 1.0), room / max(north - south, 1.0))
     left = (width - scale * (east - west)) / 2
-    return _Sheet(width, height, left, MARGIN + HEAD, scale, west, north)
+    spread = min(MOST_SPREAD, (room - scale * (north - south)) / lines)
+    return _Sheet(width, height, left, MARGIN + HEAD, scale, west, north, spread)
 
 
 # --- what stands in the world
@@ -405,14 +411,16 @@ def _north(sheet: _Sheet, wording: Wording) -> Iterator[str]:
         f'<path id="north" d="M{x} {top + 14}L{x} {top}M{x - 3} {top + 4}L{x} {top}L{x + 3} {top + 4}"'
         f' fill="none" stroke="black" stroke-width="{LINE}" stroke-linejoin="round"/>'
     )
-    yield from _written(wording("compass-north")[:1].upper(), 1, x - 3 - GAP - 2 * DOT_GAP, top + 6, wording)
+    north = wording("compass-north")[:1].upper()
+    yield from _written(north, 1, x - 3 - GAP - 2 * DOT_GAP, top + 6, wording, MOST_SPREAD / 2)
 
 
 def _titled(title: str, cells: int, wording: Wording) -> Iterator[str]:
     """The title, in two lines where one is too short for it."""
     lines = textwrap.wrap(title, cells - 1)[:MOST_TITLE]  # a number needs a sign before it
+    gap = MOST_SPREAD / 2 if len(lines) == 1 else 0.0
     for number, line in enumerate(lines):
-        yield from _written(line, cells, MARGIN, MARGIN + number * ROW, wording)
+        yield from _written(line, cells, MARGIN, MARGIN + number * ROW, wording, gap)
 
 
 def _sheet_legend(chart: Chart, cells: int) -> list[str]:
@@ -459,19 +467,20 @@ def _legend_block(
 ) -> Iterator[str]:
     """The legend and the key at the foot of the sheet, and a line that shows how long so many steps are."""
     rows = _key_rows(items, sheet.width, wording)
-    top = sheet.height - MARGIN - ROW * (len(legend) + 2) - KEY_ROW * len(rows)
+    row_height, gap = ROW + sheet.spread, sheet.spread / 2
+    top = sheet.height - MARGIN - row_height * (len(legend) + 2) - KEY_ROW * len(rows)
     steps = _round_number((sheet.width - 2 * MARGIN) / sheet.scale)
     words = wording("paper-scale", steps=steps, centimetres=round(steps * STEP * 100))
     for number, line in enumerate(legend):
-        yield from _written(line, _cells(sheet.width), MARGIN, top + number * ROW, wording)
-    top += ROW * len(legend)
+        yield from _written(line, _cells(sheet.width), MARGIN, top + number * row_height, wording, gap)
+    top += row_height * len(legend)
     for row in rows:
         for item, left in row:
             yield _sample(item.sample, left, top - 1)
-            yield from _written(item.word, len(item.word) + 2, left + WORD, top, wording)
+            yield from _written(item.word, len(item.word) + 2, left + WORD, top, wording, MOST_SPREAD / 2)
         top += KEY_ROW
-    yield from _written(words, _cells(sheet.width), MARGIN, top, wording)
-    bar = f"M{MARGIN} {top + ROW + 5:.2f}v-4m0 2h{steps * sheet.scale:.2f}m0 -2v4"
+    yield from _written(words, _cells(sheet.width), MARGIN, top, wording, gap)
+    bar = f"M{MARGIN} {top + row_height + 5:.2f}v-4m0 2h{steps * sheet.scale:.2f}m0 -2v4"
     yield f'<path id="scale" d="{bar}" fill="none" stroke="black" stroke-width="{LINE}"/>'
 
 
@@ -508,10 +517,10 @@ def _round_number(most: float) -> int:
     return max((each for each in numbers if each <= most), default=1)
 
 
-def _written(text: str, cells: int, x: float, y: float, wording: Wording) -> Iterator[str]:
-    """Braille from a place on, and the same in print under it."""
+def _written(text: str, cells: int, x: float, y: float, wording: Wording, gap: float = 0.0) -> Iterator[str]:
+    """Braille from a place on, and the same in print under it, by so much further away."""
     yield _braille(braille(text, wording.language)[:cells], x, y)
-    yield _print(text, x - DOT / 2, y + 2 * DOT_GAP + DOT / 2 + PRINT * 0.8)
+    yield _print(text, x - DOT / 2, y + 2 * DOT_GAP + DOT / 2 + PRINT * 0.8 + gap)
 
 
 def _braille(cells: str, x: float, y: float) -> str:

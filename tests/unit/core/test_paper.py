@@ -452,6 +452,28 @@ def test_no_printed_word_touches_another_a_dot_or_a_line(name: str, language: st
         assert apart, (one, other)
 
 
+@pytest.mark.parametrize("name", worlds.names())
+def test_print_keeps_its_distance_from_the_dots_where_that_costs_the_map_nothing(name: str) -> None:
+    """A millimetre at a map that is as wide as the sheet, else at least a tenth; 0.6 mm at a label."""
+    root = sheet(name)
+    font = ImageFont.load_default(PRINT * 20)
+    width, height = (float(each) for each in (root.get("viewBox") or "").split()[2:])
+    labels = {id(each) for each in root.iter(f"{SVG}g") if each.get("class") == "label"}
+    blocks = [each for each in root if each.tag == f"{SVG}g" and each.get("id") != "map"]
+    gaps = list[float]()
+    for each in root.iter(f"{SVG}text"):
+        left, top, right, bottom = (edge / 20 for edge in font.getbbox(each.text or "", anchor="ls"))
+        x, y = float(each.get("x") or 0), float(each.get("y") or 0)
+        dots = [dot for block in blocks if id(block) not in labels for dot in dots_of(block)]
+        column = [at for across, at in dots if x + left - 0.8 < across < x + right + 0.8]
+        gaps += [y + top - at - 0.8 for at in column if at < y and y - at < 12]
+        gaps += [at - 0.8 - y - bottom for at in column if at > y and at - y < 12]
+
+    xs = [x for x, _, _ in lines_on(root)]
+    is_wide = xs and max(xs) - min(xs) > width - 25
+    assert min(gaps) > (0.5 if is_wide and height > width else 0.1)
+
+
 def bar_length(bar: ElementTree.Element) -> float:
     return float(re.findall(r"h([\d.]+)", bar.get("d") or "")[0])
 
@@ -572,6 +594,7 @@ def test_no_label_leaves_the_sheet_or_is_in_a_wall() -> None:
 
 
 def test_the_foot_of_a_sheet_has_the_legend_the_key_and_the_scale() -> None:
+    """The map leaves 4 of 190 mm, so that each of four lines has one more."""
     root = small_sheet()
     printed = {each.text: (each.get("x"), each.get("y")) for each in root.iter(f"{SVG}text")}
     groups = [dots_of(each) for each in root.iter(f"{SVG}g") if each.get("fill") == "black"]
@@ -581,22 +604,22 @@ def test_the_foot_of_a_sheet_has_the_legend_the_key_and_the_scale() -> None:
     (box, _) = (each for each in root.iter(f"{SVG}rect") if each.get("x"))
     sample = [each.get("d") for each in root.iter(f"{SVG}path") if each.get("stroke-dasharray")]
 
-    assert printed["Map"] == ("11.20", "20.36")
-    assert printed["N"] == ("183.20", "26.36")
-    assert printed["d  donnie, looks east"] == ("11.20", "240.36")
-    assert printed["c  crate, red"] == ("11.20", "250.36")
-    assert printed["red"] == ("27.60", "260.36")
-    assert printed["line: 10 steps, 50 cm"] == ("11.20", "273.36")
-    assert {(12.0, 12.0), (184.0, 18.0), (28.4, 252.0)} <= first  # M, N and R have dot 1
-    assert bar.get("d") == "M12.0 280.00v-4m0 2h186.00m0 -2v4"
+    assert printed["Map"] == ("11.20", "21.36")
+    assert printed["N"] == ("183.20", "27.36")
+    assert printed["d  donnie, looks east"] == ("11.20", "236.86")
+    assert printed["c  crate, red"] == ("11.20", "247.86")
+    assert printed["red"] == ("27.60", "259.36")
+    assert printed["line: 10 steps, 50 cm"] == ("11.20", "271.86")
+    assert {(12.0, 12.0), (184.0, 18.0), (28.4, 250.0)} <= first  # M, N and R have dot 1
+    assert bar.get("d") == "M12.0 279.00v-4m0 2h186.00m0 -2v4"
     assert arrow.get("d") == "M195.0 26.0L195.0 12.0M192.0 16.0L195.0 12.0L198.0 16.0"
     assert (box.get("x"), box.get("y"), box.get("width"), box.get("height")) == (
         "12.00",
-        "251.00",
+        "249.00",
         "12.0",
         "9.0",
     )
-    assert sample == ["M56.2 255.50H68.2"]
+    assert sample == ["M56.2 253.50H68.2"]
 
 
 def test_a_wall_is_a_black_line_where_it_is_thin_and_an_outline_where_it_is_thick() -> None:
