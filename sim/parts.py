@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from heapq import heappop, heappush
-from itertools import islice
+from itertools import chain, islice
 from math import dist, hypot, inf
 
 from msgspec import Struct
@@ -199,7 +199,9 @@ def free_place(scene: Scene) -> Square:
     def fits(at: Square) -> bool:
         return is_free(at, _FITS)
 
-    start = next((at for at in islice(_around(*middle), most) if fits(at)), middle)
+    places = [*islice(_around(*middle), most)]
+    within = ((x, y) for x, y in places if west < x < east and south < y < north)
+    start = next(filter(fits, chain(within if is_walled else (), places)), middle)
     for at in islice(_flooded(start, middle, fits), most):
         if is_free(at, _ROOMS[0]):
             return at

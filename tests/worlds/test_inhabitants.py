@@ -72,6 +72,25 @@ def test_it_starts_inside_of_the_room_that_is_drawn_around_its_place(
     assert abs(found.y * STEP - y) <= most + 1e-9
 
 
+@pytest.mark.parametrize("side", [0.6, 1.0, 4.0])
+@pytest.mark.parametrize(("east", "north"), [(0, 0), (-1, 0), (0, -1), (-1, -1), (-0.5, 0)])
+def test_it_starts_inside_of_a_room_with_a_wall_on_its_place(
+    tmp_path: Path, side: float, east: float, north: float
+) -> None:
+    """A corner of the room, or the middle of a wall, is on 0, 0; ``side`` metres from wall to wall."""
+    left, bottom, long = east * side, north * side, side + 0.05
+    text = "".join(
+        f"model( pose [ {left + x * side} {bottom + y * side} 0 0 ] size [ {width} {depth} 0.24 ] )\n"
+        for x, y, width, depth in ((0.5, 0, long, 0.05), (0.5, 1, long, 0.05), (0, 0.5, 0.05, long))
+    )
+    text += f"model( pose [ {left + side} {bottom + side / 2} 0 0 ] size [ 0.05 {long} 0.24 ] )\n"
+
+    found = start(tmp_path, text)
+
+    assert left < found.x * STEP < left + side
+    assert bottom < found.y * STEP < bottom + side
+
+
 def test_it_starts_next_to_the_table_of_a_small_room(tmp_path: Path) -> None:
     """A table of 0.4 m on 0, 0 in a room of 1 m: between the table and the wall are 0.3 m."""
     room = "model( boundary 1 size [ 1.02 1.02 0.24 ] )\nmodel( size [ 0.4 0.4 0.3 ] )"
