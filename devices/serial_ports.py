@@ -65,6 +65,8 @@ class PortFault(Enum):
     BUSY = "port-busy"
     """Another program has it open."""
     UNUSABLE = "port-failed"
+    NO_PORT = "not-a-port"
+    """It is no address of a port."""
     NOT_NAMED = "port-not-named"
     """The session is limited to other ports."""
 
@@ -147,7 +149,7 @@ class SerialPort:
         except GONE as error:
             raise _problem(address, error) from None
         except (LookupError, re.error):  # pyserial's own address handlers let these through
-            raise PortProblem(address, PortFault.UNUSABLE, os.strerror(errno.EINVAL)) from None
+            raise PortProblem(address, PortFault.NO_PORT, os.strerror(errno.EINVAL)) from None
 
     def read(self) -> bytes:
         """The bytes that have arrived, after at most ``timeout`` seconds."""

@@ -26,7 +26,7 @@ from donnie_tui.cli.options import (
 )
 from donnie_tui.cli.streams import Output
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.process.confinement import IS_POSSIBLE, Confinement, confine, part_below
+from donnie_tui.process.confinement import IS_POSSIBLE, Confinement, confine, part_below, real_path
 from donnie_tui.process.signals import numbers_of
 from donnie_tui.settings.folders import keep_in, machine_settings_file, settings_file
 from donnie_tui.settings.parsing import Notice, read_file, read_settings
@@ -155,7 +155,7 @@ def _import_nothing_from(folder: str) -> None:
     from pathlib import Path  # slow to load, and few sessions are confined
 
     root = os.path.realpath(Path(donnie_tui.__file__).parents[1])
-    places = [(each, os.path.realpath(each)) for each in sys.path]
+    places = [(each, real_path(each)) for each in sys.path]
     sys.path[:] = [each for each, real in places if part_below(folder, real) is None or real == root]
 
 

@@ -343,7 +343,7 @@ _PROBLEMS = (
     (r"unrecognized arguments: (.*)", "usage-unrecognized"),
     (r"argument ([^:]*): expected .*", "usage-without-value"),
     (r"argument ([^:]*): invalid int .*", "usage-no-number"),
-    (r"argument ([^:]*): not allowed with.*", "usage-not-together"),
+    (r"argument ([^:]*): not allowed with argument ([^/]*).*", "usage-not-together"),
 )
 """The errors of argparse, each with the code of its sentence."""
 
@@ -380,7 +380,7 @@ class _Parser(argparse.ArgumentParser):
         for pattern, code in _PROBLEMS:
             found = re.fullmatch(pattern, message)
             if found:
-                raise WrongUsage(code, found[1][:_LONGEST_QUOTE])
+                raise WrongUsage(code, ", ".join(found.groups())[:_LONGEST_QUOTE])
         raise WrongUsage("usage-unrecognized", message[:_LONGEST_QUOTE])
 
 

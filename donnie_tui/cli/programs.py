@@ -9,11 +9,11 @@ robot time and by the number of its statements, so a busy machine changes no ver
 
 from __future__ import annotations
 
-import os
 import sys
 import tempfile
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from functools import partial
 from itertools import chain, count, groupby, islice
 from pathlib import Path
@@ -46,7 +46,7 @@ from donnie_tui.i18n.mistakes import remark
 from donnie_tui.i18n.words import Unusable, Words, as_unusable
 from donnie_tui.outlets.files import heading_of_answer, may_be_replaced
 from donnie_tui.process import in_processes, processors
-from donnie_tui.process.confinement import is_allowed, make_folder, part_below
+from donnie_tui.process.confinement import is_allowed, make_folder, part_below, real_path
 from donnie_tui.settings.settings import SettingSource
 from donnie_tui.world.loading import choose_challenge, solution_of
 from language.checker import check as hints_for
@@ -364,8 +364,8 @@ def _answers(order: Order, pupils: Sequence[_Pupil]) -> Sequence[Path]:
     Raises ``Unusable`` if one of them, or ``--csv``, would destroy something. ``donnie run`` has neither.
     """
     table, given = (getattr(order.invocation.arguments, each, None) for each in ("csv", "feedback"))
-    read = {os.path.realpath(file) for each in pupils for file in each.files.values()}
-    if table not in (None, STANDARD_OUTPUT) and os.path.realpath(table) in read:
+    read = {real_path(file) for each in pupils for file in each.files.values()}
+    if table not in (None, STANDARD_OUTPUT) and real_path(table) in read:
         raise Unusable(order.words("challenge-csv-program", path=table))
     if given is None:
         return ()
@@ -384,7 +384,7 @@ def _answers(order: Order, pupils: Sequence[_Pupil]) -> Sequence[Path]:
             raise Unusable(order.words("output-twice", option="--csv", other="--feedback", path=table))
         if _is_link(answer):
             continue
-        if os.path.realpath(answer) in read:
+        if real_path(answer) in read:
             raise Unusable(order.words("output-is-input", option="--feedback", path=answer))
         if (exists(answer) and not answer.is_file()) or not may_be_replaced("--feedback", answer):
             raise Unusable(order.words("output-is-other", option="--feedback", path=answer))
@@ -440,9 +440,15 @@ def _new_challenge(order: Order, name: str) -> int:
     if not stem or exists(folder):
         raise Unusable(order.words("challenge-new-there", path=name))
     _make_folder(folder, order.words)
-    for suffix in (challenges.SUFFIX, challenges.SOLUTION):
-        pattern = Path(challenges.LADDERS, "new", f"challenge{suffix}")
-        _write(folder / f"{stem}{suffix}", read_program(pattern), order.words)
+    try:
+        for suffix in (challenges.SUFFIX, challenges.SOLUTION):
+            pattern = Path(challenges.LADDERS, "new", f"challenge{suffix}")
+            _write(folder / f"{stem}{suffix}", read_program(pattern), order.words)
+    except Unusable:  # a half challenge would keep the name from the next one
+        with suppress(OSError):
+            (folder / f"{stem}{challenges.SUFFIX}").unlink(missing_ok=True)
+            folder.rmdir()
+        raise
     order.output.line(order.words("challenge-new", path=str(folder / f"{stem}{challenges.SUFFIX}")))
     return ExitCode.DONE
 
@@ -598,7 +604,7 @@ def _read(judge: Judge, pupil: _Pupil) -> _Texts | str:
     texts = list[tuple[str, str]]()
     try:
         for robot, file in pupil.files.items():
-            if pupil.given and part_below(os.path.realpath(pupil.given), os.path.realpath(file)) is None:
+            if pupil.given and part_below(real_path(pupil.given), real_path(file)) is None:
                 return judge.words("check-leads-out", path=file)
             texts.append((robot, read_source(file, judge.words).text))
     except Unusable as unusable:

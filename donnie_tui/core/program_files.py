@@ -200,14 +200,14 @@ def programs_in(folder: Path, inside: Container[str] = ()) -> tuple[ProgramEntry
     """
     found = []
     try:
-        here = os.path.realpath(folder)
+        here = real_path(folder)
         for name, is_folder, is_link in folder_items(folder):
             path, shown = folder / name, printable(name)
             if not is_folder:
                 if name.endswith(SUFFIX):
                     found.append(ProgramEntry(path, shown, fold_name(shown)))
                 continue
-            real = os.path.realpath(path) if is_link else f"{here.rstrip(os.sep)}{os.sep}{name}"
+            real = real_path(path) if is_link else f"{here.rstrip(os.sep)}{os.sep}{name}"
             if not is_link or (real not in inside and part_below(real, here) is None):
                 found.append(ProgramEntry(path, f"{shown}/", fold_name(shown), real))
     except OutsideError as problem:
@@ -244,7 +244,7 @@ def program_meant(name: str) -> Path:
 def read_program(path: Path) -> str:
     """The text of a program in a file. Refuses a pipe, which may block. Raises ``DocumentError``."""
     if exists(path) and not (path.is_file() or path.is_dir()):
-        raise DocumentError("file-not-text", str(path))
+        raise DocumentError("file-no-file", str(path))
     return read_to_the_end(path)
 
 

@@ -126,13 +126,16 @@ def connect_belt(
         return tuple
     refuse_shared_port(settings, words)
     from devices.belt import BeltNotice, SerialBelt, open_belt_port
-    from devices.serial_ports import PortProblem, SameBoard, stable_name
+    from devices.serial_ports import PortFault, PortProblem, SameBoard, stable_name
 
     news = _News(settings.belt, team, words)
     try:
         belt = SerialBelt(stable_name(settings.belt), news, SameBoard(open_belt_port))
     except PortProblem as problem:
-        news(BeltNotice.MISSING, problem.reason)
+        if problem.fault is PortFault.NOT_NAMED:
+            news.publish(words("problem-port-not-named", port=settings.belt))
+        else:
+            news(BeltNotice.MISSING, problem.reason)
         return news.take
     closing.callback(belt.close)
     closing.callback(team.stream.subscribe(ChosenBelt(lambda: team.chosen.hub.robot, belt.show)))

@@ -49,13 +49,13 @@ class Confinement:
 
     def __init__(self, folder: str, readable: Iterable[str] = ()) -> None:
         """``readable``: folders outside that can be read."""
-        self.folder = os.path.realpath(folder)
+        self.folder = _followed(folder)
         self.own_folder = os.path.join(self.folder, OWN_FOLDER)  # noqa: PTH118 -- pathlib is slow to load
-        self._readable = tuple(map(os.path.realpath, readable))
+        self._readable = tuple(map(_followed, readable))
 
     def check(self, path: AnyPath) -> None:
         """Raises ``OutsideError`` unless a learner may name this path: inside the folder and not hidden."""
-        inside = part_below(self.folder, os.path.realpath(path))
+        inside = part_below(self.folder, _followed(path))
         if inside is None:
             raise OutsideError(path)
         if any(part.startswith(".") for part in _parts(inside)):
@@ -63,7 +63,7 @@ class Confinement:
 
     def open(self, path: AnyPath, flags: int, permissions: int) -> int:
         """The descriptor of a file inside, or to be read in a readable folder. Raises ``OSError``."""
-        real = os.path.realpath(path)
+        real = _followed(path)
         for root in (self.folder, *(() if flags & _CHANGING else self._readable)):
             inside = part_below(root, real)
             if inside is not None:
@@ -111,7 +111,7 @@ def confine(confinement: Confinement | None) -> None:
     """Confine this process, or lift it with None. A relative name means a file inside."""
     global _confinement
     _confinement = confinement
-    if confinement is not None and part_below(confinement.folder, os.path.realpath(os.curdir)) is None:
+    if confinement is not None and part_below(confinement.folder, _followed(os.curdir)) is None:
         os.chdir(confinement.folder)
 
 
@@ -133,7 +133,7 @@ def check_name(path: AnyPath) -> None:
 
 def check_own(path: AnyPath) -> None:
     """Raises ``OutsideError`` for a folder of Donnie's own that is outside, by a link."""
-    if _confinement is not None and part_below(_confinement.folder, os.path.realpath(path)) is None:
+    if _confinement is not None and part_below(_confinement.folder, _followed(path)) is None:
         raise OutsideError(path)
 
 
@@ -155,9 +155,20 @@ def real_path(path: AnyPath) -> str:
     ``Path.resolve`` raises ``RuntimeError`` for a link to itself, and ``ValueError`` for a zero byte.
     """
     try:
+        return _followed(path)
+    except ValueError:
+        return os.path.normpath(path)
+
+
+def _followed(path: AnyPath) -> str:
+    """The path with its links followed. Raises ``ValueError`` for a zero byte.
+
+    A relative path stays relative where the working folder was removed: there it leads nowhere.
+    """
+    try:
         return os.path.realpath(path)
-    except (OSError, ValueError):
-        return os.path.abspath(path)  # noqa: PTH100 -- pathlib is slow to load
+    except OSError:
+        return os.path.normpath(path)
 
 
 def open_descriptor(path: AnyPath, flags: int, permissions: int = 0o666) -> int:

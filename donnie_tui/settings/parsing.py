@@ -186,8 +186,10 @@ SIMULATED, DOUBLE, SERIAL, PLAYER = "sim", "double", "serial", "player"
 ``player://HOST:PORT/INDEX`` is one of the robots of a server, the first one without ``/INDEX``."""
 PLAYER_PORT = 6665
 
-ROBOT_WANTED = "sim, serial, serial:PORT, double, player://HOST:PORT/INDEX"
 PORT_WANTED = "DEVICE, socket://HOST:PORT, rfc2217://HOST:PORT"
+ROBOT_WANTED = (
+    f"sim, serial, serial:{PORT_WANTED.replace(', ', ', serial:')}, double, player://HOST:PORT/INDEX"
+)
 STEPS_WANTED = "5 10 20"
 COLUMNS_WANTED = "front 3, front-right 4, back 0 6"
 METRES_WANTED = "0.001-1"

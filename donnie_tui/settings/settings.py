@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 from msgspec import Struct, field
 
 from donnie_tui import DETAILS
+from donnie_tui.process.confinement import real_path
 from donnie_tui.settings.parsing import (
     BUMPERS_WANTED,
     CAMERA_WANTED,
@@ -401,8 +402,8 @@ def _limit(key: Key, source: Mapping[str, object]) -> Any:
 
 def _folder_within(name: str, outer: str | None) -> str:
     """The real path of a folder that is there, and lies in ``outer``."""
-    found = os.path.realpath(_with_home(name))
-    if not os.path.isdir(found):  # noqa: PTH112 -- pathlib is slow to load
+    found = real_path(_with_home(name))
+    if not (os.path.isabs(found) and os.path.isdir(found)):  # noqa: PTH112, PTH117 -- pathlib is slow to load
         raise BadLimitsError("confined-no-folder", path=name)
     if outer is not None and os.path.commonpath((outer, found)) != outer:
         raise BadLimitsError("confined-wider", path=name, folder=outer)

@@ -48,6 +48,9 @@ def test_without_a_camera_the_program_continues_after_one_sentence(lesson: Path)
     assert lines[-1] == "I walked 1 step forward."
 
 
+NOT_NAMED = "can't be used in this session. Your teacher can allow it: --devices."
+
+
 def test_a_confined_session_sees_only_its_own_pictures_and_named_cameras(lesson: Path) -> None:
     ana = lesson / "ana"
     ana.mkdir()
@@ -62,10 +65,10 @@ def test_a_confined_session_sees_only_its_own_pictures_and_named_cameras(lesson:
 
     assert first("inside.png") == "2"
     for name in ("../pictures", "../pictures/a.png", "link", str(lesson / "pictures")):
-        assert first(name) == f"{name} can't be used in this session."
-    assert first("/dev/null") == "/dev/null can't be used in this session."
+        assert first(name) == f"{name} is not in your folder. Stay in it."
+    assert first("/dev/null") == f"/dev/null {NOT_NAMED}"
     assert first("/dev/null", "--devices", "/dev/null") == "The camera /dev/null gives no picture."
-    assert first("97") == "/dev/video97 can't be used in this session."
+    assert first("97") == f"/dev/video97 {NOT_NAMED}"
 
 
 def test_sensors_name_the_camera(lesson: Path) -> None:

@@ -14,6 +14,7 @@ import worlds.words
 from donnie_tui.cli.main import main
 from donnie_tui.i18n.words import Words
 from tests.conftest import ROOT
+from tests.environment import of_a_process
 from tests.sessions.command import QUIET, donnie
 from tests.timeouts import TIMEOUT
 
@@ -40,6 +41,24 @@ def printed(capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pyt
 
 def write(name: str, text: str) -> None:
     Path(name).write_text(text, encoding="utf-8")
+
+
+def test_a_challenge_that_can_not_be_written_leaves_nothing(tmp_path: Path) -> None:
+    """A folder that stays would keep its name from the next try."""
+    command = f"ulimit -f 0; exec {sys.executable} -B -m donnie_tui challenge new lap"
+    done = subprocess.run(
+        ["sh", "-c", command],
+        cwd=tmp_path,
+        env=of_a_process(tmp_path),
+        capture_output=True,
+        timeout=TIMEOUT,
+    )
+
+    assert (done.returncode, done.stderr.decode()) == (
+        2,
+        "I can't write lap/lap.toml: the file would be too large.\n",
+    )
+    assert list(tmp_path.iterdir()) == []
 
 
 # --- serve
@@ -266,7 +285,8 @@ def test_a_report_lists_ignored_properties(printed: Printed) -> None:
         (("run", "a.gd", "--robot", "serial:/dev/x"), "Nothing is plugged in at /dev/x."),
         (
             ("run", "a.gd", "--robot", "bogus"),
-            "The option --robot can't be bogus. It takes sim, serial, serial:PORT, double, player://HOST:PORT/INDEX.",
+            "The option --robot can't be bogus. It takes sim, serial, serial:DEVICE, "
+            "serial:socket://HOST:PORT, serial:rfc2217://HOST:PORT, double, player://HOST:PORT/INDEX.",
         ),
         (("run", "a.gd", "--speed", "fast"), "The option --speed can't be fast. It takes 0.1-1000, max."),
         (("run", "a.gd", "--events", "no/such"), "I can't write no/such: there is no such folder."),
@@ -278,7 +298,7 @@ def test_a_report_lists_ignored_properties(printed: Printed) -> None:
         ),
         (("replay", "a.gd", "--from", "abc"), "The option --from takes a whole number, such as 12."),
         (("run", "a.gd", "--lang"), "The option --lang needs a value. The option --help says more."),
-        (("--linear", "--visual"), "The option --visual contradicts another one."),
+        (("--linear", "--visual"), "Give only one of these options: --visual, --linear."),
         (("challenge", "no_such"), "There is no challenge no_such. donnie challenge lists them."),
     ],
 )

@@ -70,7 +70,7 @@ def test_a_world_is_saved_in_the_folder_only(ana: Path, name: str) -> None:
         ana, "--linear", "--world", "first_room", "--confined", str(ana), *QUIET, typed=typed
     ).stdout.decode()
 
-    assert "is not in your folder." in done
+    assert "is not in your folder. Stay in it." in done
     assert "World saved as mine.world." in done
     assert outside(ana) == before
     assert 'box( name "box"' in (ana / "mine.world").read_text()
@@ -87,7 +87,7 @@ def test_no_word_of_the_linear_mode_reads_or_writes_outside(ana: Path) -> None:
 
     assert said.count("Saved coração.gd, 1 line.") == 1
     for name in names:
-        assert said.count(f"{name} is not in your folder.") == len(words), name
+        assert said.count(f"{name} is not in your folder. Stay in it.") == len(words), name
     assert outside(ana) == before
     assert "4711" not in done.stdout.decode()
     assert (ana / "coração.gd").read_text() == "FW 2\n"
@@ -155,7 +155,7 @@ def test_hidden_files_are_refused(ana: Path, word: str, name: str) -> None:
 
     added = {"SAVE LOG": ".txt", "REPORT LIST": ".html"}.get(word, "")
     refused = name if name.endswith(".toml") else f"{name}{added}"
-    assert f"{refused} is hidden. You can't use it here." in done.stdout.decode().splitlines()
+    assert f"{refused} is hidden. Begin without a dot." in done.stdout.decode().splitlines()
     assert (ana / ".bashrc").read_text() == "true\n"
     assert not (ana / ".ssh" / "authorized_keys").exists()
 
@@ -206,8 +206,8 @@ def test_a_program_that_was_rescued_with_a_file_outside_is_not_saved_there(ana: 
 
     said = done.stdout.decode()
     assert said.count(" is back, 1 line.") == 2
-    assert "secret.gd is not in your folder." in said
-    assert ".bashrc is hidden." in said
+    assert "secret.gd is not in your folder. Stay in it." in said
+    assert ".bashrc is hidden. Begin without a dot." in said
     assert (ana.parent / "secret.gd").read_text() == SECRET
     assert not (ana / ".bashrc").exists()
 
@@ -355,7 +355,7 @@ def test_no_command_reads_or_writes_outside(
         quiet = () if "wav:" in command else QUIET
         assert main([*command.format(name).split(), *limit, *quiet]) == 2, name
         out, err = capsys.readouterr()
-        assert err.splitlines() == [f"{name} is not in your folder."]
+        assert err.splitlines() == [f"{name} is not in your folder. Stay in it."]
         assert "4711" not in out
         assert not out or not command.startswith("challenge")
 
@@ -376,7 +376,7 @@ def test_no_challenge_makes_or_fills_a_hidden_folder(
 
     assert main([*command.format(name).split(), "--confined", ".", "--lang", "en"]) == 2
 
-    assert capsys.readouterr() == ("", f"{name} is hidden. You can't use it here.\n")
+    assert capsys.readouterr() == ("", f"{name} is hidden. Begin without a dot.\n")
     made = [each for each in sorted(here.rglob("*")) if ".donnie" not in each.parts]
     assert made == before
 
@@ -387,7 +387,7 @@ def test_no_answer_to_a_program_is_a_hidden_file(here: Path, capsys: pytest.Capt
 
     assert main(command.split()) == 2
 
-    assert capsys.readouterr() == ("", ".profile.txt is hidden. You can't use it here.\n")
+    assert capsys.readouterr() == ("", ".profile.txt is hidden. Begin without a dot.\n")
     assert not (here / ".profile.txt").exists()
 
 
@@ -439,7 +439,7 @@ def test_a_folder_that_can_not_be_used_prevents_the_start(
     monkeypatch.setenv("DONNIE_CONFINED", value)
 
     assert main(["run", "mine.gd", *QUIET]) == 2
-    assert "start" in capsys.readouterr().err
+    assert ("make it first" if value else "start") in capsys.readouterr().err
 
 
 def test_a_module_in_the_folder_is_not_imported(ana: Path) -> None:
@@ -470,7 +470,7 @@ def test_the_settings_of_the_machine_confine_and_nothing_lifts_them(
 ) -> None:
     machine.write_text(f'confined = "{here}"\nlang = "pt"\n')
     assert main(["check", "../secret.gd"]) == 2
-    assert capsys.readouterr().err == "../secret.gd não está na sua pasta.\n"
+    assert capsys.readouterr().err == "../secret.gd não está na sua pasta. Fique nela.\n"
 
     (here / ".donnie").mkdir()
     (here / ".donnie" / "settings.toml").write_text('confined = "/"\ndevices = "/dev/tty"\nlang = "es"\n')
@@ -478,7 +478,7 @@ def test_the_settings_of_the_machine_confine_and_nothing_lifts_them(
     assert capsys.readouterr().err.splitlines() == [
         "Solo quien enseña puede cambiar confined.",
         "Solo quien enseña puede cambiar devices.",
-        "../secret.gd no está en tu carpeta.",
+        "../secret.gd no está en tu carpeta. Quédate ahí.",
     ]
 
     monkeypatch.setenv("DONNIE_CONFINED", "/")
@@ -506,10 +506,13 @@ def test_damaged_settings_of_the_machine_prevent_the_start(
     machine.write_text(text)
 
     assert main(["check", "mine.gd"]) == 2
-    assert "start" in capsys.readouterr().err
+    assert ("start" if text == "confined = \n" else "make it first") in capsys.readouterr().err
 
 
 # --- devices
+
+
+NOT_NAMED = "/dev/tty can't be used in this session. Your teacher can allow it: --devices."
 
 
 def test_only_the_named_ports_can_be_used(
@@ -522,11 +525,11 @@ def test_only_the_named_ports_can_be_used(
         "calibrate --robot serial:/dev/tty",
     ):
         assert main([*command.split(), *QUIET]) == 2
-        assert capsys.readouterr().err.startswith("/dev/tty can't be used in this session.")
+        assert capsys.readouterr().err == f"{NOT_NAMED}\n"
     assert main(["devices", "/dev/tty"]) == 2
-    assert "/dev/tty can't be used in this session." in capsys.readouterr().out
+    assert NOT_NAMED in capsys.readouterr().out
     assert main(["run", "mine.gd", "--belt", "/dev/tty", *QUIET]) == 0
-    assert "/dev/tty" in capsys.readouterr().err
+    assert capsys.readouterr().err.startswith("/dev/tty can't be used in this session. Your teacher can")
 
     assert main(["run", "mine.gd", "--devices", "/dev/none", "--robot", "serial:/dev/none", *QUIET]) == 2
     assert capsys.readouterr().err == "This session may not use /dev/none.\n"

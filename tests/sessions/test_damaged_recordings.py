@@ -119,7 +119,7 @@ def test_a_text_of_escapes_without_an_end_is_looked_through_once() -> None:
 def test_a_file_that_is_no_recording_is_reported_in_one_sentence(here: Here) -> None:
     (here.folder / "a.rec").write_bytes(b"FW 3\n")
 
-    assert here.replay(code=2, err=["a.rec is not a recording."]) == []
+    assert here.replay(code=2, err=["a.rec is not a recording. The option --record makes one."]) == []
 
 
 def test_the_rest_of_any_damaged_recording_is_replayed_both_ways_and_drawn(here: Here) -> None:

@@ -57,7 +57,7 @@ def test_a_pipe_is_no_program_and_does_not_block_the_prompt(tmp_path: Path) -> N
     os.mkfifo(tmp_path / "pipe")
 
     done = donnie(tmp_path, "--linear", *QUIET, "pipe", typed="SPEAK 7\nRUN\n")
-    assert done.stdout.decode().splitlines()[1:3] == ["pipe is not a text.", "7"]
+    assert done.stdout.decode().splitlines()[1:3] == ["pipe is not an ordinary file.", "7"]
 
 
 def test_a_search_starts_at_the_reading_place_and_wraps_around(tmp_path: Path) -> None:

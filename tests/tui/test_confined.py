@@ -36,9 +36,7 @@ async def test_no_word_leaves_the_folder(open_screen, outside, tmp_path, word):
                 lambda name=name: f"{name} is not in your folder." in screen.log, "the refusal"
             )
         await screen.type_line(f"{word} .profile.gd")
-        await screen.until(
-            lambda: ".profile.gd is hidden. You can't use it here." in screen.log, "the refusal"
-        )
+        await screen.until(lambda: ".profile.gd is hidden. Begin without a dot." in screen.log, "the refusal")
 
         assert screen.main.editor.text == "FW 1"
     assert [each.name for each in outside.iterdir()] == ["secret.gd"]

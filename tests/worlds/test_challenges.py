@@ -425,7 +425,7 @@ def test_a_mistake_hides_no_other_and_makes_none(
 PUPILS = {
     "ana.gd": (b"FW 5", "ana.gd: Solved, in 1 command."),
     "bia.gd": (b"FW 4", "bia.gd: 0 of 1 goal. You stopped 1 step south of 0, 5."),
-    "caio.gd": (b"\xff\xfe\x00", "caio.gd is not a text."),
+    "caio.gd": (b"\xff\xfe\x00", "caio.gd is no text in UTF-8."),
     "endless.gd": (
         b"VAR A = 1\nWHILE A > 0 DO\nEND WHILE",
         "endless.gd: 0 of 1 goal. The program does not come to an end. You stopped 5 steps south of 0, 5.",
@@ -701,7 +701,7 @@ def test_many_programs_are_judged_in_several_processes_with_the_same_table(
 
     solved = [number for number in range(count) if number % 8 == 4]
     lines = printed.splitlines()
-    assert lines[3] == "pupils/0003.gd is not a text."
+    assert lines[3] == "pupils/0003.gd is no text in UTF-8."
     assert lines[4:6] == [
         "0004.gd: Solved, in 1 command.",
         "0005.gd: 0 of 1 goal. You stopped 1 step north of 0, 5.",
@@ -1112,7 +1112,7 @@ def test_no_program_of_a_folder_stops_the_rest(tmp_path: Path, capsys: pytest.Ca
         f"computes.gd: {endless}",
         "empty.gd: 0 of 1 goal. You stopped 5 steps south of 0, 5.",
         "jos\u00e9 da silva (2).gd: Solved, in 1 command.",
-        "no text.gd is not a text.",
+        "no text.gd is no text in UTF-8.",
         f"waits.gd: {endless}",
         "6 programs. 1 solved.",
     ]
@@ -1312,7 +1312,10 @@ def test_the_records_of_a_folder_are_json(tmp_path: Path, capsys: pytest.Capture
 
     ana, rui = json.loads(capsys.readouterr().out)
     assert (ana["solved"], ana["goals"], ana["met"], ana["commands"], ana["steps"]) == (True, 1, 1, 1, 5)
-    assert (rui["solved"], rui["verdict"]) == (None, f"{tmp_path}/rui.gd is not a text.")
+    assert (rui["solved"], rui["verdict"]) == (
+        None,
+        f"{tmp_path}/rui.gd is no text in UTF-8.",
+    )
 
 
 def test_a_file_name_is_no_formula_of_the_table(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -1328,7 +1331,10 @@ def test_a_file_name_is_no_formula_of_the_table(tmp_path: Path, monkeypatch: pyt
     with Path("t.csv").open(encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
     assert [each["file"] for each in rows] == ["'=HYPERLINK(1).gd", "'@b.gd", "a [2J.gd"]
-    assert [each["verdict"] for each in rows[:2]] == ["Solved, in 1 command.", "'@b.gd is not a text."]
+    assert [each["verdict"] for each in rows[:2]] == [
+        "Solved, in 1 command.",
+        "'@b.gd is no text in UTF-8.",
+    ]
     assert sorted(each.name for each in Path("texts").iterdir()) == [
         "=HYPERLINK(1).txt",
         "@b.txt",

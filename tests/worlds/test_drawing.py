@@ -425,14 +425,14 @@ def test_a_file_that_is_there_is_never_overwritten(folder: Path, capsys: pytest.
 
     assert main(["world", "new", "room.world", "--from", "map.txt"]) == 2
     assert (folder / "room.world").read_text(encoding="utf-8") == "mine"
-    assert capsys.readouterr().err == "room.world is there already. I changed nothing.\n"
+    assert capsys.readouterr().err == "room.world is there already. Give another name.\n"
 
 
 @pytest.mark.parametrize(
     ("content", "sentence"),
     [
         (b"", "Error, map.txt: There is no drawing. # is wall, . is free floor, ^ is a robot."),
-        (b"\0\1\2", "map.txt is not a text."),
+        (b"\0\1\2", "map.txt is no text in UTF-8."),
         (b"#" * 1_000_000, "Error, map.txt, line 1, column 401: The line is too long: 400 letters at most."),
         (b"####\n" * 200_000, "Error, map.txt, line 401, column 1: Too many lines: 400 at most."),
     ],

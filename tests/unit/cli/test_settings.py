@@ -254,7 +254,11 @@ def test_the_folders_of_worlds_default_to_those_of_stage() -> None:
 @pytest.mark.parametrize(
     ("key", "ending"),
     [
-        ("robot", "It takes one of sim, serial, serial:PORT, double, player://HOST:PORT/INDEX."),
+        (
+            "robot",
+            "It takes sim, serial, serial:DEVICE, serial:socket://HOST:PORT, serial:rfc2217:"
+            "//HOST:PORT, double, player://HOST:PORT/INDEX.",
+        ),
         ("theme", "It takes one of dark, light, contrast, terminal."),
         ("rate", "It takes 80-450."),
         ("belt_steps", "For example: 5 10 20."),

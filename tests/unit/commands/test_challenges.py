@@ -267,7 +267,9 @@ def test_a_challenge_whose_end_is_unknown_is_not_entered(open_script: OpenScript
     file.with_name("it.solution.gd").write_bytes(b"\xff\xfe\x00")
     script = open_script()
 
-    assert script.answers_to(f"CHALLENGE {file}") == [f"{file.with_name('it.solution.gd')} is not a text."]
+    assert script.answers_to(f"CHALLENGE {file}") == [
+        f"{file.with_name('it.solution.gd')} is no text in UTF-8."
+    ]
 
 
 def test_questions_are_asked_and_counted_with_the_run_before(open_script: OpenScript, tmp_path: Path) -> None:

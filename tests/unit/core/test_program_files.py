@@ -151,7 +151,7 @@ def test_a_pipe_is_not_opened_because_reading_it_may_wait_for_ever(tmp_path: Pat
 
     with pytest.raises(DocumentError) as caught:
         read_program(program_to_open(str(tmp_path / "pipe")))
-    assert caught.value.code == "file-not-text"
+    assert caught.value.code == "file-no-file"
 
 
 def test_a_command_reads_a_pipe_to_its_end(tmp_path: Path) -> None:

@@ -26,6 +26,7 @@ from devices.serial_ports import (
     is_same_port,
 )
 from donnie_tui.i18n.words import Words
+from donnie_tui.robot.search import sentences_of
 from tests.timeouts import TIMEOUT
 from tests.unit.devices.board_ports import BoardPort, opener
 
@@ -69,9 +70,9 @@ def test_a_terminals_error_while_opening_is_a_problem(monkeypatch: pytest.Monkey
 def test_an_address_that_can_not_be_parsed_is_a_problem_with_a_translated_sentence(address: str) -> None:
     with pytest.raises(PortProblem) as caught:
         SerialPort(address, 9600)
-    assert (caught.value.fault, caught.value.reason) == (PortFault.UNUSABLE, "Invalid argument")
-    sentence = Words("pt")("problem-port-failed", port=address, reason=caught.value.reason)
-    assert sentence.endswith("não dá para entender.")
+    assert (caught.value.fault, caught.value.reason) == (PortFault.NO_PORT, "Invalid argument")
+    wanted = "não é uma porta. Pode ser: DEVICE, socket://HOST:PORT, rfc2217://HOST:PORT."
+    assert sentences_of(caught.value, Words("pt")) == (f"{address} {wanted}",)
 
 
 def test_an_address_whose_machine_is_not_found_has_the_reason_of_the_resolver(
@@ -92,7 +93,7 @@ def test_an_address_that_writes_a_file_is_refused_before_it_writes(scheme: str, 
     with pytest.raises(PortProblem) as caught:
         SerialPort(f"{scheme}:///dev/null?file={tmp_path}/spied", 9600)
 
-    assert caught.value.fault is PortFault.UNUSABLE
+    assert caught.value.fault is PortFault.NO_PORT
     assert not (tmp_path / "spied").exists()
 
 
