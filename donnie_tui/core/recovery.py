@@ -254,7 +254,9 @@ def read_copy(copy: Path) -> SavedCopy:
 
 def _with_file_line(wanted: SavedCopy) -> str:
     """The text of the copy. A path that does not fit into a line of text is left out."""
-    name = str(wanted.path.absolute()) if wanted.path is not None else ""
+    name = ""
+    with contextlib.suppress(OSError):  # the working folder was removed
+        name = str(wanted.path.absolute()) if wanted.path is not None else ""
     if not name.isprintable():
         name = ""
     return f"{_FILE}{name}\n{wanted.text}" if name or wanted.text.startswith(_FILE) else wanted.text

@@ -178,8 +178,8 @@ _PROJECT = (
 
 def roots_of(folder: Path) -> Iterator[Path]:
     """The project that a folder is part of, and the current folder if it is above it."""
-    current = Path.cwd()
-    for root in (_project(folder), current if folder.is_relative_to(current) else None):
+    current = real_path(".")
+    for root in (_project(folder), Path(current) if folder.is_relative_to(current) else None):
         if root is not None and root != root.parent and is_allowed(root):
             yield root
 

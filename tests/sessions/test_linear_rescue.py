@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import signal
 from pathlib import Path
+from shutil import rmtree
 
 import pytest
 
@@ -95,3 +96,29 @@ def test_a_program_that_was_saved_leaves_no_copy(learner: Learner, tmp_path: Pat
     learner.types("SAVE mine\r")
     learner.sees_prompt()
     until(lambda: list((tmp_path / "state").rglob("unsaved-*")) == [])
+
+
+def test_a_working_folder_that_was_removed_ends_no_session_and_loses_nothing(tmp_path: Path) -> None:
+    folder = tmp_path / "work"
+    folder.mkdir()
+    (folder / "walk.gd").write_text("FW 1\n")
+    places = {f"XDG_{kind.upper()}_HOME": str(tmp_path / kind) for kind in ("config", "state")}
+    learner = Learner(folder, "walk.gd", **places)
+    learner.sees_prompt()
+    rmtree(folder)
+    learner.types("FW 2\r")
+    learner.enters("SAVE", "SAVE other", "WORLD wall.world", "REPORT MAP map.html")
+    learner.sees("I can't write map.html: there is no such folder.")
+    learner.sees_prompt()
+    said = [each for each in learner.lines if each.startswith(("I can", "There is no"))]
+    print(learner.lines)
+    learner.child.kill(signal.SIGTERM)
+
+    assert learner.leaves() == 128 + signal.SIGTERM
+    assert said[:3] == [
+        "I can't write walk.gd: there is no such folder.",
+        "I can't write other.gd: there is no such folder.",
+        "There is no file wall.world.",
+    ]
+    (copy,) = copies(tmp_path)
+    assert copy.read_text().splitlines()[-2:] == ["FW 1", "FW 2"]

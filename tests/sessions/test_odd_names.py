@@ -126,3 +126,42 @@ def test_none_of_them_ends_a_session(tmp_path: Path) -> None:
     assert done.returncode == 2
     assert {"a b.world", "c d.gd", "e f.html"} < {each.name for each in tmp_path.iterdir()}
     assert (tmp_path / "loop.world").is_symlink()
+
+
+# --- a working folder that was removed
+
+
+@pytest.fixture
+def removed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The folder above the working folder, which is gone; with a program and a world."""
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
+    (tmp_path / "a.gd").write_text("FW 1\n")
+    (tmp_path / "wall.world").write_text(WALL)
+    gone = tmp_path / "gone"
+    gone.mkdir()
+    monkeypatch.chdir(gone)
+    gone.rmdir()
+    return tmp_path
+
+
+@pytest.mark.parametrize(
+    ("command", "code", "sentence"),
+    [
+        ("run {above}/a.gd", 0, "I walked 1 step forward."),
+        ("run {above}/a.gd --world {above}/wall.world", 0, "I walked 1 step forward."),
+        ("run {above}/a.gd --world wall.world", 2, "There is no file wall.world."),
+        ("run {above}/a.gd --record r", 2, "I can't write r: there is no such folder."),
+        ("run {above}/a.gd --confined {above}", 0, "I walked 1 step forward."),
+        ("run {above}/a.gd --confined .", 2, "There is no folder .: make it first."),
+        ("check a.gd", 2, "There is no file a.gd."),
+        ("challenge check first_walk {above}/a.gd --csv c", 2, "I can't write c: there is no such folder."),
+        ("world new x.world", 2, "I can't write x.world: there is no such folder."),
+        ("player x.cfg", 2, "There is no file x.cfg."),
+    ],
+)
+def test_a_working_folder_that_was_removed_is_one_sentence(
+    removed: Path, capsys: pytest.CaptureFixture[str], command: str, code: int, sentence: str
+) -> None:
+    assert main(command.format(above=removed).split()) == code
+    out, err = capsys.readouterr()
+    assert sentence in (out + err).splitlines()
