@@ -33,7 +33,7 @@ async def test_no_word_leaves_the_folder(open_screen, outside, tmp_path, word):
         for name in ("link.gd", f"{outside}/secret.gd"):
             await screen.type_line(f"{word} {name}")
             await screen.until(
-                lambda name=name: f"{name} is not in your folder." in screen.log, "the refusal"
+                lambda name=name: f"{name} is not in your folder. Stay in it." in screen.log, "refusal"
             )
         await screen.type_line(f"{word} .profile.gd")
         await screen.until(lambda: ".profile.gd is hidden. Begin without a dot." in screen.log, "the refusal")
@@ -87,7 +87,7 @@ async def test_the_programs_to_open_are_those_of_the_folder(open_screen, outside
             screen.app.screen.query_one("#answer").value = ""
             await screen.until(lambda: "deep.gd" in screen.text, "the folder")
         screen.app.screen.query_one("#answer").value = ".donnie/"
-        await screen.until(lambda: "hidden. You can't" in " ".join(screen.text.split()), "the reason")
+        await screen.until(lambda: "hidden. Begin without" in " ".join(screen.text.split()), "the reason")
         assert "hidden.gd" not in screen.text
 
 
@@ -95,7 +95,9 @@ async def test_a_new_program_is_saved_in_the_folder_alone(open_screen, outside, 
     async with open_screen("FW 1") as screen:
         await screen.press("ctrl+k", "s")
         await screen.answer(f"{outside}/new.gd")
-        await screen.until(lambda: f"{outside}/new.gd is not in your folder." in screen.log, "the reason")
+        await screen.until(
+            lambda: f"{outside}/new.gd is not in your folder. Stay in it." in screen.log, "reason"
+        )
         await screen.press("ctrl+k", "s")
         await screen.answer("mine")
         await screen.shows("Saved mine.gd")
