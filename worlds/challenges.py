@@ -318,7 +318,7 @@ class BadChallenge(Exception):
 
 
 @cache
-def _ladders() -> Mapping[str, str]:
+def ladders() -> Mapping[str, str]:
     """The ladder of each challenge that ships, in the order in which to solve them."""
     with open_bytes(Path(LADDERS, "order.txt")) as stream:
         parts = (line.partition(":") for line in stream.read(LARGEST).decode().splitlines())
@@ -327,12 +327,7 @@ def _ladders() -> Mapping[str, str]:
 
 def names() -> tuple[str, ...]:
     """The challenges that ship, in the order in which to solve them."""
-    return tuple(_ladders())
-
-
-def ladder_of(name: str) -> str:
-    """The ladder on which a challenge is a step; empty for one that does not ship."""
-    return _ladders().get(name, "")
+    return tuple(ladders())
 
 
 def after(name: str) -> str | None:

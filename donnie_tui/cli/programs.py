@@ -264,7 +264,7 @@ def challenge(order: Order) -> int:
 
 def _list_challenges(order: Order) -> int:
     numbers = {name: number for number, name in enumerate(challenges.names(), start=1)}
-    for ladder, steps in groupby(numbers, challenges.ladder_of):
+    for ladder, steps in groupby(numbers, challenges.ladders().get):
         order.output.line(order.words(f"ladder-{ladder}"))
         for found in map(challenges.find, steps):
             title = found.text(order.words.language).title

@@ -66,7 +66,7 @@ def test_each_file_is_a_step_of_a_ladder() -> None:
     files = sorted(each.stem for each in Path(challenges.LADDERS).glob("*.toml"))
 
     assert sorted(challenges.names()) == files
-    assert all(challenges.ladder_of(name) for name in files)
+    assert all(challenges.ladders()[name] for name in files)
 
 
 @pytest.mark.parametrize("name", challenges.names())

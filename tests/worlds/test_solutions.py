@@ -102,7 +102,7 @@ def test_each_small_mistake_fails_for_the_reason_that_the_verdict_says(name: str
 
 
 @pytest.mark.parametrize(
-    "name", [each for each in challenges.names() if challenges.ladder_of(each) == "looking"]
+    "name", [each for each in challenges.names() if challenges.ladders()[each] == "looking"]
 )
 def test_what_solves_one_start_of_a_looking_challenge_does_not_solve_the_others(name: str) -> None:
     """The commands that the solution carries out at one start, with their numbers, fail at another one."""
