@@ -45,7 +45,11 @@ def _moment(ctx: Context) -> tuple[Pose, Trail]:
     moves = Trail(lambda: robot)
     for stamped in past.events[: past.at]:
         moves.on_event(stamped)
-    return past.pose(robot) or ctx.donnie.session.pose, moves
+    at = past.at
+    past.go_to(max(1, at))  # where the robot was at first is known from the beginning of the run
+    pose = past.pose(robot)
+    past.go_to(at)
+    return pose or ctx.donnie.session.pose, moves
 
 
 @handles("around")

@@ -357,3 +357,110 @@ def test_without_a_learner_to_ask_a_missing_name_is_not_understood(open_script: 
     assert script.answers_to("OPEN") == wrong("OPEN file")
     assert script.answers_to("SAVE WORLD") == wrong("SAVE WORLD room")
     assert script.interaction.asked == []
+
+
+def check(script: Script, *conversation: tuple[str, list[str]]) -> None:
+    for typed, answers in conversation:
+        assert (typed, script.answers_to(typed)) == (typed, answers)
+
+
+FREE = [f"{side}: free, 10 steps." for side in ("Ahead", "Right", "Behind", "Left")]
+
+
+def test_on_the_way_back_place_and_trail_are_those_of_that_moment(open_script: OpenScript) -> None:
+    script, present = open_script("FW 1", "TR 90", "FW 2"), "You are back in the present."
+    start, one = ["Position 0, 0. Facing north."], ["Position 0, 1. Facing north."]
+    check(
+        script,
+        ("STEP", ["Line 1: FW 1"]),
+        ("STEP", ["I walked 1 step forward.", "Line 2: TR 90"]),
+        ("WHERE", one),
+        ("TRAIL", ["FW 1: 1 step, to 0, 1."]),
+        (
+            "STEP BACK",
+            ["Looking back. The robot stays where it is.", "Before FW 1: position 0, 0.", "Line 1: FW 1"],
+        ),
+        *(("WHERE", start), ("TRAIL", ["I have not moved yet."])),
+        *(("STEP BACK", ["Back: start of the program."]), ("WHERE", start)),
+        ("AROUND", [present, "There is nothing within 10 steps.", *FREE]),
+        ("WHERE", one),
+        ("STOP", ["Stopped at line 2."]),
+    )
+
+
+def rejecting(script: Script, line: str, *, can_edit: bool) -> Script:
+    script.ctx.program.rejected = line
+    script.interaction.can_edit = can_edit
+    return script
+
+
+@pytest.mark.parametrize(
+    ("typed", "offered"),
+    [("FIX", "FW 2"), ("CHANGE 2", "FWD 2"), ("CHANGE 2 FW 8", "FW 8")],
+)
+def test_a_rejected_line_is_offered_again(open_script: OpenScript, typed: str, offered: str) -> None:
+    script = rejecting(open_script("FW 1", answers=["FW 9"]), "FWD 2", can_edit=True)
+
+    check(script, (typed, []))
+    assert script.interaction.asked == [f"Edit line 2, then Enter. {offered}", "> FW 9"]
+    assert script.ctx.program.lines == ("FW 1",)
+
+
+@pytest.mark.parametrize(
+    ("typed", "answer", "lines"),
+    [
+        ("FIX", "Line 2: FW 2", ("FW 1", "FW 2")),
+        ("CHANGE 2 FW 8", "Line 2: FW 8", ("FW 1", "FW 8")),
+        ("CHANGE 2", "There is no line 2. The last is 1.", ("FW 1",)),
+        ("CHANGE 3 FW 8", "There is no line 3. The last is 1.", ("FW 1",)),
+    ],
+)
+def test_where_no_line_can_be_offered_a_rejected_one_is_added(
+    open_script: OpenScript, typed: str, answer: str, lines: tuple[str, ...]
+) -> None:
+    script = rejecting(open_script("FW 1"), "FWD 2", can_edit=False)
+
+    check(script, (typed, [answer]))
+    assert script.ctx.program.lines == lines
+    assert script.ctx.program.place == len(lines) - (len(lines) == 1)
+
+
+def test_a_rejected_line_without_a_fix_is_only_offered(open_script: OpenScript) -> None:
+    unknown = ["I don't know what was meant."]
+    script = rejecting(open_script("FW 1", answers=["FW 2"]), "zzzz qqqq", can_edit=True)
+    check(script, ("FIX", unknown))
+    assert script.interaction.asked == ["Edit line 2, then Enter. zzzz qqqq", "> FW 2"]
+
+    script = rejecting(open_script("FW 1"), "zzzz qqqq", can_edit=False)
+    check(script, ("FIX", unknown))
+    assert script.ctx.program.lines == ("FW 1",)
+
+
+def test_a_line_is_typed_anew_where_it_can_not_be_edited(open_script: OpenScript) -> None:
+    script = open_script("FW 1", answers=["FW 3"])
+    script.interaction.can_edit = False
+
+    check(
+        script, ("CHANGE 1", ["Line 1: FW 3"]), ("UNDO", ["Line 1: FW 1"]), ("UNDO", ["Nothing was changed."])
+    )
+    assert script.interaction.asked == ["Type line 1, then Enter. FW 1"]
+
+
+def test_an_undone_first_line_leaves_an_empty_program(open_script: OpenScript) -> None:
+    check(
+        open_script(),
+        ("INSERT 1 FW 1", ["Line 1: FW 1"]),
+        ("UNDO", ["There are no lines yet."]),
+        ("REDO", ["Line 1: FW 1"]),
+    )
+
+
+def test_a_change_of_lines_that_have_run_says_what_waits_again(open_script: OpenScript) -> None:
+    script = open_script("FW 1", "FW 2", "FW 3")
+    script.ctx.program.batch_ran()
+
+    check(
+        script,
+        ("CHANGE 1 FW 5", ["Line 1: FW 5", "RUN runs all 3 lines again."]),
+        ("INSERT 2 FW 6", ["Line 2: FW 6"]),
+    )

@@ -296,6 +296,20 @@ def test_errors_are_chosen_from_a_list_and_shown_where_they_are(open_script: Ope
     assert screen.called == ["mark_mistakes"] * 2
 
 
+def test_a_mistake_of_the_last_run_is_listed_while_its_line_is_the_same(open_script: OpenScript) -> None:
+    script = open_script("FW 1", "SPEAK 1 / 0", answers=["2 7"])
+    script.interaction.until_over = script.rest
+    screen = on_screen(script)
+    script.answers_to("AGAIN", "ERRORS")
+    assert script.interaction.asked == ["1 error.", "Error, line 2, column 7: I can't divide by zero."]
+    assert screen.called == ["focus program", "place_cursor 2 7"]
+
+    script.interaction.asked.clear()
+    said = script.answers_to("CHANGE 2 FW 1", "ERRORS")
+    assert script.interaction.asked == []
+    assert said[2] == "Error, line 2, column 7: I can't divide by zero."
+
+
 def test_errors_in_one_column_are_said(open_script: OpenScript) -> None:
     script = open_script(*WRONG)
     on_screen(script).is_plain = True
