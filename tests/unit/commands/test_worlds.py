@@ -1,0 +1,134 @@
+"""The map in words, and what is said and kept on the way to another world."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+from msgspec.structs import replace
+
+from donnie_tui.commands.world import arrive, settings_there
+from donnie_tui.settings.settings import SettingSource
+from tests.timeouts import TIMEOUT
+from tests.unit.commands.scripted import Script
+
+OpenScript = Callable[..., Script]
+
+
+def arrived(script: Script, *, is_silent: bool = False) -> list[str]:
+    before = len(script.printed)
+    arrive(script.ctx, is_silent=is_silent)
+    script.donnie.session.hub.wait_until_delivered(TIMEOUT)
+    return script.printed[before:]
+
+
+FLOOR = [
+    *("This is the world open_floor: Open floor.", "An open floor without walls.", "There are no things."),
+]
+WALK = ["Challenge: The first walk. World: First room.", "Walk 5 steps to the north."]
+
+
+def test_a_world_is_described_on_arrival_and_the_program_stays(open_script: OpenScript) -> None:
+    script = open_script("FW 1")
+
+    assert arrived(script) == FLOOR
+    assert script.ctx.program.lines == ("FW 1",)
+
+
+def test_sound_that_was_off_is_off_there_too(open_script: OpenScript) -> None:
+    assert arrived(open_script(), is_silent=True) == ["Sound off.", *FLOOR]
+
+
+def test_another_challenge_begins_empty_and_undo_brings_the_program_back(open_script: OpenScript) -> None:
+    script = open_script("FW 1", "FW 2", world="challenge:1")
+    assert arrived(script) == [*WALK, "Your 2 lines are put away. UNDO brings them back."]
+    assert script.ctx.program.lines == ()
+    script.type("UNDO")
+    assert script.ctx.program.lines == ("FW 1", "FW 2")
+    assert arrived(open_script(world="challenge:1")) == WALK
+
+
+def test_the_same_challenge_keeps_the_program(open_script: OpenScript) -> None:
+    script = open_script("FW 1", world="challenge:1")
+    challenge = script.donnie.world.challenge
+    assert challenge is not None
+    script.ctx.workspace.challenge = challenge.name
+
+    assert arrived(script) == WALK
+    assert script.ctx.program.lines == ("FW 1",)
+
+
+def test_another_world_has_the_settings_of_this_one_and_the_changes_since(open_script: OpenScript) -> None:
+    script = open_script(speed=5.0)
+    settings = replace(script.ctx.preferences.settings, notices=("a notice",))  # type: ignore[arg-type]
+    script.donnie.words.language, script.donnie.words.detail = "pt", "brief"
+    script.donnie.session.speed = 2.0
+    there = settings_there(script.donnie, settings, "maze")
+
+    assert (there.world, there.language, there.verbosity, there.speed) == ("maze", "pt", "brief", 2.0)
+    assert (there.notices, there.robot, there.sources) == ((), settings.robot, settings.sources)
+    there = settings_there(script.donnie, replace(settings, robot="serial:/dev/x"), "maze")
+    assert there.robot == settings.robot
+    assert there.sources == {**settings.sources, "robot": SettingSource.OPTION}
+
+
+@pytest.mark.parametrize(
+    ("typed", "said"),
+    [
+        ("MAP 1 2 3", ["I did not understand. Type MAP 3 2."]),
+        ("MAP 0 0", ["0, 0: Donnie. here."]),
+        *((each, ["I did not understand. Type MAP ROW 2."]) for each in ("MAP ROW", "MAP ROW 1 2")),
+        *((each, ["I did not understand. Type MAP COLUMN 2."]) for each in ("MAP COLUMN", "MAP COLUMN 1 2")),
+        (
+            "MAP ROW 0",
+            [
+                "Row 0, from -16: wall, 3 free, 3 chair, 9 free, Donnie.",
+                "Row 0, from 1: 6 free, 3 ball, 6 free, wall.",
+            ],
+        ),
+        (
+            "AROUND east",
+            [
+                *("3 things within 10 steps.", "East: ball, yellow, 5 steps.", "South: wall, 9 steps."),
+                *("West: chair, green, 8 steps.", "West: small sofa, blue, 10 steps."),
+                "North: free, 10 steps.",
+            ],
+        ),
+        ("AROUND nowhere", ["I did not understand. Type AROUND north."]),
+    ],
+)
+def test_the_map_is_said_by_squares_rows_and_sides(
+    open_script: OpenScript, typed: str, said: list[str]
+) -> None:
+    assert open_script(world="first_room").answers_to(typed) == said
+
+
+def test_the_sign_of_free_squares_is_chosen(open_script: OpenScript) -> None:
+    script = open_script(world="first_room")
+    dots = script.answers_to("MAP PICTURE")
+
+    assert "Free: ." in dots
+    assert script.answers_to("SET free f", "MAP PICTURE")[1:] == [
+        each.replace(".", "f") if each[:1] in "#.^" or each == "Free: ." else each for each in dots
+    ]
+
+
+def test_the_driven_path_is_said_leg_by_leg_and_drawn(open_script: OpenScript) -> None:
+    script = open_script()
+    script.interaction.until_over = script.rest
+    script.answers_to("FW 3", "TR 90", "FW 2")
+    said = script.answers_to("SHOW PATH")
+
+    assert said[:3] == ["The path starts at 0, 0.", "North: 3 steps, to 0, 3.", "East: 2 steps, to 2, 3."]
+    assert script.interaction.asked == ["Path"]
+    assert len(said) > 8, "and the map"
+
+
+def test_a_world_where_the_learner_is_or_that_is_not_there_is_not_entered(open_script: OpenScript) -> None:
+    script = open_script()
+
+    assert script.answers_to("WORLD open_floor") == [
+        "You are in open_floor already. RESET goes to the start."
+    ]
+    (answer,) = script.answers_to("WORLD nowhere")
+    assert "nowhere" in answer
