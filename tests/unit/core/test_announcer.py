@@ -9,11 +9,13 @@ from donnie_tui.core.events import (
     Announced,
     CueSounded,
     Driven,
+    Error,
     Event,
     GripperUsed,
     HowStarted,
     Link,
     Moved,
+    Outcome,
     RunEnded,
     RunStarted,
     Scanned,
@@ -420,3 +422,31 @@ def test_the_gripper_has_its_cue_and_names_the_thing(outcome: Grip, cue: str, th
         CueSounded(cue, 0.0, None),
         Announced("gripper", Words()(code, thing=called)),
     ]
+
+
+@pytest.mark.parametrize(
+    ("event", "following"),
+    [
+        (SoundSwitched(True), Announced("sound", "Sound on.")),
+        (SoundSwitched(False), Announced("sound", "Sound off.")),
+        (Announced("waiting", "Waiting."), CueSounded("waiting", 0.0, None)),
+        (Announced("no-gripper", "None."), CueSounded("nothing", 0.0, None)),
+        (Error("k", 1, 1, "Wrong.", None), CueSounded("error", 0.0, None)),
+        (Link("connected", ""), Announced("link", "Robot connected.")),
+        (Link("lost", "why"), Announced("link", "Robot lost. If it moves, switch it off.")),
+    ],
+)
+def test_other_events_have_one_sentence_or_one_sound(event: Event, following: Event) -> None:
+    assert answers_to(event) == [following]
+
+
+@pytest.mark.parametrize(
+    ("outcome", "cues"), [(Outcome.COMPLETED, ["done"]), (Outcome.FAILED, []), (Outcome.QUIT, [])]
+)
+def test_only_a_completed_run_has_the_cue_of_the_end(outcome: Outcome, cues: list[str]) -> None:
+    hub, words, published = Hub(lambda: 0.0), Words(), list[Event]()
+    announcer = Announcer(hub, SentencePublisher(hub, words), words)
+    hub.subscribe(lambda stamped: published.append(stamped.event))
+    announcer.about_to_end(outcome)
+
+    assert published == [CueSounded(each, 0.0, None) for each in cues]
