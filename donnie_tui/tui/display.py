@@ -10,6 +10,7 @@ from collections.abc import Iterable, Mapping
 from devices.ports.robot import Bearing, Pose
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.keys import PALETTE, KeyTable, key_label
+from donnie_tui.core.describe import task_in_words
 from donnie_tui.core.events import Outcome, Read, RunEnded
 from donnie_tui.core.map_grid import Cell, Kind, floor_size
 from donnie_tui.core.map_scene import Line, MapScene
@@ -304,7 +305,7 @@ class Display:
         return KeyEntry(name, self._table.label(name, self._words.language), self._words(f"key-{shown_as}"))
 
     def show_titles(self) -> None:
-        """Show the program's name, first steps for an empty one, and the keys that fit."""
+        """Show the program's name, first steps or the task for an empty one, and the keys that fit."""
         document = self._workspace.document
         name = document.path.name if document.path else self._words("new-program")
         code = "pane-program" if document.is_saved else "pane-program-changed"
@@ -312,6 +313,8 @@ class Display:
         if running is not None and running != document.text:
             code = "pane-program-old"
         title, steps = first_steps(self._words.language, self._table)
+        if self._attempt is not None:
+            steps = task_in_words(self._attempt.challenge, self._words)
         is_beginning = self._place.is_small and document.path is None and not self._place.editor.text
         self._place.editor.show_first_steps(steps)
         self._place.program_pane.entitle(

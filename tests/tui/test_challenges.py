@@ -37,6 +37,23 @@ async def test_the_plain_panel_has_words_only(open_screen):
         assert "[" not in panel(screen)
 
 
+@pytest.mark.parametrize("size", [(40, 12), (80, 24), (120, 40)], ids=str)
+async def test_an_empty_program_of_a_challenge_says_the_task(open_screen, size):
+    """On a small screen nothing else does, once the answer of the arrival is gone."""
+    async with open_screen(world="challenge:to_the_ball", size=size) as screen:
+        await screen.press("left")
+        await screen.painted()
+        editor = screen.main.editor
+        rows = [row.removeprefix("     ") for row in screen.text.splitlines()]
+        shown = " ".join(" ".join(row[: editor.size.width - 5] for row in rows).split())
+        for words in ("To the ball", "Walk to the yellow ball", "Do not touch it."):
+            assert words in shown
+        assert "EXAMPLES, Enter" not in screen.text
+        await screen.press("f")
+        await screen.painted()
+        assert "Walk" not in editor.render_line(2).text
+
+
 async def test_the_panel_says_that_a_challenge_begins_anew(open_screen):
     async with open_screen(world=ROUND_TRIP, size=WIDE) as screen:
         await screen.type_line("FW 8")

@@ -231,6 +231,39 @@ async def test_a_click_on_the_keys_that_press_nothing_leaves_a_list_open(open_sc
             assert screen.app.screen is listed
 
 
+@pytest.mark.parametrize(
+    ("language", "shown", "title"),
+    [
+        ("en", "EXAMPLES,", "example"),
+        ("pt", "EXEMPLOS,", "exemplo"),
+        ("es", "RETO,", "reto"),
+    ],
+)
+async def test_a_click_on_a_command_in_an_empty_program_does_it(open_screen, language, shown, title) -> None:  # type: ignore[no-untyped-def]
+    async with open_screen(size=(40, 12), language=language) as screen:
+        await screen.painted()
+        rows = screen.text.splitlines()
+        row = next(at for at, each in enumerate(rows) if shown in each)
+        await screen.pilot.click(offset=(rows[row].index(shown) + 2, row))
+        await screen.until(lambda: screen.app.screen is not screen.main, "the list")
+        await screen.painted()
+        assert title in screen.text.splitlines()[0].casefold()
+        await screen.press("escape")
+        await screen.until(lambda: screen.app.screen is screen.main, "the program")
+        await screen.pilot.click(offset=(10, 2))  # the example: a click there does nothing
+        await screen.press("x")
+        await screen.until(lambda: screen.main.editor.text == "x", "typing")
+
+
+async def test_a_click_on_a_page_of_the_tour_turns_it_where_it_is_no_strip(open_screen) -> None:  # type: ignore[no-untyped-def]
+    async with open_screen(size=(40, 12)) as screen:
+        await screen.type_line("TOUR")
+        await screen.until(lambda: "Tour 1 of" in screen.text, "the first page")
+        await screen.painted()
+        await screen.pilot.click(offset=(10, 2))
+        await screen.until(lambda: "Tour 2 of" in screen.text, "the second page")
+
+
 @pytest.mark.parametrize("size", [(40, 12), (80, 24), (120, 40)], ids=str)
 async def test_a_click_on_a_row_of_the_keys_after_the_menu_key_does_its_command(open_screen, size) -> None:  # type: ignore[no-untyped-def]
     async with open_screen("FW 1", size=size) as screen:

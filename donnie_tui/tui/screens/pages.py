@@ -57,8 +57,11 @@ class Help(Panel[None]):
         self._lines = lines
         self._point = point
         self._further = further
-        self.rows = TextRows(id="help-rows")
+        self.rows = self._rows()
         self._page = Vertical()
+
+    def _rows(self) -> TextRows:
+        return TextRows(id="help-rows")
 
     def compose(self) -> ComposeResult:
         with self._page:
@@ -132,6 +135,13 @@ class Tour(Help):
     ) -> None:
         super().__init__(pages[at].title, pages[at].keys, pages[at].lines, point)
         self._pages, self._at, self._turned = pages, at, turned
+
+    def _rows(self) -> TextRows:
+        return ClickableRows(id="help-rows")
+
+    def on_clickable_rows_clicked(self) -> None:
+        """Turn the page, as a click on the strip does."""
+        self.action_turn(1)
 
     def _show(self) -> None:
         page = self._pages[self._at]

@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 import time
 from collections.abc import Callable, Mapping, Sequence
+from textwrap import wrap
 from typing import TYPE_CHECKING, ClassVar, Self
 
 from rich.cells import cell_len
@@ -213,8 +214,14 @@ class Editor(TextArea):
             self.undo()
 
     async def _on_mouse_down(self, event: events.MouseDown) -> None:
-        """Post a click in the gutter, which moves no cursor."""
+        """Post a click in the gutter, which moves no cursor, and one on a command among the first steps."""
         place, wrapped = event.get_content_offset(self), self.wrapped_document
+        named = self._first_command(place.y - 1) if place is not None else None
+        if named is not None:
+            event.stop()
+            event.prevent_default()
+            self.post_message(self.LineWordTyped(named, None))
+            return
         row = self.scroll_offset.y + place.y if place is not None else wrapped.height
         if place is not None and place.x < self.gutter_width and row < wrapped.height:
             event.stop()
@@ -404,7 +411,7 @@ class Editor(TextArea):
             self._refresh_first_steps()
 
     def _refresh_first_steps(self) -> None:
-        self.refresh(Region(0, 1, self.size.width, max(1, len(self.first_steps))))
+        self.refresh(Region(0, 1, self.size.width, max(1, self.size.height - 1)))
 
     def change_lines(self, lines: Sequence[str]) -> None:
         """Change the text into these lines, as one edit of no more than what differs."""
@@ -552,11 +559,29 @@ class Editor(TextArea):
 
     def _with_first_step(self, strip: Strip, row: int) -> Strip:
         """Add a first step, also in italics, as no whole line of a program is."""
-        if row >= len(self.first_steps):
+        rows = self._first_rows
+        if row >= len(rows):
             return strip
         style = self.rich_style + themes.looks(self.app.theme)["kind"]
-        words = f"{' ' * self.gutter_width}{self.first_steps[row]}"
+        words = f"{' ' * self.gutter_width}{rows[row]}"
         return Strip([Segment(words, style)]).crop_extend(0, self.size.width, self.rich_style)
+
+    def _first_command(self, row: int) -> str | None:
+        """The command at the beginning of a first step, as in ``EXAMPLES, Enter: programs to try``."""
+        rows = self._first_rows if self.show_line_numbers and not self.text else []
+        word, comma, _ = rows[row].partition(",") if 0 <= row < len(rows) else ("", "", "")
+        if not comma or not word.isupper():
+            return None
+        from donnie_tui.commands.lookup import line_command  # not for the first frame
+
+        found = line_command(word)
+        return found[0].name if found is not None else None
+
+    @property
+    def _first_rows(self) -> list[str]:
+        """The first steps, wrapped."""
+        width = max(1, self.size.width - self.gutter_width)
+        return [row for line in self.first_steps for row in wrap(line, width)]
 
     def _with_gutter(self, strip: Strip) -> Strip:
         """Add the gutter to every row; Textual has it only in rows with a line number."""
