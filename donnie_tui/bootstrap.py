@@ -154,9 +154,10 @@ class Donnie(Struct, frozen=True):
             return None
         from pathlib import Path
 
-        from donnie_tui.process.confinement import make_folder
+        from donnie_tui.process.confinement import confinement, make_folder
 
-        file = Path(f"{state_path(os.environ)}/{UNSAVED_WORLD}")
+        held = confinement()  # a hidden folder is of no use to its learner
+        file = Path(state_path(os.environ) if held is None else held.folder, UNSAVED_WORLD)
         try:
             make_folder(file.parent)
             write_program(file, self.building().text_at(file))

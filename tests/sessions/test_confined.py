@@ -76,6 +76,18 @@ def test_a_world_is_saved_in_the_folder_only(ana: Path, name: str) -> None:
     assert 'box( name "box"' in (ana / "mine.world").read_text()
 
 
+def test_a_world_that_is_not_saved_is_kept_where_the_learner_can_open_it(ana: Path) -> None:
+    before = outside(ana)
+    options = ("--linear", "--confined", str(ana), *QUIET)
+
+    done = donnie(ana, "--world", "bigbob7", *options, typed="PUT box red 4 60 AS treasure\n").stdout.decode()
+
+    assert f"Your world is kept as {ana / 'unsaved.world'}." in done
+    assert outside(ana) == before
+    again = donnie(ana, *options, typed=f"WORLD {ana / 'unsaved.world'}\nMAP\n").stdout.decode()
+    assert "Treasure, box, red: " in again
+
+
 def test_no_word_of_the_linear_mode_reads_or_writes_outside(ana: Path) -> None:
     words = ["OPEN", "SAVE", "SAVE AS", "SAVE LOG", "REPORT LIST", "REPORT MAP", "WORLD", "WORLDS"]
     names = [each.format(ana.parent) for each in NAMES]
