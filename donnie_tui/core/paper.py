@@ -76,7 +76,7 @@ TEXTURES = {
 """The side of a tile, and its lines; of blue a dot. Gray things are empty, rock is a wall that is no line."""
 
 _Point = tuple[float, float]
-_Box = tuple[float, float, float, float]
+Box = tuple[float, float, float, float]
 _Segment = tuple[_Point, _Point]
 
 
@@ -163,7 +163,7 @@ def _cells(width: float) -> int:
     return int((width - 2 * MARGIN) / CELL)
 
 
-def _extent(picture: Picture, drawings: Sequence[Drawing]) -> _Box:
+def _extent(picture: Picture, drawings: Sequence[Drawing]) -> Box:
     """West, south, east and north end in steps: what stands there; without walls the floor of the map."""
     half = picture.cell / 2
     xs = [picture.left - half, picture.left + picture.width * picture.cell - half]
@@ -174,7 +174,7 @@ def _extent(picture: Picture, drawings: Sequence[Drawing]) -> _Box:
     return min(xs), min(ys), max(xs), max(ys)
 
 
-def _fitted(box: _Box, width: float, height: float, room: float, lines: int) -> _Sheet:
+def _fitted(box: Box, width: float, height: float, room: float, lines: int) -> _Sheet:
     """``lines``: those at the foot, which share the room that the map does not need."""
     west, south, east, north = box
     scale = min((width - 2 * MARGIN) / max(east - west, 1.0), room / max(north - south, 1.0))
@@ -188,7 +188,7 @@ def _fitted(box: _Box, width: float, height: float, room: float, lines: int) -> 
 
 def _shape(drawing: Drawing, sheet: _Sheet) -> str:
     outlines = [[sheet.point(x, y) for x, y in outline] for outline in drawing.outlines]
-    box = _box_of(point for outline in outlines for point in outline)
+    box = box_of(point for outline in outlines for point in outline)
     if drawing.thing is not None and max(box[2] - box[0], box[3] - box[1]) < SMALLEST:
         return _ring((box[0] + box[2]) / 2, (box[1] + box[3]) / 2)
     lines = [each for each in outlines if _is_line(drawing, each)]
@@ -196,7 +196,7 @@ def _shape(drawing: Drawing, sheet: _Sheet) -> str:
     return "".join((_path(lines, ' fill="black"'), _outlined(areas, _texture(drawing, box))))
 
 
-def _texture(drawing: Drawing, box: _Box) -> str:
+def _texture(drawing: Drawing, box: Box) -> str:
     """The name of its texture; empty for a robot and for what is too small."""
     thing = drawing.thing
     if thing is None:
@@ -209,7 +209,7 @@ def _is_line(drawing: Drawing, points: Sequence[_Point]) -> bool:
     """Whether it is a wall that is thin on paper."""
     if drawing.thing is not None or drawing.from_bitmap:
         return False
-    left, top, right, bottom = _box_of(points)
+    left, top, right, bottom = box_of(points)
     area = abs(sum(ax * by - bx * ay for (ax, ay), (bx, by) in pairwise([*points, points[0]]))) / 2
     return area < THICKEST_WALL * hypot(right - left, bottom - top)
 
@@ -273,8 +273,8 @@ def _labels(
     lines = [*_edges(drawings, sheet), *_noses(chart, sheet), *driven]
     walls = [each for each in drawings if each.thing is None]
     solid = ([sheet.point(x, y) for x, y in outline] for each in walls for outline in each.outlines)
-    near_lines, near_walls = _Near(lines), _Near(solid)
-    taken = list[_Box]()
+    near_lines, near_walls = Nearby(lines), Nearby(solid)
+    taken = list[Box]()
     for thing, box in things:
         letter = letters.get(thing.name, thing.letter) if thing.is_robot else thing.letter
         text = letter.upper() + initials.get(thing.index, "")
@@ -282,7 +282,7 @@ def _labels(
         places = (
             each
             for each in _clear_places(box, len(text), near_lines, taken, sheet)
-            if all(_apart(each, other) > _apart(each, box) + LINE for other in others)
+            if all(boxes_apart(each, other) > boxes_apart(each, box) + LINE for other in others)
             and not any(_is_between(leg, each, box) for leg in driven)
         )
         middles = ((each, ((each[0] + each[2]) / 2, (each[1] + each[3]) / 2)) for each in places)
@@ -313,9 +313,7 @@ _AWAY = (0.1, 1.0, 2.0, 3.5, 5.0, 7.5)
 """How much further away than the gap a label may be."""
 
 
-def _clear_places(
-    box: _Box, cells: int, lines: _Near, taken: Sequence[_Box], sheet: _Sheet
-) -> Iterator[_Box]:
+def _clear_places(box: Box, cells: int, lines: Nearby, taken: Sequence[Box], sheet: _Sheet) -> Iterator[Box]:
     """The places of a label near a thing with nothing else within the gap; inside of it comes last."""
     width, height = (cells - 1) * CELL + DOT_GAP + DOT, 2 * DOT_GAP + DOT
     reach = GAP + LINE / 2
@@ -331,13 +329,13 @@ def _clear_places(
         is_on_sheet = left >= MARGIN / 2 and left + width <= sheet.width - MARGIN / 2
         if (
             is_on_sheet
-            and all(_apart(label, each) >= 2 * GAP for each in taken)
-            and all(_from_segment(label, each) >= reach for each in lines.of(label, reach))
+            and all(boxes_apart(label, each) >= 2 * GAP for each in taken)
+            and all(from_segment(label, each) >= reach for each in lines.of(label, reach))
         ):
             yield label
 
 
-class _Near:
+class Nearby:
     """Which lines or outlines are near a box: in squares of the sheet, because a plan may have thousands."""
 
     _SIDE = 8.0
@@ -345,15 +343,15 @@ class _Near:
     def __init__(self, shapes: Iterable[Sequence[_Point]]) -> None:
         self._squares: dict[tuple[int, int], list[Sequence[_Point]]] = {}
         for shape in shapes:
-            for square in self._of_box(_box_of(shape), 0.0):
+            for square in self._of_box(box_of(shape), 0.0):
                 self._squares.setdefault(square, []).append(shape)
 
-    def of(self, box: _Box, away: float = 0.0) -> Iterator[Sequence[_Point]]:
+    def of(self, box: Box, away: float = 0.0) -> Iterator[Sequence[_Point]]:
         """Some of them more than once."""
         for square in self._of_box(box, away):
             yield from self._squares.get(square, ())
 
-    def _of_box(self, box: _Box, away: float) -> Iterator[tuple[int, int]]:
+    def _of_box(self, box: Box, away: float) -> Iterator[tuple[int, int]]:
         left, top, right, bottom = (
             floor(each / self._SIDE) for each in (box[0] - away, box[1] - away, box[2] + away, box[3] + away)
         )
@@ -362,14 +360,14 @@ class _Near:
                 yield column, row
 
 
-def _apart(mine: _Box, other: _Box) -> float:
+def boxes_apart(mine: Box, other: Box) -> float:
     """Between two boxes; 0 if they touch."""
     return hypot(
         max(mine[0] - other[2], other[0] - mine[2], 0.0), max(mine[1] - other[3], other[1] - mine[3], 0.0)
     )
 
 
-def _from_segment(box: _Box, segment: Sequence[_Point]) -> float:
+def from_segment(box: Box, segment: Sequence[_Point]) -> float:
     """The shortest way from a box to a line; 0 if the line crosses it."""
     left, top, right, bottom = box
     corners = ((left, top), (right, top), (right, bottom), (left, bottom))
@@ -379,24 +377,24 @@ def _from_segment(box: _Box, segment: Sequence[_Point]) -> float:
     return min(edges_apart((*start, *end), each) for each in edges(corners))
 
 
-def _is_between(line: _Segment, label: _Box, box: _Box) -> bool:
+def _is_between(line: _Segment, label: Box, box: Box) -> bool:
     """Whether a line crosses the shortest way from the middle of a label to a box."""
     x, y = (label[0] + label[2]) / 2, (label[1] + label[3]) / 2
     nearest = min(max(x, box[0]), box[2]), min(max(y, box[1]), box[3])
     return edges_apart((x, y, *nearest), (*line[0], *line[1])) == 0.0
 
 
-def _box_on(drawing: Drawing, sheet: _Sheet) -> _Box:
-    box = _box_of(sheet.point(x, y) for outline in drawing.outlines for x, y in outline)
+def _box_on(drawing: Drawing, sheet: _Sheet) -> Box:
+    box = box_of(sheet.point(x, y) for outline in drawing.outlines for x, y in outline)
     small = drawing.thing is not None and max(box[2] - box[0], box[3] - box[1]) < SMALLEST
     return _around((box[0] + box[2]) / 2, (box[1] + box[3]) / 2) if small else box
 
 
-def _around(x: float, y: float) -> _Box:
+def _around(x: float, y: float) -> Box:
     return x - SMALLEST / 2, y - SMALLEST / 2, x + SMALLEST / 2, y + SMALLEST / 2
 
 
-def _box_of(points: Iterable[_Point]) -> _Box:
+def box_of(points: Iterable[_Point]) -> Box:
     xs, ys = zip(*points, strict=True)
     return min(xs), min(ys), max(xs), max(ys)
 

@@ -17,10 +17,12 @@ from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from devices.ports.robot import Pose
 from donnie_tui.core import PAINTED
 from donnie_tui.core.map_grid import LEGS_AT_PICTURES, path_in_words
+from donnie_tui.core.paper import Box, Nearby, box_of, boxes_apart, from_segment
 from donnie_tui.core.timeline import DrivenPath, apart
 from donnie_tui.core.wording import (
     Wording,
@@ -29,7 +31,7 @@ from donnie_tui.core.wording import (
     letters_of_several_colours,
 )
 from language.source import printable
-from sim.geometry import pose_of
+from sim.geometry import contains, pose_of
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -176,6 +178,11 @@ class RunPicture(Struct, frozen=True):
     legend: tuple[str, ...]
     letters: Mapping[int, str]
     """The letters of each thing by its index; a second one is the initial of its colour, if needed."""
+    title_lines: tuple[str, ...] = ()
+    labels: Mapping[int, _Point] = {}
+    """Left end and base line of the letters that have a place, by the index of the thing."""
+    marks: tuple[tuple[float, float, str], ...] = ()
+    """The names of robots and the numbers of goals that have a place: left end, base line, text."""
     goals: tuple[GoalPlace, ...] = ()
     moved: tuple[MovedThing, ...] = ()
 
@@ -194,9 +201,15 @@ class RunPicture(Struct, frozen=True):
         moving = [each for each, _ in self.moving]
         return tuple(each for each in self.drawings if each not in moving)
 
+    @property
+    def top(self) -> float:
+        """The upper edge of the map."""
+        return 2 * MARGIN + LINE * max(0, len(self.title_lines) - 1)
+
     def at(self, x: float, y: float) -> _Point:
-        return round(MARGIN + (x - self.west) * self.scale, 1), round(
-            2 * MARGIN + (self.north - y) * self.scale, 1
+        return (
+            round(MARGIN + (x - self.west) * self.scale, 1),
+            round(self.top + (self.north - y) * self.scale, 1),
         )
 
 
@@ -223,12 +236,10 @@ def run_picture(
     west, east, south, north = min(xs) - 2, max(xs) + 2, min(ys) - 2, max(ys) + 2
     scale = min(LARGEST / (east - west), LARGEST / (north - south), 24.0)
     width = round(max((east - west) * scale, 320) + 2 * MARGIN)
-    most = int((width - 2 * MARGIN) / (LETTER * 0.55))
+    room = width - 2 * MARGIN
     things = [each.thing for each in shown if each.thing is not None]
     letters = _letters(things, wording)
-    said = _legend(things, letters, goals, paths, wording)
-    legend = tuple(part for line in said for part in wrap(line, most))
-    return RunPicture(
+    bare = RunPicture(
         printable(title),
         shown,
         tuple(paths),
@@ -236,12 +247,164 @@ def run_picture(
         north,
         scale,
         width=width,
-        height=round((north - south) * scale + 3 * MARGIN + LINE * len(legend)),
-        legend=legend,
+        height=(north - south) * scale + 3 * MARGIN,
+        legend=(),
         letters=letters,
+        title_lines=_wrapped(printable(title), room),
         goals=tuple(goals),
         moved=tuple(moved),
     )
+    marks, labels = _placed(bare)
+    said = _legend(things, letters, goals, paths, wording)
+    bare_things = sum(each.index not in labels for each in things)
+    without = [wording("picture-without-letters", count=bare_things)] if bare_things else []
+    legend = tuple(part for line in (*said, *without) for part in _wrapped(line, room))
+    height = round(bare.height + bare.top - 2 * MARGIN + LINE * len(legend))
+    return replace(bare, height=height, legend=legend, labels=labels, marks=marks)
+
+
+_WIDER = 1.15
+"""How much wider a text is at most in the letters of other programs than in those that measure it here."""
+
+
+def _wide(text: str) -> float:
+    from PIL import ImageFont  # slow to load
+
+    return _WIDER * ImageFont.load_default(LETTER).getlength(text)
+
+
+def _wrapped(text: str, room: float) -> tuple[str, ...]:
+    """The text in lines that are at most so wide."""
+    most = max(1, int(room / (LETTER * 0.4)))
+    while True:
+        lines = wrap(text, most)
+        widest = max(map(_wide, lines), default=0.0)
+        if widest <= room or most == 1:
+            return tuple(lines)
+        most = max(1, min(most - 1, int(most * room / widest)))
+
+
+# --- where names and letters have room
+
+_CLEAR = 3.0
+"""Pixels between a text and everything else."""
+_AWAY = (0.0, 5.0, 11.0)
+"""How much further away from its thing a letter may be."""
+
+
+def _placed(it: RunPicture) -> tuple[tuple[tuple[float, float, str], ...], dict[int, _Point]]:
+    """The marks, and the places of the letters of things: those that touch nothing."""
+    space = _Space(it)
+    marks = list[tuple[float, float, str]]()
+    for goal in goals_on(it):
+        west, east, wide = goal.x - goal.across, goal.x + goal.across, _wide(goal.numbers)
+        above, below = goal.y - goal.down - 4, goal.y + goal.down + 0.8 * LETTER + 4
+        corners = [(x, y) for y in (above, below) for x in (west, east - wide, west - wide - 4, east + 4)]
+        marks += space.put(goal.numbers, corners)
+    for path in it.paths:
+        x, y = it.at(path.poses[0].x, path.poses[0].y)
+        name = printable(path.robot)
+        sides = (x + 8, x - 8 - _wide(name), x - _wide(name) / 2)
+        places = [
+            (side, y + LETTER / 3 + down) for down in (0, -LETTER, LETTER, -2 * LETTER) for side in sides
+        ]
+        marks += space.put(name, places) if name else ()
+    labels = dict[int, _Point]()
+    for each in it.drawings:
+        if each.thing is not None:
+            letters = it.letters[each.thing.index]
+            for x, y, _ in space.put(letters, _letter_places(it, each, _wide(letters)), each):
+                labels[each.thing.index] = x, y
+    return tuple(marks), labels
+
+
+def _letter_places(it: RunPicture, drawing: Drawing, wide: float) -> Iterable[_Point]:
+    """Within the thing, if it is large enough, then around it."""
+    west, north, east, south = _pixels(it, drawing)
+    x, y = (west + east) / 2, (north + south) / 2
+    base = LETTER / 3
+    if east - west >= wide + 2 * _CLEAR and south - north >= 1.5 * LETTER:
+        yield x - wide / _WIDER / 2, y + base
+    for away in _AWAY:
+        right, left = east + _CLEAR + 1 + away, west - _CLEAR - 1 - away - wide
+        up, down = north - _CLEAR - 1 - away - 0.25 * LETTER, south + _CLEAR + 1 + away + 0.8 * LETTER
+        middle = x - wide / _WIDER / 2
+        yield from ((right, y + base), (left, y + base), (middle, up), (middle, down))
+        yield from ((right, up), (right, down), (left, up), (left, down))
+
+
+def _pixels(it: RunPicture, drawing: Drawing) -> Box:
+    return box_of(it.at(*point) for outline in drawing.outlines for point in outline)
+
+
+class _Space:
+    """What is on the picture already."""
+
+    def __init__(self, it: RunPicture) -> None:
+        self._it = it
+        self._taken = list[Box]()
+        driven = [[it.at(pose.x, pose.y) for pose in piece] for path in it.paths for piece in path.pieces]
+        lines = [*driven, *(_closed(arrow(it, path)) for path in it.paths)]
+        for goal in goals_on(it):
+            west, east = goal.x - goal.across, goal.x + goal.across
+            north, south = goal.y - goal.down, goal.y + goal.down
+            lines.append(_closed([(west, north), (east, north), (east, south), (west, south)]))
+        walls = [
+            [it.at(*point) for point in outline]
+            for each in it.drawings
+            if each.thing is None
+            for outline in each.outlines
+        ]
+        self._lines = Nearby(pair for each in (*lines, *map(_closed, walls)) for pair in pairwise(each))
+        self._walls = Nearby(walls)
+        self._things = [(each, _pixels(it, each)) for each in it.drawings if each.thing is not None]
+        self._starts = [_around(*it.at(path.poses[0].x, path.poses[0].y), 5.0) for path in it.paths]
+
+    def put(
+        self, text: str, places: Iterable[_Point], own: Drawing | None = None
+    ) -> tuple[tuple[float, float, str], ...]:
+        """The text at the first free place; nothing if there is none. ``own``: the thing that it names."""
+        wide = _wide(text)
+        for left, base in places:
+            box = left, base - 0.8 * LETTER, left + wide, base + 0.25 * LETTER
+            if self._is_free(box, own):
+                self._taken.append(box)
+                return ((round(left, 1), round(base, 1), text),)
+        return ()
+
+    def _is_free(self, box: Box, own: Drawing | None) -> bool:
+        it, middle = self._it, ((box[0] + box[2]) / 2, (box[1] + box[3]) / 2)
+        if box[0] < 2 or box[2] > it.width - 2 or box[1] < it.top - MARGIN + 4 or box[3] > self._bottom:
+            return False
+        if any(boxes_apart(box, each) < _CLEAR for each in (*self._taken, *self._starts)):
+            return False
+        if own is not None:
+            mine = _pixels(it, own)
+            nearest = max(boxes_apart(box, mine), 1.0)
+            others = (each for drawing, each in self._things if drawing is not own and not _is_on(mine, each))
+            if any(boxes_apart(box, each) <= nearest for each in others):
+                return False
+        reach = _CLEAR + 1.5
+        return all(from_segment(box, each) >= reach for each in self._lines.of(box, reach)) and not any(
+            contains(wall, *middle) for wall in self._walls.of(box)
+        )
+
+    @property
+    def _bottom(self) -> float:
+        return self._it.top + self._it.height - 3 * MARGIN + MARGIN / 2
+
+
+def _is_on(mine: Box, other: Box) -> bool:
+    """Whether a thing lies on another, such as a carpet."""
+    return other[0] <= mine[0] and other[1] <= mine[1] and mine[2] <= other[2] and mine[3] <= other[3]
+
+
+def _closed(points: Sequence[_Point]) -> list[_Point]:
+    return [*points, points[0]]
+
+
+def _around(x: float, y: float, half: float) -> Box:
+    return x - half, y - half, x + half, y + half
 
 
 def _letters(things: Sequence[Thing], wording: Wording) -> dict[int, str]:
@@ -541,29 +704,21 @@ def texts(it: RunPicture) -> Iterable[tuple[float, float, str]]:
 
 
 def _texts(it: RunPicture, shown: Sequence[Drawing]) -> Iterable[tuple[float, float, str]]:
-    yield MARGIN, MARGIN, it.title
+    for number, line in enumerate(it.title_lines):
+        yield MARGIN, MARGIN + LINE * number, line
     for each in shown:
         yield from _letter(it, each)
-    for path in it.paths:
-        x, y = it.at(path.poses[0].x, path.poses[0].y)
-        yield from [(x + 8, y + LETTER / 3, printable(path.robot))] if path.robot else []
-    for goal in goals_on(it):
-        yield goal.x - goal.across, goal.y - goal.down - 4, goal.numbers
+    yield from it.marks
     below = it.height - LINE * len(it.legend)
     for number, line in enumerate(it.legend):
         yield MARGIN, below + LINE * number, line
 
 
 def _letter(it: RunPicture, drawing: Drawing) -> Iterable[tuple[float, float, str]]:
-    """The letter of a thing; none of a wall."""
+    """The letter of a thing that has room for one; none of a wall."""
     thing = drawing.thing
-    if thing is None:
-        return
-    x, y = it.at(thing.x, thing.y)
-    letters = it.letters[thing.index]
-    half = len(letters) * LETTER * 0.28
-    is_inside = min(thing.width, thing.depth) * it.scale >= 1.5 * LETTER * max(1, 2 * half / LETTER)
-    yield x - half if is_inside else x + thing.width * it.scale / 2 + 3, y + LETTER / 3, letters
+    if thing is not None and thing.index in it.labels:
+        yield *it.labels[thing.index], it.letters[thing.index]
 
 
 def arrow(it: RunPicture, path: DrivenPath) -> list[_Point]:

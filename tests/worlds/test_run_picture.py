@@ -3,8 +3,9 @@
 import re
 from collections.abc import Iterator, Sequence
 from io import BytesIO
-from itertools import combinations
+from itertools import combinations, pairwise
 from pathlib import Path
+from random import Random
 from xml.etree import ElementTree
 
 import pytest
@@ -142,9 +143,7 @@ PLACES = ((1, -5.0, -5.0, 5.0, 5.0), (2, -8.0, 8.0, -8.0, 8.0), (3, -8.0, 8.0, -
 @pytest.mark.parametrize("name", worlds.scenarios())
 def test_no_text_touches_another_and_all_lies_on_the_picture(name: str, goals: Sequence[GoalPlace]) -> None:
     it = drawn(name, goals=goals)
-    font = ImageFont.load_default(LETTER)
-    boxes = [(font.getbbox(text, anchor="ls"), x, y) for x, y, text in texts(it)]
-    placed = [(x + box[0], y + box[1], x + box[2], y + box[3]) for box, x, y in boxes]
+    placed = boxes_of_texts(it)
 
     for one, other in combinations(placed, 2):
         apart = one[2] <= other[0] or other[2] <= one[0] or one[3] <= other[1] or other[3] <= one[1]
@@ -404,5 +403,88 @@ def test_a_path_begins_at_a_ring_with_the_name_of_its_robot() -> None:
     assert ring not in ((255, 255, 255), (0, 0, 0))
     assert [pixel(*each) for each in ((-4, 0), (0, 4), (0, -4), (0, -60))] == [ring] * 4
     assert pixel(0, 0) == pixel(6, 0) == pixel(0, 6) == (255, 255, 255)
-    assert [each for each in texts(it) if each[2] == "bob"] == [(x + 8, y + LETTER / 3, "bob")]
+    assert [each for each in texts(it) if each[2] == "bob"] == [(x + 8, round(y + LETTER / 3, 1), "bob")]
     assert not [each for each in texts(alone()) if not each[2]]
+
+
+# --- crowds
+
+LONG_TITLE = "The world in which everything stands so close that nobody could ever say what is where " * 3
+TITLES = (LONG_TITLE[:200], "W" * 200, "A short one")
+COLOURS_OF_THINGS = ("red", "green", "blue", "yellow", "gray")
+
+
+def crowd(seed: int) -> RunPicture:
+    """Some hundred things of many sizes, walls between them, goals, and two robots that drove among them."""
+    chance = Random(seed)
+    kinds = ("box", "ball", "chair", "plant")
+    world = [
+        "define box model ( )",
+        "define ball model ( )",
+        "define chair model ( )",
+        "define plant model ( )",
+    ]
+    world.append('position( name "alice" pose [ 0 0 0 90 ] ) position( name "bob" pose [ 0.2 0 0 90 ] )')
+    for _ in range(chance.choice((60, 120, 250))):
+        size, x, y = chance.choice((0.05, 0.1, 0.3)), chance.uniform(-2, 2), chance.uniform(-2, 2)
+        world.append(
+            f"{chance.choice(kinds)}( size [ {size} {size} .1 ] pose [ {x:.2f} {y:.2f} 0 0 ]"
+            f' color "{chance.choice(COLOURS_OF_THINGS)}" )'
+        )
+    for _ in range(4):
+        x, y = chance.uniform(-2, 2), chance.uniform(-2, 2)
+        world.append(f'model( name "wall" size [ 1 .05 .5 ] pose [ {x:.2f} {y:.2f} 0 30 ] color "gray" )')
+    paths = [
+        DrivenPath(name, tuple(Pose(chance.uniform(-40, 40), chance.uniform(-40, 40), 0) for _ in range(9)))
+        for name in ("alice", "bob")
+    ]
+    goals: list[GoalPlace] = []
+    for number in range(1, 4):
+        x, y, half = chance.uniform(-30, 30), chance.uniform(-30, 30), chance.choice((0, 4))
+        goals.append((number, x - half, y - half, x + half, y + half))
+    scene = load_text("\n".join(world), Path("crowd.world"))
+    return run_picture(TITLES[seed % 3], drawings(scene), paths, Words(), goals)
+
+
+def boxes_of_texts(it: RunPicture) -> list[tuple[float, float, float, float]]:
+    font = ImageFont.load_default(LETTER)
+    boxes = [(font.getbbox(text, anchor="ls"), x, y) for x, y, text in texts(it)]
+    return [(x + box[0], y + box[1], x + box[2], y + box[3]) for box, x, y in boxes]
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_no_text_of_a_crowd_touches_another_or_a_path(seed: int) -> None:
+    it = crowd(seed)
+    placed = boxes_of_texts(it)
+    points = [
+        (x + (there[0] - x) * part / 200, y + (there[1] - y) * part / 200)
+        for path in it.paths
+        for (x, y), there in pairwise([it.at(pose.x, pose.y) for pose in path.poses])
+        for part in range(201)
+    ]
+
+    for one, other in combinations(placed, 2):
+        apart = one[2] <= other[0] or other[2] <= one[0] or one[3] <= other[1] or other[3] <= one[1]
+        assert apart, (one, other)
+    for left, top, right, bottom in placed:
+        assert 0 <= left < right <= it.width
+        assert 0 <= top < bottom <= it.height
+        touched = [(x, y) for x, y in points if left - 1.5 < x < right + 1.5 and top - 1.5 < y < bottom + 1.5]
+        assert touched == []
+    things = [each for each in it.drawings if each.thing is not None]
+    without = len(things) - len(it.labels)
+    said = f"{without} thing{'s' * (without > 1)} without room for a letter."
+    assert (said in " ".join(it.legend)) == (without > 0)
+    assert len(it.labels) >= len(things) * 0.4
+
+
+@pytest.mark.parametrize("title", TITLES)
+def test_a_long_title_is_wrapped_and_whole(title: str) -> None:
+    it = run_picture(title, drawings(load_text("position()", Path("a.world"))), (ALONE,), Words())
+    lines = [text for x, y, text in texts(it) if y < it.top]
+
+    assert "".join(lines).replace(" ", "") == title.replace(" ", "")
+    assert (len(lines) > 1) == (len(title) > 100)
+    assert all(right <= it.width for _, _, right, _ in boxes_of_texts(it))
+    svg = ElementTree.fromstring(as_svg(it))
+    assert [each.text for each in svg.findall(f"{SVG}text")][: len(lines)] == lines
