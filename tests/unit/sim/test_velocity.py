@@ -1,5 +1,8 @@
 """Robots driven by velocities: where they come, what stops them, and what their devices read in metres."""
 
+import re
+from contextlib import redirect_stdout
+from io import StringIO
 from math import asin, atan2, cos, degrees, hypot, isclose, radians, sin, sqrt
 
 import pytest
@@ -9,6 +12,7 @@ from hypothesis import strategies as st
 from devices.ports.drive import TICK, DriveState, MetricPose, Velocity
 from sim.velocity import VelocityLoop
 from sim.world import World
+from tests.conftest import ROOT
 from tests.effort import examples
 from tests.unit.sim.floors import scene
 
@@ -418,3 +422,27 @@ def test_a_fiducial_finder_knows_where_marks_look() -> None:
         [degrees(atan2(1, 4)), -degrees(atan2(1, 2))]
     )
     assert [each.yaw for each in reading.marks] == pytest.approx([180, -60])
+
+
+# --- the page about it
+
+PAGE = (ROOT / "docs" / "simulation.md").read_text(encoding="utf-8")
+
+
+def test_the_program_of_the_page_drives_both_robots_on_the_arcs_that_it_names() -> None:
+    """2 s at 5 cm and 15 degrees a second: 30 degrees of a circle of 0.05 / radians(15) m."""
+    (program,) = re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL)
+    names: dict[str, object] = {}
+    with redirect_stdout(StringIO()) as printed:
+        exec(program, names)
+
+    loop = names["loop"]
+    assert isinstance(loop, VelocityLoop)
+    radius = 0.05 / radians(15)
+    ahead, left = radius * sin(radians(30)), radius * (1 - cos(radians(30)))
+    alice, bob = (loop.drives[name].state().truth for name in ("alice", "bob"))
+    assert (alice.x, alice.y, alice.yaw) == pytest.approx((-left, ahead, 120))  # from 0 0, to the north
+    assert (bob.x, bob.y, bob.yaw) == pytest.approx((left, 1.5 - ahead, 300))  # from 0 1.5, to the south
+    assert [line.split()[0] for line in printed.getvalue().splitlines()] == ["alice", "bob"]
+    said = f"{radius * 100:.1f} cm radius: {ahead * 100:.1f} cm ahead, {left * 100:.1f} cm to the left."
+    assert said in " ".join(PAGE.split())
