@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import json
 import re
 import signal
 from collections.abc import Sequence
+from math import hypot
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 
@@ -446,3 +449,40 @@ def test_each_robot_is_reported(here: Here) -> None:
         *re.findall(r">([^<>]*)</text>", (here.folder / "d.svg").read_text())
     }
     here.replay("--csv", "d.csv")  # an earlier table of Donnie's is replaced
+
+
+ERRING = """
+position ( size [ 0.1 0.1 0.1 ] pose [ 0 0 0 90 ] localization "odom" odom_error [ 0.3 0.3 0 0.3 ] )
+model ( name "post" size [ 0.2 0.2 1 ] pose [ 1 -0.5 0 0 ] color "blue" )
+"""
+
+
+def test_where_odometry_has_errors_the_path_of_a_picture_is_the_believed_one(here: Here) -> None:
+    (here.folder / "erring.world").write_text(ERRING)
+    here.record("FW 20 TR 90 FW 20", "--world", "erring.world", "--seed", "3")
+    here.replay("--svg", "run.svg")
+    here.replay("--report", "trail t.csv")
+    events = map(json.loads, (here.folder / "a.rec").read_text().splitlines()[1:])
+    poses = [each for each in events if each["event"] == "moved"]
+    believed = [(each["pose"]["x"], each["pose"]["y"]) for each in poses]
+    true = [(each["true_pose"]["x"], each["true_pose"]["y"]) for each in poses]
+    assert true == [(0, 20), (20, 20)]
+    svg = ElementTree.fromstring((here.folder / "run.svg").read_text())
+    space = "{http://www.w3.org/2000/svg}"
+    line = svg.find(f"{space}polyline")
+    assert line is not None
+    drawn = [tuple(map(float, each.split(","))) for each in line.attrib["points"].split()]
+    (post,) = svg.findall(f"{space}path")
+    corners = [float(x) for x, _ in re.findall(r"(-?[\d.]+) (-?[\d.]+)", post.attrib["d"])]
+    (x0, y0), scale = drawn[0], (max(corners) - min(corners)) / 4  # it is 20 cm wide
+    in_steps = [((x - x0) / scale, (y0 - y) / scale) for x, y in drawn]
+
+    def near(place: tuple[float, float]) -> float:
+        return min(hypot(place[0] - x, place[1] - y) for x, y in in_steps)
+
+    assert all(near(each) < 0.1 for each in believed)
+    assert max(near(each) for each in true) > 0.5
+    rows = (here.folder / "t.csv").read_text().splitlines()
+    assert rows[-1].split(",")[2:4] == [str(int(each)) for each in believed[-1]]
+    said = " ".join(here.replay("--report", "run"))
+    assert f", to {int(believed[-1][0])}, {int(believed[-1][1])}." in said
