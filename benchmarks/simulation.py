@@ -39,6 +39,8 @@ ROUNDS = 31
 COMMANDS = 400
 COUNTS = (1, 10, 100, 1000)
 PUSHED_STEPS = 20
+COMPANY, THINGS_EACH = 5, 5
+"""Robots that push at the same time, and the things before each."""
 STAGE_RAYS = {1: 32.5, 10: 150.0, 100: 7000.0, 1000: 70_000.0}
 """What a simulated second costs in Stage by the number of robots, in rays of the public method.
 
@@ -188,12 +190,41 @@ def _seconds(work: Callable[[], None]) -> float:
 def _pushing() -> None:
     """A row of things, each of which pushes the next one: looked at anew in every tick."""
     for count in (1, 5, 20):
-        robot = World(load_text(_row(count), Path("row.world"))).robot(pace=Freely())
+        robot = World(load_text(_rows(1, count), Path("row.world"))).robot(pace=Freely())
         robot.forward(PUSHED_STEPS + 3 * count)  # until all move
         began = time.process_time()
         pushed = robot.forward(PUSHED_STEPS).pushed
         took = time.process_time() - began
         print(f"pushing {len(pushed)} things: {took / PUSHED_STEPS * 1e3:.1f} ms a step")
+    _pushing_in_company()
+
+
+def _pushing_in_company() -> None:
+    """Robots with a program each, and a row of things before each: they push together, tick by tick."""
+    world = World(load_text(_rows(COMPANY, THINGS_EACH), Path("rows.world")))
+    robots = [world.robot(name, pace=Freely()) for name in _names(world.scene)]
+    took = 0.0
+    for steps in (3 * THINGS_EACH, PUSHED_STEPS):  # until all move, then measured
+        world.expect(_names(world.scene))
+        threads = [threading.Thread(target=_push, args=(robot, steps)) for robot in robots]
+        began = time.process_time()
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        took = time.process_time() - began
+    print(
+        f"pushing in company, {COMPANY} robots with {THINGS_EACH} things each:"
+        f" {took / PUSHED_STEPS / COMPANY * 1e3:.1f} ms a robot and step"
+    )
+
+
+def _push(robot: SimulatedRobot, steps: int) -> None:
+    robot.join()
+    try:
+        robot.forward(steps)
+    finally:
+        robot.leave()
 
 
 def _sonars() -> None:
@@ -236,12 +267,17 @@ def _loading() -> None:
     )
 
 
-def _row(count: int) -> str:
-    """Things of two steps with gaps of a step."""
-    cans = (
-        f"model( size [ 0.1 0.1 0.2 ] pose [ {0.3 + 0.15 * i:.2f} 0 0 0 ] pushable 1 )" for i in range(count)
-    )
-    return "\n".join((ROBOT, "tester( pose [ 0 0 0 0 ] )", *cans))
+def _rows(robots: int, things: int) -> str:
+    """Robots half a metre apart, each before things of two steps with gaps of a step."""
+    lines = [ROBOT]
+    for number in range(robots):
+        y = number / 2
+        lines.append(f'tester( name "r{number}" pose [ 0 {y} 0 0 ] )')
+        lines += (
+            f"model( size [ 0.1 0.1 0.2 ] pose [ {0.3 + 0.15 * at:.2f} {y} 0 0 ] pushable 1 )"
+            for at in range(things)
+        )
+    return "\n".join(lines)
 
 
 # --- many robots
