@@ -207,15 +207,19 @@ def choose_world(
         scene = read_scene(path) or _load(path, words, folders)
         return ChosenWorld(name_or_file, path, scene, ships=True)
     if name_or_file.startswith(CHALLENGE):
-        world = choose_challenge(name_or_file.removeprefix(CHALLENGE), words, folders)
+        code = "challenge-unknown" if unknown == "world-unknown" else "challenge-unknown-here"
+        world = choose_challenge(name_or_file.removeprefix(CHALLENGE), words, folders, unknown=code)
         started = started_at(world, world.rules.variant[0], words, folders)
         return replace(started, challenge=world.challenge)
     return _in_a_file(name_or_file, words, folders, unknown)
 
 
-def choose_challenge(name: str, words: Words, folders: tuple[str, ...] = ()) -> ChosenWorld:
+def choose_challenge(
+    name: str, words: Words, folders: tuple[str, ...] = (), *, unknown: str = "challenge-unknown"
+) -> ChosenWorld:
     """The world of the challenge of that name, number, title or file, with it, as the world's file says.
 
+    ``unknown``: the code of the sentence for a name that is near to none.
     Raises ``Unusable`` with the lines of all mistakes in it.
     """
     from donnie_tui.core.goals import Inventory, unknown_names
@@ -242,7 +246,7 @@ def choose_challenge(name: str, words: Words, folders: tuple[str, ...] = ()) -> 
     if "challenge-not-toml" in codes:
         unread += (words("challenge-unread"),)
     if mistakes or found is None or world is None:
-        raise Unusable(*_in_words(file, mistakes, words), *unread)
+        raise Unusable(*_in_words(file, mistakes, words, unknown), *unread)
     world = replace(world, challenge=found)
     if not found.rules.goal:
         solution_of(world, words)
@@ -280,14 +284,18 @@ def _titled(title: str) -> Challenge | None:
     return next((it for it, each in titled if title and each == folded(title)), None)
 
 
-def _in_words(file: Path, mistakes: Sequence[ChallengeMistake], words: Words) -> Iterator[str]:
-    """A sentence for each, in the order of their lines."""
+def _in_words(
+    file: Path, mistakes: Sequence[ChallengeMistake], words: Words, unknown: str = "challenge-unknown"
+) -> Iterator[str]:
+    """A sentence for each, in the order of their lines. ``unknown``: as of ``choose_challenge``."""
     from language.suggestions import nearest
     from worlds.challenges import MOST_MISTAKES
 
     for bad in sorted(mistakes, key=lambda each: each.line)[:MOST_MISTAKES]:
         near = nearest(bad.what, bad.known) if bad.known else None
         code = f"{bad.code}-near" if near else bad.code
+        if code == "challenge-unknown" and not bad.line:
+            code = unknown
         what, known = bad.what[:LONGEST_NAME], ", ".join(bad.known[:MOST_KNOWN])
         sentence = words(code, file=file.name, what=what, near=near, known=known)
         yield words("challenge-line", line=bad.line, text=sentence) if bad.line else sentence

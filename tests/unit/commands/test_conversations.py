@@ -308,7 +308,7 @@ ELSEWHERE: dict[str, tuple[str, tuple[tuple[str, list[str]], ...]]] = {
             ("RECOVER", ["There is nothing to recover."]),
             *((f"EXAMPLES {each}", wrong("EXAMPLES 2")) for each in ("0", "8", "x")),
             ("EXAMPLES 1", ["Opened A square, 4 lines."]),
-            ("CHALLENGE zzz", ["There is no challenge zzz. donnie challenge lists them."]),
+            ("CHALLENGE zzz", ["There is no challenge zzz. CHALLENGE lists them."]),
             *((each, ["No challenge here. Type CHALLENGE."]) for each in ("GOALS", "HINT", "QUESTIONS")),
             ("RESULTS", ["You have not tried a challenge yet."]),
             ("LINEAR", ["You are in linear mode already."]),
