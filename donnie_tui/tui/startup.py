@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from textual.app import App
+from textual.timer import Timer
 
 from donnie_tui.commands.interaction import SLOW
 from donnie_tui.commands.keys import KeyTable
@@ -263,11 +264,12 @@ class Startup:
     def open_with(self, opening: Coroutine[None, None, None]) -> None:
         """Read the first file. Keys wait for it, but not for a slow one."""
         self.is_opening = True
-        self._app.set_timer(SLOW, self._opened)
-        self._app.run_worker(self._open(opening), group="opening")
+        slowly = self._app.set_timer(SLOW, self._opened)
+        self._app.run_worker(self._open(opening, slowly), group="opening")
 
-    async def _open(self, opening: Coroutine[None, None, None]) -> None:
+    async def _open(self, opening: Coroutine[None, None, None], slowly: Timer) -> None:
         await opening
+        slowly.stop()
         if self._session.controller is not None:
             self._session.controller.display.update()
         self._opened()
