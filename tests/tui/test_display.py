@@ -46,6 +46,7 @@ class Place:
             has_focus=True,
             show_first_steps=lambda steps: self.done.append(f"first steps {len(steps)}"),
             mark=self.mark,
+            follow=lambda line: self.done.append(f"follow {line}"),
         )
         self.map = Part(
             hidden=(),
