@@ -1,8 +1,15 @@
 """At equal times the robot that is first in the world has the turn, whichever robot asked first."""
 
+import os
+import threading
 from math import inf
+from pathlib import Path
+from unittest.mock import patch
 
-from sim.clock import Clock, Seat, Turns
+import pytest
+
+from sim.clock import MOST_EVENTS, Clock, LockGate, Seat, Turns, new_gate
+from tests.timeouts import TIMEOUT
 from tests.unit.sim.floors import Unpaced
 
 
@@ -82,3 +89,42 @@ def test_a_leap_ends_an_earlier_halt() -> None:
     clock.leap(1.0)
 
     assert clock.is_active()
+
+
+@pytest.mark.parametrize("rank", [0, MOST_EVENTS])
+def test_an_opening_of_a_gate_lets_one_wait_pass_before_it_or_after_it(rank: int) -> None:
+    gate, passed = new_gate(rank), threading.Semaphore(0)
+
+    def wait() -> None:
+        gate.wait()
+        passed.release()
+
+    for _ in range(2):  # the second wait must not pass by the openings of the first one
+        gate.open()
+        gate.open()
+        gate.wait()
+        thread = threading.Thread(target=wait, daemon=True)
+        thread.start()
+        assert not passed.acquire(blocking=False)
+        gate.open()
+        assert passed.acquire(timeout=TIMEOUT)
+        thread.join(TIMEOUT)
+
+
+@pytest.mark.skipif(not hasattr(os, "eventfd"), reason="the system has no eventfd")
+def test_only_so_many_robots_of_a_world_have_an_event_and_close_its_file() -> None:
+    def events() -> int:
+        files = (each.readlink() for each in Path("/proc/self/fd").iterdir() if each.is_symlink())
+        return sum("eventfd" in each.name for each in files)
+
+    before = events()
+    gates = [new_gate(rank) for rank in range(MOST_EVENTS + 10)]
+    assert events() == before + MOST_EVENTS
+
+    gates.clear()
+    assert events() == before
+
+
+def test_a_gate_is_a_lock_if_no_more_files_can_be_opened() -> None:
+    with patch("os.eventfd", side_effect=OSError("too many open files"), create=True):
+        assert isinstance(new_gate(0), LockGate)
