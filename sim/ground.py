@@ -160,10 +160,10 @@ class Ground:
             self._layout.moving.move(root, now)
 
     def _place(self, root: int, now: Placement) -> None:
-        self._now[root] = now
+        before, self._now[root] = self._now[root], now
         self._changes += 1
         self._own_changes[root] = self._own_changes.get(root, 0) + 1
-        if self._layout is not None:
+        if self._layout is not None and now != before:  # a robot that was seen at the end of its glide
             self._layout.changed(root)
 
     def quicken(self, speed: float) -> None:
@@ -212,12 +212,23 @@ class Ground:
             return (self._layout or self._lay_out()).parts_of(root)
 
     def within(
-        self, asker: int, left: float, bottom: float, right: float, top: float, but: frozenset[int]
+        self,
+        asker: int,
+        left: float,
+        bottom: float,
+        right: float,
+        top: float,
+        but: frozenset[int],
+        has_still: bool = True,
     ) -> list[Part]:
-        """All parts that come into a box, and perhaps some more, in order; without the ranks ``but``."""
+        """All parts that come into a box, and perhaps some more, in order; without the ranks ``but``.
+
+        Without ``has_still`` only movable ones.
+        """
         with self._lock:
             roots = self._others(asker, left, bottom, right, top)
-            return (self._layout or self._lay_out()).within(asker, roots, (left, bottom, right, top), but)
+            layout = self._layout or self._lay_out()
+            return layout.within(asker, roots, (left, bottom, right, top), but, has_still)
 
     def first_hits(
         self, asker: int, x: float, y: float, ends: Sequence[Point], ranging: bool, but: frozenset[int]

@@ -224,10 +224,12 @@ class Layout:
             self._place_parts(root)
         return self._of_root[root]
 
-    def within(self, asker: int, roots: Iterable[int], box: Box, but: frozenset[int]) -> list[Part]:
-        """``roots``: the movable ones that may be in the box."""
+    def within(
+        self, asker: int, roots: Iterable[int], box: Box, but: frozenset[int], has_still: bool = True
+    ) -> list[Part]:
+        """As ``Ground.within``. ``roots``: the movable ones that may be in the box."""
         left, bottom, right, top = box
-        found = self._still.within(left, bottom, right, top)
+        found = self._still.within(left, bottom, right, top) if has_still else {}
         group, groups = asker + 1, self._groups
         for root in roots:
             if groups.get(root, 0) == group:

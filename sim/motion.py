@@ -37,6 +37,7 @@ from sim.geometry import (
     turn_contact,
 )
 from sim.ground import Ground
+from sim.index import Box
 from sim.parts import Body, Outline, Part, Sighted, body_of
 from sim.rangers import CENTIMETRES_A_STEP, Around, Height, Ranger
 from sim.scene import Scene
@@ -137,7 +138,10 @@ class Surroundings:
 
     def near(self, x: float, y: float, reach: float) -> list[Part]:
         """All parts that come within ``reach`` of a place, and perhaps some more, in order."""
-        return self.ground.within(self.root, x - reach, y - reach, x + reach, y + reach, self.absent)
+        box = x - reach, y - reach, x + reach, y + reach
+        its_x, its_y, radius = self._room
+        has_still = reach > self._guard or hypot(x - its_x, y - its_y) >= radius
+        return self.ground.within(self.root, *box, self.absent, has_still)
 
     def within(self, left: float, bottom: float, right: float, top: float) -> list[Part]:
         """All parts that come into a box, and perhaps some more, in order."""
@@ -228,6 +232,8 @@ class Mover:
         """Where it can't turn a degree to one side, because of what never moves."""
         self._outlined: tuple[float, Sequence[Edge]] | None = None
         """Its edges at the angle to its way at which it looked last."""
+        self._boxed: tuple[float, Box] | None = None
+        """A box around these."""
         self._apart_since = -1
         """The ground's ``jumps`` when the robot was known to reach into nothing."""
         self.around = Surroundings(ground, robot)
@@ -281,30 +287,35 @@ class Mover:
 
     def has_free_step(self, spot: Spot, bearing: Bearing) -> bool:
         """Whether a whole step is free, and is the same however it is divided."""
-        there = spot.ahead(STEP, spot.yaw + (180.0 if bearing is Bearing.BACK else 0.0))
+        angle = spot.yaw + (180.0 if bearing is Bearing.BACK else 0.0)
+        there = spot.ahead(STEP, angle)
         if self.around.has_room(spot.x, spot.y, there.x, there.y, straight=True):
             return True
-        return not self._reaches_into_any(spot) and self.walk(spot, bearing, 1, careful=True).steps == 1
+        return self._is_free(spot, angle, STEP) and not self.is_blocked(spot, bearing)
 
     def has_free_rest(self, spot: Spot, angle: float, length: float) -> bool:
         """As ``has_free_step``, for the rest of a step before which the sensors were checked."""
         middle = spot.ahead(length / 2, angle)
-        if self._others.is_any_near(middle, self.walking_guard + length / 2) or self._reaches_into_any(spot):
-            return False
-        return self.contact(spot, angle, length).metres >= length - TOUCHING
+        is_near = self._others.is_any_near(middle, self.walking_guard + length / 2)
+        return not is_near and self._is_free(spot, angle, length)
 
     def has_free_turn(self, spot: Spot, degrees: int) -> bool:
         """As ``has_free_step``, for a turn."""
-        return self.turn(spot, degrees) == degrees and not self._reaches_into_any(spot)
+        return self.turn(spot, degrees) == degrees and not self._reaches_into_any(
+            spot, self._touchable(spot, self.body.radius)
+        )
 
     def turn_contact(self, spot: Spot, sign: int) -> float:
         """Degrees (1: counter-clockwise, -1: clockwise) until the body touches something, or infinity."""
         if self.body.is_round and not self.around.has_company:
             return inf
         close, nearest = self._in_the_way_of_turning(spot), inf
+        reach = self.body.radius + SKIN
         outline = self.body.outline(spot.yaw) if close else ()
         for part in close:
             shifted = edges(seen_from(part.points, spot.x, spot.y, 0.0))
+            if all(hypot(*nearest_on_edge(edge)) > reach for edge in shifted):
+                continue  # quicker to know than where the corners come to
             degrees = turn_contact(outline, shifted, sign)
             if degrees < nearest:
                 nearest = degrees
@@ -312,7 +323,7 @@ class Mover:
                     self._stuck = spot, sign
         return nearest
 
-    def contact(self, spot: Spot, angle: float, length: float, but: Container[int] = frozenset()) -> Contact:
+    def contact(self, spot: Spot, angle: float, length: float, but: Container[int] = ()) -> Contact:
         """What is met first on the next ``length`` metres (at most a step) to ``angle``, or a bit beyond.
 
         ``but``: roots that are not in the way.
@@ -321,11 +332,22 @@ class Mover:
 
     def on_the_way(self, spot: Spot, angle: float, length: float) -> list[Part]:
         """What can be met on the next ``length`` metres, and perhaps some more."""
+        close = self._along_the_way(spot, angle, length)
+        return [part for part in close if self._is_before(part, spot, angle, length)] if close else close
+
+    def _along_the_way(self, spot: Spot, angle: float, length: float) -> list[Part]:
+        """What the body may touch here or on its way, and perhaps some more."""
         middle, reach = spot.ahead(length / 2, angle), self.body.radius + length / 2 + 2 * WIDEST_SKIN
         here = middle.x, middle.y
-        return [
-            part for part in self._touchable(middle, reach) if dist(part.middle, here) < part.reach + reach
-        ]
+        close = self._touchable(middle, reach)
+        return [part for part in close if dist(part.middle, here) < part.reach + reach] if close else close
+
+    def _is_before(self, part: Part, spot: Spot, angle: float, length: float) -> bool:
+        """Whether the boxes of the body and of a part meet, if the body moves ``length`` metres."""
+        left, bottom, right, top = self._box_along(spot.yaw - angle)
+        points = seen_from(part.points, spot.x, spot.y, angle)
+        xs, ys = [x for x, _ in points], [y for _, y in points]
+        return min(xs) <= right + length and max(xs) >= left and min(ys) <= top and max(ys) >= bottom
 
     def contact_with_any(
         self, parts: Iterable[Part], spot: Spot, angle: float, but: Container[int]
@@ -388,6 +410,18 @@ class Mover:
             self._outlined = angle, self.body.outline(angle)
         return self._outlined[1]
 
+    def _box_along(self, angle: float) -> Box:
+        """A box around the body when it looks to ``angle``, wider than its skin."""
+        if self._boxed is None or self._boxed[0] != angle:
+            reach, skin = self.body.radius, 2 * WIDEST_SKIN
+            if self.body.is_round:
+                left, bottom, right, top = -reach, -reach, reach, reach
+            else:
+                xs, ys, _, _ = zip(*self._outline(angle), strict=True)
+                left, bottom, right, top = min(xs), min(ys), max(xs), max(ys)
+            self._boxed = angle, (left - skin, bottom - skin, right + skin, top + skin)
+        return self._boxed[1]
+
     def _in_the_way_of_turning(self, spot: Spot) -> list[Part]:
         """A round body has room to turn from all that lies still: only what moves can have come closer."""
         here, reach = (spot.x, spot.y), self.body.radius + SKIN
@@ -400,8 +434,15 @@ class Mover:
     def _touchable(self, spot: Spot, reach: float) -> list[Part]:
         return [part for part in self.around.near(spot.x, spot.y, reach) if part.solid]
 
-    def _reaches_into_any(self, spot: Spot) -> bool:
-        close = self._touchable(spot, self.body.radius)
+    def _is_free(self, spot: Spot, angle: float, length: float) -> bool:
+        """Whether the body reaches into nothing, and touches nothing on the next ``length`` metres."""
+        close = self._along_the_way(spot, angle, length)
+        if self._reaches_into_any(spot, close):
+            return False
+        ahead = [part for part in close if self._is_before(part, spot, angle, length)]
+        return self.contact_with_any(ahead, spot, angle, ()).metres >= length - TOUCHING
+
+    def _reaches_into_any(self, spot: Spot, close: Iterable[Part]) -> bool:
         if any(self._overlaps(spot, part) for part in close):
             return True
         self._apart_since = self.around.ground.jumps
@@ -433,7 +474,7 @@ class Mover:
         return self.around.without(gives_way) if gives_way else self.around
 
     def _keep_guard(self) -> None:
-        self._outlined = None
+        self._outlined = self._boxed = None
         radius = self.body.radius
         farthest = max((hypot(each.x, each.y) for each in self.senses.rangers), default=0.0)
         self.guard = max(radius + STEP, farthest + 2 * STEP) + 0.01

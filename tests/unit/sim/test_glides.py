@@ -11,7 +11,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from devices.ports.robot import Bearing, RobotProblem
+from devices.ports.robot import STEP, Bearing, RobotProblem
+from sim.clock import Clock, Glide
+from sim.geometry import Placement, Spot
+from sim.ground import Ground
+from sim.motion import Mover
 from sim.robot import SimulatedRobot
 from sim.vehicle import Vehicle
 from sim.world import World
@@ -141,3 +145,39 @@ def test_a_robot_that_glides_is_seen_where_its_ticks_have_led() -> None:
         thread.join(TIMEOUT)
 
     assert seen == pytest.approx([2 - 0.025 * i for i in range(1, 5)], abs=0.0026)
+
+
+def test_a_glide_that_has_just_begun_has_no_past_ticks_and_computes_no_times() -> None:
+    def times() -> list[float]:
+        raise AssertionError
+
+    clock = Clock(Unpaced(), None)
+    glide = Glide(0, clock, times, lambda _: Placement(), (0.0, 0.0, 0.05, 0.0), 0.1)
+
+    assert glide.ticks((0.0, 1.0)) == 0
+
+
+def test_a_robot_that_is_put_where_it_is_keeps_its_parts() -> None:
+    """As one that was seen at the end of its glide."""
+    ground = Ground(load_text(HEAD + 'square( name "a" pose [ 0 0 0 0 ] )', Path("glides.world")))
+    ground.put(0, Placement(1.0, 0.0, 0.0, 30.0))
+    parts = ground.parts_of(0)
+
+    ground.put(0, Placement(1.0, 0.0, 0.0, 30.0))
+
+    assert ground.parts_of(0) is parts
+    assert ground.place(0) == Placement(1.0, 0.0, 0.0, 30.0)
+
+
+def test_only_what_the_way_of_a_robot_comes_to_is_compared_with_its_body() -> None:
+    """The robot is .1 m wide and long, the boxes .3 m: two on its way, two .02 m away from it."""
+    places = ("0.22 0", "-0.22 0", "0 0.22", "0 -0.22")
+    boxes = "".join(f"box( pose [ {place} 0 0 ] )\n" for place in places)
+    scene = load_text(f"{HEAD}soft( pose [ 0 0 0 0 ] )\n{boxes}", Path("glides.world"))
+    mover = Mover(Ground(scene), 0)
+
+    ahead = mover.on_the_way(Spot(0.0, 0.0, 0.0), 0.0, STEP)
+    back = mover.on_the_way(Spot(0.0, 0.0, 0.0), 180.0, STEP)
+
+    assert [part.middle for part in ahead] == [(0.22, 0.0)]
+    assert [part.middle for part in back] == [(-0.22, 0.0)]
