@@ -467,7 +467,10 @@ class Spot(Struct, frozen=True):
 
 def pose_of(spot: Spot | Placement) -> Pose:
     """Rounded far below what matters, so that three steps are not 2.9999; adding 0 makes -0 a plain 0."""
-    heading = round((90.0 - spot.yaw) % 360.0, 9) % 360.0
+    heading = 90.0 - spot.yaw
+    if heading % 1.0:  # rarely; rounding takes longest
+        heading = round(heading % 360.0, 9)
+    heading %= 360.0
     return Pose(round(spot.x / STEP, 9) + 0.0, round(spot.y / STEP, 9) + 0.0, heading)
 
 

@@ -241,7 +241,7 @@ class SimulatedRobot:
     def distance(self, bearing: Bearing) -> int:
         """RobotProblem ``no-sensor`` (bearing) if nothing looks there."""
         self._clock.begin()
-        vehicle = self.get_ready()
+        vehicle = self._vehicle or self._made()  # most commands of a program are this one
         mover = vehicle.mover
         return mover.senses.steps(mover.around, vehicle.here.truth, bearing, self._chance)
 
@@ -351,7 +351,8 @@ class SimulatedRobot:
         if refused is not None and vehicle.is_alone():
             return refused
         whole, stopped_by = movement.run()
-        outcome = whole, stopped_by, meeting(vehicle.here.truth, stopped_by)
+        met = None if stopped_by is None else meeting(vehicle.here.truth, stopped_by)
+        outcome = whole, stopped_by, met
         if stopped_by in _FINAL and vehicle.here == here and vehicle.is_alone():
             if self._refused_at != here:
                 self._refused, self._refused_at = {}, here
