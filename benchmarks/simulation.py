@@ -4,6 +4,7 @@ One command is measured against one ray through the same world by pymunk's ``seg
 interleaved; medians, with the quarters as the spread. Of many robots steps a second are printed, and how time
 and memory grow; of wandering robots, each with a program, the processor time of a simulated second, against
 what Stage 4.3 took with its wander controller, 10 Hz and 9 rays, on a machine on which a ray took 4 us.
+The targets of pushing, of sonars and of loading are times on that machine, so they are compared in rays, too.
 Processor time, so that what else the machine does matters little. Garbage is collected as in a session.
 """
 
@@ -49,6 +50,10 @@ at most what one robot costs, a two-hundredth of a hundred, and in a larger worl
 has less to do. A prototype was 1.1 times as fast as Stage with a hundred robots and 2.75 times with a
 thousand: if its robots cost no less among more, Stage takes at least 2.5 times as much as this.
 """
+WANTED_RAY = 4e-6
+"""Seconds of a ray on the machine for which the targets are times."""
+WANTED_PUSH, WANTED_SONARS, WANTED_LOADING = 4e-3, 80e-6, 0.8
+"""Seconds there: a step that pushes twenty things, eight sonars, ten thousand models."""
 WANDERED = {1: 2000, 10: 300, 100: 40, 1000: 5}
 """Simulated seconds, by the number of robots."""
 STACK = 256 * 1024
@@ -162,6 +167,10 @@ def _ray(scene: Scene) -> Callable[[], None]:
     return ask
 
 
+def _seconds_of_a_ray(ask: Callable[[], None]) -> float:
+    return statistics.median(_seconds(ask) for _ in range(ROUNDS)) / COMMANDS
+
+
 def _an_end_that_is_hit(space: pymunk.Space) -> tuple[float, float]:
     ends = ((x, y) for x in (5.0, 4.0, 3.0, -3.0, -4.0, -5.0) for y in (5.0, 3.0, -3.0, -5.0))
     return next(end for end in ends if space.segment_query_first((0, 0), end, 0.0, pymunk.ShapeFilter()))
@@ -194,8 +203,9 @@ def _pushing() -> None:
         robot.forward(PUSHED_STEPS + 3 * count)  # until all move
         began = time.process_time()
         pushed = robot.forward(PUSHED_STEPS).pushed
-        took = time.process_time() - began
-        print(f"pushing {len(pushed)} things: {took / PUSHED_STEPS * 1e3:.1f} ms a step")
+        took = (time.process_time() - began) / PUSHED_STEPS
+        wanted = f", {_compared(took, WANTED_PUSH)}" if len(pushed) == 20 else ""
+        print(f"pushing {len(pushed)} things: {took * 1e3:.1f} ms a step{wanted}")
     _pushing_in_company()
 
 
@@ -248,7 +258,10 @@ def _sonars() -> None:
             robot.distance(bearing)
         walked.append(time.process_time() - began)
     there = statistics.mean(walked)
-    print(f"{len(bearings)} sonars: {took * 1e6:.0f} us; after each step of a walk {there * 1e6:.0f} us")
+    print(
+        f"{len(bearings)} sonars: {took * 1e6:.0f} us, {_compared(took, WANTED_SONARS)};"
+        f" after each step of a walk {there * 1e6:.0f} us, {_compared(there, WANTED_SONARS)}"
+    )
 
 
 def _loading() -> None:
@@ -263,8 +276,16 @@ def _loading() -> None:
     walked = time.process_time() - began
     print(
         f"{len(scene.models)} models: loaded in {loaded:.2f} s of processor time,"
-        f" {walked:.2f} s to the end of a step"
+        f" {_compared(loaded, WANTED_LOADING)}; {walked:.2f} s to the end of a step,"
+        f" {_compared(walked, WANTED_LOADING)}"
     )
+
+
+def _compared(seconds: float, wanted: float) -> str:
+    """``wanted``: seconds on a machine with rays of ``WANTED_RAY``."""
+    ray = _seconds_of_a_ray(_ray(_floor(1, boxes=60)))
+    times = wanted / WANTED_RAY * ray / seconds
+    return f"{seconds / ray:.0f} rays of {ray * 1e6:.1f} us, {times:.1f} times as fast as wanted"
 
 
 def _rows(robots: int, things: int) -> str:
@@ -338,7 +359,7 @@ def _wander(count: int) -> None:
     """Each program reads three sensors, walks a step, and turns where there is something ahead."""
     load_undisturbed()
     scene = _floor(count, boxes=60 + count)
-    world, ray = World(scene), _ray(scene)
+    world, ask = World(scene), _ray(scene)
     robots = [world.robot(name, pace=Freely()) for name in _names(scene)]
     threading.stack_size(STACK)
     loaded()
@@ -352,11 +373,11 @@ def _wander(count: int) -> None:
             thread.join()
         took = time.process_time() - began
     second = took / (robots[0].time() - before)
-    rays = statistics.median(_seconds(ray) for _ in range(ROUNDS)) / COMMANDS
-    at_least, ratio = "at least " if count == max(STAGE_RAYS) else "", STAGE_RAYS[count] * rays / second
+    ray = _seconds_of_a_ray(ask)
+    at_least, ratio = "at least " if count == max(STAGE_RAYS) else "", STAGE_RAYS[count] * ray / second
     print(
-        f"{count} wandering: {second * 1e3:.3f} ms of processor time a simulated second, {second / rays:.0f}"
-        f" rays of {rays * 1e6:.1f} us, {at_least}{ratio:.2f} times as fast as Stage"
+        f"{count} wandering: {second * 1e3:.3f} ms of processor time a simulated second, {second / ray:.0f}"
+        f" rays of {ray * 1e6:.1f} us, {at_least}{ratio:.2f} times as fast as Stage"
     )
 
 
