@@ -319,7 +319,7 @@ def _subjects(
             tuple(lines),
             timeline.pose(robot) or world.start(),
             picture(scene, robot if robot in names else next(iter(names), None)),
-            moves.of(robot),
+            moves.of(lambda: robot),
             words_in_lines(words),
             sections(words),
             own,

@@ -97,7 +97,7 @@ class Context:
         if donnie.world.challenge is not None:
             self.attempt = Attempt(donnie, preferences)
             self.runs.judge = self.attempt.judge
-        self.trail = Trail(lambda: donnie.session.hub.robot)
+        self.trail: Trail = donnie.chronicle.timeline().moves(lambda: donnie.session.hub.robot)
         self.errors = RunErrors(of=lambda: donnie.session.hub.robot)
         listeners = (self.trail.on_event, self.errors.on_event)
         self._unsubscribe = [donnie.team.stream.subscribe(each) for each in listeners]

@@ -42,10 +42,7 @@ def _moment(ctx: Context) -> tuple[Pose, Trail]:
     past, robot = ctx.runs.past, ctx.donnie.session.hub.robot
     if past is None:
         return ctx.donnie.session.pose, ctx.trail
-    moves = Trail(lambda: robot)
-    for stamped in past.events[: past.at]:
-        moves.on_event(stamped)
-    at = past.at
+    at, moves = past.at, past.moves(lambda: robot)
     past.go_to(max(1, at))  # where the robot was at first is known from the beginning of the run
     pose = past.pose(robot)
     past.go_to(at)

@@ -18,6 +18,7 @@ from math import hypot
 from typing import TypeAlias
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from devices.ports.robot import Pose, StoppedBy
 from donnie_tui.core.events import (
@@ -72,9 +73,13 @@ class _Place(Struct, frozen=True):
 class Timeline:
     """A position in a list of events, at its start at first."""
 
-    def __init__(self, events: Sequence[Stamped]) -> None:
-        """``events`` must not change during use, and must not contain transient ones."""
+    def __init__(self, events: Sequence[Stamped], forgotten: Trail | None = None) -> None:
+        """``events`` must not change during use, and must not contain transient ones.
+
+        ``forgotten``: the movements before the first of them.
+        """
         self.events = events
+        self._forgotten = forgotten
         self.at = 0
         self._places: dict[str | None, list[_Place]] = {}
         self._things: list[tuple[int, tuple[PlacedThing, ...]]] = []
@@ -150,6 +155,13 @@ class Timeline:
         first = next((index for index in reversed(range(len(places))) if places[index].begins), 0)
         return tuple(each.pose for each in places[first:])
 
+    def moves(self, of: Callable[[], str | None]) -> Trail:
+        """All movements up to here. ``of`` returns the robot's name, as for a trail."""
+        moves = Trail() if self._forgotten is None else self._forgotten.copied()
+        for index in range(self.at):
+            moves.on_event(self.events[index])
+        return moves.of(of)
+
     @property
     def things(self) -> tuple[PlacedThing, ...]:
         """The things of the world that are not where they were at its start."""
@@ -219,11 +231,15 @@ class Chronicle:
     """Keeps the newest events that are not transient. Safe in any thread."""
 
     def __init__(self, most: int = MOST) -> None:
-        self._events: deque[Stamped] = deque(maxlen=most)
+        self._most = most
+        self._events: deque[Stamped] = deque()
+        self._forgotten = Trail()
 
     def __call__(self, stamped: Stamped) -> None:
         if not isinstance(stamped.event, TRANSIENT):
             self._events.append(stamped)
+            if len(self._events) > self._most:
+                self._forgotten.on_event(self._events.popleft())
 
     @property
     def last_seq(self) -> int:
@@ -233,7 +249,8 @@ class Chronicle:
     def timeline(self) -> Timeline:
         """The kept events, at their end."""
 
-        timeline = Timeline(tuple(self._events.copy()))
+        forgotten = self._forgotten.copied()
+        timeline = Timeline(tuple(self._events.copy()), forgotten)
         timeline.go_to(len(timeline))
         return timeline
 
@@ -596,11 +613,19 @@ class Trail:
             if path is None or apart(path.visits[-1][0], event.how.pose) > SAME_PLACE:
                 self._paths[robot] = _GrowingPath([(event.how.pose, 0.0)])
 
-    def of(self, robot: str | None) -> Trail:
-        """The same moves and paths, as those of that robot."""
+    def of(self, of: Callable[[], str | None]) -> Trail:
+        """The same moves and paths for another robot."""
         same = copy(self)
-        same._of = lambda: robot
+        same._of = of
         return same
+
+    def copied(self) -> Trail:
+        """A trail of its own that continues from here."""
+        new = Trail(self._of, self._most_moves)
+        new._moves_of = {robot: moves.copy() for robot, moves in self._moves_of.items()}
+        new._counts, new._last_poses = self._counts.copy(), self._last_poses.copy()
+        new._paths = {robot: replace(path, visits=[*path.visits]) for robot, path in self._paths.items()}
+        return new
 
     def in_words(self, count: int, wording: Wording) -> tuple[str, ...]:
         """The last ``count`` moves, a sentence each."""

@@ -11,9 +11,12 @@ from xml.etree import ElementTree
 import pytest
 from PIL import Image
 
+from donnie_tui.commands.context import Context
 from donnie_tui.commands.files import compare_with_file
 from donnie_tui.commands.interaction import drive
 from donnie_tui.commands.lookup import words_of
+from donnie_tui.core.answer_log import AnswerLog
+from donnie_tui.core.line_history import LineHistory
 from tests.unit.commands.scripted import Script
 from worlds import EXAMPLES
 
@@ -266,6 +269,18 @@ def test_a_report_of_a_run_is_a_picture_that_moves_and_of_its_distances_a_plot(
     assert "3 steps" in (run.findtext(f"{space}desc") or "")
     plot = ElementTree.fromstring((tmp_path / "plot.svg").read_text())
     assert "distance F" in [each.text for each in plot.iter(f"{space}text")]
+
+
+def test_another_front_end_goes_on_with_the_path(open_script: OpenScript) -> None:
+    script = open_script()
+    script.run("FW 2\nTR 90\nFW 3")
+    script.rest()
+    ctx = script.ctx
+    again = Context(ctx.donnie, ctx.interaction, ctx.workspace, AnswerLog(), LineHistory(), ctx.preferences)
+
+    assert (again.trail.path, again.trail.rows()) == (ctx.trail.path, ctx.trail.rows())
+    assert again.trail.path.lengths[-1] == 5
+    again.close()
 
 
 def test_pictures_of_a_run_are_what_their_names_say(open_script: OpenScript, tmp_path: Path) -> None:
