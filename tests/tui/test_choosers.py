@@ -153,7 +153,7 @@ async def test_a_list_is_left_without_an_answer() -> None:
 
 @pytest.mark.parametrize(
     ("width", "height", "is_wide", "panel"),
-    [(80, 24, False, (58, 7)), (66, 24, False, (58, 7)), (65, 24, True, (65, 6)), (80, 9, False, (58, 6))],
+    [(80, 24, False, (58, 7)), (66, 24, False, (58, 7)), (65, 24, True, (65, 7)), (80, 9, False, (58, 6))],
 )
 async def test_a_panel_is_as_large_as_its_list(
     width: int, height: int, is_wide: bool, panel: tuple[int, int]
