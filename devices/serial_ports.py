@@ -191,7 +191,10 @@ class SerialPort:
 
 
 def _is_usable(address: str) -> bool:
-    """Whether it is a device, or an address of the network with a port number."""
+    """Whether it is a device, or an address of the network with a port number.
+
+    The option ``logging`` of pyserial prints on the learner's terminal.
+    """
     scheme, is_address, _ = address.partition("://")
     if not is_address:
         return True
@@ -199,7 +202,8 @@ def _is_usable(address: str) -> bool:
 
     if scheme.lower() not in NETWORK_SCHEMES:
         return scheme.lower() in OTHER_SCHEMES
-    return urlsplit(address).port is not None
+    parts = urlsplit(address)
+    return parts.port is not None and "logging" not in parts.query.lower()
 
 
 def _problem(address: str, error: Exception) -> PortProblem:

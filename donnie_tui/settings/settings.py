@@ -393,11 +393,14 @@ def _limited_by(source: Mapping[str, object], limits: SessionLimits) -> SessionL
 
 
 def _limit(key: Key, source: Mapping[str, object]) -> Any:
-    text = _as_text(source[key.key])
+    given = source[key.key]
     try:
-        return key.read(text)
+        if not isinstance(given, str):
+            raise ValueError(given)
+        return key.read(given)
     except ValueError:
-        raise BadLimitsError("limit-not-understood", name=key.key, value=text[:40]) from None
+        values = {"name": key.key, "value": str(given)[:40], "wanted": key.wanted}
+        raise BadLimitsError("limit-not-understood", **values) from None
 
 
 def _folder_within(name: str, outer: str | None) -> str:

@@ -451,7 +451,7 @@ def test_a_folder_that_can_not_be_used_prevents_the_start(
     monkeypatch.setenv("DONNIE_CONFINED", value)
 
     assert main(["run", "mine.gd", *QUIET]) == 2
-    assert ("make it first" if value else "start") in capsys.readouterr().err
+    assert ("make it first" if value else "takes FOLDER") in capsys.readouterr().err
 
 
 def test_a_module_in_the_folder_is_not_imported(ana: Path) -> None:
@@ -518,7 +518,9 @@ def test_damaged_settings_of_the_machine_prevent_the_start(
     machine.write_text(text)
 
     assert main(["check", "mine.gd"]) == 2
-    assert ("start" if text == "confined = \n" else "make it first") in capsys.readouterr().err
+    assert (
+        "make it first" if "no/such" in text else "start" if text == "confined = \n" else "takes FOLDER"
+    ) in capsys.readouterr().err
 
 
 # --- devices

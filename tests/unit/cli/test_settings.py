@@ -9,7 +9,7 @@ import pytest
 from donnie_tui.core.program_files import DocumentError
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.folders import settings_file, state_folder
-from donnie_tui.settings.parsing import colours_text, read_settings, remember, with_setting
+from donnie_tui.settings.parsing import PORT_WANTED, colours_text, read_settings, remember, with_setting
 from donnie_tui.settings.settings import (
     BY_KEY,
     KEYS,
@@ -442,7 +442,7 @@ def test_a_weaker_source_can_only_limit_a_session_more(tmp_path: Path) -> None:
         found = limits_of(*sources)  # type: ignore[arg-type]
         return found.folder, found.devices
 
-    long = {"name": "devices", "value": "x://" + "y" * 36}
+    long = {"name": "devices", "value": "x://" + "y" * 36, "wanted": PORT_WANTED}
     missing = str(tmp_path / "none")
     at_school, in_lesson = {"confined": str(school)}, {"confined": str(lesson)}
     assert limits({}, {}, {}, {}) == (None, None)
@@ -460,6 +460,11 @@ def test_a_weaker_source_can_only_limit_a_session_more(tmp_path: Path) -> None:
         ((at_school, {}, {}, {"devices": "a"}), "devices-wider", {"port": "a"}),
         (({"devices": "a"}, {}, {"devices": "a,c"}, {}), "devices-wider", {"port": "c"}),
         (({"confined": missing}, {}, {}, {}), "confined-no-folder", {"path": missing}),
+        (
+            ({"confined": [1]}, {}, {}, {}),
+            "limit-not-understood",
+            {"name": "confined", "value": "[1]", "wanted": "FOLDER"},
+        ),
         (({"devices": "x://" + "y" * 50}, {}, {}, {}), "limit-not-understood", long),
     ):
         with pytest.raises(BadLimitsError) as wrong:

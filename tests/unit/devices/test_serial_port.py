@@ -64,6 +64,7 @@ def test_a_terminals_error_while_opening_is_a_problem(monkeypatch: pytest.Monkey
             "cp2110://",
             "file:///dev/null",
             "x://y:1",
+            "socket://127.0.0.1:9?logging=debug",
         ),
     ],
 )
