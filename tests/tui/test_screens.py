@@ -430,6 +430,7 @@ async def test_the_examples_for_an_empty_program(open_screen, same, theme, size)
         screen.app.theme = theme
         await screen.press(*"EXAMPLES", "enter")
         await screen.until(lambda: "A square" in screen.text, "the list")
+        await screen.until(lambda: not screen.main.editor.mistakes, "no mark of a half typed word")
         await screen.press("down")
         await screen.painted()
         await same(screen)
