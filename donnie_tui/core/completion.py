@@ -1,6 +1,6 @@
 """What may continue a program at the cursor: words that the grammar allows, and the next line.
 
-Inside a block its END comes first, once something is in it. QUIT is never offered, since it ends the lesson.
+Inside a block its END comes first. QUIT is never offered, since it ends the lesson.
 After the first line of a block the next one is indented, and the END is there already.
 """
 
@@ -52,8 +52,6 @@ _NEVER = ("QUIT", "EXIT")
 
 _VAR, _PROCEDURE, _COLON, _COMMA, _DO = (KIND[each] for each in ("VAR", "PROCEDURE", "COLON", "COMMA", "DO"))
 _WORDS = frozenset(KIND[each] for each in TERMINAL_OF_WORD.values()) | {NAME}
-_HEADS = frozenset(KIND[each] for each in ("THEN", "ELSE", "TIMES", "DO"))
-"""The last words before the commands of a block."""
 _HALF_WORDS = (FRAGMENT, KIND["END"])
 _HALVES = (*_HALF_WORDS, KIND["FOR"])
 """What a token is that may become a keyword of two words: RIGHT, END, and PARA in Portuguese."""
@@ -134,10 +132,7 @@ def _words(text: str, start: int, at: int, language: str, colours: Iterable[str]
 
 
 def _next_words(text: str, start: int, at: int, before: Sequence[Token], language: str) -> Iterator[str]:
-    """The end of the block, then commands and names. An END comes last if it is written already.
-
-    So it does where nothing is in the block yet.
-    """
+    """The end of the block, then commands and names; an END that is written already comes last."""
     kinds = kinds_after(before)
     if before and "\n" in text[before[-1][2] : start] and not kinds & _WORDS:
         kinds = kinds_after(before[:-1])  # an unknown word alone in its line
@@ -148,7 +143,7 @@ def _next_words(text: str, start: int, at: int, before: Sequence[Token], languag
         (each.line, each.depth, each.is_closed) == (block.line, block.depth, True) for each in outline(rest)
     )
     may_end = bool(ends) and any(kind in ENDS for kind in kinds)
-    if may_end and not is_ended and before[-1][0] not in _HEADS:
+    if may_end and not is_ended:
         yield from ends
     names, commands = _names(text, start, before, kinds), _keywords(kinds, language)
     yield from chain(names, commands) if NUMBER in kinds else chain(commands, names)

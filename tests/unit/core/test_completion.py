@@ -102,12 +102,12 @@ def test_on_an_empty_line_the_commonest_commands_come_first(text: str) -> None:
         ("FOR VAR i = 1; i < 5; i = ", ("i",)),
         ("FOR VAR i = 1; i < 5; i = i + ", ("1", "2")),
         ("FOR VAR i = 1; i < 5; i = i + 1 ", ("DO",)),
-        ("FOR VAR i = 1; i < 5; i = i + 1 DO ", ("FW",)),
+        ("FOR VAR i = 1; i < 5; i = i + 1 DO ", ("END FOR", "FW")),
         ("FOR VAR i = 1; i < 5; i = i + 1 DO\nFW i ", ("END FOR", "FW")),
         ("FOR VAR i = 1; i < 5; i = i + 1 DO\nFW i\nEND ", ("FOR",)),
         ("FOR VAR i = 1; i < 5; i = i + 1 DO\nFW i\nEND FOR ", ("FW",)),
         ("FW 3 ", ("FW", "TR")),
-        ("REPEAT 4 TIMES ", ("FW", "TR")),
+        ("REPEAT 4 TIMES ", ("END REPEAT", "FW")),
         ("RIGHT ", ("TURN",)),
         ("HELP ", ("FW", "TR")),
     ],
@@ -132,7 +132,7 @@ def test_the_list_has_the_likelier_of_words_numbers_and_signs_first(
         ("HABLAR DISTANCIA ", "es", "F"),
         ("PARA CRIAR i = 1 ", "pt", ";"),
         ("PARA CREAR i = 1 ", "es", ";"),
-        ("REPITA 4 VEZES ", "pt", "PF"),
+        ("REPITA 4 VEZES ", "pt", "FIM REPITA"),
         ("REPITA 4 VEZES PF 1 ", "pt", "FIM REPITA"),
     ],
 )
@@ -173,16 +173,10 @@ def test_only_names_of_the_head_of_a_procedure_are_its_parameters() -> None:
 
 
 def test_an_open_block_is_ended_first_and_a_finished_one_last() -> None:
-    assert words("REPEAT 4 TIMES\nFW 1\n")[:2] == ("END REPEAT", "FW")
+    assert words("REPEAT 4 TIMES\n")[:2] == ("END REPEAT", "FW")
     finished = words("REPEAT 4 TIMES\n|\nEND REPEAT")
 
     assert (finished[0], finished[-1]) == ("FW", "END REPEAT")
-
-
-def test_a_block_without_commands_is_not_ended_first() -> None:
-    found = words("REPEAT 4 TIMES\n")
-
-    assert (found[0], found[-1]) == ("FW", "END REPEAT")
 
 
 def test_in_portuguese_para_continues_as_a_movement() -> None:
