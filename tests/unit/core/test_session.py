@@ -24,7 +24,7 @@ from donnie_tui.core.events import (
     Waited,
 )
 from donnie_tui.core.session import Busy, RunOptions
-from donnie_tui.core.timeline import Chronicle, Timeline
+from donnie_tui.core.timeline import Chronicle, Timeline, Trail
 from donnie_tui.core.transcript import History
 from tests.floor import Floor
 from tests.timeouts import TIMEOUT
@@ -289,8 +289,9 @@ def test_history_lists_every_movement() -> None:
 
 @pytest.fixture
 def short_history(monkeypatch: pytest.MonkeyPatch) -> int:
-    """How many movements HISTORY remembers."""
+    """How many movements HISTORY remembers, and a trail."""
     monkeypatch.setattr(History.__init__, "__defaults__", (50,))
+    monkeypatch.setattr(Trail.__init__, "__defaults__", (lambda: None, 50))
     return 50
 
 
