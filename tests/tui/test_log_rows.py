@@ -127,6 +127,7 @@ async def test_a_flood_is_not_shown_row_by_row():
         assert len(seen.log.pictures) < 10
 
 
+@pytest.mark.slow
 async def test_a_full_log_forgets_its_oldest_rows_and_continues_its_page(monkeypatch):
     monkeypatch.setattr("donnie_tui.tui.widgets.rows.MOST_LINES", 100)
     async with listening() as seen:

@@ -294,6 +294,7 @@ async def test_a_letter_goes_to_the_application_on_the_shortest_way(open_screen,
         assert not [each for each in passed if isinstance(each, TextArea.Changed | TextArea.SelectionChanged)]
 
 
+@pytest.mark.slow
 async def test_what_stays_when_a_line_is_typed_is_what_would_be_painted_now(open_screen) -> None:
     """Words are letters; a text without its end colours the lines below it, a long line moves them."""
     typed = 'ab "|enter|up| x|home|"|right|(|down|)|left|backspace|up|end|' + f"{'word ' * 20}|ctrl+z|ctrl+y"

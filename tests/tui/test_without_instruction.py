@@ -112,6 +112,7 @@ async def test_everything_is_done_by_mouse_alone(open_screen, lessons: Path, siz
         await screen.until(lambda: (lessons / "slip.gd").read_text() == "FW 1\nFW 2\n", "the file")
 
 
+@pytest.mark.slow
 @AT_EACH_SIZE
 async def test_everything_is_done_by_the_keys_that_are_shown(open_screen, lessons: Path, size) -> None:  # type: ignore[no-untyped-def]
     """Each key is on the screen when it is pressed, or known from any other program."""
