@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import select
 import threading
 import tty
 from pathlib import Path
@@ -65,10 +66,11 @@ def test_a_belt_that_is_lost_is_an_event_whether_a_program_runs_or_not(tmp_path:
     donnie.session.hub.subscribe(
         lambda stamped: said.append((getattr(stamped.event, "code", ""), getattr(stamped.event, "text", "")))
     )
-    port.unlink()  # another terminal may get the old one's number
-    os.close(theirs)
-    os.close(ours)
     try:
+        assert select.select([ours], [], [], TIMEOUT)[0], "the belt's first frame"
+        port.unlink()  # another terminal may get the old one's number
+        os.close(theirs)
+        os.close(ours)
         assert until(lambda: ("belt-link", "The belt is gone.") in said)
     finally:
         donnie.close()

@@ -83,7 +83,7 @@ def test_stage_needs_what_the_page_says_from_the_folder_of_the_report(
 ) -> None:
     text = (ROOT / page).read_text(encoding="utf-8")
     *_, world = re.findall(r"^    donnie world (\w+\.world) --report", text, re.MULTILINE)
-    (quoted,) = re.findall(r"^> (.*inc, .*) [A-Z]+\.$", text, re.MULTILINE)
+    (quoted,) = re.findall(r"^> (.*inc, .*) `?[A-Z]+`?\.$", text, re.MULTILINE)
     donnie(tmp_path, "world", "new", world, "--lang", language)
 
     printed = donnie(tmp_path, "world", world, "--report", "--lang", language).stdout.decode()
