@@ -4,6 +4,7 @@ import gc
 import os
 import signal
 import sys
+from collections.abc import Iterator
 from itertools import count
 from pathlib import Path
 
@@ -61,9 +62,13 @@ def _homes_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(autouse=True)
-def _home(_homes_folder: Path) -> None:
-    """Each test has a new home folder that does not exist yet."""
+def _home(_homes_folder: Path) -> Iterator[None]:
+    """Each test has a new home folder that does not exist yet, and no limits of a command before it."""
     os.environ["HOME"] = str(_homes_folder / str(next(_homes)))
+    yield
+    main = sys.modules.get("donnie_tui.cli.main")
+    if main is not None:
+        main._lift_limits()
 
 
 @pytest.fixture(scope="session")

@@ -349,9 +349,7 @@ def here(ana: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setenv("XDG_STATE_HOME", str(ana.parent / "state"))
     monkeypatch.chdir(ana)
     monkeypatch.setattr("donnie_tui.cli.main._ignore_suspension", lambda _: None)
-    yield ana
-    confine(None)
-    folders.keep_in(None)
+    return ana
 
 
 @pytest.mark.parametrize("command", COMMANDS)
