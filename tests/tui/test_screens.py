@@ -446,7 +446,7 @@ async def test_a_program_that_was_changed_while_it_runs(open_screen, same, theme
         await screen.until(lambda: "Line 3 of 4, in REPEAT" in screen.status, "the line that runs")
         await screen.press("end", "space", *"TR", "space")
         await screen.shows("You changed the program.")
-        await screen.until(lambda: screen.main.editor.mistakes, "the mark of the line")
+        await screen.until(lambda: "TR needs" in screen.text, "the mark of the line")
         await screen.painted()
         await same(screen)
 
