@@ -54,6 +54,7 @@ from donnie_tui.core.transcript import printed_lines, with_robot_name
 from donnie_tui.core.wording import Wording, compass_heading, facing, whole_steps
 from language.control import ExecutionControl
 from language.source import printable
+from sim.geometry import nearest_on_edge
 
 _ABOUT_AN_EVENT = ("moved", "turned", "driven", "scan", "sound", "link", "gripper", "pushed")
 """Announcements that follow an event of their own; any other is an event in itself."""
@@ -536,11 +537,8 @@ def _simplified(visits: Sequence[_Visit]) -> list[_Visit]:
 
 def _off(pose: Pose, start: Pose, end: Pose) -> float:
     """Steps from a place to a straight way."""
-    x, y = end.x - start.x, end.y - start.y
-    length = x * x + y * y
-    part = ((pose.x - start.x) * x + (pose.y - start.y) * y) / length if length else 0.0
-    part = min(1.0, max(0.0, part))
-    return hypot(pose.x - start.x - part * x, pose.y - start.y - part * y)
+    edge = start.x - pose.x, start.y - pose.y, end.x - pose.x, end.y - pose.y
+    return hypot(*nearest_on_edge(edge))
 
 
 class Trail:
