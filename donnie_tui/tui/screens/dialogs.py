@@ -28,7 +28,14 @@ from textual.widgets import Input, OptionList, Static
 
 from donnie_tui.commands.interaction import Option
 from donnie_tui.tui.widgets.command_line import InputLine
-from donnie_tui.tui.widgets.rows import LOWEST, WHEEL, BottomKeys, DialogKeys, TextRows, rows_always_seen
+from donnie_tui.tui.widgets.rows import (
+    LOWEST,
+    BottomKeys,
+    DialogKeys,
+    TextRows,
+    WheelRows,
+    rows_always_seen,
+)
 
 MOST_SEEN = 8
 """Rows of a list of proposed answers."""
@@ -534,24 +541,15 @@ class Chooser(Panel[str | None]):
         self.dismiss(None)
 
 
-class _Words(OptionList):
-    """Textual's list, with the terminal's own cursor on the row, which the wheel moves as in other lists."""
+class _Words(OptionList, WheelRows):
+    """Textual's list, with the terminal's own cursor on the row."""
 
     @property
     def cursor_screen_offset(self) -> Offset:
         row = (self.highlighted or 0) - self.scroll_offset.y
         return self.content_region.offset + Offset(0, max(0, row))
 
-    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
-        self._roll(event, -WHEEL)
-
-    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
-        self._roll(event, WHEEL)
-
-    def _roll(self, event: events.MouseEvent, rows: int) -> None:
-        event.stop()
-        event.prevent_default()
-        self.scroll_to(y=self.scroll_offset.y + rows, animate=False, immediate=True)
+    def choose_further(self, rows: int) -> None:
         self.highlighted = min(max(0, (self.highlighted or 0) + rows), self.option_count - 1)
 
 

@@ -18,7 +18,7 @@ from typing import Any, ClassVar
 from msgspec import Struct
 from rich.style import Style
 from rich.text import Text
-from textual import events, work
+from textual import work
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Vertical
@@ -40,7 +40,7 @@ from donnie_tui.core.wording import Wording
 from donnie_tui.process.confinement import confinement, is_allowed, part_below
 from donnie_tui.tui.screens.dialogs import LEAST_REST, Panel
 from donnie_tui.tui.widgets.command_line import InputLine
-from donnie_tui.tui.widgets.rows import WHEEL, BottomKeys, DialogKeys
+from donnie_tui.tui.widgets.rows import BottomKeys, DialogKeys, WheelRows
 from language.source import fold_name, printable
 
 MOST_RECENT = 5
@@ -82,7 +82,7 @@ class Row(Struct, frozen=True):
     above: Path | None = None
 
 
-class FileTree(Tree[Row]):
+class FileTree(Tree[Row], WheelRows):
     """Textual's tree, in letters alone; the focus stays in the input line."""
 
     ICON_NODE, ICON_NODE_EXPANDED = "+ ", "- "
@@ -127,17 +127,7 @@ class FileTree(Tree[Row]):
 
     COMPONENT_CLASSES: ClassVar[set[str]] = {"file-tree--remark"}
 
-    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
-        self._roll(event, -WHEEL)
-
-    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
-        """Choose another row, so that Enter takes a visible one."""
-        self._roll(event, WHEEL)
-
-    def _roll(self, event: events.MouseEvent, rows: int) -> None:
-        event.stop()
-        event.prevent_default()
-        self.scroll_to(y=self.scroll_offset.y + rows, animate=False, immediate=True)
+    def choose_further(self, rows: int) -> None:
         self.choose(max(0, self.cursor_line + rows))
 
 

@@ -308,8 +308,8 @@ MOST_LINES = 100_000
 _NOT_KNOWN = 1 << 16
 """The width before the first layout: each line is a row."""
 _KIND_WIDTH = 10
-WHEEL = 3
-"""Rows of a step of the mouse wheel in a list."""
+_WHEEL = 3
+"""Rows of a step of the mouse wheel."""
 _NARROW = 56
 """Columns below which the kinds have no column of their own."""
 
@@ -324,7 +324,30 @@ LOOKS = {
 """The looks of kinds with a look of their own; others have ``kind``. The words say the same."""
 
 
-class TextRows(PaintedRows, can_focus=True):
+class WheelRows(ScrollView):
+    """Rows of which one is chosen. The wheel moves the window with it, so that Enter takes a visible row.
+
+    A second base, because Textual takes the looks of a widget from its first one.
+    """
+
+    def choose_further(self, rows: int) -> None:
+        """Choose the row so many further down, or up, as far as there are rows."""
+        raise NotImplementedError
+
+    def on_mouse_scroll_up(self, event: MouseScrollUp) -> None:
+        self._roll(event, -_WHEEL)
+
+    def on_mouse_scroll_down(self, event: MouseScrollDown) -> None:
+        self._roll(event, _WHEEL)
+
+    def _roll(self, event: MouseEvent, rows: int) -> None:
+        event.stop()
+        event.prevent_default()  # Textual would scroll two rows more
+        self.scroll_to(y=self.scroll_offset.y + rows, animate=False, force=True, immediate=True)
+        self.choose_further(rows)
+
+
+class TextRows(PaintedRows, WheelRows, can_focus=True):
     """Rows of text, each with the name of its kind. ``follows``: a log, which scrolls to new rows."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -574,17 +597,7 @@ class TextRows(PaintedRows, can_focus=True):
     def action_page(self, down: int) -> None:
         self._read(self.row + down * max(1, self.size.height - 1))
 
-    def on_mouse_scroll_up(self, event: MouseScrollUp) -> None:
-        self._roll(event, -WHEEL)
-
-    def on_mouse_scroll_down(self, event: MouseScrollDown) -> None:
-        self._roll(event, WHEEL)
-
-    def _roll(self, event: MouseEvent, rows: int) -> None:
-        """Move the window and the chosen row together, so that Enter takes a visible row."""
-        event.stop()
-        event.prevent_default()  # Textual would scroll two rows more
-        self.scroll_to(y=self.scroll_offset.y + rows, animate=False, force=True, immediate=True)
+    def choose_further(self, rows: int) -> None:
         self._read(self.row + rows)
 
     def action_oldest(self) -> None:
