@@ -9,8 +9,8 @@ printable here, so that it can't move a cursor.
 ``SummaryFilter`` sums up movements that come faster than a learner can follow. While a program runs at the
 robot's pace, at most ``MOST`` lines are printed in a second. Only the sentences "a movement was done" and
 "this is where it led" may be summed up. What the program says, what is seen, obstacles, mistakes and answers
-are always printed in order, each after the sum of what was before it. The stream keeps everything: a
-recording, the trail and the log have every movement.
+are always printed. Each comes after the sum of what was before it, but for the words of the program, which a
+sum does not interrupt. The stream keeps everything: a recording, the trail and the log have every movement.
 
 Each listener that prints or speaks asks ``before`` and ``passes`` about each event. All of them get the same
 answers, so that the voice speaks what is printed.

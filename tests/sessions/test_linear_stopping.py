@@ -123,7 +123,7 @@ def test_a_word_counts_at_once_past_other_lines_that_wait(word: str, answer: str
     learner.sees("Waiting ")
     learner.types(f"FW 2\rSPEAK 77\r{word}\r")
     learner.sees(answer)
-    learner.types("STOP\rRUN\r")
+    learner.types("STOP\rSPEED max\rRUN\r")  # at a pace the walk may be summed up, after the words
     learner.sees("I walked 2 steps forward.\r\n77\r\n")
 
 
