@@ -409,7 +409,7 @@ def test_a_path_begins_at_a_ring_with_the_name_of_its_robot() -> None:
 
 # --- crowds
 
-LONG_TITLE = "The world in which everything stands so close that nobody could ever say what is where " * 3
+LONG_TITLE = "The world in which everything stands so close that the letters would touch each other " * 3
 TITLES = (LONG_TITLE[:200], "W" * 200, "A short one")
 COLOURS_OF_THINGS = ("red", "green", "blue", "yellow", "gray")
 
