@@ -22,7 +22,7 @@ from textual.app import App
 from textual.color import Color
 from textual.events import Resize
 from textual.filter import LineFilter
-from textual.geometry import Offset
+from textual.geometry import Offset, Size
 from textual.message import Message
 from textual.screen import Screen
 from textual.widgets import Input, TextArea
@@ -66,6 +66,13 @@ def use_mouse(driver: object, *, wanted: bool) -> None:
     elif terminal._mouse and not wanted:
         terminal._disable_mouse_support()
         terminal._mouse = False
+
+
+def _terminal_size(driver: Any) -> Size | None:
+    """The size of the terminal now; None where Textual asks no terminal for it."""
+    if not hasattr(driver, "_get_terminal_size") or getattr(driver, "_in_band_window_resize", False):
+        return None
+    return Size(*driver._get_terminal_size())
 
 
 def take_any_bytes(driver: type) -> None:
@@ -200,8 +207,16 @@ class TerminalApp(App[int], inherit_bindings=False):
             self._painted.forget()
 
     def on_resize(self, event: Resize) -> None:
-        """Repaint: a terminal moves its content, even if its size is restored before Textual notices."""
+        """Repaint: a terminal moves its content, even if its size is restored before Textual notices.
+
+        A size that the terminal no longer has is not used: a signal that interrupts the handler of the one
+        before it lets Textual post the two sizes in reversed order.
+        """
         self._forget_cells()
+        if (now := _terminal_size(self._driver)) not in (None, event.size):
+            event.prevent_default().stop()
+            self.post_message(Resize(now, now))
+            return
         if self._size is not None and event.size in (self._size, self.screen.size):
             self.repaint()
 

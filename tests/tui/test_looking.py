@@ -4,7 +4,8 @@ import pytest
 from rich.color import ColorSystem
 from rich.segment import Segment
 from textual.color import Color
-from textual.geometry import Offset
+from textual.events import Resize
+from textual.geometry import Offset, Size
 from textual.strip import Strip
 
 from devices.ports.robot import Pose
@@ -251,6 +252,17 @@ async def test_a_focus_on_the_map_or_the_inspector_is_seen_in_a_smaller_terminal
         await screen.pilot.resize_terminal(80, 24)
         await screen.until(lambda: "Variables" in screen.text or "variables" in screen.text, "the inspector")
         await has_focus(screen, "inspector")
+
+
+async def test_sizes_that_come_in_reversed_order_do_not_count(open_screen):
+    """A signal that interrupts the handler of the one before is answered first."""
+    async with open_screen(size=(80, 24)) as screen:
+        await screen.pilot.resize_terminal(120, 40)
+        late = Size(40, 12)
+        screen.app.post_message(Resize(late, late))
+        await screen.pilot.pause()
+        await screen.until(lambda: "No variables." in screen.text, "the inspector of a large terminal")
+        assert screen.app.size == Size(120, 40)
 
 
 async def test_words_go_to_the_panes(open_screen):
