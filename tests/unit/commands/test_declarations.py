@@ -43,6 +43,12 @@ def test_a_command_of_godonnie_is_listed_by_the_word_of_godonnie(command: Comman
     assert all(keywords.is_reserved(words_of(command.name, each)[0]) for each in languages())
 
 
+def test_no_key_runs_two_commands() -> None:
+    keys = [key for each in COMMANDS for key in each.keys]
+
+    assert [key for key in keys if keys.count(key) > 1] == []
+
+
 def test_no_word_means_two_things() -> None:
     meanings = {(fold_name(word), command.name) for command, word in (each.values for each in WORDS)}
 
