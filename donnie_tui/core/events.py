@@ -235,10 +235,12 @@ class SoundSwitched(_Event, frozen=True, tag="sound"):
 
 
 class Link(_Event, frozen=True):
-    """The connection to a real robot: ``connected``, ``lost`` or ``restored``."""
+    """What happened to the connection to a real robot."""
 
     state: str
+    """The value of a ``LinkNotice``."""
     reason: str
+    """The port, the system's own words or volts; empty where nothing more is known."""
 
 
 BELT_LINK = "belt-link"

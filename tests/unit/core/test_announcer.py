@@ -202,7 +202,7 @@ def test_any_other_end_of_a_run_has_no_cue_of_success(program: str) -> None:
         (Link("connected", ""), "Robot connected."),
         (Link("lost", "The cable is out."), "Robot lost. If it moves, switch it off."),
         (Link("restarted", ""), "The robot restarted. It does not move."),
-        (Link("battery-low", "7.0 V"), "The robot's battery is low."),
+        (Link("battery-low", "7.0"), "The robot's battery is low."),
         (Link("restored", ""), "The robot is back."),
         (Link("runaway", ""), "It does not stop. Switch it off."),
         (
