@@ -43,7 +43,7 @@ class Around(Protocol):
         """All parts that come into a box, and perhaps some more, in order."""
 
     def first_hits(self, x: float, y: float, ends: Sequence[Point], ranging: bool = False) -> list[Hit[Part]]:
-        """The parts that looks from one place to each of ``ends`` meet first, and where on the way."""
+        """The parts that rays from one place to each of ``ends`` hit first, and where on the way."""
 
     def nearest(self, wedge: Wedge, height: Height) -> Sighted:
         """The nearest thing that a ranger at that height sees in a wedge, and how far it is."""

@@ -205,7 +205,7 @@ class SimulatedRobot:
         return self._walk(vehicle, Motion.BACKWARD, steps, vehicle.rates.backward)
 
     def turn(self, degrees: int) -> TurnResult:
-        """On the spot; a car drives forward on its smallest circle. RobotProblem ``cannot-turn``."""
+        """Turn on the spot; a car drives forward on its smallest circle. RobotProblem ``cannot-turn``."""
         vehicle, (_, on_the_spot, on_a_circle) = self.get_ready(), self._movements
         rates = vehicle.rates
         motion, sign = (Motion.RIGHT, -1) if degrees >= 0 else (Motion.LEFT, 1)

@@ -60,7 +60,7 @@ class Senses(Struct, frozen=True):
         return _steps(self.by_name[name], around, spot, chance)
 
     def all_steps(self, around: Around, spot: Spot) -> dict[Bearing, int]:
-        """The same for every bearing that something looks to, exact."""
+        """The exact steps of each bearing that has sensors."""
         return {
             bearing: self.steps(around, spot, bearing)
             for bearing, rangers in self.by_bearing.items()
@@ -176,7 +176,7 @@ def _head_view(model: Model, front: float) -> View:
 
 
 def fixed_view(model: Model, frame: Placement) -> View:
-    """Another one looks where it is mounted."""
+    """The view of a camera that is no head: where it is mounted, it looks."""
     finder, (x, y, yaw) = model.blobfinder, _mounted(model.pose, frame)
     assert finder is not None
     half_angle = finder.fov / 2

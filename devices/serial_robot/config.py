@@ -13,7 +13,7 @@ from msgspec.structs import replace
 from devices.ports.robot import STEP, Bearing
 from devices.wire.frames import AS_ORIGINAL, Wiring
 
-_CLOCKWISE_FROM_FRONT_RIGHT = (
+_COUNTERCLOCKWISE_FROM_FRONT_RIGHT = (
     Bearing.FRONT_RIGHT,
     Bearing.FRONT,
     Bearing.FRONT_LEFT,
@@ -31,7 +31,7 @@ class RobotConfig(Struct, frozen=True):
     """Between the two wheels."""
     counts_a_turn: int = 900
     """Encoder counts of one turn of a wheel."""
-    sonars: tuple[Bearing | None, ...] = _CLOCKWISE_FROM_FRONT_RIGHT
+    sonars: tuple[Bearing | None, ...] = _COUNTERCLOCKWISE_FROM_FRONT_RIGHT
     """Directions of the board's sonars 0 to 5; None for one that is not fitted. The original's sources
     disagree about 3 and 5."""
     head_sonar: int | None = 6

@@ -251,7 +251,7 @@ class SerialRobot(LinkedRobot[RobotLink]):
     # --- waiting and sensing
 
     def wait(self, seconds: float) -> bool:
-        """``RobotProblem`` ``link-lost`` without a link, or if it is lost meanwhile."""
+        """Wait. ``RobotProblem`` ``link-lost`` without a link, or if it is lost meanwhile."""
         self._require_link()
         return self._wait(seconds, self._link.telemetry.epoch)
 
@@ -272,7 +272,7 @@ class SerialRobot(LinkedRobot[RobotLink]):
         return self._odometry.follow(self._link.telemetry)
 
     def distance(self, bearing: Bearing) -> int:
-        """``RobotProblem`` ``no-sensor`` where no sensor looks there, ``link-lost`` without a link."""
+        """Steps. ``RobotProblem`` ``no-sensor`` where no sensor looks there, ``link-lost`` without a link."""
         self._require_link()
         epoch = self._link.telemetry.epoch
         sonar = self._sensors.sonar_at(bearing)

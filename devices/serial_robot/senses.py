@@ -59,7 +59,7 @@ class BoardSensors:
         return self._config.sonars.index(bearing) if bearing in self._config.sonars else None
 
     def newest(self, telemetry: Telemetry, sonar: int) -> float | None:
-        """Centimetres; infinity for far, None for unknown."""
+        """The newest reading of a sonar in centimetres; infinity for far, None for unknown."""
         if not telemetry.ranges:
             return None
         return centimetres(telemetry.ranges[-1], sonar, self._config.farthest)

@@ -113,7 +113,7 @@ class BoardConnection:
 
     @property
     def longest_stop(self) -> float:
-        """Seconds to wait for a stop, at most; without a link no longer than on any computer."""
+        """The most seconds to wait for a stop; without a link those of the usual timeouts."""
         return (self._config if self.state is LinkState.STREAMING else LinkConfig()).longest_stop
 
     @property
@@ -229,7 +229,7 @@ class BoardConnection:
         self._end_drive(now)
 
     def rewire(self, wiring: Wiring, now: float) -> None:
-        """Take the wheels for wired like that from now on. The robot is stopped; its counts begin anew."""
+        """Stop the robot, and count its wheels as of that wiring from now on."""
         self.stop(now)
         self._outbox.wiring, self._tracker.encoders = wiring, wiring.encoders
         self._tracker.rebase()

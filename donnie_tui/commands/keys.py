@@ -13,7 +13,7 @@ from donnie_tui.commands.declarations import BY_NAME, COMMANDS
 from language.locales import words
 
 MENU = "ctrl+k"
-"""Before a letter, a letter with Shift or a sign: the key of what has none of its own. It lists them."""
+"""Begins the keys of commands without a key of their own, such as Ctrl+K W, and lists them."""
 
 PALETTE = "ctrl+p"
 """Lists every action."""
@@ -128,7 +128,7 @@ class KeyTable:
         return next((key_label(each, language) for each in self.of(name)), "")
 
     def labels(self, name: str, language: str) -> str:
-        """All of them."""
+        """The names of all its keys, in one line."""
         return ", ".join(dict.fromkeys(key_label(each, language) for each in self.of(name)))
 
     def command_of(self, key: str) -> str | None:

@@ -94,7 +94,10 @@ MOST = 20
 
 
 def sensors_in_words(devices: Iterable[Mounted], name: str, wording: Wording) -> tuple[str, ...]:
-    """A sentence for each kind and direction, with how many there are of it. ``name``: empty is Donnie."""
+    """A sentence for each kind and direction, with how many there are of it.
+
+    ``name``: the robot's; empty for Donnie.
+    """
     name = name or wording("cell-robot")
     counted = Counter(_sensor_phrase(each, wording) for each in devices)
     if not counted:

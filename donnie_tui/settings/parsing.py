@@ -71,7 +71,7 @@ def read_line(text: str) -> str:
 
 
 def read_language(text: str) -> str:
-    """``pt`` also as ``pt-BR`` or ``pt_BR.UTF-8``."""
+    """Read a language: ``pt``, also as ``pt-BR`` or ``pt_BR.UTF-8``."""
     language = language_of_locale(text.strip())
     if language is None:
         raise ValueError(text)
@@ -79,7 +79,7 @@ def read_language(text: str) -> str:
 
 
 def read_folders(text: str) -> tuple[str, ...]:
-    """Folders, apart as in PATH."""
+    """Read folders, separated as in the variable PATH."""
     folders = folders_of(read_text(text))
     if not folders:
         raise ValueError(text)
@@ -141,7 +141,7 @@ def read_sound(text: str) -> Sound:
 
 
 def read_rate(text: str) -> int:
-    """Words a minute."""
+    """Read a rate of speech in words a minute."""
     return _clamped(text, *RATES)
 
 
@@ -270,7 +270,7 @@ def read_port(text: str) -> str:
 
 
 def read_ports(text: str) -> tuple[str, ...]:
-    """Ports, apart by commas. None for an empty text."""
+    """Read ports, separated by commas; an empty text names none."""
     return tuple(read_port(each.strip()) for each in text.split(",") if each.strip())
 
 
@@ -313,7 +313,7 @@ def read_bumpers(text: str) -> tuple[bool, ...]:
 
 
 def read_view(text: str) -> float:
-    """Degrees."""
+    """Read the angle of view of a camera, in degrees."""
     view = float(text.strip().replace(",", "."))
     if not VIEWS[0] <= view <= VIEWS[1]:
         raise ValueError(text)
