@@ -346,7 +346,10 @@ class RunController:
         """The sentences for what happened last, undone on ``past``; the robot stays where it is."""
         self.require(Request.STEP_BACK)
         is_first_step = self.past is None
-        past = self.past = self.past or self._chronicle.timeline()
+        past = self.past or self._chronicle.timeline()
+        if not past.steps[1]:
+            return (self._words("undone-start"),)  # nothing has happened
+        self.past = past
         begun = (self._words("looking-back"),) if is_first_step else ()
         if self._stepping is not None:
             undone = self._stepping.step_back(past, self._session.variables, is_first_step=is_first_step)

@@ -131,7 +131,7 @@ CONVERSATIONS: dict[str, tuple[tuple[str, list[str]], ...]] = {
     ),
     "running": (
         *((each, ["Nothing is running."]) for each in ("PAUSE", "CONTINUE", "STOP ALL")),
-        ("STEP BACK", ["Looking back. The robot stays where it is.", "This is the start."]),
+        *((each, ["This is the start."]) for each in ("STEP BACK", "STEP BACK")),
     ),
 }  # fmt: skip
 
