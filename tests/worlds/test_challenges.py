@@ -1108,7 +1108,7 @@ def test_no_program_of_a_folder_stops_the_rest(tmp_path: Path, capsys: pytest.Ca
 
     endless = "0 of 1 goal. The program does not come to an end. You stopped 5 steps south of 0, 5."
     assert capsys.readouterr().out.replace(f"{tmp_path}/", "").splitlines() == [
-        "big.gd is too large for a program, at most 8 megabytes.",
+        "big.gd is too large, at most 8 megabytes.",
         f"computes.gd: {endless}",
         "empty.gd: 0 of 1 goal. You stopped 5 steps south of 0, 5.",
         "jos\u00e9 da silva (2).gd: Solved, in 1 command.",
