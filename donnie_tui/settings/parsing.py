@@ -8,7 +8,6 @@ is reported by itself."""
 
 from __future__ import annotations
 
-import math
 import os
 import re
 from collections.abc import Callable, Mapping
@@ -100,7 +99,7 @@ def read_speed(text: str) -> float | None:
     if text.strip().lower() == "max":
         return None
     speed = float(text.strip().replace(",", "."))
-    if math.isnan(speed) or not SLOWEST <= speed <= FASTEST:
+    if not SLOWEST <= speed <= FASTEST:  # nor is it what is no number
         raise ValueError(text)
     return speed
 
@@ -162,9 +161,7 @@ def read_cues(text: str) -> Mapping[str, int]:
 
 def _clamped(text: str, lowest: int, highest: int) -> int:
     number = float(text.strip().rstrip("%").replace(",", "."))
-    if math.isnan(number):
-        raise ValueError(text)
-    return round(min(max(number, lowest), highest))
+    return round(min(max(number, lowest), highest))  # raises for what is no number
 
 
 Columns = Mapping[Bearing, tuple[int, ...]]
@@ -253,12 +250,11 @@ def read_server(text: str) -> str:
     if not colon or number.endswith("]"):  # of an address that has colons itself
         host, number = place, str(PLAYER_PORT)
     is_address = host.startswith("[") and host.endswith("]")
-    is_plain = all(each.isalnum() or each in "-._" for each in host) and host.isascii()
-    if not host or not (is_address or is_plain) or not 1 <= int(number) <= 65535:
+    is_plain = re.fullmatch(r"[\w.-]+", host, re.ASCII)
+    port, robot = int(number), int(index or 0)
+    if not (is_address or is_plain) or not 1 <= port <= 65535 or not 0 <= robot <= 65535:
         raise ValueError(text)
-    if not 0 <= int(index or 0) <= 65535:
-        raise ValueError(text)
-    return f"{PLAYER}://{host}:{int(number)}" + (f"/{int(index)}" if int(index or 0) else "")
+    return f"{PLAYER}://{host}:{port}" + (f"/{robot}" if robot else "")
 
 
 def read_port(text: str) -> str:
@@ -326,7 +322,7 @@ def read_colours(text: str) -> ColourRanges:
     for each in text.lower().split(","):
         word, *ranges = each.split()
         hue, saturation, value = (_least_and_most(one) for one in ranges)
-        is_right = {*hue} <= {*_HUES} and {*saturation, *value} <= {*_LEVELS}
+        is_right = all(one in _HUES for one in hue) and all(one in _LEVELS for one in (*saturation, *value))
         if not is_right or saturation[0] > saturation[1] or value[0] > value[1]:
             raise ValueError(each)
         found[_colour(word)] = (*hue, *saturation, *value)

@@ -21,7 +21,18 @@ UNDERSTOOD = [
     (parsing.read_seed, {"0": 0, str(LARGEST): LARGEST}),
     (parsing.read_progress, {"0": "0", "3600": "3600", "007": "7"}),
     (parsing.read_free, {"dot": "dot", "f": "f", "Z": "Z"}),
-    (parsing.read_speech, {" ON ": "tts", "Robot": "robot", "ssip": "ssip", "auto": "auto", "text": "text"}),
+    (
+        parsing.read_speech,
+        {
+            " ON ": "tts",
+            "Robot": "robot",
+            "ssip": "ssip",
+            "auto": "auto",
+            "text": "text",
+            "tts": "tts",
+            "off": "off",
+        },
+    ),
     (parsing.read_sound, {"off": False, "on": True, " WAV:a b.wav ": "a b.wav", "wav:x": "x"}),
     (parsing.read_rate, {"79": 80, "80": 80, "450 ": 450, "451": 450, "99,6": 100, "120%": 120}),
     (parsing.read_percent, {"-1": 0, "0": 0, "100%": 100, "101": 100, "50.4": 50}),
@@ -41,7 +52,7 @@ UNDERSTOOD = [
         parsing.read_server,
         {
             "h": "player://h:6665",
-            "h:1": "player://h:1",
+            "linux:1": "player://linux:1",
             "h:65535/": "player://h:65535",
             "h/0": "player://h:6665",
             "h:007/02": "player://h:7/2",
@@ -97,7 +108,7 @@ REFUSED = [
     (parsing.read_free, ("ab", "5", "é", "")),
     (parsing.read_speech, ("loud",)),
     (parsing.read_sound, ("wav:", "wav:a\0", "x.wav", "wavx")),
-    (parsing.read_percent, ("nan", "", "x")),
+    (parsing.read_percent, ("nan", "", "x", "5x", "%5")),
     (parsing.read_cues, ("", "a1 5", "-- 5", "bump", "bump 5,")),
     (
         parsing.read_robot,
@@ -114,7 +125,10 @@ REFUSED = [
             "http://h",
         ),
     ),
-    (parsing.read_server, ("", "h:0", "h:65536", "h/65536", "h/-1", "h h", "hé", "::1", "[::1", "h:x", ":1")),
+    (
+        parsing.read_server,
+        ("", "h:0", "h:65536", "h/65536", "h/-1", "h h", "hé", "::1", "[::1", "h:x", ":1", "h]:1"),
+    ),
     (parsing.read_port, ("", "http://h", "a\0")),
     (parsing.read_steps, ("1 2", "2 1 3", "1 3 2", "-1 0 0", "1 2 1001", "1 2 3 4")),
     (parsing.read_columns, ("front 7", "front -1", "up 1", "front x")),
@@ -122,11 +136,21 @@ REFUSED = [
     (parsing.read_sonars, ("front " * 5, "front " * 7, "front " * 5 + "up")),
     (parsing.read_bumpers, ("front " * 5, "back " * 7, "front " * 5 + "left")),
     (parsing.read_view, ("19.9", "150.1")),
-    (parsing.read_colours, ("red 180-1 0-0 0-0", "red 0-1 0-256 0-0", "red 0-1 0-0 3-2", "red 0-1 3-2 0-0")),
+    (
+        parsing.read_colours,
+        (
+            "red 180-1 0-0 0-0",
+            "red 1-180 0-0 0-0",
+            "red 0-1 0-256 0-0",
+            "red 0-1 0-0 0-256",
+            "red 0-1 0-0 3-2",
+            "red 0-1 3-2 0-0",
+        ),
+    ),
     (parsing.read_wheels, ("normal", "normal normal normal", "normal up", "up normal")),
     (
         parsing.read_reset_line,
-        ("gpio:1", "gpio:28", "gpio:", "gpio:²", "gpio", "dtr:", "auto:1", "dtr:5", ""),
+        ("gpio:1", "gpio:28", "gpio:", "gpio:²", "gpio:+5", "gpio:٢٢", "gpio", "dtr:", "auto:1", "dtr:5", ""),
     ),
 ]
 
@@ -171,7 +195,7 @@ def test_only_this_machine_reaches_a_loopback_address(host: str, is_here: bool) 
 @pytest.mark.parametrize(
     ("server", "address", "socket"),
     [
-        ("player://h:1", ("h", 1, 0), "socket://h:1"),
+        ("player://xbox:1", ("xbox", 1, 0), "socket://xbox:1"),
         ("player://h:1/2", ("h", 1, 2), "socket://h:1"),
         ("player://[::1]:80/3", ("::1", 80, 3), "socket://[::1]:80"),
     ],

@@ -8,6 +8,7 @@ import pytest
 
 from donnie_tui.core.program_files import DocumentError
 from donnie_tui.i18n.words import Words
+from donnie_tui.settings import folders
 from donnie_tui.settings.folders import settings_file, state_folder
 from donnie_tui.settings.parsing import PORT_WANTED, colours_text, read_settings, remember, with_setting
 from donnie_tui.settings.settings import (
@@ -232,23 +233,78 @@ def test_each_platform_has_its_place(platform: str, environment: dict[str, str],
     assert settings_file(environment, platform) == path
 
 
-def test_state_has_a_folder_of_its_own() -> None:
-    assert state_folder({"HOME": "/h"}, "linux") == Path("/h/.local/state/donnie")
+@pytest.mark.parametrize(
+    ("platform", "path"),
+    [
+        ("linux", "/etc/donnie/settings.toml"),
+        ("darwin", "/Library/Application Support/donnie/settings.toml"),
+        ("win32", r"C:\ProgramData\donnie/settings.toml"),
+    ],
+)
+def test_a_whole_machine_has_settings_too(platform: str, path: str) -> None:
+    assert folders.machine_settings_file(platform) == path
+
+
+@pytest.mark.parametrize(
+    ("platform", "environment", "state"),
+    [
+        ("linux", {"HOME": "/h"}, "/h/.local/state/donnie"),
+        ("linux", {"HOME": "/h", "XDG_STATE_HOME": "/x"}, "/x/donnie"),
+        ("linux", {"USERPROFILE": "/u"}, "/u/.local/state/donnie"),
+        ("linux", {}, ".local/state/donnie"),
+        ("darwin", {"HOME": "/h", "XDG_STATE_HOME": "/x"}, "/h/Library/Application Support/donnie"),
+        ("win32", {"USERPROFILE": "C:/u"}, "C:/u/AppData/Roaming/donnie"),
+        ("win32", {"USERPROFILE": "C:/u", "APPDATA": "C:/a"}, "C:/a/donnie"),
+    ],
+)
+def test_state_has_a_folder_of_its_own(platform: str, environment: dict[str, str], state: str) -> None:
+    assert state_folder(environment, platform) == Path(state)
+
+
+def test_a_confined_session_keeps_settings_and_state_in_its_folder_but_has_the_sounds_of_its_account() -> (
+    None
+):
+    home = {"HOME": "/h"}
+    folders.keep_in("/f/.donnie")
+    try:
+        assert folders.settings_file(home, "linux") == "/f/.donnie/settings.toml"
+        assert folders.account_settings_file(home, "linux") == "/h/.config/donnie/settings.toml"
+        assert folders.own_sounds(home, "linux") == Path("/h/.config/donnie/sounds")
+        assert folders.state_path(home, "linux") == "/f/.donnie"
+    finally:
+        folders.keep_in(None)
+
+
+def test_what_an_earlier_version_kept_is_found_by_its_name() -> None:
+    kept = folders.UNSAVED, folders.UNSAVED_WORLD, folders.BREAKPOINTS, folders.PROGRESS, folders.RECENT
+    assert kept == ("unsaved", "unsaved.world", "breakpoints.txt", "challenges.txt", "recent.txt")
+    assert (folders.MARKER, folders.VOICE_MARKER) == ("tour-was-offered", "voice-was-announced")
+
+
+def test_what_was_announced_is_announced_again_after_any_change(tmp_path: Path) -> None:
+    folder = str(tmp_path / "state" / "donnie")
+    said = ("on", "one", "on", "on", "o")
+    assert [folders.is_new_decision(folder, each) for each in said] == [True, True, True, False, True]
+    (tmp_path / "file").write_text("")
+    assert folders.is_new_decision(str(tmp_path / "file"), "on")
+    assert folders.offers_tour(folder, {"DONNIE_TOUR": " Off "}) is False
+    assert folders.offers_tour(folder, {"DONNIE_TOUR": "on"}) is True
+    assert (tmp_path / "state" / "donnie" / "tour-was-offered").stat().st_mode & 0o777 == 0o600
 
 
 def test_the_folders_of_worlds_default_to_those_of_stage() -> None:
     stage = {"STAGEPATH": os.pathsep.join(("/opt/stage", "", "~/worlds"))}
 
-    def folders(variables: dict[str, str], file: dict[str, object]) -> tuple[str, ...]:
+    def of(variables: dict[str, str], file: dict[str, object]) -> tuple[str, ...]:
         return resolve({}, variables, file)[0].world_folders
 
-    assert folders(stage, {}) == ("/opt/stage", str(Path("~/worlds").expanduser()))
-    assert folders({**stage, "DONNIE_WORLDS": "/mine"}, {}) == ("/mine",)
-    assert folders({}, {"worlds": "/a" + os.pathsep + "~nobody-at-all/b"}) == (
+    assert of(stage, {}) == ("/opt/stage", str(Path("~/worlds").expanduser()))
+    assert of({**stage, "DONNIE_WORLDS": "/mine"}, {}) == ("/mine",)
+    assert of({}, {"worlds": "/a" + os.pathsep + "~nobody-at-all/b"}) == (
         "/a",
         "~nobody-at-all/b",
     )
-    assert folders({"DONNIE_WORLDS": os.pathsep}, {}) == ()
+    assert of({"DONNIE_WORLDS": os.pathsep}, {}) == ()
 
 
 @pytest.mark.parametrize(
@@ -396,14 +452,7 @@ def test_a_start_without_a_pace_of_its_own_has_the_one_that_it_is_given() -> Non
     [
         ("belt_steps", "--belt-steps", "DONNIE_BELT_STEPS", "5 10 20", "-example"),
         ("theme", "--theme", "DONNIE_THEME", "dark, light, contrast, terminal", "-values"),
-        ("linear", "--linear", "DONNIE_LINEAR", "on, off", "-values"),
         ("rate", "--rate", "DONNIE_RATE", "80-450", ""),
-        ("volume", "--volume", "DONNIE_VOLUME", "0-100", ""),
-        ("speed", "--speed", "DONNIE_SPEED", "0.1-1000, max", ""),
-        ("camera_view", "--camera-view", "DONNIE_CAMERA_VIEW", "20-150", ""),
-        ("sound", "--sound", "DONNIE_SOUND", "on, off, wav:FILE", "-values"),
-        ("lang", "--lang", "DONNIE_LANG", "en, pt, es", "-values"),
-        ("progress", "--progress", "DONNIE_PROGRESS", "0-3600", ""),
     ],
 )
 def test_each_setting_has_its_names_and_says_what_it_can_be(
@@ -422,6 +471,87 @@ def test_each_setting_has_its_names_and_says_what_it_can_be(
     with pytest.raises(BadOption) as bad:
         resolve({key: "~"}, {}, {})
     assert (bad.value.key, bad.value.value, bad.value.wanted) == (key, "~", wanted)
+
+
+ONE_OF: dict[str, object] = {}
+"""Exactly the words that it says."""
+NAMED, EXAMPLE, FORM = "-values", "-example", ""
+SWITCH = {"on": True, "off": False}
+READ = {
+    "world": ("NAME_OR_FILE", FORM, {"maze": "maze"}),
+    "worlds": (f"FOLDER{os.pathsep}FOLDER", FORM, {"/a": ("/a",)}),
+    "allow": (f"FOLDER{os.pathsep}FOLDER", FORM, {"/a": ("/a",)}),
+    "lang": ("en, pt, es", NAMED, {"es": "es"}),
+    "speed": ("0.1-1000, max", FORM, {"max": None}),
+    "seed": ("0, 1, 2 ...", FORM, {"7": 7}),
+    "speech": ("auto, off, text, ssip, tts, robot", NAMED, ONE_OF),
+    "sound": ("on, off, wav:FILE", NAMED, {"wav:a": "a"}),
+    "speak": ("here, robot, both", NAMED, ONE_OF),
+    "rate": ("80-450", FORM, {"200": 200}),
+    "pitch": ("0-100", FORM, {"7": 7}),
+    "volume": ("0-100", FORM, {"7": 7}),
+    "punctuation": ("none, some, all", NAMED, ONE_OF),
+    "key_echo": ("none, characters, words", NAMED, ONE_OF),
+    "cues": ("NAME 0-100, NAME 0-100", FORM, {"bump 5": {"bump": 5}}),
+    "wait_for_speech": ("on, off", NAMED, SWITCH),
+    "verbosity": ("brief, normal, full", NAMED, ONE_OF),
+    "events": ("FILE, -", FORM, {"-": "-"}),
+    "record": ("FILE", FORM, {"a": "a"}),
+    "belt": (PORT_WANTED, FORM, {"/dev/x": "/dev/x"}),
+    "belt_columns": ("front 3, front-right 4, back 0 6", EXAMPLE, {"": {}}),
+    "wheel_radius": ("0.001-1", FORM, {"0.5": 0.5}),
+    "axle_length": ("0.001-1", FORM, {"0.5": 0.5}),
+    "sonars": (
+        "front-right front front-left back-left back back-right",
+        EXAMPLE,
+        {"none " * 6: (None,) * 6},
+    ),
+    "bumpers": ("front front front back back back", EXAMPLE, {"back " * 6: (False,) * 6}),
+    "profile": ("auto, 2016, 2018", FORM, ONE_OF),
+    "motors": ("normal reversed", EXAMPLE, {"normal reversed": (1, -1)}),
+    "encoders": ("normal reversed", EXAMPLE, {"reversed normal": (-1, 1)}),
+    "head": ("left, right", NAMED, ONE_OF),
+    "camera": ("NUMBER, /dev/videoN, FILE, FOLDER", FORM, {"0": "0"}),
+    "camera_view": ("20-150", FORM, {"20": 20.0}),
+    "colours": (
+        "red 121-11 32-255 87-255, green 56-99 169-255 17-255",
+        EXAMPLE,
+        {"red 1-2 3-4 5-6": {"red": (1, 2, 3, 4, 5, 6)}},
+    ),
+    "reset_line": ("auto, dtr, gpio:22, none", FORM, ONE_OF),
+    "linear": ("on, off", NAMED, SWITCH),
+    "page": ("rest, ask, off", NAMED, ONE_OF),
+    "prompt": ("short, none, word, answer", NAMED, ONE_OF),
+    "hold": ("off, on", NAMED, ONE_OF),
+    "editor": ("own, plain", NAMED, ONE_OF),
+    "enter": ("waits, runs", NAMED, ONE_OF),
+    "progress": ("0-3600", FORM, {"5": "5"}),
+    "clock": ("off, on", NAMED, ONE_OF),
+    "free": ("dot, a-z", NAMED, {"f": "f"}),
+    "tour": ("on, off", NAMED, SWITCH),
+    "plain": ("on, off", NAMED, SWITCH),
+    "mouse": ("on, off", NAMED, SWITCH),
+    "motion": ("full, reduced", NAMED, ONE_OF),
+    "completion": ("on, off", NAMED, SWITCH),
+    "trail": ("on, off", NAMED, SWITCH),
+    "rays": ("on, off", NAMED, SWITCH),
+    "goals": ("on, off", NAMED, SWITCH),
+    "keys": ("ACTION KEY, ACTION KEY", FORM, {"run F5": "run F5"}),
+}
+"""What a setting is said to be, how that is said, and texts with what they mean."""
+FIELDS = {"worlds": "world_folders", "allow": "allowed_folders", "lang": "language"}
+
+
+@pytest.mark.parametrize("key", READ)
+def test_a_line_of_the_file_has_its_effect_or_an_answer_that_says_what_it_can_be(key: str) -> None:
+    wanted, ending, texts = READ[key]
+    for text, value in (texts or {each: each for each in wanted.split(", ")}).items():
+        settings, notices = resolve({}, {}, {key: text})
+        assert (getattr(settings, FIELDS.get(key, key)), notices) == (value, ())
+    _, (notice,) = resolve({}, {}, {key: "\0"})
+    assert (notice.code, notice.values["wanted"]) == (f"setting-not-understood{ending}", wanted)
+    if ending == EXAMPLE:
+        assert resolve({}, {}, {key: wanted})[1] == ()
 
 
 def test_an_unknown_name_of_the_file_is_cut_and_true_and_false_are_on_and_off() -> None:
