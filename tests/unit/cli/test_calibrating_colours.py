@@ -72,6 +72,7 @@ def test_the_measured_colours_are_kept_once_the_person_agrees(
     assert said[2].endswith("I see 1 thing of that color.")
     assert said[3] == "Replace what counts as red now? Yes or no."
     assert show.format("green") in said
+    assert not any("Some of it counts as red" in each for each in said)
     assert said[-1] == "I saved it in the settings."
     kept = calibration.kept
     assert isinstance(kept, dict)
@@ -171,6 +172,42 @@ def test_without_a_camera_that_works_nothing_is_asked(
     assert calibration.kept is None
 
 
+@pytest.mark.parametrize("what", ["color", "Cor", "COLOUR"])
+def test_the_end_of_the_input_ends_the_calibration(
+    what: str, calibration: Calibration, capsys: pytest.CaptureFixture[str]
+) -> None:
+    save(calibration.pictures, {"1.png": held(PINK_RED)})
+    assert calibration.run("", what=what) == ExitCode.FAILED
+
+    assert capsys.readouterr().out.count("Show the camera") == 1
+
+
+def test_an_end_instead_of_an_answer_replaces_nothing(
+    calibration: Calibration, capsys: pytest.CaptureFixture[str]
+) -> None:
+    save(calibration.pictures, {"1.png": held(PINK_RED)})
+
+    assert calibration.run("\n") == ExitCode.FAILED
+    said = capsys.readouterr().out
+    assert (said.count("Show the camera"), said.count("Replace what counts")) == (1, 1)
+
+
+class Interrupted(io.StringIO):
+    def readline(self, _size: int | None = -1) -> str:
+        raise KeyboardInterrupt
+
+
+def test_control_c_ends_it_with_a_sentence(
+    calibration: Calibration, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    save(calibration.pictures, {"1.png": held(PINK_RED)})
+    monkeypatch.setattr(io, "StringIO", Interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        calibration.run("")
+    assert capsys.readouterr().out.splitlines()[-1] == "I have stopped here. Nothing has changed."
+
+
 def test_another_word_is_not_understood(calibration: Calibration) -> None:
-    with pytest.raises(Unusable, match="I do not understand wheels"):
-        calibration.run("", what="wheels")
+    with pytest.raises(Unusable) as caught:
+        calibration.run("", what="w" * 50)
+    assert caught.value.sentence.startswith(f"I do not understand {'w' * 40}.")
