@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from donnie_tui.process.signals import is_hung_up
+from donnie_tui.process.signals import has_unread, is_hung_up
 from tests.conftest import ROOT
 from tests.timeouts import TIMEOUT
 
@@ -29,6 +29,21 @@ def test_a_pipe_with_a_closed_writer_is_no_terminal() -> None:
         assert not is_hung_up(reading)
     finally:
         os.close(reading)
+
+
+def test_input_is_unread_until_it_is_read_and_a_closed_terminal_has_none() -> None:
+    reading, writing = os.pipe()
+    ours, terminal = os.openpty()
+    assert not has_unread(reading)
+    os.write(writing, b"x")
+    assert has_unread(reading)
+    os.read(reading, 1)
+    assert not has_unread(reading)
+    os.close(ours)
+    assert not has_unread(terminal)
+    for each in (reading, writing, terminal):
+        os.close(each)
+        assert not has_unread(each)
 
 
 ASK = "from donnie_tui.process.signals import can_suspend; print(can_suspend())"

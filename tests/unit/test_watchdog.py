@@ -11,7 +11,7 @@ from typing import NoReturn
 import pytest
 
 from donnie_tui.process import signals
-from donnie_tui.process.signals import LEAVING, Watchdog, end_process, heeded
+from donnie_tui.process.signals import LEAVING, Deputy, Watchdog, end_process, heeded, timeout_factor
 from tests.timeouts import TIMEOUT
 
 TAKEN = dict.fromkeys((signal.SIGINT, *LEAVING), heeded)
@@ -106,8 +106,14 @@ def test_all_that_is_last_is_done_although_one_of_it_hangs_and_one_fails(
 
 
 def test_the_deadline_is_longer_where_all_timeouts_are(monkeypatch: pytest.MonkeyPatch) -> None:
-    for factor, seconds in (("", 3.0), ("0.5", 3.0), ("4", 12.0)):
-        monkeypatch.setenv("DONNIE_ROBOT_TIMEOUTS", factor)
+    monkeypatch.delenv("DONNIE_ROBOT_TIMEOUTS", raising=False)
+    assert timeout_factor() == 1.0
+    for text, factor, seconds in (
+        *(("", 1.0, 3.0), ("slow", 1.0, 3.0), ("0", 1.0, 3.0), ("-4", 1.0, 3.0)),
+        *(("0.5", 0.5, 3.0), ("4", 4.0, 12.0)),
+    ):
+        monkeypatch.setenv("DONNIE_ROBOT_TIMEOUTS", text)
+        assert timeout_factor() == factor
         assert Watchdog({}, part=_nothing)._leave == seconds
         assert Watchdog({}, part=_nothing, leave=6.0)._leave == 2 * seconds
 
@@ -127,6 +133,52 @@ def test_what_is_last_has_more_time_where_all_timeouts_are_longer(
         end_process(lambda: int(kept.is_set()), (keep,))
 
     assert exit_codes.get(timeout=TIMEOUT) == 1
+
+
+def test_only_the_first_signal_that_ends_the_process_counts_and_each_one_stops_the_robots() -> None:
+    halted, heard = SimpleQueue[None](), list[int]()
+    watchdog = Watchdog(TAKEN, part=_nothing, halt=lambda: halted.put(None), on_number=heard.append)
+    with watchdog:
+        watchdog.leave(signal.SIGTERM, since=FOR_EVER)
+        watchdog.leave(signal.SIGHUP)
+        assert watchdog.left == (signal.SIGTERM, FOR_EVER)
+        watchdog._signals.nudge()
+        watchdog.take()
+        deputy, signals_of_it = watchdog.deputy, watchdog._signals
+    watchdog.end()
+
+    assert heard == [], "a nudge is no signal"
+    assert halted.qsize() == 2
+    assert not deputy._thread.is_alive()
+    with pytest.raises(OSError):
+        os.fstat(signals_of_it.fileno())
+
+
+def test_a_task_that_fails_is_logged_and_neither_ends_the_deputy_nor_is_waited_for(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    def fail() -> None:
+        raise OSError("no port")
+
+    deputy, done = Deputy(), list[int]()
+    deputy.see_done(fail, FOR_EVER)
+    deputy.see_done(lambda: done.append(1), FOR_EVER)
+    assert done == [1]
+    deputy.do(lambda: done.append(2))
+    deputy.close()
+
+    assert done == [1, 2]
+    assert [(each.name, each.getMessage()) for each in caplog.records] == [
+        ("donnie_tui.process.signals", "what a signal asked for failed")
+    ]
+
+
+def test_a_task_that_hangs_is_waited_for_as_long_as_is_said() -> None:
+    released, deputy = threading.Event(), Deputy()
+    deputy.see_done(lambda: _nothing(released.wait(TIMEOUT)), 0.0)
+    assert not released.is_set()
+    released.set()
+    deputy.close()
 
 
 def _is_left(thread: threading.Thread) -> bool:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import fcntl
+import os
 import select
 import signal
 import threading
 
 import pytest
 
-from donnie_tui.process.signals import LEAVING, TakenSignals, WakingSignals
+from donnie_tui.process.signals import LEAVING, Nudges, TakenSignals, WakingSignals
 
 NUMBERS = (signal.SIGINT, *LEAVING)
 
@@ -49,6 +51,19 @@ def test_signals_and_nudges_wake_the_waiting_thread_and_the_wakeup_is_restored()
     assert outer.numbers() == b"", "a handler that was given back is not woken"
     for each in (inner, outer):
         each.close()
+
+
+def test_a_nudge_of_a_thread_that_takes_none_is_lost_and_not_waited_for() -> None:
+    nudges = Nudges()
+    size = fcntl.fcntl(nudges.fileno(), fcntl.F_SETPIPE_SZ, 4096)
+    for _ in range(size + 1):
+        nudges.nudge()
+
+    assert nudges.numbers() == bytes(4096)
+    nudges.close()
+    for each in (nudges._reading, nudges._writing):
+        with pytest.raises(OSError):
+            os.fstat(each)
 
 
 def test_another_thread_handles_no_signal() -> None:

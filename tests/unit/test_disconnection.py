@@ -1,0 +1,117 @@
+"""Each sign that the learner is gone: a reader that closed the output, and a network that does not answer."""
+
+from __future__ import annotations
+
+import os
+import signal
+import socket
+import sys
+import threading
+from collections.abc import Iterator
+from contextlib import closing
+from pathlib import Path
+
+import pytest
+
+from donnie_tui.process import disconnection
+from donnie_tui.process.disconnection import NetworkWatch, ReaderWatch, attempts, parent_of
+from donnie_tui.process.signals import TakenSignals
+from tests.timeouts import TIMEOUT
+
+
+def readers() -> list[threading.Thread]:
+    return [each for each in threading.enumerate() if each.name == "readers"]
+
+
+@pytest.fixture
+def hang_ups() -> Iterator[threading.Event]:
+    heard = threading.Event()
+    with TakenSignals({signal.SIGHUP: lambda *_: heard.set()}):
+        yield heard
+
+
+@pytest.mark.parametrize("lost", [0, 1])
+def test_an_output_without_a_reader_is_a_hang_up(
+    lost: int, hang_ups: threading.Event, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pipe, connection = os.pipe(), socket.socketpair()
+    ends = pipe[0], connection[0].detach()
+    outputs = pipe[1], connection[1].detach()
+    monkeypatch.setattr(disconnection, "_OUTPUTS", outputs)
+    with closing(ReaderWatch()):
+        assert len(readers()) == 1
+        os.close(ends[lost])
+        assert hang_ups.wait(TIMEOUT)
+
+    for each in (ends[1 - lost], *outputs):
+        os.close(each)
+
+
+def test_after_its_close_no_reader_is_watched(
+    hang_ups: threading.Event, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    reading, writing = os.pipe()
+    monkeypatch.setattr(disconnection, "_OUTPUTS", (writing,))
+    watch = ReaderWatch()
+    own = watch._reading, watch._writing
+    watch.close()
+    watch.close()
+
+    assert readers() == []
+    os.close(reading)
+    assert not hang_ups.is_set()
+    for each in own:
+        with pytest.raises(OSError):
+            os.fstat(each)
+    os.close(writing)
+
+
+def test_a_file_and_a_closed_output_have_no_reader(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    number = os.open(tmp_path / "file", os.O_WRONLY | os.O_CREAT)
+    monkeypatch.setattr(disconnection, "_OUTPUTS", (number, 9999))
+    with closing(ReaderWatch()):
+        assert readers() == []
+    os.close(number)
+
+
+def test_a_row_of_a_table_is_read_as_far_as_the_number_of_attempts() -> None:
+    row = " 1: HERE THERE 01 0:0 01:6F 0000000A"
+    ends = (("HERE", "THERE"),)
+    assert attempts([row.rpartition(" ")[0], row], ends) == 10
+    assert attempts([row], (("THERE", "HERE"),)) == 0
+
+
+@pytest.mark.skipif(sys.byteorder != "little", reason="the row is from a little-endian machine")
+@pytest.mark.parametrize(("count", "is_lost"), [(3, False), (4, True)])
+def test_a_network_that_did_not_answer_four_times_is_lost(
+    count: int, is_lost: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """After a look at a table that this kernel doesn't have, and at one that it has."""
+    row = f"   1: 01004D0A:9D1F 02004D0A:A5EB 01 0:0 01:6F 0000000{count}     0 0 18 2 0 20\n"
+    (tmp_path / "tcp6").write_text(row, encoding="ascii")
+    monkeypatch.setattr(disconnection, "TABLES", (tmp_path / "missing", tmp_path / "tcp6"))
+    monkeypatch.setattr(disconnection, "LOOK", 0.0)
+    by_ssh = {"SSH_CONNECTION": "10.77.0.2 42475 10.77.0.1 40223"}
+    looked, lost, row_of = threading.Event(), threading.Event(), disconnection._rows
+
+    def rows() -> Iterator[str]:
+        yield from row_of()
+        if looked.is_set():
+            second.set()
+        looked.set()
+
+    second = threading.Event()
+    monkeypatch.setattr(disconnection, "_rows", lambda: list(rows()))
+    with closing(NetworkWatch(lost.set, by_ssh)):
+        assert second.wait(TIMEOUT), "it looks again"
+    assert lost.is_set() == is_lost
+
+
+def test_without_a_table_of_the_kernel_nothing_is_watched(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(disconnection, "TABLES", ("/missing",))
+    with closing(NetworkWatch(pytest.fail, {"SSH_CONNECTION": "10.0.0.2 1 10.0.0.1 2"})):
+        assert "network" not in [each.name for each in threading.enumerate()]
+
+
+def test_a_process_has_the_parent_that_the_system_says() -> None:
+    assert parent_of(os.getpid()) == os.getppid()
