@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import json
+import re
 import signal
 
 import pytest
 
+from donnie_tui import __version__
 from tests.sessions.command import QUIET, donnie, start
 from tests.sessions.here import PROGRAM, Here
 from tests.timeouts import TIMEOUT
@@ -62,11 +64,50 @@ def test_the_first_different_event_is_reported(here: Here) -> None:
     number = next(number for number, line in enumerate(lines, 1) if b'"spoke"' in line)
     here.spoil({number: lines[number - 1].replace(b'"5"', b'"6"')})
 
+    assert len(here.replay("--check", code=1)) == 3, "the version is the same"
+    (version,) = re.findall(rb'"version":"[^"]*"', lines[0])
+    here.spoil({1: lines[0].replace(version, b'"version":"0.0.1"')})
     said = here.replay("--check", code=1)
 
     assert said[0] == f"Run again: line {number} differs."
     assert '"text":"6"' in said[1]
     assert '"text":"5"' in said[2]
+    assert said[3:] == [f"It was recorded with version 0.0.1; this is {__version__}."]
+
+
+def test_a_missing_end_is_no_difference(here: Here) -> None:
+    here.record("FW 2\nSPEAK 5")
+    lines = (here.folder / "a.rec").read_bytes().splitlines(keepends=True)
+    here.spoil({len(lines): None})
+
+    done = here.donnie("replay", "a.rec", "--check")
+    assert (done.returncode, done.out) == (
+        0,
+        [f"Run again: the same up to line {len(lines)}, where it was stopped."],
+    )
+
+
+@pytest.mark.parametrize("length", [0, 1])
+def test_an_event_is_shown_up_to_a_hundred_and_sixty_characters(here: Here, length: int) -> None:
+    here.record('SPEAK "x"')
+    lines = (here.folder / "a.rec").read_bytes().splitlines(keepends=True)
+    number = next(number for number, line in enumerate(lines, 1) if b'"spoke"' in line)
+    line = lines[number - 1].decode()
+    filled = line.replace('"x"', f'"{"y" * (161 - len(line.strip()) + length)}"')
+    here.spoil({number: filled.encode()})
+
+    shown = here.replay("--check", code=1)[1].removeprefix("Then: ")
+    assert shown == (f"{filled[:159]}…" if length else filled.strip())
+
+
+def test_a_recording_of_nothing_and_one_of_a_real_robot_are_not_run_again(here: Here) -> None:
+    here.record("SPEAK 1")
+    header, *_ = (here.folder / "a.rec").read_bytes().splitlines(keepends=True)
+    (here.folder / "a.rec").write_bytes(header)
+    assert here.replay("--check") == ["Run again: 0 events are the same."]
+    (here.folder / "a.rec").write_bytes(header.replace(b'"robot":"sim"', b'"robot":"serial:x"'))
+    real = "It was made with the robot serial:x and can't be run again."
+    assert here.replay("--check", code=2, err=[real]) == []
 
 
 def test_a_stopped_run_is_compared_up_to_the_stop(here: Here) -> None:

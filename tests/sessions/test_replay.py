@@ -76,6 +76,55 @@ def test_typed_words_step_through_a_recording_both_ways(here: Here) -> None:
     ]
 
 
+def test_a_typed_number_goes_to_that_event_and_words_to_the_ends(here: Here) -> None:
+    here.record("FW 2\nTR 90")
+
+    said = here.replay("--step", typed="18\n0\n19\nEND\nSTART\n٣\n1" + "0" * 30 + "\nBACK\nBACK\n")
+
+    assert said == [
+        "18 events. Enter steps on, BACK steps back.",
+        *("Event 18 of 18.", "Position 0, 2. Facing east."),
+        "Event 0 of 18.",
+        *("Event 18 of 18.", "Position 0, 2. Facing east."),
+        *("Event 18 of 18.", "Position 0, 2. Facing east."),
+        "Event 0 of 18.",
+        "I do not know that word. HELP lists them.",
+        *("Event 18 of 18.", "Position 0, 2. Facing east."),
+        "Back: end of the program. Position 0, 2.",
+        "Before TR 90: facing north.",
+    ]
+
+
+def test_help_lists_the_words_of_a_step_by_step_replay(here: Here) -> None:
+    here.record("FW 1")
+
+    said = here.replay("--step", "--lang", "pt", typed="AJUDA\nSAIR\nFIM\n")
+
+    assert [each.partition(":")[0] for each in said[1:]] == [
+        *("PRÓXIMO", "VOLTAR", "SEGUIR", "MAIS RÁPIDO", "MAIS DEVAGAR", "ONDE", "MAPA"),
+        *("COMEÇO", "FIM", "AJUDA", "SAIR"),
+    ]
+
+
+def test_a_step_by_step_replay_begins_where_it_is_told(here: Here) -> None:
+    here.record("SPEAK 1\nSPEAK 2\nSPEAK 3")
+
+    assert here.replay("--step", "--from", "3", typed="\n")[1:] == ["2"]
+    assert here.replay("--from", "1") == ["1", "2", "3"]
+    backwards = here.replay("--step", "--backwards", typed="BACK\nBACK\n\n\n\n")
+    assert backwards[1:] == [
+        "Back: end of the program. Position 0, 0.",
+        "Back: 3.",
+        "3",
+        "End of the program.",
+        "This is the end.",
+    ]
+    last = len((here.folder / "a.rec").read_bytes().splitlines()) - 1  # after the header
+    for number in (0, last + 1):
+        there_is_none = f"There is no event {number}. The last one is {last}."
+        assert here.replay("--from", str(number), code=2, err=[there_is_none]) == []
+
+
 def test_the_map_is_drawn_as_it_goes(here: Here) -> None:
     here.record("FW 2\nTR 90", "--world", "living_room")
 
@@ -204,7 +253,15 @@ def test_an_option_without_effect_is_refused(here: Here, option: str) -> None:
         ("--check", "--speed", "2"),
         ("--check", "--from", "2"),
         ("--check", "--events", "b.jsonl"),
+        ("--check", "--svg", "a.svg"),
+        ("--check", "--challenge", "first_steps"),
         ("--step", "--events", "-"),
+        ("--step", "--report", "run"),
+        ("--backwards", "--challenge", "first_steps"),
+        ("--challenge=first_steps", "--map"),
+        ("--challenge=first_steps", "--from", "1"),
+        ("--challenge=first_steps", "--speed", "2"),
+        ("--svg=a.svg", "--events", "-"),
         ("--backwards", "--events", "-"),
     ],
     ids=" ".join,
@@ -212,7 +269,8 @@ def test_an_option_without_effect_is_refused(here: Here, option: str) -> None:
 def test_two_directions_at_once_are_refused(here: Here, options: tuple[str, ...]) -> None:
     here.record("SPEAK 1")
 
-    assert here.replay(*options, code=2, err=[f"{options[1]} and {options[0]} do not go together."]) == []
+    one, other = (each.partition("=")[0] for each in options[:2])
+    assert here.replay(*options, code=2, err=[f"{other} and {one} do not go together."]) == []
 
 
 def test_a_replay_never_overwrites_its_recording(here: Here) -> None:
