@@ -106,7 +106,7 @@ def test_help_lists_the_words_of_a_step_by_step_replay(here: Here) -> None:
     ]
 
 
-def test_a_step_by_step_replay_begins_where_it_is_told(here: Here) -> None:
+def test_a_step_by_step_replay_begins_where_the_options_say(here: Here) -> None:
     here.record("SPEAK 1\nSPEAK 2\nSPEAK 3")
 
     assert here.replay("--step", "--from", "3", typed="\n")[1:] == ["2"]
