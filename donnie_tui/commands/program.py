@@ -93,7 +93,7 @@ def _changing(ctx: Context) -> Iterator[None]:
     try:
         yield
     except ProgramTooLong:
-        ctx.answer("program-too-long")
+        ctx.answer("change-too-long")
         return
     now = ctx.program.waiting
     if ran and now > waiting + 1:

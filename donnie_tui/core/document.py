@@ -11,7 +11,7 @@ change can be undone, also one that replaces the whole program.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
 import msgspec
@@ -26,6 +26,7 @@ from donnie_tui.core.editing import (
     joined,
     shifted,
 )
+from donnie_tui.core.program_files import LARGEST
 from language.outline import OutlineItem, block_depth, open_block
 from language.source import cleaned, lines_in
 
@@ -40,14 +41,12 @@ WORTH_SAVING = 5
 ANOTHER_PROGRAM = 0
 """In the place of a line: UNDO or REDO exchanged the whole program."""
 NONE_WRONG: Mapping[int, str] = {}
-LARGEST = 8 * 1024 * 1024
-"""Characters that may be typed into one program."""
 LONGEST_PARSED = 100_000
 """Characters of a program that is parsed to find the lines where statements begin."""
 
 
 class ProgramTooLong(Exception):
-    """The change would exceed ``LARGEST``."""
+    """The change would give the program more characters than its file may have bytes."""
 
 
 class Batch(msgspec.Struct, frozen=True):
@@ -86,6 +85,7 @@ class Document:
         self._running: list[str] | None = None
         """The lines when a batch was taken that has not run yet."""
         self._size = 0
+        """Of the lines, kept so that a line that is added costs no count of all; no editor keeps it."""
         self.versions = UndoHistory()
         self._editor: TextEditor | None = None
         self._is_edited_as_text = False
@@ -110,7 +110,7 @@ class Document:
         if self._editor is not None:
             self._read_editor()
             self._breakpoints, self._place = self._editor.breakpoints, self._editor.line
-            self._editor = None
+            self._editor, self._size = None, _size(self._lines)
 
     def _show(self) -> None:
         if self._editor is not None:
@@ -311,6 +311,7 @@ class Document:
             return True
         self._forget_refusal()
         self.rejected = next((line for line in self._unrun if line.strip()), None)
+        self._size -= _size(self._unrun)
         del self._lines[self._ran :]
         self.versions.forget_lines(self._ran)
         return False
@@ -357,7 +358,10 @@ class Document:
         if self._editor is not None:
             self.insert(len(self.lines) + 1, line)
             return None
-        line = self._cleaned(line)
+        line = cleaned(line)
+        if self._size + len(line) + 1 > LARGEST:
+            raise ProgramTooLong
+        self._size += len(line) + 1
         self.versions.add_line(len(self._lines))
         self._lines.append(line)
         return None
@@ -387,7 +391,7 @@ class Document:
     def change(self, number: int, line: str) -> None:
         """Replace line ``number`` (from 1). Raises ``IndexError``, ``ProgramTooLong``."""
         lines = self._checked(number)
-        lines[number - 1] = self._cleaned(line)
+        lines[number - 1] = cleaned(line)
         self._edit(lines, self.breakpoints, number)
 
     def insert(self, number: int, line: str) -> None:
@@ -395,7 +399,7 @@ class Document:
         lines = self._checked()
         if not 1 <= number <= len(lines) + 1:
             raise IndexError(number)
-        lines.insert(number - 1, self._cleaned(line))
+        lines.insert(number - 1, cleaned(line))
         self._edit(lines, shifted(self.breakpoints, number - 1, number - 1, 1), number)
 
     def delete(self, first: int, last: int) -> None:
@@ -432,7 +436,7 @@ class Document:
 
     def rewrite(self, text: str) -> None:
         """Replace the whole text, as one change. Raises ``ProgramTooLong``."""
-        before, lines = self._checked(), lines_in(self._cleaned(text))
+        before, lines = self._checked(), lines_in(cleaned(text))
         breakpoints = followed(self.breakpoints, before, lines)
         self._edit(lines, breakpoints, first_difference(before, lines) + 1)
 
@@ -442,8 +446,11 @@ class Document:
             before = self.text
             self.rewrite(before[:start] + text + before[end:])
         else:
+            text, before = cleaned(text), self._editor.text
+            if len(before) - (end - start) + len(text) > max(LARGEST, len(before)):
+                raise ProgramTooLong
             self.versions.forget_undone()
-            self._editor.replace_range(start, end, self._cleaned(text))
+            self._editor.replace_range(start, end, text)
 
     def replace(
         self, text: str, path: Path | None, *, in_file: str | None = None, keeps_empty: bool = False
@@ -460,7 +467,7 @@ class Document:
         self._lines = lines_in(text)
         self._ran = self._place = 0
         self.was_opened = bool(self._lines)
-        self._size = len(text)
+        self._size = _size(self._lines)
         self._breakpoints = frozenset()
         self.path = path
         self._saved_lines = lines_in(text if in_file is None else in_file)
@@ -475,7 +482,14 @@ class Document:
         return lines
 
     def _edit(self, lines: list[str], breakpoints: frozenset[int], touched: int) -> None:
-        """Make a change from line ``touched`` on. If that line had run, the whole program waits again."""
+        """Make a change from line ``touched`` on. If that line had run, the whole program waits again.
+
+        Raises ``ProgramTooLong``.
+        """
+        size = _size(lines)
+        if size > max(LARGEST, _size(self._lines)):
+            raise ProgramTooLong
+        self._size = size
         if self._editor is not None:
             self.versions.forget_undone()
             self._editor.change_lines(lines)
@@ -485,14 +499,6 @@ class Document:
         self._lines, self._breakpoints = lines, breakpoints
         if touched <= self._ran:
             self._ran = 0
-
-    def _cleaned(self, text: str) -> str:
-        """The text without control characters. Its size counts towards ``LARGEST``."""
-        text = cleaned(text)
-        if self._size + len(text) + 1 > LARGEST:
-            raise ProgramTooLong
-        self._size += len(text) + 1
-        return text
 
     # --- undoing
 
@@ -533,13 +539,13 @@ class Document:
         if same < self._ran:
             self._ran = 0
         self._lines = other.lines
+        self._size = _size(self._lines)
         if other.runs == self._runs and self._editor is None:
             self._ran = other.ran
         if other.origin is not None:
             self.path, self._saved_lines = other.origin.path, other.origin.saved_lines
             self._breakpoints = other.origin.breakpoints
             self.was_opened = bool(self._lines)
-            self._size = sum(len(line) + 1 for line in self._lines)
             self._place = 0
         self._show()
         return same + 1 if other.origin is None else ANOTHER_PROGRAM
@@ -555,3 +561,8 @@ class Document:
     @property
     def _origin(self) -> Origin:
         return Origin(self.path, self._saved_lines, self.breakpoints)
+
+
+def _size(lines: Iterable[str]) -> int:
+    """Characters, with the ends of the lines."""
+    return sum(len(line) + 1 for line in lines)

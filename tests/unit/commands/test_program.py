@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
+from donnie_tui.core import document
 from donnie_tui.core.run_state import RunState
 from tests.unit.commands.scripted import Script
 
@@ -373,3 +374,14 @@ def test_a_program_with_a_mistake_is_not_tidied(open_script: OpenScript) -> None
 
     assert "2" in answer
     assert script.ctx.program.lines == ("FW 1", "FW")
+
+
+def test_a_change_that_makes_the_program_too_long_is_refused(
+    open_script: OpenScript, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    script = open_script("FW 1", "FW 2")
+    monkeypatch.setattr(document, "LARGEST", 12)
+
+    for typed in ("CHANGE 1 FW 1000", "INSERT 1 TR 90"):
+        assert script.answers_to(typed) == ["The program would be too long. Nothing was changed."]
+    assert script.ctx.program.lines == ("FW 1", "FW 2")

@@ -1,5 +1,6 @@
 """The typed program: pending lines, lines that have run, saved lines, and line numbers."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -154,6 +155,67 @@ def test_a_program_takes_no_more_than_a_file_may_hold(monkeypatch: pytest.Monkey
     with pytest.raises(ProgramTooLong):
         program.add("12345")
     assert program.lines == ("12345",)
+
+
+def of_nine_characters() -> Document:
+    program = Document()
+    program.replace("12345\nab\n", None)
+    return program
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda it: it.change(1, "1234567"),
+        lambda it: it.insert(1, "x"),
+        lambda it: it.rewrite("1234567890\n"),
+        lambda it: it.replace_range(0, 1, "xyz"),
+        lambda it: it.add("x"),
+    ],
+)
+def test_a_change_that_makes_a_program_too_long_changes_nothing(
+    monkeypatch: pytest.MonkeyPatch, change: Callable[[Document], object]
+) -> None:
+    monkeypatch.setattr(document, "LARGEST", 10)
+    program = of_nine_characters()
+
+    with pytest.raises(ProgramTooLong):
+        change(program)
+    assert program.text.split() == ["12345", "ab"]
+
+
+def test_only_the_text_that_is_there_counts(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(document, "LARGEST", 10)
+    program = of_nine_characters()
+    for _ in range(9):
+        program.change(1, "1234")
+        program.change(1, "12345")
+        program.rewrite("12345\nab\n")
+    program.delete(2, 2)
+    program.add("abc")
+    program.undo()
+    program.add("abc")
+
+    assert program.lines == ("12345", "abc")
+
+
+def test_a_line_that_was_dropped_takes_no_room(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(document, "LARGEST", 10)
+    program = Document()
+    for _ in range(3):
+        program.add("wrong")
+        program.batch_was_refused()
+    program.add("12345678")
+
+    assert program.lines == ("12345678",)
+
+
+def test_a_file_that_is_too_long_can_be_made_shorter(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(document, "LARGEST", 8)
+    program = of_nine_characters()
+    program.change(1, "1234")
+
+    assert program.lines == ("1234", "ab")
 
 
 def test_lines_are_moved_before_another_line_or_behind_the_last() -> None:
