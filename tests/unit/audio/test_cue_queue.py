@@ -92,12 +92,20 @@ def test_a_fast_simulation_sounds_as_a_steady_tick() -> None:
     assert 13 <= len(played) <= 15
 
 
+def test_a_tick_sounds_only_if_at_no_moment_of_it_two_others_sound() -> None:
+    bumps = ("bump", 0.18, 0.0), ("bump", 0.18, 0.0)
+
+    assert scheduled(*bumps, ("step-forward", 0.07, 0.0)) == [0.0, 0.07, 0.0]
+    assert scheduled(*bumps, ("step-forward", 0.08, 0.0)) == [0.0, 0.07, None]
+
+
 def test_after_a_silence_the_same_cue_sounds_at_once() -> None:
     scheduler = CueScheduler()
-    scheduler.schedule("scan", 0.09, 0.0)
+    scheduler.schedule("scan", 9.0, 0.0)
+    scheduler.schedule("belt", 9.0, 0.0)
     scheduler.clear()
 
-    assert scheduler.schedule("scan", 0.09, 0.01) == 0.0
+    assert [scheduler.schedule(name, 0.09, 0.01) for name in ("scan", "step-forward")] == [0.0, 0.0]
 
 
 # --- the queue
@@ -124,12 +132,27 @@ def test_a_late_worker_gets_cues_with_the_same_distances(late: float) -> None:
     assert delays == pytest.approx((0.0, FOUND, 2 * FOUND))
 
 
+@pytest.mark.parametrize(("late", "second"), [(0.1, FOUND - 0.1), (0.11, FOUND)])
+def test_a_worker_that_is_a_tenth_of_a_second_late_gets_the_cues_for_their_time(
+    late: float, second: float
+) -> None:
+    assert taken(queue_of("found", "found"), now=late) == [("found", 0.0), ("found", pytest.approx(second))]
+
+
+def test_a_worker_takes_nothing_where_nothing_waits() -> None:
+    assert taken(queue_of(), now=9.0) == []
+
+
 def test_a_new_cue_waits_for_the_end_of_a_late_queue() -> None:
     cues = queue_of("found", "found")
     taken(cues, now=0.9)
     cues.offer(Cue("done"), 0.9)
 
     assert taken(cues, now=0.9) == [("done", pytest.approx(2 * FOUND))]
+
+
+def test_a_cue_that_comes_too_soon_after_its_like_is_not_queued() -> None:
+    assert queue_of("step-forward").offer(Cue("step-forward"), 0.01) is False
 
 
 def test_of_ticks_that_waited_together_one_sounds() -> None:
@@ -147,7 +170,15 @@ def test_a_cue_is_over_when_it_has_sounded() -> None:
 
     end = 0.5 + seconds_of("done") + PLAYBACK_LATENCY
     assert not cues.are_over(end - 0.01)
-    assert cues.are_over(end + 0.01)
+    assert cues.are_over(end)
+
+
+def test_cues_are_over_when_the_last_of_a_queue_has_sounded() -> None:
+    cues = queue_of("found", "found")
+    taken(cues, now=0.0)
+
+    assert not cues.are_over(2 * FOUND)
+    assert cues.are_over(2 * FOUND + PLAYBACK_LATENCY)
 
 
 def test_the_cues_are_over_when_no_worker_takes_them() -> None:
@@ -160,9 +191,17 @@ def test_the_cues_are_over_when_no_worker_takes_them() -> None:
 
 def test_silenced_cues_are_over() -> None:
     cues = queue_of("done")
-    cues.silence(0.0)
+    assert cues.silence(0.0) is True
 
     assert cues.are_over(0.0)
+    assert cues.silence(0.0) is False
+    assert cues.offer(Cue("done"), 0.0)
+    assert taken(cues, now=0.0) == [("done", 0.0)]
+
+
+def test_a_cue_that_has_sounded_is_not_silenced() -> None:
+    assert queue_of("done").silence(seconds_of("done") - 0.01) is True
+    assert queue_of("done").silence(seconds_of("done")) is False
 
 
 @pytest.fixture
@@ -207,6 +246,10 @@ def test_a_cue_waits_only_as_long_as_it_still_says_something(name: str, most: fl
     assert scheduled((first, most + 0.01, 0.0), (name, 0.1, 0.0)) == [0.0, None]
 
 
+def test_the_queue_ends_with_the_cue_that_waits_longest() -> None:
+    assert scheduled(("error", 2.0, 0.0), ("found", 0.25, 0.0), ("done", 0.32, 0.0)) == [0.0, 2.0, 2.25]
+
+
 @pytest.mark.parametrize(("now", "names"), [(1.0, ["step-forward", "bump"]), (1.1, ["bump"])])
 def test_what_waited_for_more_than_a_second_is_dropped_unless_it_is_a_bump(
     now: float, names: list[str]
@@ -222,8 +265,8 @@ def test_what_waited_for_more_than_a_second_is_dropped_unless_it_is_a_bump(
 def test_each_cue_has_the_volume_of_its_name() -> None:
     queue = CueQueue({"scan": 0.0, "bump": 0.25, "found": 7.0})
 
-    assert not queue.offer(Cue("scan", 0.0, None), 0.0)
-    assert not queue.offer(Cue("no such cue", 0.0, None), 0.0)
+    assert queue.offer(Cue("scan", 0.0, None), 0.0) is False
+    assert queue.offer(Cue("no such cue", 0.0, None), 0.0) is False
     assert all(queue.offer(Cue(name, 0.0, None), 0.0) for name in ("bump", "found", "done"))
     assert [(each.name, each.volume) for each in queue.take(0.0)] == [
         *(("bump", 0.25), ("found", 1.0), ("done", 1.0))

@@ -69,6 +69,24 @@ def test_silencing_cues_leaves_the_voice_alone() -> None:
     assert mixer.mix(10) == constant(1000, 10)
 
 
+def test_a_cue_may_start_in_the_last_frame() -> None:
+    mixer = Mixer()
+    mixer.cue("bump", constant(7, 2), delay=9 / SAMPLE_RATE)
+
+    assert mixer.mix(10) == constant(0, 9) + constant(7, 1)
+    assert mixer.mix(10) == constant(7, 1) + constant(0, 9)
+    assert mixer.frames == 20
+
+
+def test_two_cues_sound_together_with_a_voice() -> None:
+    mixer = Mixer()
+    mixer.speak(array("h", [1] * 10), on_end=lambda: None)
+    mixer.cue("found", constant(10, 10), delay=0.0)
+    mixer.cue("found", constant(100, 10), delay=0.0)
+
+    assert mixer.mix(10) == constant(111, 10)
+
+
 def test_a_cue_may_start_later() -> None:
     mixer = Mixer()
     mixer.cue("bump", constant(7, 10), delay=25 / SAMPLE_RATE)

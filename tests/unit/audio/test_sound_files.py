@@ -69,9 +69,29 @@ def test_everything_that_a_scan_found_sounds_and_the_file_ends_after_it(tmp_path
     assert len(samples) >= 2 * round(at * SAMPLE_RATE)
 
 
-def test_silence_lasts_as_long_as_the_run(tmp_path: Path) -> None:
-    written(tmp_path / "a.wav", until=2.5)
-    assert len(frames_of(tmp_path / "a.wav")) == 2 * round(2.5 * SAMPLE_RATE)
+@pytest.mark.parametrize("frames", [1, 2.5 * SAMPLE_RATE])
+def test_silence_lasts_as_long_as_the_run(tmp_path: Path, frames: float) -> None:
+    written(tmp_path / "a.wav", until=frames / SAMPLE_RATE)
+    assert len(frames_of(tmp_path / "a.wav")) == 2 * round(frames)
+
+
+def test_a_file_ends_within_half_a_second_after_its_last_cue(tmp_path: Path) -> None:
+    written(tmp_path / "a.wav", (0.0, Cue("bump")))
+    seconds = len(frames_of(tmp_path / "a.wav")) / 2 / SAMPLE_RATE
+    assert seconds_of("bump") <= seconds <= seconds_of("bump") + 0.5
+
+
+def test_an_unknown_cue_is_not_written(tmp_path: Path) -> None:
+    written(tmp_path / "a.wav", (1.0, Cue("trumpet")))
+    assert not frames_of(tmp_path / "a.wav")
+
+
+def test_a_file_is_closed_with_its_writer_which_may_be_closed_twice(tmp_path: Path) -> None:
+    file = (tmp_path / "a.wav").open("wb")
+    writer = WavCueWriter(file)
+    writer.close()
+    assert file.closed
+    writer.close()
 
 
 def test_simultaneous_cues_are_dropped_as_at_a_loudspeaker(tmp_path: Path) -> None:
@@ -83,6 +103,9 @@ def test_simultaneous_cues_are_dropped_as_at_a_loudspeaker(tmp_path: Path) -> No
 def test_an_endless_wait_does_not_fill_the_disk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("devices.audio.mixer.LONGEST", 3.0)
     renderer = WavCueWriter((tmp_path / "a.wav").open("wb"))
+    renderer.add(Cue("bump"), 2.9)
+    renderer.write_until(2.95)
+    assert not renderer.is_full
     renderer.write_until(1e12)
     assert renderer.is_full
     renderer.add(Cue("bump"), 1e12)
