@@ -127,7 +127,7 @@ class Deadlines:
 
     def heartbeat(self, frames: int, is_playing: bool, now: float) -> None:
         """``frames``: given to the device so far, -1 if that is unknown."""
-        if not is_playing or frames < 0 or frames != self._frames:
+        if not is_playing or frames != self._frames:
             self.met(Awaited.PLAYBACK)
         if is_playing and frames >= 0:
             self.expect(Awaited.PLAYBACK, now + RESPONSE_LIMIT)
@@ -268,7 +268,7 @@ class WorkerSupervisor:
     @property
     def is_quiet(self) -> bool:
         """Whether no sentence is being said or waits."""
-        return self.state.is_final or not self._sentences
+        return not self._sentences
 
     @property
     def is_speaking(self) -> bool:
@@ -317,7 +317,9 @@ class WorkerSupervisor:
         self._end_worker(WorkerState.CLOSED)
 
     def received(self, response: AudioResponse, now: float) -> None:
-        """The present worker has sent ``response``."""
+        """The worker has sent ``response``; one that was killed meanwhile has no effect."""
+        if not self.state.is_running:
+            return
         deadlines, sentences = self._worker.deadlines, self._sentences
         match response:
             case SoundReady(player=player):
@@ -369,7 +371,7 @@ class WorkerSupervisor:
         return self._worker.next_at()
 
     def _check_deadlines(self, now: float) -> None:
-        overdue = self._worker.deadlines.overdue(now) if self.state.is_running else None
+        overdue = self._worker.deadlines.overdue(now)
         if overdue is Awaited.SILENCED:  # silence comes first; a busy machine is not counted as a failure
             self._end_worker(WorkerState.IDLE)
         elif overdue is not None:

@@ -14,7 +14,15 @@ from devices.audio.process import (
     SpeechStarted,
     VoiceReady,
 )
-from devices.audio.supervisor import KillWorker, Notify, SendRequest, StartWorker, Step, WorkerSupervisor
+from devices.audio.supervisor import (
+    KillWorker,
+    Notify,
+    SendRequest,
+    StartWorker,
+    Step,
+    WorkerState,
+    WorkerSupervisor,
+)
 from devices.ports.audio import AudioNotice, Cue, NoticeCode, Urgency, Utterance, VoiceSettings
 from donnie_tui.outlets.audible import spoken_languages
 
@@ -187,6 +195,27 @@ def test_a_worker_that_is_not_silent_in_time_is_killed(audio: Supervised) -> Non
     assert audio.steps() == KILL_AND_START
 
 
+@pytest.mark.parametrize(
+    ("later", "steps"), [(0, []), (-1, KILL_AND_START)], ids=["this silence", "another one"]
+)
+def test_a_worker_that_reports_the_silence_in_time_is_kept(
+    audio: Supervised, later: int, steps: list[Step]
+) -> None:
+    audio.become_ready()
+    audio.say("one")
+    audio.next_say()
+    audio.supervisor.silence_speech(audio.now)
+    (step,) = audio.steps()
+    assert isinstance(step, SendRequest)
+    assert isinstance(step.request, Silence)
+    audio.now += 0.119
+    assert audio.steps() == []
+    audio.respond(Silenced(step.request.number + later))
+    audio.now += 0.002
+
+    assert audio.steps() == steps
+
+
 def test_workers_that_are_not_silent_in_time_do_not_count_as_failures(audio: Supervised) -> None:
     for _ in range(10):
         audio.supervisor.warm_up()
@@ -257,7 +286,93 @@ def test_after_closing_nothing_happens(audio: Supervised) -> None:
 
     audio.say("Hello.")
     audio.play("bump")
+    assert audio.supervisor.is_silent(audio.now)
     audio.supervisor.warm_up()
     audio.supervisor.close()
     audio.fail()
     assert audio.steps() == []
+    audio.respond(SoundReady(""), VoiceReady(("en",)))
+    assert audio.supervisor.state is WorkerState.CLOSED
+
+
+def test_player_and_languages_are_those_of_the_present_worker(audio: Supervised) -> None:
+    assert (audio.supervisor.player, audio.supervisor.languages) == ("", ())
+    audio.become_ready("en", "pt")
+    assert (audio.supervisor.player, audio.supervisor.languages) == ("fake", ("en", "pt"))
+    audio.fail()
+    assert (audio.supervisor.player, audio.supervisor.languages) == ("", ())
+
+
+def test_a_worker_that_is_closed_gets_nothing_more(audio: Supervised) -> None:
+    audio.become_ready()
+    audio.say("Hello.")
+    audio.next_say()
+    audio.supervisor.silence_speech(audio.now)
+    audio.supervisor.close()
+    (silence, kill) = audio.supervisor.advance(audio.now)
+
+    assert isinstance(silence, SendRequest)
+    assert isinstance(silence.request, Silence)
+    assert kill == KillWorker()
+    assert audio.supervisor.next_at() is None
+
+
+@pytest.mark.parametrize("language", ["en", "fr"])
+def test_a_sentence_without_words_is_not_sent(audio: Supervised, language: str) -> None:
+    audio.become_ready()
+    audio.say("\a", language=language)
+
+    assert audio.steps() == []
+    assert audio.supervisor.is_quiet
+
+
+def test_a_request_is_sent_with_a_heartbeat_and_each_has_a_number_of_its_own(audio: Supervised) -> None:
+    audio.become_ready()
+    audio.say("one")
+    requests = [step.request for step in audio.supervisor.advance(audio.now) if isinstance(step, SendRequest)]
+    audio.supervisor.silence_speech(audio.now)
+    audio.say("two")
+    requests += [
+        step.request for step in audio.supervisor.advance(audio.now) if isinstance(step, SendRequest)
+    ]
+
+    assert [type(each) for each in requests] == [Say, Ping, Silence, Say]
+    numbers = [each.number for each in requests if not isinstance(each, PlayCue)]
+    assert len(set(numbers)) == 4
+    say, ping, silence, second = numbers
+    audio.respond(SpeechFinished(say), SpeechFinished(ping), SpeechFinished(silence))
+    assert audio.supervisor.is_speaking
+    audio.respond(SpeechFinished(second))
+    assert audio.supervisor.is_quiet
+
+
+def test_cues_that_are_silenced_before_there_is_a_worker_are_dropped(audio: Supervised) -> None:
+    audio.play("bump")
+    audio.supervisor.silence_cues(audio.now)
+
+    assert audio.steps() == [StartWorker(False)]
+    assert audio.steps() == []
+
+
+@pytest.mark.parametrize("responses", [(SoundReady("fake"), VoiceReady(("en",)))])
+def test_a_worker_is_ready_whichever_it_reports_first(
+    responses: tuple[AudioResponse, AudioResponse],
+) -> None:
+    for first, second in (responses, responses[::-1]):
+        audio = Supervised()
+        audio.supervisor.warm_up()
+        audio.steps()
+        audio.respond(first)
+        assert audio.supervisor.state is WorkerState.STARTING
+        audio.respond(second)
+        assert audio.supervisor.state is WorkerState.READY
+        audio.now += 11.0
+        assert audio.steps() == []
+
+
+def test_the_volumes_of_cues_may_change(audio: Supervised) -> None:
+    audio.become_ready()
+    audio.supervisor.set_cue_volumes({"bump": 0.5})
+    audio.play("bump")
+
+    assert audio.steps() == [SendRequest(PlayCue("bump", 0.0, None, 0.5, 0.0))]
