@@ -25,6 +25,7 @@ from devices.camera import (
     things_in,
 )
 from devices.ports.robot import RobotProblem
+from devices.serial_ports import allow_only
 from devices.serial_robot.senses import coloured_sightings
 from donnie_tui.robot.connection import make_camera
 from donnie_tui.settings.settings import Settings
@@ -509,6 +510,50 @@ def test_a_camera_that_may_not_be_used_is_a_fault(monkeypatch: pytest.MonkeyPatc
     assert fault("/dev/null") == ("no-permission", {"port": "/dev/null"})
 
 
+def test_a_camera_that_was_not_named_may_not_be_used() -> None:
+    made = camera("/dev/null")
+    allow_only(["/dev/zero"])
+    try:
+        problem = swept(made).problem
+    finally:
+        allow_only(None)
+
+    assert problem is not None
+    assert (problem.code, problem.values) == ("port-not-named", {"port": "/dev/null"})
+
+
+def test_a_camera_makes_pictures_as_large_as_the_originals_and_is_given_back(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    calls: list[tuple[object, ...]] = []
+
+    class Watched(Device):
+        def __init__(self, name: object, interface: int) -> None:
+            calls.append((name, interface))
+
+        def set(self, what: int, value: float) -> bool:
+            calls.append((what, value))
+            return True
+
+        def release(self) -> None:
+            calls.append(("release",))
+
+    monkeypatch.setattr(cv2, "VideoCapture", Watched)
+    monkeypatch.setattr(Device, "left", 1000)
+    made = camera("/dev/null")
+    made.look(0)
+    made.look(0)
+    made.close()
+    made.close()
+
+    assert calls == [
+        ("/dev/null", cv2.CAP_V4L2),
+        (cv2.CAP_PROP_FRAME_WIDTH, 640),
+        (cv2.CAP_PROP_FRAME_HEIGHT, 480),
+        ("release",),
+    ]
+
+
 def test_a_camera_is_opened_by_its_number(monkeypatch: pytest.MonkeyPatch) -> None:
     asked: list[object] = []
 
@@ -633,6 +678,55 @@ def test_hidden_files_are_no_pictures(tmp_path: Path) -> None:
     (tmp_path / ".hidden.png").write_bytes(b"")
 
     assert fault(tmp_path)[0] == "no-pictures"
+
+
+@pytest.mark.parametrize(
+    ("name", "direction"),
+    [
+        *(("-90.png", -90), ("+90.PNG", 90), ("-0.jpeg", 0), ("+5.gif", 5), ("-91.png", 0), ("+99.ppm", 0)),
+        *(("45.png", 0), ("+45b.bmp", 0), ("+100.png", 0), ("a+45.png", 0), ("+.png", 0)),
+    ],
+)
+def test_a_picture_whose_name_is_no_direction_is_what_is_straight_ahead(
+    name: str, direction: int, tmp_path: Path
+) -> None:
+    (tmp_path / name).touch()
+
+    assert camera(tmp_path).directions() == (direction,)
+
+
+def test_in_a_direction_without_a_picture_nothing_can_be_seen(tmp_path: Path) -> None:
+    made = camera(save(tmp_path / "p", {"-90.png": drawn()}))
+    assert made.directions() == (-90,)
+
+    with pytest.raises(RobotProblem, match="no-pictures"):
+        made.look(0)
+
+
+def test_a_picture_with_as_many_bytes_and_layers_as_allowed_is_read(tmp_path: Path) -> None:
+    save(tmp_path, {"a.jpg": drawn((290, 200, 350, 260, GREEN))})
+    data = (tmp_path / "a.jpg").read_bytes()
+    data += b"\xff\xda" * (100 - data.count(b"\xff\xda"))
+    (tmp_path / "a.jpg").write_bytes(data.ljust(LARGEST_FILE, b"\0"))
+
+    assert seen(camera(tmp_path)) == [("green", 0)]
+
+
+def test_after_a_fault_a_sweep_looks_no_more_and_keeps_what_it_saw(tmp_path: Path) -> None:
+    picture = drawn((290, 200, 350, 260, RED))
+    folder = save(tmp_path / "p", {"-90.png": picture, "-0.png": picture, "+90.png": picture})
+    sweep = CameraSweep(camera(folder))
+    sweep.look(-90)
+    sweep.look(-45)
+    assert not sweep.is_blind
+    (folder / "-0.png").unlink()
+    sweep.look(0)
+    sweep.look(90)
+
+    assert sweep.is_blind
+    assert sweep.problem is not None
+    assert sweep.problem.code == "picture-missing"
+    assert [round(each.degrees) for each in sweep.things()] == [-90]
 
 
 def test_a_sweep_without_a_camera_is_blind_and_sees_nothing() -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from devices.serial_ports import FoundPort, list_ports, stable_name
+from devices.serial_ports import FoundPort, allow_only, list_ports, stable_name
 
 
 @dataclass
@@ -26,6 +26,7 @@ def test_boards_come_first_and_are_recognised_by_vendor_and_product(tmp_path: Pa
         Plugged("/dev/ttyACM1", 0x2341, 0x0010),
         Plugged("/dev/ttyACM0", 0x2341, 0x0042),
         Plugged("/dev/ttyACM2", 0x2341, 0x8036),
+        Plugged("/dev/ttyACM3", 0x2342, 0x0042),
     ]
 
     found = list_ports(lambda: plugged, tmp_path / "none")
@@ -33,6 +34,7 @@ def test_boards_come_first_and_are_recognised_by_vendor_and_product(tmp_path: Pa
         ("/dev/ttyACM0", True),
         ("/dev/ttyACM1", True),
         ("/dev/ttyACM2", False),
+        ("/dev/ttyACM3", False),
         ("/dev/ttyS0", False),
         ("/dev/ttyUSB0", False),
     ]
@@ -62,6 +64,17 @@ def test_a_port_that_was_named_by_hand_has_a_stable_name(tmp_path: Path) -> None
     for unknown in ("/dev/null", "socket://there:2000", str(tmp_path / "gone")):
         assert stable_name(unknown, link.parent) == unknown
     assert stable_name(str(device), tmp_path / "none") == str(device)
+
+
+def test_only_the_named_ports_are_listed(tmp_path: Path) -> None:
+    plugged = [Plugged("/dev/ttyS0"), Plugged("/dev/ttyS1")]
+    allow_only(["/dev/ttyS1"])
+    try:
+        found = list_ports(lambda: plugged, tmp_path)
+    finally:
+        allow_only(None)
+
+    assert [each.device for each in found] == ["/dev/ttyS1"]
 
 
 def test_the_ports_of_this_machine_are_those_that_pyserial_finds(monkeypatch: pytest.MonkeyPatch) -> None:

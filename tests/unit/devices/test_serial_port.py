@@ -23,7 +23,10 @@ from devices.serial_ports import (
     SerialPort,
     allow_only,
     group_of,
+    is_named,
     is_same_port,
+    named_ports,
+    reason_of,
 )
 from donnie_tui.i18n.words import Words
 from donnie_tui.robot.search import sentences_of
@@ -130,6 +133,97 @@ def test_only_the_named_ports_can_be_opened(tmp_path: Path, monkeypatch: pytest.
     assert opened == [device] * 2
 
 
+class Driver:
+    """In place of pyserial's port."""
+
+    def __init__(self) -> None:
+        self.baudrate, self.dtr, self.calls = 0, False, list[object]()
+
+    def read(self, most: int) -> bytes:
+        self.calls.append(most)
+        return b"read"
+
+    def write(self, data: bytes) -> None:
+        self.calls.append(data)
+
+    def close(self) -> None:
+        self.calls.append("close")
+        raise termios.error(5, "whatever")
+
+
+@pytest.mark.parametrize("is_exclusive", [True, False])
+def test_a_port_is_opened_with_its_speed_and_timeouts(
+    monkeypatch: pytest.MonkeyPatch, is_exclusive: bool
+) -> None:
+    """pyserial takes None, and not False, for a port that others may have too."""
+    driver, asked = Driver(), dict[str, object]()
+
+    def open_it(address: str, **options: object) -> Driver:
+        asked.update(options, address=address)
+        return driver
+
+    monkeypatch.setattr("serial.serial_for_url", open_it)
+    port = SerialPort("RFC2217://robot:2000", 115200, timeout=0.5, exclusive=is_exclusive)
+    port.write(b"FW")
+    port.set_baud(9600)
+    port.set_dtr(True)
+    received = port.read()
+    port.close()
+
+    assert asked == {
+        **{"address": "RFC2217://robot:2000", "baudrate": 115200, "timeout": 0.5, "write_timeout": 0.2},
+        "exclusive": True if is_exclusive else None,
+    }
+    assert (driver.baudrate, driver.dtr, received) == (9600, True, b"read")
+    assert driver.calls == [b"FW", 8192, "close"]
+
+
+@pytest.mark.parametrize(
+    ("number", "fault"),
+    [
+        *((errno.ENOENT, PortFault.ABSENT), (errno.ENODEV, PortFault.ABSENT)),
+        *((errno.ENXIO, PortFault.ABSENT), (errno.EACCES, PortFault.FORBIDDEN)),
+        *((errno.EPERM, PortFault.FORBIDDEN), (errno.EAGAIN, PortFault.BUSY)),
+        *((errno.EBUSY, PortFault.BUSY), (errno.EIO, PortFault.UNUSABLE)),
+    ],
+)
+@pytest.mark.parametrize("is_hidden", [False, True])
+def test_the_systems_number_says_what_is_wrong(
+    monkeypatch: pytest.MonkeyPatch, number: int, fault: PortFault, is_hidden: bool
+) -> None:
+    """pyserial makes an error without a number of some."""
+
+    def fail(*_url: object, **_options: object) -> None:
+        try:
+            raise OSError(number, "whatever")
+        except OSError as error:
+            if is_hidden:
+                raise serial.SerialException("could not open port") from error
+            raise
+
+    monkeypatch.setattr("serial.serial_for_url", fail)
+    with pytest.raises(PortProblem) as caught:
+        SerialPort("/dev/robot", 9600)
+    problem = caught.value
+    assert (problem.port, problem.fault, problem.reason) == ("/dev/robot", fault, os.strerror(number))
+    assert str(problem) == f"/dev/robot: {os.strerror(number)}"
+
+
+def test_an_error_without_a_number_says_it_in_its_own_words() -> None:
+    assert reason_of(serial.SerialException("no number")) == "no number"
+    assert reason_of(ValueError("of no port")) == "of no port"
+    assert reason_of(socket.gaierror("an address of nobody")) == "an address of nobody"
+
+
+def test_a_process_names_the_ports_to_which_it_is_limited() -> None:
+    assert (named_ports(), is_named("/dev/any")) == ((), True)
+    allow_only(["/dev/null"])
+    try:
+        assert (named_ports(), is_named("/dev/null"), is_named("/dev/any")) == (("/dev/null",), True, False)
+    finally:
+        allow_only(None)
+
+
 def test_a_file_is_not_a_port(tmp_path: Path) -> None:
     file = tmp_path / "file"
     file.touch()
@@ -207,6 +301,18 @@ def test_two_names_of_one_device_are_the_same_port(tmp_path: Path) -> None:
 
     assert is_same_port(str(link), "/dev/null")
     assert not is_same_port(str(link), "/dev/zero")
+
+
+@pytest.mark.parametrize(
+    ("mode", "owner", "group"), [(0o660, 7, "robots"), (0o640, 7, None), (0o620, 7, None), (0o660, 0, None)]
+)
+def test_a_group_is_advised_if_it_may_read_and_write_and_is_not_roots(
+    monkeypatch: pytest.MonkeyPatch, mode: int, owner: int, group: str | None
+) -> None:
+    monkeypatch.setattr(Path, "stat", lambda _: SimpleNamespace(st_mode=mode, st_gid=owner))
+    monkeypatch.setattr(Path, "group", lambda _: "robots")
+
+    assert group_of("/dev/robot") == group
 
 
 def test_the_group_that_may_use_a_port_is_named() -> None:
