@@ -68,7 +68,7 @@ class _Hold(Struct, frozen=True):
     """The number of the last event before it."""
     sentences: tuple[str, ...]
     frames: tuple[Frame, ...]
-    """The open calls, innermost first."""
+    """The open calls, innermost first; the program itself is one."""
     is_next: bool
     """Whether one step led here from the hold before it."""
     worked_out: tuple[tuple[str, ...], ...] = ()
@@ -76,7 +76,7 @@ class _Hold(Struct, frozen=True):
 
     @property
     def variables(self) -> Mapping[str, int]:
-        return dict(self.frames[0].variables) if self.frames else {}
+        return dict(self.frames[0].variables)
 
 
 class Stepping:
@@ -88,8 +88,8 @@ class Stepping:
         lines: Sequence[str],
         wording: Wording,
         *,
-        last_seq: Callable[[], int] = lambda: 0,
-        is_first: bool = True,
+        last_seq: Callable[[], int],
+        is_first: bool,
     ) -> None:
         """``lines`` are those of the whole program, of which ``program`` may be a part.
 
@@ -100,7 +100,8 @@ class Stepping:
         self._last_seq = last_seq
         self._narrator = StepNarrator(program, lines, wording, is_first=is_first)
         self._holds: deque[_Hold] = deque(maxlen=MOST_HOLDS)
-        self._ran_on = False
+        self._ran_on = True
+        """More than one step led here from the hold before; there is none before the first one."""
         self._at: int | None = None
         """The hold to which STEP BACK has come; None is the present."""
 
@@ -157,7 +158,7 @@ class Stepping:
     def step_forward(self, timeline: Timeline) -> tuple[str, ...]:
         """The sentences for one step back towards the present. ``timeline`` is moved forward by it."""
         assert self._at is not None  # a step back comes first
-        at = self._at + 1 if self._is_at_hold(timeline) else self._at
+        at = self._at if self._hold_at(timeline) is None else self._at + 1
         if at >= len(self._holds):
             self._at = len(self._holds)
             return redo_event(timeline, self._words)
@@ -170,30 +171,31 @@ class Stepping:
 
     def is_present(self, timeline: Timeline) -> bool:
         """Whether steps forward have come to the last hold, or to the last event."""
-        is_last = self._at is not None and self._at >= len(self._holds) - 1
-        return is_last and timeline.at == len(timeline)
+        assert self._at is not None  # a step forward comes first
+        return self._at >= len(self._holds) - 1 and timeline.at == len(timeline)
 
     def counted(self, timeline: Timeline) -> tuple[int, int]:
         """How many steps are before that position, and how many there are. A hold without an event is one."""
         step, steps = timeline.steps
         quiet = [before.seq == hold.seq for before, hold in pairwise(self._holds)]
-        return step + sum(quiet if self._at is None else quiet[: self._at]), steps + sum(quiet)
+        return step + sum(quiet[: self._at]), steps + sum(quiet)
 
     def frames_at(self, timeline: Timeline) -> tuple[Frame, ...] | None:
         """The open calls at that position; None between two holds, where they are not known."""
-        if self._at is None or not self._is_at_hold(timeline):
-            return None
-        return self._holds[self._at].frames
+        hold = self._hold_at(timeline)
+        return None if hold is None else hold.frames
 
     def worked_out(self, past: Timeline | None) -> tuple[tuple[str, ...], ...]:
         """The expressions of the statement that is next, now or at that position."""
-        if past is None:
-            return self._holds[-1].worked_out if self._holds else ()
-        return self._holds[self._at].worked_out if self._at is not None and self._is_at_hold(past) else ()
+        hold = self._hold_at(past) if past is not None else self._holds[-1] if self._holds else None
+        return () if hold is None else hold.worked_out
 
-    def _is_at_hold(self, timeline: Timeline) -> bool:
-        at = self._at
-        return at is not None and at < len(self._holds) and self._holds[at].seq == _seq(timeline)
+    def _hold_at(self, timeline: Timeline) -> _Hold | None:
+        """The hold to which STEP BACK has come, if it is at that position."""
+        if self._at is None or self._at == len(self._holds):
+            return None
+        hold = self._holds[self._at]
+        return hold if hold.seq == _seq(timeline) else None
 
     def _undo(self, seq: int, timeline: Timeline, *, most: int | None) -> tuple[str, ...]:
         """Undoes all events after ``seq``, or ``most`` steps of them; a sentence each."""
@@ -295,7 +297,7 @@ class StepNarrator:
     def on_hold(self, line: int, column: int, frames: Sequence[Frame]) -> tuple[str, ...]:
         """The result of the last statement, and what is next. The program holds before that one."""
         statement, level = self._found.get((line, column), (None, 0))
-        variables = {fold_name(name): value for name, value in frames[0].variables} if frames else {}
+        variables = {fold_name(name): value for name, value in frames[0].variables}
         sentences = [*self._condition()]
         sentences += self._round(statement, len(frames), variables)
         sentences.append(self._next(statement, line, level))
@@ -326,8 +328,9 @@ class StepNarrator:
 
     def _text(self, statement: Statement | None, line: int) -> str:
         """The statement as typed; of a block its first words."""
-        if statement is None or self._program is None:
+        if statement is None:
             return self._lines[line - 1].strip() if 0 < line <= len(self._lines) else ""
+        assert self._program is not None  # it has the statement
         inside = next((block[0] for block in blocks_of(statement) if block), None)
         end = statement.span.end if inside is None else inside.span.start
         return " ".join(self._program.source[statement.span.start : end].split())
@@ -351,7 +354,8 @@ class StepNarrator:
             case For(start=start, step=step):
                 expressions = ((step if self._rounds[-1].has_gone_round else start).value,)
         for each in expressions:
-            if each is not None and not isinstance(each, TextLiteral) and self._program is not None:
+            if each is not None and not isinstance(each, TextLiteral):
+                assert self._program is not None  # it has the statement
                 texts = tuple(worked_out(each, self._program, variables))
                 if len(texts) > 1:
                     yield texts
@@ -373,13 +377,12 @@ class StepNarrator:
         """Whether this is the first round: the statement before was outside of the loop."""
         if self._before is None:
             return self._is_first
-        was_inside = loop.span.start <= self._before.span.start < loop.span.end
-        return calls != self._calls or not was_inside
+        return calls != self._calls or not _is_within(loop, self._before)
 
     def _is_in(self, current: _Round, statement: Statement | None, calls: int) -> bool:
-        if calls != current.calls or statement is None:
-            return calls > current.calls
-        return current.loop.span.start <= statement.span.start < current.loop.span.end
+        if calls > current.calls:
+            return True
+        return calls == current.calls and statement is not None and _is_within(current.loop, statement)
 
     def _round_in_words(self, current: _Round, variables: Mapping[str, int]) -> Iterator[str]:
         """The number of the round; where it is not known, only that it is another one."""
@@ -399,6 +402,8 @@ class StepNarrator:
             condition, reads = self._before.condition, iter(self._reads)
             variables = self._variables
             if isinstance(self._before, For):
+                if self._rounds[-1].count is None and not self._rounds[-1].has_gone_round:
+                    return  # it began with the start or with the step
                 variables = {**variables, **dict(self._counted(self._before, reads))}
             left = self._value(condition.left, variables, reads)
             right = self._value(condition.right, variables, reads)
@@ -406,12 +411,9 @@ class StepNarrator:
                 yield self._condition_in_words(condition, left, right)
 
     def _counted(self, loop: For, reads: Iterator[int]) -> Iterator[tuple[str, int]]:
-        """The loop's variable as set before the condition; nothing if the beginning was not seen."""
-        current = self._rounds[-1]
-        if current.count is None and not current.has_gone_round:
-            return
-        made = loop.step if current.has_gone_round else loop.start
-        value = None if made.value is None else self._value(made.value, self._variables, reads)
+        """The loop's variable as set before the condition."""
+        made = loop.step if self._rounds[-1].has_gone_round else loop.start
+        value = 0 if made.value is None else self._value(made.value, self._variables, reads)
         if value is not None:
             yield fold_name(made.name.name), value
 
@@ -543,6 +545,11 @@ def _side(side: Expression, operator: str, program: Program, *, is_right: bool =
     is_weaker = isinstance(side, Binary) and _STRENGTH[side.operator] < _STRENGTH[operator] + is_right
     is_signed = is_right and text.startswith("-")
     return f"({text})" if is_weaker or is_signed else text
+
+
+def _is_within(loop: Statement, statement: Statement) -> bool:
+    """Whether it is the loop or in it."""
+    return loop.span.start <= statement.span.start < loop.span.end
 
 
 def _by_place(

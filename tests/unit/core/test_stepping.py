@@ -8,8 +8,10 @@ from donnie_tui.i18n.words import Words
 from language.compiler import compile_program
 from language.control import ControlState, ExecutionControl
 from language.parser import parse
-from language.runtime import Memory
+from language.runtime import Frame, Memory
 from tests.unit.language_back.recorder import Recorder
+
+CALLS = (Frame("", 1, ()),)
 
 
 class Sensing(Recorder):
@@ -151,6 +153,18 @@ def test_a_condition_is_printed_with_the_compared_values() -> None:
             "1 é maior ou igual a 2: falso.",
             "1 es mayor o igual que 2: falso.",
         ),
+        (
+            "1 <= 1",
+            "1 is at most 1: true.",
+            "1 é menor ou igual a 1: verdadeiro.",
+            "1 es menor o igual que 1: verdadero.",
+        ),
+        (
+            "1 >= 1",
+            "1 is at least 1: true.",
+            "1 é maior ou igual a 1: verdadeiro.",
+            "1 es mayor o igual que 1: verdadero.",
+        ),
     ],
 )
 def test_a_condition_is_printed_as_the_program_has_it(comparison: str, en: str, pt: str, es: str) -> None:
@@ -199,6 +213,36 @@ def test_the_level_is_printed_when_it_changes() -> None:
     ]
 
 
+def test_the_number_of_rounds_is_that_of_the_beginning() -> None:
+    source = "VAR n = 2\nREPEAT n TIMES\nn = n + 5\nEND REPEAT"
+
+    assert [line for line in step_lines(source) if "ound" in line] == ["Round 1 of 2.", "Round 2 of 2."]
+
+
+@pytest.mark.parametrize(
+    "condition",
+    ["DISTANCE F > 1", "1 < DISTANCE F", "-DISTANCE F < 1", "DISTANCE F + 1 > 1", "1 < 1 + DISTANCE F"],
+)
+def test_a_condition_whose_reading_is_not_known_is_not_printed(condition: str) -> None:
+    program = parse(f"IF {condition} THEN\nFW 1\nEND IF").program
+    words = StepNarrator(program, (), Words("en", "brief"))
+
+    assert words.on_hold(1, 1, CALLS) == (f"Line 1: IF {condition} THEN",)
+    assert words.on_hold(2, 1, CALLS) == ("Line 2: FW 1",)
+
+
+def test_a_for_without_a_start_value_begins_at_0() -> None:
+    assert "0 is less than 1: true." in step_lines("FOR VAR i; i < 1; i = i + 1 DO\nEND FOR")
+
+
+def test_a_for_that_is_held_at_its_head_in_the_middle_names_no_condition_there() -> None:
+    """Whether it starts there or does its step was not seen; its next round is known again."""
+    source = "FOR VAR i = 1; i <= 3; i = i + 1 DO\nFW i\nEND FOR"
+    lines = step_lines_from(source, 1, is_first=False)
+
+    assert [line for line in lines if not line.startswith("Line")] == ["3 is at most 3: true.", "Next round."]
+
+
 def test_a_recursion_counts_each_call_s_rounds_for_itself() -> None:
     body = "REPEAT 2 TIMES\nIF n > 0 THEN\nP [n - 1]\nEND IF\nEND REPEAT"
     source = f"PROCEDURE P: n DO\n{body}\nEND PROCEDURE\nP [1]"
@@ -209,7 +253,9 @@ def test_a_recursion_counts_each_call_s_rounds_for_itself() -> None:
 
 
 def test_only_a_watched_variable_that_changed_is_printed() -> None:
-    assert list(changes(["x", "y", "z"], {"x": 1, "y": 2}, {"x": 5, "y": 2}, Words())) == ["x is 5."]
+    before, now = {"x": 1, "y": 2, "gone": 3}, {"x": 5, "y": 2}
+
+    assert list(changes(["x", "y", "z", "gone"], before, now, Words())) == ["x is 5."]
 
 
 def test_a_condition_in_a_procedure_is_printed_with_the_values_of_the_procedure() -> None:
@@ -267,6 +313,9 @@ def test_the_end_of_a_program_names_the_condition_that_ended_it() -> None:
         ("(b - a) * 2", ["(3 - 5) * 2", "-2 * 2", "-4"]),
         ("2 * (b * a)", ["2 * (3 * 5)", "2 * 15", "30"]),
         ("-(a + b)", ["-(5 + 3)", "-8"]),
+        ("-(a + b) * 2", ["-(5 + 3) * 2", "-8 * 2", "-16"]),
+        ("7 / (a * b)", ["7 / (5 * 3)", "7 / 15", "0"]),
+        ("2 * (7 / b)", ["2 * (7 / 3)", "2 * 2", "4"]),
         ("-(-a)", ["5"]),
         ("-DISTANCE F + b", ["-DISTANCE F + 3"]),
         ("-(DISTANCE F + a * b)", ["-(DISTANCE F + 5 * 3)", "-(DISTANCE F + 15)"]),
@@ -282,6 +331,16 @@ def test_the_end_of_a_program_names_the_condition_that_ended_it() -> None:
                 "5 + 1 + 1 + 1",
                 "6 + 1 + 1",
                 "8",
+            ],
+        ),
+        (
+            "1+1+1+1+1+1+1+DISTANCE F",
+            [
+                "2 + 1 + 1 + 1 + 1 + 1 + DISTANCE F",
+                "3 + 1 + 1 + 1 + 1 + DISTANCE F",
+                "4 + 1 + 1 + 1 + DISTANCE F",
+                "5 + 1 + 1 + DISTANCE F",
+                "6 + 1 + DISTANCE F",
             ],
         ),
         ("7", []),
@@ -360,10 +419,20 @@ def test_a_statement_of_an_else_has_the_level_of_its_block() -> None:
 def test_a_line_of_no_known_program_is_said_as_it_is_written() -> None:
     words = StepNarrator(None, ["  FW 1 ", "TR 90"], Words("en", "full"))
 
-    assert [words.on_hold(line, 1, ()) for line in (1, 2, 3, 0)] == [
+    assert [words.on_hold(line, 1, CALLS) for line in (1, 2, 3, 0)] == [
         *(("Line 1: FW 1",), ("Line 2: TR 90",), ("Line 3: ",), ("Line 0: ",))
     ]
     assert words.on_end() == ()
+
+
+def test_a_procedure_of_another_program_changes_no_level() -> None:
+    """Its lines are not those of this program."""
+    program = parse("FW 1\nFW 2").program
+    words = StepNarrator(program, (), Words("en", "normal"))
+
+    assert words.on_hold(1, 1, CALLS) == ("Line 1: FW 1",)
+    assert words.on_hold(9, 1, CALLS * 2) == ("Line 9: ",)
+    assert words.on_hold(2, 1, CALLS) == ("Line 2: FW 2",)
 
 
 def test_a_for_loop_computes_the_start_once_and_then_its_step() -> None:
