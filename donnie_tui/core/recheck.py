@@ -232,7 +232,6 @@ class _Checking:
     # --- between runs
 
     def _between_runs(self, stamped: Stamped) -> None:
-        self._until = self._at
         if isinstance(stamped.event, Reset):
             self._team.session(stamped.robot or self._team.names[0]).reset()
         self._at += 1

@@ -8,24 +8,29 @@ from typing import Any
 
 import pytest
 
-from devices.ports.audio import Cue, Utterance
+from devices.ports.audio import Cue, Urgency, Utterance
 from devices.ports.robot import Pose
 from devices.serial_ports import PortFault, PortProblem
 from donnie_tui.core.belt import OFF
 from donnie_tui.core.events import (
     BELT_LINK,
     Announced,
+    Answered,
     BeltShown,
     Chimed,
     CueSounded,
+    Error,
+    Event,
     Outcome,
+    Pointed,
     RunEnded,
     SoundSwitched,
     Spoke,
     Stamped,
 )
 from donnie_tui.core.hub import Hub
-from donnie_tui.core.outlets import Cues, Voice
+from donnie_tui.core.outlets import Cues, Voice, VoiceScope
+from donnie_tui.core.transcript import UnfilteredTranscript
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.belt import ChosenBelt, connect_belt, refuse_shared_port
 
@@ -35,9 +40,11 @@ class RecordingAudio:
 
     def __init__(self) -> None:
         self.heard: list[str] = []
+        self.utterances: list[Utterance] = []
 
     def say(self, utterance: Utterance) -> None:
         self.heard.append(utterance.text)
+        self.utterances.append(utterance)
 
     def play(self, cue: Cue) -> None:
         self.heard.append(cue.name)
@@ -68,6 +75,81 @@ def test_sound_off_ends_the_cues_and_none_is_played_then() -> None:
         hub.publish(Chimed("block-opened"))
 
     assert audio.heard == ["bump", "block-opened", "(hush)", "bump", "block-opened"]
+
+
+@pytest.mark.parametrize("is_on", [True, False])
+def test_sound_is_on_at_the_start_unless_it_was_switched_off_before(is_on: bool) -> None:
+    audio, hub = RecordingAudio(), Hub(lambda: 0.0)
+    for outlet in (
+        (Voice(audio, Words()), Cues(audio))
+        if is_on
+        else (Voice(audio, Words(), is_on=False), Cues(audio, is_on=False))
+    ):
+        hub.subscribe(outlet)
+    hub.publish(Spoke("one"))
+    hub.publish(Chimed("block-opened"))
+
+    assert audio.heard == (["one", "block-opened"] if is_on else [])
+
+
+@pytest.mark.parametrize(
+    ("event", "urgency"),
+    [
+        (Spoke("said"), Urgency.PROGRAM),
+        (Error("unknown-command", 1, 1, "Not known.", None), Urgency.ALERT),
+        (Announced("link", "lost"), Urgency.ALERT),
+        (Announced("moved", "walked"), Urgency.ANSWER),
+        (Announced("hint", "so"), Urgency.HINT),
+        (Announced("waiting", "waits"), Urgency.PROGRESS),
+        (Answered("saved"), Urgency.ANSWER),
+        (Pointed("a wall"), Urgency.PROGRESS),
+    ],
+    ids=lambda value: type(value).__name__ if isinstance(value, Event) else value.name,
+)
+def test_what_is_said_first_depends_on_what_it_is(event: Event, urgency: Urgency) -> None:
+    audio = RecordingAudio()
+    Voice(audio, Words("pt"))(Stamped(1, 0.0, event))
+
+    assert {(each.urgency, each.language) for each in audio.utterances} == {(urgency, "pt")}
+
+
+class SummingUp(UnfilteredTranscript):
+    """Leaves announcements out and sums up what it left out."""
+
+    def before(self, stamped: Stamped) -> tuple[str, ...]:
+        return () if isinstance(stamped.event, Announced) else ("2 steps.", "1 turn.")
+
+    def passes(self, stamped: Stamped) -> bool:
+        return not isinstance(stamped.event, Announced)
+
+
+@pytest.mark.parametrize(
+    ("scope", "heard"),
+    [
+        (VoiceScope.ALL, ["2 steps.", "1 turn.", "word", "2 steps.", "1 turn.", "answer"]),
+        (VoiceScope.ANSWERS, ["2 steps.", "1 turn.", "2 steps.", "1 turn.", "answer"]),
+        (VoiceScope.PROGRAM, ["word"]),
+    ],
+)
+def test_a_voice_says_what_the_filter_lets_pass_and_sums_up(scope: VoiceScope, heard: list[str]) -> None:
+    """Not the words of SPEAK, or these alone, if another voice says the rest."""
+    audio = RecordingAudio()
+    voice = Voice(audio, Words(), scope, transcript_filter=SummingUp)
+    for event in (Announced("moved", "walked"), Spoke("word"), Answered("answer")):
+        voice(Stamped(1, 0.0, event))
+
+    assert audio.heard == heard
+    assert [each.urgency for each in audio.utterances[:2]] == (
+        [Urgency.ANSWER] * 2 if scope is not VoiceScope.PROGRAM else [Urgency.PROGRAM]
+    )
+
+
+@pytest.mark.parametrize("scope", VoiceScope)
+def test_what_is_in_print_only_is_not_said(scope: VoiceScope) -> None:
+    audio = RecordingAudio()
+    Voice(audio, Words(), scope)(Stamped(0, 0.0, Answered("quiet", in_print_only=True)))
+
+    assert audio.heard == []
 
 
 # --- news of a belt

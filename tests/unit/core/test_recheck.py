@@ -3,8 +3,23 @@
 import threading
 
 import pytest
+from msgspec import structs
 
-from donnie_tui.core.events import TRANSIENT, Moved, RunStarted, Spoke, Stamped
+from donnie_tui.core.events import (
+    BELT_LINK,
+    TRANSIENT,
+    Announced,
+    CueSounded,
+    Event,
+    Moved,
+    Outcome,
+    RunEnded,
+    RunStarted,
+    Spoke,
+    Stamped,
+    Turned,
+    Waited,
+)
 from donnie_tui.core.recheck import Result, Verdict, recheck
 from donnie_tui.core.runner import RunRequest
 from donnie_tui.core.session import RunOptions
@@ -12,6 +27,7 @@ from donnie_tui.core.timeline import LONGEST_PAUSE, Replay, Timeline, moments_of
 from donnie_tui.i18n.words import Words
 from language.control import ExecutionControl
 from tests.timeouts import TIMEOUT
+from tests.unit.core.test_run_controller import Lesson
 from tests.unit.core.test_team import Hall
 
 
@@ -136,6 +152,183 @@ def test_a_recording_that_ends_before_all_robots_began_can_not_be_run_again() ->
     verdict = recheck(recorded(hall)[:1], Hall().team, Words())
 
     assert (verdict.result, verdict.index) == (Result.STOPPED, 0)
+
+
+# --- how far a recording can be compared
+
+
+class Solo:
+    """A robot alone on a floor, and what is recorded there."""
+
+    def __init__(self) -> None:
+        self.team, self.heard = Lesson().team, list[Stamped]()
+        self.team.stream.subscribe(self.heard.append)
+
+    def run(self, text: str, *, fresh: bool = True) -> None:
+        assert self.team.chosen.start(text, "a.gd", RunOptions(fresh=fresh)).wait(TIMEOUT)
+
+
+def stopped(events: list[Stamped], robot: str | None) -> list[Stamped]:
+    """The events as if the learner had stopped the robot's last run when it ended."""
+    at = max(at for at, each in enumerate(events) if isinstance(each.event, RunEnded) and each.robot == robot)
+    ended = structs.replace(events[at].event, outcome=Outcome.STOPPED)
+    stop = Stamped(0, events[at].t, Announced("stopped", "I stopped."), robot)
+    before = [each for each in events[:at] if not isinstance(each.event, CueSounded) or each.t < events[at].t]
+    return [*before, stop, structs.replace(events[at], event=ended), *events[at + 1 :]]
+
+
+def changed(events: list[Stamped], text: str) -> list[Stamped]:
+    """The events as if the learner's program had said something else."""
+    return [
+        structs.replace(each, event=Spoke("changed")) if each.event == Spoke(text) else each
+        for each in events
+    ]
+
+
+def index_of(events: list[Stamped], kind: type[Event], robot: str | None, which: int = -1) -> int:
+    return [at for at, each in enumerate(events) if isinstance(each.event, kind) and each.robot == robot][
+        which
+    ]
+
+
+@pytest.mark.parametrize(
+    ("program", "last"),
+    [
+        ("FW 2 SPEAK 1 FW 3", Moved),
+        ("FW 2 SPEAK 1", Moved),
+        ("FW 2 TR 90 SPEAK 1", Turned),
+        ("FW 2 WAIT 1 SPEAK 1", Waited),
+    ],
+)
+def test_a_stopped_run_is_compared_up_to_the_end_of_its_last_command(program: str, last: type[Event]) -> None:
+    hall = Hall()
+    run(hall, "alice", program)
+    events = stopped(recorded(hall), "alice")
+
+    verdict = recheck(events, Hall().team, Words())
+
+    assert (verdict.result, verdict.index) == (Result.STOPPED, index_of(events, last, "alice"))
+
+
+def test_a_stopped_run_without_a_command_is_compared_up_to_its_last_event() -> None:
+    hall = Hall()
+    run(hall, "alice", "SPEAK 1 SPEAK 2")
+    events = stopped(recorded(hall), "alice")
+
+    at = index_of(events, Spoke, "alice")
+    assert recheck(events, Hall().team, Words()) == Verdict(Result.STOPPED, at + 1)
+    assert recheck(changed(events, "2"), Hall().team, Words()).index == at
+
+
+@pytest.mark.parametrize(
+    ("bob", "last"), [("SPEAK 2", RunStarted), ("SPEAK 2 WAIT 1 SPEAK 2", Waited), ("FW 1 FW 1", Moved)]
+)
+def test_of_robots_together_the_first_that_was_stopped_ends_the_comparison(
+    bob: str, last: type[Event]
+) -> None:
+    """The second one had perhaps no turn before its first command."""
+    hall = Hall()
+    hall.run("SPEAK 1 WAIT 9 FW 1", bob)
+    events = stopped(recorded(hall), "Bob")
+
+    verdict = recheck(events, Hall().team, Words())
+
+    assert (verdict.result, verdict.index) == (Result.STOPPED, index_of(events, last, "Bob"))
+
+
+@pytest.mark.parametrize("is_fresh", [True, False])
+def test_after_a_stop_the_only_robot_is_compared_again_from_its_start(is_fresh: bool) -> None:
+    solo = Solo()
+    solo.run("FW 1 SPEAK 1")
+    first = stopped([each for each in solo.heard if not isinstance(each.event, TRANSIENT)], None)
+    count = len(solo.heard)
+    solo.run("FW 2 SPEAK 2", fresh=is_fresh)
+    then = [each for each in solo.heard[count:] if not isinstance(each.event, TRANSIENT)]
+
+    limit, events = index_of(first, Moved, None), [*first, *changed(then, "2")]
+    different = Result.DIFFERENT, index_of(events, Spoke, None)
+    verdict = recheck(events, Solo().team, Words())
+    assert (verdict.result, verdict.index) == (different if is_fresh else (Result.STOPPED, limit))
+    assert recheck([*first, *then], Solo().team, Words()) == Verdict(Result.STOPPED, limit)
+
+
+@pytest.mark.parametrize("are_together", [True, False])
+def test_after_a_stop_several_robots_are_compared_again_if_all_begin_anew(are_together: bool) -> None:
+    hall = Hall()
+    run(hall, "alice", "FW 1 SPEAK 1")
+    first, count = stopped(recorded(hall), "alice"), len(recorded(hall))
+    if are_together:
+        hall.run("FW 2", "SPEAK 2")
+    else:
+        run(hall, "Bob", "SPEAK 2", fresh=True)
+    events = [*first, *changed(recorded(hall)[count:], "2")]
+
+    verdict = recheck(events, Hall().team, Words())
+
+    different = Result.DIFFERENT, index_of(events, Spoke, "Bob")
+    limit = Result.STOPPED, index_of(first, Moved, "alice")
+    assert (verdict.result, verdict.index) == (different if are_together else limit)
+
+
+@pytest.mark.parametrize("was_stopped", [True, False])
+def test_a_robot_that_is_started_during_the_run_of_another_ends_the_comparison(was_stopped: bool) -> None:
+    """At its start, or before, if the first one was stopped in the command before."""
+    hall = Hall()
+    run(hall, "alice", "FW 1 SPEAK 1")
+    alice = stopped(recorded(hall), "alice") if was_stopped else recorded(hall)
+    count = len(recorded(hall))
+    run(hall, "Bob", "SPEAK 2")
+    events = [*alice[:-1], *recorded(hall)[count:], alice[-1]]
+
+    verdict = recheck(events, Hall().team, Words())
+
+    assert (verdict.result, verdict.index) == (
+        (Result.STOPPED, index_of(events, Moved, "alice"))
+        if was_stopped
+        else (Result.OVERLAPPING, index_of(events, RunStarted, "Bob"))
+    )
+
+
+def test_a_run_is_repeated_with_the_language_and_the_options_of_its_recording() -> None:
+    first, again = Hall(), Hall()
+    first.words.language, first.words.detail = "pt", "full"
+    options = RunOptions(fresh=True, trace=True, first_line=7, terminal=False)
+    assert first.team.session("alice").start("FW 1\nSPEAK 1 / 0", "a.gd", options).wait(TIMEOUT)
+    programs = {"alice": RunRequest("FW 1", "a.gd"), "Bob": RunRequest("FW 1", "b.gd")}
+    for each in first.team.start_together(programs, RunOptions(trace=True, terminal=False)):
+        assert each.wait(TIMEOUT)
+
+    events = recorded(first)
+    assert recheck(events, again.team, again.words) == Verdict(Result.SAME, len(events))
+    assert (again.words.language, again.words.detail) == ("pt", "full")
+
+
+@pytest.mark.parametrize(
+    ("code", "result"),
+    [
+        ("position", Result.SAME),
+        ("help", Result.SAME),
+        (BELT_LINK, Result.SAME),
+        ("moved", Result.DIFFERENT),
+    ],
+)
+def test_what_no_program_caused_is_left_out(code: str, result: Result) -> None:
+    """The learner asked for it, twice, or the belt was lost; what the program asks for itself is compared."""
+    hall = Hall()
+    run(hall, "alice", "FW 1 STATE FW 1")
+    events = recorded(hall)
+    at = index_of(events, Moved, "alice", 0)
+    more = [Stamped(0, 0.0, Announced(code, "So it is."), "alice")] * 2
+
+    assert recheck([*events[:at], *more, *events[at:]], Hall().team, Words()).result is result
+
+
+def test_a_recording_that_begins_at_the_start_with_a_reset_gives_the_same_again() -> None:
+    hall = Hall()
+    hall.team.session("alice").reset()
+    run(hall, "alice", "FW 1")
+
+    assert recheck(recorded(hall), Hall().team, Words()).result is Result.SAME
 
 
 def test_the_times_of_runs_follow_each_other_and_those_of_robots_overlap() -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from donnie_tui.core.outlets import LONGEST, SLICE, SpeechWait
 
 
@@ -40,3 +42,21 @@ def test_a_stop_is_looked_for_each_twentieth_of_a_second_and_half_a_minute_is_th
     speech_wait.wait(lambda: True)
 
     assert asked == [0.05] * 600
+
+
+def test_programs_that_wait_are_counted_until_they_go_on() -> None:
+    """Also if the voice fails, or the turn monitor would excuse a program forever."""
+    speech_wait, counts = SpeechWait(), list[int]()
+
+    def failing(seconds: float) -> bool:
+        counts.append(speech_wait.waiting)
+        if len(counts) == 1:
+            speech_wait.wait(lambda: True)
+            return True
+        raise OSError
+
+    speech_wait.is_quiet_within = failing
+    with pytest.raises(OSError):
+        speech_wait.wait(lambda: True)
+
+    assert (counts, speech_wait.waiting) == ([1, 2], 0)
