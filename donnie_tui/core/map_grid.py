@@ -137,10 +137,14 @@ class MapGrid:
 
     def cell_of(self, pose: Pose) -> Cell:
         """The cell in which the robot's middle is."""
+        return self.cell_at(pose.x, pose.y)
+
+    def cell_at(self, x: float, y: float) -> Cell:
+        """The cell of a place in steps."""
         picture = self.picture
         return Cell(
-            _nearest((pose.x - picture.left) / picture.cell),
-            _nearest((pose.y - picture.bottom) / picture.cell),
+            _nearest((x - picture.left) / picture.cell),
+            _nearest((y - picture.bottom) / picture.cell),
         )
 
     def place(self, cell: Cell) -> tuple[int, int]:
@@ -153,7 +157,7 @@ class MapGrid:
         found: dict[Cell, int] = {}
         floor = Bounds(0, 0, self.picture.width - 1, self.picture.height - 1)
         for number, west, south, east, north in places:
-            low, high = self.cell_of(Pose(west, south, 0.0)), self.cell_of(Pose(east, north, 0.0))
+            low, high = self.cell_at(west, south), self.cell_at(east, north)
             for x in range(max(low.x, floor.left), min(high.x, floor.right) + 1):
                 for y in range(max(low.y, floor.bottom), min(high.y, floor.top) + 1):
                     if self.floor_letter(Cell(x, y)) == FREE:

@@ -59,9 +59,7 @@ class MapScene:
         self._drawn: dict[Cell, Thing] = {}
         self._lifted: frozenset[Cell] = frozenset()
         self._things = _by_cell(self.grid, picture.things)
-        self._resting = {
-            self.grid.cell_of(Pose(each.x, each.y, 0.0)): each for each in picture.things if each.is_robot
-        }
+        self._resting = {self.grid.cell_at(each.x, each.y): each for each in picture.things if each.is_robot}
         """The other robots where they stand at the start."""
 
     # --- what happens
@@ -127,8 +125,7 @@ class MapScene:
         rays = set(self._rays)
         for degrees, steps in _looks(event):
             angle = radians(self._pose.heading + degrees)
-            end = Pose(self._pose.x + steps * sin(angle), self._pose.y + steps * cos(angle), 0.0)
-            there = self.grid.cell_of(end)
+            there = self.cell_at(self._pose.x + steps * sin(angle), self._pose.y + steps * cos(angle))
             rays.update(cells_between(self.grid.robot, there, LONGEST_RAY))
         changed = frozenset(rays) - self._rays
         self._rays = frozenset(rays)
@@ -156,7 +153,7 @@ class MapScene:
         angle = radians(self._pose.heading)
         east = right * cos(angle) + ahead * sin(angle)
         north = ahead * cos(angle) - right * sin(angle)
-        return self.grid.cell_of(Pose(self._pose.x + east, self._pose.y + north, 0.0))
+        return self.cell_at(self._pose.x + east, self._pose.y + north)
 
     # --- what is there
 
@@ -209,7 +206,7 @@ class MapScene:
 
     def cell_at(self, x: float, y: float) -> Cell:
         """The cell of a place in steps."""
-        return self.grid.cell_of(Pose(x, y, 0.0))
+        return self.grid.cell_at(x, y)
 
     def robot_at(self, cell: Cell) -> str | None:
         """The name of the other robot that is there."""
@@ -236,7 +233,7 @@ class MapScene:
     def _resting_at(self, cell: Cell) -> Thing | None:
         """The robot that has stood there from the start."""
         resting = self._resting.get(cell)
-        return resting if resting is not None and self.thing(cell) is resting else None
+        return resting if self.thing(cell) is resting else None
 
     def name_of_robot(self, cell: Cell) -> str:
         """The robot whose arrow is there; empty for the only one."""
@@ -297,7 +294,7 @@ def _cells_in_box(grid: MapGrid, thing: Thing, margin: int = 0) -> Iterable[Cell
     picture = grid.picture
     across, up = max(1, round(thing.width / picture.cell)), max(1, round(thing.depth / picture.cell))
     half = picture.cell / 2
-    low = grid.cell_of(Pose(thing.x - across * half + half, thing.y - up * half + half, 0.0))
+    low = grid.cell_at(thing.x - across * half + half, thing.y - up * half + half)
     left, right = low.x - margin, low.x + across - 1 + margin
     bottom, top = low.y - margin, low.y + up - 1 + margin
     for x in range(max(left, -1), min(right, picture.width) + 1):
@@ -367,8 +364,6 @@ class MapScale:
         return self._heaviest(square) if self.factor > 1 else square
 
     def _heaviest(self, square: Cell) -> Cell:
-        if self.square_of(self.scene.robot) == square:
-            return self.scene.robot
         kind, factor = self.scene.kind, self.factor
         x, y = square.x * factor, square.y * factor
         cells = (Cell(x + east, y + north) for north in range(factor) for east in range(factor))

@@ -200,7 +200,7 @@ def _colours_in(grid: MapGrid, window: Bounds) -> dict[Cell, str]:
     """The middles of things that differ in colour only, where an initial has room, with their colours."""
     mixed = letters_of_several_colours(grid.picture.things)
     middles = {
-        grid.cell_of(Pose(each.x, each.y, 0.0)): each
+        grid.cell_at(each.x, each.y): each
         for each in grid.picture.things
         if each.letter in mixed and each.colour in COLOURS and grid.is_wide(each)
     }
@@ -271,7 +271,7 @@ def _robot_words(grid: MapGrid, wording: Wording) -> str:
 
 
 def _nearest_cell(grid: MapGrid, x: int, y: int) -> Cell:
-    return grid.cell_of(Pose(float(x), float(y), 0.0))
+    return grid.cell_at(float(x), float(y))
 
 
 RANGE = 10

@@ -4,10 +4,30 @@ import msgspec
 import pytest
 
 from devices.ports.robot import Pose
-from donnie_tui.core.events import PlacedThing, Read, Scanned, SeenGroup
+from donnie_tui.core.events import (
+    HowStarted,
+    Moved,
+    PlacedThing,
+    Read,
+    RunStarted,
+    Scanned,
+    SeenGroup,
+    Stamped,
+    ThingsMoved,
+)
 from donnie_tui.core.map_grid import Bounds, Cell, Kind
-from donnie_tui.core.map_scene import RAY, MapScale, MapScene, factor_for, floor_rows, labels
+from donnie_tui.core.map_scene import (
+    RAY,
+    MapScale,
+    MapScene,
+    factor_for,
+    floor_rows,
+    labels,
+    map_at,
+    rows_of,
+)
 from donnie_tui.core.map_words import Pointer, content, legend
+from donnie_tui.core.timeline import Timeline
 from donnie_tui.i18n.words import Words
 from sim.picture import Picture, Thing
 
@@ -392,6 +412,254 @@ def test_the_legend_has_the_names_that_are_true_of_all_things_of_a_letter() -> N
     assert legend(it, Words())[-1] == "c is chair, red."
     assert legend(court(), Words())[0].startswith("^ > v < is alice, looking north")
     assert [line[0] for line in legend(court(), Words())[-3:]] == ["b", "c", "t"]
+
+
+# --- rays, names and squares one by one
+
+
+def open_floor(*things: Thing, heading: float = 0.0, rows: tuple[str, ...] = ("." * 21,) * 21) -> MapScene:
+    """21 by 21 cells without walls; the robot in the middle, at 10, 10."""
+    picture = Picture(-10, -10, len(rows[0]), len(rows), 1, rows, things, has_walls=False)
+    return MapScene(picture, Pose(0, 0, heading))
+
+
+@pytest.mark.parametrize(
+    ("event", "cells"),
+    [
+        (Read("distance", "front", 3), [(10, 10), (11, 10), (12, 10)]),
+        (Read("distance", "front left", 3), [(10, 10), (11, 11)]),
+        (Read("distance", "back", 3), [(10, 10), (9, 10), (8, 10)]),
+        (Scanned((SeenGroup("ahead", 0, 2, ("red",)),)), [(10, 10), (11, 10)]),
+        (Scanned((SeenGroup("left", 90, 2, ("red",)),)), [(10, 10), (10, 11)]),
+        (Scanned((SeenGroup("right", 90, 2, ("red",)),)), [(10, 10), (10, 9)]),
+        (Scanned((SeenGroup("right", 45, 3, ("red",)),)), [(10, 10), (11, 9)]),
+        (Read("distance", "front", 1), [(10, 10)]),
+        (Read("distance", "front", 0), []),
+        (Read("distance", "front", -1), []),
+        (Read("distance", "left eye", 3), []),
+        (Read("position", "front", 3), []),
+    ],
+)
+def test_a_robot_that_faces_east_looks_along_these_squares(
+    event: Read | Scanned, cells: list[tuple[int, int]]
+) -> None:
+    it = open_floor(heading=90.0)
+
+    assert it.look_along(event) == {Cell(*each) for each in cells}
+    assert it.look_along(event) == frozenset()
+
+
+def test_a_field_of_view_turns_with_the_robot() -> None:
+    """At 30 degrees 6 steps to the right are 5.2 to the east and 3 to the south, 6 ahead 3 and 5.2."""
+    it = open_floor(heading=30.0)
+    changed = it.show_fields([((6, 0), (6, 0)), ((0, 6), (0, 6))])
+
+    assert changed == {Cell(15, 7), Cell(13, 15)}
+    assert it.show_fields([((6, 0), (6, 0))]) == frozenset()
+
+
+def test_a_new_run_looks_from_its_start() -> None:
+    it = open_floor()
+    it.begin(Pose(2, 0, 90))
+
+    assert it.pose == Pose(2, 0, 90)
+    assert it.look_along(Read("distance", "front", 2)) == {Cell(12, 10), Cell(13, 10)}
+
+
+def test_a_thing_that_is_called_as_a_robot_is_none() -> None:
+    rows = ("........", "t..b..r.", "........")
+    things = (
+        Thing("Bob", "table", "t", "blue", 0, 1, 1, 1, index=1),
+        Thing("Bob", "donnie", "b", "green", 3, 1, 1, 1, is_robot=True, heading=90.0, index=2),
+        Thing("carol", "donnie", "r", "red", 6, 1, 1, 1, is_robot=True, index=3),
+    )
+    it = MapScene(Picture(0, 0, 8, 3, 1, rows, things, has_walls=False), Pose(0, 0, 0), "alice")
+    it.move_other("Bob", Pose(3, 2, 0))
+
+    def seen() -> list[str]:
+        return [it.letter(Cell(x, 1)) for x in (0, 3, 6)]
+
+    assert seen() == ["t", ".", "^"]
+    assert it.place_things(()) == {Cell(3, 1)}
+    assert seen() == ["t", ".", "^"]
+    assert [each.letter for each in it.things] == ["t", "r"]
+    assert [it.colour_of_robot(each) for each in (Cell(3, 2), Cell(6, 1))] == ["green", "red"]
+
+
+def test_a_robot_is_named_as_soon_as_there_is_another_one() -> None:
+    it = MapScene(Picture(-1, 0, 10, 10, 1, ROWS, (CHAIR,), has_walls=True), Pose(0, 1, 0), "donnie")
+    assert it.name_of_robot(it.robot) == ""
+
+    it.move_other("bob", Pose(5, 4, 90))
+    assert it.name_of_robot(it.robot) == "donnie"
+
+
+@pytest.mark.parametrize("order", [1, -1])
+def test_of_two_things_of_a_letter_a_square_belongs_to_the_one_whose_middle_is_nearer(order: int) -> None:
+    """Four boxes of 2 by 2 squares, side by side."""
+    boxes = [
+        Thing(f"{x}{y}", "box", "b", "red", x + 0.5, y + 0.5, 2, 2, index=x + y + 1)
+        for x in (0, 2)
+        for y in (0, 2)
+    ][::order]
+    rows = ("bbbb.",) * 4
+    it = MapScene(Picture(0, 0, 5, 4, 1, rows, tuple(boxes), has_walls=False), Pose(4, 0, 0))
+
+    names = {(x, y): it.thing(Cell(x, y)) for x in range(4) for y in range(4)}
+    assert {place: each and each.name for place, each in names.items()} == {
+        (x, y): f"{x // 2 * 2}{y // 2 * 2}" for x in range(4) for y in range(4)
+    }
+    assert it.thing(Cell(4, 1)) is None
+
+
+def test_a_moved_thing_fills_as_many_squares_as_it_is_large() -> None:
+    """Squares of 2 steps, the middle of the first one at -4, -2; a crumb fills one, too."""
+    things = (
+        Thing("", "chair", "c", "red", -1, 0, 4, 2, index=1),
+        Thing("", "crumb", "u", "red", 2, -2, 0.2, 0.2, index=2),
+    )
+    it = MapScene(Picture(-4, -2, 4, 2, 2, (".cc.", "...u"), things, has_walls=False), Pose(2, 0, 0))
+
+    def filled() -> dict[str, set[tuple[int, int]]]:
+        cells = {(x, y): it.thing(Cell(x, y)) for x in range(-1, 6) for y in range(-1, 4)}
+        return {
+            letter: {place for place, each in cells.items() if each is not None and each.letter == letter}
+            for letter in "cu"
+        }
+
+    assert filled() == {"c": {(1, 1), (2, 1)}, "u": {(3, 0)}}
+    first = it.place_things(
+        (
+            PlacedThing("", Pose(-3, -2, 0), 1),
+            PlacedThing("", Pose(-4, 0, 0), 2),
+            PlacedThing("", Pose(0, 0, 0), 9),
+        )
+    )
+    assert filled() == {"c": {(0, 0), (1, 0)}, "u": {(0, 1)}}
+    assert {Cell(*each) for each in ((1, 1), (2, 1), (3, 0), (0, 0), (1, 0), (0, 1))} == first
+    then = it.place_things((PlacedThing("", Pose(-3, -2, 0), 1),))
+    assert {Cell(0, 1), Cell(3, 0)} <= then
+
+
+def test_the_own_robot_is_shown_above_all_else() -> None:
+    it = scene()
+    it.move_other("bob", Pose(2, 6, 90))
+    it.move(Pose(2, 6, 0))
+    here = it.robot
+
+    assert (it.letter(here), it.kind(here), it.colour(here)) == ("^", Kind.ROBOT, "")
+    it.place_things((PlacedThing("chair3", Pose(2, 6, 0), 3),))
+    assert (it.letter(here), it.kind(here), it.colour(here)) == ("^", Kind.ROBOT, "")
+
+
+def test_a_trail_goes_over_the_place_that_a_thing_has_left() -> None:
+    it = scene()
+    it.place_things((PlacedThing("chair3", Pose(5, 3, 0), 3),))
+    for pose in (Pose(2, 1, 90), Pose(2, 8, 0)):
+        it.move(pose)
+
+    assert [(it.letter(each), it.kind(each)) for each in (Cell(3, 6), Cell(4, 6))] == [
+        ("o", Kind.TRAIL),
+        (".", Kind.FREE),
+    ]
+
+
+@pytest.mark.parametrize(("columns", "rows", "factor"), [(10, 5, 2), (10, 10**6, 64), (1, 1, 64)])
+def test_no_square_is_larger_than_64_cells(columns: int, rows: int, factor: int) -> None:
+    bounds = Bounds(0, 0, 9, 9) if factor == 2 else Bounds(0, 0, 10**6, 9)
+
+    assert factor_for(bounds, columns, rows) == factor
+
+
+@pytest.mark.parametrize(
+    ("row", "written"),
+    [
+        ("c.......", "c chair "),
+        (".......c", " chair c"),
+        ("c......", "c......"),
+        ("......c", "......c"),
+    ],
+)
+def test_a_name_needs_room_up_to_the_edge_of_the_floor(row: str, written: str) -> None:
+    chair = Thing("", "chair", "c", "red", row.index("c"), 1, 1, 1, index=1)
+    floor = Picture(0, 0, len(row), 2, 1, (row, "." * len(row)), (chair,), has_walls=False)
+    found = labels(MapScale(MapScene(floor, Pose(3, 0, 0))), 1, Words())
+
+    assert "".join(found.get(Cell(x, 1), row[x]) for x in range(len(row))) == written
+
+
+def test_a_thing_has_one_of_its_names() -> None:
+    rows = ("c" + "." * 29, "c" + "." * 29, "." * 30)
+    red, blue = (
+        Thing("", "chair", "c", each, 0, at, 1, 1, index=at) for each, at in (("red", 2), ("blue", 1))
+    )
+    it = MapScene(Picture(0, 0, 30, 3, 1, rows, (red, blue), has_walls=False), Pose(3, 0, 0))
+    found = labels(MapScale(it), 1, Words())
+
+    assert {"".join(found.get(Cell(x, y), ".") for x in range(30)).strip(".") for y in (1, 2)} == {
+        " chair, red ",
+        " chair, blue ",
+    }
+
+
+# --- a map at a moment of the past
+
+
+def test_a_map_of_a_large_floor_is_the_part_around_the_robot_that_a_terminal_shows() -> None:
+    rows = rows_of(open_floor(rows=("." * 200,) * 100), Words())
+
+    assert {len(each) for each in rows} == {78}
+    assert len(rows) == 22
+    assert rows[21 - 10][10] == "^"
+
+
+def test_a_map_has_the_initials_of_colours_where_these_alone_differ_and_have_room() -> None:
+    rows = (".fff.fff.", "..f..ttt.", ".........")
+    flowers = (
+        Thing("", "flower", "f", "red", 2, 2, 3, 1, index=1),
+        Thing("", "flower", "f", "blue", 6, 2, 3, 1, index=2),
+        Thing("", "flower", "f", "green", 2, 1, 1, 1, index=3),
+        Thing("", "table", "t", "red", 6, 1, 3, 1, index=4),
+    )
+    it = MapScene(Picture(0, 0, 9, 3, 1, rows, flowers, has_walls=False), Pose(0, 0, 0))
+
+    assert rows_of(it, Words()) == (".fRf.fBf.", "..f..ttt.", "^........")
+
+
+def test_a_map_of_the_past_has_the_trail_the_other_robots_and_moved_things_of_that_moment() -> None:
+    def started(robot: str, pose: Pose) -> Stamped:
+        how = HowStarted("", 1, fresh=True, terminal=True, trace=False, pose=pose, named=True)
+        return Stamped(1, 0.0, RunStarted("a.gd", "court", robot, 0, "1", how), robot)
+
+    def moved(robot: str, pose: Pose) -> Stamped:
+        return Stamped(1, 0.0, Moved("FW 2", 2, 2, None, pose, True), robot)
+
+    events = [
+        started("alice", Pose(1, 1, 0)),
+        started("Bob", Pose(7, 3, 90)),
+        moved("alice", Pose(1, 4, 0)),
+        Stamped(1, 0.0, ThingsMoved((PlacedThing("tea", Pose(4, 1, 0), 2),)), "alice"),
+        moved("Bob", Pose(5, 3, 270)),
+    ]
+    picture, timeline = court().picture, Timeline(events)
+    assert map_at(timeline, picture, "alice") is None
+    seen = []
+    for _ in events:
+        timeline.forward()
+        it = map_at(timeline, picture, "alice")
+        assert it is not None
+        seen.append((rows_of(it, Words())[1:5], it.others))
+
+    start = "#........#", "#..cc..b.#", "#......bb#", "#^t......#"
+    assert seen[0] == ((*start[:1], "#..cc..>.#", *start[2:]), {})
+    gone = "#........#", "#..cc..>.#", "#........#", "#^t......#"
+    assert seen[1] == (gone, {"Bob": Cell(7, 3)})
+    assert seen[2][0] == ("#^.......#", "#o.cc..>.#", "#o.......#", "#At......#")
+    assert seen[3][0][3] == "#A..t....#"
+    assert seen[4] == (
+        ("#^.......#", "#o.cc<...#", "#o.......#", "#A..t....#"),
+        {"Bob": Cell(5, 3)},
+    )
 
 
 def test_of_a_coarse_picture_a_cell_is_several_steps() -> None:
