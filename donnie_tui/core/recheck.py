@@ -171,14 +171,14 @@ class _Checking:
                 self._difference = Verdict(Result.DIFFERENT, self._at)
             if self._difference is not None:
                 return self._difference
-            if segment.intruder is not None and segment.intruder == self._until:
-                return Verdict(Result.OVERLAPPING, segment.intruder)
+            if segment.intruder == self._until:
+                return Verdict(Result.OVERLAPPING, self._until)
             self._at = segment.end
             return None
 
     def _start(self, starts: Mapping[str | None, Stamped]) -> tuple[Run, ...]:
         hows = {
-            robot: (each.event, each.event.how)
+            robot or self._team.names[0]: (each.event, each.event.how)
             for robot, each in starts.items()
             if isinstance(each.event, RunStarted)
         }
@@ -186,7 +186,7 @@ class _Checking:
         self._wording.language, self._wording.detail = first.language, first.detail
         if len(hows) > 1:
             programs = {
-                robot or "": RunRequest(how.text, started.program)
+                robot: RunRequest(how.text, started.program)
                 for robot, (started, how) in hows.items()
                 if how is not None
             }
@@ -194,7 +194,6 @@ class _Checking:
             return self._team.start_together(programs, options)
         (robot, (started, how)) = next(iter(hows.items()))
         assert how is not None  # it is the first
-        session = self._team.session(robot or self._team.names[0])
         options = RunOptions(
             fresh=how.fresh,
             hooked=False,
@@ -202,8 +201,7 @@ class _Checking:
             first_line=how.first_line,
             terminal=how.terminal,
         )
-        run = session.start(how.text, started.program, options)
-        return (run,)
+        return (self._team.session(robot).start(how.text, started.program, options),)
 
     def on_event(self, stamped: Stamped) -> None:
         """Compares a new event with the recording, in a program's thread."""

@@ -9,6 +9,7 @@ from donnie_tui.core.events import (
     BELT_LINK,
     TRANSIENT,
     Announced,
+    Answered,
     CueSounded,
     Event,
     Moved,
@@ -114,7 +115,9 @@ def test_a_recording_that_ends_in_the_middle_of_a_run_is_the_same_up_to_there() 
     events = recorded(hall)
     cut = next(index for index, each in enumerate(events) if isinstance(each.event, Spoke)) + 1
 
-    assert recheck(events[:cut], Hall().team, Words()).result is Result.STOPPED
+    assert recheck(events[:cut], Hall().team, Words()) == Verdict(Result.STOPPED, cut)
+    asked = Stamped(0, 0.0, Announced("position", "Here I am."), "alice")
+    assert recheck([*events[:cut], asked], Hall().team, Words()) == Verdict(Result.STOPPED, cut + 1)
 
 
 ENDLESS = "VAR a = 1 WHILE a > 0 DO a = a + 1 END WHILE"
@@ -149,9 +152,12 @@ def test_a_recording_that_ends_before_all_robots_began_can_not_be_run_again() ->
     hall = Hall()
     hall.run("SPEAK 1", "SPEAK 2")
 
-    verdict = recheck(recorded(hall)[:1], Hall().team, Words())
+    events, again = recorded(hall), Hall()
 
-    assert (verdict.result, verdict.index) == (Result.STOPPED, 0)
+    assert recheck(events[:1], again.team, Words()) == Verdict(Result.STOPPED, 0)
+    assert again.heard == []
+    count = index_of(events, Spoke, "Bob") + 1
+    assert recheck(events[:count], Hall().team, Words()) == Verdict(Result.STOPPED, count)
 
 
 # --- how far a recording can be compared
@@ -326,9 +332,51 @@ def test_what_no_program_caused_is_left_out(code: str, result: Result) -> None:
 def test_a_recording_that_begins_at_the_start_with_a_reset_gives_the_same_again() -> None:
     hall = Hall()
     hall.team.session("alice").reset()
-    run(hall, "alice", "FW 1")
+    run(hall, "alice", "FW 1 SPEAK 1")
+    events = recorded(hall)
 
-    assert recheck(recorded(hall), Hall().team, Words()).result is Result.SAME
+    assert recheck(events, Hall().team, Words()).result is Result.SAME
+    assert recheck(changed(events, "1"), Hall().team, Words()).result is Result.DIFFERENT
+
+
+def test_a_robot_that_is_started_again_while_another_one_runs_ends_the_comparison() -> None:
+    hall = Hall()
+    hall.run("WAIT 9 FW 1", "FW 1")
+    events, count = recorded(hall), len(recorded(hall))
+    run(hall, "Bob", "SPEAK 2")
+    end = index_of(events, RunEnded, "alice")
+    events = [*events[:end], *events[end + 1 :], *recorded(hall)[count:], events[end]]
+
+    assert recheck(events, Hall().team, Words()) == Verdict(
+        Result.OVERLAPPING, index_of(events, RunStarted, "Bob")
+    )
+
+
+def test_a_run_whose_text_is_not_known_is_not_repeated() -> None:
+    hall, again = Hall(), Hall()
+    run(hall, "alice", "SPEAK 1")
+    events = [
+        structs.replace(each, event=structs.replace(each.event, how=None))
+        if isinstance(each.event, RunStarted)
+        else each
+        for each in recorded(hall)
+    ]
+
+    assert recheck(events, again.team, Words()) == Verdict(Result.SAME, len(events))
+    assert again.heard == []
+
+
+def test_what_is_answered_meanwhile_is_no_difference() -> None:
+    hall, again = Hall(), Hall()
+    run(hall, "alice", "SPEAK 1 FW 1")
+
+    def answer(stamped: Stamped) -> None:
+        if isinstance(stamped.event, Spoke):
+            again.team.session("alice").hub.publish(Answered("Yes."))
+
+    again.team.stream.subscribe(answer)
+    assert recheck(recorded(hall), again.team, Words()).result is Result.SAME
+    assert Answered("Yes.") in [each.event for each in again.heard]
 
 
 def test_the_times_of_runs_follow_each_other_and_those_of_robots_overlap() -> None:
