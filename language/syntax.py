@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from enum import Enum
+from enum import Enum, auto
 from typing import TypeAlias
 
 from msgspec import Struct
@@ -39,13 +39,13 @@ class Axis(Enum):
 
 
 class Direction(Enum):
-    FORWARD = "forward"
-    BACKWARD = "backward"
+    FORWARD = auto()
+    BACKWARD = auto()
 
 
 class Side(Enum):
-    RIGHT = "right"
-    LEFT = "left"
+    RIGHT = auto()
+    LEFT = auto()
 
 
 # --- expressions ---------------------------------------------------------------------------------

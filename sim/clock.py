@@ -16,7 +16,7 @@ import threading
 from bisect import bisect_left
 from collections.abc import Callable, Collection, Iterable, Sequence
 from contextlib import suppress
-from enum import Enum
+from enum import Enum, auto
 from heapq import heapify, heappop, heappush, heapreplace
 from math import hypot, inf
 from typing import Protocol
@@ -31,10 +31,10 @@ Now = tuple[float, float]
 class Landing(Enum):
     """The end of a glide."""
 
-    WHOLE = "whole"
-    CUT = "cut"
+    WHOLE = auto()
+    CUT = auto()
     """Something came near. The time of the last tick has passed, but its movement is not done."""
-    HALTED = "halted"
+    HALTED = auto()
 
 
 class Glide:

@@ -7,7 +7,7 @@ is read so that the fewest mistakes follow.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from enum import Enum
+from enum import Enum, auto
 
 from language.diagnostics import MistakeKind
 from language.keywords import END_WORDS, all_words, folded_word, spelling
@@ -44,10 +44,14 @@ _HEADS = {
 class _Closing(Enum):
     """How an END is read."""
 
-    INNERMOST = "the wrong word at the end of the innermost block"
-    OUTER = "the right end of an outer block; the inner ones have none"
-    EXCHANGED = "the right end of an outer block, too early; the inner one ends later"
-    STRAY = "the end of nothing"
+    INNERMOST = auto()
+    """The wrong word at the end of the innermost block."""
+    OUTER = auto()
+    """The right end of an outer block; the inner ones have none."""
+    EXCHANGED = auto()
+    """The right end of an outer block, too early; the inner one ends later."""
+    STRAY = auto()
+    """The end of nothing."""
 
 
 def is_misspelt_end(reader: TokenReader) -> bool:
@@ -189,7 +193,7 @@ def _close_blocks_in_if(reader: TokenReader) -> None:
     """End the blocks inside the innermost IF before an ELSE, if fewer mistakes follow then."""
     kinds, ahead = _kinds_of(reader.blocks), _borders_ahead(reader)
     outer = kinds[: _innermost(kinds, "IF") + 1] if "IF" in kinds else kinds
-    if len(outer) == len(kinds) or _mistakes_ahead(outer, ahead) >= _mistakes_ahead(kinds, ahead):
+    if _mistakes_ahead(outer, ahead) >= _mistakes_ahead(kinds, ahead):
         return
     while len(reader.blocks) > len(outer):
         _feed_end(reader, reader.blocks.pop().read_as)

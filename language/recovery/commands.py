@@ -124,7 +124,7 @@ def read_unknown_command(reader: TokenReader) -> None:
 def _second_speak(reader: TokenReader) -> str:
     """The second SPEAK that SPEAK "a" x needs, because one SPEAK says one thing."""
     token, before = reader.token, reader.before
-    if reader.at == 0 or before[0] != STRING or before[3] != token[3]:
+    if before[0] != STRING or before[3] != token[3]:
         return ""
     return f"{spelling('SPEAK', reader.language)} {reader.typed(token)}"
 
@@ -291,7 +291,7 @@ def _read_text_without_quotes(reader: TokenReader) -> bool:
 def _read_filler(reader: TokenReader) -> bool:
     """If a word is here that beginners write after a whole command, report it with the command alone."""
     token, begun = reader.token, reader.tokens[reader.begun]
-    if begun[3] != token[3] or reader.at == reader.begun or begun[0] not in _TAKE_VALUE:
+    if begun[3] != token[3] or begun[0] not in _TAKE_VALUE:
         return False
     if not _is_filler(reader, token):
         return False
@@ -477,7 +477,7 @@ def _follows_unknown_name(reader: TokenReader) -> bool:
     token, before = reader.token, reader.before
     if token[0] not in (NUMBER, LPAR) or before[0] != NAME or before[3] != token[3]:
         return False
-    return reader.at - 1 > reader.begun and not reader.declares(before[5])
+    return not reader.declares(before[5])
 
 
 def _report_unknown_name(reader: TokenReader) -> None:
@@ -498,7 +498,7 @@ def _report_unknown_name(reader: TokenReader) -> None:
 
 def lacks_all(reader: TokenReader) -> bool:
     """Whether the word before needs more, and another command begins here, or the text ends."""
-    if reader.at == 0 or reader.before[0] not in _TAKE_MORE or reader.at - 1 < reader.begun:
+    if reader.before[0] not in _TAKE_MORE:
         return False
     kind = reader.token[0]
     if kind == 0:
@@ -532,7 +532,7 @@ def read_without_all(reader: TokenReader) -> None:
 def _misses_value(reader: TokenReader) -> bool:
     """Whether a sign is the last of its line, and a command follows."""
     begins = reader.token[0] in BEGINNERS or reader.token[0] == VAR
-    return reader.at > 0 and reader.before[0] in _BEFORE_VALUE and begins and reader.is_first_of_line
+    return reader.before[0] in _BEFORE_VALUE and begins and reader.is_first_of_line
 
 
 def _report_missing_value(reader: TokenReader) -> None:
@@ -583,7 +583,7 @@ def _is_reserved_as_name(reader: TokenReader) -> bool:
 def _read_misspelt_sensor(reader: TokenReader) -> bool:
     """If the name before was meant as a sensor, report it and read both words as its value: DISTANSIA F."""
     token, before = reader.token, reader.before
-    if token[0] != NAME or before[0] != NAME or before[3] != token[3] or reader.at - 1 <= reader.begun:
+    if token[0] != NAME or before[0] != NAME or before[3] != token[3]:
         return False
     near = nearest_keyword(before[5], SENSORS, reader.language)
     if near is None or near.complete:
@@ -596,8 +596,6 @@ def _read_misspelt_sensor(reader: TokenReader) -> bool:
 
 def _follows_taker(reader: TokenReader) -> bool:
     """Whether the word before takes a direction, an axis, a colour or a switch, on the same line."""
-    if reader.at <= reader.begun:
-        return False
     return reader.before[0] in TAKES and reader.before[3] == reader.token[3]
 
 

@@ -317,7 +317,7 @@ class TokenReader:
         self.at += 1
         if token[0] in OPENERS:
             kind = OPENERS[token[0]]
-            before = self.tokens[self.at - 2] if self.at > 1 else token
+            before = self.tokens[self.at - 2]
             if kind == "IF" and before[0] == ELSE and before[3] == token[3]:
                 self.else_if = token
             self.head = OpenBlock(kind, token, kind, len(self.automaton.states))
