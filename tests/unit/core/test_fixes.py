@@ -6,6 +6,14 @@ from donnie_tui.core.program_text import fixed, mistakes
 from donnie_tui.i18n.words import Words
 from language.keywords import all_words, canonical
 from language.parser import parse
+from tests.unit.language_front.test_mistakes import (
+    CALLS,
+    EVERYDAY_LINES,
+    OFFERS,
+    PLACES,
+    PROCEDURES,
+    SENTENCES,
+)
 
 PAIRS = sorted(word for word in all_words() if " " in word)
 
@@ -38,6 +46,38 @@ def with_first_fix(text: str) -> str:
 )
 def test_all_of_the_words_that_were_typed_are_replaced(typed: str, meant: str) -> None:
     assert with_first_fix(typed) == meant
+
+
+FIX_IS_A_BEGINNING = (
+    *(
+        "IF 1 == 1 THEN REPEAT 2 TIMES FW 1 END FI",
+        "LOOP 3 TIMES FW 1 END LOOP",
+        "VAR #x = 2",
+        "VAR a =\u0338 3",
+    ),
+    *("END REPET\nFW 3", "say Good morning"),
+)
+"""What follows is wrong in another way, and has its own mistake then."""
+
+
+@pytest.mark.parametrize(
+    "sources",
+    [
+        [source for source, *_ in PLACES],
+        [source for source, _ in OFFERS],
+        [line for line, _ in (*EVERYDAY_LINES, *SENTENCES)],
+        [f"{line}\nFW 1" for line, _ in EVERYDAY_LINES],
+        [f"REPEAT 2 TIMES\n{line}\nEND REPEAT" for line, _ in SENTENCES],
+        [f"{PROCEDURES}{call}" for call, *_ in CALLS],
+    ],
+    ids=["places", "offers", "lines", "lines before others", "lines in a block", "calls"],
+)
+def test_a_fix_leaves_fewer_mistakes(sources: list[str]) -> None:
+    for source in sources:
+        if any(each in source for each in FIX_IS_A_BEGINNING):
+            continue
+        if (changed := with_first_fix(source)) != source:
+            assert len(parse(changed).diagnostics) < len(parse(source).diagnostics), (source, changed)
 
 
 HEADS = {

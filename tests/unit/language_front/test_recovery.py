@@ -34,19 +34,50 @@ WRONG_LINES = {
     "SOUND loud": "bad-argument",
     "VAR a = STATE": "syntax",
     "RIGHT 90": "unknown-command",
+    "TURN LEFT": "unknown-command",
+    "WALK 3": "unknown-command",
+    "FW 3 steps": "unknown-command",
+    "PARA FRENT 5": "unknown-command",
+    "SPEAK hello world": "unknown-command",
+    'SPEAK "a" x': "unknown-command",
+    "SPEAK DISTANSIA F": "unknown-command",
+    "VAR a = RANDOM 5": "unknown-command",
+    "P (1, 2)": "unknown-command",
+    "FW = 3": "syntax",
+    "x == 3": "syntax",
+    "i++": "syntax",
+    "i += 2": "syntax",
+    "REPEAT TIMES FW 1 END REPEAT": "syntax",
+    "IF 1 < 2 AND 2 < 3 THEN FW 1 END IF": "syntax",
+    "IF 1 => 2 THEN FW 1 END IF": "syntax",
 }
+ONE_OF_EACH_KIND = {kind: line for line, kind in WRONG_LINES.items()}
+NEXT_WRONG_LINES = {
+    "JUMP 3": "unknown-command",
+    "RIGHT 90": "unknown-command",
+    "j = DISTANCE Z": "bad-argument",
+    "DISTANCE Z": "bad-argument",
+    "P [1 2]": "syntax",
+    "VAR if = 2": "reserved-word",
+    "REPEAT 2 FW 1 END REPEAT": "syntax",
+    "; JUMP": "unknown-command",
+    "ELSE": "syntax",
+    "END IF": "wrong-end",
+}
+"""They begin in all ways in which a command or an end can."""
 
 
 @pytest.mark.parametrize("first", WRONG_LINES)
 def test_two_wrong_lines_are_two_mistakes(first: str) -> None:
-    for second, kind in WRONG_LINES.items():
+    for kind, second in ONE_OF_EACH_KIND.items():
         source = f"FW 1\n{first}\nSPEAK 1\n{second}\nFW 2"
         assert mistakes_in(source) == [(WRONG_LINES[first], 2), (kind, 4)], second
 
 
 @pytest.mark.parametrize("line", WRONG_LINES)
 def test_two_wrong_lines_one_after_the_other_are_two_mistakes(line: str) -> None:
-    assert mistakes_in(f"{line}\nJUMP 3") == [(WRONG_LINES[line], 1), ("unknown-command", 2)]
+    for following, kind in NEXT_WRONG_LINES.items():
+        assert mistakes_in(f"{line}\n{following}") == [(WRONG_LINES[line], 1), (kind, 2)], following
 
 
 @pytest.mark.parametrize("line", [line for line in WRONG_LINES if line not in ("END IF", "ELSE")])
@@ -96,6 +127,49 @@ def test_a_missing_inner_end_is_reported_once_at_the_end_that_does_not_fit() -> 
     assert mistakes_in(source) == [("wrong-end", 4)]
 
 
+@pytest.mark.parametrize("word", ["EN 3", "FOO 3", "EN IF"])
+def test_a_word_like_end_is_none_before_anything_but_the_word_of_its_block(word: str) -> None:
+    first, *_ = parse(f"REPEAT 2 TIMES\n{word}\nEND REPEAT").diagnostics
+    assert (first.kind, first.found) == (MistakeKind.UNKNOWN_COMMAND, word.split()[0])
+
+
+def test_a_word_that_is_not_like_end_is_none() -> None:
+    found = parse("REPEAT 2 TIMES\nFOO REPEAT\nEND REPEAT").diagnostics
+    assert (MistakeKind.UNKNOWN_COMMAND, "FOO") in [(each.kind, each.found) for each in found]
+
+
+def test_an_else_does_not_belong_to_a_block_whose_end_was_exchanged() -> None:
+    source = "IF 1 == 1 THEN\nREPEAT 2 TIMES\nEND IF\nELSE\nEND REPEAT"
+    assert mistakes_in(source) == [("wrong-end", 3), ("syntax", 4)]
+
+
+def test_the_line_after_an_end_alone_is_read() -> None:
+    assert mistakes_in("REPEAT 2 TIMES\nFW 1\nEND\n) FW 2") == [("wrong-end", 3), ("syntax", 4)]
+
+
+def test_a_wrong_end_before_the_right_one_closes_nothing() -> None:
+    source = "REPEAT 2 TIMES\nEND IF\nFW 1\nEND REPEAT\nJUMP"
+    assert mistakes_in(source) == [("wrong-end", 2), ("unknown-command", 5)]
+
+
+def test_a_second_else_in_a_block_of_the_first_is_one_mistake() -> None:
+    source = "IF 1 == 1 THEN\nFW 1\nELSE\nREPEAT 2 TIMES\nFW 1\nELSE\nFW 2\nEND IF\nJUMP"
+    assert mistakes_in(source) == [("syntax", 6), ("unknown-command", 9)]
+
+
+def test_a_block_of_an_unknown_word_has_no_missing_end_as_well() -> None:
+    assert mistakes_in("LOOP 3 TIMES\nFW 1\nREPEAT 2 TIMES") == [("unknown-command", 1), ("missing-end", 3)]
+
+
+def test_texts_over_several_lines_are_no_forgotten_quotation_marks() -> None:
+    source = 'SPEAK "a\nb"\nJUMP\nJUMP\nJUMP\nJUMP\nSPEAK "c\nd"'
+    assert mistakes_in(source) == [("unknown-command", line) for line in (3, 4, 5, 6)]
+
+
+def test_a_mistake_after_a_forgotten_curved_quotation_mark_is_found() -> None:
+    assert mistakes_in("SPEAK “hello\nJUMP") == [("unterminated-string", 1), ("unknown-command", 2)]
+
+
 def test_exchanged_ends_are_one_mistake() -> None:
     source = "REPEAT 2 TIMES\nIF 1 == 1 THEN\nWHILE 1 < 2 DO\nEND IF\nEND WHILE\nEND REPEAT"
     assert mistakes_in(source) == [("wrong-end", 4)]
@@ -104,6 +178,11 @@ def test_exchanged_ends_are_one_mistake() -> None:
 def test_a_block_without_end_before_else_is_reported_at_else_only() -> None:
     source = "IF 1 == 1 THEN\nREPEAT 2 TIMES\nFW 1\nELSE\nFW 2\nEND IF"
     assert mistakes_in(source) == [("syntax", 4)]
+
+
+def test_an_else_in_a_block_with_its_end_closes_nothing() -> None:
+    source = "IF 1 == 1 THEN\nREPEAT 2 TIMES\nELSE\nFW 1\nEND REPEAT\nEND IF\nJUMP"
+    assert mistakes_in(source) == [("syntax", 3), ("unknown-command", 7)]
 
 
 def test_every_open_block_is_reported_outermost_first() -> None:
@@ -140,6 +219,10 @@ def test_colours_that_the_robot_cannot_see_are_reported_in_order() -> None:
         ("REPITA 2 VEZES\nPF 1\nFIM LAÇO", "FIM REPITA", "FIM LAÇO"),
         ("PROCEDIMIENTO P HACER\nAV 1\nFIN APRENDIZAJE\nP []", "FIN PROCEDIMIENTO", "FIN APRENDIZAJE"),
         ("REPEAT 2 TIMES\nFW 1\nEND FW 2", "END REPEAT", "END"),
+        ("REPEAT 2 TIMES\nFW 1\nEND x = 3", "END REPEAT", "END"),
+        ("REPEAT 2 TIMES\nFW 1\nEND x y", "END REPEAT", "END"),
+        ("REPEAT 2 TIMES\nFW 1\nEND 5", "END REPEAT", "END"),
+        ("REPEAT 2 TIMES\nFW 1\nEND\nP [1]", "END REPEAT", "END"),
         ("REPEAT 2 TIMES\nFW 1\nENDD REPEAT\nFW 2", "END REPEAT", "ENDD REPEAT"),
         ("REPITA 2 VEZES\nPF 1\nFI REPITA", "FIM REPITA", "FI REPITA"),
         ("SI 1 == 1 ENTONCES\nAV 1\nFINN SI", "FIN SI", "FINN SI"),
