@@ -1,11 +1,13 @@
 """Models of a world are put elsewhere or taken out in its text; all else stays as it was written."""
 
+from math import pi
 from pathlib import Path
 
 import pytest
 
 from sim.geometry import Placement
 from sim.worldfile import load_text, put_elsewhere, taken_out, written_models
+from sim.worldfile.edit import in_units, units_of
 
 PATH = Path("it.world")
 TEXT = """\
@@ -53,6 +55,78 @@ def test_a_model_is_taken_out_and_the_others_stay(number: int) -> None:
     text = taken_out(TEXT, written_models(TEXT, PATH)[number])
 
     assert roots(text) == {each: pose for each, pose in before.items() if each != gone}
+
+
+@pytest.mark.parametrize(
+    ("text", "there"),
+    [
+        ('box( pose [ 9 9 0 0 ] name "a" )', 'box( pose [ 1.5 -2 0 90 ] name "a" )'),
+        ("box( pose[9 9 9]mass 1 )", "box( pose[ 1.5 -2 0 90 ]mass 1 )"),
+        ('box( name "a" )', 'box( name "a" pose [ 1.5 -2 0 90 ] )'),
+        ('box( name "a")', 'box( name "a" pose [ 1.5 -2 0 90 ] )'),
+        ("box()", "box( pose [ 1.5 -2 0 90 ] )"),
+        ("# one\nbox(\n)", "# one\nbox(\npose [ 1.5 -2 0 90 ] )"),
+    ],
+)
+def test_a_pose_is_written_where_it_was_or_at_the_end(text: str, there: str) -> None:
+    definition = "define box model ( )\n"
+    (model,) = written_models(definition + text, PATH)
+
+    assert model is not None
+    assert put_elsewhere(definition + text, model, Placement(1.5, -2, 0, 90)) == definition + there
+
+
+def test_a_pose_is_written_in_the_units_of_its_file() -> None:
+    text = 'unit_length "cm" unit_angle "radians"\nmodel( )\n'
+    (model,) = written_models(text, PATH)
+    units = units_of(load_text(text, PATH))
+
+    assert model is not None
+    assert put_elsewhere(text, model, Placement(1.25, -0.5, 2, 90), units).splitlines()[1] == (
+        "model( pose [ 125 -50 200 1.5708 ] )"
+    )
+    assert units_of(load_text("model( )", PATH)) == (1, 1)
+
+
+@pytest.mark.parametrize(
+    ("text", "without"),
+    [
+        ("a( )\nbox( )\na( )\n", "a( )\na( )\n"),
+        ("a( )\n  box( )  \na( )", "a( )\na( )"),
+        ("a( )\nbox( )", "a( )\n"),
+        ("box( )\na( )", "a( )"),
+        ("a( ) box( )\na( )", "a( ) \na( )"),
+        ("a( )\nbox( ) a( )", "a( )\n a( )"),
+        ("a( )\nbox( ) # red\n", "a( )\n # red\n"),
+    ],
+)
+def test_the_line_of_a_model_goes_with_it_if_nothing_else_is_there(text: str, without: str) -> None:
+    definitions = "define a model ( )\ndefine box model ( )\n"
+    text = definitions + text
+    model = next(each for each in written_models(text, PATH) if each and text[each.begin] == "b")
+
+    assert taken_out(text, model) == definitions + without
+
+
+@pytest.mark.parametrize(
+    ("text", "converted"),
+    [
+        ("size [ 1 0.5 2 ]", "size [ 100 50 200 ]"),
+        ("pose [ -1 2 0 90 ]", "pose [ -100 200 0 1.57079633 ]"),
+        ("bpose[0] [ 0.1 0 0 180 ]", "bpose[0] [ 10 0 0 3.14159265 ]"),
+        (
+            "velocity_bounds [ -1 1 0 0 0 0 -90 90 ]",
+            "velocity_bounds [ -100 100 0 0 0 0 -1.57079633 1.57079633 ]",
+        ),
+        ("range [ 0 3 ] fov 60 samples 5", "range [ 0 300 ] fov 1.04719755 samples 5"),
+        ("range 5 blength 0.1 blength[2] 0.2", "range 500 blength 10 blength[2] 20"),
+        ("color_rgba [ 1 0 0 1 ] obstacle_return 1", "color_rgba [ 1 0 0 1 ] obstacle_return 1"),
+    ],
+)
+def test_lengths_and_angles_are_written_in_other_units(text: str, converted: str) -> None:
+    """Centimetres and radians: a radian has 180 / pi degrees."""
+    assert in_units(text, 0.01, 180 / pi) == converted
+    assert in_units(text, 1, 1) == text
 
 
 def test_a_model_of_an_included_file_is_not_written_here(tmp_path: Path) -> None:

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 
 from sim.geometry import Placement
 from sim.scene import (
@@ -20,15 +21,17 @@ from sim.scene import (
 )
 from sim.worldfile import WorldError, load_text
 
+PATH = Path("t.world")
+
 
 def model(text: str) -> Model:
     """The first model of a world."""
-    return load_text(text, Path("t.world")).models[0]
+    return load_text(text, PATH).models[0]
 
 
 def mistake(text: str) -> tuple[str, int]:
     with pytest.raises(WorldError) as error:
-        load_text(text, Path("t.world"))
+        load_text(text, PATH)
     return error.value.code.value, error.value.column
 
 
@@ -151,10 +154,135 @@ def test_a_wrong_value_is_a_mistake_with_its_place(text: str, expected: tuple[st
     assert mistake(text) == expected
 
 
+TRIANGLE = "point[0] [ 0 0 ] point[1] [ 1 0 ] point[2] [ 0 1 ]"
+
+
+@pytest.mark.parametrize(
+    ("text", "same"),
+    [
+        # what is not said is as in Stage
+        ("ranger ( )", "ranger ( size [ 0.15 0.15 0.2 ] color_rgba [ 0 0 0.5 1 ] )"),
+        ("fiducial ( )", "fiducial ( size [ 0 0 0 ] )"),
+        ("gripper ( )", "gripper ( size [ 0.2 0.3 0.2 ] )"),
+        ("camera ( )", 'camera ( size [ 0.1 0.07 0.05 ] color "black" )'),
+        ("blobfinder ( )", "blobfinder ( range 12 fov 60 image [ 80 60 ] pan 0 )"),
+        ("bumper ( bcount 1 )", "bumper ( bcount 1 blength 0.1 )"),
+        ("camera ( fov 60 )", "camera ( fov [ 60 40 ] )"),
+        # angles
+        ("ranger ( sensor ( fov 400 ) )", "ranger ( sensor ( fov 360 ) )"),
+        ("ranger ( sensor ( fov -5 ) )", "ranger ( sensor ( fov 0 ) )"),
+        ("blobfinder ( fov 361 )", "blobfinder ( fov 360 )"),
+        ("fiducial ( fov -1 )", "fiducial ( fov 0 )"),
+        ("camera ( fov [ 400 -1 ] )", "camera ( fov [ 360 0 ] )"),
+        ("camera ( pantilt [ -30 370 ] )", "camera ( pantilt [ 330 10 ] )"),
+        # lengths that can't be
+        ("blobfinder ( range -1 )", "blobfinder ( range 0 )"),
+        ("blobfinder ( image [ 0 100001 ] )", "blobfinder ( image [ 1 100000 ] )"),
+        ("fiducial ( range_min -1 )", "fiducial ( range_min 0 )"),
+        ("fiducial ( range_min 9 range_max 3 )", "fiducial ( range_min 9 range_max 9 )"),
+        ("fiducial ( range_max_id -1 )", "fiducial ( range_max_id 0 )"),
+        ("bumper ( bcount 2 blength -1 blength[1] -1 )", "bumper ( bcount 2 blength 0 blength[1] 0 )"),
+        ("ranger ( sensor ( size [ -1 -2 3 ] ) )", "ranger ( sensor ( size [ 1 2 3 ] ) )"),
+        ("gripper ( paddle_size [ 0 0 0 ] )", "gripper ( paddle_size [ 0.01 0.01 0.01 ] )"),
+        ("gripper ( paddle_size [ 2 2 2 ] )", "gripper ( paddle_size [ 0.99 0.49 0.99 ] )"),
+        ("position ( wheelbase 0 )", "position ( wheelbase 0.001 )"),
+        ("model ( mass -3 )", "model ( mass 0 )"),
+        ("model ( size [ 0.006 0.004 1 ] boundary 1 )", "model ( size [ -0.006 -0.004 1 ] boundary 1 )"),
+        (f"model ( block ( points 3 {TRIANGLE} z [ 1 0 ] ) )", f"model ( block ( points 3 {TRIANGLE} ) )"),
+        # errors
+        ("position ( odom_error [ -0.1 5 9 ] )", "position ( odom_error [ 0.1 2 2 ] )"),
+        (
+            "ranger ( sensor ( noise [ -0.1 2 -3 ] ) )",
+            "ranger ( sensor ( range_noise 0.1 range_noise_const 2 angle_noise 3 ) )",
+        ),
+        ("ranger ( sensor ( noise [ 5 0 999 ] ) )", "ranger ( sensor ( noise [ 1 0 360 ] ) )"),
+        ('unit_length "cm" ranger ( sensor ( noise [ 0 200 0 ] ) )', "ranger ( sensor ( noise [ 0 2 0 ] ) )"),
+        # colours
+        ("model ( color_rgba [ 2 -1 0.5 ] )", "model ( color_rgba [ 1 0 0.5 1 ] )"),
+        ('blobfinder ( colors "red" )', 'blobfinder ( colors [ "red" ] colors_count 1 )'),
+        ('blobfinder ( colors [ "red" "blue" ] colors_count 1 )', 'blobfinder ( colors [ "red" ] )'),
+        ('blobfinder ( colors [ "red" ] colors_count -1 )', "blobfinder ( colors [ ] )"),
+    ],
+)
+def test_a_value_that_is_missing_or_can_not_be_is_the_nearest_that_can(text: str, same: str) -> None:
+    models, others = ([flat(each) for each in load_text(it, PATH).models] for it in (text, same))
+
+    assert models == others
+
+
+def flat(it: Model) -> Model:
+    """Without the order of the corners of its shapes, which a mirrored one has another way round."""
+    shapes = {
+        name: tuple(replace(each, points=tuple(sorted(each.points))) for each in getattr(it, name))
+        for name in ("polygons", "walls")
+    }
+    return replace(it, **shapes)
+
+
+@pytest.mark.parametrize("kind", ["ranger", "blobfinder", "fiducial"])
+def test_what_only_looks_has_no_body(kind: str) -> None:
+    assert model(f"{kind} ( )").polygons == ()
+
+
+def test_a_thin_boundary_is_no_thicker_than_half_of_its_box() -> None:
+    walls = model("model ( size [ 0.006 0.004 1 ] boundary 1 )").walls
+
+    assert {round(x, 6) for wall in walls for x, _ in wall.points} == {-0.003, 0, 0.003}
+    assert {round(y, 6) for wall in walls for _, y in wall.points} == {-0.002, 0, 0.002}
+    assert {(wall.bottom, wall.top) for wall in walls} == {(0, 1)}
+
+
+def test_a_shape_without_a_width_keeps_what_it_has() -> None:
+    """Stage can't scale it."""
+    line = "block ( points 3 point[0] [ 5 0 ] point[1] [ 5 4 ] point[2] [ 5 2 ] z [ -1 0 ] )"
+    (shape,) = model(f"model ( size [ 2 2 3 ] {line} )").polygons
+
+    assert sorted(shape.points) == [(0, -1), (0, 0), (0, 1)]
+    assert (shape.bottom, shape.top) == (-1, 0)
+
+
+@pytest.mark.parametrize(
+    ("form", "most", "code"),
+    [
+        ("bumper ( bcount {} )", 1000, "out-of-range"),
+        ("ranger ( sensor ( samples {} ) )", 10_000, "out-of-range"),
+        ("model ( block ( points {} ) )", 2000, "too-few-points"),
+        ("speedup {}", 10**12, "number-too-large"),
+        ("model ( pose [ {} 0 0 0 ] )", 10**5, "out-of-range"),
+        ("model ( pose [ -{} 0 0 0 ] )", 10**5, "out-of-range"),
+    ],
+)
+def test_a_number_may_be_as_large_as_its_limit_and_no_larger(form: str, most: int, code: str) -> None:
+    load_text(form.format(most), PATH)
+
+    with pytest.raises(WorldError) as error:
+        load_text(form.format(most + 1), PATH)
+    assert (error.value.code.value, error.value.details["limit"]) == (code, most)
+
+
+def test_all_sensors_of_a_world_together_have_two_million_samples_at_most() -> None:
+    fan = "sensor ( samples 10000 ) "
+    load_text(f"ranger ( {fan * 150} ) ranger ( {fan * 50} )", PATH)
+
+    with pytest.raises(WorldError) as error:
+        load_text(f"ranger ( {fan * 150} ) ranger ( {fan * 50} sensor ( samples 1 ) )", PATH)
+    assert (error.value.code.value, error.value.details) == (
+        "too-much",
+        {"what": "samples", "limit": 2_000_000},
+    )
+
+
 def test_a_misspelt_word_is_reported_with_the_nearest_right_one() -> None:
     (note,) = load_text('gripper ( paddle_state [ "opn" ] )', Path("t.world")).report.notes[:1]
 
     assert (note.code, note.details["found"], note.details["nearest"]) == ("unknown-word", "opn", "open")
+
+
+@pytest.mark.parametrize("state", ["open", "closed", "up", "down"])
+def test_the_words_for_paddles_are_known(state: str) -> None:
+    notes = load_text(f'gripper ( paddle_state "{state}" )', PATH).report.notes
+
+    assert "unknown-word" not in [note.code for note in notes]
 
 
 def test_a_blinkenlight_is_as_small_as_in_stage() -> None:

@@ -7,7 +7,7 @@ import pytest
 
 from sim.colours import FAMILIES, colour_of, families, rgb
 from sim.geometry import Placement
-from sim.scene import Model, NoteKind, Scene
+from sim.scene import Model, Note, NoteKind, Scene
 from sim.worldfile import Code, WorldError, load_text, load_world
 
 
@@ -408,6 +408,8 @@ def test_values_beyond_those_that_a_property_takes_have_no_effect(
 def test_too_many_values_of_sensors_and_blocks_have_no_effect_either() -> None:
     few = (
         "model ( ranger ( sensor ( range [ 0 5 ] noise [ 1 2 3 ] ) ) bumper ( bcount 1 bpose[0] [ 1 2 3 4 ] )"
+        " camera ( range [ 0 5 ] fov [ 60 40 ] pantilt [ 1 2 ] ) blobfinder ( image [ 8 6 ] )"
+        " gripper ( paddle_size [ 0.5 0.2 0.3 ] )"
         " block ( points 3 point[0] [ 0 0 ] point[1] [ 1 0 ] point[2] [ 1 1 ] z [ 0 1 ] ) )"
     )
     many = few.replace(" ]", " 7 ]")
@@ -451,6 +453,94 @@ def test_a_corner_that_is_missing_is_at_0_0_and_a_warning_says_so() -> None:
         == load("model ( block ( points 3 point[0] [ 0 0 ] point[1] [ 1 0 ] point[2] [ 1 1 ] ) )").models
     )
     assert remarked(scene) == [("missing-point", 9, {"name": "point[0]"})]
+
+
+IGNORED, REPAIRED, WARNING = NoteKind.IGNORED, NoteKind.REPAIRED, NoteKind.WARNING
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "code", "line", "column", "details"),
+    [
+        ('\nposition ( name "it" sensor ( ) )', REPAIRED, "lone-sensor", 2, 22, {"name": "it"}),
+        ("model ( window ( ) )", WARNING, "lone-window", 1, 9, {}),
+        ("model ( window ( show_data 1 ) )", WARNING, "lone-window", 1, 9, {}),
+        *(
+            (f'{each} ( name "it" )', IGNORED, "not-simulated", 1, 1, {"type": each, "name": "it"})
+            for each in ("camera", "actuator", "lightindicator", "blinkenlight")
+        ),
+        ("ranger ( sensor ( samples 0 ) )", WARNING, "no-samples", 1, 10, {}),
+        ("model ( mas 3 )", IGNORED, "unknown-property", 1, 9, {"name": "mas", "nearest": "mass"}),
+        ("window ( siz 3 )", IGNORED, "unknown-property", 1, 10, {"name": "siz", "nearest": "size"}),
+        ("model ( friction 1 )", IGNORED, "unused-property", 1, 9, {"name": "friction"}),
+        ("model ( scatter [ 1 2 3 4 ] )", IGNORED, "unused-property", 1, 9, {"name": "scatter"}),
+        ("define a model ( )\n define a model ( )", WARNING, "second-define", 2, 2, {"name": "a"}),
+        ("define a model ( 5 )", WARNING, "broken-define", 1, 18, {"name": "a"}),
+        ('model ( color "random" )', WARNING, "random-colour", 1, 9, {}),
+        (
+            'model ( name "hall" boundary 1 obstacle_return 0 )',
+            *(REPAIRED, "walls-made-solid", 0, 0, {"name": "hall"}),
+        ),
+        (
+            'position ( name "it" drive "omini" )',
+            *(WARNING, "unknown-word", 1, 22),
+            {"name": "drive", "found": "omini", "used": "diff", "nearest": "omni"},
+        ),
+        (
+            'gripper ( paddle_state [ "opn" ] )',
+            *(WARNING, "unknown-word", 1, 11),
+            {"name": "paddle_state", "found": "opn", "used": "open down", "nearest": "open"},
+        ),
+    ],
+)
+def test_a_remark_has_its_kind_its_place_and_its_details(
+    text: str, kind: NoteKind, code: str, line: int, column: int, details: dict[str, str]
+) -> None:
+    file = "" if line == 0 else "test.world"
+    notes = [note for note in load(text).report.notes if note.code != "no-robot"]
+
+    assert notes == [Note(kind, code, file, line, column, details)]
+
+
+def test_a_world_without_a_robot_is_reported_at_its_beginning() -> None:
+    assert load("\n model ( )").report.notes == (Note(WARNING, "no-robot", "test.world", 1, 1, {}),)
+
+
+def test_what_a_window_has_is_checked_and_has_no_effect() -> None:
+    assert [note.code for note in load("show_data 1 window ( show_data 1 )").report.notes] == ["no-robot"]
+    for text in ("window ( pose 3 )", "model ( window ( pose 3 ) )"):
+        with pytest.raises(WorldError) as error:
+            load(text)
+        assert error.value.code is Code.WRONG_TYPE
+
+
+LONG = "x" * 300
+
+
+@pytest.mark.parametrize(
+    ("text", "detail", "length"),
+    [
+        (f'model ( color "{LONG}" )', "name", 60),
+        (f"model ( {LONG} 1 )", "name", 60),
+        (f'position ( drive "{LONG}" )', "found", 60),
+        (f'model ( mass "{LONG}" )', "found", 60),
+        (f'model ( color [ "{LONG}" ] )', "used", 60),
+        (f"{LONG} ( )", "found", 60),
+        (f'"{LONG}"', "found", 60),
+        (f"size [ 5{LONG} ]", "found", 40),
+        (f"speedup {'9' * 300}", "found", 40),
+        (f'include "{LONG}"', "path", 200),
+        (f'model ( bitmap "{LONG}" )', "path", 200),
+    ],
+)
+def test_no_more_is_quoted_of_a_long_word_than_can_be_listened_to(
+    text: str, detail: str, length: int
+) -> None:
+    try:
+        found = load(text).report.notes[0].details
+    except WorldError as error:
+        found = error.details
+
+    assert len(str(found[detail])) == length
 
 
 def test_a_white_picture_has_no_body(tmp_path: Path) -> None:

@@ -8,6 +8,7 @@ import pytest
 from donnie_tui.i18n.mistakes import world_note
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.world.loading import choose_world
+from sim.worldfile.mistakes import defining, near_file, near_name
 
 DONNIE = 'include "donnie.inc"\ndonnie( )\n'
 REPORTS = {
@@ -39,6 +40,46 @@ def test_a_slip_is_reported_with_what_was_meant(tmp_path: Path, text: str) -> No
     world.write_text(text)
 
     assert report(world).split(": ", 1)[1] == REPORTS[text]
+
+
+@pytest.mark.parametrize(
+    ("name", "known", "nearest"),
+    [
+        ("chiar", ("chair", "table"), "chair"),
+        ("sofa", ("large_sofa", "small_sofa"), "large_sofa"),
+        ("sofa", ("large_sofa", "sofas"), "sofas"),
+        ("abcdefgxyz", ("abcdefguvw",), "abcdefguvw"),  # 7 of 10 letters
+        ("abcdefgxyz1", ("abcdefguvw2",), ""),
+        ("a" * 59, ("a" * 58,), "a" * 58),
+        ("a" * 60, ("a" * 59,), ""),
+        ("", ("", "_"), ""),
+        ("x", (), ""),
+    ],
+)
+def test_a_name_is_near_if_it_is_alike_or_has_it_as_a_part(
+    name: str, known: tuple[str, ...], nearest: str
+) -> None:
+    assert near_name(name, known) == nearest
+
+
+def test_the_file_that_defines_a_model_is_the_first_of_the_first_folder(tmp_path: Path) -> None:
+    first, second = tmp_path / "first", tmp_path / "second"
+    first.mkdir()
+    second.mkdir()
+    (first / "b.inc").write_text("\n \tdefine desk model ( )")
+    (first / "c.inc").write_text("define desk model ( )")
+    (first / "a.inc").write_text(
+        "# define desk model ( )\ndefine desks model ( )\ndefine a desk ( )\ndefine axb model ( )"
+    )
+    (first / "a.world").write_text("define desk model ( ) define lamp model ( )")
+    (second / "a.inc").write_text("define desk model ( )\ndefine  lamp model ( )")
+    (second / "z.inc").write_text("#" * 199_985 + "\ndefine a.b model ( )\ndefine cab model ( )")
+
+    names = ("desk", "lamp", "a.b", "chair", "cab")
+    assert [defining(each, (first, second)) for each in names] == ["b.inc", "a.inc", "z.inc", "", ""]
+    assert near_file("some/where/zz.inc", (first, second)) == ""
+    assert near_file("some/where/bb.inc", (first, second)) == ""
+    assert defining("desk", (tmp_path / "none", second, first)) == "a.inc"
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no named pipes here")
