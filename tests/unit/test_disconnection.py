@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import socket
+import subprocess
 import sys
 import threading
 from collections.abc import Iterator
@@ -15,7 +16,7 @@ import pytest
 
 from donnie_tui.process import disconnection
 from donnie_tui.process.disconnection import NetworkWatch, ReaderWatch, attempts, parent_of
-from donnie_tui.process.signals import TakenSignals
+from donnie_tui.process.signals import TakenSignals, is_hung_up
 from tests.timeouts import TIMEOUT
 
 
@@ -115,3 +116,73 @@ def test_without_a_table_of_the_kernel_nothing_is_watched(monkeypatch: pytest.Mo
 
 def test_a_process_has_the_parent_that_the_system_says() -> None:
     assert parent_of(os.getpid()) == os.getppid()
+
+
+# --- the owner of the terminal
+
+
+@pytest.mark.parametrize(
+    ("processes", "keeper"),
+    [
+        ({30: (20, "5"), 20: (10, "5"), 10: (1, "7")}, 10),
+        ({30: (10, "5"), 10: (1, "7")}, 10),
+        ({30: (2, "5"), 2: (1, "0")}, 2),
+        ({30: (20, "5"), 20: (1, "5"), 1: (0, "7")}, None),
+        ({30: (1, "5"), 1: (0, "5")}, None),
+        ({30: (20, "5")}, None),
+        ({}, None),
+    ],
+)
+def test_the_nearest_ancestor_on_another_terminal_owns_this_one(
+    processes: dict[int, tuple[int, str]], keeper: int | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The first process of all owns none, and one that can't be inspected says nothing."""
+
+    def looked_up(pid: int) -> tuple[int, str]:
+        if pid not in processes:
+            raise FileNotFoundError(pid)
+        return processes[pid]
+
+    monkeypatch.setattr(disconnection, "_parent_and_terminal", looked_up)
+    assert disconnection.keeper_of(30) == keeper
+
+
+def test_our_copy_of_the_other_end_is_closed_and_the_end_of_its_owner_is_a_hang_up(
+    hang_ups: threading.Event, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    owner = subprocess.Popen(["cat"], stdin=subprocess.PIPE)
+    _ours, terminal = os.openpty()
+    monkeypatch.setattr(disconnection, "_own_terminal", lambda: os.ttyname(terminal))
+    monkeypatch.setattr(disconnection, "keeper_of", {os.getpid(): owner.pid}.get)
+    disconnection.watch_for_hang_up()
+    assert is_hung_up(terminal)
+    assert not hang_ups.is_set()
+
+    owner.communicate()
+
+    assert hang_ups.wait(TIMEOUT)
+    os.close(terminal)
+
+
+def test_an_owner_that_has_ended_just_now_is_a_hang_up(hang_ups: threading.Event) -> None:
+    owner = subprocess.Popen(["true"])
+    owner.wait()
+    disconnection._end_with(owner.pid)
+
+    assert hang_ups.wait(TIMEOUT)
+
+
+@pytest.mark.parametrize(("terminal", "keeper"), [(None, 7), ("/dev/pts/of-no-one", 7), ("", None)])
+def test_without_another_end_or_its_owner_nothing_is_watched(
+    terminal: str | None, keeper: int | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ours, theirs = os.openpty()
+    name = os.ttyname(theirs) if terminal == "" else terminal
+    monkeypatch.setattr(disconnection, "_own_terminal", lambda: name)
+    monkeypatch.setattr(disconnection, "keeper_of", lambda _pid: keeper)
+    monkeypatch.setattr(disconnection, "_end_with", pytest.fail)
+    disconnection.watch_for_hang_up()
+    assert is_hung_up(theirs) == (terminal == "")
+    os.close(theirs)
+    if terminal != "":
+        os.close(ours)

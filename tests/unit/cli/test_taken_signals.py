@@ -29,6 +29,12 @@ def test_each_signal_handler_is_restored(kind: type[TakenSignals]) -> None:
         signal.raise_signal(signal.SIGTERM)
     if isinstance(taken, WakingSignals):
         taken.close()
+    later, nudges = signal.signal(signal.SIGTERM, signal.SIG_IGN), Nudges()
+    signal.set_wakeup_fd(nudges._writing)
+    taken.give_back()
+    assert signal.signal(signal.SIGTERM, later) is signal.SIG_IGN, "it restores once"
+    assert signal.set_wakeup_fd(-1) == nudges._writing
+    nudges.close()
 
     assert heard == [signal.SIGTERM]
     assert signal.getsignal(signal.SIGHUP) is signal.SIG_IGN
