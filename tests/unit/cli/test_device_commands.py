@@ -45,6 +45,10 @@ def answers(port: str, **_how: object) -> IdentifiedDevice:
             return IdentifiedDevice(DeviceKind.BELT)
         case "low":
             return IdentifiedDevice(DeviceKind.ROBOT, 7000)
+        case "full":
+            return IdentifiedDevice(DeviceKind.ROBOT, 7100)
+        case "sinking":
+            return IdentifiedDevice(DeviceKind.ROBOT, 7099)
         case "new":
             return IdentifiedDevice(DeviceKind.ROBOT, None)
         case "mute":
@@ -82,6 +86,17 @@ def test_boards_are_asked_and_other_ports_are_only_named() -> None:
         (
             "low",
             ["low: robot, original firmware, battery low, 7.0 volts.", "Drive it: donnie --robot serial:low"],
+        ),
+        (
+            "full",
+            ["full: robot, original firmware, battery 7.1 volts.", "Drive it: donnie --robot serial:full"],
+        ),
+        (
+            "sinking",
+            [
+                "sinking: robot, original firmware, battery low, 7.1 volts.",
+                "Drive it: donnie --robot serial:sinking",
+            ],
         ),
         ("new", ["new: robot, original firmware, battery unknown.", "Drive it: donnie --robot serial:new"]),
         ("mute", ["mute: nothing answers."]),
@@ -153,6 +168,45 @@ def test_a_person_is_offered_to_stop_a_robot_that_drives(
         "Shall I stop the robot at driving? yes or no",
         last,
     ]
+
+
+def test_a_robot_that_does_not_stop_drives_on_for_the_one_who_asked(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("sys.stdin", Person("yes\nyes\n"))
+    outcomes = iter([HaltOutcome.DRIVES, HaltOutcome.STANDS])
+    made, out = order(["driving", "mute", "driving"])
+
+    assert list_devices(made, tuple, answers, lambda *_, **__: next(outcomes)) == 1
+    assert out.getvalue().splitlines()[-3:] == [
+        "I said stop, but the robot at driving still moves. Switch it off.",
+        "Shall I stop the robot at driving? yes or no",
+        "The robot has stopped. Port driving.",
+    ]
+
+
+def test_a_port_that_can_not_be_used_counts_more_than_a_robot_that_drives() -> None:
+    made, _ = order(["driving", "busy"])
+
+    assert list_devices(made, tuple, answers) == 2
+
+
+@pytest.mark.parametrize("factor", ["", "3"])
+def test_a_slow_machine_has_more_time_to_ask_and_to_stop(
+    factor: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("DONNIE_ROBOT_TIMEOUTS", factor)
+    factors: list[object] = []
+
+    def asked(_port: str, **how: object) -> IdentifiedDevice:
+        factors.append(how["factor"])
+        return IdentifiedDevice(DeviceKind.NOTHING)
+
+    def halted(_port: str, **how: object) -> HaltOutcome:
+        factors.append(how["factor"])
+        return HaltOutcome.STANDS
+
+    list_devices(order(["a"])[0], tuple, asked)
+    stop(order("a")[0], halted)
+    assert factors == [float(factor or 1)] * 2
 
 
 def test_an_unusable_plugged_port_does_not_fail_the_list() -> None:
@@ -234,6 +288,32 @@ def test_a_stop_without_a_board_does_not_suggest_the_simulator(
     with pytest.raises(Unusable) as said:
         stop(made, lambda _, **__: HaltOutcome.STANDS)
     assert said.value.sentence == "I can't find a robot. Is it plugged in? If a robot moves, switch it off."
+
+
+def test_a_stop_for_services_waits_for_any_board_and_says_so_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    plugged = iter([(), (), (), (ROBOT,)])
+    monkeypatch.setattr("donnie_tui.cli.devices.find_port", partial(find_port, found=lambda: next(plugged)))
+    made, out = order(None, waits=True)
+    paused: list[float] = []
+
+    assert stop(made, lambda _, **__: HaltOutcome.STANDS, paused.append) == 0
+    assert out.getvalue().splitlines() == [
+        "I will wait for the robot, a minute at most.",
+        f"The robot has stopped. Port {ROBOT.stable}.",
+    ]
+    assert len(paused) == 3
+
+
+def test_a_stop_for_services_waits_no_longer_than_a_minute(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("donnie_tui.cli.devices.find_port", partial(find_port, found=lambda: ()))
+    now = iter([100.0, 130.0, 159.0, 160.0])
+    monkeypatch.setattr("donnie_tui.cli.devices.monotonic", lambda: next(now))
+    made, _ = order(None, waits=True)
+    paused: list[float] = []
+
+    with pytest.raises(Unusable):
+        stop(made, lambda _, **__: HaltOutcome.STANDS, paused.append)
+    assert len(paused) == 2
 
 
 def test_a_stop_for_services_waits_for_the_port_and_says_so_once() -> None:

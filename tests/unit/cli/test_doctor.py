@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import io
 import itertools
 import os
 import sys
+import wave
+from argparse import Namespace
+from collections.abc import Iterable
 from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
@@ -30,7 +34,10 @@ from donnie_tui.cli.doctor import (
     look_at_speech,
     look_at_terminal,
 )
+from donnie_tui.cli.options import Invocation, Order
+from donnie_tui.cli.streams import Output
 from donnie_tui.i18n.words import Words
+from donnie_tui.process.confinement import Confinement, confine
 from donnie_tui.settings.settings import Settings, resolve
 from tests.timeouts import TIMEOUT
 from tests.unit.audio.known_environment import KnownEnvironment
@@ -263,3 +270,206 @@ def test_the_worker_that_was_looked_at_is_closed(monkeypatch: pytest.MonkeyPatch
     assert [*doctor.look_at_worker("en")]
 
     assert len(closed) == 1
+
+
+# --- each finding in words
+
+
+def said(findings: Iterable[Finding]) -> list[str]:
+    return [line for each in findings for line in printed(each)]
+
+
+class Terminal(SimpleNamespace):
+    encoding = "utf-8"
+
+    def isatty(self) -> bool:
+        return True
+
+
+SMALL = "Problem: terminal vt220 is small: {}."
+ENLARGE = "Remedy: enlarge the window, or use donnie --linear."
+
+
+@pytest.mark.parametrize(
+    ("size", "lines"),
+    [
+        ((40, 12), ["Terminal vt220, 40 columns, 12 rows."]),
+        ((39, 12), [SMALL.format("39 columns, 12 rows"), ENLARGE]),
+        ((40, 11), [SMALL.format("40 columns, 11 rows"), ENLARGE]),
+    ],
+)
+def test_a_terminal_has_at_least_forty_columns_and_twelve_rows(
+    size: tuple[int, int], lines: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "stdin", Terminal())
+    monkeypatch.setattr(sys, "stdout", Terminal())
+    monkeypatch.setattr("shutil.get_terminal_size", lambda _otherwise: size)
+
+    found = look_at_terminal({"TERM": "vt220", "NO_COLOR": "1"}, "option")
+    assert said(found) == [*lines, "NO_COLOR is set: no colours.", "donnie starts linear, from the option."]
+    assert said(look_at_terminal({}, None))[-1] == "donnie starts the full screen."
+    monkeypatch.setattr(sys, "stdout", SimpleNamespace(encoding="utf-8", isatty=lambda: False))
+    assert said(look_at_terminal({}, None))[0] == "This is no terminal."
+
+
+def test_packages_without_which_donnie_prints_are_no_more_than_missed(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    optional = ("miniaudio", "espeakng-loader", "pyttsx3")
+    monkeypatch.setattr(doctor, "_version_of", lambda name: None if name in optional else "1")
+    assert {each.code for each in look_at_packages()} == {"doctor-package-optional"}
+    monkeypatch.setattr(doctor, "_version_of", lambda name: None if name not in optional else "1")
+    assert [each.values["name"] for each in look_at_packages() if each.code == "doctor-package-missing"] == [
+        *("textual", "rich", "lark", "pymunk", "pillow", "pyserial")
+    ]
+    monkeypatch.setattr(doctor, "_version_of", lambda _name: "1")
+    assert said(look_at_packages()) == ["All 9 packages are installed."]
+
+
+@pytest.mark.parametrize(("count", "end"), [(1, ": t0."), (20, ", t19."), (21, ", t19, ….")])
+def test_what_a_language_lacks_is_named_up_to_twenty_texts(
+    count: int, end: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(doctor, "mistakes", lambda: ("es/words.toml, line 3: no such key",))
+    missing = {"pt": tuple(f"t{number}" for number in range(count))}
+    monkeypatch.setattr(doctor, "missing_in", lambda language: missing.get(language, ()))
+
+    first, wrong, correct, lacks, translate = said(doctor.look_at_languages("en"))
+    assert first == "Languages: English, Portuguese, Spanish."
+    assert wrong == "Problem: es/words.toml, line 3: no such key."
+    assert correct == "Remedy: correct that line; until then English is used."
+    assert lacks.startswith(f"Problem: Portuguese lacks {count} text")
+    assert lacks.endswith(end)
+    assert translate == "Remedy: translate them, see docs/translating.md."
+
+
+@pytest.mark.parametrize(
+    ("player", "voices", "lines"),
+    [
+        ("", ("en",), ["Problem: no sound device works."]),
+        ("pulse", (), ["Sound goes through pulse.", "Problem: no voice works."]),
+        (
+            "pulse",
+            ("en", "es"),
+            [
+                "Sound goes through pulse.",
+                "There is a voice for English.",
+                "Problem: no voice for Portuguese.",
+                "There is a voice for Spanish.",
+            ],
+        ),
+    ],
+)
+def test_the_sound_device_and_the_voice_of_each_language_are_named(
+    player: str, voices: tuple[str, ...], lines: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(AudioService, "warm_up", lambda _: None)
+    monkeypatch.setattr(AudioService, "wait_until_ready", lambda *_: True)
+    monkeypatch.setattr(AudioService, "player", player)
+    monkeypatch.setattr(AudioService, "languages", voices)
+
+    found = said(doctor.look_at_worker("en"))
+    assert [each for each in found if not each.startswith("Remedy")] == lines
+    assert len(found) == len(lines) + sum(each.startswith("Problem") for each in lines)
+
+
+def test_the_reader_the_connection_the_voice_and_the_cues_are_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    facts = KnownEnvironment(
+        stdout_is_terminal=True, over_ssh=True, screen_reader="orca", has_voice=True, has_sound_device=True
+    )
+    asked: list[dict[str, bool]] = []
+    monkeypatch.setattr(doctor, "look_at_worker", lambda spoken: [Finding("doctor-player", {"name": spoken})])
+    monkeypatch.setattr(doctor, "DetectedEnvironment", lambda **how: asked.append(how) or facts)
+
+    there = said(look_at_speech(Settings(speech="off", robot="serial:x", language="pt"), True))
+    assert there[:4] == [
+        *("Screen reader: orca.", "You are here over SSH.", "No speech-dispatcher answers."),
+        "Donnie's answers are in print, as you chose.",
+    ]
+    assert there[-2] == "Sound goes through pt."
+    assert asked == [{"is_linear": True, "has_real_robot": True}]
+    facts = KnownEnvironment(True, False, None, True, True, has_ssip=True)
+    here = said(look_at_speech(Settings(speech="off", sound=False), False))
+    assert here[:2] == ["No screen reader was found; one may run elsewhere.", "speech-dispatcher answers."]
+    assert here[-1] == "Sound cues are off."
+    assert said(look_at_speech(Settings(speech="off"), False))[-1] == "Sound cues are on."
+    assert asked[1:2] == [{"is_linear": False, "has_real_robot": False}]
+
+
+def test_a_voice_that_was_asked_for_and_is_not_there_is_a_problem(monkeypatch: pytest.MonkeyPatch) -> None:
+    facts = KnownEnvironment(True, False, None, False, False)
+    monkeypatch.setattr(doctor, "look_at_worker", lambda _: ())
+    monkeypatch.setattr(doctor, "DetectedEnvironment", lambda **_: facts)
+    problems = {
+        speech: sum(not each.is_well for each in look_at_speech(Settings(speech=speech), True))
+        for speech in ("auto", "off", "text", "tts", "ssip")
+    }
+    assert problems == {"auto": 0, "off": 0, "text": 0, "tts": 1, "ssip": 1}
+
+
+def test_own_sounds_are_named_with_those_that_can_not_be_used(tmp_path: Path) -> None:
+    with wave.open(str(tmp_path / "bump.wav"), "wb") as file:
+        file.setparams((1, 2, 22_050, 0, "NONE", ""))
+        file.writeframes(b"\0\0" * 10)
+    for name in ("turn", "quack"):
+        (tmp_path / f"{name}.wav").write_bytes(b"RIFF")
+
+    lines = said(doctor.look_at_own_sounds(tmp_path))
+    assert lines[0] == "1 sound of your own: bump."
+    assert "Problem: your sound quack.wav is called like no cue." in lines
+    assert said(doctor.look_at_own_sounds(tmp_path / "none")) == []
+
+
+def test_a_port_is_looked_for_where_the_settings_say_it_is(tmp_path: Path) -> None:
+    port = tmp_path / "ttyACM0"
+    port.touch()
+    listed = FoundPort("/dev/of-no-machine", "/dev/of-no-machine", is_board=False)
+    assert said(look_at_ports(lambda: (FoundPort(str(port), "name", is_board=False),))) == [
+        "Serial port name can be used."
+    ]
+    assert not [*look_at_chosen_ports(Settings(belt="/dev/of-no-machine"), lambda: (listed,))]
+    assert not [*look_at_chosen_ports(Settings(robot="player://h:1"), lambda: ())]
+    assert said(look_at_chosen_ports(Settings(belt="/dev/" + "y" * 50), lambda: (listed,)))[0] == (
+        f"Problem: nothing is plugged in at /dev/{'y' * 35}, where belt looks."
+    )
+
+
+def test_settings_are_named_as_they_are_written(tmp_path: Path) -> None:
+    environment = {"XDG_CONFIG_HOME": str(tmp_path), "HOME": str(tmp_path), "DONNIE_MOUSE": "NO"}
+    folder = tmp_path / "donnie"
+    folder.mkdir()
+    (folder / "settings.toml").touch()
+    file = {"speed": "max", "linear": True, "trail": False, "record": "r" * 50}
+    settings, _ = resolve({}, environment, file)
+    confine(Confinement(str(tmp_path)))
+    try:
+        lines = said(look_at_settings(settings, environment))
+    finally:
+        confine(None)
+    assert lines == [
+        f"All files stay in {tmp_path}.",
+        f"Settings file: {folder}/settings.toml",
+        "speed is max, from the settings file.",
+        f"record is {'r' * 40}, from the settings file.",
+        "linear is on, from the settings file.",
+        "mouse is NO, from DONNIE_MOUSE.",
+        "trail is off, from the settings file.",
+    ]
+
+
+@pytest.mark.parametrize(("wrong", "last"), [(0, "All is well."), (1, "1 problem."), (2, "2 problems.")])
+def test_the_last_line_says_how_much_is_wrong_and_the_command_succeeds(
+    wrong: int, last: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[object] = []
+    findings = [*[doctor.amiss("doctor-no-voice")] * wrong, doctor.well("doctor-no-ports")]
+    monkeypatch.setattr(doctor, "examine", lambda *given: asked.append(given[2]) or findings)
+    out = io.StringIO()
+    made = Order(
+        Invocation("doctor", {}, Namespace()), Settings(linear=True), Words(), Output(out, io.StringIO()), {}
+    )
+
+    assert doctor.doctor(made) == 0
+    problem = ["Problem: no voice works.", "Remedy: install espeak-ng, or pip install espeakng-loader."]
+    assert out.getvalue().splitlines() == [*problem * wrong, "No serial port is plugged in.", last]
+    assert asked == ["settings"]
