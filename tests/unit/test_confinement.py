@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import errno
 import os
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -24,6 +26,7 @@ from donnie_tui.linear.reader import candidates
 from donnie_tui.process import confinement
 from donnie_tui.process.confinement import (
     Confinement,
+    OpenFolder,
     OutsideError,
     check_name,
     confine,
@@ -231,6 +234,11 @@ def test_what_comes_with_donnie_is_read_and_never_written(folder: Path, tmp_path
     for refused, mode in ((shipped / "a.inc", "w"), (shipped / "b.inc", "w"), (shipped / "out.inc", "r")):
         with pytest.raises(OutsideError):
             open_text(refused, mode)
+    for flag in (os.O_WRONLY, os.O_RDWR, os.O_CREAT, os.O_TRUNC, os.O_APPEND):
+        with pytest.raises(OutsideError) as outside:
+            open_descriptor(shipped / "a.inc", flag)
+    assert (outside.value.errno, outside.value.filename) == (errno.EACCES, str(shipped / "a.inc"))
+    assert (outside.value.path, outside.value.code) == (str(shipped / "a.inc"), "file-outside")
     with pytest.raises(OutsideError):
         check_name(shipped / "a.inc")
 
@@ -318,11 +326,28 @@ def test_only_what_is_inside_and_not_hidden_is_listed(folder: Path) -> None:
 
     assert {each.name for each in programs_in(folder)} == {"mine.gd", "inner.gd", "sub/", "within/"}
     assert [each.name for each in programs_in(folder / "within")] == ["coração é.gd"]
-    assert {each for each, _is_folder, _is_link in folder_items(folder)} == {
+    assert {*folder_items(folder)} == {
+        ("mine.gd", False, False),
+        ("inner.gd", False, True),
+        ("sub", True, False),
+        ("within", True, True),
+    }
+    before = [*Path("/proc/self/fd").iterdir()]
+    folder_items(folder)
+    os.close(open_descriptor("sub/coração é.gd", os.O_RDONLY))
+    assert len([*Path("/proc/self/fd").iterdir()]) == len(before)
+    confine(None)
+    everywhere = {name for name, *_ in folder_items(folder)}
+    assert everywhere == {
         "mine.gd",
         "inner.gd",
         "sub",
         "within",
+        "link.gd",
+        "relative.gd",
+        "chain.gd",
+        "way",
+        "root",
     }
 
 
@@ -346,3 +371,96 @@ def test_a_folder_that_becomes_a_link_while_it_is_checked_is_not_followed(
     monkeypatch.setattr(confinement, "check_name", swap)
     with pytest.raises(OSError):
         folder_items(folder / "sub")
+
+
+def test_an_open_folder_stays_the_same_one_while_it_is_used(folder: Path) -> None:
+    with OpenFolder(folder / "sub") as place:
+        (folder / "sub").rename(folder / "elsewhere")
+        (folder / "sub").symlink_to(folder.parent / "ana2")
+        os.close(place.open_new("new"))
+        with pytest.raises(FileExistsError):
+            place.open_new("new")
+        assert (folder / "elsewhere" / "new").stat().st_mode & 0o777 == 0o600
+        place.replace("new", "coração é.gd")
+        assert (folder / "elsewhere" / "coração é.gd").read_text() == ""
+        place.remove("coração é.gd")
+        number = place._number
+    assert not [*(folder / "elsewhere").iterdir()]
+    assert number is not None
+    with pytest.raises(OSError):
+        os.fstat(number)
+    with pytest.raises(OutsideError):
+        OpenFolder(folder.parent)
+
+
+def test_an_unconfined_folder_is_used_by_its_name(folder: Path) -> None:
+    confine(None)
+    with OpenFolder(folder / "sub") as place:
+        number = place.open_new("new")
+        os.write(number, b"FW 1")
+        os.lseek(number, 0, os.SEEK_SET)
+        assert os.read(number, 4) == b"FW 1", "it is written and read"
+        os.close(number)
+        place.replace("new", "old")
+    assert (folder / "sub" / "old").read_text() == "FW 1"
+
+
+def test_a_text_is_read_with_any_line_ends_and_written_with_one(folder: Path) -> None:
+    umask = os.umask(0)
+    with open_text("mine.gd", "w") as file:
+        file.write("é\n")
+    with open_text("new2.gd", "w") as file:
+        file.write("x")
+    os.umask(umask)
+    assert (folder / "mine.gd").read_bytes() == b"\xc3\xa9\n"
+    assert (folder / "new2.gd").stat().st_mode & 0o777 == 0o666
+    (folder / "mine.gd").write_bytes(b"a\r\nb\rc\xff\n")
+    with open_text("mine.gd", errors="replace") as file:
+        assert file.read() == "a\nb\nc\ufffd\n"
+    with open_text("mine.gd") as file, pytest.raises(UnicodeDecodeError):
+        file.read()
+    with open_bytes("mine.gd") as file:
+        assert os.get_blocking(file.fileno())
+        assert not os.get_inheritable(file.fileno())
+
+
+@pytest.mark.parametrize(
+    ("outer", "path", "rest"),
+    [("/a", "/a", ""), ("/a", "/a/b/c", "b/c"), ("/", "/b", "b"), ("/a", "/ab", None), ("/a/b", "/a", None)],
+)
+def test_a_path_is_below_a_folder_by_whole_names(outer: str, path: str, rest: str | None) -> None:
+    assert confinement.part_below(outer, path) == rest
+
+
+def test_a_confined_session_has_a_folder_of_its_own_and_starts_no_program(folder: Path) -> None:
+    held = confinement.confinement()
+    assert held is not None
+    assert (held.folder, held.own_folder) == (str(folder), f"{folder}/.donnie")
+    assert not confinement.may_run_programs()
+    confinement.check_own(folder / ".donnie" / "unsaved")
+    for _ in range(2):
+        make_folder(folder / ".donnie" / "unsaved")
+    with pytest.raises(OutsideError):
+        confinement.check_own(folder / "way" / "x")
+    confine(None)
+    assert confinement.may_run_programs()
+    confinement.check_own("/")
+    assert confinement.confinement() is None
+
+
+def test_a_path_without_a_place_is_only_made_shorter(
+    folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert confinement.real_path("a/../b\0") == "b\0"
+    assert confinement.real_path(folder / "within") == str(folder / "sub")
+    assert not is_allowed("b\0")
+    confine(None)
+    (tmp_path / "gone").mkdir()
+    monkeypatch.chdir(tmp_path / "gone")
+    (tmp_path / "gone").rmdir()
+    assert confinement.real_path("a/../b") == "b"
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="another system may not have what it needs")
+def test_a_session_can_be_confined_here() -> None:
+    assert confinement.IS_POSSIBLE
