@@ -170,7 +170,7 @@ def test_a_person_is_offered_to_stop_a_robot_that_drives(
     ]
 
 
-def test_a_robot_that_does_not_stop_drives_on_for_the_one_who_asked(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_one_robot_that_does_not_stop_makes_the_list_a_failure(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("sys.stdin", Person("yes\nyes\n"))
     outcomes = iter([HaltOutcome.DRIVES, HaltOutcome.STANDS])
     made, out = order(["driving", "mute", "driving"])
