@@ -93,7 +93,10 @@ def _run(
     chosen[0].config.pluginmanager.register(Watch())
     for item, following in zip(chosen, [*chosen[1:], None], strict=True):
         _send(answers, {"begins": item.nodeid})
-        item.config.hook.pytest_runtest_protocol(item=item, nextitem=following)
+        try:
+            item.config.hook.pytest_runtest_protocol(item=item, nextitem=following)
+        except BaseException:  # noqa: BLE001 -- of pytest, while it reports a failure
+            return _send(answers, {"failed": item.nodeid})
         if failed or sum(os.times()[:4]) > request["seconds"]:
             return item.session._setupstate.teardown_exact(None)
     return None
@@ -173,7 +176,7 @@ class ForkedTests:
             _PIPES: f"{theirs} {their_answers}",
         }
         self._process = subprocess.Popen(
-            [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-p", "no:xdist",
+            [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-p", "no:xdist", "--tb=native",
              "-p", "tests.tools.forked_tests", *self.options],
             cwd=self.folder, env=environment, pass_fds=(theirs, their_answers), stdin=subprocess.DEVNULL,
             start_new_session=True,
