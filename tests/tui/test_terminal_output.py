@@ -25,7 +25,16 @@ STYLES = [
     Style.parse(each)
     for each in ("red on black", "blue on black", "bold on white", "reverse", "underline", "")
 ]
-LETTERS = [*"aabb    éü²=界🤖", "e\u0301"]
+LETTERS = [*"aabb    éü²=界🤖", "e\u0301", "so\xadft"]
+
+
+def part_of_screen(chance: random.Random) -> ChopsUpdate:
+    """Two strips in a row, of which a span is to be painted."""
+    row, first, last = chance.randrange(ROWS), chance.randrange(20), chance.randrange(4, COLUMNS)
+    strips: dict[int, Strip | None] = {0: some_strip(chance), 12: some_strip(chance)}
+    strips[chance.choice((24, 0))] = None
+    chops = [strips if row == y else {} for y in range(ROWS)]
+    return ChopsUpdate(chops, [(row, min(first, last), last)], [[12, 24, COLUMNS]] * ROWS)
 
 
 def update(x: int, y: int, strip: Strip) -> ChopsUpdate:
@@ -35,8 +44,9 @@ def update(x: int, y: int, strip: Strip) -> ChopsUpdate:
 
 
 def whole_screen(chance: random.Random) -> LayoutUpdate:
-    strips = [[some_strip(chance), some_strip(chance)] for _ in range(ROWS)]
-    return LayoutUpdate(strips, Region(0, 0, COLUMNS, ROWS))
+    x, y = chance.randrange(4), chance.randrange(2)
+    strips = [[some_strip(chance), some_strip(chance)] for _ in range(ROWS - y)]
+    return LayoutUpdate(strips, Region(x, y, 24, ROWS - y))
 
 
 def some_strip(chance: random.Random) -> Strip:
@@ -71,7 +81,9 @@ def test_the_terminal_shows_the_same():
     thin, whole, painted = Seen(), Seen(), Painted()
     for _ in range(600):
         x, y, strip = chance.randrange(2) * 12, chance.randrange(ROWS), some_strip(chance)
-        given = whole_screen(chance) if chance.random() < 0.1 else update(x, y, strip)
+        given = chance.choice((update(x, y, strip), part_of_screen(chance)))
+        if chance.random() < 0.1:
+            given = whole_screen(chance)
         thin.feed(painted.less(given).render_segments(CONSOLE))
         whole.feed(given.render_segments(CONSOLE))
 
@@ -87,12 +99,68 @@ def test_what_is_there_already_costs_nothing_and_one_letter_little():
     assert painted.less(update(0, 0, after)).render_segments(CONSOLE) == "\x1b[31;40m\x1b[1;10H5\x1b[0m"
 
 
+@pytest.mark.parametrize(
+    ("changed", "runs"),
+    [
+        ([], []),
+        ([0], [(0, 1)]),
+        ([3, 4, 20], [(3, 21)]),
+        ([3, 20], [(3, 4), (20, 21)]),
+        ([1, 17, 34, 35], [(1, 18), (34, 36)]),
+    ],
+)
+def test_cells_with_at_most_fifteen_equal_ones_between_them_are_written_together(changed, runs):
+    """The way to another place in a row is up to eight bytes, and a style comes with it."""
+    assert list(terminal_output._runs(changed)) == runs
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "is_sent"),
+    [
+        ("red on black", "blue on black", False),
+        ("bold italic", "", False),
+        ("red on black", "red on white", True),
+        *(
+            (f"{each} on black", "on black", True)
+            for each in ("underline", "underline2", "reverse", "strike", "overline", "link a.org")
+        ),
+    ],
+)
+def test_a_blank_is_written_only_if_its_look_changes(before, after, is_sent):
+    painted = Painted()
+    for style in (before, after):
+        given = update(0, 0, Strip([Segment("  ", Style.parse(style))]))
+        sent = painted.less(given).render_segments(CONSOLE)
+
+    assert bool(sent) is is_sent
+
+
+@pytest.mark.parametrize(
+    ("colours", "red"),
+    [("truecolor", "38;2;250;1;2"), (None, "38;2;250;1;2"), ("256", "38;5;196"), ("standard", "31")],
+)
+def test_colours_are_those_that_the_terminal_has(colours, red):
+    """If it is not known, all: Textual asks for them so."""
+    console = Console(force_terminal=True, color_system=colours)
+    given = update(0, 0, Strip([Segment("FW", Style(color="#fa0102"))]))
+
+    assert Painted().less(given).render_segments(console) == f"\x1b[{red}m\x1b[1;1HFW\x1b[0m"
+
+
 def test_after_something_else_was_written_nothing_is_known():
     painted, strip = Painted(), Strip([Segment("FW 4", STYLES[0])])
     sent = painted.less(update(0, 0, strip)).render_segments(CONSOLE)
     for forget in (lambda: painted.less("something else"), painted.forget):
         forget()
         assert painted.less(update(0, 0, strip)).render_segments(CONSOLE) == sent
+
+    first = LayoutUpdate([[strip]], Region(0, 0, 4, 1))
+    painted = Painted()
+    painted.less(first).render_segments(CONSOLE)
+    painted.forget()
+    assert painted.less(first).render_segments(CONSOLE) == first.render_segments(CONSOLE)
+    assert painted.less(None) is None
+    assert painted.less(first).render_segments(CONSOLE) == ""  # nothing was written: all is known
 
 
 def test_a_whole_screen_that_shows_the_same_costs_nothing():
@@ -135,6 +203,50 @@ def test_where_rows_are_written_whole_a_typed_letter_is_a_letter():
     assert "FW" not in sent(painted, "FW 12", typing=Offset(5, 0))
     assert "FW 123" in sent(painted, "FW 123", typing=Offset(3, 1))
     assert "BK 123" in sent(painted, "BK 123", typing=Offset(6, 0))
+
+
+@pytest.mark.parametrize(
+    ("after", "cursor", "is_whole"),
+    [
+        ("FW 12", 6, False),  # the letter before the one before the cursor
+        ("FW 12", 7, True),
+        ("FX 1", 4, True),
+        ("FW 1", 4, True),  # the same letters in another style, as a mark
+    ],
+)
+def test_a_row_is_written_whole_if_it_changes_before_the_typed_letters(after, cursor, is_whole):
+    painted = Painted()
+    sent(painted, "FW 1")
+    style = STYLES[1 if after == "FW 1" else 0]
+    strip = Strip([Segment(after.ljust(20), style)])
+    given = painted.less(update(0, 0, strip), rows=True, typing=Offset(cursor, 0))
+
+    assert (f"{after}" in given.render_segments(CONSOLE)) is is_whole
+
+
+@pytest.mark.parametrize(("rows", "is_whole"), [(1, False), (2, False), (3, True)])
+def test_a_typed_letter_may_change_the_status_line_too(rows, is_whole):
+    """If more rows change, it is no letter: the row was filled anew."""
+    painted = Painted()
+    for text in ("FW 1", "FW 12"):
+        strips = [
+            {0: Strip([Segment(text.ljust(20), STYLES[0])])} if row < rows else {} for row in range(ROWS)
+        ]
+        given = ChopsUpdate(strips, [(row, 0, COLUMNS) for row in range(rows)], [[COLUMNS]] * ROWS)
+        written = painted.less(given, rows=True, typing=Offset(5, 0)).render_segments(CONSOLE)
+
+    assert ("\x1b[1;1HFW 12" in written) is is_whole
+    assert ("\x1b[2;1HFW 12" in written) is (rows > 1)
+
+
+def test_a_whole_row_ends_after_its_last_letter_or_change():
+    """Blanks after it say nothing."""
+    painted = Painted()
+    first = sent(painted, "ab")
+    assert "ab" + " " * 18 in first  # what was there is not known
+
+    assert sent(painted, "ac").endswith("Hac\x1b[0m")
+    assert sent(painted, "a").endswith("Ha \x1b[0m")
 
 
 @pytest.fixture
