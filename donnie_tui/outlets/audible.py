@@ -199,7 +199,7 @@ class Audible:
         """Change settings, by the names of their fields."""
         sources = {**self._settings.sources, **dict.fromkeys(changed, SettingSource.OPTION)}
         self._settings = replace(self._settings, sources=sources, **changed)
-        if changed.keys() & _OF_THE_CHANNEL or self._lacks_cues():
+        if changed.keys() & _OF_THE_CHANNEL:
             self._make_anew()
         elif changed.keys() & _OF_THE_VOICE:
             for each in self._made.voiced:
@@ -217,9 +217,6 @@ class Audible:
     def _is_mute(self) -> bool:
         """Whether a device was looked for, and there is none that works."""
         return self._made.audio is not None and self._made.audio.is_mute
-
-    def _lacks_cues(self) -> bool:
-        return self._made.cue_player is None and wants_cues(self._settings, self._facts)
 
     def _make_anew(self) -> None:
         self._own.close()
@@ -317,7 +314,6 @@ class _AudioAssembler:
 
     def _worker(self) -> AudioService:
         from devices.audio.service import AudioService, AudioSettings
-        from donnie_tui.outlets.audible import spoken_languages
 
         settings = AudioSettings(
             voice_of(self._settings),
@@ -332,7 +328,6 @@ class _AudioAssembler:
 
     def _ssip(self) -> Speaker:
         from devices.audio.speech_dispatcher import SsipSpeaker
-        from donnie_tui.outlets.audible import spoken_languages
 
         address = ssip_address(os.environ)
         assert address is not None  # it was reached when the channel was chosen

@@ -31,8 +31,10 @@ class RecordingAudio:
         self.volumes: list[Mapping[str, float]] = []
         self.opened = self.closed = 0
         self.is_mute = False
+        self.utterances: list[Utterance] = []
 
     def say(self, utterance: Utterance) -> None:
+        self.utterances.append(utterance)
         self.heard.append(utterance.text)
 
     def play(self, cue: Cue) -> None:

@@ -1,28 +1,38 @@
 """Voice and cues follow the settings and the environment. What is impossible is reported in one sentence."""
 
 import re
+from collections.abc import Callable
 from contextlib import ExitStack
 from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Any, Self
 
 import pytest
 from msgspec.structs import replace
 
 from devices.audio.service import AudioSettings
-from devices.ports.audio import SilentSpeaker, Utterance
+from devices.ports.audio import (
+    AudioNotice,
+    NoticeCode,
+    SilentSpeaker,
+    Urgency,
+    Utterance,
+    VoiceSettings,
+)
 from donnie_tui.commands.preferences import find_preference, value_typed
-from donnie_tui.core.events import Announced, Chimed, SoundSwitched, Spoke
+from donnie_tui.core.events import Announced, Answered, Chimed, Event, SoundSwitched, Spoke, Stamped
 from donnie_tui.core.outlets import Voice, VoiceScope
 from donnie_tui.core.transcript import printed_lines
 from donnie_tui.i18n.words import Words
 from donnie_tui.outlets import audible
-from donnie_tui.outlets.audible import make_audible, wants_cues
+from donnie_tui.outlets.audible import TypingEcho, make_audible, wants_cues
 from donnie_tui.settings.settings import Settings, SettingSource
 from language.locales import languages
 from tests.floor import Floor
 from tests.sessions.learner import until
 from tests.unit.audio.known_environment import KnownEnvironment
+from tests.unit.cli.listening import RecordingAudio
 from tests.unit.ssip.server import Server
 
 HOME = KnownEnvironment(
@@ -160,6 +170,286 @@ def test_a_speech_dispatcher_keeps_the_voice_settings_that_were_not_chosen(
     server.close()
 
 
+# --- one worker with the voice and the cues
+
+
+class Worker(RecordingAudio):
+    """Records what it was opened with, and how long it was waited for."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.settings: list[AudioSettings] = []
+        self.report: Callable[[AudioNotice], None] = lambda _: None
+        self.is_quiet = self.is_silent = True
+        self.waited: list[tuple[str, float]] = []
+
+    def open(self, settings: AudioSettings, report: Callable[[AudioNotice], None]) -> Self:
+        self.settings.append(settings)
+        self.report = report
+        return self
+
+    def wait_until_quiet(self, seconds: float) -> bool:
+        self.waited.append(("voice", seconds))
+        return self.is_quiet
+
+    def wait_until_silent(self, seconds: float) -> bool:
+        self.waited.append(("cues", seconds))
+        return self.is_silent
+
+
+class OneWorker:
+    """Voice and cues of a session, with a recording worker."""
+
+    def __init__(self, around: KnownEnvironment, settings: Settings, language: str = "en") -> None:
+        self.worker, self.floor, self.closing = Worker(), Floor(), ExitStack()
+        self.facts: list[dict[str, object]] = []
+        with pytest.MonkeyPatch.context() as patch:
+            self._patch(patch, around)
+            self.audible = make_audible(settings, self.floor.session, Words(language), self.closing)
+
+    def _patch(self, patch: pytest.MonkeyPatch, around: KnownEnvironment) -> None:
+        def environment(**given: object) -> KnownEnvironment:
+            self.facts.append(given)
+            return around
+
+        self._around = around
+        patch.setattr(audible, "DetectedEnvironment", environment)
+        patch.setattr("devices.audio.service.AudioService", self.worker.open)
+
+    def adjust(self, **changed: object) -> None:
+        with pytest.MonkeyPatch.context() as patch:
+            self._patch(patch, self._around)
+            self.audible.adjust(**changed)
+
+    def move_to(self, *, is_linear: bool) -> None:
+        with pytest.MonkeyPatch.context() as patch:
+            self._patch(patch, self._around)
+            self.audible.move_to(is_linear=is_linear)
+
+    def happens(self, *events: Event) -> None:
+        for each in events:
+            self.floor.session.hub.publish(each)
+
+
+OFF = SoundSwitched(False)
+
+
+@pytest.mark.parametrize(
+    ("settings", "around", "is_mute", "events", "code"),
+    [
+        (Settings(), HOME, False, (), None),
+        (Settings(), HOME, False, (OFF, SoundSwitched(True)), None),
+        (Settings(), HOME, False, (OFF,), "cues-switched-off"),
+        (Settings(), HOME, True, (), "cues-no-device"),
+        (Settings(), HOME, True, (OFF,), "cues-no-device"),
+        (Settings(speech="off"), facts(has_sound_device=False), False, (), "cues-no-device"),
+        (Settings(speech="off", sound=False), facts(has_sound_device=False), False, (), "cues-silent"),
+        (Settings(sound=False), HOME, False, (), "cues-silent"),
+        (Settings(speech="off"), facts(over_ssh=True), False, (), "cues-silent"),
+    ],
+)
+def test_why_no_cue_sounds(
+    settings: Settings, around: KnownEnvironment, is_mute: bool, events: tuple[Event, ...], code: str | None
+) -> None:
+    made = OneWorker(around, settings)
+    made.worker.is_mute = is_mute
+    made.happens(*events)
+
+    assert made.audible.has_cues is (code is None)
+    assert code is None or made.audible.why_no_cues == code
+
+
+@pytest.mark.parametrize(
+    ("settings", "heard"),
+    [
+        (Settings(), ["(hush)", "(no cues)"]),
+        (Settings(sound=False), ["(hush)"]),
+        (Settings(speech="off"), ["(no cues)"]),
+    ],
+)
+def test_the_voice_and_the_cues_can_be_silenced(settings: Settings, heard: list[str]) -> None:
+    made = OneWorker(HOME, settings)
+    made.audible.hush_all()
+
+    assert made.worker.heard == heard
+    assert made.audible.hushed == 1
+
+
+@pytest.mark.parametrize(
+    ("settings", "around", "events", "is_said"),
+    [
+        (Settings(speech="tts"), HOME, (), True),
+        (Settings(speech="tts"), HOME, (OFF,), False),
+        (Settings(speech="tts"), facts(screen_reader="orca"), (), False),
+        (Settings(speech="off"), HOME, (), False),
+        (Settings(speech="robot"), HOME, (), False),
+    ],
+)
+def test_the_own_voice_says_typed_keys_unless_a_screen_reader_does(
+    settings: Settings, around: KnownEnvironment, events: tuple[Event, ...], is_said: bool
+) -> None:
+    made = OneWorker(around, settings)
+    made.happens(*events)
+
+    assert made.audible.echoes is is_said
+
+
+def test_a_worker_is_opened_only_for_a_voice_or_cues() -> None:
+    """With the learner's voice and volumes, and all languages."""
+    assert OneWorker(HOME, Settings(speech="off", sound=False)).worker.settings == []
+    assert OneWorker(HOME, Settings(speech="robot", sound=False)).audible.has_cues is False
+    assert OneWorker(HOME, Settings(speech="off")).audible.has_cues
+
+    chosen = Settings(rate=300, volume=20, cues={"bump": 5}, sources={"volume": SettingSource.FILE})
+    (settings,) = OneWorker(HOME, chosen).worker.settings
+    assert settings.voice == VoiceSettings(300, 50, 0.2, "some", frozenset({"volume"}))
+    assert settings.cue_volumes == {"bump": 0.05}
+    assert set(settings.languages) == set(languages())
+
+
+@pytest.mark.parametrize(("robot", "is_real"), [("serial", True), ("serial:/dev/x", True), ("sim", False)])
+def test_where_speak_is_spoken_depends_on_whether_the_robot_is_real(robot: str, is_real: bool) -> None:
+    made = OneWorker(HOME, Settings(robot=robot))
+
+    assert made.facts == [{"is_linear": True, "has_real_robot": is_real}]
+
+
+def test_the_end_waits_for_the_voice_and_then_for_the_cues() -> None:
+    made = OneWorker(HOME, Settings())
+    assert made.audible.is_still_within(2.0)
+    assert made.worker.waited == [("voice", 2.0), ("cues", 2.0)]
+
+    made.worker.is_silent = False
+    assert not made.audible.is_still_within(2.0)
+    assert made.audible.is_quiet_within(2.0)
+
+    made.worker.is_silent, made.worker.is_quiet = True, False
+    assert not made.audible.is_still_within(2.0)
+    assert not made.audible.is_quiet_within(2.0)
+    assert OneWorker(HOME, Settings(speech="off", sound=False)).audible.is_still_within(2.0)
+
+
+def test_nothing_is_said_after_the_end() -> None:
+    made = OneWorker(HOME, Settings())
+    made.happens(Spoke("One."))
+    made.closing.close()
+    made.happens(Spoke("Two."), Chimed("bump"), OFF)
+
+    assert made.worker.heard == ["One."]
+    assert made.worker.closed == 1
+    assert made.audible.is_on
+
+
+class AnswersOnly:
+    """Prints answers, and a line before each."""
+
+    def before(self, stamped: Stamped) -> tuple[str, ...]:
+        return ("Before.",) if self.passes(stamped) else ()
+
+    def passes(self, stamped: Stamped) -> bool:
+        return isinstance(stamped.event, Announced)
+
+
+def test_a_voice_says_only_what_a_filter_prints_until_that_ends() -> None:
+    made = OneWorker(HOME, Settings())
+    end = made.audible.speak_only(AnswersOnly())
+    made.happens(Spoke("Hi."), Announced("moved", "Moved."))
+    end()
+    made.happens(Spoke("Ho."))
+
+    assert made.worker.heard == ["Before.", "Moved.", "Ho."]
+
+
+def test_the_greeting_comes_before_typed_keys_in_the_learners_language() -> None:
+    made = OneWorker(HOME, Settings(), "pt")
+    made.audible.say_printed("Olá.")
+    made.audible.echo("f")
+
+    assert made.worker.utterances == [
+        Utterance("Olá.", Urgency.ANSWER, "pt"),
+        Utterance("f", Urgency.PROGRESS, "pt"),
+    ]
+
+
+def test_a_changed_setting_reaches_the_worker_and_only_another_channel_opens_a_new_one() -> None:
+    made = OneWorker(HOME, Settings(speech="tts"))
+    made.adjust(pitch=10)
+    made.adjust(cues={"scan": 50})
+    made.adjust(key_echo="words")
+
+    assert made.worker.voices == [VoiceSettings(180, 10, 1.0, "some", frozenset({"pitch"}))]
+    assert made.worker.volumes[0] == {"scan": 0.5}
+    assert (len(made.worker.settings), made.worker.closed) == (1, 0)
+    assert made.audible.settings.source_of("pitch") is SettingSource.OPTION
+    assert made.audible.settings.source_of("rate") is SettingSource.DEFAULT
+
+    made.adjust(sound=False)
+    assert (len(made.worker.settings), made.worker.closed) == (2, 1)
+    assert not made.audible.has_cues
+    made.adjust(speech="off")
+    assert (len(made.worker.settings), made.worker.closed) == (2, 2)
+    assert not made.audible.speaks
+    made.adjust(rate=100, key_echo="none")  # nothing needs it yet
+    made.adjust(key_echo="words")
+    made.adjust(sound=True)
+    assert made.worker.settings[-1].voice.words_per_minute == 100
+    assert made.audible.has_cues
+
+
+def test_the_other_mode_chooses_its_voice_once() -> None:
+    made = OneWorker(HOME, Settings())
+    for is_linear in (True, False, False):
+        made.move_to(is_linear=is_linear)
+
+    assert [each["is_linear"] for each in made.facts] == [True, False]
+    assert (len(made.worker.settings), made.worker.closed) == (2, 1)
+
+
+@pytest.mark.parametrize(
+    ("notice", "sentence"),
+    [
+        (
+            AudioNotice(NoticeCode.VOICE_MISSING, "pt"),
+            "There is no voice for Portuguese. It is in print only.",
+        ),
+        (AudioNotice(NoticeCode.NO_SOUND_DEVICE), "There is no sound device. Everything is in print."),
+    ],
+)
+def test_what_the_worker_reports_is_an_answer(notice: AudioNotice, sentence: str) -> None:
+    made = OneWorker(HOME, Settings())
+    made.worker.report(notice)
+
+    assert made.floor.events == [Answered(sentence)]
+
+
+@pytest.mark.parametrize(
+    ("kind", "calls", "said"),
+    [
+        ("characters", [("typed", "x" * 201, "")], ["x" * 200]),
+        ("characters", [("typed", " \n", ""), ("typed", "", "")], []),
+        ("characters", [("deleted", "abc"), ("deleted", "")], ["c."]),
+        ("characters", [("ended", "FW 3")], []),
+        ("words", [("typed", " ", "turn left"), ("typed", "b ", "a"), ("typed", "b", "a")], ["left", "ab"]),
+        ("words", [("typed", " ", ""), ("ended", ""), ("ended", "FW 3"), ("deleted", "abc")], ["3"]),
+        ("words", [("ended", "y" * 201)], ["y" * 200]),
+        ("none", [("typed", "x", ""), ("typed", " ", "x"), ("deleted", "x"), ("ended", "x")], []),
+    ],
+)
+def test_typed_text_is_said_as_its_kind_says(
+    kind: str, calls: list[tuple[str, ...]], said: list[str]
+) -> None:
+    """Of a long text the first 200 characters."""
+    heard: list[str] = []
+    voice: Any = SimpleNamespace(settings=Settings(key_echo=kind), echoes=True, echo=heard.append)
+    for name, *arguments in calls:
+        getattr(TypingEcho(voice, Words()), name)(*arguments)
+
+    assert heard == said
+
+
+# --- two voices
+
+
 class TwoVoices:
     """A speech-dispatcher and a built-in voice that replace real ones."""
 
@@ -185,9 +475,10 @@ def test_each_voice_says_its_part_and_silence_reaches_both(
         made = make_audible(settings, floor.session, Words(), closing)
         floor.session.hub.publish(Announced("moved", "Moved."))
         floor.session.hub.publish(Spoke("Hi."))
+        made.echo("x")
         made.hush()
 
-    assert (voices.server.said, voices.own.said) == (at_server, own)
+    assert (voices.server.said, voices.own.said) == ([*at_server, "x"], own)
     assert voices.server.silenced == 1
     assert voices.own.silenced == bool(own)
 
@@ -243,14 +534,19 @@ def test_the_cues_report_that_no_device_works(monkeypatch: pytest.MonkeyPatch) -
 
 
 @pytest.mark.parametrize(
-    ("speech", "is_on", "said"), [("ssip", True, ["Hi.", "Ho."]), ("ssip", False, []), ("robot", True, [])]
+    ("settings", "is_on", "said"),
+    [
+        (Settings(speech="ssip", speak="both"), True, ["Hi.", "Ho."]),
+        (Settings(speech="ssip"), False, []),
+        (Settings(speech="robot"), True, []),
+    ],
 )
 def test_lines_printed_earlier_are_said_by_the_voice_of_the_answers(
-    monkeypatch: pytest.MonkeyPatch, speech: str, is_on: bool, said: list[str]
+    monkeypatch: pytest.MonkeyPatch, settings: Settings, is_on: bool, said: list[str]
 ) -> None:
     voices, floor = TwoVoices(monkeypatch), Floor()
     with ExitStack() as closing:
-        made = make_audible(Settings(speech=speech, sound=False), floor.session, Words(), closing)
+        made = make_audible(replace(settings, sound=False), floor.session, Words(), closing)
         if not is_on:
             floor.session.hub.publish(SoundSwitched(False))
         made.say_printed("Hi.", "Ho.")

@@ -2,23 +2,34 @@
 
 from __future__ import annotations
 
+import json
+import os
+import re
 import wave
 from array import array
+from collections.abc import Callable
 from contextlib import ExitStack
 from io import StringIO
 from pathlib import Path
+from typing import BinaryIO
 
 import pytest
 
+from devices.ports.audio import Cue
+from devices.ports.robot import Bearing, Pose
+from donnie_tui import __version__
 from donnie_tui.cli.streams import Guarded, Output, is_terminal
 from donnie_tui.core import answer_log
-from donnie_tui.core.events import Spoke
+from donnie_tui.core.belt import BeltSettings
+from donnie_tui.core.events import CueSounded, Outcome, RunEnded, Spoke, Stamped
 from donnie_tui.core.hub import Hub
 from donnie_tui.core.session import RunOptions
 from donnie_tui.core.transcript import printed_lines
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.outlets.files import SessionFiles, may_be_replaced
+from donnie_tui.outlets import files
+from donnie_tui.outlets.files import SessionFiles, SoundFile, is_named_pipe, may_be_replaced
 from donnie_tui.settings.settings import Settings
+from donnie_tui.world.loading import inhabited_world
 from tests.floor import Floor
 from tests.timeouts import TIMEOUT
 
@@ -89,6 +100,167 @@ def test_a_second_run_sounds_after_the_first_and_sound_off_writes_nothing(
 
     heard = {int(each) for each in loud_seconds(path)}
     assert heard == {1, 5, 11, 15}  # a step and an end; nothing; a step and an end
+
+
+class FailingCues:
+    """A WAV file that can't be written at some time."""
+
+    def __init__(self, *failing: str) -> None:
+        self._failing = failing
+        self.added: list[tuple[str, float]] = []
+
+    def _do(self, name: str) -> None:
+        if name in self._failing:
+            raise OSError(28, "No space left on device")
+
+    def add(self, cue: Cue, at: float) -> None:
+        self.added.append((cue.name, at))
+        self._do("add")
+
+    def write_until(self, at: float) -> None:
+        self._do("write")
+
+    def close(self) -> None:
+        self._do("close")
+
+
+@pytest.mark.parametrize(
+    ("failing", "added", "failures"),
+    [
+        ([], [("bump", 1.0), ("scan", 5.5)], 0),
+        (["add", "close"], [("bump", 1.0)], 1),
+        (["write"], [("bump", 1.0)], 1),
+        (["close"], [("bump", 1.0), ("scan", 5.5)], 1),
+    ],
+)
+def test_a_sound_file_that_fails_takes_no_more_cues_and_is_reported_once(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    failing: list[str],
+    added: list[tuple[str, float]],
+    failures: int,
+) -> None:
+    cues = FailingCues(*failing)
+    monkeypatch.setattr("devices.audio.mixer.WavCueWriter", lambda out: out.close() or cues)
+    problems = list[OSError]()
+    sounds = SoundFile(str(tmp_path / "a.wav"), problems.append)
+    ended = RunEnded(Outcome.COMPLETED, Pose(0, 0, 0), {}, 4.0)
+    for at, event in ((1.0, CueSounded("bump", 0.0, None)), (4.0, ended), (1.5, CueSounded("scan", 0.0, 3))):
+        sounds(Stamped(1, at, event))
+    sounds.close()
+
+    assert cues.added == added
+    assert [str(each) for each in problems] == ["[Errno 28] No space left on device"] * failures
+
+
+@pytest.mark.skipif(not FULL.exists(), reason="needs a device that is always full")
+@pytest.mark.parametrize("name", ["record", "events", "sound"])
+def test_a_full_file_is_reported_once_and_counts_as_lost(name: str) -> None:
+    """A recording says so before the session begins: its first line is how it was made."""
+    floor = Floor()
+    hub, words = floor.session.hub, Words()
+    closing = ExitStack()
+    written = SessionFiles(Settings(**{name: str(FULL)}), hub, words, closing)
+    sentence = "I can't write /dev/full: the disk is full."
+    if name == "record":
+        with pytest.raises(Unusable, match=re.escape(sentence)):
+            written.recording(inhabited_world("corridor", words))
+        assert written.paths == [str(FULL)]
+        return
+
+    written.events(None)
+    written.sounds()
+    assert written.paths == [str(FULL)]
+    hub.publish(Spoke("a"))
+    hub.publish(CueSounded("bump", 0.0, None))
+    closing.close()
+    assert floor.printed == ["a", sentence]
+    assert written.lost == [str(FULL)]
+
+
+def test_what_is_not_asked_for_is_not_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    hub, out = Hub(lambda: 0.0), StringIO()
+    with ExitStack() as closing:
+        written = SessionFiles(Settings(), hub, Words(), closing)
+        written.events(out)
+        written.recording(inhabited_world("corridor", Words()))
+        written.sounds()
+        written.log()
+        hub.publish(Spoke("a"))
+
+    assert (out.getvalue(), written.paths, written.of_this_session) == ("", [], None)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_events_are_written_to_standard_output_which_a_prompt_has_not() -> None:
+    hub, out = Hub(lambda: 0.0), StringIO()
+    with ExitStack() as closing:
+        written = SessionFiles(Settings(events="-"), hub, Words(), closing)
+        with pytest.raises(Unusable, match="is for donnie run"):
+            written.events(None)
+        written.events(out)
+        hub.publish(Spoke("a"))
+
+    assert [json.loads(line)["text"] for line in out.getvalue().splitlines()] == ["a"]
+    assert written.paths == []
+
+
+def test_a_recording_begins_with_how_it_was_made(tmp_path: Path) -> None:
+    """The belt's steps and columns, those of the settings in place of the original ones."""
+    file = tmp_path / "a.rec"
+    settings = Settings(record=str(file), seed=7, belt_steps=(1, 2, 3), belt_columns={Bearing.FRONT: (0, 6)})
+    hub = Hub(lambda: 0.0)
+    with ExitStack() as closing:
+        SessionFiles(settings, hub, Words(), closing).recording(inhabited_world("corridor", Words()))
+        hub.publish(Spoke("a"))
+    header, event = map(json.loads, file.read_text(encoding="utf-8").splitlines())
+
+    assert [header[each] for each in ("version", "seed", "robot")] == [__version__, 7, "sim"]
+    assert header["belt"]["steps"] == [1, 2, 3]
+    assert header["belt"]["columns"] == {
+        **{str(each.value): list(columns) for each, columns in BeltSettings().columns.items()},
+        str(Bearing.FRONT.value): [0, 6],
+    }
+    assert header["world"]["name"] == "corridor"
+    assert event["text"] == "a"
+
+
+def test_a_folder_of_logs_that_can_not_be_made_prevents_the_start(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "Log").touch()
+    with ExitStack() as closing, pytest.raises(Unusable, match="I can't write Log: "):
+        SessionFiles(Settings(log=True), Hub(lambda: 0.0), Words(), closing).log()
+
+
+def test_a_log_is_named_after_those_before(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    for _ in range(2):
+        with ExitStack() as closing:
+            hub = Hub(lambda: 0.0)
+            written = SessionFiles(Settings(log=True), hub, Words(), closing)
+            written.log()
+            hub.publish(Spoke("olá"))
+
+    assert written.paths == ["Log/log_002.txt"]
+    assert (tmp_path / "Log" / "log_002.txt").read_text(encoding="utf-8") == "olá\n"
+
+
+def test_only_a_pipe_that_was_opened_by_its_name_may_be_left_behind(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    here, there = os.pipe()
+    with os.fdopen(here), os.fdopen(there, "w") as pipe, (tmp_path / "a").open("w") as file:
+        assert is_named_pipe(pipe)
+        assert not is_named_pipe(file)
+        monkeypatch.setattr(files, "HIGHEST_STANDARD", there)
+        assert not is_named_pipe(pipe)
+        monkeypatch.setattr(files, "HIGHEST_STANDARD", there - 1)
+        assert is_named_pipe(pipe)
+    assert not is_named_pipe(pipe)  # it is closed
+    assert not is_named_pipe(StringIO())
 
 
 # --- the output of a command
@@ -169,12 +341,42 @@ def test_no_stream_and_no_terminal_are_no_terminal(stream: object, is_one: bool)
         ("--brf", "notes.brf", b" \r\n", True),
         ("--png", "photo.png", b"\x89PNG\r\n\x1a\n0000", False),
         ("--gif", "photo.gif", b"GIF89a0000", False),
+        ("--png", "far.png", b"\x89PNG" + b"0" * 78 + b"tEXtSoftware\0donnie", False),
+        ("--png", "ours.png", b"\x89PNG" + b"0" * 77 + b"tEXtSoftware\0donnie", True),
+        ("--png", "text.png", b"tEXtSoftware\0donnie", False),
+        ("--gif", "text.gif", b"\x06donnie\0", False),
+        ("--gif", "ours.gif", b"GIF89a0000\x06donnie\0", True),
         ("--sound", "song.wav", b"RIFF0000WAVEfmt ", False),
+        ("--record", "bom.rec", b'\xef\xbb\xbf\n {"donnie_recording":1', True),
+        ("--record", "events.rec", b'{"seq":1', False),
+        ("--report", "table.CSV", b"file,solved,score", True),
+        ("--report", "table.html", b"file,solved,score", False),
+        ("--csv", "table.csv", b"file;solved", False),
+        ("--html", "page.html", b"<!doctype html>", False),
     ],
 )
-def test_a_file_of_that_kind_that_donnie_did_not_write_is_not_replaced(
+def test_a_file_of_a_kind_is_replaced_only_if_donnie_may_have_written_it(
     tmp_path: Path, option: str, name: str, content: bytes, may_be: bool
 ) -> None:
     (tmp_path / name).write_bytes(content)
 
     assert may_be_replaced(option, tmp_path / name) is may_be
+
+
+def test_what_is_no_file_may_be_replaced_and_what_can_not_be_read_may_not(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A pipe or a device takes what is written; a folder is refused when it is opened."""
+    (tmp_path / "mine").write_text("mine")
+    assert may_be_replaced("--events", tmp_path)
+    assert may_be_replaced("--events", tmp_path / "none")
+    for problem, may_be in ((FileNotFoundError(), True), (PermissionError(), False), (ValueError(), False)):
+        monkeypatch.setattr(files, "open_bytes", raising(problem))
+        assert may_be_replaced("--events", tmp_path / "mine") is may_be
+
+
+def raising(problem: Exception) -> Callable[[Path], BinaryIO]:
+    def fail(_: Path) -> BinaryIO:
+        raise problem
+
+    return fail
