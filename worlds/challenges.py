@@ -15,7 +15,7 @@ from contextlib import suppress
 from functools import cache
 from itertools import pairwise
 from pathlib import Path
-from typing import Annotated, Any, Literal, TypeAlias, TypeVar, cast, get_args
+from typing import Annotated, Any, Literal, TypeAlias, TypeVar, get_args
 
 import msgspec
 from msgspec import Meta, Struct, field
@@ -31,8 +31,6 @@ SUFFIX, SOLUTION = ".toml", ".solution.gd"
 LARGEST_NUMBER = 1_000_000
 MOST_MISTAKES = 20
 """Those of a file that are listed."""
-MOST_CORRECTIONS = 100
-"""Of a table and those in it."""
 MOST = 50
 """Goals, variants or questions of one challenge."""
 Whole: TypeAlias = Annotated[int, Meta(ge=-LARGEST_NUMBER, le=LARGEST_NUMBER)]
@@ -342,13 +340,12 @@ def find(name: str) -> Challenge:
     path = Path(LADDERS, f"{name}{SUFFIX}") if name in ours else Path(name)
     if path.suffix == SUFFIX:
         return read(path)
-    found, beside = files_in(name), path.parent / f"{path.name}{SUFFIX}"
-    if len(found) > 1:
-        several = tuple(str(each) for each in found)
-        raise BadChallenge(path, ChallengeMistake("challenge-several", what=name, known=several))
-    if found or (is_allowed(path) and beside in _files(path.parent, f"*{SUFFIX}")):
-        return read(*found or (beside,))
-    raise BadChallenge(path, ChallengeMistake("challenge-unknown", what=name, known=ours))
+    beside = (each for each in files_in(str(path.parent)) if each == path.parent / f"{path.name}{SUFFIX}")
+    found = files_in(name) or tuple(beside)
+    if len(found) == 1:
+        return read(found[0])
+    code, known = ("challenge-several", tuple(map(str, found))) if found else ("challenge-unknown", ours)
+    raise BadChallenge(path, ChallengeMistake(code, what=name, known=known))
 
 
 def files_in(folder: str) -> tuple[Path, ...]:
@@ -372,8 +369,9 @@ def read(path: Path) -> Challenge:
     except (OSError, ValueError):
         raise BadChallenge(path, ChallengeMistake("challenge-unreadable")) from None
     if len(data) > LARGEST:
-        most = f"{LARGEST:,}".replace(",", " ")
-        raise BadChallenge(path, ChallengeMistake("challenge-too-large", what=most))
+        raise BadChallenge(
+            path, ChallengeMistake("challenge-too-large", what=f"{LARGEST:,}".replace(",", " "))
+        )
     reader = _Reader(data)
     found = Challenge(path.name.removesuffix(SUFFIX), path, reader.rules, reader.texts, tuple(reader.lines))
     reader.check(found)
@@ -392,10 +390,6 @@ _CHOICES = {"difficulty": _LEVELS, "ask": get_args(Ask)}
 """What can be written in place of a word that is none of these, by the key; else it is a heading."""
 _STAND_INS = {"format": 1, "world": "", "title": "", "task": "", "text": "", "ask": "count", "of": ()}
 """In place of what is required and wrong."""
-_PROBLEM = re.compile(r"(?:(Object \w+|Invalid)[^`']*[`'](.*)[`']|.*) - at `\$\[0\](.*)`", re.DOTALL)
-"""What msgspec says: the kind of the problem and its name, if it has one, and where it is."""
-_VALUE = re.compile(r"(.*)\.(\w+)(?:\[[^\]]*\])*")
-"""Where a wrong value is: a table, a key, and perhaps a part of the value."""
 
 
 class _Reader:
@@ -404,8 +398,8 @@ class _Reader:
     def __init__(self, data: bytes) -> None:
         self.mistakes: list[ChallengeMistake] = []
         self.lines: list[str] = []
-        self._wrong, self._misspelt = set[str](), set[str]()
-        """The tables with mistakes, and those with unknown keys."""
+        self._wrong = set[str]()
+        """The tables with mistakes."""
         content: dict[str, Any] = {}
         try:
             self.lines = data.decode("utf-8-sig").replace("\r\n", "\n").split("\n")
@@ -443,41 +437,38 @@ class _Reader:
 
     def _table(self, kind: type[_Table], content: Any, name: str) -> _Table:
         """A table without what is wrong in it, with something in place of what it lacks."""
-        is_table = isinstance(content, dict)
+        known, given, is_table = (
+            {each.encode_name: each for each in fields(kind)},
+            {},
+            isinstance(content, dict),
+        )
         if not is_table:
             self._note("challenge-value", name, what=name)
-        for _ in range(MOST_CORRECTIONS if is_table else 0):
+        for key, value in content.items() if is_table else ():
+            if key not in known:
+                self._note("challenge-key", name, key, what=key, known=tuple(known))
+                continue
             try:
-                return cast(_Table, msgspec.convert([content], tuple[kind])[0])  # type: ignore[valid-type]
+                inner = self._inner(_TABLES.get(key), value, f"{name}.{key}".lstrip("."))
+                given[known[key].name] = msgspec.convert(inner, known[key].type)
             except msgspec.ValidationError as problem:
-                self._correct(content, kind, name, str(problem))
-        return kind(**{each.name: _STAND_INS[each.name] for each in fields(kind) if each.required})
+                word = re.match("Invalid enum value '(.*)'", str(problem), re.DOTALL)
+                code, what = ("challenge-choice", word[1]) if word else ("challenge-value", key)
+                choices = _CHOICES.get(key, tuple(COMPASS)) if word else ()
+                self._note(code, name, key, what=what, known=choices)
+        is_sure = self._is_whole and is_table and known.keys() >= content.keys()
+        for key, each in known.items():
+            if each.required and each.name not in given:
+                if is_sure and key not in content:  # else an unknown key may be meant as it
+                    self._note("challenge-missing", name, what=f"{name}.{key}".lstrip("."))
+                given[each.name] = _STAND_INS[each.name]
+        return kind(**given)
 
-    def _correct(self, content: Any, kind: type[Struct], name: str, problem: str) -> None:
-        """Note what msgspec found wrong, and take it away or put something in its place."""
-        found = _PROBLEM.fullmatch(problem)
-        assert found is not None
-        problem, key, path = found.groups()
-        value = None if problem and problem.startswith("Object") else _VALUE.fullmatch(path)
-        if value is not None:
-            path, key, word = value[1], value[2], key
-        table = f"{name}{path}".lstrip(".")
-        if problem == "Object contains":
-            known = fields(_TABLES.get(re.sub(r".*\.|\[.*", "", path), kind))
-            self._note("challenge-key", table, key, what=key, known=tuple(each.encode_name for each in known))
-            self._misspelt.add(table)
-        elif value is None:
-            if self._is_whole and table not in self._misspelt:  # an unknown key may be meant as it
-                self._note("challenge-missing", table, what=f"{table}.{key}".lstrip("."))
-        elif word:
-            self._note("challenge-choice", table, key, what=word, known=_CHOICES.get(key, tuple(COMPASS)))
-        else:
-            self._note("challenge-value", table, key, what=key)
-        for step in re.findall(r"\w+", path):
-            content = content[int(step) if step.isdigit() else step]
-        content.pop(key, None)
-        if problem != "Object contains" and key in _STAND_INS:
-            content[key] = _STAND_INS[key]
+    def _inner(self, kind: type[Struct] | None, value: Any, name: str) -> Any:
+        """The tables in a table; any other value as it is."""
+        if kind is not None and isinstance(value, list):
+            return [self._inner(kind, each, f"{name}[{at}]") for at, each in enumerate(value)]
+        return value if kind is None or not isinstance(value, dict) else self._table(kind, value, name)
 
     def check(self, found: Challenge) -> None:
         """Check what the types don't say."""
