@@ -415,8 +415,7 @@ def shortfall_in_words(shortfall: Shortfall, room: Inventory, wording: Wording) 
         corners = (f"{each:g}" for corner in cast("Area", values["area"]) for each in corner)
         named = dict(zip(("from_x", "from_y", "x", "y"), corners, strict=True))
         values["area"] = wording("area-corners", **named)
-    robot = cast("str | None", values.get("robot"))
-    return with_robot_name(robot, wording(shortfall.code, **values), wording)
+    return with_robot_name(shortfall.robot, wording(shortfall.code, **values), wording)
 
 
 def target_in_words(target: Target, room: Inventory, wording: Wording) -> str:

@@ -18,25 +18,8 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from devices.ports.robot import Grip, Pose, StoppedBy
-from donnie_tui.core.events import (
-    Error,
-    Event,
-    GripperUsed,
-    HowStarted,
-    Moved,
-    Outcome,
-    Reset,
-    RunEnded,
-    RunStarted,
-    Scanned,
-    Spoke,
-    Stamped,
-    ThingsMoved,
-    Turned,
-    Waited,
-    begins_anew,
-    pose_of,
-)
+from donnie_tui.core import events
+from donnie_tui.core.events import Event, Moved, RunEnded, RunStarted, Stamped, Turned, begins_anew, pose_of
 from donnie_tui.core.program_files import read_to_the_end
 from language.keywords import canonical, topic
 from language.lexer import lex
@@ -78,7 +61,7 @@ def names_of(thing: Thing) -> tuple[str, ...]:
     return (*own, *(f"{thing.colour} {each}" for each in own if thing.colour))
 
 
-_E = TypeVar("_E", bound=Event)
+_E = TypeVar("_E", bound=Struct)
 
 
 class Track(Struct, frozen=True):
@@ -95,14 +78,11 @@ class Track(Struct, frozen=True):
 
     @property
     def has_run(self) -> bool:
-        return self.count(RunStarted, Reset) > 0
+        return bool(self.of(RunStarted, events.Reset))
 
-    def count(self, *kinds: type[Event]) -> int:
-        return sum(isinstance(each, kinds) for _, each in self.happened)
-
-    def of(self, kind: type[_E]) -> list[_E]:
-        """The events of a kind."""
-        return [each for _, each in self.happened if isinstance(each, kind)]
+    def of(self, *kinds: type[_E]) -> list[_E]:
+        """The events of some kinds."""
+        return [each for _, each in self.happened if isinstance(each, kinds)]
 
     def last(self, kind: type[_E]) -> Mapping[str, _E]:
         """The last event of a kind, by robot."""
@@ -113,23 +93,21 @@ class Track(Struct, frozen=True):
         """What there is of everything that can be limited or is kept. The robot that takes longest counts."""
         spent = [(robot, each.seconds) for robot, each in self.happened if isinstance(each, RunEnded)]
         each_one = (sum(time for robot, time in spent if robot == name) for name in self.end.robots)
-        stopped = [each.stopped_by for each in self.moves]
+        walks, turns = self.of(Moved), self.of(Turned)
+        stopped = [*(each.stopped_by for each in walks), *(each.stopped_by for each in turns)]
+        others = self.of(events.Waited, events.Spoke, events.Scanned, events.GripperUsed)
         return {
-            "commands": self.count(Moved, Turned, Waited, Spoke, Scanned, GripperUsed),
+            "commands": len(walks) + len(turns) + len(others),
             "seconds": max(each_one),
-            "steps": sum(each.walked for each in self.of(Moved)),
-            "turns": self.count(Turned),
+            "steps": sum(each.walked for each in walks),
+            "turns": len(turns),
             "bumps": stopped.count(StoppedBy.COLLISION) + stopped.count(StoppedBy.OBSTACLE),
         }
 
     @property
-    def moves(self) -> list[Moved | Turned]:
-        return [each for _, each in self.happened if isinstance(each, Moved | Turned)]
-
-    @property
-    def rounds(self) -> list[dict[str, HowStarted]]:
+    def rounds(self) -> list[dict[str, events.HowStarted]]:
         """The programs and lines that ran, by robot, one after the other; those of one round overlapped."""
-        rounds, running = list[dict[str, HowStarted]](), set[str]()
+        rounds, running = list[dict[str, events.HowStarted]](), set[str]()
         for robot, each in self.happened:
             if isinstance(each, RunStarted) and each.how is not None and not each.how.refused:
                 if not running or robot in rounds[-1]:
@@ -143,7 +121,7 @@ class Track(Struct, frozen=True):
     @property
     def held(self) -> Mapping[str, str]:
         """By robot; empty if the gripper holds nothing."""
-        used = self.last(GripperUsed).items()
+        used = self.last(events.GripperUsed).items()
         return {name: (it.thing or it.kind) if it.outcome is Grip.GRIPPED else "" for name, it in used}
 
     def way(self, robot: str) -> Iterator[tuple[Pose, Inventory]]:
@@ -171,6 +149,8 @@ class Shortfall(Struct, frozen=True):
 
     code: str
     values: Mapping[str, object]
+    robot: str | None = None
+    """Whose goal it is, if that names a robot."""
 
 
 class Judgment(Struct, frozen=True):
@@ -194,10 +174,10 @@ class Judgment(Struct, frozen=True):
 
 
 def judge(
-    challenge: Challenge, room: Inventory, events: Iterable[Stamped], answers: Answers = None
+    challenge: Challenge, room: Inventory, happened: Iterable[Stamped], answers: Answers = None
 ) -> Judgment:
     """What the runs did for the challenge since the robots were put to their starts the last time."""
-    track, rules = track_of(room, events), challenge.rules
+    track, rules = track_of(room, happened), challenge.rules
     numbered = enumerate(rules.goal, start=1)
     missing = tuple(next(_missing(goal, number, track, answers), None) for number, goal in numbered)
     shortfalls = (
@@ -210,10 +190,10 @@ def judge(
     return Judgment(track, missing, shortfalls)
 
 
-def goals_of_end(room: Inventory, events: Iterable[Stamped]) -> tuple[Goal, ...]:
+def goals_of_end(room: Inventory, happened: Iterable[Stamped]) -> tuple[Goal, ...]:
     """The end of a solution as goals: where the robots and the things that it moved are, and what it said."""
-    track = track_of(room, events)
-    said = tuple(each.text for each in track.of(Spoke))
+    track = track_of(room, happened)
+    said = tuple(each.text for each in track.of(events.Spoke))
     ends = ((name if len(room.robots) > 1 else "", end) for name, end in track.end.robots.items())
     goals = [Goal(at=(round(end.x, 1), round(end.y, 1)), robot=name, within=0.5) for name, end in ends]
     for start, end in zip(room.items, track.end.items, strict=True):
@@ -247,16 +227,16 @@ def _is_known(name: str, key: str, room: Inventory) -> bool:
 # --- what happened
 
 
-def track_of(room: Inventory, events: Iterable[Stamped]) -> Track:
+def track_of(room: Inventory, stamped: Iterable[Stamped]) -> Track:
     """What the runs did since the robots were put to their starts the last time."""
     first = room.robot_called("") or ""
-    happened = [(each.robot or first, each.event) for each in last_try(tuple(events))]
+    happened = [(each.robot or first, each.event) for each in last_try(tuple(stamped))]
     starts = {robot: pose_of(each) for robot, each in happened if begins_anew(each)}
     robots = dict(room.robots) | {robot: pose for robot, pose in starts.items() if pose is not None}
     moments = [replace(room, robots=robots)]
     for robot, event in happened:
         now, pose = moments[-1], pose_of(event)
-        if isinstance(event, ThingsMoved):
+        if isinstance(event, events.ThingsMoved):
             places = {each.index: each.pose for each in event.places}
             moved = ((each, places.get(each.index)) for each in room.items)
             items = tuple(each if it is None else replace(each, x=it.x, y=it.y) for each, it in moved)
@@ -266,10 +246,10 @@ def track_of(room: Inventory, events: Iterable[Stamped]) -> Track:
     return Track(happened, moments)
 
 
-def last_try(events: Sequence[Stamped]) -> tuple[Stamped, ...]:
+def last_try(happened: Sequence[Stamped]) -> tuple[Stamped, ...]:
     """What happened since each robot was put to its start."""
-    starts = {each.robot: at for at, each in enumerate(events) if begins_anew(each.event)}
-    return tuple(each for at, each in enumerate(events) if at >= starts.get(each.robot, 0))
+    starts = {each.robot: at for at, each in enumerate(happened) if begins_anew(each.event)}
+    return tuple(each for at, each in enumerate(happened) if at >= starts.get(each.robot, 0))
 
 
 # --- goals
@@ -280,14 +260,14 @@ def _missing(goal: Goal, number: int, track: Track, answers: Answers) -> Iterato
     if not track.has_run:
         yield Shortfall("goal-no-run", {})
     elif answers is None or goal.is_sensed:
-        for found in getattr(_Lacking(goal, track), goal.kind)(getattr(goal, goal.kind)):
-            yield _of_robot(found, goal.robot) if goal.robot else found
+        yield from _lacking(goal, track)
     elif not answers.get(goal):
         yield Shortfall("goal-answered-no" if goal in answers else "goal-asked", {"number": number})
 
 
-def _of_robot(found: Shortfall, name: str) -> Shortfall:
-    return Shortfall(found.code, {**found.values, "robot": name})
+def _lacking(goal: Goal, track: Track) -> Iterator[Shortfall]:
+    for found in getattr(_Lacking(goal, track), goal.kind)(getattr(goal, goal.kind)):
+        yield replace(found, robot=goal.robot or found.robot)
 
 
 class _Lacking:
@@ -298,10 +278,9 @@ class _Lacking:
         self._robot = track.end.robot_called(goal.robot) or ""
         self._most = goal.within + NEARLY
 
-    def at(self, target: Target, robot: str = "") -> Iterator[Shortfall]:
-        """``robot``: one of several that are meant, in place of the goal's."""
+    def at(self, target: Target) -> Iterator[Shortfall]:
         end = self._track.end
-        gap, direction = gap_to(end.robots[robot or self._robot], target, end)
+        gap, direction = gap_to(end.robots[self._robot], target, end)
         if gap > self._most:
             code = "goal-at-thing" if isinstance(target, str) else "goal-at-place"
             yield Shortfall(code, {"steps": in_steps(gap), "direction": direction, "target": target})
@@ -350,7 +329,7 @@ class _Lacking:
 
     def said(self, wanted: object) -> Iterator[Shortfall]:
         """A text, or several in this order; other sentences may come between."""
-        all_said = [_parts(each.text) for each in self._track.of(Spoke)]
+        all_said = [_parts(each.text) for each in self._track.of(events.Spoke)]
         following, before = iter(all_said), ""
         for each in map(str, wanted if isinstance(wanted, tuple) else (wanted,)):
             if _parts(each) not in following:
@@ -377,7 +356,8 @@ class _Lacking:
         end = self._track.end
         names = [end.robot_called(each) or "" for each in robots]
         if self._goal.at is not None:
-            yield from (_of_robot(found, name) for name in names for found in self.at(self._goal.at, name))
+            alone = (replace(self._goal, robots=None, robot=each) for each in names)
+            yield from (found for each in alone for found in _lacking(each, self._track))
             return
         for one, other in combinations(names, 2):
             ways = ((each.robots[one], each.robots[other]) for each in self._track.moments)
@@ -391,15 +371,15 @@ class _Lacking:
 
 def _ended_badly(track: Track) -> Iterator[Shortfall]:
     """The first mistake of the last run of a robot, or that one was stopped."""
-    errors = dict[str, Error]()
+    errors = dict[str, events.Error]()
     for robot, event in track.happened:
         if isinstance(event, RunStarted):
             errors.pop(robot, None)
-        elif isinstance(event, Error):
+        elif isinstance(event, events.Error):
             errors.setdefault(robot, event)
     for error in list(errors.values())[:1]:
         yield Shortfall("goal-mistake", {"line": error.line, "message": error.message})
-    if not errors and Outcome.STOPPED in (each.outcome for each in track.last(RunEnded).values()):
+    if not errors and events.Outcome.STOPPED in (each.outcome for each in track.last(RunEnded).values()):
         yield Shortfall("goal-endless", {})
 
 
@@ -446,8 +426,9 @@ def _forbidden(rules: Rules, track: Track, answers: Answers) -> Iterable[Shortfa
 def _is_broken(rule: Avoided, track: Track) -> bool:
     if rule.how == "near":
         return any(track.smallest_gap(rule.target, each) < rule.within for each in track.end.robots)
-    touched = [(each.met.kind, each.met.name) for each in track.moves if each.met is not None]
-    touched += [(thing.kind, thing.name) for each in track.moves for thing in each.pushed]
+    moves: list[Moved | Turned] = [*track.of(Moved), *track.of(Turned)]
+    touched = [(each.met.kind, each.met.name) for each in moves if each.met is not None]
+    touched += [(thing.kind, thing.name) for each in moves for thing in each.pushed]
     return any((each.kind, each.name) in touched for each in track.end.called(rule.target))
 
 
@@ -497,18 +478,15 @@ def in_steps(steps: float) -> int:
     return max(1, round(steps))
 
 
-_NUMBER = re.compile(r"[-−]?\d+(?:[.,]\d+)?")
+_NUMBER = re.compile(r"([-−]?\d+(?:[.,]\d+)?)")
 
 
 def _parts(text: str) -> list[str | float]:
     """The words and numbers of a text: numbers count by value, letters without case, accents, punctuation."""
     parts: list[str | float] = []
-    at = 0
-    for found in _NUMBER.finditer(text):
-        parts += folded(text[at : found.start()]).split()
-        parts.append(float(found[0].replace("−", "-").replace(",", ".")))
-        at = found.end()
-    return parts + folded(text[at:]).split()
+    for at, piece in enumerate(_NUMBER.split(text)):
+        parts += [float(piece.replace("−", "-").replace(",", "."))] if at % 2 else folded(piece).split()
+    return parts
 
 
 @lru_cache(1000)

@@ -311,7 +311,8 @@ AREA = ((0.0, 3.0), (4.0, 6.0))
 def shortfalls(
     goal: Goal, events: list[Stamped], room: Inventory = ROOM
 ) -> list[tuple[str, dict[str, object]]]:
-    return [(each.code, dict(each.values)) for each in judge(challenge(goal), room, events).shortfalls]
+    found = judge(challenge(goal), room, events).shortfalls
+    return [(each.code, {**each.values, **({"robot": each.robot} if each.robot else {})}) for each in found]
 
 
 @pytest.mark.parametrize(
