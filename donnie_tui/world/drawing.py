@@ -39,12 +39,14 @@ MOST_SLIPS = 20
 """Mistakes that are listed."""
 _BORDER = 1e-6
 """Steps."""
+_NOWHERE = (-1, 0)
+"""The place of what is about the whole drawing."""
 _HEADING = {"^": 90, ">": 0, "v": -90, "<": 180}
 """As world files have it: counter-clockwise from the east."""
 
 
 Square: TypeAlias = tuple[int, int]
-"""Row and column of the drawing, counted from its first letter."""
+"""Line and column of the text, counted from 0."""
 
 
 class Group(Struct, frozen=True):
@@ -62,7 +64,8 @@ def groups_in(rows: Sequence[str], marks: Mapping[str, Mapping[str, str]] = {}) 
 
     ``marks``: of each letter the colours by the marks that may stand in its midst.
     """
-    left = {square: letter for square, letter in _squares(rows) if letter not in (WALL, FREE, *ARROWS)}
+    floor = _squares(rows)
+    left = {square: letter for square, letter in floor.items() if letter not in (WALL, FREE, *ARROWS)}
     marks = {letter: {mark: each[mark] for mark in {*each} - {*marks}} for letter, each in marks.items()}
     only_marks = {mark for each in marks.values() for mark in each}
     for first in sorted(left, key=lambda square: left[square] in only_marks):
@@ -74,14 +77,13 @@ def groups_in(rows: Sequence[str], marks: Mapping[str, Mapping[str, str]] = {}) 
             found.append(here)
             waiting |= {each for each in _around(here) if left.get(each) in (letter, *colours)}
         if found:
-            found.sort()
-            colour = next((colours[rows[y][x]] for y, x in found if rows[y][x] in colours), "")
-            yield Group(letter, tuple(found), colour)
+            colour = next((colours[floor[each]] for each in sorted(found) if floor[each] in colours), "")
+            yield Group(letter, tuple(sorted(found)), colour)
 
 
-def _squares(rows: Sequence[str]) -> Iterator[tuple[Square, str]]:
-    """All of them, with their letters."""
-    return (((row, column), letter) for row, line in enumerate(rows) for column, letter in enumerate(line))
+def _squares(rows: Sequence[str]) -> dict[Square, str]:
+    """All letters by their squares."""
+    return {(row, column): letter for row, line in enumerate(rows) for column, letter in enumerate(line)}
 
 
 def _around(square: Square) -> Iterator[Square]:
@@ -108,6 +110,8 @@ def world_of(text: str, file: str, wording: Words) -> Built:
 
 _LEGEND_LINE = re.compile(rf"(\w|[{re.escape(ARROWS)}])\s+\w\w")
 """How a line says what a letter means: ``c chair green``. A row has no blanks."""
+_CERTAIN_ROW = re.compile(rf"[{WALL}{FREE}]\S*")
+"""One up to which the drawing goes; others may also be lines of the legend."""
 
 
 @cache
@@ -127,32 +131,31 @@ class _Drawing:
 
     def __init__(self, text: str, file: str, wording: Words) -> None:
         self._file, self._words = file, wording
-        self._slips = set[tuple[int, int, str]]()
-        """Line (0: nowhere), column, and the sentence."""
+        self._slips = set[tuple[Square, str]]()
+        """The place, and the sentence."""
         self._things = {WALL: things.Description(things.WALL)}
         """By their letters."""
-        self._places: dict[str, tuple[int, int]] = {}
-        """Line and column of what each letter means; those without a thing are around robots, as in a map."""
+        self._places: dict[str, Square] = {}
+        """Where it is said what each letter means; letters without a thing are around robots, as in a map."""
         self._names: list[str] = []
         """Those of the robots."""
         self._has_none = False
         """Whether the legend says that there is no robot."""
         self._scale = 1
         """Steps that a letter is wide and high."""
-        self._goes_on = False
-        """Whether rows follow after an empty line."""
         lines = [each.rstrip() for each in text.splitlines()]
-        rows = (at for at, each in enumerate(lines) if each and not _LEGEND_LINE.match(each))
-        begin = next(rows, 0)
-        ends = (at for at, each in enumerate(lines) if at >= begin and (not each or _LEGEND_LINE.match(each)))
-        end = next(ends, len(lines))
-        for number, line in enumerate(lines, start=1):
-            if line.strip() and not begin < number <= end:
+        is_row = [bool(each) and not _LEGEND_LINE.match(each) for each in (*lines, "")]
+        self._first = is_row.index(True) if any(is_row) else 0
+        """The first row's line."""
+        later = (at + 1 for at, line in enumerate(lines) if _CERTAIN_ROW.fullmatch(line))
+        end = max([is_row.index(False, self._first), *later])
+        for number, line in enumerate(lines):
+            if line and not self._first <= number < end:
                 self._read_legend(number, line)
         walls = [letter for letter, each in self._things.items() if each.kind == things.WALL]
-        self._rows = [each.translate(dict.fromkeys(map(ord, walls), WALL)) for each in lines[begin:end]]
-        self._first = begin + 1
-        """The number of the first row's line."""
+        as_wall = dict.fromkeys(map(ord, walls), WALL)
+        self._rows = [""] * self._first + [each.translate(as_wall) for each in lines[self._first : end]]
+        """The text up to the last row, without the legend."""
 
     def _read_legend(self, number: int, line: str) -> None:
         text, digits, found = line.strip(), re.search(r"\d{1,6}", line), _meaning().fullmatch(line)
@@ -165,78 +168,70 @@ class _Drawing:
             self._has_none = True
         elif steps and _is_sentence(text, "map-scale", steps=steps):
             self._scale = min(LARGEST_SCALE, steps)
-        elif text == first and text[0] in (WALL, FREE):
-            if not self._goes_on:
-                self._slip("drawing-gap", number, line.index(first) + 1)
-            self._goes_on = self._has_none = True
         elif found is None or letter in self._places:
             code = "drawing-letter-twice" if found else "drawing-legend"
-            self._slip(code, number, line.index(first) + 1, letter=letter, found=first[:40])
+            self._slip(code, (number, line.index(first)), letter=letter, found=first[:40])
         elif letter[0] in ARROWS:
-            self._names, self._places[ARROWS] = names, (number, 1)
+            self._names, self._places[ARROWS] = names, (number, 0)
         else:
-            self._places[letter] = number, found.start("meaning") + 1
+            self._places[letter] = number, found.start("meaning")
             if not names or not {*names} <= {*self._names, "…"}:
                 self._things[letter], mistakes = things.description_of(meaning, self._words)
                 for at, message in mistakes.items():
-                    self._add(number, found.start("meaning") + 1 + at, message)
+                    self._add((number, found.start("meaning") + at), message)
 
     # --- mistakes
 
-    def _add(self, line: int, column: int, message: str) -> None:
-        code, values = ("world-error-at" if line else "drawing-error"), {"line": line, "column": column}
-        self._slips.add((line, column, self._words(code, file=self._file, message=message, **values)))
+    def _add(self, place: Square, message: str) -> None:
+        code, (line, column) = "drawing-error" if place == _NOWHERE else "world-error-at", place
+        values = {"file": self._file, "line": line + 1, "column": column + 1, "message": message}
+        self._slips.add((place, self._words(code, **values)))
 
-    def _slip(self, code: str, line: int, column: int, **values: object) -> None:
-        self._add(line, column, self._words(code, **values))
-
-    def _slip_at(self, code: str, square: Square, **values: object) -> None:
-        self._slip(code, self._first + square[0], square[1] + 1, **values)
+    def _slip(self, code: str, place: Square = _NOWHERE, **values: object) -> None:
+        self._add(place, self._words(code, **values))
 
     def _refuse_slips(self) -> None:
         """Raises ``Unusable`` if there are any."""
         if self._slips:
-            shown = [sentence for _, _, sentence in sorted(self._slips)[:MOST_SLIPS]]
+            shown = [sentence for _, sentence in sorted(self._slips)[:MOST_SLIPS]]
             if (more := len(self._slips) - len(shown)) > 0:
                 shown.append(self._words("drawing-more", count=more))
             raise Unusable(*shown, self._words("world-new-mistakes", count=len(self._slips)))
 
     def _check_rows(self) -> None:
         """Raises ``Unusable`` where there is nothing to read, or too much."""
-        rows, of_legend = self._rows, len(self._slips)
+        rows, most = self._rows, self._first + MOST_SIDE
+        beyond = [(at, MOST_SIDE) for at, line in enumerate(rows) if len(line) > MOST_SIDE]
+        beyond += [(most, 0)] if len(rows) > most else []
+        if beyond:
+            self._slip("drawing-large", beyond[0], most=MOST_SIDE)
         if not rows:
-            self._slip("drawing-empty", 0, 0)
-        if len(rows) > MOST_SIDE:
-            self._slip_at("drawing-high", (MOST_SIDE, 0), most=MOST_SIDE)
-        wide = next((row for row, line in enumerate(rows) if len(line) > MOST_SIDE), None)
-        if wide is not None:
-            self._slip_at("drawing-wide", (wide, MOST_SIDE), most=MOST_SIDE)
-        if len(self._slips) > of_legend:
+            self._slip("drawing-empty")
+        if beyond or not rows:
             self._refuse_slips()
 
     def _check_letters(self, groups: Sequence[Group]) -> None:
         """Lines of another length; each letter without a meaning once."""
-        known, first = self._places, len(self._rows[0])
+        known, first = self._places, len(self._rows[self._first])
         for row, line in enumerate(self._rows):
-            if len(line) != first:
-                self._slip_at("drawing-ragged", (row, min(len(line), first)), count=len(line), first=first)
+            if row > self._first and len(line) != first:
+                self._slip("drawing-ragged", (row, min(len(line), first)), count=len(line), first=first)
         unknown = {each.letter: each.squares[0] for each in reversed(groups) if each.letter not in known}
         for letter, square in unknown.items():
             near = letter.swapcase()
-            code = "sign" if not letter.isalnum() else "letter-near" if near in known else "letter"
-            code = ("tab" if letter == "\t" else "blank") if letter.isspace() else code
-            self._slip_at(f"drawing-{code}", square, letter=letter, near=near, sign=letter)
+            code = "letter" if letter.isalnum() else "blank" if letter.isspace() else "sign"
+            code = "letter-near" if letter.isalnum() and near in known else code
+            self._slip(f"drawing-{code}", square, letter=letter, near=near)
 
     def _check_robots(self, robots: Sequence[Square]) -> None:
-        names, count, place = self._names, len(robots), self._places.get(ARROWS, (0, 0))
-        if not count and not self._has_none:
-            self._slip("drawing-no-robot", 0, 0)
-        elif names and len(names) != count and "…" not in names:
-            self._slip("drawing-robot-names", *place, names=len(names), count=count)
-        elif len({*map(fold_name, names)}) != len(names):
-            self._slip("drawing-name-twice", *place)
-        elif count > 1 and not names:
-            self._slip_at("drawing-robots", sorted(robots)[1], count=count)
+        names, count = [*map(fold_name, self._names)], len(robots)
+        place = self._places.get(ARROWS) or (*robots, *robots, _NOWHERE, _NOWHERE)[1]
+        if not (count or self._has_none):
+            self._slip("drawing-no-robot")
+        elif len(names) != count and (names or count > 1) and "…" not in names:
+            self._slip("drawing-robot-names", place, names=len(names), count=count)
+        elif len({*names}) != len(names):
+            self._slip("drawing-name-twice", place)
 
     def _check_colours(self, groups: Sequence[Group]) -> None:
         """Things of one letter with more or fewer colours than there are things."""
@@ -244,7 +239,7 @@ class _Drawing:
             found = [bool(each.colour) for each in groups if each.letter == letter]
             colours = sum(found) if described.marks else len(described.colours)
             if (colours > 1 or described.marks) and colours != len(found):
-                self._slip("drawing-colours", *self._places[letter], count=len(found), colours=colours)
+                self._slip("drawing-colours", self._places[letter], count=len(found), colours=colours)
 
     def _check_room(self, scene: Scene, drawn: Sequence[Group], robots: Sequence[Group]) -> None:
         """Things of one letter that are larger than the free floor around it, and robots inside something."""
@@ -255,12 +250,12 @@ class _Drawing:
             if other is not None:
                 thing, over_it = (things.word_for(each.kind, self._words) for each in (mine, other))
                 sides = {"width": round(mine.width), "depth": round(mine.depth)}
-                self._slip_at("drawing-thing-room", group.squares[0], thing=thing, other=over_it, **sides)
+                self._slip("drawing-thing-room", group.squares[0], thing=thing, other=over_it, **sides)
         place_of = {name: each.squares[0] for name, each in zip(scene.robot_names, robots, strict=True)}
         for note in scene.report.notes if self._scale == 1 else ():
             if note.code == "starts-inside":
                 thing = things.word_for(str(note.details["thing"]), self._words)
-                self._slip_at("drawing-robot-room", place_of[str(note.details["name"])], thing=thing)
+                self._slip("drawing-robot-room", place_of[str(note.details["name"])], thing=thing)
 
     # --- the world file
 
@@ -272,10 +267,10 @@ class _Drawing:
         rows = self._rows
         groups = [*groups_in(rows, {letter: each.marks for letter, each in self._things.items()})]
         bodies = {square for each in groups if each.letter not in self._things for square in each.squares}
-        robots = [Group(letter, (square,)) for square, letter in _squares(rows) if letter in ARROWS]
+        robots = [Group(letter, (square,)) for square, letter in _squares(rows).items() if letter in ARROWS]
         robots.sort(key=lambda each: (not bodies.isdisjoint(_around(each.squares[0])), each.squares))
-        middle = len(rows) // 2, len(rows[0]) // 2
-        self._origin = robots[0].squares[0] if robots else middle
+        wide, deep = len(rows[self._first]), len(rows) - self._first
+        self._origin = robots[0].squares[0] if robots else (self._first + deep // 2, wide // 2)
         widest = max(map(len, rows))
         of_walls = rectangles(bytes(each == WALL for each in row.ljust(widest)) for row in rows)
         walls = [Group(WALL, ((top, left), (bottom - 1, right - 1))) for left, top, right, bottom in of_walls]
@@ -285,7 +280,7 @@ class _Drawing:
         self._check_robots([each.squares[0] for each in robots])
         self._check_colours(groups)
         if len(drawn) > MOST_PIECES:
-            self._slip("drawing-much", 0, 0, count=len(drawn), most=MOST_PIECES)
+            self._slip("drawing-much", count=len(drawn), most=MOST_PIECES)
             self._refuse_slips()
         names = [each for each in self._names if each != "…"] or ["donnie"]
         more = (each for each in (f"{names[0]}{number}" for number in count(2)) if each not in names)
@@ -296,9 +291,8 @@ class _Drawing:
         scene = scene_of(text, Path(worlds.SCENES, "drawing.world"), self._words, allowed_folders(()))
         self._check_room(scene, drawn, robots)
         self._refuse_slips()
-        width, depth = len(rows[0]) * self._scale, len(rows) * self._scale
-        counts = {"width": width, "depth": depth, "robots": len(robots), "things": len(drawn) - len(walls)}
-        return Built(text, counts)
+        counts = {"width": wide * self._scale, "depth": deep * self._scale}
+        return Built(text, counts | {"robots": len(robots), "things": len(drawn) - len(walls)})
 
     def _lines(self, drawn: Iterable[Group]) -> Iterator[str]:
         """Of walls, which have no names, and of things."""

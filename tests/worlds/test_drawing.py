@@ -190,11 +190,11 @@ def test_two_robots_are_named_under_the_drawing(tmp_path: Path) -> None:
         ("....\n", ["Error, map.txt: There is no robot. Put ^, >, v or < where it is."]),
         (
             "......\n.^..>.\n......\n",
-            ["Error, map.txt, line 2, column 5: 2 robots need names. Write under the drawing: ^ alice, bob."],
+            ["Error, map.txt, line 2, column 5: 2 robots, 0 names. Write under the drawing: ^ alice, bob."],
         ),
         (
             "......\n.^..>.\n......\n\n^ alice\n",
-            ["Error, map.txt, line 5, column 1: 1 name, but 2 robots."],
+            ["Error, map.txt, line 5, column 1: 2 robots, 1 name. Write under the drawing: ^ alice, bob."],
         ),
         (
             "......\n.^..>.\n......\n\n^ alice, Alice\n",
@@ -209,11 +209,11 @@ def test_two_robots_are_named_under_the_drawing(tmp_path: Path) -> None:
         ),
         (
             ".....\n.\t^..\n.....\n",
-            ["Error, map.txt, line 2, column 2: There is a tab here. Free floor is a dot."],
+            ["Error, map.txt, line 2, column 2: There is a blank or a tab here. Free floor is a dot."],
         ),
         (
             ".....\n. ^..\n.....\n",
-            ["Error, map.txt, line 2, column 2: There is a blank here. Free floor is a dot."],
+            ["Error, map.txt, line 2, column 2: There is a blank or a tab here. Free floor is a dot."],
         ),
         (
             ".....\n..^.*\n.....\n",
@@ -306,32 +306,36 @@ def test_two_robots_are_named_under_the_drawing(tmp_path: Path) -> None:
         ),
         (
             ".....\n..^..\n.....\n\n##...\n",
-            [
-                "Error, map.txt, line 5, column 1: "
-                "The drawing goes on here after an empty line. Delete that line."
-            ],
+            ["Error, map.txt, line 4, column 1: This line has 0 letters, the first has 5."],
         ),
         (
             "#####\n#...#\n\n#.^.#\n#####\n\nc chair\n",
             [
-                "Error, map.txt, line 4, column 1: "
-                "The drawing goes on here after an empty line. Delete that line."
+                "Error, map.txt, line 3, column 1: This line has 0 letters, the first has 5.",
+                "Error, map.txt, line 4, column 3: The robot touches something: wall. "
+                "It needs free floor on every side.",
             ],
         ),
         (
             ("." * 500 + "\n") * 500,
             [
-                "Error, map.txt, line 1, column 401: The line is too long: 400 letters at most.",
-                "Error, map.txt, line 401, column 1: Too many lines: 400 at most.",
+                "Error, map.txt, line 1, column 401: "
+                "The drawing is too large: 400 lines of 400 letters at most."
             ],
         ),
         (
             "." * 401 + "\n",
-            ["Error, map.txt, line 1, column 401: The line is too long: 400 letters at most."],
+            [
+                "Error, map.txt, line 1, column 401: "
+                "The drawing is too large: 400 lines of 400 letters at most."
+            ],
         ),
         (
             "^\n" + ".\n" * 400,
-            ["Error, map.txt, line 401, column 1: Too many lines: 400 at most."],
+            [
+                "Error, map.txt, line 401, column 1: "
+                "The drawing is too large: 400 lines of 400 letters at most."
+            ],
         ),
     ],
     ids=map(str, range(1, 29)),
@@ -433,8 +437,14 @@ def test_a_file_that_is_there_is_never_overwritten(folder: Path, capsys: pytest.
     [
         (b"", "Error, map.txt: There is no drawing. # is wall, . is free floor, ^ is a robot."),
         (b"\0\1\2", "map.txt is no text in UTF-8."),
-        (b"#" * 1_000_000, "Error, map.txt, line 1, column 401: The line is too long: 400 letters at most."),
-        (b"####\n" * 200_000, "Error, map.txt, line 401, column 1: Too many lines: 400 at most."),
+        (
+            b"#" * 1_000_000,
+            "Error, map.txt, line 1, column 401: The drawing is too large: 400 lines of 400 letters at most.",
+        ),
+        (
+            b"####\n" * 200_000,
+            "Error, map.txt, line 401, column 1: The drawing is too large: 400 lines of 400 letters at most.",
+        ),
     ],
     ids=["empty", "binary", "one long line", "many lines"],
 )
