@@ -411,13 +411,10 @@ def _simulated_robot(
 
 LONGEST_TRY = 3600.0
 """Seconds of robot time after which a judged program counts as endless."""
-MOST_STATEMENTS = 20_000
+MOST_WORK = 20_000
 """Statements after which a judged program counts as endless."""
-MOST_READINGS = 2_000
-"""Readings of sensors after which it does."""
-MOST_LOOKS = 400
-"""Those of the camera, which take as long as hundreds of statements: one for each degree of a turn."""
-
+READING, LOOK = 10, 50
+"""As how many statements a reading of a sensor counts, and one of the camera."""
 MOST_SITUATIONS = 1_000
 """Places in a program, with its variables and the robot there, that are compared with later ones. A program
 that comes to the same one twice is endless."""
@@ -497,7 +494,7 @@ class Judge:
         """Runs the programs in the world of a start, and returns what happened. Nothing of it is printed.
 
         Programs of several robots begin at the same moment. An endless program ends where all is as it was
-        before, else by robot time and by the number of its statements, so a busy machine changes nothing.
+        before, else by robot time and by its work, so a busy machine changes nothing.
         """
         from sim.world import World
 
@@ -506,18 +503,15 @@ class Judge:
         team = make_team(settings, self.words, start.world, terminal=False, shared=shared)
         events, first = list[Stamped](), team.chosen_name
         given = {first: programs} if isinstance(programs, str) else programs
-        rounds, is_alone = [given] if isinstance(given, Mapping) else given, True
-        readings, looks, statements = Counter[str | None](), Counter[str | None](), Counter[str]()
+        rounds, is_alone, work = [given] if isinstance(given, Mapping) else given, True, Counter[str]()
 
         def note(stamped: Stamped) -> None:
-            event, robot = stamped.event, stamped.robot
+            event, robot = stamped.event, stamped.robot or first
             events.append(stamped)
-            readings[robot] += isinstance(event, Read)
-            looks[robot] += isinstance(event, Scanned) or (
-                isinstance(event, Read) and event.sensor == "colour"
-            )
-            if stamped.t > LONGEST_TRY or readings[robot] > MOST_READINGS or looks[robot] > MOST_LOOKS:
-                team.session(robot or first).stop()
+            if isinstance(event, Read | Scanned):
+                work[robot] += READING if isinstance(event, Read) and event.sensor != "colour" else LOOK
+            if stamped.t > LONGEST_TRY or work[robot] > MOST_WORK:
+                team.session(robot).stop()
 
         def limit(session: Session, run: Run) -> None:
             robot, seen, noted = shared.inhabitant(session.name), set[Hashable](), 0
@@ -529,8 +523,8 @@ class Judge:
                     noted, now = len(events), (run.progress(), robot.situation)
                     is_repeated = now in seen and now[1] is not None
                     seen.add(now)
-                statements[session.name] += 1
-                if is_repeated or statements[session.name] > MOST_STATEMENTS:
+                work[session.name] += 1
+                if is_repeated or work[session.name] > MOST_WORK:
                     session.stop()
 
             run.control.look_before_each(before_statement)

@@ -509,12 +509,12 @@ def test_each_pupil_may_have_a_folder(
     assert sorted(each.name for each in Path("answers").iterdir()) == ["ana-first.txt", "joão-first.txt"]
 
 
-@pytest.mark.parametrize(("most", "solved"), [(6, True), (5, False)])
+@pytest.mark.parametrize(("most", "solved"), [(80, True), (59, False)])
 def test_a_program_that_only_senses_ends_after_so_many_readings(
     monkeypatch: pytest.MonkeyPatch, most: int, solved: bool
 ) -> None:
-    """A reading of the camera is much more work than a statement."""
-    monkeypatch.setattr(bootstrap, "MOST_READINGS", most)
+    """A reading counts as ten statements."""
+    monkeypatch.setattr(bootstrap, "MOST_WORK", most)
     words, settings = Words("en"), Settings()
     judge = bootstrap.Judge(choose_challenge("first_walk", words), words, settings)
 
@@ -525,11 +525,12 @@ def test_a_program_that_only_senses_ends_after_so_many_readings(
 
 
 @pytest.mark.parametrize("line", ["n = COLOR red", "SCAN"])
-@pytest.mark.parametrize(("most", "solved"), [(6, True), (5, False)])
+@pytest.mark.parametrize(("most", "solved"), [(320, True), (299, False)])
 def test_a_program_that_only_looks_ends_after_fewer_readings(
     monkeypatch: pytest.MonkeyPatch, line: str, most: int, solved: bool
 ) -> None:
-    monkeypatch.setattr(bootstrap, "MOST_LOOKS", most)
+    """A reading of the camera counts as fifty statements."""
+    monkeypatch.setattr(bootstrap, "MOST_WORK", most)
     words, settings = Words("en"), Settings()
     judge = bootstrap.Judge(choose_challenge("first_walk", words), words, settings)
 
