@@ -153,9 +153,7 @@ async def may_leave_built(ctx: Context) -> bool:
     Where no question is possible, a copy is kept.
     """
     site = ctx.donnie.site
-    if site.is_saved:
-        return True
-    if not ctx.interaction.is_attended:
+    if site.is_saved or not ctx.interaction.is_attended:
         keep_built(ctx)
         return True
     wants_to_save = await ctx.interaction.confirm(ctx.words("ask-save-world"))
@@ -167,7 +165,7 @@ async def may_leave_built(ctx: Context) -> bool:
 
 
 def keep_built(ctx: Context) -> None:
-    """Keep a copy of the built world, and say in which file."""
+    """Keep a copy of a built world that is not saved, and say in which file."""
     kept = ctx.donnie.rescue_world()
     if kept is not None:
         ctx.answer("built-rescued", path=kept)

@@ -229,12 +229,12 @@ class Attempt:
         if not isinstance(stamped.event, TRANSIENT):
             self._events.append(stamped)
         if isinstance(stamped.event, _ACTS) and len(self._events) <= self.MOST_LIVE:
-            self._chime(self.judgment(), is_start=is_start)
+            self._chime(self.judgment(), is_quiet=is_start)
 
-    def _chime(self, now: Judgment, *, is_start: bool = False) -> None:
-        """Play a cue for each newly met goal, except goals that are met from the beginning."""
+    def _chime(self, now: Judgment, *, is_quiet: bool) -> None:
+        """Note which goals are met, with a cue for new ones unless ``is_quiet``."""
         met = frozenset(at for at, each in enumerate(now.of_goals) if each is None)
-        if met - self._met and not is_start:
+        if met - self._met and not is_quiet:
             self._donnie.session.hub.publish(Chimed("goal"))
         self._met, self.now = self._met | met, now
 
@@ -284,23 +284,16 @@ class Attempt:
             self._answers |= answers
         verdicts, words = self._judge.events(self._happened(), self._answers), self._donnie.words
         here, is_solved = verdicts[0], all(each.is_solved for each in verdicts)
-        self.tried = Attempted(
-            datetime.now().astimezone().isoformat(timespec="seconds"),
-            self.challenge.name,
-            is_solved,
-            hints=self.hints,
-            seconds=round(here.track.counts["seconds"]),
-            shortest=self._shortest if is_solved else 0,
-            **here.counts,
-        )
+        when, name = datetime.now().astimezone().isoformat(timespec="seconds"), self.challenge.name
+        seconds, shortest = round(here.track.counts["seconds"]), self._shortest if is_solved else 0
+        counts = {"hints": self.hints, "seconds": seconds, "shortest": shortest, **here.counts}
+        self.tried = Attempted(when, name, is_solved, **counts)
         self.has_questions = self._is_to_be_asked(is_solved=is_solved)
         if not (self.has_questions or self.unsensed):
             self.keep_try()
         if is_solved:
-            self.now = here
             self._donnie.session.hub.publish(CueSounded("solved", 0.0, None))
-        else:
-            self._chime(here)
+        self._chime(here, is_quiet=is_solved)
         lines = [verdict_in_words(verdicts, words)]
         following = challenges.after(self.challenge.name) if is_solved else None
         if following is not None:
@@ -328,11 +321,9 @@ class Attempt:
 
     def _is_to_be_asked(self, *, is_solved: bool) -> bool:
         """Whether questions are due: after the first failed program and each solution, until answered."""
-        if self.is_answered or not self.challenge.rules.question:
-            return False
         is_due = is_solved or (self._is_program and not self._was_asked)
-        self._was_asked = self._was_asked or is_due
-        return is_due
+        self._was_asked |= is_due
+        return is_due and not self.is_answered and bool(self.challenge.rules.question)
 
     def questions(self) -> tuple[Asked, ...]:
         """The questions about the world in the state after the last run."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import partial, wraps
+from functools import partial
 from typing import TYPE_CHECKING
 
 from msgspec.structs import asdict
@@ -10,19 +10,20 @@ from msgspec.structs import asdict
 from donnie_tui.bootstrap import progress
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.declarations import BY_NAME, COMMANDS
-from donnie_tui.commands.dispatch import Handler, handles
+from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import Option, count_in
 from donnie_tui.commands.lookup import find, help_line, help_of
 from donnie_tui.core.describe import goals_in_words, task_in_words
 from donnie_tui.core.runner import LAST_WORDS
 from donnie_tui.core.wording import Wording, meant
 from donnie_tui.i18n.help import CHAPTERS, TOUR_PAGES, chapter_lines, said_for, tour_page
+from donnie_tui.i18n.words import Unusable
 from donnie_tui.world.loading import CHALLENGE
 from language.locales import first_page
 from worlds import challenges
 
 if TYPE_CHECKING:
-    from collections.abc import Awaitable, Callable, Iterable, Iterator, Sequence
+    from collections.abc import Iterable, Iterator, Sequence
 
     from donnie_tui.commands.context import Attempt
     from donnie_tui.core.program_files import Attempted
@@ -173,17 +174,11 @@ async def _say_page(ctx: Context, number: int) -> None:
 # --- challenges
 
 
-def in_challenge(handler: Callable[[Context, Attempt], Awaitable[None]]) -> Handler:
-    """Make a handler that works in a challenge only, and gets the learner's attempt."""
-
-    @wraps(handler)
-    async def handle(ctx: Context, _: str) -> None:
-        if ctx.attempt is None:
-            ctx.answer("challenge-none")
-        else:
-            await handler(ctx, ctx.attempt)
-
-    return handle
+def _attempt(ctx: Context) -> Attempt:
+    """What was done for the challenge. Raises ``Unusable`` where the world has none."""
+    if ctx.attempt is None:
+        raise Unusable(ctx.words("challenge-none"))
+    return ctx.attempt
 
 
 @handles("challenge")
@@ -233,25 +228,22 @@ async def next_challenge(ctx: Context, _: str) -> None:
 async def task(ctx: Context, _: str) -> None:
     """Say the task of the challenge, else the one that the world's author proposes."""
     about = ctx.donnie.world.about(ctx.words.language)
-    if ctx.attempt is not None:
-        ctx.say(*task_in_words(ctx.attempt.challenge, ctx.words))
-    elif about is not None and about.task:
+    if ctx.attempt is None and about is not None and about.task:
         ctx.answer("world-task", task=about.task)
     else:
-        ctx.answer("challenge-none")
+        ctx.say(*task_in_words(_attempt(ctx).challenge, ctx.words))
 
 
 @handles("goals")
-@in_challenge
-async def goals(ctx: Context, attempt: Attempt) -> None:
+async def goals(ctx: Context, _: str) -> None:
     """Say which goals are met now, and what the others lack."""
-    ctx.say(*goals_in_words(attempt.judgment(), ctx.words))
+    ctx.say(*goals_in_words(_attempt(ctx).judgment(), ctx.words))
 
 
 @handles("hint")
-@in_challenge
-async def hint(ctx: Context, attempt: Attempt) -> None:
+async def hint(ctx: Context, _: str) -> None:
     """Say the next hint."""
+    attempt = _attempt(ctx)
     hints = attempt.challenge.text(ctx.words.language).hint
     is_left = attempt.hints < len(hints)
     ctx.say(hints[attempt.hints].text if is_left else ctx.words("challenge-no-hint"))
@@ -259,9 +251,9 @@ async def hint(ctx: Context, attempt: Attempt) -> None:
 
 
 @handles("questions")
-@in_challenge
-async def questions(ctx: Context, attempt: Attempt) -> None:
+async def questions(ctx: Context, _: str) -> None:
     """Ask the questions of the challenge about its world; an empty answer leaves them."""
+    attempt = _attempt(ctx)
     if attempt.unsensed:
         await _ask_about_goals(ctx, attempt)
         if attempt.unsensed or not attempt.has_questions:
@@ -312,9 +304,9 @@ async def results(ctx: Context, _: str) -> None:
         return
     solved = sum(any(each.solved for each in tries) for tries in kept.values())
     ctx.answer("results-total", solved=solved, tried=len(kept))
+    hints = {ctx.attempt.challenge.name: ctx.attempt.hints} if ctx.attempt is not None else {}
     for name, tries in kept.items():
-        here = ctx.attempt if ctx.attempt is not None and ctx.attempt.challenge.name == name else None
-        ctx.say(*_tries_in_words(name, tries, here.hints if here is not None else 0, ctx.words))
+        ctx.say(*_tries_in_words(name, tries, hints.get(name, 0), ctx.words))
 
 
 def _tries_in_words(name: str, tries: Sequence[Attempted], hints: int, words: Wording) -> Iterator[str]:
@@ -322,13 +314,10 @@ def _tries_in_words(name: str, tries: Sequence[Attempted], hints: int, words: Wo
     best = min((each for each in tries if each.solved), key=lambda each: each.steps, default=None)
     asked = max((each for each in tries if each.questions), key=lambda each: each.right, default=None)
     one = best or tries[-1]
-    yield words(
-        "results-open" if best is None else "results-solved",
-        title=challenges.find(name).text(words.language).title if name in challenges.names() else name,
-        tries=len(tries),
-        hints=max(hints, *(each.hints for each in tries)),
-        bumps=sum(each.bumps for each in tries),
-    )
+    title = challenges.find(name).text(words.language).title if name in challenges.names() else name
+    hints, bumps = max(hints, *(each.hints for each in tries)), sum(each.bumps for each in tries)
+    code = "results-open" if best is None else "results-solved"
+    yield words(code, title=title, tries=len(tries), hints=hints, bumps=bumps)
     if one.seconds:
         yield words("results-way" if one.shortest else "results-time", **asdict(one))
     if asked is not None:
