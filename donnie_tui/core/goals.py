@@ -7,12 +7,12 @@ place is between the robot's middle and the place. All are in steps.
 from __future__ import annotations
 
 import re
-import unicodedata
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache
 from itertools import combinations
 from math import atan2, ceil, degrees, hypot
 from typing import TYPE_CHECKING, TypeVar
+from unicodedata import normalize
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -23,6 +23,7 @@ from donnie_tui.core.events import Event, Moved, RunEnded, RunStarted, Stamped, 
 from donnie_tui.core.program_files import read_to_the_end
 from language.keywords import canonical, topic
 from language.lexer import lex
+from language.source import fold_name
 from worlds import challenges
 from worlds.challenges import Answers, Area, Avoided, Challenge, Goal, Heading, Limit, Rules, Target
 
@@ -492,6 +493,4 @@ def _parts(text: str) -> list[str | float]:
 @lru_cache(1000)
 def folded(text: str) -> str:
     """The text without case, accents, punctuation and doubled blanks."""
-    plain = unicodedata.normalize("NFKD", text.casefold())
-    kept = "".join(each if each.isalnum() else " " for each in plain if not unicodedata.combining(each))
-    return " ".join(kept.split())
+    return " ".join(re.findall(r"[^\W_]+", fold_name(normalize("NFKC", text))))
