@@ -9,11 +9,11 @@ robot time and by the number of its statements, so a busy machine changes no ver
 
 from __future__ import annotations
 
+import shutil
 import sys
 import tempfile
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import suppress
 from functools import partial
 from itertools import chain, count, groupby, islice
 from pathlib import Path
@@ -411,13 +411,11 @@ def _is_link(path: Path) -> bool:
 def _write_table(order: Order, records: Sequence[_Record]) -> None:
     """What ``--csv`` asks for. Raises ``Unusable``."""
     table = getattr(order.invocation.arguments, "csv", None)
-    if table is not None:
-        rows = (_Record.__struct_fields__, *map(astuple, records))
-        content = as_csv([Section("", rows=rows)])
-        if table == STANDARD_OUTPUT:
-            order.output.text(content)
-        else:
-            _write(Path(table), content, order.words)
+    content = as_csv([Section("", rows=(_Record.__struct_fields__, *map(astuple, records)))])
+    if table == STANDARD_OUTPUT:
+        order.output.text(content)
+    elif table is not None:
+        _write(Path(table), content, order.words)
 
 
 def _write(path: Path, text: str, words: Words) -> None:
@@ -445,9 +443,7 @@ def _new_challenge(order: Order, name: str) -> int:
             pattern = Path(challenges.LADDERS, "new", f"challenge{suffix}")
             _write(folder / f"{stem}{suffix}", read_program(pattern), order.words)
     except Unusable:  # a half challenge would keep the name from the next one
-        with suppress(OSError):
-            (folder / f"{stem}{challenges.SUFFIX}").unlink(missing_ok=True)
-            folder.rmdir()
+        shutil.rmtree(folder, ignore_errors=True)
         raise
     order.output.line(order.words("challenge-new", path=str(folder / f"{stem}{challenges.SUFFIX}")))
     return ExitCode.DONE
@@ -458,21 +454,17 @@ def _test_challenges(order: Order, given: Sequence[str]) -> int:
     codes = []
     for name in (each for one in given for each in (*map(str, challenges.files_in(one)),) or (one,)):
         try:
-            codes.append(_test_challenge(order, name))
+            judge = _judge(order, name)
+            faults = [*_faults(judge)]
         except Unusable as unusable:
             order.output.complaint(*unusable.sentences)
             codes.append(ExitCode.UNUSABLE)
+            continue
+        good = order.words("challenge-test-good", name=judge.challenge.name, starts=len(judge.starts))
+        for line in faults or (good,):
+            order.output.line(line)
+        codes.append(ExitCode.FAILED if faults else ExitCode.DONE)
     return max(codes)
-
-
-def _test_challenge(order: Order, name: str) -> int:
-    """Whether it is as ``_faults`` wants it."""
-    judge = _judge(order, name)
-    faults = [*_faults(judge)]
-    good = order.words("challenge-test-good", name=judge.challenge.name, starts=len(judge.starts))
-    for line in faults or (good,):
-        order.output.line(line)
-    return ExitCode.FAILED if faults else ExitCode.DONE
 
 
 def _faults(judge: Judge) -> Iterator[str]:
