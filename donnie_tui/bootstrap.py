@@ -60,7 +60,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from donnie_tui.core.goals import Inventory, Judgment
-    from donnie_tui.world.building import Building
+    from donnie_tui.world.things import Building
     from sim.ground import Looks
     from sim.picture import Drawing, Picture
     from sim.sensors import Mounted
@@ -133,7 +133,7 @@ class Donnie(Struct, frozen=True):
 
     def building(self, program: str = "") -> Building:
         """Changes the world while nothing runs. ``program``: the text of the learner's program."""
-        from donnie_tui.world.building import Building
+        from donnie_tui.world.things import Building
 
         folders = self.outlets.audible.settings.include_folders
         return Building(self.site, self._shared, folders, self.words, program)

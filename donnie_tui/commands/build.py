@@ -17,7 +17,7 @@ from donnie_tui.world import things
 from language import keywords
 
 if TYPE_CHECKING:
-    from donnie_tui.world.building import Building
+    from donnie_tui.world.things import Building
     from sim.picture import Thing
 
 

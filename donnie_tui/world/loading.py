@@ -157,7 +157,7 @@ class SiteChange(Struct, frozen=True):
 
 
 class Site:
-    """The world of a session, which ``world.building`` changes."""
+    """The world of a session, which ``things.Building`` changes."""
 
     def __init__(self, world: ChosenWorld) -> None:
         self.world = world
