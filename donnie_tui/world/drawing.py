@@ -224,14 +224,12 @@ class _Drawing:
             self._slip(f"drawing-{code}", square, letter=letter, near=near)
 
     def _check_robots(self, robots: Sequence[Square]) -> None:
-        names, count = [*map(fold_name, self._names)], len(robots)
+        names, count = {*map(fold_name, self._names)}, len(robots)
         place = self._places.get(ARROWS) or (*robots, *robots, _NOWHERE, _NOWHERE)[1]
         if not (count or self._has_none):
             self._slip("drawing-no-robot")
         elif len(names) != count and (names or count > 1) and "…" not in names:
             self._slip("drawing-robot-names", place, names=len(names), count=count)
-        elif len({*names}) != len(names):
-            self._slip("drawing-name-twice", place)
 
     def _check_colours(self, groups: Sequence[Group]) -> None:
         """Things of one letter with more or fewer colours than there are things."""

@@ -225,12 +225,10 @@ def choose_challenge(
     from donnie_tui.core.goals import Inventory, unknown_names
     from worlds.challenges import BadChallenge, ChallengeMistake, find
 
-    found: Challenge | None
-    world: ChosenWorld | None = None
-    unread = tuple[str, ...]()
+    found, world, mistakes, unread = _titled(name), None, list[ChallengeMistake](), tuple[str, ...]()
     try:
-        found = _titled(name) or find(name)
-        file, mistakes = found.path, list[ChallengeMistake]()
+        found = found or find(name)
+        file = found.path
     except BadChallenge as bad:
         found, file, mistakes = bad.found, bad.file, [*bad.mistakes]
     codes = {each.code for each in mistakes}
@@ -241,10 +239,9 @@ def choose_challenge(
         except Unusable as problem:
             unread = problem.sentences
         mistakes += _unknown(found, world)
-        if world is None and any(unknown_names(found.rules, Inventory((), 0.0))):
-            unread += (words("challenge-unchecked"),)
-    if "challenge-not-toml" in codes:
-        unread += (words("challenge-unread"),)
+        is_unchecked = world is None and any(unknown_names(found.rules, Inventory((), 0.0)))
+        if is_unchecked or "challenge-not-toml" in codes:
+            unread += (words("challenge-unread"),)
     if mistakes or found is None or world is None:
         raise Unusable(*_in_words(file, mistakes, words, unknown), *unread)
     world = replace(world, challenge=found)

@@ -259,7 +259,7 @@ def test_a_file_without_mistakes_is_read(tmp_path: Path) -> None:
             '"first_room"',
             '"frist_room"',
             "Line 2: it.toml asks for the world frist_room. Did you mean first_room?\n"
-            "Names of things are checked once the world can be read.",
+            "What I can't read is checked after you correct it.",
         ),
         (
             "[[goal]]\nsaid",
@@ -367,7 +367,7 @@ def test_a_world_with_a_mistake_is_reported_together_with_the_mistakes_of_the_ch
     first, world, note = capsys.readouterr().err.splitlines()
     assert first == "Line 10: it.toml has the key wihtin. Did you mean within?"
     assert "it.world" in world
-    assert note == "Names of things are checked once the world can be read."
+    assert note == "What I can't read is checked after you correct it."
 
 
 def test_a_folder_with_several_challenges_says_their_names(

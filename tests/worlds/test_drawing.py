@@ -198,7 +198,7 @@ def test_two_robots_are_named_under_the_drawing(tmp_path: Path) -> None:
         ),
         (
             "......\n.^..>.\n......\n\n^ alice, Alice\n",
-            ["Error, map.txt, line 5, column 1: Two robots have the same name."],
+            ["Error, map.txt, line 5, column 1: 2 robots, 1 name. Write under the drawing: ^ alice, bob."],
         ),
         (
             ".....\n..^..\n....\n......\n",
