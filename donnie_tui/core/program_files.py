@@ -170,7 +170,7 @@ def is_folder(path: Path) -> bool:
 def is_same_file(one: Path, other: Path) -> bool:
     """Whether both are one file, which may not exist yet. False for a terminal or another device."""
     try:
-        if one.exists() and other.exists():
+        if one.exists():
             return one.is_file() and one.samefile(other)
         return real_path(one) == real_path(other)
     except (OSError, ValueError):

@@ -1,7 +1,9 @@
 """Program files are read in any likely encoding, and written so that nothing is lost."""
 
+import errno
 import os
 import threading
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -14,15 +16,22 @@ from donnie_tui.core.program_files import (
     FilesInUse,
     ProgressFile,
     RecentFiles,
+    changed_since,
     decode,
     file_names,
+    file_to_save,
     is_same_file,
+    new_file,
+    page_to_save,
     program_meant,
     program_to_open,
     program_to_save,
     programs_in,
     read_program,
     read_to_the_end,
+    save_question,
+    saved_text,
+    write_companion,
     write_program,
 )
 
@@ -209,6 +218,145 @@ def test_a_folder_is_refused_before_a_question_whether_to_replace_it(tmp_path: P
         program_to_save(str(tmp_path), FilesInUse())
 
     assert refused.value.code == "file-is-folder"
+
+
+# --- which file is meant, and what a save would replace
+
+
+def refused(attempt: Callable[[], object]) -> tuple[str, str, str]:
+    """Why, which file, and the system's reason."""
+    with pytest.raises(DocumentError) as caught:
+        attempt()
+    return caught.value.code, caught.value.path, caught.value.reason
+
+
+def test_a_file_in_use_is_not_saved_onto_under_any_of_its_names(tmp_path: Path) -> None:
+    used, link, free = (tmp_path / each for each in ("used.gd", "link.gd", "free.gd"))
+    used.touch()
+    link.symlink_to(used)
+    in_use = FilesInUse([str(link)])
+
+    assert str(used) in in_use
+    assert str(free) not in in_use
+    assert str(free) not in FilesInUse()
+    assert refused(lambda: program_to_save(str(tmp_path / "used"), in_use)) == ("file-in-use", str(used), "")
+    assert file_to_save(str(used), in_use, ".txt", own=used) == used
+    assert refused(lambda: file_to_save(str(used), in_use, ".txt", own=link))[0] == "file-in-use"
+
+
+def test_a_page_is_not_saved_onto_an_open_program(tmp_path: Path) -> None:
+    program, page = tmp_path / "a.gd", tmp_path / "page.html"
+    program.touch()
+    open_programs = [None, tmp_path / "other.gd", program]
+
+    assert page_to_save(str(page), open_programs, FilesInUse()) == page
+    assert refused(lambda: page_to_save(str(tmp_path / "a"), open_programs, FilesInUse())) == (
+        *("file-is-open", str(program), ""),
+    )
+
+
+@pytest.mark.parametrize("name", ["", '""', "/", "."])
+def test_a_name_that_is_only_a_folder_is_refused(name: str) -> None:
+    assert refused(lambda: program_to_open(name))[0] == "file-is-folder"
+
+
+def test_the_file_of_a_name_comes_before_the_one_with_the_suffix(tmp_path: Path) -> None:
+    for name in ("a", "a.gd"):
+        (tmp_path / name).touch()
+
+    assert program_to_open(f" \u201c{tmp_path}/a\u201d ") == tmp_path / "a"
+
+
+def test_a_name_is_taken_as_it_is_typed(tmp_path: Path) -> None:
+    """A blank in quotes, an account that there is not, a name that is longer than a file's can be."""
+    long = tmp_path / ("x" * 300)
+
+    assert program_to_save(f"'{tmp_path}/ a'", FilesInUse()) == tmp_path / " a.gd"
+    assert program_to_open("~no-such-account/a.gd") == Path("~no-such-account/a.gd")
+    assert program_to_open(str(long)) == long
+    assert program_to_save(str(long), FilesInUse()) == long.with_name(long.name + ".gd")
+    assert not is_same_file(long, long)
+
+
+def test_a_save_asks_before_it_replaces_what_is_not_the_program_as_it_was(tmp_path: Path) -> None:
+    own, other, link = (tmp_path / each for each in ("own.gd", "other.gd", "link.gd"))
+    for each in (own, other):
+        each.write_text("FW 1\r\nFW 2\n")
+    link.symlink_to(own)
+    known = "FW 1\nFW 2"
+
+    questions = [save_question(each, own, known) for each in (own, link, other, tmp_path / "new.gd")]
+    assert questions == ["", "", "ask-replace", ""]
+    assert save_question(own, None, known) == "ask-replace"
+    own.write_text("FW 3\n")
+    assert save_question(link, own, known) == "ask-replace-changed"
+    assert [changed_since(each, known) for each in (own, other, tmp_path / "new.gd")] == [True, False, False]
+    assert not changed_since(tmp_path, known)
+    assert [saved_text(each) for each in (own, tmp_path, tmp_path / "new.gd")] == ["FW 3\n", "", ""]
+
+
+def test_an_error_names_its_file_and_the_reason(tmp_path: Path) -> None:
+    (tmp_path / "a.gd").touch()
+    below, zero = tmp_path / "a.gd" / "b.gd", tmp_path / "a\0b"
+    no_folder, wrong = os.strerror(errno.ENOTDIR), os.strerror(errno.EINVAL)
+
+    assert refused(lambda: read_program(below)) == ("file-unreadable", str(below), no_folder)
+    assert refused(lambda: write_program(below, "")) == ("file-unwritable", str(below), no_folder)
+    assert refused(lambda: read_program(zero)) == ("file-unreadable", str(zero), wrong)
+    assert refused(lambda: read_program(tmp_path / "none")) == ("file-not-found", str(tmp_path / "none"), "")
+    assert refused(lambda: decode(b"x" * (8 * 1024 * 1024 + 1), "-")) == ("file-too-large", "-", "8")
+    code, path, reason = refused(lambda: write_program(tmp_path / "a.gd", "\udcff"))
+    assert (code, path) == ("file-unwritable", str(tmp_path / "a.gd"))
+    assert "surrogates not allowed" in reason
+
+
+@pytest.mark.parametrize(("mask", "mode"), [(0o022, 0o644), (0o077, 0o600)])
+def test_a_new_file_has_the_permissions_of_the_account(tmp_path: Path, mask: int, mode: int) -> None:
+    before = os.umask(mask)
+    try:
+        write_program(tmp_path / "a.gd", "FW 1")
+        assert os.umask(mask) == mask
+    finally:
+        os.umask(before)
+
+    assert (tmp_path / "a.gd").stat().st_mode & 0o777 == mode
+
+
+def test_a_write_that_fails_leaves_the_old_file_and_no_other(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "a.gd").write_text("old")
+
+    def full(_number: int) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(os, "fsync", full)
+    failed = refused(lambda: write_program(tmp_path / "a.gd", "new"))
+
+    assert failed == ("file-unwritable", str(tmp_path / "a.gd"), os.strerror(errno.ENOSPC))
+    assert {each.name: each.read_text() for each in tmp_path.iterdir()} == {"a.gd": "old"}
+
+
+def test_a_companion_has_the_first_number_that_is_free_or_the_same(tmp_path: Path) -> None:
+    page = tmp_path / "page.html"
+    (tmp_path / "page-2.svg").mkdir()
+    names = [write_companion(page, ".svg", data) for data in (b"one", b"two", b"one", b"two", b"three")]
+
+    assert names == ["page-1.svg", "page-3.svg", "page-1.svg", "page-3.svg", "page-4.svg"]
+    assert (tmp_path / "page-3.svg").read_bytes() == b"two"
+
+
+def test_new_files_have_names_of_their_own(tmp_path: Path) -> None:
+    found = list[Path]()
+    for _ in range(2):
+        number, path = new_file(tmp_path, "copy-", ".txt")
+        os.write(number, b"x")
+        os.close(number)
+        found.append(path)
+
+    assert len({*found}) == 2
+    assert sorted(found) == sorted(tmp_path.glob("copy-*.txt"))
+    assert {each.stat().st_mode & 0o777 for each in found} == {0o600}
 
 
 # --- what is kept from one start to the next
