@@ -7,6 +7,7 @@ from functools import cache
 from itertools import combinations, pairwise, product
 from math import ceil, hypot
 from pathlib import Path
+from string import ascii_lowercase, digits
 from xml.etree import ElementTree
 
 import pytest
@@ -168,6 +169,10 @@ def test_a_block_of_letters_keeps_what_matters_most() -> None:
         ("pt", "câmara, parede, não é", "C*MARA1 PAREDE1 N>O ="),
         ("es", "niño, aquí está.", "NI]O1 AQU/ EST('"),
         ("en", "über 漢 \x1b", "UBER    "),
+        ("en", "a;b-c'd_e/f", "A2B-C'D-E-F"),
+        ("en", "1234567890", "#ABCDEFGHIJ"),
+        ("en", "10 20a3", "#AJ #BJA#C"),
+        ("en", "az AZ", "AZ AZ"),
     ],
 )
 def test_text_becomes_ascii_braille(language: str, text: str, cells: str) -> None:
@@ -197,6 +202,99 @@ def test_there_are_sixty_four_cells_each_with_its_dots() -> None:
 )
 def test_the_initial_of_a_colour_stays_with_its_colour(line: str, parts: list[str]) -> None:
     assert wrapped(line, 21) == parts
+
+
+def test_a_letter_that_several_kinds_share_names_three_of_them_and_all_their_colours() -> None:
+    kinds = ("box", "bed", "ball", "bin", "box")
+    colours = ("red", "red", "blue", "green", "yellow")
+    things = tuple(
+        Thing("", kind, "B" if at else "b", colour, at, 0, 1, 1, index=at)
+        for at, (kind, colour) in enumerate(zip(kinds, colours, strict=True))
+    )
+    it = chart(Picture(0, 0, 5, 1, 1, ("bBBBB",), things, has_walls=False), Pose(9, 9, 0), None, Words())
+
+    assert it.legend["b"].startswith("box, bed, ball, ")
+    assert it.rows == ("bbbbb",)
+    assert "bin" not in it.legend["b"]
+    assert all(colour in it.legend["b"] for colour in colours)
+
+
+def test_a_robot_has_a_letter_that_no_thing_has() -> None:
+    """Of its name, else of the alphabet; others stay as they are."""
+    thing = Thing("", "box", "b", "red", 0, 0, 1, 1)
+    robots = [
+        Thing(name, "donnie", "d", "red", at, 0, 1, 1, is_robot=True) for at, name in ((1, "Bb1"), (2, "é"))
+    ]
+    floor = Picture(0, 0, 4, 1, 1, ("bdd.",), (thing, *robots), has_walls=False)
+    it = chart(floor, Pose(3, 0, 0), "Bob", Words())
+
+    assert [(each.name, each.letter) for each in it.robots] == [("Bob", "o"), ("Bb1", "a"), ("é", "c")]
+    assert it.rows == ("baco",)
+
+
+# --- braille pages line by line
+
+LEGEND = ascii_lowercase + digits
+
+
+def plan_of(width: int, height: int, legend: int = 0, cell: int = 1) -> Chart:
+    """A floor with a wall in its last cell, and so many lines in the legend."""
+    rows = ("." * width,) * (height - 1) + ("." * (width - 1) + "#",)
+    return Chart(rows, cell, (), dict.fromkeys(LEGEND[:legend], "thing"))
+
+
+def braille_of(plan: Chart, title: str = "floor") -> list[list[str]]:
+    text = braille_pages(title, plan, Words())
+    assert text.endswith("\r\n\f")
+    return [page.split("\r\n")[:-1] for page in text.split("\f")[:-1]]
+
+
+@pytest.mark.parametrize(
+    ("width", "height", "cell", "scale", "rows"),
+    [
+        (40, 2, 1, "A CELL IS #A BY #B STEPS", 1),
+        (41, 2, 1, "A CELL IS #B BY #C STEPS", 1),
+        (80, 3, 1, "A CELL IS #B BY #C STEPS", 1),
+        (81, 5, 1, "A CELL IS #C BY #E STEPS", 1),
+        (121, 7, 1, "A CELL IS #D BY #G STEPS", 1),
+        (10, 44, 1, "A CELL IS #A BY #B STEPS", 22),
+        (10, 46, 1, "A CELL IS #A BY #B STEPS", 23),
+        (10, 47, 1, "A CELL IS #B BY #C STEPS", 16),
+        (10, 4, 5, "A CELL IS #E BY #AJ STEPS", 2),
+    ],
+)
+def test_a_braille_map_has_the_smallest_scale_that_fits(
+    width: int, height: int, cell: int, scale: str, rows: int
+) -> None:
+    """A cell is 5 / 3 as high as wide; two of 25 lines are the title and the scale."""
+    page, *_ = braille_of(plan_of(width, height, cell=cell))
+    drawn = page[2 : 2 + rows]
+
+    assert page[1] == scale
+    assert drawn[-1].endswith("=")
+    assert set("".join(drawn)) <= {" ", "="}
+    assert all(each == "" for each in drawn[:-1])
+
+
+@pytest.mark.parametrize(
+    ("legend", "pages"), [(0, [8]), (16, [24]), (17, [25]), (18, [7, 19]), (22, [7, 23]), (30, [7, 25, 6])]
+)
+def test_the_legend_is_below_the_map_if_it_fits_there_without_making_it_smaller(
+    legend: int, pages: list[int]
+) -> None:
+    """A map of five lines, two of the heading, one that says where north is, and a line for each letter."""
+    found = braille_of(plan_of(4, 10, legend))
+
+    assert [len(page) for page in found] == pages
+    assert [line for page in found for line in page][7] == "NORTH IS AT THE TOP"
+    last = f"{LEGEND[legend - 1].upper()}  THING" if legend else "NORTH IS AT THE TOP"
+    assert found[-1][-1] == last
+
+
+def test_a_title_that_is_longer_than_a_line_is_cut() -> None:
+    ((title, *_),) = braille_of(plan_of(4, 2), "x" * 41)
+
+    assert title == "X" * 40
 
 
 @pytest.mark.parametrize("name", worlds.names())

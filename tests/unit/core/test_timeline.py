@@ -194,15 +194,116 @@ def test_a_trail_begins_anew_with_a_reset() -> None:
 
 def test_things_return_to_their_earlier_places() -> None:
     first, second = (PlacedThing("box", Pose(x, 0, 0)) for x in (1, 2))
-    stamped = [Stamped(1, 0.0, ThingsMoved((first,))), Stamped(2, 0.0, ThingsMoved((second,)))]
-    timeline = Timeline(stamped)
-    timeline.go_to(2)
+    events = ThingsMoved((first,)), Spoke("1"), ThingsMoved((second,)), Spoke("2")
+    timeline = timeline_of(*events)
 
     there = [timeline.things]
-    while timeline.back():
+    while timeline.forward():
         there.append(timeline.things)
+    back = [timeline.things]
+    while timeline.back():
+        back.append(timeline.things)
 
-    assert there == [(second,), (first,), ()]
+    assert there == [(), (first,), (first,), (second,), (second,)]
+    assert back == there[::-1]
+    assert (timeline.pose(), timeline.robots) == (None, ())
+
+
+# --- where a step ends
+
+MOVED = Moved("FW 1", 1, 1, None, Pose(0, 1, 0), True)
+BELT = BeltShown((1,) * 14)
+
+
+def timeline_of(*events: Event) -> Timeline:
+    return Timeline([Stamped(at, 0.0, event) for at, event in enumerate(events, start=1)])
+
+
+def steps_of(*events: Event) -> list[int]:
+    """How many events each step has, the same forwards and backwards."""
+    timeline = timeline_of(*events)
+    forwards = [len(step) for step in iter(timeline.step, ())]
+    backwards = [len(step) for step in iter(timeline.step_back, ())]
+    assert backwards[::-1] == forwards
+    return forwards
+
+
+@pytest.mark.parametrize(
+    "code", ["moved", "turned", "driven", "scan", "sound", "link", "gripper", "pushed", "position", "help"]
+)
+def test_an_announcement_about_an_event_belongs_to_it_and_any_other_is_a_step(code: str) -> None:
+    is_own = code in ("position", "help")
+
+    assert steps_of(Spoke("1"), MOVED, Announced(code, "So it is."), Spoke("2")) == (
+        [1, 1, 1, 1] if is_own else [1, 2, 1]
+    )
+
+
+@pytest.mark.parametrize(
+    "cue", ["step-forward", "step-back", "turn-right", "turn-left", "waiting", "done", "obstacle", "bump"]
+)
+def test_the_cue_of_what_begins_leads_on_and_any_other_belongs_to_what_was(cue: str) -> None:
+    follows = cue in ("obstacle", "bump")
+
+    assert steps_of(Spoke("1"), CueSounded(cue, 0.0, None), Spoke("2")) == ([2, 1] if follows else [1, 2])
+
+
+@pytest.mark.parametrize(
+    ("events", "sizes"),
+    [
+        ((Statement(1, 1, 0), Read("distance", "F", 3), MOVED, Spoke("1")), [3, 1]),
+        ((Announced("waiting", "I wait."), Waited(1), Spoke("1")), [2, 1]),
+        ((CueSounded("step-forward", 0.0, None), BELT, ThingsMoved(()), MOVED, Spoke("1")), [4, 1]),
+        ((MOVED, BELT, ThingsMoved(()), Spoke("1")), [3, 1]),
+        ((BELT, BELT, Spoke("1")), [2, 1]),
+        ((MOVED, Statement(1, 1, 0)), [1, 1]),
+    ],
+)
+def test_what_leads_to_an_event_and_what_follows_it_are_one_step(
+    events: tuple[Event, ...], sizes: list[int]
+) -> None:
+    assert steps_of(*events) == sizes
+
+
+def test_steps_are_counted_by_what_they_did() -> None:
+    timeline = timeline_of(
+        CueSounded("step-forward", 0.0, None), MOVED, BELT, Announced("moved", "1"), Spoke("1")
+    )
+
+    counted = [timeline.steps]
+    while timeline.forward():
+        counted.append(timeline.steps)
+    assert counted == [(0, 2), (0, 2), (1, 2), (1, 2), (1, 2), (2, 2)]
+
+
+@pytest.mark.parametrize(("at", "there"), [(2, 2), (0, 0), (-1, 0), (5, 5), (6, 5)])
+def test_a_timeline_goes_to_a_position_from_either_side(at: int, there: int) -> None:
+    timeline = timeline_of(*[MOVED] * 5)
+    timeline.go_to(at)
+    assert timeline.at == there
+    timeline.go_to(5)
+    timeline.go_to(at)
+    assert timeline.at == there
+
+
+def test_the_moves_up_to_a_position_include_those_that_are_forgotten() -> None:
+    chronicle = Chronicle(most=2)
+    for at in range(1, 6):
+        chronicle(Stamped(at, 0.0, Moved(f"FW {at}", at, at, None, Pose(0, at, 0), True), "alice"))
+    timeline = chronicle.timeline()
+
+    def commands(robot: str) -> list[str]:
+        return [row[0] for row in timeline.moves(lambda: robot).rows()]
+
+    assert commands("alice") == ["FW 1", "FW 2", "FW 3", "FW 4", "FW 5"]
+    assert commands("bob") == []
+    timeline.back()
+    assert commands("alice") == ["FW 1", "FW 2", "FW 3", "FW 4"]
+    timeline.go_to(0)
+    assert commands("alice") == ["FW 1", "FW 2", "FW 3"]
+    kept = Timeline(timeline.events)
+    kept.forward()
+    assert [row[0] for row in kept.moves(lambda: "alice").rows()] == ["FW 4"]
 
 
 def test_each_robot_has_its_own_place_and_is_named() -> None:
