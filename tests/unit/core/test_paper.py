@@ -23,6 +23,7 @@ from donnie_tui.core.chart import (
     braille,
     braille_pages,
     chart,
+    colour_marks,
     dots,
     shrunk,
     with_marks,
@@ -106,7 +107,20 @@ def test_too_many_robots_share_a_letter() -> None:
     )
 
     assert len({each.letter for each in it.robots}) == 7
+    assert it.robots[-1].letter == "z"
     assert it.legend[it.robots[-1].letter] == "24 more robots"
+
+
+def test_the_shared_letter_is_the_last_one_that_no_thing_has() -> None:
+    z = Thing("", "zebra", "Z", "red", 0, 0, 1, 1)
+    seven = tuple(
+        Thing(f"r{each}", "donnie", "d", "red", each, 0, 1, 1, is_robot=True) for each in range(1, 8)
+    )
+    floor = Picture(0, 0, 8, 1, 1, ("Z" + "d" * 7,), (z, *seven), has_walls=False)
+    it = chart(floor, Pose(0, 0, 0), None, Words())
+
+    assert it.robots[-1].letter == "y"
+    assert set(it.legend) == {each.letter for each in it.robots} | {"z"}
 
 
 def test_a_robot_outside_of_the_map_is_in_the_legend_only() -> None:
@@ -116,9 +130,9 @@ def test_a_robot_outside_of_the_map_is_in_the_legend_only() -> None:
 
 
 def test_every_square_of_a_robot_has_its_letter() -> None:
-    body = Thing("other", "rover", "r", "red", 5, 5, 9, 9, is_robot=True)
-    rows = ("." * 11, *["." + "r" * 9 + "."] * 9, "." * 11)
-    it = chart(Picture(0, 0, 11, 11, 1, rows, (body,), has_walls=False), Pose(0, 0, 0), None, Words())
+    body = Thing("other", "rover", "r", "red", 7, 2, 5, 3, is_robot=True)
+    rows = ("." * 11, "." * 11, *[".....rrrrr."] * 3, "." * 11)
+    it = chart(Picture(0, 0, 11, 6, 1, rows, (body,), has_walls=False), Pose(0, 0, 0), None, Words())
 
     assert it.rows == tuple(row.replace("r", "o") for row in rows)
 
@@ -156,6 +170,29 @@ def test_a_block_of_letters_keeps_what_matters_most() -> None:
     assert shrunk(rows, 2, 2, "^") == (".c.^", "..#.")
     assert shrunk(rows, 1, 1) == rows
     assert shrunk(rows, 3, 3, "^") == ("#c^", "...")
+    assert shrunk(("c^^c#c",), 2, 1, "^") == ("^^c",)
+    assert shrunk(("c^^c",), 2, 1) == ("c^",)
+
+
+def test_only_things_with_a_known_colour_on_the_map_are_marked_from_north_to_south() -> None:
+    things = (
+        Thing("", "box", "b", "red", 2, 0, 1, 1, index=1),
+        Thing("", "box", "b", "blue", 0, 1, 1, 1, index=2),
+        Thing("", "box", "b", "blue", 1, 0, 1, 1, index=3),
+        Thing("", "box", "b", "blue", 9, 0, 1, 1, index=4),
+        Thing("", "box", "b", "", 0, 0, 1, 1, index=5),
+        Thing("", "donnie", "b", "red", 2, 1, 1, 1, is_robot=True, index=6),
+        Thing("", "cup", "c", "red", 1, 1, 1, 1, index=7),
+    )
+    marks = colour_marks(
+        Picture(0, 0, 3, 2, 1, ("bcb", "bbb"), things, has_walls=False), {"red": "R", "blue": "B"}
+    )
+
+    assert [(each.row, each.column, each.thing.index, each.initial) for each in marks] == [
+        (0, 0, 2, "B"),
+        (1, 1, 3, "B"),
+        (1, 2, 1, "R"),
+    ]
 
 
 # --- braille

@@ -59,6 +59,8 @@ def test_a_program_is_read_in_the_encoding_that_it_is_in(tmp_path: Path, data: b
 def test_an_unreadable_file_has_an_error_code(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(program_files, "LARGEST", 10)
     (tmp_path / "large.gd").write_bytes(b"x" * 11)
+    (tmp_path / "full.gd").write_bytes(b"x" * 10)
+    assert read_program(tmp_path / "full.gd") == "x" * 10
     (tmp_path / "picture.gd").write_bytes(b"\x89PNG\0")
     (tmp_path / "wide.gd").write_bytes("F".encode("utf-32"))
 
@@ -517,6 +519,7 @@ def test_links_lead_to_programs_and_folders_but_in_no_circle(tmp_path: Path) -> 
     assert names_in(tmp_path / "one") == ["b.gd", "deep/", "other/"]
     inside = [str(tmp_path.resolve() / "one"), str(tmp_path.resolve() / "two")]
     assert programs_in(tmp_path / "one" / "other", inside) == ()
+    assert [each.name for each in programs_in(tmp_path, inside)] == ["a.gd", "one/", "two/"]
 
 
 @pytest.mark.parametrize("name", ["nowhere", "a.gd"])

@@ -12,12 +12,15 @@ from donnie_tui.core.events import (
     Error,
     Event,
     GripperUsed,
+    HowStarted,
     Link,
     Moved,
+    Outcome,
     Passing,
     PlacedThing,
     Read,
     Reset,
+    RunEnded,
     RunStarted,
     SoundSwitched,
     Spoke,
@@ -26,8 +29,16 @@ from donnie_tui.core.events import (
     ThingsMoved,
     Waited,
 )
-from donnie_tui.core.timeline import Chronicle, Timeline, undone_in_words
+from donnie_tui.core.timeline import (
+    Chronicle,
+    Replay,
+    Timeline,
+    moments_of,
+    redone_in_words,
+    undone_in_words,
+)
 from donnie_tui.i18n.words import Words
+from language.control import ExecutionControl
 from tests.floor import Floor
 from tests.unit.core.values import HERE
 
@@ -127,6 +138,8 @@ def test_a_step_back_names_the_place_that_it_leads_to() -> None:
     [
         (CueSounded("step-forward", 0.0, None), "De volta: parte de uma caminhada. Posição 0, 1."),
         (CueSounded("turn-left", 0.0, None), "De volta: parte de um giro. Virado para o norte."),
+        (CueSounded("step-back", 0.0, None), "De volta: parte de uma caminhada. Posição 0, 1."),
+        (CueSounded("turn-right", 0.0, None), "De volta: parte de um giro. Virado para o norte."),
         (CueSounded("obstacle", 0.0, 1.0), "De volta: um som."),
         (Read("distance", "F", 7), "De volta: um sensor disse 7."),
         (Statement(3, 1, 0), "De volta: começo da linha 3."),
@@ -284,6 +297,117 @@ def test_a_timeline_goes_to_a_position_from_either_side(at: int, there: int) -> 
     timeline.go_to(5)
     timeline.go_to(at)
     assert timeline.at == there
+
+
+@pytest.mark.parametrize(
+    ("events", "robot", "said"),
+    [
+        ((), None, ""),
+        ((STARTED,), None, "Start of a.gd."),
+        ((STARTED,), "bob", "bob: Start of a.gd."),
+        ((Statement(3, 1, 0), Waited(2), BELT), None, "Waited 2 seconds."),
+        ((Statement(3, 1, 0), Read("distance", "F", 7)), None, "A sensor said 7."),
+        ((Spoke("Hello"),), None, ""),
+        ((MOVED, Announced("moved", "I walked.")), None, ""),
+    ],
+)
+def test_what_printed_nothing_is_named_when_it_is_repeated(
+    events: tuple[Event, ...], robot: str | None, said: str
+) -> None:
+    assert redone_in_words([Stamped(1, 0.0, each, robot) for each in events], Words()) == said
+
+
+# --- the times of a replay
+
+
+def started(*together: str) -> RunStarted:
+    how = HowStarted("", 1, True, True, False, Pose(0, 0, 0), named=True, together=together)
+    return structs.replace(STARTED, how=how)
+
+
+ENDED = RunEnded(Outcome.COMPLETED, Pose(0, 0, 0), {}, 0.0)
+
+
+def test_each_run_has_its_own_time_from_the_moment_at_which_it_began() -> None:
+    """One after the other their times are added; robots that start together share their beginning."""
+    happened: list[tuple[Event, str, float, float]] = [
+        (STARTED, "alice", 0.0, 0.0),
+        (Spoke("1"), "alice", 2.0, 2.0),
+        (ENDED, "alice", 2.0, 2.0),
+        (Spoke("2"), "alice", 9.0, 2.0),  # between the runs
+        (started(), "alice", 0.0, 2.0),
+        (Spoke("3"), "alice", 1.0, 3.0),
+        (ENDED, "alice", 1.5, 3.5),
+        (started("alice", "bob"), "alice", 0.0, 3.5),
+        (Spoke("4"), "alice", 1.0, 4.5),
+        (started("alice", "bob"), "bob", 0.0, 4.5),
+        (Spoke("5"), "bob", 0.5, 4.5),  # at 4.0, which is over
+        (Spoke("6"), "bob", 2.0, 5.5),
+        (ENDED, "alice", 4.0, 7.5),
+        (ENDED, "bob", 5.0, 8.5),
+        (started(), "alice", 0.0, 8.5),
+        (Spoke("7"), "alice", 2.0, 10.5),
+        (started(), "bob", 0.0, 10.5),  # started by hand meanwhile
+        (Spoke("8"), "bob", 1.0, 11.5),
+        (Spoke("9"), "alice", 5.0, 13.5),
+    ]
+    events = [Stamped(at, t, event, robot) for at, (event, robot, t, _) in enumerate(happened, start=1)]
+
+    assert list(moments_of(events)) == [moment for *_, moment in happened]
+
+
+class Waiting(ExecutionControl):
+    """Waits not at all, and is stopped at its wait of that number."""
+
+    def __init__(self, stopped_at: int | None = None) -> None:
+        super().__init__()
+        self.waits: list[float] = []
+        self._stopped_at = stopped_at
+
+    def sleep(self, seconds: float) -> bool:
+        self.waits.append(seconds)
+        return len(self.waits) != self._stopped_at
+
+
+def replayed() -> Timeline:
+    """A run with steps at 1, 1, 4 and 24 seconds."""
+    times = (0.0, STARTED), (1.0, MOVED), (1.0, BELT), (4.0, Spoke("1")), (24.0, Spoke("2"))
+    return Timeline([Stamped(at, t, event) for at, (t, event) in enumerate(times, start=1)])
+
+
+@pytest.mark.parametrize(
+    ("speed", "there", "back"),
+    [
+        (1.0, [0, 1, 0, 3, 5], [5, 3, 1, 0]),
+        (2.0, [0, 0.5, 0, 1.5, 5], [5, 1.5, 0.5, 0]),
+        (10.0, [0, 0.1, 0, 0.3, 2], [2, 0.3, 0.1, 0]),
+        (None, [0] * 5, [0] * 4),
+    ],
+)
+def test_a_replay_waits_as_long_as_the_program_took_divided_by_its_speed(
+    speed: float | None, there: list[float], back: list[float]
+) -> None:
+    """Five seconds at most; backwards step by step, so that the belt waits for nothing."""
+    timeline, seen, undone = replayed(), list[Stamped](), list[tuple[Stamped, ...]]()
+    forwards, backwards = Waiting(), Waiting()
+
+    assert Replay(timeline, forwards, speed).forwards(seen.append)
+    assert seen == list(timeline.events)
+    assert forwards.waits == pytest.approx(there)
+    assert Replay(timeline, backwards, speed).backwards(undone.append)
+    assert [len(each) for each in undone] == [1, 1, 2, 1]
+    assert backwards.waits == pytest.approx(back)
+    assert timeline.at == 0
+
+
+def test_a_replay_that_is_stopped_in_a_wait_stays_before_what_comes_next() -> None:
+    timeline, seen, undone = replayed(), list[Stamped](), list[tuple[Stamped, ...]]()
+
+    assert not Replay(timeline, Waiting(stopped_at=3), 1.0).forwards(seen.append)
+    assert (timeline.at, len(seen)) == (2, 2)
+    timeline.go_to(5)
+    assert not Replay(timeline, Waiting(stopped_at=2), 1.0).backwards(undone.append)
+    assert (timeline.at, len(undone)) == (3, 2)
 
 
 def test_the_moves_up_to_a_position_include_those_that_are_forgotten() -> None:
