@@ -286,7 +286,7 @@ def _scale(chart: Chart, most_lines: int) -> int:
 
 
 def _down(across: int) -> int:
-    return max(1, round(across * _SLENDER))
+    return round(across * _SLENDER)
 
 
 def _map(chart: Chart, across: int, down: int) -> list[str]:

@@ -262,7 +262,7 @@ class _Omitted(Struct):
     turns: int = 0
     movements: int = 0
     only: tuple[str, ...] = ()
-    """The lines of the first movement; they are printed if it stays the only one."""
+    """The lines of the last movement; they are printed if it is the only one."""
     place: tuple[str, ...] = ()
     """The lines for the place after the last movement."""
 
@@ -356,7 +356,7 @@ class SummaryFilter:
                 code = "more-moves" if omitted.turns and omitted.steps else alone
                 sentence = self._say(code, steps=omitted.steps, turns=omitted.turns)
                 lines.append(with_robot_name(name, sentence, self._say))
-            elif omitted.movements:
+            else:
                 lines += omitted.only
             lines += omitted.place
         self._printed_at.extend([self._now()] * len(lines))
@@ -378,7 +378,7 @@ def _keep(robot: _Robot, lines: tuple[str, ...]) -> None:
     robot.is_decided = True
     omitted.place = ()
     omitted.movements += 1
-    omitted.only = omitted.only or lines
+    omitted.only = lines
     if isinstance(movement, Moved):
         omitted.steps += movement.walked
     else:

@@ -1,15 +1,19 @@
 """What is printed while the robot moves faster than a learner can listen."""
 
+from collections.abc import Callable
+
 import pytest
 
 from devices.ports.robot import Pose, StoppedBy
 from donnie_tui.core.events import (
     Announced,
     CueSounded,
+    Error,
     Event,
     Moved,
     Outcome,
     RunEnded,
+    RunStarted,
     Spoke,
     Stamped,
     Turned,
@@ -19,15 +23,19 @@ from donnie_tui.i18n.words import Words
 
 HERE = Pose(0, 0, 0)
 END = RunEnded(Outcome.COMPLETED, HERE, {}, 0.0)
+STARTED = RunStarted("a.gd", "floor", "donnie", 0, "1")
 
 
 class Listener:
     """Prints the lines of events at a time that the test chooses."""
 
-    def __init__(self, language: str = "en", *, has_pace: bool = True) -> None:
+    def __init__(
+        self, language: str = "en", *, has_pace: bool = True, is_known: Callable[[Error], bool] | None = None
+    ) -> None:
         self.now, self.printed, self.has_pace = 0.0, list[str](), has_pace
         self._words = Words(language)
-        self._summing_up = SummaryFilter(self._words, lambda: self.now, lambda: self.has_pace)
+        known = {} if is_known is None else {"is_known": is_known}
+        self._summing_up = SummaryFilter(self._words, lambda: self.now, lambda: self.has_pace, **known)
 
     def receive(self, *events: Event, robot: str | None = None) -> None:
         for each in events:
@@ -77,6 +85,56 @@ def test_steps_and_turns_are_summed_up_in_each_language(language: str, said: str
     listener.receive(*walk(2), *turn(), *walk(1), END)
 
     assert listener.printed[4:] == [said]
+
+
+def test_a_known_mistake_is_not_printed_again_but_what_was_before_it_is() -> None:
+    known, new = (Error("syntax", line, 1, "Wrong.", None) for line in (1, 2))
+    listener = Listener(is_known=lambda error: error == known)
+    for steps in range(6):
+        listener.receive(*walk(steps))
+    listener.receive(known, new, Spoke("so"))
+    other = Listener(is_known=lambda _: True)
+    other.receive(known, Spoke("so"))
+
+    walked = [f"Walked {steps}." for steps in range(4)]
+    assert listener.printed == [*walked, "9 more steps.", "Error, line 2, column 1: Wrong.", "so"]
+    assert other.printed == ["so"]
+    unfiltered = Listener()
+    unfiltered.receive(known)
+    assert unfiltered.printed == ["Error, line 1, column 1: Wrong."]
+
+
+@pytest.mark.parametrize("is_new_run", [True, False])
+def test_words_of_an_earlier_run_delay_no_sum(is_new_run: bool) -> None:
+    listener = Listener()
+    listener.receive(Spoke("so"), END, *([STARTED] if is_new_run else []))
+    for steps in range(5):
+        listener.receive(*walk(steps))
+    listener.now = 2.0
+    listener.receive(CueSounded("bump", 0.0, None))
+
+    sums = ["7 more steps."] if is_new_run else []
+    assert listener.printed == ["so", *(f"Walked {steps}." for steps in range(3)), *sums]
+
+
+@pytest.mark.parametrize("place", [(), (Announced("moved", "At 0, 9."),)])
+def test_a_place_is_that_of_the_last_movement_and_no_movement_of_its_own(place: tuple[Event, ...]) -> None:
+    """The fourth movement is printed, its place is not: there is no room, and then it is over."""
+    listener = Listener()
+    for steps in range(1, 5):
+        listener.receive(*walk(steps))
+    listener.receive(Announced("moved", "At 0, 4."), *walk(5), *place, END)
+
+    assert listener.printed[4:] == ["Walked 5.", *(["At 0, 9."] if place else [])]
+
+
+def test_a_place_that_had_no_room_is_printed_at_the_end() -> None:
+    listener = Listener()
+    for steps in range(1, 5):
+        listener.receive(*walk(steps))
+    listener.receive(Announced("moved", "At 0, 4."), END)
+
+    assert listener.printed[4:] == ["At 0, 4."]
 
 
 def test_turns_alone_are_counted() -> None:

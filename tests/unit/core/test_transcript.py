@@ -66,6 +66,43 @@ def test_a_mistake_quotes_the_relevant_part_of_a_long_line() -> None:
     assert len(lines[1]) <= LONGEST_SOURCE + len("Line 1: ")
 
 
+SEVENTY = "0123456789" * 7
+
+
+@pytest.mark.parametrize(
+    ("source", "column", "quoted"),
+    [
+        (SEVENTY[:60], 60, SEVENTY[:60]),
+        (f"  {SEVENTY[:58]}", 1, f"  {SEVENTY[:58]}"),
+        (SEVENTY, 1, SEVENTY[:60]),
+        (SEVENTY, 31, SEVENTY[:60]),
+        (SEVENTY, 32, SEVENTY[1:61]),
+        (SEVENTY, 41, SEVENTY[10:70]),
+        (SEVENTY, 70, SEVENTY[39:70]),
+        (SEVENTY, 71, SEVENTY[40:70]),
+        (SEVENTY, 500, SEVENTY[40:70]),
+    ],
+)
+def test_of_a_long_line_sixty_characters_around_the_mistake_are_quoted(
+    source: str, column: int, quoted: str
+) -> None:
+    error = Error("syntax", 1, column, "Wrong.", None, source)
+
+    assert lines_of(error, Words()) == (f"Error, line 1, column {column}: Wrong.", f"Line 1: {quoted}")
+
+
+@pytest.mark.parametrize(("source", "is_apart"), [("FW q", True), ("", False)])
+def test_at_brief_a_mistake_is_on_one_line_of_forty_cells_or_on_its_own(source: str, is_apart: bool) -> None:
+    """``Error, line 1: `` has 15 letters."""
+    fits, is_long = (Error("syntax", 1, 4, "m" * length, None, source) for length in (25, 26))
+    said = ("Line 1: FW q",) if source else ()
+
+    assert lines_of(fits, Words("en", "brief")) == (f"Error, line 1: {'m' * 25}", *said)
+    assert lines_of(is_long, Words("en", "brief")) == (
+        ("Error, line 1: FW q", "m" * 26) if is_apart else (f"Error, line 1: {'m' * 26}",)
+    )
+
+
 # --- the same lines, spoken and logged
 
 
