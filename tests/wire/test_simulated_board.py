@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import struct
-from math import cos, pi
+from math import cos, pi, sin
 
 import pytest
 
@@ -19,6 +19,8 @@ from devices.wire.frames import (
     Encoders,
     MotorDrive,
     Outputs,
+    Pinged,
+    Power,
     Ranges,
     Report,
     ReportKind,
@@ -207,9 +209,12 @@ def test_the_motors_turn_as_they_are_commanded_until_a_wheel_is_at_zero(drive: M
 
     assert tuple((each > 0) - (each < 0) for each in (right, left)) == senses[drive]
     assert abs(right) == pytest.approx(abs(left))
-    board.receive(encode_frame(CommandKind.MOTOR.value, b"\x0f\x7f\xf0\x00"))
-    board.advance(0.05)
-    assert not board.is_driving
+    for stopped in (b"\x0f\x7f\xf0\x00", b"\x0f\x00\xf0\x7f"):
+        board.receive(encode_frame(CommandKind.MOTOR.value, stopped) + drive_frame(drive))
+        board.advance(9 / 740)
+        assert not board.is_driving
+        board.advance(0.05)
+        assert board.is_driving is (drive is not MotorDrive.STOP)
 
 
 def test_a_reset_stops_the_motors_and_begins_anew() -> None:
@@ -279,6 +284,46 @@ def test_of_two_bumpers_that_are_pressed_together_the_one_between_them_is_report
     assert isinstance(report, Bumpers)
     names = zip(("NE", "N", "NW", "SE", "S", "SW"), report.pressed, strict=True)
     assert " ".join(name for name, is_pressed in names if is_pressed) == reported
+
+
+def test_each_report_comes_as_often_as_the_firmware_sends_it() -> None:
+    """In the three seconds after the configuration; the first outputs and sensors come at once."""
+    board = SimulatedBoard()
+    board.advance(1.1)
+    board.receive(CONFIGURE)
+    came = Decoder().feed(board.advance(3.0))
+    often = {kind: sum(isinstance(each, kind) for each in came) for kind in set(map(type, came))}
+
+    assert set(often) == {Encoders, Ranges, Bumpers, Power, Outputs, Pinged}
+    assert often[Encoders] == pytest.approx(3 * 750, abs=2)
+    assert (often[Power], often[Outputs], often[Pinged]) == (10, 10, 1)
+    assert often[Ranges] == often[Bumpers]
+    assert often[Ranges] == pytest.approx(3 / 0.02, rel=0.1)
+    first = [each for each in came if not isinstance(each, Encoders)][:4]
+    assert isinstance(first[0], Outputs)
+    assert first[1:] == [Ranges((0,) * 7), Bumpers((False,) * 6), Power(8000)]
+
+
+@pytest.mark.parametrize(("millivolts", "lamps"), [(7100, {1}), (7099, {0, 1})])
+def test_the_lamp_of_an_empty_battery_blinks(millivolts: int, lamps: set[int]) -> None:
+    board = started(SimulatedBoard())
+    board.millivolts = millivolts
+    board.advance(0.7)
+    shown = reports(board, 1.5, Outputs)
+
+    assert {each.bits & 1 for each in shown if isinstance(each, Outputs)} == lamps
+
+
+def test_the_lamp_of_the_connection_blinks_until_a_ping_is_answered() -> None:
+    def lamps(seconds: float) -> set[int]:
+        return {each.bits >> 1 & 1 for each in reports(board, seconds, Outputs) if isinstance(each, Outputs)}
+
+    board = started(SimulatedBoard())
+    assert lamps(3.6) == {1}  # the first ping is not overdue
+    assert lamps(2.0) == {0, 1}
+    board.receive(PING)
+    board.advance(0.4)
+    assert lamps(1.5) == {1}
 
 
 def test_a_torn_count_is_old_and_new_and_comes_once() -> None:
@@ -363,6 +408,54 @@ def test_swapped_motors_encoders_and_unequal_wheels_are_faults_of_one_wheel() ->
     assert board.wheels.place.yaw == pytest.approx(pi / 2)
 
 
+def test_a_board_whose_motors_are_off_stays_where_it_is() -> None:
+    board = started(SimulatedBoard())
+
+    assert (board.wheels.right, board.wheels.left, board.wheels.place) == (0.0, 0.0, AxlePose())
+
+
+UNEQUAL = Chassis(walking=(300.0, 200.0), walking_back=(150.0, 100.0), turning=(90.0, 60.0), lag=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("drive", "rates"),
+    [
+        (MotorDrive.FORWARD, (300, 200)),
+        (MotorDrive.BACKWARD, (-150, -100)),
+        (MotorDrive.LEFT, (90, -60)),
+        (MotorDrive.RIGHT, (-90, 60)),
+    ],
+)
+@pytest.mark.parametrize("share", [1.0, 0.05])
+def test_each_wheel_has_a_speed_for_each_movement(
+    drive: MotorDrive, rates: tuple[int, int], share: float
+) -> None:
+    board = started(SimulatedBoard(chassis=UNEQUAL))
+    board.wheels.share = share
+    board.receive(drive_frame(drive))
+    board.advance(0.1)
+    right, left = board.wheels.right, board.wheels.left
+    board.advance(0.2)
+
+    assert (board.wheels.right - right, board.wheels.left - left) == pytest.approx(
+        tuple(0.2 * rate * share for rate in rates)
+    )
+
+
+def test_a_robot_with_unequal_wheels_drives_in_an_arc() -> None:
+    """Its radius is half the axle times the sum of the speeds over their difference."""
+    board = started(SimulatedBoard(chassis=UNEQUAL, place=AxlePose(1.0, 2.0, 0.3)))
+    board.receive(drive_frame(MotorDrive.FORWARD))
+    board.advance(2.0)
+    radius, here = 0.068 / 2 * 500 / 100, board.wheels.place
+
+    assert here.yaw - 0.3 == pytest.approx(
+        (board.wheels.right - board.wheels.left) * 2 * pi * 0.021 / 900 / 0.068
+    )
+    assert here.x == pytest.approx(1.0 + radius * (sin(here.yaw) - sin(0.3)), abs=1e-7)
+    assert here.y == pytest.approx(2.0 - radius * (cos(here.yaw) - cos(0.3)), abs=1e-7)
+
+
 def test_a_robot_drives_as_far_as_its_wheels_turn_and_not_into_a_wall() -> None:
     """900 counts are one turn of a wheel of 21 mm; a turn on the spot moves nothing."""
     room = Room()
@@ -370,6 +463,7 @@ def test_a_robot_drives_as_far_as_its_wheels_turn_and_not_into_a_wall() -> None:
     right, _ = rolled(board)
     metres = right / 900 * 2 * pi * 0.021
     assert board.wheels.place.x == pytest.approx(1.0 + metres * cos(pi / 3))
+    assert board.wheels.place.y == pytest.approx(2.0 + metres * sin(pi / 3))
     board.receive(drive_frame(MotorDrive.STOP))
     board.advance(0.5)
 
