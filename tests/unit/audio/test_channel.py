@@ -193,6 +193,7 @@ def test_speakup_with_a_synthesiser_is_a_reader(tmp_path: Path) -> None:
         ("dev/snd/pcmC0D0p", {}, True),
         ("dev/snd/pcmC0D0c", {}, False),
         ("dev/snd/timer", {}, False),
+        ("dev/snd/midiC0p", {}, False),
         ("run/pulse/native", {"XDG_RUNTIME_DIR": "run"}, True),
         ("run/pipewire-0", {"XDG_RUNTIME_DIR": "run"}, True),
         ("run/bus", {"XDG_RUNTIME_DIR": "run"}, False),
@@ -211,6 +212,15 @@ def test_a_sound_device_is_a_card_that_plays_or_a_server(
     }
 
     assert has_sound_device(variables, str(tmp_path)) is found
+
+
+def test_without_a_runtime_folder_there_is_no_sound_server(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "None" / "pulse" / "native").mkdir(parents=True)
+    monkeypatch.chdir(tmp_path)
+
+    assert has_sound_device({}, str(tmp_path)) is False
 
 
 def test_a_runtime_folder_without_permission_has_no_sound_server(tmp_path: Path) -> None:

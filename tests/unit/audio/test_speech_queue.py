@@ -1,5 +1,7 @@
 """What is said next: the queue alone."""
 
+from collections.abc import Callable
+
 import pytest
 
 from devices.audio.speech_queue import (
@@ -150,6 +152,17 @@ def test_huge_texts_are_refused_before_they_fill_the_memory() -> None:
     assert max(len(sentence) for sentence in drained(queue)) <= SENTENCE_LIMIT
 
 
+@pytest.mark.parametrize("empty", [drained, SpeechQueue.clear])
+def test_two_million_characters_wait_and_others_when_these_are_said_or_dropped(
+    empty: Callable[[SpeechQueue], object],
+) -> None:
+    queue = SpeechQueue()
+    for _ in range(2):
+        offers = [queue.offer(utterance(text), now=0.0) for text in ("a" * 1_999_999, "b", "c")]
+        assert offers == [QueueResult.QUEUED, QueueResult.QUEUED, QueueResult.REFUSED]
+        empty(queue)
+
+
 @pytest.mark.parametrize(
     "text", ["." * 100_000, "!?" * 50_000, " " * 100_000 + "a", "a" + "\t" * 100_000 + "b"]
 )
@@ -179,6 +192,12 @@ def test_an_alert_is_accepted_when_the_program_has_filled_the_queue() -> None:
         ("  padded  ", "padded", ""),
         ("Position 1, 2; facing north", "Position 1, 2; facing north", ""),
         ("", "", ""),
+        pytest.param("x" * 300, "x" * 300, "", id="300 letters"),
+        pytest.param("x" * 301, "x" * 300, "x", id="301 letters"),
+        pytest.param("x " + "y" * 300, "x", " " + "y" * 300, id="an early blank"),
+        pytest.param("x" * 299 + " y", "x" * 299, " y", id="a late blank"),
+        pytest.param("x" * 300 + " y", "x" * 300, " y", id="a blank too late"),
+        pytest.param("x" * 299 + ". y", "x" * 299 + ".", " y", id="a late full stop"),
     ],
 )
 def test_where_a_sentence_ends(text: str, sentence: str, rest: str) -> None:
