@@ -270,6 +270,11 @@ def test_a_recording_replays_what_clients_did(tmp_path: Path) -> None:
         ((0.0, 0.0, -10.0), "right"),
         ((0.1, 0.0, 10.0), "forward-left"),
         ((-0.1, 0.0, -10.0), "backward-right"),
+        ((0.005, 0.2, 0.0), "forward"),
+        ((-0.005, 0.0, 2.0), "backward-left"),
+        ((0.0049, -0.005, 10.0), "sideways"),
+        ((0.0049, 0.0049, -2.0), "right"),
+        ((-0.0049, -0.0049, 1.99), "standing"),
     ],
 )
 def test_a_motion_has_a_word(velocity: tuple[float, float, float], motion: str) -> None:
