@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from devices.ports.robot import LinkNotice
-from devices.wire.frames import STOP, MotorDrive, Wiring, drive_frame
+from devices.wire.frames import FILLER, STOP, MotorDrive, Wiring, drive_frame
 from devices.wire.link_state import LinkConfig
 from devices.wire.outbox import Outbox, StopSequence
 from tests.wire.bench import Bench
@@ -176,3 +176,87 @@ def test_wheels_have_run_away_if_they_counted_in_the_last_half_of_the_watch(
     assert forced == [1.0]
     assert stopping.is_exhausted
     assert stopping.has_failed is has_failed
+
+
+EXACT = LinkConfig(still=0.125, stop_again=0.125, runaway=0.5, gap=0.0625, repeat=9.0)
+"""Times that binary numbers hold exactly."""
+
+
+def begun() -> tuple[StopSequence, Outbox]:
+    """A stop at 0 s, whose two frames were sent."""
+    outbox = Outbox(EXACT)
+    stopping = StopSequence(EXACT, outbox)
+    stopping.begin(0.0, was_driving=True)
+    assert [outbox.due(0.0), outbox.due(0.0625)] == [STOP, STOP]
+    return stopping, outbox
+
+
+def test_a_robot_that_did_not_drive_is_sent_stops_and_not_watched() -> None:
+    outbox = Outbox(EXACT)
+    stopping = StopSequence(EXACT, outbox)
+    stopping.begin(0.0, was_driving=False)
+
+    assert (outbox.has_stops, stopping.is_over, stopping.next_at()) == (True, True, None)
+
+
+@pytest.mark.parametrize(
+    ("now", "received", "moved", "stands"),
+    [
+        (0.25, 0.25, 0.125, True),
+        (0.25, 0.125, 0.12, False),  # the last frame is old
+        (0.249, 0.125, 0.0, True),
+        (0.25, 0.25, 0.126, False),  # a wheel has counted
+        (0.24, 0.124, 0.0, False),  # no frame since the stop but at once
+    ],
+)
+def test_wheels_stand_if_fresh_frames_have_not_counted_for_a_while(
+    now: float, received: float, moved: float, stands: bool
+) -> None:
+    stopping, _ = begun()
+
+    assert stopping.must_force(now, received, moved) is False
+    assert stopping.is_over is stands
+
+
+def test_a_stop_is_repeated_until_the_wheels_stand() -> None:
+    stopping, outbox = begun()
+    assert stopping.next_at() == 0.125
+    stopping.must_force(0.124, 0.12, 0.12)
+    assert outbox.due(0.125) is None
+    stopping.must_force(0.125, 0.12, 0.12)
+    assert outbox.due(0.125) == STOP
+    assert stopping.next_at() == 0.25
+    stopping.begin(0.2, was_driving=True)  # as if it were not stopping yet
+    assert stopping.next_at() == 0.25
+    stopping.cancel()
+    assert (stopping.is_over, stopping.next_at()) == (True, None)
+
+
+@pytest.mark.parametrize(("moved", "has_failed"), [(1.751, True), (1.75, False)])
+def test_zeros_then_force_then_nothing_more_can_be_done(moved: float, has_failed: bool) -> None:
+    stopping, outbox = begun()
+
+    def look(now: float) -> bool:
+        return stopping.must_force(now, now, now)
+
+    assert (look(0.499), outbox.due(0.499)) == (False, STOP)
+    assert (look(0.5), outbox.due(0.5), outbox.has_stops) == (False, FILLER, True)
+    assert not look(0.999)
+    assert (look(1.0), outbox.due(1.0)) == (True, FILLER)
+    stopping.forced(1.5)
+    assert (look(1.999), stopping.is_exhausted) == (False, False)
+    assert stopping.next_at() == 2.0
+    assert stopping.must_force(2.0, 1.0, moved) is False
+    assert (stopping.is_exhausted, stopping.has_failed, stopping.is_over) == (True, has_failed, False)
+    assert stopping.next_at() == 1.999 + 0.125
+    stopping.lost()
+    assert (stopping.is_exhausted, stopping.has_failed) == (True, False)
+    assert (look(2.1), stopping.has_failed) == (False, True)  # a wheel counts again
+    assert (look(9.0), stopping.has_failed) == (False, True)
+    stopping.restart(10.0)
+    assert (stopping.is_exhausted, look(10.4), outbox.is_empty) == (False, False, False)
+    assert (look(10.5), look(11.0)) == (False, True)
+    assert stopping.must_force(11.2, 11.2, 11.0) is False
+    assert stopping.is_over
+    stopping.restart(12.0)
+    assert stopping.is_over

@@ -6,10 +6,11 @@ Each test is named after its row of the table of weaknesses in docs/wire-protoco
 from __future__ import annotations
 
 from itertools import pairwise
+from math import inf
 
 import pytest
 
-from devices.wire.frames import FILLER, STOP, MotorDrive, drive_frame, head_frame
+from devices.wire.frames import CONFIGURE, FILLER, STOP, MotorDrive, drive_frame, head_frame
 from devices.wire.link_state import LinkConfig
 from devices.wire.outbox import Outbox
 from tests.wire.bench import FAR, HALF_A_FRAME, Bench
@@ -89,7 +90,80 @@ def test_rate_a_stop_precedes_all_other_frames_and_drops_the_drive() -> None:
     assert head_frame(10) in bench.sent_since(began)
 
 
+def test_rate_a_frame_waits_until_the_board_has_room_for_it() -> None:
+    """Seven stops of nine bytes are 63."""
+    outbox = Outbox(LinkConfig(bytes_a_second=9.0))
+    sent = []
+    for now in [0.0] * 8 + [0.9, 1.0]:
+        outbox.drive(MotorDrive.LEFT, now)
+        outbox.stop()
+        sent.append(outbox.due(now))
+
+    assert sent == [STOP] * 7 + [None, None, STOP]
+
+
+EXACT = LinkConfig(gap=0.0625, repeat=0.25, flush_pause=0.125, bytes_a_second=512.0)
+"""Times that binary numbers hold exactly."""
+FORWARD, LEFT = drive_frame(MotorDrive.FORWARD), drive_frame(MotorDrive.LEFT)
+
+
+def written(outbox: Outbox, *times: float) -> list[bytes | None]:
+    return [outbox.due(now) for now in times]
+
+
+def test_rate_of_each_kind_the_newest_frame_is_sent_when_it_is_time() -> None:
+    outbox = Outbox(EXACT)
+    assert (outbox.is_empty, outbox.next_at(5.0), outbox.due(5.0)) == (True, inf, None)
+    outbox.put(head_frame(10))
+    outbox.put(head_frame(20))
+    assert (outbox.is_empty, outbox.next_at(5.0)) == (False, 5.0)
+    assert written(outbox, 5.0, 5.0625) == [head_frame(20), None]
+    assert (outbox.is_empty, outbox.next_at(6.0)) == (True, inf)
+
+
+def test_rate_zeros_and_the_configuration_precede_a_stop() -> None:
+    outbox = Outbox(EXACT)
+    outbox.put(head_frame(10))
+    outbox.stop()
+    outbox.configure()
+    outbox.flush()
+    assert written(outbox, 1.0, 1.124) == [FILLER, None]
+    assert outbox.next_at(1.0) == 1.125
+    assert written(outbox, 1.125, 1.1875, 1.249, 1.25) == [CONFIGURE, STOP, None, STOP]
+    assert outbox.next_at(1.25) == 1.3125
+    assert written(outbox, 1.312, 1.3125, 1.375) == [None, head_frame(10), None]
+
+
+def test_rate_a_port_that_was_just_opened_is_sent_nothing_of_before() -> None:
+    outbox = Outbox(EXACT)
+    outbox.drive(MotorDrive.FORWARD, 1.0)
+    assert outbox.due(1.0) == FORWARD
+    for prepare in (outbox.flush, outbox.configure, outbox.stop):
+        prepare()
+    outbox.put(head_frame(10))
+    outbox.clear()
+
+    assert (outbox.is_empty, outbox.has_stops, outbox.due(9.0)) == (True, False, None)
+    outbox.put(head_frame(20))
+    assert outbox.due(1.01) == head_frame(20)
+
+
 # --- lost command
+
+
+def test_lost_command_a_drive_is_repeated_from_the_moment_it_was_sent() -> None:
+    outbox = Outbox(EXACT)
+    outbox.drive(MotorDrive.FORWARD, 1.0)
+    assert (outbox.next_at(0.5), outbox.next_at(1.5)) == (1.0, 1.5)
+    assert written(outbox, 0.99, 1.0, 1.249) == [None, FORWARD, None]
+    assert outbox.next_at(1.0) == 1.25
+    outbox.drive(MotorDrive.FORWARD, 1.1)  # the same is no new one
+    assert written(outbox, 1.249, 1.25) == [None, FORWARD]
+    outbox.repeat_soon()
+    assert outbox.next_at(1.25) == 1.3125
+    assert written(outbox, 1.3, 1.3125, 1.5) == [None, FORWARD, None]
+    outbox.drive(MotorDrive.LEFT, 1.5)
+    assert written(outbox, 1.5, 1.74, 1.75) == [LEFT, None, LEFT]
 
 
 def test_lost_command_the_drive_is_repeated_every_two_tenths_of_a_second() -> None:
@@ -151,6 +225,29 @@ def test_stop_does_not_wait_for_the_gap_after_another_frame() -> None:
         bench.link.advance(0.5)
 
         assert next(at for at, data in bench.written if at > asked and data == STOP) - asked < 0.011
+
+
+def test_stop_is_written_at_once_then_after_the_gap_and_then_repeated() -> None:
+    outbox = Outbox(EXACT)
+    outbox.put(head_frame(10))
+    assert written(outbox, 1.0) == [head_frame(10)]
+    outbox.stop()
+    assert (outbox.has_stops, outbox.next_at(1.01)) == (True, 1.01)
+    assert written(outbox, 1.03125, 1.09) == [STOP, None]
+    outbox.stop()  # two more, but the next one is not at once again
+    assert outbox.next_at(1.04) == 1.09375
+    assert written(outbox, 1.0937, 1.09375, 1.15, 1.15625) == [None, STOP, None, STOP]
+    assert (outbox.has_stops, outbox.next_at(1.2)) == (False, 1.40625)
+    assert written(outbox, 1.4, 1.40625, 1.65, 1.65625) == [None, STOP, None, STOP]
+
+
+def test_stop_that_was_not_sent_is_replaced_by_a_drive() -> None:
+    outbox = Outbox(EXACT)
+    outbox.stop()
+    outbox.drive(MotorDrive.LEFT, 1.0)
+
+    assert not outbox.has_stops
+    assert written(outbox, 1.0, 1.0625, 1.25) == [LEFT, None, LEFT]
 
 
 def test_stop_is_sent_twice_at_least() -> None:
