@@ -283,6 +283,45 @@ def test_a_write_that_the_device_takes_is_done_however_long_its_thread_had_to_wa
 
 
 @pytest.mark.parametrize(
+    ("taken", "ready", "calls"),
+    [
+        ([5], [], [(b"12345", 7)]),
+        ([3, 2], [True], [(b"12345", 7), ("wait", 7, 0.2), (b"45", 7)]),
+        ([None, 5], [True], [(b"12345", 7), ("wait", 7, 0.2), (b"12345", 7)]),
+        ([3], [False], [(b"12345", 7), ("wait", 7, 0.2), "timeout"]),
+    ],
+    ids=["at once", "in two parts", "when it is ready", "not in time"],
+)
+def test_a_write_waits_a_fifth_of_a_second_for_a_device_that_takes_no_more(
+    monkeypatch: pytest.MonkeyPatch, taken: list[int | None], ready: list[bool], calls: list[object]
+) -> None:
+    made: list[object] = []
+
+    def write(port: int, data: bytes) -> int:
+        made.append((data, port))
+        count = taken.pop(0)
+        if count is None:
+            raise BlockingIOError
+        return count
+
+    def wait(readers: object, writers: tuple[int], errors: object, seconds: float) -> tuple[object, ...]:
+        made.append(("wait", *writers, seconds))
+        return (), writers if ready.pop(0) else (), ()
+
+    monkeypatch.setattr("serial.serial_for_url", lambda *_url, **_how: SimpleNamespace(fileno=lambda: 7))
+    port = SerialPort("port", 9600)
+    with monkeypatch.context() as patched:
+        patched.setattr("devices.serial_ports.os.write", write)
+        patched.setattr("devices.serial_ports.select.select", wait)
+        try:
+            port.write(b"12345")
+        except TimeoutError:
+            made.append("timeout")
+
+    assert made == calls
+
+
+@pytest.mark.parametrize(
     ("driver", "unsent"),
     [(SimpleNamespace(out_waiting=36), 36), (SimpleNamespace(), 0)],
     ids=["known", "unknown"],
