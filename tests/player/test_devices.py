@@ -19,7 +19,8 @@ from devices.player.codec import (
 )
 from devices.player.connection import MOST_REPLIES, MOST_WAITING, ClientConnection
 from devices.ports.drive import BlobReading, ColourBlob, MetricPose
-from donnie_tui.player.equipment import angle, towards
+from devices.ports.robot import Grip
+from donnie_tui.player.equipment import angle, service_of, towards
 from donnie_tui.player.server import ServerProblem, Stations
 from tests.player.room import CONFIGURATION, WORLD, Notes, stations_of, write_room
 
@@ -542,3 +543,165 @@ def test_the_simulation_is_reset(stations: Stations) -> None:
 
     assert client.round()[4, 0, 1][:2] == pytest.approx((-2, 0))
     assert client.ask(31, 0, 1, "redbox", 0.0, 0.0, 0.0)[1:] == pytest.approx((0, 0, 0))
+
+
+# --- geometries and limits
+
+
+@pytest.mark.parametrize(
+    ("device", "place"),
+    [
+        ((4, 0), (0, 0, 0, 0, 0, 0, 0.4, 0.4, 0.3)),
+        ((4, 1), (0.1, -0.05, 0.2, 0, 0, pi / 6, 0.2, 0.1, 0.3)),
+        ((3, 0), (0.3, 0, 0, 0, 0, 0, 0.2, 0.1, 0.25, 0.2, 0.1, 0.25, 2, 0)),
+        ((10, 0), (0, 0, 0, 0, 0, 0, 0, 0, 0, 0.1, 0.1)),
+        ((62, 0), (0, 0, 0, 0, 0, 0, 0.15, 0.15, 0.2)),
+    ],
+)
+def test_a_device_says_where_it_is_on_its_robot_and_how_wide_long_and_high(
+    tmp_path: Path, device: tuple[int, int], place: tuple[float, ...]
+) -> None:
+    """The robot is 0.3 m high, and its head 0.2 m above it. Stage's rangers have a size, its finders none."""
+    world = WORLD.replace(
+        'name "head" size [ 0.1 0.1 0.1 ] pose [ 0 0 0 0 ]',
+        'name "head" size [ 0.1 0.2 0.3 ] pose [ 0.1 -0.05 0.2 30 ]',
+    ).replace("size [ 0.1 0.2 0.2 ]", "size [ 0.1 0.2 0.25 ]")
+    client = Client(stations_of(write_room(tmp_path, world=world)))
+
+    assert client.ask(*device, 1)[: len(place)] == pytest.approx(place)
+
+
+BY_ODOMETRY = WORLD.replace(
+    'name "alice"', 'name "alice" localization "odom" localization_origin [ 0 0 0 0 ]'
+)
+
+
+@pytest.mark.parametrize(("metres", "reply"), [(1e6, ()), (-1e6, ()), (1e6 + 1, None), (-1e6 - 1, None)])
+def test_the_odometry_is_set_within_a_thousand_kilometres(
+    tmp_path: Path, metres: float, reply: tuple[()] | None
+) -> None:
+    client = Client(stations_of(write_room(tmp_path, world=BY_ODOMETRY)), WHEELS)
+    assert client.ask(*WHEELS, 5, metres, 0.0, 0.5) == reply
+    x, _, yaw = client.round()[4, 0, 1][:3]
+    assert (x, yaw) == pytest.approx((0.0, 0.0) if reply is None else (metres, 0.5))
+
+    assert client.ask(*WHEELS, 6) == ()
+    assert client.round()[4, 0, 1][:3] == (0.0, 0.0, 0.0)
+
+
+def test_a_robot_as_a_car_drives_and_turns(stations: Stations) -> None:
+    client = Client(stations, WHEELS)
+    client.command(*WHEELS, 3, 0.2, -0.5)
+
+    assert rounds(client, 2)[4, 0, 1][3:6] == pytest.approx((0.2, 0.0, -0.5))
+
+
+@pytest.mark.parametrize("index", [0, 1], ids=["wheels", "head"])
+def test_modes_and_motor_power_are_granted_and_change_nothing(stations: Stations, index: int) -> None:
+    client = Client(stations, WHEELS, (4, index))
+    client.command(4, index, 1, 0.0, 0.0, 0.2, 1)
+    client.command(4, index, 4, 0.3, 0.3)  # to a heading, which Stage doesn't know
+
+    assert [client.ask(4, index, each, 1) for each in (2, 3, 4)] == [(), None, ()]
+    assert [client.ask(4, index, 5, 0.0, 0.0, 0.0), client.ask(4, index, 6)] == [(), ()]
+    assert client.round()[4, index, 1][3:6] == pytest.approx((0.0, 0.0, 0.2))
+
+
+def test_a_gripper_takes_a_second_and_reports_what_it_has_done(tmp_path: Path, notes: Notes) -> None:
+    stations = stations_of(write_room(tmp_path, HEADED_CONFIGURATION, HEADED), notes)
+    client = Client(stations, (3, 0), (31, 0))
+    client.command(3, 0, 1)  # it is open
+    client.command(3, 0, 3)
+    assert client.round()[3, 0, 1][0] == 1
+    client.command(3, 0, 2)
+    client.command(31, 0, 1)
+    assert client.round()[3, 0, 1][0] == 3
+    client.command(31, 0, 1)
+    assert [client.round()[3, 0, 1][0] for _ in range(11)] == [3] * 9 + [2] * 2
+    assert notes.taken == [("alice", Grip.GRIPPED)]
+    for subtype in (2, 1):
+        client.command(3, 0, subtype)
+    assert [client.round()[3, 0, 1][0] for _ in range(11)] == [3] * 9 + [1] * 2
+    assert notes.taken == [("alice", Grip.GRIPPED), ("alice", Grip.RELEASED)]
+
+
+def test_a_gripper_that_has_closed_on_nothing_reports_nothing(stations: Stations, notes: Notes) -> None:
+    client = Client(stations, (3, 0))
+    for subtype in (2, 1):
+        client.command(3, 0, subtype)
+        rounds(client, 11)
+
+    assert notes.taken == []
+
+
+@pytest.mark.parametrize(("rate", "turned"), [(0.5, 0.5), (3.0, 1.0), (-3.0, -1.0)])
+def test_a_head_turns_by_one_radian_a_second_at_most_until_the_last_client_leaves(
+    stations: Stations, rate: float, turned: float
+) -> None:
+    client, other = Client(stations, (4, 1)), Client(stations, (4, 1))
+    client.command(4, 1, 1, 0.0, 0.0, rate, 1)
+    assert rounds(client, 10)[4, 1, 1][2:6] == pytest.approx((turned, 0.0, 0.0, turned))
+    client.vanish()
+    assert other.round()[4, 1, 1][2] == pytest.approx(1.1 * turned)
+    other.vanish()
+
+    assert rounds(Client(stations, (4, 1)), 3)[4, 1, 1][2:6] == pytest.approx((1.1 * turned, 0.0, 0.0, 0.0))
+
+
+def test_a_head_is_where_its_robot_is(tmp_path: Path) -> None:
+    client = Client(stations_of(write_room(tmp_path, world=BY_ODOMETRY)), WHEELS, (4, 1))
+    client.ask(*WHEELS, 5, 3.0, 4.0, pi / 2)
+    client.command(4, 1, 1, 0.0, 0.0, 0.5, 1)
+
+    assert client.round()[4, 1, 1][:3] == pytest.approx((3.0, 4.0, pi / 2 + 0.05))
+
+
+@pytest.mark.parametrize(
+    ("letters", "cells"), [("AB", [(0, "A"), (1, "B")]), ("P" * 37, [(each, "P") for each in range(36)])]
+)
+def test_a_frame_of_the_belt_has_at_most_thirty_six_cells(
+    tmp_path: Path, notes: Notes, letters: str, cells: list[tuple[int, str]]
+) -> None:
+    more = CONFIGURATION + 'driver ( name "vib_belt" provides [ "7665:speech:1" "7665:dio:1" ] )'
+    stations = stations_of(write_room(tmp_path, more), notes)
+    client = Client(stations, (12, 1), (20, 1))
+    client.command(12, 1, 1, letters)
+    client.command(20, 1, 1, 11, 0x80 + ord("A"))
+
+    assert [cell for _, cell in notes.taken] == [*cells, (11, "A")]
+    assert client.round()[20, 1, 1] == (11, 0x80 + ord("A"))
+
+
+@pytest.mark.parametrize(
+    ("file", "cue"),
+    [
+        *((b"bump.wav", "bump"), (b"/a.b/BUMP.ogg\0xyz", "bump"), (b"c:\\sounds\\done.x.wav", "done")),
+        *((b"done", "done"), (b"trumpet.wav", None), (b"", None)),
+    ],
+)
+def test_a_sound_is_known_by_the_name_of_its_file(
+    tmp_path: Path, notes: Notes, file: bytes, cue: str | None
+) -> None:
+    more = CONFIGURATION + 'driver ( name "soxplayer" provides [ "7665:sound:0" ] )'
+    client = Client(stations_of(write_room(tmp_path, more), notes), (66, 0))
+    client.command(66, 0, 1, file.ljust(64, b"\0"))
+
+    assert [name for _, name in notes.taken] == ([] if cue is None else [cue])
+
+
+@pytest.mark.parametrize(
+    ("interface", "driver", "device"),
+    [
+        *(("power", "stage", None), ("power", "vib_belt", "Battery"), ("simulation", "gtts", None)),
+        *(("simulation", "stage", "SimulationDevice"), ("speech", "vib_belt", "BeltFrames")),
+        *(("speech", "gtts", "SpeechDevice"), ("speech", "stage", "SpeechDevice")),
+        *(("sound", "soxplayer", "SoundDevice"), ("dio", "vib_belt", "DigitalOutputs")),
+        *(("dio", "other", None), ("laser", "stage", None)),
+    ],
+)
+def test_a_driver_offers_the_devices_that_the_original_has(
+    interface: str, driver: str, device: str | None
+) -> None:
+    found = service_of(interface, driver)
+
+    assert (found and found.__name__) == device
