@@ -7,11 +7,12 @@ import threading
 import wave
 from array import array
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
 from devices.audio.cues import SAMPLE_RATE
-from devices.audio.players import CommandPlayer, find_command_player
+from devices.audio.players import CommandPlayer, find_command_player, open_player
 from tests.timeouts import TIMEOUT
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="the commands exist on Unix only")
@@ -131,3 +132,69 @@ def test_a_command_that_fails_reports_no_end(commands: Path) -> None:
 
     assert not ended.is_set()
     assert not player.is_playing
+
+
+# --- which player
+
+
+@pytest.mark.parametrize(
+    ("platform", "device", "working", "tried", "name"),
+    [
+        ("linux", "auto", "PULSEAUDIO", ["PULSEAUDIO"], "miniaudio"),
+        ("linux", "auto", "ALSA", ["PULSEAUDIO", "ALSA"], "miniaudio"),
+        ("linux", "auto", "", ["PULSEAUDIO", "ALSA"], "command"),
+        ("darwin", "auto", "", ["COREAUDIO"], "command"),
+        ("win32", "auto", "WINMM", ["WASAPI", "DSOUND", "WINMM"], "miniaudio"),
+        ("openbsd7", "auto", "", ["SNDIO", "AUDIO4", "OSS"], "command"),
+        ("linux", "null", "NULL", ["NULL"], "miniaudio"),
+        ("linux", "null", "", ["NULL"], None),
+        ("linux", "none", "ALSA", [], None),
+    ],
+)
+def test_each_sound_server_is_tried_and_then_the_commands(
+    monkeypatch: pytest.MonkeyPatch,
+    platform: str,
+    device: str,
+    working: str,
+    tried: list[str],
+    name: str | None,
+) -> None:
+    made: list[dict[str, object]] = []
+
+    class Error(Exception):
+        pass
+
+    class Device:
+        def __init__(self, **options: object) -> None:
+            made.append(options)
+            if options["backends"] != [working]:
+                raise Error
+
+        def start(self, source: object) -> None: ...
+
+    class Names:
+        """A backend for each name; miniaudio may know fewer of them."""
+
+        def __getitem__(self, name: str) -> str:
+            return name
+
+    fake = SimpleNamespace(PlaybackDevice=Device, MiniaudioError=Error, Backend=Names())
+    monkeypatch.setitem(sys.modules, "miniaudio", fake)
+    monkeypatch.setattr(sys, "platform", platform)
+    monkeypatch.setattr(
+        "devices.audio.players.find_command_player", lambda: CommandPlayer("command", ("true",))
+    )
+    player = open_player(device)
+
+    assert [each["backends"] for each in made] == [[each] for each in tried]
+    assert all((each["nchannels"], each["sample_rate"]) == (2, SAMPLE_RATE) for each in made)
+    assert (None if player is None else player.name) == name
+
+
+def test_without_the_library_the_commands_play(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "miniaudio", None)
+    monkeypatch.setattr("devices.audio.players.find_command_player", lambda: CommandPlayer("command", ()))
+    player = open_player("auto")
+
+    assert player is not None
+    assert player.name == "command"
