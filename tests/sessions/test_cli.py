@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import os
 import subprocess
@@ -85,7 +86,8 @@ def test_check_prints_one_line_for_every_mistake(printed: Printed) -> None:
 
 
 @pytest.mark.parametrize(
-    ("wrong_lines", "said"), [(99, ""), (120, "Only the first 100 mistakes are listed.\n")]
+    ("wrong_lines", "said"),
+    [(99, ""), *((number, "Only the first 100 mistakes are listed.\n") for number in (100, 120))],
 )
 def test_check_says_that_only_the_first_mistakes_are_listed(
     printed: Printed, wrong_lines: int, said: str
@@ -125,6 +127,33 @@ def test_check_of_a_folder_checks_the_programs_in_it(printed: Printed, tmp_path:
     assert ana == f"{place / 'ana.GD'}: no mistakes."
     assert bob.startswith(f"{place / 'bob.gd'}:1:1: ")
     assert totals == "2 programs. 1 with mistakes, 1 without."
+
+
+def test_check_of_one_program_says_no_totals_and_of_hints_no_more_than_they_are(printed: Printed) -> None:
+    write("a.gd", "DISTANCE F\n" * 120)
+    assert printed.by("check", "a.gd") == 0
+    assert printed.err == ""
+    assert "programs." not in printed.out
+    assert printed.by("check", "a.gd", "a.gd") == 0
+    write("b.gd", "FW 1")
+    assert printed.by("check", "b.gd", "a.gd") == 0
+    assert printed.out.splitlines()[0] == "b.gd: no mistakes."
+    assert printed.out.splitlines()[-1] == "2 programs. 0 with mistakes, 2 without."
+
+
+def test_a_program_may_come_from_standard_input_or_from_nowhere(
+    printed: Printed, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for stream, code, out, err in (
+        (io.TextIOWrapper(io.BytesIO(b"fwd 1\n")), 1, "-:1:1: unknown-command: ", ""),
+        (io.TextIOWrapper(io.BytesIO("fw 1 -- é\n".encode())), 0, "", "-: no mistakes.\n"),
+        (None, 0, "", "-: no mistakes.\n"),
+    ):
+        monkeypatch.setattr(sys, "stdin", stream)
+        assert (printed.by("check", "-"), printed.out[: len(out or " ")], printed.err) == (code, out, err)
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(b"fw   1")))
+    assert (printed.by("format", "-w", "-"), printed.out) == (0, "FW 1\n")
+    assert not Path("-").exists()
 
 
 def test_check_knows_the_colours_of_the_world_that_is_named(printed: Printed, tmp_path: Path) -> None:
@@ -184,6 +213,63 @@ def test_format_translates_and_writes_in_place(printed: Printed) -> None:
     assert printed.by("format", "a.gd", "--to", "es", "-w") == 0
     assert printed.out == ""
     assert Path("a.gd").read_text(encoding="utf-8") == "REPETIR 2 VECES\n  AV 1\nFIN REPETIR\n"
+
+
+def test_the_worst_of_several_formatted_files_counts_and_one_in_its_layout_is_not_written(
+    printed: Printed,
+) -> None:
+    write("a.gd", "FW 1\n")
+    before = Path("a.gd").stat().st_ino
+    assert printed.by("format", "-w", "a.gd", "none.gd", "a.gd") == 2
+    assert (printed.out, printed.err) == ("", "There is no file none.gd.\n")
+    assert Path("a.gd").stat().st_ino == before, "it was not replaced"
+    write("a.gd", "FW 1")
+    assert printed.by("format", "-w", "a.gd") == 0
+    assert Path("a.gd").read_bytes() == b"FW 1\n"
+
+
+@pytest.mark.parametrize(
+    "words", [("check",), ("check", "first_walk"), ("test",), ("new",), ("new", "a", "b")]
+)
+def test_an_order_about_challenges_without_its_names_is_answered_with_its_forms(
+    printed: Printed, words: tuple[str, ...]
+) -> None:
+    assert printed.by("challenge", *words, "--lang", "en") == 2
+    assert printed.out == ""
+    assert "Type donnie challenge, donnie challenge NAME, or donnie challenge check NAME FILE." in printed.err
+
+
+@pytest.mark.parametrize(
+    ("program", "world", "challenge", "code", "said"),
+    [
+        ("FW 5", "challenge:first_walk", "first_walk", 0, "Solved, in 1 command."),
+        ("FW 4", "challenge:first_walk", "1", 1, "0 of 1 goal. You stopped 1 step south of 0, 5."),
+    ],
+)
+def test_a_recording_is_judged_in_the_world_of_its_challenge(
+    printed: Printed, program: str, world: str, challenge: str, code: int, said: str
+) -> None:
+    write("a.gd", program)
+    quiet = ("--lang", "en", "--speech", "off", "--sound", "off")
+    printed.by("run", "a.gd", "--world", world, "--record", "a.rec", *quiet)
+
+    assert printed.by("replay", "a.rec", "--challenge", challenge, *quiet) == code
+    assert printed.out == f"{said}\n"
+    assert printed.by("replay", "a.rec", "--challenge", "one_lap", *quiet) == 2
+    assert printed.err.startswith("a.rec was recorded in ")
+
+
+@pytest.mark.parametrize(
+    ("programs", "said"),
+    [
+        (("alice=a.gd", "ALICE=a.gd"), "The robot alice has two programs. One is enough."),
+        (("alice=a.gd", "a.gd"), "Which robot runs a.gd? Write ROBOT=a.gd."),
+    ],
+)
+def test_a_robot_has_one_program(printed: Printed, programs: tuple[str, ...], said: str) -> None:
+    write("a.gd", "FW 1")
+    assert printed.by("run", *programs, "--world", "two_robots", "--lang", "en") == 2
+    assert printed.err.splitlines()[-1] == said
 
 
 def test_format_leaves_a_program_with_mistakes_as_it_is(printed: Printed) -> None:
