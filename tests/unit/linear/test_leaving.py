@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
+from donnie_tui.commands.interaction import EnterWorld, SwitchMode
 from donnie_tui.core.program_files import DocumentError
 from donnie_tui.linear.conversation import Conversation
 from donnie_tui.linear.leaving import Leaving
@@ -176,6 +178,181 @@ def test_the_voice_may_end_for_a_moment_until_a_key(
     Audible.speaks = False
     leaving.let_speak()
     assert looks == []
+
+
+# --- lines that wait, and programs that are not saved
+
+
+class Program(SimpleNamespace):
+    """A program of four lines, of which some may wait."""
+
+    lines, path, open_block = ("FW 1",) * 4, None, None
+    waiting, is_saved, is_worth_saving, is_kept_unasked = 0, False, True, False
+
+    @property
+    def is_waiting(self) -> bool:
+        return self.waiting > 0
+
+
+def ending(
+    program: Program, done: list[str], *, is_attended: bool = True, answers: bool | None = None
+) -> Leaving:
+    """Answers each question so."""
+    leaving = leaving_of(done)
+    ctx: Any = leaving._ctx
+    ctx.program, ctx.workspace.current_first = program, (program,)
+    ctx.answer = lambda code, **values: done.append(" ".join([code, *map(str, values.values())]))
+    ctx.refuse = lambda code: done.append(f"refused {code}")
+    ctx.errors = SimpleNamespace(all=())
+    ctx.words = type(
+        "Words", (), {"language": "pt", "__call__": lambda _, code, **values: f"{code} {values}"}
+    )()
+    ctx.runs = SimpleNamespace(stop_to_leave=lambda: done.append("runs stopped"))
+    ctx.answer_entering = lambda name: done.append(f"entering {name}")
+    leaving._streams.is_attended = is_attended  # type: ignore[misc]
+    leaving._background = SimpleNamespace(is_running=False, stop=lambda: done.append("background"))  # type: ignore[assignment]
+    leaving._prompter.confirm = lambda question: done.append(question) or answers  # type: ignore[method-assign,func-returns-value]
+    leaving._prompter.has_ended = False
+    return leaving
+
+
+@pytest.mark.parametrize(
+    ("waiting", "wrong_line", "block", "is_attended", "is_failure", "done"),
+    [
+        (0, 4, None, False, True, []),
+        (2, None, None, True, True, ["lines-did-not-run 2 EXECUTAR"]),
+        (2, None, "IF", True, True, ["lines-did-not-run 2 FIM SE"]),
+        (2, 2, None, True, True, ["lines-did-not-run 2 EXECUTAR"]),
+        (2, 3, None, True, True, ["lines-did-not-run-mistake 2"]),
+        (1, 4, None, False, True, ["refused 1", "lines-did-not-run-mistake 1"]),
+        (1, None, None, False, False, ["lines-did-not-run 1 EXECUTAR"]),
+    ],
+)
+def test_lines_that_wait_at_the_end_are_reported(
+    waiting: int,
+    wrong_line: int | None,
+    block: str | None,
+    is_attended: bool,
+    is_failure: bool,
+    done: list[str],
+) -> None:
+    happened: list[str] = []
+    opened = SimpleNamespace(kind=block) if block else None
+    program = Program(waiting=waiting, is_saved=True, open_block=opened)
+    leaving = ending(program, happened, is_attended=is_attended)
+    if wrong_line is not None:
+        leaving._ctx.errors.all = (SimpleNamespace(line=wrong_line),)  # type: ignore[misc,assignment]
+    leaving.close(is_failure=is_failure)
+
+    assert (happened, leaving.code) == (done, 0)
+
+
+ASKED = "ask-save {'lines': 4}"
+
+
+@pytest.mark.parametrize(
+    ("program", "is_attended", "answers", "code", "done"),
+    [
+        ({"is_saved": True}, True, None, 0, []),
+        ({"is_saved": True, "is_kept_unasked": True}, True, None, 0, ["left-kept 4"]),
+        ({"is_kept_unasked": True}, False, None, 0, []),
+        ({"is_worth_saving": False}, True, None, 0, []),
+        ({"is_worth_saving": False, "waiting": 1}, True, False, 0, [ASKED, "left-unsaved"]),
+        ({}, True, False, 0, [ASKED, "left-unsaved"]),
+        ({}, True, None, None, [ASKED, "stays-unsaved"]),
+        ({}, False, None, 0, []),
+    ],
+)
+def test_a_program_that_would_be_missed_is_asked_about(
+    program: dict[str, Any], is_attended: bool, answers: bool | None, code: int | None, done: list[str]
+) -> None:
+    happened: list[str] = []
+    leaving = ending(Program(**program), happened, is_attended=is_attended, answers=answers)
+    leaving.leave(0)
+
+    assert (happened, leaving.code) == (done, code)
+
+
+def test_where_the_input_ends_in_place_of_an_answer_all_is_kept() -> None:
+    done: list[str] = []
+    leaving = ending(Program(), done)
+    leaving._prompter.has_ended = True
+    leaving.leave(3)
+    assert (done, leaving.code) == ([ASKED, "keep", "answer-rescued"], 3)
+
+    done.clear()
+    leaving.let_speak = lambda: done.append("speak")  # type: ignore[method-assign]
+    leaving.code = 0
+    leaving.say_goodbye()
+    assert done == ["goodbye", "delivered", "speak"], "the copies stay as they are"
+
+
+def test_robots_in_the_background_stop_only_when_nothing_keeps_the_learner() -> None:
+    done: list[str] = []
+    leaving = ending(Program(is_saved=True), done)
+    leaving._background.is_running = True  # type: ignore[misc]
+    leaving.leave(0)
+    assert done == ["background"]
+    done.clear()
+    leaving = ending(Program(), done)
+    leaving._background.is_running = True  # type: ignore[misc]
+    leaving.leave(0)
+    assert done == [ASKED, "stays-unsaved"]
+
+
+@pytest.mark.parametrize(
+    ("running", "is_attended", "line", "code", "done"),
+    [
+        (("alice",), True, "FW", None, ["background"]),
+        (("alice",), False, "", None, ["background"]),
+        ((), False, "FW", 130, []),
+        ((), True, "FW", None, ["line-cleared"]),
+        ((), True, "", None, ["nothing-to-stop"]),
+    ],
+)
+def test_ctrl_c_at_the_prompt_stops_the_background_ends_a_script_or_clears_the_line(
+    running: tuple[str, ...], is_attended: bool, line: str, code: int | None, done: list[str]
+) -> None:
+    happened: list[str] = []
+    leaving = ending(Program(), happened, is_attended=is_attended)
+    leaving._ctx.donnie.team.running = running  # type: ignore[misc,assignment]
+    leaving.interrupt(line)
+
+    assert (happened, leaving.code) == (done, code)
+
+
+def test_another_world_is_entered_once_the_runs_are_stopped() -> None:
+    done: list[str] = []
+    leaving = ending(Program(), done)
+    leaving.enter_world()
+    assert done == []
+    leaving.world = "maze"
+    with pytest.raises(EnterWorld):
+        leaving.enter_world()
+    assert (done, leaving.world) == (["runs stopped", "entering maze"], "")
+
+
+def test_the_screen_gets_the_program_and_its_name_unless_a_signal_comes(tmp_path: Path) -> None:
+    done: list[str] = []
+    leaving = ending(Program(text="FW 1", path=tmp_path / "a.gd"), done)
+    leaving._offered.add(False)
+    leaving._streams.editing = None  # type: ignore[misc]
+    leaving.switch_to_screen()
+    assert done == ["screen-needs-terminal"]
+    leaving._streams.editing = object()  # type: ignore[misc,assignment]
+    leaving._console.leaving = 15
+    leaving.switch_to_screen()
+    assert done == ["screen-needs-terminal"]
+    leaving._console.leaving = None
+    with pytest.raises(SwitchMode) as switch:
+        leaving.switch_to_screen()
+    assert (switch.value.text, switch.value.name) == ("FW 1", str(tmp_path / "a.gd"))
+    assert switch.value.donnie is leaving._ctx.donnie
+    assert done[1:] == ["runs stopped"]
+    leaving._ctx.program.path = None
+    with pytest.raises(SwitchMode) as switch:
+        leaving.switch_to_screen()
+    assert switch.value.name is None
 
 
 # --- a question
