@@ -272,7 +272,8 @@ async def test_any_command_works_on_a_line_of_the_program(open_screen, tmp_path)
         type_on_last_line(screen, "run")
         await screen.reaches(RunState.RUNNING)
         type_on_last_line(screen, "pause")
-        await screen.reaches(RunState.PAUSED)
+        await screen.shows("Paused at line 1.")
+        await screen.pilot.pause()  # the cursor went to that line
         type_on_last_line(screen, "stop")
         await screen.idle()
         assert screen.main.editor.text.rstrip("\n") == "FW 1\nWAIT 1000"
