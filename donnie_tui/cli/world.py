@@ -159,10 +159,10 @@ def _new_world(order: Order, file: str) -> int:
         if exists(target):
             raise Unusable(words("world-new-there", path=target))
         text = EMPTY_ROOM if drawing is None else read_source(drawing, words).text
-        built = world_of(text, str(drawing), words)
-        write_program(target, built.text)
+        built, counts = world_of(text, str(drawing), words)
+        write_program(target, built)
     command = f"donnie --world {shlex.quote(str(target))}"
-    order.output.line(words("world-new", path=target, command=command, **built.counts))
+    order.output.line(words("world-new", path=target, command=command, **counts))
     return ExitCode.DONE
 
 

@@ -31,8 +31,6 @@ from sim.scene import Scene
 WALL, FREE, ARROWS = "#", ".", "^>v<"
 MOST_SIDE = 400
 """Letters of a line, and lines."""
-LARGEST_SCALE = 100
-"""Steps that a letter stands for."""
 MOST_PIECES = 2000
 """Walls and things of a drawing; a world file has room for more."""
 MOST_SLIPS = 20
@@ -95,16 +93,11 @@ def _around(square: Square) -> Iterator[Square]:
 # --- the world
 
 
-class Built(Struct, frozen=True):
-    """A drawing as a world file."""
+def world_of(text: str, file: str, wording: Words) -> tuple[str, Mapping[str, int]]:
+    """The world file that a drawing means, and what is in it: ``width`` and ``depth`` in steps, and so on.
 
-    text: str
-    counts: Mapping[str, int]
-    """What is in it: ``width`` and ``depth`` in steps, ``robots``, ``things``."""
-
-
-def world_of(text: str, file: str, wording: Words) -> Built:
-    """The world that a drawing means. Raises ``Unusable`` with a sentence for each mistake in ``file``."""
+    Raises ``Unusable`` with a sentence for each mistake in ``file``.
+    """
     return _Drawing(text, file, wording).built()
 
 
@@ -158,7 +151,7 @@ class _Drawing:
         """The text up to the last row, without the legend."""
 
     def _read_legend(self, number: int, line: str) -> None:
-        text, digits, found = line.strip(), re.search(r"\d{1,6}", line), _meaning().fullmatch(line)
+        text, digits, found = line.strip(), re.search(r"\d{1,2}", line), _meaning().fullmatch(line)
         first, steps = text.split()[0], int(digits[0]) if digits else 0
         letter, meaning = found.group("letter", "meaning") if found else ("", "")
         names = [things.name_in(each) for each in meaning.split(",") if each.strip()]
@@ -167,7 +160,7 @@ class _Drawing:
         if _is_sentence(text, "map-no-robot"):
             self._has_none = True
         elif steps and _is_sentence(text, "map-scale", steps=steps):
-            self._scale = min(LARGEST_SCALE, steps)
+            self._scale = steps
         elif found is None or letter in self._places:
             code = "drawing-letter-twice" if found else "drawing-legend"
             self._slip(code, (number, line.index(first)), letter=letter, found=first[:40])
@@ -257,8 +250,8 @@ class _Drawing:
 
     # --- the world file
 
-    def built(self) -> Built:
-        """Raises ``Unusable``."""
+    def built(self) -> tuple[str, Mapping[str, int]]:
+        """As ``world_of``."""
         from sim.worldfile import rectangles  # loads the parser
 
         self._check_rows()
@@ -290,7 +283,7 @@ class _Drawing:
         self._check_room(scene, drawn, robots)
         self._refuse_slips()
         counts = {"width": wide * self._scale, "depth": deep * self._scale}
-        return Built(text, counts | {"robots": len(robots), "things": len(drawn) - len(walls)})
+        return text, (counts | {"robots": len(robots), "things": len(drawn) - len(walls)})
 
     def _lines(self, drawn: Iterable[Group]) -> Iterator[str]:
         """Of walls, which have no names, and of things."""

@@ -35,7 +35,7 @@ def mistakes_of(drawing: str) -> list[str]:
 
 
 def built(drawing: str) -> str:
-    return world_of(drawing, "map.txt", Words("en")).text
+    return world_of(drawing, "map.txt", Words("en"))[0]
 
 
 def written(drawing: str, folder: Path) -> Picture:
