@@ -202,7 +202,8 @@ class Attempt:
         self._met = frozenset[int]()
         """The goals that were met, by their index in the file; each has its cue once."""
         self._donnie = donnie
-        self._events: deque[Stamped] = deque(maxlen=self.MOST_EVENTS)
+        start = Stamped(0, 0.0, Reset(donnie.session.pose), donnie.session.hub.robot)
+        self._events = deque([start], maxlen=self.MOST_EVENTS)
         self.has_questions = False
         """Whether the last run is followed by questions that were not asked yet."""
         self.is_answered = False
@@ -241,7 +242,7 @@ class Attempt:
     def judgment(self) -> Judgment:
         """The judgment of what was done from the first start."""
         answers = self._no_answers if self._answers is None else self._answers
-        return self._judge.starts[0].judge(self._happened(), answers)
+        return self._judge.starts[0].judge(tuple(self._events), answers)
 
     @property
     def _no_answers(self) -> dict[Unsensed, bool] | None:
@@ -254,9 +255,6 @@ class Attempt:
         """After a run of a real robot, what it can't sense and the learner has not answered yet."""
         known = self._answers
         return () if known is None else tuple(it for it in self.challenge.rules.unsensed if it not in known)
-
-    def _happened(self) -> tuple[Stamped, ...]:
-        return tuple(self._events) or (Stamped(0, 0.0, Reset(self._donnie.session.pose)),)
 
     def judge(self, is_program: bool, is_asked: bool) -> tuple[str, ...]:
         """Judge a run, keep it as a try, and return the verdict. ``is_program``: more than a line ran.
@@ -282,7 +280,7 @@ class Attempt:
 
         if self._answers is not None:
             self._answers |= answers
-        verdicts, words = self._judge.events(self._happened(), self._answers), self._donnie.words
+        verdicts, words = self._judge.events(tuple(self._events), self._answers), self._donnie.words
         here, is_solved = verdicts[0], all(each.is_solved for each in verdicts)
         when, name = datetime.now().astimezone().isoformat(timespec="seconds"), self.challenge.name
         seconds, shortest = round(here.track.counts["seconds"]), self._shortest if is_solved else 0
