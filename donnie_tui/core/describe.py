@@ -395,10 +395,9 @@ def goals_in_words(verdict: Judgment, wording: Wording) -> tuple[str, ...]:
     """Which goals are met, a line each."""
     lines, room = list[str](), verdict.track.end
     for number, each in enumerate(verdict.of_goals, start=1):
-        if each is None or each.code == "goal-asked":
-            lines.append(wording("goal-met" if each is None else "goal-to-ask", number=number))
-        else:
-            lines.append(wording("goal-missing", number=number, text=shortfall_in_words(each, room, wording)))
+        code = "goal-met" if each is None else "goal-to-ask" if each.code == "goal-asked" else "goal-missing"
+        text = "" if each is None else shortfall_in_words(each, room, wording)
+        lines.append(wording(code, number=number, text=text))
     return tuple(lines)
 
 

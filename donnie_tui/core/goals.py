@@ -96,9 +96,9 @@ class Track(Struct, frozen=True):
         each_one = (sum(time for robot, time in spent if robot == name) for name in self.end.robots)
         walks, turns = self.of(Moved), self.of(Turned)
         stopped = [*(each.stopped_by for each in walks), *(each.stopped_by for each in turns)]
-        others = self.of(events.Waited, events.Spoke, events.Scanned, events.GripperUsed)
+        acts = self.of(Moved, Turned, events.Waited, events.Spoke, events.Scanned, events.GripperUsed)
         return {
-            "commands": len(walks) + len(turns) + len(others),
+            "commands": len(acts),
             "seconds": max(each_one),
             "steps": sum(each.walked for each in walks),
             "turns": len(turns),
@@ -230,8 +230,9 @@ def _is_known(name: str, key: str, room: Inventory) -> bool:
 
 def track_of(room: Inventory, stamped: Iterable[Stamped]) -> Track:
     """What the runs did since the robots were put to their starts the last time."""
-    first = room.robot_called("") or ""
-    happened = [(each.robot or first, each.event) for each in last_try(tuple(stamped))]
+    first, given = room.robot_called("") or "", tuple((each.robot, each.event) for each in stamped)
+    begun = {robot: at for at, (robot, each) in enumerate(given) if begins_anew(each)}
+    happened = [(robot or first, each) for at, (robot, each) in enumerate(given) if at >= begun.get(robot, 0)]
     starts = {robot: pose_of(each) for robot, each in happened if begins_anew(each)}
     robots = dict(room.robots) | {robot: pose for robot, pose in starts.items() if pose is not None}
     moments = [replace(room, robots=robots)]
@@ -245,12 +246,6 @@ def track_of(room: Inventory, stamped: Iterable[Stamped]) -> Track:
         elif pose is not None:
             moments.append(replace(now, robots={**now.robots, robot: pose}))
     return Track(happened, moments)
-
-
-def last_try(happened: Sequence[Stamped]) -> tuple[Stamped, ...]:
-    """What happened since each robot was put to its start."""
-    starts = {each.robot: at for at, each in enumerate(happened) if begins_anew(each.event)}
-    return tuple(each for at, each in enumerate(happened) if at >= starts.get(each.robot, 0))
 
 
 # --- goals
