@@ -240,9 +240,8 @@ class Rules(Struct, frozen=True, forbid_unknown_fields=True):
     def parts(self) -> Iterator[tuple[str, Goal | Never | Variant | ChallengeQuestion]]:
         """Its tables that name things, each with its name as in ``line_of``."""
         yield "never", self.never
-        yield from ((f"goal[{at}]", each) for at, each in enumerate(self.goal))
-        yield from ((f"variant[{at}]", each) for at, each in enumerate(self.variant))
-        yield from ((f"question[{at}]", each) for at, each in enumerate(self.question))
+        for name in ("goal", "variant", "question"):
+            yield from ((f"{name}[{at}]", each) for at, each in enumerate(getattr(self, name)))
 
     @property
     def goal_places(self) -> tuple[GoalPlace, ...]:
@@ -305,14 +304,11 @@ class ChallengeMistake(Struct, frozen=True):
 
 
 class BadChallenge(Exception):
-    """A challenge that can't be used, with all mistakes in its file."""
+    """A challenge that can't be used, with all mistakes in its file. ``found``: as far as it was read."""
 
     def __init__(self, file: Path, *mistakes: ChallengeMistake, found: Challenge | None = None) -> None:
         super().__init__(f"{file}: {mistakes}")
-        self.file = file
-        self.mistakes = mistakes
-        self.found = found
-        """The challenge as far as it could be read."""
+        self.file, self.mistakes, self.found = file, mistakes, found
 
 
 @cache
