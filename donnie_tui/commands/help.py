@@ -270,8 +270,7 @@ async def questions(ctx: Context, _: str) -> None:
                 break
             is_right = each.is_right(typed)
             right += is_right
-            text = each.right_answer(ctx.words)
-            ctx.answer("question-right" if is_right else "question-wrong", text=text)
+            ctx.answer("question-right" if is_right else "question-wrong", text=each.right_answer(ctx.words))
         else:
             attempt.is_answered = True
         ctx.answer("questions-done", right=right, questions=len(asked))

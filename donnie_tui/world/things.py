@@ -24,7 +24,7 @@ from donnie_tui.core.program_files import read_program, write_companion, write_p
 from donnie_tui.core.wording import Wording, coloured_thing, meant, noun, the_coloured
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.process.confinement import open_bytes
-from donnie_tui.world.loading import Site, SiteChange, allowed_folders, include_for, scene_of
+from donnie_tui.world.loading import MOST_KNOWN, Site, SiteChange, allowed_folders, include_for, scene_of
 from language.keywords import COLOURS
 from language.locales import languages
 from language.source import fold, fold_name
@@ -51,8 +51,6 @@ MOST_STEPS = 1000
 """From 0 0: where something may stand on a floor without end."""
 _SHRINK, _MOST_SHRUNK = 0.03, 0.005
 """By how much what is put is taken smaller than it is: part of its size, and metres."""
-_MOST_NAMES = 8
-"""Names that a sentence lists."""
 Changed: TypeAlias = tuple[str, Thing]
 """What happened, as the code of a sentence, and the thing as it is afterwards; or was, if it is gone."""
 
@@ -133,10 +131,8 @@ def description_of(text: str, wording: Wording) -> tuple[Description, Mapping[in
     of_kinds = sorted((phrase in colours, at) for at, phrase in enumerate(phrases) if phrase in kinds)
     kind = of_kinds[0][1] if of_kinds else len(found)
     shades, marks, mistakes = list[str](), list[str](), dict[int, str]()
-    for at, each in enumerate(found):
+    for at, each in ((at, each) for at, each in enumerate(found) if at != kind):
         typed, phrase = what[each.start() : each.end()], phrases[at]
-        if at == kind:
-            continue
         if phrase in colours:
             shades.append(colours[phrase])
         elif len(typed) == 1 and typed.isalpha() and at > kind and phrases[at + 1] in colours:
@@ -222,7 +218,7 @@ class Building:
         code = "which" if found else "unknown-near" if near else "unknown"
         code = "which-wall" if found and found[0].kind == WALL else code
         places = [f"{name_in_words(it, words)}: {round(it.x)}, {round(it.y)}" for it in found]
-        values = {"name": typed[:40], "near": near, "names": "; ".join(places[:_MOST_NAMES])}
+        values = {"name": typed[:40], "near": near, "names": "; ".join(places[:MOST_KNOWN])}
         raise Unusable(words(f"built-{code}", count=len(found), **values))
 
     def named(self, typed: str) -> list[Thing]:
