@@ -365,9 +365,8 @@ def read(path: Path) -> Challenge:
     except (OSError, ValueError):
         raise BadChallenge(path, ChallengeMistake("challenge-unreadable")) from None
     if len(data) > LARGEST:
-        raise BadChallenge(
-            path, ChallengeMistake("challenge-too-large", what=f"{LARGEST:,}".replace(",", " "))
-        )
+        most = f"{LARGEST:,}".replace(",", " ")
+        raise BadChallenge(path, ChallengeMistake("challenge-too-large", what=most))
     reader = _Reader(data)
     found = Challenge(path.name.removesuffix(SUFFIX), path, reader.rules, reader.texts, tuple(reader.lines))
     reader.check(found)
@@ -392,11 +391,9 @@ class _Reader:
     """Reads a file, and notes all mistakes: without what is wrong it reads on."""
 
     def __init__(self, data: bytes) -> None:
-        self.mistakes: list[ChallengeMistake] = []
-        self.lines: list[str] = []
-        self._wrong = set[str]()
+        self.mistakes, self.lines = list[ChallengeMistake](), list[str]()
+        self._wrong, content = set[str](), dict[str, Any]()
         """The tables with mistakes."""
-        content: dict[str, Any] = {}
         try:
             self.lines = data.decode("utf-8-sig").replace("\r\n", "\n").split("\n")
             content = self._parsed()
@@ -433,11 +430,8 @@ class _Reader:
 
     def _table(self, kind: type[_Table], content: Any, name: str) -> _Table:
         """A table without what is wrong in it, with something in place of what it lacks."""
-        known, given, is_table = (
-            {each.encode_name: each for each in fields(kind)},
-            {},
-            isinstance(content, dict),
-        )
+        known = {each.encode_name: each for each in fields(kind)}
+        given, is_table = dict[str, Any](), isinstance(content, dict)
         if not is_table:
             self._note("challenge-value", name, what=name)
         for key, value in content.items() if is_table else ():
