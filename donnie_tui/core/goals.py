@@ -181,14 +181,9 @@ def judge(
     track, rules = track_of(room, happened), challenge.rules
     numbered = enumerate(rules.goal, start=1)
     missing = tuple(next(_missing(goal, number, track, answers), None) for number, goal in numbered)
-    shortfalls = (
-        *_ended_badly(track),
-        *_of_words(challenge, track),
-        *filter(None, missing),
-        *_forbidden(rules, track, answers),
-        *_over_limit(rules, track),
-    )
-    return Judgment(track, missing, shortfalls)
+    shortfalls = [*_ended_badly(track), *_of_words(challenge, track), *filter(None, missing)]
+    shortfalls += [*_forbidden(rules, track, answers), *_over_limit(rules, track)]
+    return Judgment(track, missing, tuple(shortfalls))
 
 
 def goals_of_end(room: Inventory, happened: Iterable[Stamped]) -> tuple[Goal, ...]:
