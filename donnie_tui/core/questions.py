@@ -37,13 +37,10 @@ class Asked(Struct, frozen=True):
     def text(self, wording: Wording) -> str:
         """The question in words."""
         ask, names = self.question.ask, self.question.things
-        listed = (f"{at} {self._called(name, wording)}" for at, name in enumerate(names, start=1))
-        return wording(
-            f"question-{ask}",
-            origin=self._origin_in_words(wording),
-            target=self._called(names[0], wording, coloured if ask == "count" else the_coloured),
-            things="; ".join(listed),
-        )
+        listed = "; ".join(f"{at} {self._called(name, wording)}" for at, name in enumerate(names, start=1))
+        target = self._called(names[0], wording, coloured if ask == "count" else the_coloured)
+        origin = self._origin_in_words(wording)
+        return wording(f"question-{ask}", origin=origin, target=target, things=listed)
 
     def right_answer(self, wording: Wording) -> str:
         """The right answer in words."""
@@ -121,9 +118,6 @@ def unsensed_question(asked: Unsensed, room: Inventory, wording: Wording) -> str
     if isinstance(asked, Avoided):
         values = {"target": target_in_words(asked.target, room, wording), "most": in_steps(asked.within)}
         return wording(f"never-ask-{asked.how}", **values)
-    listed = ", ".join(asked.robots or ()) or ", ".join(
-        target_in_words(each, room, wording)
-        for each in asked.targets
-        if each != asked.at or asked.kind == "at"
-    )
-    return wording(f"goal-ask-{asked.kind}", target=listed)
+    targets = [each for each in asked.targets if each != asked.at or asked.kind == "at"]
+    names = asked.robots or [target_in_words(each, room, wording) for each in targets]
+    return wording(f"goal-ask-{asked.kind}", target=", ".join(names))
