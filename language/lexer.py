@@ -218,10 +218,8 @@ def language_of(tokens: Iterable[Token], source: str = "") -> str:
     tokens = [token for token in tokens if token[5][:1].isalpha()]
     votes = {language: [0, 0] for language in languages()}
     for word, count in Counter(token[5] for token in tokens).items():
-        possible = languages_of(word)
-        if len(possible) < len(votes):
-            for language in possible:
-                votes[language][0] += count
+        for language in languages_of(word):  # a word of all languages counts alike for each
+            votes[language][0] += count
     for token in tokens if source else ():
         for language in languages_by_accents(token[5], source[token[1] : token[2]]):
             votes[language][1] += 1

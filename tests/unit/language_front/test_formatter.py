@@ -44,6 +44,26 @@ PAIRS = [
     ("speak “olá”", "SPEAK “olá”\n"),
     ("help fim   se\nhelp\nfw 1", "HELP FIM SE\nHELP\nFW 1\n"),
     ("VAR Ação = 007", "VAR Ação = 007\n"),
+    (";; fw 1;\n\nfw 2;", "FW 1\n\nFW 2\n"),
+    (
+        "if 1==1 then\nfw 1\n\n\nelse\n\nfw 2\n\nend if\n\nfw 3",
+        "IF 1 == 1 THEN\n  FW 1\nELSE\n  FW 2\nEND IF\n\nFW 3\n",
+    ),
+    ("fw 1\n\n-- c\n\n\nfw 2", "FW 1\n\n-- c\n\nFW 2\n"),
+    ("repeat 2 times\n\n-- c\nfw 1\nend repeat", "REPEAT 2 TIMES\n  -- c\n  FW 1\nEND REPEAT\n"),
+    ('speak "a\n\nb"\nfw 1', 'SPEAK "a\n\nb"\nFW 1\n'),
+    ('speak "a\n\nb"\n\nfw 1', 'SPEAK "a\n\nb"\n\nFW 1\n'),
+    ("fw (-2) bw -(3)", "FW (-2)\nBW -(3)\n"),
+    ("x=-a- -b*(c)-1", "x = -a - -b * (c) - 1\n"),
+    ("speak distance f-1 speak pos a*-2", "SPEAK DISTANCE F - 1\nSPEAK POS A * -2\n"),
+    (
+        "for var i=0;-- c\ni<2;i=i+1 do end for;-- d",
+        "FOR VAR i = 0; -- c\n  i < 2; i = i + 1 DO\nEND FOR -- d\n",
+    ),
+    (
+        "repeat 2 times repeat 3 times fw 1 + -- c\n2 end repeat end repeat",
+        "REPEAT 2 TIMES\n  REPEAT 3 TIMES\n    FW 1 + -- c\n      2\n  END REPEAT\nEND REPEAT\n",
+    ),
 ]
 
 

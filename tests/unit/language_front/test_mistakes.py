@@ -132,6 +132,7 @@ PLACES = [
     ("DISTANCE Z", "bad-argument", 1, 10),
     ("IF DISTANCE Z > 3 THEN FW 1 END IF", "bad-argument", 1, 13),
     ("SPEAK DISTANCE 5", "bad-argument", 1, 16),
+    ("SPEAK DISTANCE )", "syntax", 1, 16),
     ("IF POS b > 0 THEN FW 5 END IF", "bad-argument", 1, 8),
     ("POS b", "bad-argument", 1, 5),
     ("SPEAK POS", "bad-argument", 1, 7),
@@ -247,6 +248,25 @@ def test_a_sign_of_mathematics_means_one_of_godonnie(typed: str, meant: str) -> 
         ("FOR VAR i = 0 i < 2; i = i + 1 DO END FOR", (";",)),
         ("TR == 3", ("expression",)),
         ("WAIT 1 +", ("expression",)),
+        ("VAR a = RANDOM 5", ("expression",)),
+        ("SPEAK DISTANSIA F", ("expression",)),
+        ("VAR x =\nFW 3", ("expression",)),
+        ("FW\nTR 90", ("expression",)),
+        ("FW = 3", ("expression",)),
+        ("IF 1 = 2 THEN FW 1 END IF", ("comparison",)),
+        ("x == 3", ("=",)),
+        ("i++", ("=",)),
+        ("WALK 3", ("command",)),
+        ("RIGHT 90", ("command",)),
+        ("P (1)", ("command",)),
+        ("END IF", ("command",)),
+        ("ELSE", ("command",)),
+        ("si 3 > 2 entonces\nsi no\nfin si", ("command",)),
+        ("FW 3 steps", ()),
+        ("SPEAK hello world", ()),
+        ("VAR if = 2", ()),
+        ("IF 1 < 2 THEN FW 1", ("END IF",)),
+        ("DISTANCE Z", ("direction",)),
     ],
 )
 def test_expected_are_the_words_that_fit_the_place(source: str, expected: tuple[str, ...]) -> None:
@@ -304,6 +324,9 @@ OFFERS = [
     ("IZQUIERDA 90", "GI 90"),
     ("GIRA DIREITA 90", "GD 90"),
     ("GIRRA DERECHA 90", "GIRAR DERECHA"),
+    ("RIGHT TRUN", "RIGHT TURN 90"),
+    ("GIRAR DIRETA", "GIRAR DIREITA 90"),
+    ("PARA FRENT\nGD 90", "PARA FRENTE 2"),
     ("TURN 90", "TR 90"),
     ("SPEAK COLOR gren", "GREEN"),
     ("FALAR COR vermelo", "VERMELHO"),
@@ -367,18 +390,47 @@ def test_of_equally_near_words_the_one_in_the_language_of_the_program_is_offered
 
 
 @pytest.mark.parametrize(
-    ("source", "code"),
+    ("source", "code", "details"),
     [
-        ('SPEAK "a" + 1', "text-plus"),
-        ("IF a = 1 THEN FW 1 END IF", "single-equals"),
-        ("END IF", "stray-end"),
-        ("ELSE", "stray-else"),
-        ("SOUND", "missing-argument"),
-        ("P (1)", "call-brackets"),
+        ('SPEAK "a" + 1', "text-plus", {}),
+        ("IF a = 1 THEN FW 1 END IF", "single-equals", {}),
+        ("END IF", "stray-end", {}),
+        ("ELSE", "stray-else", {}),
+        ("SOUND", "missing-argument", {"word": "SOUND"}),
+        ("SPEAK POS b", "", {"word": "POS"}),
+        ("PF\nGD 90", "missing-argument", {"word": "FW"}),
+        ("P (1)", "call-brackets", {}),
+        ("P x", "", {}),
+        ("x == 3", "two-equals", {}),
+        ("WALK 3", "everyday", {}),
+        ("FW 3 steps", "filler", {"written": "FW 3", "word": "steps"}),
+        ("speak hello big world", "text-quotes", {"written": 'speak "hello big world"'}),
+        ("VAR a = RANDOM 5", "value", {}),
+        ("SPEAK DISTANSIA F", "sensor", {}),
+        ("VAR x =\nFW 3", "missing-value", {}),
+        ("VAR if = 2", "", {"name": "if"}),
+        ("FW 2,5", "whole-numbers", {}),
+        ("FW 2 , 5", "", {}),
+        ("REPEAT 2 FW 1 END REPEAT", "head-end", {"opener": "REPEAT", "missing": "TIMES", "line": 1}),
+        (
+            "\nREPEAT 2\n\nFW 1 END REPEAT",
+            "head-end-before",
+            {"opener": "REPEAT", "missing": "TIMES", "line": 2},
+        ),
+        ("IF 1 < 2 DO FW 1 END IF", "", {"opener": "IF"}),
+        ("WHILE 1 < 2 AND 2 < 3 DO FW 1 END WHILE", "second-comparison", {"opener": "WHILE"}),
+        ("IF 1 < 2 OR 2 < 3 THEN FW 1 END IF", "other-comparison", {"opener": "IF"}),
+        ("P [1 AND 2]", "", {}),
+        ("\nREPEAT 2 TIMES FW 1 END IF", "other-end", {"opener": "REPEAT", "opener_line": 2}),
+        ("\nREPEAT 2 TIMES FW 1 END", "", {"opener": "REPEAT", "opener_line": 2}),
     ],
 )
-def test_some_mistakes_have_a_sentence_of_their_own(source: str, code: str) -> None:
-    assert the_mistake(source).code == code
+def test_some_mistakes_have_a_sentence_of_their_own(
+    source: str, code: str, details: dict[str, str | int]
+) -> None:
+    only = the_mistake(source)
+
+    assert (only.code, dict(only.details)) == (code, details)
 
 
 @pytest.mark.parametrize(
@@ -804,6 +856,7 @@ def test_the_keyword_of_a_second_word_is_meant_where_the_first_is_near(first: st
         ("GD 90PF 2", "90 PF"),
         ("REPEAT 4TIMES FW 1 END REPEAT", "4 TIMES"),
         ("FW 5x", ""),
+        ("FW 5xFW 2", ""),
         ("VAR _fw = 2", ""),
     ],
 )

@@ -2,7 +2,7 @@
 
 import pytest
 
-from language.outline import OutlineItem, block_depth, outline
+from language.outline import OutlineItem, block_depth, open_block, outline
 
 
 @pytest.mark.parametrize(
@@ -51,6 +51,21 @@ def test_an_end_closes_the_open_blocks_inside() -> None:
 
 def test_a_procedure_without_a_name_has_none() -> None:
     assert outline("PROCEDURE")[0].name == ""
+
+
+@pytest.mark.parametrize(
+    ("source", "found"),
+    [
+        ("", None),
+        ("REPEAT 2 TIMES END REPEAT", None),
+        ("\nREPEAT 2 TIMES", OutlineItem("REPEAT", "", 8, 8, 0, False)),
+        ("IF 1 < 2 THEN\nWHILE 1 < 2 DO\nFW 1", OutlineItem("WHILE", "", 8, 9, 1, False)),
+        ("IF 1 < 2 THEN\nWHILE 1 < 2 DO END WHILE\nFW 1", OutlineItem("IF", "", 7, 9, 0, False)),
+        ("IF 1 < 2 THEN END IF\nPROCEDURE Go DO\n", OutlineItem("PROCEDURE", "Go", 8, 8, 0, False)),
+    ],
+)
+def test_the_open_block_is_the_innermost_one_without_its_end(source: str, found: OutlineItem | None) -> None:
+    assert open_block(source, first_line=7) == found
 
 
 def test_an_else_in_two_words_opens_no_block() -> None:

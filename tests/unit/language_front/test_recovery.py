@@ -61,6 +61,11 @@ NEXT_WRONG_LINES = {
     "VAR if = 2": "reserved-word",
     "REPEAT 2 FW 1 END REPEAT": "syntax",
     "; JUMP": "unknown-command",
+    "x == 3": "syntax",
+    "i++": "syntax",
+    "FW = 3": "syntax",
+    "WALK 3": "unknown-command",
+    "P (1)": "unknown-command",
     "ELSE": "syntax",
     "END IF": "wrong-end",
 }
@@ -120,6 +125,12 @@ def test_a_mistake_in_a_head_still_opens_the_block(head: str) -> None:
 def test_a_wrong_end_still_closes_the_block(typed: str) -> None:
     source = f"REPEAT 2 TIMES\nFW 1\n{typed}\nFW 2\nJUMP"
     assert [line for _, line in mistakes_in(source)] == [3, 5]
+
+
+def test_a_loop_over_a_name_that_is_like_a_command_is_none_of_the_mistakes() -> None:
+    """PARA begins FOR, and PARA FRENTE walks."""
+    source = "JUMP\nPARA frent = 0; frent < 2; frent = frent + 1 FAÇA\nPF 1\nFIM PARA"
+    assert mistakes_in(source) == [("unknown-command", 1)]
 
 
 def test_a_missing_inner_end_is_reported_once_at_the_end_that_does_not_fit() -> None:
