@@ -567,7 +567,7 @@ def _is_reserved_as_name(reader: TokenReader) -> bool:
     token, before, following = reader.token, reader.before, reader.following
     if before[0] not in _BEFORE_NEW_NAME or not is_reserved(token[5]):
         return False
-    if not reader.automaton.accepts(NAME) or reader.automaton.accepts(NUMBER):
+    if reader.automaton.accepts(NUMBER):
         return False
     if following[0] == ASSIGN:
         return True

@@ -247,7 +247,7 @@ class TokenReader:
 
     @property
     def is_first_of_line(self) -> bool:
-        return self.at == 0 or self.before[3] != self.token[3]
+        return self.before[3] != self.token[3]
 
     @property
     def is_decimal_comma(self) -> bool:
@@ -334,17 +334,9 @@ class TokenReader:
         """Read ``width`` tokens as one of another kind, after a mistake was reported there."""
         _, start, _, line, column, text = self.token
         end = self.tokens[self.at + width - 1][2]
-        self._replace_borders(width, KIND[terminal])
         self.tokens[self.at : self.at + width] = [(KIND[terminal], start, end, line, column, text)]
         self._flaws = [each if each <= self.at else each - width + 1 for each in self._flaws]
         self.mark_flaw()
-
-    def _replace_borders(self, width: int, kind: int) -> None:
-        after = self.at + width - len(self.tokens)
-        replaced = slice(bisect_left(self._borders, after - width), bisect_left(self._borders, after))
-        is_border = _is_border(kind)
-        self._borders[replaced] = [after - 1] if is_border else []
-        self._kinds_of_borders[replaced] = [kind] if is_border else []
 
     # --- reporting
 

@@ -315,6 +315,7 @@ OFFERS = [
     ("FW3", "FW 3"),
     ("pf10", "PF 10"),
     ("SOUNDON", "SOUND ON"),
+    ("POSX", "POS X"),
     ("RIGHTTURN 90", "RIGHT TURN"),
     ("RIGHT 90", "TR 90"),
     ("GIRAR DERECH 90", "GIRAR DERECHA"),

@@ -127,6 +127,10 @@ def test_a_wrong_end_still_closes_the_block(typed: str) -> None:
     assert [line for _, line in mistakes_in(source)] == [3, 5]
 
 
+def test_a_command_in_the_place_of_a_value_is_read() -> None:
+    assert mistakes_in("FW TR DISTANCE Z") == [("syntax", 1), ("bad-argument", 1)]
+
+
 def test_a_loop_over_a_name_that_is_like_a_command_is_none_of_the_mistakes() -> None:
     """PARA begins FOR, and PARA FRENTE walks."""
     source = "JUMP\nPARA frent = 0; frent < 2; frent = frent + 1 FAÇA\nPF 1\nFIM PARA"

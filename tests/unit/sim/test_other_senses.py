@@ -1,6 +1,6 @@
 """Cameras that don't turn, marks, bumpers and the beams of a gripper."""
 
-from math import atan, degrees
+from math import asin, atan, degrees
 
 import pytest
 
@@ -84,6 +84,47 @@ def test_a_nearer_thing_hides_a_farther_one_at_its_own_height_only() -> None:
 
     assert names_and_bearings(Sensing(robot + things)) == []
     assert names_and_bearings(Sensing("ignore_zloc 0 " + robot + things)) == [("ahead", 0)]
+
+
+def test_a_thing_of_several_parts_is_where_its_widest_stretch_is() -> None:
+    """A wall of three blocks, 1.2 m wide and 1 m away; a post hides a piece of its right end."""
+    corners = "point[0] [ 0 {0} ] point[1] [ 1 {0} ] point[2] [ 1 {1} ] point[3] [ 0 {1} ]"
+    blocks = "".join(f"block( points 4 {corners.format(y, y + 1)} ) " for y in range(3))
+    wall = f'model( name "wall" size [ 0.02 1.2 1 ] pose [ 1 0 0 0 ] color "red" {blocks} )'
+    it = Sensing(f"position( {BODY} blobfinder( fov 90 ) ) {wall} {pole('post', 0.5, -0.2, 'yellow')}")
+
+    found = {it.name(seen.root): seen.degrees for seen in it.senses.look(it.around, it.spot)}
+
+    left, right = degrees(atan(0.6 / 0.99)), -degrees(atan(0.19 / 0.51))
+    assert found["wall"] == pytest.approx((left + right) / 2, abs=0.01)
+
+
+def test_of_a_wall_that_leads_out_of_the_range_the_piece_in_range_is_seen() -> None:
+    """Its face is 0.5 m to the left of the robot, and 2 m away up to where its angle has the sine 0.25."""
+    wall = 'model( size [ 10 0.1 1 ] pose [ 5 0.55 0 0 ] color "red" )'
+    it = Sensing(f"position( {BODY} blobfinder( fov 60 range 2 ) ) {wall}")
+
+    (seen,) = it.senses.look(it.around, it.spot)
+
+    assert seen.degrees == pytest.approx((degrees(asin(0.25)) + 30) / 2, abs=0.01)
+
+
+@pytest.mark.parametrize(("away", "is_seen"), [(3.06, True), (3.07, False)])
+def test_the_range_of_a_camera_on_a_head_begins_at_its_sonar(away: float, is_seen: bool) -> None:
+    head = f"ranger( sensor( pose [ 0.0635 0 0 0 ] ) ) position( {BODY} blobfinder( range 3 ) )"
+    box = f'model( size [ 0.1 0.1 1 ] pose [ {away + 0.05} 0 0 0 ] color "red" )'
+    it = Sensing(f"position( {BODY} {head} ) {box}")
+
+    assert bool(it.senses.look(it.around, it.spot)) is is_seen
+
+
+def test_a_thing_nearer_than_the_sonar_of_a_head_is_at_0() -> None:
+    head = f"ranger( sensor( pose [ 0.0635 0 0 0 ] ) ) position( {BODY} blobfinder( ) )"
+    it = Sensing(f"position( {BODY} {head} ) {pole('red', 0.05, 0)}")
+
+    (seen,) = it.senses.look(it.around, it.spot)
+
+    assert seen.centimetres == 0
 
 
 def test_a_look_without_a_camera_is_refused() -> None:

@@ -8,7 +8,8 @@ from unittest.mock import patch
 
 import pytest
 
-from sim.clock import MOST_EVENTS, Clock, LockGate, Seat, Turns, new_gate
+from sim.clock import MOST_EVENTS, Clock, Glide, LockGate, Seat, Turns, new_gate
+from sim.geometry import Placement
 from tests.timeouts import TIMEOUT
 from tests.unit.sim.floors import Unpaced
 
@@ -89,6 +90,151 @@ def test_a_leap_ends_an_earlier_halt() -> None:
     clock.leap(1.0)
 
     assert clock.is_active()
+
+
+def test_the_world_knows_who_has_the_turn_while_others_wait() -> None:
+    turns = Turns()
+    alice, bob, eve = (Seat(turns, rank) for rank in range(3))
+    assert (turns.has_others(alice), turns.held_by(), alice.waits) == (False, None, False)
+
+    turns.admit(alice)
+    turns.admit(alice)
+    assert (turns.has_others(alice), turns.has_others(bob), turns.held_by()) == (False, True, None)
+    assert alice.free_until() == bob.free_until() == inf
+
+    turns.expect([eve, bob])
+    turns.present = 2.5
+    assert [turns.has_others(each) for each in (alice, bob, eve)] == [True] * 3
+    assert (turns.held_by(), alice.waits, bob.waits) == ((0, 2.5), False, True)
+
+    turns.dismiss(bob)
+    turns.dismiss(bob)
+    assert (turns.holder, turns.has_others(alice), bob.waits) == (alice, True, False)
+    turns.dismiss(alice)
+    assert (turns.holder, turns.held_by(), turns.has_others(eve)) == (eve, None, False)
+    turns.dismiss(eve)
+    assert (turns.holder, turns.queue) == (None, [])
+
+
+def test_a_robot_is_undisturbed_until_the_next_one_can_act() -> None:
+    turns = Turns()
+    turns.present = 3.0
+    alice, bob = Clock(Unpaced(), None, Seat(turns, 0)), Seat(turns, 1)
+    alice.join()
+    assert (alice.undisturbed(), alice.has_company, alice.others_glide) == (inf, False, False)
+    assert list(alice.in_the_world([1.0, 2.0])) == [4.0, 5.0]
+
+    turns.present = 7.0
+    turns.admit(bob)
+    assert (alice.undisturbed(), alice.has_company, alice.others_glide) == (4.0, True, False)
+
+    turns.glides[bob] = glide(Clock(Unpaced(), None, bob))
+    assert (alice.undisturbed(), alice.others_glide) == (0.0, True)
+    alice.leave()
+    assert (alice.takes_part, alice.has_company, alice.others_glide) == (False, True, False)
+    assert alice.undisturbed() == inf
+
+
+def test_a_clock_that_never_joined_has_the_times_of_the_world() -> None:
+    assert list(Clock(Unpaced(), None).in_the_world([1.0, 2.0])) == [1.0, 2.0]
+
+
+def test_time_is_spent_in_slices_and_the_marks_on_the_way_are_reported() -> None:
+    """At twice the speed a slice of 1/20 s is 0.1 s of the robot."""
+    pace, slices, marks = Unpaced(), list[float](), list[tuple[str, float]]()
+    clock = Clock(pace, 2.0)
+
+    def mark(name: str) -> None:
+        marks.append((name, round(clock.seconds, 9)))
+
+    spent = clock.spend(0.25, [(0.15, lambda: mark("a")), (0.25, lambda: mark("b"))], slices.append, end=0.5)
+
+    assert (spent, clock.seconds) == (0.25, 0.5)
+    assert slices == pytest.approx([0.1, 0.15, 0.25])
+    assert pace.slept == pytest.approx([0.05, 0.025, 0.05])
+    assert marks == [("a", 0.15), ("b", 0.5)]
+
+
+@pytest.mark.parametrize(("speed", "slept"), [(None, 0), (1.0, 20)])
+def test_a_mark_may_end_what_is_spent(speed: float | None, slept: int) -> None:
+    pace, marks = Unpaced(), list[str]()
+    clock = Clock(pace, speed)
+
+    spent = clock.spend(5.0, [(1.0, clock.halt), (2.0, lambda: marks.append("late"))])
+
+    assert (spent, clock.seconds, clock.was_halted()) == (pytest.approx(1.0), pytest.approx(1.0), True)
+    assert (marks, len([each for each in pace.slept if each])) == ([], slept)
+
+
+@pytest.mark.parametrize("takes_part", [False, True])
+def test_a_stop_ends_what_elapses_and_the_next_command_begins_anew(takes_part: bool) -> None:
+    pace = Unpaced(stop_after=0.5)
+    clock = Clock(pace, 1.0)
+    if takes_part:
+        clock.join()
+
+    assert not clock.elapse(2.0)
+    assert (clock.seconds, clock.was_halted()) == (pytest.approx(0.5), True)
+    assert not clock.elapse(1.0)
+    assert not clock.elapse_until(9.0)
+    assert clock.seconds == pytest.approx(0.5)
+
+    pace.stop_after = inf
+    assert clock.begin()
+    assert clock.elapse(2.0)
+    assert clock.elapse_until(4.0)
+    assert clock.seconds == 4.0
+    assert sum(pace.slept) == pytest.approx(4.0)
+
+
+def glide(clock: Clock) -> Glide:
+    """A metre to the east, in three ticks that end at 1, 2 and 3 seconds; 0.25 m around it are free."""
+    return Glide(
+        *(7, clock, lambda: [1.0, 2.0, 3.0], lambda count: Placement(count / 3)),
+        *((0.0, 0.0, 1.0, 0.0), 0.25),
+    )
+
+
+@pytest.mark.parametrize(
+    ("time", "rank", "ticks"),
+    [(0.0, 9, 0), (0.5, 9, 0), (1.0, 1, 0), (1.0, 2, 1), (1.5, 0, 1), (3.0, 1, 2), (3.0, 2, 3), (9.0, 0, 3)],
+)
+def test_a_tick_is_past_for_those_who_act_after_it(time: float, rank: int, ticks: int) -> None:
+    """At equal times the robot with the lower rank acts first; the one that glides has rank 1."""
+    it = glide(Clock(Unpaced(), None, Seat(Turns(), 1)))
+
+    assert it.ticks((time, rank)) == ticks
+    assert it.new_place((time, rank)) == (Placement(ticks / 3) if ticks else None)
+    assert it.new_place((time, rank)) is None
+
+
+@pytest.mark.parametrize(
+    ("time", "end", "count"), [(0.5, 1.0, 1), (1.5, 2.0, 2), (2.5, 3.0, 3), (9.0, 3.0, 3)]
+)
+def test_a_cut_glide_ends_with_its_current_tick(time: float, end: float, count: int) -> None:
+    it = glide(Clock(Unpaced(), None, Seat(Turns(), 1)))
+
+    assert (it.cut((time, 0)), it.count) == (end, count)
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "is_near"),
+    [
+        (0.5, 0.49, True),
+        (0.5, -0.49, True),
+        (0.5, 0.5, False),
+        (1.49, 0, True),
+        (1.5, 0, False),
+        (-0.5, 0, False),
+    ],
+)
+def test_what_comes_nearer_than_the_guard_to_a_way_is_near(x: float, y: float, is_near: bool) -> None:
+    """The thing itself reaches 0.25 m around its place, or around its way to the north."""
+    it = glide(Clock(Unpaced(), None))
+
+    assert it.is_near(x, y, 0.25) is is_near
+    assert it.is_near_way((x, y, x, y + (0.1 if y >= 0 else -0.1)), 0.25) is is_near
+    assert (it.x, it.y, it.half) == (0.5, 0.0, 0.5)
 
 
 @pytest.mark.parametrize("rank", [0, MOST_EVENTS])
