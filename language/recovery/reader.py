@@ -210,7 +210,7 @@ class TokenReader:
         _split_lone_end_words(self.tokens, self._flaws, lexed)
         borders = [at for at, token in enumerate(self.tokens) if _is_border(token[0])]
         self._borders = [at - len(self.tokens) for at in borders]
-        """The opening words and ENDs, by their distances from the end, which stay as they are."""
+        """The opening words and ENDs by their distances from the end, which stay. Only those ahead count."""
         self._kinds_of_borders = [self.tokens[at][0] for at in borders]
         self.at = 0
         """The index of the next token."""
@@ -247,7 +247,7 @@ class TokenReader:
 
     @property
     def is_first_of_line(self) -> bool:
-        return self.before[3] != self.token[3]
+        return self.at == 0 or self.before[3] != self.token[3]
 
     @property
     def is_decimal_comma(self) -> bool:

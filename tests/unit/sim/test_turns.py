@@ -96,6 +96,8 @@ def test_the_world_knows_who_has_the_turn_while_others_wait() -> None:
     turns = Turns()
     alice, bob, eve = (Seat(turns, rank) for rank in range(3))
     assert (turns.has_others(alice), turns.held_by(), alice.waits) == (False, None, False)
+    turns.present = 1.5
+    assert turns.now() == (1.5, inf)
 
     turns.admit(alice)
     turns.admit(alice)
@@ -106,6 +108,7 @@ def test_the_world_knows_who_has_the_turn_while_others_wait() -> None:
     turns.present = 2.5
     assert [turns.has_others(each) for each in (alice, bob, eve)] == [True] * 3
     assert (turns.held_by(), alice.waits, bob.waits) == ((0, 2.5), False, True)
+    assert turns.now() == (1.5, 0)
 
     turns.dismiss(bob)
     turns.dismiss(bob)
@@ -215,6 +218,37 @@ def test_a_cut_glide_ends_with_its_current_tick(time: float, end: float, count: 
     it = glide(Clock(Unpaced(), None, Seat(Turns(), 1)))
 
     assert (it.cut((time, 0)), it.count) == (end, count)
+
+
+def test_a_glide_is_cut_once_while_its_robot_waits_and_the_order_changes() -> None:
+    turns = Turns()
+    alice, bob, eve = (Clock(Unpaced(), None, Seat(turns, rank)) for rank in range(3))
+    turns.expect([alice.seat, bob.seat, eve.seat])
+    glides = {each.seat: glide(each) for each in (alice, bob)}
+    turns.glides |= glides
+    assert [each for *_, each in turns.queue] == [bob.seat, eve.seat]
+
+    turns.cut(glides.values())
+
+    assert [each.count for each in glides.values()] == [None, 1], "the first one has its turn"
+    assert (bob.seconds, bob.seat.time) == (1.0, 1.0)
+    assert [each for *_, each in turns.queue] == [eve.seat, bob.seat]
+
+    alice.seat.time = 1.5
+    turns.cut(glides.values())
+    del turns.glides[bob.seat]
+    assert (glides[bob.seat].count, bob.seconds) == (1, 1.0)
+
+
+def test_a_glide_that_is_over_is_not_cut() -> None:
+    turns = Turns()
+    alice, bob = (Clock(Unpaced(), None, Seat(turns, rank)) for rank in range(2))
+    turns.expect([alice.seat, bob.seat])
+    over = glide(bob)
+
+    turns.cut([over])
+
+    assert (over.count, bob.seconds) == (None, 0.0)
 
 
 @pytest.mark.parametrize(
