@@ -56,6 +56,27 @@ def test_a_command_that_a_robot_cannot_do_at_all_is_refused() -> None:
         stuck.turn(10)
 
 
+LEAST_SPEED = "velocity_bounds [ -{0} {0} 0 0 0 0 -{1} {1} ]"
+LEAST_GAIN = "acceleration_bounds [ -{0} {0} 0 0 0 0 -{1} {1} ]"
+
+
+@pytest.mark.parametrize(
+    ("limits", "metres", "degrees"), [(LEAST_SPEED, 5e-5, 0.045), (LEAST_GAIN, 5e-4, 0.45)]
+)
+def test_a_robot_may_be_a_thousand_times_as_slow_as_usual_and_get_faster_a_hundred_times_as_slowly(
+    limits: str, metres: float, degrees: float
+) -> None:
+    """Usual are 0.05 m and 45 degrees a second."""
+    for part, is_possible in ((1.01, True), (0.99, False)):
+        robot = driven(limits.format(f"{metres * part:.9f}", f"{degrees * part:.9f}"))
+        for command in (robot.forward, robot.turn):
+            if is_possible:
+                command(1)
+            else:
+                with pytest.raises(RobotProblem):
+                    command(1)
+
+
 # --- getting faster and slower
 
 GAINS = "acceleration_bounds [ {} {} 0 0 0 0 {} {} ]"
