@@ -92,7 +92,7 @@ def test_a_leap_ends_an_earlier_halt() -> None:
     assert clock.is_active()
 
 
-def test_the_world_knows_who_has_the_turn_while_others_wait() -> None:
+def test_the_world_knows_which_robot_has_the_turn_while_others_wait() -> None:
     turns = Turns()
     alice, bob, eve = (Seat(turns, rank) for rank in range(3))
     assert (turns.has_others(alice), turns.held_by(), alice.waits) == (False, None, False)
@@ -202,7 +202,7 @@ def glide(clock: Clock) -> Glide:
     ("time", "rank", "ticks"),
     [(0.0, 9, 0), (0.5, 9, 0), (1.0, 1, 0), (1.0, 2, 1), (1.5, 0, 1), (3.0, 1, 2), (3.0, 2, 3), (9.0, 0, 3)],
 )
-def test_a_tick_is_past_for_those_who_act_after_it(time: float, rank: int, ticks: int) -> None:
+def test_a_tick_is_past_for_robots_that_act_after_it(time: float, rank: int, ticks: int) -> None:
     """At equal times the robot with the lower rank acts first; the one that glides has rank 1."""
     it = glide(Clock(Unpaced(), None, Seat(Turns(), 1)))
 
