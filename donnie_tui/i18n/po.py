@@ -156,7 +156,7 @@ def _field(name: str, text: str) -> Iterator[str]:
     yield f'{name} ""'
     for part in filter(None, re.split(r"(?<=\\n)", quoted)):
         row = ""
-        for word in re.findall(r"[^ ]* *", part):
+        for word in re.findall(r"[^ ]+ *| +", part):
             if row and len(row) + len(word) + 2 > _WIDTH:
                 yield f'"{row}"'
                 row = ""
@@ -195,7 +195,9 @@ def mistakes(file: Path, entries: Sequence[Entry]) -> Iterator[tuple[Entry, Mist
         return
     seen = set[str]()
     for each in entries:
-        what = f"{each.context} is here a second time" if each.context in seen else _wrong_with(each, forms)
+        what = _wrong_with(each, forms)
+        if what is None and each.context in seen:
+            what = f"{each.context or 'the header'} is here a second time"
         seen.add(each.context)
         if what is not None:
             yield each, Mistake(file, each.line, what)

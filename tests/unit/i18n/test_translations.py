@@ -3,6 +3,7 @@
 import os
 import re
 import shutil
+import struct
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -109,11 +110,13 @@ def test_a_wrong_place_or_plural_is_refused_with_its_line(
         ('msgfoo "a"\n', 1, "expected a comment"),
         ('msgctxt "a"\nmsgid "b"\n\n', 1, "this entry has no msgstr"),
         ('\nmsgstr "b"\n', 2, "this entry has no msgid"),
+        ('msgctxt "a"\nmsgid "b"\nmsgstr "c" d\n', 3, "expected a comment"),
+        ('msgid "a"\nmsgstr "\xe9"\n', 1, "this file is not in UTF-8"),
     ],
 )
 def test_what_is_no_entry_is_refused_with_its_line(text: str, line: int, what: str, tmp_path: Path) -> None:
     file = tmp_path / "messages.po"
-    file.write_text(text, encoding="utf-8")
+    file.write_text(text, encoding="latin-1")
 
     with pytest.raises(Mistake, match=rf"messages.po:{line}: {what}"):
         po.read(file)
@@ -162,6 +165,109 @@ msgstr ""
         Entry("a", "one two\n", '"x" \\ \t', "start", ("a note",), 10, True),
         Entry("b", "c", "", "", (), 15, False),
     )
+
+
+def test_comments_need_no_blank_and_unknown_escapes_stay(tmp_path: Path) -> None:
+    """An editor may write a byte order mark, and other flags than ``fuzzy``."""
+    file = tmp_path / "messages.po"
+    file.write_text(
+        '#.a note\n#:start\n#, c-format\nmsgctxt "a"\nmsgid "b"\nmsgstr "\\x \\\\x"\n', encoding="utf-8-sig"
+    )
+
+    assert po.read(file) == (Entry("a", "b", "\\x \\x", "start", ("a note",), 4, False),)
+
+
+@pytest.mark.parametrize(
+    ("length", "rows"),
+    [
+        (71, ['msgid "WORD"']),  # 79 columns
+        (72, ['msgid ""', '"WORD"']),
+        (77, ['msgid ""', '"WORD"']),
+        (90, ['msgid ""', '"WORD"']),
+    ],
+)
+def test_a_line_has_79_columns_or_one_word(length: int, rows: list[str]) -> None:
+    """As gettext's own tools write it; a text that has ended lines has one for each."""
+    word = "x" * length
+
+    assert po.written([Entry("", word, "")]).splitlines()[:-1] == [
+        each.replace("WORD", word) for each in rows
+    ]
+
+
+def test_long_texts_are_broken_after_blanks_and_line_ends() -> None:
+    text = "a" * 38 + " " + "b" * 38 + " " + "c\n" + "d\n\te\\"
+
+    assert po.written([Entry("x", text, "one\n", "start", ("n",), is_fuzzy=True)]).splitlines() == [
+        *("#. n", "#: start", "#, fuzzy", 'msgctxt "x"', 'msgid ""'),
+        f'"{"a" * 38} "',
+        f'"{"b" * 38} c\\n"',
+        *('"d\\n"', r'"\te\\"', r'msgstr "one\n"'),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("entry", "what"),
+    [
+        ('msgctxt "a"\nmsgid "b}"\nmsgstr ""\n', "a brace is missing or too many"),
+        ('msgctxt "a"\nmsgid "{n}"\nmsgstr "{n:d}"\n', "{n} is not here as often as in the English sentence"),
+        (
+            'msgctxt "a"\nmsgid "{n} {n}"\nmsgstr "{n}"\n',
+            "{n} is not here as often as in the English sentence",
+        ),
+        (
+            'msgctxt "a"\nmsgid "{n:d}"\nmsgstr "{n:d} {n:d}"\n',
+            "{n:d} is not here as often as in the English sentence",
+        ),
+        ('msgctxt "a"\nmsgid "{n:x|y}"\nmsgstr "{n:x|y} {n:z|w}"\n', None),
+        ('msgctxt "a"\nmsgid "{n}"\nmsgstr "{z}{m}{n}"\n', "{m} is not in the English sentence"),
+    ],
+)
+def test_an_entry_that_can_not_be_used_says_why(entry: str, what: str | None, tmp_path: Path) -> None:
+    file, entries = entries_of(f"{HEADER}{entry}\n" + 'msgctxt "z"\nmsgid "y"\nmsgstr ""\n', tmp_path)
+
+    assert [str(each) for _, each in po.mistakes(file, entries)] == ([f"{file}:5: {what}"] if what else [])
+    assert [each.context for each in po.usable(file)] == ["", *([] if what else ["a"]), "z"]
+
+
+def test_an_entry_without_a_code_is_refused_and_a_second_header(tmp_path: Path) -> None:
+    """Only the header has none."""
+    entry = 'msgid "b"\nmsgstr "c"\n'
+    file, entries = entries_of(f"{HEADER}{entry}{HEADER}", tmp_path)
+
+    assert [str(each) for _, each in po.mistakes(file, entries)] == [
+        f"{file}:5: this entry has no msgctxt",
+        f"{file}:7: the header is here a second time",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("rule", "forms"),
+    [
+        ("nplurals=2; plural=n != 1", 2),
+        ("nplurals = 9 ; plural = 0;", 9),
+        ("nplurals=1;plural=0;", 1),
+        ("nplurals=0; plural=0", None),
+        ("nplurals=10; plural=0", None),
+        ("nplurals=2; plural=n; x", None),
+    ],
+)
+def test_a_language_has_one_to_nine_plural_forms(rule: str, forms: int | None) -> None:
+    if forms is None:
+        with pytest.raises(ValueError, match="nplurals"):
+            po.number_of_forms(rule)
+    else:
+        assert po.number_of_forms(rule) == forms
+
+
+def test_a_compiled_file_begins_as_gettexts_manual_says() -> None:
+    """Magic number, revision 0, number of texts, where their two tables begin, no hash table, its place."""
+    content = po.compiled([Entry("", "", "Language: x\n"), Entry("a", "b", "")], "*", is_english=True)
+
+    assert struct.unpack_from("<7I", content) == (0x950412DE, 0, 3, 28, 28 + 3 * 8, 0, 28 + 2 * 3 * 8)
+    read = GNUTranslations(BytesIO(content))
+    assert read.info() == {"language": "x", "content-type": "text/plain; charset=UTF-8"}
+    assert (read.gettext("a"), read.gettext("*")) == ("b", "a")
 
 
 def test_a_compiled_file_is_gettexts_with_the_codes_as_keys() -> None:
