@@ -115,7 +115,7 @@ class Painted:
                 return at
         return None
 
-    def changes(self, x: int, y: int, strip: Strip, *, rows: bool = False) -> Iterator[Piece]:
+    def changes(self, x: int, y: int, strip: Strip, *, rows: bool) -> Iterator[Piece]:
         """The pieces that make the terminal show the strip, which counts as shown then."""
         cells = _cells_of(strip)
         if cells is None:
@@ -126,7 +126,7 @@ class Painted:
         changed = [at for at, cell in enumerate(cells) if self._cells.get((x + at, y)) != cell]
         self._cells.update({(x + at, y): cells[at] for at in changed})
         if rows and changed:
-            end = max(changed[-1], *(at for at, (letter, _) in enumerate(cells) if letter != " "), 0) + 1
+            end = max((changed[-1], *(at for at, (letter, _) in enumerate(cells) if letter != " "))) + 1
             yield from _pieces_of(x, y, cells[:end])
             return
         for begin, end in _runs(changed):
@@ -156,7 +156,7 @@ class ChangedCells(CompositorUpdate):
         self._painted.learn()
         by_style: dict[Style, list[str]] = {}
         pieces = list(_strips_of(self._update))
-        typed = self._typed_row(pieces) if self._rows and self._typing else None
+        typed = self._typed_row(pieces, self._typing) if self._rows and self._typing else None
         for x, y, strip in pieces:
             for style, text in self._painted.changes(x, y, strip, rows=self._rows and y != typed):
                 by_style.setdefault(style, []).append(text)
@@ -165,13 +165,12 @@ class ChangedCells(CompositorUpdate):
             Strip.render_style(style, "".join(texts), colours) for style, texts in by_style.items()
         )
 
-    def _typed_row(self, pieces: Sequence[tuple[int, int, Strip]]) -> int | None:
+    def _typed_row(self, pieces: Sequence[tuple[int, int, Strip]], cursor: Offset) -> int | None:
         """The row of the cursor, if only letters there differ; None if other rows change, too."""
-        cursor = self._typing
         differing = {
             y: (x, strip) for x, y, strip in pieces if self._painted.differs(x, y, strip) is not None
         }
-        if cursor is None or cursor.y not in differing or len(differing) > _MOST_TYPED:
+        if cursor.y not in differing or len(differing) > _MOST_TYPED:
             return None
         x, strip = differing[cursor.y]
         first = self._painted.differs(x, cursor.y, strip, letters=True)
@@ -195,7 +194,7 @@ def _strips_of_parts(update: ChopsUpdate) -> Iterator[tuple[int, int, Strip]]:
     for y, first, last in update.spans:
         for end, (x, strip) in zip(update.chop_ends[y], update.chops[y].items(), strict=False):
             if strip is not None and x <= last and end > first:
-                yield x, y, strip if end <= last else strip.crop(0, last - x)
+                yield x, y, strip.crop(0, last - x)
 
 
 def _runs(changed: Sequence[int]) -> Iterator[tuple[int, int]]:

@@ -6,7 +6,7 @@ import sys
 import pyte
 import pytest
 from rich.console import Console
-from rich.segment import Segment
+from rich.segment import ControlType, Segment
 from rich.style import Style
 from textual import _compositor
 from textual._compositor import ChopsUpdate, CompositorUpdate, LayoutUpdate
@@ -23,7 +23,7 @@ COLUMNS, ROWS = 30, 4
 CONSOLE = Console(force_terminal=True, color_system="truecolor")
 STYLES = [
     Style.parse(each)
-    for each in ("red on black", "blue on black", "bold on white", "reverse", "underline", "")
+    for each in ("red on black", "blue on black", "bold on white", "reverse", "underline", "", "bold")
 ]
 LETTERS = [*"aabb    éü²=界🤖", "e\u0301", "so\xadft"]
 
@@ -100,6 +100,25 @@ def test_what_is_there_already_costs_nothing_and_one_letter_little():
 
 
 @pytest.mark.parametrize(
+    ("text", "are_cells"),
+    [("FW 3", True), ("é", True), ("\u02ff", True), ("e\u0300", False), ("a\xad", False), ("界", False)],
+)
+def test_letters_that_may_be_wider_or_narrower_than_a_cell_are_sent_each_time(text, are_cells):
+    """How the terminal shows them is not known."""
+    painted, given = Painted(), update(0, 0, Strip([Segment(text)]))
+    first = painted.less(given).render_segments(CONSOLE)
+
+    assert first == f"\x1b[1;1H{text}"
+    assert painted.less(given).render_segments(CONSOLE) == ("" if are_cells else first)
+
+
+def test_what_is_no_letter_is_sent_each_time():
+    painted, given = Painted(), update(0, 0, Strip([Segment("x", None, [(ControlType.BELL,)])]))
+
+    assert [painted.less(given).render_segments(CONSOLE) for _ in range(2)] == ["\x1b[1;1Hx"] * 2
+
+
+@pytest.mark.parametrize(
     ("changed", "runs"),
     [
         ([], []),
@@ -160,6 +179,8 @@ def test_after_something_else_was_written_nothing_is_known():
     painted.forget()
     assert painted.less(first).render_segments(CONSOLE) == first.render_segments(CONSOLE)
     assert painted.less(None) is None
+    assert painted.less("a page") == "a page"
+    painted.less(first).render_segments(CONSOLE)
     assert painted.less(first).render_segments(CONSOLE) == ""  # nothing was written: all is known
 
 
@@ -224,19 +245,42 @@ def test_a_row_is_written_whole_if_it_changes_before_the_typed_letters(after, cu
     assert (f"{after}" in given.render_segments(CONSOLE)) is is_whole
 
 
-@pytest.mark.parametrize(("rows", "is_whole"), [(1, False), (2, False), (3, True)])
-def test_a_typed_letter_may_change_the_status_line_too(rows, is_whole):
-    """If more rows change, it is no letter: the row was filled anew."""
+def test_letters_are_written_alone_though_the_look_of_others_before_them_changes():
+    """As where a word becomes a command when the next one ends."""
+    painted, plain, command = Painted(), *STYLES[:2]
+    before = Strip([Segment("FW 12345678901234567890    ", plain)])
+    after = Strip([Segment("FW", command), Segment(" 12345678901234567890+  ", plain)])
+    painted.less(update(0, 0, before), rows=True).render_segments(CONSOLE)
+    written = painted.less(update(0, 0, after), rows=True, typing=Offset(24, 0)).render_segments(CONSOLE)
+
+    assert written == "\x1b[34;40m\x1b[1;1HFW\x1b[0m\x1b[31;40m\x1b[1;24H+\x1b[0m"
+
+
+@pytest.mark.parametrize(
+    ("others", "is_whole"),
+    [
+        ([], False),
+        ([("old", "new", 0)], False),
+        ([("old", "new", 0), ("old", "new", 0)], True),
+        ([("old", "old", 1), ("old", "old", 1)], True),
+        ([("old", "old", 0), ("old", "old", 0)], False),
+        ([("界", "界", 0), ("界", "界", 0)], True),
+    ],
+    ids=("alone", "status line", "others", "other looks", "the same", "wide letters"),
+)
+def test_a_typed_letter_may_change_the_status_line_too(others, is_whole):
+    """If more rows change, or may have, it is no letter: the row was filled anew."""
     painted = Painted()
-    for text in ("FW 1", "FW 12"):
-        strips = [
-            {0: Strip([Segment(text.ljust(20), STYLES[0])])} if row < rows else {} for row in range(ROWS)
-        ]
-        given = ChopsUpdate(strips, [(row, 0, COLUMNS) for row in range(rows)], [[COLUMNS]] * ROWS)
+    for at in (0, 1):
+        rows = [("FW 1", 0) if not at else ("FW 12", 0)]
+        rows += [(each[at], each[2] if at else 0) for each in others]
+        strips = [Strip([Segment(text.ljust(20), STYLES[look])]) for text, look in rows]
+        chops = [{0: strips[row]} if row < len(rows) else {} for row in range(ROWS)]
+        spans = [(row, 0, COLUMNS) for row in range(len(rows))]
+        given = ChopsUpdate(chops, spans, [[COLUMNS]] * ROWS)
         written = painted.less(given, rows=True, typing=Offset(5, 0)).render_segments(CONSOLE)
 
     assert ("\x1b[1;1HFW 12" in written) is is_whole
-    assert ("\x1b[2;1HFW 12" in written) is (rows > 1)
 
 
 def test_a_whole_row_ends_after_its_last_letter_or_change():
