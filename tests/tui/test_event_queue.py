@@ -4,21 +4,31 @@ import threading
 from types import SimpleNamespace
 
 import pytest
+from msgspec.structs import replace
 
 from devices.ports.robot import Bearing, Pose, StoppedBy
 from donnie_tui.commands.settings import change
 from donnie_tui.core.events import (
     Announced,
     Answered,
+    BeltShown,
+    Driven,
     Error,
+    HowStarted,
     Moved,
     Outcome,
     Passing,
+    Pointed,
+    Read,
+    Reset,
     RunEnded,
     RunStarted,
+    Scanned,
     Sensed,
     Spoke,
     Stamped,
+    ThingsMoved,
+    Turned,
 )
 from donnie_tui.i18n.words import Words
 from donnie_tui.tui import event_queue
@@ -168,6 +178,158 @@ def test_the_end_of_another_robots_run_names_that_robot_and_has_no_mistakes_of_t
     ended = [each for each in posted if isinstance(each, RunFinished)]
     assert [(each.robot, each.errors) for each in ended] == [("bob", ()), ("alice", (mistake,))]
     assert listener.take().others == (("bob", Pose(1.0, 0.0, 0.0)),)
+
+
+def test_readings_are_kept_by_their_sensor_and_rays_until_the_robot_moves():
+    """Each time once: what was taken is not there again."""
+    listener, posted = queue()
+    front, left, later = (
+        Read("distance", argument, steps) for argument, steps in (("F", 4), ("FL", 9), ("F", 3))
+    )
+    scan = Scanned(())
+    publish(listener, front, left, scan, later)
+    taken = listener.take()
+    assert taken.readings == (later, left)
+    assert taken.measured == (front, left, later)
+    assert taken.looks == (front, left, scan, later)
+    assert listener.take() == NOTHING
+    assert len(posted) == 1
+
+    publish(listener, front, Moved("FW 1", 1, 1, None, HERE, True), left)
+    taken = listener.take()
+    assert (taken.looks, taken.readings, taken.poses) == ((left,), (front, left), (HERE,))
+
+
+@pytest.mark.parametrize(
+    ("event", "field", "value"),
+    [
+        (Spoke("a"), "lines", (LogLine("a", "spoke"),)),
+        (Announced("found", "A ball."), "lines", (LogLine("A ball.", "found"),)),
+        (Answered("a", is_repeated=True), "lines", (LogLine("a", "answer", is_repeated=True),)),
+        (Passing(HERE), "poses", (HERE,)),
+        (Driven("forward", HERE), "poses", (HERE,)),
+        (Turned("TR 90", 90, 90, None, HERE, True), "poses", (HERE,)),
+        (Scanned(()), "looks", (Scanned(()),)),
+        (ThingsMoved(()), "things", ()),
+        (Sensed({Bearing.FRONT: 4}), "distances", {Bearing.FRONT: 4}),
+    ],
+    ids=lambda each: type(each).__name__,
+)
+def test_each_kind_of_event_wakes_the_screen_and_is_taken_once(event, field, value):
+    listener, posted = queue()
+    publish(listener, event)
+
+    assert [type(each) for each in posted] == [EventsQueued]
+    taken = listener.take()
+    assert taken == replace(NOTHING, **{field: value})
+    assert listener.take() == NOTHING
+
+
+def test_levels_of_the_belt_are_shown_with_what_comes_next_and_a_pointer_is_nothing():
+    listener, posted = queue()
+    publish(listener, BeltShown((3,) * 14), Pointed("A red ball."))
+    assert posted == []
+    publish(listener, Passing(HERE))
+
+    assert (len(posted), listener.take().belt, listener.take().belt) == (1, (3,) * 14, None)
+
+
+@pytest.mark.parametrize(
+    "event",
+    [
+        Passing(HERE),
+        Moved("FW 1", 1, 1, None, HERE, True),
+        Turned("TR 90", 90, 90, None, HERE, True),
+        Driven("forward", HERE),
+        Reset(HERE),
+    ],
+    ids=lambda each: type(each).__name__,
+)
+def test_another_robot_is_shown_at_its_place(event):
+    posted: list = []
+    listener = EventQueue(posted.append, Words(), lambda: HERE, lambda: "alice")
+    listener(Stamped(1, 0.0, event, "bob"))
+    taken = listener.take()
+
+    assert (taken.others, taken.poses, len(posted)) == ((("bob", HERE),), (), 1)
+    assert listener.take() == NOTHING
+    listener(Stamped(2, 0.0, ThingsMoved(()), "bob"))
+    assert listener.take().things == ()
+
+
+HOW = HowStarted("FW 1", 1, True, False, False, HERE)
+
+
+@pytest.mark.parametrize(("how", "fresh"), [(None, False), (HOW, True), (replace(HOW, fresh=False), False)])
+def test_only_the_run_of_the_current_robot_begins_on_the_screen(how, fresh):
+    posted: list = []
+    listener = EventQueue(posted.append, Words(), lambda: HERE, lambda: "alice")
+    for robot in ("bob", "alice"):
+        listener(Stamped(1, 0.0, RunStarted("a.gd", "w", "d", 0, "0", how=how), robot))
+
+    assert [(each.program, each.pose, each.fresh) for each in posted] == [("a.gd", HERE, fresh)]
+
+
+@pytest.mark.parametrize("outcome", [Outcome.QUIT, Outcome.COMPLETED])
+def test_only_a_run_that_reached_quit_asks_to_quit(outcome):
+    assert RunFinished(RunEnded(outcome, HERE, {}, 0.0), ()).asks_to_quit is (outcome is Outcome.QUIT)
+
+
+class Clock:
+    """Timers that end when the time has come."""
+
+    def __init__(self, monkeypatch):
+        self.now, self.timers, self.written, self.received = 100.0, [], [], []
+        monkeypatch.setattr(event_queue, "time", SimpleNamespace(monotonic=lambda: self.now))
+        self.queue, _ = queue()
+        self.reader = EventReader(
+            self.queue,
+            Words(),
+            set_timer=self._set_timer,
+            receive=self.received.append,
+            write=lambda lines: self.written.append([each.text for each in lines]),
+        )
+
+    def _set_timer(self, seconds, do):
+        timer = SimpleNamespace(at=self.now + seconds, do=do)
+        timer.stop = lambda: self.timers.remove(timer) if timer in self.timers else None
+        self.timers.append(timer)
+        return timer
+
+    def pass_to(self, now):
+        due = [each for each in self.timers if each.at <= now + 1e-9]
+        for each in sorted(due, key=lambda timer: timer.at):
+            self.now = each.at
+            self.timers.remove(each)
+            each.do()
+        self.now = now
+
+
+def test_the_log_is_written_at_once_and_then_five_times_a_second(monkeypatch):
+    """Events are taken more often; what is written late is written together, and nothing twice."""
+    it = Clock(monkeypatch)
+    for at, text in ((100.0, "a"), (100.06, "b"), (100.07, "c"), (100.12, "d")):
+        it.pass_to(at)
+        publish(it.queue, Spoke(text))
+        it.reader.on_queued()
+    assert it.written == [["a"]]
+    assert len(it.timers) == 2  # one takes, one writes
+
+    it.pass_to(100.2)
+    assert it.written == [["a"], ["b", "c", "d"]]
+    assert it.timers == []
+    assert len(it.received) == 4
+    publish(it.queue, Spoke("e"))
+    it.reader.on_queued()
+    it.reader.flush()
+    assert (it.written[2:], it.timers) == ([["e"]], [])
+
+    publish(it.queue, RunStarted("p", "w", "d", 0, "0"), Passing(HERE))
+    it.reader.flush()
+    assert it.received[-1] == NOTHING
+    it.reader.begun()
+    assert it.received[-1].poses == (HERE,)
+    assert it.timers == []  # there is no line to write
 
 
 def test_the_number_of_lost_lines_comes_before_the_remaining_lines():

@@ -1,6 +1,7 @@
 """The thread that waits for signals and watches the output, without a screen."""
 
 import signal
+import termios
 import threading
 from collections.abc import Callable, Iterator
 from functools import partial
@@ -208,3 +209,190 @@ def test_the_readers_of_a_page_are_no_longer_watched_at_the_end():
     it._readers = SimpleNamespace(close=lambda: done.append("readers"))
     it.end_watchdog()
     assert done == ["readers", "end"]
+
+
+# --- what a signal does in the screen's thread
+
+
+class Screen:
+    """Records what is asked of the session and the screen, in order."""
+
+    def __init__(self, folder=Path(), *, is_searching=False, runs=True, failing=()):
+        self.done = []
+        session = SimpleNamespace(
+            is_leaving=False,
+            runs=runs,
+            halt=lambda: self._do("halt", failing),
+            keep_text=lambda: self._do("keep", failing),
+            give_up_search=lambda: is_searching,
+            say=lambda code: self.done.append(f"say {code}"),
+        )
+        self.session = session
+        self.keys = []
+        self.shutdown = Shutdown(
+            SimpleNamespace(exit=lambda code: self.done.append(f"exit {code}")),
+            session,
+            folder,
+            stop_all=lambda: self.done.append("stop all"),
+            repaint=lambda: self.done.append("repaint"),
+            after_keys=self.keys.append,
+        )
+
+    def _do(self, name, failing):
+        self.done.append(name)
+        if name in failing:
+            raise RuntimeError(name)
+
+
+@pytest.mark.parametrize(
+    ("number", "screen", "done"),
+    [
+        (signal.SIGINT, {}, ["stop all"]),
+        (signal.SIGINT, {"is_searching": True}, []),
+        (signal.SIGINT, {"runs": False}, []),
+        (signal.SIGCONT, {}, ["repaint"]),
+        (signal.SIGTSTP, {}, ["say suspend-impossible"]),
+        (0, {}, ["say stuck-stopped"]),
+    ],
+)
+@pytest.mark.parametrize("is_watched", [True, False])
+def test_each_signal_has_its_effect_on_the_screen(number, screen, done, is_watched):
+    """An interrupt gives up a search, else it stops the programs; then the watchdog halts no robot."""
+    it, answered = Screen(**screen), threading.Event()
+    if is_watched:
+        it.shutdown._watchdog = SimpleNamespace(answered=answered, left=None)
+    it.shutdown._signalled(number)
+
+    assert it.done == done
+    assert answered.is_set() is (is_watched and number == signal.SIGINT)
+    assert not it.session.is_leaving
+
+
+def test_a_signal_that_ends_halts_keeps_the_text_and_leaves_after_the_typed_keys():
+    it = Screen()
+    it.shutdown._signalled(signal.SIGTERM)
+    assert (it.done, it.session.is_leaving) == (["halt", "keep"], True)
+
+    (leave,) = it.keys
+    leave()
+    assert it.done == ["halt", "keep", "keep", "exit 143"]  # 128 and the number of SIGTERM
+
+
+def test_a_fault_halts_the_robots_keeps_the_text_and_is_written_down(tmp_path):
+    """Whatever of this fails."""
+    for failing in ((), ("halt",), ("halt", "keep")):
+        folder = tmp_path / "-".join(failing) / "copies"
+        folder.parent.mkdir(exist_ok=True)
+        it = Screen(folder, failing=failing)
+        try:
+            raise LookupError("the fault")
+        except LookupError:
+            it.shutdown.save_from_fault()
+        assert it.done == ["halt", "keep"]
+        assert "LookupError: the fault" in (folder / "fault.txt").read_text()
+
+    (tmp_path / "file").touch()
+    it = Screen(tmp_path / "file")
+    it.shutdown.save_from_fault()  # there is no place for it
+    assert it.done == ["halt", "keep"]
+
+
+@pytest.mark.parametrize("is_there", [True, False])
+@pytest.mark.parametrize("problem", [None, OSError(5, "gone")])
+def test_the_terminal_is_given_back_as_far_as_it_takes_it(monkeypatch, is_there, problem):
+    """The learner's shell gets its own mode, screen and cursor, and standard error waits again."""
+    did = []
+
+    def write(number, text):
+        did.append((number, text))
+        if problem:
+            raise problem
+
+    monkeypatch.setattr("termios.tcsetattr", lambda *given: did.append(given))
+    monkeypatch.setattr(shutdown.os, "set_blocking", lambda *given: did.append(given))
+    monkeypatch.setattr(shutdown.os, "write", write)
+    shutdown.give_back(SimpleNamespace(fileno=7, attrs_before=["before"]) if is_there else None)
+    monkeypatch.undo()
+
+    assert did[: len(did) - 3] == ([(7, termios.TCSANOW, ["before"])] if is_there else [])
+    assert [each for each in did[-3:] if each[0] == 2] == did[-3:]
+    assert (did[-3][1], did[-1][1]) == (False, True)
+    assert did[-2][1].startswith(b"\x1b[?1049l\x1b[?25h")
+
+
+# --- what the watchdog sees of the output
+
+
+class Watch:
+    """A watchdog that looks on request, and what it did."""
+
+    def __init__(self, monkeypatch, *, is_alive=True):
+        self.did = []
+        self.waiting, self.is_hung_up, self.is_alive = Queue(), False, is_alive
+        monkeypatch.setattr(shutdown, "is_hung_up", lambda number: self.is_hung_up and number == 0)
+        self.writer = SimpleNamespace(_queue=self.waiting, is_alive=lambda: self.is_alive)
+        self.dog = made(
+            notify=lambda number: self.did.append(("notify", number)),
+            on_stuck=lambda: self.did.append("stuck"),
+            writer=lambda: self.writer,
+        )
+        monkeypatch.setattr(self.dog, "leave", lambda number: self.did.append(("leave", number)))
+
+    def look(self, times):
+        for _ in range(times):
+            self.dog._look_at_terminal()
+
+
+def test_the_same_piece_of_output_at_five_more_looks_is_stuck_and_then_at_every_fifth(monkeypatch):
+    it = Watch(monkeypatch)
+    it.look(20)
+    assert it.did == []  # nothing to write
+
+    it.waiting.put("one")
+    it.waiting.put("two")
+    it.look(5)
+    assert it.did == []
+    it.look(1)
+    assert it.did == ["stuck"]
+    it.look(4)
+    assert it.did == ["stuck"]
+    it.look(1)
+    assert it.did == ["stuck", "stuck"]
+
+    it.waiting.get()  # it was written: the next piece has its own time
+    it.look(5)
+    assert it.did == ["stuck", "stuck"]
+    it.look(1)
+    assert it.did == ["stuck"] * 3
+    it.writer = None  # the screen has none yet, or no more
+    it.look(6)
+    assert it.did == ["stuck"] * 3
+
+
+def test_a_terminal_that_is_gone_ends_donnie_once(monkeypatch):
+    for dead in (False, True):
+        it = Watch(monkeypatch, is_alive=not dead)
+        it.is_hung_up = not dead
+        if dead:
+            it.waiting.put("what no thread writes any more")
+            it.look(5)
+            assert it.did == []
+        it.look(2)
+
+        leaves = [each for each in it.did if each != "stuck"]
+        assert leaves[:2] == [("leave", signal.SIGHUP), ("notify", signal.SIGHUP)]
+        assert ("notify", signal.SIGHUP) not in leaves[2:]  # the screen leaves already
+        it.dog._act_on(signal.SIGTERM)
+        assert ("notify", signal.SIGTERM) not in it.did
+
+
+@pytest.mark.parametrize("is_answered", [True, False])
+def test_the_watchdog_halts_the_robot_where_the_screen_does_not_answer(monkeypatch, is_answered):
+    monkeypatch.setattr(shutdown, "ANSWER", 0.0)
+    dog, did = made(halt=lambda: None), []
+    monkeypatch.setattr(dog, "deputy", SimpleNamespace(do=did.append), raising=False)  # of ``begin``
+    dog._notify = lambda _number: dog.answered.set() if is_answered else None
+    dog.answered.set()  # of an interrupt before
+    dog._act_on(signal.SIGINT)
+
+    assert did == ([] if is_answered else [dog._halt])
