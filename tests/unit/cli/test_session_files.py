@@ -21,7 +21,15 @@ from donnie_tui import __version__
 from donnie_tui.cli.streams import Guarded, Output, is_terminal
 from donnie_tui.core import answer_log
 from donnie_tui.core.belt import BeltSettings
-from donnie_tui.core.events import CueSounded, Outcome, RunEnded, Spoke, Stamped
+from donnie_tui.core.events import (
+    CueSounded,
+    HowStarted,
+    Outcome,
+    RunEnded,
+    RunStarted,
+    Spoke,
+    Stamped,
+)
 from donnie_tui.core.hub import Hub
 from donnie_tui.core.session import RunOptions
 from donnie_tui.core.transcript import printed_lines
@@ -202,8 +210,49 @@ def test_events_are_written_to_standard_output_which_a_prompt_has_not() -> None:
         written.events(out)
         hub.publish(Spoke("a"))
 
-    assert [json.loads(line)["text"] for line in out.getvalue().splitlines()] == ["a"]
+        hub.publish(STARTED)
+
+    said, started = map(json.loads, out.getvalue().splitlines())
+    assert said["text"] == "a"
+    assert "how" not in started  # only a recording can be run again
     assert written.paths == []
+
+
+STARTED = RunStarted("p", "w", "sim", 0, "0", HowStarted("FW 1", 1, True, False, False, Pose(0, 0, 0)))
+
+
+def test_a_named_pipe_is_written_by_a_slow_reader_until_the_end(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    did = list[str]()
+
+    class Reader(StringIO):
+        def __init__(self, number: int) -> None:
+            super().__init__()
+            assert number == opened.fileno()
+
+        def write(self, text: str) -> int:
+            did.append(json.loads(text)["text"])
+            return len(text)
+
+        def close(self) -> None:
+            did.append("closed")
+
+    here, there = os.pipe()
+    monkeypatch.setattr(files, "SlowReader", Reader)
+    with os.fdopen(here), os.fdopen(there, "w") as opened:
+        monkeypatch.setattr(files, "open_text", lambda *_, **__: opened)
+        hub = Hub(lambda: 0.0)
+        with ExitStack() as closing:
+            SessionFiles(Settings(events="a.pipe"), hub, Words(), closing).events(None)
+            hub.publish(Spoke("a"))
+        assert did == ["a", "closed"]
+        assert opened.closed
+
+
+def test_a_name_that_no_file_can_have_says_why() -> None:
+    with ExitStack() as closing, pytest.raises(Unusable, match="embedded null byte"):
+        SessionFiles(Settings(events="a\0b"), Hub(lambda: 0.0), Words(), closing).events(None)
 
 
 def test_a_recording_begins_with_how_it_was_made(tmp_path: Path) -> None:
@@ -213,8 +262,9 @@ def test_a_recording_begins_with_how_it_was_made(tmp_path: Path) -> None:
     hub = Hub(lambda: 0.0)
     with ExitStack() as closing:
         SessionFiles(settings, hub, Words(), closing).recording(inhabited_world("corridor", Words()))
-        hub.publish(Spoke("a"))
-    header, event = map(json.loads, file.read_text(encoding="utf-8").splitlines())
+        hub.publish(Spoke("a\udc80"))
+        hub.publish(STARTED)
+    header, said, started = map(json.loads, file.read_text(encoding="utf-8").splitlines())
 
     assert [header[each] for each in ("version", "seed", "robot")] == [__version__, 7, "sim"]
     assert header["belt"]["steps"] == [1, 2, 3]
@@ -223,7 +273,8 @@ def test_a_recording_begins_with_how_it_was_made(tmp_path: Path) -> None:
         str(Bearing.FRONT.value): [0, 6],
     }
     assert header["world"]["name"] == "corridor"
-    assert event["text"] == "a"
+    assert said["text"] == "a\udc80"
+    assert started["how"]["text"] == "FW 1"
 
 
 def test_a_folder_of_logs_that_can_not_be_made_prevents_the_start(
@@ -260,7 +311,7 @@ def test_only_a_pipe_that_was_opened_by_its_name_may_be_left_behind(
         monkeypatch.setattr(files, "HIGHEST_STANDARD", there - 1)
         assert is_named_pipe(pipe)
     assert not is_named_pipe(pipe)  # it is closed
-    assert not is_named_pipe(StringIO())
+    assert is_named_pipe(StringIO()) is False
 
 
 # --- the output of a command
