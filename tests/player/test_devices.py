@@ -2,7 +2,7 @@
 
 import struct
 from collections.abc import Callable
-from math import pi
+from math import pi, radians
 from pathlib import Path
 from typing import Any
 
@@ -617,7 +617,9 @@ def test_a_gripper_takes_a_second_and_reports_what_it_has_done(tmp_path: Path, n
     client.command(31, 0, 1)
     assert client.round()[3, 0, 1][0] == 3
     client.command(31, 0, 1)
-    assert [client.round()[3, 0, 1][0] for _ in range(11)] == [3] * 9 + [2] * 2
+    assert client.round()[3, 0, 1][0] == 3
+    assert notes.taken == []
+    assert [client.round()[3, 0, 1][0] for _ in range(10)] == [3] * 8 + [2] * 2
     assert notes.taken == [("alice", Grip.GRIPPED)]
     for subtype in (2, 1):
         client.command(3, 0, subtype)
@@ -646,6 +648,36 @@ def test_a_head_turns_by_one_radian_a_second_at_most_until_the_last_client_leave
     other.vanish()
 
     assert rounds(Client(stations, (4, 1)), 3)[4, 1, 1][2:6] == pytest.approx((1.1 * turned, 0.0, 0.0, 0.0))
+
+
+def test_a_head_stands_until_it_is_turned_and_while_its_robot_is_held(stations: Stations) -> None:
+    client = Client(stations, (4, 1), (31, 0))
+    assert client.round()[4, 1, 1] == (-2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0)
+    client.command(4, 1, 1, 0.0, 0.0, 0.5, 1)
+    client.command(31, 0, 1)
+    assert client.round()[4, 1, 1][2] == 0.0
+    client.command(31, 0, 1)
+    stations._loop.drives["alice"].is_held = True
+    assert client.round()[4, 1, 1][2] == 0.0
+    stations._loop.drives["alice"].is_held = False
+    assert client.round()[4, 1, 1] == pytest.approx((-2.0, 0.0, 0.05, 0.0, 0.0, 0.5, 0))
+
+
+def test_a_gripper_whose_paddles_are_closed_in_its_world_begins_closed(tmp_path: Path) -> None:
+    world = WORLD.replace("gripper ( pose", 'gripper ( paddle_state [ "closed" "up" ] pose')
+
+    assert Client(stations_of(write_room(tmp_path, world=world)), (3, 0)).round()[3, 0, 1][0] == 2
+
+
+def test_of_several_sensors_each_gives_its_middle_sample(tmp_path: Path) -> None:
+    """The world's resolution is that of its rangers."""
+    world = "resolution 0.05\n" + WORLD.replace("range [ 0 5 ] fov 10 )", "range [ 0 5 ] fov 10 samples 5 )")
+    client = Client(stations_of(write_room(tmp_path, world=world)), (62, 0))
+
+    assert client.round()[62, 0, 1] == (pytest.approx((1.6, 2.8, 1.6, 1.8), abs=0.1),)
+    assert client.ask(62, 0, 5) == pytest.approx(
+        (-radians(5), radians(5), radians(10) / 5, 0.0, 5.0, 0.05, 10.0)
+    )
 
 
 def test_a_head_is_where_its_robot_is(tmp_path: Path) -> None:
