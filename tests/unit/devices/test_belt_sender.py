@@ -131,6 +131,66 @@ def test_other_bytes_of_the_board_are_noise() -> None:
     assert {data for _, data in sent(sender, 0.0, 1.0)} == {encode_frame(FRONT)}
 
 
+def test_a_sender_waits_until_its_next_frame_is_due_and_for_ever_once_the_belt_is_dark() -> None:
+    sender = BeltSender()
+    assert sender.wait(5.0) == 0.0
+    assert sender.next(5.0) == RESYNC
+    assert (sender.wait(5.0), sender.is_over(5.0)) == (None, True)
+    sender.show(FRONT, 6.0)
+    assert (sender.wait(6.0), sender.is_over(6.0)) == (0.0, False)
+    assert sender.next(6.0) == encode_frame(FRONT)
+    assert (sender.wait(6.01), sender.next(6.03)) == (pytest.approx(0.03), b"")
+    sender.show(OFF, 7.0)
+    assert (sender.wait(7.0), sender.is_over(7.0)) == (0.0, False)
+    assert sender.next(7.0) == DARK
+    assert (sender.wait(7.0), sender.is_over(7.0), sender.next(8.0)) == (None, True, b"")
+
+
+def test_a_belt_whose_pulse_was_not_sent_yet_is_not_over() -> None:
+    sender = awake()
+    sender.show(FRONT, 0.0)
+    sender.show(OFF, 0.0)
+
+    assert [sender.is_over(now) for now in (0.1, 0.249, 0.25)] == [False, False, True]
+    assert sender.next(0.25) == b""
+
+
+@pytest.mark.parametrize(
+    ("later", "felt"),
+    [
+        ((2, 0.1), [3, 3, 2, 2]),
+        ((3, 0.1), [3, 3, 3, 3]),
+        ((0, 0.1), [3, 3, 0, 0]),
+    ],
+)
+def test_a_motor_keeps_its_strongest_level_for_a_quarter_second(
+    later: tuple[int, float], felt: list[int]
+) -> None:
+    """In frames at 0.2, 0.249, 0.25 and 0.34 seconds, after a change at 0.1 and off at 0.11 where it was
+    as strong again."""
+    level, at = later
+    shown = []
+    for now in (0.2, 0.249, 0.25, 0.34):
+        sender = awake()
+        sender.show((3,) * MOTORS, 0.0)
+        sender.show((level,) * MOTORS, at)
+        if level == 3:
+            sender.show(OFF, 0.11)
+        data = sender.next(now)
+        shown.append("PCBA".index(chr(data[8])) if data else 0)
+
+    assert shown == felt
+
+
+def test_a_reopened_port_is_sent_a_resync_at_once() -> None:
+    sender = awake()
+    sender.show(FRONT, 0.0)
+    sender.next(0.0)
+    sender.start_over()
+
+    assert [sender.next(now) for now in (0.01, 0.02, 0.04)] == [RESYNC, b"", encode_frame(FRONT)]
+
+
 @given(st.lists(st.tuples(st.floats(0.0, 0.3), LEVELS), max_size=30), st.binary(max_size=40))
 @example([(0.0, OFF), (0.0, (*OFF[1:], 1))], b"Z")
 def test_whatever_is_shown_the_board_ends_dark_and_synchronised(
