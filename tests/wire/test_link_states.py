@@ -1,13 +1,25 @@
-"""The table of the link's states."""
+"""The table of the link's states, and what leads from one to the next."""
 
 from __future__ import annotations
 
+import struct
 from collections.abc import Callable
 
 import pytest
 
-from devices.wire.connection import BoardConnection
-from devices.wire.frames import MotorDrive
+from devices.ports.robot import LinkNotice
+from devices.wire.connection import BoardConnection, PortAction, Write
+from devices.wire.frames import (
+    CONFIGURE,
+    FILLER,
+    PING,
+    STOP,
+    MotorDrive,
+    ReportKind,
+    drive_frame,
+    encode_frame,
+    head_frame,
+)
 from devices.wire.link_state import TRANSITIONS, LinkConfig, LinkState, LinkTrigger, next_state
 from tests.wire.bench import FAR
 
@@ -49,3 +61,212 @@ def test_a_closed_connection_drives_nothing_and_has_no_actions(
     act(connection)
 
     assert (connection.driving_since, connection.actions(1.0)) == (None, [])
+
+
+# --- at their exact times
+
+
+def wheels_at(right: int, left: int) -> bytes:
+    return encode_frame(ReportKind.ENCODERS.value, struct.pack(">hhHH", right, left, 0, 0))
+
+
+def battery_at(millivolts: int) -> bytes:
+    return encode_frame(ReportKind.POWER.value, struct.pack("<h", millivolts))
+
+
+CONFIG_WANTED = encode_frame(ReportKind.CONFIG_WANTED.value, b"\x2b")
+PINGED = encode_frame(ReportKind.PING.value, b"\x42")
+
+
+def opened() -> BoardConnection:
+    connection = BoardConnection(LinkConfig())
+    connection.open()
+    connection.opened(0.0)
+    return connection
+
+
+def written(connection: BoardConnection, *times: float) -> list[bytes]:
+    """What is to be written at these times; nothing else is to be done."""
+    actions = [each for now in times for each in connection.actions(now)]
+    assert all(isinstance(each, Write) for each in actions)
+    return [each.data for each in actions if isinstance(each, Write)]
+
+
+def streaming() -> BoardConnection:
+    """The board asked for its configuration at 2 s, and streams from 3 s on."""
+    connection = opened()
+    connection.received(CONFIG_WANTED, 2.0)
+    assert written(connection, 2.0, 2.05, 2.1) == [CONFIGURE, STOP, STOP]
+    connection.received(wheels_at(0, 0), 3.0)
+    assert connection.take_notices() == [(LinkNotice.CONNECTED, "")]
+    return connection
+
+
+def test_a_board_that_does_not_answer_for_six_seconds_is_opened_again() -> None:
+    connection = opened()
+    assert connection.next_at(0.0) == 6.0
+    assert (connection.actions(5.99), connection.state) == ([], LinkState.WAITING)
+    assert written(connection, 6.0, 6.49) == [STOP, STOP]
+    assert connection.state is LinkState.LOST
+    assert connection.actions(6.5) == [PortAction.REOPEN]
+    assert PortAction.REOPEN not in connection.actions(12.49)
+    assert connection.actions(12.5) == [PortAction.REOPEN]
+    assert connection.take_notices() == []
+    connection.open()
+    assert (connection.state, connection.actions(99.0)) == (LinkState.OPENING, [])
+    connection.failed(100.0, "no port")
+    assert PortAction.REOPEN not in connection.actions(100.49)
+    assert connection.actions(100.5) == [PortAction.REOPEN]
+
+
+def test_a_board_that_is_silent_for_half_a_second_is_lost_and_reported_once() -> None:
+    connection = streaming()
+    connection.actions(3.49)
+    assert connection.state is LinkState.STREAMING
+    connection.actions(3.5)
+    assert (connection.state, connection.take_notices()) == (LinkState.LOST, [(LinkNotice.LOST, "silence")])
+    connection.actions(9.49)
+    assert connection.actions(9.5) == [PortAction.REOPEN]
+    connection.failed(9.6, "unplugged")
+    assert connection.take_notices() == []
+
+
+@pytest.mark.parametrize(
+    ("frame", "notice"),
+    [(wheels_at(0, 0), LinkNotice.RESTORED), (CONFIG_WANTED, LinkNotice.RESTARTED)],
+    ids=["streams", "asks"],
+)
+def test_a_board_that_is_back_is_greeted_before_its_frames_count(frame: bytes, notice: LinkNotice) -> None:
+    connection = streaming()
+    connection.actions(3.5)
+    connection.take_notices()
+    connection.received(frame, 4.0)
+    assert connection.state is LinkState.WAITING
+    greeting = [*([FILLER] if notice is LinkNotice.RESTORED else []), CONFIGURE, STOP, STOP]
+    times = [4.0 + each * 0.05 for each in range(12)]
+    sent = []
+    for now in times:
+        sent += written(connection, now)
+        assert connection.state is LinkState.WAITING
+        if len(sent) < len(greeting):
+            connection.received(wheels_at(0, 0), now)  # it may be from before the greeting
+    assert sent[: len(greeting)] == greeting
+    connection.received(wheels_at(0, 0), 5.0)
+
+    assert (connection.state, connection.take_notices()) == (LinkState.STREAMING, [(notice, "")])
+
+
+def test_a_board_that_restarts_is_configured_again_and_its_permits_are_void() -> None:
+    connection = streaming()
+    permit = connection.permit
+    assert connection.drive(permit, MotorDrive.FORWARD, 100.0, 3.1)
+    connection.received(CONFIG_WANTED, 3.2)
+
+    assert connection.take_notices() == [(LinkNotice.RESTARTED, "")]
+    assert (connection.state, connection.driving_since) == (LinkState.WAITING, None)
+    assert not connection.drive(permit, MotorDrive.FORWARD, 100.0, 3.3)
+    assert not connection.drive(connection.permit, MotorDrive.FORWARD, 100.0, 3.3)
+    assert written(connection, 3.3, 3.4, 3.5) == [CONFIGURE, STOP, STOP]
+
+
+def test_a_drive_ends_where_it_is_to_end_or_where_it_is_not_renewed() -> None:
+    connection = streaming()
+    permit = connection.permit
+    assert connection.drive(permit, MotorDrive.FORWARD, 100.0, 3.0)
+    assert (connection.driving_since, connection.next_at(3.0)) == (3.0, 3.0)
+    assert written(connection, 3.0) == [drive_frame(MotorDrive.FORWARD)]
+    connection.received(wheels_at(50, 50), 3.1)
+    assert connection.drive(permit, MotorDrive.FORWARD, 100.0, 3.2)
+    assert connection.driving_since == 3.0
+    connection.received(wheels_at(99, 100), 3.3)
+    assert connection.driving_since == 3.0
+    connection.received(wheels_at(100, 100), 3.4)
+    assert connection.driving_since is None
+    assert connection.drive(permit, MotorDrive.FORWARD, 100.0, 3.4)
+    assert connection.driving_since is None
+
+    assert connection.drive(permit, MotorDrive.FORWARD, 200.0, 3.5)
+    connection.received(wheels_at(110, 110), 3.8)
+    connection.actions(3.89)
+    assert connection.driving_since == 3.5
+    connection.received(wheels_at(115, 115), 3.9)
+    assert STOP in written(connection, 3.9)
+    assert connection.driving_since is None
+
+
+def test_a_low_battery_is_reported_once_until_it_is_charged_and_by_two_frames_that_agree() -> None:
+    connection, noticed = streaming(), []
+    for millivolts in (7100, 7100, 7099, 7000, 7099, 7099, 7000, 7000, 7399, 7399, 7000, 7000, 7400, 7400):
+        connection.received(battery_at(millivolts), 3.0)
+        noticed += connection.take_notices()
+    assert noticed == [(LinkNotice.BATTERY_LOW, "7.1")]
+    assert connection.telemetry.millivolts == 7400
+    for _ in range(3):
+        connection.received(battery_at(6940), 3.0)
+
+    assert connection.take_notices() == [(LinkNotice.BATTERY_LOW, "6.9")]
+
+
+def test_a_ping_is_answered_and_other_frames_are_sent_only_to_a_board_that_streams() -> None:
+    connection = opened()
+    connection.put(head_frame(10))
+    assert written(connection, 1.0) == []
+
+    connection = streaming()
+    assert written(connection, 3.0) == [STOP]  # as it repeats the drive command
+    connection.put(head_frame(10))
+    assert written(connection, 3.05) == [head_frame(10)]
+    connection.received(PINGED, 3.1)
+    assert written(connection, 3.1) == [PING]
+
+
+def test_only_the_frames_of_a_stop_are_urgent() -> None:
+    connection = streaming()
+    connection.put(head_frame(10))
+    assert connection.urgent(3.1) == []
+    connection.stop(3.1)
+    assert connection.urgent(3.1) == [Write(STOP)]
+    assert not connection.is_standing
+    assert (connection.urgent(3.2), connection.urgent(3.3)) == ([Write(STOP)], [])
+    assert (connection.is_standing, connection.is_stop_over) == (True, True)
+
+    waiting = opened()
+    waiting.stop(1.0)
+    assert waiting.urgent(1.0) == []
+
+
+def test_a_closed_connection_has_nothing_to_do() -> None:
+    connection = streaming()
+    connection.drive(connection.permit, MotorDrive.FORWARD, 100.0, 3.1)
+    permit = connection.permit
+    connection.close(3.2)
+    connection.received(wheels_at(500, 500), 3.3)
+
+    assert (connection.state, connection.permit, connection.driving_since) == (
+        LinkState.CLOSED, permit + 1, None,
+    )  # fmt: skip
+    assert (connection.actions(99.0), connection.telemetry.right) == ([], 0)
+    connection.failed(99.0, "too late")
+    assert (connection.state, connection.take_notices()) == (LinkState.CLOSED, [])
+
+
+def test_what_a_lost_link_leaves_is_known_until_the_board_is_back() -> None:
+    for is_driving in (True, False):
+        connection = streaming()
+        if is_driving:
+            connection.drive(connection.permit, MotorDrive.FORWARD, 100.0, 3.1)
+        connection.failed(3.2, "unplugged")
+        assert connection.may_drive_on is is_driving
+        assert connection.take_notices() == [(LinkNotice.LOST, "unplugged")]
+
+
+def test_a_line_about_a_wrong_checksum_repeats_the_drive_at_once() -> None:
+    lines: list[str] = []
+    connection = streaming()
+    connection._on_text = lines.append
+    connection.drive(connection.permit, MotorDrive.LEFT, 100.0, 3.0)
+    assert written(connection, 3.0, 3.1) == [drive_frame(MotorDrive.LEFT)]
+    connection.received(b"\nChecksum Error!\n", 3.1)
+
+    assert written(connection, 3.1) == [drive_frame(MotorDrive.LEFT)]
+    assert lines == ["Checksum Error!"]
