@@ -8,8 +8,9 @@ from math import degrees
 import pytest
 
 from devices.board_simulator.floor import AxlePose, Chassis
-from devices.ports.robot import STEP, Motion, StoppedBy
+from devices.ports.robot import STEP, Motion, StoppedBy, TurnResult, WalkResult
 from devices.serial_robot.config import RobotConfig
+from devices.wire.frames import MotorDrive
 from tests.unit.devices.robots import NEAR, Real
 from tests.walled_floor import WalledFloor
 
@@ -64,6 +65,41 @@ def test_the_next_movement_corrects_the_overshoot_of_one() -> None:
 
     assert real.board.wheels.place.yaw == pytest.approx(AxlePose().yaw - 2 * 3.14159, abs=0.05)
     assert (real.robot.pose().heading + 180) % 360 == pytest.approx(180, abs=3)
+
+
+def test_no_steps_and_no_degrees_are_done_at_once_and_negative_steps_are_refused() -> None:
+    real = Real()
+    real.link.written = []
+    before, pose = real.robot.time(), real.robot.pose()
+
+    assert real.robot.forward(0) == real.robot.backward(0) == WalkResult(0, 0, None, pose)
+    assert real.robot.turn(0) == TurnResult(0, 0, None, pose)
+    assert (real.robot.time(), real.link.written, real.watcher.progress) == (before, [], [])
+    for walk in (real.robot.forward, real.robot.backward):
+        with pytest.raises(ValueError, match="negative"):
+            walk(-1)
+
+
+def test_a_halt_stops_the_wheels() -> None:
+    real = Real()
+    real.link.drive(real.link.permit(), MotorDrive.FORWARD, 1e9)
+    real.link.advance(0.1)
+    assert real.board.is_driving
+    real.robot.halt()
+    real.link.advance(0.1)
+
+    assert not real.board.is_driving
+
+
+def test_a_moving_picture_gets_a_pose_after_a_twentieth_of_a_second() -> None:
+    """The wheels are looked at every 0.02 seconds, so each third time."""
+    real = Real()
+    began = real.robot.time()
+    real.robot.forward(3)
+
+    assert len(real.watcher.passed) == pytest.approx((real.robot.time() - began) / 0.06, rel=0.1)
+    heights = [each.y for each in real.watcher.passed]
+    assert heights == sorted(heights)
 
 
 UNEVEN = Chassis(walking=(340.5, 326.6), turning=(170.5, 162.0))

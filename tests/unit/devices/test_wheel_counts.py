@@ -267,13 +267,12 @@ def test_a_count_that_jumps_needs_a_second_frame(raw: list[int], total: int) -> 
 # --- its measures
 
 
-def test_a_step_and_a_degree_have_the_counts_of_the_documentation() -> None:
-    """docs/wire-protocol.md: 341 counts a step of 5 cm, 4.05 a degree."""
-    assert CONFIG.counts_a_step == pytest.approx(341.04, abs=0.01)
-    assert CONFIG.counts_a_degree == pytest.approx(4.048, abs=0.001)
+def test_a_step_and_a_degree_have_as_many_counts_as_the_wheels_and_the_axle_give() -> None:
+    """Wheels twice as large with half the counts, and twice as far apart."""
     other = RobotConfig(wheel_radius=0.042, axle_length=0.136, counts_a_turn=450)
-    assert other.counts_a_step == pytest.approx(341.04 / 4, abs=0.01)
-    assert other.counts_a_degree == pytest.approx(4.048 / 2, abs=0.001)
+
+    assert other.counts_a_step == pytest.approx(CONFIG.counts_a_step / 4)
+    assert other.counts_a_degree == pytest.approx(CONFIG.counts_a_degree / 2)
 
 
 def test_a_calibration_derives_the_measures_from_counts() -> None:
