@@ -314,6 +314,18 @@ def test_a_world_as_a_map_has_the_robot_in_it(printed: Printed) -> None:
     assert set(rows[0]) == {"#"}
 
 
+@pytest.mark.parametrize(("columns", "letters"), [(80, 80), (81, 41)])
+def test_a_line_of_a_map_has_at_most_eighty_letters(printed: Printed, columns: int, letters: int) -> None:
+    wall, floor = "#" * columns, "#" + "." * (columns - 2) + "#"
+    middle = f"{floor[:20]}^{floor[21:]}"
+    write("map.txt", "\n".join([wall, *[floor] * 4, middle, *[floor] * 4, wall]))
+    assert printed.by("world", "new", "wide.world", "--from", "map.txt") == 0
+    assert printed.by("world", "wide.world", "--map", "--lang", "en") == 0
+    drawn, _, legend = printed.out.partition("\n\n")
+    assert {len(row) for row in drawn.splitlines()} == {letters}
+    assert ("2 steps" in legend) == (letters < columns)
+
+
 def test_a_world_as_json_has_its_models_as_stage_would_build_them(printed: Printed) -> None:
     assert printed.by("world", "living_room", "--json") == 0
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from pathlib import Path
 
@@ -9,6 +10,7 @@ import pytest
 
 from donnie_tui.core.run_state import RunState
 from donnie_tui.robot.search import RobotOption
+from donnie_tui.settings.folders import settings_file
 from tests.timeouts import TIMEOUT
 from tests.unit.commands.scripted import Script
 
@@ -92,6 +94,66 @@ def test_connect_lists_the_robots_with_their_state_and_takes_one(
     assert "Robot connected." in script.printed
     assert connection.robot == "double"
     assert script.answers_to("CONNECT 1") == ["I will use the simulator."]
+
+
+def test_a_connection_that_may_not_be_opened_is_listed_and_the_chosen_one_is_kept(
+    open_script: OpenScript, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    script = open_script()
+    connection, port = script.donnie.connection, tmp_path / "ttyACM9"
+    port.touch()
+    first, *_, last = connection.options()
+    board = RobotOption(f"serial:{port}", "the board")
+    far = RobotOption("serial:socket://h:1", "the far one")
+    monkeypatch.setattr(connection, "options", lambda: (first, board, far, last))
+    can_be_opened = "2: the board."
+    assert can_be_opened in script.answers_to("CONNECT x")
+    monkeypatch.setattr("os.access", lambda *_: False)
+    assert script.answers_to("CONNECT x") == [
+        "1: the simulator, in use now.",
+        "2: the board, you may not open it.",
+        "3: the far one.",
+        "4: a simulated board, to try without a robot.",
+        "Type CONNECT and a number.",
+    ]
+    monkeypatch.undo()
+    settings = Path(settings_file(os.environ))
+    for number in (0, len(connection.options()) + 1):
+        assert not settings.exists()
+        script.type(f"CONNECT {number}")
+    assert script.printed[-1].startswith("There is no number ")
+
+
+def test_the_robot_that_was_connected_is_that_of_the_next_start(
+    open_script: OpenScript, tmp_path: Path
+) -> None:
+    script = open_script()
+    number = len(script.donnie.connection.options())
+    trying = script.answers_to(f"CONNECT {number}")
+    settings = Path(settings_file(os.environ))
+    assert (trying[0], settings.read_text()) == (
+        "I am looking for the robot. Please wait.",
+        'robot = "double"\n',
+    )
+    assert script.answers_to("CONNECT 1") == ["I will use the simulator."]
+    assert settings.read_text() == 'robot = "sim"\n'
+    settings.unlink()
+    settings.mkdir()
+    simulator, problem = script.answers_to("CONNECT 1")
+    assert simulator == "I will use the simulator."
+    assert str(settings) in problem
+
+
+def test_of_very_many_robots_thirty_are_listed(open_script: OpenScript, tmp_path: Path) -> None:
+    robots = "".join(
+        f'donnie( name "r{number}" pose [ {number % 6} {number // 6} 0 90 ] )\n' for number in range(32)
+    )
+    (tmp_path / "many.world").write_text(f'include "donnie.inc"\n{robots}')
+    script = open_script(world=str(tmp_path / "many.world"))
+    said = script.answers_to("ROBOTS")
+    assert said[0] == "Now you talk to r0."
+    assert [each.partition(":")[0] for each in said[1:-1]] == [f"r{number}" for number in range(30)]
+    assert said[-1] == "And 2 more."
 
 
 def test_a_world_is_listed_with_its_difficulty_and_its_task(open_script: OpenScript) -> None:
