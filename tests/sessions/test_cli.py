@@ -314,6 +314,17 @@ def test_a_world_as_a_map_has_the_robot_in_it(printed: Printed) -> None:
     assert set(rows[0]) == {"#"}
 
 
+@pytest.mark.parametrize(("option", "most"), [("--map", 4), ("--report", 10)])
+def test_of_many_robots_the_first_are_named(printed: Printed, option: str, most: int) -> None:
+    for number, rest in ((most, ""), (most + 1, ", …")):
+        robots = [f'donnie( name "r{each}" pose [ {each / 2 - 3} 0 0 90 ] )\n' for each in range(number)]
+        write("many.world", f'include "donnie.inc"\n{"".join(robots)}')
+        assert printed.by("world", "many.world", option, "--lang", "en") == 0
+        assert f" r0, {', '.join(f'r{each}' for each in range(1, most))}{rest}." in printed.out
+    assert option == "--map" or f"{most + 1} robots: " in printed.out
+    assert option == "--map" or "run r0=FILE" in printed.out
+
+
 @pytest.mark.parametrize(("columns", "letters"), [(80, 80), (81, 41)])
 def test_a_line_of_a_map_has_at_most_eighty_letters(printed: Printed, columns: int, letters: int) -> None:
     wall, floor = "#" * columns, "#" + "." * (columns - 2) + "#"
