@@ -194,6 +194,7 @@ def test_a_held_program_is_stepped_and_looked_back_at(open_script: OpenScript) -
         ("AGAIN", ["I walked 1 step forward.", "2", "Line 3: TR 90"]),
         ("SHOW VARIABLES", ["There are no variables."]),
         ("WHERE", ["Position 0, 1. Facing north."]),
+        ("AGAIN", ["A program is running. STOP stops it."]),
         ("STEP", ["I turned 90 degrees to the right.", "Line 4: SPEAK 3"]),
         ("OVER", ["3", "Done."]),
         (
