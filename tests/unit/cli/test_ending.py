@@ -10,8 +10,9 @@ from collections.abc import Callable
 import pytest
 
 from donnie_tui.cli import streams
-from donnie_tui.cli.streams import stopped_by_signals, stopped_by_suspension
+from donnie_tui.cli.streams import on_signals, stopped_by_signals, stopped_by_suspension
 from donnie_tui.linear.console import Console, Gone
+from donnie_tui.process.signals import Watchdog
 from tests.timeouts import TIMEOUT
 
 
@@ -159,6 +160,62 @@ def _once(full: Callable[[int, memoryview], int]) -> Callable[[int, memoryview],
 
 def _nothing(_: object) -> None:
     return
+
+
+@pytest.mark.parametrize(
+    ("is_possible", "has_stopped", "happens"),
+    [
+        (True, True, ["stopped", "suspended"]),
+        (True, False, ["stopped", "suspended"]),
+        (False, True, ["refused"]),
+    ],
+)
+@pytest.mark.skipif(not hasattr(signal, "SIGTSTP"), reason="no Ctrl+Z here")
+def test_ctrl_z_stops_first_or_is_refused_and_what_it_stopped_is_known(
+    is_possible: bool, has_stopped: bool, happens: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    done, before = list[str](), signal.getsignal(signal.SIGTSTP)
+    monkeypatch.setattr(streams, "can_suspend", lambda: is_possible)
+    monkeypatch.setattr(streams, "suspend", lambda: done.append("suspended"))
+    monkeypatch.setattr(streams, "_LONGEST_REST", float(TIMEOUT))
+
+    def stop() -> bool:
+        done.append("stopped")
+        return has_stopped
+
+    with stopped_by_suspension(stop, lambda: done.append("refused")) as rested:
+        signal.raise_signal(signal.SIGTSTP)
+        signal.raise_signal(signal.SIGTSTP)
+
+    assert done == happens * 2
+    assert rested.is_set() == (is_possible and has_stopped)
+    assert signal.getsignal(signal.SIGTSTP) is before
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGTSTP"), reason="no Ctrl+Z here")
+def test_a_ctrl_z_that_is_ignored_stays_ignored() -> None:
+    before = signal.signal(signal.SIGTSTP, signal.SIG_IGN)
+    try:
+        with stopped_by_suspension(_never, _never) as rested:
+            assert signal.getsignal(signal.SIGTSTP) is signal.SIG_IGN
+        assert not rested.is_set()
+    finally:
+        signal.signal(signal.SIGTSTP, before)
+
+
+def test_a_command_that_hangs_after_a_signal_does_the_last_things_and_has_its_code(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    ended, made = list[object](), list[Watchdog]()
+    monkeypatch.setattr(streams, "end_process", lambda code, last: ended.append((code(), last)))
+    monkeypatch.setattr(
+        streams, "Watchdog", lambda *given, **how: made.append(Watchdog(*given, **how)) or made[-1]
+    )
+    last = (_never,)
+    with stopped_by_signals(_never, last, lambda: 7), on_signals(lambda: None):
+        for each in made:
+            each._part(signal.SIGTERM)
+    assert ended == [(7, last), (130, ())]
 
 
 def _never() -> None:
