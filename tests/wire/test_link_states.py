@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Callable
+from math import inf
 
 import pytest
 
@@ -270,3 +271,60 @@ def test_a_line_about_a_wrong_checksum_repeats_the_drive_at_once() -> None:
 
     assert written(connection, 3.1) == [drive_frame(MotorDrive.LEFT)]
     assert lines == ["Checksum Error!"]
+
+
+def test_a_connection_says_when_it_has_something_to_do() -> None:
+    connection = BoardConnection(LinkConfig())
+    assert connection.next_at(1.0) == inf
+    connection.open()
+    assert connection.next_at(1.0) == inf
+    connection.opened(1.0)
+    assert (connection.next_at(1.0), connection.next_at(9.0)) == (7.0, 9.0)
+
+    connection = streaming()
+    assert written(connection, 3.0) == [STOP]
+    assert connection.next_at(3.0) == pytest.approx(3.2)  # the drive command is repeated
+    assert written(connection, 3.21, 3.42) == [STOP, STOP]
+    assert connection.next_at(3.42) == pytest.approx(3.5)  # then the board is silent for too long
+    connection.received(wheels_at(0, 0), 3.4)
+    connection.drive(connection.permit, MotorDrive.FORWARD, 100.0, 3.4)
+    assert written(connection, 3.47) == [drive_frame(MotorDrive.FORWARD)]
+    connection.received(wheels_at(1, 1), 3.6)
+    assert written(connection, 3.68) == [drive_frame(MotorDrive.FORWARD)]
+    assert connection.next_at(3.68) == pytest.approx(3.8)  # the drive was not renewed
+    connection.close(3.9)
+    assert written(connection, 4.0) == []
+
+
+def test_a_board_that_has_restarted_is_not_reported_as_back_too() -> None:
+    connection = streaming()
+    connection.received(CONFIG_WANTED, 3.1)
+    assert connection.take_notices() == [(LinkNotice.RESTARTED, "")]
+    assert written(connection, 3.1, 3.2, 3.3) == [CONFIGURE, STOP, STOP]
+    connection.received(wheels_at(0, 0), 3.4)
+
+    assert (connection.state, connection.take_notices()) == (LinkState.STREAMING, [])
+    assert connection.telemetry.frames == 4
+
+
+def test_a_port_that_is_opened_again_is_sent_nothing_of_before() -> None:
+    connection = streaming()
+    connection.put(head_frame(10))
+    connection.received(PINGED[:3], 3.05)
+    connection.failed(3.1, "unplugged")
+    connection.open()
+    connection.opened(4.0)
+    connection.received(PINGED[3:] + wheels_at(7, 7), 4.1)  # no end of the frame from before
+
+    assert written(connection, 4.1, 4.25, 4.3, 4.4, 4.5) == [FILLER, CONFIGURE, STOP, STOP]
+    assert (connection.telemetry.right, connection.telemetry.bad_frames) == (0, 0)
+
+
+def test_a_text_of_the_firmware_is_a_line_for_the_log() -> None:
+    lines: list[str] = []
+    connection = BoardConnection(LinkConfig(), lines.append)
+    connection.open()
+    connection.opened(0.0)
+    connection.received(encode_frame(ReportKind.MESSAGE.value, b"Beep\xff"), 1.0)
+
+    assert lines == ["Beep\\xff"]
