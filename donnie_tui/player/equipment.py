@@ -84,7 +84,7 @@ class Equipment:
         self.users -= 1
 
     def command(self, subtype: int, values: Values) -> None:
-        """Takes a command. Called only while the device is open."""
+        """Takes a command that its interface has. Called only while the device is open."""
 
     def request(self, subtype: int, values: Values) -> Values | None:  # noqa: ARG002 -- the table's form
         """The content of the reply; None refuses the request."""
@@ -375,8 +375,8 @@ LONGEST_TEXT, LONGEST_FRAME = 1000, 36
 class SpeechDevice(Equipment):
     """Takes texts that are spoken in a robot's name."""
 
-    def command(self, subtype: int, values: Values) -> None:
-        if subtype == 1 and values[0]:
+    def command(self, subtype: int, values: Values) -> None:  # noqa: ARG002 -- there is one
+        if values[0]:
             shown = (each if each.isprintable() else " " for each in values[0][:LONGEST_TEXT])
             self._reporter.happened(self._robot, Spoke("".join(shown)))
 
@@ -384,8 +384,8 @@ class SpeechDevice(Equipment):
 class BeltFrames(Equipment):
     """Takes texts that are frames of the belt: a letter for each cell."""
 
-    def command(self, subtype: int, values: Values) -> None:
-        for motor, letter in enumerate(values[0][:LONGEST_FRAME] if subtype == 1 else ""):
+    def command(self, subtype: int, values: Values) -> None:  # noqa: ARG002 -- as above
+        for motor, letter in enumerate(values[0][:LONGEST_FRAME]):
             self._reporter.vibrated(self._robot, motor, letter)
 
 
@@ -394,10 +394,9 @@ class DigitalOutputs(Equipment):
 
     _last: Values = (0, 0)
 
-    def command(self, subtype: int, values: Values) -> None:
-        if subtype == 1:
-            self._last = values
-            self._reporter.vibrated(self._robot, values[0], chr(values[1] & 0x7F))
+    def command(self, subtype: int, values: Values) -> None:  # noqa: ARG002 -- as above
+        self._last = values
+        self._reporter.vibrated(self._robot, values[0], chr(values[1] & 0x7F))
 
     def data(self) -> Iterator[Datum]:
         yield 1, self._last
@@ -406,12 +405,11 @@ class DigitalOutputs(Equipment):
 class SoundDevice(Equipment):
     """Plays built-in sounds by the names of files, which are never opened."""
 
-    def command(self, subtype: int, values: Values) -> None:
-        if subtype == 1:
-            file = values[0].partition(b"\0")[0].decode("ascii", "replace").replace("\\", "/")
-            base = file.rpartition("/")[2].partition(".")[0].lower()
-            if base in CUES:
-                self._reporter.happened(self._robot, CueSounded(base, 0.0, None))
+    def command(self, subtype: int, values: Values) -> None:  # noqa: ARG002 -- as above
+        file = values[0].partition(b"\0")[0].decode("ascii", "replace").replace("\\", "/")
+        base = file.rpartition("/")[2].partition(".")[0].lower()
+        if base in CUES:
+            self._reporter.happened(self._robot, CueSounded(base, 0.0, None))
 
 
 class Battery(Equipment):

@@ -256,6 +256,7 @@ def test_a_text_is_said_in_the_robots_name(stations: Stations, notes: Notes) -> 
     client.command(12, 0, 1, "Olá,\x1b[2J aí")
     client.command(12, 0, 1, "")
     client.command(12, 0, 1, "a" * 1001)
+    client.command(12, 0, 2)  # there is no such command
 
     assert notes.taken == [("alice", "Olá, [2J aí"), ("alice", "a" * 1000)]
 
