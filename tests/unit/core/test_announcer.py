@@ -65,6 +65,7 @@ MOVEMENTS = [
     (walked(5, 2, COLLISION), "moved", "I walked only 2 steps forward. I hit something."),
     (walked(5, 2, USER), "moved", "I walked only 2 steps forward. I was stopped."),
     (turned(90, 90), "turned", "I turned 90 degrees to the right."),
+    (turned(0, 0), "turned", "I turned 0 degrees to the right."),
     (turned(-90, -90), "turned", "I turned 90 degrees to the left."),
     (turned(90, 90, right=False), "turned", "I turned 90 degrees to the left."),
     (turned(-1, -1, right=False), "turned", "I turned 1 degree to the right."),
@@ -146,6 +147,7 @@ def test_seen_marks_are_announced_and_sounded(language: str, said: list[str]) ->
     answers = answers_to(Scanned((), MARKS), language)
 
     assert [each.text for each in answers if isinstance(each, Announced)] == said
+    assert {each.code for each in answers if isinstance(each, Announced)} == {"scan"}
     assert [(each.name, each.bearing) for each in answers if isinstance(each, CueSounded)] == [
         ("scan", 0.0),
         ("found", -10.0),
@@ -310,6 +312,7 @@ def test_what_another_program_drives_is_announced_once_for_each_motion() -> None
         "Something blocks bob.",
         "Another program has stopped bob.",
     ]
+    assert {each.code for each in heard if isinstance(each, Announced)} == {"driven"}
     assert [each for each in heard if isinstance(each, CueSounded)] == [CueSounded("bump", 0.0, 0.0)]
 
 

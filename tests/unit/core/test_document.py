@@ -55,6 +55,16 @@ def test_after_a_mistake_one_line_is_forgotten_and_several_are_kept() -> None:
     assert (several.batch_was_refused(), several.waiting) == (True, 2)
 
 
+def test_lines_that_were_refused_and_changed_have_run_with_the_whole_program() -> None:
+    program = typed("FWD 1", "FW 2")
+    program.take_batch()
+    assert program.batch_was_refused()
+    program.change(1, "FW 1")
+    program.batch_ran()
+
+    assert (program.waiting, program.is_waiting) == (0, False)
+
+
 def test_a_line_that_was_forgotten_is_known_until_another_one_is_there() -> None:
     program = typed("FWD 1")
     program.batch_was_refused()

@@ -31,6 +31,7 @@ from donnie_tui.core.reports import (
     as_csv,
     as_html,
     asked,
+    in_sentences,
     measured,
     measured_in_words,
     plotted,
@@ -451,3 +452,18 @@ def test_no_word_of_a_plot_touches_another_and_all_is_on_it() -> None:
     assert all(x0 >= 0 and y0 >= 0 and x1 <= plot.width and y1 <= plot.height for x0, y0, x1, y1 in boxes)
     for one, other in combinations(boxes, 2):
         assert one[2] <= other[0] or other[2] <= one[0] or one[3] <= other[1] or other[3] <= one[1]
+
+
+@pytest.mark.parametrize(("legs", "left_out"), [(200, 0), (201, 1), (300, 100)])
+def test_of_a_long_path_two_hundred_legs_are_said(legs: int, left_out: int) -> None:
+    """With the sentence of its start, and that of its length; a file has all."""
+    trail = Trail()
+    for leg in range(legs + 1):
+        pose = Pose((leg + 1) // 2, leg // 2, 90)
+        trail.on_event(at(leg, Moved("FW 1", 1, 1, None, pose, forward=True)))
+    about = Subject((), Pose(0, 0, 0), Picture(0, 0, 1, 1, 1, (".",), (), False), trail, (), ())
+
+    said = in_sentences("run", about, Words())
+    assert len(said) == min(legs, 200) + 2 + bool(left_out)
+    left = [each.partition(" leg")[0] for each in said if "leave out" in each]
+    assert left == ([f"I leave out {left_out}"] if left_out else [])

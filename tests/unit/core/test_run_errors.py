@@ -1,6 +1,7 @@
 """Both front ends visit and explain the mistakes of a run in the same way."""
 
 import pytest
+from msgspec import structs
 
 from donnie_tui.core.events import INTERNAL, Error, RunStarted, Stamped
 from donnie_tui.core.run_state import MOST_KEPT, RunErrors, line_of
@@ -38,6 +39,7 @@ def test_a_mistake_is_explained_with_its_cause_and_its_line() -> None:
     said = errors.explained("bob", SAY)
     assert said == ("bob: Donnie does not know this word.", "Check its letters: FW 3.")
     assert line_of(MISTAKES[1], SAY) == ("Line 2: FWD 2",)
+    assert line_of(structs.replace(MISTAKES[1], hint="FW?"), SAY) == ("Line 2: FWD 2",)
 
 
 def test_an_internal_fault_is_explained_and_has_no_line() -> None:
