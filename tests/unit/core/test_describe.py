@@ -13,6 +13,7 @@ from donnie_tui.core.describe import (
     things_in_words,
     worlds_in_words,
 )
+from donnie_tui.core.wording import facing
 from donnie_tui.i18n.words import Words
 from sim.picture import Picture, Thing, picture
 from tests.floor import floor
@@ -192,3 +193,29 @@ def test_after_a_world_was_opened_its_name_and_its_things_are_said(
     assert size == "An open floor without walls."
     assert said[1] in has
     assert ("1" in has) is bool(things)
+
+
+@pytest.mark.parametrize(
+    ("heading", "said"),
+    [
+        (0, "north"),
+        (45, "northeast"),
+        (90, "east"),
+        (135, "southeast"),
+        (180, "south"),
+        (225, "southwest"),
+        (270, "west"),
+        (315, "northwest"),
+        (360, "north"),
+        (359.9999999, "north"),
+        (44.9999999, "northeast"),
+        (359.7, "359 degrees, near north"),
+        (22, "22 degrees, near north"),
+        (23, "23 degrees, near northeast"),
+        (40.9, "40 degrees, near northeast"),
+        (337, "337 degrees, near northwest"),
+        (338, "338 degrees, near north"),
+    ],
+)
+def test_a_heading_is_one_of_eight_points_or_near_one(heading: float, said: str) -> None:
+    assert facing(Pose(0, 0, heading), Words()) == said
