@@ -8,6 +8,7 @@ from donnie_tui.core.answer_log import (
     MOST_FOUND,
     AnswerLog,
     found_in_words,
+    none_so_far,
     spelled,
 )
 from donnie_tui.i18n.words import Words
@@ -72,6 +73,42 @@ def test_a_repeated_answer_is_not_remembered_twice() -> None:
     assert [made.last(), made.last(2), made.last(3)] == [("d",), ("c",), ("a", "b")]
 
 
+def test_only_the_lines_that_are_repeated_are_not_remembered_again() -> None:
+    made = log(("a", "b"), ("c",))
+    assert made.again() == ("c",)
+    made.add_line("x")
+    assert made.last() == ("x",)
+
+    made.again(3)
+    made.end_answer()
+    made.add_line("a")
+    assert made.last() == ("a",)
+
+
+def test_an_answer_has_begun_from_its_first_line_to_its_end() -> None:
+    made = log(("before",))
+    begun = [made.has_begun]
+    made.add_line("a")
+    begun.append(made.has_begun)
+    made.end_answer()
+
+    assert [*begun, made.has_begun] == [False, True, False]
+
+
+@pytest.mark.parametrize(
+    ("answers", "said"),
+    [
+        ((), "Nothing has been said yet."),
+        ((("a",),), "1 answer so far."),
+        ((("a",), ("b", "c")), "2 answers so far."),
+    ],
+)
+def test_that_there_is_no_such_answer_is_said_with_how_many_there_are(
+    answers: tuple[tuple[str, ...], ...], said: str
+) -> None:
+    assert none_so_far(log(*answers), Words()) == said
+
+
 def test_the_whole_log_as_text_has_one_line_per_entry() -> None:
     assert log(("a", "b"), ("c",)).text() == "a\nb\nc\n"
 
@@ -132,7 +169,12 @@ def test_nothing_has_no_letters() -> None:
 
 @pytest.mark.parametrize(
     ("answers", "said", "word"),
-    [((), "", ""), ((("a b",),), "a b", "b"), ((("a", "The sum is 7."),), "The sum is 7.", "7")],
+    [
+        ((), "", ""),
+        ((("a b",),), "a b", "b"),
+        ((("a", "The sum is 7."),), "The sum is 7.", "7"),
+        ((("a box",),), "a box", "box"),
+    ],
 )
 def test_the_last_word_is_that_of_the_last_line(
     answers: tuple[tuple[str, ...], ...], said: str, word: str

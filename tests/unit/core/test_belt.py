@@ -2,11 +2,24 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+from typing import Any
+
 import pytest
 
 from devices.ports.robot import Bearing, Pose
 from donnie_tui.core import belt
-from donnie_tui.core.belt import OFF, BeltSettings, bump, in_words, levels_by_bearing, presence, pulse, rows
+from donnie_tui.core.belt import (
+    OFF,
+    BeltDisplay,
+    BeltSettings,
+    bump,
+    in_words,
+    levels_by_bearing,
+    presence,
+    pulse,
+    rows,
+)
 from donnie_tui.core.events import (
     Answered,
     BeltShown,
@@ -18,6 +31,7 @@ from donnie_tui.core.events import (
     RunStarted,
     Stamped,
 )
+from donnie_tui.core.hub import Hub
 from donnie_tui.core.team import Team
 from donnie_tui.i18n.words import Words
 from donnie_tui.outlets.belt import BeltAnnouncer, ChosenBelt
@@ -77,6 +91,112 @@ def test_felt_directions_are_described_in_words(language: str, sentence: str) ->
 
 def test_an_empty_belt_is_described_too() -> None:
     assert in_words(OFF, Words()) == "Belt: nothing near."
+
+
+# --- the display, moment by moment
+
+
+class Display:
+    """A belt whose robot measures what the test says, and what it shows and sounds."""
+
+    def __init__(self) -> None:
+        hub, self.heard = Hub(lambda: 0.0), list[Event]()
+        self.distances: dict[Bearing, int] = {}
+        robot: Any = SimpleNamespace(known_distances=lambda: self.distances)
+        self.belt = BeltDisplay(robot, hub, BeltSettings())
+        hub.subscribe(lambda stamped: self.heard.append(stamped.event))
+
+    def news(self) -> list[object]:
+        """What was shown and sounded since the last question: the upper row and the lower, or a cue."""
+        found = [rows(each.levels) if isinstance(each, BeltShown) else each for each in self.heard]
+        self.heard.clear()
+        return found
+
+
+NONE, WEAK_AHEAD, MEDIUM_AHEAD = (0,) * 7, (0, 0, 0, 1, 0, 0, 0), (0, 0, 0, 2, 0, 0, 0)
+
+
+def test_what_comes_a_level_nearer_pulses_in_the_upper_row_and_sounds_at_its_side() -> None:
+    display = Display()
+    display.distances = {Bearing.FRONT: 20}
+    display.belt.update()
+    assert display.news() == []
+
+    display.belt.switch(True)
+    assert display.news() == [(WEAK_AHEAD, WEAK_AHEAD)]
+    display.distances = {Bearing.FRONT: 11}
+    display.belt.update()
+    assert display.news() == []
+    display.distances = {Bearing.FRONT: 10}
+    display.belt.update()
+    assert display.news() == [
+        (FRONT_ROW, MEDIUM_AHEAD),
+        CueSounded("belt", 0.0, 10.0),
+        (MEDIUM_AHEAD, MEDIUM_AHEAD),
+    ]
+    display.belt.switch(False)
+    assert (display.news(), display.belt.is_on) == ([(NONE, NONE)], False)
+
+
+@pytest.mark.parametrize(
+    ("bearing", "degrees"),
+    [
+        (Bearing.FRONT, 0.0),
+        (Bearing.FRONT_RIGHT, 45.0),
+        (Bearing.BACK_RIGHT, 135.0),
+        (Bearing.BACK, 180.0),
+        (Bearing.BACK_LEFT, -135.0),
+        (Bearing.FRONT_LEFT, -45.0),
+    ],
+)
+def test_an_approach_sounds_clockwise_from_the_front_up_to_the_back(bearing: Bearing, degrees: float) -> None:
+    """Of two that come nearer it is the one that is nearest."""
+    display = Display()
+    display.distances = {**dict.fromkeys(Bearing, 20), bearing: 19}
+    display.belt.switch(True)
+    display.news()
+    display.distances = {**dict.fromkeys(Bearing, 10), bearing: 4}
+    display.belt.update()
+
+    assert [each for each in display.news() if isinstance(each, CueSounded)] == [
+        CueSounded("belt", degrees, 4.0)
+    ]
+
+
+def test_a_bump_is_shown_on_top_of_the_surroundings_while_the_belt_is_on() -> None:
+    display = Display()
+    display.belt.show_bump(Bearing.FRONT)
+    assert display.news() == []
+
+    display.distances = {Bearing.FRONT: 20}
+    display.belt.switch(True)
+    display.news()
+    display.belt.show_bump(Bearing.FRONT)
+    wide = (0, 0, 3, 3, 3, 0, 0)
+    assert display.news() == [(wide, wide), (WEAK_AHEAD, WEAK_AHEAD)]
+
+
+def test_a_new_start_forgets_the_surroundings_and_a_rest_stays_on() -> None:
+    display = Display()
+    display.distances = {Bearing.FRONT: 20}
+    display.belt.switch(True)
+    display.belt.rest()
+    assert display.news() == [(WEAK_AHEAD, WEAK_AHEAD), (NONE, NONE)]
+    display.distances = {Bearing.FRONT: 10}
+    display.belt.update()
+    assert display.news() == [(MEDIUM_AHEAD, MEDIUM_AHEAD)]  # nothing came nearer since
+
+    display.belt.forget()
+    assert not display.belt.is_on
+    display.distances = {Bearing.FRONT: 4}
+    display.belt.update()
+    assert display.news() == []
+
+
+def test_a_pulse_is_where_the_settings_have_that_direction() -> None:
+    settings = BeltSettings(columns={**dict.fromkeys(Bearing, (3,)), Bearing.BACK: (0, 5)})
+
+    assert pulse(Bearing.BACK, settings) == (3, 0, 0, 0, 0, 3, 0) * 2
 
 
 def test_the_belt_follows_the_robot_towards_a_thing() -> None:

@@ -136,3 +136,11 @@ def test_a_changed_line_of_the_past_stays_changed_while_it_is_recalled() -> None
     assert recall.newer("one!") == "more"
     assert recall.older("more") == "one!"
     assert past.lines == ["one"]
+
+
+def test_a_line_is_remembered_without_blanks_around_it_unless_it_is_empty_or_the_last_one() -> None:
+    past = LineHistory()
+    for line in ("", " ", "FW 1", "FW 2", " FW 2 ", "FW 1"):
+        past.remember(line)
+
+    assert past.lines == ["FW 1", "FW 2", "FW 1"]
