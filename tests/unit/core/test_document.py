@@ -337,6 +337,20 @@ def test_a_new_change_clears_the_redo_history() -> None:
     assert (program.redo(), program.lines) == (None, ("A", "B"))
 
 
+def test_what_is_typed_or_opened_after_an_undone_program_leaves_nothing_to_redo() -> None:
+    empty = Document()
+    empty.replace("C\n", None, keeps_empty=True)
+    empty.undo()
+    empty.replace("E\n", None)
+    in_editor, editor = shown("A", "B")
+    in_editor.replace("C\n", None)
+    in_editor.undo()
+    editor.type("D")
+
+    assert (empty.redo(), empty.lines) == (None, ("E",))
+    assert (in_editor.lines, in_editor.redo(), in_editor.lines) == (("D",), None, ("D",))
+
+
 def test_a_redone_line_that_had_run_is_not_pending() -> None:
     program = typed("A")
     program.batch_ran()

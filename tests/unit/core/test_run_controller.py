@@ -4,20 +4,33 @@ import threading
 import time
 from collections.abc import Callable
 from itertools import product
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
 from devices.ports.robot import Pace, Watcher
-from donnie_tui.core.events import Answered, Stamped
+from donnie_tui.core.events import Answered, Spoke, Stamped
 from donnie_tui.core.hub import Stream
 from donnie_tui.core.run_controller import RunController
-from donnie_tui.core.run_state import TRANSITIONS, NothingRuns, NothingToRun, Request, RunObserver, RunState
+from donnie_tui.core.run_state import (
+    MOST_FRAMES,
+    TRANSITIONS,
+    NothingRuns,
+    NothingToRun,
+    Request,
+    RunNarrator,
+    RunObserver,
+    RunRecord,
+    RunState,
+)
 from donnie_tui.core.runner import Run, RunRequest
 from donnie_tui.core.session import Busy, Session, SessionSetup
 from donnie_tui.core.team import Team
-from donnie_tui.core.timeline import Chronicle
+from donnie_tui.core.timeline import Chronicle, Timeline
 from donnie_tui.i18n.words import Words
 from language.control import ExecutionControl
+from language.runtime import Frame
 from sim.robot import SimulatedRobot
 from sim.world import World
 from tests.floor import floor
@@ -355,3 +368,62 @@ def test_quit_ends_the_run_without_a_word() -> None:
     lesson.start("QUIT", is_whole=False)
     assert lesson.ended() == []
     assert lesson.runs.state is RunState.READY
+
+
+# --- one run in words
+
+
+def narrator(robot: str | None, *, is_whole: bool = True, watched: tuple[str, ...] = ()) -> RunNarrator:
+    """Of a run that is held in line 3 of a program, where x is 1, as it was before the run."""
+    session: Any = SimpleNamespace(
+        frames=(Frame("", 3, (("x", 1),)),), hub=SimpleNamespace(robot=robot), variables={"X": 1}, run=None
+    )
+    return RunNarrator(session, RunRequest("", is_whole=is_whole), watched, Words("en", "brief"), Chronicle())
+
+
+@pytest.mark.parametrize(
+    ("place", "was_paused", "said"),
+    [
+        ((3, 1), True, ("Paused at line 3.",)),
+        ((0, 0), False, ("Paused at line 3.",)),
+        ((3, 1), False, ()),
+    ],
+)
+def test_a_pause_and_a_hold_within_a_statement_say_their_line(
+    place: tuple[int, int], was_paused: bool, said: tuple[str, ...]
+) -> None:
+    held = narrator(None).on_hold(place, was_paused=was_paused, is_steppable=False)
+    of_bob = narrator("bob").on_hold(place, was_paused=was_paused, is_steppable=False)
+
+    assert (held, of_bob) == (said, tuple(f"bob: {each}" for each in said))
+
+
+@pytest.mark.parametrize("is_whole", [True, False])
+def test_a_watched_variable_is_new_to_a_whole_program_and_known_to_a_typed_line(is_whole: bool) -> None:
+    said = ("x is 1.",) if is_whole else ()
+
+    assert narrator(None, is_whole=is_whole, watched=("x",)).on_statement() == said
+    held = narrator(None, is_whole=is_whole, watched=("x",))
+    assert held.on_hold((3, 1), was_paused=False, is_steppable=False) == said
+    assert held.on_statement() == ()
+    assert narrator(None, is_whole=is_whole).on_statement() == ()
+
+
+def test_the_calls_of_the_newest_events_of_a_run_are_kept() -> None:
+    """Those of its robot; of many open calls the innermost ones."""
+    session: Any = SimpleNamespace(hub=SimpleNamespace(robot="bob"), run=None)
+    record = RunRecord(session, RunRequest(""), narrator("bob"))
+    for seq in range(1, MOST_FRAMES + 1):
+        assert record.has_room_for_frames
+        record.keep_frames(seq, [Frame("P", seq, ())] * 25)
+    assert not record.has_room_for_frames
+    record.keep_frames(MOST_FRAMES + 1, [Frame("P", 7, ())])
+
+    def at(*events: tuple[int, str]) -> tuple[Frame, ...] | None:
+        return record.frames_at(Timeline([Stamped(seq, 0.0, Spoke("x"), robot) for seq, robot in events]))
+
+    assert at((1, "bob")) is None
+    assert at((2, "bob")) == (Frame("P", 2, ()),) * 20
+    assert at((5, "alice"), (3, "bob"), (2, "bob")) == (Frame("P", 3, ()),) * 20
+    assert at((MOST_FRAMES + 1, "bob")) == (Frame("P", 7, ()),)
+    assert at() is None
