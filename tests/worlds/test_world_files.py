@@ -354,7 +354,8 @@ def test_a_file_in_an_old_encoding_loads_and_is_reported(tmp_path: Path) -> None
     scene = load_world(tmp_path / "old.world")
 
     assert scene.models[0].name == "chão"
-    assert scene.report.notes[0].code == "not-utf8"
+    file = str(tmp_path / "old.world")
+    assert scene.report.notes[0] == Note(REPAIRED, "not-utf8", file, 1, 1, {"path": file})
 
 
 def test_a_byte_order_mark_is_ignored(tmp_path: Path) -> None:
@@ -596,3 +597,4 @@ def test_a_mistake_in_what_a_body_includes_has_the_place_in_that_file(
 
     error = caught.value
     assert (Path(error.file).name, error.code, error.line, error.column) == ("part.inc", code, line, column)
+    assert code is not Code.MISPLACED or error.details == {"found": "define"}

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from sim.worldfile import Code, WorldError, load_text, load_world
+from sim.worldfile.parser import WordCount
 
 BROKEN = [
     # text, code, line, column, expected
@@ -121,6 +122,7 @@ def test_files_that_include_each_other_are_reported_at_the_second_include(tmp_pa
 
     mistake = caught.value
     assert (mistake.code, Path(mistake.file).name) == (Code.INCLUDE_CYCLE, "b.inc")
+    assert mistake.details == {"path": "a.inc"}
     assert (mistake.line, mistake.column) == (2, 10)
 
 
@@ -139,7 +141,8 @@ def test_includes_and_bitmaps_from_outside_are_refused(tmp_path: Path) -> None:
     for text, code in refused.items():
         with pytest.raises(WorldError) as caught:
             load_text(text, inner / "top.world")
-        assert caught.value.code is code
+        named = {"path": text.split('"')[1], "folder": str(tmp_path)}
+        assert (caught.value.code, caught.value.details) == (code, named)
 
     allowed = load_text('include "../secret.inc"', inner / "top.world", allowed=(tmp_path,))
     assert len(allowed.models) == 1
@@ -156,15 +159,6 @@ def test_a_chain_of_macros_that_explodes_is_refused_soon() -> None:
     assert caught.value.code is Code.TOO_MUCH
 
 
-def test_a_file_that_is_too_large_is_refused(tmp_path: Path) -> None:
-    (tmp_path / "big.world").write_bytes(b"# \n" * 3_000_000)
-
-    with pytest.raises(WorldError) as caught:
-        load_world(tmp_path / "big.world")
-
-    assert caught.value.code is Code.FILE_TOO_LARGE
-
-
 def test_an_include_bomb_is_refused_soon(tmp_path: Path) -> None:
     for i in range(12):
         (tmp_path / f"{i}.inc").write_text(f'include "{i + 1}.inc"\n' * 10)
@@ -174,6 +168,71 @@ def test_an_include_bomb_is_refused_soon(tmp_path: Path) -> None:
         load_text('include "0.inc"', tmp_path / "top.world")
 
     assert caught.value.code is Code.TOO_MANY_FILES
+
+
+def test_includes_lead_sixteen_files_deep_at_most(tmp_path: Path) -> None:
+    for i in range(1, 18):
+        (tmp_path / f"{i}.inc").write_text(f'\n include "{i - 1}.inc"')
+    (tmp_path / "0.inc").write_text("model ( )")
+
+    assert len(load_text('include "15.inc"', tmp_path / "top.world").models) == 1
+    with pytest.raises(WorldError) as caught:
+        load_text('include "16.inc"', tmp_path / "top.world")
+
+    error = caught.value
+    assert (error.code, error.details) == (Code.INCLUDE_TOO_DEEP, {"limit": 16})
+    assert (Path(error.file).name, error.line, error.column) == ("1.inc", 2, 10)
+
+
+def test_a_world_has_two_hundred_files_at_most(tmp_path: Path) -> None:
+    (tmp_path / "a.inc").write_text("# nothing")
+    include = 'include "a.inc"\n'
+
+    assert len(load_text(include * 199, tmp_path / "top.world").report.files) == 2
+    with pytest.raises(WorldError) as caught:
+        load_text(include * 200, tmp_path / "top.world")
+
+    error = caught.value
+    assert (error.code, error.line, error.details) == (Code.TOO_MANY_FILES, 200, {"limit": 200})
+
+
+def test_the_files_of_a_world_have_sixty_thousand_words_at_most() -> None:
+    words = WordCount()
+    words.take("define " * 30_000, "a.world")
+    words.take("( # and not these words\n" * 30_000, "a.inc")
+
+    with pytest.raises(WorldError) as caught:
+        words.take("\n  one", "b.inc")
+    error = caught.value
+    assert (error.code, error.details) == (Code.TOO_MUCH, {"what": "words", "limit": 60_000})
+    assert (error.file, error.line, error.column) == ("b.inc", 2, 3)
+
+    with pytest.raises(WorldError) as caught:
+        load_text("x " * 60_001, Path("x.world"))
+    assert caught.value.code is Code.TOO_MUCH
+
+
+def test_the_shapes_of_a_world_have_two_hundred_thousand_corners_at_most() -> None:
+    """Those of the first model have as many."""
+    text = f"define it block ( points 2000 )\nmodel ( {'it ( ) ' * 100} )\nmodel ( block ( points 2 ) )"
+
+    with pytest.raises(WorldError) as caught:
+        load_text(text, Path("x.world"))
+
+    error = caught.value
+    assert (error.code, error.line, error.details) == (Code.TOO_MUCH, 3, {"what": "points", "limit": 200_000})
+
+
+def test_a_file_has_eight_million_bytes_at_most(tmp_path: Path) -> None:
+    file = tmp_path / "large.world"
+    file.write_bytes(b"#" * 8_000_000)
+    assert load_world(file).models == ()
+
+    file.write_bytes(b"#" * 8_000_001)
+    with pytest.raises(WorldError) as caught:
+        load_world(file)
+    error = caught.value
+    assert (error.code, error.details) == (Code.FILE_TOO_LARGE, {"path": str(file), "limit": 8_000_000})
 
 
 def test_a_file_that_is_no_picture_is_reported(tmp_path: Path) -> None:
