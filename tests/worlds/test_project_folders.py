@@ -52,18 +52,23 @@ def test_without_a_project_only_the_folder_of_the_world_is_read(folder: Path) ->
     assert refused.details["folder"] == str(folder)
 
 
-@pytest.mark.parametrize("marker", [".git", ".hg", ".svn"])
+@pytest.mark.parametrize("marker", [".git", ".hg", ".svn", ".bzr"])
 def test_a_world_reads_all_files_of_its_repository(folder: Path, marker: str) -> None:
     (folder / marker).mkdir()
 
     assert "chair" in models(world(folder))
 
 
-@pytest.mark.parametrize("marker", ["CMakeLists.txt", "package.xml", "README.md", "LICENSE"])
-def test_a_world_reads_all_files_of_its_project(folder: Path, marker: str) -> None:
-    (folder / marker).touch()
+BUILD_FILES = "CMakeLists.txt Makefile package.xml manifest.xml stack.xml pyproject.toml setup.py"
+TEXTS = "README README.txt README.md README.rst LICENSE LICENSE.txt LICENSE.md COPYING"
 
-    assert "chair" in models(world(folder))
+
+def test_a_world_reads_all_files_of_its_project(folder: Path) -> None:
+    for marker in (*BUILD_FILES.split(), *TEXTS.split()):
+        (folder / marker).touch()
+        assert "chair" in models(world(folder)), marker
+        (folder / marker).unlink()
+    assert refusal(world(folder)).code is Code.INCLUDE_OUTSIDE
 
 
 def test_folders_of_a_project_have_build_files_too(folder: Path) -> None:
