@@ -186,6 +186,16 @@ def test_a_mistake_in_a_define_that_nothing_uses_is_a_warning() -> None:
     ]
 
 
+def test_twenty_broken_defines_of_a_file_are_warnings_and_one_more_is_a_mistake() -> None:
+    broken = [f"define a{i} model ( 5 )\n" for i in range(21)]
+    notes = load("".join(broken[:20]) + "model ( )").report.notes
+
+    assert [note.line for note in notes if note.code == "broken-define"] == [*range(1, 21)]
+    with pytest.raises(WorldError) as caught:
+        load("".join(broken))
+    assert (caught.value.code, caught.value.line) == (Code.UNEXPECTED, 21)
+
+
 @pytest.mark.parametrize(
     ("body", "column"), [("size [ 1 2 3", 31), ("pose [ 1 2 ( )", 29), ("size [ [ 1", 29), ("size 1 ]", 25)]
 )
