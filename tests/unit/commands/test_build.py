@@ -613,6 +613,8 @@ def test_leaving_asks_about_a_world_that_is_not_saved(
 
     assert drive(may_lose_all(script.ctx)) is leaves
     assert script.interaction.asked[0] == "You changed this world. Save it, y or n? Enter means no."
+    assert len(script.interaction.asked) == (2 if "mine" in answers else 1), "a name only for what is saved"
+    assert ("Not saved, so Donnie stays open." in script.printed) is not leaves
     assert (tmp_path / "mine.world").exists() == ("mine" in answers)
 
 
