@@ -19,6 +19,8 @@ from donnie_tui.process.disconnection import NetworkWatch, ReaderWatch, attempts
 from donnie_tui.process.signals import TakenSignals, is_hung_up
 from tests.timeouts import TIMEOUT
 
+ON_LINUX = pytest.mark.skipif(sys.platform != "linux", reason="another system says it in no file")
+
 
 def readers() -> list[threading.Thread]:
     return [each for each in threading.enumerate() if each.name == "readers"]
@@ -114,6 +116,7 @@ def test_without_a_table_of_the_kernel_nothing_is_watched(monkeypatch: pytest.Mo
         assert "network" not in [each.name for each in threading.enumerate()]
 
 
+@ON_LINUX
 def test_a_process_has_the_parent_that_the_system_says() -> None:
     assert parent_of(os.getpid()) == os.getppid()
 
@@ -147,6 +150,7 @@ def test_the_nearest_ancestor_on_another_terminal_owns_this_one(
     assert disconnection.keeper_of(30) == keeper
 
 
+@ON_LINUX
 def test_our_copy_of_the_other_end_is_closed_and_the_end_of_its_owner_is_a_hang_up(
     hang_ups: threading.Event, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -164,6 +168,7 @@ def test_our_copy_of_the_other_end_is_closed_and_the_end_of_its_owner_is_a_hang_
     os.close(terminal)
 
 
+@ON_LINUX
 def test_an_owner_that_has_ended_just_now_is_a_hang_up(hang_ups: threading.Event) -> None:
     owner = subprocess.Popen(["true"])
     owner.wait()
@@ -172,6 +177,7 @@ def test_an_owner_that_has_ended_just_now_is_a_hang_up(hang_ups: threading.Event
     assert hang_ups.wait(TIMEOUT)
 
 
+@ON_LINUX
 @pytest.mark.parametrize(("terminal", "keeper"), [(None, 7), ("/dev/pts/of-no-one", 7), ("", None)])
 def test_without_another_end_or_its_owner_nothing_is_watched(
     terminal: str | None, keeper: int | None, monkeypatch: pytest.MonkeyPatch

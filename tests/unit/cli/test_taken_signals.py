@@ -59,6 +59,7 @@ def test_signals_and_nudges_wake_the_waiting_thread_and_the_wakeup_is_restored()
         each.close()
 
 
+@pytest.mark.skipif(not hasattr(fcntl, "F_SETPIPE_SZ"), reason="only Linux changes the size of a pipe")
 def test_a_nudge_of_a_thread_that_takes_none_is_lost_and_not_waited_for() -> None:
     nudges = Nudges()
     size = fcntl.fcntl(nudges.fileno(), fcntl.F_SETPIPE_SZ, 4096)
