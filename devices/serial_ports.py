@@ -111,7 +111,7 @@ def named_ports() -> tuple[str, ...]:
 
 def is_named(address: str) -> bool:
     """Whether this process may open it."""
-    return _named is None or _name_of(address) is not None
+    return _name_of(address) is not None
 
 
 def _name_of(address: str) -> str | None:
