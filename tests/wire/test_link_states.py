@@ -328,3 +328,20 @@ def test_a_text_of_the_firmware_is_a_line_for_the_log() -> None:
     connection.received(encode_frame(ReportKind.MESSAGE.value, b"Beep\xff"), 1.0)
 
     assert lines == ["Beep\\xff"]
+
+
+def test_the_times_of_a_link_are_those_of_the_documentation() -> None:
+    """docs/wire-protocol.md, "What can go wrong, and what Donnie does"."""
+    config = LinkConfig()
+
+    assert (config.first_answer, config.flush_pause) == (6.0, 0.1)  # open
+    assert config.tick_jump == 60  # ticks
+    assert (config.gap, config.most_outstanding) == (0.04, 63)  # rate
+    assert config.repeat == 0.2  # lost command
+    assert config.runaway == 0.5  # stop
+    assert (config.lease, config.silence) == (0.4, 0.5)  # host watchdog
+    assert config.reopen == 0.5  # unplug
+    assert config.longest_stop == pytest.approx(2.2, abs=0.05)  # shutdown
+    slower = config.slower(4.0)
+    assert (slower.first_answer, slower.silence, slower.lease, slower.runaway) == (24.0, 2.0, 1.6, 2.0)
+    assert (slower.gap, slower.repeat, slower.flush_pause, slower.reopen) == (0.04, 0.2, 0.1, 0.5)

@@ -203,6 +203,16 @@ def test_the_reset_fits_the_port_unless_a_setting_names_another(
     assert type(reset_of(setting, port, model)) is kind
 
 
+def test_on_a_raspberry_pi_the_pin_is_the_originals(tmp_path: Path) -> None:
+    """GPIO22, as docs/wire-protocol.md says."""
+    model = tmp_path / "model"
+    model.write_text("Raspberry Pi 3")
+    reset = reset_of("auto", "/dev/ttyAMA0", model)
+
+    assert isinstance(reset, GpioReset)
+    assert reset.pin == 22
+
+
 def test_only_on_a_raspberry_pi_a_pin_is_the_automatic_reset(tmp_path: Path) -> None:
     model = tmp_path / "model"
     assert type(reset_of("auto", "/dev/ttyAMA0", model)) is DtrReset

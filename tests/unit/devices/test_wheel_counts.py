@@ -279,3 +279,23 @@ def test_a_calibration_derives_the_measures_from_counts() -> None:
     assert wheel_radius(3410.4, 900, 0.5) == pytest.approx(0.021, abs=1e-6)
     assert axle_length(1457.1, 900, 0.021, 360.0) == pytest.approx(0.068, abs=1e-5)
     assert axle_length(100.0, 900, 0.021, 90.0) == pytest.approx(2 * 100 * COUNT / radians(90))
+
+
+def test_the_measures_of_a_robot_are_those_of_the_documentation() -> None:
+    """docs/wire-protocol.md, "From counts to steps" and "What can go wrong, and what Donnie does"."""
+    assert (CONFIG.wheel_radius, CONFIG.axle_length, CONFIG.counts_a_turn) == (0.021, 0.068, 900)
+    assert (CONFIG.walk_coast, CONFIG.turn_coast) == (8, 5)
+    assert (CONFIG.wrong_way, CONFIG.stall, CONFIG.farthest) == (60, 0.5, 2.0)
+    assert (CONFIG.head_sonar, CONFIG.front_bumpers, CONFIG.back_bumpers) == (6, {0, 1, 2}, {3, 4, 5})
+    assert CONFIG.bumper_degrees == (45.0, 0.0, -45.0, 135.0, 180.0, -135.0)
+    slower = CONFIG.slower(4.0)
+    assert (slower.stall, slower.stop_timeout, slower.poll) == (2.0, 4 * CONFIG.stop_timeout, CONFIG.poll)
+
+
+def test_with_the_newer_firmware_encoders_and_head_are_reversed_and_the_coasts_exchanged() -> None:
+    newer = CONFIG.as_of_2018()
+
+    assert (newer.wiring.encoders, newer.wiring.motors) == ((-1, -1), (1, 1))
+    assert (newer.finds_profile, newer.head_is_mirrored) == (False, True)
+    assert (newer.walk_coast, newer.turn_coast) == (5, 8)
+    assert (CONFIG.finds_profile, CONFIG.head_is_mirrored) == (True, False)
