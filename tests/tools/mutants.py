@@ -398,9 +398,10 @@ class Trial:
         """The likeliest for its time first: short tests, and the shortest of each file before the others.
 
         A test comes earlier if its file names the module or is about its room, and if its name has words of
-        the line.
+        the line, or of what its function is for.
         """
-        words = set(_WORD.findall(_source(mutation.path).decode().splitlines()[mutation.line - 1].lower()))
+        line = _source(mutation.path).decode().splitlines()[mutation.line - 1]
+        words = set(_WORD.findall(f"{line} {_purpose(mutation)}".lower()))
         files: dict[str, int] = defaultdict(int)
         turns = {}
         for name in sorted(names, key=lambda name: (self._seconds[name], name)):
@@ -513,6 +514,18 @@ class Trial:
 
 
 _WORD = re.compile("[a-z]{4,}")
+
+
+def _purpose(mutation: Mutation) -> str:
+    """The name and the docstring of the innermost function with the line."""
+    functions = [
+        node
+        for node in ast.walk(ast.parse(_source(mutation.path)))
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
+        and node.lineno <= mutation.line <= (node.end_lineno or 0)
+    ]
+    innermost = max(functions, key=lambda node: node.lineno, default=None)
+    return f"{innermost.name} {ast.get_docstring(innermost) or ''}" if innermost else ""
 
 
 def _names_module(file: Path, mutation: Mutation) -> bool:
