@@ -33,7 +33,7 @@ def test_nothing_is_left_behind_in_a_browser_and_no_line_commands_the_terminal(c
     assert "\x1b" not in capsys.readouterr().out
 
 
-@pytest.mark.parametrize("failing", ["write", "flush"])
+@pytest.mark.parametrize("failing", ["write", "flush", "nothing"])
 @pytest.mark.parametrize("problem", [OSError(5, "I/O error"), ValueError("closed")])
 def test_a_terminal_that_is_gone_gets_no_lines_and_ends_nothing(monkeypatch, failing, problem):
     def fail(*_):
@@ -47,10 +47,15 @@ def test_a_terminal_that_is_gone_gets_no_lines_and_ends_nothing(monkeypatch, fai
     monkeypatch.setattr(sys, "stdout", out)
     environment.print_last_lines(["one", "two"])
 
-    assert written == ([] if failing == "write" else ["one\n", "two\n"])
+    lines = ["one\n", "two\n"]
+    assert written == {"write": [], "flush": lines, "nothing": [*lines, "flushed"]}[failing]
 
 
 # --- what Textual reads
+
+
+looked_up = []
+"""The names of terminals that were looked up in the system's list, a list for each start."""
 
 
 def prepared(monkeypatch, settings=None, size=(80, 24), colours=8, **variables):
@@ -73,7 +78,7 @@ def prepared(monkeypatch, settings=None, size=(80, 24), colours=8, **variables):
     monkeypatch.setattr(curses, "tigetnum", lambda name: answer() if name == "colors" else None)
     monkeypatch.setattr(os, "get_terminal_size", measured)
     environment.prepare(settings or Settings(plain=False), given)
-    assert asked in ([], [variables.get("TERM", "unknown")])
+    looked_up.append(asked)
     return {name: value for name, value in given.items() if name not in variables or variables[name] != value}
 
 
@@ -88,7 +93,7 @@ NO_REPORTS, NO_COLOURS = {"TEXTUAL_DISABLE_KITTY_KEY": "1"}, {"NO_COLOR": "1"}
         ({"TERM": "xterm", "settings": Settings(plain=True)}, NO_REPORTS),
         *(({"TERM": name}, NO_REPORTS) for name in ("linux", "vt220", "screen-256color", "tmux-256color")),
         ({"TERM": "xterm", "colours": -1}, {}),  # it is not asked
-        ({"TERM": "linux", "colours": -1}, NO_REPORTS),
+        *(({"TERM": name, "colours": -1}, NO_REPORTS) for name in ("linux", "screen.xterm", "tmux-256color")),
         ({"TERM": "vt100", "colours": -1}, NO_REPORTS | NO_COLOURS),
         ({"TERM": "vt100", "colours": -1, "COLORTERM": "truecolor"}, NO_REPORTS),
         ({"TERM": "wyse50", "colours": 0}, NO_COLOURS),
@@ -105,6 +110,14 @@ NO_REPORTS, NO_COLOURS = {"TEXTUAL_DISABLE_KITTY_KEY": "1"}, {"NO_COLOR": "1"}
 def test_what_a_terminal_does_not_know_is_not_sent_to_it(monkeypatch, changes, wanted):
     """Key reports, colours, and a size of nothing, as of a serial terminal."""
     assert prepared(monkeypatch, **changes) == ALWAYS | wanted
+
+
+def test_only_a_terminal_whose_colours_are_not_known_is_looked_up(monkeypatch):
+    looked_up.clear()
+    for variables in ({"TERM": "wyse50"}, {}, {"TERM": "xterm"}, {"TERM": "wyse50", "COLORTERM": "1"}):
+        prepared(monkeypatch, **variables)
+
+    assert looked_up == [["wyse50"], ["unknown"], [], []]
 
 
 def test_variables_of_the_learner_stay(monkeypatch):
@@ -165,7 +178,11 @@ def test_the_linear_mode_is_offered_over_ssh_unless_the_reader_is_known(variable
 
 @pytest.mark.parametrize(
     ("labels", "title"),
-    [({"run": "F5", "help": "F1"}, "F5 runs, F1 helps"), ({"help": "F1"}, "RUN runs, F1 helps")],
+    [
+        ({"run": "F5", "help": "F1"}, "F5 runs, F1 helps"),
+        ({"help": "F1"}, "RUN runs, F1 helps"),
+        ({}, "RUN runs, HELP helps"),
+    ],
 )
 def test_the_first_steps_name_the_keys_or_else_the_words(monkeypatch, labels, title):
     monkeypatch.setattr(

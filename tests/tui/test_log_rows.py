@@ -165,6 +165,20 @@ async def test_the_focused_log_has_all_rows_and_continues_after_the_focus_leaves
         assert seen.rows == ("News.", *("",) * (HEIGHT - 1))
 
 
+async def test_a_row_that_the_wheel_chose_is_seen_whatever_comes():
+    """The log has no focus then, and turns no page."""
+    async with listening() as seen:
+        await seen.append(*(f"Row {number}." for number in range(3 * HEIGHT)))
+        seen.log.choose_further(-2 * HEIGHT)
+        chosen = f"Row {HEIGHT - 1}."
+        assert (seen.log.row_text, chosen in seen.rows) == (chosen, True)
+
+        before = seen.rows
+        seen.log.append([("News.", "spoke")])
+        await seen.pilot.pause()
+        assert seen.rows == before
+
+
 async def test_no_row_moves_while_the_focus_only_passes():
     async with listening() as seen:
         await seen.append(*(f"Row {number}." for number in range(HEIGHT + 2)))
