@@ -11,6 +11,7 @@ BROKEN = [
     # text, code, line, column, expected
     ("a (", Code.UNCLOSED, 1, 3, (")",)),
     ("model (\n  pose [ 0 0\n", Code.UNCLOSED, 2, 8, ("]",)),
+    ("size [ [ 1 ]", Code.UNCLOSED, 1, 6, ("]",)),
     ("model ( )\n)", Code.UNEXPECTED, 2, 1, ("end of file", "define", "include", "name")),
     ("model ( pose [ 0 0 0 0 ) ]", Code.UNEXPECTED, 1, 24, ("tuple", "number", "string", "]")),
     ("model ( pose )", Code.UNEXPECTED, 1, 14, ("tuple", "number", "string", "(")),
