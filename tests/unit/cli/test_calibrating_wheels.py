@@ -6,6 +6,7 @@ import io
 import sys
 from argparse import Namespace
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -26,7 +27,7 @@ class Robot:
     """
 
     has_run_away = may_drive_on = False
-    port = ""
+    port = "/dev/robot"
 
     def __init__(self, stopped_by: StoppedBy | None) -> None:
         self.stopped_by = stopped_by
@@ -60,13 +61,20 @@ class Wheels:
         self.environment = {"XDG_CONFIG_HOME": str(folder), "HOME": str(folder)}
         self.report: object = None
         self.robot: Robot | None = None
+        self.guarded: list[str] = []
         self._monkeypatch = monkeypatch
+        monkeypatch.setattr("donnie_tui.cli.calibrate.Guard", self._guard)
 
     def run(self, typed: str, robot: str = "double", given: str | None = None) -> int:
         self._monkeypatch.setattr(sys, "stdin", io.StringIO(typed))
         invocation = Invocation("calibrate", {} if given is None else {"robot": given}, Namespace())
         order = Order(invocation, Settings(robot=robot), Words("en"), Output(), self.environment)
         return calibrate(order, self._made)  # type: ignore[arg-type] # it does what is needed here
+
+    def _guard(self, port: str) -> SimpleNamespace:
+        """In place of a process."""
+        self.guarded.append(port)
+        return SimpleNamespace(end=lambda *, may_drive_on: self.guarded.append(f"ends {may_drive_on}"))
 
     def _made(self, _settings: object, _words: object, _pace: object, report: object) -> Robot:
         self.report, self.robot = report, Robot(self.stopped_by)
@@ -126,6 +134,7 @@ def test_a_measure_near_the_expected_one_or_typed_twice_is_taken(
     assert said[-1] == (end if is_measured else "Nothing was measured. Nothing has changed.")
     assert wheels.robot is not None
     assert wheels.robot.done == ["connect", "forward 20", "turn 720", "close"]
+    assert wheels.guarded == []
     assert read_settings(wheels.environment) == ({}, ())
 
 
@@ -142,6 +151,7 @@ def test_the_sizes_of_a_real_robot_are_kept_in_metres(
 ) -> None:
     assert wheels.run(typed, "serial:/dev/robot") == ExitCode.DONE
     assert read_settings(wheels.environment) == (kept, ())
+    assert wheels.guarded == ["/dev/robot", "ends False"]
     assert capsys.readouterr().out.splitlines()[-1] == "I saved it in the settings."
 
 
