@@ -196,16 +196,16 @@ def test_a_drive_ends_where_it_is_to_end_or_where_it_is_not_renewed() -> None:
 
 
 def test_a_low_battery_is_reported_once_until_it_is_charged_and_by_two_frames_that_agree() -> None:
-    connection, noticed = streaming(), []
-    for millivolts in (7100, 7100, 7099, 7000, 7099, 7099, 7000, 7000, 7399, 7399, 7000, 7000, 7400, 7400):
+    connection, noticed = streaming(), {}
+    frames = (7100, 7100, 7099, 7000, 7040, 7040, 7399, 7399, 7000, 7000, 7400, 7400, 6940, 6940, 6940)
+    for number, millivolts in enumerate(frames):
         connection.received(battery_at(millivolts), 3.0)
-        noticed += connection.take_notices()
-    assert noticed == [(LinkNotice.BATTERY_LOW, "7.1")]
-    assert connection.telemetry.millivolts == 7400
-    for _ in range(3):
-        connection.received(battery_at(6940), 3.0)
+        if notices := connection.take_notices():
+            noticed[number] = notices
 
-    assert connection.take_notices() == [(LinkNotice.BATTERY_LOW, "6.9")]
+    assert noticed == {5: [(LinkNotice.BATTERY_LOW, "7.0")], 13: [(LinkNotice.BATTERY_LOW, "6.9")]}
+    connection.received(battery_at(8000), 3.0)
+    assert connection.telemetry.millivolts == 6940
 
 
 def test_a_ping_is_answered_and_other_frames_are_sent_only_to_a_board_that_streams() -> None:
@@ -294,6 +294,10 @@ def test_a_connection_says_when_it_has_something_to_do() -> None:
     assert connection.next_at(3.68) == pytest.approx(3.8)  # the drive was not renewed
     connection.close(3.9)
     assert written(connection, 4.0) == []
+
+    waiting = opened()
+    waiting.close(1.0)
+    assert waiting.next_at(1.0) == inf
 
 
 def test_a_board_that_has_restarted_is_not_reported_as_back_too() -> None:
