@@ -63,9 +63,13 @@ def _homes_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(autouse=True)
 def _home(_homes_folder: Path) -> Iterator[None]:
-    """Each test has a new home folder that does not exist yet, and no limits of a command before it."""
-    os.environ["HOME"] = str(_homes_folder / str(next(_homes)))
+    """Each test has a new home folder that does not exist yet, and no limits of a command before it.
+
+    It must leave the working folder as it was: the next test may read the project's files.
+    """
+    os.environ["HOME"], here = str(_homes_folder / str(next(_homes))), Path.cwd()
     yield
+    assert Path.cwd() == here, "the test changed the working folder"
     main = sys.modules.get("donnie_tui.cli.main")
     if main is not None:
         main._lift_limits()

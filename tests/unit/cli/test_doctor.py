@@ -434,13 +434,14 @@ def test_a_port_is_looked_for_where_the_settings_say_it_is(tmp_path: Path) -> No
     )
 
 
-def test_settings_are_named_as_they_are_written(tmp_path: Path) -> None:
+def test_settings_are_named_as_they_are_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     environment = {"XDG_CONFIG_HOME": str(tmp_path), "HOME": str(tmp_path), "DONNIE_MOUSE": "NO"}
     folder = tmp_path / "donnie"
     folder.mkdir()
     (folder / "settings.toml").touch()
     file = {"speed": "max", "linear": True, "trail": False, "record": "r" * 50}
     settings, _ = resolve({}, environment, file)
+    monkeypatch.chdir(tmp_path)
     confine(Confinement(str(tmp_path)))
     try:
         lines = said(look_at_settings(settings, environment))

@@ -111,10 +111,13 @@ def test_a_wrong_number_is_shown_up_to_its_twentieth_character() -> None:
     assert bad.value.sentence == f"{'x' * 20} is not a number of pages; 1 to 100 are possible."
 
 
-def test_each_page_is_started_with_the_options_of_its_server(tmp_path: Path) -> None:
+def test_each_page_is_started_with_the_options_of_its_server(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     given = {"world": "maze", "belt_steps": "1 2 3", "confined": str(tmp_path)}
     options = ["--visual", "--world", "maze", "--belt-steps", "1 2 3"]
     assert page_command(given) == [sys.executable, "-m", "donnie_tui", *options]
+    monkeypatch.chdir(tmp_path)
     confine(Confinement(str(tmp_path)))
     try:
         assert page_command({}) == [sys.executable, "-P", "-m", "donnie_tui", "--visual"]
