@@ -15,6 +15,8 @@ from donnie_tui.tui import themes
 from donnie_tui.tui.screens.dialogs import Chooser, Completions, Question
 from donnie_tui.tui.screens.pages import Help, KeyCapture, KeyMenu, Tour, TourPage, TourStrip
 
+pytestmark = pytest.mark.slow
+
 STYLES = Path(application.__file__).parent / "styles"
 OPEN = "(open)"
 

@@ -14,6 +14,8 @@ from donnie_tui.tui.screens.file_panel import FilePanel
 from tests.timeouts import TIMEOUT
 from tests.tui.test_dialogs import OPEN, Showing
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture
 def program(tmp_path: Path) -> Path:

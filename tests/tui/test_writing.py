@@ -7,6 +7,8 @@ from donnie_tui.tui.screens.dialogs import Completions
 from tests.tui.conftest import burst
 from tests.tui.settings_files import kept
 
+pytestmark = pytest.mark.slow
+
 # --- words
 
 
