@@ -400,7 +400,9 @@ class _Reader:
         except ValueError:
             self._note("challenge-not-toml")
         self._is_whole = not self.mistakes
-        languages = [key for key in content if re.fullmatch("[a-z]{2,3}", key)]
+        languages = [
+            key for key in content if re.fullmatch("[a-z]{2,3}", key) and isinstance(content[key], dict)
+        ]
         if ENGLISH not in languages and self._is_whole:
             self._note("challenge-missing", ENGLISH, what=f"{ENGLISH}.title")
         self.texts = {each: self._table(ChallengeText, content.pop(each), each) for each in languages}

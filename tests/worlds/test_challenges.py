@@ -204,6 +204,7 @@ def test_the_list_has_a_heading_for_each_ladder(capsys: pytest.CaptureFixture[st
         ('said = "here"', 'said = ["one", ""]', "challenge-value", 13),
         ('said = "here"', "robots = []", "challenge-value", 13),
         ("format = 1\n", "format = 1\nvariant = []\n", "challenge-value", 2),
+        ("format = 1\n", "format = 1\nfoo = 3\n", "challenge-key", 2),
         ("[en]", "[[goal]]\nfacing = 0\n" * 49 + "[en]", "challenge-value", 4),
         ("[en]", "[limit]\ncommands = -1\n[en]", "challenge-value", 5),
         ("[en]", "[[variant]]\nstart = [0, 1e999, 0]\n[en]", "challenge-value", 5),
