@@ -9,11 +9,11 @@ robot time and by the number of its statements, so a busy machine changes no ver
 
 from __future__ import annotations
 
-import shutil
 import sys
 import tempfile
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from functools import partial
 from itertools import chain, count, groupby, islice
 from pathlib import Path
@@ -443,7 +443,9 @@ def _new_challenge(order: Order, name: str) -> int:
             pattern = Path(challenges.LADDERS, "new", f"challenge{suffix}")
             _write(folder / f"{stem}{suffix}", read_program(pattern), order.words)
     except Unusable:  # a half challenge would keep the name from the next one
-        shutil.rmtree(folder, ignore_errors=True)
+        with suppress(OSError):
+            (folder / f"{stem}{challenges.SUFFIX}").unlink(missing_ok=True)
+            folder.rmdir()
         raise
     order.output.line(order.words("challenge-new", path=str(folder / f"{stem}{challenges.SUFFIX}")))
     return ExitCode.DONE

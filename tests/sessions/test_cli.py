@@ -12,7 +12,9 @@ from pathlib import Path
 import pytest
 
 import worlds.words
+from donnie_tui.cli import programs
 from donnie_tui.cli.main import main
+from donnie_tui.core.program_files import DocumentError
 from donnie_tui.i18n.words import Words
 from tests.conftest import ROOT
 from tests.environment import of_a_process
@@ -60,6 +62,19 @@ def test_a_challenge_that_can_not_be_written_leaves_nothing(tmp_path: Path) -> N
         "I can't write lap/lap.toml: the file would be too large.\n",
     )
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_challenge_that_can_not_be_written_takes_no_other_file_with_it(
+    printed: Printed, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def write_and_fail(path: Path, text: str) -> None:
+        (path.parent / "of another.txt").write_text("kept")
+        raise DocumentError("file-unwritable", str(path), "disk full")
+
+    monkeypatch.setattr(programs, "write_program", write_and_fail)
+
+    assert printed.by("challenge", "new", "lap") == 2
+    assert Path("lap/of another.txt").read_text() == "kept"
 
 
 # --- serve
