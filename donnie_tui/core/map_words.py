@@ -85,7 +85,7 @@ def floor_in_words(
 
 def row_in_words(grid: MapGrid, y: int, wording: Wording) -> tuple[str, ...]:
     """The squares from west to east that are ``y`` steps to the north."""
-    bounds, cell = grid.bounds, _nearest_cell(grid, 0, y)
+    bounds, cell = grid.bounds, grid.cell_at(0, y)
     if not bounds.bottom <= cell.y <= bounds.top:
         low, high = grid.place(Cell(0, bounds.bottom))[1], grid.place(Cell(0, bounds.top))[1]
         return (wording("map-no-row", row=y, first=low, last=high),)
@@ -95,7 +95,7 @@ def row_in_words(grid: MapGrid, y: int, wording: Wording) -> tuple[str, ...]:
 
 def column_in_words(grid: MapGrid, x: int, wording: Wording) -> tuple[str, ...]:
     """The squares from south to north that are ``x`` steps to the east."""
-    bounds, cell = grid.bounds, _nearest_cell(grid, x, 0)
+    bounds, cell = grid.bounds, grid.cell_at(x, 0)
     if not bounds.left <= cell.x <= bounds.right:
         low, high = grid.place(Cell(bounds.left, 0))[0], grid.place(Cell(bounds.right, 0))[0]
         return (wording("map-no-column", column=x, first=low, last=high),)
@@ -105,7 +105,7 @@ def column_in_words(grid: MapGrid, x: int, wording: Wording) -> tuple[str, ...]:
 
 def square_in_words(grid: MapGrid, x: int, y: int, pose: Pose, wording: Wording) -> str:
     """What is at a place, and where that is from the robot."""
-    cell = _nearest_cell(grid, x, y)
+    cell = grid.cell_at(x, y)
     what = _beyond(grid, wording) if _is_beyond(grid, cell) else square_content(grid, cell, wording)
     return wording("map-square", x=x, y=y, what=what, place=place_of(x, y, pose, wording))
 
@@ -268,10 +268,6 @@ def _floor_words(grid: MapGrid, cell: Cell, names: dict[str, str], wording: Word
 
 def _robot_words(grid: MapGrid, wording: Wording) -> str:
     return grid.name or wording("cell-robot")
-
-
-def _nearest_cell(grid: MapGrid, x: int, y: int) -> Cell:
-    return grid.cell_at(float(x), float(y))
 
 
 RANGE = 10
