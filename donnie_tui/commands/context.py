@@ -282,10 +282,15 @@ class Attempt:
             self._answers |= answers
         verdicts, words = self._judge.events(tuple(self._events), self._answers), self._donnie.words
         here, is_solved = verdicts[0], all(each.is_solved for each in verdicts)
-        when, name = datetime.now().astimezone().isoformat(timespec="seconds"), self.challenge.name
-        seconds, shortest = round(here.track.counts["seconds"]), self._shortest if is_solved else 0
-        counts = {"hints": self.hints, "seconds": seconds, "shortest": shortest, **here.counts}
-        self.tried = Attempted(when, name, is_solved, **counts)
+        self.tried = Attempted(
+            datetime.now().astimezone().isoformat(timespec="seconds"),
+            self.challenge.name,
+            is_solved,
+            hints=self.hints,
+            seconds=round(here.track.counts["seconds"]),
+            shortest=self._shortest if is_solved else 0,
+            **here.counts,
+        )
         self.has_questions = self._is_to_be_asked(is_solved=is_solved)
         if not (self.has_questions or self.unsensed):
             self.keep_try()

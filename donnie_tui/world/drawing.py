@@ -218,7 +218,8 @@ class _Drawing:
 
     def _check_robots(self, robots: Sequence[Square]) -> None:
         names, count = {*map(fold_name, self._names)}, len(robots)
-        place = self._places.get(ARROWS) or (*robots, *robots, _NOWHERE, _NOWHERE)[1]
+        second = (_NOWHERE, *robots[:2])[-1]  # or the only one
+        place = self._places.get(ARROWS, second)
         if not (count or self._has_none):
             self._slip("drawing-no-robot")
         elif len(names) != count and (names or count > 1) and "…" not in names:
