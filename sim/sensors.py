@@ -176,7 +176,7 @@ def _head_view(model: Model, front: float) -> View:
 
 
 def fixed_view(model: Model, frame: Placement) -> View:
-    """The view of a camera that is no head: where it is mounted, it looks."""
+    """The view of a camera without a head, which looks where it is mounted."""
     finder, (x, y, yaw) = model.blobfinder, _mounted(model.pose, frame)
     assert finder is not None
     half_angle = finder.fov / 2

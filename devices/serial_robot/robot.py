@@ -272,7 +272,7 @@ class SerialRobot(LinkedRobot[RobotLink]):
         return self._odometry.follow(self._link.telemetry)
 
     def distance(self, bearing: Bearing) -> int:
-        """Steps. ``RobotProblem`` ``no-sensor`` where no sensor looks there, ``link-lost`` without a link."""
+        """In steps. ``RobotProblem`` ``no-sensor`` where no sensor looks, ``link-lost`` without a link."""
         self._require_link()
         epoch = self._link.telemetry.epoch
         sonar = self._sensors.sonar_at(bearing)

@@ -113,7 +113,7 @@ class BoardConnection:
 
     @property
     def longest_stop(self) -> float:
-        """The most seconds to wait for a stop; without a link those of the usual timeouts."""
+        """The most seconds to wait for a stop; without a link those of the default timeouts."""
         return (self._config if self.state is LinkState.STREAMING else LinkConfig()).longest_stop
 
     @property
@@ -229,7 +229,7 @@ class BoardConnection:
         self._end_drive(now)
 
     def rewire(self, wiring: Wiring, now: float) -> None:
-        """Stop the robot, and count its wheels as of that wiring from now on."""
+        """Stop the robot; from now on its commands and counts are those of that wiring."""
         self.stop(now)
         self._outbox.wiring, self._tracker.encoders = wiring, wiring.encoders
         self._tracker.rebase()

@@ -257,6 +257,7 @@ def _missing(goal: Goal, number: int, track: Track, answers: Answers) -> Iterato
 
 
 def _lacking(goal: Goal, track: Track) -> Iterator[Shortfall]:
+    """What a goal lacks, with the robot that it names."""
     for found in getattr(_Lacking(goal, track), goal.kind)(getattr(goal, goal.kind)):
         yield replace(found, robot=goal.robot or found.robot)
 

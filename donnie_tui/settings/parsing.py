@@ -99,7 +99,7 @@ def read_speed(text: str) -> float | None:
     if text.strip().lower() == "max":
         return None
     speed = float(text.strip().replace(",", "."))
-    if not SLOWEST <= speed <= FASTEST:  # nor is it what is no number
+    if not SLOWEST <= speed <= FASTEST:  # false for nan, too
         raise ValueError(text)
     return speed
 
@@ -161,7 +161,7 @@ def read_cues(text: str) -> Mapping[str, int]:
 
 def _clamped(text: str, lowest: int, highest: int) -> int:
     number = float(text.strip().rstrip("%").replace(",", "."))
-    return round(min(max(number, lowest), highest))  # raises for what is no number
+    return round(min(max(number, lowest), highest))  # a ValueError for nan
 
 
 Columns = Mapping[Bearing, tuple[int, ...]]

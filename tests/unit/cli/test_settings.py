@@ -300,9 +300,9 @@ def test_the_folders_of_worlds_default_to_those_of_stage() -> None:
 
     assert of(stage, {}) == ("/opt/stage", str(Path("~/worlds").expanduser()))
     assert of({**stage, "DONNIE_WORLDS": "/mine"}, {}) == ("/mine",)
-    assert of({}, {"worlds": "/a" + os.pathsep + "~nobody-at-all/b"}) == (
+    assert of({}, {"worlds": "/a" + os.pathsep + "~no-such-user/b"}) == (
         "/a",
-        "~nobody-at-all/b",
+        "~no-such-user/b",
     )
     assert of({"DONNIE_WORLDS": os.pathsep}, {}) == ()
 

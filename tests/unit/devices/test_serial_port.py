@@ -212,7 +212,7 @@ def test_the_systems_number_says_what_is_wrong(
 def test_an_error_without_a_number_says_it_in_its_own_words() -> None:
     assert reason_of(serial.SerialException("no number")) == "no number"
     assert reason_of(ValueError("of no port")) == "of no port"
-    assert reason_of(socket.gaierror("an address of nobody")) == "an address of nobody"
+    assert reason_of(socket.gaierror("an unknown address")) == "an unknown address"
 
 
 def test_a_process_names_the_ports_to_which_it_is_limited() -> None:
