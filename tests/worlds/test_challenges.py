@@ -510,33 +510,42 @@ def test_each_pupil_may_have_a_folder(
     assert sorted(each.name for each in Path("answers").iterdir()) == ["ana-first.txt", "joão-first.txt"]
 
 
-@pytest.mark.parametrize(("most", "solved"), [(80, True), (59, False)])
+@pytest.mark.parametrize(("statements", "codes"), [(20_000, []), (20_001, ["goal-endless"])])
+def test_a_program_of_more_statements_than_documented_counts_as_endless(
+    statements: int, codes: list[str]
+) -> None:
+    words = Words("en")
+    judge = bootstrap.Judge(choose_challenge("first_walk", words), words, Settings())
+
+    judged = judge.programs("VAR x = 1\n" + "x = 1\n" * (statements - 2) + "FW 5")[-1]
+    assert [each.code for each in judged.shortfalls[:1]] == codes
+
+
+@pytest.mark.parametrize(("most", "solved"), [(68, True), (67, False)])
 def test_a_program_that_only_senses_ends_after_so_many_readings(
     monkeypatch: pytest.MonkeyPatch, most: int, solved: bool
 ) -> None:
-    """A reading counts as ten statements."""
+    """Six readings count as ten statements each, and there are eight statements."""
     monkeypatch.setattr(bootstrap, "MOST_WORK", most)
     words, settings = Words("en"), Settings()
     judge = bootstrap.Judge(choose_challenge("first_walk", words), words, settings)
 
-    text = "VAR n = 0\nREPEAT 6 TIMES\nn = DISTANCE F\nEND REPEAT\nFW 5"
-    (judged,) = judge.programs(text)
+    (judged,) = judge.programs("VAR n = 0\n" + "n = DISTANCE F\n" * 6 + "FW 5")
     assert judged.is_solved == solved
     assert [each.code for each in judged.shortfalls[:1]] == [*(["goal-endless"] if not solved else [])]
 
 
 @pytest.mark.parametrize("line", ["n = COLOR red", "SCAN"])
-@pytest.mark.parametrize(("most", "solved"), [(320, True), (299, False)])
+@pytest.mark.parametrize(("most", "solved"), [(308, True), (307, False)])
 def test_a_program_that_only_looks_ends_after_fewer_readings(
     monkeypatch: pytest.MonkeyPatch, line: str, most: int, solved: bool
 ) -> None:
-    """A reading of the camera counts as fifty statements."""
+    """Six looks count as fifty statements each, and there are eight statements."""
     monkeypatch.setattr(bootstrap, "MOST_WORK", most)
     words, settings = Words("en"), Settings()
     judge = bootstrap.Judge(choose_challenge("first_walk", words), words, settings)
 
-    text = f"VAR n = 0\nREPEAT 6 TIMES\n{line}\nEND REPEAT\nFW 5"
-    (judged,) = judge.programs(text)
+    (judged,) = judge.programs("VAR n = 0\n" + f"{line}\n" * 6 + "FW 5")
     assert judged.is_solved == solved
     assert [each.code for each in judged.shortfalls[:1]] == [*(["goal-endless"] if not solved else [])]
 
