@@ -298,8 +298,10 @@ def _placed(it: RunPicture) -> tuple[tuple[tuple[float, float, str], ...], dict[
     marks = list[tuple[float, float, str]]()
     for goal in goals_on(it):
         west, east, wide = goal.x - goal.across, goal.x + goal.across, _wide(goal.numbers)
-        above, below = goal.y - goal.down - 4, goal.y + goal.down + 0.8 * LETTER + 4
-        corners = [(x, y) for y in (above, below) for x in (west, east - wide, west - wide - 4, east + 4)]
+        away = _CLEAR + 2
+        above, below = goal.y - goal.down - away - 0.25 * LETTER, goal.y + goal.down + away + 0.8 * LETTER
+        sides = (west, east - wide, west - wide - away, east + away)
+        corners = [(x, y) for y in (above, below) for x in sides]
         marks += space.put(goal.numbers, corners)
     for path in it.paths:
         x, y = it.at(path.poses[0].x, path.poses[0].y)
