@@ -9,11 +9,13 @@ from random import Random
 from xml.etree import ElementTree
 
 import pytest
+from msgspec.structs import replace
 from PIL import Image, ImageFont
 
 import worlds
 from devices.ports.robot import Pose
 from donnie_tui.core.events import (
+    Driven,
     HowStarted,
     Moved,
     PlacedThing,
@@ -21,6 +23,7 @@ from donnie_tui.core.events import (
     RunStarted,
     Stamped,
     ThingsMoved,
+    Turned,
 )
 from donnie_tui.core.reports import Plot, PlotText
 from donnie_tui.core.timeline import DrivenPath
@@ -30,17 +33,19 @@ from donnie_tui.world.run_picture import (
     LETTER,
     MovedThing,
     RunPicture,
+    ShownGoal,
     arrow,
     as_gif,
     as_png,
     as_svg,
     driven_to,
+    goals_on,
     moved_things,
     plot_as_png,
     run_picture,
     texts,
 )
-from sim.picture import drawings
+from sim.picture import Drawing, Thing, drawings
 from sim.worldfile import load_text, load_world
 from worlds.challenges import GoalPlace
 
@@ -405,6 +410,301 @@ def test_a_path_begins_at_a_ring_with_the_name_of_its_robot() -> None:
     assert pixel(0, 0) == pixel(6, 0) == pixel(0, 6) == (255, 255, 255)
     assert [each for each in texts(it) if each[2] == "bob"] == [(x + 8, round(y + LETTER / 3, 1), "bob")]
     assert not [each for each in texts(alone()) if not each[2]]
+
+
+# --- where everything has its place
+
+
+def test_a_picture_has_two_steps_around_its_path_a_margin_and_its_texts_above_and_below() -> None:
+    it = alone()
+    title, *legend = texts(it)
+
+    assert it.top == 48
+    assert it.at(0, 10) == (24 + 48, 48 + 48)
+    assert it.height == 48 + 14 * 24 + 24 + 20 * len(it.legend)
+    assert title == (24, 24, "T")
+    assert legend == [(24, it.height - 20 * (len(it.legend) - at), line) for at, line in enumerate(it.legend)]
+    assert it.legend[0] == "north is at the top"
+
+
+def test_a_title_of_several_lines_moves_the_map_down() -> None:
+    one, two = alone(), run_picture("Long words " * 9, (), (ALONE,), Words())
+    more = len(two.title_lines) - 1
+
+    assert more > 0
+    assert (two.top, two.height) == (one.top + 20 * more, one.height + 20 * more)
+    assert [text[:2] for text in texts(two)][: more + 1] == [(24, 24 + 20 * at) for at in range(more + 1)]
+
+
+@pytest.mark.parametrize(
+    ("goals", "moments", "edges"),
+    [
+        ((), (), (-2, 2)),
+        (((1, -7.0, -5.0, 9.0, 3.0),), (), (-9, 5)),
+        ((), ((0.0, Pose(-7, -5, 0)), (1.0, Pose(9, 3, 0))), (-9, 5)),
+    ],
+)
+def test_a_picture_without_a_path_begins_two_steps_from_its_goals_and_moved_things(
+    goals: Sequence[GoalPlace], moments: tuple[tuple[float, Pose], ...], edges: tuple[float, float]
+) -> None:
+    it = run_picture("T", (), (), Words(), goals, [MovedThing(0, moments)] if moments else ())
+
+    assert (it.west, it.north) == edges
+    assert it.at(*edges) == (24, 48)
+
+
+@pytest.mark.parametrize("far", [Pose(96, 0, 0), Pose(0, 96, 0)])
+def test_a_long_path_is_nine_hundred_pixels_long_or_high(far: Pose) -> None:
+    it = alone(DrivenPath("", (Pose(0, 0, 0), far)))
+
+    assert it.scale == 9
+    assert it.width == (948 if far.x else 368)
+
+
+def box(west: float, south: float, east: float, north: float) -> tuple[tuple[float, float], ...]:
+    return ((west, south), (east, south), (east, north), (west, north))
+
+
+def thing(side: float, colour: str = "red", letter: str = "b", index: int = 0, **more: bool) -> Drawing:
+    half = side / 2
+    shape = (box(-half, -half, half, half),)
+    return Drawing(
+        shape, Thing("", "box", letter, colour, 0, 0, side, side, index=index, outlines=shape, **more), False
+    )
+
+
+def specks(*places: tuple[float, float]) -> Iterator[Drawing]:
+    """Walls of a fifth of a pixel, so many pixels to the right and down from the middle."""
+    for right, down in places:
+        x, y = right / 24, -down / 24
+        yield Drawing((box(x, y, x + 0.2 / 24, y + 0.2 / 24),), None, False)
+
+
+def test_the_letter_of_a_large_thing_is_in_its_middle() -> None:
+    it = run_picture("T", (thing(2),), (), Words())
+    (x, y), wide = it.labels[0], ImageFont.load_default(LETTER).getlength("b")
+
+    assert (it.at(0, 0), it.letters) == (pytest.approx((x + wide / 2, y - 14 / 3), abs=0.11), {0: "b"})
+
+
+AROUND = ("right", "left", "above", "below", "right, above", "right, below", "left, above", "left, below")
+
+
+@pytest.mark.parametrize("taken", range(len(AROUND)))
+def test_the_letter_of_a_small_thing_is_next_to_it_where_room_is(taken: int) -> None:
+    """Of 12 pixels. 4 pixels are between a thing and its letter, which is 0.8 and 0.25 of its height 14."""
+    near = 10.1
+    places = [(near, 0), (-near, 0), (0, -near), (0, near), (near, -near), (near, near), (-near, -near)]
+    it = run_picture("T", (thing(0.5), *specks(*places[:taken])), (), Words())
+    x, y = it.at(0, 0)
+    length = ImageFont.load_default(LETTER).getlength("b")
+    columns = {"right": x + 10, "left": x - 10 - 1.15 * length}
+    lines = {"above": y - 10 - 3.5, "below": y + 10 + 11.2}
+    side, _, line = AROUND[taken].partition(", ")
+    expected = columns.get(side, x - length / 2), lines.get(line or side, y + 14 / 3)
+
+    assert it.labels[0] == pytest.approx(expected, abs=0.11)
+
+
+@pytest.mark.parametrize(("rings", "further"), [((10.1,), 5), ((10.1, 16.1), 11)])
+def test_a_letter_is_further_away_where_the_nearer_places_are_taken(
+    rings: tuple[float, ...], further: float
+) -> None:
+    sides = [(right, down) for right in (-1, 0, 1) for down in (-1, 0, 1) if right or down]
+    ring = [(reach * right, reach * down) for reach in rings for right, down in sides]
+    it = run_picture("T", (thing(0.5), *specks(*ring)), (), Words())
+
+    assert it.labels[0][0] == pytest.approx(it.at(0, 0)[0] + 10 + further, abs=0.11)
+
+
+def test_a_thing_in_a_wall_has_no_letter_and_one_on_a_carpet_has() -> None:
+    on_wall = run_picture("T", (thing(0.5), Drawing((box(-9, -9, 9, 9),), None, False)), (), Words())
+    carpet = thing(6, "blue", "c", 1)
+    on_carpet = run_picture("T", (thing(0.5), carpet), (), Words())
+
+    assert on_wall.labels == {}
+    assert "1 thing without room for a letter." in on_wall.legend
+    assert on_carpet.labels[0][0] > on_carpet.at(0, 0)[0]
+    assert not [line for line in on_carpet.legend if "without" in line]
+
+
+NAMES = ((8, 0), (-8, 0), (8, -14), (-8, -14), (8, 14), (-8, 14), (8, -28), (-8, -28), (0, -28))
+
+
+@pytest.mark.parametrize("taken", range(len(NAMES)))
+def test_the_name_of_a_robot_is_next_to_its_start_where_room_is(taken: int) -> None:
+    """To the right or left of the ring, else a line or two above or below it."""
+    walls = specks(*((right * 3, down) for right, down in NAMES[:taken]))
+    path = DrivenPath("bob", (Pose(0, 0, 180), Pose(0, -20, 180)))
+    it = run_picture("T", tuple(walls), (path,), Words())
+    x, y = it.at(0, 0)
+    length, (right, down) = 1.15 * ImageFont.load_default(LETTER).getlength("bob"), NAMES[taken]
+    left = x - length / 2 if not right else x + right if right > 0 else x + right - length
+
+    assert it.marks == ((pytest.approx(left, abs=0.11), pytest.approx(y + 14 / 3 + down, abs=0.11), "bob"),)
+
+
+CORNERS = ("left, above", "right, above", "before, above", "after, above")
+CORNERS += tuple(each.replace("above", "below") for each in CORNERS)
+
+
+@pytest.mark.parametrize("taken", range(len(CORNERS)))
+def test_the_numbers_of_a_goal_are_at_a_corner_of_its_box_where_room_is(taken: int) -> None:
+    """Above it or below it, as far to the left or right as the box, or beyond its sides."""
+    columns = {"left": -40, "right": 40, "before": -70, "after": 70}
+    walls = specks(
+        *(
+            (columns[x], -65 if y == "above" else 65)
+            for x, y in (each.split(", ") for each in CORNERS[:taken])
+        )
+    )
+    it = run_picture("T", tuple(walls), (), Words(), ((12, -2.0, -2.0, 2.0, 2.0), (13, -2.0, -2.0, 2.0, 2.0)))
+    x, y = it.at(0, 0)
+    length, (across, line) = (
+        1.15 * ImageFont.load_default(LETTER).getlength("12, 13"),
+        CORNERS[taken].split(", "),
+    )
+    left = {"left": x - 48, "right": x + 48 - length, "before": x - 53 - length, "after": x + 53}[across]
+    base = y - 48 - 5 - 3.5 if line == "above" else y + 48 + 5 + 11.2
+
+    assert it.marks == ((pytest.approx(left, abs=0.11), pytest.approx(base, abs=0.11), "12, 13"),)
+
+
+def test_a_small_place_of_a_goal_is_a_box_of_twenty_pixels() -> None:
+    (goal,) = goals_on(run_picture("T", (), (), Words(), ((1, 0.0, 0.0, 0.0, 0.0),)))
+
+    assert goal == ShownGoal("1", 24 + 48, 48 + 48, 10, 10)
+
+
+@pytest.mark.parametrize(
+    ("seconds", "pose"),
+    [
+        (0, Pose(0, 0, 350)),
+        (1, Pose(0, 0, 350)),
+        (2, Pose(1, 2, 360)),
+        (3, Pose(2, 4, 370)),
+        (4, Pose(2, 4, 10)),
+        (5, Pose(4, 4, 95)),
+        (6, Pose(6, 4, 180)),
+        (9, Pose(6, 4, 180)),
+    ],
+)
+def test_a_moved_thing_is_between_its_places_and_turns_the_short_way(seconds: float, pose: Pose) -> None:
+    poses = Pose(0, 0, 350), Pose(0, 0, 350), Pose(2, 4, 10), Pose(2, 4, 10), Pose(6, 4, 180)
+    it = MovedThing(0, tuple(zip((0.0, 1.0, 3.0, 4.0, 6.0), poses, strict=True)))
+    found = it.at(seconds)
+
+    assert (found.x, found.y, found.heading % 360) == (pose.x, pose.y, pose.heading % 360)
+    assert (it.end, it.seconds) == (Pose(6, 4, 180), 6)
+    assert MovedThing(0, it.moments[:1]).seconds == 0.1
+
+
+def test_the_times_of_moved_things_are_those_of_the_robot_that_moved_them() -> None:
+    """Of a walk, of a turn, of one after RESET, and of a robot whose place is not known yet."""
+    scene = load_text("position() " + "model( size [ .1 .1 .1 ] ) " * 3, Path("boxes.world"))
+    start = Pose(0, 0, 90)
+
+    def things(robot: str, *places: tuple[int, float]) -> Stamped:
+        return Stamped(
+            1, 0.0, ThingsMoved(tuple(PlacedThing("", Pose(x, 0, 90), at) for at, x in places)), robot
+        )
+
+    how = HowStarted("", 1, True, False, False, Pose(0, -8, 0))
+    events = (
+        Stamped(1, 0.0, RunStarted("p", "", "", 0, "", how), "ana"),
+        Stamped(1, 0.0, Driven("forward", Pose(0, 12, 0)), "ana"),
+        Stamped(1, 0.0, Driven("forward", Pose(50, 0, 0)), "bob"),
+        things("ana", (1, 5), (9, 5), (-1, 5)),
+        Stamped(1, 0.0, Turned("TR", 90, 90, None, Pose(50, 0, 90), True), "bob"),
+        things("bob", (1, 5), (2, 30)),
+        Stamped(1, 0.0, Moved("FW", 30, 30, None, Pose(80, 0, 90), True), "bob"),
+        things("bob", (1, 5), (2, 40)),
+        Stamped(1, 0.0, RunStarted("p", "", "", 0, "", replace(how, fresh=False)), "ana"),
+        Stamped(1, 0.0, Driven("forward", Pose(0, 17, 0)), "ana"),
+        things("ana", (1, 9), (2, 40)),
+        Stamped(1, 0.0, Reset(Pose(0, 0, 0)), "ana"),
+        Stamped(1, 0.0, Driven("forward", Pose(0, 70, 0)), "ana"),
+        things("ana", (1, 10), (2, 40), (3, 1)),
+    )
+
+    assert [(each.index, each.moments) for each in moved_things(events, scene)] == [
+        # 20 steps driven, pushed in the last 5; then 25 driven, pushed 4; then 70, pushed 1
+        (
+            1,
+            (
+                *((0, start), (1.5, start), (2.0, Pose(5, 0, 90))),
+                *((2.1, Pose(5, 0, 90)), (2.5, Pose(9, 0, 90))),
+                *((6.9, Pose(9, 0, 90)), (7.0, Pose(10, 0, 90))),
+            ),
+        ),
+        # turned on the spot; then pushed 10 of 30 steps
+        (2, ((0, start), (0, start), (0, Pose(30, 0, 90)), (2.0, Pose(30, 0, 90)), (3.0, Pose(40, 0, 90)))),
+        (3, ((0, start), (6.9, start), (7.0, Pose(1, 0, 90)))),
+    ]
+
+
+def test_what_is_put_back_has_not_moved_and_the_rest_has() -> None:
+    scene = load_text("position() " + "model( size [ .1 .1 .1 ] ) " * 2, Path("boxes.world"))
+    both = (PlacedThing("", Pose(5, 0, 90), 1), PlacedThing("", Pose(5, 0, 90), 2))
+
+    moved = moved_things((*leg(Pose(0, 9, 0), *both), *leg(Pose(0, 12, 0), both[1])), scene)
+
+    assert [each.index for each in moved] == [2]
+    assert moved_things(leg(Pose(0, 9, 0), PlacedThing("", Pose(0, 0, 90), 1)), scene) == ()
+
+
+def test_robots_that_drove_and_those_that_stood_are_told_apart_by_their_names() -> None:
+    def shown(*robots: str) -> int:
+        named = [
+            replace(thing(1, index=at, is_robot=True).thing, name=name)
+            for at, name in enumerate(("ana", "bob"))
+        ]
+        drawn = [Drawing(each.outlines, each, False) for each in named]
+        paths = [DrivenPath(robot, (Pose(0, 0, 0), Pose(9, 9, 0))) for robot in robots]
+        return len(run_picture("T", (*drawn, thing(1, index=2)), paths, Words()).drawings)
+
+    assert [shown(), shown("ana"), shown("ana", "bob"), shown("")] == [3, 2, 1, 1]
+
+
+def test_a_thing_has_a_second_letter_only_where_its_own_stands_for_several_colours() -> None:
+    things = (
+        *(thing(1, letter="c"), thing(1, "blue", "c", 1)),
+        *(thing(1, "green", "p", 2), thing(1, "", "c", 3)),
+    )
+    it = run_picture("T", things, (), Words())
+
+    assert it.letters == {0: "cR", 1: "cB", 2: "p", 3: "c"}
+    assert [line for line in it.legend if line[1:2] in (":", "R", "B")] == [
+        *("c: box, unknown", "cB: box, blue", "cR: box, red", "p: box, green"),
+    ]
+
+
+def test_the_svg_has_the_colours_and_lines_of_walls_things_goals_and_paths() -> None:
+    wall = Drawing((box(-3, -3, -2, 2), box(2, -3, 3, 2)), None, True)
+    path = DrivenPath("", (Pose(0, 0, 0), Pose(0, 6, 0)))
+    it = run_picture("<T>", (wall, thing(1), thing(1, "", "n", 1)), (path,), Words(), PLACES[:1])
+    svg = ElementTree.fromstring(as_svg(it))
+    shapes = svg.findall(f"{SVG}path")
+    (x, y), (goal,) = it.at(0, 0), (each for each in svg.iter(f"{SVG}rect") if each.get("class") == "goal")
+    ring, line, point = (svg.find(f"{SVG}{name}") for name in ("circle", "polyline", "polygon"))
+
+    assert svg.attrib["viewBox"] == f"0 0 {it.width:g} {it.height:g}"
+    assert (svg.attrib["width"], svg.attrib["height"]) == (f"{it.width:g}", f"{it.height:g}")
+    assert [each.attrib["fill"] for each in shapes] == ["#444444", "#ff9e94", "#bbbbbb"]
+    assert {(each.attrib["stroke"], each.attrib["stroke-width"]) for each in shapes} == {("#000000", "1")}
+    half = it.scale / 2
+    corners = [(x - half, y + half), (x + half, y + half), (x + half, y - half), (x - half, y - half)]
+    numbers = [float(each) for each in re.findall(r"[\d.]+", shapes[1].attrib["d"])]
+    assert numbers == pytest.approx([side for corner in corners for side in corner], abs=0.11)
+    assert re.sub(r"[\d. ]+", " ", shapes[0].attrib["d"]) == "M L L L Z M L L L Z"
+    assert (goal.attrib["fill"], goal.attrib["stroke"]) == ("none", "#000000")
+    assert "stroke-dasharray" in goal.attrib
+    assert ring is not None and line is not None and point is not None
+    assert (ring.attrib["cx"], ring.attrib["cy"], ring.attrib["r"]) == (f"{x:g}", f"{y:g}", "4")
+    assert ring.attrib["stroke"] == line.attrib["stroke"] == point.attrib["fill"] == "#7b2cbf"
+    assert (ring.attrib["fill"], line.attrib["fill"]) == ("white", "none")
+    assert {each.attrib["fill"] for each in svg.iter(f"{SVG}text")} == {"#000000"}
+    assert svg.find(f"{SVG}text").text == "<T>"  # type: ignore[union-attr]
 
 
 # --- crowds
