@@ -8,7 +8,7 @@ import pytest
 import worlds
 from donnie_tui.cli.main import main
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.world.drawing import world_of
+from donnie_tui.world.drawing import groups_in, world_of
 from donnie_tui.world.loading import choose_world
 from sim.picture import Picture, picture
 
@@ -387,6 +387,209 @@ def test_a_drawing_with_too_many_walls_is_refused() -> None:
     (sentence, _) = mistakes_of("\n".join([*rows, "." * 200, "." * 50 + "^" + "." * 149, "." * 200]))
 
     assert sentence == "Error, map.txt: Too many walls and things: 10000. At most 2000."
+
+
+# --- what is one thing, and what is written
+
+
+NEIGHBOURS = [(down, right) for down in (-1, 0, 1) for right in (-1, 0, 1) if down or right]
+
+
+@pytest.mark.parametrize(("down", "right"), NEIGHBOURS)
+def test_equal_letters_that_touch_also_at_corners_are_one_thing(down: int, right: int) -> None:
+    def groups(distance: int) -> list[tuple[tuple[int, int], ...]]:
+        places = sorted([(2, 2), (2 + distance * down, 2 + distance * right)])
+        rows = ["".join("b" if (row, column) in places else "." for column in range(5)) for row in range(5)]
+        return [each.squares for each in groups_in(rows)]
+
+    near, far = (sorted([(2, 2), (2 + at * down, 2 + at * right)]) for at in (1, 2))
+    assert groups(1) == [tuple(near)]
+    assert groups(2) == [(each,) for each in far]
+
+
+def test_things_come_in_reading_order_and_other_letters_part_them() -> None:
+    rows = ["b.bc#", ".b.cb", "^v<>b"]
+
+    assert [(each.letter, each.squares, each.colour) for each in groups_in(rows)] == [
+        ("b", ((0, 0), (0, 2), (1, 1)), ""),
+        ("c", ((0, 3), (1, 3)), ""),
+        ("b", ((1, 4), (2, 4)), ""),
+    ]
+
+
+def test_the_first_mark_in_a_thing_is_its_colour_and_a_letter_with_a_thing_of_its_own_is_no_mark() -> None:
+    marks = {"f": {"R": "red", "B": "blue", "c": "green"}, "c": {"B": "black"}}
+    rows = ["fBRf.R", "......", "fc..Rf", "......", "c.B.cB"]
+
+    assert [
+        (each.letter, each.squares[0], len(each.squares), each.colour) for each in groups_in(rows, marks)
+    ] == [
+        ("f", (0, 0), 4, "blue"),
+        ("f", (2, 0), 1, ""),
+        ("c", (2, 1), 1, ""),
+        ("f", (2, 4), 2, "red"),
+        ("c", (4, 0), 1, ""),
+        ("c", (4, 4), 2, "black"),
+        ("R", (0, 5), 1, ""),
+        ("B", (4, 2), 1, ""),
+    ]
+
+
+def test_the_world_of_a_drawing_has_its_walls_then_its_things_then_its_robots() -> None:
+    """In metres from the first robot, which looks north; a letter is a step of 5 cm."""
+    rows = "####......\n..........\n#.......bb\n#.........\n..........\n.....^....\n..........\n"
+    rows += "b........f\n..........\n..........\n..........\n.>........\n..........\n"
+    text, counts = world_of(f"{rows}\nb box red AS treasure\nf flower\n^ ana, bob\n", "map.txt", Words("en"))
+
+    assert text.partition("resolution 0.02\n\n")[2] == (
+        "wall( pose [ -0.175 0.25 0 0 ] size [ 0.2 0.05 0.24 ] )\n"
+        "wall( pose [ -0.25 0.125 0 0 ] size [ 0.05 0.1 0.24 ] )\n\n"
+        'box( name "treasure" pose [ 0.175 0.15 0 0 ] size [ 0.1 0.05 0.15 ] color "red" )\n'
+        'box( name "treasure 2" pose [ -0.25 -0.1 0 0 ] color "red" )\n'
+        'flower( name "flower" pose [ 0.2 -0.1 0 0 ] )\n\n'
+        'donnie( name "ana" pose [ 0 0 0 90 ] )\n'
+        'donnie( name "bob" pose [ -0.2 -0.3 0 0 ] )\n'
+    )
+    assert counts == {"width": 10, "depth": 13, "robots": 2, "things": 3}
+
+
+SCALE, ESCALA = "Each letter is 2 by 2 steps.", "Cada letra vale 2 por 2 pasos."
+
+
+@pytest.mark.parametrize(
+    ("rows", "legend", "line"),
+    [
+        # a table is 10 by 5 steps: drawn so, or a step larger, it is as large as it is, also turned
+        (["t" * 10] * 5, "t table", 'table( name "table" pose [ -0.275 0.4 0 0 ] )'),
+        (["t" * 11] * 6, "t table", 'table( name "table" pose [ -0.25 0.375 0 0 ] )'),
+        (["t" * 5] * 10, "t table", 'table( name "table" pose [ -0.4 0.275 0 90 ] )'),
+        (["t" * 10] * 4, "t table", 'table( name "table" pose [ -0.275 0.425 0 0 ] size [ 0.5 0.2 0.15 ] )'),
+        (["t" * 12] * 5, "t table", 'table( name "table" pose [ -0.225 0.4 0 0 ] size [ 0.6 0.25 0.15 ] )'),
+        (["t" * 9] * 5, "t table", 'table( name "table" pose [ -0.3 0.4 0 0 ] size [ 0.45 0.25 0.15 ] )'),
+        (["t" * 5] * 3, "t table", 'table( name "table" pose [ -0.4 0.45 0 0 ] size [ 0.25 0.15 0.15 ] )'),
+        (["t" * 10] * 7, "t table", 'table( name "table" pose [ -0.275 0.35 0 0 ] size [ 0.5 0.35 0.15 ] )'),
+        (["c" * 4] * 3, "c chair", 'chair( name "chair" pose [ -0.425 0.45 0 0 ] )'),
+        (["c"], "c chair blue AS it", 'chair( name "it" pose [ -0.5 0.5 0 0 ] color "blue" )'),
+        (["t" * 5] * 3, f"{SCALE}\nt table", 'table( name "table" pose [ -0.8 0.9 0 0 ] )'),
+        (["t" * 5] * 3, f"{ESCALA}\nt table", 'table( name "table" pose [ -0.8 0.9 0 0 ] )'),
+    ],
+)  # fmt: skip
+def test_a_thing_of_several_letters_is_as_large_as_these_unless_that_is_its_usual_size(
+    rows: list[str], legend: str, line: str
+) -> None:
+    """Without a robot the middle of the floor is 0 0: the first letter is 10 to the left and 10 above."""
+    drawn = [f"{'.' * 10}{each}".ljust(40, ".") for each in ["." * 30] * 10 + rows]
+    drawn += ["." * 40] * (40 - len(drawn))
+    text, counts = world_of("\n".join([*drawn, "", "There is no robot.", legend]), "map.txt", Words("en"))
+
+    side = 80 if "2 por 2" in legend or SCALE in legend else 40
+    assert text.endswith(f"\n\n{line}\n")
+    assert counts == {"width": side, "depth": side, "robots": 0, "things": 1}
+
+
+FREE = "." * 13 + "\n"
+
+
+def test_a_line_about_walls_or_free_floor_has_no_effect() -> None:
+    assert built(f"{ROOM}# is wall.\n. is free floor.\n") == built(ROOM)
+
+
+ALONE = ".....\n.....\n..{}..\n.....\n.....\n"
+
+
+@pytest.mark.parametrize(
+    ("drawing", "names"),
+    [
+        ("^ ana", ["ana"]),
+        ("^ ana, …", ["ana"]),
+        ("", ["donnie"]),
+        ("^ …", ["donnie"]),
+    ],
+)
+def test_a_robot_alone_has_the_name_under_the_drawing(drawing: str, names: list[str]) -> None:
+    text = built(f"{ALONE.format('^')}\n{drawing}\n")
+
+    assert re.findall(r'donnie\( name "(.*)" pose', text) == names
+
+
+def test_robots_beyond_the_names_of_a_long_list_are_numbered() -> None:
+    row = ".....\n..^..\n.....\n"
+    text = built(f"{row * 4}\n^ ana, ana3, …\n")
+
+    assert re.findall(r'donnie\( name "(.*)" pose', text) == ["ana", "ana3", "ana2", "ana4"]
+
+
+def test_a_robot_with_letters_around_it_comes_after_the_one_without() -> None:
+    """A map shows the bodies of the other robots."""
+    rows = ".......\n.rrr...\n.r>r...\n.rrr...\n.......\n.......\n....^..\n.......\n"
+
+    assert built(f"{rows}\n^ ana, bob\nr is bob.\n").endswith(
+        'donnie( name "ana" pose [ 0 0 0 90 ] )\ndonnie( name "bob" pose [ -0.1 0.2 0 0 ] )\n'
+    )
+
+
+@pytest.mark.parametrize(
+    ("drawing", "sentences"),
+    [
+        (f"{ALONE.format('^')}\n^ ana, bob\n",
+         ["Error, map.txt, line 7, column 1: 1 robot, 2 names. Write under the drawing: ^ alice, bob."]),
+        (ALONE.format("7"), ["Error, map.txt: There is no robot. Put ^, >, v or < where it is.",
+                             "Error, map.txt, line 3, column 3: Nothing says what 7 is. "
+                             "Write under the drawing: 7 chair green."]),
+        (f"b.....\n......\n......\n{ALONE.format('.^').replace('.....', '......')}\nb box red, blue\n",
+         ["Error, map.txt, line 10, column 3: 1 thing, but 2 colors. Give one color, or one for each."]),
+        ("b...b...b...b\n" + FREE * 3 + FREE.replace(".", "^", 1) + FREE * 2 + "\nb box red, blue\n",
+         ["Error, map.txt, line 9, column 3: 4 things, but 2 colors. Give one color, or one for each."]),
+    ],
+)  # fmt: skip
+def test_names_and_colours_that_are_too_many_or_too_few_are_mistakes(
+    drawing: str, sentences: list[str]
+) -> None:
+    assert mistakes_of(drawing)[:-1] == sentences
+
+
+def test_one_colour_is_for_all_things_and_several_are_used_in_turn() -> None:
+    rows = "b....b\n......\n......\nb....b\n......\n......\n......\n......\n..^...\n......\n"
+
+    def found(legend: str) -> list[str]:
+        return re.findall(r'box.*color "(.*)"', built(f"{rows}\n{legend}\n"))
+
+    assert found("b box red") == ["red"] * 4
+    assert found("b box red, blue, red, green") == ["red", "blue", "red", "green"]
+
+
+def test_a_thing_of_one_letter_may_touch_another_and_not_overlap_it() -> None:
+    floor = (
+        ["." * 30] * 6
+        + ["..b{}..........................."]
+        + ["." * 30] * 6
+        + [f"{'.' * 20}^{'.' * 9}"]
+        + ["." * 30] * 3
+    )
+
+    def drawing(between: int) -> str:
+        rows = [each.format(f"{'.' * between}b")[:30].ljust(30, ".") for each in floor]
+        return "\n".join([*rows, "", "b box"])
+
+    assert len(re.findall("^box", built(drawing(2)), re.MULTILINE)) == 2
+    assert mistakes_of(drawing(1))[0] == (
+        "Error, map.txt, line 7, column 3: Too little room: box, 3 by 3 steps, is over box."
+    )
+
+
+def test_a_drawing_may_have_four_hundred_lines_of_four_hundred_letters() -> None:
+    for rows in (["." * 400] * 2 + ["^" + "." * 399] + ["." * 400], ["."] * 399 + ["^"]):
+        text, counts = world_of("\n".join(rows), "map.txt", Words("en"))
+        assert (counts["width"], counts["depth"]) == (len(rows[0]), len(rows))
+        assert text.endswith('donnie( name "donnie" pose [ 0 0 0 90 ] )\n')
+
+
+def test_a_drawing_may_not_have_one_piece_more_than_two_thousand() -> None:
+    rows = ["#." * 200, "." * 400] * 10
+    rows += ["#" + "." * 399, "." * 400, "." * 400, "^" + "." * 399, "." * 400]
+
+    (sentence, _) = mistakes_of("\n".join(rows))
+    assert sentence == "Error, map.txt: Too many walls and things: 2001. At most 2000."
 
 
 # --- the command
