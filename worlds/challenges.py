@@ -430,13 +430,11 @@ class _Reader:
             line = line_of(self.lines, table, key, text)
             self.mistakes.append(ChallengeMistake(code, line, **details))
 
-    def _table(self, kind: type[_Table], content: Any, name: str) -> _Table:
+    def _table(self, kind: type[_Table], content: Mapping[str, Any], name: str) -> _Table:
         """A table without what is wrong in it, with something in place of what it lacks."""
         known = {each.encode_name: each for each in fields(kind)}
-        given, is_table = dict[str, Any](), isinstance(content, dict)
-        if not is_table:
-            self._note("challenge-value", name, what=name)
-        for key, value in content.items() if is_table else ():
+        given = dict[str, Any]()
+        for key, value in content.items():
             if key not in known:
                 self._note("challenge-key", name, key, what=key, known=tuple(known))
                 continue
@@ -448,7 +446,7 @@ class _Reader:
                 code, what = ("challenge-choice", word[1]) if word else ("challenge-value", key)
                 choices = _CHOICES.get(key, tuple(COMPASS)) if word else ()
                 self._note(code, name, key, what=what, known=choices)
-        is_sure = self._is_whole and is_table and known.keys() >= content.keys()
+        is_sure = self._is_whole and known.keys() >= content.keys()
         for key, each in known.items():
             if each.required and each.name not in given:
                 if is_sure and key not in content:  # else an unknown key may be meant as it
