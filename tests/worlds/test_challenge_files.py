@@ -9,6 +9,7 @@ from worlds.challenges import (
     Avoided,
     BadChallenge,
     Challenge,
+    ChallengeHint,
     ChallengeQuestion,
     ChallengeText,
     Goal,
@@ -307,6 +308,7 @@ def test_a_file_that_is_no_text_or_not_there_is_one_mistake(tmp_path: Path) -> N
         (HEAD.replace('title = "T"\n', "") + GOAL, [("challenge-missing", 3, "en.title")]),
         (HEAD.replace("format = 1\n", "") + GOAL, [("challenge-missing", 0, "format")]),
         (HEAD.replace('world = "first_room"\n', "") + GOAL, [("challenge-missing", 0, "world")]),
+        (HEAD.replace("format = 1", "format = 2") + GOAL, [("challenge-value", 1, "format")]),
         (HEAD.replace("world", "wrld") + GOAL, [("challenge-key", 2, "wrld")]),
         (HEAD.replace("first_room", "x.world") + GOAL, [("challenge-world", 2, "x.world")]),
         (HEAD.replace("first_room", "sub/x.world") + GOAL, [("challenge-outside", 2, "sub/x.world")]),
@@ -342,12 +344,14 @@ def test_each_mistake_has_its_line_and_what_is_wrong(
     ("text", "lines"),
     [
         # a table's head takes the table with it, a value only itself
+        (HEAD + "[[goal]]\nat = = 3\n", [7]),
         (HEAD + "[[goal\nat = 'ball'\nwithin = = 2\n" + GOAL, [6]),
         (HEAD + "[[goal]]\nat = = 3\nsaid = 'x'\n" + GOAL + "within = = 2\n", [7, 11]),
         # a bracket that stays open is reported where it opens
         (HEAD + "[[goal]]\nat = [0,\n5\nwithin = 1\n" + GOAL, [7]),
         (HEAD + "[[goal]]\nat = [0,\n5\n[limit]\nsteps = 1\n", [7]),
         (HEAD + "[[goal]]\nat = [0, 5\n\n\n" + GOAL, [7]),
+        (HEAD + "[[goal]]\nat = [\n0,\n5 6 ]\nwithin = 1\n", [9]),
         ("format = [1\n" + HEAD[11:] + GOAL, [1]),
         ('"""\n', [1]),
     ],
@@ -357,7 +361,55 @@ def test_what_can_not_be_read_is_left_out_and_the_rest_is_read(
 ) -> None:
     found = mistakes(tmp_path, text)
 
-    assert [line for code, line, _ in found if code == "challenge-not-toml"] == lines
+    assert [(code, line) for code, line, _ in found] == [("challenge-not-toml", each) for each in lines]
+
+
+@pytest.mark.parametrize(
+    ("text", "known"),
+    [
+        ("difficulty = 'esay'\n" + HEAD + GOAL, ("easy", "medium", "hard")),
+        (HEAD + GOAL + "[[question]]\nask = 'x'\nof = 'a'\n",
+         ("direction", "distance", "count", "colour", "order")),
+        (HEAD + "[[goal]]\nfacing = 'x'\n", ("north", "east", "south", "west")),
+        (HEAD + GOAL + "[limit]\nstep = 1\n", ("commands", "seconds", "steps", "turns")),
+        (HEAD + GOAL + "[limit]\nsteps = 'x'\n", ()),
+        (HEAD + GOAL + "[[question]]\nask = 'count'\nof = 'a'\norigin = 'b'\n",
+         ("ask", "of", "from", "tolerance")),
+    ],
+)  # fmt: skip
+def test_a_wrong_word_comes_with_those_that_may_be_meant(
+    text: str, known: tuple[str, ...], tmp_path: Path
+) -> None:
+    with pytest.raises(BadChallenge) as bad:
+        read(tmp_path, text)
+
+    assert [each.known for each in bad.value.mistakes] == [known]
+
+
+def test_what_is_wrong_in_a_file_is_empty_in_what_was_read_of_it(tmp_path: Path) -> None:
+    question = "[[question]]\nask = 'x'\nof = 3\n"
+    with pytest.raises(BadChallenge) as bad:
+        read(tmp_path, f"format = 1\nworld = 3\n[en]\ntitle = 3\n[[en.hint]]\n{GOAL}{question}")
+
+    found = bad.value.found
+    assert found is not None
+    assert found.rules == Rules(1, "", (Goal("ball"),), question=(ChallengeQuestion("count", ()),))
+    assert found.texts == {"en": ChallengeText("", "", (ChallengeHint(""),))}
+
+
+def test_a_challenge_may_have_a_configuration_as_its_world_and_its_solution_as_its_goal(
+    tmp_path: Path,
+) -> None:
+    (tmp_path / "my.cfg").write_text("")
+    (tmp_path / "it.solution.gd").write_text("FW 5")
+
+    assert read(tmp_path, HEAD.replace("first_room", "my.cfg")).rules.goal == ()
+
+
+def test_a_file_that_is_nested_too_deep_is_one_mistake(tmp_path: Path) -> None:
+    found = mistakes(tmp_path, "a = " + "[" * 20_000 + "\n" + HEAD)
+
+    assert found == [("challenge-not-toml", 0, "")]
 
 
 def test_twenty_mistakes_are_listed(tmp_path: Path) -> None:
@@ -381,6 +433,7 @@ LINES = [
     "[[en.hint]]",
     "'text' = 1",
     "[[en.hint]]",
+    'text = ""',
 ]
 
 
@@ -402,7 +455,7 @@ LINES = [
         ),
         *(("goal[1]", "", "", 10), ("goal[2]", "at", "", 0), ("en.hint[0]", "text", "", 13)),
         *(
-            ("en.hint[1]", "text", "", 14),
+            ("en.hint[1]", "text", "", 15),
             ("", "goal", "", 5),
             ("", "nothing", "", 0),
             ("pt", "title", "", 0),

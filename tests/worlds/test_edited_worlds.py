@@ -1,13 +1,15 @@
 """Models of a world are put elsewhere or taken out in its text; all else stays as it was written."""
 
-from math import pi
+import re
+from itertools import combinations
+from math import hypot, pi
 from pathlib import Path
 
 import pytest
 
 from sim.geometry import Placement
 from sim.worldfile import load_text, put_elsewhere, taken_out, written_models
-from sim.worldfile.edit import in_units, units_of
+from sim.worldfile.edit import in_units, scattered, units_of
 
 PATH = Path("it.world")
 TEXT = """\
@@ -138,3 +140,103 @@ def test_a_model_of_an_included_file_is_not_written_here(tmp_path: Path) -> None
     assert there is None
     assert here is not None
     assert text[here.begin : here.end] == 'model( name "here" )'
+
+
+# --- things that a seed scatters
+
+ROOM = """define bob position ( size [ 0.2 0.1 0.1 ] ranger ( sensor ( ) ) )
+bob ( name "bob" )
+define wall model ( )
+"""
+BOX = 'model ( name "{}" size [ {} {} 0.1 ] pose [ {} {} 0.3 30 ] )\n'
+
+
+def scattered_roots(things: str, seed: int, area: str = "-1 -1 1 1") -> dict[str, Placement]:
+    text = f"scatter [ {area} ]\n{ROOM}{things}"
+    return roots(scattered(text, load_text(text, PATH), PATH, (), seed))
+
+
+@pytest.mark.parametrize(
+    ("thing", "moves"),
+    [
+        (BOX.format("it", 0.1, 0.1, 0.97, 0.97), True),
+        (BOX.format("it", 0.1, 0.1, 1, -1), True),
+        (BOX.format("it", 0.1, 0.1, -1, 1), True),
+        (BOX.format("it", 0.1, 0.1, 1.01, 0), False),
+        (BOX.format("it", 0.1, 0.1, -1.01, 0), False),
+        (BOX.format("it", 0.1, 0.1, 0, 1.01), False),
+        (BOX.format("it", 0.1, 0.1, 0, -1.01), False),
+        (BOX.format("it", 0.1, 0.1, 0.97, 0.97).replace("model", "wall"), False),
+        (BOX.format("it", 1.9, 1.9, 0.97, 0.97), False),  # it has no place there
+    ],
+)
+@pytest.mark.parametrize("area", ["-1 -1 1 1", "1 1 -1 -1"])
+def test_the_things_in_the_rectangle_are_scattered_and_nothing_else(
+    thing: str, moves: bool, area: str
+) -> None:
+    (text,) = (re.findall(r"pose \[ (\S+) (\S+)", thing),)
+    here = tuple(map(float, text[0]))
+    places = [scattered_roots(thing, seed, area) for seed in (1, 2, 3)]
+
+    assert [(each["it"].x, each["it"].y) != here for each in places] == [moves] * 3
+    assert {(each["it"].z, each["it"].yaw) for each in places} == {(0.3, 30)}
+    assert {(each["bob"].x, each["bob"].y) for each in places} == {(0, 0)}
+
+
+def test_the_same_seed_puts_things_to_the_same_places_and_another_elsewhere() -> None:
+    one, again, other = (scattered_roots(BOX.format("it", 0.1, 0.1, 0.9, 0.9), seed) for seed in (1, 1, 2))
+
+    assert one == again != other
+
+
+def test_a_part_of_a_thing_stays_with_it_and_an_included_thing_where_it_is(tmp_path: Path) -> None:
+    (tmp_path / "more.inc").write_text(BOX.format("theirs", 0.1, 0.1, 0.5, 0.5), encoding="utf-8")
+    part = BOX.format("it", 0.1, 0.1, 0.9, 0.9)[:-2] + 'model ( name "lid" pose [ 0 0 0 0 ] ) )\n'
+    text = f'scatter [ -1 -1 1 1 ]\n{ROOM}include "more.inc"\n{part}'
+    path = tmp_path / "it.world"
+    there = load_text(scattered(text, load_text(text, path), path, (), 1), path)
+    found = {each.name: (each.pose.x, each.pose.y) for each in there.models}
+
+    assert found["theirs"] == (0.5, 0.5)
+    assert found["it"] == found["lid"] != (0.9, 0.9)
+
+
+@pytest.mark.parametrize("seed", range(1, 13))
+def test_scattered_things_leave_room_for_the_robot_and_a_straight_way_to_each(seed: int) -> None:
+    """15 cm between things, and 30 more around the robot, whose half is 10 cm and which is in a corner."""
+    halves = {"a": 0.05, "b": 0.05, "c": 0.1, "d": 0.15}
+    boxes = "".join(BOX.format(name, 2 * half, half, 0.5, 0.5) for name, half in halves.items())
+    found = scattered_roots(boxes, seed, "-0.3 -0.3 1.6 1.6")
+    places = {name: (found[name].x, found[name].y) for name in halves}
+
+    for name, (x, y) in places.items():
+        half = halves[name]
+        assert -0.3 + half - 0.026 <= min(x, y) <= max(x, y) <= 1.6 - half + 0.026
+        assert (x / 0.05, y / 0.05) == pytest.approx((round(x / 0.05), round(y / 0.05)), abs=1e-3)
+        assert hypot(x, y) >= 0.1 + half + 0.3 + 0.15 - 1e-6
+    for one, other in combinations(places, 2):
+        (near, (ax, ay)), (_, (bx, by)) = sorted(
+            ((name, places[name]) for name in (one, other)), key=lambda each: hypot(*each[1])
+        )
+        away = hypot(bx, by)
+        assert hypot(ax - bx, ay - by) >= halves[one] + halves[other] + 0.15 - 1e-6
+        ahead, aside = (ax * bx + ay * by) / away, abs(ax * by - ay * bx) / away
+        assert ahead <= 0 or aside >= halves[near] + 0.1 + 0.15 - 1e-6
+
+
+def test_in_a_line_of_floor_only_one_thing_has_a_straight_way() -> None:
+    """The others would be in its way, or it in theirs, and stay where they are."""
+    boxes = "".join(BOX.format(name, 0.1, 0.1, 2, 0) for name in "ab")
+    found = scattered_roots(boxes, 1, "0 -0.1 3 0.1")
+    behind = scattered_roots(boxes, 1, "-3 -0.1 3 0.1")
+
+    assert [found[name].x == 2 for name in "ab"] == [False, True]
+    assert sorted(behind[name].x > 0 for name in "ab") == [False, True]  # one on each side of the robot
+
+
+def test_without_a_robot_things_need_only_be_apart() -> None:
+    text = "scatter [ 0 -0.1 3 0.1 ]\n" + "".join(BOX.format(name, 0.1, 0.1, 2, 0) for name in "ab")
+    found = roots(scattered(text, load_text(text, PATH), PATH, (), 1))
+
+    assert 2 not in (found["a"].x, found["b"].x)
+    assert abs(found["a"].x - found["b"].x) >= 0.25 - 1e-6

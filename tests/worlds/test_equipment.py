@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 from msgspec.structs import replace
+from PIL import Image
 
 from sim.geometry import Placement
 from sim.scene import (
@@ -289,3 +290,161 @@ def test_a_blinkenlight_is_as_small_as_in_stage() -> None:
     light = model("blinkenlight ( )")
 
     assert (light.size, light.colour.family) == ((0.02, 0.02, 0.02), "green")
+
+
+def test_what_things_are_to_sensors_and_grippers_is_read_one_by_one() -> None:
+    usual = {"obstacle": 1, "ranger": 1, "blob": 1, "fiducial": 0, "gripper": 0}
+    for each in usual:
+        it = model(f"model ( {each}_return 5 )")
+        assert {name: getattr(it, f"{name}_return") for name in usual} == {**usual, each: 5}
+    assert (model("model ( )").fiducial_key, model("model ( fiducial_key 2.9 )").fiducial_key) == (0, 2)
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        ("model ( )", 1),
+        ("ranger ( )", 0),
+        ("gripper ( )", 3),
+        ("model ( boundary 1 )", 4),
+        (f"model ( block ( points 3 {TRIANGLE} ) block ( points 3 {TRIANGLE} ) )", 2),
+        (f"model ( boundary 1 block ( points 3 {TRIANGLE} ) )", 1),
+        ('model ( bitmap "u.png" )', 1),
+        ('model ( bitmap "u.png" boundary 1 )', 5),
+        (f'model ( bitmap "u.png" block ( points 3 {TRIANGLE} ) )', 2),
+        (f'model ( bitmap "u.png" boundary 1 block ( points 3 {TRIANGLE} ) )', 2),
+    ],
+)
+def test_stage_makes_one_block_of_an_outline_and_has_walls_where_a_model_has_no_block(
+    text: str, count: int, tmp_path: Path
+) -> None:
+    """The picture is a U, which is three rectangles and one outline."""
+    picture = Image.new("L", (3, 2), 0)
+    picture.putpixel((1, 0), 255)
+    picture.save(tmp_path / "u.png")
+    (it,) = load_text(text, tmp_path / "t.world").models
+
+    assert it.stage_blocks == count
+    assert it.bitmap == ("u.png" if "u.png" in text else "")
+
+
+@pytest.mark.parametrize(
+    ("text", "names"),
+    [
+        ("model ( ) model ( ) position ( )", ["model:1", "model:2", "position:0"]),
+        ('model ( name "a" ranger ( ) model ( ) ranger ( ) )',
+         ["a", "a.ranger:0", "a.model:0", "a.ranger:1"]),
+        ('model ( name "a" model ( ) ) window ( model ( ) ) model ( )',
+         ["a", "a.model:0", "model:2", "model:3"]),
+        ("define box model ( ) box ( )", ["model:1"]),
+    ],
+)  # fmt: skip
+def test_what_has_no_name_is_called_and_numbered_as_in_stage(text: str, names: list[str]) -> None:
+    """Stage's floor is model 0."""
+    assert [each.name for each in load_text(text, PATH).models] == names
+
+
+@pytest.mark.parametrize(
+    ("text", "notes"),
+    [
+        ("camera ( )", [("not-simulated", "ignored", 1, "camera", "camera:0")]),
+        ('actuator ( name "a" )', [("not-simulated", "ignored", 1, "actuator", "a")]),
+        ('lightindicator ( name "a" )', [("not-simulated", "ignored", 1, "lightindicator", "a")]),
+        ("blinkenlight ( )", [("not-simulated", "ignored", 1, "blinkenlight", "blinkenlight:0")]),
+        ('position ( name "p" ranger ( sensor ( ) ) )', []),
+        ('position ( name "p" sensor ( ) )', [("lone-sensor", "repaired", 21, "p")]),
+        ("model ( window ( ) )", [("lone-window", "warning", 9)]),
+        ("model ( window ( x 1 ) )",
+         [("unknown-property", "ignored", 18, "x", ""), ("lone-window", "warning", 9)]),
+        ("model ( window ( friction 1 ) )", [("lone-window", "warning", 9)]),
+        (f"model ( block ( points 4 {TRIANGLE} ) )", [("missing-point", "warning", 9, "point[3]")]),
+        (f"model ( block ( x 1 points 3 {TRIANGLE} ) )", [("unknown-property", "ignored", 17, "x", "")]),
+        (f"model ( block ( points 2 {TRIANGLE} ) )", [("line-block", "warning", 9)]),
+        ("ranger ( sensor ( samples 0 ) )", [("no-samples", "warning", 10)]),
+        ("ranger ( sensor ( x 1 ) )", [("unknown-property", "ignored", 19, "x", "")]),
+        ("window ( friction 1 )", []),
+        ("model ( friction 1 )", [("unused-property", "ignored", 9, "friction")]),
+        ("model ( gui_nose 1 )", []),
+    ],
+)  # fmt: skip
+def test_each_remark_has_its_kind_its_place_and_what_it_is_about(
+    text: str, notes: list[tuple[str | int, ...]]
+) -> None:
+    found = load_text(text, PATH).report.notes
+
+    said = [(each.code, each.kind.value, each.column, *each.details.values()) for each in found]
+    assert [each for each in said if each[0] != "no-robot"] == notes
+
+
+@pytest.mark.parametrize(
+    "kind", ["blobfinder", "fiducial", "bumper", "gripper", "camera", "position", "ranger"]
+)
+def test_a_model_has_the_equipment_of_its_kind_only(kind: str) -> None:
+    it = model(f"{kind} ( bcount 1 sensor ( ) )")
+    given = {
+        "blobfinder": it.blobfinder,
+        "fiducial": it.fiducial_finder,
+        "bumper": it.bumpers,
+        "gripper": it.gripper,
+        "camera": it.camera,
+        "position": it.wheels,
+        "ranger": it.sensors,
+    }
+
+    assert [each for each, equipment in given.items() if equipment] == [kind]
+
+
+@pytest.mark.parametrize(
+    ("text", "code", "column", "details"),
+    [
+        ("sensor ( )", "misplaced", 1, {"found": "sensor"}),
+        ("block ( )", "misplaced", 1, {"found": "block"}),
+        ("model ( block ( ) )", "too-few-points", 9, {"given": 0, "limit": 2000}),
+        ("model ( block ( points 2001 ) )", "too-few-points", 9, {"given": 2001, "limit": 2000}),
+        ("bumper ( bcount 1001 )", "out-of-range", 17, {"name": "bcount", "limit": 1000}),
+    ],
+)
+def test_a_mistake_in_a_shape_says_what_there_is_and_what_may_be(
+    text: str, code: str, column: int, details: dict[str, object]
+) -> None:
+    with pytest.raises(WorldError) as error:
+        load_text(text, PATH)
+
+    assert (error.value.code.value, error.value.column, error.value.details) == (code, column, details)
+
+
+def test_the_paddles_of_a_gripper_close_to_the_middle_and_rise_with_the_lift() -> None:
+    """Of a gripper of 1 by 1 by 1 m: paddles of 0.6 by 0.1, and 0.4 high."""
+    text = 'gripper ( size [ 1 1 1 ] paddle_size [ 0.6 0.1 0.4 ] paddle_state [ "{}" "{}" ] )'
+
+    def shapes(*state: str) -> list[tuple[float, ...]]:
+        found = []
+        for each in model(text.format(*state)).polygons:
+            xs, ys = zip(*each.points, strict=True)
+            found.append(
+                tuple(round(at, 6) for at in (min(xs), max(xs), min(ys), max(ys), each.bottom, each.top))
+            )
+        return found
+
+    base = (-0.5, -0.1, -0.5, 0.5, 0, 1)
+    assert shapes("open", "down") == [base, (-0.1, 0.5, -0.5, -0.4, 0, 0.4), (-0.1, 0.5, 0.4, 0.5, 0, 0.4)]
+    assert shapes("closed", "up") == [base, (-0.1, 0.5, -0.1, 0, 0.6, 1), (-0.1, 0.5, 0, 0.1, 0.6, 1)]
+
+
+@pytest.mark.parametrize(
+    ("size", "origin", "walls"),
+    [
+        ("4 2 1", "0 0 0", [(-2, 2, -1, -0.99), (-2, 2, 0.99, 1), (-2, -1.99, -1, 1), (1.99, 2, -1, 1)]),
+        ("4 2 1", "1 0 0", [(-1, 3, -1, -0.99), (-1, 3, 0.99, 1), (-1, -0.99, -1, 1), (2.99, 3, -1, 1)]),
+        ("4 2 1", "0 0 0 90", [(0.99, 1, -2, 2), (-1, -0.99, -2, 2), (-1, 1, -2, -1.99), (-1, 1, 1.99, 2)]),
+    ],
+)  # fmt: skip
+def test_the_walls_of_a_boundary_lie_within_its_box_around_its_origin(
+    size: str, origin: str, walls: list[tuple[float, ...]]
+) -> None:
+    found = []
+    for each in model(f"model ( size [ {size} ] origin [ {origin} ] boundary 1 )").walls:
+        xs, ys = zip(*each.points, strict=True)
+        found.append(tuple(round(at, 6) for at in (min(xs), max(xs), min(ys), max(ys))))
+
+    assert sorted(found) == sorted(walls)
