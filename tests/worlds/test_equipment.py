@@ -448,3 +448,12 @@ def test_the_walls_of_a_boundary_lie_within_its_box_around_its_origin(
         found.append(tuple(round(at, 6) for at in (min(xs), max(xs), min(ys), max(ys))))
 
     assert sorted(found) == sorted(walls)
+
+
+def test_a_block_that_says_no_height_is_one_high_among_those_that_do() -> None:
+    tall = f"block ( points 3 {TRIANGLE} z [ 2 4 ] )"
+    usual, high = model(f"model ( size [ 1 1 2 ] block ( points 3 {TRIANGLE} ) {tall} )").polygons
+
+    assert (usual.bottom, usual.top, high.bottom, high.top) == (0, 0.5, 1, 2)
+    (whole,) = model("model ( size [ 1 1 2 ] )").polygons
+    assert (whole.bottom, whole.top) == (0, 2)
