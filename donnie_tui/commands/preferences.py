@@ -117,7 +117,8 @@ class Preferences:
 
     def value(self, key: str) -> str:
         """The value as the settings file writes it."""
-        return as_text(getattr(self.settings, BY_KEY[key].name))
+        value = getattr(self.settings, BY_KEY[key].name)
+        return "max" if key == "speed" and value is None else as_text(value)
 
     def choose(self, key: str, text: str) -> None:
         """Set the value from a text as in the settings file. Raises ``ValueError`` for an invalid one."""
@@ -135,7 +136,7 @@ class Preferences:
         from donnie_tui.settings.parsing import remember
 
         value = getattr(self.settings, BY_KEY[key].name)
-        written = value if isinstance(value, bool | int | float) else as_text(value)
+        written = value if isinstance(value, bool | int | float) else self.value(key)
         remember(key, written, self._environment)
 
     # --- in words

@@ -87,3 +87,84 @@ def test_all_settings_are_listed_with_their_values(open_script: OpenScript) -> N
         *("Set speech: off.", "Set speak: here.", "Set rate: 180.", "Set pitch: 50.", "Set volume: 100."),
         *("Set punctuation: some.", "Set echo: none.", "Set wait: off."),
     ]
+
+
+@pytest.mark.parametrize(
+    ("typed", "options", "current"),
+    [
+        ("LANGUAGE", ("en", "pt", "es"), "en"),
+        ("DETAIL", ("brief", "normal", "full"), "normal"),
+        ("SET clock", ("on", "off"), "off"),
+        ("SET enter", ("waits", "runs"), "waits"),
+        ("SET cue bump", ("100", "75", "50", "25", "0"), "100"),
+    ],
+)
+def test_the_present_value_is_marked_in_the_list(
+    open_script: OpenScript, typed: str, options: tuple[str, ...], current: str
+) -> None:
+    script = open_script()
+    script.type(typed)
+
+    offered = script.interaction.offered
+    assert tuple(each.value for each in offered) == options
+    assert [each.value for each in offered if each.is_current] == [current]
+
+
+LONG_NAME = 50 * "z"
+
+
+@pytest.mark.parametrize(
+    ("typed", "answers"),
+    [
+        ("SET cue zzz", ["No sound zzz. CUES lists all."]),
+        (f"SET cue {LONG_NAME}", [f"No sound {40 * 'z'}. CUES lists all."]),
+        (f"CUES {LONG_NAME}", [f"No sound {40 * 'z'}. CUES lists all."]),
+        (f"SET {LONG_NAME}", [f"No setting is called {40 * 'z'}. SET lists them."]),
+        ("SET cue bump loud", ["Set cue bump: 100.", "Choose a number, 0 to 100."]),
+        ("SET cue bump 101", ["Set cue bump: 100."]),
+        ("SET cue bump on", ["Set cue bump: 100."]),
+        ("SET cue bump off", ["Set cue bump: off."]),
+        ("SET cue bump 60", ["Set cue bump: 60."]),
+        ("SET speed max", ["Speed: max."]),
+        ("SET speed", ["Speed: max."]),
+        ("SET speed 0.01", ["Speed: max.", "A number from 0.1 to 1000, or max:"]),
+        ("SET free x", ["Free squares, free: x."]),
+        ("SET free", ["Free squares, free: dot.", "Choose: dot, f."]),
+        ("SET prompt word", ["Start of the line, prompt: word."]),
+        ("SET hold on", ["Wait at each line, hold: on."]),
+        ("SET progress 0", ["Progress reports, progress: never."]),
+        ("SET progress 30", ["Progress reports, progress: 30 seconds."]),
+        ("SET plain on", ["Only in the full screen: type VISUAL."]),
+        ("SET sound off", ["Sound: off."]),
+        ("SET speech off", ["Set speech: off."]),
+        ("SET speak robot", ["Set speak: robot."]),
+        ("SET lang pt", ["Idioma: português."]),
+    ],
+)
+def test_each_setting_has_its_answer(open_script: OpenScript, typed: str, answers: list[str]) -> None:
+    assert open_script().answers_to(typed) == answers
+
+
+@pytest.mark.parametrize("is_attended", [True, False])
+def test_a_change_by_a_learner_is_kept_and_one_by_a_file_is_not(
+    open_script: OpenScript, tmp_path: Path, is_attended: bool
+) -> None:
+    script = open_script(speed=2.0)
+    script.interaction.is_attended = is_attended
+    for typed in ("SET volume 30", "SET speed max", "SET clock on", "SET cue bump 60", "LANGUAGE pt"):
+        script.type(typed)
+
+    kept = tmp_path / "donnie" / "settings.toml"
+    written = ["volume = 30", 'speed = "max"', 'clock = "on"', 'cues = "bump 60"', 'lang = "pt"']
+    assert (kept.read_text().splitlines() if kept.exists() else []) == (written if is_attended else [])
+    assert (script.donnie.session.speed, script.ctx.words.language) == (None, "pt")
+    assert script.interaction.changed == ["volume", "speed", "clock", "cues", "lang"]
+    assert script.donnie.outlets.audible.settings.volume == 30
+
+
+def test_directions_are_those_of_a_clock_only_where_no_side_is_named(open_script: OpenScript) -> None:
+    script = open_script()
+    hours = [f"{hour} o'clock: free, 10 steps." for hour in (12, 3, 6, 9)]
+
+    assert script.answers_to("SET clock on", "AROUND")[1:] == ["There is nothing within 10 steps.", *hours]
+    assert not {*script.answers_to("AROUND north")} & {*hours}
