@@ -83,8 +83,11 @@ async def _read(ctx: Context, name: str | Path, *, may_begin: bool = False) -> t
 
 async def _open_text(ctx: Context, path: Path, text: str) -> None:
     """Replace the current program by the text of a file."""
+    was_saved = ctx.program.is_saved
     if not await may_lose_text(ctx):
         return
+    if ctx.program.is_saved and not was_saved:  # perhaps into this very file
+        path, text = await _read(ctx, path)
     ctx.workspace.open(path, text)
     program = ctx.program
     ctx.answer("answer-opened", name=path.name, lines=len(program.lines))

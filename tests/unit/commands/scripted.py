@@ -43,6 +43,10 @@ class ScriptedInteraction:
         self.answers = list(answers)
         self.asked: list[str] = []
         """Every question, with the texts of its options."""
+        self.offered: Sequence[Option] = ()
+        """The options of the last list."""
+        self.tasks: list[tuple[str, bool, bool]] = []
+        """Every task in the background: its report if it is slow, whether it may be left, whether it is slow."""
         self.waited: list[float] = []
         self.changed: list[str] = []
         """The settings that changed."""
@@ -81,6 +85,7 @@ class ScriptedInteraction:
         self, question: str, options: Sequence[Option], printed: Sequence[str] = ()
     ) -> str | None:
         self.asked += [question, *(each.text for each in options)]
+        self.offered = options
         self.say(*printed)
         return self._answer()
 
@@ -101,7 +106,7 @@ class ScriptedInteraction:
     async def background(
         self, task: Callable[[], T], slow: str, *, may_be_left: bool = False, is_slow: bool = False
     ) -> T:
-        del slow, may_be_left, is_slow
+        self.tasks.append((slow, may_be_left, is_slow))
         return task()
 
     async def follow(self, runs: Sequence[tuple[str | None, Run]]) -> bool:

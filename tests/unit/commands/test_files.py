@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import os
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -13,7 +14,7 @@ from PIL import Image
 
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.files import compare_with_file
-from donnie_tui.commands.interaction import drive
+from donnie_tui.commands.interaction import EnterWorld, drive
 from donnie_tui.commands.lookup import words_of
 from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.line_history import LineHistory
@@ -434,3 +435,101 @@ def test_each_example_runs_in_the_first_room_without_a_mistake(
 
     assert script.ctx.program.lines
     assert script.ctx.errors.all == ()
+
+
+def test_the_examples_are_listed_by_number_and_shown_in_the_learners_words(open_script: OpenScript) -> None:
+    script = open_script(language="pt")
+    said = script.answers_to("EXEMPLOS")
+
+    offered = script.interaction.offered
+    assert said == [f"{each.number}: {each.text}" for each in offered]
+    assert [each.number for each in offered] == [*range(1, len(EXAMPLES) + 1)]
+    assert offered[0].detail is not None
+    assert offered[0].detail(40, 10) == ("REPITA 4 VEZES", "  PF 3", "  GD 90", "FIM REPITA", "")
+    assert script.ctx.program.lines == ()
+
+
+@pytest.mark.parametrize(("number", "title"), [(1, "A square"), (len(EXAMPLES), "Blue things")])
+def test_the_first_and_the_last_example_have_a_number(
+    open_script: OpenScript, number: int, title: str
+) -> None:
+    (said,) = open_script().answers_to(f"EXAMPLES {number}")
+    assert said.startswith(f"Opened {title}, ")
+
+
+# --- what is in use, in the background, or where no learner answers
+
+
+def test_a_file_with_breakpoints_says_them_when_it_is_opened_again(
+    open_script: OpenScript, walk: Path
+) -> None:
+    assert open_script().answers_to("OPEN walk", "BREAK 2", "BREAK 1", "NEW", "OPEN walk")[3:] == [
+        *("This is a new program.", "Opened walk.gd, 2 lines.", "Breakpoints: 1, 2."),
+    ]
+
+
+def test_a_program_that_is_saved_into_the_file_to_be_opened_stays(
+    open_script: OpenScript, walk: Path
+) -> None:
+    script = open_script(answers=["yes"])
+    script.answers_to("OPEN walk", *["INSERT 1 FW 7"] * 4)
+
+    assert script.answers_to("OPEN walk") == ["Saved walk.gd, 6 lines.", "Opened walk.gd, 6 lines."]
+    assert script.ctx.program.text == walk.read_text() == "FW 7\nFW 7\nFW 7\nFW 7\nFW 1\nTR 90\n"
+
+
+@pytest.mark.parametrize("typed", ["SAVE a.rec", "SAVE AS e.jsonl", "REPORT list a.rec", "SAVE LOG e.jsonl"])
+def test_a_file_that_is_written_here_is_not_replaced(open_script: OpenScript, typed: str) -> None:
+    script = open_script("FW 1", record="a.rec", events="e.jsonl")
+    script.ctx.answers.add_line("Done.")
+
+    assert script.answers_to(typed) == [f"{typed.split()[-1]} is in use here. Give another name."]
+
+
+@pytest.mark.parametrize(
+    ("typed", "tasks"),
+    [
+        ("OPEN walk.gd", [("Opening walk.gd, it takes a while.", True, False)]),
+        ("SAVE new.gd", [("Saving new.gd, it takes a while.", False, False)] * 2),
+        ("REPORT list a.csv", [("Writing a.csv, it takes a while.", False, False)]),
+        ("SAVE LOG a.txt", [("Writing a.txt, it takes a while.", False, False)]),
+        ("WORLD maze", [("Loading the world maze, it takes a while.", False, False)]),
+        ("FORMAT", [("Tidying the program, it takes a while.", True, False)]),
+        ("CONNECT x", [("I am still looking for the robot. Ctrl+C gives up.", False, True)]),
+    ],
+)
+def test_what_may_take_long_says_so(
+    open_script: OpenScript, walk: Path, typed: str, tasks: list[tuple[str, bool, bool]]
+) -> None:
+    script = open_script("FW 1")
+    script.ctx.answers.add_line("Done.")
+    with suppress(EnterWorld):
+        script.type(typed)
+
+    assert script.interaction.tasks == tasks
+
+
+@pytest.mark.parametrize(
+    ("typed", "answer"),
+    [
+        ("OPEN", "I did not understand. Type OPEN file."),
+        ("OPEN wal", "There is no file wal."),
+        ("SAVE", "I did not understand. Type SAVE file."),
+        ("SAVE walk", "walk.gd exists already. Give another name."),
+        ("SAVE LOG", "I did not understand. Type SAVE LOG log.txt."),
+        ("SAVE LOG walk.gd", "walk.gd exists already. Give another name."),
+        ("REPORT list walk.csv", "walk.csv exists already. Give another name."),
+        ("SAVE WORLD", "I did not understand. Type SAVE WORLD room."),
+        ("NEW", "This is a new program."),
+    ],
+)
+def test_a_line_of_a_file_is_not_asked_about(
+    open_script: OpenScript, walk: Path, typed: str, answer: str
+) -> None:
+    walk.with_suffix(".csv").write_text("1,2\n")
+    script = open_script(*WORTH_SAVING)
+    script.interaction.is_attended = False
+    script.ctx.answers.add_line("Done.")
+
+    assert script.answers_to(typed) == [answer]
+    assert script.interaction.asked == []
