@@ -46,7 +46,7 @@ async def list_lines(ctx: Context, argument: str) -> None:
     if 1 <= end < begin <= len(lines):
         raise NotUnderstood
     if not 1 <= begin <= end:
-        ctx.answer_no_line(begin)
+        ctx.answer_no_line(begin if end else end)
         return
     rows = [
         ctx.words("numbered-line", line=number, text=lines[number - 1].strip())
@@ -206,15 +206,15 @@ async def move(ctx: Context, argument: str) -> None:
         return
     given, document = read_numbers(argument, least=2, most=3), ctx.program
     first, last, to = given[0], given[-2], given[-1]
+    if not _has_lines(ctx, first, last):
+        return
+    if not 1 <= to <= len(document.lines) + 1:
+        ctx.answer_no_line(to)
+        return
+    if first <= to <= last + 1:
+        raise GivenUp
     with _changing(ctx):
-        try:
-            at = document.move(first, last, to)
-        except IndexError:
-            wrong = next((each for each in (first, last, to) if not 1 <= each <= len(document.lines)), None)
-            if wrong is None:
-                raise GivenUp from None
-            ctx.answer_no_line(wrong)
-            return
+        at = document.move(first, last, to)
         document.place = end = at + last - first
         ctx.say(*(_numbered(ctx, number) for number in range(at, end + 1)))
 
@@ -486,7 +486,8 @@ async def _lay_out(ctx: Context, language: str | None) -> None:
     else:
         line = document.place
         with _changing(ctx):
-            document.rewrite(result.text)
+            if result.text != text:  # else UNDO would undo nothing
+                document.rewrite(result.text)
             ctx.answer("screen-formatted")
         document.place = min(line, len(document.lines))
 

@@ -385,3 +385,204 @@ def test_a_change_that_makes_the_program_too_long_is_refused(
     for typed in ("CHANGE 1 FW 1000", "INSERT 1 TR 90"):
         assert script.answers_to(typed) == ["The program would be too long. Nothing was changed."]
     assert script.ctx.program.lines == ("FW 1", "FW 2")
+
+
+# --- the whole of a change: what is said, which lines there are, and where reading continues
+
+LONG = tuple(f"FW {number}" for number in range(1, 22))
+LINES: dict[str, tuple[tuple[str, ...], tuple[tuple[str, list[str], tuple[str, ...], int], ...]]] = {
+    "an empty line": (
+        ("FW 1", "", "FW 3"),
+        (
+            ("COMMENT 2", ["Nothing was changed."], ("FW 1", "", "FW 3"), 0),
+            (
+                *("COMMENT 1 3", ["Line 1: -- FW 1", "Line 2: empty.", "Line 3: -- FW 3"]),
+                *(("-- FW 1", "", "-- FW 3"), 3),
+            ),
+            ("COMMENT 1 3", ["Line 1: FW 1", "Line 2: empty.", "Line 3: FW 3"], ("FW 1", "", "FW 3"), 3),
+            ("COMMENT 2 3", ["Line 2: empty.", "Line 3: -- FW 3"], ("FW 1", "", "-- FW 3"), 3),
+            ("DELETE 1", ["Line 1 is deleted.", "Line 1: empty."], ("", "-- FW 3"), 1),
+        ),
+    ),
+    "the place": (
+        ("FW 1", "FW 2", "--FW 3"),
+        (
+            ("COMMENT", ["Line 1: -- FW 1"], ("-- FW 1", "FW 2", "--FW 3"), 1),
+            ("COMMENT 3", ["Line 3: FW 3"], ("-- FW 1", "FW 2", "FW 3"), 3),
+            ("COMMENT", ["Line 3: -- FW 3"], ("-- FW 1", "FW 2", "-- FW 3"), 3),
+            ("COMMENT 1 2", ["Line 1: -- -- FW 1", "Line 2: -- FW 2"], ("-- -- FW 1", "-- FW 2", "-- FW 3"), 2),
+            ("COPY", ["Line 3: -- FW 2"], ("-- -- FW 1", "-- FW 2", "-- FW 2", "-- FW 3"), 3),
+            ("DELETE 2 4", ["Lines 2 to 4 are deleted."], ("-- -- FW 1",), 3),
+            ("CHANGE 1 FW 1", ["Line 1: FW 1"], ("FW 1",), 1),
+            ("CHANGE 1 FW 1", ["Nothing was changed."], ("FW 1",), 1),
+            ("INSERT 2 FW 2", ["Line 2: FW 2"], ("FW 1", "FW 2"), 2),
+            ("DELETE", ["Lines 1 to 2 are deleted."], (), 2),
+        ),
+    ),
+    "copies": (
+        ("FW 1", "FW 2", "FW 3"),
+        (
+            ("COPY", ["Line 2: FW 1"], ("FW 1", "FW 1", "FW 2", "FW 3"), 2),
+            ("COPY 1 5", ["Line 5: FW 1"], ("FW 1", "FW 1", "FW 2", "FW 3", "FW 1"), 5),
+            ("COPY 1 0", ["There is no line 0. The last is 5."], ("FW 1", "FW 1", "FW 2", "FW 3", "FW 1"), 5),
+            ("COPY 0 1", ["There is no line 0. The last is 5."], ("FW 1", "FW 1", "FW 2", "FW 3", "FW 1"), 5),
+            (
+                *("COPY 3 3 1", ["Line 1: FW 2"]),
+                *(("FW 2", "FW 1", "FW 1", "FW 2", "FW 3", "FW 1"), 1),
+            ),
+            (
+                *("COPY 4 5 1", ["Line 1: FW 2", "Line 2: FW 3"]),
+                *(("FW 2", "FW 3", "FW 2", "FW 1", "FW 1", "FW 2", "FW 3", "FW 1"), 2),
+            ),
+        ),
+    ),
+    "moves": (
+        ("FW 1", "FW 2", "FW 3"),
+        (
+            *((f"MOVE {each}", ["Nothing was changed."], ("FW 1", "FW 2", "FW 3"), 0) for each in (
+                "1 1", "1 2", "1 2 1", "1 2 2", "1 2 3", "3 4", "2 3 4"
+            )),
+            *((f"MOVE {each}", [f"There is no line {number}. The last is 3."], ("FW 1", "FW 2", "FW 3"), 0)
+              for each, number in (("0 1", 0), ("4 1", 4), ("1 4 1", 4), ("1 0", 0), ("1 5", 5), ("1 2 5", 5))),
+            ("MOVE 3 2 1", ["I did not understand. Type MOVE 5 2."], ("FW 1", "FW 2", "FW 3"), 0),
+            ("MOVE 3 1", ["Line 1: FW 3"], ("FW 3", "FW 1", "FW 2"), 1),
+            ("MOVE 1 4", ["Line 3: FW 3"], ("FW 1", "FW 2", "FW 3"), 3),
+            ("MOVE 2 3 1", ["Line 1: FW 2", "Line 2: FW 3"], ("FW 2", "FW 3", "FW 1"), 2),
+            ("MOVE 1 3", ["Line 2: FW 2"], ("FW 3", "FW 2", "FW 1"), 2),
+        ),
+    ),
+    "lists": (
+        ("FW 1", "FW 2"),
+        (
+            ("LIST 2 1", ["I did not understand. Type LIST 2 5."], ("FW 1", "FW 2"), 0),
+            ("LIST 2 0", ["There is no line 0. The last is 2."], ("FW 1", "FW 2"), 0),
+            ("LIST 3 1", ["There is no line 3. The last is 2."], ("FW 1", "FW 2"), 0),
+            ("LIST 2 2", ["2: FW 2"], ("FW 1", "FW 2"), 0),
+        ),
+    ),
+    "a long list": (LONG, (("LIST", ["21 lines.", *(f"{at}: FW {at}" for at in range(1, 22))], LONG, 0),)),
+    "formatting": (
+        ("FW 1", "REPEAT 2 TIMES FW 1 END REPEAT", "TR 90", "TL 90"),
+        (
+            ("READ 4", ["Line 4: TL 90"], ("FW 1", "REPEAT 2 TIMES FW 1 END REPEAT", "TR 90", "TL 90"), 4),
+            *(
+                (each, ["The program is tidy now."], (
+                    "FW 1", "REPEAT 2 TIMES", "  FW 1", "END REPEAT", "TR 90", "TL 90"
+                ), 4)
+                for each in ("FORMAT", "FORMAT")
+            ),
+            ("UNDO", ["Line 2: REPEAT 2 TIMES FW 1 END REPEAT"], (
+                "FW 1", "REPEAT 2 TIMES FW 1 END REPEAT", "TR 90", "TL 90"
+            ), 2),
+        ),
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("subject", LINES)
+def test_after_each_change_the_lines_and_the_place_are_known(open_script: OpenScript, subject: str) -> None:
+    lines, conversation = LINES[subject]
+    script = open_script(*lines)
+    for typed, answers, after, place in conversation:
+        answered = script.answers_to(typed)
+        assert (typed, answered, script.ctx.program.lines, script.ctx.program.place) == (
+            *(typed, answers, after, place),
+        )
+
+
+@pytest.mark.parametrize(
+    ("typed", "said"),
+    [
+        ("CHANGE 1 FW 7", ["Line 1: FW 7", "RUN runs all 2 lines again."]),
+        ("INSERT 2 FW 5", ["Line 2: FW 5", "RUN runs all 3 lines again."]),
+        ("INSERT 3 FW 5", ["Line 3: FW 5"]),
+        ("MOVE 1 3", ["Line 2: FW 1", "RUN runs all 2 lines again."]),
+        ("COPY 2", ["Line 3: FW 2"]),
+        ("COMMENT 1", ["Line 1: -- FW 1", "RUN runs all 2 lines again."]),
+        ("DELETE 1", ["Line 1 is deleted.", "Line 1: FW 2"]),
+        ("DELETE", ["There is nothing to delete."]),
+    ],
+)
+def test_of_two_lines_that_have_run_it_is_said_if_both_wait_again(
+    open_script: OpenScript, typed: str, said: list[str]
+) -> None:
+    script = open_script("FW 1", "FW 2")
+    script.ctx.program.batch_ran()
+
+    assert script.answers_to(typed) == said
+
+
+@pytest.mark.parametrize(
+    ("added", "said"),
+    [(("FW 2",), "Line 2 is deleted."), (("FW 2", "FW 3"), "Lines 2 to 3 are deleted.")],
+)
+def test_without_a_number_the_lines_that_have_not_run_are_deleted(
+    open_script: OpenScript, added: tuple[str, ...], said: str
+) -> None:
+    script = open_script("FW 1")
+    script.ctx.program.batch_ran()
+    for line in added:
+        script.ctx.program.add(line)
+
+    assert script.answers_to("DELETE") == [said]
+    assert script.ctx.program.lines == ("FW 1",)
+
+
+@pytest.mark.parametrize(
+    ("lines", "place", "fixed"),
+    [
+        (("FWD 1", "FWD 2", "FWD 3"), 0, ["Line 1: FW 1", "Line 2: FW 2", "Line 3: FW 3"]),
+        (("FWD 1", "FWD 2", "FWD 3"), 2, ["Line 2: FW 2", "Line 3: FW 3", "Line 1: FW 1"]),
+        (("FWD 1", "FWD 2", "FWD 3"), 3, ["Line 3: FW 3", "Line 1: FW 1", "Line 2: FW 2"]),
+        (("FWD 1", "FW 1", "FWD 3"), 2, ["Line 3: FW 3", "Line 1: FW 1", "No mistakes were found."]),
+    ],
+)
+def test_the_mistake_at_the_place_is_fixed_first_then_the_next_below(
+    open_script: OpenScript, lines: tuple[str, ...], place: int, fixed: list[str]
+) -> None:
+    script = open_script(*lines)
+    script.ctx.program.place = place
+
+    assert script.answers_to("FIX", "FIX", "FIX") == fixed
+
+
+def test_the_mistake_that_error_said_is_fixed_before_those_below_the_place(open_script: OpenScript) -> None:
+    script = open_script("FW 1", "FWD 2", "TR 90", "FWD 4", "FWD 5")
+    script.answers_to("AGAIN", "ERROR NEXT", "READ 3")
+
+    assert script.answers_to("FIX", "FIX") == ["Line 4: FW 4", "Line 5: FW 5"]
+    script = open_script("FW 1", "FWD 2", "TR 90", "FWD 4", "FWD 5")
+    script.answers_to("AGAIN", "ERROR NEXT", "ERROR NEXT", "READ 3")
+    assert script.answers_to("FIX", "FIX") == ["Line 5: FW 5", "Line 2: FW 2"]
+
+
+def test_the_word_that_was_searched_is_offered_again_and_an_empty_one_searches_nothing(
+    open_script: OpenScript,
+) -> None:
+    script = open_script("FW 1", "REPEAT 2 TIMES", "FW 2", "END REPEAT", answers=["FW", "", '""', None])
+
+    check_conversation(
+        script,
+        ("SEARCH", ["Line 1: FW 1"]),
+        ("SEARCH AGAIN", ["Line 3, level 1: FW 2"]),
+        ("SEARCH", ["Nothing was changed."]),
+        ("REPLACE 1", ["Replaced 1 time."]),
+        ("REPLACE FW", ["Nothing was changed."]),
+        ("REPLACE fw", ["Line 1 has FW. REPLACE takes a word as it is written there."]),
+    )
+    assert script.interaction.asked[:2] == ["Search for:", "Search for: FW"]
+    assert script.ctx.program.lines[0] == "FW "
+
+
+def test_a_text_that_changed_while_it_was_formatted_stays(
+    open_script: OpenScript, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    script = open_script("REPEAT 2 TIMES FW 1 END REPEAT")
+
+    async def meanwhile(task: Callable[[], object], slow: str, **_: bool) -> object:
+        script.ctx.program.add("FW 9")
+        return task()
+
+    monkeypatch.setattr(script.interaction, "background", meanwhile)
+    assert script.answers_to("FORMAT") == ["The program was changed meanwhile, so I left it as it is."]
+    assert script.ctx.program.lines == ("REPEAT 2 TIMES FW 1 END REPEAT", "FW 9")
