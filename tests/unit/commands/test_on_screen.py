@@ -497,3 +497,57 @@ def test_what_is_not_possible_now_says_so(open_script: OpenScript, name: str) ->
     assert script.interaction.asked == []
     script.type("STOP")
     script.rest()
+
+
+def test_the_settings_are_listed_with_name_value_and_purpose_and_the_last_one_is_marked(
+    open_script: OpenScript,
+) -> None:
+    script = open_script(answers=["theme", "light", None])
+    on_screen(script)
+    script.type("SET")
+
+    rows = {each.value: each for each in script.interaction.offered}
+    assert rows["theme"].columns[:2] == ("Look", "light")
+    assert rows["speed"].columns[:2] == ("Speed", "max")
+    assert [each.value for each in rows.values() if each.is_current] == ["theme"]
+    assert all(len(each.columns) == 3 and each.columns[2] for each in rows.values())
+    assert not {"prompt", "page"} & {*rows}, "of the linear mode"
+
+
+@pytest.mark.parametrize(
+    ("typed", "asked"),
+    [
+        ("SET speed", "A number from 0.1 to 1000, or max: max"),
+        ("SET keys", "Actions and keys, such as run f9, step f10:"),
+        ("SET rate", "A number from 80 to 450: 180"),
+    ],
+)
+def test_a_value_without_a_list_is_asked_for_with_the_present_one(
+    open_script: OpenScript, typed: str, asked: str
+) -> None:
+    script = open_script()
+    on_screen(script)
+
+    assert (script.answers_to(typed), script.interaction.asked) == ([], [asked])
+
+
+def test_a_free_name_is_proposed_for_a_new_program_and_its_own_for_another(open_script: OpenScript) -> None:
+    script = open_script("FW 1", answers=[None, None, None, "mine", None])
+    screen, asked = on_screen(script), script.interaction.asked
+
+    script.answers_to("SAVE")
+    Path("program1.gd").write_text("FW 1\n")
+    script.answers_to("SAVE AS")
+    screen.is_plain = True
+    script.answers_to("SAVE")
+    screen.is_plain = False
+    assert script.answers_to("SAVE") == ["Saved mine.gd, 1 line."]
+    assert script.answers_to("SAVE AS") == ["Nothing was changed."]
+    assert asked == [
+        *("Which file name? program1.gd", "Which file name? program2.gd"),
+        *("Which file name? Enter means none.", "Which file name? program2.gd", "Which file name? mine.gd"),
+    ]
+    script.answers_to("PROGRAMS")
+    assert [(each.value, each.is_current) for each in script.interaction.offered] == [
+        *(("0", True), ("new", False)),
+    ]

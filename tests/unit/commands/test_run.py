@@ -258,3 +258,203 @@ def test_a_speed_may_be_from_a_tenth_to_a_thousand(open_script: OpenScript, type
     for wrong in ("0.09", "1000.1", "0", "-1"):
         assert script.answers_to(f"SPEED {wrong}") == ["A speed is a number from 0.1 to 1000, or max."]
     assert script.donnie.session.speed == speed
+
+
+# --- what waits after a mistake, and what runs while nothing can
+
+REFUSED = ["Error, line 2, column 1: I do not know FWD.", "Line 2: FWD 1", "Did you mean FW?"]
+STILL_WRONG = "Line 2 is still wrong. 2 lines wait. ERROR says why."
+DROPS = "DELETE without a number forgets the 2 lines that did not run."
+OPEN_BLOCK = ["REPEAT has no END REPEAT.", "Line 2: REPEAT 2 TIMES", "Write END REPEAT where it ends."]
+BATCHES: dict[str, tuple[tuple[str, ...], tuple[tuple[str, list[str]], ...], tuple[str, ...], int]] = {
+    "several lines wait until they are deleted": (
+        ("FWD 1", "FW 2"),
+        (
+            ("RUN", [*REFUSED, "Nothing ran, 2 lines wait. FIX corrects line 2."]),
+            ("RUN", [STILL_WRONG, DROPS]),
+            ("RUN", [STILL_WRONG]),
+            ("RUN", [STILL_WRONG]),
+            ("DELETE", ["Lines 2 to 3 are deleted."]),
+            ("RUN", ["There is nothing to run."]),
+        ),
+        *(("FW 1",), 1),
+    ),
+    "a single line is dropped": (
+        ("FWD 1",),
+        (("RUN", [*REFUSED, "Nothing ran, line 2 was dropped."]), ("RUN", ["There is nothing to run."])),
+        *(("FW 1",), 1),
+    ),
+    "an open block waits for its end": (
+        ("REPEAT 2 TIMES", "FW 1"),
+        (
+            ("RUN", [f"Error, line 2, column 1: {OPEN_BLOCK[0]}", *OPEN_BLOCK[1:], "Nothing ran, 2 lines wait."]),
+            ("RUN", [STILL_WRONG, DROPS]),
+        ),
+        *(("FW 1", "REPEAT 2 TIMES", "FW 1"), 1),
+    ),
+    "only new mistakes are said": (
+        ("zzzz qqqq", "FW 1", "FWD 3"),
+        (
+            (
+                "RUN",
+                [
+                    *("Error, line 2, column 1: I do not know zzzz.", "Line 2: zzzz qqqq"),
+                    *("Error, line 4, column 1: I do not know FWD.", "Line 4: FWD 3", "Did you mean FW?"),
+                    "Nothing ran, 3 lines wait. Type line 2 again, or DELETE 2.",
+                ],
+            ),
+            ("CHANGE 4 FWD 4", ["Line 4: FWD 4"]),
+            (
+                "RUN",
+                [
+                    *("Error, line 2, column 1: I do not know zzzz.", "Line 2: zzzz qqqq"),
+                    *("Error, line 4, column 1: I do not know FWD.", "Line 4: FWD 4", "Did you mean FW?"),
+                    "Nothing ran, 3 lines wait. FIX corrects line 4.",
+                ],
+            ),
+        ),
+        *(("FW 1", "zzzz qqqq", "FW 1", "FWD 4"), 1),
+    ),
+    "a failure ends a batch": (
+        ("FW 2", "SPEAK 1 / 0", "FW 2"),
+        (
+            (
+                "RUN",
+                [
+                    *("I walked 2 steps forward.", "Error, line 3, column 7: I can't divide by zero."),
+                    *("Line 3: SPEAK 1 / 0", "1 line ran, line 3 failed, 1 line did not run."),
+                ],
+            ),
+            ("RUN", ["There is nothing to run."]),
+        ),
+        *(("FW 1", "FW 2", "SPEAK 1 / 0", "FW 2"), 4),
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("subject", BATCHES)
+def test_of_waiting_lines_it_is_said_what_ran_and_what_waits(open_script: OpenScript, subject: str) -> None:
+    added, conversation, lines, ran = BATCHES[subject]
+    script = open_script("FW 1")
+    script.interaction.until_over = script.rest
+    assert script.answers_to("RUN") == ["I walked 1 step forward."]
+    for line in added:
+        script.ctx.program.add(line)
+
+    for typed, answers in conversation:
+        assert (typed, script.answers_to(typed)) == (typed, answers)
+    assert (script.ctx.program.lines, script.ctx.program.ran) == (lines, ran)
+
+
+def test_while_a_program_runs_only_what_needs_no_other_is_possible(open_script: OpenScript) -> None:
+    script = open_script(*WAITING, speed=1.0)
+    script.type("AGAIN")
+    begun = len(script.printed)
+    busy = ("STEP", "OVER", "STEP BACK", "UNTIL 1", "RUN", "START", "TOGETHER")
+    for typed in (*busy, "SPEED 2", "FASTER", "STOP"):
+        script.type(typed)
+    script.rest()
+
+    assert [each for each in script.printed[begun:] if not each.startswith("Waiting")] == [
+        *["A program is running. STOP stops it."] * len(busy),
+        *("Speed 2.", "Speed 5.", "Stopped at line 2."),
+    ]
+
+
+def test_a_program_is_run_to_the_next_line_with_a_command(open_script: OpenScript) -> None:
+    script = open_script("FW 1", "", "FW 2", "REPEAT 2 TIMES", "FW 1", "END REPEAT")
+    nowhere = "No command begins on line {}, so I can't stop there."
+
+    assert script.answers_to("UNTIL 1") == ["Line 1: FW 1"]
+    assert script.answers_to("UNTIL 2") == [
+        *(nowhere.format(2), "I walked 1 step forward.", "Line 3: FW 2"),
+    ]
+    assert script.answers_to("UNTIL 6") == [nowhere.format(6)]
+    assert script.answers_to("STOP") == ["Stopped at line 3."]
+
+
+def test_a_step_begins_again_once_the_program_is_over(open_script: OpenScript) -> None:
+    script = open_script("FW 1", "FW 2")
+    script.interaction.until_over = script.rest
+
+    assert script.answers_to("RUN") == ["I walked 1 step forward.", "I walked 2 steps forward."]
+    assert script.answers_to("STEP", "STEP", "OVER", "UNTIL 2", "STOP") == [
+        *("From the start again.", "Line 1: FW 1"),
+        *("I walked 1 step forward.", "Line 2: FW 2"),
+        *("I walked 2 steps forward.", "Done."),
+        *("From the start again.", "I walked 1 step forward.", "Line 2: FW 2"),
+        "Stopped at line 2.",
+    ]
+
+
+def test_variables_are_those_of_the_moment_that_is_looked_at(open_script: OpenScript) -> None:
+    script = open_script("VAR a = 1", "WHILE 1 == 1 DO", "a = 2", "END WHILE")
+    script.answers_to("STEP", "STEP")
+    assert script.answers_to("SHOW VARIABLES") == ["a is 1."]
+    script.answers_to("STEP", "STEP")
+    assert script.answers_to("SHOW VARIABLES") == ["a is 2."]
+    script.answers_to("STEP BACK")
+    assert script.answers_to("SHOW VARIABLES") == ["a is 1."]
+    assert script.answers_to("STOP", "SHOW VARIABLES") == ["Stopped at line 2.", "a is 2."]
+
+
+def test_open_calls_are_said_before_the_variables_of_the_innermost(open_script: OpenScript) -> None:
+    script = open_script(
+        *("PROCEDURE P: a DO", "SPEAK a", "END PROCEDURE"),
+        *("PROCEDURE Q DO", "VAR b = 3", "P [4]", "END PROCEDURE", "Q []"),
+    )
+    script.answers_to("BREAK 2", "AGAIN")
+
+    assert script.answers_to("SHOW VARIABLES") == ["In P, line 2.", "In Q, line 6.", "a is 4."]
+    assert script.answers_to("STOP") == ["Stopped at line 2."]
+
+
+@pytest.mark.parametrize(("last", "ran"), [("SPEAK 7", 2), ("FWD 7", 0)])
+def test_a_program_in_the_background_has_run_unless_it_was_refused(
+    open_script: OpenScript, last: str, ran: int
+) -> None:
+    script = open_script("FW 1", last)
+    script.interaction.is_attended = False
+    said = script.answers_to("START")
+
+    assert (script.ctx.program.ran, script.ctx.program.waiting) == (ran, 2 - ran)
+    assert said[0].startswith("Error, line 2") if not ran else said[-1] == "7"
+
+
+def test_each_program_of_those_that_ran_together_has_run(open_script: OpenScript) -> None:
+    script = open_script("FW 1", world="two_robots")
+    script.interaction.until_over = script.rest
+    alice, bob = "alice: I walked 1 step forward.", "bob: I walked 2 steps forward."
+
+    assert script.answers_to("TOGETHER") == [alice]
+    assert script.answers_to("ROBOT bob", "INSERT 1 FW 2") == ["Now you talk to bob.", "Line 1: FW 2"]
+    assert sorted(script.answers_to("TOGETHER")) == [alice, bob]
+    assert [each.ran for each in script.ctx.workspace.by_robot().values()] == [1, 1]
+
+
+def test_a_program_that_was_refused_has_not_run_with_the_others(open_script: OpenScript) -> None:
+    script = open_script("FW 1", world="two_robots")
+    script.interaction.until_over = script.rest
+    script.answers_to("ROBOT bob", "INSERT 1 FWD 2", "TOGETHER")
+
+    assert {name: each.ran for name, each in script.ctx.workspace.by_robot().items()}["bob"] == 0
+
+
+def test_a_stop_of_nothing_says_which_lines_wait(open_script: OpenScript) -> None:
+    script = open_script("FW 1", "FW 2")
+    script.interaction.until_over = script.rest
+
+    assert script.answers_to("STOP") == ["Nothing is running.", "2 lines wait. DELETE drops them."]
+    script.answers_to("RUN")
+    assert script.answers_to("STOP") == ["Nothing is running."]
+
+
+def test_watched_variables_are_listed(open_script: OpenScript) -> None:
+    assert open_script().answers_to("WATCH a", "WATCH b", "WATCH", "WATCH a", "WATCH")[2:] == [
+        *("I will say when a changes.", "I will say when b changes."),
+        *("I will no longer say when a changes.", "I will say when b changes."),
+    ]
+
+
+def test_the_robot_that_is_reset_is_named_where_there_are_several(open_script: OpenScript) -> None:
+    assert open_script(world="two_robots").answers_to("RESET") == ["alice: I am back at the start."]
