@@ -46,7 +46,7 @@ class ScriptedInteraction:
         self.offered: Sequence[Option] = ()
         """The options of the last list."""
         self.tasks: list[tuple[str, bool, bool]] = []
-        """Every task in the background: its report if it is slow, whether it may be left, whether it is slow."""
+        """Tasks in the background: the report of a slow one, whether it may be left, whether it is slow."""
         self.waited: list[float] = []
         self.changed: list[str] = []
         """The settings that changed."""

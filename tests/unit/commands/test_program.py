@@ -410,7 +410,8 @@ LINES: dict[str, tuple[tuple[str, ...], tuple[tuple[str, list[str], tuple[str, .
             ("COMMENT", ["Line 1: -- FW 1"], ("-- FW 1", "FW 2", "--FW 3"), 1),
             ("COMMENT 3", ["Line 3: FW 3"], ("-- FW 1", "FW 2", "FW 3"), 3),
             ("COMMENT", ["Line 3: -- FW 3"], ("-- FW 1", "FW 2", "-- FW 3"), 3),
-            ("COMMENT 1 2", ["Line 1: -- -- FW 1", "Line 2: -- FW 2"], ("-- -- FW 1", "-- FW 2", "-- FW 3"), 2),
+            ("COMMENT 1 2", ["Line 1: -- -- FW 1", "Line 2: -- FW 2"],
+             ("-- -- FW 1", "-- FW 2", "-- FW 3"), 2),
             ("COPY", ["Line 3: -- FW 2"], ("-- -- FW 1", "-- FW 2", "-- FW 2", "-- FW 3"), 3),
             ("DELETE 2 4", ["Lines 2 to 4 are deleted."], ("-- -- FW 1",), 3),
             ("CHANGE 1 FW 1", ["Line 1: FW 1"], ("FW 1",), 1),
@@ -443,7 +444,7 @@ LINES: dict[str, tuple[tuple[str, ...], tuple[tuple[str, list[str], tuple[str, .
                 "1 1", "1 2", "1 2 1", "1 2 2", "1 2 3", "3 4", "2 3 4"
             )),
             *((f"MOVE {each}", [f"There is no line {number}. The last is 3."], ("FW 1", "FW 2", "FW 3"), 0)
-              for each, number in (("0 1", 0), ("4 1", 4), ("1 4 1", 4), ("1 0", 0), ("1 5", 5), ("1 2 5", 5))),
+              for each, number in (("0 1", 0), ("4 1", 4), ("1 4 1", 4), ("1 0", 0), ("1 5", 5))),
             ("MOVE 3 2 1", ["I did not understand. Type MOVE 5 2."], ("FW 1", "FW 2", "FW 3"), 0),
             ("MOVE 3 1", ["Line 1: FW 3"], ("FW 3", "FW 1", "FW 2"), 1),
             ("MOVE 1 4", ["Line 3: FW 3"], ("FW 1", "FW 2", "FW 3"), 3),

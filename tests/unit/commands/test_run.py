@@ -265,7 +265,10 @@ def test_a_speed_may_be_from_a_tenth_to_a_thousand(open_script: OpenScript, type
 REFUSED = ["Error, line 2, column 1: I do not know FWD.", "Line 2: FWD 1", "Did you mean FW?"]
 STILL_WRONG = "Line 2 is still wrong. 2 lines wait. ERROR says why."
 DROPS = "DELETE without a number forgets the 2 lines that did not run."
-OPEN_BLOCK = ["REPEAT has no END REPEAT.", "Line 2: REPEAT 2 TIMES", "Write END REPEAT where it ends."]
+OPEN_BLOCK = [
+    *("Error, line 2, column 1: REPEAT has no END REPEAT.", "Line 2: REPEAT 2 TIMES"),
+    "Write END REPEAT where it ends.",
+]
 BATCHES: dict[str, tuple[tuple[str, ...], tuple[tuple[str, list[str]], ...], tuple[str, ...], int]] = {
     "several lines wait until they are deleted": (
         ("FWD 1", "FW 2"),
@@ -287,7 +290,7 @@ BATCHES: dict[str, tuple[tuple[str, ...], tuple[tuple[str, list[str]], ...], tup
     "an open block waits for its end": (
         ("REPEAT 2 TIMES", "FW 1"),
         (
-            ("RUN", [f"Error, line 2, column 1: {OPEN_BLOCK[0]}", *OPEN_BLOCK[1:], "Nothing ran, 2 lines wait."]),
+            ("RUN", [*OPEN_BLOCK, "Nothing ran, 2 lines wait."]),
             ("RUN", [STILL_WRONG, DROPS]),
         ),
         *(("FW 1", "REPEAT 2 TIMES", "FW 1"), 1),
