@@ -366,6 +366,141 @@ def test_a_world_as_json_has_its_models_as_stage_would_build_them(printed: Print
     }  # fmt: skip
 
 
+MODELS = """
+model( name "crate" pose [ 1 2 0 90 ] size [ 1 0.5 0.25 ]
+  origin [ 0.1 0.2 0 45 ] color_rgba [ 0.1 0.2 0.3 0.5 ]
+  ranger_return 0.5 blob_return 0 fiducial_return 7 gripper_return 1 )
+model( name "room" size [ 4 4 1 ] boundary 1 )
+position( name "robo" pose [ 0 0 0 0 ] size [ 0.2 0.2 0.2 ]
+  ranger( pose [ 0.1 0 0 0 ] sensor( pose [ 0.05 0 0 30 ] range [ 0.5 5 ] fov 15 samples 3 ) ) )
+"""
+
+
+def test_the_json_of_a_model_has_what_the_world_file_says(printed: Printed) -> None:
+    write("m.world", MODELS)
+    assert printed.by("world", "m.world", "--json") == 0
+    crate, room, robot, ranger = json.loads(printed.out)
+
+    assert crate == {
+        "type": "model",
+        "name": "crate",
+        "parent": None,
+        "global_pose": [1, 2, 0, 90],
+        "origin": [0.1, 0.2, 0, 45],
+        "size": [1, 0.5, 0.25],
+        "color": [0.1, 0.2, 0.3, 0.5],
+        "obstacle_return": 1,
+        "ranger_return": 0.5,
+        "blob_return": 0,
+        "fiducial_return": 7,
+        "gripper_return": 1,
+        "boundary": 0,
+        "blocks": 1,
+        "block_area": 0.5,
+    }
+    assert (room["boundary"], room["size"]) == (1, [4, 4, 1])
+    assert (robot["size"], robot["block_area"], robot["parent"]) == ([0.2, 0.2, 0.2], 0.04, None)
+    assert (ranger["parent"], ranger["global_pose"]) == ("robo", [0.1, 0, 0.2, 0])
+    assert ranger["sensors"] == [
+        {"pose": [0.05, 0, 0, 30], "range": [0.5, 5], "fov_deg": 15, "samples": 3},
+    ]
+
+
+def robots_facing(*degrees: float) -> str:
+    robots = (f'donnie( name "r{at}" pose [ {at} 0 0 {each} ] )' for at, each in enumerate(degrees))
+    return "\n".join(('include "donnie.inc"', *robots))
+
+
+def test_the_robots_of_a_map_are_arrows_in_the_direction_that_is_nearest(printed: Printed) -> None:
+    write("r.world", robots_facing(0, 90, 180, 270, 44, 46))
+    assert printed.by("world", "r.world", "--map", "--lang", "en") == 0
+    drawn, _, legend = printed.out.partition("\n\n")
+
+    assert "".join(each for row in drawn.splitlines() for each in row if each in "^>v<") == ">^<v>^"
+    assert "^ > v < is r0, r1, r2, r3, …." in legend
+    assert "Each letter is 2 by 2 steps." in legend
+
+
+def test_a_report_says_what_was_read_and_what_stage_needs_besides(printed: Printed) -> None:
+    write("r.world", robots_facing(0, 90))
+    folder = Path(worlds.SCENES).resolve()
+    assert printed.by("world", "r.world", "--report", "--lang", "en") == 0
+    assert printed.out.splitlines() == [
+        "2 files: r.world, donnie.inc.",
+        f"Stage also needs donnie.inc, from the folder {folder}.",
+        "Loaded: 4 position, 4 ranger, 2 bumper, 2 blobfinder.",
+        "2 robots: r0, r1. The command donnie run r0=FILE runs the first.",
+        "Nothing was ignored or repaired.",
+    ]
+    assert printed.by("world", "maze", "--report", "--lang", "en") == 0
+    assert printed.out.splitlines() == [
+        "3 files: maze.world, donnie.inc, things.inc.",
+        "Loaded: 19 model, 2 position, 2 ranger, 1 bumper, 1 blobfinder.",
+        "1 thing can be pushed: always straight on, without turning.",
+        "Nothing was ignored or repaired.",
+    ]
+    write("empty.world", "")
+    assert printed.by("world", "empty.world", "--report", "--lang", "en") == 0
+    assert printed.out.splitlines()[1] == "Loaded: 0."
+
+
+def test_without_a_drawing_a_new_world_is_an_empty_room_around_the_robot(printed: Printed) -> None:
+    assert printed.by("world", "new", "my room", "--lang", "en") == 0
+    assert printed.out == (
+        "my room.world: a floor of 33 by 33 steps, 1 robot, 0 things. "
+        "Go there: donnie --world 'my room.world'\n"
+    )
+    assert printed.by("world", "my room.world", "--lang", "en") == 0
+    assert printed.out.splitlines() == [
+        *("33 by 33 steps, walls included.", "Walls are all around."),
+        *("The robot donnie starts at 0, 0, facing north.", "There are no things."),
+    ]
+    assert printed.by("world", "my room.world", "--map", "--lang", "en") == 0
+    rows = printed.out.partition("\n\n")[0].splitlines()
+    assert rows == ["#" * 33, *["#" + "." * 31 + "#"] * 15, "#" + "." * 15 + "^" + "." * 15 + "#",
+                    *["#" + "." * 31 + "#"] * 15, "#" * 33]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        *(("new",), ("new", ""), ("new", "a", "b"), ("a", "b"), ("new", "x", "--from", "")),
+        *(("open_floor", "--from", "d.txt"), ("--from", "d.txt")),
+    ],
+    ids=" ".join,
+)
+def test_a_new_world_needs_a_file_and_perhaps_a_drawing(printed: Printed, arguments: tuple[str, ...]) -> None:
+    write("d.txt", "^")
+    assert printed.by("world", *arguments, "--lang", "en") == 2
+    assert (printed.out, printed.err) == (
+        "",
+        "Type donnie world new FILE --from DRAWING, or without --from for an empty room.\n",
+    )
+    assert [each.name for each in Path().iterdir() if each.is_file()] == ["d.txt"]
+
+
+def test_a_new_world_replaces_no_file(printed: Printed) -> None:
+    write("room.world", "FW 1")
+    assert printed.by("world", "new", "room", "--lang", "en") == 2
+    assert (Path("room.world").read_text(), "room.world" in printed.err) == ("FW 1", True)
+
+
+def test_without_a_name_the_world_of_the_settings_is_described(printed: Printed) -> None:
+    assert printed.by("world", "--world", "open_floor", "--lang", "en") == 0
+    assert printed.out.splitlines()[0] == "open_floor: Open floor."
+
+
+def test_a_page_of_a_world_may_be_standard_output(printed: Printed) -> None:
+    assert printed.by("world", "open_floor", "--brf", "-", "--lang", "en") == 0
+    assert printed.out.startswith("MAP OF OPEN FLOOR\r\n")
+    assert printed.by("world", "open_floor", "--svg", "-", "--lang", "en") == 0
+    assert printed.out.startswith("<svg ")
+    assert "<title>Map of Open floor</title>" in printed.out
+    for option, file in (("--svg", "a.svg"), ("--brf", "a.brf")):
+        assert printed.by("world", "open_floor", option, file, "--lang", "en") == 0
+        assert (printed.out, Path(file).exists()) == (f"I wrote {file}.\n", True)
+
+
 def test_a_configuration_of_a_real_robot_says_that_it_has_no_world(printed: Printed) -> None:
     write("serial.cfg", 'driver ( name "donnie" provides [ "position2d:0" ] port "/dev/ttyS0" )')
     sentence = "serial.cfg asks for the robot at /dev/ttyS0 and has no world. "
