@@ -7,6 +7,7 @@ from collections.abc import Callable
 import pytest
 from msgspec.structs import replace
 
+from donnie_tui.commands.interaction import EnterWorld
 from donnie_tui.commands.world import arrive, settings_there
 from donnie_tui.settings.settings import SettingSource
 from tests.timeouts import TIMEOUT
@@ -132,3 +133,114 @@ def test_a_world_where_the_learner_is_or_that_is_not_there_is_not_entered(open_s
     ]
     (answer,) = script.answers_to("WORLD nowhere")
     assert "nowhere" in answer
+
+
+def test_place_moves_and_path_are_those_of_the_moment_that_is_looked_back_at(open_script: OpenScript) -> None:
+    script = open_script("FW 3", "TR 90", "FW 2")
+    script.interaction.until_over = script.rest
+    script.answers_to("RUN", "DETAIL full")
+    walked, turned, last = "FW 3: 3 steps, to 0, 3.", "TR 90: now facing east.", "FW 2: 2 steps, to 2, 3."
+    for typed, answers in (
+        ("WHERE", ["Position 2, 3. Facing east.", last]),
+        ("TRAIL", [walked, turned, last]),
+        ("TRAIL 2", [turned, last]),
+        ("TRAIL 0", ["I did not understand. Type TRAIL 2."]),
+    ):
+        assert (typed, script.answers_to(typed)) == (typed, answers)
+    script.answers_to(*["STEP BACK"] * 3)
+    assert script.answers_to("WHERE") == ["Position 0, 3. Facing north.", walked]
+    assert script.answers_to("TRAIL") == [walked]
+    path = script.answers_to("SHOW PATH")
+    assert path[:3] == ["The path starts at 0, 0.", "North: 3 steps, to 0, 3.", "3 steps in all."]
+    assert [each.replace(".", "") for each in path if each.startswith("....")][-10:-6] == [*"^oo*"]
+    script.answers_to(*["STEP BACK"] * 2)
+    assert script.answers_to("WHERE") == ["Position 0, 0. Facing north.", "I have not moved yet."]
+    assert script.answers_to("TRAIL") == ["I have not moved yet."]
+
+    assert script.answers_to("MAP 0 1", "WHERE") == [
+        *("You are back in the present.", "0, 1: free. 2 right, 2 behind."),
+        *("Position 2, 3. Facing east.", last),
+    ]
+
+
+@pytest.mark.parametrize("typed", ["AROUND", "MAP", "MAP ROW 1", "MAP COLUMN 1", "MAP PICTURE", "SENSORS"])
+def test_what_is_about_now_ends_the_way_back(open_script: OpenScript, typed: str) -> None:
+    script = open_script("FW 3")
+    script.interaction.until_over = script.rest
+    script.answers_to("RUN", "STEP BACK")
+
+    assert script.answers_to(typed)[0] == "You are back in the present."
+    assert script.ctx.runs.past is None
+
+
+def test_worlds_are_offered_with_title_difficulty_and_a_map_where_it_fits(open_script: OpenScript) -> None:
+    script = open_script(world="first_room")
+    script.type("WORLDS")
+    offered = {each.value: each for each in script.interaction.offered}
+    room = offered["first_room"]
+    assert room.detail is not None
+    text = [
+        *("A room of 31 by 31 steps with walls", "around. Donnie stands in the south half,"),
+        "in the middle, and looks north. A yellow",
+    ]
+    wide, narrow = room.detail(40, 30), room.detail(40, 12)
+
+    assert [each.value for each in offered.values() if each.is_current] == ["first_room"]
+    assert room.columns == ("First room", "easy")
+    assert offered["maze"].columns == ("Maze", "hard")
+    about = [*wide][wide.index("") + 1 :]
+    assert " ".join(about[:3]).startswith(" ".join(text)[:60])
+    assert max(map(len, about)) <= 40
+    assert wide[0] == "#" * len(wide[0])
+    assert list(narrow) == about
+    assert "" in room.detail(40, len(about) + 6), "room for five rows"
+    assert "" not in room.detail(40, len(about) + 5)
+
+
+def test_a_world_is_entered_by_name_and_by_a_choice(open_script: OpenScript) -> None:
+    for typed, answers in (("WORLD maze", ()), ("WORLDS maze", ()), ("WORLDS", ("maze",))):
+        script = open_script(answers=answers)
+        with pytest.raises(EnterWorld) as entered:
+            script.type(typed)
+        assert entered.value.name == "maze"
+    script = open_script(world="challenge:1")
+    with pytest.raises(EnterWorld):
+        script.type("WORLD maze")
+    assert script.ctx.workspace.challenge == "first_walk"
+
+
+def test_a_recorded_world_is_not_left(open_script: OpenScript) -> None:
+    script = open_script(record="a.rec")
+    stays = (
+        "I stay in this world: a.rec is being written, and another world would begin it again. "
+        "Leave with QUIT, then start donnie with --world."
+    )
+
+    assert script.answers_to("WORLD maze") == [stays]
+    assert script.answers_to("PUT box red 4 6") == ["a.rec is being recorded, so the world stays as it is."]
+
+
+def test_challenges_are_offered_by_number_with_their_task_and_the_present_one_is_marked(
+    open_script: OpenScript,
+) -> None:
+    script = open_script(world="challenge:2")
+    said = script.answers_to("CHALLENGE")
+    offered = script.interaction.offered
+
+    assert [each.text for each in offered] == said
+    assert [each.value for each in offered if each.is_current] == ["to_the_ball"]
+    assert (offered[0].value, said[0]) == ("first_walk", "1. The first walk")
+    assert offered[0].detail is not None
+    assert offered[0].detail(40, 10) == ("Challenge: The first walk.", "Walk 5 steps to the north.")
+
+
+@pytest.mark.parametrize(
+    ("world", "next_one"),
+    [("open_floor", "challenge:first_walk"), ("challenge:1", "challenge:to_the_ball")],
+)
+def test_the_next_challenge_is_the_one_after_this_or_the_first(
+    open_script: OpenScript, world: str, next_one: str
+) -> None:
+    with pytest.raises(EnterWorld) as entered:
+        open_script(world=world).type("NEXT CHALLENGE")
+    assert entered.value.name == next_one

@@ -314,3 +314,23 @@ def test_a_line_that_is_nearly_full_takes_what_fits_in_its_middle() -> None:
     assert line.text == "a" + "x" * (LONGEST - 1)
     line.replace("y" * (LONGEST + 1))
     assert line.text == "y" * LONGEST
+
+
+def test_a_line_that_fills_its_row_ends_in_the_next_one() -> None:
+    line = EditLine(2, lambda: 5)
+    line.type("abc")
+
+    assert line.do(Act.LEFT) == "\x1b[1A\x1b[4C"
+    assert line.finish() == "\x1b[1B\x1b[4D"
+    line.type("d")
+    line.do(Act.LEFT)
+    assert line.do(Act.LEFT) == "\x1b[1A\x1b[4C"
+    assert line.do(Act.RIGHT) == "\x1b[1B\x1b[4D", "no character is written over the margin"
+
+
+def test_a_character_in_the_middle_of_a_line_writes_no_more_than_what_follows_it() -> None:
+    line = EditLine(2, lambda: 80)
+    line.type("abcd")
+    line.do(Act.LEFT)
+
+    assert line.type("x") == "xd\b"
