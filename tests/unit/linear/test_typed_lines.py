@@ -11,6 +11,8 @@ import pytest
 
 from devices.ports.robot import Pose
 from donnie_tui.bootstrap import assemble
+from donnie_tui.commands import sound
+from donnie_tui.core.events import Outcome
 from donnie_tui.core.run_state import RunState
 from donnie_tui.linear.output import OutputQueue
 from donnie_tui.linear.reader import How, Typed
@@ -396,3 +398,163 @@ def test_a_real_robot_stands_before_donnie_is_suspended(
 
     assert it.did == did
     assert it.loop._was_suspended == (is_real and not is_stopping)
+
+
+# --- what the loop does around a run
+
+
+def test_a_typed_block_chimes_as_it_opens_and_closes_where_a_learner_types(
+    prompt: Callable[..., Prompt], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    it, chimed = prompt(), list[tuple[int, int]]()
+    audible = type(it.ctx.donnie.outlets.audible)
+    monkeypatch.setattr(sound, "chime_block", lambda _, before, after: chimed.append((before, after)))
+    it.take("REPEAT 2 TIMES")
+    assert chimed == []
+    monkeypatch.setattr(audible, "has_cues", property(lambda _: True))
+    for line in ("FW 1", "REPEAT 3 TIMES", "END REPEAT"):
+        it.take(line)
+    it.streams.is_attended = False
+    it.take("END REPEAT")
+
+    assert chimed == [(1, 1), (1, 2), (2, 1)]
+
+
+def test_a_wrong_line_that_is_typed_again_is_replaced(prompt: Callable[..., Prompt]) -> None:
+    it = prompt()
+    for line in ("FWD 1", "TR 90", ""):
+        it.take(line)
+
+    assert it.take("FW 1") == ["Line 1 replaced. 2 lines wait."]
+    assert it.ctx.program.lines == ("FW 1", "TR 90")
+
+
+def test_while_runs_are_followed_their_lines_are_held_back_in_their_order(
+    prompt: Callable[..., Prompt], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    it, followed = prompt(), list[Any]()
+    queue, background = it.streams.queue, it.loop._background
+
+    def follow(run: object) -> None:
+        followed.append((it.loop._robot, run, queue.holds_back, background.is_following))
+        if run == "c":
+            raise ZeroDivisionError
+
+    monkeypatch.setattr(it.loop, "_follow", follow)
+    it.loop._stopping, it.loop._left_out = True, 7
+    runs: Any = [("alice", "a"), (None, "b"), ("bob", "c")]
+    with pytest.raises(ZeroDivisionError):
+        it.loop.follow(runs)
+
+    assert followed == [("alice", "a", True, True), (None, "b", True, True), ("bob", "c", True, True)]
+    assert (queue.holds_back, background.is_following) == (False, False)
+    assert (it.loop._stopping, it.loop._left_out) == (False, 0)
+
+
+@pytest.mark.parametrize(
+    ("is_following", "is_due", "has_news"),
+    [(False, True, True), (True, True, False), (False, False, False)],
+)
+def test_a_change_of_a_run_wakes_the_prompt_and_a_verdict_in_the_background_is_news(
+    prompt: Callable[..., Prompt],
+    monkeypatch: pytest.MonkeyPatch,
+    is_following: bool,
+    is_due: bool,
+    has_news: bool,
+) -> None:
+    it, console = prompt(), Part(has_news=False, nudge=lambda: it.did.append("nudged"))
+    monkeypatch.setattr(it.loop, "_console", console)
+    monkeypatch.setattr(it.loop, "_runs", Part(is_held=False, is_verdict_due=is_due))
+    it.loop._background.is_following = is_following
+    it.loop.on_change()
+
+    assert (it.did, console.has_news, it.loop._is_new_hold) == (["nudged"], has_news, False)
+    monkeypatch.setattr(it.loop, "_runs", Part(is_held=True, is_verdict_due=False))
+    it.loop.on_change()
+    monkeypatch.setattr(it.loop, "_runs", Part(is_held=False, is_verdict_due=False))
+    it.loop.on_change()
+    assert it.loop._is_new_hold, "until the learner is asked"
+
+
+def test_before_a_stop_the_last_lines_need_not_wait_and_after_it_few_are_left(
+    prompt: Callable[..., Prompt],
+) -> None:
+    it = prompt()
+    it.streams.queue.hold_back()
+    it.loop.before_stop()
+    assert (it.loop._stopping, it.loop._printer.is_hurrying, it.streams.queue.holds_back) == (
+        *(True, True, False),
+    )
+    it.loop.after_stop()
+    assert it.did == ["trimmed"]
+
+
+@pytest.mark.parametrize(
+    ("stopping", "suspended", "outcome", "said"),
+    [
+        (True, True, Outcome.STOPPED, ["2 lines left out.", "SUSPENDED"]),
+        (False, False, Outcome.STOPPED, []),
+        (False, True, Outcome.COMPLETED, []),
+    ],
+)
+def test_a_run_is_summed_up_with_what_was_left_out_and_that_it_was_suspended(
+    prompt: Callable[..., Prompt],
+    monkeypatch: pytest.MonkeyPatch,
+    stopping: bool,
+    suspended: bool,
+    outcome: Outcome,
+    said: list[str],
+) -> None:
+    it, summed, answers = prompt(), list[Any](), list[tuple[str, dict[str, object]]]()
+    monkeypatch.setattr(it.loop, "_runs", Part(sum_up=summed.append))
+    monkeypatch.setattr(it.loop, "_ctx", Part(answer=lambda code, **values: answers.append((code, values))))
+    it.loop._stopping, it.loop._was_suspended, it.loop._robot = stopping, suspended, "bob"
+    it.streams.queue.put(["1", "2", "3", "4", "5"])
+    it.loop._sum_up(Part(outcome=outcome))  # type: ignore[arg-type]
+
+    left_out = [("answer-left-out", {"lines": 2})] if stopping else []
+    assert answers == left_out + ([("suspended-stopped", {})] if len(said) > 1 else [])
+    assert summed == ["bob"]
+    assert it.loop._left_out == 0
+    assert len(it.streams.queue) == (3 if stopping else 5)
+
+
+@pytest.mark.parametrize(
+    ("progress", "first", "later"), [("0", 1e9, 1e9), ("2", 3.0, 3.0), ("3", 3.0, 3.0), ("4", 3.0, 4.0)]
+)
+def test_a_silent_run_is_reported_after_three_seconds_and_then_as_set(
+    prompt: Callable[..., Prompt], progress: str, first: float, later: float
+) -> None:
+    it = prompt()
+    it.settings, it.time = Settings(progress=progress), 10.0
+    it.loop._expect_report(3.0)
+    assert it.loop._report_due == 10.0 + first
+    it.loop._expect_next_report()
+    assert it.loop._report_due == 10.0 + later
+
+
+@pytest.mark.parametrize(("lines", "left"), [(18, 0), (19, 1)])
+def test_of_what_a_program_printed_before_it_was_held_the_last_block_is_printed(
+    prompt: Callable[..., Prompt], lines: int, left: int
+) -> None:
+    it = prompt(*HELD)
+    it.said(lambda: it.script.answers_to("BREAK 2", "AGAIN"))
+    it.loop._is_new_hold = True
+    it.streams.queue.put([str(number) for number in range(lines)])
+    said = it.held("WHERE")
+
+    assert len(it.streams.queue) == 18
+    assert [each for each in said if "left out" in each] == [f"{left} line was left out."] * left
+    assert not it.loop._is_new_hold
+    it.held("STOP")
+
+
+def test_a_closed_loop_takes_no_more_changes(
+    prompt: Callable[..., Prompt], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    it = prompt()
+    monkeypatch.setattr(it.loop, "_runs", Part(close=lambda: it.did.append("closed")))
+    monkeypatch.setattr(it.loop, "_remove_gate", lambda: it.did.append("gate removed"))
+    it.loop.close()
+
+    assert it.did == ["closed", "gate removed"]

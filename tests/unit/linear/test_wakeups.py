@@ -262,3 +262,29 @@ def test_a_line_before_the_mark_of_utf_16_is_no_utf_16() -> None:
 
     console.type(b"\xff\xfe\n")
     assert reader.read("").text == "ÿþ"
+
+
+def test_after_a_run_the_signals_mean_what_they_did_and_a_quit_ends_donnie(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    watched = Watched("end", monkeypatch)
+    console, run = watched.console, watched.run
+    leaving: Any = SimpleNamespace(code=None)
+    monkeypatch.setattr(watched.loop, "_leaving", leaving)
+    seen = list[object]()
+    monkeypatch.setattr(watched.loop, "_sum_up", lambda _: seen.append("summed up"))
+    monkeypatch.setattr(
+        watched.loop, "_print_pending", lambda: seen.append(console.stop_at_once) or watched.wait(0)
+    )
+    type(run).outcome = Outcome.QUIT
+    watched.loop.follow([(None, run)])
+
+    assert seen == [watched.loop._stop_at_once, "summed up"]
+    assert leaving.code == 0
+    assert console.stop_at_once() is None
+    assert watched.stops == []
+    console.leaving = 15
+    type(run).outcome = Outcome.STOPPED
+    watched._is_over, leaving.code = False, None
+    watched.loop.follow([(None, run)])
+    assert (seen[2:], leaving.code, len(watched.stops)) == ([], None, 1)
