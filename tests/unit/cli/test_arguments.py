@@ -349,3 +349,25 @@ def test_the_codes_with_which_commands_end_are_those_of_the_page() -> None:
         "UNUSABLE": 2,
         "STOPPED": 130,
     }
+
+
+@pytest.mark.parametrize(("report", "outputs"), [("run r.svg", (("--report", "r.svg"),)), ("run", ())])
+def test_the_file_of_a_report_is_an_output(report: str, outputs: tuple[tuple[str, str], ...]) -> None:
+    replayed = understand(["replay", "x", "--report", report], Words())
+
+    assert Order(replayed, resolve({}, {}, {})[0], Words(), Output(), {}).outputs == outputs
+
+
+def test_the_name_of_a_challenge_is_no_file() -> None:
+    assert understand(["challenge", "corner"], Words()).arguments.file is None
+
+
+@pytest.mark.parametrize("word", ["bun", "fun", "rain"])
+def test_a_short_word_with_another_first_letter_is_a_file(word: str) -> None:
+    assert understand([word], Words()).arguments.file == word
+
+
+def test_after_two_dashes_a_word_is_a_file() -> None:
+    found = understand(["--", "run"], Words())
+
+    assert (found.command, found.arguments.file) == ("", "run")
