@@ -161,3 +161,11 @@ def test_the_end_of_a_stopped_program_is_printed_after_any_key() -> None:
     assert left_out == 0
     assert "".join(paper.texts).endswith("line 40\n> ")
     assert paper.now() < 2 * REST
+
+
+def test_a_block_is_followed_by_a_rest_of_three_tenths_of_a_second() -> None:
+    """As long as a screen reader needs to notice that a block is one."""
+    paper = Paper()
+    PacedOutput(paper, paced=True).show(numbered(19))
+
+    assert [time for time, _ in paper.written] == [0.0, 0.3]

@@ -14,7 +14,7 @@ from donnie_tui.bootstrap import assemble
 from donnie_tui.commands import sound
 from donnie_tui.core.events import Outcome
 from donnie_tui.core.run_state import RunState
-from donnie_tui.linear.output import OutputQueue
+from donnie_tui.linear.output import BackgroundRobots, OutputQueue
 from donnie_tui.linear.reader import How, Typed
 from donnie_tui.linear.typed_lines import RunLoop, TypedLines
 from donnie_tui.settings.settings import Settings
@@ -558,3 +558,16 @@ def test_a_closed_loop_takes_no_more_changes(
     it.loop.close()
 
     assert it.did == ["closed", "gate removed"]
+
+
+def test_robots_in_the_background_are_stopped_by_the_command_and_what_is_left_out_is_said_once(
+    prompt: Callable[..., Prompt],
+) -> None:
+    it = prompt()
+    background = BackgroundRobots(it.ctx, it.streams.queue)
+
+    assert it.said(background.stop) == ["Nothing is running."]
+    assert it.said(background.trim_after_stop) == []
+    it.said(lambda: background.stop(4))
+    assert it.said(background.trim_after_stop) == ["4 lines were left out."]
+    assert it.said(background.trim_after_stop) == []
