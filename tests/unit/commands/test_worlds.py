@@ -197,7 +197,7 @@ def test_worlds_are_offered_with_title_difficulty_and_a_map_where_it_fits(open_s
     assert "" not in room.detail(40, len(about) + 5)
 
 
-def test_a_world_is_entered_by_name_and_by_a_choice(open_script: OpenScript) -> None:
+def test_a_world_is_entered_by_its_name_and_from_the_list(open_script: OpenScript) -> None:
     for typed, answers in (("WORLD maze", ()), ("WORLDS maze", ()), ("WORLDS", ("maze",))):
         script = open_script(answers=answers)
         with pytest.raises(EnterWorld) as entered:

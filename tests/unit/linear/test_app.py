@@ -18,7 +18,7 @@ from donnie_tui.settings.settings import Settings
 
 
 class Front:
-    """What happens, one after the other, in a linear mode whose conversations end as they are told."""
+    """What happens, one after the other, in a linear mode whose conversations end as the test says."""
 
     def __init__(self, patched: pytest.MonkeyPatch, *ends: Any) -> None:
         self.did: list[Any] = []
