@@ -32,6 +32,9 @@ TOLD = [
     ("FW\nTR 90", "FW needs a number, such as FW 2.", None),
     ("SPEAK", 'SPEAK needs a text, such as SPEAK "hello".', None),
     ("IF\nFW 1\nEND IF", "IF needs a comparison, such as IF a > 3 THEN.", None),
+    ("VIBRATE", "VIBRATE needs a direction.", "Use F, FR, FL, B, BR or BL."),
+    ("SOUND", "SOUND needs ON or OFF.", "Use ON or OFF."),
+    ("SPEAK POS", "POS needs X, Y or A.", "Use X, Y or A."),
     ("FW 3 +\nTR 90", "A value is missing after a plus sign.", None),
     ("SPEAK (1+2", "I need a closing parenthesis at the end.", None),
     ("FW 1 $ FW 2", "I can't use a dollar sign here.", None),
@@ -214,3 +217,147 @@ def test_an_error_has_three_lines_at_most_and_no_caret(source: str, language: st
     assert re.match(r"(Line|Linha|Línea) \d+: \S", lines[1])
     assert not any("^" in each for each in lines)
     assert max(map(len, lines)) <= 80
+
+
+def of_kind(kind: MistakeKind, **values: object) -> Diagnostic:
+    return Diagnostic(kind, Span(0, 1, 1, 1), **values)  # type: ignore[arg-type] -- its own fields
+
+
+SYNTAX, CHARACTER, NUMBER = MistakeKind.SYNTAX, MistakeKind.UNKNOWN_CHARACTER, MistakeKind.NUMBER_TOO_LARGE
+
+
+@pytest.mark.parametrize(
+    ("found", "expected", "sentence"),
+    [
+        ("x", (), "I did not expect x here."),
+        ("", (), "The program ends too early."),
+        ("", ("THEN",), "I need THEN at the end."),
+        ("x", ("THEN", "DO", "TIMES", "ELSE"), "I expected THEN, DO, TIMES or ELSE, not x."),
+        ("x", ("THEN", "DO", "TIMES", "ELSE", "VAR"), "I did not expect x here."),
+        ("", ("THEN", "DO", "TIMES", "ELSE", "VAR"), "The program ends too early."),
+        ("x", ("number", "number"), "I expected a number, not x."),
+        ("x", (")", "number"), "I expected a closing parenthesis or a number, not x."),
+        ("x" * 24, (), f"I did not expect {'x' * 24} here."),
+        ("x" * 25, (), f"I did not expect {'x' * 23}\N{HORIZONTAL ELLIPSIS} here."),
+        (" a \n b ", (), "I did not expect a b here."),
+        ("+", (), "I did not expect a plus sign here."),
+    ],
+)
+def test_up_to_four_expected_words_are_named_and_a_long_text_is_cut(
+    found: str, expected: tuple[str, ...], sentence: str
+) -> None:
+    assert Words().mistake(of_kind(SYNTAX, found=found, expected=expected)) == sentence
+
+
+@pytest.mark.parametrize(
+    ("found", "sign"),
+    [
+        ("€uro", "the character €"),
+        ("e\u0323\u0301x", "the character ẹ\u0301"),  # with all its accents
+        ("\u0301a", "the character U+0301"),
+        ("\x07", "the character U+0007"),
+        ("\u202e", "the character U+202E"),
+        ("@home", "an at sign"),
+    ],
+)
+def test_a_sign_is_named_with_its_accents_or_by_its_number(found: str, sign: str) -> None:
+    assert Words().mistake(of_kind(CHARACTER, found=found)) == f"I can't use {sign} here."
+
+
+@pytest.mark.parametrize(
+    ("found", "hint"),
+    [
+        ("'a'", "Put text between double quotes."),
+        ("\u2019a", "Put text between double quotes."),
+        ("\u2018a", "Put text between double quotes."),
+        ("||", "Write a second IF after it."),
+        ("&", "Write a second IF inside it."),
+        ("!", "Write <> for different."),
+        ("%", "The rest of 7 / 2 is 7 - 7 / 2 * 2."),
+        (".5", "Numbers are whole, such as 2."),
+        ("#", "A comment begins with two hyphens."),
+        ("$", None),
+        ("", None),
+    ],
+)
+def test_a_sign_of_another_language_gets_the_way_in_which_it_is_written_here(
+    found: str, hint: str | None
+) -> None:
+    assert Words().hint(of_kind(CHARACTER, found=found)) == hint
+
+
+@pytest.mark.parametrize(
+    ("limit", "hint"),
+    [
+        (99_999, "A number has at most 99999 digits."),
+        (100_000, "The most is 100000."),
+        ("many", None),
+    ],
+)
+def test_a_small_limit_is_one_of_digits(limit: object, hint: str | None) -> None:
+    assert Words().hint(of_kind(NUMBER, details={"limit": limit})) == hint
+    assert Words().hint(of_kind(NUMBER)) is None
+
+
+@pytest.mark.parametrize(("details", "hint"), [({"limit": 7}, "The most is 7."), ({}, None)])
+def test_a_program_that_is_too_deep_gets_its_limit(details: dict[str, int], hint: str | None) -> None:
+    assert Words().hint(of_kind(MistakeKind.TOO_DEEP, details=details)) == hint
+
+
+@pytest.mark.parametrize(
+    ("details", "sentence"),
+    [
+        ({"problem": "no-sensor", "bearing": "front right"}, "I have no sensor ahead right."),
+        ({"problem": "no-sensor", "bearing": "above"}, "I have no sensor above."),
+        ({"problem": "no-eyes"}, "I have no eyes: I see no colors."),
+        ({}, "The robot can't do that."),
+    ],
+)
+def test_what_a_robot_can_not_do_names_the_direction(details: dict[str, str], sentence: str) -> None:
+    assert Words().mistake(of_kind(MistakeKind.ROBOT, details=details)) == sentence
+
+
+@pytest.mark.parametrize(
+    ("wanted", "hint"), [("red, blue", "Use RED or BLUE."), ("green", "Use GREEN."), ("", None)]
+)
+def test_the_colours_that_a_robot_sees_are_listed(wanted: str, hint: str | None) -> None:
+    unseen = of_kind(MistakeKind.BAD_ARGUMENT, code="unseen-colour", details={"wanted": wanted})
+
+    assert Words().hint(unseen) == hint
+
+
+def test_a_wrong_end_gets_the_one_that_belongs_there() -> None:
+    wrong = of_kind(MistakeKind.WRONG_END, found="END FOR", details={"opener": "IF"})
+
+    assert (Words().hint(wrong), Words("pt").hint(wrong)) == (
+        "END IF belongs here.",
+        "Aqui o certo é FIM SE.",
+    )
+    assert Words().hint(of_kind(MistakeKind.WRONG_END, found="END FOR")) is None
+
+
+@pytest.mark.parametrize(
+    ("found", "hint"),
+    [
+        ("onde", "Type ONDE alone, not in a program."),
+        ("Where", "Type WHERE alone, not in a program."),
+        ("n", None),
+        ("nonsense", None),
+    ],
+)
+def test_a_command_of_any_language_is_typed_alone(found: str, hint: str | None) -> None:
+    assert Words().hint(of_kind(MistakeKind.UNKNOWN_COMMAND, found=found)) == hint
+
+
+def test_what_was_probably_meant_is_offered_unless_the_sentence_says_it() -> None:
+    def offered(**values: object) -> str | None:
+        return Words().hint(of_kind(SYNTAX, found="x", **values))
+
+    assert offered(meant="FW") == "Did you mean FW?"
+    assert offered(meant="--") == "A comment begins with two hyphens."
+    for code in ("missing-argument", "number-word", "short-change", "text-quotes", "filler"):
+        assert offered(meant="FW", code=code) is None
+    assert offered(meant="FW", meant_at=0) is None
+    assert offered(meant="FW", code="other-end") is None
+    on = of_kind(MistakeKind.BAD_ARGUMENT, found="onn", meant="ON", expected=("on-or-off",))
+    assert Words().hint(on) == "Did you mean ON? Use ON or OFF."

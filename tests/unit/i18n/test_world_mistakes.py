@@ -103,3 +103,74 @@ def test_a_remark_offers_another_name_only_where_there_is_one() -> None:
 
     assert "Did you mean" not in world_note(note, Words("en"))
     assert "Did you mean green?" in world_note(near, Words("en"))
+
+
+@pytest.mark.parametrize(
+    ("code", "expected", "details", "sentence"),
+    [
+        (Code.WRONG_COUNT, (), {"name": "pose", "given": 9}, "pose has too many values, 9."),
+        (Code.WRONG_COUNT, ("2",), {"name": "pose", "given": 9}, "pose takes 2 values, not 9."),
+        (Code.UNEXPECTED, (), {"found": "x"}, "I did not expect x here."),
+        (Code.UNEXPECTED, ("a", "b", "c", "d"), {"found": "x"}, "I expected a, b, c or d, not x."),
+        (Code.UNEXPECTED, ("a", "b", "c", "d", "e"), {"found": "x"}, "I did not expect x here."),
+        (
+            Code.UNEXPECTED,
+            (")", "name"),
+            {"found": "("},
+            "I expected a closing parenthesis or a name, not an opening parenthesis.",
+        ),
+        (Code.UNEXPECTED, ("a",), {}, "I need a at the end."),
+        (Code.TOO_MUCH, (), {"limit": 7}, "The world is too large, at most 7 parts."),
+        (
+            Code.TOO_MUCH,
+            (),
+            {"what": "words", "limit": 70_000},
+            "The files of the world have more than 70 000 words.",
+        ),
+    ],
+)
+def test_the_sentence_depends_on_what_is_known(
+    code: Code, expected: tuple[str, ...], details: dict[str, str | int | float], sentence: str
+) -> None:
+    said = world_mistake(WorldError(code, "a.world", 3, 4, expected, **details), Words())
+
+    assert said == f"Error, a.world, line 3, column 4: {sentence}"
+
+
+@pytest.mark.parametrize("code", [Code.INCLUDE_OUTSIDE, Code.BITMAP_OUTSIDE])
+def test_a_file_outside_is_named_with_the_folder_that_would_be_allowed_if_there_is_one(code: Code) -> None:
+    named, confined = (
+        world_mistake(WorldError(code, "a.world", path="b.inc", **details), Words())
+        for details in ({"folder": "/lab"}, {"folder": ""})
+    )
+
+    assert named.endswith(Words()(f"world-{code.value}", path="b.inc", folder="/lab"))
+    assert confined.endswith(Words()(f"world-{code.value}-confined", path="b.inc"))
+
+
+@pytest.mark.parametrize(
+    ("code", "path", "has_place"),
+    [
+        (Code.FILE_NOT_FOUND, "a.world", False),
+        (Code.FILE_NOT_FOUND, "b.inc", True),
+        (Code.IS_FOLDER, "a.world", False),
+        (Code.NO_FILE, "a.world", False),
+        (Code.FILE_UNREADABLE, "a.world", False),
+        (Code.FILE_TOO_LARGE, "a.world", False),
+        (Code.BITMAP_NOT_FOUND, "a.world", True),
+    ],
+)
+def test_a_mistake_about_the_whole_world_has_no_place(code: Code, path: str, has_place: bool) -> None:
+    said = world_mistake(WorldError(code, "a.world", path=path, limit=1, reason="odd"), Words())
+
+    assert said.startswith("Error, a.world, line 1, column 1: ") is has_place
+
+
+def test_a_remark_has_its_place_if_it_has_a_line() -> None:
+    words, details = Words(), {"name": "vermelho"}
+    red = Note(NoteKind.WARNING, "unknown-colour", "folder/a.world", 3, 2, details)
+    nowhere = Note(NoteKind.WARNING, "no-robot", "a.world", 0, 0, {})
+
+    assert world_note(red, words).startswith("Line 3, column 2, of a.world: ")
+    assert "Did you mean red?" in world_note(red, words)  # as world files are English
+    assert world_note(nowhere, words) == words("note-no-robot")
