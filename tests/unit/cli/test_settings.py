@@ -1,7 +1,9 @@
 """Command line, variables, file, defaults: the strongest valid value wins, and its source is known."""
 
+import errno
 import os
 import tomllib
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -292,6 +294,33 @@ def test_what_was_announced_is_announced_again_after_any_change(tmp_path: Path) 
     assert (tmp_path / "state" / "donnie" / "tour-was-offered").stat().st_mode & 0o777 == 0o600
 
 
+def test_the_tour_is_offered_once_whether_or_not_its_folder_was_there(tmp_path: Path) -> None:
+    folder = str(tmp_path / "state" / "donnie")
+    assert [folders.offers_tour(folder, {}) for _ in range(2)] == [True, False]
+    (tmp_path / "file").write_text("")
+    assert [folders.offers_tour(str(tmp_path / "file" / "x"), {}) for _ in range(2)] == [True, True]
+
+
+@pytest.mark.parametrize(
+    ("make", "reason"),
+    [
+        (lambda path: path.mkdir(), os.strerror(errno.EISDIR)),
+        (lambda path: path.write_bytes(b"\xff"), "'utf-8' codec can't decode byte 0xff in position 0: "),
+    ],
+)
+def test_a_file_in_which_no_setting_can_be_saved_is_named_with_the_reason(
+    tmp_path: Path, make: Callable[[Path], object], reason: str
+) -> None:
+    path = tmp_path / "donnie" / "settings.toml"
+    path.parent.mkdir()
+    make(path)
+    with pytest.raises(DocumentError) as failed:
+        remember("lang", "pt", {"XDG_CONFIG_HOME": str(tmp_path)})
+
+    assert (failed.value.code, failed.value.path) == ("file-unwritable", str(path))
+    assert failed.value.reason.startswith(reason)
+
+
 def test_the_folders_of_worlds_default_to_those_of_stage() -> None:
     stage = {"STAGEPATH": os.pathsep.join(("/opt/stage", "", "~/worlds"))}
 
@@ -558,6 +587,9 @@ def test_an_unknown_name_of_the_file_is_cut_and_true_and_false_are_on_and_off() 
     settings, notices = resolve({}, {}, {"x" * 50: 1, "mouse": False, "linear": True, "page": 5})
     assert [each.values["name"] for each in notices] == ["x" * 40, "page"]
     assert (settings.mouse, settings.linear) == (False, True)
+    settings, notices = resolve({}, {}, {"hold": True, "speech": True, "clock": False, "theme": True})
+    assert (settings.hold, settings.speech, settings.clock) == ("on", "tts", "off")
+    assert [each.values["value"] for each in notices] == ["on"]
 
 
 # --- what a teacher allows

@@ -27,7 +27,7 @@ from donnie_tui.core.session import Busy, Session, SessionSetup
 from donnie_tui.core.team import Team
 from donnie_tui.core.timeline import Chronicle
 from donnie_tui.i18n.words import Words
-from language.control import ExecutionControl
+from language.control import ControlState, ExecutionControl
 from sim.robot import SimulatedRobot
 from sim.world import World
 from tests.floor import floor
@@ -164,7 +164,7 @@ def test_only_a_held_program_has_expressions_that_are_worked_out(room: Callable[
     it.go_on(it.runs.step)
     assert it.runs.worked_out == (("3 + 4", "7"),)
     it.runs.step_back()
-    assert it.runs.worked_out == (("1 + 2", "3"),)
+    assert (it.runs.worked_out, it.runs.knows_variables) == ((("1 + 2", "3"),), True)
     it.runs.to_present()
     it.runs.continue_()
     assert it.runs.worked_out == ()
@@ -183,7 +183,7 @@ def test_a_position_of_the_past_is_looked_at_from_either_side(room: Callable[...
     assert runs.step_back() == (looking, "Back: end of the program. Position 0, 1.")
     assert runs.past_steps == (4, 5)
     assert runs.look_at(2) == ("Before TR 90: facing north.",)
-    assert runs.past_steps == (2, 5)
+    assert (runs.past_steps, runs.worked_out) == ((2, 5), ())
     assert runs.look_at(2) == ()
     assert runs.look_at(-5) == (it.words("undone-start"),)
     assert runs.past_steps == (0, 5)
@@ -239,6 +239,30 @@ def test_variables_are_kept_during_the_movements_of_programs_of_several_lines(
     it.run("FW 1\nVAR b = 1\nTR b")
     assert next(iter(it.runs.variables_during.items())) == last
     assert len(it.runs.variables_during) == 2
+
+
+@pytest.mark.parametrize("name", [None, "alice"])
+def test_a_program_that_the_front_end_did_not_start_runs_too(
+    room: Callable[..., Room], name: str | None
+) -> None:
+    it = room(*([name] if name else []), speed=1.0)
+    held = threading.Event()
+
+    def hold(control: ExecutionControl) -> None:
+        control.observe(lambda state: held.set() if state is ControlState.PAUSED else None)
+        control.step()
+
+    run = it.team.chosen.start(ENDLESS, "a.gd", prepare=hold)
+    assert held.wait(TIMEOUT)
+    assert (it.runs.state, it.runs.is_held, it.runs.is_steppable) == (RunState.PAUSED, False, False)
+    assert it.runs.pause() is True
+    it.runs.continue_()
+    assert it.runs.state is RunState.RUNNING
+    assert it.runs.pause() is True
+    it.runs.stop()
+    assert run.is_over
+    assert it.runs.state is RunState.READY
+    assert it.answers[-1].endswith("Stopped.")
 
 
 # --- starting
@@ -320,6 +344,28 @@ def test_a_program_is_held_between_its_statements_only_if_a_request_for_that_can
     assert run.outcome is (Outcome.STOPPED if is_held else Outcome.COMPLETED)
 
 
+@pytest.mark.parametrize("is_background", [True, False])
+def test_breakpoints_hold_every_program_but_one_that_runs_unattended(
+    room: Callable[..., Room], is_background: bool
+) -> None:
+    it = room(can_hold=False, has_prompt=True)
+    request = RunRequest("FW 1\nFW 2", breakpoints=frozenset({2}))
+    run = it.runs.start(request, is_background=is_background)
+    if is_background:
+        assert run.wait(TIMEOUT)
+        assert run.outcome is Outcome.COMPLETED
+    else:
+        it.until(lambda: it.runs.is_held)
+        assert it.answers == ["Line 2: FW 2"]
+
+
+def test_a_variable_is_watched_where_no_request_can_come(room: Callable[..., Room]) -> None:
+    it = room(can_hold=False)
+    it.runs.toggle_watch("n")
+
+    assert it.run("VAR n = 1\nn = 2\nn = 3") == ["n is 1.", "n is 2.", "n is 3.", "The program is done."]
+
+
 def test_programs_that_were_given_start_together(room: Callable[..., Room]) -> None:
     it = room("alice", "bob", has_prompt=True)
     with pytest.raises(NothingToRun):
@@ -393,6 +439,21 @@ def test_a_program_in_the_background_may_not_pause_in_time(
     assert run.wait(TIMEOUT)
 
 
+def test_a_pause_between_two_statements_names_the_line_of_the_next_one(room: Callable[..., Room]) -> None:
+    it = room()
+
+    def pause(stamped: Stamped) -> None:
+        if isinstance(stamped.event, Spoke):
+            it.runs.pause()
+
+    it.team.stream.subscribe(pause)
+    it.start("SPEAK 1\nFW 1\nFW 2")
+    it.until(lambda: it.runs.is_held)
+    assert it.answers == ["Paused at line 2.", "Line 2: FW 1"]
+    it.go_on(it.runs.step)
+    assert it.answers[2:] == ["Line 3: FW 2"]
+
+
 def test_a_step_into_a_call_holds_in_it_and_a_step_over_it_after_it(room: Callable[..., Room]) -> None:
     text = "PROCEDURE P DO\nFW 1\nEND PROCEDURE\nP []\nFW 2"
     for request, line in ((RunController.step, 2), (RunController.step_over, 5)):
@@ -417,6 +478,38 @@ def test_after_a_step_over_the_way_back_goes_forward_by_steps(room: Callable[...
         it.words("redone", what=it.words("undone-run-ended")),
         it.words("looking-back-ended"),
     ]
+
+
+def test_what_ran_on_is_undone_event_by_event(room: Callable[..., Room]) -> None:
+    it = room()
+    it.hold("FW 1\nFW 1\nFW 1\nFW 1")
+    it.go_on(lambda: it.runs.run_to(4))
+
+    assert it.runs.step_back()[-1] == "Before FW 1: position 0, 2."
+    assert it.runs.step_back()[-1] == "Before FW 1: position 0, 1."
+
+
+@pytest.mark.parametrize(
+    ("request_", "text", "said"),
+    [
+        (RunController.continue_, "VAR a = 1", ["Done."]),
+        (RunController.continue_, "SPEAK 1", []),
+        (RunController.step, "SPEAK 1", ["Done."]),  # the learner waits for what it does
+        (lambda runs: runs.run_to(9), "VAR a = 1", ["Done."]),
+        (lambda runs: runs.run_to(9), "SPEAK 1", []),
+    ],
+)
+def test_the_end_after_a_request_is_said_if_nothing_was_said_since_or_it_was_a_step(
+    room: Callable[..., Room], request_: Callable[[RunController], object], text: str, said: list[str]
+) -> None:
+    it = room(has_prompt=True)
+    run = it.hold(text)
+    before = len(it.answers)
+    request_(it.runs)
+    assert run.wait(TIMEOUT)
+    it.runs.sum_up(None)
+
+    assert it.answers[before:] == said
 
 
 def test_a_variable_is_watched_no_more_in_the_middle_of_a_run(room: Callable[..., Room]) -> None:

@@ -8,6 +8,7 @@ from random import Random
 import pytest
 
 from devices.ports.robot import Pose, StoppedBy
+from donnie_tui.core import timeline
 from donnie_tui.core.events import (
     Driven,
     HowStarted,
@@ -229,3 +230,139 @@ def test_the_parts_of_a_shortened_path_are_driven_in_their_order() -> None:
 
 def test_a_path_that_is_made_has_the_lengths_of_its_legs() -> None:
     assert DrivenPath("", (Pose(0, 0, 0), Pose(3, 4, 0), Pose(3, 0, 0))).lengths == (0, 5, 9)
+
+
+# --- what a path leaves out
+
+
+def driven(*places: tuple[float, ...]) -> Trail:
+    return trail(*(Driven("forward", Pose(*each, *[0.0] * (3 - len(each)))) for each in places))
+
+
+@pytest.mark.parametrize(
+    ("places", "count"),
+    [
+        ([(0, 0), (0, 1), (0, 2), (0, 9)], 2),
+        ([(0, 0), (0, 1)], 2),
+        ([(0, 0), (0, 2), (0, 1)], 3),  # back
+        ([(0, 0), (0, 1), (0, 1)], 3),  # a stay
+        ([(0, 0), (1, 0), (1, 1)], 3),  # aside
+        ([(0, 0), (0, 1), (0.001, 2)], 3),
+        ([(0, 0), (3, 4), (6, 8)], 2),
+        ([(0, 0, 0), (0, 1, 0), (0, 2, 0.01)], 2),
+        ([(0, 0, 0), (0, 1, 0), (0, 2, 0.02)], 3),
+        ([(0, 0, 0.02), (0, 1, 0), (0, 2, 0)], 3),
+        ([(0, 0, 0), (0, 0, 90), (0, 0, 180)], 2),  # two turns on one spot are one
+        ([(0, 0, 0), (0, 0, 90), (0, 1, 90)], 3),
+        ([(0, 0, 0), (0, 1, 0), (0, 1, 90)], 3),
+    ],
+)
+def test_a_place_is_left_out_if_the_way_goes_straight_on_through_it(
+    places: list[tuple[float, ...]], count: int
+) -> None:
+    path = driven(*places).path
+    ways = sum(hypot(b[0] - a[0], b[1] - a[1]) for a, b in pairwise(places))
+
+    assert len(path.poses) == count
+    assert (path.poses[0].x, path.poses[-1].x, path.poses[-1].y) == (places[0][0], *places[-1][:2])
+    assert path.lengths == (0, *path.lengths[1:-1], pytest.approx(ways))
+
+
+@pytest.mark.parametrize(("count", "known"), [(8, 8), (9, 6), (10, 7), (11, 6), (12, 7), (13, 6)])
+def test_of_a_path_with_too_many_places_the_start_and_the_newest_three_quarters_are_kept(
+    monkeypatch: pytest.MonkeyPatch, count: int, known: int
+) -> None:
+    monkeypatch.setattr(timeline, "PLACES_KEPT", 8)
+    places = [(at * 10.0, at % 2 * 10.0 + at * at) for at in range(count)]
+    path = driven(*places).path
+    ways = [0.0, *(hypot(b[0] - a[0], b[1] - a[1]) for a, b in pairwise(places))]
+    kept = [places[0], *places[-known:]] if path.has_gap else places
+
+    assert path.has_gap is (count > 8)
+    assert [(each.x, each.y) for each in path.poses] == kept
+    assert path.pieces == ((path.poses[:1], path.poses[1:]) if path.has_gap else (path.poses,))
+    assert path.lengths == pytest.approx([sum(ways[: places.index(each) + 1]) for each in kept])
+
+
+def test_a_round_that_is_driven_again_is_left_out_and_its_steps_are_counted(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(timeline, "PLACES_KEPT", 8)
+    square = [(0.0, 0.0), (0.0, 5.0), (5.0, 5.0), (5.0, 0.0)]
+    path = driven(*square, *square, *square[:2]).path
+    there = [(each.x, each.y) for each in path.poses]
+
+    assert there == [*square, (0, 0), (0, 0), (0, 5)]  # it waits
+    assert path.lengths == (0, 5, 10, 15, 20, 40, 45)
+    assert path.has_gap is False
+
+
+@pytest.mark.parametrize(("aside", "count"), [(0.02, 2), (0.05, 9)])
+def test_a_place_less_than_three_hundredths_of_a_step_from_the_way_is_left_out_of_a_long_path(
+    monkeypatch: pytest.MonkeyPatch, aside: float, count: int
+) -> None:
+    monkeypatch.setattr(timeline, "PLACES_KEPT", 8)
+    path = driven(*((at % 2 * aside, at * 1.0) for at in range(9))).path
+
+    assert len(path.poses) == count - (count > 8) * 2  # the newest six and the start
+    assert (path.poses[0], path.poses[-1]) == (Pose(0, 0, 0), Pose(0, 8, 0))
+
+
+@pytest.mark.parametrize(("aside", "is_same"), [(0.01, True), (0.011, False)])
+def test_a_run_that_begins_a_hundredth_of_a_step_away_continues_the_path(aside: float, is_same: bool) -> None:
+    walked = trail(started(Pose(0, 0, 0)), WALK, started(Pose(aside, 3, 0)))
+
+    assert (len(walked.path.poses) == 2) is is_same
+    assert walked.last_pose == Pose(aside, 3, 0)
+    assert bool(driven((0, 0), (aside, 0)).paths) is not is_same  # as far it did not drive
+
+
+def test_a_run_of_an_older_version_changes_no_path() -> None:
+    walked = trail(started(Pose(0, 0, 0)), WALK, RunStarted("a", "w", "donnie", 0, "0", None))
+
+    assert (walked.path.poses, walked.last_pose) == ((Pose(0, 0, 0), Pose(0, 3, 0)), Pose(0, 3, 0))
+
+
+@pytest.mark.parametrize("is_named", [True, False])
+def test_a_run_belongs_to_its_robot_where_events_name_it(is_named: bool) -> None:
+    how = HowStarted("", 1, True, False, False, Pose(1, 2, 0), named=is_named)
+    name, walked = "donnie" if is_named else None, Trail(lambda: "donnie" if is_named else None)
+    walked.on_event(Stamped(1, 0.0, RunStarted("a", "w", "donnie", 0, "0", how), "donnie"))
+    walked.on_event(Stamped(2, 0.0, WALK, name))
+
+    assert (walked.last_pose, walked.path.robot) == (Pose(0, 3, 0), name or "")
+    assert [each.poses for each in walked.paths] == [(Pose(1, 2, 0), Pose(0, 3, 0))]
+
+
+def test_moves_are_counted_also_those_that_are_forgotten() -> None:
+    walked = Trail(most_moves=2)
+    assert (walked.moves, walked.in_words(5, Words())) == (0, ("I have not moved yet.",))
+    for number, event in enumerate((WALK, TURN, BLOCKED), 1):
+        walked.on_event(Stamped(number, 0.0, event))
+
+    assert (walked.moves, len(walked.rows())) == (3, 2)
+    assert walked.in_words(0, Words()) == ("I have not moved yet.",)
+    assert [len(walked.in_words(count, Words())) for count in (1, 2, 3)] == [1, 2, 2]
+
+
+def test_a_copy_of_a_trail_goes_on_by_itself_and_one_for_another_robot_does_not() -> None:
+    walked = trail(started(Pose(0, 0, 0)), WALK)
+    copied, same = walked.copied(), walked.of(lambda: None)
+    walked.on_event(Stamped(3, 0.0, TURN))
+
+    assert (copied.moves, len(copied.rows()), len(copied.path.poses)) == (1, 1, 2)
+    assert copied.last_pose == Pose(0, 3, 0)
+    assert (same.moves, same.path, same.last_pose) == (2, walked.path, Pose(0, 3, 90))
+    copied.on_event(Stamped(3, 0.0, BLOCKED))
+    assert (copied.rows()[-1][0], walked.rows()[-1][0]) == ("FW 9", "TR 90")
+    assert walked.of(lambda: "bob").moves == 0
+
+
+@pytest.mark.parametrize("by", StoppedBy, ids=lambda by: by.name.lower())
+def test_only_what_stands_in_the_way_blocks(by: StoppedBy) -> None:
+    stopped = by in (StoppedBy.USER, StoppedBy.LINK, StoppedBy.WRONG_WAY, StoppedBy.RUNAWAY)
+    moved = Moved("FW 9", 9, 2, by, Pose(2.9, -3.9, 0), True)
+
+    (said,) = trail(moved).in_words(1, Words())
+    assert said == f"FW 9: {'stopped' if stopped else 'blocked'} after 2 steps, at 2, -3."
+    assert trail(moved).rows() == (("FW 9", 2, 2, -3, 0, True),)
