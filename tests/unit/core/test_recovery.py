@@ -1,6 +1,7 @@
 """Copies of unsaved programs: each names its file, and the latest text is on disk."""
 
 import contextlib
+import errno
 import os
 import subprocess
 import sys
@@ -316,3 +317,175 @@ def test_what_cannot_be_written_at_an_end_is_not_reported(tmp_path: Path) -> Non
     copy.want("FW 1")
 
     copy.write_quietly()
+
+
+# --- what is on disk
+
+
+def test_a_new_copy_is_the_owners_alone_and_has_the_number_of_its_process(tmp_path: Path) -> None:
+    folder = CopyFolder(str(tmp_path / "state" / "unsaved"))
+    copy = folder.new_copy()
+
+    assert copy.name.startswith(f"unsaved-{os.getpid()}-")
+    assert (copy.suffix, copy.stat().st_mode & 0o777, copy.read_text()) == (".gd", 0o600, "")
+    assert folder.in_use == {copy}
+    assert folder.rescued() == []  # it is empty, and of this start
+    copy.write_text("FW 1")
+    assert folder.rescued() == []
+    assert CopyFolder(folder.name).rescued() == [copy]
+
+
+def test_a_copy_that_can_not_be_made_names_its_folder_and_the_reason(tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    copy = UnsavedCopy(CopyFolder(str(tmp_path / "file" / "folder")))
+    copy.want("FW 1")
+    with pytest.raises(DocumentError) as failed:
+        copy.write()
+
+    assert (failed.value.code, failed.value.path) == ("file-unwritable", str(tmp_path / "file" / "folder"))
+    assert failed.value.reason in (os.strerror(errno.ENOTDIR), os.strerror(errno.EEXIST))
+
+
+@pytest.mark.parametrize("is_offered", [True, False])
+def test_a_copy_that_is_left_is_the_newest_one_and_not_written_again(
+    tmp_path: Path, is_offered: bool
+) -> None:
+    folder, prefix = CopyFolder(str(tmp_path)), "kept-" if is_offered else "left-"
+    later = 2 * 10**18
+    (tmp_path / f"{prefix}0-0.gd").write_text("FW 0")
+    os.utime(tmp_path / f"{prefix}0-0.gd", ns=(later, later))
+    copy = UnsavedCopy(folder)
+    copy.want("FW 1")
+    copy.write()
+    (name,) = [each.name for each in folder.in_use]
+    copy.leave(is_offered=is_offered)
+    assert copy.is_outdated
+    copy.write()
+    assert (copy.is_outdated, folder.in_use) == (False, set())
+    left = tmp_path / name.replace("unsaved-", prefix)
+    assert folder.newest_first(prefix) == [left, tmp_path / f"{prefix}0-0.gd"]
+    assert left.stat().st_mtime_ns == later + 1
+    assert (folder.rescued() if is_offered else folder.left())[0] == left
+    assert folder.offered()[0] == left
+    copy.write()
+    assert len([*tmp_path.iterdir()]) == 2
+
+
+def test_a_copy_without_a_text_is_left_as_nothing(tmp_path: Path) -> None:
+    copy = UnsavedCopy(CopyFolder(str(tmp_path)))
+    copy.leave()
+    copy.write()
+    copy.want_none()
+    copy.write()
+
+    assert [*tmp_path.iterdir()] == []
+
+
+def test_the_copy_that_another_one_takes_the_place_of_is_removed_once_it_is_written(tmp_path: Path) -> None:
+    folder, old = CopyFolder(str(tmp_path)), tmp_path / "left-0-0.gd"
+    old.write_text("FW 1")
+    copy = UnsavedCopy(folder)
+    copy.want("FW 1", instead_of=old)
+    assert old.exists()
+    copy.write()
+    assert not old.exists()
+    (only,) = tmp_path.iterdir()
+    assert folder.in_use == {only}
+    copy.want_none()
+    assert copy.is_removal
+    copy.write()
+    assert (folder.in_use, [*tmp_path.iterdir()]) == (set(), [])
+    copy.want("FW 2")
+    copy.write()
+    assert [each.read_text() for each in tmp_path.iterdir()] == ["FW 2"]
+
+
+@pytest.mark.parametrize(
+    ("text", "is_saved", "is_kept"), [("FW 1", False, True), ("FW 1", True, False), (" \n", False, False)]
+)
+def test_only_what_is_not_saved_is_followed(tmp_path: Path, text: str, is_saved: bool, is_kept: bool) -> None:
+    copy = UnsavedCopy(CopyFolder(str(tmp_path)))
+    copy.follow(text, is_saved=is_saved)
+
+    assert (copy.is_outdated, copy.is_removal) == (True, not is_kept)
+    copy.write()
+    assert len([*tmp_path.iterdir()]) == is_kept
+
+
+def test_texts_are_written_before_others_are_removed(tmp_path: Path) -> None:
+    """A text that came back from one program to another is on disk at every moment."""
+    order, done = list[str](), threading.Event()
+
+    class Watched(UnsavedCopy):
+        def __init__(self, name: str) -> None:
+            super().__init__(CopyFolder(str(tmp_path)))
+            self.name = name
+
+        def write(self) -> None:
+            super().write()
+            order.append(self.name)
+            if len(order) == 3:
+                done.set()
+
+    removed, text, unchanged, last = map(Watched, ("removed", "text", "unchanged", "last"))
+    removed.want_none()
+    text.want("FW 1")
+    last.want("FW 2")
+    CopyWriter(lambda _: None).write([removed, text, unchanged, last])
+
+    assert done.wait(TIMEOUT)
+    assert order == ["text", "last", "removed"]
+
+
+def test_a_writer_begins_again_after_it_has_written_everything(tmp_path: Path) -> None:
+    writer, copy = CopyWriter(lambda _: None), UnsavedCopy(CopyFolder(str(tmp_path)))
+    for text in ("FW 1", "FW 2"):
+        copy.want(text)
+        writer.write([copy])
+        for thread in threading.enumerate():
+            if thread.name == "copies":
+                thread.join(TIMEOUT)
+        assert [each.read_text() for each in tmp_path.iterdir()] == [text]
+
+
+@pytest.mark.parametrize(
+    ("kept", "text", "name"),
+    [
+        ("FW 1\r\nFW 2\n", "FW 1\nFW 2", None),
+        ("-- What was not saved of the file: /a/b.gd\nFW 1", "FW 1", "/a/b.gd"),
+        ("-- What was not saved of the file: \nFW 1", "FW 1", None),
+        ("-- What was not saved of the file: /a/b.gd", "", "/a/b.gd"),
+        ("\n-- What was not saved of the file: /a\n", "\n-- What was not saved of the file: /a", None),
+    ],
+)
+def test_the_first_line_of_a_copy_may_name_its_file(
+    tmp_path: Path, kept: str, text: str, name: str | None
+) -> None:
+    (tmp_path / "copy.gd").write_text(kept, newline="")
+    found = read_copy(tmp_path / "copy.gd")
+
+    assert (found.text, found.path) == (text, None if name is None else Path(name))
+
+
+def test_the_file_of_a_copy_is_named_from_the_root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    write_copy(tmp_path / "copies", "FW 1", Path("walk.gd"))
+
+    (only,) = (tmp_path / "copies").iterdir()
+    assert only.read_text() == f"-- What was not saved of the file: {tmp_path}/walk.gd\nFW 1"
+
+
+@pytest.mark.skipif(os.name != "posix", reason="processes have signals")
+def test_elsewhere_the_copy_of_a_process_of_another_account_is_in_use(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    copy = tmp_path / "unsaved-1-abc.gd"
+    copy.write_text("FW 1")
+    monkeypatch.setattr(sys, "platform", "darwin")
+
+    def refuse(number: int, signal: int) -> None:
+        assert (number, signal) == (1, 0)
+        raise PermissionError
+
+    monkeypatch.setattr(os, "kill", refuse)
+    assert CopyFolder(str(tmp_path)).rescued() == []
