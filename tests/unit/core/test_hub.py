@@ -320,3 +320,97 @@ def test_a_listener_that_hangs_forever_slows_a_program_but_does_not_stop_it() ->
 
     assert not running.is_alive()
     blocked.let_go()
+
+
+def test_a_recorded_event_is_passed_on_as_it_is_and_takes_no_number() -> None:
+    stream, heard = Stream(), list[Stamped]()
+    stream.subscribe(heard.append)
+    hub = Hub(lambda: 1.0, "alice", stream)
+    recorded = Stamped(7, 3.0, Spoke("a"), "bob")
+    stream.pass_on(recorded)
+    hub.publish(Spoke("b"))
+
+    assert heard == [recorded, Stamped(1, 1.0, Spoke("b"), "alice")]
+
+
+def test_a_gate_holds_only_a_program_and_only_until_it_is_removed() -> None:
+    hub, passed = Hub(lambda: 0.0, "alice"), list[str | None]()
+    leave, leave_other = hub.add_gate(passed.append), hub.add_gate(lambda _: passed.append("other"))
+    hub.publish(Spoke("before"))
+    assert passed == []
+    hub.hold_back_here()
+    hub.publish(Spoke("a"))
+    assert passed == ["alice", "other"]
+    leave()
+    hub.publish(Spoke("b"))
+    assert passed == ["alice", "other", "other"]
+    leave_other()
+    hub.publish(Spoke("c"))
+    hub.add_gate(passed.append)
+    hub.stop_holding_back()
+    hub.publish(Spoke("d"))
+    assert passed == ["alice", "other", "other"]
+
+
+def test_an_answer_to_an_event_waits_at_no_gate() -> None:
+    """It is published during a delivery, which must go on."""
+    hub, passed, heard = new_hub(), list[str | None](), list[Event]()
+    hub.subscribe(lambda stamped: heard.append(stamped.event))
+    hub.subscribe(lambda stamped: hub.publish(Spoke("2")) if stamped.event == Spoke("1") else None)
+    hub.add_gate(passed.append)
+    hub.hold_back_here()
+    hub.publish(Spoke("1"))
+
+    assert (heard, passed) == ([Spoke("1"), Spoke("2")], [None])
+
+
+def test_an_event_whose_listener_failed_counts_as_delivered() -> None:
+    hub, failing = new_hub(), [True]
+
+    def fail(_: Stamped) -> None:
+        if failing:
+            failing.clear()
+            raise RuntimeError
+
+    hub.subscribe(fail)
+    with pytest.raises(RuntimeError):
+        hub.publish(Spoke("a"))
+    hub.publish(Spoke("b"))
+
+    assert (hub._stream._delivered, hub._stream._queued) == (2, 2)
+
+
+def test_a_listener_that_leaves_during_a_delivery_still_gets_that_event() -> None:
+    hub, heard = new_hub(), list[Stamped]()
+    leaves = list[Callable[[], None]]()
+    hub.subscribe(lambda _: leaves.pop()() if leaves else None)
+    leaves.append(hub.subscribe(heard.append))
+    hub.publish(Spoke("a"))
+    hub.publish(Spoke("b"))
+
+    assert [each.event for each in heard] == [Spoke("a")]
+
+
+def test_a_failing_listener_of_the_streams_own_thread_is_logged(caplog: pytest.LogCaptureFixture) -> None:
+    stream, blocked = Stream(), Blocked()
+    alice, bob = Hub(lambda: 0.0, "alice", stream), Hub(lambda: 0.0, "bob", stream)
+    stream.subscribe(blocked)
+
+    def fail(stamped: Stamped) -> None:
+        if stamped.event == Spoke("b"):
+            raise RuntimeError("of a screen")
+
+    stream.subscribe(fail)
+    first = in_thread(lambda: alice.publish(Spoke("a")))
+    assert blocked.hangs.wait(TIMEOUT)
+    bob.publish(Spoke("b"))
+    blocked.let_go()
+    first.join(TIMEOUT)
+    for each in threading.enumerate():
+        if each.name == "stream":
+            each.join(TIMEOUT)
+
+    assert "a listener failed" in caplog.text
+    assert "of a screen" in caplog.text
+    alice.publish(Spoke("c"))
+    assert blocked.heard == [1, 2, 3]

@@ -265,6 +265,27 @@ def test_a_program_that_the_front_end_did_not_start_runs_too(
     assert it.answers[-1].endswith("Stopped.")
 
 
+def test_the_events_of_a_run_that_the_front_end_did_not_start_leave_no_traces(
+    room: Callable[..., Room],
+) -> None:
+    it = room()
+    it.run("VAR a = 1\nFW a")
+    kept = dict(it.runs.variables_during)
+    assert it.team.chosen.start("VAR b = 1\nTR b", "b.gd").wait(TIMEOUT)
+
+    assert it.runs.variables_during == kept
+
+
+def test_of_a_program_of_one_line_no_calls_are_kept(room: Callable[..., Room]) -> None:
+    it = room()
+    for text, line in (("SPEAK 1 SPEAK 2", None), ("SPEAK 1\nSPEAK 2", 2)):
+        it.run(text)
+        it.runs.step_back()  # the end
+        it.runs.step_back()
+        assert [each.line for each in it.runs.frames] == ([] if line is None else [line])
+        assert it.runs.knows_variables is (line is not None)
+
+
 # --- starting
 
 
@@ -642,6 +663,25 @@ def test_the_end_of_a_run_is_said_once_or_not_after_another_robot_was_chosen(
     assert it.runs.state is RunState.READY
     it.runs.sum_up("alice")
     assert it.answers == ["alice: Done."]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [("VAR a = 1", ["Done."]), ("SPEAK 1", []), ("SPEAK q", []), ("WHILE 1 == 1 DO\nEND WHILE", None)],
+)
+def test_a_silent_program_in_the_background_is_done_at_its_end_and_not_at_a_stop(
+    room: Callable[..., Room], text: str, said: list[str] | None
+) -> None:
+    it = room(has_prompt=True)
+    run = it.runs.start_in_background(RunRequest(text))
+    if said is None:
+        it.until(lambda: bool(it.runs.frames))
+        it.runs.forget_ended()
+        assert it.runs.state is RunState.RUNNING  # it has not ended
+        it.runs.stop()
+    assert run.wait(TIMEOUT)
+
+    assert it.answers == ["donnie begins.", *(["Stopped at line 1."] if said is None else said)]
 
 
 @pytest.mark.parametrize("is_background", [True, False])

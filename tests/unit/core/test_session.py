@@ -6,26 +6,32 @@ import tracemalloc
 
 import pytest
 
-from devices.ports.robot import Pose
+from devices.ports.robot import Bearing, Pose
+from donnie_tui import __version__
 from donnie_tui.core.events import (
     TRANSIENT,
     Announced,
     CueSounded,
     Error,
     Event,
+    HowStarted,
     Outcome,
     Read,
     Reset,
     RunEnded,
     RunStarted,
+    Sensed,
     Spoke,
     Stamped,
     Statement,
     Waited,
 )
+from donnie_tui.core.runner import Run
 from donnie_tui.core.session import Busy, RunOptions
 from donnie_tui.core.timeline import Chronicle, Timeline, Trail
 from donnie_tui.core.transcript import History
+from language.compiler import compile_program
+from language.parser import parse
 from tests.floor import Floor
 from tests.timeouts import TIMEOUT
 
@@ -425,3 +431,177 @@ def test_a_stop_ends_a_history_that_is_being_printed() -> None:
 
     assert outcome is Outcome.STOPPED
     assert sum(getattr(each, "code", "") == "history" for each in floor.events) == 1
+
+
+# --- what a run is given, and what is known of it
+
+
+def test_a_run_says_how_it_was_started() -> None:
+    floor = Floor(language="pt", detail="brief", terminal=True, seed=3)
+    floor.run("FW 2")
+    run = floor.session.start("SPEAK 1\nTR 90", "b.gd", RunOptions(trace=True, first_line=4, terminal=False))
+    assert run.wait(TIMEOUT)
+
+    first, second = [each for each in of(RunStarted, floor) if isinstance(each, RunStarted)]
+    assert (second.program, second.world, second.robot, second.seed) == ("b.gd", "floor", "donnie", 3)
+    assert second.version == __version__
+    assert first.how == HowStarted("FW 2", 1, False, True, False, Pose(0, 0, 0), "pt", "brief", False, ())
+    assert second.how == HowStarted(
+        *("SPEAK 1\nTR 90", 4, False, False, True, Pose(0, 2, 0), "pt", "brief", False, ())
+    )
+
+
+@pytest.mark.parametrize(("text", "is_refused"), [("FW 1", False), ("FWD 1", True)])
+def test_a_run_begins_anew_only_if_it_is_not_refused(text: str, is_refused: bool) -> None:
+    floor = Floor(terminal=True)
+    floor.run("VAR a = 1\nFW 3")
+    floor.run(text, fresh=True)
+    started = of(RunStarted, floor)[-1]
+
+    assert isinstance(started, RunStarted)
+    assert started.how is not None
+    assert (started.how.fresh, started.how.refused) == (True, is_refused)
+    assert started.how.pose == Pose(0, 3 if is_refused else 0, 0)
+    assert floor.session.variables == ({"a": 1} if is_refused else {})
+
+
+def test_a_run_that_others_drive_can_not_be_repeated_and_may_begin_while_robots_are_taken() -> None:
+    floor = Floor()
+    floor.session.is_taken = lambda: True
+    with pytest.raises(Busy):
+        floor.session.start("FW 1", "a.gd")
+    assert floor.session.run is None
+    driver = compile_program(parse("SPEAK 7").program, terminal=False, hooked=False)  # type: ignore[arg-type]
+    run = floor.session.start("FW 1", "a.gd", RunOptions(driver=driver))
+    assert run.wait(TIMEOUT)
+
+    (started,) = of(RunStarted, floor)
+    assert isinstance(started, RunStarted)
+    assert (started.how, of(Spoke, floor)) == (None, [Spoke("7")])
+
+
+@pytest.mark.parametrize("hooked", [True, False])
+def test_each_statement_is_looked_at_before_it_runs_if_the_run_can_be_stepped(hooked: bool) -> None:
+    floor, places = Floor(), list[int]()
+    run = floor.session.start(
+        "FW 1\nFW 2",
+        "a.gd",
+        RunOptions(hooked=hooked),
+        each_statement=lambda: places.append(floor.session.frames[0].line),
+    )
+    assert run.wait(TIMEOUT)
+
+    assert places == ([1, 2] if hooked else [])
+    assert (floor.session.run, floor.session.frames) == (None, ())
+
+
+@pytest.mark.parametrize(("text", "is_refused"), [("FW 1", False), ("FWD 1", True)])
+def test_it_is_known_whether_a_run_was_refused_before_anything_runs(text: str, is_refused: bool) -> None:
+    floor, known = Floor(), list[object]()
+
+    def when_read(run: Run) -> None:
+        known.append((run.was_refused, [each for each in floor.events if isinstance(each, RunStarted)]))
+
+    assert floor.session.start(text, "a.gd", when_read=when_read).wait(TIMEOUT)
+    assert known == [(is_refused, [])]
+
+
+def test_a_claimed_run_waits_until_it_begins_and_can_be_given_up() -> None:
+    floor = Floor()
+    run = floor.session.claim("FW 1", "a.gd")
+    assert (floor.session.run, run.has_begun, floor.events) == (run, False, [])
+    with pytest.raises(Busy):
+        floor.session.claim("FW 2", "b.gd")
+    floor.session.give_up(run)
+    assert floor.session.run is None
+    run = floor.session.claim("FW 3", "c.gd")
+    floor.session.begin(run)
+    assert run.wait(TIMEOUT)
+    assert floor.session.pose == Pose(0, 3, 0)
+
+
+def test_a_run_that_has_begun_is_stopped_where_it_is_given_up() -> None:
+    floor = Floor(speed=1.0)
+    run = floor.session.start(ENDLESS, "a.gd")
+    floor.session.give_up(run)
+
+    assert run.wait(TIMEOUT)
+    assert run.outcome is Outcome.STOPPED
+
+
+def test_only_the_end_of_a_stopped_program_is_waited_for() -> None:
+    floor = Floor(speed=1.0)
+    assert floor.session.wait_for_stop()
+    floor.session.stop()  # nothing runs
+    run = floor.session.start(ENDLESS, "a.gd")
+    assert floor.session.wait_for_stop()
+    assert not run.is_over
+    floor.session.wait_until_acting(TIMEOUT)
+    assert floor.session.frames[0].line == 1
+    floor.session.stop()
+    assert floor.session.wait_for_stop()
+    assert run.is_over
+
+
+def test_nothing_of_a_robot_changes_while_a_program_runs() -> None:
+    floor = Floor(speed=1.0)
+    run = floor.session.start(ENDLESS, "a.gd")
+    with pytest.raises(Busy):
+        floor.session.change_robot(None)
+    floor.session.close()
+    assert run.is_over
+
+
+def test_a_reset_forgets_the_past_and_is_published_with_the_place() -> None:
+    floor = Floor(terminal=True)
+    floor.run("VAR a = 2\nFW a")
+    assert floor.session.variables == {"a": 2}
+    floor.session.variables["a"] = 9
+    assert floor.session.variables == {"a": 2}
+    floor.session.reset()
+
+    assert (floor.session.variables, floor.session.pose) == ({}, Pose(0, 0, 0))
+    assert floor.events[-1] == Reset(Pose(0, 0, 0))
+    floor.run("STATE")
+    assert floor.printed[-1] == "No command executed, position [0,0,0]."
+
+
+def test_what_happens_before_the_first_run_of_a_robot_happens_at_zero() -> None:
+    floor = Floor()
+    floor.session.hub.publish(Spoke("1"))
+    floor.run("WAIT 2")
+    floor.session.hub.publish(Spoke("2"))
+    floor.session.change_robot(None)
+    floor.session.hub.publish(Spoke("3"))
+
+    assert [each.t for each in floor.stream if isinstance(each.event, Spoke)] == [
+        0.0,
+        pytest.approx(2.0),
+        0.0,
+    ]
+
+
+def test_a_screen_can_ask_for_the_distances_the_world_and_the_pace() -> None:
+    floor = Floor(("red", 0, 4))
+    session = floor.session
+    session.publish_distances()
+
+    (sensed,) = of(Sensed, floor)
+    assert isinstance(sensed, Sensed)
+    assert sensed.distances[Bearing.FRONT] == 4
+    assert (session.world, session.name, session.colours) == ("floor", "donnie", {"red", "green", "blue"})
+    assert session.speed is None
+    session.speed = 2.0
+    assert session.speed == 2.0
+    assert session.takes_turns is True
+
+
+def test_a_line_knows_what_was_declared_unless_it_begins_anew() -> None:
+    floor = Floor(terminal=True)
+    floor.run("PROCEDURE P DO\nFW 1\nEND PROCEDURE")
+    known, anew = (floor.session.parse("P", fresh=fresh).diagnostics[0] for fresh in (False, True))
+    assert ((known.code, known.meant), (anew.code, anew.meant)) == (("procedure", "P []"), ("", ""))
+    (mistake,) = floor.session.parse("FW 1\nFWD 1", 7).diagnostics
+    assert mistake.span.line == 8
+    (unseen,) = floor.session.parse("SPEAK COLOR PINK").diagnostics
+    assert unseen.code == "unseen-colour"
