@@ -549,6 +549,15 @@ def test_a_variable_is_watched_no_more_in_the_middle_of_a_run(room: Callable[...
     assert it.runs.watched == ["m"]
 
 
+def test_watched_variables_are_not_looked_at_after_a_refused_run(room: Callable[..., Room]) -> None:
+    it = room(has_prompt=True)
+    it.runs.toggle_watch("n")
+    assert it.run("VAR n = 1") == ["n is 1."]
+    before = len(it.answers)
+    it.run("FWD 1")
+    assert not [each for each in it.answers[before:] if each.startswith("n ")]
+
+
 def test_breakpoints_are_not_set_in_a_typed_line_without_a_prompt(room: Callable[..., Room]) -> None:
     for options, is_whole, is_held in (
         ({}, False, False),

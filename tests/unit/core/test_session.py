@@ -9,6 +9,7 @@ import pytest
 from devices.ports.robot import Bearing, Pose
 from donnie_tui import __version__
 from donnie_tui.core.events import (
+    INTERNAL,
     TRANSIENT,
     Announced,
     CueSounded,
@@ -605,3 +606,107 @@ def test_a_line_knows_what_was_declared_unless_it_begins_anew() -> None:
     assert mistake.span.line == 8
     (unseen,) = floor.session.parse("SPEAK COLOR PINK").diagnostics
     assert unseen.code == "unseen-colour"
+
+
+@pytest.mark.parametrize(
+    ("text", "error"),
+    [
+        (
+            "FW 1\n  FWD 2 ",
+            ("unknown-command", 2, 3, "I do not know FWD.", "Did you mean FW?", "FWD 2", (), "", "FW", "", 0),
+        ),
+        (
+            "IF 1 < 2\nFW 1 END IF",
+            (
+                *("syntax", 2, 1, "I expected THEN, not FW.", "THEN belongs at the end of line 1."),
+                *("FW 1 END IF", (), "head-end-before", "THEN", "IF", 1),
+            ),
+        ),
+        (
+            "SPEAK 1\nSPEAK q",
+            (
+                *("undeclared-variable", 2, 7, "There is no variable q.", "Write VAR q first."),
+                *("SPEAK q", (), "", "", "SPEAK", 0),
+            ),
+        ),
+        (
+            "PROCEDURE P: n DO\nSPEAK 1 / n\nEND PROCEDURE\nP [0]",
+            (
+                *("division-by-zero", 2, 7, "I can't divide by zero.", None, "SPEAK 1 / n", (4,)),
+                *("", "", "SPEAK", 0),
+            ),
+        ),
+        (
+            "FW 1 +\nTR 90",
+            (
+                *("syntax", 1, 6, "A value is missing after a plus sign.", None, "FW 1 +", ()),
+                *("missing-value", "", "FW", 0),
+            ),
+        ),
+    ],
+)
+def test_a_mistake_has_its_place_its_words_and_what_was_meant(text: str, error: tuple[object, ...]) -> None:
+    floor = Floor(terminal=True)
+    floor.run(text)
+
+    assert of(Error, floor) == [Error(*error)]  # type: ignore[arg-type] -- its fields
+
+
+@pytest.mark.parametrize(("count", "is_said"), [(99, False), (100, True), (101, True)])
+def test_a_hundred_mistakes_may_not_be_all(count: int, is_said: bool) -> None:
+    floor = Floor()
+    floor.run("JUMP\n" * count)
+
+    assert len(of(Error, floor)) == min(count, 100)
+    assert (floor.printed[-1] == "Only the first 100 mistakes are listed.") is is_said
+
+
+def test_an_internal_fault_is_a_mistake_in_the_first_line_of_its_batch() -> None:
+    floor = Floor()
+
+    def fail(stamped: Stamped) -> None:
+        if isinstance(stamped.event, Spoke):
+            raise RuntimeError
+
+    floor.session.hub.subscribe(fail)
+    run = floor.session.start("  FW 1 \nSPEAK 1", "a.gd", RunOptions(first_line=5))
+    assert run.wait(TIMEOUT)
+
+    (error,) = of(Error, floor)
+    assert error == Error(INTERNAL, 5, 1, floor.words("internal-error"), None, "FW 1")
+    assert isinstance(floor.events[-1], RunEnded)
+
+
+def test_a_run_that_is_over_has_no_calls_and_ends_with_its_variables_in_order() -> None:
+    floor = Floor()
+    run = floor.session.start("VAR b = 2\nVAR a = 1\nWAIT 3\nFW 2", "a.gd")
+    assert run.wait(TIMEOUT)
+    (ended,) = of(RunEnded, floor)
+
+    assert isinstance(ended, RunEnded)
+    assert [*ended.variables.items()] == [("a", 1), ("b", 2)]
+    assert (ended.pose, ended.outcome) == (Pose(0, 2, 0), Outcome.COMPLETED)
+    assert ended.seconds > 3
+    assert (run.is_over, run.frames(), run.was_refused, run.wait(0)) == (True, (), False, True)
+
+
+def test_a_text_that_can_not_be_parsed_for_a_fault_of_donnie_fails_and_is_over(
+    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    floor, read = Floor(), list[bool]()
+
+    def fail(*_: object, **__: object) -> None:
+        raise RuntimeError("of the parser")
+
+    monkeypatch.setattr(floor.session, "parse", fail)
+    run = floor.session.start("FW 1", "a.gd", when_read=lambda run: read.append(run.was_refused))
+    assert run.wait(TIMEOUT)
+
+    assert (read, run.outcome, run.was_refused, run.wait_until_read(0)) == (
+        [False],
+        Outcome.FAILED,
+        False,
+        True,
+    )
+    assert [type(each) for each in floor.events if not isinstance(each, TRANSIENT)][-1] is RunEnded
+    assert "of the parser" in caplog.text

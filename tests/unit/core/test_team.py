@@ -249,3 +249,80 @@ def test_a_chosen_speed_counts_for_each_selected_or_started_robot() -> None:
     hall.run("WAIT 1", "WAIT 1")
 
     assert [each.speed for each in hall.team.sessions] == [None, None]
+
+
+def test_a_world_of_several_robots_names_each_once_in_its_order() -> None:
+    hall = Hall()
+    team = hall.team
+    assert (team.names, team.has_several, team.chosen_name, team.given) == (
+        ("alice", "Bob"),
+        True,
+        "alice",
+        {},
+    )
+    one = Team(("bob", "bob"), team.session, hall.stream_of_all)
+    assert (one.names, one.has_several, one.called("BOB")) == (("bob",), False, "bob")
+    assert team.choose("Bob") is team.chosen is team.session("Bob")
+    assert team.chosen_name == "Bob"
+    team.session("alice")
+    assert [each.name for each in team.sessions] == ["alice", "Bob"]
+
+
+@pytest.mark.parametrize(("robots", "together"), [(("Bob",), ()), (("Bob", "alice"), ("alice", "Bob"))])
+def test_robots_that_start_together_begin_anew_unless_they_go_on(
+    robots: tuple[str, ...], together: tuple[str, ...]
+) -> None:
+    hall, prepared = Hall(), list[tuple[str, bool]]()
+    programs = {each: RunRequest("FW 1", f"{each}.gd") for each in robots}
+    for fresh in (True, False):
+        runs = hall.team.start_together(
+            programs,
+            fresh=fresh,
+            prepare=lambda session, run: prepared.append((session.name, run.has_begun)),
+        )
+        assert all(run.wait(TIMEOUT) for run in runs)
+        assert [run.name for run in runs] == [f"{each}.gd" for each in together or robots]
+    assert hall.run("FW 1", "FW 1") == [Outcome.COMPLETED] * 2
+
+    started = [each.event for each in hall.heard if isinstance(each.event, RunStarted)]
+    hows = [each.how for each in started if each.how is not None]
+    count = len(robots)
+    assert [(each.fresh, each.together) for each in hows] == [
+        *[(True, together)] * count,
+        *[(False, together)] * count,
+        *[(True, ("alice", "Bob"))] * 2,
+    ]
+    assert prepared == [(each, False) for each in together or robots] * 2
+    assert hall.team.session("Bob").pose.y == 19
+
+
+def test_an_unknown_robot_lets_no_other_start() -> None:
+    hall = Hall()
+    with pytest.raises(KeyError):
+        hall.team.start_together({"alice": RunRequest("FW 1"), "carol": RunRequest("FW 1")})
+
+    assert hall.heard == []
+
+
+def test_robots_that_take_turns_are_expected_before_the_first_one_begins() -> None:
+    expected: list[tuple[list[str], int]] = []
+    hall = Hall()
+    hall.team._expect = lambda names: expected.append(([*names], len(hall.heard)))
+    runs = hall.team.start_together({"Bob": RunRequest("", "b"), "alice": RunRequest("", "a")})
+
+    assert all(run.wait(TIMEOUT) for run in runs)
+    assert expected == [(["alice", "Bob"], 0)]
+
+
+def test_all_programs_are_stopped_and_waited_for_at_the_end() -> None:
+    hall = Hall(speed=50.0)
+    endless = "WHILE 1 == 1 DO WAIT 1 END WHILE"
+    runs = hall.team.start_together({"alice": RunRequest(endless, "a"), "Bob": RunRequest(endless, "b")})
+    assert [each.name for each in hall.team.running] == ["alice", "Bob"]
+    hall.team.stop()
+    hall.team.wait_for_stop()
+    assert [run.is_over for run in runs] == [True, True]
+    runs = hall.team.start_together({"Bob": RunRequest(endless, "b")})
+    assert [each.name for each in hall.team.running] == ["Bob"]
+    hall.team.close()
+    assert runs[0].is_over
