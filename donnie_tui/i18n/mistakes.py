@@ -288,8 +288,9 @@ _HINT_OF: dict[MistakeKind, Callable[[Diagnostic, Wording], str | None]] = {
 
 def _values(diagnostic: Diagnostic, words: Wording) -> dict[str, object]:
     """The values for the placeholders of a sentence."""
-    values: dict[str, object] = {"name": _name(diagnostic), "limit": "", "word": "", "wanted": 0, "given": 0}
+    values: dict[str, object] = {"name": diagnostic.found, "limit": "", "wanted": 0, "given": 0}
     values |= diagnostic.details
+    values |= {key: _shortened(str(values.get(key, ""))) for key in ("name", "in_procedure")}
     values |= {"found": _found(diagnostic, words), "expected": _expected(diagnostic, words)}
     for key in ("opener", "word", "missing"):
         values[key] = _spelled(str(values.get(key, "")), words)

@@ -361,3 +361,62 @@ def test_what_was_probably_meant_is_offered_unless_the_sentence_says_it() -> Non
     assert offered(meant="FW", code="other-end") is None
     on = of_kind(MistakeKind.BAD_ARGUMENT, found="onn", meant="ON", expected=("on-or-off",))
     assert Words().hint(on) == "Did you mean ON? Use ON or OFF."
+
+
+def test_an_unknown_variable_may_be_a_number_in_words_or_a_text_without_quotes() -> None:
+    unknown, digits = MistakeKind.UNDECLARED_VARIABLE, {"written": "FW 3"}
+    number = of_kind(unknown, found="three", code="number-word", meant="3", details=digits)
+    text = of_kind(unknown, found="hello", code="spoken", meant="hello", details={"written": 'SPEAK "hello"'})
+
+    assert (Words().mistake(number), Words().hint(number)) == ("Numbers are written in digits: FW 3.", None)
+    assert Words().mistake(text) == "There is no variable hello."
+    assert Words().hint(text) == 'A text needs quotes: SPEAK "hello".'
+
+
+def test_a_name_is_that_of_the_details_where_nothing_was_typed() -> None:
+    unknown = of_kind(MistakeKind.UNDECLARED_VARIABLE, details={"name": "a" * 25})
+
+    assert Words().hint(unknown) == f"Write VAR {'a' * 23}\N{HORIZONTAL ELLIPSIS} first."
+
+
+@pytest.mark.parametrize("kind", MistakeKind, ids=lambda kind: kind.value)
+def test_a_mistake_of_which_nothing_is_known_has_a_sentence(kind: MistakeKind) -> None:
+    assert Words().mistake(of_kind(kind)).endswith(".")
+    assert Words().hint(of_kind(kind)) != ""
+
+
+LONG, CUT = "n" * 25, f"{'n' * 23}\N{HORIZONTAL ELLIPSIS}"
+"""A name, and as a sentence repeats it."""
+
+
+@pytest.mark.parametrize(
+    ("kind", "details", "sentence"),
+    [
+        (MistakeKind.UNDECLARED_VARIABLE, {"name": LONG}, f"There is no variable {CUT}."),
+        (MistakeKind.UNDECLARED_PROCEDURE, {"name": LONG}, f"There is no procedure {CUT} yet."),
+        (
+            MistakeKind.UNDECLARED_VARIABLE,
+            {"name": LONG, "in_procedure": LONG},
+            f"{CUT} is not known in {CUT}.",
+        ),
+        (
+            MistakeKind.WRONG_ARGUMENT_COUNT,
+            {"name": LONG, "wanted": 1, "given": 0},
+            f"{CUT} needs 1 value, not 0.",
+        ),
+        (MistakeKind.RECURSION_LIMIT, {"name": LONG, "limit": 7}, f"{CUT} calls itself too often."),
+    ],
+)
+def test_a_long_name_is_cut_in_a_sentence(
+    kind: MistakeKind, details: dict[str, str | int], sentence: str
+) -> None:
+    assert Words().mistake(of_kind(kind, found=LONG, details=details)) == sentence
+
+
+@pytest.mark.parametrize(
+    ("expected", "closer"), [(("END FOR",), "END FOR"), (("command", "END FOR"), "END FOR"), ((), "END IF")]
+)
+def test_an_open_block_gets_the_end_that_is_expected(expected: tuple[str, ...], closer: str) -> None:
+    open_block = of_kind(MistakeKind.MISSING_END, expected=expected, details={"opener": "IF"})
+
+    assert Words().hint(open_block) == f"Write {closer} where it ends."
