@@ -3,6 +3,7 @@
 import re
 
 import pytest
+from msgspec import structs
 
 from donnie_tui.core.events import INTERNAL, Error
 from donnie_tui.i18n.words import Words
@@ -89,3 +90,92 @@ def test_an_explanation_has_the_details_of_the_mistake_and_an_example(
 )
 def test_a_mistake_is_about_the_command_word_before_it(line: str, column: int, topic: str) -> None:
     assert keywords.topic_at(line, column) == topic
+
+
+def explanation(kind: str, **values: str) -> tuple[str, ...]:
+    return Words().explanation(structs.replace(Error(kind, 1, 1, "m", None), **values))
+
+
+QUOTES = Words()("advice-text-without-quotes")
+
+
+@pytest.mark.parametrize(
+    ("kind", "values", "is_text"),
+    [
+        ("undeclared-variable", {"code": "spoken", "topic": "SPEAK", "meant": '"hello"'}, True),
+        ("undeclared-variable", {"code": "spoken"}, True),
+        ("undeclared-variable", {"topic": "SPEAK"}, True),
+        ("undeclared-variable", {"topic": "SPEAK", "meant": "steps"}, False),
+        ("undeclared-variable", {"topic": "FW"}, False),
+        ("division-by-zero", {"topic": "SPEAK"}, False),
+    ],
+)
+def test_an_unknown_name_after_speak_may_be_a_text_without_quotes(
+    kind: str, values: dict[str, str], is_text: bool
+) -> None:
+    said = explanation(kind, **values)
+
+    assert (said[-1] == QUOTES) is is_text
+    if is_text:
+        assert said[:-1] == (Words()(f"explain-{kind}"), Words()(f"advice-{kind}"))
+
+
+@pytest.mark.parametrize(
+    ("kind", "example"),
+    [
+        ("undeclared-procedure", "PROCEDURE P: n DO FW n END PROCEDURE P [3]"),
+        ("too-deep", "PROCEDURE P: n DO FW n END PROCEDURE P [3]"),
+        ("recursion-limit", "IF DISTANCE F > 3 THEN FW 1 ELSE TR 90 END IF"),
+        ("division-by-zero", None),
+    ],
+)
+def test_a_mistake_of_meaning_has_an_example_where_one_helps(kind: str, example: str | None) -> None:
+    said = explanation(kind, topic="FW")
+
+    assert said[:2] == (Words()(f"explain-{kind}"), Words()(f"advice-{kind}"))
+    assert said[2:] == (() if example is None else (f"Example: {example}.",))
+
+
+@pytest.mark.parametrize(
+    ("kind", "values", "is_hint"),
+    [
+        ("unknown-character", {}, True),
+        ("missing-end", {}, True),
+        ("wrong-end", {}, True),
+        ("bad-argument", {}, True),
+        ("unknown-command", {}, False),
+        ("unknown-command", {"meant": "FW"}, True),
+        ("unknown-command", {"code": "procedure"}, True),
+        ("undeclared-procedure", {}, False),
+        ("undeclared-procedure", {"meant": "P"}, True),
+    ],
+)
+def test_a_hint_comes_before_general_advice_where_it_is_about_this_mistake(
+    kind: str, values: dict[str, str], is_hint: bool
+) -> None:
+    said = explanation(kind, hint="Do this.", **values)
+
+    assert ("Do this." in said) is is_hint
+    assert (Words()(f"advice-{kind}") in said) is not is_hint
+
+
+def test_a_number_with_a_point_is_explained_only_where_the_point_is_wrong() -> None:
+    numbers = (Words()("explain-whole-numbers"), Words()("advice-whole-numbers"))
+    assert explanation("unknown-character", source_line="FW 2.5") == numbers
+    assert explanation("unknown-character", source_line="FW 2.") != numbers
+    assert explanation("syntax", source_line="FW 2.5") != numbers
+    assert explanation("syntax", code="whole-numbers") == numbers
+
+
+@pytest.mark.parametrize(
+    ("line", "topic", "example"),
+    [("x = 3 +", "", "VAR a = 5"), ("x = FW 3 +", "FW", "FW 5"), ("3 +", "", None), ("FW 3 +", "FW", "FW 5")],
+)
+def test_a_mistake_in_an_assignment_has_the_example_of_one(
+    line: str, topic: str, example: str | None
+) -> None:
+    said = explanation("syntax", source_line=line, topic=topic)
+
+    assert [each for each in said if each.startswith("Example")] == (
+        [f"Example: {example}."] if example else []
+    )
