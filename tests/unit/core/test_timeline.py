@@ -9,6 +9,7 @@ from donnie_tui.core.events import (
     Announced,
     BeltShown,
     CueSounded,
+    Driven,
     Error,
     Event,
     GripperUsed,
@@ -22,11 +23,13 @@ from donnie_tui.core.events import (
     Reset,
     RunEnded,
     RunStarted,
+    Scanned,
     SoundSwitched,
     Spoke,
     Stamped,
     Statement,
     ThingsMoved,
+    Turned,
     Waited,
 )
 from donnie_tui.core.timeline import (
@@ -289,6 +292,52 @@ def test_steps_are_counted_by_what_they_did() -> None:
     assert counted == [(0, 2), (0, 2), (1, 2), (1, 2), (1, 2), (2, 2)]
 
 
+def test_the_last_event_is_known_at_each_position() -> None:
+    timeline = timeline_of(Spoke("1"), Spoke("2"))
+    assert timeline.now is None
+    for each in timeline.events:
+        timeline.forward()
+        assert timeline.now is each
+    timeline.back()
+    assert timeline.now is timeline.events[0]
+
+
+@pytest.mark.parametrize(("robot", "said"), [(None, "Back: hello."), ("bob", "bob: Back: hello.")])
+@pytest.mark.parametrize("cue", [CueSounded("step-forward", 0.0, None), CueSounded("bump", 0.0, None)])
+def test_a_step_is_named_by_its_main_event_or_else_by_its_last(
+    cue: Event, robot: str | None, said: str
+) -> None:
+    undone = [
+        Stamped(1, 0.0, cue, robot),
+        Stamped(2, 0.0, Spoke("hello"), robot),
+        Stamped(3, 0.0, cue, robot),
+    ]
+    assert undone_in_words(undone, timeline_of(), Words()) == said
+
+    only = [Stamped(1, 0.0, Statement(3, 1, 0)), Stamped(2, 0.0, Read("distance", "F", 7))]
+    assert undone_in_words(only, timeline_of(), Words()) == "Back: a sensor said 7."
+
+
+@pytest.mark.parametrize(
+    ("event", "said"),
+    [
+        (Moved("FW 3", 3, 3, None, Pose(0, 3, 0), True), "Before FW 3: position 2, -1."),
+        (Turned("TR 90", 90, 90, None, Pose(0, 3, 90), True), "Before TR 90: facing east."),
+        (RunEnded(Outcome.FAILED, HERE, {}, 1.0), "Back: end of the program. Position 2, -1."),
+        (Driven("left", HERE), "Back: what another program drove."),
+        (Scanned(()), "Back: looked around."),
+        (Waited(2), "Back: waited 2 seconds."),
+    ],
+)
+def test_what_moved_the_robot_is_undone_with_the_place_before_it(event: Event, said: str) -> None:
+    before = Stamped(1, 0.0, Reset(Pose(2.5, -1.5, 90)))
+    timeline = Timeline([before, Stamped(2, 0.0, event)])
+    timeline.go_to(1)
+
+    assert undone_in_words([timeline.events[1]], timeline, Words()) == said
+    assert "osition" not in undone_in_words([timeline.events[1]], timeline_of(), Words())  # it is not known
+
+
 @pytest.mark.parametrize(("at", "there"), [(2, 2), (0, 0), (-1, 0), (5, 5), (6, 5)])
 def test_a_timeline_goes_to_a_position_from_either_side(at: int, there: int) -> None:
     timeline = timeline_of(*[MOVED] * 5)
@@ -445,6 +494,25 @@ def test_each_robot_has_its_own_place_and_is_named() -> None:
     floor = Floor()
     assert undone_in_words(timeline.step_back(), timeline, floor.words) == "bob: Back: FW 5."
     assert timeline.pose("bob") is None
+
+
+def test_a_trail_of_a_position_begins_at_the_last_start_before_it() -> None:
+    places = [Pose(0, at, 0) for at in range(5)]
+    timeline = timeline_of(
+        Moved("FW 1", 1, 1, None, places[1], True),
+        started(),
+        Moved("FW 1", 1, 1, None, places[2], True),
+        Reset(places[0]),
+        Moved("FW 1", 1, 1, None, places[3], True),
+    )
+    trails = []
+    while timeline.forward():
+        trails.append(timeline.trail())
+
+    assert trails[0] == (places[1],)
+    assert trails[3:] == [(places[0],), (places[0], places[3])]
+    assert trails[2][-1] == places[2]
+    assert timeline.trail("bob") == ()
 
 
 def test_a_chronicle_keeps_the_newest_and_nothing_transient() -> None:
