@@ -8,11 +8,17 @@ from hypothesis import given
 from donnie_tui.core.program_text import (
     ProgramText,
     corrected_line,
+    fixed,
     line_in_words,
+    mistakes,
+    no_such_line,
+    not_found,
     outline_in_words,
     place_in_words,
+    quoted_word,
 )
 from donnie_tui.i18n.words import Words
+from language.checker import check
 from language.parser import parse
 from language.syntax import Statement, blocks_of
 from tests.formatting import format_source
@@ -184,3 +190,137 @@ def test_of_long_lines_only_the_beginning_is_compared(monkeypatch: pytest.Monkey
 
     assert corrected_line("SPEAK " + "ab" * 10_000, wrong, 2, is_next=True, is_refused=True) == 1
     assert max(compared) <= 100_000
+
+
+# --- blocks, line by line
+
+
+@pytest.mark.parametrize(
+    ("number", "level", "closes", "is_statement", "opener", "end"),
+    [
+        (1, 0, 0, True, 0, 11),
+        (2, 1, 0, True, 0, 10),
+        (3, 2, 0, True, 0, 3),
+        (4, 2, 0, False, 0, 4),
+        (5, 2, 0, True, 0, 9),
+        (6, 3, 0, True, 0, 6),
+        (7, 2, 0, False, 5, 7),
+        (9, 2, 5, False, 5, 9),
+        (10, 1, 2, False, 2, 10),
+        (11, 0, 1, False, 1, 11),
+        (12, 0, 0, True, 0, 12),
+    ],
+)
+def test_each_line_knows_its_block(
+    number: int, level: int, closes: int, is_statement: bool, opener: int, end: int
+) -> None:
+    text = ProgramText(RECTANGLE)
+    line = text.line(number)
+
+    assert (line.number, line.text) == (number, RECTANGLE[number - 1].strip())
+    assert (line.level, line.closes, line.is_statement) == (level, closes, is_statement)
+    assert (text.opener_of(number), text.end_of(number)) == (opener, end)
+    assert [each.line for each in text.openers(number)] == [1, 2, 5][:level][::-1]
+
+
+@pytest.mark.parametrize("number", [0, -1, 13])
+def test_there_is_no_line_before_the_first_or_after_the_last(number: int) -> None:
+    text = ProgramText(RECTANGLE)
+    assert len(text) == 12
+    with pytest.raises(IndexError, match=str(number)):
+        text.line(number)
+
+
+@pytest.mark.parametrize(
+    ("lines", "levels", "openers"),
+    [
+        (["ELSE", "FW 1"], [0, 0], [0, 0]),  # no block is open
+        (["END IF"], [0], [0]),
+        (["REPEAT 2 TIMES", "ELSE", "FW 1"], [0, 0, 1], [0, 1, 0]),
+        (["REPEAT 2 TIMES FW 1 END REPEAT", "FW 1"], [0, 0], [0, 0]),
+        (["IF 1 < 2 THEN REPEAT 2 TIMES", "FW 1", "END REPEAT END IF", "FW 1"], [0, 2, 1, 0], [0, 0, 1, 0]),
+        (["SPEAK 1", "", "SE 1 < 2 ENTÃO", "SENÃO", "FIM SE"], [0, 0, 0, 0, 0], [0, 0, 0, 3, 3]),
+        (["steps = 1", "END = 2"], [0, 0], [0, 0]),
+        ([], [], []),
+    ],
+)
+def test_unfinished_and_short_blocks_have_levels(
+    lines: list[str], levels: list[int], openers: list[int]
+) -> None:
+    text = ProgramText(lines)
+    numbers = range(1, len(lines) + 1)
+
+    assert [text.line(number).level for number in numbers] == levels
+    assert [text.opener_of(number) for number in numbers] == openers
+
+
+def test_the_first_line_of_a_text_has_its_level_only_where_it_is_not_0() -> None:
+    text = ProgramText(RECTANGLE)
+
+    assert line_in_words(text.line(1), None, Words()) == "Line 1: PROCEDURE RECTANGLE: a DO"
+    assert line_in_words(text.line(2), None, Words()) == "Line 2, level 1: REPEAT 2 TIMES"
+    assert line_in_words(text.line(1), None, Words("en", "full")).startswith("Line 1, level 0: ")
+
+
+def test_a_program_without_blocks_has_no_outline_and_one_without_lines_no_line() -> None:
+    assert outline_in_words(ProgramText(["FW 1"]), Words()) == (Words()("outline-none"),)
+    assert no_such_line(3, 7, Words()) == Words()("answer-no-line", line=7, last=3)
+    assert no_such_line(0, 7, Words()) == Words()("no-lines")
+
+
+@pytest.mark.parametrize(("detail", "widest"), [("brief", 40), ("normal", 80)])
+def test_a_row_of_the_outline_is_as_wide_as_a_line_of_print(detail: str, widest: int) -> None:
+    first = "Line 1, level 0: REPEAT 2 TIMES "
+    for more, is_cut in ((0, False), (1, True)):
+        line = f"REPEAT 2 TIMES {'x' * (widest - len(first) + more)}"
+        row = outline_in_words(ProgramText([line, "END REPEAT"]), Words("en", detail))[1]
+        assert len(row) == widest
+        assert row.endswith("\N{HORIZONTAL ELLIPSIS}") is is_cut
+
+
+@pytest.mark.parametrize(
+    ("lines", "count"), [(["REPEAT 2 TIMES REPEAT 3 TIMES", "END REPEAT END REPEAT"], 1), (RECTANGLE, 3)]
+)
+def test_a_line_that_opens_two_blocks_is_once_in_the_outline(lines: list[str], count: int) -> None:
+    assert len(ProgramText(lines).outline_lines) == count
+
+
+# --- mistakes of lines
+
+
+def test_the_first_mistake_of_each_line_has_its_fix() -> None:
+    source = "FWD 1 FWD 2\nDISTANSE F\nVAR a = 3 *"
+    found = mistakes(parse(source).diagnostics, Words())
+    first = found[1]
+
+    assert (first.message, first.is_hint, first.meant, first.fixed_line) == (
+        "I do not know FWD.",
+        False,
+        "FW",
+        1,
+    )
+    assert (source[first.start : first.end], first.replacement) == ("FWD", "FW")
+    assert fixed(source, first).startswith("FW 1 FWD 2\n")
+    assert (found[3].meant, found[3].line) == ("", 3)
+
+
+def test_a_hint_of_the_checker_is_said_by_its_advice() -> None:
+    program = parse("DISTANCE F").program
+    assert program is not None
+    (hint,) = mistakes(check(program), Words()).values()
+
+    assert (hint.message, hint.is_hint) == ("Did you mean SPEAK DISTANCE F?", True)
+
+
+def test_a_missing_word_is_put_at_the_end_of_the_line_before() -> None:
+    source = "REPEAT 2\nFW 1\nEND REPEAT"
+    (missing,) = mistakes(parse(source).diagnostics, Words()).values()
+
+    assert (missing.line, missing.fixed_line, missing.replacement) == (2, 1, " TIMES")
+    assert fixed(source, missing) == "REPEAT 2 TIMES\nFW 1\nEND REPEAT"
+
+
+@pytest.mark.parametrize(("length", "quoted"), [(40, 40), (41, 40)])
+def test_a_searched_word_is_quoted_up_to_forty_characters(length: int, quoted: int) -> None:
+    assert not_found("w" * length, Words()) == f"{'w' * quoted} is not in the program."
+    assert quoted_word("a\x07") == "a "
