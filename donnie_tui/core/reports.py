@@ -140,12 +140,12 @@ def report(what: str, name: str, subject: Subject, wording: Wording, others: Seq
         if suffix == ".csv":
             sections = (_joined(sections),)
     if suffix == ".csv":
-        return as_csv(sections).encode("utf-8", "replace")
+        return as_csv(sections).encode()
     if suffix == ".txt":
-        return as_text(sections).encode("utf-8", "replace")
+        return as_text(sections).encode()
     heading = wording("report-manual") if what == "manual" else sections[0].heading
     page = as_html(wording("report-title", what=heading), wording.language, sections)
-    return page.encode("utf-8", "replace")
+    return page.encode()
 
 
 def beginnings(wording: Wording) -> tuple[str, ...]:

@@ -614,3 +614,336 @@ def test_undo_takes_the_steps_of_the_editor_first() -> None:
     assert program.lines == ("D",)
     editor.undo()
     assert (program.lines, program.redo()) == (("A", "B"), 1)
+
+
+def test_a_first_line_in_an_editor_is_worth_saving_there_and_afterwards() -> None:
+    program, editor = Document(), Editor()
+    editor.line = 5
+    program.attach(editor)
+    assert (editor.text, editor.line, program.is_worth_saving) == ("", 1, False)
+
+    editor.type("FW 1")
+    assert program.is_worth_saving
+    program.detach()
+    assert program.is_worth_saving
+
+
+def test_lines_that_ran_wait_again_in_an_editor() -> None:
+    program = typed("A", "B")
+    program.batch_ran()
+    program.attach(Editor())
+
+    assert (program.ran, program.waiting, program.is_waiting) == (0, 2, True)
+
+
+def test_the_place_in_an_editor_is_that_of_the_cursor() -> None:
+    program, editor = shown("A", "B", "C")
+    editor.line = 3
+
+    assert program.place == 3
+    program.detach()
+    editor.line = 1
+    assert program.place == 3
+
+
+def test_what_an_editor_takes_over_counts_for_the_longest_program(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(document, "LARGEST", 10)
+    program, editor = Document(), Editor()
+    program.attach(editor)
+    editor.type("1234567")
+    program.detach()
+
+    with pytest.raises(ProgramTooLong):
+        program.add("xy")
+    program.add("x")
+    assert program.lines == ("1234567", "x")
+
+
+def test_a_part_of_the_text_in_an_editor_may_be_as_long_as_the_program_leaves_room(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(document, "LARGEST", 10)
+    program, editor = Document(), Editor()
+    program.attach(editor)
+    editor.type("12345678")
+
+    with pytest.raises(ProgramTooLong):
+        program.replace_range(2, 4, "abcde")
+    program.replace_range(2, 4, "abcd")
+    assert editor.text == "12abcd5678"
+    editor.type("too long for a file")
+    program.replace_range(0, 3, "two")
+    assert editor.text == "two long for a file"
+    with pytest.raises(ProgramTooLong):
+        program.replace_range(0, 3, "more")
+
+
+def test_a_change_in_an_editor_leaves_no_program_to_redo() -> None:
+    for change in (lambda it: it.replace_range(0, 1, "X"), lambda it: it.change(1, "X")):
+        program, editor = shown("A", "B")
+        program.replace("C\n", None)
+        program.undo()
+        change(program)
+        editor.redo()
+
+        assert (program.redo(), editor.text) == (None, "X\nB")
+
+
+def test_a_line_that_is_typed_in_an_editor_corrects_none() -> None:
+    program = typed("FW", "TR 90")
+    program.batch_was_refused({1: "FW 2"})
+    editor = Editor()
+    program.attach(editor)
+
+    assert program.add("FW 3") is None
+    assert (program.lines, editor.text) == (("FW", "TR 90", "FW 3"), "FW\nTR 90\nFW 3")
+
+
+# --- the file, and what is worth a question
+
+
+def test_a_document_knows_whether_its_lines_came_from_a_file_and_never_ran() -> None:
+    def after(*changes: Callable[[Document], object]) -> bool:
+        program = Document()
+        program.replace("A\n", Path("a.gd"))
+        for change in changes:
+            change(program)
+        return program.was_opened
+
+    assert not Document().was_opened
+    assert after()
+    assert after(lambda it: it.replace("", None), lambda it: it.undo())
+    assert not after(lambda it: it.replace("", None))
+    assert not after(lambda it: it.batch_ran())
+    assert not after(lambda it: it.delete_waiting())
+
+
+def test_a_saved_file_has_a_name_and_a_text() -> None:
+    program = typed("A")
+    program.mark_saved(Path("a.gd"), "B\nC")
+    assert (program.path, program.saved_text, program.is_saved) == (Path("a.gd"), "B\nC\n", False)
+
+    program.mark_saved()
+    assert (program.path, program.saved_text, program.is_saved) == (Path("a.gd"), "A\n", True)
+    program.mark_saved(Path("b.gd"))
+    assert program.path == Path("b.gd")
+
+
+def test_another_program_begins_without_what_belonged_to_the_old_one() -> None:
+    program = typed("FWD", "TR 90")
+    program.batch_ran()
+    program.breakpoints, program.place = frozenset({2}), 2
+    program.add("FWD")
+    program.batch_was_refused()
+    for line in ("FWD", "B"):
+        program.add(line)
+    program.batch_was_refused({3: "FW"})
+    program.replace("X\n", Path("x.gd"), in_file="Y\n")
+
+    assert (program.lines, program.path, program.saved_text) == (("X",), Path("x.gd"), "Y\n")
+    assert (program.breakpoints, program.place, program.ran) == (frozenset(), 0, 0)
+    assert (program.rejected, program.refusals, program.is_still_refused) == (None, 0, False)
+
+
+def test_another_program_leaves_no_dropped_line() -> None:
+    program = typed("FWD")
+    program.batch_was_refused()
+    program.replace("", None)
+
+    assert program.rejected is None
+
+
+@pytest.mark.parametrize(
+    ("lines", "runs", "is_worth_saving", "is_kept_unasked"),
+    [
+        (["A"] * 4, True, False, True),
+        (["A"] * 4, False, False, False),
+        (["A"] * 5, True, True, False),
+        ([" "] * 5, True, False, False),
+        ([], True, False, False),
+    ],
+)
+def test_a_few_lines_that_ran_are_kept_without_a_question(
+    lines: list[str], runs: bool, is_worth_saving: bool, is_kept_unasked: bool
+) -> None:
+    program = typed(*lines)
+    if runs:
+        program.batch_ran()
+
+    assert (program.is_worth_saving, program.is_kept_unasked) == (is_worth_saving, is_kept_unasked)
+    program.mark_saved()
+    assert (program.is_worth_saving, program.is_kept_unasked) == (False, False)
+
+
+def test_a_file_that_was_emptied_is_not_worth_a_question() -> None:
+    program = Document()
+    program.replace("A\n", Path("a.gd"))
+    program.delete(1, 1)
+
+    assert (program.is_saved, program.is_worth_saving) == (False, False)
+
+
+# --- refused and failed lines
+
+
+def test_lines_of_which_one_is_wrong_are_refused_until_they_run_or_are_changed() -> None:
+    program = typed("FWD 1", "FW 2")
+    for _ in range(2):
+        program.take_batch()
+        assert program.batch_was_refused()
+    assert (program.refusals, program.is_still_refused, program.failed_line) == (2, True, None)
+
+    program.change(1, "FW 1")
+    assert (program.refusals, program.is_still_refused) == (2, False)
+    program.batch_ran()
+    assert program.refusals == 0
+    program.change(1, "FWD 1")
+    assert not program.is_still_refused
+
+
+def test_lines_that_are_deleted_after_a_mistake_are_no_longer_refused() -> None:
+    program = typed("FWD 1", "FW 2")
+    program.batch_was_refused({1: "FW 1"})
+    program.delete_waiting()
+    assert (program.refusals, program.lines, program.delete_waiting()) == (0, (), 0)
+
+    for line in ("FWD 1", "FW 2"):
+        assert program.add(line) is None
+    assert not program.is_still_refused
+    assert (program.undo(), program.undo(), program.undo(), program.lines) == (2, 1, 1, ("FWD 1", "FW 2"))
+
+
+def test_an_unfinished_line_is_kept_and_a_single_wrong_one_is_dropped() -> None:
+    program = typed("REPEAT 2 TIMES")
+    assert program.batch_was_refused(is_unfinished=True)
+    assert (program.lines, program.refusals, program.rejected) == (("REPEAT 2 TIMES",), 1, None)
+
+    for line in ("", "FWD"):
+        program.add(line)
+    program.delete(1, 1)
+    assert not program.batch_was_refused()
+    assert (program.lines, program.refusals, program.rejected) == ((), 0, "FWD")
+
+
+def test_a_mistake_outside_of_the_program_is_no_line_to_correct() -> None:
+    program = typed("FW", "TRR 90")
+    program.batch_was_refused({0: "TR 90", 3: "FW 1"})
+
+    assert program.add("TR 90") is None
+    assert program.lines == ("FW", "TRR 90", "TR 90")
+
+
+def test_a_statement_that_failed_waits_with_the_lines_after_it_once_it_is_corrected() -> None:
+    program = typed("VAR x = 0", "SPEAK 1 / x", "FW 2")
+    program.batch_ran()
+    program.batch_failed(2)
+    assert program.failed_line == 2
+
+    assert program.add("SPEAK 1 / 1") == 2
+    assert (program.lines, program.ran) == (("VAR x = 0", "SPEAK 1 / 1", "FW 2"), 1)
+    assert program.failed_line is None
+    program.wait_from(1)
+    assert program.ran == 0
+
+
+def test_all_lines_have_run_where_no_batch_was_taken() -> None:
+    program = typed("A")
+    program.take_batch()
+    program.batch_ran()
+    program.add("B")
+    program.batch_ran()
+
+    assert program.ran == 2
+
+
+# --- changes, breakpoints and what waits
+
+
+@pytest.mark.parametrize(
+    ("change", "breakpoints"),
+    [
+        (lambda it: it.change(2, "X"), {1, 2, 4}),
+        (lambda it: it.insert(2, "X"), {1, 3, 5}),
+        (lambda it: it.insert(5, "X"), {1, 2, 4}),
+        (lambda it: it.delete(1, 1), {1, 3}),
+        (lambda it: it.delete(2, 3), {1, 2}),
+        (lambda it: it.rewrite("A\nX\nB\nC\nD\n"), {1, 3, 5}),
+        (lambda it: it.move(3, 3, 1), {1, 2, 4}),
+        (lambda it: it.delete_waiting(), {1, 2, 4}),
+    ],
+)
+def test_breakpoints_stay_at_their_lines(change: Callable[[Document], object], breakpoints: set[int]) -> None:
+    program = typed("A", "B", "C", "D")
+    program.breakpoints = frozenset({1, 2, 4})
+    change(program)
+
+    assert program.breakpoints == breakpoints
+
+
+@pytest.mark.parametrize(
+    ("change", "ran"),
+    [
+        (lambda it: it.change(2, "X"), 0),
+        (lambda it: it.change(3, "X"), 2),
+        (lambda it: it.insert(2, "X"), 0),
+        (lambda it: it.insert(3, "X"), 2),
+        (lambda it: it.delete(2, 3), 0),
+        (lambda it: it.delete(3, 4), 2),
+        (lambda it: it.move(4, 4, 2), 0),
+        (lambda it: it.move(2, 2, 5), 0),
+        (lambda it: it.move(4, 4, 3), 2),
+        (lambda it: it.move(3, 3, 5), 2),
+        (lambda it: it.rewrite("A\nX\nC\nD"), 0),
+        (lambda it: it.rewrite("A\nB\nX\nD"), 2),
+        (lambda it: it.delete_waiting(), 2),
+    ],
+)
+def test_a_change_of_a_line_that_ran_lets_all_lines_wait_and_undo_takes_that_back(
+    change: Callable[[Document], object], ran: int
+) -> None:
+    program = typed("A", "B")
+    program.batch_ran()
+    for line in "CD":
+        program.add(line)
+    change(program)
+    assert program.ran == ran
+
+    program.undo()
+    assert (program.lines, program.ran) == (("A", "B", "C", "D"), 2)
+
+
+@pytest.mark.parametrize(("changed", "ran"), [(1, 0), (2, 0), (3, 2)])
+def test_undo_after_a_run_lets_only_a_changed_line_that_ran_wait(changed: int, ran: int) -> None:
+    program = typed("A", "B", "C")
+    program.change(changed, "X")
+    program.batch_ran()
+    program.wait_from(3)
+    program.undo()
+
+    assert program.ran == ran
+
+
+def test_undo_of_a_line_that_was_added_leaves_the_lines_before_it_run() -> None:
+    program = typed("A", "B")
+    program.batch_ran()
+
+    assert (program.undo(), program.ran, program.waiting) == (2, 1, 0)
+
+
+def test_undo_restores_the_room_that_a_program_takes(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(document, "LARGEST", 10)
+    program = typed("12345678")
+    program.replace("", None)
+    program.undo()
+
+    with pytest.raises(ProgramTooLong):
+        program.add("x")
+
+
+def test_a_long_program_pauses_at_each_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    program = typed("FW 1", "--")
+
+    monkeypatch.setattr(document, "LONGEST_PARSED", len("FW 1\n--\n"))
+    assert program.pausing_line(2, parse) is None
+    monkeypatch.setattr(document, "LONGEST_PARSED", len("FW 1\n--\n") - 1)
+    assert program.pausing_line(2, parse) == 2

@@ -31,6 +31,7 @@ from donnie_tui.core.reports import (
     as_csv,
     as_html,
     asked,
+    beginnings,
     in_sentences,
     measured,
     measured_in_words,
@@ -78,6 +79,15 @@ def test_a_page_shows_text_that_could_be_more_than_text() -> None:
     assert "script" not in Tags(page).opened
     assert not set("\x1b\x07\u202e\x9b") & set(page)
     assert len([each for each in Tags(page).texts if "<script>alert(1)</script>" in each]) == 6
+
+
+def test_a_page_has_one_section_after_the_other_and_a_table_only_for_rows() -> None:
+    tags = Tags(
+        as_html("t", "en", [Section("a", ["one", "two"], drawing="<svg>d</svg>"), Section("b"), TABLE])
+    )
+
+    assert tags.texts == ["t", "t", "a", "one", "two", "d", "b", *Tags(as_html("", "en", [TABLE])).texts]
+    assert tags.opened.count("table") == 1
 
 
 def test_a_table_is_valid_csv() -> None:
@@ -245,6 +255,49 @@ def test_a_variable_is_known_during_each_movement() -> None:
     assert series["a"] == ((0, 1), (10, 1), (12, 2), (24, 2), (24, 3))
 
 
+def test_the_speed_counts_from_the_start_of_the_run() -> None:
+    """7 steps in 3 seconds, after 5 seconds."""
+    (speed,) = measured([at(5, RUN[0].event), walked(8, 7)], Words())
+
+    assert speed.points == ((5, pytest.approx(7 / 3)), (8, pytest.approx(7 / 3)))
+    assert measured_in_words((speed,), Words()) == (
+        "The robot moves for 3 of 3 seconds, at most 2.3 steps a second.",
+    )
+
+
+def test_steps_and_jumps_count_from_the_first_reading() -> None:
+    read = (
+        walked(5, 5),
+        at(5, Read("distance", "front", 9)),
+        walked(7, 2),
+        at(7, Read("distance", "front", 30)),
+    )
+    walk, turn = walked(9, 4), at(11, Turned("TR 9", 9, 9, None, Pose(0, 0, 9), right=True))
+    events = [at(0, RUN[0].event), *read, walk, turn, at(11, Read("distance", "front", 26))]
+    distance, speed = measured(events, Words())
+
+    assert (distance.steps, distance.jumps) == (6, (2,))
+    assert speed.points[-2:] == ((9, 0), (11, 0))
+
+
+def test_only_readings_of_distances_are_measured_and_each_direction_alone() -> None:
+    colour, place = at(0, Read("colour", "red", 1)), at(0, Read("position", "x", 2))
+    ahead, named = at(1, Read("distance", "front", 3)), at(2, Read("distance", "eye", 4))
+
+    assert [(each.name, each.points) for each in measured([colour, place, ahead, named], Words())] == [
+        ("distance F", ((1, 3),)),
+        ("distance eye", ((2, 4),)),
+    ]
+
+
+def test_each_variable_has_its_last_value_and_no_point_is_there_twice() -> None:
+    ended = at(2, RunEnded(Outcome.COMPLETED, Pose(0, 0, 0), {"a": 3, "b": -1}, 2.0))
+    series = measured([RUN[0], walked(2, 2, 4), ended], Words(), {4: (("a", 3),)})
+
+    assert [each.points for each in series[1:]] == [((0, 3), (2, 3)), ((2, -1),)]
+    assert measured_in_words(series[1:], Words()) == ("Variables at the end: a = 3, b = -1.",)
+
+
 def test_the_same_is_a_table_for_spreadsheets() -> None:
     rows = list(csv.reader(written("d.csv").splitlines()))
 
@@ -314,6 +367,19 @@ def test_a_plot_is_laid_out_to_scale() -> None:
     ]
 
 
+def test_a_plot_begins_at_the_first_time_and_at_zero_or_at_its_least_value() -> None:
+    late = Series("late", ((2, 7), (3, 4), (6, 2.34)), "distance")
+    below = Series("below", ((2, -3), (6, -2.26)), "speed")
+    plot = plotted("t", [late, below], "", "seconds")
+
+    # 584 from left to right, 96 from bottom to top
+    assert plot.curves == (((96, 34), (242, 75.1), (680, 97.9)), ((96, 260), (680, 189)))
+    assert plot.dots == ((96, 34), (242, 75.1), (680, 97.9))
+    assert [each.text for each in plot.texts] == [
+        *("late", "0", "7", "below", "-3", "-2", "2", "4", "6", "seconds")
+    ]
+
+
 def test_an_axis_has_room_for_nine_signs_and_a_plot_of_nothing_is_a_second_long() -> None:
     def on_axis(value: float) -> str:
         return plotted("t", [Series("a", ((0, 0), (1, value)), "speed")], "", "s").texts[2].text
@@ -328,6 +394,135 @@ def test_a_plot_of_huge_values_and_late_times_is_drawn():
 
     assert [each.text for each in plotted("t", [huge], "", "s").texts[1:3]] == ["-3.14e+502", "2.71e+402"]
     assert plotted("t", [Series("a", ((1e17, 3),), "distance")], "", "s").dots == ((96.0, 34.0),)
+
+
+def of_all(robot: str | None = None, *events: Stamped) -> Subject:
+    """With a line, a thing, a move and all pictures."""
+    crate = Thing("", "crate", "c", "red", 2, 3, 1, 1)
+    trail = Trail()
+    how = HowStarted("", 1, True, False, False, Pose(0, 0, 0))
+    trail.on_event(at(0, RunStarted("p", "w", "donnie", 0, "0", how)))
+    trail.on_event(at(1, Moved("FW 5", 5, 5, None, Pose(0, 5, 0), forward=True)))
+    return Subject(
+        ("FW 5",),
+        Pose(0, 0, 0),
+        Picture(-9, -9, 18, 18, 1, ("." * 18,) * 18, (crate,), has_walls=False),
+        trail,
+        ["FW n: walks"],
+        [Section("Chapter 1", ["Once."]), Section("Chapter 2", ["Twice."])],
+        events,
+        run_picture=lambda suffix: f"<svg>picture{suffix}</svg>".encode(),
+        plot_as_png=lambda plot: plot.about.encode(),
+        paper=lambda: "<svg>papér</svg>",
+        robot=robot,
+    )
+
+
+ALICE = of_all("alice", at(1, Read("distance", "front", 5)))
+BOB = of_all("bob", at(0, Read("distance", "front", 7)), at(1, Read("distance", "back", 8)))
+
+
+@pytest.mark.parametrize(
+    ("what", "name", "content"),
+    [
+        ("paper", "w.svg", "<svg>papér</svg>"),
+        ("run", "r.svg", "<svg>picture.svg</svg>"),
+        ("run", "r.PNG", "<svg>picture.png</svg>"),
+        ("run", "r.gif", "<svg>picture.gif</svg>"),
+        ("distances", "d.png", "Distance ahead begins and ends at 5 in 0 steps."),
+        ("manual", "m.txt", "Chapter 1\nOnce.\nChapter 2\nTwice.\n"),
+        ("manual", "m.csv", "Chapter 1\nOnce.\nChapter 2\nTwice.\n"),
+        ("help", "h.txt", "Words that you can type\nhow it is typed, what it does\nFW n, walks\n"),
+        ("list", "l.txt", "The program\nline, level, text\n1, 0, FW 5\n"),
+        ("list", "l.csv", "line,level,text\n1,0,FW 5\n"),
+        ("map", "m.txt", "The map\nAn open floor without walls.\n1 thing.\n"),
+        ("trail", "t.txt", "The trail\nFW 5: 5 steps, to 0, 5.\n"),
+        ("run", "r.txt", "The run\nThe path starts at 0, 0.\nNorth: 5 steps, to 0, 5.\n5 steps in all.\n"),
+    ],
+)
+def test_the_end_of_a_name_says_what_a_report_contains(what: str, name: str, content: str) -> None:
+    subject = of_all(None, *ALICE.events)
+
+    assert report(what, name, subject, Words()).decode() == content
+
+
+@pytest.mark.parametrize(
+    ("what", "title"),
+    [
+        ("manual", "Donnie: the manual"),
+        ("help", "Donnie: words that you can type"),
+        ("list", "Donnie: the program"),
+        ("map", "Donnie: the map"),
+        ("trail", "Donnie: the trail"),
+        ("run", "Donnie: the run"),
+        ("distances", "Donnie: distances over time"),
+    ],
+)
+def test_a_page_is_called_by_its_report(what: str, title: str) -> None:
+    page = report(what, f"{what}.htm", of_all(), Words()).decode()
+
+    assert Tags(page).texts[:2] == [title, title]
+    assert "<svg>picture.svg</svg>" in page or what != "run"
+
+
+@pytest.mark.parametrize("language", ["en", "pt", "es"])
+@pytest.mark.parametrize("others", [(), (BOB,)])
+def test_each_table_and_page_begins_as_reports_do(language: str, others: tuple[Subject, ...]) -> None:
+    words = Words(language)
+    known = tuple(each.encode() for each in beginnings(words))
+
+    for what in ("help", "list", "map", "trail", "run", "distances"):
+        for suffix in ("csv", "html"):
+            assert report(what, f"r.{suffix}", ALICE, words, others).startswith(known)
+    empty = of_all()
+    assert report("distances", "r.csv", empty, words).startswith(known)
+    assert report("manual", "r.html", empty, words).startswith(known)
+    assert not b"<!DOCTYPE html>\n<html>".startswith(known)
+
+
+@pytest.mark.parametrize(
+    ("what", "rows"),
+    [
+        ("list", ["robot,line,level,text", "alice,1,0,FW 5", "bob,1,0,FW 5"]),
+        (
+            "trail",
+            ["robot,command,done,x,y,heading,blocked", "alice,FW 5,5,0,5,0,no", "bob,FW 5,5,0,5,0,no"],
+        ),
+        ("distances", ["robot,seconds,distance F,distance B", "alice,1,5,", "bob,0,7,", "bob,1,,8"]),
+        ("map", ["name,color,x,y,place", 'crate,red,2,3,"2 right, 3 ahead"']),
+        ("help", ["how it is typed,what it does", "FW n,walks"]),
+    ],
+)
+def test_a_table_of_several_robots_has_their_names_in_its_first_column(what: str, rows: list[str]) -> None:
+    assert report(what, "r.csv", ALICE, Words(), (BOB,)).decode().splitlines() == rows
+
+
+def test_a_report_of_several_robots_has_a_section_for_each_and_one_picture_of_the_run() -> None:
+    text = report("trail", "t.txt", ALICE, Words(), (BOB,)).decode().splitlines()
+    page = report("run", "r.html", ALICE, Words(), (BOB,)).decode()
+
+    moved = "FW 5: 5 steps, to 0, 5."
+    assert text == ["alice: The trail", moved, "bob: The trail", moved]
+    assert page.count("<svg>picture.svg</svg>") == 1
+    assert page.index("alice: The run") < page.index("<svg>") < page.index("bob: The run")
+
+
+def test_a_plot_of_several_robots_has_the_name_of_each() -> None:
+    page = report("distances", "d.svg", ALICE, Words(), (BOB,)).decode()
+    said = report("distances", "d.png", ALICE, Words(), (BOB,)).decode()
+
+    assert [text for text in Tags(page).texts if "distance " in text] == [
+        *("alice: distance F", "bob: distance F", "bob: distance B")
+    ]
+    assert said == (
+        "alice: Distance ahead begins and ends at 5 in 0 steps."
+        " bob: Distance ahead begins and ends at 7 in 0 steps."
+    )
+
+
+def test_the_sentences_of_a_report_need_no_file() -> None:
+    assert in_sentences("trail", ALICE, Words()) == ("FW 5: 5 steps, to 0, 5.",)
+    assert in_sentences("distances", ALICE, Words()) == ("Distance ahead begins and ends at 5 in 0 steps.",)
 
 
 ENGLISH = "help, list, manual, map, trail, run, distances, paper"
@@ -376,6 +571,29 @@ def test_a_report_of_the_moves_says_that_the_first_ones_are_forgotten() -> None:
         "TR 90: now facing south.",
         "TR 90: now facing west.",
     ]
+
+
+@pytest.mark.parametrize(
+    ("typed", "found"),
+    [
+        ("", None),
+        ("help", None),
+        ("paper", None),
+        ("distances", ("distances", "")),
+        ("map map", ("map", "map.html")),
+        ("MAPA mapa.txt", ("map", "mapa.txt")),
+        ("run a b.csv", ("run", "a b.csv")),
+        ("map -", ("map", "-")),
+        ("paper world", ("paper", "world.svg")),
+        ('paper "my world"', ("paper", "my world.svg")),
+        ("my lesson.svg", None),
+        ("manual.csv", ("manual", "manual.csv")),
+        ("paper.html", ("run", "paper.html")),
+        ("tea", None),
+    ],
+)
+def test_a_report_is_asked_for_by_its_subject_and_its_file(typed: str, found: tuple[str, str] | None) -> None:
+    assert asked(typed) == found
 
 
 def test_how_the_name_of_a_file_may_end_depends_on_what_it_is_about() -> None:
@@ -427,7 +645,13 @@ def test_a_file_alone_is_about_what_its_name_means_else_about_the_run(
             "No puedo informar té. Puedo informar"
             " ayuda, lista, manual, mapa, rastro, recorrido, distancias, papel.",
         ),
+        ("en", "", f"I can't report . I can report {ENGLISH}."),
         ("es", "mapa", "Un informe de mapa pide un archivo: mapa.html."),
+        ("en", "Paper", "A report of paper needs a file: paper.svg."),
+        ("en", "paper x.html", "A report of paper can't end in .html. It can in .svg."),
+        ("en", "mapa x.SVG", "A report of map can't end in .svg. It can in .html, .htm, .csv, .txt."),
+        ("en", "run x.SVG", ""),
+        ("en", "run -", ""),
         (
             "en",
             "run.bmp",
