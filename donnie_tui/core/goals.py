@@ -123,7 +123,7 @@ class Track(Struct, frozen=True):
     def held(self) -> Mapping[str, str]:
         """By robot; empty if the gripper holds nothing."""
         used = self.last(events.GripperUsed).items()
-        return {name: (it.thing or it.kind) if it.outcome is Grip.GRIPPED else "" for name, it in used}
+        return {name: "" if it.outcome is Grip.RELEASED else it.thing or it.kind for name, it in used}
 
     def way(self, robot: str) -> Iterator[tuple[Pose, Inventory]]:
         """Where a robot and the things were: straight from pose to pose, a tenth of a step apart at most."""
@@ -193,7 +193,7 @@ def goals_of_end(room: Inventory, happened: Iterable[Stamped]) -> tuple[Goal, ..
     ends = ((name if len(room.robots) > 1 else "", end) for name, end in track.end.robots.items())
     goals = [Goal(at=(round(end.x, 1), round(end.y, 1)), robot=name, within=0.5) for name, end in ends]
     for start, end in zip(room.items, track.end.items, strict=True):
-        if hypot(end.x - start.x, end.y - start.y) > NEARLY and end.name not in track.held.values():
+        if hypot(end.x - start.x, end.y - start.y) > NEARLY and names_of(end)[0] not in track.held.values():
             goals.append(Goal(thing=start.name or start.kind, at=(round(end.x, 1), round(end.y, 1))))
     goals += [Goal(holds=thing) for thing in track.held.values() if thing]
     return (*goals, Goal(said=said)) if said else tuple(goals)

@@ -623,6 +623,7 @@ def test_a_first_line_in_an_editor_is_worth_saving_there_and_afterwards() -> Non
     assert (editor.text, editor.line, program.is_worth_saving) == ("", 1, False)
 
     editor.type("FW 1")
+    assert not program.is_saved
     assert program.is_worth_saving
     program.detach()
     assert program.is_worth_saving

@@ -5,11 +5,12 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
-from devices.ports.robot import Met, Pose, Pushed, StoppedBy
+from devices.ports.robot import Grip, Met, Pose, Pushed, StoppedBy
 from donnie_tui.core.describe import target_in_words
 from donnie_tui.core.events import (
     Error,
     Event,
+    GripperUsed,
     HowStarted,
     Moved,
     Outcome,
@@ -17,15 +18,43 @@ from donnie_tui.core.events import (
     Reset,
     RunEnded,
     RunStarted,
+    Scanned,
     Spoke,
     Stamped,
     ThingsMoved,
     Turned,
+    Waited,
 )
-from donnie_tui.core.goals import Inventory, Judgment, folded, goals_of_end, judge, unknown_names
+from donnie_tui.core.goals import (
+    Inventory,
+    Judgment,
+    Shortfall,
+    bearing,
+    folded,
+    gap_to,
+    goals_of_end,
+    in_steps,
+    judge,
+    names_of,
+    track_of,
+    unknown_names,
+    way_out,
+)
 from donnie_tui.i18n.words import Words
 from sim.picture import Thing
-from worlds.challenges import Challenge, ChallengeText, Goal, Limit, Never, Rules
+from worlds.challenges import (
+    Challenge,
+    ChallengeQuestion,
+    ChallengeText,
+    Goal,
+    Limit,
+    Never,
+    Rules,
+    Unsensed,
+    Variant,
+    find,
+    names,
+)
 
 START = Pose(0.0, 0.0, 0.0)
 
@@ -464,3 +493,353 @@ def test_a_thing_with_a_name_of_its_own_is_called_by_it(language: str, chair: st
 
     assert target_in_words("chair 1", room, words) == chair
     assert target_in_words("trono do joão", room, words) == throne
+
+
+@pytest.mark.parametrize(
+    ("thing", "names"),
+    [
+        (CHAIR, ("chair 1", "chair", "green chair 1", "green chair")),
+        (item(3, "", "ball", "", 0, 0), ("ball",)),
+        (item(3, "", "ball", "red", 0, 0), ("ball", "red ball")),
+    ],
+)
+def test_a_goal_can_call_a_thing_by_its_name_its_kind_and_its_colour(
+    thing: Thing, names: tuple[str, ...]
+) -> None:
+    assert names_of(thing) == names
+
+
+def test_a_goal_without_a_name_means_the_first_robot() -> None:
+    assert [HALL.robot_called(each) for each in ("", "Bob", "carl")] == ["alice", "bob", None]
+    assert ROOM.robot_called("") == ""
+
+
+def test_nothing_is_met_before_a_run_or_a_reset() -> None:
+    reset = [Stamped(1, 0.0, Reset(START))]
+    both, kept = (Goal(at=(0, 0)), Goal(said="x")), Never(touch=("box",), near=("box",), within=100)
+
+    alone = replace(ROOM, robots={"donnie": START})
+    before = judge(challenge(*both, never=kept), alone, [])
+    assert [each and each.code for each in before.of_goals] == ["goal-no-run"] * 2
+    assert codes(before) == ["goal-no-run"] * 2
+    after = judge(challenge(*both, never=kept), alone, reset)
+    assert [each and each.code for each in after.of_goals] == [None, "goal-said"]
+    assert codes(after) == ["goal-said", "never-near"]
+
+
+def test_everything_that_the_robot_does_is_a_command() -> None:
+    stops = (StoppedBy.COLLISION, StoppedBy.OBSTACLE, StoppedBy.USER, None)
+    walks = [Moved("FW", 9, 3, each, START, True) for each in stops]
+    turns = [Turned("TR", 9, 3, each, START, True) for each in stops]
+    others = (Waited(1), Spoke("a"), Scanned(()), GripperUsed(Grip.NOTHING_THERE, ""), Reset(START))
+    first = run(Error("x", 1, 1, "m", None), *walks, *turns, *others[:4], seconds=1.5)
+    second = run(*others[:2], fresh=False, seconds=2.0)
+
+    verdict = judge(challenge(Goal(at=(0, 0))), ROOM, [*first, *second])
+    assert verdict.track.counts == {"commands": 14, "seconds": 3.5, "steps": 12, "turns": 4, "bumps": 4}
+    assert verdict.counts == {"goals": 1, "met": 1, "commands": 14, "steps": 12, "bumps": 4}
+
+
+def test_the_robot_that_takes_longest_counts_for_the_time() -> None:
+    ends = [
+        Stamped(at, 0.0, RunEnded(Outcome.COMPLETED, START, {}, seconds), robot)
+        for at, (robot, seconds) in enumerate((("alice", 2.0), ("bob", 3.0), ("alice", 0.5)))
+    ]
+
+    assert track_of(HALL, ends).counts["seconds"] == 3.0
+
+
+@pytest.mark.parametrize(
+    ("used", "held"),
+    [
+        ([], {}),
+        ([(Grip.GRIPPED, "can")], {"": "can"}),
+        ([(Grip.GRIPPED, "")], {"": "tin"}),
+        ([(Grip.GRIPPED, "can"), (Grip.HOLDS_ALREADY, "can")], {"": "can"}),
+        ([(Grip.GRIPPED, "can"), (Grip.RELEASED, "can")], {"": ""}),
+    ],
+)
+def test_a_gripper_holds_what_it_took_until_it_opens(
+    used: list[tuple[Grip, str]], held: dict[str, str]
+) -> None:
+    done = [GripperUsed(outcome, name, "tin") for outcome, name in used]
+    can = Inventory((item(1, "can", "tin", "red", 0, 0), *ROOM.items), radius=3.0)
+
+    assert track_of(can, run(*done)).held == held
+    missing = shortfalls(Goal(holds="red tin"), run(*done), can)
+    assert missing == ([] if any(held.values()) else [("goal-holds", {"target": "red tin"})])
+    assert shortfalls(Goal(holds="box"), run(*done), can) == [("goal-holds", {"target": "box"})]
+
+
+def test_a_gripper_that_finds_nothing_holds_nothing() -> None:
+    done = [GripperUsed(each, "") for each in (Grip.NOTHING_THERE, Grip.HOLDS_NOTHING)]
+
+    assert track_of(ROOM, run(*done)).held == {"": ""}
+
+
+def test_the_programs_that_ran_are_in_rounds_in_which_no_robot_is_twice() -> None:
+    def begun(text: str, *, refused: bool = False) -> RunStarted:
+        return RunStarted(
+            "p", "w", "d", 0, "0", HowStarted(text, 1, False, False, False, START, refused=refused)
+        )
+
+    ended = RunEnded(Outcome.COMPLETED, START, {}, 1.0)
+    happened: list[tuple[str, Event]] = [
+        ("alice", begun("1")),
+        ("bob", begun("2")),
+        ("alice", ended),
+        ("alice", begun("3")),
+        ("alice", ended),
+        ("bob", ended),
+        ("bob", begun("4")),
+        ("bob", ended),
+        ("bob", begun("5", refused=True)),
+        ("bob", RunStarted("p", "w", "d", 0, "0")),
+        ("alice", begun("6")),
+    ]
+    track = track_of(HALL, [Stamped(1, 0.0, each, robot) for robot, each in happened])
+
+    assert [{name: how.text for name, how in each.items()} for each in track.rounds] == [
+        {"alice": "1", "bob": "2"},
+        {"alice": "3"},
+        {"bob": "4"},
+        {"alice": "6"},
+    ]
+
+
+def test_a_way_has_a_place_every_tenth_of_a_step() -> None:
+    way = [
+        Stamped(1, 0.0, Reset(START)),
+        Stamped(2, 1.0, Moved("FW", 1, 1, None, Pose(0.3, 0.4, 90.0), True)),
+    ]
+
+    poses = [pose for pose, _ in track_of(ROOM, way).way("")]
+    assert [(round(each.x, 6), round(each.y, 6), each.heading) for each in poses] == [
+        *[(0.0, 0.0, 0.0)] * 2,
+        *((0.06 * at, 0.08 * at, 90.0) for at in (1, 2, 3, 4, 5)),
+    ]
+
+
+def test_what_went_wrong_comes_before_words_goals_rules_and_limits() -> None:
+    rules = Rules(
+        *(1, "first_room", (Goal(said="x"),)),
+        words=("FW",),
+        required=("SPEAK",),
+        never=Never(bump=True),
+        limit=Limit(steps=0),
+    )
+    it = Challenge("it", Path("it.toml"), rules, {"en": ChallengeText("It", "Do it.")})
+    events = run(Error("x", 3, 1, "m", None), walk(0, 1, met=Met("chair", "chair 1", 0.0)))
+    how = HowStarted("TR 90 FW 1", 1, True, False, False, START)
+    events[0] = replace(events[0], event=RunStarted("p", "w", "donnie", 0, "0", how))
+
+    verdict = judge(it, ROOM, events)
+    assert [each.partition("-")[0] for each in codes(verdict)] == [
+        *("goal", "word", "word", "goal", "never", "limit")
+    ]
+    assert codes(verdict)[::2] == ["goal-mistake", "word-missing", "never-bump"]
+    assert verdict.shortfalls[2].values == {"word": "SPEAK"}
+    assert verdict.shortfalls[4].values == {"times": 1}
+    assert not verdict.is_solved
+
+
+def of_words(text: str, *, words: tuple[str, ...] = (), required: tuple[str, ...] = (), name: str = "it"):
+    """What a program lacks for a challenge of that name with these words."""
+    rules = Rules(1, "first_room", (Goal(at=(0, 0)),), words=words, required=required)
+    it = Challenge(name, Path("it.toml"), rules, {"en": ChallengeText("It", "Do it.")})
+    events = run()
+    how = HowStarted(text, 1, True, False, False, START)
+    events[0] = replace(events[0], event=RunStarted("p", "w", "donnie", 0, "0", how))
+    return [(each.code, dict(each.values)) for each in judge(it, ROOM, events).shortfalls]
+
+
+def test_only_the_words_of_a_lesson_are_allowed_in_any_language() -> None:
+    assert of_words("FW 1\nPF 2\nforward 3", words=("FW",)) == []
+    assert of_words("FW 1 TR 90", words=("AV", "GD")) == []
+    assert of_words("FW 1 TR 90") == []
+
+
+def test_the_words_that_a_lesson_is_about_are_needed() -> None:
+    assert of_words("REPITA 2 VEZES PF 1 FIM REPITA", required=("REPEAT",)) == []
+    assert of_words("FW 1", required=("REPEAT", "FW", "IF")) == [
+        ("word-missing", {"word": "REPEAT"}),
+        ("word-missing", {"word": "IF"}),
+    ]
+
+
+def test_a_word_of_a_later_challenge_has_its_number() -> None:
+    """The first one of those that ship whose solution has it."""
+    needing = [
+        at for at, name in enumerate(names(), start=1) if "PROCEDURE" in find(name).solution().read_text()
+    ]
+    first = names()[needing[0] - 2], names()[needing[0] - 1]
+
+    in_lesson = ("word-in-lesson", {"word": "PROCEDURE", "number": needing[0]})
+    later = ("word-later", {"word": "PROCEDURE", "number": 0})
+    assert needing[0] > 1
+    assert [of_words("PROCEDURE", words=("FW",), name=each) for each in ("it", *first)] == [
+        *([in_lesson], [in_lesson], [later])
+    ]
+    assert of_words("GRIP FW 1", words=("FW",))[0][0].startswith("word-")
+
+
+def test_what_a_real_robot_can_not_sense_is_asked_about() -> None:
+    sensed, near, far = Goal(at=(0, 0)), Goal(near="box"), Goal(near="chair")
+    never = Never(touch=("box", "chair"), near=("chair",), within=0.4)
+    touch_box, touch_chair, near_chair = never.avoided
+    it = challenge(sensed, near, far, never=never)
+
+    def found(answers: dict[Unsensed, bool]) -> list[tuple[str, dict[str, object]]]:
+        return [(each.code, dict(each.values)) for each in judge(it, ROOM, run(), answers).shortfalls]
+
+    assert found({near: True, far: True, touch_box: False, touch_chair: False, near_chair: False}) == []
+    assert found({near: False, touch_box: True, near_chair: True}) == [
+        ("goal-answered-no", {"number": 2}),
+        ("goal-asked", {"number": 3}),
+        ("never-touch", {"target": "box", "most": 1}),
+        ("never-asked", {"target": "chair", "most": 1}),
+        ("never-near", {"target": "chair", "most": 1}),
+    ]
+    assert codes(judge(challenge(Goal(at=(9, 9))), ROOM, run(), {})) == ["goal-at-place"]
+
+
+def test_the_names_of_all_tables_are_looked_for() -> None:
+    rules = Rules(
+        1,
+        "first_room",
+        (
+            Goal(at=(0, 0), robot="alice"),
+            Goal(visited=("box", "lamp", (1, 2))),
+            Goal(robots=("bob", "carl")),
+            Goal(holds="can"),
+            Goal(thing="box", at="sofa"),
+            Goal(said="lamp"),
+            Goal(counted="lamp"),
+        ),
+        never=Never(near=("rug",), touch=("box",)),
+        variant=(Variant(things={"box": (1, 1), "bob": (2, 2), "bed": (3, 3)}),),
+        question=(
+            ChallengeQuestion("count", "cup"),
+            ChallengeQuestion("order", ("box", "pan"), "end"),
+            ChallengeQuestion("distance", "box", "pot"),
+            ChallengeQuestion("distance", "box", (1, 2)),
+        ),
+    )
+
+    assert [*unknown_names(rules, HALL)] == [
+        ("never", "near", "rug"),
+        ("goal[1]", "visited", "lamp"),
+        ("goal[2]", "robots", "carl"),
+        ("goal[3]", "holds", "can"),
+        ("goal[4]", "at", "sofa"),
+        ("variant[0]", "things", "bed"),
+        ("question[0]", "of", "cup"),
+        ("question[1]", "of", "pan"),
+        ("question[2]", "from", "pot"),
+    ]
+
+
+def test_the_end_of_a_solution_of_several_robots_has_a_place_for_each_and_what_they_hold() -> None:
+    can = item(7, "can", "tin", "red", 9.0, 9.0)
+    hall = Inventory((can, item(8, "", "ball", "red", 1.0, 1.0), BOX), 3.0, HALL.robots)
+    places = (
+        PlacedThing("can", Pose(5.0, 5.0, 0.0), 7),
+        PlacedThing("", Pose(1.26, 8.0, 0.0), 8),
+        PlacedThing("box", Pose(3.05, 4.0, 0.0), 2),
+    )
+    happened = [
+        ("alice", ThingsMoved(places)),
+        ("bob", GripperUsed(Grip.GRIPPED, "can")),
+        ("alice", GripperUsed(Grip.NOTHING_THERE, "")),
+        ("bob", Moved("FW", 1, 1, None, Pose(0.26, 27.04, 180.0), True)),
+    ]
+
+    assert goals_of_end(hall, [Stamped(1, 0.0, each, robot) for robot, each in happened]) == (
+        Goal(at=(0.0, 0.0), robot="alice", within=0.5),
+        Goal(at=(0.3, 27.0), robot="bob", within=0.5),
+        Goal(thing="ball", at=(1.3, 8.0)),
+        Goal(holds="can"),
+    )
+
+
+@pytest.mark.parametrize(
+    ("wanted", "said", "missing"),
+    [
+        (("a", "b"), ["a"], [("b", "a", "goal-said")]),
+        (("a", "b"), ["b"], [("a", "", "goal-said")]),
+        (("a", "a"), ["a"], [("a", "a", "goal-said-order")]),
+        (-5, ["\u22125"], []),
+        ("4,5 m", ["4.50 M."], []),
+        ("4.5", ["45"], [("4.5", "", "goal-said")]),
+        ("a b", ["a", "b"], [("a b", "", "goal-said")]),
+    ],
+)
+def test_what_was_not_said_in_its_order_is_missing(
+    wanted: str | int | tuple[str, ...], said: list[str], missing: list[tuple[str, str, str]]
+) -> None:
+    found = judge(challenge(Goal(said=wanted)), ROOM, run(*map(Spoke, said))).shortfalls
+
+    assert [(each.values["text"], each.values["before"], each.code) for each in found] == missing
+
+
+def test_a_variable_that_is_wrong_is_given_with_what_is_wanted() -> None:
+    goal = Goal(counted="Número", value=0)
+
+    assert shortfalls(goal, run(numero=0)) == []
+    assert shortfalls(goal, run(numero=2)) == [("goal-counted", {"name": "Número", "value": 2, "wanted": 0})]
+    assert shortfalls(goal, run()) == [("goal-not-counted", {"name": "Número"})]
+    assert shortfalls(goal, run()[:-1]) == [("goal-not-counted", {"name": "Número"})]
+
+
+def test_a_mistake_of_an_earlier_run_does_not_count() -> None:
+    wrong = run(Error("x", 3, 1, "m", None))
+    stopped = Stamped(9, 0.0, RunEnded(Outcome.STOPPED, START, {}, 1.0))
+    goal = challenge(Goal(at=(0, 0)))
+
+    assert codes(judge(goal, ROOM, wrong)) == ["goal-mistake"]
+    assert codes(judge(goal, ROOM, [*wrong, *run(fresh=False)])) == []
+    assert codes(judge(goal, ROOM, [*run(), stopped, *run(fresh=False)])) == []
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "gap", "direction"),
+    [(1, 2, 0, 0), (-3, 1, 3, 270), (0, 0, 0, 0), (5, 6, 5, 36.87), (2, -4, 4, 180)],
+)
+def test_the_way_out_of_an_area_is_the_shortest_one(x: float, y: float, gap: float, direction: float) -> None:
+    found = way_out(x, y, ((2, 0), (0, 2)))
+
+    assert found == (pytest.approx(gap), pytest.approx(direction, abs=0.01))
+
+
+def test_the_nearest_thing_of_a_name_counts_and_touching_is_nothing() -> None:
+    near, far = item(1, "", "box", "red", 0.0, 9.0, 1.0), item(2, "", "box", "red", -20.0, 0.0, 1.0)
+
+    assert gap_to(START, "box", Inventory((far, near), 3.0)) == (5.0, 0.0)
+    assert gap_to(Pose(0.0, 6.0, 0.0), "box", Inventory((far, near), 3.0)) == (0.0, 0.0)
+    assert gap_to(START, (3.0, -4.0), ROOM) == (5.0, pytest.approx(bearing(3.0, -4.0, 0.0, 0.0)))
+    assert [bearing(1, 1, *each) for each in ((1, 3), (3, 1), (1, -3), (-3, 1), (0, 0))] == [
+        *(0.0, 90.0, 180.0, 270.0, 225.0)
+    ]
+    assert [in_steps(each) for each in (0.0, 0.4, 1.6, 2.4)] == [1, 1, 2, 2]
+
+
+def test_a_touched_thing_is_known_by_its_kind_and_its_name() -> None:
+    hits = (Met("chair", "chair 1", 0.0), Met("cube", "another", 0.0), Met("stool", "box", 0.0))
+    turned = Turned("TR", 9, 3, StoppedBy.COLLISION, START, True, hits[0])
+    never = challenge(Goal(at=(0, 0)), never=Never(touch=("chair", "box")))
+
+    for hit, touched in zip(hits, (["chair"], [], []), strict=True):
+        verdict = judge(never, ROOM, run(walk(0, 0, met=hit)))
+        assert [each.values["target"] for each in verdict.shortfalls] == touched
+    assert codes(judge(never, ROOM, run(turned))) == ["never-touch"]
+    assert codes(judge(challenge(Goal(at=(0, 0)), never=Never(bump=True)), ROOM, run())) == []
+
+
+def test_a_goal_of_a_robot_says_whose_it_is() -> None:
+    ends = [Stamped(0, 0.0, Reset(HALL.robots["alice"]), "alice"), *walks(("bob", 20.0))]
+    found = judge(challenge(Goal(at=(0, 0), robot="Bob"), Goal(at=(0, 9))), HALL, ends).shortfalls
+
+    assert [each.robot for each in found] == ["Bob", None]
+    assert found[0] == Shortfall(
+        "goal-at-place", {"steps": 20, "direction": 0.0, "target": (0, 0)}, robot="Bob"
+    )
