@@ -136,8 +136,9 @@ def test_a_wrong_heading_says_how_to_turn_on(heading: float, missing: list[str])
     assert codes(verdict) == missing
 
 
-def test_a_heading_across_north_is_near() -> None:
-    assert judge(challenge(Goal(facing=0.0)), ROOM, run(end=Pose(0.0, 0.0, 355.0))).is_solved
+@pytest.mark.parametrize("heading", [350.0, 355.0, 10.0])
+def test_a_heading_across_north_is_near(heading: float) -> None:
+    assert judge(challenge(Goal(facing=0.0)), ROOM, run(end=Pose(0.0, 0.0, heading))).is_solved
 
 
 def test_places_are_visited_in_their_order_unless_any_order_will_do() -> None:
@@ -420,6 +421,16 @@ def test_robots_meet_when_their_bodies_were_near_at_one_moment() -> None:
     assert shortfalls(goal, starts + passed_later, HALL)[0][1]["steps"] == 4
 
 
+def test_robots_meet_at_the_distance_of_their_bodies_in_any_direction() -> None:
+    """From 10, 0 to 4, 8 it is 10 steps, less two bodies of 3: 4."""
+    hall = Inventory((), 3.0, {"alice": Pose(10.0, 0.0, 0.0), "bob": Pose(4.0, 8.0, 0.0)})
+    begun = [Stamped(0, 0.0, Reset(hall.robots["alice"]), "alice")]
+    apart = [("goal-not-together", {"first": "alice", "second": "bob", "steps": 4})]
+
+    assert shortfalls(Goal(robots=("alice", "bob"), within=4), begun, hall) == []
+    assert shortfalls(Goal(robots=("alice", "bob"), within=3.9), begun, hall) == apart
+
+
 def test_no_robot_comes_near_what_is_to_be_kept_away_from() -> None:
     chair = item(1, "chair 1", "chair", "green", 5.0, 20.0, 1.0)
     hall = Inventory((chair,), HALL.radius, HALL.robots)
@@ -657,6 +668,19 @@ def test_only_the_words_of_a_lesson_are_allowed_in_any_language() -> None:
     assert of_words("FW 1\nPF 2\nforward 3", words=("FW",)) == []
     assert of_words("FW 1 TR 90", words=("AV", "GD")) == []
     assert of_words("FW 1 TR 90") == []
+
+
+def test_the_words_of_all_lines_count() -> None:
+    rules = Rules(1, "first_room", (Goal(at=(0, 0)),), words=("FW",))
+    it = Challenge("it", Path("it.toml"), rules, {"en": ChallengeText("It", "Do it.")})
+    events = run()
+    for text in ("FW 1", "TR 90"):
+        how = HowStarted(text, 1, False, True, False, START)
+        events += run(fresh=False)
+        events[-2] = replace(events[-2], event=RunStarted("p", "w", "donnie", 0, "0", how))
+
+    (missing,) = judge(it, ROOM, events).shortfalls
+    assert missing.values["word"] == "TR"
 
 
 def test_the_words_that_a_lesson_is_about_are_needed() -> None:

@@ -17,6 +17,8 @@ from donnie_tui.core.map_words import (
     around_in_words,
     column_in_words,
     compass_point,
+    compass_words,
+    map_in_words,
     names_of_letters,
     picture_in_letters,
     row_in_words,
@@ -27,6 +29,7 @@ from sim.picture import Picture, Thing, picture
 from sim.world import World
 from sim.worldfile import load_text, load_world
 from tests.unit.sim.floors import Unpaced
+from worlds.words import About, Difficulty
 
 LANGUAGES = ("en", "pt", "es")
 DETAILS = ("brief", "normal", "full")
@@ -340,3 +343,275 @@ def test_around_a_thing_between_its_paddles_a_robot_does_not_count_them() -> Non
     steps = int((0.36 - 0.05 - base) / 0.05)
     assert [line for line in lines if "can" in line] == [f"Ahead: can, red, {steps} step."]
     assert sum("free, 10 steps" in line for line in lines) == 3
+
+
+# --- rows and columns line by line
+
+
+@pytest.mark.parametrize(
+    ("detail", "row", "bottom", "lines"),
+    [
+        ("normal", "c.c.c.c", 0, 1),  # "Row 0, from 0: " and 44 characters with commas, and the full stop
+        ("normal", "c.c.c.c", -1, 2),
+        ("brief", "c.c.", 0, 1),
+        ("brief", "c.c.", -1, 2),
+        ("full", "c.c.c.c.c.", -1, 1),
+        ("full", "c.c.c.c.c.", -10, 2),
+    ],
+)
+def test_a_line_of_squares_is_as_long_as_its_detail_allows(
+    detail: str, row: str, bottom: int, lines: int
+) -> None:
+    limit = {"brief": 40, "normal": 60, "full": 80}[detail]
+    width = len(row)
+    things = tuple(thing("c", x, bottom) for x, letter in enumerate(row) if letter == "c")
+    floor = Picture(0, bottom, width, 2, 1, ("." * width, row), things, False)
+    first, *rest = row_in_words(MapGrid(floor, Pose(0, bottom + 1, 0)), bottom, Words("en", detail))
+
+    assert len(rest) == lines - 1
+    assert len(first) == limit if lines == 1 else limit - 8 < len(first) <= limit
+    for line in rest:
+        assert line == f"Row {bottom}, from {width - 1}: {'chair' if row[-1] == 'c' else 'free'}."
+
+
+COARSE = Picture(-10, -5, 3, 4, 5, ("#.#", "...", "...", "###"), (), True)
+"""Three cells by four, of 5 steps each: their middles are at -10, -5 and 0, and at -5, 0, 5 and 10."""
+
+
+@pytest.mark.parametrize(
+    ("y", "said"),
+    [
+        (-8, "No row -8. Rows go from -5 to 10."),
+        (-7, "Row -7, from -10: 3 wall."),
+        (2, "Row 2, from -10: 2 free, Donnie."),
+        (12, "Row 12, from -10: wall, free, wall."),
+        (13, "No row 13. Rows go from -5 to 10."),
+    ],
+)
+def test_each_step_of_a_coarse_cell_is_its_row(y: int, said: str) -> None:
+    assert row_in_words(MapGrid(COARSE, Pose(1, 1, 0)), y, Words()) == (said,)
+
+
+@pytest.mark.parametrize(
+    ("x", "said"),
+    [
+        (-13, "No column -13. They go from -10 to 0."),
+        (-12, "Column -12, from -5: wall, 2 free, wall."),
+        (2, "Column 2, from -5: wall, Donnie, free, wall."),
+        (3, "No column 3. They go from -10 to 0."),
+    ],
+)
+def test_each_step_of_a_coarse_cell_is_its_column(x: int, said: str) -> None:
+    assert column_in_words(MapGrid(COARSE, Pose(1, 1, 0)), x, Words()) == (said,)
+
+
+def test_the_map_in_words_is_the_floor_and_its_things_and_the_walls_if_no_author_described_them() -> None:
+    pose, about = Pose(3, 1, 0), About("Hall", "A hall.", "Go.", Difficulty.EASY)
+    seen = replace(ROOM, rows=("#######", "#..c..#", ".......", "#.....#", "#######"))
+    things = ("1 thing.", "Chair, red: 2 ahead.")
+
+    size, walls, *said = map_in_words(seen, pose, Words())
+    assert walls.startswith("Walls from the robot, in steps: ")
+    assert tuple(said) == things
+    assert map_in_words(seen, pose, Words(), about) == (size, *things)
+    bare = replace(ROOM, things=(), has_walls=False)
+    assert map_in_words(bare, pose, Words()) == ("An open floor without walls.", "There are no things.")
+
+
+# --- squares
+
+
+def driven(*places: tuple[float, float]) -> MapGrid:
+    grid = MapGrid(ROOM, Pose(1, 1, 0))
+    for x, y in places:
+        grid.move(Pose(x, y, 0))
+    return grid
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "what"),
+    [
+        (0, 0, "wall"),
+        (6, 4, "wall"),
+        (-1, 0, "outside the world"),
+        (7, 4, "outside the world"),
+        (0, -1, "outside the world"),
+        (6, 5, "outside the world"),
+        (1, 1, "the start"),
+        (2, 1, "trail"),
+        (3, 1, "Donnie"),
+        (4, 1, "free"),
+        (4, 2, "goal 2"),
+        (3, 3, "chair"),
+    ],
+)
+def test_a_square_is_what_is_shown_there(x: int, y: int, what: str) -> None:
+    grid = driven((3, 1))
+    grid.mark_goals([(2, 4, 2, 4, 2)])
+
+    assert square_in_words(grid, x, y, Pose(x, y, 0), Words()) == f"{x}, {y}: {what}. here."
+
+
+def test_a_trail_outside_of_the_walls_is_no_place_outside_of_the_world() -> None:
+    grid = driven((1, -3), (1, 1))
+
+    assert square_in_words(grid, 1, -2, Pose(1, 1, 0), Words()) == "1, -2: trail. 3 behind."
+
+
+def test_a_letter_without_a_thing_is_shown_as_it_is() -> None:
+    grid = MapGrid(Picture(0, 0, 2, 1, 1, (".k",), (), False), Pose(0, 0, 0))
+
+    assert square_in_words(grid, 1, 0, Pose(0, 0, 0), Words()) == "1, 0: k. 1 right."
+    assert row_in_words(grid, 0, Words()) == ("Row 0, from 0: Donnie, ?.",)
+
+
+# --- the picture
+
+
+def test_the_picture_explains_the_start_the_trail_and_the_goals_that_it_shows() -> None:
+    """A start has no letter, as things have letters."""
+    grid = driven((3, 1))
+    grid.mark_goals([(2, 5, 3, 5, 3), (1, 4, 2, 5, 2)])
+
+    assert picture_in_letters(grid, Words())[1:] == (
+        *("The start: *", "Trail: o", "Wall: #", "Free: .", "Chair: c", "Goal 1: 1", "Goal 2: 2"),
+        *("#######", "#..c.2#", "#...11#", "#*o^..#", "#######"),
+    )
+
+
+def test_the_picture_explains_no_goal_and_no_colour_outside_of_its_part() -> None:
+    """It shows 40 of 50 squares."""
+    row = "fff.fff." + "." * 42
+    things = tuple(Thing("", "flower", "f", colour, x, 0, 3, 3) for colour, x in (("red", 1), ("blue", 5)))
+    floor = Picture(0, 0, 50, 1, 1, (row,), things, False)
+    far, near = (MapGrid(floor, Pose(x, 0, 0)) for x in (49, 22))
+    for grid in (far, near):
+        grid.mark_goals([(1, 3, 0, 3, 0), (2, 11, 0, 11, 0)])
+
+    assert picture_in_letters(far, Words())[3:-1] == ("Free: .", "Goal 2: 2")
+    assert picture_in_letters(far, Words())[-1] == "." + "2" + "." * 37 + "^"
+    assert picture_in_letters(near, Words())[3:-1] == (
+        ("Free: .", "Flower: f", "Blue: b", "Goal 1: 1", "Goal 2: 2")
+    )
+    assert picture_in_letters(near, Words())[-1][:10] == "f1fbf....2"
+
+
+@pytest.mark.parametrize(
+    ("colours", "size", "robot", "row"),
+    [
+        (("red", "blue"), 2, 9, "frf.fbf..^"),
+        (("red", "blue"), 1, 9, "fff.fff..^"),
+        (("red", "red"), 2, 9, "fff.fff..^"),
+        (("red", "golden"), 2, 9, "frf.fff..^"),
+        (("red", "blue"), 2, 1, "f^f.fbf..."),
+    ],
+)
+def test_the_initial_of_a_colour_needs_a_known_colour_and_room_and_no_robot_on_it(
+    colours: tuple[str, str], size: int, robot: int, row: str
+) -> None:
+    things = tuple(
+        Thing("", "flower", "f", colour, x, 0, size, 1) for colour, x in zip(colours, (1, 5), strict=True)
+    )
+    floor = Picture(0, 0, 10, 1, 1, ("fff.fff...",), things, False)
+
+    assert picture_in_letters(MapGrid(floor, Pose(robot, 0, 0)), Words())[-1] == row
+
+
+def test_a_capital_letter_is_shown_as_an_unused_small_one_and_stays_without_its_small_one() -> None:
+    kinds = {"e": "elk", "E": "egg", "T": "table"}
+    things = tuple(thing(letter, x, 0, kind) for x, (letter, kind) in enumerate(kinds.items()))
+    floor = Picture(0, 0, 4, 1, 1, ("eET.",), things, False)
+    said = picture_in_letters(MapGrid(floor, Pose(3, 0, 0)), Words())
+
+    assert said[1:] == ("Egg: a", "Table: T", "Elk: e", "eaT^")
+
+
+def test_no_capital_letter_is_shown_as_the_trail_or_the_arrow_down() -> None:
+    letters = "abcdefghijklmnpqrstuwxyzBC"
+    things = tuple(thing(letter, x, 0, f"kind {letter}") for x, letter in enumerate(letters))
+    floor = Picture(0, 0, 27, 1, 1, (letters + ".",), things, False)
+
+    assert picture_in_letters(MapGrid(floor, Pose(26, 0, 0)), Words())[-1] == letters + "^"
+
+
+# --- around
+
+OPEN = ("." * 41,) * 41
+
+
+def at_steps(*things: Thing) -> Picture:
+    """A floor without walls, whose middle is 0, 0, with a robot that is 0.9 wide."""
+    return Picture(-20, -20, 41, 41, 1, OPEN, things, False, (), (BODY,))
+
+
+@pytest.mark.parametrize(
+    ("distance", "said"),
+    [
+        (11.8, ("1 thing within 10 steps.", "Ahead: chair, red, 10 steps.")),
+        (11.9, ("There is nothing within 10 steps.", "Ahead: free, 10 steps.")),
+        (2, ("1 thing within 10 steps.", "Ahead: chair, red, 1 step.")),
+    ],
+)
+def test_around_reaches_ten_steps_from_the_edge_of_the_robot(distance: float, said: tuple[str, str]) -> None:
+    """A robot of 0.9 and a chair of 1 step: 0.95 less than their middles. Half a centimetre is 0.1."""
+    pose = Pose(0, 0, 0)
+    grid = MapGrid(at_steps(thing("c", 0, distance)), pose)
+
+    assert around_in_words(grid, pose, Words())[:2] == said
+
+
+def test_around_at_full_has_eight_directions_and_at_less_four() -> None:
+    pose, grid = Pose(0, 0, 45), MapGrid(at_steps(), Pose(0, 0, 45))
+
+    def sides(detail: str, **how: int | bool) -> list[str]:
+        said = around_in_words(grid, pose, Words("en", detail), **how)
+        return [each.partition(":")[0] for each in said[1:]]
+
+    eight = ["Ahead", "Ahead right", "Right", "Behind right", "Behind", "Behind left", "Left", "Ahead left"]
+    assert len(sides("full")) == 8
+    assert sides("full")[::2] == eight[::2] == sides("normal") == sides("brief")
+    points = ["Northeast", "Southeast", "Southwest", "Northwest"]
+    assert sides("full", compass=1)[::2] == points == sides("normal", compass=1)
+    assert sides("full", compass=7)[:3] == ["Northwest", "North", "Northeast"]
+    assert sides("full", clock=True) == [f"{hour} o'clock" for hour in (12, *range(1, 12))]
+    assert sides("normal", clock=True) == [f"{hour} o'clock" for hour in (12, 3, 6, 9)]
+
+
+def test_a_thing_is_in_the_direction_of_its_nearest_edge_and_the_nearest_comes_first() -> None:
+    pose = Pose(0, 0, 90)
+    near, far, behind = (
+        replace(thing("c", *place), name=name)
+        for name, place in (("near", (3, 0)), ("far", (6, 1)), ("behind", (-4, 0)))
+    )
+    twins = [replace(thing("t", 0, 5), name=name) for name in ("twin b", "twin a")]
+    seen = at_steps(far, behind, *twins, near)
+
+    said = around_in_words(MapGrid(seen, pose), pose, Words("en", "brief"))
+    assert said == (
+        "5 things within 10 steps.",
+        "Ahead: near, 2.",
+        "Ahead: far, 5.",
+        "Right: free.",
+        "Behind: behind, 3.",
+        "Left: twin a, 4.",
+        "Left: twin b, 4.",
+    )
+
+
+def test_a_held_thing_is_not_around_the_robot() -> None:
+    pose = Pose(0, 0, 0)
+    held, other = replace(thing("c", 0, 1), index=7), replace(thing("t", 0, 3), index=8)
+    grid = MapGrid(at_steps(held, other), pose)
+
+    assert around_in_words(grid, pose, Words(), held=7)[:3] == (
+        ("1 thing within 10 steps.", "In my gripper: chair, red.", "Ahead: table, red, 2 steps.")
+    )
+    assert around_in_words(grid, pose, Words())[:2] == (
+        ("2 things within 10 steps.", "Ahead: chair, red, 0 steps.")
+    )
+
+
+def test_the_points_of_the_compass_are_typed_clockwise_from_north() -> None:
+    assert compass_words("en")[::2] == ("north", "east", "south", "west")
+    assert compass_words("es")[::2] == ("norte", "este", "sur", "oeste")
+    assert [compass_point(each) for each in compass_words("pt")] == list(range(8))
