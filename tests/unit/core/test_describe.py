@@ -1,5 +1,7 @@
 """A world in words: places are relative to the robot, in steps, the nearest thing first."""
 
+from pathlib import Path
+
 import pytest
 
 import worlds
@@ -9,15 +11,28 @@ from donnie_tui.core.describe import (
     arrived,
     compass_place_of,
     describe,
+    goals_in_words,
+    has_way_out,
     place_of,
+    shortfall_in_words,
+    target_in_words,
+    task_in_words,
     things_in_words,
+    verdict_in_words,
+    world_columns,
+    world_introduction,
+    world_meant,
+    world_row,
+    world_sentences,
     worlds_in_words,
 )
+from donnie_tui.core.goals import Inventory, Judgment, Shortfall, Track
 from donnie_tui.core.wording import facing
 from donnie_tui.i18n.words import Words
 from sim.picture import Picture, Thing, picture
 from tests.floor import floor
-from worlds.words import About, Difficulty
+from worlds.challenges import Challenge, ChallengeText, Limit, Rules
+from worlds.words import About, Difficulty, about
 
 
 @pytest.mark.parametrize(
@@ -219,3 +234,253 @@ def test_after_a_world_was_opened_its_name_and_its_things_are_said(
 )
 def test_a_heading_is_one_of_eight_points_or_near_one(heading: float, said: str) -> None:
     assert facing(Pose(0, 0, heading), Words()) == said
+
+
+# --- the ways out of a floor
+
+
+@pytest.mark.parametrize(
+    ("rows", "column", "row", "is_open"),
+    [
+        (("###", "#.#", "###"), 1, 1, False),
+        (("###", "#.#", "#.#"), 1, 1, True),
+        (("#.#", "#.#", "###"), 1, 1, True),
+        (("###", "#..", "###"), 1, 1, True),
+        (("###", "..#", "###"), 1, 1, True),
+        (("####", "#.##", "##.#", "##.#"), 1, 1, False),  # no way across a corner
+        (("#####", "#.#.#", "#...#", "##.##", "##.##"), 1, 1, True),
+        (("#####", "#.#.#", "#.#.#", "#.#.#", "##..#", "#####"), 1, 2, False),
+        (("######", "#....#", "####.#", "#....#", "#.####", "#.####"), 1, 1, True),
+        (("######", "#....#", "####.#", "#.#..#", "#.####", "#.####"), 1, 1, False),
+        (("#######", "#.#.#.#", "#.....#", "#.#.#.#", "#####.#"), 1, 1, True),
+        (("#######", "#.#.#.#", "#.....#", "#.#.#.#", "#.#####"), 5, 1, True),
+        (("###", "#.#", "###"), 7, 1, True),  # outside of the map
+    ],
+)
+def test_a_floor_is_open_if_free_squares_lead_over_its_edge(
+    rows: tuple[str, ...], column: int, row: int, is_open: bool
+) -> None:
+    floor_ = Picture(0, 0, len(rows[0]), len(rows), 1, rows, (), has_walls=True)
+
+    assert has_way_out(floor_, Pose(column, len(rows) - 1 - row, 0.0)) is is_open
+
+
+# --- worlds and their things
+
+
+def of_things(*things: Thing, cell: int = 1) -> Picture:
+    return Picture(0, 0, 9, 8, cell, ("." * 9,) * 8, things, has_walls=True)
+
+
+def test_the_size_of_a_floor_is_given_in_steps() -> None:
+    said = arrived("hall", None, of_things(cell=5), Words())
+
+    assert said == ("This is the world hall.", "45 by 40 steps, walls included.", "There are no things.")
+
+
+def test_a_robot_starts_at_whole_steps_and_robots_are_no_things() -> None:
+    other = Thing("bob", "donnie", "d", "red", 4.6, -1.2, 1.0, 1.0, is_robot=True, heading=90.0)
+    box = Thing("", "box", "b", "red", 3.0, 1.5, 1.0, 1.0)
+    said = describe(of_things(other, box), Pose(1.9, -2.9, 0.0), Words(), robot="al")
+
+    assert said[-5:] == (
+        "2 robots: al, bob.",
+        "The robot al starts at 1, -2, facing north.",
+        "Robot bob, from al: 3 east, 2 north, facing east.",
+        "1 thing, in steps from al, the nearest first.",
+        "Box, red: 1 east, 4 north.",
+    )
+
+
+def test_without_a_robot_things_are_counted_from_the_middle() -> None:
+    box = Thing("", "box", "b", "red", 3.0, 0.0, 1.0, 1.0)
+
+    assert describe(of_things(box), Pose(0.0, 0.0, 90.0), Words())[-2:] == (
+        "1 thing, in steps.",
+        "Box, red: 3 east.",
+    )
+
+
+@pytest.mark.parametrize(
+    ("width", "depth", "said"),
+    [
+        (7.5, 1.0, "Table, red, 8 by 1: 20 ahead."),
+        (1.0, 7.6, "Table, red, 1 by 8: 20 ahead."),
+        (7.4, 7.4, "Table, red: 20 ahead."),
+    ],
+)
+def test_a_thing_is_large_from_eight_whole_steps_on_either_side(
+    width: float, depth: float, said: str
+) -> None:
+    table = Thing("", "table", "t", "red", 0.0, 20.0, width, depth)
+
+    assert things_in_words(of_things(table), Pose(0.0, 0.0, 0.0), Words()) == (said,)
+
+
+def test_at_brief_a_thing_has_no_colour() -> None:
+    table = Thing("", "table", "t", "red", 0.0, 20.0, 9.0, 1.0)
+
+    assert things_in_words(of_things(table), Pose(0.0, 0.0, 0.0), Words("en", "brief")) == (
+        "Table: 20 ahead.",
+    )
+
+
+@pytest.mark.parametrize(("count", "more"), [(20, ()), (21, ("1 more thing is farther away.",))])
+def test_up_to_twenty_things_are_described_one_by_one(count: int, more: tuple[str, ...]) -> None:
+    said = things_in_words(large(count, 0), Pose(0.0, 0.0, 0.0), Words())
+
+    assert said[20:21] == more
+    assert len(said) == min(count, 20) + 2 * len(more)
+
+
+def test_a_world_is_introduced_by_its_author_or_by_its_things_alone() -> None:
+    text = About("A title", "One.\nTwo.", "Do it.", Difficulty.UNSTATED)
+
+    assert world_introduction("hall", text, ["A box."], Words()) == (
+        *("hall: A title.", "One.", "Two.", "A box.", "Task: Do it."),
+    )
+    assert world_introduction("hall", None, ["A box."], Words()) == ("A box.",)
+    said = describe(picture(floor()), Pose(0.0, 0.0, 0.0), Words(), robot="bob", about=text)
+    assert said[:2] == ("One.", "Two.")
+
+
+@pytest.mark.parametrize(
+    ("typed", "name"),
+    [
+        ("maze", "maze"),
+        ("MAZE", "maze"),
+        ("Labirinto", "maze"),
+        ("two_rooms", "two_rooms"),
+        ("two rooms", "two_rooms"),
+        ("tworooms", "two_rooms"),
+        ("Dos  cuartos", "two_rooms"),
+        ("maz", None),
+        ("", None),
+    ],
+)
+def test_a_world_is_found_by_its_name_or_its_title_in_any_language(typed: str, name: str | None) -> None:
+    assert world_meant(typed) == name
+
+
+@pytest.mark.parametrize(("language", "hard"), [("en", "hard"), ("pt", "difícil")])
+def test_a_row_about_a_world_has_its_title_its_difficulty_its_content_and_its_task(
+    language: str, hard: str
+) -> None:
+    text, words = about("maze", language), Words(language)
+    content, task = world_sentences("maze", words)
+    row = world_row("maze", words)
+
+    assert world_columns("maze", words) == (text.title, hard)
+    assert content == text.description.replace("\n", " ")
+    assert task.endswith(f": {text.task}")
+    assert row.startswith(f"maze: {text.title}, {hard}. {content} ")
+    assert row.endswith(text.task)
+
+
+def test_a_world_with_a_title_is_arrived_at_by_both() -> None:
+    text = About("The hall", "One.", "Do it.", Difficulty.EASY)
+    box = Thing("", "box", "b", "red", 3.0, 0.0, 1.0, 1.0)
+
+    said = arrived("hall", text, of_things(box, box), Words())
+    assert (said[0], said[2]) == ("This is the world hall: The hall.", "2 things. WORLD says more.")
+
+
+# --- challenges
+
+ROOM = Inventory(
+    (
+        Thing("", "box", "b", "red", 0, 0, 1, 1, index=1),
+        Thing("", "box", "b", "blue", 5, 0, 1, 1, index=2),
+        Thing("", "ball", "l", "green", 9, 0, 1, 1, index=3),
+        Thing("", "ball", "l", "green", 9, 5, 1, 1, index=4),
+    ),
+    radius=1.0,
+    robots={"me": Pose(0.0, 0.0, 0.0)},
+)
+
+
+def judged(*lacking: Shortfall | None, more: tuple[Shortfall, ...] = ()) -> Judgment:
+    missing = tuple(each for each in lacking if each is not None)
+    return Judgment(Track([], [ROOM]), lacking, missing + more)
+
+
+def test_a_verdict_is_about_the_first_start_that_fails() -> None:
+    no_run, said = Shortfall("goal-no-run", {}), Shortfall("goal-said", {"text": "x", "before": ""})
+    solved = judged(None, None)
+
+    assert verdict_in_words([solved, solved], Words()) == "Solved, in 0 commands."
+    assert verdict_in_words([judged(None, said)], Words()) == "1 of 2 goals. Missing: say x."
+    assert verdict_in_words([solved, judged(no_run, said), judged(said)], Words()) == (
+        "0 of 2 goals. From start 2: The program did not run. Missing: say x."
+    )
+
+
+def test_a_verdict_has_four_sentences_and_none_twice() -> None:
+    said = [Shortfall("goal-said", {"text": each, "before": ""}) for each in "xxyz"]
+
+    assert verdict_in_words([judged(*said)], Words()) == (
+        "0 of 4 goals. Missing: say x. Missing: say y. Missing: say z."
+    )
+    assert verdict_in_words([judged(None), judged(*said)], Words()) == (
+        "0 of 4 goals. From start 2: Missing: say x. Missing: say y."
+    )
+
+
+def test_each_goal_is_met_missing_or_asked_about() -> None:
+    verdict = judged(None, Shortfall("goal-asked", {"number": 2}), Shortfall("goal-no-run", {}))
+
+    assert goals_in_words(verdict, Words()) == (
+        *("Goal 1: met.", "Goal 2: I ask you later.", "Goal 3: The program did not run."),
+    )
+
+
+AREA = ((0.0, 1.5), (2.25, 3.0))
+
+
+@pytest.mark.parametrize(
+    ("shortfall", "said"),
+    [
+        (
+            Shortfall("goal-at-place", {"steps": 3, "direction": 90.0, "target": (4.0, 0.5)}),
+            "You stopped 3 steps east of 4, 0.5.",
+        ),
+        (
+            Shortfall("goal-area", {"steps": 1, "direction": 180.0, "area": AREA}),
+            "You stopped 1 step south of the area from 0, 1.5 to 2.25, 3.",
+        ),
+        (Shortfall("word-missing", {"word": "REPEAT"}), "Missing: the word REPEAT."),
+        (Shortfall("goal-visited", {"target": "blue box"}), "You did not get to blue box."),
+        (Shortfall("goal-visited", {"target": "ball"}), "You did not get to ball."),
+        (Shortfall("goal-no-run", {}, robot="bob"), "bob: The program did not run."),
+    ],
+)
+def test_what_is_missing_is_said_with_its_place_its_thing_and_its_word(
+    shortfall: Shortfall, said: str
+) -> None:
+    assert shortfall_in_words(shortfall, ROOM, Words()) == said
+
+
+def test_a_word_that_is_missing_is_in_the_learners_language() -> None:
+    shortfall = Shortfall("word-missing", {"word": "REPEAT"})
+
+    assert shortfall_in_words(shortfall, ROOM, Words("pt")).endswith(" REPITA.")
+    assert target_in_words((1.0, -2.5), ROOM, Words()) == "1, -2.5"
+
+
+def test_a_task_has_its_title_its_sentences_its_limits_and_its_words() -> None:
+    rules = Rules(
+        *(1, "first_room"), words=("REPITA", "FW"), limit=Limit(commands=1, seconds=2.6, steps=0, turns=4)
+    )
+    text = ChallengeText("A title", "One.\nTwo.\n")
+    it = Challenge("it", Path("it.toml"), rules, {"en": text})
+
+    assert task_in_words(it, Words()) == (
+        "Challenge: A title.",
+        *("One.", "Two."),
+        *("At most 1 command.", "At most 3 seconds.", "At most 0 steps.", "At most 4 turns."),
+        "Use only REPEAT, FW.",
+    )
+    bare = Challenge("it", Path("it.toml"), Rules(1, "first_room"), {"en": text})
+    assert task_in_words(bare, Words(), "The hall") == (
+        *("Challenge: A title. World: The hall.", "One.", "Two."),
+    )

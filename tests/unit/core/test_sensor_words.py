@@ -76,6 +76,23 @@ def test_the_direction_of_a_sensor_is_given_from_the_front(degrees: float, where
     assert said == f"Bumper {where}."
 
 
+@pytest.mark.parametrize(
+    ("metres", "said"), [(3.0, "3"), (0.5, "0.5"), (0.256, "0.26"), (10.0, "10"), (0.101, "0.1")]
+)
+def test_the_range_of_a_sensor_has_no_more_digits_than_it_needs(metres: float, said: str) -> None:
+    ranger = Mounted(Device.RANGER, 0.0, width=15.4, metres=metres)
+
+    assert sensors_in_words([ranger], "al", Words("en", "normal"))[1:] == (
+        f"Distance sensor ahead, 15 degrees wide, range {said} m.",
+    )
+
+
+def test_of_twenty_one_kinds_of_sensors_one_is_counted() -> None:
+    devices = [Mounted(Device.BUMPER, degrees) for degrees in range(1, MOST + 2)]
+
+    assert sensors_in_words(devices, "al", Words())[-2:] == ("Bumper 20 right.", "And 1 more.")
+
+
 def test_twenty_kinds_of_sensors_are_all_described() -> None:
     devices = [Mounted(Device.BUMPER, degrees) for degrees in range(1, MOST + 1)]
 
