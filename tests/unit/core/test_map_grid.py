@@ -8,7 +8,20 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from devices.ports.robot import Pose
-from donnie_tui.core.map_grid import LONGEST_TRAIL, Cell, Kind, MapGrid, arrow_of, cells_between, floor_size
+from donnie_tui.core.map_grid import (
+    LONGEST_TRAIL,
+    Bounds,
+    Cell,
+    Kind,
+    MapGrid,
+    arrow_of,
+    cells_between,
+    floor_size,
+    path_in_words,
+    place_in_words,
+)
+from donnie_tui.core.timeline import DrivenPath, Trail
+from donnie_tui.i18n.words import Words
 
 
 @dataclass(frozen=True)
@@ -181,3 +194,216 @@ def test_the_map_is_a_full_rectangle_with_one_robot(places):
     assert len(rows) == drawn.bounds.height
     assert {len(row) for row in rows} == {drawn.bounds.width}
     assert sum(letter in "^/>\\v<" for row in rows for letter in row) == 1
+
+
+# --- squares one by one
+
+
+def test_exactly_the_squares_that_look_different_are_returned() -> None:
+    drawn = grid()
+
+    assert drawn.move(Pose(2, 0, 90)) == {Cell(2, 1), Cell(3, 1), Cell(4, 1)}
+    assert drawn.move(Pose(2, 0, 180)) == {Cell(4, 1)}
+    assert drawn.move(Pose(2.4, -0.4, 180)) == frozenset()
+    assert drawn.begin(Pose(1, 1, 0)) == {Cell(2, 1), Cell(3, 1), Cell(4, 1), Cell(3, 2)}
+    assert drawn.begin(Pose(1, 1, 90)) == {Cell(3, 2)}
+    assert drawn.rows() == ("#######", "#..t..#", "#..>..#", "#.....#", "#######")
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "cell"),
+    [
+        (0.5, -0.5, (3, 1)),
+        (0.49, -0.51, (2, 0)),
+        (-0.5, 1.4999999, (2, 3)),
+        (1e12, -1e12, (10**9, -(10**9))),
+    ],
+)
+def test_a_place_between_two_squares_is_in_the_eastern_and_the_northern_one(
+    x: float, y: float, cell: tuple[int, int]
+) -> None:
+    assert grid().cell_at(x, y) == cell
+
+
+def test_goals_are_the_first_ones_of_a_square_and_are_shown_below_the_robot_alone() -> None:
+    drawn = grid()
+    drawn.mark_goals([(9, 0, 0, 1, 0), (10, 1, 0, 2, 0), (11, 3, 0, 3, 0), (12, 0, 2, 2, 2)])
+
+    assert drawn.rows()[1:4] == ("#.*t*.#", "#.....#", "#.^9**#")
+    drawn.move(Pose(2, 0, 90))
+    assert drawn.rows()[3] == "#.99>*#"
+    assert [drawn.kind(Cell(x, 1)) for x in (2, 3, 4)] == [Kind.GOAL, Kind.GOAL, Kind.ROBOT]
+    assert drawn.marked == {*(Cell(x, 1) for x in (2, 3, 4, 5)), Cell(2, 3), Cell(4, 3)}
+    drawn.hidden = frozenset({Kind.GOAL})
+    assert (drawn.rows()[3], drawn.goals) == ("#.Ao>.#", {})
+    assert [drawn.kind(Cell(x, 1)) for x in (1, 2, 3)] == [Kind.FREE, Kind.START, Kind.TRAIL]
+    drawn.hidden = frozenset({Kind.TRAIL})
+    drawn.mark_goals([])
+    assert drawn.rows()[3] == "#...>.#"
+    assert {drawn.kind(Cell(x, 1)) for x in (1, 2, 3)} == {Kind.FREE}
+    assert drawn.marked == {Cell(2, 1), Cell(3, 1)}
+
+
+def test_a_goal_at_the_edges_of_a_floor_without_walls_is_on_it() -> None:
+    open_floor = Floor(("...", "...", "..."), left=0, bottom=0)
+    drawn = grid(1, 1, floor=open_floor)
+    drawn.mark_goals([(1, -5, -5, 9, 9)])
+
+    assert drawn.rows() == ("111", "1^1", "111")
+    assert Cell(-1, 0) not in drawn.goals
+    assert [drawn.floor_letter(Cell(*each)) for each in ((0, 0), (2, 2), (3, 0), (0, 3), (-1, 0))] == [
+        "."
+    ] * 5
+    assert [
+        grid().floor_letter(Cell(*each)) for each in ((0, 0), (6, 4), (7, 4), (6, 5), (-1, 0), (0, -1))
+    ] == [*"##...."]
+
+
+def test_of_things_of_a_letter_the_nearest_one_is_there() -> None:
+    tables = (Table("far", "t", 3, 2), Table("near", "t", 1.4, 2), Table("other", "u", 1, 2))
+
+    assert grid(floor=Floor(ROOM.rows, things=tables)).thing(Cell(3, 3)).name == "near"
+
+
+@pytest.mark.parametrize(
+    ("width", "depth", "cell", "is_wide"),
+    [(1.5, 0, 1, True), (1.4, 1.4, 1, False), (0, 1.5, 1, True), (2.9, 2.9, 2, False), (3, 1, 2, True)],
+)
+def test_a_thing_is_wide_from_one_and_a_half_squares_on(
+    width: float, depth: float, cell: int, is_wide: bool
+) -> None:
+    @dataclass(frozen=True)
+    class Box:
+        width: float
+        depth: float
+
+    assert grid(floor=Floor(("...",), cell=cell)).is_wide(Box(width, depth)) is is_wide
+
+
+@pytest.mark.parametrize(
+    ("rows", "size"),
+    [
+        (("###", "#.#", "###"), (1, 1)),
+        (("..#", "..#", "..#"), (2, 3)),
+        (("...", "...", "###"), (3, 2)),
+        (("##", "##"), (2, 2)),
+        (("#.#", "..#"), (2, 2)),
+        (("###",), (1, 1)),
+    ],
+)
+def test_a_floor_is_without_the_rows_and_columns_at_its_ends_that_are_only_wall(
+    rows: tuple[str, ...], size: tuple[int, int]
+) -> None:
+    assert floor_size(Floor(rows)) == size
+    assert floor_size(Floor(rows, cell=5)) == (5 * size[0], 5 * size[1])
+
+
+@pytest.mark.parametrize(
+    ("heading", "arrow"), [(22, "^"), (23, "/"), (67, "/"), (68, ">"), (338, "^"), (337, "\\")]
+)
+def test_an_arrow_is_the_nearest_of_eight(heading: float, arrow: str) -> None:
+    assert arrow_of(heading) == arrow
+
+
+@pytest.mark.parametrize(
+    ("start", "end", "most", "cells"),
+    [
+        ((0, 0), (3, 1), 9, [(0, 0), (1, 0), (2, 1)]),
+        ((0, 0), (-3, -1), 9, [(0, 0), (-1, 0), (-2, -1)]),
+        ((1, 1), (2, 5), 9, [(1, 1), (1, 2), (2, 3), (2, 4)]),
+        ((0, 0), (3, 1), 2, [(1, 0), (2, 1)]),
+        ((0, 0), (2, 2), 2, [(0, 0), (1, 1)]),
+        ((4, 4), (4, 4), 9, []),
+    ],
+)
+def test_the_way_between_two_cells_is_the_nearest_to_the_straight_one(
+    start: tuple[int, int], end: tuple[int, int], most: int, cells: list[tuple[int, int]]
+) -> None:
+    assert list(cells_between(Cell(*start), Cell(*end), most)) == cells
+
+
+def test_bounds_are_widened_to_each_side_alone() -> None:
+    bounds = Bounds(0, 0, 4, 2)
+
+    assert (bounds.width, bounds.height) == (5, 3)
+    assert bounds.around(Cell(2, 1)) == bounds
+    assert bounds.around(Cell(-1, 1)) == Bounds(-1, 0, 4, 2)
+    assert bounds.around(Cell(5, 3)) == Bounds(0, 0, 5, 3)
+    assert bounds.around(Cell(2, -2)) == Bounds(0, -2, 4, 2)
+    assert bounds.part(Cell(2, 1), 3, 9) == Bounds(1, 0, 3, 2)
+    assert bounds.part(Cell(0, 2), 3, 2) == Bounds(0, 1, 2, 2)
+    assert bounds.part(Cell(4, 0), 4, 1) == Bounds(1, 0, 4, 0)
+
+
+# --- paths in words
+
+
+def said(*places: tuple[float, float], most: int | None = None, **of_path: object) -> list[str]:
+    path = DrivenPath("", tuple(Pose(*each, 0.0) for each in places), **of_path)
+    return list(path_in_words(path, Words(), most))
+
+
+@pytest.mark.parametrize(
+    ("end", "leg"),
+    [
+        ((3.0, 3.0), "Northeast: 4 steps, to 3, 3."),
+        ((-0.6, 0.0), "West: 1 step, to 0, 0."),
+        ((1.9, -1.9), "Southeast: 3 steps, to 1, -1."),
+        ((10.0, 0.05), "East: 10 steps, to 10, 0."),
+        ((-0.001, 10.0), "North: 10 steps, to 0, 10."),
+        ((4.0, 3.0), "53 degrees, near northeast: 5 steps, to 4, 3."),
+    ],
+)
+def test_a_leg_has_its_direction_its_length_and_its_end(end: tuple[float, float], leg: str) -> None:
+    assert said((0, 0), end)[1] == leg
+
+
+def test_a_bend_of_less_than_a_degree_is_straight_on_and_a_turn_on_the_spot_is_no_leg() -> None:
+    assert len(said((0, 0), (100, 0), (200, 1.6), (200, 1.6), (300, 1.6))) == 3
+    assert len(said((0, 0), (100, 0), (200, 1.9))) == 4
+    assert len(said((0, 0), (0, 100), (-1.5, 200))) == 3
+    assert said((0, 0), (0, 0.01), (0, 0)) == ["I have not moved yet."]
+    assert said((0, 0), (0.005, 0), (5, 0))[1:] == ["East: 5 steps, to 5, 0.", "5 steps in all."]
+    assert said((1.9, 0), (1.9, 2))[0] == "The path starts at 1, 0."
+
+
+def test_of_more_legs_than_wanted_those_in_the_middle_are_left_out() -> None:
+    stairs = [(at // 2, (at + 1) // 2) for at in range(8)]
+
+    assert len(said(*stairs, most=7)) == 9
+    assert said(*stairs, most=4) == [
+        "The path starts at 0, 0.",
+        "North: 1 step, to 0, 1.",
+        "East: 1 step, to 1, 1.",
+        "I leave out 3 legs, to 2, 3.",
+        "East: 1 step, to 3, 3.",
+        "North: 1 step, to 3, 4.",
+        "7 steps in all.",
+    ]
+    assert said(*stairs, most=6)[4] == "I leave out 1 leg, to 2, 2."
+
+
+def test_rounds_and_a_gap_that_are_left_out_have_their_steps() -> None:
+    assert said((0, 0), (0, 5), driven=(0.0, 6.0))[1:] == [
+        "North: 5 steps, to 0, 5.",
+        "I leave out 1 step of repeated rounds.",
+        "6 steps in all.",
+    ]
+    assert said((0, 0), (0, 5), driven=(0.0, 5.9))[1:] == ["North: 5 steps, to 0, 5.", "6 steps in all."]
+    assert said((0, 0), (0, 5), (0, 9), driven=(0.0, 7.4, 14.4), has_gap=True) == [
+        "The path starts at 0, 0.",
+        "7 steps that I forgot, to 0, 5.",
+        "North: 4 steps, to 0, 9.",
+        "I leave out 3 steps of repeated rounds.",
+        "14 steps in all.",
+    ]
+    assert said((0, 0), (0, 5), driven=(0.0, 7.4), has_gap=True)[1:] == [
+        *("7 steps that I forgot, to 0, 5.", "7 steps in all.")
+    ]
+
+
+def test_the_answer_to_where_has_the_last_move_at_full() -> None:
+    place, *more = place_in_words(Pose(1, 2, 90), Trail(), Words(), is_full=True)
+
+    assert place_in_words(Pose(1, 2, 90), Trail(), Words(), is_full=False) == (place,)
+    assert more == ["I have not moved yet."]
