@@ -229,7 +229,7 @@ def _name_at(text: str, start: int) -> str:
 def _as_typed(word: str, typed: str) -> str:
     """The word in small letters if the learner typed these; a name stays as it is."""
     is_keyword = folded_word(word) in TERMINAL_OF_WORD
-    return word.lower() if typed and typed.islower() and is_keyword else word
+    return word.lower() if typed.islower() and is_keyword else word
 
 
 # --- the next line

@@ -4,6 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+import donnie_tui.core.completion as tested
 from donnie_tui.core.completion import completion, next_line
 
 
@@ -53,6 +54,20 @@ def test_the_likely_word_comes_first(text: str, language: str, first: str) -> No
         ("REPEAT 4 TIMES\nEL", ()),
         ("IF 1 == 1 THEN\nEL", ("ELSE",)),
         ("WAIT 1\nnonsense here 3 4\nREPEAT 4 ", ("TIMES",)),
+        ("-- remark\nREP", ("REPEAT",)),
+        ("HELP QU", ("QUIT",)),
+        ("FW 1\nHELP QU", ("QUIT",)),
+        ("HELP\nQU", ()),
+        ("FW 1\nnonsense ", ()),
+        ("VAR distance = 1\nVAR d", ()),
+        ("PROCEDURE dance DO END PROCEDURE\nPROCEDURE d", ()),
+        ("PROCEDURE P: side DO END PROCEDURE\nPROCEDURE Q: s", ()),
+        ("PROCEDURE P: side DO END PROCEDURE\nPROCEDURE Q: a, s", ()),
+        ("PROCEDURE sum DO END PROCEDURE\nVAR side = 1\nFW s", ("side",)),
+        ("PROCEDURE sudden DO END PROCEDURE\nVAR sunny = 1\nSU", ("sunny", "sudden")),
+        ("PROCEDURE ii DO END PROCEDURE\nFOR VAR i = 1; i < 5; i", ()),
+        ("FW nea|\nVAR nearest", ("nearest",)),
+        ("VAR above = 1\nVAR abandon = 1\nFW ab|\nVAR abc", ("abandon", "above", "abc")),
     ],
 )
 def test_what_may_not_stand_there_is_not_offered(text: str, offered: tuple[str, ...]) -> None:
@@ -73,7 +88,8 @@ def test_on_an_empty_line_the_commonest_commands_come_first(text: str) -> None:
     ("text", "first"),
     [
         *((f"{word} ", ("1", "2", "3", "4", "5", "10", "45", "90")) for word in ("FW", "BW", "WAIT")),
-        ("TR ", ("90", "45")),
+        ("TR ", ("90", "45", "180", "30", "60", "120")),
+        ("VAR a SPEAK ", ("a", "DISTANCE")),
         ("TL ", ("90", "45")),
         ("REPEAT ", ("1", "2")),
         ("PROCEDURE P: n DO\nEND PROCEDURE\nP [", ("1", "2")),
@@ -172,6 +188,35 @@ def test_only_names_of_the_head_of_a_procedure_are_its_parameters() -> None:
     assert set(words(text)) == {"side", "size"}
 
 
+@pytest.mark.parametrize(
+    ("text", "first"),
+    [
+        ("FW 1\nnonsense\n", "FW"),
+        ("REPEAT 4 TIMES\nnonsense\n", "END REPEAT"),
+        ("nonsense\n  ", "FW"),
+    ],
+)
+def test_after_a_line_that_is_no_command_a_new_line_begins(text: str, first: str) -> None:
+    assert words(text)[0] == first
+
+
+def test_no_more_than_fifty_words_are_offered() -> None:
+    many = "".join(f"VAR a{number}\n" for number in range(60))
+
+    assert words(f"{many}SPEAK a") == tuple(f"a{number}" for number in range(59, 9, -1))
+
+
+def test_a_long_program_gets_no_suggestions_and_no_ends(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(tested, "LONGEST_CHECKED", 16)
+    assert words("REPEAT 4 TIMES F")
+    assert entered("  REPEAT 4 TIMES|") == ("  ", "    ", "  END REPEAT", False)
+
+    monkeypatch.setattr(tested, "LONGEST_CHECKED", 15)
+    assert words("REPEAT 4 TIMES F") == ()
+    assert completion("REPEAT 4 TIMES F", 16, "en").typed == "F"
+    assert entered("  REPEAT 4 TIMES|") == ("  ", "  ", "", False)
+
+
 def test_an_open_block_is_ended_first_and_a_finished_one_last() -> None:
     assert words("REPEAT 4 TIMES\n")[:2] == ("END REPEAT", "FW")
     finished = words("REPEAT 4 TIMES\n|\nEND REPEAT")
@@ -191,6 +236,7 @@ def test_only_possible_arguments_are_offered_after_a_keyword() -> None:
 
 def test_colours_that_the_robot_can_t_see_are_not_offered() -> None:
     assert words("COLOR ", colours=("red", "green")) == ("RED", "GREEN")
+    assert words("DISTANCE F", colours=("red",)) == ("FR", "FL")
 
 
 @pytest.mark.parametrize("text", ['SPEAK "re', "-- re", "FW 1 -- re"])
@@ -251,6 +297,16 @@ def entered(text: str, language: str = "en") -> tuple[str, str, str, bool]:
         ("REPEAT 4 TIMES\n  |\nEND REPEAT", "en", ("", "  ", "", False)),
         ("REPEAT 4 TIMES\n  END REPEAT|\nFW 1\nEND REPEAT", "en", ("", "", "", False)),
         ("REPEAT 4 TIMES\n  END REPEAT|\nEND  Repeat", "en", ("", "", "", True)),
+        ("FW 1\nREPEAT 2 TIMES|", "en", ("", "  ", "END REPEAT", False)),
+        ("REPEAT 4 TIMES\n  FW 1|", "en", ("  ", "  ", "", False)),
+        ("REPEAT 4 TIMES|\n\nSPEAK 1", "en", ("", "  ", "", False)),
+        ("REPEAT 4 TIMES|\n\n", "en", ("", "  ", "END REPEAT", False)),
+        ("IF 1 == 1 THEN\n  REPEAT 4 TIMES|\nEND IF", "en", ("  ", "    ", "  END REPEAT", False)),
+        ("IF 1 == 1 THEN\n  REPEAT 4 TIMES|\n\nELSE\nEND IF", "en", ("  ", "    ", "  END REPEAT", False)),
+        ("IF 1 == 1 THEN\n  REPEAT 4 TIMES|\n  END REPEAT\nEND IF", "en", ("  ", "    ", "", False)),
+        ("REPEAT 4 TIMES|\nEND REPEAT\nREPEAT 2 TIMES", "en", ("", "  ", "", False)),
+        ("PARA CRIAR i = 1; i < 5; i = i + 1 FAÇA|", "pt", ("", "  ", "FIM PARA", False)),
+        ("IF 1 == 1 THEN\n  FW 1|\nEND IF", "en", ("  ", "  ", "", False)),
     ],
 )
 def test_after_enter_the_next_line_is_indented_and_a_block_has_its_end(text, language, expected) -> None:
