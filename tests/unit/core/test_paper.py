@@ -5,7 +5,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from functools import cache
 from itertools import combinations, pairwise, product
-from math import ceil, hypot
+from math import ceil, cos, hypot, radians, sin
 from pathlib import Path
 from string import ascii_lowercase, digits
 from xml.etree import ElementTree
@@ -29,7 +29,7 @@ from donnie_tui.core.chart import (
     with_marks,
     wrapped,
 )
-from donnie_tui.core.paper import A4, LINE, PRINT, raised_picture
+from donnie_tui.core.paper import A4, LINE, PRINT, Nearby, box_of, boxes_apart, from_segment, raised_picture
 from donnie_tui.i18n.words import Words
 from sim.picture import Drawing, Picture, Thing, drawings, picture
 from sim.scene import Scene
@@ -794,3 +794,286 @@ def test_the_extent_of_a_world_with_walls_is_what_stands_there() -> None:
     (bar,) = (each for each in root.iter(f"{SVG}path") if each.get("id") == "scale")
 
     assert bar_length(bar) == pytest.approx(2 * 46.5)
+
+
+# --- boxes and lines
+
+BOX = (10.0, 20.0, 30.0, 40.0)
+
+
+@pytest.mark.parametrize(
+    ("other", "apart"),
+    [
+        ((33.0, 44.0, 50.0, 50.0), 5.0),
+        ((0.0, 0.0, 7.0, 16.0), 5.0),
+        ((35.0, 25.0, 40.0, 30.0), 5.0),
+        ((12.0, 5.0, 14.0, 18.0), 2.0),
+        ((12.0, 41.0, 14.0, 50.0), 1.0),
+        ((0.0, 0.0, 10.0, 20.0), 0.0),
+        ((12.0, 22.0, 14.0, 24.0), 0.0),
+    ],
+)
+def test_boxes_are_apart_as_their_nearest_points_are(other: tuple[float, ...], apart: float) -> None:
+    west, north, east, south = other
+
+    assert boxes_apart(BOX, (west, north, east, south)) == apart
+    assert boxes_apart((west, north, east, south), BOX) == apart
+
+
+@pytest.mark.parametrize(
+    ("line", "apart"),
+    [
+        (((33.0, 44.0), (50.0, 44.0)), 5.0),
+        (((0.0, 30.0), (50.0, 30.0)), 0.0),
+        (((15.0, 25.0), (16.0, 26.0)), 0.0),
+        (((5.0, 0.0), (5.0, 99.0)), 5.0),
+        (((0.0, 18.0), (99.0, 18.0)), 2.0),
+        (((31.0, 0.0), (31.0, 99.0)), 1.0),
+        (((0.0, 44.0), (99.0, 44.0)), 4.0),
+    ],
+)
+def test_a_line_is_from_a_box_as_its_nearest_point_is(
+    line: tuple[tuple[float, float], ...], apart: float
+) -> None:
+    assert from_segment(BOX, line) == pytest.approx(apart)
+
+
+def test_what_is_near_a_box_is_found_and_what_is_far_is_not() -> None:
+    """It looks into squares of 8 mm."""
+    near, across, far = [(17.0, 1.0), (17.0, 2.0)], [(-30.0, 9.0), (60.0, 9.0)], [(50.0, 50.0), (51.0, 51.0)]
+    lines = Nearby([near, across, far])
+
+    assert box_of(near) == (17.0, 1.0, 17.0, 2.0)
+    assert list(lines.of((1.0, 1.0, 7.0, 7.0))) == []
+    assert list(lines.of((1.0, 1.0, 7.0, 7.0), 9.5)).count(near) == 1
+    assert {id(each) for each in lines.of((1.0, 1.0, 16.5, 8.5))} == {id(near), id(across)}
+    assert list(lines.of((-20.0, 8.0, -20.0, 8.0))) == [across]
+    assert list(lines.of((50.0, 50.0, 50.5, 50.5))) == [far]
+
+
+# --- a sheet part by part
+
+
+def floor_sheet(
+    width: int, height: int, *things: Drawing, title: str = "Map", has_walls: bool = False
+) -> ElementTree.Element:
+    """A floor of that many steps whose south-west corner is at 0, 0."""
+    named = tuple(each.thing for each in things if each.thing is not None)
+    rows = ("." * width,) * height
+    floor = Picture(0, 0, width, height, 1, rows, named, has_walls=has_walls)
+    plan = chart(floor, Pose(0, 0, 0), None, Words())
+    return ElementTree.fromstring(raised_picture(title, plan, floor, things, Words()))
+
+
+def printed_on(root: ElementTree.Element) -> list[str]:
+    return [each.text or "" for each in root.iter(f"{SVG}text")]
+
+
+def square_of(thing: Thing) -> Drawing:
+    half, x, y = thing.width / 2, thing.x, thing.y
+    corners = ((x - half, y - half), (x + half, y - half), (x + half, y + half), (x - half, y + half))
+    return Drawing((corners,), thing, False)
+
+
+@pytest.mark.parametrize(
+    ("width", "steps", "bar"),
+    [(3, 2, 182), (7, 5, 195), (12, 10, 227.5), (49, 20, 111.43), (99, 50, 137.88)],
+)
+def test_the_line_of_the_scale_has_a_round_number_of_steps(width: int, steps: int, bar: float) -> None:
+    """A low floor lies across the sheet, 273 of 297 mm wide, if its height has room."""
+    root = floor_sheet(width, 1)
+    (line,) = (each for each in root.iter(f"{SVG}path") if each.get("id") == "scale")
+
+    assert root.get("viewBox") == "0 0 297 210"
+    assert f"line: {steps} steps, {5 * steps} cm" in printed_on(root)
+    assert bar_length(line) == pytest.approx(bar, abs=0.01)
+
+
+def test_a_sheet_is_upright_for_a_high_floor() -> None:
+    assert floor_sheet(5, 20).get("viewBox") == "0 0 210 297"
+    assert floor_sheet(20, 5).get("viewBox") == "0 0 297 210"
+    root = floor_sheet(5, 20)
+    assert (root.get("width"), root.get("height")) == ("210mm", "297mm")
+
+
+def test_a_long_title_has_two_lines_and_no_third() -> None:
+    """25 cells of an upright sheet, one less for a number's sign."""
+    root = floor_sheet(5, 20, title="a" * 24 + " " + "b" * 24 + " " + "c" * 24)
+
+    assert [each for each in printed_on(root) if set(each) <= set("abc")] == ["a" * 24, "b" * 24]
+
+
+@pytest.mark.parametrize(("count", "lines"), [(9, 9), (10, 10), (11, 10)])
+def test_the_legend_of_a_sheet_has_ten_lines_at_most(count: int, lines: int) -> None:
+    things = [
+        square_of(Thing("", f"kind {letter}", letter, "red", 2.0 * at, 5, 1, 1, index=at))
+        for at, letter in enumerate(ascii_lowercase[:count])
+    ]
+    said = [each for each in printed_on(floor_sheet(30, 10, *things)) if "kind" in each.lower()]
+
+    assert len(said) == lines
+    assert said[0] == "a  kind a, red"
+
+
+@pytest.mark.parametrize(("count", "labels"), [(60, 60), (61, 0)])
+def test_of_more_than_sixty_things_none_has_a_letter(count: int, labels: int) -> None:
+    things = [
+        square_of(Thing("", "pin", "p", "red", 1 + 2.0 * (at % 8), 1 + 2.0 * (at // 8), 0.1, 0.1, index=at))
+        for at in range(count)
+    ]
+
+    assert len(labels_of(floor_sheet(17, 17, *things))) == labels
+
+
+COLOURS = ("red", "green", "blue", "yellow", "orange", "pink")
+
+
+def textured_sheet() -> ElementTree.Element:
+    """Six crates of 4 by 4 steps in a row, a gray one, and a rock."""
+    things = [
+        square_of(Thing("", "crate", "c", colour, 3 + 5.0 * at, 3, 4, 4, index=at))
+        for at, colour in enumerate((*COLOURS, "gray"))
+    ]
+    rock = Drawing((((1.0, 6.0), (5.0, 6.0), (5.0, 10.0), (1.0, 10.0)),), None, from_bitmap=True)
+    return floor_sheet(36, 12, *things, rock)
+
+
+def test_the_lines_of_a_texture_go_on_at_the_edge_of_its_tile() -> None:
+    """But for the bricks of pink: 3 mm long, each row half a tile further."""
+    open_ends = {}
+    for tile in textured_sheet().iter(f"{SVG}pattern"):
+        side = float(tile.get("width") or 0)
+        assert tile.get("height") == tile.get("width")
+        assert tile.get("patternUnits") == "userSpaceOnUse"
+        path = tile.find(f"{SVG}path")
+        if path is None:
+            (dot,) = tile.iter(f"{SVG}circle")
+            assert side - 2 * float(dot.get("r") or 0) == pytest.approx(2)  # mm between two dots
+            assert [dot.get("cx"), dot.get("cy")] == [f"{side / 2}"] * 2
+            continue
+        assert (path.get("fill"), path.get("stroke")) == ("none", "black")
+        ends = Counter[tuple[float, float]]()
+        data = path.get("d") or ""
+        assert re.fullmatch(r"(M-?[\d.]+ -?[\d.]+([LVH]-?[\d.]+( -?[\d.]+)?))+", data)
+        for x, y, way, to, last in re.findall(
+            r"M(-?[\d.]+) (-?[\d.]+)([LVH])(-?[\d.]+)(?: (-?[\d.]+))?", data
+        ):
+            end = {"L": (to, last or y), "V": (x, to), "H": (to, y)}[way]
+            for at in ((x, y), end):
+                ends[round(float(at[0]) % side, 6) % side, round(float(at[1]) % side, 6) % side] += 1
+        open_ends[tile.get("id")] = {each for each, count in ends.items() if count % 2}
+
+    assert open_ends.pop("pink") == {(0.0, 1.0), (3.0, 1.0), (2.5, 3.5), (0.5, 3.5)}
+    assert [*open_ends] == ["red", "green", "yellow", "orange", "rock"]
+    assert not any(open_ends.values())
+
+
+def test_the_key_has_its_samples_in_order_and_in_as_many_rows_as_they_need() -> None:
+    """From a sample's left end: 12 mm, half a line, 3 mm and half a dot to its word, and 3 mm behind it."""
+    root = textured_sheet()
+    boxes = [
+        (each.get("x"), each.get("y"))
+        for each in root.iter(f"{SVG}rect")
+        if each.get("width") == "12.0" and each.get("fill") == "none"
+    ]
+    named = ["wall", *COLOURS, "gray"]
+    left, row, expected = 12.0, 0, []
+    for word in named:
+        wide = 16.4 + 6.2 * (len(word) + 1)
+        if left + wide > 297 - 12:
+            left, row = 12.0, row + 1
+        expected.append((f"{left:.2f}", row))
+        left += wide + 3
+    (first,) = {y for (_, y), (_, number) in zip(boxes, expected, strict=True) if number == 0}
+
+    assert [each for each in printed_on(root) if each in named] == named
+    assert [x for x, _ in boxes] == [x for x, _ in expected]
+    assert [float(y or 0) for _, y in boxes] == [float(first or 0) + 13 * number for _, number in expected]
+    assert {number for _, number in expected} == {0, 1}
+
+
+def test_a_robot_and_its_path_look_where_they_go() -> None:
+    """The nose has 8 mm, each side of the arrow's head 5 mm, 150 degrees from its direction."""
+    floor = Picture(-5, -5, 10, 10, 1, ("." * 10,) * 10, (), has_walls=False)
+    plan = chart(floor, Pose(1, 1, 30), "donnie", Words())
+    way = [Pose(-3, -3, 0), Pose(-1, 1, 200)]
+    root = ElementTree.fromstring(raised_picture("Map", plan, floor, [], Words(), [way]))
+    (group,) = (each for each in root.iter(f"{SVG}g") if each.get("id") == "map")
+    nose, _, *head = (
+        [(float(x), float(y)) for x, y in re.findall(r"(-?[\d.]+) (-?[\d.]+)", each.get("d") or "")]
+        for each in group.iter(f"{SVG}path")
+    )
+
+    def ahead(degrees: float, length: float) -> tuple[float, float]:
+        return length * sin(radians(degrees)), -length * cos(radians(degrees))
+
+    def way_of(line: list[tuple[float, float]]) -> tuple[float, float]:
+        return line[1][0] - line[0][0], line[1][1] - line[0][1]
+
+    assert way_of(nose) == pytest.approx(ahead(30, 8), abs=0.011)
+    assert way_of(head[0]) == pytest.approx(ahead(350, 5), abs=0.011)
+    assert way_of(head[1]) == pytest.approx(ahead(50, 5), abs=0.011)
+
+
+def test_the_pieces_of_a_thing_have_one_outline_and_a_robot_has_no_texture() -> None:
+    """What lies inside of another piece is wiped out by white, with the inner half of a line of 2.4 mm."""
+    crate = Thing("", "crate", "c", "red", 3, 3, 4, 4)
+    robot = Thing("bob", "rover", "b", "red", 9, 3, 4, 4, is_robot=True)
+    pieces = (((1.0, 1.0), (5.0, 1.0), (5.0, 5.0), (1.0, 5.0)), ((3.0, 3.0), (6.0, 3.0), (6.0, 6.0)))
+    root = floor_sheet(20, 10, Drawing(pieces, crate, False), square_of(robot))
+    (group,) = (each for each in root.iter(f"{SVG}g") if each.get("id") == "map")
+    first, white, filled, body, *nose = group.iter(f"{SVG}path")
+
+    assert (first.get("stroke-width"), first.get("fill")) == ("2.4", None)
+    assert (white.get("fill"), white.get("stroke")) == ("white", "none")
+    assert (filled.get("fill"), filled.get("stroke")) == ("url(#red)", "none")
+    assert first.get("d") == white.get("d") == filled.get("d")
+    assert (first.get("d") or "").count("Z") == 2
+    assert (body.get("fill"), body.get("stroke-width")) == (None, None)
+    assert len(nose) == 1
+    assert labels_of(root)[1][0] is not None
+
+
+def test_a_thin_rock_of_a_bitmap_is_an_outline_and_a_tiny_wall_is_no_ring() -> None:
+    thin = ((1.0, 1.0), (9.0, 1.0), (9.0, 1.1), (1.0, 1.1))
+    rock, wall = (Drawing((thin,), None, from_bitmap=each) for each in (True, False))
+    tiny = Drawing((((1.0, 3.0), (1.05, 3.0), (1.05, 3.05), (1.0, 3.05)),), None, False)
+
+    def drawn(each: Drawing) -> list[tuple[str, str | None]]:
+        root = floor_sheet(20, 10, each)
+        (group,) = (each for each in root.iter(f"{SVG}g") if each.get("id") == "map")
+        return [(part.tag.removeprefix(SVG), part.get("fill")) for part in group]
+
+    assert drawn(rock) == [("path", None), ("path", "url(#rock)")]
+    assert drawn(wall) == [("path", "black")]
+    assert drawn(tiny) == [("path", "black")]
+
+
+def standing(west: float, south: float, east: float, north: float) -> tuple[tuple[float, float], ...]:
+    return ((west, south), (east, south), (east, north), (west, north))
+
+
+RIGHT, LEFT = standing(3.3, 0.5, 3.5, 1.5), standing(-1.4, 0.5, -1.2, 1.5)
+BELOW, ABOVE = standing(0.5, -1.5, 1.5, -1.3), standing(0.5, 3.4, 1.5, 3.6)
+
+
+@pytest.mark.parametrize(
+    ("walls", "place"),
+    [
+        ((LEFT, BELOW, ABOVE), (171.45, 91.45)),
+        ((RIGHT, BELOW, ABOVE), (89.15, 91.45)),
+        ((RIGHT, LEFT, ABOVE), (130.3, 133.85)),
+        ((RIGHT, LEFT, BELOW), (130.3, 49.05)),
+        ((RIGHT, LEFT, BELOW, ABOVE), (171.45, 49.05)),
+    ],
+)
+def test_a_label_is_at_the_first_side_with_room(
+    walls: tuple[tuple[tuple[float, float], ...], ...], place: tuple[float, float]
+) -> None:
+    """Right, left, below, above, then the corners.
+
+    The crate is from 96.15 to 166.95 and from 58.55 to 129.35; a label of 4.1 by 6.6 mm is 3.7 mm from it.
+    """
+    (label,) = labels_of(small_sheet(Drawing(walls, None, False)))
+
+    assert label[0] == pytest.approx(place)
