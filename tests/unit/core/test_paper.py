@@ -195,6 +195,74 @@ def test_only_things_with_a_known_colour_on_the_map_are_marked_from_north_to_sou
     ]
 
 
+@pytest.mark.parametrize(
+    ("rows", "row", "column", "marked"),
+    [
+        (("..ff",), 0, 3, ("..fR",)),
+        (("ff..",), 0, 0, ("fR..",)),
+        (("fff.",), 0, 1, ("fRf.",)),
+        (("f", "f", "."), 0, 0, ("f", "R", ".")),
+        ((".", "f", "f"), 2, 0, (".", "f", "R")),
+        (("f.", "fF"), 1, 0, ("f.", "fR")),
+        (("f.", ".f"), 0, 0, None),
+        (("f", ".", "f"), 0, 0, None),
+    ],
+)
+def test_the_second_letter_is_after_the_first_or_under_it(
+    rows: tuple[str, ...], row: int, column: int, marked: tuple[str, ...] | None
+) -> None:
+    thing = Thing("", "flower", "F", "red", 0, 0, 1, 1)
+    found = with_marks(rows, [ColourMark(row, column, thing, "R")])
+
+    assert found == ((rows, frozenset()) if marked is None else (marked, {"F"}))
+
+
+def test_the_place_of_a_mark_is_shrunk_as_the_rows_are() -> None:
+    thing = Thing("", "flower", "f", "red", 0, 0, 1, 1)
+    mark = ColourMark(5, 5, thing, "R")
+
+    assert with_marks(("....", ".ff.", "...."), [mark], 2, 3)[0] == ("....", ".fR.", "....")
+    assert with_marks(("....", "....", ".ff."), [mark], 4, 2)[0] == ("....", "....", ".fR.")
+
+
+@pytest.mark.parametrize(("count", "letters", "last"), [(6, "abcdef", "f"), (8, "abcdefzz", "z")])
+def test_six_robots_have_letters_of_their_own(count: int, letters: str, last: str) -> None:
+    robots = tuple(
+        Thing(letter, "donnie", "d", "red", at, 0, 1, 1, is_robot=True, heading=90.0)
+        for at, letter in enumerate(ascii_lowercase[:count])
+    )
+    floor = Picture(0, 0, 8, 1, 1, ("d" * count + "." * (8 - count),), robots, has_walls=False)
+    it = chart(floor, Pose(0, 0, 0), None, Words())
+
+    assert "".join(each.letter for each in it.robots) == letters
+    assert it.rows == (letters + "." * (8 - count),)
+    assert it.legend["f"] == "f, looks east"
+    assert it.legend[last] == ("f, looks east" if count == 6 else "2 more robots")
+    assert len(it.legend) == len({*letters})
+
+
+def test_the_initial_of_a_colour_is_no_letter_of_a_robot_or_a_thing() -> None:
+    """Neither of red is left: r is the robot's, e a thing's."""
+    things = tuple(
+        Thing("", kind, kind[0].upper(), colour, x, 0, 3, 1, index=x)
+        for kind, colour, x in (("flower", "red", 1), ("flower", "blue", 5), ("elk", "gray", 8))
+    )
+    floor = Picture(0, 0, 10, 1, 1, ("FFF.FFF.E.",), things, has_walls=False)
+    it = chart(floor, Pose(9, 0, 0), "r", Words())
+
+    assert it.rows == ("fff.fff.er",)
+    assert it.legend == {"r": "r, looks north", "e": "elk, gray", "f": "flower, d red, b blue"}
+
+
+def test_a_robot_whose_box_leaves_the_map_has_its_middle_alone() -> None:
+    robot = Thing("bob", "donnie", "d", "red", 1, 0, 5, 1, is_robot=True)
+    floor = Picture(0, 0, 3, 1, 1, ("ddd",), (robot,), has_walls=True)
+    it = chart(floor, Pose(0, 0, 0), None, Words())
+
+    assert it.rows == ("dbd",)
+    assert it.legend == {"#": "wall", "b": "bob, looks north"}
+
+
 # --- braille
 
 
@@ -964,7 +1032,7 @@ def test_the_lines_of_a_texture_go_on_at_the_edge_of_its_tile() -> None:
         open_ends[tile.get("id")] = {each for each, count in ends.items() if count % 2}
 
     assert open_ends.pop("pink") == {(0.0, 1.0), (3.0, 1.0), (2.5, 3.5), (0.5, 3.5)}
-    assert [*open_ends] == ["red", "green", "yellow", "orange", "rock"]
+    assert {*open_ends} == {"red", "green", "yellow", "orange", "rock"}
     assert not any(open_ends.values())
 
 
