@@ -134,7 +134,9 @@ def test_a_walk_reports_each_step_and_ends_within_a_millimetre(driven: Driven, n
     assert (done.asked, done.walked, done.stopped_by, done.met) == (3, 3, None, None)
     assert place(done.pose) == (3 * sense, 0, 90)
     assert abs(abs(driven.link.now.x) - 3 * STEP) < 0.001
-    assert len(driven.watcher.motions) == 3
+    assert [pose.x for _, pose in driven.watcher.motions] == pytest.approx(
+        [sense, 2 * sense, 3 * sense], abs=0.12
+    )
     assert {each for each, _ in driven.watcher.motions} == {Motion.FORWARD if sense > 0 else Motion.BACKWARD}
     assert driven.link.speeds[0] == pytest.approx(STEP * sense)
     assert max(map(abs, driven.link.speeds)) == pytest.approx(STEP)
@@ -149,12 +151,15 @@ def test_what_a_walk_was_too_short_is_made_up_for_by_the_next(driven: Driven) ->
     for number in range(1, 9):
         driven.robot.forward(1)
         assert abs(driven.link.now.x - number * STEP) < 0.001
+        assert driven.robot.pose().x == pytest.approx(number, abs=0.002)
         assert place(driven.robot.pose()) == (number, 0, 90)
     driven.robot.backward(8)
     assert abs(driven.link.now.x) < 0.001
 
 
-@pytest.mark.parametrize(("steps", "walked"), [(3.5, 2), (4.6, 3), (1.7, 0), (1.9, 1), (20, 5)])
+@pytest.mark.parametrize(
+    ("steps", "walked"), [(3.5, 2), (4.6, 3), (1.7, 0), (1.8, 1), (1.9, 1), (6.7, 5), (20, 5)]
+)
 @pytest.mark.parametrize(("name", "side", "way"), [("forward", "ahead", 0.0), ("backward", "behind", 180.0)])
 def test_a_step_is_begun_only_with_nearly_two_free_ones(
     driven: Driven, steps: float, walked: int, name: str, side: str, way: float
@@ -167,7 +172,56 @@ def test_a_step_is_begun_only_with_nearly_two_free_ones(
     assert (done.walked, done.stopped_by) == (walked, StoppedBy.OBSTACLE if is_stopped else None)
     assert done.met == (Met("something", "", way) if is_stopped else None)
     assert abs(abs(driven.link.now.x) - walked * STEP) < 0.002
+    assert abs(driven.robot.pose().x) == pytest.approx(walked, abs=0.002)
     assert len(driven.watcher.motions) == walked
+
+
+@pytest.mark.parametrize("yaw", [30.0, 90.0, -120.0])
+def test_a_walk_is_as_long_in_every_direction_and_from_everywhere(driven: Driven, yaw: float) -> None:
+    driven.link.now = WheelState(5.0, 1.0, -2.0, yaw, False, False)
+    east, north = cos(radians(yaw)) * STEP, sin(radians(yaw)) * STEP
+    driven.robot.forward(3)
+    assert (driven.link.now.x, driven.link.now.y) == pytest.approx((1 + 3 * east, -2 + 3 * north), abs=0.001)
+    driven.robot.backward(5)
+    assert (driven.link.now.x, driven.link.now.y) == pytest.approx((1 - 2 * east, -2 - 2 * north), abs=0.001)
+
+
+def test_a_robot_that_is_pushed_beyond_the_end_of_its_walk_drives_back(driven: Driven) -> None:
+    def push(tick: int) -> None:
+        if tick == 5:
+            driven.link.now = WheelState(driven.link.now.time, 0.2, 0.0, 0.0, False, False)
+
+    driven.link.on_tick = push
+    done = driven.robot.forward(3)
+
+    assert (done.walked, done.stopped_by) == (3, None)
+    assert abs(driven.link.now.x - 3 * STEP) < 0.001
+    assert min(driven.link.speeds) == pytest.approx(-STEP)
+
+
+@pytest.mark.parametrize(("tick", "place"), [(2, 0.2), (6, 1.0)])
+def test_a_walk_that_ends_within_half_a_step_of_its_end_owes_the_rest(
+    driven: Driven, tick: int, place: float
+) -> None:
+    """A tenth of a step between two data. The wall is 1.6 steps from the start."""
+    driven.link.shapes[RobotPart.SONARS] = {1: (SONARS, ()), 5: (0.0, 0.0, 0.0, 0.0, 3.0)}
+    driven.link.ahead = 2.0
+    driven.link.on_tick = lambda now: setattr(driven.link, "ahead", 0.08 if now >= tick else 2.0)
+
+    assert driven.robot.forward(1).stopped_by is StoppedBy.OBSTACLE
+    assert driven.link.now.x == pytest.approx(tick * STEP / 10)
+    assert driven.robot.pose().x == pytest.approx(place, abs=0.002)
+
+
+def test_after_a_collision_the_robot_is_where_its_wheels_have_counted(driven: Driven) -> None:
+    def collide(tick: int) -> None:
+        driven.link.data[RobotPart.BUMPERS] = (bytes([tick >= 7]),)
+
+    driven.link.on_tick = collide
+    done = driven.robot.forward(1)
+
+    assert (done.walked, done.stopped_by) == (0, StoppedBy.COLLISION)
+    assert done.pose.x == pytest.approx(0.7, abs=0.002)
 
 
 def test_a_wall_that_comes_near_within_a_step_ends_the_walk_there(driven: Driven) -> None:
@@ -252,10 +306,32 @@ def test_a_movement_ends_by_its_program_and_by_a_lost_server(driven: Driven, do:
 
     driven.link.on_tick = lose
     assert do(driven.robot).stopped_by is StoppedBy.LINK
-    with pytest.raises(RobotProblem, match="link-lost"):
+    with pytest.raises(RobotProblem, match="^link-lost$"):
         do(driven.robot)
     driven.link.on_tick = lambda _: None
     assert do(driven.robot).stopped_by is None
+
+
+def test_a_halt_of_another_thread_ends_a_walk(driven: Driven) -> None:
+    def halt(tick: int) -> None:
+        driven.link.permit += tick == 4
+
+    driven.link.on_tick = halt
+    driven.link.drive = lambda _, speed: setattr(driven.link, "speed", speed)  # type: ignore[method-assign]
+    done = driven.robot.forward(2)
+
+    assert (done.walked, done.stopped_by, driven.link.ticks) == (0, StoppedBy.USER, 4)
+
+
+def test_a_walk_waits_for_data_that_are_late_and_reports_each_place(driven: Driven) -> None:
+    newest, passed = driven.link.wait_for_data, list[float]()
+    late = [True, False] * 1000
+    driven.link.wait_for_data = lambda at: None if late.pop() else newest(at)  # type: ignore[method-assign]
+    driven.watcher.passing = lambda pose: passed.append(pose.x)  # type: ignore[method-assign]
+    done = driven.robot.forward(2)
+
+    assert (done.walked, done.stopped_by) == (2, None)
+    assert passed[0] == 0.0  # the next ones follow after a twentieth of a second of this computer's
 
 
 def test_a_server_that_is_gone_ends_a_wait(driven: Driven) -> None:
@@ -263,7 +339,7 @@ def test_a_server_that_is_gone_ends_a_wait(driven: Driven) -> None:
         driven.link.is_there = False
 
     driven.link.on_tick = lose
-    with pytest.raises(RobotProblem, match="link-lost"):
+    with pytest.raises(RobotProblem, match="^link-lost$"):
         driven.robot.wait(5)
 
 
@@ -281,6 +357,32 @@ def test_a_turn_reports_each_ten_degrees_and_ends_at_its_heading(driven: Driven,
     assert driven.link.speeds[-1] == 0.0
 
 
+@pytest.mark.parametrize("sense", [1, -1])
+@pytest.mark.parametrize(("a_datum", "ends"), [(29.95, 90.0), (29.8, 89.4)])
+def test_a_turn_that_ends_within_half_a_degree_of_its_goal_owes_the_rest(
+    driven: Driven, sense: int, a_datum: float, ends: float
+) -> None:
+    """This server begins no turn of less than 0.7 degrees."""
+    link = driven.link
+
+    def turn_to(_: int, now: WheelState, yaw: float) -> None:
+        by = yaw - now.yaw
+        link.goal = now.yaw + max(-a_datum, min(a_datum, by)) * (abs(by) > 0.7)
+
+    link.turn_to = turn_to  # type: ignore[method-assign]
+    done = driven.robot.turn(90 * sense)
+    is_done = ends == 90.0
+
+    assert (done.turned, done.stopped_by) == (int(ends) * sense, None if is_done else StoppedBy.STALL)
+    assert abs(link.now.yaw) == pytest.approx(3 * a_datum)
+    assert (driven.robot.pose().heading - 90) * sense % 360 == pytest.approx(ends, abs=0.002)
+    if is_done:
+        driven.robot.turn(90 * sense)
+        assert abs(link.now.yaw) == pytest.approx(179.7)
+        assert driven.robot.turn(-90 * sense).stopped_by is None
+        assert driven.robot.pose().heading == pytest.approx((90 + 90 * sense) % 360, abs=0.002)
+
+
 def test_a_bar_that_is_pressed_newly_ends_a_turn(driven: Driven) -> None:
     driven.link.data[RobotPart.BUMPERS] = (b"\1\0",)
     assert driven.robot.turn(90).stopped_by is None
@@ -292,6 +394,7 @@ def test_a_bar_that_is_pressed_newly_ends_a_turn(driven: Driven) -> None:
     done = driven.robot.turn(-90)
     assert done.stopped_by is StoppedBy.COLLISION
     assert done.met == Met("something", "", -90.0)
+    assert done.pose.heading == pytest.approx((90 - driven.link.now.yaw) % 360, abs=0.002)
 
 
 @pytest.mark.parametrize(("seconds", "ticks"), [(0, 0), (-1, 0), (1, 10), (2.5, 25)])
@@ -306,12 +409,21 @@ def test_a_wait_is_as_long_as_the_servers_time(driven: Driven, seconds: float, t
 
 
 def test_wheels_that_begin_at_0_count_from_the_start_and_others_as_they_are() -> None:
-    for x, start, at in ((0.0, Pose(3, 4, 0), (3, 4, 0)), (0.2, Pose(3, 4, 0), (4, 0, 90))):
+    for x, y, yaw, at in (
+        (0.0, 0.0, 0.0, (3, 4, 0)), (0.2, 0.0, 0.0, (4, 0, 90)), (0.0, 0.2, 0.0, (0, 4, 90)),
+        (0.0, 0.0, 30.0, (0, 0, 60)),
+    ):  # fmt: skip
         it = Driven()
-        it.robot.start = start
-        it.link.now = WheelState(0.0, x, 0.0, 0.0, False, False)
+        assert it.link.commands == [("connect",)]
+        it.robot.start = Pose(3, 4, 0)
+        it.link.now = WheelState(0.0, x, y, yaw, False, False)
         it.robot.connect()
         assert place(it.robot.pose()) == at
+
+
+def test_a_robot_of_a_server_drives_on_nowhere_as_the_server_stops_it(driven: Driven) -> None:
+    assert not driven.robot.may_drive_on
+    assert not driven.robot.has_run_away
 
 
 def test_close_calls_what_is_to_leave_and_then_closes_the_link(driven: Driven) -> None:
@@ -336,10 +448,10 @@ def test_distances_are_those_of_the_sensors_that_look_there(driven: Driven) -> N
     assert driven.robot.distance(Bearing.FRONT) == 11
     assert driven.robot.distance(Bearing.BACK) > 59
     driven.link.data.clear()
-    with pytest.raises(RobotProblem, match="no-sensor"):
+    with pytest.raises(RobotProblem, match="^no-sensor$"):
         driven.robot.distance(Bearing.FRONT)
     driven.link.is_there = False
-    with pytest.raises(RobotProblem, match="link-lost"):
+    with pytest.raises(RobotProblem, match="^link-lost$"):
         driven.robot.distance(Bearing.FRONT)
 
 
@@ -361,12 +473,60 @@ def test_a_scanner_has_a_sample_for_each_of_its_directions(driven: Driven) -> No
     driven.link.data[RobotPart.SONARS] = (tuple(float(at + 1) for at in range(9)),)
 
     known = driven.robot.known_distances()
-    assert {known[each] for each in (Bearing.FRONT, Bearing.FRONT_LEFT, Bearing.FRONT_RIGHT)} == {
-        80,
-        100,
-        120,
-    }
-    assert known[Bearing.FRONT] == 100
+    assert known == {
+        Bearing.FRONT: 100, Bearing.FRONT_LEFT: 120, Bearing.FRONT_RIGHT: 80, Bearing.BACK_LEFT: 160,
+        Bearing.BACK_RIGHT: 40, Bearing.BACK: 20,
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("mount", "known"),
+    [
+        (45.0, {Bearing.FRONT: 1.0, Bearing.FRONT_LEFT: 2.0}),
+        (52.0, {Bearing.FRONT: 1.0, Bearing.FRONT_LEFT: 2.0}),
+        (53.0, {}),
+        (0.0, {Bearing.FRONT_RIGHT: 1.0, Bearing.FRONT: 2.0, Bearing.FRONT_LEFT: 3.0}),
+    ],
+)
+def test_a_scanner_looks_seven_and_a_half_degrees_aside_of_its_mount(
+    driven: Driven, mount: float, known: dict[Bearing, float]
+) -> None:
+    """Three samples of 45 degrees. No bearing is on the left, where the last one may look."""
+    driven.link.shapes[RobotPart.SONARS] = {
+        1: ([(0.0,) * 5 + (radians(mount),)], ()),
+        5: (radians(-67.5), radians(67.5), radians(45.0), 0.0, 9.0),
+    }  # fmt: skip
+    driven.link.data[RobotPart.SONARS] = ((1.0, 2.0, 3.0),)
+
+    assert driven.robot.known_distances() == {each: metres / STEP for each, metres in known.items()}
+
+
+@pytest.mark.parametrize(
+    ("yaw", "bearings"),
+    [
+        (22.0, {Bearing.FRONT}),
+        (23.0, {Bearing.FRONT_LEFT}),
+        (-68.0, set()),
+        (-67.0, {Bearing.FRONT_RIGHT}),
+        (157.0, {Bearing.BACK_LEFT}),
+        (-158.0, {Bearing.BACK}),
+    ],
+)
+@pytest.mark.parametrize("config", [(), (radians(-67.5), radians(67.5), radians(45.0), 0.0, 9.0)])
+def test_one_sonar_looks_twenty_two_and_a_half_degrees_aside(
+    driven: Driven, yaw: float, bearings: set[Bearing], config: tuple[float, ...]
+) -> None:
+    driven.link.shapes[RobotPart.SONARS] = {1: ([(0.0,) * 5 + (radians(yaw),)], ()), 5: config}
+    driven.link.data[RobotPart.SONARS] = ((1.0,),)
+
+    assert driven.robot.known_distances() == dict.fromkeys(bearings, 20)
+
+
+def test_samples_whose_directions_are_unknown_are_left_out(driven: Driven) -> None:
+    driven.link.shapes[RobotPart.SONARS] = {1: ([(0.0,) * 6], ())}
+    driven.link.data[RobotPart.SONARS] = ((1.0, 2.0, 3.0),)
+
+    assert driven.robot.known_distances() == {Bearing.FRONT: 20}
 
 
 # --- devices
@@ -388,6 +548,10 @@ def test_the_devices_are_those_that_the_server_names(driven: Driven) -> None:
     ]  # fmt: skip
     assert [each[:2] for each in found[3:]] == [(Device.BUMPER, -90), (Device.BUMPER, 0)]
     assert driven.robot.colours
+    driven.link.shapes = {RobotPart.HEAD_SONAR: {1: (SONARS[2:3], ())}}
+    assert [(each.device, round(each.degrees), each.width, each.metres) for each in driven.robot.mounted] == [
+        (Device.RANGER, 45, 0.0, 0.0)
+    ]
     driven.link.shapes.clear()
     assert driven.robot.mounted == ()
     assert driven.robot.colours == frozenset()
@@ -463,7 +627,7 @@ def test_without_a_gripper_or_eyes_the_robot_says_so(driven: Driven) -> None:
         (driven.robot.release, "no-gripper"),
         (driven.robot.scan, "no-eyes"),
     ):
-        with pytest.raises(RobotProblem, match=problem):
+        with pytest.raises(RobotProblem, match=f"^{problem}$"):
             do()
 
 
@@ -547,3 +711,89 @@ def test_a_sonar_on_the_head_finds_things_by_their_echoes(driven: Driven) -> Non
     (seen,) = driven.robot.scan()
 
     assert (seen.colour, round(seen.degrees), round(seen.steps)) == ("", -30, 10)
+    goals = dict.fromkeys(round(degrees(each[4])) for each in link.commands if each[0] is RobotPart.HEAD)
+    assert [*goals] == [*range(90, -91, -15)]
+
+
+@pytest.mark.parametrize(
+    ("view", "goals"), [(90.0, [45, -45]), (100.0, [50, -50]), (50.0, [75, 25, -25, -75])]
+)
+def test_a_head_turns_as_often_as_its_view_asks(driven: Driven, view: float, goals: list[int]) -> None:
+    link = driven.link
+    link.now = WheelState(5.0, 1.0, 2.0, 90.0, False, False)
+    link.shapes[RobotPart.CAMERA] = {}
+    link.data[RobotPart.CAMERA] = (100, 50, ())
+    link.data[RobotPart.HEAD] = (1.3, 2.3, 0.0)
+    link.on_tick = lambda _: link.data.update({RobotPart.HEAD: (1.3, 2.3, link.commands[-1][4])})
+    driven.robot.chosen_view = view
+    driven.robot.scan()
+
+    turns = [round(degrees(each[4])) for each in link.commands if each[0] is RobotPart.HEAD]
+    assert [*dict.fromkeys(turns)] == [90 + each for each in goals] + [90]
+    assert {each[2:4] for each in link.commands if each[0] is RobotPart.HEAD} == {(1.0, 2.0)}
+
+
+@pytest.mark.parametrize(("place", "is_head"), [((1.4, 2.2), True), ((1.2, 2.5), False), ((1.5, 2.1), False)])
+def test_a_head_is_within_half_a_metre_of_its_robot(
+    driven: Driven, place: tuple[float, float], is_head: bool
+) -> None:
+    driven.link.now = WheelState(5.0, 1.0, 2.0, 0.0, False, False)
+    driven.link.shapes[RobotPart.CAMERA] = {}
+    driven.link.data[RobotPart.CAMERA] = (100, 50, ())
+    driven.link.data[RobotPart.HEAD] = (*place, 0.0)
+    driven.robot.scan()
+
+    assert any(each[0] is RobotPart.HEAD for each in driven.link.commands) is is_head
+
+
+def test_a_head_that_does_not_turn_is_given_up_after_six_seconds(driven: Driven) -> None:
+    """Three looks of 60 data, and one of two: it looks ahead already."""
+    driven.link.shapes[RobotPart.CAMERA] = {}
+    driven.link.data[RobotPart.CAMERA] = (100, 50, ())
+    driven.link.data[RobotPart.HEAD] = (0.0, 0.0, radians(0.6))
+    driven.robot.scan()
+    assert 122 <= driven.link.ticks <= 128
+
+    driven.link.ticks = 0
+    driven.link.data[RobotPart.HEAD] = (0.0, 0.0, radians(0.8))
+    driven.robot.scan()
+    assert 240 <= driven.link.ticks <= 248
+
+
+def test_a_scan_that_is_stopped_looks_no_further(driven: Driven) -> None:
+    driven.link.shapes[RobotPart.CAMERA] = {}
+    driven.link.data[RobotPart.CAMERA] = (100, 50, (blob(40, 59),))
+    driven.link.data[RobotPart.HEAD] = (0.0, 0.0, 0.0)
+    goes_on = [True] * 1000 + [False]
+    driven.pace.sleep = lambda _: goes_on.pop()  # type: ignore[method-assign]
+
+    assert driven.robot.scan() == ()
+    goals = dict.fromkeys(
+        round(degrees(each[4])) for each in driven.link.commands if each[0] is RobotPart.HEAD
+    )
+    assert [*goals] == [0]
+
+
+@pytest.mark.parametrize(
+    ("shape", "metres", "steps"),
+    [
+        ((), 1.0, 20),
+        (((), ()), 1.0, 20),
+        (([(0.05,) + (0,) * 5], ()), 1.0, 19),
+        (([(0.05,) + (0,) * 5], ()), 0.03, 0),
+    ],
+)
+def test_the_distance_of_a_colour_is_that_from_the_sonar_on_the_head(
+    driven: Driven, shape: Any, metres: float, steps: int
+) -> None:
+    driven.link.shapes.update({RobotPart.CAMERA: {}, RobotPart.HEAD_SONAR: {1: shape}})
+    driven.link.data[RobotPart.CAMERA] = (100, 50, (blob(0, 49, 0x10C020, metres),))
+    (seen,) = driven.robot.scan()
+
+    assert (seen.colour, seen.degrees, round(seen.steps)) == ("green", pytest.approx(-15), steps)
+
+
+def test_a_camera_that_has_made_no_picture_sees_nothing(driven: Driven) -> None:
+    driven.link.shapes[RobotPart.CAMERA] = {}
+
+    assert driven.robot.scan() == ()
