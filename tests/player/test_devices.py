@@ -129,6 +129,20 @@ def test_the_last_client_that_leaves_stops_its_robot(stations: Stations) -> None
     assert standing[0] == pytest.approx(driving[0])
 
 
+def test_a_robot_is_opened_by_its_first_client_and_left_by_its_last(stations: Stations, notes: Notes) -> None:
+    one, other = Client(stations, WHEELS, (4, 1)), Client(stations, WHEELS)
+    one.vanish()
+    assert notes.taken == [("alice", "opened")]
+    other.vanish()
+    assert notes.taken == [("alice", "opened"), ("alice", "left")]
+    notes.may_open = False
+    assert Client(stations).ask(1, 0, 3, 0, 0, *WHEELS, 1, "") is None
+    notes.may_open = True
+    Client(stations, WHEELS)
+
+    assert notes.taken[2:] == [("alice", "opened")] * 2
+
+
 @pytest.mark.parametrize("index", [0, 1], ids=["wheels", "head"])
 def test_a_velocity_takes_the_place_of_a_goal(stations: Stations, index: int) -> None:
     client = Client(stations, WHEELS, (4, index))
