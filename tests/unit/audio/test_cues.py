@@ -6,6 +6,7 @@ import itertools
 import math
 from array import array
 
+import numpy as np
 import pytest
 
 from devices.audio import cues
@@ -163,3 +164,93 @@ def test_the_silent_player_accepts_every_cue() -> None:
     player.silence()
     player.close()
     player.play(Cue("bump"))
+
+
+# --- the tones
+
+
+def tones_of(name: str, bearing: float = 0.0, steps: float | None = None) -> list[list[int]]:
+    """The samples of each tone, of the louder side."""
+    samples = render_cue(Cue(name, bearing, steps))
+    side, ends = samples[bearing > 0 :: 2], 0
+    tones = []
+    for tone in cues._RECIPES[name].tones:
+        begins, ends = ends, ends + round(tone.seconds * SAMPLE_RATE)
+        tones.append([*side[begins:ends]])
+    assert ends == len(side)
+    return tones
+
+
+def glide(tone: list[int]) -> tuple[float, float]:
+    """The frequencies at the start and at the end of a tone, from the times at which its periods begin."""
+    begins = [at + a / (a - b) for at, (a, b) in enumerate(itertools.pairwise(tone[:-1])) if a < 0 <= b]
+    (slope, start, _) = np.polyfit([each / SAMPLE_RATE for each in begins], range(1, len(begins) + 1), 2)
+    return start, start + 2 * slope * len(tone) / SAMPLE_RATE
+
+
+def overtones(tone: list[int], hertz: float) -> list[float]:
+    """How strong the fundamental and each of its overtones is."""
+    seconds = np.arange(len(tone)) / SAMPLE_RATE
+    return [
+        abs(complex(np.dot(tone, np.exp(-2j * math.pi * hertz * (each + 1) * seconds)))) for each in range(6)
+    ]
+
+
+A, C, D, E, G, B = 0, 3, -7, 7, 10, 2
+"""Semitones from the tone of 440 Hz; an octave has twelve."""
+
+
+@pytest.mark.parametrize(
+    ("name", "notes"),
+    [
+        *(("obstacle", [(A, A)]), ("scan", [(A + 12, A + 12)]), ("belt", [(E - 12, E - 12)])),
+        *(("grip", [(G, C), (C, C)]), ("release", [(C, C), (C, G)]), ("nothing", [(D, C - 12)])),
+        *(("done", [(C, C), (E, E), (G, G)]), ("goal", [(E, G)])),
+        *(
+            ("solved", [(C, C), (G, G), (C + 12, C + 12)]),
+            ("error", [(A - 12, A - 12), None, (E - 24, E - 24)]),
+        ),
+        *(
+            ("waiting", [(B, B), None, (B, B)]),
+            ("block-opened", [(G - 12, C)]),
+            ("block-closed", [(C, G - 12)]),
+        ),
+    ],
+)
+def test_the_tones_of_a_cue_are_notes(name: str, notes: list[tuple[int, int] | None]) -> None:
+    tones = tones_of(name)
+    for tone, note in zip(tones, notes, strict=True):
+        if note is None:
+            assert not any(tone)
+        else:
+            start, end = (round(440 * 2 ** (each / 12)) for each in note)
+            assert glide(tone) == pytest.approx((start, end), abs=0.6)
+
+
+@pytest.mark.parametrize(
+    ("name", "hertz", "count"),
+    [
+        *(("belt", 330, 1), ("scan", 880, 1), ("waiting", 494, 1), ("done", 523, 2), ("obstacle", 440, 3)),
+        ("error", 220, 5),
+    ],
+)
+def test_each_overtone_is_weaker_than_the_one_below_it(name: str, hertz: float, count: int) -> None:
+    strengths = overtones(tones_of(name)[0], hertz)
+
+    assert all(second < 0.9 * first for first, second in itertools.pairwise(strengths[:count]))
+    assert min(strengths[:count]) > 10 * max(strengths[count:])
+
+
+@pytest.mark.parametrize(("bearing", "semitones"), [(90.0, 4), (-90.0, -4), (30.0, 2), (0.0, 0)])
+def test_a_place_is_a_glide_of_a_third_up_at_the_right_and_down_at_the_left(
+    bearing: float, semitones: float
+) -> None:
+    start, end = glide(tones_of("obstacle", bearing)[0])
+
+    assert 12 * math.log2(end / start) == pytest.approx(semitones, abs=0.03)
+    assert start * end == pytest.approx(440**2, rel=0.002)
+
+
+@pytest.mark.parametrize(("steps", "hertz"), [(0.0, 1760), (30.0, 880), (60.0, 440), (15.0, 880 * 2**0.5)])
+def test_the_distance_is_two_octaves_over_sixty_steps(steps: float, hertz: float) -> None:
+    assert glide(tones_of("scan", 0.0, steps)[0]) == pytest.approx((hertz, hertz), abs=1)
