@@ -306,7 +306,7 @@ def test_a_movement_ends_by_its_program_and_by_a_lost_server(driven: Driven, do:
 
     driven.link.on_tick = lose
     assert do(driven.robot).stopped_by is StoppedBy.LINK
-    with pytest.raises(RobotProblem, match="^link-lost$"):
+    with pytest.raises(RobotProblem, match=r"^link-lost$"):
         do(driven.robot)
     driven.link.on_tick = lambda _: None
     assert do(driven.robot).stopped_by is None
@@ -339,7 +339,7 @@ def test_a_server_that_is_gone_ends_a_wait(driven: Driven) -> None:
         driven.link.is_there = False
 
     driven.link.on_tick = lose
-    with pytest.raises(RobotProblem, match="^link-lost$"):
+    with pytest.raises(RobotProblem, match=r"^link-lost$"):
         driven.robot.wait(5)
 
 
@@ -448,10 +448,10 @@ def test_distances_are_those_of_the_sensors_that_look_there(driven: Driven) -> N
     assert driven.robot.distance(Bearing.FRONT) == 11
     assert driven.robot.distance(Bearing.BACK) > 59
     driven.link.data.clear()
-    with pytest.raises(RobotProblem, match="^no-sensor$"):
+    with pytest.raises(RobotProblem, match=r"^no-sensor$"):
         driven.robot.distance(Bearing.FRONT)
     driven.link.is_there = False
-    with pytest.raises(RobotProblem, match="^link-lost$"):
+    with pytest.raises(RobotProblem, match=r"^link-lost$"):
         driven.robot.distance(Bearing.FRONT)
 
 
@@ -627,7 +627,7 @@ def test_without_a_gripper_or_eyes_the_robot_says_so(driven: Driven) -> None:
         (driven.robot.release, "no-gripper"),
         (driven.robot.scan, "no-eyes"),
     ):
-        with pytest.raises(RobotProblem, match=f"^{problem}$"):
+        with pytest.raises(RobotProblem, match=rf"^{problem}$"):
             do()
 
 

@@ -571,7 +571,7 @@ def test_a_camera_is_opened_by_its_number(monkeypatch: pytest.MonkeyPatch) -> No
 
 
 def test_a_look_raises_the_fault(tmp_path: Path) -> None:
-    with pytest.raises(RobotProblem, match="^no-pictures$"):
+    with pytest.raises(RobotProblem, match=r"^no-pictures$"):
         camera(tmp_path).directions()
 
 
@@ -699,7 +699,7 @@ def test_in_a_direction_without_a_picture_nothing_can_be_seen(tmp_path: Path) ->
     made = camera(save(tmp_path / "p", {"-90.png": drawn()}))
     assert made.directions() == (-90,)
 
-    with pytest.raises(RobotProblem, match="^no-pictures$"):
+    with pytest.raises(RobotProblem, match=r"^no-pictures$"):
         made.look(0)
 
 
