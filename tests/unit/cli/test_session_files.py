@@ -21,6 +21,7 @@ from donnie_tui import __version__
 from donnie_tui.cli.streams import Guarded, Output, is_terminal
 from donnie_tui.core import answer_log
 from donnie_tui.core.belt import BeltSettings
+from donnie_tui.core.chart import braille
 from donnie_tui.core.events import (
     CueSounded,
     HowStarted,
@@ -31,13 +32,21 @@ from donnie_tui.core.events import (
     Stamped,
 )
 from donnie_tui.core.hub import Hub
+from donnie_tui.core.reports import as_html
 from donnie_tui.core.session import RunOptions
 from donnie_tui.core.transcript import printed_lines
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets import files
-from donnie_tui.outlets.files import SessionFiles, SoundFile, is_named_pipe, may_be_replaced
+from donnie_tui.outlets.files import (
+    SessionFiles,
+    SoundFile,
+    heading_of_answer,
+    is_named_pipe,
+    may_be_replaced,
+)
 from donnie_tui.settings.settings import Settings
 from donnie_tui.world.loading import inhabited_world
+from language.locales import languages
 from tests.floor import Floor
 from tests.timeouts import TIMEOUT
 
@@ -404,6 +413,17 @@ def test_no_stream_and_no_terminal_are_no_terminal(stream: object, is_one: bool)
         ("--report", "table.html", b"file,solved,score", False),
         ("--csv", "table.csv", b"file;solved", False),
         ("--html", "page.html", b"<!doctype html>", False),
+        ("--csv", "table.csv", b"file,solved,score", True),
+        ("--csv", "table.csv", b"my file,solved,score", False),
+        ("--events", "a.events", b'{"seq":1', True),
+        ("--events", "a.rec", b'{"donnie_recording":1', False),
+        ("--svg", "ours.svg", b'<svg xmlns="http://www.w3.org/2000/svg" role="img" width="9"', True),
+        ("--swell", "ours.svg", b'\n<svg xmlns="http://www.w3.org/2000/svg" role="img" width="9"', True),
+        ("--svg", "drawn.svg", b'<svg xmlns="http://www.w3.org/2000/svg" viewBox="', False),
+        ("--swell", "drawn.svg", b'<?xml version="1.0"?><svg', False),
+        ("--feedback", "a.txt", b"Donnie. A letter", False),
+        ("--unknown", "a.txt", b"a", False),
+        ("--unknown", "a.txt", b" \n", True),
     ],
 )
 def test_a_file_of_a_kind_is_replaced_only_if_donnie_may_have_written_it(
@@ -412,6 +432,42 @@ def test_a_file_of_a_kind_is_replaced_only_if_donnie_may_have_written_it(
     (tmp_path / name).write_bytes(content)
 
     assert may_be_replaced(option, tmp_path / name) is may_be
+
+
+@pytest.mark.parametrize("language", languages())
+def test_what_donnie_writes_may_be_replaced_in_each_language(tmp_path: Path, language: str) -> None:
+    words = Words(language)
+    page = as_html(words("report-title", what="room"), language, ())
+    title = braille(words("paper-title", name="room"), language)
+    answer = heading_of_answer("Reach the wall", words)
+    for option, name, content, may_be in (
+        ("--html", "a.html", page, True), ("--htm", "a.htm", page, True), ("--report", "a.HTML", page, True),
+        ("--report", "a.txt", page, False), ("--html", "a.html", page[1:], False),
+        ("--csv", "a.csv", words("report-column-seconds") + ",x", True),
+        ("--csv", "a.csv", words("report-column-robot") + "," + words("report-column-seconds") + ",x", True),
+        ("--feedback", "a.txt", answer, True), ("--feedback", "a.txt", answer[1:], False),
+        ("--brf", "a.brf", title, True), ("--brf", "a.BRL", title, True), ("--brf", "a.txt", title, False),
+        ("--brf", "a.brf", title + "~", False), ("--brf", "a.brf", title + "\r\n\f", True),
+    ):  # fmt: skip
+        (tmp_path / name).write_text(content, encoding="utf-8", newline="")
+        assert may_be_replaced(option, tmp_path / name) is may_be, (option, name)
+
+
+@pytest.mark.parametrize(
+    ("channels", "rate", "width", "is_ours"),
+    [(2, 22_050, 2, True), (1, 22_050, 2, False), (2, 44_100, 2, False)],
+)
+def test_only_sounds_in_the_format_of_donnies_may_be_replaced(
+    tmp_path: Path, channels: int, rate: int, width: int, is_ours: bool
+) -> None:
+    path = tmp_path / "a.wav"
+    with wave.open(str(path), "wb") as file:
+        file.setparams((channels, width, rate, 0, "NONE", ""))
+        file.writeframes(bytes(400))
+
+    assert may_be_replaced("--sound", path) is is_ours
+    path.write_bytes(b"RIFX" + path.read_bytes()[4:])
+    assert not may_be_replaced("--sound", path)
 
 
 def test_what_is_no_file_may_be_replaced_and_what_can_not_be_read_may_not(
