@@ -269,6 +269,7 @@ def test_a_stall_is_a_collision_from_the_second_datum_on(driven: Driven) -> None
 
     assert (done.walked, done.stopped_by, driven.link.ticks) == (0, StoppedBy.COLLISION, 1)
     assert driven.robot.turn(90).stopped_by is StoppedBy.COLLISION
+    assert driven.link.ticks == 2
 
 
 def test_a_robot_that_does_not_move_for_three_seconds_has_stalled(driven: Driven) -> None:
@@ -377,8 +378,11 @@ def test_a_turn_that_ends_within_half_a_degree_of_its_goal_owes_the_rest(
     assert (done.turned, done.stopped_by) == (int(ends) * sense, None if is_done else StoppedBy.STALL)
     assert abs(link.now.yaw) == pytest.approx(3 * a_datum)
     assert (driven.robot.pose().heading - 90) * sense % 360 == pytest.approx(ends, abs=0.002)
+    assert driven.watcher.motions[0][1].heading == pytest.approx((90 + a_datum * sense) % 360, abs=0.002)
     if is_done:
         driven.robot.turn(90 * sense)
+        (_, first) = driven.watcher.motions[9]
+        assert first.heading == pytest.approx((90 + 4 * a_datum * sense) % 360, abs=0.002)
         assert abs(link.now.yaw) == pytest.approx(179.7)
         assert driven.robot.turn(-90 * sense).stopped_by is None
         assert driven.robot.pose().heading == pytest.approx((90 + 90 * sense) % 360, abs=0.002)

@@ -17,6 +17,7 @@ from devices.wire.frames import (
     STOP,
     MotorDrive,
     ReportKind,
+    Wiring,
     drive_frame,
     encode_frame,
     head_frame,
@@ -195,6 +196,86 @@ def test_a_drive_ends_where_it_is_to_end_or_where_it_is_not_renewed() -> None:
     assert connection.driving_since is None
 
 
+def test_a_drive_to_where_the_wheels_are_already_ends_the_one_before() -> None:
+    connection = streaming()
+    assert connection.drive(connection.permit, MotorDrive.FORWARD, 200.0, 3.0)
+    assert written(connection, 3.0) == [drive_frame(MotorDrive.FORWARD)]
+    connection.received(wheels_at(50, 50), 3.1)
+    connection.received(wheels_at(100, 100), 3.2)
+    assert connection.drive(connection.permit, MotorDrive.FORWARD, 100.0, 3.2)
+
+    assert connection.driving_since is None
+    assert written(connection, 3.2, 3.3) == [STOP, STOP]
+    assert not connection.is_standing
+    connection.received(wheels_at(100, 100), 3.4)
+    written(connection, 3.4)
+    assert connection.is_standing
+
+
+def test_a_board_that_restarts_stands_and_has_six_seconds_to_answer() -> None:
+    connection = streaming()
+    connection.drive(connection.permit, MotorDrive.FORWARD, 100.0, 3.0)
+    written(connection, 3.0)
+    epoch = connection.telemetry.epoch
+    connection.received(wheels_at(7, 7), 3.05)
+    connection.received(CONFIG_WANTED, 3.1)
+    connection.received(wheels_at(70, 70), 3.1)
+    assert (connection.telemetry.epoch > epoch, connection.telemetry.right) == (True, 7)
+    assert written(connection, 3.1, 3.2, 3.3) == [CONFIGURE, STOP, STOP]
+    assert connection.is_standing
+    connection.take_notices()
+    connection.actions(9.09)
+    assert connection.state is LinkState.WAITING
+    connection.actions(9.1)
+
+    assert (connection.state, connection.take_notices()) == (LinkState.LOST, [(LinkNotice.LOST, "no answer")])
+
+
+def test_a_board_that_restarted_before_its_port_was_opened_again_is_just_back() -> None:
+    connection = streaming()
+    connection.actions(3.5)
+    connection.received(CONFIG_WANTED, 4.0)
+    connection.failed(4.1, "unplugged")
+    connection.take_notices()
+    connection.open()
+    connection.opened(5.0)
+    connection.received(wheels_at(0, 0), 5.1)
+    assert written(connection, 5.1, 5.25, 5.3, 5.4) == [FILLER, CONFIGURE, STOP, STOP]
+    connection.received(wheels_at(0, 0), 5.5)
+
+    assert connection.take_notices() == [(LinkNotice.RESTORED, "")]
+
+
+def test_a_lost_link_forgets_what_may_have_changed_meanwhile() -> None:
+    connection = streaming()
+    for right in (10, 20):
+        connection.received(wheels_at(right, right), 3.1)
+    epoch = connection.telemetry.epoch
+    connection.failed(3.2, "unplugged")
+    assert (connection.telemetry.right, connection.telemetry.epoch) == (20, epoch + 1)
+    connection.failed(3.3, "unplugged")
+    connection.received(wheels_at(500, 500), 4.0)
+
+    assert connection.telemetry.right == 20
+
+
+def test_a_robot_that_is_wired_in_another_way_stops_and_is_counted_and_driven_that_way() -> None:
+    connection = streaming()
+    connection.drive(connection.permit, MotorDrive.FORWARD, 100.0, 3.0)
+    connection.received(wheels_at(10, 20), 3.05)
+    permit, epoch = connection.permit, connection.telemetry.epoch
+    connection.rewire(Wiring(encoders=(-1, 1), motors=(-1, -1)), 3.1)
+
+    assert (connection.permit, connection.driving_since) == (permit + 1, None)
+    assert (connection.telemetry.right, connection.telemetry.epoch) == (10, epoch + 1)
+    for right, left in ((30, 20), (40, 25)):
+        connection.received(wheels_at(right, left), 3.2)
+    assert (connection.telemetry.right, connection.telemetry.left) == (0, 25)
+    written(connection, 3.3, 3.4)
+    connection.drive(connection.permit, MotorDrive.FORWARD, 100.0, 3.45)
+    assert written(connection, 3.45) == [drive_frame(MotorDrive.BACKWARD)]
+
+
 def test_a_low_battery_is_reported_once_until_it_is_charged_and_by_two_frames_that_agree() -> None:
     connection, noticed = streaming(), {}
     frames = (7100, 7100, 7099, 7000, 7040, 7040, 7399, 7399, 7000, 7000, 7400, 7400, 6940, 6940, 6940)
@@ -241,7 +322,8 @@ def test_a_closed_connection_has_nothing_to_do() -> None:
     connection.drive(connection.permit, MotorDrive.FORWARD, 100.0, 3.1)
     permit = connection.permit
     connection.close(3.2)
-    connection.received(wheels_at(500, 500), 3.3)
+    for right in (500, 600):
+        connection.received(wheels_at(right, right), 3.3)
 
     assert (connection.state, connection.permit, connection.driving_since) == (
         LinkState.CLOSED, permit + 1, None,
@@ -259,6 +341,22 @@ def test_what_a_lost_link_leaves_is_known_until_the_board_is_back() -> None:
         connection.failed(3.2, "unplugged")
         assert connection.may_drive_on is is_driving
         assert connection.take_notices() == [(LinkNotice.LOST, "unplugged")]
+        connection.failed(3.3, "unplugged")
+        assert connection.may_drive_on is is_driving
+        connection.received(wheels_at(0, 0), 4.0)
+        assert written(connection, 4.0, 4.2, 4.3, 4.4) == [FILLER, CONFIGURE, STOP, STOP]
+        assert connection.may_drive_on is is_driving
+        connection.received(wheels_at(0, 0), 4.5)
+        assert not connection.may_drive_on
+
+
+def test_a_robot_that_was_just_stopped_may_drive_on_where_the_link_is_lost() -> None:
+    connection = streaming()
+    connection.drive(connection.permit, MotorDrive.FORWARD, 100.0, 3.1)
+    connection.stop(3.2)
+    connection.failed(3.2, "unplugged")
+
+    assert connection.may_drive_on
 
 
 def test_a_line_about_a_wrong_checksum_repeats_the_drive_at_once() -> None:
