@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import socket
+import threading
 from collections.abc import Iterator
 from math import inf, nan, pi, radians
 from typing import Any
@@ -24,6 +25,7 @@ from devices.player.codec import (
 from devices.ports.robot import LinkNotice, RobotProblem
 from donnie_tui.robot import server_link as module
 from donnie_tui.robot.server_link import RobotPart, ServerLink, WheelState
+from tests.timeouts import TIMEOUT
 
 Sent = tuple[int, int, int, int, Any]
 """Interface, index, type, subtype and values of a message."""
@@ -308,6 +310,84 @@ def test_a_server_that_was_left_is_not_reported_as_lost(linked: Linked) -> None:
     assert linked.notices == []
 
 
+class Waits:
+    """An event that is set at its third wait."""
+
+    def __init__(self) -> None:
+        self.waits: list[float] = []
+
+    def is_set(self) -> bool:
+        return len(self.waits) > 2
+
+    def wait(self, seconds: float) -> bool:
+        self.waits.append(seconds)
+        return self.is_set()
+
+
+def test_a_lost_server_is_connected_to_again_every_second(
+    linked: Linked, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    link, tries = linked.link, [False, True]
+    waits = link._closed = Waits()  # type: ignore[assignment]
+
+    def pump() -> None:
+        raise OSError(104, "Connection reset by peer")
+
+    def open_again() -> None:
+        if not tries.pop(0):
+            raise RobotProblem("no-wheels")
+        link.is_there = True
+
+    monkeypatch.setattr(link, "_pump", pump)
+    monkeypatch.setattr(link, "_open", open_again)
+    link._read()
+
+    assert waits.waits == [1.0, 1.0, 1.0]
+    assert tries == []
+    assert linked.notices == [
+        (LinkNotice.LOST, "Connection reset by peer"), (LinkNotice.RESTORED, "player://host:1"),
+        (LinkNotice.LOST, "Connection reset by peer"),
+    ]  # fmt: skip
+    assert link.epoch == 2
+
+
+def test_data_are_waited_for_until_they_are_newer_or_the_server_is_lost(linked: Linked) -> None:
+    link, waits = linked.link, list[tuple[bool, float]]()
+    link._changed.wait_for = (  # type: ignore[method-assign]
+        lambda is_over, seconds: waits.append((is_over(), seconds))
+    )
+    for time in (9.0, 9.5):
+        linked.receives_wheels(time, *(0.0,) * 6, 0)
+        link.wait_for_data(9.0)
+    link.is_there = False
+    link.wait_for_data(10.0)
+
+    assert waits == [(False, module.POLL), (True, module.POLL), (True, module.POLL)]
+
+
+def test_a_lost_server_needs_no_listener() -> None:
+    link = ServerLink("player://host:1")
+    assert not link.is_there
+    link.is_there = True
+    link._lose("")
+
+    assert (link.epoch, link.is_there) == (1, False)
+
+
+def test_a_connected_link_reads_in_a_thread_that_keeps_no_program_alive(
+    linked: Linked, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    reading, threads = threading.Event(), list[bool]()
+    monkeypatch.setattr(linked.link, "_open", lambda: None)
+    monkeypatch.setattr(
+        linked.link, "_read", lambda: (threads.append(threading.current_thread().daemon), reading.set())
+    )
+    linked.link.connect()
+
+    assert reading.wait(TIMEOUT)
+    assert threads == [True]
+
+
 def test_the_reading_thread_ends_with_the_link(linked: Linked) -> None:
     linked.link.give_up()
     linked.link._read()
@@ -424,35 +504,43 @@ def opened(link: ServerLink, monkeypatch: pytest.MonkeyPatch) -> Any:
     return link._socket
 
 
+PARTS = {
+    (4, 0): (), (4, 1): (), (62, 0): (1, 5), (62, 1): (1, 5), (14, 0): (1,), (7, 0): (), (10, 0): (2,),
+    (3, 0): (), (12, 0): (), (20, 0): (), (20, 1): (),
+}  # fmt: skip
+"""The devices that a robot has, and the requests for their shapes, in the order in which they are opened."""
+
+
 def test_a_link_asks_for_the_newest_data_opens_what_it_knows_and_asks_for_shapes(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    server = Server(monkeypatch, [(4, 0), (10, 0), (99, 0), (62, 0), (12, 0)])
+    server = Server(monkeypatch, [(20, 2), *reversed(PARTS), (99, 0)])
     server.refused = {(12, 0)}
     link = ServerLink("player://host:1234")
-    link.shapes[RobotPart.GRIPPER] = {}  # of before
-    link._data[3, 0, 1] = (1.0, (2, 0, 0))
+    link._data[3, 0, 1] = (1.0, (2, 0, 0))  # of before
     connected = opened(link, monkeypatch)
 
     assert server.asked == [(("host", 1234), 2.0)]
     assert connected.options == [(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)]
-    opening = [
-        (1, 0, REQUEST, 3, (0, 0, *key, Access.OPEN, "")) for key in ((4, 0), (62, 0), (10, 0), (12, 0))
+    assert server.got[:2] == [(1, 0, REQUEST, 10, (-1, -1, DATA, -1, 1)), (1, 0, REQUEST, 1, ())]
+    assert server.got[2:] == [
+        message
+        for key, shapes in PARTS.items()
+        for message in (
+            (1, 0, REQUEST, 3, (0, 0, *key, Access.OPEN, "")),
+            *((*key, REQUEST, each, ()) for each in shapes),
+        )
     ]
-    wheels, sonars, marks, speech = opening
-    assert server.got == [
-        (1, 0, REQUEST, 10, (-1, -1, DATA, -1, 1)),
-        (1, 0, REQUEST, 1, ()),
-        wheels,
-        *(sonars, (62, 0, REQUEST, 1, ()), (62, 0, REQUEST, 5, ())),
-        *(marks, (10, 0, REQUEST, 2, ())),
-        speech,
-    ]
-    assert link.shapes == {
-        RobotPart.WHEELS: {}, RobotPart.SONARS: {1: (), 5: ()}, RobotPart.MARKS: {2: (0.0, 4.0, 1.0)},
-    }  # fmt: skip
+    assert link.shapes.keys() == {*RobotPart} - {RobotPart.SPEECH}
+    assert link.shapes[RobotPart.SONARS] == {1: (), 5: ()}
+    assert link.shapes[RobotPart.MARKS] == {2: (0.0, 4.0, 1.0)}
     assert (link.is_there, link.wheels().x, link.wheels().time) == (True, 1.0, 2.0)
     assert link.values(RobotPart.GRIPPER) == ()
+    link._shut()
+
+    server._offered = [(4, 0)]
+    opened(link, monkeypatch)
+    assert link.shapes == {RobotPart.WHEELS: {}}
     link._shut()
 
 
@@ -492,10 +580,18 @@ def test_the_data_of_what_was_opened_are_waited_for_but_not_those_of_silent_devi
 
     monkeypatch.setattr(ServerLink, "_pump", later)
     monkeypatch.setattr(module, "POLL", 0.0)
-    link._open()
-    assert link.is_there
-    assert link.values(RobotPart.SONARS) == ()
-    link._shut()
+    link._factor = 1.0
+    took = []
+    for has_come in (True, False):
+        if has_come:
+            server.data.append(PlayerMessage(62, 0, DATA, 1, body_of(62, DATA, 1, [1.0]), 2.0))
+        began = now[0]
+        link._open()
+        took.append(now[0] - began)
+        assert (link.is_there, bool(link.values(RobotPart.SONARS))) == (True, has_come)
+        link._shut()
+        server.data = server.data[:1]
+    assert took[1] - took[0] == 1.0
 
 
 def test_a_port_without_wheels_is_left(monkeypatch: pytest.MonkeyPatch) -> None:
