@@ -45,3 +45,31 @@ def test_a_complaint_before_much_noise_in_one_chunk_is_an_answer() -> None:
     detector.receive(b"E1\r\n" + bytes(40))
 
     assert detector.next(GIVEN_UP + SOON) is BeltCheck.NOTHING
+
+
+def test_a_device_is_asked_again_after_three_seconds_and_reported_after_four() -> None:
+    """A board that opening restarted has begun by then."""
+    detector = BeltDetector(10.0)
+    answers = [detector.next(10.0 + each) for each in (0.0, 2.99, 3.0, 3.99, 4.0)]
+
+    assert answers == [
+        *([BeltCheck.NOTHING] * 2), BeltCheck.ASK, BeltCheck.NOTHING, BeltCheck.REPORT_MISSING,
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("parts", "check"),
+    [
+        ([b"E1", b"\r\n"], BeltCheck.NOTHING),
+        ([b"xE2\r", b"\n"], BeltCheck.NOTHING),
+        ([b"E1", b"\r!\n"], BeltCheck.REPORT_MISSING),
+        ([b"E3\r\n"], BeltCheck.REPORT_MISSING),
+    ],
+)
+def test_a_complaint_may_come_in_parts(parts: list[bytes], check: BeltCheck) -> None:
+    detector = BeltDetector(0.0)
+    for each in parts:
+        detector.receive(each)
+    detector.next(3.0)
+
+    assert detector.next(4.0) is check
