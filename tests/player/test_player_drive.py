@@ -11,7 +11,20 @@ from typing import Any
 
 import pytest
 
-from devices.ports.robot import STEP, Bearing, Grip, GripResult, Met, Motion, Pose, RobotProblem, StoppedBy
+from devices.ports.robot import (
+    STEP,
+    Bearing,
+    Grip,
+    GripResult,
+    Met,
+    Motion,
+    Pose,
+    RobotProblem,
+    StoppedBy,
+    TurnResult,
+    WalkResult,
+)
+from donnie_tui.robot import player_robot as module
 from donnie_tui.robot.player_robot import PlayerRobot
 from donnie_tui.robot.server_link import RobotPart, WheelState
 from sim.sensors import Device
@@ -343,6 +356,58 @@ def test_a_server_that_is_gone_ends_a_wait(driven: Driven) -> None:
     driven.link.on_tick = lose
     with pytest.raises(RobotProblem, match=r"^link-lost$"):
         driven.robot.wait(5)
+
+
+def test_of_nothing_to_do_nothing_is_sent(driven: Driven) -> None:
+    here = driven.robot.pose()
+    assert driven.robot.forward(0) == driven.robot.backward(0) == WalkResult(0, 0, None, here)
+    assert driven.robot.turn(0) == TurnResult(0, 0, None, here)
+    for walk in (driven.robot.forward, driven.robot.backward):
+        with pytest.raises(ValueError, match="negative"):
+            walk(-1)
+    assert (driven.link.ticks, driven.link.speeds, driven.link.goal) == (0, [], None)
+
+
+def test_a_robot_that_was_halted_is_usable_again_after_a_loss(driven: Driven) -> None:
+    driven.link.on_tick = lambda _: setattr(driven.link, "epoch", driven.link.epoch + 1)
+    assert driven.robot.forward(1).stopped_by is StoppedBy.LINK
+    driven.link.on_tick = lambda _: None
+    driven.robot.halt()
+    assert driven.link.stopped == 1
+    assert driven.robot.forward(1).walked == 1
+
+    driven.link.is_there = False
+    for do in (driven.robot.forward, driven.robot.turn, driven.robot.wait):
+        with pytest.raises(RobotProblem) as caught:
+            do(0)
+        assert (caught.value.code, caught.value.values) == ("link-lost", {"port": "host:1"})
+    with pytest.raises(RobotProblem, match=r"^link-lost$"):
+        driven.robot.scan()
+
+
+def test_a_real_robot_has_one_speed_and_knows_no_true_place(driven: Driven) -> None:
+    driven.robot.speed = 9.0
+    assert (driven.robot.speed, driven.robot.true_pose(), driven.robot.port) == (1.0, None, "host:1")
+    driven.link.give_up = lambda: driven.link.commands.append(("given up",))  # type: ignore[attr-defined]
+    driven.link.wait_until_standing = (  # type: ignore[attr-defined]
+        lambda: driven.link.commands.append(("stands",))
+    )
+    driven.robot.give_up()
+    driven.robot.wait_until_standing()
+    assert driven.link.commands[-2:] == [("given up",), ("stands",)]
+
+
+def test_places_are_reported_twenty_times_a_second_of_this_computer(
+    driven: Driven, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    times = [100.0]
+    monkeypatch.setattr(module, "monotonic", lambda: times[0])
+    passed: list[float] = []
+    driven.watcher.passing = lambda pose: passed.append(times[0])  # type: ignore[method-assign]
+    driven.link.on_tick = lambda _: times.insert(0, times[0] + 1 / 64)
+    driven.robot.forward(1)
+
+    assert passed[:3] == [100.0, 100.0625, 100.125]  # of data 1/64 s apart each fourth
 
 
 # --- turning, waiting, the place

@@ -354,3 +354,203 @@ def test_the_simulation_is_no_faster_than_it_should_be(tmp_path: Path) -> None:
         assert simulated <= 20.0 * (asyncio.get_running_loop().time() - began + module._LATE) + 0.2
 
     play(tmp_path, story)
+
+
+# --- one client, without a socket
+
+
+class Transport:
+    """Of a client whose socket takes everything at once."""
+
+    def __init__(self) -> None:
+        self.did: list[str] = []
+        self.written = b""
+        self.limit = 0
+        self.is_over = self.is_paused = False
+
+    def write(self, data: bytes) -> None:
+        assert data
+        self.written += data
+
+    def abort(self) -> None:
+        self.did.append("aborted")
+        self.is_over = True
+
+    def is_closing(self) -> bool:
+        return self.is_over
+
+    def is_reading(self) -> bool:
+        return not self.is_paused
+
+    def pause_reading(self) -> None:
+        self.is_paused = True
+
+    def resume_reading(self) -> None:
+        self.did.append("reads again")
+        self.is_paused = False
+
+    def set_write_buffer_limits(self, high: int) -> None:
+        self.limit = high
+
+
+class Clients:
+    """Clients of a room, and the time."""
+
+    def __init__(self, folder: Path, patch: pytest.MonkeyPatch) -> None:
+        self.room, self.now = Room(folder), 100.0
+        self.sleeps: list[float] = []
+        patch.setattr(module.asyncio, "get_running_loop", lambda: self)
+
+    def time(self) -> float:
+        return self.now
+
+    def connect(self) -> tuple[module.ClientProtocol, Transport]:
+        made = module.ClientProtocol(self.room.server, self.room.stations.by_port[self.room.port])
+        transport = Transport()
+        made.connection_made(transport)  # type: ignore[arg-type]
+        return made, transport
+
+
+ASKED = PlayerMessage(1, 0, MessageType.REQUEST, 1, b"").encoded()
+
+
+@pytest.fixture
+def clients(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Clients:
+    return Clients(tmp_path, monkeypatch)
+
+
+def test_a_client_gets_the_banner_and_is_known_until_it_leaves(clients: Clients) -> None:
+    client, transport = clients.connect()
+    station = clients.room.stations.by_port[clients.room.port]
+    assert transport.written.startswith(b"Player v.1")
+    assert (len(transport.written), transport.limit) == (32, 256 * 1024)
+    assert (clients.room.server.clients, len(station.clients)) == ({client}, 1)
+    client.connection_lost(None)
+
+    assert (clients.room.server.clients, station.clients) == (set(), set())
+    client.data_received(ASKED)
+    assert len(transport.written) == 32
+
+
+def test_the_sixty_fifth_client_is_sent_away(clients: Clients) -> None:
+    for _ in range(64):
+        assert clients.connect()[1].did == []
+    refused, transport = clients.connect()
+    assert (transport.did, transport.written) == (["aborted"], b"")
+    assert refused not in clients.room.server.clients
+    refused.data_received(ASKED)
+    clients.connect()
+
+    assert clients.room.complaints == ["player-full"]
+
+
+@pytest.mark.parametrize("has_spoken", [False, True])
+@pytest.mark.parametrize("stops_reading", [False, True])
+def test_a_client_has_a_minute_to_say_something_and_to_read_what_waits(
+    clients: Clients, has_spoken: bool, stops_reading: bool
+) -> None:
+    client, transport = clients.connect()
+    if has_spoken:
+        client.data_received(ASKED)
+    if stops_reading:
+        clients.now = 130.0
+        client.pause_writing()
+    ends = 190.0 if stops_reading else 160.0
+    client.check(ends)
+    assert transport.did == []
+    client.check(ends + 0.1)
+
+    is_sent_away = stops_reading or not has_spoken
+    assert transport.did == (["aborted"] if is_sent_away else [])
+    assert (client in clients.room.server.clients) is not is_sent_away
+
+
+def test_a_client_that_does_not_read_is_read_no_further_until_it_does(clients: Clients) -> None:
+    client, transport = clients.connect()
+    client.pause_writing()
+    client.data_received(ASKED * 255)
+    assert not transport.is_paused
+    client.data_received(ASKED)
+    assert transport.is_paused
+    assert len(transport.written) == 32
+    client.resume_writing()
+
+    assert (transport.is_paused, transport.did) == (False, ["reads again"])
+    replies = list(MessageReader(10**6).feed(transport.written[32:]))
+    assert [each.type for each in replies] == [MessageType.ACK] * 256
+    client.pass_on()
+    assert transport.did == ["reads again"]
+
+
+def test_nothing_is_written_to_a_client_that_is_leaving(clients: Clients) -> None:
+    client, transport = clients.connect()
+    transport.is_over = True
+    client.data_received(ASKED)
+    assert len(transport.written) == 32
+
+    other, transport = clients.connect()
+    other.data_received(b"\xff" * 500)
+    assert (transport.did, clients.room.complaints) == (["aborted"], ["player-rubbish"])
+
+
+@pytest.mark.parametrize(
+    ("speed", "took", "sleeps"),
+    [
+        (1.0, [0.0, 0.0, 0.0], [0.1, 0.2, 0.3]),
+        (2.0, [0.04, 0.0, 0.0], [0.01, 0.06, 0.11]),
+        (1.0, [0.3, 0.0, 0.0], [1e-6, 1e-6, 1e-6]),
+        (1.0, [1.5, 0.0, 0.0, 0.0, 0.6], [*[1e-6] * 4, 1e-6]),
+        (None, [0.0, 0.0], [1e-6, 1e-6]),
+        (0.1, [0.0], [1.0]),
+    ],
+)
+def test_a_tick_comes_when_it_is_due_and_at_most_a_second_is_made_up_for(
+    clients: Clients,
+    monkeypatch: pytest.MonkeyPatch,
+    speed: float | None,
+    took: list[float],
+    sleeps: list[float],
+) -> None:
+    """The clock of the test stands while the server sleeps."""
+    slept: list[float] = []
+
+    async def sleep(seconds: float) -> None:
+        slept.append(seconds)
+        if len(slept) == len(took):
+            raise asyncio.CancelledError
+
+    def step() -> None:
+        clients.now += took[len(slept)]
+
+    client, transport = clients.connect()
+    monkeypatch.setattr(module.asyncio, "sleep", sleep)
+    monkeypatch.setattr(clients.room.stations, "step", step)
+    client._connection._first = b"waits"
+    with pytest.raises(asyncio.CancelledError):
+        clients.room.server._tick(lambda: speed).send(None)
+
+    assert slept == pytest.approx(sleeps)
+    assert transport.written.endswith(b"waits")
+
+
+def test_a_second_that_was_lost_is_made_up_for_and_no_more(
+    clients: Clients, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A tick of a real time of five seconds; then each takes no time."""
+    slept: list[float] = []
+
+    async def sleep(seconds: float) -> None:
+        slept.append(seconds)
+        if len(slept) == 13:
+            raise asyncio.CancelledError
+
+    def step() -> None:
+        clients.now += 0.0 if slept else 5.0
+
+    monkeypatch.setattr(module.asyncio, "sleep", sleep)
+    monkeypatch.setattr(clients.room.stations, "step", step)
+    with pytest.raises(asyncio.CancelledError):
+        clients.room.server._tick(lambda: 1.0).send(None)
+
+    assert slept[:10] == [1e-6] * 10
+    assert slept[11:] == pytest.approx([0.1, 0.2])
