@@ -31,8 +31,9 @@ def test_each_drive_is_its_recorded_frame(drive: MotorDrive, frame: str) -> None
         (frames.PING, "aabb02412b5c"),
         (frames.head_frame(90), "aabb0330105a97"),
         (frames.head_frame(0), "aabb0330100032"),
+        (frames.head_frame(180)[:-1], "aabb033010b4"),
     ],
-    ids=["config", "ping", "head-90", "head-0"],
+    ids=["config", "ping", "head-90", "head-0", "head-180"],
 )
 def test_each_command_is_its_recorded_frame(made: bytes, frame: str) -> None:
     assert made == bytes.fromhex(frame)
@@ -40,10 +41,28 @@ def test_each_command_is_its_recorded_frame(made: bytes, frame: str) -> None:
 
 @pytest.mark.parametrize("angle", [-1, 181])
 def test_a_head_angle_that_would_wrap_is_refused(angle: int) -> None:
-    with pytest.raises(ValueError, match="0 to 180"):
+    with pytest.raises(ValueError, match=r"^the head turns from 0 to 180$"):
         frames.head_frame(angle)
 
 
 def test_a_frame_that_is_too_long_for_the_board_is_refused() -> None:
     with pytest.raises(ValueError, match="too long"):
         frames.encode_frame(0x15, bytes(50))
+
+
+@pytest.mark.parametrize(
+    ("motors", "right", "left"),
+    [((1, 1), 0x0F, 0xF0), ((-1, -1), 0xF0, 0x0F), ((1, -1), 0x0F, 0x0F), ((-1, 1), 0xF0, 0xF0)],
+)
+def test_a_reversed_motor_is_commanded_the_other_way_round(
+    motors: tuple[int, int], right: int, left: int
+) -> None:
+    wiring, other = frames.Wiring(motors=motors), {0x0F: 0xF0, 0xF0: 0x0F}
+    ahead, back = (
+        frames.drive_frame(each, wiring)[4:8] for each in (MotorDrive.FORWARD, MotorDrive.BACKWARD)
+    )
+    assert ahead == bytes((right, 0x7F, left, 0x7F))
+    assert back == bytes((other[right], 0x7F, other[left], 0x7F))
+    turn = frames.drive_frame(MotorDrive.LEFT, wiring)[4:8]
+    assert turn == bytes((right, 0x66, other[left], 0x66))
+    assert frames.drive_frame(MotorDrive.STOP, wiring) == frames.STOP

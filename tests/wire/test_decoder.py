@@ -216,3 +216,48 @@ def test_bumpers_and_ranges_keep_the_boards_order() -> None:
         Bumpers((False, True, False, False, False, True)),
         Ranges((1, 2, 3, 4, 5, 6, 7)),
     ]
+
+
+def test_bytes_that_begin_no_frame_are_text() -> None:
+    """As the board's own lines are, after a frame that was cut."""
+    reports, texts, bad_frames = read([HEADER + b"\0hello\n" + WHOLE, HEADER + b"\x33" + WHOLE])
+
+    assert (reports, bad_frames) == ([Encoders(200, 192)] * 2, 2)
+    assert texts == ["\\xaa\\xbb\0hello", "\\xaa\\xbb3"]
+
+
+@pytest.mark.parametrize(
+    ("length", "lines"), [(199, [199]), (200, [200]), (201, [200, 1]), (400, [200, 200])]
+)
+def test_a_line_has_two_hundred_characters_at_most(length: int, lines: list[int]) -> None:
+    """An empty line is none."""
+    _, texts, _ = read([b"\n\n" + b"x" * length + b"\n"])
+
+    assert [len(each) for each in texts] == lines
+
+
+def test_a_frame_has_fifty_bytes_at_most() -> None:
+    longest = encode_frame(0x73, b"x" * 49)
+    assert (len(longest), longest[2]) == (54, 50)
+    assert read([longest + encode_frame(0x73, b"")])[0] == [Message(b"x" * 49), Message(b"")]
+    with pytest.raises(ValueError, match=r"^too long for a frame$"):
+        encode_frame(0x73, b"x" * 50)
+
+
+def test_a_repeated_frame_is_reported_each_time_and_a_changed_one_is_read() -> None:
+    other = encode_frame(0x81, bytes.fromhex("00c900c000780078"))
+    broken = WHOLE[:-1] + bytes((WHOLE[-1] ^ 1,))
+    reports, texts, bad_frames = read([b"a", WHOLE, b"b", WHOLE, broken, other, other, b"c\n"])
+
+    assert reports == [Encoders(200, 192)] * 2 + [Encoders(201, 192)] * 2
+    assert (bad_frames, texts[:2], texts[-1]) == (1, ["a", "b"], "c")
+
+
+def test_a_byte_that_may_begin_a_frame_waits_for_the_next_ones() -> None:
+    decoder = Decoder(None)
+    assert decoder.feed(b"text" + WHOLE[:1]) == []
+    assert decoder.held == 1
+    assert decoder.feed(WHOLE[1:5]) == []
+    assert decoder.held == 5
+    assert decoder.feed(WHOLE[5:] + b"text") == [Encoders(200, 192)]
+    assert decoder.held == 0
