@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from devices.player.codec import (
     FORMS,
     HEADER_SIZE,
+    LONGEST_REPLY,
     LONGEST_REQUEST,
     BadBody,
     Interface,
@@ -198,6 +199,72 @@ def test_messages_before_a_lying_size_are_read() -> None:
         for message in MessageReader().feed(PULL + lying):
             found.append(message.subtype)
     assert found == [5]
+
+
+@pytest.mark.parametrize(
+    ("reader", "longest"), [(MessageReader(), 65_536), (MessageReader(LONGEST_REPLY), 8_388_608)]
+)
+def test_a_client_sends_64_kibibytes_at_most_and_a_server_eight_mebibytes(
+    reader: MessageReader, longest: int
+) -> None:
+    def header(size: int) -> bytes:
+        return struct.pack(">IIIIIIdII", 0, 0, 1, 0, 3, 5, 0.0, 0, size)
+
+    assert list(reader.feed(header(longest))) == []
+    assert len(reader.held) == 40
+    reader.held.clear()
+    with pytest.raises(TooLong, match=rf"^a body of {longest + 1} bytes; at most {longest} are read$"):
+        list(reader.feed(header(longest + 1)))
+
+
+@pytest.mark.parametrize(
+    ("form", "body", "reason"),
+    [
+        ("[d]", "00000001", "it ends within a count"),
+        ("t", "0000000100000002" + "00" * 4, "1 and 2 are counts of one array"),
+        ("II", "00000001", "4 bytes, and its form has more"),
+        ("t", "0000000500000005" + "00" * 7, "15 bytes, and its form has more"),
+        ("I", "0000000100000002", "8 bytes, and 4 in its form"),
+    ],
+)
+def test_a_body_that_is_not_of_its_form_is_refused_with_the_reason(form: str, body: str, reason: str) -> None:
+    with pytest.raises(BadBody, match=f"^{reason}$"):
+        decode(form, bytes.fromhex(body))
+
+
+@pytest.mark.parametrize(
+    ("form", "values", "number"),
+    [("IdI", (1, 2.0), 3), ("[Ii] t", ((), "a", 1), 2), ("", (1,), 0), ("b", (), 1)],
+)
+def test_a_form_takes_as_many_values_as_it_has(form: str, values: tuple[object, ...], number: int) -> None:
+    with pytest.raises(BadBody, match=f"^{len(values)} values, and {number} in its form$"):
+        encode(form, values)
+
+
+@pytest.mark.parametrize(
+    ("key", "form"),
+    [
+        ((4, 4, 77), ""),  # a reply that is not known has no body
+        ((4, 6, 77), ""),
+        ((4, 1, 77), None),
+        ((4, 2, 77), None),
+        ((4, 3, 77), None),
+        ((4, 3, 255), "II"),
+        ((4, 2, 255), None),
+        ((4, 3, 6), ""),
+    ],
+)
+def test_the_form_of_what_is_not_known(key: tuple[int, int, int], form: str | None) -> None:
+    interface, type_, subtype = key
+
+    assert form_of(PlayerMessage(interface, 0, type_, subtype)) == form
+    assert values_of(PlayerMessage(interface, 0, type_, subtype)) == (() if form == "" else None)
+
+
+def test_a_text_ends_at_its_nul_and_what_is_no_text_is_replaced() -> None:
+    assert decode("t", bytes.fromhex("0000000400000004") + b"a\0bc") == ("a",)
+    assert decode("t", bytes.fromhex("0000000200000002") + b"\xff\0\0\0") == ("\ufffd",)
+    assert encode("t", ("\udc80",)) == bytes.fromhex("0000000200000002") + b"?\0\0\0"
 
 
 @pytest.mark.parametrize(
