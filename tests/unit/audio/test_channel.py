@@ -230,7 +230,21 @@ def test_a_runtime_folder_without_permission_has_no_sound_server(tmp_path: Path)
 
 def test_ssh_is_detected_in_the_environment(tmp_path: Path) -> None:
     assert DetectedEnvironment({"SSH_CONNECTION": "1.2.3.4 5 6.7.8.9 22"}, str(tmp_path)).over_ssh
+    assert DetectedEnvironment({"SSH_TTY": "/dev/pts/1"}, str(tmp_path)).over_ssh
     assert not DetectedEnvironment({}, str(tmp_path)).over_ssh
+    assert ssip_address({"SSH_TTY": "/dev/pts/1"}) is None
+
+
+def test_what_only_the_caller_knows_is_taken_from_it() -> None:
+    known = [
+        (each.is_linear, each.has_real_robot)
+        for each in (
+            DetectedEnvironment({}),
+            DetectedEnvironment({}, is_linear=False),
+            DetectedEnvironment({}, has_real_robot=True),
+        )
+    ]
+    assert known == [(True, False), (False, False), (True, True)]
 
 
 def test_nothing_is_detected_where_the_voice_is_off(monkeypatch: pytest.MonkeyPatch) -> None:

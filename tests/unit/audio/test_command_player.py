@@ -90,6 +90,26 @@ def test_a_silenced_command_is_killed(commands: Path) -> None:
     assert not ended.is_set()
 
 
+def test_the_voice_and_the_cues_are_silenced_each_alone(commands: Path) -> None:
+    provide(commands, "paplay", PLAY_THE_TRIAL_THEN_HANG)
+    player = found()
+    assert (player.name, player.frames, player.is_playing) == ("paplay", None, False)
+
+    def left(*, speech: bool, cues: bool) -> list[str]:
+        player.close()
+        player.speak(array("h", [1]), on_end=lambda: None)
+        player.cue("bump", array("h", [1, 1]), delay=0.0)
+        player.silence(speech, cues)
+        return [each.cue for each in player._sounds]
+
+    assert left(speech=False, cues=False) == ["", "bump"]
+    assert player.is_playing
+    assert left(speech=True, cues=False) == ["bump"]
+    assert left(speech=False, cues=True) == [""]
+    player.close()
+    assert not player.is_playing
+
+
 def test_of_three_cues_the_oldest_that_is_no_bump_ends(commands: Path) -> None:
     provide(commands, "paplay", PLAY_THE_TRIAL_THEN_HANG)
     player = found()
@@ -187,7 +207,9 @@ def test_each_sound_server_is_tried_and_then_the_commands(
     player = open_player(device)
 
     assert [each["backends"] for each in made] == [[each] for each in tried]
-    assert all((each["nchannels"], each["sample_rate"]) == (2, SAMPLE_RATE) for each in made)
+    for each in made:
+        assert (each["nchannels"], each["sample_rate"], each["buffersize_msec"]) == (2, 22_050, 30)
+        assert each["app_name"] == "Donnie"
     assert (None if player is None else player.name) == name
 
 
