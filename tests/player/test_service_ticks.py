@@ -240,7 +240,7 @@ def test_what_happens_to_a_robot_is_its_own_event(ticks: Ticks, monkeypatch: pyt
 
 
 @pytest.mark.parametrize(("host", "is_open"), [("127.0.0.1", False), ("0.0.0.0", True)])
-def test_the_notices_name_what_is_left_out_and_who_can_connect(
+def test_the_notices_name_what_is_left_out_and_an_open_port(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, host: str, is_open: bool
 ) -> None:
     names = [f"sonar:{number}" for number in range(11)]
