@@ -8,7 +8,7 @@ from unittest.mock import patch
 
 import pytest
 
-from sim.clock import MOST_EVENTS, Clock, Glide, LockGate, Seat, Turns, new_gate
+from sim.clock import MOST_EVENTS, Clock, Glide, Landing, LockGate, Seat, Turns, new_gate
 from sim.geometry import Placement
 from tests.timeouts import TIMEOUT
 from tests.unit.sim.floors import Unpaced
@@ -308,3 +308,190 @@ def test_only_so_many_robots_of_a_world_have_an_event_and_close_its_file() -> No
 def test_a_gate_is_a_lock_if_no_more_files_can_be_opened() -> None:
     with patch("os.eventfd", side_effect=OSError("too many open files"), create=True):
         assert isinstance(new_gate(0), LockGate)
+
+
+@pytest.mark.parametrize("leaves", ["alice", "bob"])
+def test_the_turn_passes_to_the_least_time_whichever_robot_leaves(leaves: str) -> None:
+    """The queue is a heap: without its first entry the rest is none."""
+    turns, seats = Turns(), {}
+    for rank, (name, time) in enumerate((("alice", 0.0), ("bob", 0.5), ("late", 10.0), ("early", 1.0))):
+        turns.present = time
+        seats[name] = Seat(turns, rank)
+        turns.admit(seats[name])
+
+    turns.dismiss(seats[leaves])
+    turns.dismiss(seats["bob" if leaves == "alice" else "alice"])
+
+    assert turns.holder is seats["early"]
+    assert (seats[leaves].takes_part, seats["early"].waits, seats["late"].waits) == (False, False, True)
+
+
+def test_a_robot_that_is_dismissed_while_it_waits_waits_no_longer() -> None:
+    turns = Turns()
+    alice, bob = Seat(turns, 0), Seat(turns, 1)
+    turns.expect([alice, bob])
+    done, asked = list[bool](), threading.Event()
+
+    def halted() -> bool:
+        asked.set()
+        return False
+
+    thread = threading.Thread(target=lambda: done.append(bob.take(0.0, halted)), daemon=True)
+    thread.start()
+    assert asked.wait(TIMEOUT)
+    turns.dismiss(bob)
+    thread.join(TIMEOUT)
+
+    assert done == [True]
+    assert turns.holder is alice
+
+
+def test_a_robot_hands_its_turn_over_and_gets_it_back() -> None:
+    turns = Turns()
+    alice, bob = Seat(turns, 0), Seat(turns, 1)
+    turns.expect([alice, bob])
+    turns.holder = alice
+    alice.time = 2.0
+
+    assert turns.hand_over() is bob
+    assert (turns.holder, alice.waits, turns.queue) == (bob, True, [(2.0, 0, alice)])
+    assert (bob.is_next(1.5), bob.is_next(2.5), bob.time) == (True, False, 2.5)
+
+
+def joined(pace: Unpaced, speed: float | None = None) -> Clock:
+    """A clock that was at 2 s when it joined a world at 5 s."""
+    clock = Clock(pace, None, Seat(Turns(), 1))
+    clock.spend(2.0, ())
+    clock.seat.turns.present = 5.0
+    clock.join()
+    clock.speed = speed
+    return clock
+
+
+def test_the_time_of_a_robot_and_of_its_world_pass_together() -> None:
+    clock = joined(Unpaced())
+    turns, other = clock.seat.turns, Seat(clock.seat.turns, 2)
+    assert (list(clock.in_the_world([2.0, 3.5])), clock.undisturbed()) == ([5.0, 6.5], inf)
+
+    assert clock.spend(1.0, ()) == 1.0
+    assert (clock.seconds, turns.present, turns.now()) == (3.0, 6.0, (6.0, 1))
+    assert clock.elapse(0.5)
+    assert (clock.seconds, turns.present) == (3.5, 6.5)
+    assert clock.elapse_until(4.0)
+    assert (clock.seconds, turns.present) == (4.0, 7.0)
+    turns.present = 9.0
+    turns.admit(other)
+    assert clock.undisturbed() == 2.0
+    clock.reset()
+    assert (clock.seconds, clock.undisturbed(), list(clock.in_the_world([1.0]))) == (0.0, 2.0, [8.0])
+    clock.cut(0.5)
+    assert (clock.seconds, clock.seat.time) == (0.5, 7.5)
+
+
+def test_a_robot_that_takes_part_sleeps_in_slices_until_its_time() -> None:
+    """At twice the speed a slice of 1/20 s is 0.1 s of the world."""
+    pace = Unpaced()
+    clock = joined(pace, 2.0)
+
+    assert clock.elapse(0.25)
+
+    assert [each for each in pace.slept if each] == pytest.approx([0.05, 0.05, 0.025])
+    assert clock.seat.turns.present == 5.25
+
+
+def test_a_stop_leaves_a_robot_at_the_time_of_its_world() -> None:
+    """At 20 times the speed a slice is a second; two of three pass."""
+    clock = joined(Unpaced(stop_after=0.1), 20.0)
+
+    assert not clock.elapse(3.0)
+
+    assert (clock.seconds, clock.seat.turns.present, clock.was_halted()) == (4.0, 7.0, True)
+    assert not clock.is_active()
+    assert not clock.elapse(1.0)
+    assert clock.seconds == 4.0
+
+
+def test_a_halt_while_it_sleeps_ends_what_elapses() -> None:
+    """It is asked for no time first, then for slices of a second of the world; it halts in the third one."""
+
+    class Halting(Unpaced):
+        def sleep(self, seconds: float) -> bool:
+            if len(self.slept) == 3:
+                clock.halt()
+            return super().sleep(seconds)
+
+    clock = joined(Halting(), 20.0)
+
+    assert not clock.elapse(9.0)
+
+    assert (clock.seconds, clock.was_halted()) == (4.0, True)
+
+
+@pytest.mark.parametrize(
+    ("stop_after", "count", "landing", "seconds", "ticks"),
+    [
+        (inf, None, Landing.WHOLE, 5.0, None),
+        (inf, 2, Landing.CUT, 5.0, 2),
+        (0.1, None, Landing.HALTED, 4.0, 2),
+        (0.05, None, Landing.HALTED, 3.0, 1),
+        (0.0, None, Landing.HALTED, 2.0, 0),
+    ],
+)
+def test_a_robot_follows_a_glide_to_its_end_or_to_a_stop(
+    stop_after: float, count: int | None, landing: Landing, seconds: float, ticks: int | None
+) -> None:
+    """Three ticks of a second, each a slice of real time at 20 times the speed, from 2 s on."""
+    clock = joined(Unpaced(stop_after), 20.0)
+    it = Glide(
+        *(7, clock, lambda: [3.0, 4.0, 5.0], lambda count: Placement(count / 3)),
+        *((0.0, 0.0, 1.0, 0.0), 0.25),
+    )
+    it.count = count
+
+    assert clock.follow(it, 5.0) is landing
+
+    assert (clock.seconds, it.count, clock.seat.turns.glides) == (seconds, ticks, {})
+
+
+def test_a_glide_has_the_times_of_the_world() -> None:
+    clock = joined(Unpaced())
+    it = Glide(
+        *(7, clock, lambda: [3.0, 4.0, 5.0], lambda count: Placement(count / 3)),
+        *((0.0, 0.0, 3.0, 4.0), 0.25),
+    )
+
+    assert [it.ticks((time, 0)) for time in (4.0, 5.0, 6.5, 7.5, 8.5)] == [0, 0, 1, 2, 3]
+    assert it.cut((6.5, 0)) == 4.0
+    assert (it.x, it.y, it.half) == (1.5, 2.0, 2.5)
+
+
+def test_a_robot_that_is_refused_a_rest_neither_waits_for_its_turn_nor_spends_on() -> None:
+    """Another one has an earlier time; the pace answers with a stop at once."""
+    turns = Turns()
+    alice, bob = Clock(Unpaced(stop_after=-1), None, Seat(turns, 0)), Seat(turns, 1)
+    turns.expect([alice.seat, bob])
+    marks = list[str]()
+
+    spent = alice.spend(2.0, [(1.0, lambda: marks.append("a")), (1.5, lambda: marks.append("b"))])
+
+    assert (spent, alice.seconds, turns.present, marks) == (1.0, 1.0, 1.0, [])
+    assert alice.was_halted()
+    assert not alice.begin()
+    assert alice.was_halted()
+    assert not alice.elapse(1.0)
+
+
+def test_another_robot_that_acts_first_ends_a_slice() -> None:
+    """It may act at 0.15 s; the slices of the first one end at 0.1 and 0.2."""
+    turns, passed = Turns(), list[float]()
+    alice, bob = Clock(Unpaced(), 2.0, Seat(turns, 0)), Seat(turns, 1)
+    alice.join()
+    turns.present = 0.15
+    turns.admit(bob)
+    turns.present = 0.0
+
+    assert alice.spend(1.0, [], passed.append) == pytest.approx(0.2)
+
+    assert passed == pytest.approx([0.1, 0.2])
+    assert turns.present == alice.seconds == pytest.approx(0.2)
+    assert not alice.was_halted()
