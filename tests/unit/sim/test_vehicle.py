@@ -1,0 +1,271 @@
+"""Speeds, ramps and odometry of a robot, worked out by hand. One step is 0.05 m."""
+
+from collections.abc import Sequence
+from math import degrees, hypot, inf, radians, sqrt
+from random import Random
+
+import pytest
+
+from devices.ports.robot import RobotProblem
+from sim.geometry import Spot
+from sim.scene import Drive, Limits, Localization, OdometryError, Wheels
+from sim.vehicle import Odometry, Rate, Rates, moving, odometry_of, rates_of, turning
+from sim.world import World
+from tests.unit.sim.floors import Unpaced, scene
+
+# --- one speed
+
+
+def test_at_one_speed_ways_and_times_are_proportional() -> None:
+    course = Rate(0.5).over(9)
+
+    assert course.seconds(3.0, 2.0) == 4.0
+    assert course.further(3.0, 2.0) == 1.0
+    assert course.times(5.0, [0.0, 1.0, 2.0]) == [5.0, 7.0, 9.0]
+    assert course is Rate(0.5).over(3)
+
+
+@pytest.mark.parametrize(
+    ("rate", "ticks"), [(1.0, 20), (0.5, 40), (0.75, 27), (19.0, 2), (20.0, 1), (20.1, 1), (500.0, 1)]
+)
+def test_a_step_is_divided_into_ticks_of_a_twentieth_of_a_second_at_most(rate: float, ticks: int) -> None:
+    course = Rate(rate).over(9)
+
+    assert course.stops(0, 1) == pytest.approx([(i + 1) / ticks for i in range(ticks)])
+    assert len(course.stops(0, 2)) == 2 * ticks
+    assert course.stops(2, 2) == ()
+    assert course.stops(1, 2)[-1] == 2.0
+    assert course.stops(0, 1) is course.stops(0, 1)
+
+
+def test_a_tick_that_began_late_ends_with_the_others() -> None:
+    course = Rate(1.0).over(9)
+
+    assert [course.next_stop(done) for done in (0.0, 0.05, 0.06, 0.999, 1.0)] == pytest.approx(
+        [0.05, 0.1, 0.1, 1.0, 1.05]
+    )
+    assert course.next_stop(0.3 - 1e-9) == 0.35  # a rounding error
+    assert course.stops(0.93, 1.02) == pytest.approx((0.95, 1.0, 1.02))
+
+
+# --- ramps
+
+SLOW = Rate(1.0, 0.5, 0.25)
+"""At its top speed after 2 s and 1 step; it stands 4 s and 2 steps after that."""
+
+
+@pytest.mark.parametrize(
+    ("way", "seconds"),
+    [(0.0, 0.0), (0.25, 1.0), (1.0, 2.0), (4.0, 5.0), (8.0, 9.0), (9.5, 11.0), (10.0, 13.0)],
+)
+def test_a_ramp_rises_stays_level_and_falls(way: float, seconds: float) -> None:
+    course = SLOW.over(10)
+
+    assert course.seconds(0.0, way) == pytest.approx(seconds)
+    assert course.further(0.0, seconds) == pytest.approx(way)
+    for other_way, at in ((0.25, 1.0), (8.0, 9.0)):
+        assert course.seconds(other_way, way - other_way) == pytest.approx(seconds - at)
+        assert course.further(other_way, seconds - at) == pytest.approx(way - other_way)
+    assert course.times(7.0, [way, way]) == pytest.approx([7 + seconds] * 2)
+
+
+def test_a_ramp_ends_where_it_was_asked_to() -> None:
+    course = SLOW.over(10)
+
+    assert (course.further(0.0, 99.0), course.further(9.0, 99.0)) == (10.0, 1.0)
+    assert course.seconds(0.0, 10.5) == 13.0
+
+
+@pytest.mark.parametrize("asked", [0.25, 1.0, 3.0])
+def test_a_short_ramp_has_no_level_part(asked: float) -> None:
+    """Twice as much time to slow down as to get faster, and twice the way: the top is below 1."""
+    course, seconds = SLOW.over(asked), sqrt(2 * asked * (1 / 0.5 + 1 / 0.25))
+
+    assert course.seconds(0.0, asked) == pytest.approx(seconds)
+    assert course.seconds(0.0, asked / 3) == pytest.approx(seconds / 3)
+    assert course.further(0.0, seconds / 3) == pytest.approx(asked / 3)
+    assert course.further(0.0, seconds * 2 / 3) == pytest.approx(asked - 0.25 * (seconds / 3) ** 2 / 2)
+    assert course.seconds(0.0, asked - 0.25 * (seconds / 3) ** 2 / 2) == pytest.approx(seconds * 2 / 3)
+
+
+@pytest.mark.parametrize(
+    ("rate", "seconds"),
+    [(Rate(1.0, 0.5, inf), 2 + 9), (Rate(1.0, inf, 0.25), 8 + 4), (Rate(2.0, 2.0, 2.0), 6)],
+)
+def test_one_side_of_a_ramp_may_be_missing(rate: Rate, seconds: float) -> None:
+    assert rate.over(10).seconds(0.0, 10.0) == pytest.approx(seconds)
+    assert rate.over(10).further(0.0, seconds) == pytest.approx(10)
+    assert rate.over(10) is not rate.over(10)
+
+
+def test_a_ramp_of_nothing_takes_no_time() -> None:
+    course = SLOW.over(0)
+
+    assert (course.seconds(0.0, 0.0), course.further(0.0, 3.0), course.stops(0.0, 0.0)) == (0.0, 0.0, ())
+
+
+@pytest.mark.parametrize(
+    ("rate", "done", "stop"),
+    [
+        (SLOW, 0.0, 0.5 * 0.05**2 / 2),
+        (SLOW, 1.0, 1.05),
+        (SLOW, 4.99, 5.0),
+        (SLOW, 5.0 - 1e-7, 5.05),
+        (Rate(1.0, 1000.0, 1000.0), 0.949995, 1.0),  # no tick is shorter than 1e-5 steps
+        (Rate(1.0, 1000.0, 1000.0), 0.94998, 0.99998),
+        (Rate(1.0, 0.001, 0.001), 0.0, 1e-5),
+    ],
+)
+def test_a_tick_of_a_ramp_ends_at_a_whole_step(rate: Rate, done: float, stop: float) -> None:
+    course = rate.over(10)
+
+    assert course.next_stop(done) == pytest.approx(stop, abs=2e-7)
+    assert course.stops(done, 9.0)[0] == course.next_stop(done)
+
+
+def test_the_ticks_of_a_ramp_are_a_twentieth_of_a_second_apart() -> None:
+    course = SLOW.over(10)
+    stops = course.stops(0.0, 1.0)
+
+    assert len(stops) == 40
+    assert course.times(0.0, stops) == pytest.approx([(i + 1) / 20 for i in range(40)])
+    assert stops[-1] == 1.0
+
+
+# --- the rates of wheels
+
+
+def limits(x: tuple[float, float], yaw: tuple[float, float]) -> Limits:
+    return Limits(x, (0.0, 0.0), yaw)
+
+
+@pytest.mark.parametrize(
+    ("wheels", "rates"),
+    [
+        (None, ((1, inf, inf), (1, inf, inf), (45, inf, inf), (45, inf, inf), None)),
+        (Wheels(), ((1, inf, inf), (1, inf, inf), (45, inf, inf), (45, inf, inf), None)),
+        (
+            Wheels(velocity_bounds=limits((-0.01, 0.025), (-15, 30))),
+            ((0.5, inf, inf), (0.2, inf, inf), (15, inf, inf), (30, inf, inf), None),
+        ),
+        (
+            Wheels(acceleration_bounds=limits((-0.0125, 0.1), (-9, 18))),
+            ((1, 2, 0.25), (1, 0.25, 2), (45, 9, 18), (45, 18, 9), None),
+        ),
+        (
+            Wheels(velocity_bounds=limits((-0.01, 0), (0, 30)), drive=Drive.OMNI),
+            ((0, inf, inf), (0.2, inf, inf), (0, inf, inf), (30, inf, inf), None),
+        ),
+        (
+            Wheels(acceleration_bounds=limits((-1, 0), (0, 9))),
+            ((0, inf, inf), (0, inf, inf), (0, inf, inf), (0, inf, inf), None),
+        ),
+        (
+            Wheels(drive=Drive.CAR, wheelbase=0.5),
+            ((1, inf, inf), (1, inf, inf), (degrees(0.1), inf, inf), (degrees(0.1), inf, inf), 0.5),
+        ),
+        (
+            Wheels(drive=Drive.CAR, wheelbase=0.01),  # no circle is smaller than a step
+            ((1, inf, inf), (1, inf, inf), (45, inf, inf), (45, inf, inf), 0.05),
+        ),
+        (
+            Wheels(
+                drive=Drive.CAR,
+                wheelbase=0.5,
+                velocity_bounds=limits((-1, 1), (-3, 90)),
+                acceleration_bounds=limits((-0.05, 0.1), (-4, 900)),
+            ),
+            (
+                *((1, 2, 1), (1, 1, 2), (3, 4, degrees(0.1))),
+                (degrees(0.1), 2 * degrees(0.1), 4),
+                0.5,
+            ),
+        ),
+    ],
+)
+def test_wheels_have_a_rate_to_each_side(wheels: Wheels | None, rates: Sequence[object]) -> None:
+    """Velocities that are limited more than the usual ones, and what limits getting faster and slower."""
+    found = rates_of(wheels)
+
+    sides = (found.forward, found.backward, found.right, found.left)
+    assert [(each.top, each.up, each.down) for each in sides] == [pytest.approx(each) for each in rates[:4]]
+    assert found.bend == rates[4]
+    assert (found == Rates()) is (wheels in (None, Wheels()))
+
+
+def test_a_rate_of_nothing_is_refused() -> None:
+    assert (moving(SLOW), turning(SLOW)) == (SLOW, SLOW)
+    with pytest.raises(RobotProblem, match="cannot-drive"):
+        moving(Rate(0.0))
+    with pytest.raises(RobotProblem, match="cannot-turn"):
+        turning(Rate(0.0))
+
+
+# --- odometry
+
+
+def test_odometry_errs_by_a_part_of_what_is_driven_and_turned() -> None:
+    believed = Odometry(along=0.1, turn=-0.2)
+
+    assert believed.ahead(Spot(1, 2, 90), 2.0, 0.0) == Spot(1, pytest.approx(4.2), 90)  # type: ignore[arg-type]
+    assert believed.ahead(Spot(1, 2, 90), 2.0, 180.0) == Spot(1, pytest.approx(-0.2), 90)  # type: ignore[arg-type]
+    assert believed.turned(Spot(1, 2, 90), 50.0) == Spot(1, 2, 130)
+    assert believed.turned(Spot(1, 2, 350), 50.0) == Spot(1, 2, 30)
+    assert believed.turned(Spot(1, 2, 30), -50.0) == Spot(1, 2, 350)
+    exact = [Odometry().is_exact, Odometry(along=0.1).is_exact, Odometry(turn=0.1).is_exact]
+    assert exact == [True, False, False]
+
+
+class Drawing(Random):
+    """Draws 0.9, and then 0.25."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._left = [0.25, 0.9]
+
+    def random(self) -> float:
+        return self._left.pop()
+
+
+def test_errors_are_drawn_between_half_of_what_the_world_says_to_both_sides() -> None:
+    odom = Wheels(localization=Localization.ODOM, odom_error=OdometryError(0.1, 9.0, 0.2))
+
+    drawn = odometry_of(odom, Drawing())
+
+    assert (drawn.along, drawn.turn) == (pytest.approx(0.04), pytest.approx(-0.05))
+    for wheels, chance in ((odom, None), (None, Drawing()), (Wheels(), Drawing())):
+        assert odometry_of(wheels, chance) == Odometry()
+
+
+# --- in its world
+
+
+@pytest.mark.parametrize(
+    ("bounds", "fastest"),
+    [
+        ("", 0.05 + radians(45) * hypot(0.1, 0.05)),
+        ("velocity_bounds [ -0.01 0.03 0 0 0 0 -15 30 ]", 0.03 + radians(30) * hypot(0.1, 0.05)),
+        ("velocity_bounds [ -0.03 0.01 0 0 0 0 -30 15 ]", 0.03 + radians(30) * hypot(0.1, 0.05)),
+    ],
+)
+def test_no_point_of_a_robot_is_faster_than_it_drives_and_its_corners_turn(
+    bounds: str, fastest: float
+) -> None:
+    world = World(scene(f"position( size [ 0.2 0.1 0.1 ] {bounds} )"))
+    world.robot(pace=Unpaced()).get_ready()
+
+    assert world.ground.fastest == pytest.approx(fastest)
+
+
+@pytest.mark.parametrize(("x", "is_alone"), [(0.335, True), (0.33, False), (-0.335, True), (-0.33, False)])
+def test_a_robot_is_alone_if_nothing_that_may_move_can_stop_it(x: float, is_alone: bool) -> None:
+    """Its body reaches 0.1118 m, and it looks 3 steps farther; the thing 0.0707 m, or a bit more."""
+    box = f"model( size [ 0.1 0.1 1 ] pose [ {x} 0 0 0 ] %s )"
+    text = "position( size [ 0.2 0.1 0.1 ] )\n"
+    movable, still = (World(scene(text + box % more)) for more in ("pushable 1", ""))
+    x = abs(x)
+    reach = hypot(0.1, 0.05) + 0.15 + hypot(0.05, 0.05)
+    assert (x > reach) is is_alone
+
+    assert movable.robot(pace=Unpaced()).get_ready().is_alone() is is_alone
+    assert still.robot(pace=Unpaced()).get_ready().is_alone()
