@@ -191,6 +191,9 @@ def test_a_wedge_sees_of_a_triangle_what_lies_between_its_sides(half_angle: floa
         ((0.5, 0.75, 0.5, 0.75), 45, None),
         ((-0.5, 0.5, 0.25, -0.25), 90, (0, 0)),
         ((2, -0.5, 0.5, 0.25), 90, (0.5, 0.25)),
+        ((-3, -1, 1, 1), 0, None),  # a ray, which the edge crosses behind it
+        ((-2, -1, -2, 1), 0, None),
+        ((2, -1, 2, 1), 0, (2, 0)),
     ],
 )
 def test_an_edge_on_the_border_of_a_wedge_is_seen(
@@ -477,6 +480,8 @@ def test_a_point_turns_until_it_meets_an_edge(
         ([(1, 0, 1, 0)], [(0.5, -0.5, 2, -2)], 1, 315),
         ([(0, 0, 0, 0)], [(1, 0, 2, 0)], 1, inf),
         ([(2, 0, 2, 0)], [(2, 0, 2, 5)], -1, 0),  # it touches already
+        ([(2, 0, 2, 0)], [(1, -2e-12, 5, -1e-11)], 1, 0),  # but for a rounding error
+        ([(2, 0, 2, 0)], [(1, -2e-7, 5, -1e-6)], 1, 360 - degrees(2e-7)),
     ],
 )
 def test_a_turn_ends_at_the_first_corner_of_either(

@@ -398,3 +398,51 @@ def test_surroundings_are_all_but_the_robot_and_what_it_stands_in() -> None:
     assert around.has_company
     assert not Surroundings(Ground(scene(WATCHFUL + wall(1))), 0).has_company
     assert not around.has_room(0, 0, 0.05, 0), "it stands in something"
+
+
+@pytest.mark.parametrize("turned", [0, 90, 180, 270])
+def test_the_room_around_a_robot_is_known_until_it_leaves_it(turned: int) -> None:
+    """The wall is 1 m away, in the direction that counts as x; 0.1015 m before it the guard begins.
+
+    From -0.2, 0.1 a circle of 1.0985 m is free.
+    """
+    around = Surroundings(Ground(scene(BLIND + wall(1, turned))), 0)
+    around.keep(0.1)
+    c, s = direction(turned)
+
+    def at(x: float, y: float) -> tuple[float, float]:
+        return c * x - s * y, s * x + c * y
+
+    def has_room(start: tuple[float, float], end: tuple[float, float], straight: bool = False) -> bool:
+        return around.has_room(*at(*start), *at(*end), straight)
+
+    def walls_near(x: float, y: float, reach: float) -> int:
+        return len(around.near(*at(x, y), reach))
+
+    assert walls_near(0.95, 0.1, 0.1) == 1
+    middle = (-0.2, 0.1)
+    assert has_room(middle, (0.89, 0.1))
+    assert not has_room(middle, (0.9, 0.1), straight=True)
+    assert not has_room(middle, (-0.2, 1.21))
+    assert has_room(middle, (-0.2, 1.21), straight=True)
+    assert has_room((0.3, 0.4), (0.6, 0.6))  # from another place in the circle
+    assert not has_room((0.3, 0.4), (0.85, 0.6))
+    assert has_room((0.3, 0.4), (0.85, 0.6), straight=True)
+    assert [walls_near(x, 0.1, 0.1) for x in (0.89, 0.92, 0.95)] == [0, 1, 1]
+    assert walls_near(0.5, 0.1, 0.6) == 1  # beyond the guard
+    assert has_room((-2, -2), (-2, -1))
+    assert not has_room((0.8, -2), (0.95, -2))
+    around.keep(0.5)
+    assert not has_room(middle, (0.6, 0.1))
+    assert has_room(middle, (0.45, 0.1))
+
+
+def test_a_robot_has_no_room_where_something_may_have_come() -> None:
+    around = Surroundings(Ground(scene(BLIND + box(0.5, -0.1, 0.7, 0.1, PUSHABLE))), 0)
+    around.keep(0.1)
+
+    assert [around.has_room(0, 0, x, 0) for x in (0.2, 0.5)] == [True, False]
+    around.ground.put(2, Placement(0.6, 3))
+    assert around.has_room(0, 0, 0.5, 0)
+    around.ground.put(2, Placement(0.25, 0.15))
+    assert not around.has_room(0, 0, 0.5, 0)

@@ -1,0 +1,205 @@
+"""When movements report what, and where they end. A step takes a second, and 45 degrees do."""
+
+from math import cos, degrees, radians, sin
+
+import pytest
+
+from devices.ports.robot import Motion, StoppedBy
+from sim.robot import SimulatedRobot
+from sim.world import World
+from tests.unit.sim.floors import BOX_ROBOT, Diary, Unpaced, scene
+
+BLIND = BOX_ROBOT + "blind( pose [ 0 0 0 0 ] )\n"
+"""0.2 m long, 0.1 m wide, looks to the east."""
+
+
+def watched(
+    text: str, speed: float | None = None, stop_after: float = float("inf")
+) -> tuple[SimulatedRobot, Diary]:
+    diary = Diary()
+    it = World(scene(text)).robot(pace=Unpaced(stop_after), watcher=diary, speed=speed)
+    diary.robot = it
+    return it, diary
+
+
+@pytest.mark.parametrize(
+    ("steps", "reports"),
+    [
+        (999, [*range(1, 1000)]),
+        (1000, [*range(1, 1001)]),
+        (1001, [*range(2, 1001, 2), 1001]),
+        (2000, [*range(2, 2001, 2)]),
+        (2001, [*range(3, 2002, 3)]),
+        (2002, [*range(3, 2002, 3), 2002]),
+    ],
+)
+def test_a_long_walk_reports_every_so_many_steps_and_its_last_one(steps: int, reports: list[int]) -> None:
+    it, diary = watched(BLIND)
+
+    it.forward(steps)
+
+    assert [round(pose.x, 6) for _, pose, _ in diary.progress] == reports
+    assert [seconds for *_, seconds in diary.progress] == pytest.approx(reports)
+
+
+@pytest.mark.parametrize(
+    ("angle", "reports"),
+    [
+        (9, [9]),
+        (10, [10]),
+        (11, [10, 11]),
+        (10_000, [*range(10, 10_001, 10)]),
+        (10_001, [*range(20, 10_001, 20), 10_001]),
+        (10_020, [*range(20, 10_021, 20)]),
+    ],
+)
+def test_a_long_turn_reports_every_so_many_degrees_and_its_last_one(angle: int, reports: list[int]) -> None:
+    it, diary = watched(BLIND)
+
+    it.turn(-angle)
+
+    assert [pose.heading for _, pose, _ in diary.progress] == [(90 - each) % 360 for each in reports]
+    assert [seconds for *_, seconds in diary.progress] == pytest.approx([each / 45 for each in reports])
+    assert {motion for motion, *_ in diary.progress} == {Motion.LEFT}
+
+
+def test_the_times_of_reports_go_on_after_other_commands() -> None:
+    it, diary = watched(BLIND)
+    it.wait(0.5)
+    it.turn(45)
+    it.turn(-45)
+    diary.progress.clear()
+
+    it.forward(2)
+    it.backward(1)
+    it.turn(10)
+
+    assert [seconds for *_, seconds in diary.progress] == pytest.approx([3.5, 4.5, 5.5, 5.5 + 10 / 45])
+
+
+@pytest.mark.parametrize("speed", [None, 4.0])
+def test_what_ends_at_a_wall_reports_its_whole_steps_and_degrees(speed: float | None) -> None:
+    """The front comes to the wall after 7 steps and 0.999; a corner to the other one after 36.87 degrees."""
+    ahead = "model( size [ 0.2 4 1 ] pose [ 0.6 0 0 0 ] )\n"
+    aside = "model( size [ 4 0.2 1 ] pose [ 0 0.2 0 0 ] )\n"
+    it, diary = watched(BLIND + ahead, speed)
+    at_side, other = watched(BLIND + aside, speed)
+
+    walked, turned = it.forward(9), at_side.turn(-90)
+
+    assert (walked.walked, walked.stopped_by, turned.turned, turned.stopped_by) == (
+        *(7, StoppedBy.COLLISION),
+        *(-36, StoppedBy.COLLISION),
+    )
+    assert walked.pose.x == pytest.approx(7.998)
+    assert it.time() == pytest.approx(7.998)
+    assert [seconds for *_, seconds in diary.progress] == pytest.approx([1, 2, 3, 4, 5, 6, 7])
+    assert [round(pose.x, 6) for _, pose, _ in diary.progress] == [1, 2, 3, 4, 5, 6, 7]
+    assert [pose.heading for _, pose, _ in other.progress] == [80, 70, 60, 54]
+    assert at_side.time() == pytest.approx(36 / 45)
+
+
+def test_what_a_stop_ends_is_not_reported_and_the_next_command_begins_there() -> None:
+    it, diary = watched(BLIND, 1.0, stop_after=2.5)
+
+    walked = it.forward(9)
+
+    assert (walked.walked, walked.pose.x) == (2, pytest.approx(2.5))
+    assert len(diary.progress) == 2
+    it.speed = None
+    assert it.forward(0).stopped_by is None
+    assert it.pose().x == pytest.approx(2.5)
+
+
+@pytest.mark.parametrize("speed", [1.0, 2.0])
+def test_poses_on_the_way_are_a_slice_of_real_time_apart(speed: float) -> None:
+    """They begin anew at each report: of a turn after 10 degrees."""
+    it, diary = watched(BLIND, speed)
+
+    it.forward(2)
+    walked = [pose.x for pose in diary.passed]
+    diary.passed.clear()
+    it.turn(-90)
+    turned = [(90 - pose.heading) % 360 for pose in diary.passed]
+
+    slices = int(2 / 0.05 / speed)
+    assert walked == pytest.approx([0.05 * speed * (i + 1) for i in range(slices)])
+    parts = [2.25 * speed * (i + 1) for i in range(4) if 2.25 * speed * (i + 1) < 10]
+    assert turned == pytest.approx([ten * 10 + part for ten in range(9) for part in parts])
+
+
+# --- pushing
+
+CRATE = "model( size [ 0.1 0.1 0.2 ] pose [ 0.3 0 0 0 ] pushable 1 )\n"
+"""Its side is at 0.25 m, 3 steps ahead."""
+
+
+@pytest.mark.parametrize("speed", [None, 4.0])
+@pytest.mark.parametrize(("x", "walked", "end"), [(9, 10, 10), (0.75, 8, 8.996)])
+def test_a_walk_that_pushes_takes_as_long_as_any_other(
+    speed: float | None, x: float, walked: int, end: float
+) -> None:
+    """With a wall at 0.65 m the crate ends before it, and the robot before the crate: a skin each."""
+    it, diary = watched(f"{BLIND}{CRATE}model( size [ 0.2 4 1 ] pose [ {x} 0 0 0 ] )", speed)
+
+    moved = it.forward(10)
+
+    assert (moved.walked, moved.stopped_by) == (walked, None if x == 9 else StoppedBy.COLLISION)
+    assert moved.pose.x == pytest.approx(end, abs=0.005)
+    assert it.time() == pytest.approx(moved.pose.x)
+    assert [seconds for *_, seconds in diary.progress][:walked] == pytest.approx([*range(1, walked + 1)])
+    assert [round(pose.x, 6) for _, pose, _ in diary.progress][:walked] == [*range(1, walked + 1)]
+    assert moved.pushed[0].steps == pytest.approx(moved.pose.x - 3, abs=0.005)
+
+
+def test_a_crate_that_was_pushed_is_pushed_on_by_the_next_walk() -> None:
+    it, _ = watched(BLIND + CRATE)
+
+    pushed = [it.forward(steps).pushed for steps in (2, 2, 2)]
+
+    assert pushed[0] == ()
+    assert [each[0].steps for each in pushed[1:]] == pytest.approx([1, 2], abs=0.005)
+
+
+# --- cars
+
+
+@pytest.mark.parametrize(("wheelbase", "speed"), [(0.5, None), (8.0, None), (0.5, 50.0)])
+@pytest.mark.parametrize("angle", [25, -25])
+def test_a_car_drives_on_its_circle_in_straight_pieces(
+    wheelbase: float, speed: float | None, angle: int
+) -> None:
+    """Their ends lie on the circle, so that the last one does."""
+    text = f'position( size [ 0.2 0.1 0.1 ] drive "car" wheelbase {wheelbase} )'
+    it, diary = watched(text, speed)
+
+    turned = it.turn(angle)
+
+    ahead, aside = wheelbase * sin(radians(25)) / 0.05, wheelbase * (1 - cos(radians(25))) / 0.05
+    sign = 1 if angle > 0 else -1
+    assert (turned.turned, turned.pose.heading) == (angle, 90 + angle)
+    assert (turned.pose.x, turned.pose.y) == pytest.approx((ahead, -sign * aside))
+    assert [pose.heading for _, pose, _ in diary.progress] == [90 + sign * each for each in (10, 20, 25)]
+    rate = min(45, degrees(0.05 / wheelbase))
+    assert [seconds for *_, seconds in diary.progress] == pytest.approx([10 / rate, 20 / rate, 25 / rate])
+    assert it.time() == pytest.approx(25 / rate)
+
+
+def test_a_car_pushes_on_its_circle() -> None:
+    crate = "model( size [ 0.1 0.1 0.2 ] pose [ 0.2 0 0 0 ] pushable 1 )"
+    it, _ = watched(f'position( size [ 0.2 0.1 0.1 ] drive "car" wheelbase 2 ){crate}')
+
+    turned = it.turn(-10)
+
+    assert (turned.turned, turned.stopped_by) == (-10, None)
+    assert turned.pushed[0].steps == pytest.approx(2 * radians(10) / 0.05 - 1, abs=0.1)
+
+
+def test_a_stop_ends_a_turn_of_a_car_between_two_degrees() -> None:
+    """A piece of a third of a degree takes 0.931 s: at 50 times the speed a slice is 2.5 s."""
+    it, diary = watched('position( size [ 0.2 0.1 0.1 ] drive "car" wheelbase 8 )', 50.0, stop_after=0.7)
+
+    turned = it.turn(90)
+
+    assert (turned.turned, turned.stopped_by) == (12, StoppedBy.USER)
+    assert [pose.heading for _, pose, _ in diary.progress] == [100]
