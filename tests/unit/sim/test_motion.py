@@ -94,6 +94,7 @@ def test_a_careful_walk_asks_every_hundred_steps_whether_to_go_on(steps: int, ca
 
     assert it.walk(HERE, Bearing.FRONT, steps, going, careful=True).steps == steps
     assert len(asked) == calls
+    assert it.walk(HERE, Bearing.FRONT, steps, careful=True).steps == steps
     stopped = it.walk(HERE, Bearing.FRONT, 100, lambda: False, careful=True)
     assert stopped == WalkOutcome(0.0, 0, StoppedBy.USER)
 
@@ -249,15 +250,18 @@ def test_a_round_robot_turns_beside_what_stays_and_not_into_what_may_have_come()
 def test_a_held_thing_turns_and_walks_along_until_it_is_released() -> None:
     """It reaches 0.3 m ahead; the wall is 0.2 m to the left, the other one 0.4 m ahead."""
     it = mover(BLIND + wall(0.2, 90) + wall(0.4))
-    ends = []
-    for outlines in ((), (((0.1, -0.01), (0.3, -0.01), (0.3, 0.01), (0.1, 0.01)),), ()):
+    ends, touching = [], (((0.1, 0.1), (0.15, 0.1), (0.15, 0.1999), (0.1, 0.1999)),)
+    for outlines in ((), (((0.1, -0.01), (0.3, -0.01), (0.3, 0.01), (0.1, 0.01)),), (), touching, ()):
         it.hold(outlines)
-        ends.append((it.turn(HERE, 90), it.walk(HERE, Bearing.FRONT, 9).metres, it.body.radius))
+        if outlines is touching:
+            assert it.turn(HERE, 90) == 0
+        else:
+            ends.append((it.turn(HERE, 90), it.walk(HERE, Bearing.FRONT, 9).metres, it.body.radius))
 
     free = (90, pytest.approx(0.3 - SKIN), pytest.approx(RADIUS))
     far = hypot(0.3, 0.01)
     held = int(degrees(asin(0.2 / far) - atan2(0.01, 0.3)) - 0.02)
-    assert ends == [free, (held, pytest.approx(0.1 - SKIN), pytest.approx(far)), free]
+    assert ends == [free, (held, pytest.approx(0.1 - SKIN), pytest.approx(far)), free, free]
 
 
 # --- what is known to be free
