@@ -450,3 +450,24 @@ def test_a_robot_has_no_room_where_something_may_have_come() -> None:
     assert around.has_room(0, 0, 0.5, 0)
     around.ground.put(2, Placement(0.25, 0.15))
     assert not around.has_room(0, 0, 0.5, 0)
+
+
+@pytest.mark.parametrize("yaw", [0, 90, 180, 270])
+@pytest.mark.parametrize("bearing", [Bearing.FRONT, Bearing.BACK])
+def test_a_robot_goes_exactly_straight_between_posts(yaw: int, bearing: Bearing) -> None:
+    """They are 0.3 mm beside its way: half a degree over a step is more."""
+    c, s = direction(yaw)
+    way = 1 if bearing is Bearing.FRONT else -1
+    posts = [(way * (0.13 + 0.2 * i), side * 0.0503) for i in range(3) for side in (1, -1)]
+    text = "".join(
+        f"model( size [ 0.02 0.02 1 ] pose [ {c * x - s * y:.9f} {s * x + c * y:.9f} 0 {yaw} ] )\n"
+        for x, y in ((x, y + (0.01 if y > 0 else -0.01)) for x, y in posts)
+    )
+    it, spot = mover(BLIND + text), Spot(0, 0, yaw)
+
+    for careful in (False, True):
+        assert it.walk(spot, bearing, 12, careful=careful).steps == 12
+    assert it.has_free_step(spot, bearing)
+    assert it.has_free_rest(spot, yaw + (0 if way > 0 else 180), STEP)
+    far = spot.ahead(3 * STEP, yaw + (0 if way > 0 else 180))
+    assert it.has_free_step(far, bearing)
