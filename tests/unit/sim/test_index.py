@@ -1,6 +1,6 @@
 """What the grid finds near a place is what a look at everything finds."""
 
-from math import dist, hypot, inf
+from math import atan2, cos, degrees, dist, hypot, inf, radians, sin
 from random import Random
 
 import pytest
@@ -19,7 +19,7 @@ from sim.geometry import (
     seen_from,
 )
 from sim.ground import Ground
-from sim.index import VIEWED_FROM, StillParts, Views
+from sim.index import NO_ROOT, VIEWED_FROM, MovingRoots, StillParts, Views, entries_of, is_whole
 from sim.motion import Surroundings
 from sim.parts import Part
 from sim.rangers import Cone
@@ -202,3 +202,163 @@ def test_a_circle_around_a_part_holds_all_of_it_wherever_it_was_moved(seed: int)
         (part,) = ground.parts_of(root)
 
         assert all(dist(part.middle, point) <= part.reach + HAIR for point in part.points)
+
+
+def meets(part: Part, left: float, bottom: float, right: float, top: float) -> bool:
+    """Whether a box comes to the box around a convex part, or around an edge of another one."""
+    pieces = [part.points] if part.model.walls or len(part.points) == 4 else []
+    pieces = pieces or [((ax, ay), (bx, by)) for ax, ay, bx, by in edges(part.points)]
+    boxes = (tuple(zip(*piece, strict=True)) for piece in pieces)
+    return any(
+        min(xs) <= right and left <= max(xs) and min(ys) <= top and bottom <= max(ys) for xs, ys in boxes
+    )
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_still_parts_are_found_in_a_box_that_comes_to_the_box_around_them_and_no_others(seed: int) -> None:
+    chance = Random(seed)
+    parts = Ground(scene(a_world(chance))).parts()
+    still = StillParts(parts)
+    found_any = 0
+    for _ in range(20):
+        x, y = chance.uniform(-9, 9), chance.uniform(-9, 9)
+        width, height = (chance.choice((0.0, 0.3, 2.0, 60.0)) for _ in "xy")
+        box = (x, y, x + width, y + height)
+
+        found = still.within(*box)
+
+        assert {part.rank for part in parts if meets(part, *box)} == set(found)
+        assert all(part.rank == rank for rank, part in found.items())
+        found_any += len(found)
+    assert found_any
+
+
+def test_a_box_that_touches_a_part_finds_it() -> None:
+    parts = Ground(scene("model( size [ 2 1 1 ] pose [ 3 0.5 0 0 ] )")).parts()
+    still = StillParts(parts)  # from 2, 0 to 4, 1
+
+    for box, is_found in (
+        ((0, 0, 2, 1), True),
+        ((0, 0, 2 - 1e-6, 1), False),
+        ((4, 0, 5, 1), True),
+        ((4 + 1e-6, 0, 5, 1), False),
+        ((2, 1, 4, 2), True),
+        ((2, 1 + 1e-6, 4, 2), False),
+        ((2, -1, 4, 0), True),
+        ((2, -1, 4, -1e-6), False),
+        ((3, 0.5, 3, 0.5), True),
+        ((-99, -99, 99, 99), True),
+    ):
+        assert bool(still.within(*box)) is is_found
+    assert StillParts(()).within(-9, -9, 9, 9) == {}
+    assert StillParts(()).reach_of(40) > 0
+
+
+def test_a_polygon_that_is_not_convex_is_found_by_its_edges() -> None:
+    """An L, and a line without an area."""
+    hollow, line = Ground(scene(f"model( size [ 2 2 1 ] {L} ) model( size [ 1 0 1 ] )")).parts()
+
+    assert not is_whole(hollow)
+    assert len(entries_of(hollow, whole=False)) == 6
+    assert len(entries_of(hollow, whole=True)) == 1
+    assert entries_of(hollow, whole=True)[0][:4] == pytest.approx((-1, -1, 1, 1))
+    assert not is_whole(line)
+    assert StillParts((hollow,)).within(0.1, 0.1, 0.9, 0.9) == {}
+    assert StillParts((hollow,)).within(0.1, -0.1, 0.9, 0.9) == {hollow.rank: hollow}
+
+
+RADIUS = hypot(0.2, 0.1)
+"""Of robots of 0.4 by 0.2 m."""
+
+
+def some_robots(chance: Random, count: int) -> tuple[MovingRoots, dict[int, tuple[float, float]]]:
+    """Robots that have moved since the first questions, and where they are."""
+    lines = "position( size [ 0.4 0.2 0.1 ] )\n" * count
+    ground = Ground(scene(lines))
+    moving = MovingRoots(
+        {root: ground.parts_of(root) for root in range(count)},
+        {root: ground.place(root) for root in range(count)},
+    )
+    places = {}
+    for far in (3.0, 0.3):
+        for root in range(count):
+            x, y = places.get(root, (0.0, 0.0))
+            places[root] = x + chance.uniform(-far, far), y + chance.uniform(-far, far)
+            moving.move(root, Placement(*places[root]))
+            moving.close_to(root, *places[root], 0.5)
+    return moving, places
+
+
+@pytest.mark.parametrize("count", [1, 2, 40])
+def test_others_are_found_that_may_come_into_a_circle_a_box_or_a_wedge(count: int) -> None:
+    chance = Random(count)
+    moving, places = some_robots(chance, count)
+    assert {round(moving.extent(root), 6) for root in places} == {round(RADIUS, 6)}
+    for _ in range(60):
+        asker = chance.choice((NO_ROOT, *places))
+        x, y = places.get(asker, (0.0, 0.0))
+        x, y = x + chance.uniform(-0.6, 0.6), y + chance.uniform(-0.6, 0.6)
+        width, height, reach = (chance.choice((0.0, 0.4, 1.5, 3.0)) for _ in range(3))
+        others = {root: it for root, it in places.items() if root != asker}
+
+        found = moving.close_to(asker, x, y, reach)
+        near = {root for root, it in others.items() if dist(it, (x, y)) <= reach + RADIUS}
+        assert sorted(found) == sorted(near)
+        found = moving.within(asker, x, y, x + width, y + height)
+        inside = {
+            root
+            for root, (its_x, its_y) in others.items()
+            if -RADIUS <= its_x - x <= width + RADIUS and -RADIUS <= its_y - y <= height + RADIUS
+        }
+        assert sorted(found) == sorted(inside)
+        yaw, half = chance.uniform(0, 360), chance.choice((1.0, 7.5, 45.0))
+        wedge = Wedge(x, y, yaw, direction(yaw), direction(half), reach)
+        found = moving.in_wedge(asker, wedge, reach)
+        seen = set()
+        for root, (its_x, its_y) in others.items():
+            metres = hypot(its_x - x, its_y - y)
+            off = abs((degrees(atan2(its_y - y, its_x - x)) - yaw + 180) % 360 - 180)
+            along, beyond = metres * cos(radians(off)), metres * sin(radians(off - half))
+            if root in near and -RADIUS <= along <= reach + RADIUS and beyond <= RADIUS:
+                seen.add(root)
+        assert {*seen} <= {*found}
+        assert {*found} - {*seen} <= {*others} - near
+
+
+def test_a_root_that_stays_within_a_reach_is_near_as_far_as_it_may_come() -> None:
+    moving, _ = some_robots(Random(1), 3)
+    for root, x in enumerate((0.0, 4.0, 8.0)):
+        moving.move(root, Placement(x, 0.0))
+    assert moving.close_to(0, 0.0, 0.0, 4.0 - RADIUS - 1e-6) == []
+    assert moving.close_to(0, 0.0, 0.0, 4.0 - RADIUS + 1e-6) == [1]
+
+    moving.cover(1, 4.0, 1.0, 2.0)
+
+    reach = hypot(4.0, 1.0) - RADIUS - 2.0
+    assert moving.close_to(0, 0.0, 0.0, reach - 1e-6) == []
+    assert moving.close_to(0, 0.0, 0.0, reach + 1e-6) == [1]
+    assert moving.close_to(2, 8.0, 0.0, reach + 1e-6) == [1]
+    moving.move(1, Placement(-5.0, 0.0))
+    assert moving.close_to(0, 0.0, 0.0, 4.0) == []
+    assert moving.close_to(0, 0.0, 0.0, 5.0) == [1]
+
+
+def test_a_view_is_in_order_and_without_what_lies_behind() -> None:
+    ring = [(3 * cos(radians(each)), 3 * sin(radians(each))) for each in range(5, 365, 10)]
+    things = "".join(f"model( size [ 0.04 0.04 1 ] pose [ {x:.6f} {y:.6f} 0 0 ] )\n" for x, y in ring)
+    unseen = "model( size [ 0.04 0.04 1 ] pose [ 2 0 0 0 ] ranger_return -1 )"
+    views = Views(StillParts(Ground(scene(f"{things}{unseen}")).parts()))
+
+    for yaw in (0, 100, 200, 300):
+        wedge = Wedge(0.5, 0.5, yaw, direction(yaw), direction(7.5), 4.0)
+        _, found = views.of(wedge, 4.0)
+        bounds = [bound for bound, *_ in found]
+        off = [(degrees(atan2(y - 0.5, x - 0.5)) - yaw + 180) % 360 - 180 for _, _, x, y, _, _ in found]
+
+        assert bounds == sorted(bounds)
+        assert max(map(abs, off)) < 90
+        assert len(found) == len({id(view[-1]) for view in found})
+        _, again = views.of(wedge, 2.0)
+        assert again is found
+        known, farther = views.of(wedge, 5.0)
+        assert (known, len(farther)) == (5.0, len(found))

@@ -450,3 +450,274 @@ def test_the_program_of_the_page_drives_both_robots_on_the_arcs_that_it_names() 
     assert [line.split()[0] for line in printed.getvalue().splitlines()] == ["alice", "bob"]
     said = f"{radius * 100:.1f} cm radius: {ahead * 100:.1f} cm ahead, {left * 100:.1f} cm to the left."
     assert said in " ".join(PAGE.split())
+
+
+# --- arcs of every kind
+
+
+@pytest.mark.parametrize(
+    ("ahead", "left", "turn"),
+    [
+        (0.5, 0.0, 45.0),
+        (-0.5, 0.0, 45.0),
+        (-0.5, 0.0, -45.0),
+        (0.0, 0.5, 45.0),
+        (0.0, -0.5, 45.0),
+        (0.3, 0.4, -45.0),
+        (-0.3, 0.4, 45.0),
+        (0.3, -0.4, 0.0),
+        (0.0, 0.0, -45.0),
+    ],
+)
+@pytest.mark.parametrize("is_near", [False, True], ids=["at once", "in substeps"])
+def test_an_omnidirectional_robot_drives_arcs_to_all_sides(
+    ahead: float, left: float, turn: float, is_near: bool
+) -> None:
+    """In two seconds, from 1, 2 and 30 degrees on; a robot that stands in a floor drives in substeps."""
+    floor = "model( size [ 30 30 0.1 ] )\n" if is_near else ""
+    text = floor + robot('drive "omni"', "1 2 0 30")
+    angle, way = radians(2 * turn), 2 * hypot(ahead, left)
+    chord = way * (sin(angle / 2) / (angle / 2) if angle else 1.0)
+    towards = radians(30) + atan2(left, ahead) + angle / 2
+
+    state = driven(text, seconds=2.0, ahead=ahead, left=left, turn=turn)
+
+    x, y = 1 + chord * cos(towards), 2 + chord * sin(towards)
+    assert place(state.truth) == at(x, y, (30 + 2 * turn) % 360)
+    assert state.velocity == Velocity(ahead, left, turn)
+    assert not state.is_stalled
+
+
+@pytest.mark.parametrize(
+    ("velocity", "substeps"),
+    [
+        ({"ahead": 0.1}, 1),
+        ({"ahead": 0.02 / TICK}, 1),
+        ({"ahead": 0.021 / TICK}, 2),
+        ({"ahead": -0.05 / TICK}, 3),
+        ({"ahead": 0.03 / TICK, "left": -0.04 / TICK}, 3),
+        ({"turn": 2.0 / TICK}, 1),
+        ({"turn": -2.1 / TICK}, 2),
+        ({"ahead": 0.021 / TICK, "turn": 7.0 / TICK}, 4),
+        ({"ahead": 0.07 / TICK, "turn": 2.1 / TICK}, 4),
+    ],
+)
+def test_a_tick_has_substeps_of_two_centimetres_or_two_degrees_at_most(
+    velocity: dict[str, float], substeps: int
+) -> None:
+    loop = loop_of(robot('drive "omni" velocity_bounds [ -9 9 -9 9 0 0 -999 999 ]'))
+    drive(loop, "it", **velocity)
+    it = loop.drives["it"]
+    assert it.substeps() == 1
+
+    assert it.begin_tick()
+
+    assert it.substeps() == substeps
+
+
+def test_a_robot_that_gets_slower_has_the_substeps_of_its_speed() -> None:
+    loop = loop_of(robot("velocity_bounds [ -9 9 0 0 0 0 -99 99 ] acceleration_bounds [ -9 9 0 0 0 0 -9 9 ]"))
+    it = loop.drives["it"]
+    drive(loop, "it", ahead=0.1 / TICK)
+    assert it.begin_tick()
+    assert it.substeps() == 5
+    run(loop, 1.0)
+    it.drive(Velocity())
+
+    assert it.begin_tick()
+    assert it.substeps() == 5
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_turn_to_either_side_ends_a_hair_before_it_touches(sign: int) -> None:
+    """A corner at 2, 1 of a circle comes to 1, 2 after 36.87 degrees, of which it keeps 0.02."""
+    text = f'position( name "it" size [ 0.4 0.2 0.2 ] ) model( size [ 4 0.2 1 ] pose [ 0 {0.3 * sign} 0 0 ] )'
+    loop = loop_of(text)
+    drive(loop, "it", turn=sign * 45.0)
+
+    run(loop, 2.0)
+    state = loop.drives["it"].state()
+
+    assert state.is_stalled
+    assert state.truth.yaw == pytest.approx(sign * (degrees(atan2(2, 1) - atan2(1, 2)) - 0.02) % 360)
+    drive(loop, "it", turn=sign * -45.0)
+    run(loop, 1.0)
+    turned = loop.drives["it"].state()
+    assert not turned.is_stalled
+    assert turned.truth.yaw == pytest.approx((state.truth.yaw - sign * 45) % 360)
+
+
+# --- getting faster and slower
+
+
+def test_a_robot_gets_faster_in_every_direction_by_its_own_bounds() -> None:
+    """After a second: 0.2 ahead, 0.3 to the right and 20 degrees a second to the left."""
+    gains = "acceleration_bounds [ -0.1 0.2 -0.3 0.4 0 0 -10 20 ]"
+    loop = loop_of(robot(f'drive "omni" velocity_bounds [ -9 9 -9 9 0 0 -99 99 ] {gains}'))
+    drive(loop, "it", ahead=1.0, left=-1.0, turn=90.0)
+
+    run(loop, 1.0)
+    first = loop.drives["it"].state().velocity
+    drive(loop, "it", ahead=-1.0, left=1.0, turn=-90.0)
+    run(loop, 0.5)
+    second = loop.drives["it"].state().velocity
+
+    assert (first.ahead, first.left, first.turn) == pytest.approx((0.2, -0.3, 20))
+    assert (second.ahead, second.left, second.turn) == pytest.approx((0.15, -0.1, 15))
+
+
+@pytest.mark.parametrize(("left", "turn"), [(0.4, 0.0), (0.0, 45.0)])
+def test_the_way_of_a_tick_is_that_of_its_mean_velocity(left: float, turn: float) -> None:
+    """After two seconds of getting faster, half of the way that the last velocity would be."""
+    loop = loop_of(robot('drive "omni" acceleration_bounds [ -1 1 -0.2 0.2 0 0 -22.5 22.5 ]'))
+    drive(loop, "it", left=left, turn=turn)
+
+    run(loop, 2.0)
+
+    assert place(loop.drives["it"].state().truth) == at(0, left, turn)
+    assert loop.drives["it"].state().velocity == Velocity(0.0, pytest.approx(left), pytest.approx(turn))
+
+
+def test_a_bound_that_forbids_standing_counts_as_0() -> None:
+    text = robot("velocity_bounds [ 0.1 0.2 0 0 0 0 -20 -10 ]")
+
+    assert driven(text, seconds=1.0, ahead=-1.0, turn=90.0).velocity == Velocity()
+    assert driven(text, seconds=1.0, ahead=0.05, turn=-15.0).velocity == Velocity(0.05, 0.0, -15.0)
+
+
+# --- the loop
+
+
+def test_nothing_moves_while_the_loop_is_paused() -> None:
+    loop = loop_of(robot())
+    drive(loop, "it", ahead=0.5)
+    run(loop, 1.0)
+    loop.is_paused = True
+    run(loop, 1.0)
+    assert (loop.time, loop.pose("it").x) == pytest.approx((1.0, 0.5))
+
+    loop.is_paused = False
+    run(loop, 1.0)
+    assert (loop.time, loop.pose("it").x) == pytest.approx((2.0, 1.0))
+
+
+def test_a_held_robot_stands_until_it_is_released() -> None:
+    loop = loop_of(robot("acceleration_bounds [ -0.5 0.5 0 0 0 0 -90 90 ]"))
+    it = loop.drives["it"]
+    drive(loop, "it", ahead=0.5)
+    run(loop, 1.0)
+
+    it.is_held = True
+    run(loop, 1.0)
+    assert (it.state().truth.x, it.state().velocity) == (pytest.approx(0.25), Velocity())
+    assert it._vehicle.clock.seconds == pytest.approx(1.0)
+    it.is_held = False
+    run(loop, 1.0)
+    assert it.state().truth.x == pytest.approx(0.5)
+    assert it._vehicle.clock.seconds == pytest.approx(2.0)
+
+
+def test_a_robot_that_is_left_once_too_often_has_one_user_after_the_next_one() -> None:
+    loop = loop_of(robot())
+    it = loop.drives["it"]
+    it.unsubscribe()
+    drive(loop, "it", ahead=0.5)
+
+    run(loop, 1.0)
+    assert it.state().truth.x == pytest.approx(0.5)
+    it.unsubscribe()
+    run(loop, 1.0)
+    assert (it.state().truth.x, it._vehicle.clock.seconds) == pytest.approx((0.5, 1.0))
+
+
+def test_a_reset_puts_all_back_and_the_velocities_stay() -> None:
+    box = 'model( name "box" size [ 0.2 0.2 0.2 ] pose [ 3.5 4 0 0 ] pushable 1 )'
+    loop = loop_of(robot('localization "odom"', "3 4 0 0") + box)
+    drive(loop, "it", ahead=0.5)
+    run(loop, 1.0)
+    assert loop.pose("box").x > 3.6
+
+    loop.reset()
+    state = loop.drives["it"].state()
+    assert (place(state.truth), place(state.believed)) == ((3, 4, 0), (0, 0, 0))
+    assert place(loop.pose("box")) == (3.5, 4, 0)
+    run(loop, 0.1)
+    assert loop.pose("it").x == pytest.approx(3.05)
+
+
+def test_poses_have_headings_from_0_to_below_360() -> None:
+    loop = loop_of(robot('localization "odom"', "0 0 0 -90") + WALL.replace("0 0 ]", "0 -30 ]"))
+    assert (loop.pose("it").yaw, loop.pose("wall").yaw) == (270, 330)
+
+    loop.put("it", MetricPose(1, 2, 725))
+    loop.drives["it"].set_odometry(MetricPose(3, 4, -5))
+
+    state = loop.drives["it"].state()
+    assert (place(state.truth), place(state.believed)) == ((1, 2, 5), (3, 4, 355))
+
+
+def test_a_part_of_a_robot_is_no_thing_with_a_pose() -> None:
+    loop = loop_of(robot('model( name "box" )'))
+
+    with pytest.raises(KeyError):
+        loop.pose("box")
+
+
+# --- heads, marks and grippers
+
+
+def test_a_head_looks_where_it_was_turned_and_the_body_does_not() -> None:
+    """The head is 0.05 m ahead on a robot that looks to the north; the wall is 1 m to the east."""
+    head = (
+        'ranger( name "body" sensor( fov 0.1 pose [ 0 0 0 -90 ] ) )'
+        'position( name "head" size [ 0.02 0.02 0.02 ] pose [ 0.05 0 0 0 ]'
+        ' ranger( name "eye" sensor( fov 0.1 pose [ 0.01 0 0 0 ] ) ) )'
+    )
+    loop = loop_of(robot(head, "0 0 0 90") + WALL)
+    it, (scene_head,) = loop.drives["it"], [each for each in loop.scene.models if each.name == "head"]
+
+    def read(part: int | None = None) -> dict[str, float]:
+        return {each.name: round(each.sensors[0][0], 4) for each in it.rangers(part)}
+
+    assert read() == {"body": 1.0, "eye": 5.0}
+    it.turn_head(scene_head.index, -90.0)
+    assert read() == {"body": 1.0, "eye": 0.99}
+    it.turn_head(scene_head.index, -150.0)
+    assert read()["eye"] == pytest.approx(2 - 0.01, abs=4e-3)
+    (eye,) = [each.index for each in loop.scene.models if each.name == "eye"]
+    it.turn_head(scene_head.index, -90.0)
+    assert read(eye) == {"eye": 0.99}
+    assert read(scene_head.index) == {}
+
+
+def test_a_mark_on_a_thing_looks_where_the_thing_was_turned_to() -> None:
+    mark = 'model( name "box" size [ 0.2 0.2 1 ] pose [ 1 0 0 30 ] fiducial_return 7 pushable 1 )'
+    loop = loop_of(robot("fiducial( range_max 8 range_max_id 3 fov 180 )") + mark)
+
+    def looks() -> float:
+        return loop.drives["it"].marks()[0].marks[0].yaw
+
+    assert looks() == pytest.approx(30)
+    loop.put("box", MetricPose(1.5, 0, 100))
+    assert looks() == pytest.approx(100)
+    (box,) = [each.index for each in loop.scene.models if each.name == "box"]
+    loop.change(box, fiducial_return=9)
+    assert [each.number for each in loop.drives["it"].marks()[0].marks] == [9]
+    assert looks() == pytest.approx(100)
+
+
+def test_a_gripper_of_a_driven_robot_carries_what_it_took() -> None:
+    gripper = "gripper( pose [ 0.15 0 0 0 ] size [ 0.1 0.1 0.1 ] )"
+    ball = 'model( name "ball" size [ 0.05 0.05 0.05 ] pose [ 0.2 0 0 0 ] gripper_return 1 )'
+    loop = loop_of(robot(gripper) + ball)
+    it = loop.drives["it"]
+
+    assert it.beams() == (True, False)
+    assert it.grip().name == "ball"
+    assert it.beams() == (True, True)
+    drive(loop, "it", ahead=0.5)
+    run(loop, 1.0)
+    assert place(loop.pose("ball")) == at(0.7, 0, 0)
+    assert it.release().name == "ball"
+    run(loop, 0.1)
+    assert loop.pose("ball").x < 0.76
