@@ -1,10 +1,13 @@
 """The ground of a world: what may move, what has moved since, and what is free."""
 
+from math import hypot, inf
+
 import pytest
 
-from sim.geometry import Placement
+from sim.clock import Clock, Glide, Seat, Turns
+from sim.geometry import Placement, Wedge, direction
 from sim.ground import Ground
-from tests.unit.sim.floors import scene
+from tests.unit.sim.floors import Unpaced, scene
 
 WORLD = """
 define bot position ( size [ 0.2 0.1 0.1 ] )
@@ -157,3 +160,213 @@ def test_in_a_box_are_all_parts_but_those_of_the_asker(ground: Ground) -> None:
     ground.attach(CAN, ALICE)
     assert found(ground, ALICE, *everywhere) == [BOB, BOX, WALL]
     assert found(ground, BOB, *everywhere) == [ALICE, BOX, CAN, WALL]
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "root", "gap"), [(-4, 0, BOX, 0.95), (0, -2, CAN, 0.95), (4, 0, BOB, 0.95), (-1, -1, BOX, 0.6)]
+)
+def test_what_may_move_bars_a_way_to_any_side(
+    ground: Ground, x: float, y: float, root: int, gap: float
+) -> None:
+    """The way begins at 0, 0; the thing is 0.05 m wide to each side, or looks to the north as bob does."""
+    guard, length = ground.guarded(0.1), hypot(x, y)
+    far = gap + 0.05
+    for each in (BOX, CAN, BOB):
+        ground.put(each, Placement(9, 9))
+    assert ground.free_way(ALICE, 0, 0, (x, y), guard, frozenset()) == (1.0 if x <= 0 else (2 - guard) / x)
+
+    ground.put(root, Placement(far * x / length, far * y / length, 0, 90))
+
+    free = ground.free_way(ALICE, 0, 0, (x, y), guard, frozenset()) * length
+    assert free == pytest.approx(gap - guard, abs=0.03)
+    assert ground.free_way(ALICE, 0, 0, (x, y), guard, frozenset((root_rank(ground, root),))) > free / length
+    assert ground.may_meet_others(ALICE, x / 2, y / 2, (x / 2, y / 2), 1.5)
+
+
+def root_rank(ground: Ground, root: int) -> int:
+    (part,) = ground.parts_of(root)
+    return part.rank
+
+
+# --- what rangers see
+
+
+@pytest.mark.parametrize(
+    ("yaw", "root", "metres"),
+    [(0, WALL, 2), (90, BOX, 0.95), (-90, CAN, 0.95), (180, None, inf), (45, None, inf)],
+)
+def test_the_nearest_in_a_wedge_is_seen(ground: Ground, yaw: float, root: int | None, metres: float) -> None:
+    def nearest(
+        asker: int,
+        reach: float = 2.5,
+        height: float | None = None,
+        but: tuple[int, ...] = (),
+        still: bool = True,
+    ) -> tuple[float, int | None]:
+        wedge = Wedge(0, 0, yaw, direction(yaw), direction(5), reach)
+        gap, part = ground.nearest(asker, wedge, height, frozenset(but), still)
+        return gap, part.root if part else None
+
+    assert nearest(ALICE) == (pytest.approx(metres), root)
+    assert nearest(BOB) == (0.0, ALICE)
+    for reach in (metres - 0.01, metres + 0.01):
+        if root is not None:
+            assert (nearest(ALICE, reach)[1] == root) is (reach > metres)
+    if root is not None:
+        assert nearest(ALICE, but=(root_rank(ground, root) if root != WALL else WALL,)) == (inf, None)
+        assert (nearest(ALICE, still=False)[1] is None) is (root == WALL)
+        assert (nearest(ALICE, height=0.3)[1] is None) is (root != WALL), "the things are 0.2 m high"
+        assert nearest(ALICE, height=0.1)[1] == root
+
+
+def test_of_a_wall_and_a_robot_the_nearer_one_is_seen(ground: Ground) -> None:
+    wedge = Wedge(0, 0, 0, (1, 0), direction(5), 5.0)
+    for x, root, metres in ((1.0, BOB, 0.95), (2.3, WALL, 2.0), (1.9, BOB, 1.85)):
+        ground.put(BOB, Placement(x, 0, 0, 90))
+        gap, part = ground.nearest(ALICE, wedge, None, frozenset())
+        assert (gap, part.root if part else None) == (pytest.approx(metres), root)
+
+
+def test_the_first_hits_of_rays_are_in_their_order(ground: Ground) -> None:
+    ends = [(4.0, 0.0), (0.0, 2.0), (-3.0, 0.0), (0.0, -4.0)]
+
+    def hits(asker: int, *but: int) -> list[tuple[int | None, float]]:
+        found = ground.first_hits(asker, 0, 0, ends, False, frozenset(but))
+        return [(part.root if part else None, pytest.approx(way)) for part, way in found]  # type: ignore[misc]
+
+    assert hits(ALICE) == [(WALL, 0.5), (BOX, 0.475), (None, 1), (CAN, 0.2375)]
+    assert hits(ALICE, BOX) == [(WALL, 0.5), (None, 1), (None, 1), (CAN, 0.2375)]
+    ground.attach(CAN, ALICE)
+    assert hits(ALICE)[3] == (None, 1)
+    ground.put(BOX, Placement(1, 0))
+    assert hits(ALICE)[:2] == [(BOX, 0.2375), (None, 1)]
+
+
+# --- gliding robots
+
+EXTENT = hypot(0.1, 0.05)
+"""Of a robot; that of the box is the root of 0.005."""
+
+
+class Gliding:
+    """Alice glides from 0, 0 to 1, 0 in two seconds; what comes near is noted."""
+
+    def __init__(self, ground: Ground, guard: float = 0.2) -> None:
+        ground.guarded(0.5)
+        self.ground = ground
+        self.now = (0.0, 0.0)
+        self.cut: list[int] = []
+        ground.follow(lambda: self.now, lambda glides: self.cut.extend(each.root for each in glides))
+        assert ground.begin_glide(self.glide(ALICE, 0.0, guard))
+
+    def glide(self, root: int, y: float, guard: float) -> Glide:
+        clock = Clock(Unpaced(), None, Seat(Turns(), root))
+        return Glide(
+            *(root, clock, lambda: [1.0, 2.0], lambda count: Placement(count / 2, y)),
+            *((0.0, y, 1.0, y), guard),
+        )
+
+
+def test_a_gliding_robot_is_where_its_ticks_have_led_when_somebody_asks(ground: Ground) -> None:
+    it = Gliding(ground)
+    it.now = (1.5, 0.0)
+    assert ground.place(ALICE) == Placement()
+
+    assert ground.roots_within(ALICE, 0.5, 0, 0.1) == []
+    assert ground.place(ALICE) == Placement(), "it does not see itself"
+    assert ground.roots_within(BOB, 5.0, 0, 0.1) == []
+    assert ground.place(ALICE) == Placement(), "nobody came near"
+    assert ground.roots_within(BOB, 1.0, 0, 0.1) == [ALICE]
+    assert ground.place(ALICE) == Placement(0.5)
+    it.now = (2.0, 9.0)
+    assert ground.moved() == {ALICE: Placement(1.0)}
+    (alice, *_) = ground.parts()
+    assert alice.middle == pytest.approx((1.0, 0.0))
+    ground.end_glide(ALICE, Placement(1.0, 0.0, 0.0, 7.0))
+    assert ground.place(ALICE) == Placement(1.0, 0.0, 0.0, 7.0)
+    assert ground.roots_within(BOB, 0.0, 0, 0.5) == []
+
+
+@pytest.mark.parametrize("now", [None, Placement(0.25)])
+def test_a_glide_may_end_where_it_was_seen_last(ground: Ground, now: Placement | None) -> None:
+    it = Gliding(ground)
+    it.now = (1.0, 9.0)
+    assert len(ground.within(BOB, -1, -0.5, 1.9, 0.5, frozenset())) == 1
+    it.now = (2.0, 9.0)
+
+    ground.end_glide(ALICE, now)
+
+    assert ground.place(ALICE) == (now or Placement(0.5))
+    assert ground.moved() == {ALICE: now or Placement(0.5)}
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "is_cut"),
+    [
+        (0.5, 0.27, True),
+        (0.5, 0.272, False),
+        (0.5, -0.27, True),
+        (0.5, -0.272, False),
+        (1.27, 0, True),
+        (1.272, 0, False),
+        (-0.27, 0, True),
+        (-0.272, 0, False),
+    ],
+)
+def test_what_is_put_near_to_a_way_cuts_the_glide(ground: Ground, x: float, y: float, is_cut: bool) -> None:
+    """The guard is 0.2 m, and the corners of the box are 0.0707 m from its middle."""
+    it = Gliding(ground)
+
+    ground.put(BOX, Placement(x, y))
+
+    assert it.cut == ([ALICE] if is_cut else [])
+
+
+@pytest.mark.parametrize(
+    ("y", "guard", "begins", "cut"),
+    [
+        (0.31, 0.2, False, []),
+        (0.313, 0.2, True, []),
+        (0.31, 0.21, False, []),
+        (-0.31, 0.2, False, []),
+        (-0.313, 0.2, True, []),
+        (0.31, 0.19, True, [ALICE]),  # the other one has the wider guard
+        (0.313, 0.19, True, []),
+        (3.0, 0.2, True, []),
+    ],
+)
+def test_a_glide_does_not_begin_too_near_to_another_one(
+    ground: Ground, y: float, guard: float, begins: bool, cut: list[int]
+) -> None:
+    it = Gliding(ground)
+
+    assert ground.begin_glide(it.glide(BOB, y, guard)) is begins
+
+    assert it.cut == cut
+
+
+def test_a_jump_cuts_every_glide(ground: Ground) -> None:
+    it = Gliding(ground)
+    assert ground.begin_glide(it.glide(BOB, 3.0, 0.2))
+    jumps = ground.jumps
+
+    ground.jump()
+    assert (sorted(it.cut), ground.jumps) == ([ALICE, BOB], jumps + 1)
+    ground.quicken(9.0)
+    assert (len(it.cut), ground.jumps) == (4, jumps + 2)
+
+
+def test_a_moment_ends_when_a_gliding_robot_has_made_a_tick(ground: Ground) -> None:
+    assert ground.moment(BOB)[1] == (0.0, 0.0)
+    it = Gliding(ground)
+    it.now = (0.5, 9.0)
+    since, own = ground.moment(BOB), ground.moment(ALICE)
+    assert since[1] == it.now
+    assert ground.is_unchanged(BOB, since)
+
+    it.now = (0.9, 9.0)
+    assert ground.is_unchanged(BOB, since)
+    it.now = (1.0, 9.0)
+    assert not ground.is_unchanged(BOB, since)
+    assert ground.is_unchanged(ALICE, own)
+    assert ground.is_unchanged(BOB, ground.moment(BOB))

@@ -471,3 +471,45 @@ def test_a_robot_goes_exactly_straight_between_posts(yaw: int, bearing: Bearing)
     assert it.has_free_rest(spot, yaw + (0 if way > 0 else 180), STEP)
     far = spot.ahead(3 * STEP, yaw + (0 if way > 0 else 180))
     assert it.has_free_step(far, bearing)
+
+
+def test_a_mover_is_asked_about_one_direction_after_the_other() -> None:
+    it = mover(ROWS)
+    ways = {0: 0.03, 90: 0.02, 180: inf, -90: inf, 45: None}
+
+    for angle in (0, 90, 45, 0, 180, 45, 90, -90, 0):
+        way = ways[angle]
+        if way is not None:
+            assert it.contact(HERE, angle, STEP).metres == pytest.approx(way - SKIN if way < inf else inf)
+        else:
+            assert it.contact(HERE, angle, STEP).metres < inf
+    assert it.contact(HERE, 0, STEP).metres == pytest.approx(0.03 - SKIN)
+    assert it.contact(Spot(0.01, 0, 0), 0, STEP).metres == pytest.approx(0.02 - SKIN)
+
+
+@pytest.mark.parametrize(("side", "is_met"), [(-1, True), (1, False)])
+def test_a_body_that_goes_aslant_meets_things_with_its_corner(side: int, is_met: bool) -> None:
+    """It looks to 30 degrees and goes to 75: its left front corner is ahead, a bit to the right."""
+    c, s = direction(75)
+    x, y = 0.13 + 0.05, side * 0.035
+    post = f"model( size [ 0.1 0.02 1 ] pose [ {c * x - s * y:.9f} {s * x + c * y:.9f} 0 75 ] )\n"
+    corner = (0.1 + 0.05) / 2**0.5
+
+    found = mover(BLIND + post).contact(Spot(0, 0, 30), 75, STEP)
+
+    assert found.metres == pytest.approx(0.13 - corner - SKIN) if is_met else found.metres > STEP
+
+
+def test_obstacles_before_a_sensor_are_solid_or_seen_and_give_no_way() -> None:
+    at = "model( size [ 0.05 0.05 1 ] pose [ {} 0.2 0 0 ] {} )\n"
+    kinds = ("", "ranger_return -1", "obstacle_return 0", "obstacle_return 0 ranger_return -1", PUSHABLE)
+    text = BLIND + "".join(at.format(0.1 * i, kind) for i, kind in enumerate(kinds))
+
+    it = mover(text)
+
+    assert [part.root for part in it.barring(HERE, 0.5)] == [2, 3, 4]
+    assert [part.root for part in it.touchable(Spot(0.2, 0.1, 0))] == [3]
+    assert [part.root for part in it.touchable(Spot(0.3, 0.1, 0))] == [6]
+    for kind in kinds:
+        hidden = kind == kinds[3]
+        assert mover(BLIND + at.format(0.1, kind)).is_far(HERE, 0.1) is hidden
