@@ -513,3 +513,27 @@ def test_obstacles_before_a_sensor_are_solid_or_seen_and_give_no_way() -> None:
     for kind in kinds:
         hidden = kind == kinds[3]
         assert mover(BLIND + at.format(0.1, kind)).is_far(HERE, 0.1) is hidden
+
+
+def test_what_may_move_can_come_into_a_robot_that_was_free() -> None:
+    it = mover(BLIND + box(1, 1, 1.1, 1.1, PUSHABLE) + wall(3))
+    assert it.has_free_turn(HERE, 1)
+    assert it.has_free_rest(HERE, 0, 0.01)
+
+    it.around.ground.put(2, Placement(0.1, 0))
+
+    assert not it.has_free_turn(HERE, 1)
+    assert not it.has_free_rest(HERE, 0, 0.01)
+
+
+@pytest.mark.parametrize(
+    ("thing", "with_a_gripper", "without"),
+    [("", True, True), (PUSHABLE, False, False), ("gripper_return 1", False, True)],
+)
+def test_a_robot_walks_up_to_what_it_can_push_or_grip(
+    thing: str, with_a_gripper: bool, without: bool
+) -> None:
+    gripper = "gripper( pose [ 0.1 0 0 0 ] size [ 0.02 0.02 0.1 ] )"
+    for more, is_blocked in ((gripper, with_a_gripper), ("", without)):
+        it = mover(f"{WATCHFUL.rstrip().removesuffix(')')} {more} )\n{box(0.15, -0.1, 0.2, 0.1, thing)}")
+        assert it.is_blocked(HERE, Bearing.FRONT) is is_blocked

@@ -130,3 +130,72 @@ def test_the_public_method_answers_where_the_private_library_has_changed(
 @pytest.mark.usefixtures("forgotten")
 def test_the_pinned_version_of_pymunk_has_the_fast_method() -> None:
     assert rays._library() is not None
+
+
+@pytest.mark.usefixtures("forgotten")
+@pytest.mark.parametrize("far", [3.0, 0.5])
+@pytest.mark.parametrize("most", [5.0, 1.0])
+def test_the_fast_method_is_not_used_where_its_distances_differ(
+    far: float, most: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Outside and inside of a box, and beyond what was asked for."""
+    direct = rays._direct_distance
+
+    def wrong(library: object, space: pymunk.Space) -> object:
+        distance = direct(library, space)
+        return lambda x, y, limit: distance(x, y, limit) + (x == far and limit == most) * 0.1
+
+    monkeypatch.setattr(rays, "_direct_distance", wrong)
+
+    assert (rays._library() is None) is ((far, most) != (0.5, 1.0))
+
+
+@pytest.mark.usefixtures("forgotten")
+@pytest.mark.parametrize("ray", [0, 1])
+def test_the_fast_method_is_not_used_where_its_hits_differ(ray: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    direct = rays._direct
+
+    def wrong(*arguments: object) -> object:
+        first_hits = direct(*arguments)  # type: ignore[arg-type]
+
+        def changed(*question: object) -> list[Hit[object]]:
+            hits = first_hits(*question)  # type: ignore[arg-type]
+            hits[ray] = (hits[ray][0], hits[ray][1] * 0.5)
+            return hits
+
+        return changed
+
+    monkeypatch.setattr(rays, "_direct", wrong)
+
+    assert rays._library() is None
+
+
+@pytest.mark.usefixtures("forgotten")
+@pytest.mark.parametrize("error", [AttributeError, TypeError, KeyError, ValueError])
+def test_the_fast_method_is_not_used_where_it_fails(
+    error: type[Exception], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def failing(_library: object) -> bool:
+        raise error
+
+    monkeypatch.setattr(rays, "_trial", failing)
+
+    assert rays._library() is None
+
+
+@pytest.mark.parametrize("direct", [True, False])
+def test_rays_answer_in_the_order_of_their_ends(direct: bool) -> None:
+    """The box reaches from 1 to 3; a ray from 0 to 4 meets it after a quarter of its way."""
+    space = pymunk.Space()
+    shape = pymunk.Poly(space.static_body, [(1, -1), (3, -1), (3, 1), (1, 1)])
+    space.add(shape)
+    it: Rays[str] = Rays(space, direct=direct)
+    it.own(shape, "box")
+
+    ends = [(4.0, 0.0), (0.0, 4.0), (2.0, 0.0), (0.9, 0.0), (-4.0, 0.0)]
+    hits = it.first_hits(0.0, 0.0, ends, EVERYTHING)
+
+    assert hits == [("box", 0.25), (None, 1.0), ("box", 0.5), (None, 1.0), (None, 1.0)]
+    it.clear()
+    with pytest.raises(KeyError):
+        it.first_hits(0.0, 0.0, ends, EVERYTHING)
