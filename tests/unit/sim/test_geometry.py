@@ -352,7 +352,7 @@ def test_an_outline_moves_until_it_touches_another(
     assert geometry.outline_contact(square(0, 0), obstacle) == (way, squarely)
 
 
-def ends_at(corners: tuple[Point, ...], y: float) -> tuple[float, float]:
+def x_range_at(corners: tuple[Point, ...], y: float) -> tuple[float, float]:
     """The least and the most x of a triangle at that height."""
     xs = []
     for (ax, ay), (bx, by) in zip(corners, (*corners[1:], corners[0]), strict=True):
@@ -374,7 +374,7 @@ def test_a_triangle_goes_as_far_as_the_least_gap_before_another_one() -> None:
         if abs(geometry.signed_area(mine)) < 0.1 or geometry.overlapping(mine, other):
             continue
         heights = {*(y for _, y in (*mine, *other) if low <= y <= high)} if low < high else set()
-        gaps = [ends_at(other, y)[0] - ends_at(mine, y)[1] for y in heights]
+        gaps = [x_range_at(other, y)[0] - x_range_at(mine, y)[1] for y in heights]
         expected = min(gaps, default=inf) if min(gaps, default=0) >= 0 else inf
         met, passed = met + (expected < inf), passed + (expected == inf)
 

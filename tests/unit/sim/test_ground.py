@@ -267,7 +267,7 @@ class Gliding:
         )
 
 
-def test_a_gliding_robot_is_where_its_ticks_have_led_when_somebody_asks(ground: Ground) -> None:
+def test_a_gliding_robot_is_where_its_ticks_have_led_when_another_asks(ground: Ground) -> None:
     it = Gliding(ground)
     it.now = (1.5, 0.0)
     assert ground.place(ALICE) == Placement()
@@ -275,7 +275,7 @@ def test_a_gliding_robot_is_where_its_ticks_have_led_when_somebody_asks(ground: 
     assert ground.roots_within(ALICE, 0.5, 0, 0.1) == []
     assert ground.place(ALICE) == Placement(), "it does not see itself"
     assert ground.roots_within(BOB, 5.0, 0, 0.1) == []
-    assert ground.place(ALICE) == Placement(), "nobody came near"
+    assert ground.place(ALICE) == Placement(), "no other came near"
     assert ground.roots_within(BOB, 1.0, 0, 0.1) == [ALICE]
     assert ground.place(ALICE) == Placement(0.5)
     it.now = (2.0, 9.0)

@@ -59,7 +59,7 @@ def wall(left: float, bottom: float = -1, top: float = 1) -> tuple[float, float,
         ((CRATE, wall(0.24)), WAY + 0.01 - SKIN, {FIRST: 0.01 - SKIN}),
         ((CRATE, wall(0.24, 0.05)), WAY + 0.01 - SKIN, {FIRST: 0.01 - SKIN}),
         ((CRATE, wall(0.24, -1, -0.03)), WAY + 0.01 - SKIN, {FIRST: 0.01 - SKIN}),
-        ((CRATE, wall(0.24, 0.061)), STEP, {FIRST: STEP - WAY}),  # beside its way
+        ((CRATE, wall(0.24, 0.061)), STEP, {FIRST: STEP - WAY}),  # next to its way
         ((CRATE, wall(0.24, -1, -0.041)), STEP, {FIRST: STEP - WAY}),
         ((CRATE, wall(0.26)), STEP, {FIRST: STEP - WAY}),
         ((CRATE, wall(0.12)), 0.02 - SKIN, {}),  # the wall comes first

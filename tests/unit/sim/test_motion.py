@@ -88,11 +88,11 @@ def test_a_walk_ends_without_a_reason_at_what_gives_way() -> None:
 def test_a_careful_walk_asks_every_hundred_steps_whether_to_go_on(steps: int, calls: int) -> None:
     it, asked = mover(BLIND), list[int]()
 
-    def going() -> bool:
+    def asking() -> bool:
         asked.append(1)
         return True
 
-    assert it.walk(HERE, Bearing.FRONT, steps, going, careful=True).steps == steps
+    assert it.walk(HERE, Bearing.FRONT, steps, asking, careful=True).steps == steps
     assert len(asked) == calls
     assert it.walk(HERE, Bearing.FRONT, steps, careful=True).steps == steps
     stopped = it.walk(HERE, Bearing.FRONT, 100, lambda: False, careful=True)
@@ -233,7 +233,7 @@ def test_a_robot_turns_when_the_thing_at_its_corner_has_gone(steps: float) -> No
     assert it.turn(HERE, 90) == 90
 
 
-def test_a_round_robot_turns_beside_what_stays_and_not_into_what_may_have_come() -> None:
+def test_a_round_robot_turns_next_to_what_stays_and_not_into_what_may_have_moved() -> None:
     """A corner of the octagon is 22.4 degrees from the middle of a side, which is 0.064 m away."""
     radius, corner = hypot(0.064, 0.064 * 7 / 17), degrees(atan2(7, 17))
     least = corner - degrees(asin((radius**2 - 0.0645**2) ** 0.5 / radius))
@@ -455,7 +455,7 @@ def test_a_robot_has_no_room_where_something_may_have_come() -> None:
 @pytest.mark.parametrize("yaw", [0, 90, 180, 270])
 @pytest.mark.parametrize("bearing", [Bearing.FRONT, Bearing.BACK])
 def test_a_robot_goes_exactly_straight_between_posts(yaw: int, bearing: Bearing) -> None:
-    """They are 0.3 mm beside its way: half a degree over a step is more."""
+    """They are 0.3 mm from its way: half a degree over a step is more."""
     c, s = direction(yaw)
     way = 1 if bearing is Bearing.FRONT else -1
     posts = [(way * (0.13 + 0.2 * i), side * 0.0503) for i in range(3) for side in (1, -1)]
