@@ -368,7 +368,8 @@ def read_mistake_within(reader: TokenReader) -> None:
             return
     if _read_misspelt_sensor(reader):
         return
-    if before[0] == NAME and _changes_shortly(reader, reader.at - 1):
+    may_change = before[0] == NAME and reader.automaton.accepts(ASSIGN)
+    if may_change and _changes_shortly(reader, reader.at - 1):
         _read_short_change(reader)
     elif _follows_unknown_name(reader):
         _report_unknown_name(reader)

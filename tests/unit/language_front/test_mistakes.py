@@ -70,6 +70,9 @@ PLACES = [
     ("PROCEDURE P a DO FW 1 END PROCEDURE", "syntax", 1, 13),
     ("PROCEDURE P: DO FW 1 END PROCEDURE", "syntax", 1, 14),
     ("PROCEDURE P: a\nSPEAK a\nEND PROCEDURE", "syntax", 2, 1),
+    ("PROCEDURE P: i++ DO FW 1 END PROCEDURE", "syntax", 1, 15),
+    ("PROCEDURE P: a, i += 2 DO FW 1 END PROCEDURE", "syntax", 1, 19),
+    ("PROCEDURE i *= 2 DO FW 1 END PROCEDURE", "syntax", 1, 13),
     ("EXIT 5", "syntax", 1, 6),
     ("HELP FW 5", "syntax", 1, 9),
     # unknown words
