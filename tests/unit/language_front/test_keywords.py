@@ -127,3 +127,103 @@ def test_an_argument_is_spelled_in_every_language_and_read_again() -> None:
             found = keywords.argument(each.terminal, spelled)
             assert found is not None
             assert found.value == each.value
+
+
+@pytest.mark.parametrize(
+    ("line", "column", "topic"),
+    [
+        ("", 1, ""),
+        ("FW 1", 1, "FW"),
+        ("  FW 1", 2, ""),
+        ("  FW 1", 3, "FW"),
+        ("FW 1 TR 2", 5, "FW"),
+        ("FW 1 TR 2", 6, "TR"),
+        ("IF a THEN GIRAR DIREITA 90", 10, "IF"),
+        ("IF a THEN GIRAR DIREITA 90", 11, "TR"),
+        ("GIRAR DIREITA 90", 8, "TR"),
+        ("END IF", 5, "IF"),
+        ("FW x y z", 8, "FW"),
+        ("end x", 5, ""),
+        ("x FORWARD", 3, "FW"),
+    ],
+)
+def test_the_topic_at_a_column_is_that_of_the_last_word_that_has_begun(
+    line: str, column: int, topic: str
+) -> None:
+    assert keywords.topic_at(line, column) == topic
+
+
+@pytest.mark.parametrize(
+    ("word", "codes"),
+    [
+        ("pf", "pt"),
+        ("AV", "es"),
+        ("para", "es pt"),
+        ("PARA  FRENTE", "pt"),
+        ("pos", "en es pt"),
+        ("end\tif", "en"),
+        ("end", ""),
+        ("x", ""),
+    ],
+)
+def test_a_keyword_is_of_the_languages_that_spell_it_so(word: str, codes: str) -> None:
+    assert sorted(keywords.languages_of(word)) == codes.split()
+
+
+@pytest.mark.parametrize(
+    ("typed", "codes"),
+    [
+        ("DISTÂNCIA", "pt"),
+        ("distância", "pt"),
+        ("Distância", "pt"),
+        ("DISTANCIA", "es"),
+        ("DISTÄNCIA", ""),
+        ("FW", ""),
+        ("SENAO", ""),
+        ("PARA\nTRÁS", ""),
+        ("x", ""),
+    ],
+)
+def test_accents_tell_the_language_of_a_word_that_two_write_differently(typed: str, codes: str) -> None:
+    folded = keywords.folded_word(typed)
+
+    assert sorted(keywords.languages_by_accents(folded, typed)) == codes.split()
+
+
+@pytest.mark.parametrize(
+    ("terminal", "language", "words"),
+    [
+        ("DIRECTION", "pt", "F FD FE T TD TE"),
+        ("AXIS", "en", "X Y A"),
+        ("COLOUR", "es", "ROJO VERDE AZUL AMARILLO NARANJA ROSA GRIS"),
+        ("SWITCH", "pt", "LIGADO DESLIGADO"),
+    ],
+)
+def test_the_words_that_follow_a_keyword_are_listed_in_order(
+    terminal: str, language: str, words: str
+) -> None:
+    assert keywords.argument_words(terminal, language) == tuple(words.split())
+
+
+@pytest.mark.parametrize("value", ["purple", "x", 2])
+def test_a_value_that_is_no_argument_has_no_spelling(value: str) -> None:
+    with pytest.raises(KeyError):
+        keywords.argument_spelling(value, "en")
+
+
+@pytest.mark.parametrize(
+    ("terminal", "canonical"), [("FW", "FW"), ("END_IF", "END IF"), ("POS", "POS"), ("QUIT", "QUIT")]
+)
+def test_the_first_word_of_a_terminal_is_its_canonical_one(terminal: str, canonical: str) -> None:
+    assert keywords.canonical_of_terminal(terminal) == canonical
+
+
+def test_the_words_of_the_help_are_those_of_the_manual() -> None:
+    topics = {each.canonical: each.topic for each in WORDS if each.topic != each.canonical}
+
+    assert topics == {
+        **{"EXIT": "QUIT", "FORWARD": "FW", "BACKWARD": "BW", "POSITION": "POS"},
+        **{"RIGHT TURN": "TR", "LEFT TURN": "TL"},
+        **{"THEN": "IF", "ELSE": "IF", "DO": "FOR", "TIMES": "REPEAT"},
+        **{f"END {each}": each for each in ("IF", "FOR", "REPEAT", "WHILE", "PROCEDURE")},
+    }

@@ -2,7 +2,7 @@
 
 import pytest
 
-from language.lexer import lex
+from language.lexer import language_of, languages_in, lex, without_comments
 from language.tables import TERMINALS
 
 
@@ -150,3 +150,117 @@ def test_leading_zeros_do_not_count_for_the_limit_of_digits() -> None:
 
 def test_adjacent_unreadable_characters_are_one_mistake() -> None:
     assert [each.found for each in lex("$$ @ %").mistakes] == ["$$", "@", "%"]
+
+
+@pytest.mark.parametrize(
+    ("source", "comments"),
+    [
+        ("-- a\n–b―c\n—", [(0, 4, 3, 0), (5, 9, 4, 0), (10, 11, 5, 0)]),
+        ("SOUND -- x\non -- y", [(6, 10, 3, 1), (14, 18, 4, 2)]),
+        ("FIM -- x\n SE y -- z", [(4, 8, 3, 1), (15, 19, 4, 2)]),
+        ("― only", [(0, 6, 3, 0)]),
+    ],
+)
+def test_comments_have_their_places(source: str, comments: list[tuple[int, int, int, int]]) -> None:
+    found = lex(source, 3).comments
+
+    assert [(each.start, each.end, each.line, each.before) for each in found] == comments
+
+
+@pytest.mark.parametrize(
+    ("source", "mistakes", "flaws"),
+    [
+        ("FW 1 $ 2", [("$", 3, 6)], [2]),
+        ("FW $$ 2\n# c $ d\nFW 1", [("$$", 3, 4), ("#", 4, 1)], [1]),
+        ("FW 2 // x", [("//", 3, 6)], []),
+        ("//\n//x\n /", [("//", 3, 1), ("//", 4, 1)], []),
+        ("a#b", [("#", 3, 2)], [1]),
+        ("# $", [("#", 3, 1)], []),
+        ("$#", [("$#", 3, 1)], [0]),
+        ("FW 2//x", [], []),
+        ("FW 2 //x", [], []),
+        ("FW '$' $", [("'$'", 3, 4), ("$", 3, 8)], [1, 2]),
+        ("5x 3", [("5x", 3, 1)], [0]),
+        ("VAR _a", [("_a", 3, 5)], [1]),
+        ('SPEAK "a\rFW $', [('"a', 3, 7), ("$", 4, 4)], [1, 3]),
+        ("é$ ​$", [("$", 3, 2), ("$", 3, 4)], [1, 1]),
+    ],
+)
+def test_a_flaw_is_at_the_token_that_it_spoils(
+    source: str, mistakes: list[tuple[str, int, int]], flaws: list[int]
+) -> None:
+    """The comment of another language spoils none."""
+    lexed = lex(source, 3)
+
+    assert [(each.found, each.span.line, each.span.column) for each in lexed.mistakes] == mistakes
+    assert lexed.flaws == flaws
+
+
+def test_the_colours_are_the_words_after_color() -> None:
+    lexed = lex("x red COLOR red FALAR COR azul COLOR purple COLOR -- c\ngreen", 2)
+
+    assert [(token[5], token[3]) for token in lexed.colours] == [("red", 2), ("azul", 2), ("green", 3)]
+
+
+@pytest.mark.parametrize(
+    ("blamed", "strings", "open_quote"),
+    [
+        (None, ['"a"', '"b\nfw 1 "'], None),
+        (6, ['"a" "b', '"c'], 18),
+        (10, ['"a"', '"b', '"c'], 18),
+    ],
+)
+def test_a_blamed_quotation_mark_begins_a_string_that_ends_with_its_line(
+    blamed: int | None, strings: list[str], open_quote: int | None
+) -> None:
+    lexed = lex('SPEAK "a" "b\nFW 1 "c', 1, blamed)
+
+    assert [token[5] for token in lexed.tokens if TERMINALS[token[0]] == "STRING"] == strings
+    assert lexed.open_quote == open_quote
+
+
+def test_what_stands_for_no_character_is_blank_and_has_no_width() -> None:
+    for unseen in "﻿​‌‍‎‏⁠":
+        assert [token[3:] for token in lex(f"{unseen}FW{unseen}1").tokens] == [(1, 1, "fw"), (1, 3, "1")]
+
+
+@pytest.mark.parametrize("sign", ["‐", "‑", "−"])
+def test_a_hyphen_or_a_minus_sign_is_a_sign(sign: str) -> None:
+    assert [token[5] for token in lex(f"5{sign}3").tokens] == ["5", "-", "3"]
+
+
+@pytest.mark.parametrize(
+    ("source", "most", "any_of"),
+    [
+        ("", "en", "en"),
+        ("x = 1", "en", "en"),
+        ("FW 1", "en", "en"),
+        ("PF 1 AV 1 AV 2", "es", "es pt"),
+        ("AV 1 PF 1", "pt", "es pt"),
+        ("AV 1 PF 1 DISTANCIA F", "es", "es pt"),
+        ("DISTANCIA F", "es", "es"),
+        ("DISTÂNCIA F", "pt", "pt"),
+        ("AV 1 DISTÂNCIA F", "es", "es"),
+        ("AV 1 AV 1 FW 1 FW 1 FW 1 PF 1", "en", "en es pt"),
+        ('SPEAK "pf"', "en", "en"),
+        ("pf pf = 1 fw 1 bw 2", "en", "en pt"),
+        ("FIM", "en", "en"),
+        ("GIRAR DIREITA 90", "pt", "pt"),
+        ("GIRAR -- c\nIZQUIERDA 90", "es", "es"),
+        ("FW -- pf\nAV 1", "en", "en es"),
+    ],
+)
+def test_the_language_of_a_text_is_that_of_most_keywords(source: str, most: str, any_of: str) -> None:
+    """Accents decide between languages with as many."""
+    tokens = lex(source).tokens
+
+    assert language_of(tokens, source) == most
+    assert sorted(languages_in(tokens, source)) == any_of.split()
+
+
+def test_without_the_text_the_first_of_equal_languages_is_taken() -> None:
+    assert language_of(lex("DISTANCIA F").tokens) == "pt"
+
+
+def test_a_comment_is_left_out_up_to_the_end_of_its_line() -> None:
+    assert without_comments("end -- x\nif —y") == "end \nif "

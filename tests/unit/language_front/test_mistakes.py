@@ -295,6 +295,8 @@ def test_a_keyword_is_no_variable_that_could_be_assigned(source: str, name: str)
         ("IF 1 == 1 THEN END -- of what\n  FOR", "END FOR"),
         ('SPEAK "hi', '"hi'),
         ("FW 1 $$", "$$"),
+        ('SPEAK 1 "a -- b"', '"a -- b"'),
+        ("FW 1 THEN -- why", "THEN"),
     ],
 )
 def test_the_found_text_is_quoted_as_it_was_typed(source: str, found: str) -> None:
@@ -346,6 +348,10 @@ OFFERS = [
     ("FOO 3", ""),
     ("x 3", ""),
     ("SPEAK hello world", '"hello world"'),
+    ('SPEAK "a" x', "SPEAK x"),
+    ('SPEAK "a\nb" x', ""),
+    ("LEFT TRUN", "LEFT TURN 90"),
+    ("REPEET 2", "REPEAT"),
     ("a" * 100_000, ""),
     ("SPEAK DISTANCE Z", ""),
     ("SOUND of", ""),
@@ -493,6 +499,25 @@ def test_a_call_without_brackets_shows_the_right_call(call: str, meant: str, cal
 
     assert (mistake.kind, mistake.code, mistake.meant) == (MistakeKind.UNKNOWN_COMMAND, "procedure", meant)
     assert mistake.details["call"] == called
+
+
+@pytest.mark.parametrize(
+    ("head", "call"),
+    [
+        ("P: a, b", "P [a, b]"),
+        ("P: A -- first\n, b", "P [A, b]"),
+        ("P: a, b c", "P [a, b]"),
+        ("P: a, 3", "P [a]"),
+        ("P: a b", "P [a]"),
+        ("P: 3", "P []"),
+        ("P:", "P []"),
+        ("P", "P []"),
+    ],
+)
+def test_the_right_call_has_the_parameters_of_the_procedure(head: str, call: str) -> None:
+    *_, mistake = mistakes_in(f"PROCEDURE {head} DO END PROCEDURE\nP 1")
+
+    assert mistake.details["call"] == call
 
 
 NEEDS_MORE = (

@@ -2,7 +2,7 @@
 
 import pytest
 
-from language.diagnostics import MOST_MISTAKES, MistakeKind
+from language.diagnostics import MOST_MISTAKES, Diagnostic, MistakeKind
 from language.parser import parse
 from tests.unit.language_front.test_mistakes import the_mistake
 
@@ -295,3 +295,115 @@ def test_a_missing_end_names_the_block_and_its_line() -> None:
 def test_a_wrong_end_names_the_open_block() -> None:
     mistake = the_mistake("IF 1 == 1 THEN\nREPEAT 2 TIMES\nFW 1\nEND IF")
     assert dict(mistake.details) == {"opener": "REPEAT", "opener_line": 2}
+
+
+TEXTS = [
+    ("END", ["1:1 wrong-end stray-end"]),
+    ("END FOO\nFW 1", ["1:1 wrong-end stray-end"]),
+    ("IF1 == 1 END FOR", ["1:5 syntax two-equals -> =", "1:10 wrong-end stray-end"]),
+    (
+        "IF 1 < 2 THEN\nFW 1\nELSE IF 2 < 3 THEN\nFW 2\nELSE\nFW 3",
+        ["1:1 missing-end else-if", "3:6 missing-end"],
+    ),
+    ("REPEAT 2 $ FW 1 ELSE FW 2 END REPEAT", ["1:10 unknown-character", "1:17 syntax stray-else"]),
+    (
+        "IF 1 == 1 THEN\nREPEAT 2 TIMES\nFW 1\nELSE\nFW 2\nELSE\nFW 3\nEND IF",
+        ["4:1 syntax stray-else", "6:1 syntax stray-else"],
+    ),
+    ("IF 1 == 1 THEN\nREPEAT 2 TIMES\nELSE\nFW 1\nEND REPEAT", ["1:1 missing-end", "3:1 syntax stray-else"]),
+    (
+        "REPEAT 2 TIMES\nIF 1 == 1 THEN\nREPEAT 2 TIMES\nFW 1\nELSE\nFW 2\nEND IF\nEND REPEAT",
+        ["5:1 syntax stray-else"],
+    ),
+    ("REPEET 2 TIMES FW 1\nIF 1 < 2 THEN FW 1 END IF", ["1:1 unknown-command -> REPEAT"]),
+    ("REPEET 2 TIMES FW 1\nIF 1 < 2 THEN FW 1 END IF END REPEAT", ["1:1 unknown-command -> REPEAT"]),
+    ("AB > 2", ["1:1 unknown-command"]),
+    ("x <> 3", ["1:1 unknown-command"]),
+    ("JUMP (3)", ["1:1 unknown-command call-brackets"]),
+    ("FWD (3)", ["1:1 unknown-command -> FW"]),
+    ("REPEET 2 TIMES\nREPEAT 2 TIMES\nFW 1\nEND REPEAT", ["1:1 unknown-command -> REPEAT"]),
+    ("FW1\nTURN", ["1:1 unknown-command -> FW 1", "2:1 unknown-command everyday -> TR 90"]),
+    ("IFF a == 1 THEN", ["1:1 unknown-command -> IF"]),
+    ("FW SCAN 1 10", ["1:4 syntax"]),
+    ("FW TR 1 2", ["1:1 syntax missing-argument -> FW 2", "1:9 syntax"]),
+    ('FW 3 +\nTR "a"', ["1:6 syntax missing-value", "2:4 syntax"]),
+    ("x = 1 * FW 2 3", ["1:9 syntax"]),
+    ("FW 1 ) THEN 2", ["1:6 syntax"]),
+    ("FW 1\nUNLESS VAR x = 1 THEN\nFW 1\nEND IF", ["2:1 unknown-command"]),
+    ("x IF 1 < 2 THEN FW 1", ["1:1 unknown-command", "1:3 missing-end"]),
+    ("UNLESS x\ny = 1\nz = 2 THEN", ["1:1 unknown-command", "3:7 syntax"]),
+    ("FW $ 1 JUMP", ["1:4 unknown-character", "1:8 unknown-command"]),
+    ("FW $ 1\nJUMP", ["1:4 unknown-character", "2:1 unknown-command"]),
+    ('SPEAK "a\nb" x', ["2:4 unknown-command"]),
+    ('SPEAK "a" x', ["1:11 unknown-command -> SPEAK x"]),
+    ("a == (", ["1:3 syntax two-equals -> ="]),
+    ("a == 3 JUMP", ["1:3 syntax two-equals -> =", "1:8 unknown-command"]),
+    ("FW 1\nGIRRA DERECHA 90", ["2:1 unknown-command -> GIRAR DERECHA"]),
+    ("REPEET 2", ["1:1 unknown-command -> REPEAT"]),
+    ("FOR", ["1:1 syntax missing-argument"]),
+    ("FOR x", ["1:6 syntax"]),
+    ("PARA frente", ["1:1 syntax missing-argument -> PARA frente 2"]),
+    ("DISTANCE RIGHT", ["1:10 bad-argument"]),
+    ("POS RIGHT 3", ["1:5 bad-argument", "1:11 syntax"]),
+    ("DISTANCE RIGHT = 3", ["1:10 bad-argument", "1:16 syntax"]),
+    ('"hello', ["1:1 unterminated-string"]),
+    ("P [1,]", ["1:6 syntax"]),
+    ("FW 2 ,5", ["1:6 syntax"]),
+    ("FW 2, 5", ["1:5 syntax"]),
+    ("FW 2,x", ["1:5 syntax"]),
+    ("FW x,5", ["1:5 syntax"]),
+    ("PROCEDURE Q: a", ["1:15 syntax"]),
+    ("PROCEDURE P: a, b c DO END PROCEDURE\nP 1", ["1:19 syntax", "2:1 unknown-command procedure"]),
+    ("PROCEDURE P: a, 3 DO END PROCEDURE\nP 1", ["1:17 syntax", "2:1 unknown-command procedure -> P [1]"]),
+    ("PROCEDURE P:\nDO END PROCEDURE\nP 1", ["2:1 syntax", "3:1 unknown-command procedure"]),
+    ('SPEAK 1 "a -- b"', ["1:9 syntax"]),
+    ("SCAN = 3", ["1:6 syntax assigned-keyword"]),
+    ("<> = 3", ["1:1 syntax"]),
+    ("- 3", ["1:1 syntax"]),
+    ('SPEAK "a" )', ["1:11 syntax"]),
+    ("FW FOR 3", ["1:1 syntax missing-argument -> FW 2", "1:4 missing-end", "1:8 syntax"]),
+    ("FOR 3 DO FW 1 END FOR", ["1:5 syntax"]),
+    ("WHILE 1 < 2 FW 1 END WHILE DO", ["1:13 syntax head-end -> DO", "1:28 syntax"]),
+    ("IF 1 2 THEN FW 1 END IF", ["1:6 syntax"]),
+    ("PARA\nFRENT 5", ["1:1 missing-end", "2:1 unknown-command value"]),
+    ("GIRAR\nDIRETA 90", ["1:1 unknown-command everyday -> GD 90", "2:1 unknown-command"]),
+    ("GIRAR 3 90", ["1:1 unknown-command everyday -> GD"]),
+    (
+        "REPEAT 2 TIMES\nEND\nREPEET END IF",
+        [
+            "2:1 wrong-end -> END REPEAT",
+            "3:1 unknown-command -> REPEAT",
+            "3:8 wrong-end other-end -> END REPEAT",
+        ],
+    ),
+    ("IF 1 < 2 THEN\nFW 1\nELSE\nIF 2 < 3 THEN\nFW 2\nEND IF", ["1:1 missing-end"]),
+    ("IF 1 < 2 THEN\nSPEAK 1 IF 2 < 3 THEN\nEND IF", ["1:1 missing-end"]),
+    ("IF 1 < 2 THEN\nELSE REPEAT 2 TIMES\nEND REPEAT", ["1:1 missing-end"]),
+    ("se 3 > 2 então\nsenão repita 2 vezes", ["1:1 missing-end", "2:7 missing-end"]),
+    ("IF 1 < 2 THEN FW 1 ELSE IF 2 < 3 THEN FW 2 END IF", ["1:1 missing-end else-if"]),
+    ("IF 1 2", ["1:1 missing-end", "1:6 syntax"]),
+    ("IF 1 < 2 3 4", ["1:1 missing-end", "1:10 syntax"]),
+    ("REPEAT 2 3 4", ["1:1 missing-end", "1:10 syntax"]),
+    ("WHILE 1 < 2\n3 4 x", ["1:1 missing-end", "2:1 syntax"]),
+    ("IF 1 < 2 3 4\nEND IF", ["1:10 syntax"]),
+    (
+        "GIRRA DERECHA 90\nFW $ 1 2\nJUMP",
+        ["1:1 unknown-command -> GIRAR DERECHA", "2:4 unknown-character", "3:1 unknown-command"],
+    ),
+    ("FW 3 FW $ 1 2 GIRRA DERECHA 90\nJUMP", ["1:9 unknown-character", "2:1 unknown-command"]),
+    ("TURN\nFW $ 1 2", ["1:1 unknown-command everyday -> TR 90", "2:4 unknown-character"]),
+    ("red", ["1:1 unknown-command -> RE"]),
+    ("FWD", ["1:1 unknown-command -> FW"]),
+    ("FWD -- c\nTR 90", ["1:1 unknown-command -> FW"]),
+]
+
+
+@pytest.mark.parametrize(("source", "found"), TEXTS)
+def test_each_mistake_has_its_place_and_no_consequence(source: str, found: list[str]) -> None:
+    assert [shown(each) for each in parse(source).diagnostics] == found
+
+
+def shown(mistake: Diagnostic) -> str:
+    """Its place, kind and code, and what was meant."""
+    place = f"{mistake.span.line}:{mistake.span.column} {mistake.kind.value} {mistake.code}".strip()
+    return f"{place} -> {mistake.meant}" if mistake.meant else place
