@@ -351,7 +351,6 @@ OFFERS = [
     ('SPEAK "a" x', "SPEAK x"),
     ('SPEAK "a\nb" x', ""),
     ("LEFT TRUN", "LEFT TURN 90"),
-    ("REPEET 2", "REPEAT"),
     ("a" * 100_000, ""),
     ("SPEAK DISTANCE Z", ""),
     ("SOUND of", ""),
