@@ -5,8 +5,19 @@ from __future__ import annotations
 import pytest
 
 from language.compiler import link
-from language.numbers import LIMIT
+from language.diagnostics import ActionRefused, MistakeKind
+from language.numbers import (
+    LARGEST_DIGITS,
+    LIMIT,
+    SAFE_BITS,
+    NonNegatives,
+    NumberSizes,
+    assignments_of,
+    checked,
+    divide,
+)
 from language.runtime import Memory
+from language.syntax import Scope, scopes_of
 from tests.unit.language_back.recorder import BACK_ENDS, Make, read, run
 
 SLOW = {"checked", "divide", "range"}
@@ -126,3 +137,143 @@ def test_the_numbers_of_an_earlier_batch_count(source: str, stored: dict[str, in
 )
 def test_a_loop_counts_from_its_start_to_its_limit(make: Make, head: str, said: list[int]) -> None:
     assert run(f"VAR n = 2 FOR VAR {head} DO SPEAK i END FOR", make).actions.said == said
+
+
+def test_a_number_with_no_more_than_the_safe_bits_is_below_the_limit() -> None:
+    assert 2**SAFE_BITS - 1 < LIMIT < 2 ** (SAFE_BITS + 1) - 1
+    assert len(str(LIMIT - 1)) == LARGEST_DIGITS
+
+
+@pytest.mark.parametrize("value", [0, 1, -1, LIMIT - 1, 1 - LIMIT])
+def test_a_number_within_the_limit_passes(value: int) -> None:
+    assert checked(value) == value
+
+
+@pytest.mark.parametrize("beyond", [0, 1, 10**4000])
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_number_at_the_limit_is_refused(sign: int, beyond: int) -> None:
+    with pytest.raises(ActionRefused) as refused:
+        checked(sign * (LIMIT + beyond))
+
+    assert refused.value.kind is MistakeKind.NUMBER_TOO_LARGE
+    assert refused.value.details == {"limit": 4300}
+
+
+@pytest.mark.parametrize(
+    ("dividend", "divisor", "quotient"),
+    [(7, 2, 3), (-7, 2, -3), (7, -2, -3), (-7, -2, 3), (6, 3, 2), (-6, 3, -2), (-1, 2, 0), (0, -5, 0)],
+)
+def test_a_quotient_has_no_fraction(dividend: int, divisor: int, quotient: int) -> None:
+    assert divide(dividend, divisor) == quotient
+
+
+def test_a_division_by_zero_is_refused() -> None:
+    with pytest.raises(ActionRefused) as refused:
+        divide(-5, 0)
+
+    assert refused.value.kind is MistakeKind.DIVISION_BY_ZERO
+
+
+def scopes_in(source: str) -> tuple[Scope, ...]:
+    return tuple(scopes_of(Scope(read(source), None)))
+
+
+def test_the_values_of_a_variable_are_those_of_its_assignments_and_of_the_calls() -> None:
+    source = (
+        "VAR a VAR b = 1 a = b + 2 FOR VAR i = 3; i < 4; i = i + 5 DO END FOR FOR a = 6; 1 < 2; b = 7 DO "
+        "END FOR PROCEDURE P: n, m DO VAR k = n P [k] END PROCEDURE P [a, 8] P [9] "
+        "PROCEDURE P: n DO END PROCEDURE"
+    )
+    scopes = scopes_in(source)
+    names = [f"P{len(each.parameters)}" if each.procedure else "program" for each in scopes]
+    found = {
+        f"{variable} of {names[number]}": sorted(
+            f"{scopes[scope].program.typed(value.span)} of {names[scope]}" for scope, value in values
+        )
+        for (number, variable), values in assignments_of(scopes).items()
+    }
+
+    assert found == {
+        "a of program": ["6 of program", "b + 2 of program"],
+        "b of program": ["1 of program", "7 of program"],
+        "i of program": ["3 of program", "i + 5 of program"],
+        "n of P2": ["a of program"],
+        "m of P2": ["8 of program"],
+        "k of P2": ["n of P2"],
+        "n of P1": ["9 of program", "k of P2"],
+    }
+
+
+@pytest.mark.parametrize(
+    ("source", "negative"),
+    [
+        ("VAR a VAR b = 1 VAR c = a + b * 2 / 3", ""),
+        ("VAR a = -1 VAR b = a + 1 VAR c = 2 * b VAR d = c / 2 VAR e = 3", "a b c d"),
+        ("VAR a = 1 VAR b = a - 1", "b"),
+        ("VAR a = DISTANCE F VAR b = POS x VAR c = COLOR red", "a b c"),
+        ("VAR a = 0 VAR b = 0 a = b b = a VAR c = 1 c = a", ""),
+        ("VAR a = 0 VAR b = 0 a = b b = a VAR c = -1 a = c", "a b c"),
+        ("VAR a = 1 PROCEDURE P: b DO a = b END PROCEDURE P [-1]", ""),
+    ],
+)
+def test_a_variable_may_be_negative_if_one_of_its_values_may_be(source: str, negative: str) -> None:
+    given = assignments_of(scopes_in(source))
+    naturals = NonNegatives(given, {})
+
+    assert [name for name in "abcde" if not naturals.has(0, name)] == negative.split()
+
+
+def test_a_negative_number_of_an_earlier_batch_counts() -> None:
+    naturals = NonNegatives(assignments_of(scopes_in("VAR c = a VAR d = b")), {"a": -1, "b": 0})
+
+    assert [name for name in "abcd" if not naturals.has(0, name)] == ["a", "c"]
+
+
+@pytest.mark.parametrize(
+    ("source", "variable", "value"),
+    [
+        ("VAR a", "a", 0),
+        ("VAR a = 1000", "a", 1000),
+        ("VAR a = 1000 VAR b = a * a * a", "b", 10**9),
+        ("VAR a = 1000 VAR b = a + a + a + a + a", "b", 5000),
+        ("VAR a = 1000 VAR b = (a + a + a) * (a - -a)", "b", 6 * 10**6),
+        ("VAR a = 1000 VAR b = a * a / 3", "b", 333_333),
+        ("VAR a = 1000 VAR b = (a * a / 3) * a", "b", 333_333_000),
+        ("VAR a = 1000 a = 5 VAR b = a", "b", 1000),
+        ("VAR a = DISTANCE F * DISTANCE B", "a", 2**63 * 2**63),
+        ("VAR a = 1 a = a + 1000", "a", 2**63 * 1000),
+        ("VAR a = 1 a = a - DISTANCE F - DISTANCE B", "a", 2**63 * 2 * 2**63),
+    ],
+)
+def test_no_value_of_a_variable_has_more_bits_than_are_known_for_it(
+    source: str, variable: str, value: int
+) -> None:
+    """A counter may change 2**63 times, a sensor say 2**63. The bound is no more than a few bits above."""
+    bits = NumberSizes(assignments_of(scopes_in(source)), {}).bits(0, variable)
+
+    assert value.bit_length() <= bits <= value.bit_length() + 20
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "VAR a = 1 a = a * 2",
+        "VAR a = 1 a = a + a",
+        "VAR a = 1 VAR b a = b b = a",
+        "VAR a = 1 VAR b = a * a a = b",
+    ],
+)
+def test_a_number_that_depends_on_itself_has_no_known_bits(source: str) -> None:
+    sizes = NumberSizes(assignments_of(scopes_in(source)), {})
+
+    assert sizes.bits(0, "a") == float("inf")
+    assert sizes.bits(0, "a") == float("inf")
+
+
+def test_the_bits_of_a_number_of_an_earlier_batch_count_in_the_program_only() -> None:
+    given = assignments_of(scopes_in("VAR b = a PROCEDURE P: a DO END PROCEDURE P [1]"))
+    sizes = NumberSizes(given, {"a": 2**100})
+
+    assert 101 <= sizes.bits(0, "b") < 111
+    assert 101 <= sizes.bits(0, "a") < 111
+    assert sizes.bits(1, "a") < 10

@@ -489,6 +489,10 @@ CALLS = [
     ("EF (n, 2) FW 3", "EF [n, 2]", "EF [x, y]"),
     ("EF 1 n", "EF [1, n]", "EF [x, y]"),
     ("EF 1", "", "EF [x, y]"),
+    ("EF 1,", "", "EF [x, y]"),
+    ("EF 1, 2, 3", "", "EF [x, y]"),
+    ("AB:\n2", "", "AB [x]"),
+    ("AB (n) EF [1, 2]", "AB [n]", "AB [x]"),
 ]
 
 
@@ -497,7 +501,7 @@ def test_a_call_without_brackets_shows_the_right_call(call: str, meant: str, cal
     mistake = the_mistake(PROCEDURES + call)
 
     assert (mistake.kind, mistake.code, mistake.meant) == (MistakeKind.UNKNOWN_COMMAND, "procedure", meant)
-    assert mistake.details["call"] == called
+    assert (mistake.details["call"], mistake.expected) == (called, ("command",))
 
 
 @pytest.mark.parametrize(

@@ -5,7 +5,8 @@ import sys
 import pytest
 
 from devices.ports.robot import Bearing
-from language.parser import parse
+from language.lexer import lex
+from language.parser import kinds_after, parse
 from language.syntax import (
     Assign,
     Axis,
@@ -37,6 +38,7 @@ from language.syntax import (
     UnusedSensor,
     WalkCommand,
 )
+from language.tables import TERMINALS
 
 
 def read(source: str) -> Program:
@@ -237,3 +239,97 @@ def test_the_colours_of_the_robot_are_the_only_ones() -> None:
     assert [(each.kind.value, each.span.column) for each in seen.diagnostics] == [("bad-argument", 27)]
     assert seen.diagnostics[0].details["wanted"] == "blue, red"
     assert parse("SPEAK COLOR yellow").program is not None
+
+
+def words_after(source: str) -> set[str]:
+    return {TERMINALS[kind] for kind in kinds_after(lex(source).tokens)}
+
+
+VALUE = "COLOR DISTANCE LPAR NAME NUMBER POS SIGN"
+
+
+@pytest.mark.parametrize(
+    ("source", "following"),
+    [
+        ("FW", VALUE),
+        ("FW 1", "SCALE SIGN command"),
+        ("IF", VALUE),
+        ("IF 1", "COMPARATOR SCALE SIGN"),
+        ("IF 1 < 2", "SCALE SIGN THEN"),
+        ("IF 1 < 2 THEN", "ELSE END_IF command"),
+        ("IF 1 < 2 THEN FW 1 ELSE", "END_IF command"),
+        ("REPEAT 2", "SCALE SIGN TIMES"),
+        ("REPEAT 2 TIMES", "DO END_REPEAT command"),
+        ("VAR", "NAME"),
+        ("VAR x", "ASSIGN command"),
+        ("x", "ASSIGN LSQB"),
+        ("P [", f"{VALUE} RSQB"),
+        ("P [1", "COMMA RSQB SCALE SIGN"),
+        ("FOR", "NAME VAR"),
+        ("FOR VAR i = 0", "SCALE SEMICOLON SIGN"),
+        ("FOR VAR i = 0; i < 3; i = i + 1", "DO SCALE SIGN"),
+        ("PROCEDURE P", "COLON DO"),
+        ("PROCEDURE P: a", "COMMA DO"),
+        ("SOUND", "SWITCH"),
+        ("HELP", "TOPIC command"),
+        ("POS", "AXIS command"),
+        ("DISTANCE", "DIRECTION STRING command"),
+        ("COLOR", "COLOUR"),
+        ('SPEAK "a"', "command"),
+        # after a mistake
+        ("FW )", "command"),
+        (") )", "command"),
+        ("FW ) REPEAT 2", "SCALE SIGN TIMES"),
+        ("REPEAT 2 TIMES FW FW", VALUE),
+        ("REPEAT 2 TIMES END IF", "DO END_REPEAT command"),
+        ("IF 1 < 2 THEN FW ) ELSE", "END_IF command"),
+        ("IF 1 < 2 THEN FW ) END IF", "command"),
+        ("END IF", "command"),
+        ("x ) y", "ASSIGN LSQB"),
+    ],
+)
+def test_what_may_come_next_is_known_whatever_is_wrong_before(source: str, following: str) -> None:
+    commands = words_after("")
+    assert {"FW", "NAME", "VAR", "SEMICOLON"} < commands
+    assert not {"$END", "NUMBER", "THEN", "END_IF"} & commands
+
+    expected = set(following.split())
+    if "command" in expected:
+        expected = commands | expected - {"command"}
+    assert words_after(source) == expected
+
+
+@pytest.mark.parametrize(
+    ("source", "found"),
+    [
+        ("COLOR red COR roxo", []),
+        ("FW 1\nSPEAK COLOR  amarelo", [(2, 14, "amarelo")]),
+        ("COLOR red COLOR pink COR azul COR rosa", [(1, 17, "pink"), (1, 35, "rosa")]),
+    ],
+)
+def test_each_colour_that_is_not_seen_is_a_mistake_of_its_own(
+    source: str, found: list[tuple[int, int, str]]
+) -> None:
+    mistakes = [each for each in parse(source, colours=frozenset({"red", "blue"})).diagnostics if each.code]
+
+    assert [(each.span.line, each.span.column, each.found) for each in mistakes] == found
+    for each in mistakes:
+        assert (each.code, each.expected, each.meant) == ("unseen-colour", ("colour",), "")
+        assert each.details == {"word": "COLOR", "wanted": "blue, red"}
+
+
+def test_a_colour_that_is_none_names_those_of_the_robot() -> None:
+    (mistake,) = parse("COLOR roxo", colours=frozenset({"red", "blue"})).diagnostics
+
+    assert mistake.details == {"word": "COLOR", "wanted": "blue, red"}
+
+
+@pytest.mark.parametrize("length", [1, 499, 500, 501, 999, 1000, 1001, 4300])
+def test_a_number_of_any_length_has_the_value_of_its_digits(length: int) -> None:
+    digits = ("1234567890" * 430)[:length]
+
+    walk = first(f"FW 00{digits}")
+
+    assert isinstance(walk, WalkCommand)
+    assert isinstance(walk.steps, NumberLiteral)
+    assert str(walk.steps.value) == digits
