@@ -311,7 +311,7 @@ def undeclared_variable(
     ``of_program``: the variables of the program, which a procedure does not see; the detail
     ``in_procedure`` says that the name is one of them. ``most_compared``: None for every name.
     """
-    details = {"name": program.typed(name.span)}
+    details = {"name": _typed(program, name)}
     if procedure and name.name in of_program:
         meant, details["in_procedure"] = "", procedure
     else:
@@ -324,11 +324,16 @@ def undeclared_variable(
     return mistake_at(program, name.span, MistakeKind.UNDECLARED_VARIABLE, details, meant)
 
 
+def _typed(program: Program, name: Name) -> str:
+    """A name without the parentheses and the sign that belong to its span."""
+    return program.typed(name.span).strip("(+) \t\r\n")
+
+
 def _number_in_letters(program: Program, name: Name, digits: str) -> Diagnostic:
     """FW two: with the word before the number, if there is one."""
     before = re.search(r"[^\W\d_]+[ \t]+\Z", program.source[: name.span.start])
     written = f"{before[0] if before else ''}{digits}"
-    details = {"name": program.typed(name.span), "written": " ".join(written.split())}
+    details = {"name": _typed(program, name), "written": " ".join(written.split())}
     mistake = mistake_at(program, name.span, MistakeKind.UNDECLARED_VARIABLE, details, digits)
     return replace(mistake, code="number-word")
 
@@ -343,8 +348,9 @@ def _spoken_alone(program: Program, name: Name) -> str:
 
 def _text_without_quotes(program: Program, name: Name, speak: str) -> Diagnostic:
     """SPEAK hello: the text in quotation marks may be meant, or a variable."""
-    text = f'"{program.typed(name.span)}"'
-    details: dict[str, str | int] = {"name": program.typed(name.span), "written": f"{speak} {text}"}
+    typed = _typed(program, name)
+    text = f'"{typed}"'
+    details: dict[str, str | int] = {"name": typed, "written": f"{speak} {text}"}
     mistake = mistake_at(program, name.span, MistakeKind.UNDECLARED_VARIABLE, details, text)
     return replace(mistake, code="spoken")
 

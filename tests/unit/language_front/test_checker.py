@@ -174,3 +174,39 @@ def test_a_number_in_letters_is_offered_in_digits(source: str, written: str, mea
 
 def test_a_variable_may_be_called_like_a_number() -> None:
     assert check(parse("VAR two = 2 FW two").program) == ()
+
+
+@pytest.mark.parametrize(
+    ("source", "name", "code", "meant", "written"),
+    [
+        ("SPEAK hello", "hello", "spoken", '"hello"', 'SPEAK "hello"'),
+        ("SPEAK\thello", "hello", "spoken", '"hello"', 'SPEAK "hello"'),
+        ("SPEAK hello -- c", "hello", "spoken", '"hello"', 'SPEAK "hello"'),
+        ("SPEAK hello\rFW 1", "hello", "spoken", '"hello"', 'SPEAK "hello"'),
+        ("speak Hello ; ; -- x", "Hello", "spoken", '"Hello"', 'speak "Hello"'),
+        ("FALAR oi", "oi", "spoken", '"oi"', 'FALAR "oi"'),
+        ("SPEAK ( +hello)", "hello", "spoken", '"hello"', 'SPEAK "hello"'),
+        ("SPEAK h", "h", "", "", None),
+        ("FW hello", "hello", "", "", None),
+        ("SPEAK hello FW 1", "hello", "", "", None),
+        ("SPEAK hello; FW 1", "hello", "", "", None),
+        ("SPEAK\nhello", "hello", "", "", None),
+        ("SPEAK hello + 1", "hello", "", "", None),
+        ("FW  two", "two", "number-word", "2", "FW 2"),
+        ("FW\ntwo", "two", "number-word", "2", "2"),
+        ("FW -two", "two", "number-word", "2", "2"),
+        ("FW (two)", "two", "number-word", "2", "FW 2"),
+        ("SPEAK two", "two", "number-word", "2", "SPEAK 2"),
+        ("VAR hello PROCEDURE P DO SPEAK helo END PROCEDURE", "helo", "", "", None),
+        ("PROCEDURE P: hello DO SPEAK helo END PROCEDURE", "helo", "", "hello", None),
+        ("FOR VAR Index = 0; indx < 2; index = 1 DO END FOR", "indx", "", "Index", None),
+        ("FOR VAR i = 0; i < 2; i = 1 DO FW (nix) END FOR", "nix", "", "", None),
+    ],
+)
+def test_a_name_that_is_missing_says_what_may_be_meant(
+    source: str, name: str, code: str, meant: str, written: str | None
+) -> None:
+    (hint,) = check(parse(source).program)
+
+    assert (hint.details["name"], hint.code, hint.meant) == (name, code, meant)
+    assert hint.details.get("written") == written
