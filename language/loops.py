@@ -126,8 +126,7 @@ def _is_steady(limit: Expression, written: Collection[str]) -> bool:
 class Checkpoints:
     """Makes the checkpoints of one scope."""
 
-    def __init__(self, sites: py.Sites, *, in_procedure: bool, hooked: bool) -> None:
-        self._sites = sites
+    def __init__(self, *, in_procedure: bool, hooked: bool) -> None:
         self._in_procedure = in_procedure
         self._hooked = hooked
         self.lines: set[int] = set()

@@ -39,7 +39,7 @@ class ScopeCompiler:
         self._expressions = Expressions(self._sites, bounds)
         self._declarations = _Declarations(scope, self._sites, stored)
         in_procedure = scope.procedure is not None
-        self._checkpoints = Checkpoints(self._sites, in_procedure=in_procedure, hooked=hooked)
+        self._checkpoints = Checkpoints(in_procedure=in_procedure, hooked=hooked)
         self._nesting = LoopNesting(self._checkpoints)
         self._out: list[py.Stmt] = []
         self._headers: list[py.ForHeader] = []

@@ -90,6 +90,8 @@ NUMBERS = [
     ("VAR i FOR i = 0; i < 3; i = i + 1 DO END FOR", ""),
     ("VAR j FOR VAR i = 0; i < 3; j = j + 1 DO END FOR", ""),
     ("VAR j FOR VAR i = 0; j < 3; i = i + 1 DO END FOR", ""),
+    ("VAR j FOR VAR i = 0; j < 3; j = j + 1 DO END FOR", ""),
+    ("FOR VAR i = 0; i > 3; i = i - 0 DO END FOR", ""),
 ]
 
 
