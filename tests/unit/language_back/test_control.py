@@ -259,3 +259,153 @@ def test_another_thread_may_end_the_looks_at_any_time() -> None:
     control.reached(2, 0)
 
     assert len(looks) == 1
+
+
+def test_the_runtime_is_called_with_the_state_at_every_change_until_it_is_detached() -> None:
+    control, states = ExecutionControl(), list[ControlState]()
+    control.attach(states.append)
+    control.pause()
+    control.break_at(frozenset({2}))
+    control.look_before_each(lambda: None)
+    control.attach(None)
+    control.resume()
+    control.break_at(frozenset())
+    control.look_before_each(None)
+
+    assert states == [ControlState.RUNNING, *[ControlState.PAUSING] * 3]
+
+
+def test_the_lines_that_hold_are_the_breakpoints_and_on_the_way_to_a_line_that_line() -> None:
+    control = ExecutionControl()
+    assert control.holds_on_lines() == frozenset()
+
+    control.break_at(frozenset({4}))
+    control.run_to(7)
+    assert control.holds_on_lines() == {4, 7}
+
+    control.resume()
+    assert control.holds_on_lines() == {4}
+
+
+def test_looks_are_wanted_from_one_request_to_the_next() -> None:
+    control = ExecutionControl()
+    assert not control.looks_before_each
+
+    control.look_before_each(lambda: None)
+    assert control.looks_before_each
+
+    control.look_before_each(None)
+    assert not control.looks_before_each
+
+
+@pytest.mark.parametrize(
+    ("request_", "line", "depth", "is_held"),
+    [
+        ("resume", 3, 0, False),
+        ("resume", 4, 9, True),
+        ("pause", 3, 9, True),
+        ("step", 3, 9, True),
+        ("step_over", 3, 2, True),
+        ("step_over", 3, 3, False),
+        ("step_over", 4, 3, True),
+        ("run_to_5", 5, 9, True),
+        ("run_to_5", 4, 9, True),
+        ("run_to_5", 3, 0, False),
+    ],
+)
+def test_a_program_holds_where_the_last_request_says_and_at_its_breakpoints(
+    request_: str, line: int, depth: int, is_held: bool
+) -> None:
+    """Line 4 has a breakpoint; it was held inside two calls before."""
+    control = ExecutionControl()
+    control.pause()
+    held_at(control, control.resume, (1, 2))
+    control.break_at(frozenset({4}))
+    control.pause()
+    requests = {
+        "resume": control.resume,
+        "pause": lambda: (control.resume(), control.pause()),
+        "step": control.step,
+        "step_over": control.step_over,
+        "run_to_5": lambda: control.run_to(5),
+    }
+    held_at(control, lambda: requests[request_](), (2, 2))
+    places: list[tuple[int, int]] = []
+
+    def resume(state: ControlState) -> None:
+        if state is ControlState.PAUSED:
+            places.append(control.held_at)
+            control.resume()
+
+    control.observe(resume)
+    control.reached(line, depth, 8)
+
+    assert places == ([(line, 8)] if is_held else [])
+
+
+def test_a_hold_in_a_sleep_has_no_place_and_a_step_over_holds_at_any_depth_then() -> None:
+    control, held = ExecutionControl(), list[tuple[int, int]]()
+    control.step()
+    held_at(control, control.resume, (3, 1))
+    assert control.held_at == (3, 0)
+
+    def step_over(state: ControlState) -> None:
+        if state is ControlState.PAUSED:
+            held.append(control.held_at)
+            control.step_over()
+
+    end = control.observe(step_over)
+    control.pause()
+    assert control.sleep(0)
+    end()
+
+    assert held == [(0, 0)]
+    assert control.holds_to_depth() == float("inf")
+    assert held_at(control, control.resume, (5, 40)) == [(5, 40)]
+
+
+def test_a_step_over_holds_to_the_depth_of_the_last_hold_only_from_there() -> None:
+    control = ExecutionControl()
+    control.step()
+    held_at(control, control.step_over, (3, 2))
+    assert control.holds_to_depth() == 2
+
+    control.step_over()
+    assert control.holds_to_depth() == 2
+
+    control.resume()
+    control.step_over()
+    assert control.holds_to_depth() == float("inf")
+
+
+def test_a_stopped_program_does_not_look_any_more() -> None:
+    control, looks = ExecutionControl(), list[int]()
+    control.look_before_each(lambda: looks.append(1))
+    control.reached(1, 0)
+    control.stop()
+
+    with pytest.raises(Stopped):
+        control.reached(2, 0)
+
+    assert looks == [1]
+
+
+class WaitingClock:
+    """A clock that a wait of the control moves on; the test needs no time."""
+
+    def __init__(self, control: ExecutionControl, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.now, self.waits = 0.0, list[float]()
+        monkeypatch.setattr(control, "_clock", lambda: self.now)
+        monkeypatch.setattr(control._changed, "wait", self._wait)
+
+    def _wait(self, seconds: float) -> None:
+        self.waits.append(seconds)
+        self.now += seconds
+
+
+def test_a_long_sleep_waits_an_hour_at_a_time_until_its_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    control = ExecutionControl()
+    clock = WaitingClock(control, monkeypatch)
+
+    assert control.sleep(9000)
+    assert clock.waits == [3600, 3600, 1800]

@@ -439,6 +439,13 @@ TEXTS = [
     ("COLOR 3 3", ["1:7 bad-argument", "1:9 syntax"]),
     ("COLOR FW 1", ["1:1 bad-argument missing-argument"]),
     ("FW COLOR\nFW 1", ["1:4 bad-argument missing-argument"]),
+    ("IF DISTANSIA F > 3 THEN FW 1 END IF", ["1:4 unknown-command sensor -> DISTÂNCIA"]),
+    ("x = DISTANSIA F + 1", ["1:5 unknown-command sensor -> DISTÂNCIA"]),
+    ("WHILE 1 < DISTANSIA F DO FW 1 END WHILE", ["1:11 unknown-command sensor -> DISTÂNCIA"]),
+    ("IF RANDOM 5 > 2 THEN FW 1 END IF", ["1:4 unknown-command value"]),
+    ("WHILE 1 < RANDOM(1, 2) DO FW 1 END WHILE", ["1:11 unknown-command value"]),
+    ("REPEAT RANDOM 5 TIMES FW 1 END REPEAT\nJUMP", ["1:8 unknown-command value", "2:1 unknown-command"]),
+    ("IF RANDOM 5 > 2\nFW 1\nEND IF", ["1:4 unknown-command value"]),
 ]
 
 
