@@ -300,6 +300,7 @@ def _read_filler(reader: TokenReader) -> bool:
     line = _rest_of_line(reader)
     width = next((at for at, each in enumerate(line) if not _is_filler(reader, each)), len(line))
     reader.report(MistakeKind.UNKNOWN_COMMAND, token, "filler", (), value, details, width)
+    reader.mark_flaw()
     reader.at += width
     return True
 
