@@ -64,6 +64,19 @@ PAIRS = [
         "repeat 2 times repeat 3 times fw 1 + -- c\n2 end repeat end repeat",
         "REPEAT 2 TIMES\n  REPEAT 3 TIMES\n    FW 1 + -- c\n      2\n  END REPEAT\nEND REPEAT\n",
     ),
+    ("-- a\n–b―c -- d\n—", "-- a\n-- b―c -- d\n--\n"),
+    ("--  a", "--  a\n"),
+    ("--!a\n--é", "--!a\n-- é\n"),
+    (" ; -- a\n;", "-- a\n"),
+    ("fw 1 ; -- a\n; -- b\nfw 2", "FW 1 -- a\n-- b\nFW 2\n"),
+    ("fw 1\n;\nfw 2", "FW 1\nFW 2\n"),
+    ("help Foo\nhelp  girar   direita", "HELP Foo\nHELP GIRAR DIREITA\n"),
+    ("x = -(-a)", "x = -(-a)\n"),
+    ("p [-1, (-2), a -1]", "p [-1, (-2), a - 1]\n"),
+    (
+        "repeat 2 times\n-- a\n\n\n-- b\nfw 1 end repeat",
+        "REPEAT 2 TIMES\n  -- a\n\n  -- b\n  FW 1\nEND REPEAT\n",
+    ),
 ]
 
 

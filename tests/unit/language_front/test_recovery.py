@@ -446,6 +446,18 @@ TEXTS = [
     ("WHILE 1 < RANDOM(1, 2) DO FW 1 END WHILE", ["1:11 unknown-command value"]),
     ("REPEAT RANDOM 5 TIMES FW 1 END REPEAT\nJUMP", ["1:8 unknown-command value", "2:1 unknown-command"]),
     ("IF RANDOM 5 > 2\nFW 1\nEND IF", ["1:4 unknown-command value"]),
+    ("IF 1 = > 2 THEN FW 1 END IF", ["1:6 syntax single-equals -> =="]),
+    ("IF a =-1 THEN FW 1 END IF", ["1:6 syntax single-equals -> =="]),
+    ("IF a = 1", ["1:6 syntax single-equals -> =="]),
+    ("IF a =>FW 1 THEN FW 1 END IF", ["1:6 syntax single-equals -> >="]),
+    ("IF a => 1 2 THEN FW 1 END IF", ["1:6 syntax single-equals -> >="]),
+    ("IF a =< (1 THEN FW 1 END IF", ["1:6 syntax single-equals -> <="]),
+    ("IF a = 1 2 THEN\nFW 1\nEND IF\nJUMP", ["1:6 syntax single-equals -> ==", "4:1 unknown-command"]),
+    ("REPEAT 2 AND 3 TIMES FW 1 END REPEAT", ["1:10 syntax second-comparison"]),
+    ("FW 1 AND 2", ["1:6 unknown-command filler -> 1"]),
+    ('IF 1 < 2 "and" THEN FW 1 END IF', ["1:10 syntax"]),
+    ("FW 3 steps 2", ["1:6 unknown-command filler -> 3"]),
+    ("FW 3 steps\n2", ["1:6 unknown-command filler -> 3", "2:1 syntax"]),
 ]
 
 

@@ -2,7 +2,21 @@
 
 import pytest
 
-from language.suggestions import Everyday, edit_distance, everyday, is_near, nearest
+from language.suggestions import (
+    Everyday,
+    Suggestion,
+    edit_distance,
+    everyday,
+    fillers_of,
+    is_near,
+    joining_word,
+    nearest,
+    nearest_keyword,
+    nearest_pair,
+    number_in_digits,
+    pair_ending_with,
+)
+from language.tables import TERMINALS
 
 
 @pytest.mark.parametrize(
@@ -87,3 +101,127 @@ def test_an_everyday_phrase_takes_its_words_and_one_number(
     line: str, spoken: str, found: Everyday | None
 ) -> None:
     assert everyday(line.split(), spoken.split()) == found
+
+
+@pytest.mark.parametrize(
+    ("word", "found"),
+    [
+        ("fw3", Suggestion("FW 3", "FW", complete=True)),
+        ("PF10", Suggestion("PF 10", "FW", complete=True)),
+        ("repeat3", Suggestion("REPEAT 3", "REPEAT", complete=True)),
+        ("posx", Suggestion("POS X", "POS", complete=True)),
+        ("colorred", Suggestion("COLOR RED", "COLOR", complete=True)),
+        ("distancef", Suggestion("DISTANCE F", "DISTANCE", complete=True)),
+        ("soundon", Suggestion("SOUND ON", "SOUND", complete=True)),
+        ("endif", Suggestion("END IF", "END_IF")),
+        ("ParaTr\u00e1s", Suggestion("PARA TR\u00c1S", "BW")),
+        ("righturn", Suggestion("RIGHT TURN", "TR")),
+        ("distanceq", Suggestion("DISTANCE", "DISTANCE")),
+        ("fw", None),
+        ("DISTANCIA", None),
+        ("fw3x", None),
+        ("x3", None),
+        ("poz", None),
+        ("", None),
+        ("distance" + "f" * 33, None),
+    ],
+)
+def test_a_keyword_is_found_without_its_blank_too(word: str, found: Suggestion | None) -> None:
+    assert nearest_keyword(word, frozenset(TERMINALS), "en") == found
+
+
+@pytest.mark.parametrize("word", ["fw3", "posx", "soundon", "endif", "repet", "colorred"])
+def test_only_a_keyword_that_fits_is_suggested(word: str) -> None:
+    assert nearest_keyword(word, frozenset({"BW", "WHILE"}), "en") is None
+
+
+@pytest.mark.parametrize(
+    ("word", "language", "text"),
+    [
+        ("repitar", "pt", "REPITA"),
+        ("repitar", "es", "REPETIR"),
+        ("repitir", "es", "REPETIR"),
+        ("procedimento", "pt", "APRENDER"),
+        ("procedimento", "es", "PROCEDIMIENTO"),
+        ("procedimento", "en", "PROCEDIMIENTO"),
+        ("procedur", "pt", "APRENDER"),
+        ("procedur", "en", "PROCEDURE"),
+    ],
+)
+def test_a_keyword_is_suggested_in_the_language_of_the_program(word: str, language: str, text: str) -> None:
+    found = nearest_keyword(word, frozenset({"REPEAT", "PROCEDURE"}), language)
+
+    assert found is not None
+    assert found.text == text
+
+
+@pytest.mark.parametrize(
+    ("second", "terminals", "text"),
+    [
+        ("direita", "TR TL", "GIRAR DIREITA"),
+        ("TR\u00c1S", "BW", "PARA TR\u00c1S"),
+        ("direita", "TL", None),
+        ("turn", "TR TL", None),
+        ("if", "END_IF", None),
+        ("jump", "TR", None),
+    ],
+)
+def test_a_second_word_alone_means_its_only_keyword(second: str, terminals: str, text: str | None) -> None:
+    found = pair_ending_with(second, frozenset(terminals.split()))
+
+    assert (found.text if found else None) == text
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "text"),
+    [
+        ("gira", "direita", "GIRAR DIREITA"),
+        ("GIRRA", "IZQUIERDA", "GIRAR IZQUIERDA"),
+        ("jump", "direita", None),
+        ("gira", "jump", None),
+        ("g" * 41, "direita", None),
+    ],
+)
+def test_a_pair_is_meant_by_its_second_word_and_a_first_one_that_is_near(
+    first: str, second: str, text: str | None
+) -> None:
+    found = nearest_pair(first, second, frozenset({"TR", "TL"}))
+
+    assert (found.text if found else None) == text
+
+
+@pytest.mark.parametrize(
+    ("word", "digits"),
+    [
+        ("two", "2"),
+        ("DOIS", "2"),
+        ("tr\u00eas", "3"),
+        ("diez", "10"),
+        ("noventa", "90"),
+        ("x", ""),
+        ("2", ""),
+    ],
+)
+def test_a_number_in_letters_has_its_digits(word: str, digits: str) -> None:
+    assert number_in_digits(word) == digits
+
+
+@pytest.mark.parametrize(
+    ("word", "code"),
+    [
+        ("and", "second-comparison"),
+        ("y", "second-comparison"),
+        ("or", "other-comparison"),
+        ("ou", "other-comparison"),
+        ("not", ""),
+        ("AND", ""),
+    ],
+)
+def test_a_folded_word_joins_two_comparisons(word: str, code: str) -> None:
+    assert joining_word(word) == code
+
+
+def test_fillers_are_folded_words_of_one_language() -> None:
+    assert {"the", "steps"} <= fillers_of("en")
+    assert "pasos" in fillers_of("es")
+    assert not {"walk", "pasos"} & fillers_of("en")
