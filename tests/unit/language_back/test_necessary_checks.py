@@ -111,6 +111,10 @@ def test_the_code_calls_a_helper_only_where_the_numbers_need_it(source: str, hel
         ("a = a + 1", {"a": 10**4200}, ""),
         ("SPEAK a * a", {"a": 10**2100}, ""),
         ("SPEAK a * a", {"a": 10**2200}, "checked"),
+        ("SPEAK a + a", {"a": 10**2200}, ""),
+        ("SPEAK a - -a / 3", {"a": 10**2200}, ""),
+        ("SPEAK a / 3 + a", {"a": LIMIT - 1}, "checked"),
+        ("SPEAK a * a / a + 1", {"a": 10**2200}, "checked"),
         ("PROCEDURE P: a DO SPEAK a * a END PROCEDURE P [2]", {"a": LIMIT - 1}, ""),
     ],
 )
@@ -139,6 +143,37 @@ def test_the_numbers_of_an_earlier_batch_count(source: str, stored: dict[str, in
 )
 def test_a_loop_counts_from_its_start_to_its_limit(make: Make, head: str, said: list[int]) -> None:
     assert run(f"VAR n = 2 FOR VAR {head} DO SPEAK i END FOR", make).actions.said == said
+
+
+@pytest.mark.parametrize("make", BACK_ENDS.values(), ids=BACK_ENDS.keys())
+@pytest.mark.parametrize(
+    ("expression", "value"),
+    [
+        ("(a * n) / 2", -3),
+        ("(n * a) / 2", -3),
+        ("(a * a) / 2", 24),
+        ("(a + n * 9) / 4", 0),
+        ("(n * 9 + a) / 4", 0),
+        ("(a - 9) / 4", 0),
+        ("n * a / 2 / 2", -1),
+        ("n * a * 3 / 2 / 2", -5),
+        ("-a / 2", -3),
+        ("-(a / 2)", -3),
+        ("- -a / 2", 3),
+        ("a / -2", -3),
+        ("a / n / 2", -3),
+        ("(n / a + 7) / 2", 3),
+        ("(a / 2 - 9) / (a / 4 + 3)", -1),
+        ("(a / (n - 1)) / (a / (n - 2))", 1),
+        ("(n - a) / (a - 3)", -2),
+        ("(n * -9) / 4", 2),
+        ('DISTANCE "left  eye" / (n - 2)', -2),
+        ("POS y / 3", -1),
+        ("(POS y - 1) / (POS x - 5)", 2),
+    ],
+)
+def test_every_quotient_is_cut_towards_zero(make: Make, expression: str, value: int) -> None:
+    assert run(f"VAR a = 7 VAR n = -1 SPEAK {expression}", make).actions.said == [value]
 
 
 def test_a_number_with_no_more_than_the_safe_bits_is_below_the_limit() -> None:

@@ -811,6 +811,8 @@ def test_the_short_change_of_another_language_is_one_mistake(source: str, meant:
         ("SPEAK RANDOM(1, 5\nFW 1", "RANDOM(1, 5", 7),
         ("SPEAK RANDOM(1, 5", "RANDOM(1, 5", 7),
         ("FW random (5) TR 90", "random (5)", 4),
+        ("SPEAK RANDOM 5 + 1\nFW 1", "RANDOM 5", 7),
+        ("SPEAK RANDOM((5) + 1)\nFW 1", "RANDOM((5)", 7),
     ],
 )
 def test_a_value_after_an_unknown_name_is_the_fault_of_the_name(source: str, found: str, column: int) -> None:

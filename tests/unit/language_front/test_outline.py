@@ -19,6 +19,9 @@ from language.outline import OutlineItem, block_depth, open_block, outline
         ("REPEAT 2 TIMES END\n\nREPEAT", 0),
         ("REPEAT 2 TIMES END FOR", 1),
         ("END IF END IF", 0),
+        ("REPEAT 2 TIMES END REPEAT END REPEAT", 0),
+        ("REPEAT 2 TIMES END REPEAT END REPEAT REPEAT 2 TIMES", 1),
+        ("IF 1 < 2 THEN REPEAT 2 TIMES END IF END REPEAT END IF", 0),
         ('SPEAK "IF', 0),
         ('SPEAK "\nIF"', 0),
         ("-- IF", 0),
@@ -49,8 +52,9 @@ def test_an_end_closes_the_open_blocks_inside() -> None:
     )
 
 
-def test_a_procedure_without_a_name_has_none() -> None:
-    assert outline("PROCEDURE")[0].name == ""
+@pytest.mark.parametrize("source", ["PROCEDURE", "PROCEDURE\nFW 3", "PROCEDURE: a", "REPEAT n TIMES"])
+def test_a_block_without_a_name_has_none(source: str) -> None:
+    assert outline(source)[0].name == ""
 
 
 @pytest.mark.parametrize(
@@ -83,6 +87,10 @@ def test_an_else_in_two_words_opens_no_block() -> None:
         ("si 3 > 2 entonces\nsi x\n", 2),  # a name that is not NO
         ("si 3 > 2 entonces\nsi no > 2", 2),  # a condition of a variable that is called NO
         ("si 3 > 2 entonces\nsi 5\n", 2),
+        ("si 3 > 2 entonces\nmientras no\n", 2),
+        ("si 3 > 2 entonces\nsi no\n\nsi no\n", 1),
+        ("si 3 > 2 entonces\nsi no hablar 1", 1),
+        ("si 3 > 2 entonces\nsi no x\n", 2),
         ("si no\n", 1),  # outside of a block
         ("repetir 2 veces\nsi no\n", 2),
         ("si 3 > 2 entonces\nsi no repetir 2 veces", 2),  # the loop

@@ -458,6 +458,9 @@ TEXTS = [
     ('IF 1 < 2 "and" THEN FW 1 END IF', ["1:10 syntax"]),
     ("FW 3 steps 2", ["1:6 unknown-command filler -> 3"]),
     ("FW 3 steps\n2", ["1:6 unknown-command filler -> 3", "2:1 syntax"]),
+    ("x = RANDOM\n5", ["2:1 syntax"]),
+    ("FW random 5 ) TR", ["1:4 unknown-command value", "1:15 syntax missing-argument -> TR 90"]),
+    ("IF RANDOM\n5 > 3 THEN FW 1 END IF", ["2:1 syntax"]),
 ]
 
 

@@ -91,6 +91,9 @@ def test_the_nearest_of_several_words_is_suggested(
         ("andar", "pt", Everyday("FW", "pt", 1)),
         ("jump", "", None),
         ("3 walk", "", None),
+        ("turn 30 40 left", "", Everyday("TR", "en", 1)),
+        ("turn 30 left 40", "", Everyday("TR", "en", 1)),
+        ("turn 30 left forty", "", Everyday("TL", "en", 3, "30")),
         ("", "", None),
         # the first eight words are compared
         ("turn the the the the the the left", "", Everyday("TL", "en", 8)),
