@@ -76,6 +76,8 @@ def test_a_walk_of_no_steps_has_no_hint_and_one_backwards_says_what_it_is() -> N
         ("NOPE [1]", [("undeclared-procedure", 1, 1)]),
         ("NOPE [1] nope [2] SPEAK q Q = q", [("undeclared-procedure", 1, 1), ("undeclared-variable", 1, 25)]),
         ("PROCEDURE P: a DO END PROCEDURE P [1, 2]", [("wrong-argument-count", 1, 33)]),
+        ("VAR a = q VAR b", [("undeclared-variable", 1, 9)]),
+        ("PROCEDURE P DO VAR a = q END PROCEDURE", [("undeclared-variable", 1, 24)]),
         ("FW 1\nQUIT", [("terminal-only", 2, 1)]),
         ("RUN", [("terminal-only", 1, 1)]),
     ],
@@ -210,3 +212,15 @@ def test_a_name_that_is_missing_says_what_may_be_meant(
 
     assert (hint.details["name"], hint.code, hint.meant) == (name, code, meant)
     assert hint.details.get("written") == written
+
+
+def test_a_wrong_count_names_both_counts() -> None:
+    (hint,) = check(parse("PROCEDURE Pê: a DO END PROCEDURE pe [1, 2]").program)
+
+    assert hint.details == {"name": "pe", "wanted": 1, "given": 2}
+
+
+def test_the_hints_are_in_the_order_of_the_text() -> None:
+    source = "SPEAK q DISTANCE f NOPE [] FW -2 QUIT POS x"
+
+    assert [column for _, _, column in hints(source)] == [7, 9, 20, 28, 34, 39]

@@ -7,6 +7,7 @@ import pytest
 from language.diagnostics import Diagnostic, MistakeKind
 from language.parser import parse
 from language.suggestions import nearest_pair
+from language.syntax import DeclaredProcedure, Procedure
 
 
 def mistakes_in(source: str) -> tuple[Diagnostic, ...]:
@@ -408,6 +409,8 @@ def test_of_equally_near_words_the_one_in_the_language_of_the_program_is_offered
         ("SOUND", "missing-argument", {"word": "SOUND"}),
         ("SPEAK POS b", "", {"word": "POS"}),
         ("PF\nGD 90", "missing-argument", {"word": "FW"}),
+        ("PARA FRENTE\nGD 90", "missing-argument", {"word": "FORWARD"}),
+        ("GIRAR DIREITA", "missing-argument", {"word": "RIGHT TURN"}),
         ("P (1)", "call-brackets", {}),
         ("P x", "", {}),
         ("x == 3", "two-equals", {}),
@@ -502,6 +505,18 @@ def test_a_call_without_brackets_shows_the_right_call(call: str, meant: str, cal
 
     assert (mistake.kind, mistake.code, mistake.meant) == (MistakeKind.UNKNOWN_COMMAND, "procedure", meant)
     assert (mistake.details["call"], mistake.expected) == (called, ("command",))
+
+
+def test_a_procedure_of_an_earlier_batch_shows_the_right_call() -> None:
+    earlier = parse("PROCEDURE Go: A, b DO FW a END PROCEDURE").program
+    assert earlier is not None
+    procedure = earlier.body[0]
+    assert isinstance(procedure, Procedure)
+
+    (mistake,) = parse("go 1 2", declared={"go": DeclaredProcedure(procedure, earlier)}).diagnostics
+
+    assert (mistake.code, mistake.meant) == ("procedure", "go [1, 2]")
+    assert mistake.details == {"call": "go [A, b]"}
 
 
 @pytest.mark.parametrize(
