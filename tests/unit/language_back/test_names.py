@@ -22,6 +22,12 @@ back_ends = pytest.mark.parametrize("make", BACK_ENDS.values(), ids=BACK_ENDS.ke
         ("VAR a\nFOR VAR a = 0; a < 1; a = a + 1 DO END FOR", ("already-declared", 2, 9)),
         ("FOR VAR i = 0; i < 1; i = i + 1 DO VAR i END FOR", ("already-declared", 1, 40)),
         ("FOR VAR i = 0; i < 1; i = i + 1 DO\n END FOR SPEAK i", ("undeclared-variable", 2, 16)),
+        ("FOR VAR i = 0; i < 1; i = i + 1 DO END FOR\ni = 3", ("undeclared-variable", 2, 1)),
+        ("FOR VAR i = 0; i < 1; i = i + i DO\nj = 3 END FOR", ("undeclared-variable", 2, 1)),
+        ("FOR VAR i = 0; i > 5; j = 1 DO END FOR\nj = 2", ("undeclared-variable", 2, 1)),
+        ("WHILE 1 == 2 DO VAR a END WHILE\na = 2", ("undeclared-variable", 2, 1)),
+        ("IF 1 == 2 THEN VAR a ELSE VAR b END IF\na = 1", ("undeclared-variable", 2, 1)),
+        ("IF 1 == 1 THEN VAR a ELSE VAR b END IF\nb = 1", ("undeclared-variable", 2, 1)),
         ("FOR i = 0; i < 1; i = i + 1 DO END FOR", ("undeclared-variable", 1, 5)),
         ("FOR VAR i = 0; i < n; i = i + 1 DO END FOR", ("undeclared-variable", 1, 20)),
         ("FOR VAR i = 0; i < 1; j = i + 1 DO END FOR", ("undeclared-variable", 1, 23)),
@@ -69,6 +75,9 @@ def test_a_mistake_has_its_kind_and_its_place(make: Make, source: str, place: tu
         ("PROCEDURE P DO Q [] END PROCEDURE PROCEDURE Q DO SPEAK 3 END PROCEDURE P []", [3]),
         ("VAR p = 3 PROCEDURE P: p DO SPEAK p END PROCEDURE P [p + 1] SPEAK p", [4, 3]),
         ("DISTANCE F POS x COLOR red SPEAK 1", [1]),
+        ("IF 1 == 2 THEN VAR a ELSE VAR a = 2 END IF a = a + 1 SPEAK a", [3]),
+        ("VAR a IF 1 == 1 THEN a = 2 ELSE a = 3 END IF SPEAK a", [2]),
+        ("VAR j FOR VAR i = 0; i < 4; i = i + 2 DO j = j + i END FOR SPEAK j", [2]),
     ],
 )
 def test_names_exist_as_long_as_the_rules_say(make: Make, source: str, said: list[int]) -> None:

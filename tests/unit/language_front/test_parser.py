@@ -319,9 +319,13 @@ def test_each_colour_that_is_not_seen_is_a_mistake_of_its_own(
 
 
 def test_a_colour_that_is_none_names_those_of_the_robot() -> None:
-    (mistake,) = parse("COLOR roxo", colours=frozenset({"red", "blue"})).diagnostics
+    colours = frozenset({"red", "blue"})
+    (mistake,) = parse("COLOR roxo", colours=colours).diagnostics
+    (without,) = parse("COLOR roxo").diagnostics
+    (other,) = parse("POS b", colours=colours).diagnostics
 
     assert mistake.details == {"word": "COLOR", "wanted": "blue, red"}
+    assert (without.details, other.details) == ({"word": "COLOR"}, {"word": "POS"})
 
 
 @pytest.mark.parametrize("length", [1, 499, 500, 501, 999, 1000, 1001, 4300])

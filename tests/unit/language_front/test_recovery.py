@@ -483,6 +483,9 @@ TEXTS = [
     ("SPEAK DISTANSIA )", ["1:17 syntax"]),
     ("SPEAK ) F", ["1:7 syntax"]),
     ("SPEAK SOUNDON", []),
+    ("JUMP\nDISTANCE\nZ", ["1:1 unknown-command", "3:1 unknown-command"]),
+    ("DISTANCE Z\nPOS Z", ["1:10 bad-argument", "2:5 bad-argument"]),
+    ("SOUND FW 1", ["1:1 bad-argument missing-argument"]),
 ]
 
 
