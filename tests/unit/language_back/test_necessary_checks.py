@@ -84,6 +84,8 @@ NUMBERS = [
     ("FOR VAR i = 0; i < DISTANCE F; i = i + 1 DO END FOR", ""),
     ("FOR VAR i = 0; i < 3; i = i + 1 DO i = 2 END FOR", ""),
     ("FOR VAR i = 0; i < 3; i = i + 1 DO REPEAT 2 TIMES i = 2 END REPEAT END FOR", ""),
+    ("FOR VAR i = 0; i < 3; i = i + 1 DO i = 2 REPEAT 2 TIMES END REPEAT END FOR", ""),
+    ("FOR VAR i = 0; i < 3; i = i + 1 DO VAR k REPEAT 2 TIMES k = 2 END REPEAT END FOR", "range"),
     ("VAR n = 3 FOR VAR i = 0; i < n; i = i + 1 DO n = 5 END FOR", ""),
     ("VAR n = 3 FOR VAR i = 0; i < n; i = i + 1 DO IF 1 < 2 THEN n = 5 END IF END FOR", ""),
     ("VAR n = 2 FOR VAR i = 0; i < 3; i = i + n DO END FOR", ""),

@@ -74,6 +74,44 @@ def test_too_deep_nesting_is_one_mistake_with_its_limit(source: str, code: str, 
 @pytest.mark.parametrize(
     "source",
     [
+        "REPEAT 2 TIMES END " * (MOST_BLOCKS + 1),
+        "REPEAT 2 TIMES END REPEAT " * (MOST_BLOCKS + 1) + ")",
+        "FW ( " * (MOST_PARENTHESES + 1),
+        "x = ( " * (MOST_PARENTHESES + 1),
+        "FW (1) " * (MOST_PARENTHESES + 1) + ")",
+        "P [(1), (2), " + "(3), " * MOST_PARENTHESES + "]",
+    ],
+    ids=lambda source: f"{source[:20]!r}",
+)
+def test_what_stands_one_after_the_other_is_not_too_deep(source: str) -> None:
+    found = {each.kind for each in parse(source).diagnostics}
+
+    assert found
+    assert MistakeKind.TOO_DEEP not in found
+
+
+@pytest.mark.parametrize(
+    ("source", "code"),
+    [
+        ("END IF END " + nested(MOST_BLOCKS + 1), "blocks"),
+        ("REPEAT 2 TIMES END REPEAT " + nested(MOST_BLOCKS + 1), "blocks"),
+        ("FW ) ) " + "SPEAK " + "(" * (MOST_PARENTHESES + 1), "parentheses"),
+        ("FW (1) + " + "(" * (MOST_PARENTHESES + 1), "parentheses"),
+        ("FW ( ( SPEAK " + "(" * (MOST_PARENTHESES + 1), "parentheses"),
+    ],
+    ids=lambda source: f"{source[:20]!r}",
+)
+def test_what_ended_before_does_not_count(source: str, code: str) -> None:
+    """The mistake is at the last opening word or sign of the text, as it is the first one too many."""
+    (too_deep,) = [each for each in parse(source).diagnostics if each.kind is MistakeKind.TOO_DEEP]
+
+    assert too_deep.code == code
+    assert too_deep.span.start == source.rindex("(" if code == "parentheses" else REPEAT)
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
         "FW 1\n" * 20_000,
         "x = 1 + 2 * 3 " * 10_000,
         "JUMP\n" * 20_000,
