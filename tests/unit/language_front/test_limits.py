@@ -93,7 +93,7 @@ def test_what_stands_one_after_the_other_is_not_too_deep(source: str) -> None:
 @pytest.mark.parametrize(
     ("source", "code"),
     [
-        ("END IF END " + nested(MOST_BLOCKS + 1), "blocks"),
+        ("END IF END; " + nested(MOST_BLOCKS + 1), "blocks"),
         ("REPEAT 2 TIMES END REPEAT " + nested(MOST_BLOCKS + 1), "blocks"),
         ("FW ) ) " + "SPEAK " + "(" * (MOST_PARENTHESES + 1), "parentheses"),
         ("FW (1) + " + "(" * (MOST_PARENTHESES + 1), "parentheses"),
