@@ -227,3 +227,11 @@ def test_a_robot_waits_for_its_own_lines_only_and_only_while_they_are_held_back(
     queue.put(["c"], robot="bob")
     queue.trim(0)
     assert queue._has_room("bob")
+
+
+def test_lines_that_wait_from_before_interrupt_no_typed_line() -> None:
+    it = Listening()
+    it.listener.line_begins()
+    it.queue.put(["from before"])
+
+    assert not it.console.lines_wait()

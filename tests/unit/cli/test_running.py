@@ -1,0 +1,201 @@
+"""How ``donnie run`` waits for its programs, stops them and ends, on a session that only takes notes."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from types import SimpleNamespace as Part
+from typing import Any
+
+import pytest
+
+from donnie_tui.cli import run as run_module
+from donnie_tui.cli.options import ExitCode
+from donnie_tui.core.events import Answered, Outcome, Spoke, Stamped
+from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.settings.settings import SettingSource
+
+
+class Ended(Exception):
+    """Raised in place of the end of the process."""
+
+
+class Running:
+    """A session with runs that end as the test says."""
+
+    def __init__(self, *outcomes: Outcome | None, ends_after: int = 0, has_run_away: bool = False) -> None:
+        self.did: list[Any] = []
+        self.runs = [self._run(each, ends_after) for each in outcomes]
+        self.donnie: Any = Part(
+            team=Part(stop=lambda: self.did.append("stopped"), start_together=self._start),
+            connection=Part(
+                has_run_away=has_run_away,
+                wait_until_standing=lambda: self.did.append("stands"),
+                close=lambda: self.did.append("connection closed"),
+            ),
+            outlets=Part(audible=Part(is_still_within=lambda _: self.did.append("is silent") or True)),
+            stop_real_robot=bool,
+            words=Words(),
+            close=lambda: self.did.append("closed"),
+        )
+        self.output: Any = Part(on_broken=None, complaint=self.did.append, line=self.did.append)
+
+    def _run(self, outcome: Outcome | None, ends_after: int) -> Any:
+        waits = list[float]()
+
+        def wait(seconds: float) -> bool:
+            waits.append(seconds)
+            return len(waits) > ends_after
+
+        return Part(outcome=outcome, wait=wait, waits=waits)
+
+    def _start(self, programs: object, options: Any) -> list[Any]:
+        self.did.append((programs, options.trace, options.hooked))
+        return self.runs
+
+
+@pytest.mark.parametrize(
+    ("outcomes", "code"),
+    [
+        ((Outcome.COMPLETED,), ExitCode.DONE),
+        ((Outcome.QUIT,), ExitCode.DONE),
+        ((Outcome.FAILED,), ExitCode.FAILED),
+        ((Outcome.STOPPED,), ExitCode.STOPPED),
+        ((None,), ExitCode.FAILED),
+        ((Outcome.COMPLETED, Outcome.FAILED, Outcome.QUIT), ExitCode.FAILED),
+        ((Outcome.FAILED, Outcome.STOPPED), ExitCode.STOPPED),
+    ],
+)
+def test_the_worst_program_is_the_exit_code(outcomes: tuple[Outcome | None, ...], code: ExitCode) -> None:
+    it = Running(*outcomes)
+
+    assert run_module._run_to_the_end(it.donnie, {}, it.output, trace=True) is code
+    assert it.did == [({}, True, False), "is silent", "closed"]
+    assert it.output.on_broken == it.donnie.team.stop
+    assert [each.waits for each in it.runs] == [[0.5]] * len(outcomes)
+
+
+def test_a_run_is_waited_for_in_steps_until_it_ends() -> None:
+    it = Running(Outcome.COMPLETED, ends_after=3)
+    run_module._await_end(it.runs[0], threading.Event(), it.donnie)
+
+    assert (it.runs[0].waits, it.did) == ([0.5] * 4, [])
+
+
+@pytest.mark.parametrize(("has_run_away", "code"), [(False, 130), (True, 1)])
+def test_a_stopped_run_that_can_not_end_is_left_once_its_robot_stands(
+    monkeypatch: pytest.MonkeyPatch, has_run_away: bool, code: int
+) -> None:
+    it, codes, stopped = (
+        Running(None, ends_after=9, has_run_away=has_run_away),
+        list[int](),
+        threading.Event(),
+    )
+
+    def leave(with_code: int) -> None:
+        codes.append(with_code)
+        raise Ended
+
+    monkeypatch.setattr(run_module.os, "_exit", leave)
+    stopped.set()
+    with pytest.raises(Ended):
+        run_module._await_end(it.runs[0], stopped, it.donnie)
+
+    assert it.did == ["stands", "stopped", "connection closed"]
+    assert codes == [code]
+    assert it.runs[0].waits[0] == 0.5
+
+
+def test_what_programs_say_is_the_output_and_what_donnie_says_a_complaint() -> None:
+    said, ours = Stamped(1, 0.0, Spoke("hello")), Stamped(2, 0.0, Answered("Careful."))
+    for with_words, lines in ((True, ["hello"]), (False, [])):
+        out, err = list[str](), list[str]()
+        output: Any = Part(line=out.append, complaint=err.append)
+        donnie: Any = Part(words=Words())
+        show = run_module._printer(donnie, output, with_words=with_words)
+        show(said)
+        show(ours)
+        assert (out, err) == (lines, ["Careful."])
+
+
+@pytest.mark.parametrize(
+    ("source", "printed"),
+    [
+        (SettingSource.DEFAULT, ["the world", "the robot"]),
+        (SettingSource.OPTION, ["the world", "a setting", "the voice", "the robot"]),
+    ],
+)
+def test_what_is_missing_of_the_voice_is_said_only_if_it_was_asked_for(
+    source: SettingSource, printed: list[str]
+) -> None:
+    lines = list[str]()
+    notices = Part(
+        all=("the world", "a setting", "the voice", "the robot"),
+        about_world=("the world",),
+        about_devices=("the robot",),
+    )
+    settings: Any = Part(source_of=lambda key: source if key == "speech" else SettingSource.ENVIRONMENT)
+    run_module._print_notices(settings, Part(notices=notices), Part(complaint=lines.append))  # type: ignore[arg-type]
+
+    assert lines == printed
+
+
+class Assembling:
+    """Signals that come while a session is made; the search for a robot ends if it is one."""
+
+    def __init__(self, patched: pytest.MonkeyPatch, *, signals: int, searches: bool = False) -> None:
+        self.did: list[str] = []
+        self.signals = signals
+        self.problem: BaseException | None = None
+        patched.setattr(run_module, "Search", lambda: Part(give_up=lambda: self._give_up(searches)))
+        patched.setattr(run_module, "on_signals", self._on_signals)
+        patched.setattr(run_module, "assemble", self._assemble)
+
+    def _give_up(self, searches: bool) -> bool:
+        self.did.append("search given up")
+        return searches
+
+    def _on_signals(self, give_up: Callable[[], None]) -> Any:
+        from contextlib import nullcontext
+
+        self.give_up = give_up
+        return nullcontext()
+
+    def _assemble(self, settings: object, **named: Any) -> Any:
+        assert named["terminal"] is False
+        for _ in range(self.signals):
+            self.give_up()
+        if self.problem is not None:
+            raise self.problem
+        return Part(close=lambda: self.did.append("closed"))
+
+    def make(self) -> Any:
+        order: Any = Part(settings="settings", output=Part())
+        return run_module._assembled(order)
+
+
+def test_without_a_signal_the_session_is_made(monkeypatch: pytest.MonkeyPatch) -> None:
+    it = Assembling(monkeypatch, signals=0)
+    assert it.make().close
+    it.problem = Unusable("It is damaged.")
+    with pytest.raises(Unusable):
+        it.make()
+    assert it.did == []
+
+
+def test_a_signal_ends_the_search_or_else_the_start(monkeypatch: pytest.MonkeyPatch) -> None:
+    it = Assembling(monkeypatch, signals=2, searches=True)
+    it.problem = Unusable("There is no robot.")
+    with pytest.raises(KeyboardInterrupt):
+        it.make()
+    assert it.did == ["search given up"], "the second signal must not end the closing"
+
+    it = Assembling(monkeypatch, signals=1, searches=True)
+    with pytest.raises(KeyboardInterrupt):
+        it.make()
+    assert it.did == ["search given up", "closed"], "it came too late for the search"
+
+    it = Assembling(monkeypatch, signals=1)
+    with pytest.raises(KeyboardInterrupt):
+        it.make()
+    assert it.did == ["search given up"]
