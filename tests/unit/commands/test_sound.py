@@ -78,6 +78,51 @@ def test_a_key_ends_the_cues(home: Listening) -> None:
     assert home.audio.cues == []
 
 
+@pytest.mark.parametrize(
+    ("busy", "waited"), [(0, [0.05, 0.7]), (3, [0.05] * 4 + [0.7]), (1000, [0.05] * 100 + [0.7])]
+)
+def test_a_cue_is_followed_by_the_next_one_once_its_name_was_said(
+    home: Listening, monkeypatch: pytest.MonkeyPatch, busy: int, waited: list[float]
+) -> None:
+    """A voice that does not end is waited for some seconds."""
+    looks = iter(range(busy))
+    audible = type(home.donnie.outlets.audible)
+    monkeypatch.setattr(audible, "is_quiet_within", lambda _self, _seconds: next(looks, None) is None)
+    script = Script(home.donnie)
+    script.type("CUES bump")
+
+    assert script.interaction.waited == pytest.approx(waited)
+
+
+def test_a_screen_reader_has_two_seconds_for_the_name_of_a_cue(monkeypatch: pytest.MonkeyPatch) -> None:
+    with listening(monkeypatch, settings=Settings(speech="text", sound=True)) as made:
+        script = Script(made.donnie)
+        script.type("CUES")
+
+        assert script.interaction.waited == [2.0] * (1 + len(CUE_NAMES))
+
+
+@pytest.mark.parametrize(("presses_at", "sounds"), [(1, 0), (2, 0), (3, 1), (5, 2)])
+def test_a_key_ends_the_cues_after_the_one_that_sounds(home: Listening, presses_at: int, sounds: int) -> None:
+    """The number is said first, then each cue; the wait for each is two looks."""
+    script = Script(home.donnie)
+    script.interaction.when_waiting = lambda: len(script.interaction.waited) == presses_at
+    script.type("CUES")
+
+    assert len(home.audio.cues) == sounds
+    assert len(script.interaction.waited) == presses_at
+
+
+def test_a_stop_of_the_voice_ends_the_cues_as_a_key_does(home: Listening) -> None:
+    script = Script(home.donnie)
+    script.interaction.when_waiting = lambda: (
+        bool(home.donnie.outlets.audible.hush()) if home.audio.cues else False
+    )
+    script.type("CUES")
+
+    assert [each.name for each in home.audio.cues] == [CUES[0]]
+
+
 @pytest.mark.parametrize("typed", ["bump", "COLISÃO", "choque", "Colisao"])
 def test_one_cue_is_asked_for_in_any_language(home: Listening, typed: str) -> None:
     Script(home.donnie).type(f"CUES {typed}")
