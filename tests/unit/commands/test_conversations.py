@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
+from donnie_tui.commands.interaction import EnterWorld, drive
 from tests.unit.commands.scripted import Script
 
 OpenScript = Callable[..., Script]
@@ -464,3 +465,126 @@ def test_a_change_of_lines_that_have_run_says_what_waits_again(open_script: Open
         ("CHANGE 1 FW 5", ["Line 1: FW 5", "RUN runs all 3 lines again."]),
         ("INSERT 2 FW 6", ["Line 2: FW 6"]),
     )
+
+
+# --- what was said and typed before
+
+
+def with_twelve(script: Script) -> Script:
+    """Twelve answers of two lines, and twelve typed lines."""
+    for number in range(1, 13):
+        script.ctx.answers.add_lines([f"answer {number}", f"more {number}"])
+        script.ctx.answers.end_answer()
+        script.ctx.past.remember(f"FW {number}")
+    return script
+
+
+SAID_BEFORE: dict[str, tuple[list[str], bool]] = {
+    "LAST": (["answer 12", "more 12"], True),
+    "LAST 2": (["answer 11", "more 11"], True),
+    "LAST 12": (["answer 1", "more 1"], True),
+    "LAST 13": (["12 answers so far."], False),
+    "SPELL": (["m, o, r, e, blank, 1, 2."], True),
+    "SPELL 2": (["m, o, r, e, blank, 1, 1."], True),
+    "LAST WORD": (["1, 2."], True),
+    "FIND more 1": (["4 lines, the newest last.", "more 1", "more 10", "more 11", "more 12"], True),
+    "FIND zz": (["I have not said zz."], False),
+    "SHOW LOG": (
+        ["20 lines.", *(f"{word} {each}" for each in range(3, 13) for word in ("answer", "more"))],
+        True,
+    ),
+    "TYPED 2": (["11: FW 11", "12: FW 12"], False),
+    "TYPED": ([f"{each}: FW {each}" for each in range(3, 13)], False),
+    "TYPED 12": ([f"{each}: FW {each}" for each in range(1, 13)], False),
+    "TYPED 13": ([f"{each}: FW {each}" for each in range(1, 13)], False),
+}
+
+
+@pytest.mark.parametrize("typed", SAID_BEFORE)
+def test_what_is_repeated_is_not_remembered_anew(open_script: OpenScript, typed: str) -> None:
+    script, repeated = with_twelve(open_script()), set[bool]()
+    said, is_repeated = SAID_BEFORE[typed]
+    unsubscribe = script.donnie.team.stream.subscribe(
+        lambda stamped: repeated.add(getattr(stamped.event, "is_repeated", False))
+    )
+    assert script.answers_to(typed) == said
+    unsubscribe()
+
+    assert repeated == {is_repeated}
+
+
+def test_on_a_screen_all_typed_lines_are_offered_the_newest_first(open_script: OpenScript) -> None:
+    script = with_twelve(open_script())
+    script.ctx.screen = object()  # type: ignore[assignment] # TYPED asks nothing of it
+    script.answers_to("TYPED")
+
+    assert [(each.value, each.number) for each in script.interaction.offered] == [
+        (f"FW {number}", number) for number in range(12, 0, -1)
+    ]
+
+
+@pytest.mark.parametrize(("lines", "said"), [(18, []), (19, ["19 lines."])])
+def test_a_list_of_more_than_eighteen_lines_begins_with_their_number(
+    open_script: OpenScript, lines: int, said: list[str]
+) -> None:
+    script = open_script()
+    script.ctx.answers.add_lines([str(number) for number in range(lines)])
+    script.ctx.answers.end_answer()
+
+    assert script.answers_to("LAST") == [*said, *map(str, range(lines))]
+
+
+MORE_HELP = {
+    "MANUAL 99": ["I do not know 99. HELP lists the commands."],
+    "MANUAL 9": ["I do not know 9. HELP lists the commands."],
+    "MANUAL FW": ["FW: Walks forward, in steps.", "You write: FW value, or FORWARD value.", "Example: FW 5."],
+    "HELP SET volume": ["Set volume: 100.", "Choose a number, 0 to 100."],
+    "HELP zzz": ["I do not know zzz. HELP lists the commands."],
+    "HELP move": [
+        *("MOVE 5 2: Puts line 5 before line 2.", "You write: MOVE line before or thing east north."),
+        *("Example: MOVE 5 2.", "FW: Walks forward, in steps."),
+    ],
+    **{
+        each: [
+            *("SET page ask: Changes a setting.", "You write: SET, or SET name value."),
+            "Example: SET page ask.",
+        ]
+        for each in ("HELP SET", "HELP SET zzz")
+    },
+}
+
+
+@pytest.mark.parametrize("typed", MORE_HELP)
+def test_help_of_a_word_is_said(open_script: OpenScript, typed: str) -> None:
+    assert open_script().answers_to(typed) == MORE_HELP[typed]
+
+
+@pytest.mark.parametrize(
+    ("number", "title", "first"),
+    [
+        (1, "A program", "A program is a list of commands."),
+        (8, "Mistakes", "The message says the line, what is written there and what you probably meant."),
+    ],
+)
+def test_a_chapter_of_the_manual_is_a_page_with_its_title(
+    open_script: OpenScript, number: int, title: str, first: str
+) -> None:
+    script = open_script()
+
+    assert script.answers_to(f"MANUAL {number}")[0] == first
+    assert script.interaction.asked == [title]
+
+
+def test_the_tour_of_a_world_with_several_robots_says_to_which_the_learner_talks(
+    open_script: OpenScript,
+) -> None:
+    script = open_script(world="two_robots")
+    assert script.answers_to("TOUR")[0] == "Now you talk to alice."
+    script.ctx.tour_page = 9
+
+    assert script.answers_to("TOUR")[-1] == "Enter begins it. One command solves it."
+    assert script.ctx.tour_page == 1
+    assert script.interaction.more is not None
+    with pytest.raises(EnterWorld) as entered:
+        drive(script.interaction.more())
+    assert entered.value.name == "challenge:1"
