@@ -29,8 +29,8 @@ pytest.importorskip("textual_serve")
 
 from aiohttp import ClientSession, ClientWebSocketResponse, WSMsgType, WSServerHandshakeError  # noqa: E402
 
-from donnie_tui.cli.page_server import PageServer  # noqa: E402
-from donnie_tui.cli.page_session import IDLE_CODE, PageLimits  # noqa: E402
+from donnie_tui.cli.page_server import Gate, PageServer  # noqa: E402
+from donnie_tui.cli.page_session import IDLE_CODE, PageLimits, as_reason, size_of  # noqa: E402
 
 NEVER = 10**6
 """Seconds."""
@@ -735,3 +735,90 @@ async def test_no_other_page_may_show_read_or_keep_a_page(serving: Any, client: 
     assert {"default-src 'none'", "base-uri 'none'", "form-action 'none'", "frame-ancestors 'none'"} <= set(
         policy
     )
+
+
+# --- limits and names
+
+
+def test_the_limits_of_a_page_are_those_of_the_documents() -> None:
+    """Of the table in full-screen.md; a silent connection has half of the heartbeat more."""
+    limits = PageLimits()
+
+    assert (limits.sessions, limits.idle, limits.frame) == (8, 60 * 60, 1024 * 1024)
+    assert (limits.stalled, limits.lost, limits.heartbeat * 1.5) == (2.5, 20, 15)
+
+
+@pytest.mark.parametrize(
+    ("asked", "given"),
+    [
+        ((80, 24), (80, 24)),
+        ((20, 6), (20, 6)),
+        ((19, 5), (20, 6)),
+        ((500, 200), (500, 200)),
+        ((501, 201), (500, 200)),
+    ],
+)
+def test_a_screen_has_from_twenty_by_six_to_five_hundred_by_two_hundred(
+    asked: tuple[int, int], given: tuple[int, int]
+) -> None:
+    assert size_of(*asked) == given
+
+
+@pytest.mark.parametrize(
+    ("sentence", "reason"),
+    [
+        ("short", b"short"),
+        ("x" * 124, b"x" * 123),
+        ("x" * 122 + "é", b"x" * 122),
+        ("x" * 121 + "é", b"x" * 121 + "é".encode()),
+        ("\ud800", b"?"),
+    ],
+)
+def test_the_reason_of_an_end_is_cut_between_two_characters(sentence: str, reason: bytes) -> None:
+    assert as_reason(sentence) == reason
+
+
+@pytest.mark.parametrize(
+    ("address", "port", "host"),
+    [
+        ("localhost", 8000, "localhost:8000"),
+        ("localhost", 80, "localhost"),
+        ("127.0.0.1", 8000, "127.0.0.1:8000"),
+        ("::1", 8000, "[::1]:8000"),
+        ("192.168.1.2", 80, "192.168.1.2"),
+        ("0.0.0.0", 8000, f"{socket.gethostname()}:8000"),
+        ("::", 80, socket.gethostname()),
+    ],
+)
+def test_a_link_names_the_machine_and_its_port(address: str, port: int, host: str) -> None:
+    gate = Gate(address, port)
+
+    assert gate.link == f"http://{host}/start/{gate.secret}"
+    assert gate.cookie_name == f"donnie-{port}"
+
+
+@pytest.mark.parametrize(
+    ("asked", "given"),
+    [("", 16), ("x", 16), ("20", 20), ("6", 6), ("5", 6), ("72", 72), ("73", 72), ("-3", 6)],
+)
+async def test_the_letters_of_a_page_have_a_size_that_can_be_read(
+    serving: Any, client: ClientSession, asked: str, given: int
+) -> None:
+    async with serving() as served:
+        place = f"{served.origin}/?fontsize={asked}"
+        async with client.get(place, headers=served.cookie) as answer:
+            assert f'data-font-size="{given}"' in await answer.text()
+
+
+async def test_a_page_has_the_size_that_its_socket_asks_for(serving: Any, client: ClientSession) -> None:
+    shown = "import os; os.write(2, (os.environ['COLUMNS'] + ' ' + os.environ['ROWS']).encode()); os._exit(3)"
+    command = [sys.executable, "-I", "-S", "-c", shown]
+    async with serving(command=command) as served:
+        for query, size in (
+            ("", "80 24"),
+            ("?width=100&height=30", "100 30"),
+            ("?width=1&height=x", "20 24"),
+        ):
+            headers = {**served.cookie, "Origin": served.origin}
+            async with client.ws_connect(f"{served.origin}/ws{query}", headers=headers) as page:
+                assert await until_closed(page) == (4001, size)
