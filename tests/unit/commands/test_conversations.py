@@ -588,3 +588,37 @@ def test_the_tour_of_a_world_with_several_robots_says_to_which_the_learner_talks
     with pytest.raises(EnterWorld) as entered:
         drive(script.interaction.more())
     assert entered.value.name == "challenge:1"
+
+
+@pytest.mark.parametrize(
+    ("typed", "code"),
+    [
+        (("LIST",), 0),
+        (("SAVE",), 0),
+        (("OPEN zzz",), 2),
+        (("PUT zzz 1 2",), 2),
+        (("LISTT 2",), 1),
+        (("LISTT 2", "OPEN zzz"), 2),
+        (("OPEN zzz", "LISTT 2", "LIST"), 2),
+    ],
+)
+def test_the_worst_refusal_of_a_script_is_its_exit_code(
+    open_script: OpenScript, typed: tuple[str, ...], code: int
+) -> None:
+    script = open_script("FW 1")
+    script.answers_to(*typed)
+
+    assert script.ctx.script_code == code
+
+
+def test_a_busy_robot_is_named_where_there_are_several(open_script: OpenScript) -> None:
+    script = open_script("WAIT 1000", world="two_robots", speed=1.0)
+    script.type("START")
+    script.printed.clear()
+    script.type("RESET")
+    script.type("PUT box red 4 6")
+
+    said = [each for each in script.printed if "Waiting" not in each and "begins" not in each]
+    assert said == ["alice: A program is running. STOP stops it."] * 2
+    script.type("STOP ALL")
+    script.rest()

@@ -11,7 +11,7 @@ import pytest
 
 from donnie_tui.core.line_history import LineHistory
 from donnie_tui.i18n.words import Words
-from donnie_tui.linear.line_editor import LONGEST, Act, EditLine, KeyDecoder, KeyPress
+from donnie_tui.linear.line_editor import LONGEST, Act, EditLine, KeyDecoder
 from donnie_tui.linear.reader import LONGEST_PLAIN, EditingReader, How, PlainReader, Typed, candidates
 from tests.unit.linear.test_wakeups import Console, editor
 
@@ -155,20 +155,76 @@ def test_an_offered_line_that_ends_at_the_margin_is_continued_below() -> None:
     assert written == " \r"
 
 
-def test_what_is_typed_before_control_c_is_forgotten() -> None:
-    console: Any = Console(b"FW")
-    reader = editor(console)
+class Keyboard(Console):
+    """What each wait brings: bytes, or an event without a key."""
 
-    def wait(seconds: float | None = None, *, reading: bool = False) -> bool:
-        if console._typed:
-            return True
-        console.interrupted = True
-        return False
+    def __init__(self, *events: bytes | str) -> None:
+        super().__init__()
+        self.events = [*events]
 
-    console.wait = wait
-    reader._keys.append(KeyPress(Act.TEXT, "a"))
-    assert reader.read("> ") == Typed("aFW", How.INTERRUPTED)
-    assert not reader.has_typed
+    def wait(self, seconds: float | None = None, *, reading: bool = False) -> bool:
+        event = self.events.pop(0)
+        for each in event.split() if isinstance(event, str) else ():
+            if each == "SIGTERM":
+                self.leaving = 15
+            elif each == "SIGINT":
+                self.interrupted = True
+            elif each == "news":
+                self.has_news = True
+            elif each.startswith("keys:"):
+                self._typed = each.removeprefix("keys:").encode()
+        self._typed = event if isinstance(event, bytes) else self._typed
+        return bool(self._typed)
+
+
+@pytest.mark.parametrize(
+    ("events", "text", "how"),
+    [
+        ((b"FW", b" 1\r"), "FW 1", How.ENTER),
+        ((b"FW", "nudge", b" 1\r"), "FW 1", How.ENTER),
+        (("nudge", b"FW\r"), "FW", How.ENTER),
+        ((b"FW", "news"), "FW", How.NEWS),
+        (("news",), "", How.NEWS),
+        ((b"FW", "SIGTERM"), "FW", How.CLOSED),
+        ((b"FW", "SIGINT"), "FW", How.INTERRUPTED),
+        ((b"FW", "keys:XY SIGINT"), "FW", How.INTERRUPTED),
+        ((b"FW\x1b", "nothing"), "FW", How.ESCAPE),
+        ((b"\x1b", b"[A", b"\r"), "TR 90", How.ENTER),
+    ],
+)
+def test_a_line_waits_for_keys_and_is_interrupted_by_what_can_not_wait(
+    events: tuple[bytes | str, ...], text: str, how: How
+) -> None:
+    console: Any = Keyboard(*events)
+    history = LineHistory(None)
+    history.lines = ["TR 90"]
+    reader = EditingReader(console, history)
+
+    assert reader.read("> ") == Typed(text, how)
+    assert not reader.has_typed, "what came with Ctrl+C is dropped"
+
+
+def test_news_come_below_all_rows_of_the_line() -> None:
+    console: Any = Keyboard(b"x" * 100, b"\x01", "news")
+
+    assert EditingReader(console, LineHistory(None)).read("> ").how is How.NEWS
+    assert console.written.endswith("\x1b[1B\x1b[20C"), "from column 2 of the first row to 22 of the second"
+
+
+def test_what_tab_completes_is_written() -> None:
+    console: Any = Keyboard(b"rep\t", b"2\r")
+    reader = EditingReader(console, LineHistory(None))
+    reader.complete = lambda _: ("repeat",)
+
+    assert reader.read("> ").text == "repeat 2"
+    assert console.written == "repeat 2"
+
+
+def test_a_look_for_lines_typed_ahead_waits_for_none() -> None:
+    console = Console()
+
+    assert editor(console).take_ahead(lambda _: True) is None
+    assert console.waits == []
 
 
 @pytest.mark.parametrize(
