@@ -1,6 +1,7 @@
 """The settings that the learner changes: their words in each language, and their values as they are kept."""
 
 import pytest
+from msgspec.structs import replace
 
 from donnie_tui.commands.preferences import (
     BY_NAME,
@@ -8,6 +9,7 @@ from donnie_tui.commands.preferences import (
     Preferences,
     Where,
     find_preference,
+    setting_word,
     value_typed,
     value_word,
     values_in_words,
@@ -16,7 +18,7 @@ from donnie_tui.core.wording import spelled
 from donnie_tui.i18n.words import Words
 from donnie_tui.linear.prompter import prompt_text
 from donnie_tui.settings.parsing import LONGEST_PROGRESS
-from donnie_tui.settings.settings import Settings, resolve
+from donnie_tui.settings.settings import Settings, SettingSource, resolve
 from language.locales import languages
 
 WORDS = Words("en")
@@ -105,3 +107,111 @@ def test_a_setting_of_one_front_end_is_no_setting_of_the_other():
 def test_the_prompt_is_as_the_settings_say(style, prompts):
     settings = Settings(prompt=style)
     assert (prompt_text(settings, 0), prompt_text(settings, 2)) == prompts
+
+
+# --- the present value, as it is kept and as it is said
+
+CHANGED = [
+    # setting, value, in the settings file, in a list in English and in Portuguese
+    ("cues", {}, "", "all on", "todos ligados"),
+    ("cues", {"bump": 50, "scan": 0}, "bump 50, scan 0", "bump 50, scan 0", "colisão 50, olhar 0"),
+    ("keys", "", "", "as usual", "as de sempre"),
+    (
+        *("keys", "run f9, step ctrl+k 5", "run f9, step ctrl+k 5"),
+        *("F9 RUN, Ctrl+K 5 STEP", "F9 EXECUTAR, Ctrl+K 5 PASSO"),
+    ),
+    ("speed", 2.5, "2.5", "2.5", "2,5"),
+    ("speed", 2.0, "2", "2", "2"),
+    ("speed", None, "max", "max", "máxima"),
+    ("volume", 30, "30", "30", "30"),
+    ("sound", True, "on", "on", "ligado"),
+    ("sound", False, "off", "off", "desligado"),
+    ("plain", None, "off", "off", "desligado"),
+    ("plain", True, "on", "on", "ligado"),
+    ("theme", "contrast", "contrast", "high contrast", "alto contraste"),
+    ("language", "es", "es", "Spanish", "espanhol"),
+    ("free", "dot", "dot", "dot", "ponto"),
+    ("free", "x", "x", "x", "x"),
+]
+
+
+@pytest.mark.parametrize(("name", "value", "kept", "english", "portuguese"), CHANGED)
+def test_a_value_is_kept_in_english_and_listed_in_the_language(name, value, kept, english, portuguese):
+    key = {"language": "lang"}.get(name, name)
+    preferences = Preferences(replace(Settings(), **{name: value}), {})
+
+    assert preferences.value(key) == kept
+    assert preferences.value_label(key, Words("en")) == english
+    assert preferences.value_label(key, Words("pt")) == portuguese
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "said"),
+    [
+        ("progress", "0", "Progress reports, progress: never."),
+        ("progress", "30", "Progress reports, progress: 30 seconds."),
+        ("volume", 30, "Set volume: 30."),
+        ("speed", None, "Speed: max."),
+        ("page", "ask", "Long answers, page: ask."),
+        ("cues", {"bump": 5}, "Sounds, each: bump 5."),
+    ],
+)
+def test_a_setting_is_said_with_its_value(key, value, said):
+    assert Preferences(replace(Settings(), **{key: value}), {}).in_words(key, WORDS) == said
+
+
+@pytest.mark.parametrize(
+    ("key", "said"),
+    [
+        ("rate", "Choose a number, 80 to 450."),
+        ("volume", "Choose a number, 0 to 100."),
+        ("speed", "A number from 0.1 to 1000, or max:"),
+        ("free", "Choose: dot, f."),
+        ("page", "Choose: rest, ask, off."),
+        ("progress", "Choose: 0 10 60."),
+        ("punctuation", "Choose: none, some, all."),
+    ],
+)
+def test_what_a_setting_can_be_is_said(key, said):
+    assert values_in_words(BY_NAME[key], WORDS) == said
+
+
+@pytest.mark.parametrize(
+    ("key", "english", "portuguese"),
+    [
+        ("lang", "language", "idioma"),
+        ("theme", "look", "aparência"),
+        ("cues", "cues", "cues"),
+        ("key_echo", "echo", "eco"),
+        ("goals", "goals", "metas"),
+    ],
+)
+def test_a_setting_is_typed_by_a_word(key, english, portuguese):
+    assert (setting_word(key, Words("en")), setting_word(key, Words("pt"))) == (english, portuguese)
+    assert find_preference(english, Words("en")) is BY_NAME[key]
+    assert find_preference(portuguese, Words("pt")) is BY_NAME[key]
+
+
+@pytest.mark.parametrize(
+    ("typed", "key"), [("Language", "lang"), ("LOOK", "theme"), ("key_echo", "key_echo")]
+)
+def test_a_setting_is_found_by_its_label_and_its_name_in_the_file(typed, key):
+    assert find_preference(typed, WORDS) is BY_NAME[key]
+    assert find_preference("nothing", WORDS) is None
+
+
+def test_a_value_that_is_chosen_is_the_learners_own_and_a_wrong_one_is_refused():
+    preferences = Preferences(Settings(speed=2.0), {})
+    for key, text in (("speed", "fast"), ("keys", "dance f6"), ("progress", "-1")):
+        with pytest.raises(ValueError):
+            preferences.choose(key, text)
+    assert preferences.settings == Settings(speed=2.0)
+    for key, text in (("speed", "3"), ("keys", "run f9"), ("clock", "on")):
+        preferences.choose(key, text)
+
+    assert (preferences.settings.speed, preferences.settings.keys, preferences.settings.clock) == (
+        *(3.0, "run f9", "on"),
+    )
+    assert {*preferences.settings.sources} >= {"speed", "keys", "clock"}
+    assert preferences.settings.source_of("clock") is SettingSource.OPTION
+    assert preferences.settings.source_of("volume") is SettingSource.DEFAULT
