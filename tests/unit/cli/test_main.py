@@ -10,11 +10,14 @@ from typing import Any
 import pytest
 
 import worlds
+from donnie_tui import __main__ as entry
 from donnie_tui.cli import main as main_module
 from donnie_tui.cli.main import handler_of, main
 from donnie_tui.cli.options import SUBCOMMANDS, Order, understand
 from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.linear import greeting
 from donnie_tui.robot import search
+from donnie_tui.settings import folders
 from donnie_tui.settings.settings import FRONT_END_SPEED
 
 
@@ -194,3 +197,76 @@ def test_each_command_has_its_handler(command: str) -> None:
 
 def test_the_original_option_has_a_handler_of_its_own() -> None:
     assert handler_of(understand(["-f", "a.gd"], Words())).__name__ == "run_original"
+
+
+# --- the entry points
+
+
+@pytest.fixture
+def entered(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
+    """With what the command line is run; nothing is loaded, closed or watched."""
+    made = list[Any]()
+
+    def run(arguments: list[str], greeting: object, *, joins_server: bool) -> int:
+        made.append((arguments, greeting, joins_server))
+        if "interrupted" in arguments:
+            raise KeyboardInterrupt
+        return 5
+
+    for name in ("load_undisturbed", "_open_what_is_closed", "watch_for_hang_up", "_load_libraries"):
+        monkeypatch.setattr(entry, name, lambda name=name: made.append(name))
+    monkeypatch.setattr(entry, "_greet_early", lambda: "a greeting")
+    monkeypatch.setattr(main_module, "main", run)
+    return made
+
+
+PREPARED = ["load_undisturbed", "_open_what_is_closed", "watch_for_hang_up", "_load_libraries"]
+
+
+@pytest.mark.parametrize(
+    ("begin", "given", "arguments", "joins"),
+    [
+        ("main", ["run", "a.gd"], ["run", "a.gd"], False),
+        ("godonnie", ["-f", "a.gd"], ["-f", "a.gd"], True),
+        ("donnie_player", ["--port", "7"], ["player", worlds.PLAYER, "--port", "7"], False),
+    ],
+)
+def test_each_program_is_a_command_line(
+    monkeypatch: pytest.MonkeyPatch,
+    entered: list[Any],
+    begin: str,
+    given: list[str],
+    arguments: list[str],
+    joins: bool,
+) -> None:
+    monkeypatch.setattr("sys.argv", ["donnie", *given])
+
+    assert getattr(entry, begin)() == 5
+    assert entered == [*PREPARED, (arguments, "a greeting", joins)]
+
+
+def test_ctrl_c_before_anything_is_loaded_has_its_exit_code(
+    monkeypatch: pytest.MonkeyPatch, entered: list[Any]
+) -> None:
+    monkeypatch.setattr("sys.argv", ["donnie", "interrupted"])
+    assert entry.main() == 130
+
+
+def test_the_greeting_comes_early_only_where_no_settings_may_change_it(
+    monkeypatch: pytest.MonkeyPatch, isolated_settings: Path, tmp_path: Path
+) -> None:
+    begun = list[Any]()
+    monkeypatch.setattr("sys.argv", ["donnie", "--linear"])
+    monkeypatch.setattr(folders, "machine_settings_file", lambda: str(tmp_path / "machine.toml"))
+    monkeypatch.setattr(greeting, "begin", lambda arguments, _: begun.append(arguments) or "a greeting")
+    assert entry._greet_early() == "a greeting"
+    for file in (isolated_settings, tmp_path / "machine.toml"):
+        file.write_text("")
+        assert entry._greet_early() is None
+        file.unlink()
+    assert begun == [["--linear"]]
+
+
+@pytest.mark.parametrize(("number", "word"), [(0, "many"), (1, "one"), (2, "many")])
+def test_complaints_of_argparse_are_counted_as_in_english(number: int, word: str) -> None:
+    assert entry._as_in_english("one", "many", number) == word
