@@ -12,12 +12,14 @@ from xml.etree import ElementTree
 import pytest
 from PIL import Image
 
+from donnie_tui.commands import files
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.files import compare_with_file
 from donnie_tui.commands.interaction import EnterWorld, drive
 from donnie_tui.commands.lookup import words_of
 from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.line_history import LineHistory
+from donnie_tui.core.program_files import DocumentError
 from tests.unit.commands.scripted import Script
 from worlds import EXAMPLES
 
@@ -533,3 +535,72 @@ def test_a_line_of_a_file_is_not_asked_about(
 
     assert script.answers_to(typed) == [answer]
     assert script.interaction.asked == []
+
+
+# --- what fails, or is given up
+
+
+def failing(*_: object) -> None:
+    raise DocumentError("file-unwritable", "walk.gd", "the disk is full")
+
+
+FULL = "I can't write walk.gd: the disk is full."
+
+
+@pytest.mark.parametrize("typed", ["SAVE walk", "SAVE AS walk"])
+def test_a_program_that_can_not_be_saved_stays_unsaved(
+    open_script: OpenScript, monkeypatch: pytest.MonkeyPatch, typed: str
+) -> None:
+    script = open_script(*WORTH_SAVING)
+    monkeypatch.setattr(script.ctx.workspace, "save", failing)
+
+    assert script.answers_to(typed) == [FULL]
+    assert not script.ctx.program.is_saved
+    assert script.ctx.program.path is None
+
+
+def test_a_report_that_can_not_be_written_says_only_why(
+    open_script: OpenScript, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(files, "write_bytes", failing)
+
+    assert open_script("FW 1").answers_to("REPORT list a.csv") == [FULL]
+
+
+@pytest.mark.parametrize("typed", ["NEW", "OPEN walk", "EXAMPLES 1", "RECOVER"])
+@pytest.mark.parametrize(
+    ("answers", "said"),
+    [
+        ([None], UNCHANGED),
+        (["yes", None], UNCHANGED),
+        (["yes", "nowhere/a.gd"], "I can't write nowhere/a.gd: there is no such folder."),
+    ],
+)
+def test_a_program_is_not_left_unless_it_is_saved_or_given_up(
+    open_script: OpenScript,
+    walk: Path,
+    copies: Path,
+    typed: str,
+    answers: list[str | None],
+    said: str,
+) -> None:
+    (copies / "unsaved-99999999-1.gd").write_text("FW 9\n")
+    script = open_script(*WORTH_SAVING, answers=answers)
+
+    assert script.answers_to(typed) == [said]
+    assert script.ctx.program.lines == WORTH_SAVING
+
+
+@pytest.mark.parametrize(
+    ("typed", "lines"),
+    [("NEW", ()), ("OPEN walk", ("FW 1", "TR 90")), ("RECOVER", ("FW 9",))],
+)
+def test_a_program_that_is_given_up_is_left(
+    open_script: OpenScript, walk: Path, copies: Path, typed: str, lines: tuple[str, ...]
+) -> None:
+    (copies / "unsaved-99999999-1.gd").write_text("FW 9\n")
+    script = open_script(*WORTH_SAVING, answers=["no"])
+    script.type(typed)
+
+    assert script.ctx.program.lines == lines
+    assert script.interaction.asked == ["5 lines are not saved. Save first, y or n? Enter means no."]
