@@ -8,10 +8,12 @@ from types import SimpleNamespace
 
 import pytest
 from textual import events
+from textual.widgets import Input, TextArea
 
 from donnie_tui.commands.keys import KeyTable
+from donnie_tui.i18n.words import Words
 from donnie_tui.tui import keyboard
-from donnie_tui.tui.keyboard import LOOKS, TAKEN_LOOKS, Dialogs, Keyboard, KeyQueue
+from donnie_tui.tui.keyboard import LOOKS, ROUNDS, TAKEN_LOOKS, Dialogs, Keyboard, KeyQueue
 from donnie_tui.tui.run_view import Polling
 
 
@@ -163,6 +165,63 @@ async def test_a_command_after_another_one_waits_for_it_and_none_is_lost():
 
     assert app.done == ["run", "save", "a", "F", "F done", "b"]
     assert not app.turns.is_holding
+
+
+async def test_a_step_of_a_command_counts_as_progress_and_then_all_looks_begin_again():
+    app = Application()
+    app.do("run")
+    for _ in range(LOOKS - 1):
+        await app.timers[-1].ring()
+    await app.focused.work()  # its way goes on in the application's queue
+    for _ in range(LOOKS):
+        await app.timers[-1].ring()
+    assert (len(app.queue), len(app.timers)) == (1, 2 * LOOKS)
+    await app.timers[-1].ring()
+    assert (len(app.queue), app.done) == (2, [])
+    await app.work()
+    assert app.done == ["run"]
+
+
+async def test_the_timer_of_a_command_that_is_done_is_stopped_and_would_look_at_no_other_one():
+    app, stopped = Application(), []
+    app.do("run")
+    first = app.timers[-1]
+    first.stop = lambda: stopped.append("stopped")
+    await app.go_on()
+    assert (app.done, stopped) == (["run"], ["stopped"])
+    app.do("save")
+    app.timers.remove(first)
+    for _ in range(LOOKS):
+        await first.ring()
+    assert (len(app.queue), len(app.timers)) == (0, 1)
+
+
+async def test_a_widget_without_a_parent_passes_a_command_to_the_application():
+    app = Application()
+    app.focused = Pump()
+    app.do("run")
+    await app.go_on()
+    assert app.done == ["run"]
+
+
+async def test_keys_go_on_waiting_after_a_command_where_nothing_can_take_them_yet():
+    app, waits = Application(), [True]
+    app.turns = KeyQueue(app, app._feed, lambda: waits[0])
+    app.do("run")
+    app.press("a", "b")
+    await app.go_on()
+    assert (app.done, app.turns.is_holding) == (["run"], True)
+    waits[0] = False
+    app.do("save")
+    await app.go_on()
+    assert app.done == ["run", "save", "a", "b"]
+
+
+def test_waiting_keys_that_write_nothing_are_no_text():
+    queue = KeyQueue(None, None)
+    for key, character in (("a", "a"), ("ctrl+a", "\x01"), ("f5", None), ("space", " "), ("enter", "\r")):
+        queue.hold(events.Key(key, character))
+    assert queue.held_text == "a \n"
 
 
 # --- what a key does, and when
@@ -335,6 +394,229 @@ async def test_esc_in_the_tour_closes_it_and_the_next_one_is_asked_for_again(mon
     assert (keys.place.tour, keys.fed, keys.said) == (None, [], [])
     await keys.press("escape")
     assert (keys.fed, keys.said) == ([], ["esc-again"])
+
+
+async def test_esc_is_asked_for_again_by_the_word_of_its_command_if_it_has_one(monkeypatch):
+    keys, said = Keys(monkeypatch, is_real=True), []
+    keys.session.say = lambda code, **values: said.append((code, values))
+    await keys.press("escape")
+    assert (keys.fed, said) == ([], [("esc-again", {"word": "RUN"})])
+
+    keys.keyboard._key_table.choose("step escape")
+    keys.dialogs.note_gone()
+    await keys.press("x", "escape")
+    assert said[1:] == [("esc-again", {"word": "STEP"})]
+    keys = Keys(monkeypatch, is_real=True)  # in a browser LINEAR is not possible
+    keys.keyboard._key_table = KeyTable("linear escape", has_terminal=False)
+    keys.dialogs.note_gone()
+    await keys.press("escape")
+    assert (keys.fed, keys.said) == (["escape"], [])
+    keys = Keys(monkeypatch)
+    keys.dialogs.note_gone()
+    keys.session.controller = None
+    await keys.press("escape")
+    assert (keys.fed, keys.said) == (["escape"], [])
+
+
+@pytest.mark.parametrize(
+    ("key", "has_focus", "in_front"),
+    [("x", True, False), ("escape", False, False), ("escape", True, True)],
+)
+async def test_only_esc_in_the_tour_closes_it(monkeypatch, key, has_focus, in_front):
+    keys = Keys(monkeypatch)
+    keys.place.tour = SimpleNamespace(has_focus=has_focus)
+    keys.place.close_tour = lambda: keys.done.append("closed")
+    if in_front:
+        keys.app.screen = SimpleNamespace(call_later=keys.app.call_later)
+    await keys.press(key)
+    assert (keys.done, keys.fed, keys.said) == ([], [key], [])
+
+
+def test_keys_of_commands_come_before_those_of_widgets_but_tab_does_not():
+    table = KeyTable("run f9, save ctrl+k z")
+    bound = {
+        key: [(each.action, each.priority) for each in found]
+        for key, found in keyboard.bindings(table).key_to_bindings.items()
+    }
+    own = {
+        "ctrl+k": [("key_menu", True)],
+        "ctrl+p": [("command_palette", True)],
+        "ctrl+c": [("do('stop_all', True)", True)],
+        "tab": [("app.focus_next", False)],
+        "shift+tab": [("app.focus_previous", False)],
+    }
+    commands = {"f9": "run", "f5": "run", "escape": "run", "f8": "stop", "ctrl+s": "save", "f2": "save"}
+
+    assert {key: bound[key] for key in own} == own
+    assert {key: bound[key] for key in commands} == {
+        key: [(f"do('{name}')", True)] for key, name in commands.items()
+    }
+    assert not [key for key in bound if " " in key]
+    names = [key for each in table.all.values() for key in each if " " not in key]
+    assert len(bound) == len(own) + len(names)
+
+
+@pytest.mark.parametrize(
+    ("focused", "key", "submits"),
+    [
+        (Pump, "x", [False]),
+        (Pump, "enter", [True]),
+        (Pump, "left", [False]),
+        (Input, "x", []),
+        (Input, "space", []),
+        (Input, "enter", [True]),
+        (Input, "backspace", [False]),
+        (TextArea, "x", []),
+        (TextArea, "enter", [False]),
+    ],
+)
+async def test_later_keys_wait_for_a_key_that_writes_no_letter(monkeypatch, focused, key, submits):
+    """In a line Enter posts what was typed, and takes effect once that has come."""
+    keys = Keys(monkeypatch)
+    keys.app.focused, followed = focused(), []
+    monkeypatch.setattr(keys.keyboard._queue, "follow", lambda *, submits: followed.append(submits))
+    await keys.keyboard.on_event(events.Key(key, {"space": " "}.get(key, key if len(key) == 1 else None)))
+    await keys.keyboard.on_event(events.Paste("text"))
+    assert (keys.fed, followed) == ([key, "Paste"], submits)
+
+
+@pytest.mark.parametrize(("submits", "rounds"), [(True, ROUNDS), (False, 0)])
+async def test_a_key_that_submits_is_followed_through_all_queues_again(submits, rounds):
+    app, passed = Application(), []
+    app.turns._pass_on = lambda _pump, _command, rounds: passed.append(rounds)
+    app.turns.follow(submits=submits)
+    app.turns.follow(submits=submits)
+    assert (passed, app.turns.is_holding) == ([rounds], True)
+
+
+async def test_a_key_waits_for_the_command_before_it_whether_others_wait_or_not(monkeypatch):
+    keys = Keys(monkeypatch)
+    keys.keyboard.act("save")
+    await keys.keyboard.on_event(events.Key("a", "a"))
+    await keys.keyboard.on_event(events.Paste("bc"))
+    assert (keys.fed, keys.keyboard.waiting_text) == ([], "abc")
+    await keys.app.go_on()
+    assert (keys.done, keys.fed) == (["save"], ["a", "Paste"])
+
+
+async def test_a_stop_is_a_key_like_others_while_nothing_runs_and_a_forwarded_one_always(monkeypatch):
+    keys = Keys(monkeypatch)
+    keys.must_wait = True
+    await keys.press("f8", "ctrl+c")
+    assert keys.fed == []
+    keys.session.runs, keys.session.give_up_search = True, lambda: True
+    for event in (events.Paste("f8"), forwarded := events.Key("f8", None)):
+        event._forwarded = event is forwarded
+        await keys.keyboard.on_event(event)
+    assert keys.fed == ["f8"]
+
+
+async def test_without_a_widget_with_the_focus_a_command_comes_through_the_queue_of_the_screen():
+    app = Application()
+    app.focused, app.screen = None, Pump(app)
+    app.do("run")
+    await app.screen.work(1)
+    await app.work(1)
+    assert (len(app.screen.queue), app.done) == (1, [])
+    for _ in range(ROUNDS):
+        await app.screen.work()
+        await app.work()
+    assert app.done == ["run"]
+
+
+async def test_what_waited_long_enough_for_all_keys_comes_at_once_and_the_terminal_is_asked_for_more(
+    monkeypatch,
+):
+    keys, asked = Keys(monkeypatch), []
+    monkeypatch.setattr(keyboard, "has_unread", lambda number: asked.append(number))
+    keys.keyboard.when_taken(lambda: keys.done.append("late"), 0)
+    await keys.app.work(1)
+    assert keys.done == ["late"]
+    keys.keyboard.when_taken(lambda: None, TAKEN_LOOKS - 1)
+    await keys.app.work(1)
+    assert set(asked) == {0}, "the input"
+
+
+# --- the keys after the menu key
+
+
+class Menu:
+    """The key menu of a keyboard, with what was closed and said."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch, *, is_plain: bool = False) -> None:
+        self.keys = keys = Keys(monkeypatch)
+        self.left, self.said, self.shown = [], [], []
+        keys.place.is_plain = is_plain
+        keys.session.point = lambda _words: None
+        keys.session.say = lambda code, **values: self.said.append((code, values))
+        keys.app.push_screen = lambda menu, closed: self.shown.append((menu, closed))
+        keys.keyboard.open_menu(Words("en"))
+        self.menu, self.closed = self.shown[0]
+        self.menu.leave = lambda: self.left.append("left")
+
+
+def pressed(key: str) -> events.Key:
+    return events.Key(key, {"exclamation_mark": "!"}.get(key, key if len(key) == 1 else None))
+
+
+@pytest.mark.parametrize(
+    ("key", "done", "said"),
+    [
+        ("i", ["where"], []),
+        ("S", ["sensors"], []),
+        ("exclamation_mark", ["errors"], []),
+        ("f11", ["speed"], []),
+        ("enter", ["whole_map"], []),
+        ("4", [], ["Ctrl+K 4"]),
+        ("G", [], ["Ctrl+K G"]),
+        ("f9", [], ["Ctrl+K F9"]),
+        ("ctrl+k", [], ["Ctrl+K Ctrl+K"]),
+    ],
+)
+async def test_a_key_after_the_menu_key_runs_its_command_and_closes_the_menu(monkeypatch, key, done, said):
+    """Enter runs the chosen row, which is the first one, Ctrl+K A."""
+    it = Menu(monkeypatch)
+    await it.keys.keyboard.on_event(pressed(key))
+    assert (it.keys.done, it.left) == ([], ["left"]), "in its turn"
+    await it.keys.app.go_on()
+    assert (it.keys.done, it.said) == (done, [("menu-no-key", {"key": each}) for each in said])
+    assert it.keys.fed == []
+    it.closed(None)
+    assert not it.keys.dialogs.forget_gone()
+    await it.keys.press("i")
+    assert (it.keys.fed, it.keys.done) == (["i"], done)
+
+
+async def test_keys_that_read_the_menu_and_pastes_leave_it_open(monkeypatch):
+    it = Menu(monkeypatch)
+    reading = ["up", "down", "pageup", "pagedown", "home", "end", "escape"]
+    await it.keys.press(*reading)
+    await it.keys.keyboard.on_event(events.Paste("i"))
+    await it.keys.app.go_on()
+    assert (it.keys.fed, it.left, it.keys.done) == ([*reading, "Paste"], [], [])
+    await it.keys.press("i")
+    assert (it.left, it.keys.done) == (["left"], ["where"])
+
+
+@pytest.mark.parametrize(("clicked", "done"), [(None, []), ("save", ["save"]), ("run", ["line"])])
+async def test_a_menu_that_is_left_without_a_key_may_have_been_left_by_esc(monkeypatch, clicked, done):
+    it = Menu(monkeypatch)
+    it.keys.line.has_focus, it.keys.line.value = True, "FW 1"
+    it.closed(clicked)
+    await it.keys.app.go_on()
+    assert (it.keys.done, it.left) == (done, [])
+    assert it.keys.dialogs.forget_gone()
+    await it.keys.press("i")
+    assert it.keys.fed == ["i"]
+
+
+async def test_a_menu_is_plain_in_the_plain_layout_and_says_nothing_without_a_session(monkeypatch):
+    it = Menu(monkeypatch)
+    assert not it.menu.has_class("-plain")
+    it.keys.session.controller = None
+    await it.keys.press("4")
+    assert (it.said, it.left) == ([], ["left"])
+    assert Menu(monkeypatch, is_plain=True).menu.has_class("-plain")
 
 
 async def test_keys_wait_from_a_command_that_asks_until_its_dialog_is_there_and_until_it_is_done(monkeypatch):
