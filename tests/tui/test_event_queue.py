@@ -36,6 +36,9 @@ from donnie_tui.tui.event_queue import (
     CALM,
     FRAME,
     MOST_LINES,
+    MOST_LOOKS,
+    MOST_MEASURED,
+    MOST_POSES,
     NOTHING,
     EventQueue,
     EventReader,
@@ -162,6 +165,8 @@ def test_the_end_of_a_run_brings_its_mistakes():
     assert isinstance(posted[0], RunBegan)
     assert isinstance(posted[-1], RunFinished)
     assert posted[-1].errors == (mistake,)
+    publish(listener, RunEnded(Outcome.COMPLETED, HERE, {}, 0.0))
+    assert posted[-1].errors == (), "each has its own"
     listener.begun()
     assert listener.take().lines[0] == LogLine("Error, line 2, column 5: What?", "error")
 
@@ -177,7 +182,24 @@ def test_the_end_of_another_robots_run_names_that_robot_and_has_no_mistakes_of_t
 
     ended = [each for each in posted if isinstance(each, RunFinished)]
     assert [(each.robot, each.errors) for each in ended] == [("bob", ()), ("alice", (mistake,))]
-    assert listener.take().others == (("bob", Pose(1.0, 0.0, 0.0)),)
+    assert [type(each) for each in posted] == [EventsQueued, RunFinished, RunFinished]
+    listener.take()
+    listener(Stamped(2, 0.0, RunEnded(Outcome.COMPLETED, HERE, {}, 0.0), "bob"))
+    assert [type(each) for each in posted[3:]] == [RunFinished, EventsQueued], "the map shows its place"
+    assert listener.take().others == (("bob", HERE),)
+
+
+def test_of_very_many_mistakes_readings_rays_and_places_the_newest_are_kept():
+    listener, posted = queue()
+    mistakes = [Error("syntax", line, 1, "What?", None) for line in range(1, 102)]
+    publish(listener, *mistakes, RunEnded(Outcome.FAILED, HERE, {}, 0.0))
+    assert posted[-1].errors == tuple(mistakes[1:])
+    reads = [Read("distance", "front", each) for each in range(MOST_MEASURED + 1)]
+    publish(listener, *(Passing(Pose(each, 0, 0)) for each in range(MOST_POSES + 1)), *reads)
+    taken = listener.take()
+    assert taken.measured == tuple(reads[1:])
+    assert taken.looks == tuple(reads[-MOST_LOOKS:])
+    assert [taken.poses[0].x, len(taken.poses)] == [1, MOST_POSES]
 
 
 def test_readings_are_kept_by_their_sensor_and_rays_until_the_robot_moves():
@@ -205,6 +227,8 @@ def test_readings_are_kept_by_their_sensor_and_rays_until_the_robot_moves():
     [
         (Spoke("a"), "lines", (LogLine("a", "spoke"),)),
         (Announced("found", "A ball."), "lines", (LogLine("A ball.", "found"),)),
+        (Answered("a"), "lines", (LogLine("a", "answer"),)),
+        (Announced("moved", "I walked."), "lines", (LogLine("I walked.", "moved"),)),
         (Answered("a", is_repeated=True), "lines", (LogLine("a", "answer", is_repeated=True),)),
         (Passing(HERE), "poses", (HERE,)),
         (Driven("forward", HERE), "poses", (HERE,)),
