@@ -14,7 +14,7 @@ from textual._context import active_app
 from textual.app import App, SuspendNotSupported
 from textual.screen import Screen
 
-from donnie_tui.commands.interaction import Option
+from donnie_tui.commands.interaction import Option, begin
 from donnie_tui.commands.keys import KeyTable
 from donnie_tui.core.completion import Completion
 from donnie_tui.core.runner import RunRequest
@@ -166,6 +166,45 @@ async def test_a_key_is_asked_for_with_what_is_wrong_with_it():
     assert (capture._key_words, capture._asked_after_menu) == (
         WORDS("keys-capture"), WORDS("keys-second-key")
     )  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("name", "given"),
+    [
+        ("ask", ("Which?",)),
+        ("edit_line", ("Which?",)),
+        ("confirm", ("Really?",)),
+        ("ask_file", ("Which?", "", list)),
+        ("choose", ("Which?", [Option("a", "a")])),
+        ("press_key", ("Which?", str)),
+        ("background", (lambda: 1, "It takes a while.")),
+        ("finish", (asyncio.sleep,)),
+        ("complete", ()),
+        ("type_again", ("OPEN",)),
+        ("wait", (0,)),
+    ],
+)
+async def test_a_command_runs_at_once_up_to_what_it_waits_for_and_the_rest_of_it_in_a_worker(
+    monkeypatch, name, given
+):
+    it, waited = Asking("yes"), []
+    completing(it, "REP", Completion("REP", ("REPEAT",), ("REPEAT",)))
+
+    async def ask(*what: object) -> None:
+        waited.append(what)
+
+    monkeypatch.setattr(it.screen._dialogs, "answer_of", ask)
+    monkeypatch.setattr(asyncio, "to_thread", ask)
+    it.controller.run_line = ask
+    sleep = asyncio.sleep
+    if name == "finish":
+        given = (ask("finish"),)
+    elif name == "wait":
+        monkeypatch.setattr(asyncio, "sleep", lambda seconds: waited.append(seconds) or sleep(seconds))
+    rest = begin(getattr(it.screen, name)(*given))
+    assert (rest is not None, waited) == (True, [0] if name == "wait" else [])
+    await rest
+    assert len(waited) == (2 if name == "wait" else 1)
 
 
 # --- time
