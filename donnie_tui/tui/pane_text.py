@@ -204,7 +204,6 @@ def inspector_lines(
     ``changes`` variables are a table and the distances stand around the robot; without, all are sentences.
     """
     scopes = [each for each in scopes_of(frames, variables or {}) if each[1]]
-    is_seen = changes is not None
     if not scopes:
         of_variables: Sequence[str] = [
             words(f"inspector-{'unknown' if variables is None else 'no'}-variables")
@@ -216,11 +215,7 @@ def inspector_lines(
     return (
         *of_variables,
         *_calls(frames, words),
-        *(
-            _compass(distances, words)
-            if is_seen and distances.keys() <= _AROUND
-            else _distances(distances, words)
-        ),
+        *(_distances(distances, words) if changes is None else _compass(distances, words)),
         *belt,
         *_readings(readings, words),
     )
@@ -247,12 +242,6 @@ def _table(
         else name
         for mark, (name, value, was) in rows
     )
-
-
-_AROUND = {
-    *(Bearing.FRONT_LEFT, Bearing.FRONT, Bearing.FRONT_RIGHT),
-    *(Bearing.BACK_LEFT, Bearing.BACK, Bearing.BACK_RIGHT),
-}
 
 
 def _compass(distances: Mapping[Bearing, int], words: Wording) -> tuple[str, ...]:

@@ -198,6 +198,11 @@ def test_a_challenge_shows_its_goals(show: Callable[..., Shown]) -> None:
     shown.place.is_plain = True
     shown.display.look()
     assert shown.place.inspected[3] == "Goal 1: You stopped 5 steps south of 0, 5."
+    shown.script.answers_to("FW 5")
+    shown.place.is_plain = False
+    shown.display.look()
+    assert shown.place.inspected[2] == "Goals, 1 of 1 met:"
+    assert shown.place.inspected[3].startswith("[x] Goal 1: ")
     assert shown.display.scene.kind(shown.display.scene.cell_at(0, 5)) is Kind.GOAL
 
 

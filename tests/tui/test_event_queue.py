@@ -356,6 +356,27 @@ def test_the_log_is_written_at_once_and_then_five_times_a_second(monkeypatch):
     assert it.timers == []  # there is no line to write
 
 
+def test_what_is_flushed_is_written_at_once_and_the_timers_that_waited_for_it_are_stopped(monkeypatch):
+    it = Clock(monkeypatch)
+    for at, texts in ((100.0, "a"), (100.06, "b"), (100.07, "cd")):
+        it.pass_to(at)
+        for text in texts:
+            publish(it.queue, Spoke(text))
+            it.reader.on_queued()
+    assert len(it.timers) == 2  # one takes both, one writes
+    it.reader.flush()
+    assert (it.written, it.timers) == ([["a"], ["b", "c", "d"]], [])
+    it.pass_to(100.5)
+    publish(it.queue, Spoke("e"))
+    it.reader.on_queued()
+    assert (it.written[2:], it.timers) == ([["e"]], [])
+    it.pass_to(100.5 + 2 * FRAME)
+    publish(it.queue, Spoke("f"))
+    it.reader.on_queued()
+    it.reader.write()
+    assert (it.written[3:], it.timers) == ([["f"]], [])
+
+
 def test_the_number_of_lost_lines_comes_before_the_remaining_lines():
     listener, _ = queue()
     for _ in range(MOST_LINES + 500):

@@ -12,6 +12,7 @@ from donnie_tui.tui.pane_text import (
     Histories,
     VariableChanges,
     inspector_lines,
+    reading_name,
     robot_sentence,
     scopes_of,
     state_badge,
@@ -192,6 +193,26 @@ def test_after_a_run_without_steps_no_variable_has_the_mark_of_the_last_step():
     changes.look([("", (("base", 5),))], [1])
     changes.look([("", (("base", 6),))], [])
     assert inspector_lines((), {"base": 6}, {}, (), (), Words(), changes)[1] == "*base      6    5"
+
+
+def test_a_change_is_kept_with_the_value_before_it_until_a_program_begins_anew():
+    changes, n = VariableChanges(), ("", "n")
+    for value, lines, changed, was in (
+        (1, [3], {n}, {}),
+        (1, [3], {n}, {}),  # the same moment
+        (1, [4], set(), {}),
+        (2, [5], {n}, {n: 1}),
+        (3, [], {n}, {n: 2}),
+        (4, [], set(), {n: 2}),  # the program ended unseen
+    ):
+        changes.look([("", (("n", value),))], lines)
+        assert (changes.changed, changes.was) == (changed, was)
+    changes.look([("WALK", (("n", 9),)), ("", (("n", 4),))], [1])
+    assert (changes.changed, changes.was) == ({("WALK", "n")}, {n: 2})
+    changes.forget()
+    assert (changes.changed, changes.was) == (frozenset(), {})
+    changes.look([("", (("n", 4),))], [1])
+    assert (changes.changed, changes.was) == ({n}, {})
 
 
 @pytest.mark.parametrize("changes", [VariableChanges(), None], ids=["seen", "heard"])
@@ -445,6 +466,35 @@ def test_charts_are_of_three_that_changed_from_three_values_below_a_million_on()
         histories.add("a", value)
     charts = histories.charts(400, WORDS)
     assert (charts[1][:4], charts[4]) == ("299|", "100|" + "*" * 34)
+
+
+@pytest.mark.parametrize(
+    ("columns", "charted"),
+    [
+        (5, ("2| *", " |", " |", "1|* *")),
+        (4, ("2|*", " |", " |", "1| *")),
+        (3, ("1|", " |", " |", "1|*")),
+        (0, ("1|", " |", " |", "1|*")),
+    ],
+)
+def test_a_chart_has_the_newest_values_for_which_there_is_room_and_one_at_least(columns, charted):
+    histories = Histories()
+    for value in (1, 2, 1):
+        histories.add("a", value)
+    assert histories.charts(columns, WORDS)[1:] == charted
+
+
+@pytest.mark.parametrize(
+    ("read", "name"),
+    [
+        (Read("distance", "back left", 4), "distance behind left"),
+        (Read("distance", "beak", 4), "distance beak"),
+        (Read("colour", "", 4), "color unknown"),
+        (Read("position", "red", 4), "position red"),
+    ],
+)
+def test_a_reading_has_the_name_of_its_sensor_and_of_what_that_was_asked(read, name):
+    assert reading_name(read, WORDS) == name
 
 
 async def test_the_belt_stays_among_the_variables_once_it_has_shown_something(open_screen, monkeypatch):

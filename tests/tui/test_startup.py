@@ -264,6 +264,7 @@ def test_before_there_is_a_session_nothing_runs_and_nothing_is_done() -> None:
     assert handle.code_at_end(3, print) == 3
     for call in (handle.halt, handle.keep_text, handle.close):
         call()
+    SessionHandle(None, lambda: "FW 1").keep_text()  # there is no place for it
     handle.point("words")
     handle.say("code", name="value")
     assert it.done == []
@@ -296,7 +297,8 @@ def test_a_session_is_told_all_that_the_screen_asks_for() -> None:
     handle.assembled = Recorded("another", it.done)
     assert it.does(handle.close) == [("controller close",)]
     it.donnie.connection.search = None
-    assert handle.give_up_search() is False
+    it.handle.controller.left_for_linear, it.donnie.stop_real_robot = False, lambda: False
+    assert (handle.give_up_search(), handle.left_for_linear, handle.stop_real_robot()) == (False,) * 3
 
 
 @pytest.mark.parametrize(
@@ -315,7 +317,9 @@ def test_what_was_typed_before_there_is_a_session_is_kept_once_until_the_session
     tmp_path: Path, typed: str, kept: list[str]
 ) -> None:
     def copies() -> list[str]:
-        return [read_copy(each).text for each in sorted(tmp_path.rglob("*.gd"))]
+        found = sorted(tmp_path.rglob("*.gd"))
+        assert not any(each.read_text().endswith("\n\n") for each in found)
+        return [read_copy(each).text for each in found]
 
     text = [typed]
     it = Handle(has_controller=False, typed=lambda: text[0], copies=tmp_path / "unsaved")
