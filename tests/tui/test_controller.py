@@ -19,10 +19,11 @@ from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.line_history import LineHistory
 from donnie_tui.core.program_text import LONGEST_CHECKED
 from donnie_tui.core.run_state import RunState
+from donnie_tui.core.runner import RunRequest
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui import controller as module
 from donnie_tui.tui.controller import EditorAssistant, ScreenController, ScreenKeyEcho, ScreenState
-from donnie_tui.tui.event_queue import CALM, FRAME, NOTHING, LogLine
+from donnie_tui.tui.event_queue import CALM, FRAME, NOTHING, EventsQueued, LogLine, RunBegan
 from tests.tui.test_display import Place
 from tests.tui.test_run_view import Recorded, Timers
 from tests.unit.commands.scripted import Script
@@ -54,8 +55,9 @@ class Controlled:
         self._donnie, self._runs = self.donnie, self.ctx.runs
         self.ctx.workspace.begin_with(self.donnie.session.name)
         self.folder, self.timers = folder, Timers()
+        self.posted: list[Any] = []
         self.app = Recorded(
-            "app", self.done, post_message=lambda _: None, set_timer=self.timers.timer("once"),
+            "app", self.done, post_message=self.posted.append, set_timer=self.timers.timer("once"),
             set_interval=self.timers.timer("again"),
         )  # fmt: skip
         self.place = Place()
@@ -66,6 +68,8 @@ class Controlled:
             has_focus=False, past=LineHistory(), have_typed=lambda past: self.done.append(("typed", past))
         )
         self.controller = ScreenController(self.app, self.place, KeyTable(), self.ctx)
+        self.first_view = self.controller.run_view
+        self.first_frame = self.controller.events.frame
         for name in ("display", "run_view", "assistant"):
             setattr(self.controller, name, Recorded(name, self.done))
         self.controller.run_view.polling = Recorded("polling", self.done)
@@ -114,6 +118,30 @@ def control(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Callabl
 
 
 # --- the start
+
+
+@pytest.mark.parametrize(("motion", "frame"), [("reduced", CALM), ("full", FRAME)])
+@pytest.mark.parametrize("completion", [True, False])
+def test_settings_count_from_the_start_and_events_reach_the_screen_until_it_is_left(
+    control: Callable[..., Controlled], motion: str, frame: float, completion: bool
+) -> None:
+    it = control(motion=motion, completion=completion)
+    assert it.first_frame == frame
+    assert (it.place.editor.complete is not None) is completion
+    assert isinstance(it.controller._key_echo, ScreenKeyEcho)
+    it.controller.point("here")
+    assert it.posted == []
+    it.ctx.say("Hello.")
+    it.said()
+    assert [type(each) for each in it.posted] == [EventsQueued]
+    assert it.ctx.runs.observer is it.first_view
+    it.controller._unsubscribe()
+    it.controller._unsubscribe = lambda: None
+    it.posted.clear()
+    it.ctx.runs.start(RunRequest("FW 1")).wait(60)
+    it.said()
+    assert [each for each in it.posted if isinstance(each, RunBegan)] == []
+
 
 TOUR = "TOUR and Enter: a first tour. SET tour off: I don't offer it."
 
