@@ -16,6 +16,7 @@ from donnie_tui.bootstrap import assemble
 from donnie_tui.commands.interaction import drive
 from donnie_tui.commands.keys import KeyTable
 from donnie_tui.core.answer_log import AnswerLog
+from donnie_tui.core.events import Pointed
 from donnie_tui.core.line_history import LineHistory
 from donnie_tui.core.program_text import LONGEST_CHECKED
 from donnie_tui.core.run_state import RunState
@@ -129,8 +130,12 @@ def test_settings_count_from_the_start_and_events_reach_the_screen_until_it_is_l
     assert it.first_frame == frame
     assert (it.place.editor.complete is not None) is completion
     assert isinstance(it.controller._key_echo, ScreenKeyEcho)
+    pointed: list[Any] = []
+    unsubscribe = it.donnie.session.hub.subscribe(lambda stamped: pointed.append(stamped.event))
     it.controller.point("here")
-    assert it.posted == []
+    it.said()
+    unsubscribe()
+    assert (it.posted, pointed) == ([], [Pointed("here")])
     it.ctx.say("Hello.")
     it.said()
     assert [type(each) for each in it.posted] == [EventsQueued]

@@ -251,6 +251,46 @@ async def test_a_click_on_what_a_dialog_says_of_enter_and_esc_presses_it(width, 
         assert pressed == clicked
 
 
+async def test_a_click_next_to_a_row_is_none_and_one_on_a_key_goes_no_further():
+    for widget in (KeyLine(id="keys"), Slider(), DialogKeys(WORDS)):
+        async with Row(widget, 30).run_test(size=(60, 4)) as pilot:
+            if isinstance(widget, KeyLine):
+                widget.offer((ONE, ALL))
+            for place in ((1, 2), (31, 0)):
+                widget.on_click(event := click(widget, *place))
+                await pilot.pause()
+                assert (pilot.app.posted, event._stop_propagation) == ([], False)
+    keys = DialogKeys(WORDS)
+    async with Row(keys, 60).run_test(size=(60, 4)) as pilot:
+        stopped = []
+        for x in (2, 20):
+            keys.on_click(event := click(keys, x))
+            stopped.append(event._stop_propagation)
+        assert stopped == [True, False]
+
+
+@pytest.mark.parametrize("plain", [True, False])
+@pytest.mark.parametrize("kind", [DialogKeys, BottomKeys])
+async def test_names_of_keys_are_reversed_but_not_in_the_plain_layout(kind, plain):
+    keys = kind(WORDS)
+    app = Row(keys, 60)
+    async with app.run_test(size=(60, 4)) as pilot:
+        app.screen.set_class(plain, "-plain")
+        keys.say(WORDS)
+        await pilot.pause()
+        assert app.rows == [f" {WORDS}"]
+        reversed_keys = [each.text for each in keys.render_line(0) if each.style and each.style.reverse]
+        assert reversed_keys == ([] if plain else ["Enter", "Esc"])
+        assert keys.has_class("bottom-keys" if kind is BottomKeys else "screen-keys")
+
+
+async def test_words_of_a_dialog_are_no_markup():
+    keys = DialogKeys("[red]Esc[/]")
+    async with Row(keys, 60).run_test(size=(60, 4)) as pilot:
+        await pilot.pause()
+        assert pilot.app.rows == [" [red]Esc[/]"]
+
+
 @pytest.mark.parametrize(("size", "rows"), [((60, 10), 3), ((59, 10), 4), ((60, 9), 0), ((59, 9), 0)])
 def test_the_fixed_rows_are_one_more_where_it_is_narrow_and_none_where_it_is_low(size, rows):
     assert rows_always_seen(Size(*size)) == rows

@@ -232,6 +232,19 @@ async def test_kinds_have_a_column_of_ten_from_56_columns_on(width):
         assert rows.row_count == 5
 
 
+async def test_rows_that_do_not_follow_have_a_column_of_kinds_once_a_line_has_one():
+    async with Posting(follows=False).run_test(size=(60, 8)) as pilot:
+        rows = pilot.app.rows
+        rows.append([("none", "")])
+        await pilot.pause()
+        assert painted(rows)[0] == " none"
+        rows.append([("one", "kind"), ("two", "")])
+        await pilot.resize_terminal(61, 8)
+        await pilot.pause()
+        assert painted(rows)[:3] == [f"{'':12}none", f" kind{'':7}one", f"{'':12}two"]
+        assert rows.with_kinds == (("none", ""), ("one", "kind"), ("two", ""))
+
+
 BROKEN = [
     ("a" * 19, ["a" * 19]),
     ("a" * 20, ["a" * 19, "a"]),
