@@ -1,7 +1,9 @@
 """The editor by itself: lines, marks, notes, words that are offered, the selection, as they are painted."""
 
+from types import SimpleNamespace
+
 from textual.app import App, ComposeResult
-from textual.events import Paste
+from textual.events import Key, Paste
 from textual.geometry import Offset
 from textual.message import Message
 from textual.widgets.text_area import Selection
@@ -9,6 +11,7 @@ from textual.widgets.text_area import Selection
 from donnie_tui.core.completion import Completion, NextLine
 from donnie_tui.core.program_text import LineMistake
 from donnie_tui.tui import themes
+from donnie_tui.tui.widgets import editor as module
 from donnie_tui.tui.widgets.editor import LONGEST_WRAPPED, Editor
 
 WIDTH, HEIGHT = 40, 8
@@ -25,6 +28,8 @@ class Writing(App[None]):
         self.editor.styles.width, self.editor.styles.height = WIDTH, HEIGHT
         self.text = text
         self.posted: list[Message] = []
+        self.keys: list[str] = []
+        """Keys that the editor has left to others."""
 
     def compose(self) -> ComposeResult:
         yield self.editor
@@ -33,6 +38,9 @@ class Writing(App[None]):
         self.register_theme(themes.theme(themes.DARK))
         self.theme = themes.DARK
         self.editor.show(self.text, frozenset())
+
+    def on_key(self, event: Key) -> None:
+        self.keys.append(event.key)
 
     def on_editor_line_word_typed(self, message: Message) -> None:
         self.posted.append(message)
@@ -77,6 +85,43 @@ async def test_enter_after_a_line_that_is_only_a_command_takes_it_out():
             assert (found, finished) == (([command], []) if command else ([], [cursor[0]]))
             assert editor.document.lines == left
             assert not command or editor.cursor_location == (cursor[0], 0)
+        assert pilot.app.keys == []
+
+
+async def test_undo_that_is_typed_is_taken_out_as_it_was_typed_so_that_undo_is_about_what_was_before():
+    async with Writing("FW 1\n").run_test() as pilot:
+        editor = pilot.app.editor
+        editor.move_cursor((0, 4))
+        await pilot.press("2")
+        editor.move_cursor((1, 0))
+        await pilot.press(*"undo", "enter")
+        await pilot.pause()
+        assert [each.name for each in pilot.app.posted_of(Editor.LineWordTyped)] == ["undo"]
+        assert editor.document.lines == ["FW 12", ""]
+        editor.undo()
+        assert editor.document.lines == ["FW 1", ""]
+        editor.show("undo", frozenset())  # which was not typed
+        editor.move_cursor((0, 4))
+        await pilot.press("enter")
+        assert editor.document.lines == ["undo"]
+
+
+async def test_a_command_ends_the_block_whose_end_was_typed_a_second_time():
+    async with Writing().run_test() as pilot:
+        editor = pilot.app.editor
+        doubled = NextLine("", "", doubled=True)
+        for next_line, is_typed, lines in (
+            (doubled, True, ["END", "FW"]),
+            (doubled, False, ["END", "END", "FW"]),
+            (NextLine("", ""), True, ["END", "END", "FW"]),
+            (None, True, ["END", "END", "FW"]),
+        ):
+            editor.show("END\nEND\nFW", frozenset())
+            editor.next_line = None if next_line is None else lambda *_, found=next_line: found
+            editor.is_typed = is_typed
+            editor.finish_typed_end()
+            assert editor.document.lines == lines
+            assert editor.is_typed is (is_typed and next_line is not doubled)
 
 
 async def test_a_command_that_is_selected_is_none():
@@ -110,6 +155,12 @@ async def test_enter_writes_the_next_line_only_at_the_end_of_a_line():
             await pilot.press("enter")
 
             assert (editor.document.lines, editor.cursor_location) == (lines, after)
+        assert pilot.app.keys == []
+        editor.show("FW 1", frozenset())
+        editor.next_line = lambda *_: NextLine("", "", "END")
+        editor.select(0, 0, 2)
+        await pilot.press("enter")
+        assert editor.document.lines == ["", " 1"], "what is selected is replaced"
 
 
 async def test_without_line_numbers_enter_writes_a_new_line_and_nothing_else():
@@ -238,6 +289,105 @@ async def test_a_click_next_to_a_line_is_meant_for_it_and_moves_no_cursor():
                 [line] if line else []
             )
             assert (editor.cursor_location == (2, 2)) is bool(line)
+
+
+STEPS = ("EXAMPLES, Enter: programs to try", "walk, then see", "FW, Enter", "EXAMPLES Enter", "OUTLINE, x")
+
+
+async def test_a_click_on_a_command_among_the_first_steps_runs_it_and_moves_no_cursor():
+    async with Writing().run_test() as pilot:
+        editor = pilot.app.editor
+        editor.show_first_steps(STEPS)
+        await pilot.pause()
+        for row, name in (
+            (0, None),
+            (1, "examples"),
+            (2, None),
+            (3, None),
+            (4, None),
+            (5, "outline"),
+            (6, None),
+        ):
+            pilot.app.posted.clear()
+            await pilot.click(editor, offset=Offset(8, row))
+            commands = [(each.name, each.argument) for each in pilot.app.posted_of(Editor.LineWordTyped)]
+            assert commands == ([(name, None)] if name else [])
+        for change in (lambda: setattr(editor, "show_line_numbers", False), lambda: editor.insert("FW")):
+            editor.show_line_numbers = True
+            change()
+            pilot.app.posted.clear()
+            await pilot.click(editor, offset=Offset(8, 1))
+            assert pilot.app.posted_of(Editor.LineWordTyped) == []
+
+
+# --- the line that runs
+
+
+async def test_the_line_that_runs_is_kept_in_sight_a_third_from_above_and_once_a_second(monkeypatch):
+    """In eight rows a third is two."""
+    now = [100.0]
+    monkeypatch.setattr(module, "time", SimpleNamespace(monotonic=lambda: now[0]))
+    async with Writing("\n".join(f"FW {at}" for at in range(1, 31))).run_test() as pilot:
+        editor = pilot.app.editor
+        await pilot.pause()
+        editor.follow(20)
+        assert editor.scroll_offset.y == 0, "nothing is followed yet"
+        editor.begin_following()
+        for seconds, line, top in (
+            (0, 8, 0),
+            (0, 31, 0),
+            (0, 9, 6),
+            (0.9, 1, 6),
+            (0.1, 7, 6),
+            (0, 6, 3),
+            (1, 30, 22),
+            (1, 1, 0),
+        ):
+            now[0] += seconds
+            editor.follow(line)
+            assert (line, editor.scroll_offset.y, editor.cursor_location) == (line, top, (0, 0))
+
+
+async def test_what_the_learner_moves_is_left_alone_until_the_next_run(monkeypatch):
+    now = [100.0]
+    monkeypatch.setattr(module, "time", SimpleNamespace(monotonic=lambda: now[0]))
+
+    def after(*lines: int) -> int:
+        for line in lines:
+            now[0] += 2
+            editor.follow(line)
+        return editor.scroll_offset.y
+
+    async with Writing("\n".join(f"FW {at}" for at in range(1, 31))).run_test() as pilot:
+        editor = pilot.app.editor
+        await pilot.pause()
+        for move in (
+            lambda: editor.scroll_to(y=2, animate=False, force=True, immediate=True),
+            lambda: editor.go_to(2),
+        ):
+            editor.go_to(1)
+            editor.begin_following()
+            assert after(15) == 12
+            move()
+            top = editor.scroll_offset.y
+            assert after(28, 1) == top
+            editor.end_following()
+            assert editor.scroll_offset.y == top
+        editor.go_to(1)
+        editor.begin_following()
+        assert after(15) == 12
+        editor.styles.height = 6  # another size is no move of the learner
+        await pilot.pause()
+        assert after(3, 25) == 22
+        editor.end_following()
+        assert editor.scroll_offset.y == 0, "where the cursor is"
+        assert after(25) == 0
+        editor.begin_following()
+        editor.scroll_to(y=5, animate=False, force=True, immediate=True)
+        editor.begin_following()
+        editor.follow(7)
+        editor.end_following()
+        assert editor.scroll_offset.y == 5, "nothing was scrolled"
 
 
 # --- what is offered
@@ -385,7 +535,64 @@ async def test_a_text_that_ends_with_its_last_line_still_does():
         assert editor.document.lines == ["a", "", ""]
 
 
+async def test_a_letter_repaints_its_line_and_what_changes_others_repaints_all(monkeypatch):
+    text = "FW 1\n" + "a" * 20 + " " + "b" * 20 + "\nFW 3"
+    async with Writing(text).run_test() as pilot:
+        editor = pilot.app.editor
+        await pilot.pause()
+        painted = []
+        refresh = module.TextArea.refresh
+
+        def refreshed(self, *regions, **how):
+            painted.append(tuple(map(tuple, regions)))
+            return refresh(self, *regions, **how)
+
+        monkeypatch.setattr(module.TextArea, "refresh", refreshed)
+        editor.insert("x", (0, 4))
+        assert painted == [((0, 0, WIDTH, 1),)]
+        painted.clear()
+        editor.insert("x", (2, 4))
+        assert painted == [((0, 3, WIDTH, 1),)]
+        painted.clear()
+        editor.insert("x", (1, 41))
+        assert painted == [((0, 1, WIDTH, 2),)]
+        for change in (
+            lambda: editor.insert("\n", (0, 0)),
+            lambda: editor.insert("c" * 40, (1, 0)),
+            lambda: editor.delete((0, 0), (1, 0)),
+            lambda: editor.insert('SPEAK "', (0, 0)),  # the strings of the other lines end there
+        ):
+            painted.clear()
+            change()
+            assert () in painted
+        editor.show("", frozenset())
+        below = ((0, 1, WIDTH, HEIGHT - 1),)
+        for change, is_told in ((lambda: editor.insert("F"), True), (lambda: editor.insert("W"), False)):
+            painted.clear()
+            change()
+            assert (below in painted) is is_told
+
+
 # --- how it looks
+
+
+async def test_the_editor_has_the_colours_of_the_theme_and_leaves_tab_to_the_screen():
+    async with Writing("FW 1").run_test() as pilot:
+        app, editor = pilot.app, pilot.app.editor
+        await pilot.pause()
+        for name in (themes.DARK, themes.LIGHT):
+            if name != themes.DARK:
+                app.register_theme(themes.theme(name))
+                app.theme = name
+                await pilot.pause()
+            assert editor.theme == name
+            number = next(each.style for each in editor.render_line(0) if each.text == "1")
+            assert number.color == themes.syntax_styles(name)["number"].color
+        assert (editor.cursor_blink, editor.tab_behavior, editor.soft_wrap) == (False, "focus", True)
+        editor.suggestion = "offered"
+        editor.blur()
+        await pilot.pause()
+        assert editor.suggestion == ""
 
 
 async def test_an_empty_program_shows_first_steps_below_its_first_line_until_something_is_typed():

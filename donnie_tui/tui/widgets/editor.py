@@ -359,7 +359,7 @@ class Editor(TextArea):
 
     def _beyond(self, row: int) -> tuple[object, ...]:
         """A key of what an edit of that line may change in other rows."""
-        looks = {line: each for line, each in self._highlights.items() if line != row}
+        looks = {line: each for line, each in self._highlights.items() if each and line != row}
         places = self.wrapped_document.height, self.document.line_count, self.gutter_width, self.soft_wrap
         return looks, places, self.scroll_offset, self._others_marked(row)
 
