@@ -379,7 +379,7 @@ class EditorAssistant:
         """Mark the mistakes of the current text."""
         self._checking = None
         text, session = self._editor.text, self._ctx.donnie.session
-        found = session.check(text) if 0 < len(text) <= LONGEST_CHECKED and text.strip() else ()
+        found = session.check(text) if len(text) <= LONGEST_CHECKED and text.strip() else ()
         self._editor.note(mistakes(found, self._ctx.words))
         self._display.show_titles()
         self._display.say_status()
