@@ -533,6 +533,9 @@ async def test_a_text_that_ends_with_its_last_line_still_does():
         assert editor.document.lines == ["a", "c", ""]
         editor.change_lines(["a", ""])
         assert editor.document.lines == ["a", "", ""]
+        editor.show("", frozenset())
+        editor.change_lines(["a"])
+        assert editor.document.lines == ["a"], "an empty text has no last line to keep"
 
 
 async def test_a_letter_repaints_its_line_and_what_changes_others_repaints_all(monkeypatch):

@@ -53,6 +53,21 @@ async def test_a_search_goes_to_the_next_older_line_and_from_the_oldest_to_the_n
         assert not rows.search("gate")
 
 
+async def test_a_search_for_nothing_finds_nothing_and_marks_move_with_the_rows_that_are_forgotten(
+    monkeypatch,
+):
+    monkeypatch.setattr("donnie_tui.tui.widgets.rows.MOST_LINES", 20)
+    async with Rows().run_test(size=(80, 24)) as pilot:
+        rows = pilot.app.query_one(TextRows)
+        rows.append((f"{at} wall" if at % 2 else f"{at} way", "") for at in range(20))
+        assert not rows.search("")
+        assert rows.search("wall")
+        rows.append([("20 wall", ""), ("21 wall", "")])
+        marked = [rows._rows[at] for at in range(rows.row_count) if rows._segments(at)[0].text == "*"]
+        assert (rows.lines[0], rows.row_text) == ("2 way", "17 wall")
+        assert marked == [f"{at} wall" for at in (3, 5, 7, 9, 11, 13, 15, 19)]
+
+
 # --- which row is read
 
 
@@ -111,6 +126,41 @@ async def test_keys_read_rows_and_a_page_is_a_row_less_than_there_is_room_for(fo
             await pilot.pause()
             assert (rows.row_text, pilot.app.read[-1]) == (row, (said, True)), keys
             assert f">{row}" in painted(rows)
+
+
+async def test_rows_that_are_read_at_the_newest_follow_however_it_was_reached():
+    async with Posting(follows=True).run_test(size=(40, 8)) as pilot:
+        rows = pilot.app.rows
+        rows.focus()
+        await pilot.press("down")
+        await pilot.pause()
+        assert pilot.app.read == [("", True)], "there is none yet"
+        rows.append((str(at), "") for at in range(10))
+        await pilot.press("up", "down")
+        rows.append([("new", "")])
+        assert (rows.row_text, painted(rows)[-1]) == ("new", ">new")
+        await pilot.press("up")
+        rows.append([("newer", "")])
+        assert (rows.row_text, painted(rows)[-1]) == ("9", " new")
+
+
+async def test_only_new_rows_and_the_one_that_is_read_no_longer_are_painted(monkeypatch):
+    async with Posting(follows=True).run_test(size=(40, 8)) as pilot:
+        rows, painting = pilot.app.rows, []
+        rows.append([("0", "")])
+        await pilot.pause()
+        monkeypatch.setattr(rows, "refresh", lambda *regions, **_: painting.append([*map(tuple, regions)]))
+        rows.append([("1", "")])
+        assert painting[0] == [(0, 1, 40, 1)]
+        for number in range(2, 6):
+            rows.append([(str(number), "")])
+        monkeypatch.undo()
+        rows.focus()
+        await pilot.pause()
+        monkeypatch.setattr(rows, "refresh", lambda *regions, **_: painting.append([*map(tuple, regions)]))
+        painting.clear()
+        rows.append([("6", "")])
+        assert painting[0] == [(0, 3, 40, 1)], "the row that was the newest; its place changes afterwards"
 
 
 @pytest.mark.parametrize(("follows", "after"), [(True, "new"), (False, "9")])
