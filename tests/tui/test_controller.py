@@ -585,7 +585,7 @@ def test_a_text_is_checked_unless_it_is_empty_or_very_long(text: str, is_checked
         ({}, False, 0),
     ],
 )
-def test_a_learner_who_changes_a_running_program_is_told_so_once_in_each_run(
+def test_a_change_of_a_running_program_is_reported_once_in_each_run(
     of_runs: dict[str, Any], is_typed: bool, times: int
 ) -> None:
     it = Helped(**of_runs)

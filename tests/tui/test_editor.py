@@ -570,10 +570,10 @@ async def test_a_letter_repaints_its_line_and_what_changes_others_repaints_all(m
             assert () in painted
         editor.show("", frozenset())
         below = ((0, 1, WIDTH, HEIGHT - 1),)
-        for change, is_told in ((lambda: editor.insert("F"), True), (lambda: editor.insert("W"), False)):
+        for change, is_painted in ((lambda: editor.insert("F"), True), (lambda: editor.insert("W"), False)):
             painted.clear()
             change()
-            assert (below in painted) is is_told
+            assert (below in painted) is is_painted
 
 
 # --- how it looks

@@ -172,7 +172,7 @@ async def test_a_step_of_a_command_counts_as_progress_and_then_all_looks_begin_a
     app.do("run")
     for _ in range(LOOKS - 1):
         await app.timers[-1].ring()
-    await app.focused.work()  # its way goes on in the application's queue
+    await app.focused.work()  # it has come to the application's queue
     for _ in range(LOOKS):
         await app.timers[-1].ring()
     assert (len(app.queue), len(app.timers)) == (1, 2 * LOOKS)

@@ -282,7 +282,7 @@ def test_the_first_search_can_be_given_up_before_there_is_a_session(found: bool)
     assert searched == ["give up"] * 2
 
 
-def test_a_session_is_told_all_that_the_screen_asks_for() -> None:
+def test_what_the_screen_asks_for_reaches_the_session() -> None:
     it = Handle(search=Part(give_up=None))
     handle = it.handle
     assert (handle.next_world, handle.left_for_linear, handle.code_at_end(0, print)) == (
