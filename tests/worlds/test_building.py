@@ -91,6 +91,7 @@ def test_a_thing_is_described_in_words_of_every_language(text: str, described: D
         ("chiar gren", {0: "chiar is neither a thing nor a color. Did you mean chair?",
                         6: "gren is neither a thing nor a color. Did you mean green?"}),
         ("R box", {0: "R is neither a thing nor a color."}),
+        ("R red box", {0: "R is neither a thing nor a color."}),
         ("box R", {4: "R is neither a thing nor a color."}),
         ("box 7 red", {4: "7 is neither a thing nor a color."}),
         ("box Rx red", {4: "Rx is neither a thing nor a color."}),
@@ -253,6 +254,8 @@ def test_each_change_can_be_undone_and_a_new_one_forgets_those_that_were(tmp_pat
     assert it.site.world.is_rebuilt
 
     second = it.site.text
+    Building(it.site, it.world, (), EN)
+    assert it.site.text == second
     assert it.building.step(it.site.past, it.site.undone)[0] == "built-removed"
     assert (it.site.past, it.site.undone) == ([], [SiteChange(second, 1, "FW 1")])
     assert (it.site.text, it.site.world.is_rebuilt) == (first, False)
@@ -307,6 +310,7 @@ def test_a_thing_is_found_by_its_name_its_kind_its_colour_or_its_square(
         ("box 8 6", "There is no box 8 6 here."),
         ("box 6 8", "There is no box 6 8 here."),
         ("green box", "There is no green box here."),
+        ("donnie", "There is no donnie here."),
         ("chiar", "There is no chiar here. Did you mean chair?"),
         ("ANA", "ANA is a robot. It moves by its program."),
         ("q" * 50, f"There is no {'q' * 40} here."),
@@ -317,6 +321,15 @@ def test_what_is_not_one_thing_is_said(typed: str, sentence: str, tmp_path: Path
         Furnished(tmp_path, TWO).building.find(typed)
 
     assert refused.value.sentences[0].startswith(sentence)
+
+
+def test_a_name_counts_before_a_kind_and_a_name_that_is_near_is_offered(tmp_path: Path) -> None:
+    it = Furnished(tmp_path, TWO.replace("b1", "box").replace("b2", "treasure")).building
+
+    assert it.find("box").name == "box"
+    with pytest.raises(Unusable) as refused:
+        it.find("tresure")
+    assert refused.value.sentences[0].startswith("There is no tresure here. Did you mean treasure?")
 
 
 def test_of_many_things_eight_are_listed(tmp_path: Path) -> None:

@@ -1,10 +1,12 @@
 """Cameras that don't turn, marks, bumpers and the beams of a gripper."""
 
-from math import asin, atan, degrees
+from math import asin, atan, degrees, hypot
 
 import pytest
 
 from devices.ports.robot import Bearing, RobotProblem
+from sim.geometry import Spot
+from sim.rangers import Bar
 from sim.world import World
 from tests.unit.sim.floors import Unpaced
 from tests.unit.sim.sensing import Sensing
@@ -133,6 +135,39 @@ def test_a_look_without_a_camera_is_refused() -> None:
     with pytest.raises(RobotProblem) as problem:
         it.senses.look(it.around, it.spot)
     assert problem.value.code == "no-eyes"
+
+
+@pytest.mark.parametrize(
+    ("more", "seen"),
+    [
+        ("", []),
+        ("ranger_return -1", []),
+        ("size [ 0.1 1 0.1 ]", ["red"]),
+        ("size [ 1 1 0.01 ] obstacle_return 0", ["red"]),
+    ],
+)
+def test_a_solid_thing_hides_at_its_height_also_where_rangers_do_not_see_it(
+    more: str, seen: list[str]
+) -> None:
+    thing = f'model( name "glass" size [ 0.1 1 1 ] pose [ 0.5 0 0 0 ] color "yellow" {more} )'
+    it = Sensing(
+        f'ignore_zloc 0 position( {BODY} blobfinder( colors [ "red" ] ) ) {thing}' + pole("red", 1, 0)
+    )
+
+    assert [name for name, _ in names_and_bearings(it)] == seen
+
+
+def test_of_two_cameras_the_nearer_one_counts_and_of_equal_ones_the_first() -> None:
+    """The second camera is 20 cm ahead of the first, and the third as far behind it."""
+    cameras = "".join(f"blobfinder( pose [ {x} 0 0 0 ] )" for x in (0, 0.2, -0.2))
+    it = Sensing(f"position( {BODY} {cameras} ) {pole('a', 1, 0.3)} {pole('b', 1, -0.3)}")
+
+    found = [
+        (round(seen.degrees), seen.centimetres, seen.steps) for seen in it.senses.look(it.around, it.spot)
+    ]
+    near = int(100 * hypot(0.79, 0.29) + 0.5)
+    angle = round(degrees(atan(0.3 / 0.8)))
+    assert found == [(angle, near, near / 5), (-angle, near, near / 5)]
 
 
 # --- marks
@@ -285,6 +320,36 @@ def test_a_solid_thing_that_touches_its_bar_presses_a_bumper(wall: str, expected
     it = Sensing(BUMPERS + f"model( {wall} )")
 
     assert it.senses.pressed(it.around, it.spot) == expected
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "pressed"),
+    [
+        # the bar is 20 cm long and 10 cm ahead, the thing a post of 2 cm
+        *((0.1199, 0, True), (0.1201, 0, False), (0.0801, 0, True), (0.0799, 0, False), (0.1, 0.1199, True)),
+        *((0.1, 0.1201, False), (0.1, -0.1199, True), (0.1, -0.1201, False), (0.1, 0.05, True)),
+    ],
+)
+def test_a_bumper_is_pressed_by_what_is_a_centimetre_from_its_bar(x: float, y: float, pressed: bool) -> None:
+    bar = Bar(0.1, 0, 0, 0.2)
+    it = Sensing(
+        f"position( pose [ -9 0 0 0 ] bumper( bcount 1 ) ) model( size [ 0.02 0.02 1 ] pose [ {x} {y} 0 0 ] )"
+    )
+
+    assert bar.is_pressed(it.around, Spot(0, 0, 0)) is pressed
+
+
+@pytest.mark.parametrize(
+    ("solid", "noticed", "pressed"), [(1, (), True), (0, (), False), (0, (1,), False), (0, (2,), True)]
+)
+def test_a_bumper_in_a_thing_is_pressed_if_that_is_solid_or_noticed(
+    solid: int, noticed: tuple[int, ...], pressed: bool
+) -> None:
+    it = Sensing(
+        f"position( pose [ -9 0 0 0 ] bumper( bcount 1 ) ) model( size [ 2 2 1 ] obstacle_return {solid} )"
+    )
+
+    assert Bar(0, 0, 0, 0.1).is_pressed(it.around, Spot(0, 0, 0), noticed) is pressed
 
 
 # --- the manual's robot

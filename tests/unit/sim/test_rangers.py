@@ -6,10 +6,11 @@ from random import Random
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 from devices.ports.robot import Bearing, RobotProblem
 from sim.geometry import Spot
-from sim.rangers import Cone, Fan
+from sim.rangers import Cone, Fan, fan_angles
 from tests.effort import examples
 from tests.unit.sim.sensing import Sensing
 
@@ -255,3 +256,131 @@ def test_noise_can_be_written_as_one_tuple() -> None:
     (sensor,) = (sensor for model in it.scene.models for sensor in model.sensors)
 
     assert (sensor.noise.proportional, sensor.noise.constant, sensor.noise.angle) == (0.1, 0.02, 3)
+
+
+class Half(Random):
+    """Draws the middle between 0 and the most, and counts."""
+
+    def __init__(self) -> None:
+        super().__init__(1)
+        self.draws = 0
+
+    def uniform(self, a: float, b: float) -> float:
+        assert (a, b) == (-1, 1)
+        self.draws += 1
+        return 0.5
+
+
+@pytest.mark.parametrize("samples", [1, 3])
+@pytest.mark.parametrize(
+    ("noise", "expected", "draws"),
+    [
+        ("", 3, 0),
+        ("range_noise 0.1", 3 + 0.5 * 0.1 * 3, 2),
+        ("range_noise_const 0.02", 3 + 0.5 * 0.02, 2),
+        ("range_noise 0.1 range_noise_const 0.02", 3 + 0.5 * 0.02 + 0.5 * 0.1 * 3, 2),
+        ("angle_noise 60", 3 / cos(radians(30)), 1),
+    ],
+)
+def test_each_part_of_the_noise_is_drawn_once_for_a_reading(
+    samples: int, noise: str, expected: float, draws: int
+) -> None:
+    """The wall is 3 m ahead; turned by 30 degrees a ray is longer. Each ray of a laser has its own draws."""
+    it = Sensing(laser(samples, 0, more=noise) + ROOM)
+    (sensor,) = it.senses.rangers
+    chance = Half()
+
+    assert sensor.samples(it.around, it.spot, chance) == pytest.approx((expected,) * samples, abs=1e-4)
+    assert chance.draws == (draws if draws < 2 else draws * samples)
+    assert sensor.noisy(it.around, it.spot, Half()) == int(expected * 100 + 0.5)
+    assert sensor.samples(it.around, it.spot, None) == pytest.approx((3,) * samples)
+
+
+@pytest.mark.parametrize(("most", "reading"), [(3.05, 3.03), (3.02, inf), (2.9, inf)])
+def test_a_reading_that_its_noise_takes_out_of_the_range_is_none(most: float, reading: float) -> None:
+    """3 m, and half of 6 cm."""
+    sensor = laser(1, 0, more="range_noise_const 0.06").replace("[ 0 8 ]", f"[ 0 {most} ]")
+    it = Sensing(sensor + ROOM)
+    (cone,) = it.senses.rangers
+
+    assert cone.samples(it.around, it.spot, Half()) == (pytest.approx(reading),)
+    assert cone.noisy(it.around, it.spot, Half()) == (None if reading == inf else 303)
+
+
+def test_a_reading_is_never_below_nothing_nor_below_the_minimum_of_its_sensor() -> None:
+    class Low(Half):
+        def uniform(self, a: float, b: float) -> float:
+            return -1.0
+
+    thing = "model( size [ 0.1 0.1 1 ] pose [ 0.25 0 0 0 ] )"
+    free, least = (
+        Sensing(laser(1, 0, more="range_noise_const 1").replace("[ 0 8 ]", f"[ {low} 8 ]") + thing)
+        for low in (0, 0.1)
+    )
+
+    assert free.senses.rangers[0].samples(free.around, free.spot, Low()) == (0,)
+    assert free.senses.rangers[0].noisy(free.around, free.spot, Low()) == 0
+    assert least.senses.rangers[0].noisy(least.around, least.spot, Low()) == 10
+
+
+@pytest.mark.parametrize("fov", [10, 100, 300])
+@pytest.mark.parametrize(("turned", "seen"), [(0, False), (180, True)])
+def test_a_cone_can_be_turned(fov: float, turned: float, seen: bool) -> None:
+    it = Sensing(laser(1, fov) + "model( size [ 0.1 0.1 1 ] pose [ -1.05 0 0 0 ] )")
+    (cone,) = it.senses.rangers
+    assert isinstance(cone, Cone)
+
+    assert cone.metres(it.around, it.spot, turned) == (pytest.approx(1) if seen else inf)
+    assert [part is None for _, part in cone.hits(it.around, it.spot)] == [True]
+
+
+@pytest.mark.parametrize(("fov", "samples"), [(10, 1), (200, 1), (360, 1), (10, 3)])
+@pytest.mark.parametrize(
+    ("thing", "expected"),
+    [("", 1), ("ranger_return -1", inf), ("size [ 0.1 0.1 0.1 ]", inf), ("obstacle_return 0", 1)],
+)
+def test_no_sensor_sees_what_is_invisible_or_below_its_height(
+    fov: float, samples: int, thing: str, expected: float
+) -> None:
+    """It looks from 0.21 m."""
+    it = Sensing(
+        f"ignore_zloc 0 {laser(samples, fov)} model( size [ 0.1 0.1 1 ] pose [ 1.05 0 0 0 ] {thing} )"
+    )
+    (sensor,) = it.senses.rangers
+
+    assert sensor.metres(it.around, it.spot) == pytest.approx(expected)
+
+
+@pytest.mark.parametrize(("thing", "reading"), [("", 0), ("ranger_return -1", 2), ("size [ 1 1 0.1 ]", 2)])
+def test_a_laser_is_inside_only_of_what_it_can_see(thing: str, reading: float) -> None:
+    around = (
+        f"model( size [ 1 1 1 ] pose [ 0.1 0 0 0 ] {thing} ) model( size [ 0.1 3 1 ] pose [ 2.05 0 0 0 ] )"
+    )
+    it = Sensing(f"ignore_zloc 0 {laser(3, 0, robot='-5 0 0 0')} {around}")
+
+    assert fan(it).rays(it.around, Spot(0, 0, 0)) == pytest.approx((reading,) * 3)
+
+
+def test_the_rays_of_a_sector_are_those_near_its_direction() -> None:
+    it = fan(Sensing(laser(5, 180, more="range_noise 0.1")))
+
+    sector = it.towards(-45, 45)
+    assert sector is not None
+    assert (sector.angles, sector.maximum, sector.noise.proportional) == ((-90, -45, 0), 8, 0.1)
+    assert it.towards(180, 89) is None
+    assert it.towards(-170, 100) == replace(it, angles=(-90, 90))
+
+
+@pytest.mark.parametrize(
+    ("given", "angles"),
+    [
+        ((10, 60, 1), (-20,)),
+        ((10, 60, 2), (-20, 40)),
+        ((10, 60, 3), (-20, 10, 40)),
+        ((0, 360, 2), (-180, 180)),
+    ],
+)
+def test_the_rays_of_a_laser_are_spread_evenly_over_its_view(
+    given: tuple[float, float, int], angles: tuple[float, ...]
+) -> None:
+    assert fan_angles(*given) == angles
