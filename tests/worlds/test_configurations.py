@@ -1,5 +1,6 @@
 """Configuration files choose the world, the robots with their addresses, or a real robot."""
 
+import os
 from pathlib import Path
 
 import pytest
@@ -35,6 +36,13 @@ def robots(it: Configuration) -> list[str]:
         ("localhost:6665:ranger:0", Address("ranger", 0, has_port=True)),
         ("robot.school:6670:ranger:3", Address("ranger", 3, 6670, "robot.school", has_port=True)),
         ("odometry:::position2d:0", Address("position2d", 0)),
+        ("k:h:6670:ranger:3", Address("ranger", 3, 6670, "h", has_port=True)),
+        ("65535:ranger:999999999", Address("ranger", 999_999_999, 65535, has_port=True)),
+        ("65536:ranger:0", None),
+        ("ranger:1000000000", None),
+        ("2d:0", None),
+        ("position 2d:0", None),
+        ("a:b:c:6665:ranger:0", None),
         ("position2d", None),
         ("position2d:x", None),
         ("99999:ranger:0", None),
@@ -165,3 +173,99 @@ def test_the_configurations_of_stage_load(shared: Path, name: str, expected: lis
     it = load_configuration(shared / "stage" / "worlds" / name)
 
     assert robots(it) == expected
+
+
+def driver(model: str, *addresses: str, name: str = "stage", more: str = "") -> str:
+    provided = " ".join(f'"{each}"' for each in addresses)
+    return f'driver ( name "{name}" provides [ {provided} ] model "{model}" {more} )\n'
+
+
+@pytest.mark.parametrize(
+    ("addresses", "port", "drives"),
+    [
+        ((), 6665, False),
+        (("7000:ranger:0",), 7000, False),
+        (("7000:ranger:0", "6666:position2d:0"), 6666, True),
+        (("7000:ranger:0", "6666:position:0", "6667:position2d:0"), 6666, True),
+        (("7000:position3d:0",), 7000, True),
+    ],
+)
+def test_the_port_of_an_offer_is_that_of_its_wheels(
+    addresses: tuple[str, ...], port: int, drives: bool, tmp_path: Path
+) -> None:
+    (offer,) = load(tmp_path, STAGE + driver("ann", *addresses)).offers
+
+    assert (offer.model, offer.port, offer.drives) == ("ann", port, drives)
+
+
+def test_all_drivers_are_kept_in_their_order_and_the_first_world_counts(tmp_path: Path) -> None:
+    (tmp_path / "other.world").write_text(WORLD)
+    text = 'driver ( name "else" worldfile "other.world" )\n' + STAGE
+    text += 'interface ( name "x" )\n' + driver("bea", "position2d:0")
+    it = load(tmp_path, text + 'driver ( name "stage" worldfile "other.world" )')
+
+    assert it.path == tmp_path / "w.cfg"
+    assert it.world == tmp_path / "w.world"
+    assert [(each.name, each.model, len(each.addresses)) for each in it.drivers] == [
+        *(("else", "", 0), ("stage", "", 1), ("stage", "bea", 1), ("stage", "", 0)),
+    ]
+    assert it.scene is not None
+    assert it.scene.report.files == (str(tmp_path / "w.cfg"), str(tmp_path / "w.world"))
+
+
+def test_a_thing_or_a_part_is_offered_and_no_robot_and_of_equal_names_the_first_is_meant(
+    tmp_path: Path,
+) -> None:
+    world = WORLD + 'bob ( name "ann" pose [ 8 0 0 0 ] )'
+    it = load(tmp_path, STAGE + driver("box", "position2d:0"), world)
+    assert robots(it) == ["ann", "bea", "cid", "ann"]
+
+    again = load(
+        tmp_path, STAGE + 2 * driver("ann", "position2d:0") + driver("ann.ranger:0", "ranger:0"), world
+    )
+    assert again.scene is not None
+    assert again.scene.robots == (0,)
+    assert again.scene.report.notes[-1].code == "robot-renamed"
+    assert "unknown-model" not in {note.code for note in again.scene.report.notes}
+
+
+def serial(address: str, port: str) -> str:
+    return driver("", address, name="a", more=f'port "{port}"')
+
+
+@pytest.mark.parametrize(
+    ("text", "port", "unused"),
+    [
+        (serial("ranger:0", "COM1") + serial("ranger:0", "COM2"), "COM1", []),
+        (serial("ranger:0", "COM1") + serial("position2d:0", "COM2"), "COM2", []),
+        (STAGE + driver("", name="a", more='port "6665"'), None, ["a"]),
+        (STAGE + driver("", name="a", more='port "x/dev/tty"'), None, ["a"]),
+        (STAGE + driver("", name="n" * 70), None, ["n" * 60]),
+        (STAGE + driver("ann", more='port "COM7"'), None, []),
+    ],
+)  # fmt: skip
+def test_the_first_serial_port_asks_for_a_real_robot_and_other_drivers_are_reported(
+    text: str, port: str | None, unused: list[str], tmp_path: Path
+) -> None:
+    it = load(tmp_path, text)
+
+    assert it.physical_port == port
+    notes = it.scene.report.notes if it.scene is not None else ()
+    assert [(each.code, each.line, each.column, each.details["name"]) for each in notes] == [
+        ("driver-not-used", 2, 1, name) for name in unused
+    ]
+
+
+def test_a_pipe_in_place_of_a_world_is_no_file(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe")
+    with pytest.raises(WorldError) as error:
+        load(tmp_path, 'driver ( name "stage" worldfile "pipe" )')
+
+    assert (error.value.code, error.value.details["path"]) == (Code.NO_FILE, "pipe")
+
+
+def test_a_wrong_address_is_repeated_up_to_sixty_letters(tmp_path: Path) -> None:
+    with pytest.raises(WorldError) as error:
+        load(tmp_path, STAGE + driver("ann", "x" * 70))
+
+    assert error.value.details == {"found": "x" * 60}

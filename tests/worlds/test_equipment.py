@@ -365,6 +365,8 @@ def test_what_has_no_name_is_called_and_numbered_as_in_stage(text: str, names: l
         ("window ( friction 1 )", []),
         ("model ( friction 1 )", [("unused-property", "ignored", 9, "friction")]),
         ("model ( gui_nose 1 )", []),
+        ("define a model ( mass 1 ) a ( ) a ( x 1 )", [("unknown-property", "ignored", 37, "x", "")]),
+        ('model ( name "w" boundary 1 obstacle_return 0 )', [("walls-made-solid", "repaired", 0, "w")]),
     ],
 )  # fmt: skip
 def test_each_remark_has_its_kind_its_place_and_what_it_is_about(

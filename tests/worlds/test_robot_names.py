@@ -46,6 +46,50 @@ def test_a_name_that_can_not_be_typed_is_replaced() -> None:
     assert scene('name "a=b"', 'name "c:0"', 'name "  "').robot_names == ("robot1", "robot2", "robot3")
 
 
+@pytest.mark.parametrize("name", ["a=b", "a:b", "a\\b", " a", "a ", "", "  ", "a\u200bb"])
+def test_a_name_with_signs_of_commands_or_blanks_around_it_is_replaced(name: str) -> None:
+    it = scene(f'name "{name}"', 'name "a b"')
+
+    assert it.robot_names == ("robot1", "a b")
+    assert it.models[0].name == name
+    (note,) = it.report.notes
+    assert (note.kind.value, note.code) == ("repaired", "robot-without-name")
+    assert note.details == {"name": name, "alias": "robot1"}
+
+
+def test_a_robot_keeps_its_name_before_what_is_none_and_only_robots_are_reported() -> None:
+    blind = 'position( name "bob" pose [ 9 9 0 0 ] )\n'
+    text = blind + "".join(ROBOT.format(name='name "bob"', x=at, more="") for at in range(2)) + blind
+    it = load_text(text, Path("foreign.world"))
+    wheeled = [model for model in it.models if model.type == "position"]
+
+    assert [model.spoken_name for model in wheeled] == ["bob3", "bob", "bob2", "bob4"]
+    assert [note.details["alias"] for note in it.report.notes if note.code == "robot-renamed"] == ["bob2"]
+
+
+def test_a_long_name_is_repeated_up_to_sixty_letters() -> None:
+    long = "b" * 70
+    (note,) = scene(f'name "{long}"', f'name "{long}"').report.notes
+
+    assert (note.code, note.details) == ("robot-renamed", {"name": "b" * 60, "alias": f"{long}2"})
+
+
+def test_robots_are_in_the_order_of_the_file_those_that_see_first() -> None:
+    def bot(name: str, x: int, *senses: str) -> str:
+        parts = " ".join(f"{each}( )" for each in senses)
+        return f'position( name "{name}" pose [ {x} 0 0 0 ] {parts} )\n'
+
+    text = bot("a", 0) + bot("b", 1, "bumper") + bot("c", 2, "blobfinder", "bumper") + bot("d", 3, "ranger")
+    seeing = load_text(text + "model( pose [ 9 0 0 0 ] ranger( ) )", Path("f.world"))
+    blind = load_text(bot("a", 0) + "position( pose [ 9 0 0 0 ] position( ) )", Path("f.world"))
+
+    assert seeing.robot_names == ("c", "d", "b")
+    assert blind.robot_names == ("a", "robot1")
+    assert seeing.report.loaded[0] == ("position", 4)
+    for sense in ("fiducial", "camera", "gripper"):
+        assert load_text(bot("a", 0) + bot("b", 1, sense), Path("f.world")).robot_names == ("b",)
+
+
 def test_numbering_many_robots_of_one_name_takes_linear_time(monkeypatch: pytest.MonkeyPatch) -> None:
     looked_at: list[str] = []
 
