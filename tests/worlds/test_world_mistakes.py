@@ -244,3 +244,102 @@ def test_a_file_that_is_no_picture_is_reported(tmp_path: Path) -> None:
 
     assert caught.value.code is Code.BITMAP_UNREADABLE
     assert "PNG" in caught.value.expected
+
+
+@pytest.mark.parametrize(
+    ("text", "code", "details"),
+    [
+        ("a (", Code.UNCLOSED, {"found": "("}),
+        ("size [ [ 1 ]", Code.UNCLOSED, {"found": "["}),
+        (")", Code.UNEXPECTED, {"found": ")"}),
+        ("model ( pose " + "a" * 70 + " )", Code.UNEXPECTED, {"found": "a" * 60}),
+        ("model ? ( )", Code.UNKNOWN_CHARACTER, {"found": "?"}),
+        ("size [ -x ]", Code.UNKNOWN_CHARACTER, {"found": "-"}),
+        ("size [ +5x ]", Code.BAD_NUMBER, {"found": "+5x"}),
+        ("size [ .5x ]", Code.BAD_NUMBER, {"found": ".5x"}),
+        ("size [ 5" + "x" * 50 + " ]", Code.BAD_NUMBER, {"found": "5" + "x" * 39}),
+        ("size [ 5x-1.y+2 ]", Code.BAD_NUMBER, {"found": "5x-1.y+2"}),
+        ("// a", Code.COMMENT_SIGN, {"found": "//"}),
+        ("/* a", Code.COMMENT_SIGN, {"found": "/*"}),
+        (";; a", Code.COMMENT_SIGN, {"found": ";;"}),
+        ("-- a", Code.COMMENT_SIGN, {"found": "--"}),
+        ("; a", Code.UNKNOWN_CHARACTER, {"found": ";"}),
+        ("speedup 1e13", Code.NUMBER_TOO_LARGE, {"found": "1e13", "limit": 1e12}),
+        ("speedup 9" + "9" * 50, Code.NUMBER_TOO_LARGE, {"found": "9" * 40, "limit": 1e12}),
+        ("speedup -2e12", Code.NUMBER_TOO_LARGE, {"found": "-2e12", "limit": 1e12}),
+        ("model ( " * 65, Code.NESTED_TOO_DEEP, {"limit": 64}),
+        ("model ( pose include )", Code.MISPLACED, {"found": "include"}),
+        ("model ( define x model ( ) )", Code.MISPLACED, {"found": "define"}),
+        ("define a a ( )\na ( )", Code.DEFINE_CYCLE, {"found": "a"}),
+        ("qwerty ( )", Code.UNKNOWN_TYPE, {"found": "qwerty", "nearest": ""}),
+        ("laser ( )", Code.UNKNOWN_TYPE, {"found": "laser", "nearest": "ranger"}),
+        ("q" * 70 + " ( )", Code.UNKNOWN_TYPE, {"found": "q" * 60, "nearest": ""}),
+        ('include "qwerty.inc"', Code.FILE_NOT_FOUND, {"path": "qwerty.inc", "nearest": ""}),
+        (f'include "{"q" * 250}.inc"', Code.FILE_NOT_FOUND, {"path": "q" * 200, "nearest": ""}),
+        ('model ( bitmap "qwerty.png" )', Code.BITMAP_NOT_FOUND, {"path": "qwerty.png"}),
+        (f'model ( bitmap "{"q" * 250}" )', Code.BITMAP_NOT_FOUND, {"path": "q" * 200}),
+        ('model ( pose "here" )', Code.WRONG_TYPE, {"name": "pose"}),
+        ("model ( point[0] 5 )", Code.WRONG_TYPE, {"name": "point"}),
+        ("model ( name [ ] )", Code.WRONG_TYPE, {"name": "name"}),
+        ("model ( name [ [ 1 ] ] )", Code.WRONG_TYPE, {"name": "name"}),
+        ("model ( pose [ 0 [ 0 ] 0 0 ] )", Code.WRONG_TYPE, {"name": "pose"}),
+        ("model ( pose [ 0 0 ] )", Code.WRONG_COUNT, {"name": "pose", "given": 2}),
+        ("model ( pose [ 1e7 0 0 0 ] )", Code.OUT_OF_RANGE, {"name": "pose", "limit": 1e5}),
+        ("bumper ( bcount -1 )", Code.OUT_OF_RANGE, {"name": "bcount", "limit": 1000}),
+    ],
+)
+def test_a_mistake_says_what_it_found_and_what_may_be(
+    text: str, code: Code, details: dict[str, object]
+) -> None:
+    with pytest.raises(WorldError) as caught:
+        load_text(text, Path("broken.world"))
+
+    assert (caught.value.code, dict(caught.value.details)) == (code, details)
+    assert str(caught.value).startswith("broken.world:1:" if "\n" not in text else "broken.world:")
+
+
+@pytest.mark.parametrize(
+    "text", ["speedup 1e12", "speedup -1e12", "model ( " * 64 + ") " * 64, "x " + "[ " * 64 + "] " * 64]
+)
+def test_the_largest_number_and_the_deepest_brackets_are_read(text: str) -> None:
+    load_text(text, Path("large.world"))
+
+
+def test_a_mistake_within_a_file_that_a_body_includes_names_that_file(tmp_path: Path) -> None:
+    (tmp_path / "a.inc").write_text("\n define x model ( )")
+    (tmp_path / "b.inc").write_text('color "red" include "a.inc"')
+    for text in ('model ( include "a.inc" )', 'model ( model ( include "b.inc" ) )'):
+        with pytest.raises(WorldError) as caught:
+            load_text(text, tmp_path / "top.world")
+
+        error = caught.value
+        assert (error.code, Path(error.file).name, error.line, error.column) == (
+            Code.MISPLACED,
+            "a.inc",
+            2,
+            2,
+        )
+        assert error.details == {"found": "define"}
+
+
+def test_the_entities_of_a_world_have_a_limit() -> None:
+    with pytest.raises(WorldError) as caught:
+        load_text(
+            f"define m0 model ( )\ndefine m1 model ( {'m0 ( ) ' * 200})\n" + "m1 ( ) " * 200, Path("x.world")
+        )
+
+    assert (caught.value.code, caught.value.details) == (Code.TOO_MUCH, {"what": "entities", "limit": 40_000})
+
+
+def test_a_world_that_is_not_there_is_reported_with_a_near_one(tmp_path: Path) -> None:
+    (tmp_path / "garden.world").write_text("")
+    (tmp_path / "office.world").write_text("")
+    found = []
+    for path in (tmp_path / "gardn.world", tmp_path / "qwerty.world", tmp_path):
+        with pytest.raises(WorldError) as caught:
+            load_world(path)
+        assert (caught.value.file, caught.value.details["path"]) == (str(path), str(path))
+        found.append(caught.value.details["nearest"])
+
+    garden = str(tmp_path / "garden.world")
+    assert found == [garden, "", garden]

@@ -157,6 +157,45 @@ def test_there_is_no_distance_where_no_sensor_looks() -> None:
     assert (problem.value.code, problem.value.values) == ("no-sensor", {"bearing": "back left"})
 
 
+@pytest.mark.parametrize(
+    ("ranges", "poles", "steps"),
+    [
+        # nothing is there: as far as the one that reaches farthest
+        *(
+            ((0.5, 0.8), (), 16),
+            ((0.8, 0.5), (), 16),
+            ((5.0,), (), 100),
+            ((4.994,), (), 99),
+            ((4.996,), (), 100),
+        ),
+        # something is: the nearest counts, whichever sensor sees it
+        *(
+            ((3.0, 3.0), (1, None), 20),
+            ((3.0, 3.0), (None, 1), 20),
+            ((3.0, 3.0), (1, 2), 20),
+            ((3.0, 3.0), (2, 1), 20),
+        ),
+    ],
+)
+def test_of_several_sensors_of_a_bearing_the_nearest_reading_counts(
+    ranges: tuple[float, ...], poles: tuple[float | None, ...], steps: int
+) -> None:
+    """They look straight ahead, a metre to the left and to the right."""
+    sensors = "".join(
+        f"sensor( range [ 0 {most} ] fov 10 pose [ 0 {1 - 2 * at} 0 0 ] )" for at, most in enumerate(ranges)
+    )
+    things = "".join(
+        f"model( size [ 0.1 0.1 1 ] pose [ {away + 0.05} {1 - 2 * at} 0 0 ] )"
+        for at, away in enumerate(poles)
+        if away
+    )
+
+    assert (
+        robot(f"position( size [ 0.1 0.1 0.1 ] ranger( {sensors} ) ) {things}").distance(Bearing.FRONT)
+        == steps
+    )
+
+
 # --- looking around ------------------------------------------------------------------------------
 
 
