@@ -246,6 +246,24 @@ def test_a_kind_that_the_file_defines_itself_needs_no_other_file(tmp_path: Path)
     assert "include" not in it.written
 
 
+def test_what_is_put_follows_the_last_line_and_no_empty_one(tmp_path: Path) -> None:
+    it = Furnished(tmp_path, ANA + "\n\n")
+    it.put("post", 4, 6)
+
+    assert it.site.text == f'{HEAD}{ANA}post( name "post" pose [ 0.2 0.3 0 0 ] )\n'
+
+
+def test_the_text_for_another_folder_is_that_of_the_world_where_a_file_of_it_is_gone(tmp_path: Path) -> None:
+    (tmp_path / "more.inc").write_text("define it model ( )\n", encoding="utf-8")
+    it = Furnished(tmp_path, 'include "more.inc"\n' + ANA)
+    (tmp_path / "sub").mkdir()
+
+    assert "define it model" in it.building.text_at(tmp_path / "sub/x.world")
+    assert it.building.text_at(tmp_path / "x.world") == it.site.text
+    (tmp_path / "more.inc").unlink()
+    assert it.building.text_at(tmp_path / "sub/x.world") == it.site.text
+
+
 def test_each_change_can_be_undone_and_a_new_one_forgets_those_that_were(tmp_path: Path) -> None:
     it = Furnished(tmp_path, ANA)
     first = it.site.text
