@@ -1,12 +1,14 @@
 """The scene as a grid of letters and a list of things."""
 
-from math import atan2, degrees, hypot
+from math import atan2, degrees, hypot, inf
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
+from PIL import Image
 
 from devices.ports.robot import Pose
-from sim.picture import Picture, Room, Thing, drawings, picture
+from sim.picture import Picture, Room, Thing, all_things, drawings, is_wall, picture
 from sim.worldfile import load_text
 from tests.unit.sim.floors import IDEAL, scene
 
@@ -233,3 +235,123 @@ def test_kinds_without_a_free_letter_share_one() -> None:
     assert letters[0] == "q"
     assert letters[-1] == letters[-2] == "x"
     assert len(set(letters)) == 23  # without a, o and v
+
+
+@pytest.mark.parametrize(("x", "cell", "width"), [(370, 1, 401), (371, 2, 202), (770, 2, 401), (771, 3, 268)])
+def test_a_picture_has_four_hundred_cells_and_one_along_a_side_at_most(x: int, cell: int, width: int) -> None:
+    """It begins 30 steps before the robot."""
+    it = picture(scene(ROBOT + f"thing( pose [ {x * 0.05} 0 0 0 ] )"))
+
+    assert (it.left, it.cell, it.width) == (-30, cell, width)
+
+
+@pytest.mark.parametrize(
+    ("kind", "end", "cells"),
+    [("wall", 10.51, 1), ("wall", 10.53, 2), ("crate", 10.79, 1), ("crate", 10.81, 2), ("crate", 11.79, 2)],
+)
+def test_walls_mark_what_they_touch_and_things_what_they_fill_well(kind: str, end: float, cells: int) -> None:
+    """It begins at the western edge of the cell 10."""
+    width, middle = (end - 9.5) * 0.05, (end + 9.5) / 2 * 0.05
+    text = f"define {kind} model( size [ {width} 0.05 1 ] ) {kind}( pose [ {middle} 0.25 0 0 ] )"
+    it = picture(scene(ROBOT + text))
+    row, column = it.at(10, 5) or (-1, -1)
+    letter = "#" if kind == "wall" else "c"
+
+    assert it.rows[row][column - 1 : column + 4].rstrip(".") == f".{letter * cells}"
+
+
+def test_a_thing_is_drawn_over_a_wall() -> None:
+    crate = "define crate model( size [ 0.1 0.1 1 ] ) crate( pose [ 0.5 0 0 0 ] )"
+    text = crate + 'model( name "wall" size [ 0.1 2 1 ] pose [ 0.5 0 0 0 ] )'
+    it = picture(scene(ROBOT + text))
+    row, column = it.at(10, 0) or (-1, -1)
+
+    assert (it.rows[row][column], it.rows[row - 5][column]) == ("c", "#")
+
+
+def test_the_body_of_a_robot_is_in_steps_around_its_middle_without_the_paddles_of_its_gripper() -> None:
+    gripper = "gripper( size [ 0.2 0.2 0.1 ] pose [ 0.2 0 0 0 ] paddle_size [ 0.5 0.1 1 ] )"
+    it = picture(scene(f"position( size [ 0.2 0.1 0.1 ] pose [ 5 5 0 90 ] ranger( sensor( ) ) {gripper} )"))
+    boxes = [
+        tuple(round(side, 6) for axis in zip(*each, strict=True) for side in (min(axis), max(axis)))
+        for each in it.body
+    ]
+
+    assert sorted(boxes) == [(-2, 2, -1, 1), (2, 4, -2, 2)]
+    assert picture(scene("model( )")).body == ()
+
+
+def test_a_picture_knows_walls_outlines_and_what_is_from_a_bitmap(tmp_path: Path) -> None:
+    Image.new("1", (2, 2)).save(tmp_path / "plan.png")
+    text = (
+        ROBOT
+        + 'model( name "plan" bitmap "plan.png" size [ 1 1 1 ] pose [ 3 0 0 0 ] ) box( pose [ 1 0 0 0 ] )'
+    )
+    it = load_text(text, tmp_path / "t.world")
+
+    assert [(each.from_bitmap, each.thing and each.thing.name) for each in drawings(it)] == [
+        *((False, "donnie"), (True, "plan"), (False, "")),
+    ]
+    assert picture(it).walls == ()
+    (wall,) = picture(scene(ROBOT + 'model( name "wall" size [ 0.1 0.2 1 ] pose [ 1 2 0 0 ] )')).walls
+    assert {(round(x, 6), round(y, 6)) for x, y in wall} == {(19, 38), (21, 38), (21, 42), (19, 42)}
+
+
+def test_a_robot_among_things_is_where_it_turns_and_has_the_letter_of_its_kind() -> None:
+    """Its shape is 4 steps ahead of that place."""
+    text = "define bot position( size [ 0.1 0.1 0.1 ] origin [ 0.2 0 0 0 ] ranger( sensor( ) ) )"
+    bots = 'bot( name "a" pose [ 0 0 0 30 ] ) bot( name "b" pose [ 1 2 0 0 ] )'
+    it = scene(f"{text} {bots} model( pose [ 3 0 0 0 ] )")
+    a, b, other = all_things(it)
+
+    assert [(each.letter, each.is_robot, each.heading) for each in (a, b, other)] == [
+        *(("b", True, 60), ("b", True, 90), ("M", False, 0)),
+    ]
+    assert (b.x, b.y, b.width, b.depth, b.index) == (20, 40, 2, 2, it.robots[1])
+    assert a != b
+    assert b == replace(b, index=99, outlines=())
+    assert hash(b) == hash(replace(b, index=99))
+    (alone,) = all_things(scene(ROBOT))
+    assert alone.letter == "x"
+
+
+@pytest.mark.parametrize(
+    ("name", "is_drawn_as_wall"),
+    [
+        ("wall", True),
+        ("Walls", True),
+        ("floorplan", True),
+        ("roomy", True),
+        ("mapX", True),
+        ("amap", False),
+        ("floor", False),
+    ],
+)
+def test_a_kind_that_begins_with_a_word_for_walls_is_one(name: str, is_drawn_as_wall: bool) -> None:
+    text = f"define {name} model( size [ 0.1 0.1 1 ] ) {name}( pose [ 1 0 0 0 ] )"
+
+    assert picture(scene(ROBOT + text)).has_walls is is_drawn_as_wall
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "is_drawn_as_wall"),
+    [(0.49, 0, True), (0.5, 0, False), (-0.5, 0, False), (0, 0.49, True), (0, 0.5, False), (0, -0.5, False)],
+)
+def test_what_is_around_the_robot_is_a_wall_and_what_it_stands_at_the_edge_of_is_none(
+    x: float, y: float, is_drawn_as_wall: bool
+) -> None:
+    it = scene(ROBOT + f"model( size [ 1 1 1 ] pose [ {x} {y} 0 0 ] )")
+    me, other = it.models[it.robots[0]], it.models[-1]
+
+    assert picture(it).has_walls is is_drawn_as_wall
+    assert is_wall(other, me) is is_drawn_as_wall
+    assert not is_wall(other, None)
+
+
+def test_a_room_without_a_body_or_things_has_no_nearest_edge() -> None:
+    floor = Picture(0, 0, 9, 9, 1, ("." * 9,) * 9, (), True)
+    room = Room(floor, Pose(1, 1, 0))
+
+    assert room.nearest([]) == (inf, 90.0)
+    assert room.nearest([box(5, 0, 6, 2)]) == (pytest.approx(4), pytest.approx(90))
+    assert room.ahead([box(5, 0, 6, 2)], 90) == pytest.approx(4)
