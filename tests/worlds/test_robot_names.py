@@ -12,7 +12,7 @@ from donnie_tui.i18n.words import Words
 from donnie_tui.settings.settings import Settings
 from donnie_tui.world.loading import ChosenWorld
 from sim.picture import picture
-from sim.scene import Scene
+from sim.scene import Note, NoteKind, Scene
 from sim.worldfile import load, load_text
 
 SENSOR = "ranger( sensor( range [ 0 2 ] fov 20 ) )"
@@ -152,3 +152,51 @@ def test_a_place_names_the_robot_that_it_is_counted_from(tmp_path: Path, capsys)
         "1 thing, in steps from a, the nearest first.",
         "Puck, red: 10 west, 10 north.",
     ]
+
+
+# --- robots that start inside something
+
+INSIDE = "position( name {} size [ 0.2 0.2 0.2 ] pose [ 5 -3 0 {} ] ranger( sensor( ) ) )\n"
+
+
+@pytest.mark.parametrize(("right", "up"), [(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1)])
+@pytest.mark.parametrize(("away", "is_inside"), [(0.14, True), (0.16, False)])
+def test_a_robot_that_overlaps_a_thing_is_reported_on_every_side(
+    right: int, up: int, away: float, is_inside: bool
+) -> None:
+    """Their halves are 10 and 5 cm."""
+    thing = f'model( name "crate" size [ 0.1 0.1 0.1 ] pose [ {5 + right * away} {-3 + up * away} 0 0 ] )'
+    it = load_text(INSIDE.format('"bob"', 0) + thing, Path("f.world"))
+
+    note = Note(NoteKind.WARNING, "starts-inside", "", 0, 0, {"name": "bob", "thing": "crate"})
+    assert it.report.notes == ((note,) if is_inside or not (right or up) else ())
+
+
+def test_two_robots_in_each_other_are_reported_once_and_each_thing_once() -> None:
+    bots = INSIDE.format('"a"', 0) + INSIDE.format('"b"', 45)
+    parts = 'model( name "pile" pose [ 5 -3 0 0 ] model( ) model( ) )\n'
+    parts += "model( size [ 1 1 1 ] obstacle_return 0 pose [ 5 -3 0 0 ] )"
+    notes = load_text(bots + parts, Path("f.world")).report.notes
+
+    assert [(note.details["name"], note.details["thing"]) for note in notes] == [
+        *(("a", "b"), ("a", "pile"), ("b", "pile")),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("kind", "name", "called"),
+    [
+        ("model", "", "model"),
+        ("model", "crate", "crate"),
+        ("box", "", "box"),
+        ("box", "red box", "red box"),
+        ("box", "treasure", "box treasure"),
+        ("box", "b" * 70, f"box {'b' * 56}"),
+    ],
+)
+def test_what_a_robot_starts_in_is_called_by_its_kind_and_its_name(kind: str, name: str, called: str) -> None:
+    named = f'name "{name}"' if name else ""
+    text = f"define box model( ) {kind}( {named} pose [ 5 -3 0 0 ] )"
+    (note,) = load_text(INSIDE.format('"bob"', 0) + text, Path("f.world")).report.notes
+
+    assert note.details["thing"] == called

@@ -36,6 +36,7 @@ from donnie_tui.world.run_picture import (
     ShownGoal,
     arrow,
     as_gif,
+    as_picture,
     as_png,
     as_svg,
     driven_to,
@@ -705,6 +706,11 @@ def test_the_svg_has_the_colours_and_lines_of_walls_things_goals_and_paths() -> 
     assert (ring.attrib["fill"], line.attrib["fill"]) == ("white", "none")
     assert {each.attrib["fill"] for each in svg.iter(f"{SVG}text")} == {"#000000"}
     assert svg.find(f"{SVG}text").text == "<T>"  # type: ignore[union-attr]
+
+
+@pytest.mark.parametrize(("suffix", "begin"), [(".svg", b"<svg "), (".png", b"\x89PNG"), (".gif", b"GIF89a")])
+def test_a_picture_is_of_the_kind_of_its_file(suffix: str, begin: bytes) -> None:
+    assert as_picture(alone(), suffix).startswith(begin)
 
 
 # --- crowds

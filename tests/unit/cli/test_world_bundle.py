@@ -221,6 +221,51 @@ def test_all_files_together_have_the_limit_at_most(
         assert packed() == from_record(record)
 
 
+def test_files_have_their_names_in_the_folders_that_contain_them(tmp_path: Path) -> None:
+    """The first folder is the one above all files of the project, not of those that are included from elsewhere."""
+    paths = {
+        name: tmp_path / name
+        for name in ("own/world/x.world", "own/parts/a.inc", "lib/b.inc", "lib/deep/c.inc")
+    }
+    for name, path in paths.items():
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(name)
+    main, *others = paths.values()
+
+    def names(*folders: str) -> list[str]:
+        there = [tmp_path / each for each in folders]
+        bundle = pack("x", main, [str(each) for each in (main, *others)], there, ["bob"])
+        assert (bundle.name, bundle.main, bundle.robots, bundle.moves) == (
+            "x",
+            bundle.files[0][0],
+            ("bob",),
+            (),
+        )
+        assert all(
+            tmp_path.joinpath(*data.decode().split("/")).name == name.split("/")[-1]
+            for name, data in bundle.files
+        )
+        return [name for name, _ in bundle.files]
+
+    assert names("lib") == ["0/world/x.world", "0/parts/a.inc", "1/b.inc", "1/deep/c.inc"]
+    assert names("lib/deep", "lib") == [
+        "0/world/x.world",
+        "0/parts/a.inc",
+        "2/b.inc",
+        "1/c.inc",
+        "2/deep/c.inc",
+    ]
+    assert names() == ["0/own/world/x.world", "0/own/parts/a.inc", "0/lib/b.inc", "0/lib/deep/c.inc"]
+
+
+def test_half_a_sign_in_a_text_of_a_recording_stays_as_it_is() -> None:
+    files = [{"name": "0/x", "text": "\ud800"}]
+
+    assert from_record({"name": "x", "main": "0/x", "robots": [], "files": files}).files == (
+        ("0/x", b"\xed\xa0\x80"),
+    )
+
+
 BELT: dict[str, object] = {"steps": [3, 6, 12], "columns": {"0": [3, 4], "45": [5]}}
 
 

@@ -60,6 +60,20 @@ def test_a_robot_with_six_sonars_at_donnies_bearings_has_donnies_head() -> None:
     assert names_and_bearings(it) == [("far left", 45), ("left", 27), ("ahead", 0)]
 
 
+def test_a_robot_with_six_sonars_next_to_donnies_bearings_has_no_head() -> None:
+    sonars = "".join(f"sensor( pose [ 0 0 0 {5 - bearing.value} ] )" for bearing in Bearing)
+    it = Sensing(f"position( {BODY} ranger( {sonars} ) blobfinder( fov 10 ) )" + POLES)
+
+    assert names_and_bearings(it) == [("ahead", 0)]
+
+
+def test_a_head_without_a_sonar_ahead_measures_from_the_middle() -> None:
+    it = Sensing(f"position( {BODY} position( {BODY} blobfinder( ) ) )" + pole("ahead", 1, 0))
+    (seen,) = it.senses.look(it.around, it.spot)
+
+    assert seen.centimetres == 99
+
+
 def test_a_fixed_camera_measures_from_where_it_is() -> None:
     it = Sensing(f"position( {BODY} blobfinder( pose [ 0.3 0 0 0 ] ) )" + POLES)
 
