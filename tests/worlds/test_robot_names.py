@@ -67,6 +67,13 @@ def test_a_robot_keeps_its_name_before_what_is_none_and_only_robots_are_reported
     assert [note.details["alias"] for note in it.report.notes if note.code == "robot-renamed"] == ["bob2"]
 
 
+def test_a_part_of_a_robot_keeps_its_name() -> None:
+    it = load_text('position( name "bob" ranger( ) position( name "bob" ) )', Path("f.world"))
+
+    assert [model.alias for model in it.models] == ["", "", ""]
+    assert it.robot_names == ("bob",)
+
+
 def test_a_long_name_is_repeated_up_to_sixty_letters() -> None:
     long = "b" * 70
     (note,) = scene(f'name "{long}"', f'name "{long}"').report.notes

@@ -317,6 +317,20 @@ def test_the_gif_shows_the_thing_where_it_is_at_each_moment() -> None:
     assert [is_red(0.8, 8.6), is_red(4.4, 12)] == [False, True]
 
 
+@pytest.mark.parametrize("it", [carried()[0], drawn(goals=PLACES)], ids=["carried", "goals"])
+def test_nothing_stands_between_the_elements_of_the_svg(it: RunPicture) -> None:
+    svg = ElementTree.fromstring(as_svg(it))
+    with_text = {f"{SVG}{name}" for name in ("title", "desc", "text")}
+    between = [each.tail or "" for each in svg.iter()]
+    between += [each.text or "" for each in svg.iter() if each.tag not in with_text]
+
+    assert "".join(between).strip() == ""
+    moves = [
+        (each.attrib["attributeName"], each.attrib["type"]) for each in svg.iter(f"{SVG}animateTransform")
+    ]
+    assert {*moves} == {("transform", "translate"), ("transform", "rotate")}
+
+
 # --- what is drawn, alone
 
 ALONE = DrivenPath("", (Pose(0, 0, 0), Pose(0, 10, 0), Pose(0, 10, 90)))
