@@ -728,6 +728,93 @@ def test_a_picture_is_of_the_kind_of_its_file(suffix: str, begin: bytes) -> None
     assert as_picture(alone(), suffix).startswith(begin)
 
 
+def frames_of(it: RunPicture) -> list[tuple[Image.Image, int]]:
+    """Each with the milliseconds that it is shown."""
+    image = Image.open(BytesIO(as_gif(it)))
+    found = []
+    for number in range(image.n_frames):
+        image.seek(number)
+        found.append((image.convert("RGB"), image.info["duration"]))
+    return found
+
+
+@pytest.mark.parametrize(
+    ("steps", "count", "pause"), [(10, 11, 100), (5, 6, 100), (0.2, 2, 100), (590, 60, 1000)]
+)
+def test_a_gif_has_ten_frames_a_second_and_sixty_at_most(steps: float, count: int, pause: int) -> None:
+    frames = frames_of(alone(DrivenPath("", (Pose(0, 0, 0), Pose(0, steps, 0)))))
+
+    assert (len(frames), {duration for _, duration in frames}) == (count, {pause})
+
+
+def test_a_frame_of_a_gif_has_the_thing_and_its_letter_where_they_are_at_that_moment() -> None:
+    """The box of 2 by 4 steps is pushed from 8 to 12 between 0.6 and 1 seconds, and turned to the east later."""
+    it, _ = carried()
+    (frame, _), (last, _) = frames_of(it)[8], frames_of(it)[-1]
+
+    def pixels(image: Image.Image, x: float, y: float, reach: int = 0) -> list[tuple[int, int, int]]:
+        px, py = map(round, it.at(x, y))
+        sides = range(-reach, reach + 1)
+        return [image.getpixel((px + right, py + down)) for right in sides for down in sides]  # type: ignore[misc]
+
+    def is_red(image: Image.Image, x: float, y: float) -> bool:
+        ((red, green, _),) = pixels(image, x, y)
+        return red > green + 60
+
+    assert [is_red(frame, 0.7, y) for y in (7.7, 8.4, 11.6, 12.3)] == [False, True, True, False]
+    assert [is_red(last, x, 12.7) for x in (2.7, 3.4, 6.6, 7.3)] == [False, True, True, False]
+    assert min(map(max, pixels(frame, 0, 10, 6))) < 0x40  # the letter
+    assert min(map(max, pixels(last, 5, 12, 6))) < 0x40
+    ((red, green, blue),) = pixels(last, 0, 4)
+    assert min(red, blue) > green + 30  # the path, violet
+    assert min(*pixels(last, -4, 4)[0]) > 0xF0
+
+
+@pytest.mark.parametrize(("steps", "scale", "radius", "tip"), [(10, 24, 31.2, 31.2), (896, 1, 3, 6)])
+def test_the_robot_of_a_large_picture_is_small_but_can_be_seen(
+    steps: int, scale: float, radius: float, tip: float
+) -> None:
+    path = DrivenPath("", (Pose(0, 0, 0), Pose(0, steps, 0)))
+    it = alone(path)
+    dot = ElementTree.fromstring(as_svg(it)).find(f"{SVG}g/{SVG}circle")
+    x, y = it.at(0, steps)
+
+    assert it.scale == scale
+    assert dot is not None
+    assert dot.attrib["r"] == f"{radius:g}"
+    assert arrow(it, path)[0] == pytest.approx((x, y - tip))
+
+
+def test_of_a_path_with_a_gap_the_known_pieces_are_drawn() -> None:
+    path = DrivenPath("", (Pose(0, 0, 0), Pose(0, 6, 0), Pose(6, 6, 90)), has_gap=True)
+    it = alone(path)
+    lines = ElementTree.fromstring(as_svg(it)).findall(f"{SVG}polyline")
+    image = Image.open(BytesIO(as_png(it)))
+
+    assert [each.attrib["points"] for each in lines] == [
+        " ".join(f"{x:g},{y:g}" for x, y in (it.at(0, 6), it.at(6, 6))),
+    ]
+    violet, white = (0x7B, 0x2C, 0xBF), (255, 255, 255)
+    (px, py), (qx, qy) = it.at(3, 6), it.at(0, 3)
+    assert image.getpixel((round(px), round(py))) == violet
+    assert image.getpixel((round(qx), round(qy))) == white
+
+
+def test_the_png_has_goals_as_boxes_and_says_what_the_legend_says() -> None:
+    it = run_picture("T", (thing(1),), (ALONE,), Words(), ((1, -3.0, -3.0, 3.0, 3.0),))
+    image = Image.open(BytesIO(as_png(it)))
+    x, y = map(round, it.at(0, 0))
+
+    def at(right: int, down: int) -> object:
+        return image.getpixel((x + right, y + down))
+
+    assert image.info["Description"] == " ".join(it.legend)
+    assert [at(*each) for each in ((-72, 9), (72, 9), (9, -72), (9, 72))] == [(0, 0, 0)] * 4
+    assert [at(*each) for each in ((-68, 9), (68, 9), (9, -68), (9, 68), (-76, 9))] == [(255, 255, 255)] * 5
+    assert at(-9, -9) == (0xFF, 0x9E, 0x94)  # the thing is red
+    assert at(12, 9) == at(-12, 9) == (0, 0, 0)  # and has an edge
+
+
 # --- crowds
 
 LONG_TITLE = "The world in which everything stands so close that the letters would touch each other " * 3

@@ -315,9 +315,11 @@ def test_only_the_robots_that_were_offered_are_offered_again(tmp_path: Path) -> 
 
     with unpacked(header(bundle), Words()) as there:
         (bob,) = there.scene.robots
-        assert (there.scene.models[bob].spoken_name, there.name) == ("bob", "x")
+        assert (there.scene.models[bob].spoken_name, there.name, there.ships) == ("bob", "x", False)
         assert Path(there.path).exists()
     assert not Path(there.path).exists()
+    with unpacked(header(structs.replace(bundle, name="maze")), Words()) as ours:
+        assert ours.ships
     with unpacked(header(structs.replace(bundle, moves=((bob, 4.0, 5.0, 0.0, 0.0),))), Words()) as moved:
         pose = moved.scene.models[bob].pose
         assert (pose.x, pose.y) == (4.0, 5.0)
