@@ -300,8 +300,8 @@ def _placed(it: RunPicture) -> tuple[tuple[tuple[float, float, str], ...], dict[
         west, east, wide = goal.x - goal.across, goal.x + goal.across, _wide(goal.numbers)
         away = _CLEAR + 2
         above, below = goal.y - goal.down - away - 0.25 * LETTER, goal.y + goal.down + away + 0.8 * LETTER
-        sides = (west, east - wide, west - wide - away, east + away)
-        corners = [(x, y) for y in (above, below) for x in sides]
+        lefts = (west, east - wide, west - wide - away, east + away)
+        corners = [(x, y) for y in (above, below) for x in lefts]
         marks += space.put(goal.numbers, corners)
     for path in it.paths:
         x, y = it.at(path.poses[0].x, path.poses[0].y)

@@ -748,7 +748,7 @@ def test_a_gif_has_ten_frames_a_second_and_sixty_at_most(steps: float, count: in
 
 
 def test_a_frame_of_a_gif_has_the_thing_and_its_letter_where_they_are_at_that_moment() -> None:
-    """The box of 2 by 4 steps is pushed from 8 to 12 between 0.6 and 1 seconds, and turned to the east later."""
+    """The box of 2 by 4 steps is pushed from 8 to 12 between 0.6 and 1 seconds, and then turned."""
     it, _ = carried()
     (frame, _), (last, _) = frames_of(it)[8], frames_of(it)[-1]
 
