@@ -107,7 +107,7 @@ def test_the_places_of_goals_have_the_numbers_of_these() -> None:
     assert Rules(1, "w", goals).goal_places == ((2, 1, 2, 1, 2), (2, 3, 3, 3, 3), (3, -3, -1, 5, 4))
 
 
-def test_what_must_not_be_touched_or_approached_is_asked_of_those_who_watch_a_real_robot() -> None:
+def test_a_real_robot_does_not_know_what_it_must_not_touch_or_approach() -> None:
     never = Never(True, ("table",), ("cat", "dog"), 3.0)
     rules = Rules(1, "w", (Goal(at=PLACE), Goal(at="ball")), never=never)
 

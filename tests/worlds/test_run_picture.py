@@ -669,7 +669,7 @@ def test_what_is_put_back_has_not_moved_and_the_rest_has() -> None:
     assert moved_things(leg(Pose(0, 9, 0), PlacedThing("", Pose(0, 0, 90), 1)), scene) == ()
 
 
-def test_robots_that_drove_and_those_that_stood_are_told_apart_by_their_names() -> None:
+def test_robots_that_drove_differ_from_those_that_stood_by_their_names() -> None:
     def shown(*robots: str) -> int:
         named = [
             replace(thing(1, index=at, is_robot=True).thing, name=name)
