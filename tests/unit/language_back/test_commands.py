@@ -56,14 +56,6 @@ def test_a_pulse_goes_to_the_motors_of_its_direction(make: Make) -> None:
 
 
 @back_ends
-def test_run_does_nothing_in_a_terminal_and_quit_ends_the_batch(make: Make) -> None:
-    outcome = run("RUN SPEAK 1 QUIT SPEAK 2", make, terminal=True)
-
-    assert outcome.actions.said == [1]
-    assert type(outcome.error).__name__ == "QuitRequested"
-
-
-@back_ends
 @pytest.mark.parametrize(
     ("source", "said"),
     [

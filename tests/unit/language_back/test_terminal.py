@@ -131,6 +131,34 @@ def test_a_procedure_does_not_see_variables_of_earlier_batches(make: Make) -> No
 
 
 @back_ends
+def test_a_procedure_has_variables_of_its_own_beside_those_of_earlier_batches(make: Make) -> None:
+    outcomes = type_in(
+        make,
+        "VAR a = 1",
+        "PROCEDURE P DO VAR a = 3 SPEAK a END PROCEDURE P [] SPEAK a",
+        "PROCEDURE Q DO a = 4 END PROCEDURE Q []",
+        "PROCEDURE R DO FOR VAR a = 5; a < 6; a = a + 1 DO SPEAK a END FOR END PROCEDURE R [] SPEAK a",
+    )
+
+    assert outcomes[1].actions.done == [("speak", 3), ("speak", 1)]
+    assert outcomes[2].place == ("undeclared-variable", 21, 16)
+    assert outcomes[3].actions.done == [("speak", 5), ("speak", 1)]
+
+
+@back_ends
+def test_an_earlier_procedure_is_called_until_the_new_one_is_declared(make: Make) -> None:
+    outcomes = type_in(
+        make,
+        "PROCEDURE P DO SPEAK 1 END PROCEDURE",
+        "P [] IF 1 == 2 THEN PROCEDURE P DO SPEAK 2 END PROCEDURE END IF P []",
+        "P [] PROCEDURE P DO SPEAK 3 END PROCEDURE P []",
+    )
+
+    assert outcomes[1].actions.said == [1, 1]
+    assert outcomes[2].actions.done == [("speak", 1), ("overwritten", "P"), ("speak", 3)]
+
+
+@back_ends
 def test_a_number_of_an_earlier_batch_is_still_checked(make: Make) -> None:
     nines = "9" * 4300
     outcomes = type_in(

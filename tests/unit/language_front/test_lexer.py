@@ -114,6 +114,10 @@ def test_help_takes_a_word_of_its_own_line(source: str, expected: str) -> None:
         ("<>=<=>====<", "COMPARATOR ASSIGN COMPARATOR COMPARATOR COMPARATOR ASSIGN COMPARATOR"),
         ('"a -- b" "" “c"d” "e“f"', "STRING STRING STRING STRING"),
         ('"a\n\nb" x', "STRING NAME"),
+        ("a <\u0301 b \u226e c", "NAME NAME NAME"),
+        ("'a' $$ x'", "STRING NAME"),
+        ("\u2018a\u2019 x", "STRING NAME"),
+        ("5x _y 7", "NAME NAME NUMBER"),
         ("\ufeffFW\u00a01", "FW NUMBER"),
         ("posic\u0327a\u0303o X", "POS AXIS"),
         ("VAR ação = 1", "VAR NAME ASSIGN NUMBER"),
@@ -134,6 +138,14 @@ def test_names_are_folded_and_places_are_those_of_the_text() -> None:
 
 def test_a_string_over_lines_moves_the_lines_after_it() -> None:
     assert [token[3:5] for token in lex('"a\r\nb\rc" x').tokens] == [(1, 1), (3, 4)]
+
+
+def test_the_words_of_the_gripper_have_their_places() -> None:
+    tokens = lex("x\n  GRIP = 1 Solt\u0301ar").tokens
+
+    assert [(token[1], token[2], token[3], token[4]) for token in tokens] == [
+        (0, 1, 1, 1), (4, 8, 2, 3), (9, 10, 2, 8), (11, 12, 2, 10), (13, 20, 2, 12),
+    ]  # fmt: skip
 
 
 def test_comments_know_the_next_token() -> None:
@@ -181,6 +193,9 @@ def test_comments_have_their_places(source: str, comments: list[tuple[int, int, 
         ("FW 2 //x", [], []),
         ("FW '$' $", [("'$'", 3, 4), ("$", 3, 8)], [1, 2]),
         ("5x 3", [("5x", 3, 1)], [0]),
+        ("5x$", [("5x", 3, 1), ("$", 3, 3)], [0, 1]),
+        ("$5x", [("$", 3, 1), ("5x", 3, 2)], [0, 0]),
+        ('$"a', [("$", 3, 1), ('"a', 3, 2)], [0, 0]),
         ("VAR _a", [("_a", 3, 5)], [1]),
         ('SPEAK "a\rFW $', [('"a', 3, 7), ("$", 4, 4)], [1, 3]),
         ("é$ ​$", [("$", 3, 2), ("$", 3, 4)], [1, 1]),
@@ -197,7 +212,7 @@ def test_a_flaw_is_at_the_token_that_it_spoils(
 
 
 def test_the_colours_are_the_words_after_color() -> None:
-    lexed = lex("x red COLOR red FALAR COR azul COLOR purple COLOR -- c\ngreen", 2)
+    lexed = lex("POS x SOUND on red COLOR red FALAR COR azul COLOR purple COLOR -- c\ngreen", 2)
 
     assert [(token[5], token[3]) for token in lexed.colours] == [("red", 2), ("azul", 2), ("green", 3)]
 

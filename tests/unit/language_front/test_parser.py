@@ -108,6 +108,26 @@ def test_spans_are_those_of_the_typed_text() -> None:
 
 
 @pytest.mark.parametrize(
+    "statement",
+    [
+        *("VAR a", "VAR a = 3 + 1", "a = -2", "P []", "P [1, (2)]", "SPEAK (1)", 'SPEAK "a"', "SOUND ON"),
+        *("FW 1", "PARA TRÁS +1", "TR (1)", "SCAN", "STATE", "HISTORY", "GRIP", "RELEASE", "POS", "DISTANCE"),
+        *("DISTANCE F", 'DISTANCE "a"', "POS x", "COLOR red", "WAIT 1 * 2", "BELT OFF", "VIBRATE FL"),
+        *("HELP", "HELP END IF", "QUIT", "RUN", "IF 1 < 2 THEN END IF", "IF 1 < 2 THEN ELSE FW 1 END IF"),
+        *("FOR VAR i = 0; i < 3; i = i + 1 DO END FOR", "FOR i = 0; i < 3; i = 1 DO FW 1 END FOR"),
+        *("REPEAT 2 TIMES DO END REPEAT", "REPEAT 2 TIMES FW 1 END REPEAT", "WHILE 1 < 2 DO END WHILE"),
+        *("PROCEDURE P DO END PROCEDURE", "PROCEDURE P: a, b DO FW 1 END PROCEDURE"),
+    ],
+)
+def test_the_span_of_a_statement_is_its_whole_text(statement: str) -> None:
+    program = read(f"SCAN\n  {statement}\nFW 2")
+
+    assert program.typed(program.body[1].span) == statement
+    assert (program.body[1].span.line, program.body[1].span.column) == (2, 3)
+    assert len(program.body) == 3
+
+
+@pytest.mark.parametrize(
     ("source", "value"),
     [
         ("DISTANCE FL", DistanceSensor(Span(6, 17, 1, 7), Bearing.FRONT_LEFT)),
@@ -119,6 +139,7 @@ def test_spans_are_those_of_the_typed_text() -> None:
         ("COLOR cinza", ColourSensor(Span(6, 17, 1, 7), "gray")),
         ("COR grey", ColourSensor(Span(6, 14, 1, 7), "gray")),
         ('"Não É"', TextLiteral(Span(6, 13, 1, 7), "Não É")),
+        ('"a\r\nb\rc\n d"', TextLiteral(Span(6, 17, 1, 7), "a\nb\nc\n d")),
     ],
 )
 def test_sensors_and_texts(source: str, value: object) -> None:
