@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import sys
+from typing import Any
+
 import pytest
 
-from language.call_stack import DEEPEST_CALL, first_link
+from language.call_stack import DEEPEST_CALL, Activation, first_link
 from language.python_code import ForHeader, Sites, Unit, hook_depth_at, procedure_taking
+from language.runtime import Frame
 from language.syntax import Procedure, Program, Span
 from tests.unit.language_back.recorder import read
 
@@ -89,3 +93,28 @@ def test_a_link_has_the_number_of_open_calls_and_the_next_link() -> None:
 
     assert depths == [0, 1, 2, 3]
     assert DEEPEST_CALL == 20_000
+
+
+def test_the_next_site_is_that_of_the_instruction_after_the_one_that_failed() -> None:
+    """As a site is a line of Python for the code of a unit."""
+    names: dict[str, Any] = {}
+    text = "def add():\n if False:\n  missing = 1\n return (missing\n  + 1)"
+    exec(compile(text, "<GoDonnie>", "exec"), names)
+
+    with pytest.raises(UnboundLocalError) as raised:
+        names["add"]()
+    frame = raised.traceback[-1].frame.raw
+
+    assert frame.f_lineno == 4
+    assert Activation(unit(PROGRAM), frame, None, frame).next_site() == 5
+
+
+def test_an_activation_has_the_line_of_its_site_and_the_variables_of_its_frame() -> None:
+    frame = sys._getframe()
+    v_a, v_b, o_a = 5, "text", 6
+    activation = Activation(unit(PROGRAM), frame, 2, frame)
+
+    assert activation.line == 2
+    assert activation.variables() == {"a": 5}
+    assert activation.snapshot() == Frame("", 2, (("a", 5),))
+    assert (v_a, v_b, o_a) == (5, "text", 6)

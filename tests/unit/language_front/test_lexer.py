@@ -279,3 +279,14 @@ def test_without_the_text_the_first_of_equal_languages_is_taken() -> None:
 
 def test_a_comment_is_left_out_up_to_the_end_of_its_line() -> None:
     assert without_comments("end -- x\nif —y") == "end \nif "
+
+
+def test_only_a_number_that_is_too_large_has_a_limit() -> None:
+    mistakes = lex(f'$ 5x {"9" * 4301} "a').mistakes
+
+    assert [(each.kind.value, dict(each.details)) for each in mistakes] == [
+        ("unknown-character", {}),
+        ("invalid-name", {}),
+        ("number-too-large", {"limit": 4300}),
+        ("unterminated-string", {}),
+    ]

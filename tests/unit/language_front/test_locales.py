@@ -125,6 +125,63 @@ def test_what_is_compiled_is_used_where_the_source_is_not_newer(own_folder: Path
     assert words("eu", "commands", "run") == ("JOAN",)
 
 
+@pytest.mark.parametrize(
+    "content",
+    ["", "[1]", '{"run": ', '{"run": 1.5', '{"run": {"a": {"b": {"c": {"d": 1}}}}}', '{"run": [["BAI"]]}'],
+)
+def test_a_compiled_table_that_cannot_be_read_is_as_if_it_were_missing(
+    own_folder: Path, content: str
+) -> None:
+    (own_folder / "eu" / "compiled").mkdir(parents=True)
+    (own_folder / "eu" / "compiled" / "commands.json").write_text(content)
+
+    assert locales.table("eu", "commands") == {}
+    assert words("eu", "commands", "run") == ("RUN",)
+
+
+def test_a_compiled_table_has_sections_in_sections(own_folder: Path) -> None:
+    (own_folder / "eu" / "compiled").mkdir(parents=True)
+    (own_folder / "eu" / "compiled" / "words.json").write_text(
+        '{"a": {"b": {"c": ["BAI"], "d": 1}}, "e": null}'
+    )
+
+    assert locales.own_words("eu", "words", "a", "b", "c") == ("BAI",)
+    assert locales.keys("eu", "words", "a", "b") == ("c", "d")
+    assert locales.table("eu", "words")["e"] is None
+
+
+def test_a_table_is_read_once_until_the_languages_are_looked_for_anew(own_folder: Path) -> None:
+    file = own_folder / "eu" / "commands.toml"
+    file.parent.mkdir()
+    file.write_text('run = ["BAI"]')
+    assert words("eu", "commands", "run") == ("BAI",)
+
+    file.write_text('run = ["JOAN"]')
+    (own_folder / "ab").mkdir()
+    assert words("eu", "commands", "run") == ("BAI",)
+    assert "ab" not in languages()
+
+    locales.forget()
+    assert words("eu", "commands", "run") == ("JOAN",)
+    assert "ab" in languages()
+
+
+def test_a_locale_with_a_country_is_a_language_of_its_own_if_there_is_one(own_folder: Path) -> None:
+    (own_folder / "pt-br").mkdir()
+
+    assert language_of_locale("pt_BR.UTF-8") == "pt-br"
+    assert language_of_locale("pt_PT.UTF-8") == "pt"
+
+
+def test_a_folder_that_is_missing_has_no_languages(own_folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    built_in = languages()
+    monkeypatch.setenv(locales.SEARCH_PATH, f"{own_folder / 'none'}{os.pathsep}{own_folder}")
+    locales.forget()
+
+    assert languages() == built_in
+    assert locales.search_path() == [str(own_folder / "none"), str(own_folder)]
+
+
 def test_a_file_of_a_language_has_a_million_bytes_at_most(tmp_path: Path) -> None:
     file = tmp_path / "words.toml"
     file.write_bytes(b"#" * 1_000_000)

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from language.source import Lines, fold, fold_name, lines_in
+from language.source import Lines, cleaned, fold, fold_name, lines_in, printable, with_newlines
 
 
 @given(st.text())
@@ -83,3 +83,49 @@ def test_each_visible_character_has_a_place_of_its_own_after_those_before_it(
 )
 def test_lines_end_where_the_language_ends_them(text: str, lines: list[str]) -> None:
     assert lines_in(text) == lines
+
+
+@pytest.mark.parametrize(
+    ("typed", "folded"),
+    [
+        ("ABC é", "abc e"),
+        ("e\u0301\u0308", "e\u0300\u0300"),
+        ("\u2260", "\u2260"),
+        ("=\u0338", "=\u0300"),
+        ("\u00bd", "\u00bd"),
+        ("\u212b", "a"),
+        ("\u01c5", "\u01c6"),
+        ("\u0390", "\u03b9"),
+        ("\ufeff\u200b\u200c\u200d\u200e\u200f\u2060", "\u200b" * 7),
+        ("\u2010\u2011\u2212", "---"),
+        ("\u2013\u2014\u2015", "\u2013\u2014\u2014"),
+    ],
+)
+def test_only_letters_lose_their_marks(typed: str, folded: str) -> None:
+    assert fold(typed) == folded
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "lines"),
+    [
+        ("abc é", "abc é", "abc é"),
+        ("a\tb\r\nc", "a b  c", "a\tb\r\nc"),
+        ("a\x00b\x1b[1m\x7f\x9f", "a b [1m  ", "a b [1m  "),
+        ("\u2028\u2029\u202a\u202e\u2066\u2069\ud800\udfff", " " * 8, " " * 8),
+        ("a\u00a0\u2003b\x1f\x20\x80\xa1", "a\u00a0\u2003b   \xa1", "a\u00a0\u2003b   \xa1"),
+        ("", "", ""),
+    ],
+)
+def test_what_could_control_a_terminal_is_a_blank(text: str, line: str, lines: str) -> None:
+    assert printable(text) == line
+    assert cleaned(text) == lines
+
+
+def test_the_line_breaks_of_a_text_become_one_kind() -> None:
+    assert with_newlines("a\r\nb\rc\nd\n\re") == "a\nb\nc\nd\n\ne"
+
+
+def test_places_count_from_the_first_line_given() -> None:
+    lines = Lines("ab\ncd", 7)
+
+    assert [lines.place(offset) for offset in range(5)] == [(7, 1), (7, 2), (7, 3), (8, 1), (8, 2)]
