@@ -486,6 +486,12 @@ TEXTS = [
     ("JUMP\nDISTANCE\nZ", ["1:1 unknown-command", "3:1 unknown-command"]),
     ("DISTANCE Z\nPOS Z", ["1:10 bad-argument", "2:5 bad-argument"]),
     ("SOUND FW 1", ["1:1 bad-argument missing-argument"]),
+    ('SPEAK "one\nx "two"', ["1:7 unterminated-string", "2:1 unknown-command"]),
+    ('SPEAK "one\nSPEAK END REPEAT "two"', ["2:19 unknown-command", "2:22 unterminated-string"]),
+    ('SPEAK "a"\nSPEAK "b\nJUMP\nSPEAK "c"', ["2:7 unterminated-string", "3:1 unknown-command"]),
+    ('SPEAK "a\nb"\nSPEAK "c', ["3:7 unterminated-string"]),
+    ('JUMP\nSPEAK "c', ["1:1 unknown-command", "2:7 unterminated-string"]),
+    ('SPEAK "a\nFW 1\nSPEAK "b', ["3:8 unknown-command"]),
 ]
 
 
