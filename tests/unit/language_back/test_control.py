@@ -275,6 +275,15 @@ def test_the_runtime_is_called_with_the_state_at_every_change_until_it_is_detach
     assert states == [ControlState.RUNNING, *[ControlState.PAUSING] * 3]
 
 
+def test_a_new_control_lets_its_program_run() -> None:
+    control = ExecutionControl()
+
+    assert control.state is ControlState.RUNNING
+    assert control.held_at == (0, 0)
+    assert control.holds_to_depth() == float("inf")
+    assert held_at(control, control.resume, (0, 0), (1, 0)) == []
+
+
 def test_the_lines_that_hold_are_the_breakpoints_and_on_the_way_to_a_line_that_line() -> None:
     control = ExecutionControl()
     assert control.holds_on_lines() == frozenset()
