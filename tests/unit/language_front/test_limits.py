@@ -71,6 +71,16 @@ def test_too_deep_nesting_is_one_mistake_with_its_limit(source: str, code: str, 
     assert column is None or parsed.diagnostics[0].span.column == column
 
 
+def test_an_expression_that_is_too_deep_is_found_in_a_wrong_text_unless_another_mistake_is() -> None:
+    deep = "SPEAK " + "- " * 4100 + "1"
+    after_sign, after_mistake = parse(f"$\nJUMP\n{deep}").diagnostics, parse(f"FW )\n{deep}").diagnostics
+
+    assert [each.kind for each in after_sign] == [MistakeKind.UNKNOWN_CHARACTER, MistakeKind.TOO_DEEP]
+    assert (after_sign[1].code, after_sign[1].span.line) == ("expression", 3)
+    assert after_sign[1].details == {"limit": MOST_LEVELS}
+    assert [each.kind for each in after_mistake] == [MistakeKind.SYNTAX]
+
+
 @pytest.mark.parametrize(
     "source",
     [

@@ -492,6 +492,9 @@ TEXTS = [
     ('SPEAK "a\nb"\nSPEAK "c', ["3:7 unterminated-string"]),
     ('JUMP\nSPEAK "c', ["1:1 unknown-command", "2:7 unterminated-string"]),
     ('SPEAK "a\nFW 1\nSPEAK "b', ["3:8 unknown-command"]),
+    ("FW 1\nFW SCAN 1 10", ["2:4 syntax"]),
+    ("REPEAT 2 TIMES\nLOOP 3\nEND REPEAT", ["2:1 unknown-command everyday -> REPEAT 3 TIMES"]),
+    ("REPEAT 2 TIMES\nLOOP 3\nFW 1\nEND\nEND REPEAT", ["2:1 unknown-command everyday -> REPEAT 3 TIMES"]),
 ]
 
 
