@@ -131,7 +131,7 @@ def test_a_procedure_does_not_see_variables_of_earlier_batches(make: Make) -> No
 
 
 @back_ends
-def test_a_procedure_has_variables_of_its_own_beside_those_of_earlier_batches(make: Make) -> None:
+def test_a_procedure_has_other_variables_than_earlier_batches(make: Make) -> None:
     outcomes = type_in(
         make,
         "VAR a = 1",

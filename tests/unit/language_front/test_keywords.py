@@ -184,7 +184,7 @@ def test_a_keyword_is_of_the_languages_that_spell_it_so(word: str, codes: str) -
         ("x", ""),
     ],
 )
-def test_accents_tell_the_language_of_a_word_that_two_write_differently(typed: str, codes: str) -> None:
+def test_accents_decide_the_language_of_a_word_that_two_write_differently(typed: str, codes: str) -> None:
     folded = keywords.folded_word(typed)
 
     assert sorted(keywords.languages_by_accents(folded, typed)) == codes.split()
