@@ -7,11 +7,11 @@ from random import Random
 import pytest
 
 from devices.ports.robot import RobotProblem
-from sim.geometry import Spot
+from sim.geometry import Placement, Spot
 from sim.scene import Drive, Limits, Localization, OdometryError, Wheels
-from sim.vehicle import Odometry, Rate, Rates, moving, odometry_of, rates_of, turning
+from sim.vehicle import Odometry, Rate, Rates, Whereabouts, moving, odometry_of, rates_of, turning
 from sim.world import World
-from tests.unit.sim.floors import Unpaced, scene
+from tests.unit.sim.floors import Diary, Unpaced, scene
 
 # --- one speed
 
@@ -96,6 +96,14 @@ def test_one_side_of_a_ramp_may_be_missing(rate: Rate, seconds: float) -> None:
     assert rate.over(10).seconds(0.0, 10.0) == pytest.approx(seconds)
     assert rate.over(10).further(0.0, seconds) == pytest.approx(10)
     assert rate.over(10) is not rate.over(10)
+
+
+def test_a_ramp_has_its_own_top_speed() -> None:
+    """2 steps a second after 1 s and 1 step."""
+    course = Rate(2.0, 2.0, 2.0).over(10)
+
+    assert [course.seconds(0.0, way) for way in (1.0, 5.0, 9.0)] == pytest.approx([1, 3, 5])
+    assert [course.further(0.0, seconds) for seconds in (1.0, 3.0, 5.0)] == pytest.approx([1, 5, 9])
 
 
 def test_a_ramp_of_nothing_takes_no_time() -> None:
@@ -195,10 +203,10 @@ def test_wheels_have_a_rate_to_each_side(wheels: Wheels | None, rates: Sequence[
 
 def test_a_rate_of_nothing_is_refused() -> None:
     assert (moving(SLOW), turning(SLOW)) == (SLOW, SLOW)
-    with pytest.raises(RobotProblem, match="cannot-drive"):
-        moving(Rate(0.0))
-    with pytest.raises(RobotProblem, match="cannot-turn"):
-        turning(Rate(0.0))
+    for command, code in ((moving, "cannot-drive"), (turning, "cannot-turn")):
+        with pytest.raises(RobotProblem) as problem:
+            command(Rate(0.0))
+        assert problem.value.code == code
 
 
 # --- odometry
@@ -206,12 +214,14 @@ def test_a_rate_of_nothing_is_refused() -> None:
 
 def test_odometry_errs_by_a_part_of_what_is_driven_and_turned() -> None:
     believed = Odometry(along=0.1, turn=-0.2)
+    left = believed.ahead(Spot(1, 2, 90), 2.0, 90.0)
 
     assert believed.ahead(Spot(1, 2, 90), 2.0, 0.0) == Spot(1, pytest.approx(4.2), 90)  # type: ignore[arg-type]
     assert believed.ahead(Spot(1, 2, 90), 2.0, 180.0) == Spot(1, pytest.approx(-0.2), 90)  # type: ignore[arg-type]
     assert believed.turned(Spot(1, 2, 90), 50.0) == Spot(1, 2, 130)
     assert believed.turned(Spot(1, 2, 350), 50.0) == Spot(1, 2, 30)
     assert believed.turned(Spot(1, 2, 30), -50.0) == Spot(1, 2, 350)
+    assert (left.x, left.y, left.yaw) == (pytest.approx(-1.2), 2, 90)
     exact = [Odometry().is_exact, Odometry(along=0.1).is_exact, Odometry(turn=0.1).is_exact]
     assert exact == [True, False, False]
 
@@ -269,3 +279,125 @@ def test_a_robot_is_alone_if_nothing_that_may_move_can_stop_it(x: float, is_alon
 
     assert movable.robot(pace=Unpaced()).get_ready().is_alone() is is_alone
     assert still.robot(pace=Unpaced()).get_ready().is_alone()
+
+
+BOX = "model( size [ 0.1 0.1 1 ] pose [ 5 5 0 0 ] pushable 1 )\n"
+COMPANY = f'position( name "it" size [ 0.2 0.1 0.1 ] pose [ 0 0 0.5 0 ] )\n{BOX}'
+BOX_ROOT = 1
+
+
+@pytest.mark.parametrize(("x", "is_clear"), [(0.58, True), (0.56, False), (-0.58, True), (-0.56, False)])
+def test_nothing_is_in_the_way_of_the_next_tick_that_is_much_farther_than_a_step(
+    x: float, is_clear: bool
+) -> None:
+    """0.1718 m for a step, 0.3 m and a step more; the box reaches 0.05 m to each side."""
+    robot = World(scene(COMPANY)).robot(pace=Unpaced(), speed=1.0)
+    vehicle = robot.get_ready()
+    vehicle.mover.around.ground.put(BOX_ROOT, Placement(x, 0))
+    assert not vehicle.is_clear(), "it takes no part, so that no other acts meanwhile"
+
+    robot.join()
+    assert vehicle.is_clear() is is_clear
+    robot.speed = None
+    vehicle.quicken()
+    assert not vehicle.is_clear(), "it glides"
+
+
+def test_a_clear_way_stays_clear_as_long_as_nothing_can_have_come() -> None:
+    """Both may be as fast as a corner that turns: 0.3 m take 1.0885 s."""
+    robot = World(scene(COMPANY)).robot(pace=Unpaced(), speed=1.0)
+    vehicle, ground = robot.get_ready(), robot.get_ready().mover.around.ground
+    robot.join()
+    assert vehicle.is_clear()
+    ground.put(BOX_ROOT, Placement(0.3, 0))
+
+    for seconds, is_clear in ((0.5, True), (1.038, True), (1.039, False), (0.5, False)):
+        vehicle.clock.seconds = seconds
+        assert vehicle.is_clear() is is_clear
+    ground.put(BOX_ROOT, Placement(3, 0))
+    assert vehicle.is_clear()
+    ground.put(BOX_ROOT, Placement(0.3, 0))
+    assert vehicle.is_clear()
+    ground.jump()
+    assert not vehicle.is_clear()
+
+
+def test_a_robot_that_moves_out_of_turn_jumps() -> None:
+    robot = World(scene(COMPANY)).robot(pace=Unpaced())
+    vehicle, ground = robot.get_ready(), robot.get_ready().mover.around.ground
+    jumps, spot = ground.jumps, Spot(1, 2, 3)
+
+    vehicle.go_to(Whereabouts(spot, spot))
+    assert (ground.jumps, ground.place(0), vehicle.here.truth) == (jumps + 1, Placement(1, 2, 0.5, 3), spot)
+    robot.join()
+    vehicle.go_to(Whereabouts(Spot(2, 2, 3), spot))
+    assert (ground.jumps, ground.place(0).x) == (jumps + 1, 2)
+    vehicle.pass_by(Whereabouts(spot, spot))
+    assert (ground.place(0).x, vehicle.here.truth.x) == (2, 1)
+
+
+def test_a_robot_without_company_moves_for_itself_alone() -> None:
+    vehicle = World(scene("position( size [ 0.2 0.1 0.1 ] )")).robot(pace=Unpaced()).get_ready()
+    ground, spot = vehicle.mover.around.ground, Spot(1, 2, 3)
+
+    vehicle.go_to(Whereabouts(spot, spot))
+
+    assert (vehicle.here.truth, ground.place(0), ground.moved()) == (spot, Placement(), {})
+
+
+@pytest.mark.parametrize(("x", "leaps"), [(9.0, True), (0.45, False)])
+@pytest.mark.parametrize(("turned", "sign"), [(0.0, 1), (180.0, -1)])
+def test_a_robot_with_room_goes_at_once(x: float, leaps: bool, turned: float, sign: int) -> None:
+    """4 steps, with a ramp: half a step up, half a step down, each in 2 s at half the speed."""
+    wall = f"model( size [ 0.2 4 1 ] pose [ {sign * x} 0 0 0 ] )"
+    vehicle = World(scene(f"position( size [ 0.2 0.1 0.1 ] ) {wall}")).robot(pace=Unpaced()).get_ready()
+
+    assert vehicle.leap(4, Rate(0.5, 0.25, 0.25), turned) is leaps
+
+    assert vehicle.here.truth == (Spot(pytest.approx(sign * 0.2), 0, 0) if leaps else Spot(0, 0, 0))  # type: ignore[arg-type]
+    assert vehicle.here.belief == vehicle.here.truth
+    assert vehicle.clock.seconds == pytest.approx(2 + 3 / 0.5 + 2 if leaps else 0)
+
+
+@pytest.mark.parametrize(
+    ("is_watched", "speed", "seed", "leaps"),
+    [(False, None, 0, True), (True, None, 0, False), (False, 1.0, 0, False), (False, None, 1, False)],
+)
+def test_a_robot_leaps_if_nothing_watches_or_waits(
+    is_watched: bool, speed: float | None, seed: int, leaps: bool
+) -> None:
+    text = 'position( size [ 0.2 0.1 0.1 ] localization "odom" )'
+    watcher = Diary() if is_watched else None
+    robot = World(scene(text), seed=seed).robot(pace=Unpaced(), speed=speed, watcher=watcher)
+
+    assert robot.get_ready().leap(4, Rate(1.0), 0.0) is leaps
+
+
+def test_a_robot_that_begins_anew_leaves_what_it_held() -> None:
+    gripper = "gripper( pose [ 0.15 0 0 0 ] size [ 0.1 0.1 0.1 ] )"
+    ball = "model( size [ 0.05 0.05 0.05 ] pose [ 0.2 0 0 0 ] gripper_return 1 )"
+    vehicle = (
+        World(scene(f"position( size [ 0.2 0.2 0.1 ] {gripper} ) {ball}")).robot(pace=Unpaced()).get_ready()
+    )
+    vehicle.grip()
+    there = vehicle.ahead(vehicle.here, 1.0, 90.0)
+    vehicle.go_to(there)
+    assert there.truth == Spot(pytest.approx(0), pytest.approx(1), 0)  # type: ignore[arg-type]
+
+    vehicle.begin_anew(None)
+
+    assert (vehicle.here.truth, vehicle.hand.held) == (Spot(0, 0, 0), None)
+    ((_, place),) = vehicle.mover.around.ground.moved().items()
+    assert (place.x, place.y) == pytest.approx((0.2, 1.0))
+
+
+def test_errors_of_odometry_change_the_belief_only() -> None:
+    text = 'position( size [ 0.2 0.1 0.1 ] localization "odom" )'
+    vehicle = World(scene(text)).robot(pace=Unpaced()).get_ready()
+    vehicle.odometry = Odometry(0.1, -0.2)
+    here = Whereabouts(Spot(1, 2, 90), Spot(3, 4, 0))
+
+    ahead, turned = vehicle.ahead(here, 2.0, 0.0), vehicle.turned(here, 300.0)
+
+    assert (ahead.truth, ahead.belief) == (Spot(1, 4, 90), Spot(pytest.approx(5.2), 4, 0))  # type: ignore[arg-type]
+    assert (turned.truth, turned.belief) == (Spot(1, 2, 30), Spot(3, 4, 240))
