@@ -6,8 +6,10 @@ from random import Random
 
 import pytest
 
-from devices.ports.robot import RobotProblem
+from devices.ports.robot import Grip, Motion, RobotProblem
+from sim.clock import Glide, Landing
 from sim.geometry import Placement, Spot
+from sim.handling import Advance
 from sim.scene import Drive, Limits, Localization, OdometryError, Wheels
 from sim.vehicle import Odometry, Rate, Rates, Whereabouts, moving, odometry_of, rates_of, turning
 from sim.world import World
@@ -401,3 +403,97 @@ def test_errors_of_odometry_change_the_belief_only() -> None:
 
     assert (ahead.truth, ahead.belief) == (Spot(1, 4, 90), Spot(pytest.approx(5.2), 4, 0))  # type: ignore[arg-type]
     assert (turned.truth, turned.belief) == (Spot(1, 2, 30), Spot(3, 4, 240))
+
+
+GRIPPER = "gripper( pose [ 0.15 0 0 0 ] size [ 0.1 0.1 0.1 ] )"
+BALL = "model( size [ 0.05 0.05 0.05 ] pose [ 0.2 0 0 0 ] gripper_return 1 )"
+
+
+def test_a_robot_glides_in_company_at_unlimited_speed_with_empty_hands() -> None:
+    robot = World(scene(f"position( size [ 0.2 0.2 0.1 ] {GRIPPER} ) {BALL}")).robot(pace=Unpaced())
+    vehicle = robot.get_ready()
+    assert not vehicle.glides
+    robot.join()
+    assert vehicle.glides
+    robot.speed = 1.0
+    assert not vehicle.glides
+    robot.speed = None
+    vehicle.grip()
+    assert not vehicle.glides
+    vehicle.release()
+    assert vehicle.glides
+
+
+@pytest.mark.parametrize(
+    ("speed", "stop_after", "landing", "count", "x", "seconds"),
+    [(None, inf, Landing.WHOLE, 0, 0.3, 3.0), (20.0, 0.1, Landing.HALTED, 2, 0.0, 2.0)],
+)
+def test_a_glide_leads_to_its_end_or_to_a_stop(
+    speed: float | None, stop_after: float, landing: Landing, count: int, x: float, seconds: float
+) -> None:
+    """Three ticks of a second; at 20 times the speed a slice is one."""
+    robot = World(scene(COMPANY)).robot(pace=Unpaced(stop_after), speed=speed)
+    robot.join()
+    vehicle, ground = robot.get_ready(), robot.get_ready().mover.around.ground
+    places = [Whereabouts(Spot(each, 0, 0), Spot(each, 0, 0)) for each in (0.0, 0.1, 0.2, 0.3)]
+
+    found = vehicle.glide(places[3], 3.0, lambda: [1.0, 2.0, 3.0], lambda ticks: places[ticks], 0.2)
+
+    assert found == (landing, count)
+    assert (vehicle.here.truth.x, ground.place(0)) == (x, Placement(x, 0, 0.5, 0))
+    assert vehicle.clock.seconds == seconds
+    assert ground.roots_within(BOX_ROOT, x, 0, 0.01) == [0]
+
+
+def test_a_glide_does_not_begin_where_another_one_is_near() -> None:
+    other = 'position( name "bob" size [ 0.2 0.1 0.1 ] pose [ 0 1 0 0 ] )\n'
+    world = World(scene(COMPANY + other))
+    robot, bob = (world.robot(name, pace=Unpaced()) for name in ("it", "bob"))
+    robot.join()
+    vehicle, there = robot.get_ready(), Whereabouts(Spot(0.3, 0, 0), Spot(0.3, 0, 0))
+    near = Glide(2, bob.get_ready().clock, lambda: [9.0], lambda _: Placement(), (0, 0.2, 1, 0.2), 0.2)
+    assert world.ground.begin_glide(near)
+
+    assert vehicle.glide(there, 3.0, lambda: [3.0], lambda _: there, 0.2) is None
+
+    assert (vehicle.here.truth, vehicle.clock.seconds) == (Spot(0, 0, 0), 0.0)
+
+
+def test_a_held_thing_makes_a_turning_robot_faster_at_its_end() -> None:
+    text = f"position( size [ 0.2 0.2 0.1 ] {GRIPPER} ) {BALL}"
+    world = World(scene(text))
+    vehicle = world.robot(pace=Unpaced()).get_ready()
+    alone = 0.05 + radians(45) * hypot(0.2, 0.05)
+    assert world.ground.fastest == pytest.approx(alone)
+
+    assert vehicle.grip() is Grip.GRIPPED
+
+    assert world.ground.fastest == pytest.approx(0.05 + radians(45) * hypot(0.225, 0.025))
+    assert vehicle.release() is Grip.RELEASED
+
+
+def test_what_is_pushed_adds_up() -> None:
+    vehicle = World(scene(COMPANY)).robot(pace=Unpaced()).get_ready()
+
+    for metres in (0.02, 0.03):
+        vehicle.take_along(Advance(0.05, ((BOX_ROOT, metres),)), 90)
+
+    assert vehicle.pushed == {BOX_ROOT: pytest.approx(0.05)}
+    place = vehicle.mover.around.ground.place(BOX_ROOT)
+    assert (place.x, place.y) == pytest.approx((5, 5.05))
+
+
+@pytest.mark.parametrize(("speed", "shown"), [(2.0, [0.0, 0.091, 0.2]), (1.0, [0.0, 0.08, 0.2]), (None, [])])
+def test_a_moving_picture_has_twenty_poses_a_second(speed: float | None, shown: list[float]) -> None:
+    """Nine tenths of a slice after the last one, at least: at twice the speed 0.09 s."""
+    diary = Diary()
+    vehicle = World(scene(COMPANY)).robot(pace=Unpaced(), watcher=diary, speed=speed).get_ready()
+
+    for seconds in (0.0, 0.04, 0.08, 0.091, 0.1, 0.2, 0.21):
+        vehicle.clock.seconds = seconds
+        vehicle.here = Whereabouts(Spot(seconds, 0, 0), Spot(9, 9, 0))
+        vehicle.show()
+
+    assert [pose.x * 0.05 for pose in diary.passed] == pytest.approx(shown)
+    vehicle.report(Motion.FORWARD)
+    assert [(motion, pose.x) for motion, pose, _ in diary.progress] == [(Motion.FORWARD, pytest.approx(180))]
