@@ -7,6 +7,7 @@ import pytest
 from devices.ports.robot import Motion, StoppedBy
 from sim.robot import SimulatedRobot
 from sim.world import World
+from tests.unit.sim.company import Company
 from tests.unit.sim.floors import BOX_ROBOT, Diary, Unpaced, scene
 
 BLIND = BOX_ROBOT + "blind( pose [ 0 0 0 0 ] )\n"
@@ -203,3 +204,87 @@ def test_a_stop_ends_a_turn_of_a_car_between_two_degrees() -> None:
 
     assert (turned.turned, turned.stopped_by) == (12, StoppedBy.USER)
     assert [pose.heading for _, pose, _ in diary.progress] == [100]
+
+
+# --- in company
+
+AHEAD = "model( size [ 0.2 4 1 ] pose [ 0.6 0 0 0 ] )\n"
+ASIDE = "model( size [ 4 0.2 1 ] pose [ 0 0.2 0 0 ] )\n"
+CAR = 'drive "car" wheelbase 8'
+SOFT = "acceleration_bounds [ -0.025 0.025 0 0 0 0 -90 90 ]"
+
+
+@pytest.mark.parametrize("pause", [0.04, 0.33, 2.5])
+@pytest.mark.parametrize("speed", [None, 100.0])
+@pytest.mark.parametrize(
+    ("wheels", "things", "steps", "angle", "done", "stopped_by", "seconds", "reports"),
+    [
+        ("", "", 3, 0, 3, None, 3, [1, 2, 3]),
+        ("", "", -3, 0, 3, None, 3, [-1, -2, -3]),
+        ("", AHEAD, 9, 0, 7, StoppedBy.COLLISION, 7.998, [1, 2, 3, 4, 5, 6, 7]),
+        ("", "", 0, -45, -45, None, 1, [80, 70, 60, 50, 45]),
+        ("", "", 0, 25, 25, None, 25 / 45, [100, 110, 115]),
+        ("", ASIDE, 0, -90, -36, StoppedBy.COLLISION, 0.8, [80, 70, 60, 54]),
+        ("", CRATE, 5, 0, 5, None, 5, [1, 2, 3, 4, 5]),
+        (SOFT, "", 4, 0, 4, None, 6, [1, 2, 3, 4]),
+        (SOFT, "", 0, -45, -45, None, 1.5, [80, 70, 60, 50, 45]),
+        (CAR, "", 0, 11, 11, None, 11 / degrees(0.05 / 8), [100, 101]),
+    ],
+)
+def test_a_movement_in_company_is_as_long_as_alone(
+    wheels: str,
+    things: str,
+    steps: int,
+    angle: int,
+    done: int,
+    stopped_by: StoppedBy | None,
+    seconds: float,
+    reports: list[int],
+    speed: float | None,
+    pause: float,
+) -> None:
+    """The other robot is far away, and acts all the time."""
+    kind = f"define kind position ( size [ 0.2 0.1 0.1 ] {wheels} )\n"
+    company = Company(
+        scene(f'{kind}kind( name "it" ) kind( name "other" pose [ 30 0 0 0 ] )\n{things}'), speed=speed
+    )
+    ends, times = list[object](), list[float]()
+
+    def moves(robot: SimulatedRobot) -> None:
+        if steps:
+            walked = (robot.forward if steps > 0 else robot.backward)(abs(steps))
+            ends.extend((walked.walked, walked.stopped_by))
+        else:
+            turned = robot.turn(angle)
+            ends.extend((turned.turned, turned.stopped_by))
+        times.append(robot.time())
+
+    def waits(robot: SimulatedRobot) -> None:
+        while not times:
+            robot.wait(pause)
+
+    log = company.run({"it": moves, "other": waits})
+
+    assert ends == [done, stopped_by]
+    assert times == [pytest.approx(seconds)]
+    poses = [pose for _, _, pose in log]  # type: ignore[misc]
+    assert [round(pose.x if steps else pose.heading, 6) for pose in poses] == reports
+
+
+@pytest.mark.parametrize("speed", [None, 100.0])
+def test_robots_that_come_near_go_on_in_ticks(speed: float | None) -> None:
+    """1.5 m between them, of which each walks half, less half of both bodies: 13 steps. They are blind."""
+    text = BOX_ROBOT + 'blind( name "a" ) blind( name "b" pose [ 1.5 0 0 180 ] )\n'
+    company, ends = Company(scene(text), speed=speed), dict[str, tuple[int, float, float]]()
+
+    def walks(robot: SimulatedRobot) -> None:
+        moved = robot.forward(20)
+        ends[robot.name] = moved.walked, moved.pose.x, robot.time()
+
+    company.run({"a": walks, "b": walks})
+
+    assert {walked for walked, *_ in ends.values()} <= {12, 13}
+    assert ends["b"][1] - ends["a"][1] == pytest.approx(4, abs=0.005)
+    assert ends["a"][1] + ends["b"][1] == pytest.approx(30, abs=0.11)
+    for name, way in (("a", ends["a"][1]), ("b", 30 - ends["b"][1])):
+        assert ends[name][2] == pytest.approx(way, abs=0.051)  # a tick
