@@ -721,3 +721,45 @@ def test_a_gripper_of_a_driven_robot_carries_what_it_took() -> None:
     assert it.release().name == "ball"
     run(loop, 0.1)
     assert loop.pose("ball").x < 0.76
+
+
+def test_rangers_say_how_strongly_things_answer() -> None:
+    post = "model( size [ 0.02 0.4 1 ] pose [ 0.5 1 0 0 ] ranger_return 0.25 )\n"
+    text = robot(
+        "ranger( sensor( fov 0.001 ) sensor( fov 0.001 pose [ 0 1 0 0 ] ) "
+        "sensor( fov 0.001 pose [ 0 0 0 180 ] ) )"
+        "ranger( sensor( samples 3 fov 90 range [ 0 3 ] ) )"
+    )
+
+    one, fan = loop_of(text + WALL + post).drives["it"].rangers()
+
+    assert one.returns == ((1.0,), (0.25,), (0.0,))
+    assert one.sensors == (pytest.approx((1.0,)), pytest.approx((0.49,)), (5.0,))
+    assert fan.returns == ((1.0, 1.0, 1.0),)
+
+
+def test_a_blobfinder_reads_from_left_to_right() -> None:
+    board = 'model( size [ 0.02 0.2 1 ] pose [ 1.01 {} 0 0 ] color "{}" )\n'
+    boards = board.format(-0.4, "blue") + board.format(0.4, "red") + board.format(0, "green")
+
+    (eye,) = loop_of(robot("blobfinder( range 3 fov 90 )") + boards).drives["it"].blobs()
+
+    assert [each.colour for each in eye.blobs] == [(255, 0, 0), (0, 255, 0), (0, 0, 255)]
+    assert all(each.left > each.right for each in eye.blobs)
+    assert [each.metres for each in eye.blobs] == pytest.approx([hypot(1, 0.3), 1, hypot(1, 0.3)])
+
+
+def test_each_device_reads_for_its_own_model() -> None:
+    """A part is asked for by the index of its model."""
+    devices = (
+        'ranger( name "one" sensor( ) ) ranger( name "two" sensor( ) )'
+        'bumper( name "front" bcount 1 bpose[0] [ 0.1 0 0 0 ] )'
+        'blobfinder( name "eye" ) fiducial( name "mark" )'
+    )
+    loop = loop_of(robot(devices) + WALL)
+    it, index = loop.drives["it"], {each.name: each.index for each in loop.scene.models}
+
+    assert [each.name for each in it.rangers()] == ["one", "two"]
+    for read, name in ((it.rangers, "two"), (it.bumpers, "front"), (it.blobs, "eye"), (it.marks, "mark")):
+        assert [each.name for each in read(index[name])] == [name]
+        assert read(index["it"]) == ()
