@@ -188,3 +188,74 @@ def test_a_robot_stands_in_what_is_around_its_start() -> None:
     stand_in = [world.robot(name, pace=Unpaced()).stands_in for name in ("a", "b")]
 
     assert stand_in == [("floor",), ()]
+
+
+def test_distances_that_a_caller_changes_are_not_those_of_the_robot() -> None:
+    it = World(scene(IDEAL + "ideal( pose [ 0 0 0 90 ] ) thing( pose [ 0 0.5 0 0 ] )")).robot(pace=Unpaced())
+
+    it.known_distances().clear()
+
+    assert it.known_distances()[Bearing.FRONT] == it.distance(Bearing.FRONT) == 10
+
+
+def test_a_robot_does_not_see_what_it_has_just_taken_nor_measure_it() -> None:
+    eyes = "blobfinder( range 3 fov 60 ) ranger( sensor( pose [ 0.1 0 0 0 ] range [ 0 3 ] fov 1 ) )"
+    ball = CAN.replace("can", "ball").replace(" )\n", ' color "blue" )\n')
+    text = f"position( size [ 0.2 0.1 0.1 ] {eyes} {GRIPPER} ) {ball}"
+    it = World(scene(text)).robot(pace=Unpaced())
+    (seen,) = it.scan()
+    assert (seen.name, seen.colour, seen.degrees) == ("ball", "blue", 0)
+    near = it.distance(Bearing.FRONT)
+
+    taken = it.grip()
+    assert (taken.outcome, taken.name, taken.kind, taken.colour) == (Grip.GRIPPED, "ball", "model", "blue")
+    assert (it.scan(), it.distance(Bearing.FRONT)) == ((), 60)
+    again = it.grip()
+    assert (again.outcome, again.name) == (Grip.HOLDS_ALREADY, "ball")
+    released = it.release()
+    assert (released.outcome, released.name, released.colour) == (Grip.RELEASED, "ball", "blue")
+    assert (it.scan(), it.distance(Bearing.FRONT)) == ((seen,), near)
+    nothing = it.release()
+    assert (nothing.outcome, nothing.name, nothing.kind, nothing.colour) == (Grip.HOLDS_NOTHING, "", "", "")
+
+
+def test_a_thing_without_a_name_of_its_own_is_reported_without_one() -> None:
+    it = World(scene(TWO + "define crate model( )\n" + CRATE.replace('model( name "box"', "crate("))).robot(
+        pace=Unpaced()
+    )
+
+    (pushed,) = it.forward(8).pushed
+
+    assert (pushed.name, pushed.kind, pushed.colour) == ("", "crate", "red")
+    assert pushed.steps == pytest.approx(5, abs=0.01)
+
+
+def test_a_mark_is_seen_with_its_number_its_bearing_and_its_distance() -> None:
+    """At 0.3 and 0.4 m: 10 steps away, 36.87 degrees to the right."""
+    mark = 'model( name "m" size [ 0.02 0.02 1 ] pose [ 0.3 0.4 0 0 ] fiducial_return 7 )'
+    text = f"position( size [ 0.1 0.1 0.1 ] pose [ 0 0 0 90 ] fiducial( range_max 8 fov 180 ) ) {mark}"
+
+    (seen,) = World(scene(text)).robot(pace=Unpaced()).scan()
+
+    assert (seen.name, seen.colour, seen.mark) == ("m", "", 7)
+    assert (seen.degrees, seen.steps) == pytest.approx((36.8699, 10), abs=0.01)
+
+
+@pytest.mark.parametrize("joined", [False, True])
+def test_waits_take_their_time_alone_and_in_company(joined: bool) -> None:
+    world = World(scene(TWO))
+    alice, bob = (world.robot(name, pace=Unpaced()) for name in ("alice", "bob"))
+    if joined:
+        alice.join()
+
+    waits = [alice.wait(seconds) for seconds in (1.5, 0.0, -2.0, 0.25)]
+    assert (waits, alice.time()) == ([True] * 4, 1.75)
+    alice.halt()
+    assert alice.wait(1.0)
+    assert alice.time() == 2.75
+    with pytest.raises(ValueError, match="negative"):
+        alice.backward(-1)
+    if joined:
+        world.expect(["bob"])
+        assert world.turn() == ("alice", 2.75)
+        bob.leave()
