@@ -495,3 +495,51 @@ def test_another_robot_that_acts_first_ends_a_slice() -> None:
     assert passed == pytest.approx([0.1, 0.2])
     assert turns.present == alice.seconds == pytest.approx(0.2)
     assert not alice.was_halted()
+
+
+def test_a_halt_at_a_mark_ends_the_marks_of_the_same_moment_too() -> None:
+    clock, marks = Clock(Unpaced(), None), list[str]()
+
+    spent = clock.spend(1.0, [(1.0, clock.halt), (1.0, lambda: marks.append("late"))])
+
+    assert (spent, marks, clock.was_halted()) == (1.0, [], True)
+
+
+def test_a_nudge_lets_a_waiting_robot_see_that_it_was_halted() -> None:
+    turns = Turns()
+    alice, bob = Seat(turns, 0), Seat(turns, 1)
+    turns.expect([alice, bob])
+    asked, halted, done = threading.Event(), threading.Event(), list[bool]()
+
+    def is_halted() -> bool:
+        asked.set()
+        return halted.is_set()
+
+    thread = threading.Thread(target=lambda: done.append(bob.take(0.0, is_halted)), daemon=True)
+    thread.start()
+    assert asked.wait(TIMEOUT)
+    halted.set()
+    bob.nudge()
+    thread.join(TIMEOUT)
+
+    assert done == [False]
+
+
+def test_a_robot_that_waits_wakes_up_when_another_one_hands_over() -> None:
+    turns = Turns()
+    alice, bob = Seat(turns, 0), Seat(turns, 1)
+    turns.expect([alice, bob])
+    asked, done = threading.Event(), list[bool]()
+
+    def is_halted() -> bool:
+        asked.set()
+        return False
+
+    thread = threading.Thread(target=lambda: done.append(bob.take(1.0, is_halted)), daemon=True)
+    thread.start()
+    assert asked.wait(TIMEOUT)
+    assert not alice.take(2.0, halted=lambda: True)
+    thread.join(TIMEOUT)
+
+    assert done == [True]
+    assert turns.holder is bob
