@@ -272,6 +272,7 @@ def test_the_cue_of_what_begins_leads_on_and_any_other_belongs_to_what_was(cue: 
         ((CueSounded("step-forward", 0.0, None), BELT, ThingsMoved(()), MOVED, Spoke("1")), [4, 1]),
         ((MOVED, BELT, ThingsMoved(()), Spoke("1")), [3, 1]),
         ((BELT, BELT, Spoke("1")), [2, 1]),
+        ((BELT, Spoke("1"), Statement(1, 1, 0)), [1, 1, 1]),
         ((MOVED, Statement(1, 1, 0)), [1, 1]),
     ],
 )

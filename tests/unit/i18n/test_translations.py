@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from donnie_tui.i18n import po, translations, words
+from donnie_tui.i18n import first_words, po, translations, words
 from donnie_tui.i18n.po import Entry, Mistake
 from donnie_tui.i18n.translations import ambiguous_keywords, compile_all, main, missing_in, mistakes
 from donnie_tui.i18n.words import find
@@ -538,6 +538,104 @@ def _ambiguous_in_a_new_process(folder: Path) -> str:
     return done.stdout
 
 
-def test_a_wrong_command_prints_how_it_is_used(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main([]) == 2
-    assert capsys.readouterr().out.startswith("usage: ")
+@pytest.mark.parametrize("typed", [[], ["nonsense"], ["compile", "pt"], ["update", "pt"]])
+def test_a_wrong_command_prints_how_it_is_used(typed: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(typed) == 2
+    usage = "usage: python -m donnie_tui.i18n.translations check|compile|update\n"
+    assert capsys.readouterr().out == usage
+
+
+def test_a_language_with_a_mistake_is_wrong_and_what_it_lacks_is_listed_first(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    wrong = Mistake(tmp_path / "xx" / "messages.po", 7, "this is wrong")
+    other = Mistake(tmp_path / "yy" / "words.toml", 1, "this, too")
+    monkeypatch.setattr(
+        translations, "folders", lambda: {each: str(tmp_path / each) for each in ("xx", "yy")}
+    )
+    monkeypatch.setattr(translations, "mistakes", lambda: (wrong, other))
+    monkeypatch.setattr(translations, "ambiguous_keywords", lambda: ())
+    monkeypatch.setattr(translations, "missing_in", lambda language: ("a", "b") if language == "xx" else ())
+
+    assert main(["check", "xx"]) == 1
+    assert capsys.readouterr().out == f"xx lacks a\nxx lacks b\n{wrong}\nxx: 1 wrong, 2 missing\n"
+    assert main(["check"]) == 1
+    assert capsys.readouterr().out.splitlines()[2:] == [
+        *(str(wrong), str(other), "xx: 1 wrong, 2 missing", "yy: 1 wrong, 0 missing"),
+    ]
+    monkeypatch.setattr(translations, "mistakes", lambda: (other,))
+    assert main(["check", "xx"]) == 0
+    capsys.readouterr()
+    monkeypatch.setattr(translations, "update", lambda: None)
+    assert main(["update"]) == 1
+    assert capsys.readouterr().out == f"{other}\nxx: 0 wrong, 2 missing\nyy: 1 wrong, 0 missing\n"
+
+
+@pytest.mark.parametrize(
+    ("has_changed", "text", "was_fuzzy", "is_fuzzy"),
+    [
+        (False, "b", False, False),
+        (False, "b", True, True),
+        (True, "b", False, True),
+        (True, "", False, False),
+        (True, "b", True, True),
+    ],
+)
+def test_a_translation_is_doubted_once_its_english_sentence_has_changed(
+    has_changed: bool, text: str, was_fuzzy: bool, is_fuzzy: bool
+) -> None:
+    english = Entry("a", "new" if has_changed else "old", "", "topic", ("note",), 3)
+    updated = translations._updated(english, Entry("a", "old", text, "gone", (), 9, was_fuzzy))
+
+    assert updated == english._replace(text=text, is_fuzzy=is_fuzzy)
+    assert translations._updated(english, None) == english
+
+
+@pytest.mark.parametrize(
+    ("key", "line"), [("rank", 1), ("north", 4), ("compass", 3), ("no", 5), ("quoted", 6), ("unknown", 1)]
+)
+def test_a_key_of_a_table_is_found_by_its_line(key: str, line: int, tmp_path: Path) -> None:
+    file = tmp_path / "words.toml"
+    file.write_text('rank = 3\n# north = x\n[compass]\n  north=["n"]\nno = ["north"]\n"quoted" = 1\n')
+
+    assert translations._line_of(key, file) == line
+
+
+def test_the_words_that_a_language_lacks_are_listed_with_their_sections() -> None:
+    english = {"rank": 1, "top": ["x"], "a": {"one": ["1"], "two": ["2"], "b": {"three": ["3"]}}}
+    english |= {"languages": {"pt": ["Portuguese"]}}
+    lacking = translations._without(english, {"a": {"one": ["um"]}})
+
+    assert [*lacking] == ["top", "two in [a]", "three in [a.b]"]
+    assert [*translations._without(english, english)] == []
+
+
+def test_a_folder_that_can_not_be_written_is_left_as_it_is(
+    monkeypatch: pytest.MonkeyPatch, added: Path, tmp_path: Path
+) -> None:
+    (added / "compiled").write_text("a file")
+    other = tmp_path / "other"
+    other.mkdir()
+    monkeypatch.setattr(translations, "folders", lambda: {CODE: str(added), "xx": str(other)})
+    monkeypatch.setattr(translations, "mistakes", lambda: ())
+
+    assert compile_all() == ()
+    assert ((added / "compiled").read_text(), (other / "compiled").is_dir()) == ("a file", True)
+    monkeypatch.setattr(translations, "BUILT_IN", str(added.parent))
+    with pytest.raises(FileExistsError):
+        compile_all()
+
+
+def test_the_words_of_a_start_are_compiled_by_themselves(added: Path) -> None:
+    """A line for each sentence of that topic, which the first prompt reads without gettext."""
+    (added / "compiled").mkdir()
+    translations._compile(CODE, added)
+    early = [each for each in po.read(added / "messages.po") if each.topic == "start"]
+
+    assert early
+    assert (added / "compiled" / first_words.FILE).read_text("utf-8") == "".join(
+        f"{each.context}={each.text}\n" for each in early
+    )
+    tables = {file.name for file in (added / "compiled").glob("*.json")}
+    assert tables == {f"{file.stem}.json" for file in added.glob("*.toml")}
+    assert not [*(added / "compiled").glob("*.new")]
