@@ -259,3 +259,116 @@ def test_a_line_that_is_too_long_is_damaged_and_the_next_one_is_read(monkeypatch
 
 def test_before_its_first_event_a_recording_begins_at_line_one() -> None:
     assert recorded(head()).line_of(0) == 1
+
+
+# --- limits of a line and of a header
+
+
+@pytest.mark.parametrize(("depth", "is_event"), [(12, True), (13, False)])
+def test_a_line_has_twelve_brackets_in_each_other_at_most(depth: int, is_event: bool) -> None:
+    """Those of the line itself are the first; fields that are unknown are ignored."""
+    inner = "[" * (depth - 1) + "]" * (depth - 1)
+    text = f'{{"seq":1,"t":0,"event":"spoke","text":"a","more":[{"{},[]," * 20}0],"deep":{inner}}}'
+
+    if is_event:
+        assert stamped_in(text) == Stamped(1, 0.0, Spoke("a"))
+    else:
+        with pytest.raises(DamagedLineError, match="too deep"):
+            stamped_in(text)
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("{", "no JSON"),
+        ("[1]", "no object"),
+        ('{"seq":1,"t":0}', "unknown event"),
+        ('{"seq":1,"t":1e999,"event":"spoke","text":"a"}', "no JSON"),
+        ('{"seq":1,"t":Infinity,"event":"spoke","text":"a"}', "no JSON"),
+        ('{"seq":1,"t":-Infinity,"event":"spoke","text":"a"}', "no JSON"),
+    ],
+)
+def test_a_line_that_is_no_event_says_why(text: str, reason: str) -> None:
+    with pytest.raises(DamagedLineError, match=reason):
+        stamped_in(text)
+
+
+@pytest.mark.parametrize("named", [True, False])
+def test_a_run_names_its_robot_only_in_a_world_of_several(named: bool) -> None:
+    how = HowStarted("FW 1", 1, True, False, False, HERE, named=named)
+    stamped = Stamped(1, 0.0, RunStarted("a.gd", "two", "alice", 3, "0.1", how), "alice" if named else None)
+
+    assert again(stamped) == stamped
+
+
+@pytest.mark.parametrize(
+    ("first", "is_whole", "code"),
+    [
+        (head(), True, None),
+        ("\ufeff" + head(), True, None),
+        (head(donnie_recording=0), False, "header"),
+        (head(donnie_recording=1.5), False, "header"),
+        (head(donnie_recording=2), False, "newer"),
+        (head(seed="7"), False, "header"),
+        (head(world=None), False, "header"),
+        ('{"donnie_recording":1}\n', False, "header"),
+        ("\n", False, "header"),
+    ],
+)
+def test_a_header_is_read_whole_or_not_at_all(first: str, is_whole: bool, code: str | None) -> None:
+    found = recorded(first, line(1, Reset(HERE)))
+
+    assert (found.header is not None) is is_whole
+    assert found.damages == ([] if code is None else [Damage(code, 1)])
+    assert found.is_newer is (code == "newer")
+    assert [each.seq for each in found.events] == [1]
+
+
+@pytest.mark.parametrize(
+    ("lines", "damages"),
+    [
+        ((head(), "{}\n", "{}\n", line(4, Reset(HERE))), [Damage("line", 2), Damage("line", 3)]),
+        (
+            (head(), "{}\n", line(2, Reset(HERE)), line(4, Reset(HERE))),
+            [Damage("line", 2), Damage("missing", 4, 1)],
+        ),
+        ((head(), line(1, BEGUN), "{}\n"), [Damage("line", 3)]),
+        ((head(), line(1, BEGUN), "{}\n", line(3, Spoke("a"))), [Damage("line", 3), Damage("end", 5)]),
+        (
+            (head(), line(2, Reset(HERE)), line(1, Reset(HERE)), line(2, Reset(HERE))),
+            [Damage("missing", 2, 1)],
+        ),
+        ((head(), line(1, Reset(HERE)), "{}"), [Damage("end", 3)]),
+        ((head(), line(1, Reset(HERE)), "\n"), [Damage("line", 3)]),
+        ((line(1, BEGUN), line(2, ENDED)), [Damage("no-header", 1)]),
+    ],
+)
+def test_what_follows_a_damaged_line_is_not_reported_a_second_time(
+    lines: tuple[str, ...], damages: list[Damage]
+) -> None:
+    assert recorded(*lines).damages == damages
+
+
+def test_an_event_is_read_again_from_its_place_and_a_changed_file_is_noticed() -> None:
+    file = BytesIO((head() + line(1, Reset(HERE)) + line(2, Spoke("a"))).encode())
+    found = Recording(file)
+    assert len(found.events) == 2
+    assert [found.events[each].seq for each in (1, 0, -1)] == [2, 1, 2]
+    assert [each.seq for each in found.events[::-1]] == [2, 1]
+    assert [found.line_of(each) for each in (0, 1, 2, 9)] == [2, 3, 4, 4]
+    file.seek(0)
+    file.write(b" " * len(file.getvalue()))
+    with pytest.raises(OSError, match="line 3 has changed"):
+        found.events[1]
+
+
+def test_a_header_may_be_longer_than_an_event_and_a_longer_one_is_damaged(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    first = head()
+    monkeypatch.setattr(recording, "LONGEST_HEADER", len(first))
+    monkeypatch.setattr(recording, "LONGEST_LINE", len(line(1, Reset(HERE))))
+    assert len(first) > recording.LONGEST_LINE
+    assert recorded(first, line(1, Reset(HERE))).damages == []
+    monkeypatch.setattr(recording, "LONGEST_HEADER", len(first) - 1)
+    assert recorded(first, line(1, Reset(HERE))).damages == [Damage("header", 1)]

@@ -93,6 +93,7 @@ def test_an_everyday_word_of_any_language_has_one_meaning() -> None:
     assert meant("north", "answers") is None
     assert meant("", "compass") is None
     assert keys_of("answers") == ("yes", "no")
+    assert meant("PAGE   up", "keyboard") == "pageup"
 
 
 @pytest.mark.parametrize(
@@ -165,6 +166,8 @@ def thing(
         (thing("puck"), "puck", "puck", "puck de cor vermelha"),
         (thing("donnie", "bob", robot=True), "bob", "bob", "bob de cor vermelha"),
         (thing("donnie", robot=True), "donnie", "donnie", "donnie de cor vermelha"),
+        (thing("box", "bob", robot=True), "bob", "bob", "bob de cor vermelha"),
+        (thing("box", robot=True), "caixa", "caixa", "caixa vermelha"),
     ],
 )
 def test_a_thing_has_its_kind_or_name_and_a_robot_its_name(
