@@ -159,7 +159,7 @@ def test_a_whole_program_is_on_its_way_until_it_is_stopped(room: Callable[..., R
 
 def test_only_a_held_program_has_expressions_that_are_worked_out(room: Callable[..., Room]) -> None:
     it = room()
-    it.hold("FW 1 + 2\nFW 3 + 4")
+    run = it.hold("FW 1 + 2\nFW 3 + 4")
     assert it.runs.worked_out == (("1 + 2", "3"),)
     it.go_on(it.runs.step)
     assert it.runs.worked_out == (("3 + 4", "7"),)
@@ -167,7 +167,12 @@ def test_only_a_held_program_has_expressions_that_are_worked_out(room: Callable[
     assert (it.runs.worked_out, it.runs.knows_variables) == ((("1 + 2", "3"),), True)
     it.runs.to_present()
     it.runs.continue_()
+    assert run.wait(TIMEOUT)
+    it.runs.sum_up(None)
     assert it.runs.worked_out == ()
+    it.runs.step_back()
+    it.runs.step_back()
+    assert it.runs.worked_out == (("3 + 4", "7"),)
 
 
 def test_a_position_of_the_past_is_looked_at_from_either_side(room: Callable[..., Room]) -> None:
@@ -595,6 +600,16 @@ def test_the_end_of_a_stopped_program_is_answered_once(
     started = ["donnie begins."] * is_background
     assert it.answers[: len(started)] == started
     assert it.answers[len(started) :] == ["Stopped at line 1."] * (1 + is_background)
+
+
+def test_a_program_that_was_stopped_elsewhere_has_no_line(room: Callable[..., Room]) -> None:
+    it = room(speed=1.0)
+    run = it.start(ENDLESS)
+    it.team.stop()
+    assert run.wait(TIMEOUT)
+    it.runs.sum_up(None)
+
+    assert (it.answers, it.noticed) == (["Stopped."], [])
 
 
 def test_a_stop_of_all_ends_every_program_and_is_answered_for_all(room: Callable[..., Room]) -> None:

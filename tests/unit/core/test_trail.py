@@ -249,6 +249,10 @@ def driven(*places: tuple[float, ...]) -> Trail:
         ([(0, 0), (1, 0), (1, 1)], 3),  # aside
         ([(0, 0), (0, 1), (0.001, 2)], 3),
         ([(0, 0), (3, 4), (6, 8)], 2),
+        *(([(x, y), (x + 1, y), (x + 3, y)], 2) for x, y in ((5, 5), (-5, 5), (-5, -5))),
+        *(([(x, y), (x, y - 1), (x, y - 3)], 2) for x, y in ((5, 5), (-5, 5), (-5, -5))),
+        *(([(x, y), (x + 2, y), (x + 1, y)], 3) for x, y in ((5, 5), (-5, 5), (-5, -5))),
+        *(([(x, y), (x, y - 2), (x, y - 1)], 3) for x, y in ((5, 5), (-5, 5), (-5, -5))),
         ([(0, 0, 0), (0, 1, 0), (0, 2, 0.01)], 2),
         ([(0, 0, 0), (0, 1, 0), (0, 2, 0.02)], 3),
         ([(0, 0, 0.02), (0, 1, 0), (0, 2, 0)], 3),
@@ -366,3 +370,23 @@ def test_only_what_stands_in_the_way_blocks(by: StoppedBy) -> None:
     (said,) = trail(moved).in_words(1, Words())
     assert said == f"FW 9: {'stopped' if stopped else 'blocked'} after 2 steps, at 2, -3."
     assert trail(moved).rows() == (("FW 9", 2, 2, -3, 0, True),)
+
+
+def test_what_was_simplified_once_is_not_simplified_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Else a long path would get further off each time."""
+    monkeypatch.setattr(timeline, "PLACES_KEPT", 16)
+    monkeypatch.setattr(timeline, "_PART", 4)
+    path = driven(*((at % 2 * 0.02, at * 1.0) for at in range(29))).path
+
+    assert [each.y for each in path.poses] == list(range(0, 29, 4))
+    assert path.lengths[-1] == pytest.approx(28 * hypot(1, 0.02))
+
+
+def test_what_follows_a_gap_is_simplified_from_its_end_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(timeline, "PLACES_KEPT", 16)
+    monkeypatch.setattr(timeline, "_PART", 4)
+    far = [(at * 10.0, at % 2 * 10.0 + at * at) for at in range(17)]
+    x, y = far[-1]
+    path = driven(*far, *((x + at % 2 * 0.02, y + at) for at in range(1, 5))).path
+
+    assert [(each.x, each.y) for each in path.poses] == [far[0], *far[-11:], (x, y + 4)]
