@@ -352,22 +352,38 @@ def test_what_is_refused_names_the_robot_that_is_busy(room: Callable[..., Room])
         ({}, None, True),  # a pause can come at any time
         ({"can_hold": True}, None, True),
         ({"can_hold": False}, None, False),
-        ({"can_hold": False}, ExecutionControl.step, True),
+        ({"can_hold": False}, lambda control: control.break_at({9}), True),
     ],
 )
 def test_a_program_is_held_between_its_statements_only_if_a_request_for_that_can_come(
     room: Callable[..., Room], options: dict[str, bool], begin: Any, is_held: bool
 ) -> None:
     it = room(**options)
-    run = it.start("FW 1\nFW 2", begin=begin or (lambda control: control.break_at({2})) if is_held else None)
+
+    def set_breakpoint(stamped: Stamped) -> None:
+        if isinstance(stamped.event, Spoke):
+            it.runs.break_at(frozenset({2}))
+
+    it.team.stream.subscribe(set_breakpoint)
+    run = it.start("SPEAK 1\nFW 2", begin=begin)
     if is_held:
         it.until(lambda: it.runs.is_held)
         it.runs.stop()
-    else:
-        it.runs.break_at(frozenset({2}))
 
     assert run.wait(TIMEOUT)
     assert run.outcome is (Outcome.STOPPED if is_held else Outcome.COMPLETED)
+
+
+def test_a_typed_line_that_is_stepped_through_is_quoted_from_the_whole_program(
+    room: Callable[..., Room],
+) -> None:
+    it = room()
+    lines = ("SPEAK 1", "SPEAK 2", "FW 7")
+    request = RunRequest("FW 7", first_line=3, is_whole=False, lines=lines)
+    it.runs.start(request, begin=ExecutionControl.step)
+    it.until(lambda: it.runs.is_held)
+
+    assert it.answers == ["Line 3: FW 7"]
 
 
 @pytest.mark.parametrize("is_background", [True, False])
