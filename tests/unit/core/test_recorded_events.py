@@ -2,6 +2,7 @@
 
 import json
 from io import BytesIO, StringIO
+from pathlib import Path
 from typing import get_args
 
 import pytest
@@ -372,3 +373,10 @@ def test_a_header_may_be_longer_than_an_event_and_a_longer_one_is_damaged(
     assert recorded(first, line(1, Reset(HERE))).damages == []
     monkeypatch.setattr(recording, "LONGEST_HEADER", len(first) - 1)
     assert recorded(first, line(1, Reset(HERE))).damages == [Damage("header", 1)]
+
+
+def test_the_header_is_in_its_file_at_once(tmp_path: Path) -> None:
+    """A session that is killed leaves it there."""
+    with (tmp_path / "a.jsonl").open("w") as out:
+        Header("1.2", 7, "sim", {"motors": 14}, {"name": "maze"}).write(out)
+        assert json.loads((tmp_path / "a.jsonl").read_text()) == json.loads(head())

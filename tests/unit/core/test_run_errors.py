@@ -3,7 +3,7 @@
 import pytest
 from msgspec import structs
 
-from donnie_tui.core.events import INTERNAL, Error, RunStarted, Stamped
+from donnie_tui.core.events import INTERNAL, Error, RunStarted, Spoke, Stamped
 from donnie_tui.core.run_state import MOST_KEPT, RunErrors, line_of
 from donnie_tui.i18n.words import Words
 
@@ -72,8 +72,9 @@ def test_a_run_of_the_own_robot_begins_without_mistakes_and_another_changes_noth
     errors.go(1, SAY)
     errors.on_event(Stamped(1, 0.0, started, "bob"))
     assert (errors.all, errors.now, errors.had_any) == ((), None, True)
+    errors.on_event(Stamped(1, 0.0, Spoke("1"), "bob"))
     errors.on_event(Stamped(1, 0.0, MISTAKES[1], "bob"))
-    assert errors.now == MISTAKES[1]
+    assert (errors.now, errors.all) == (MISTAKES[1], (MISTAKES[1],))
 
 
 def test_a_mistake_of_another_robot_is_one_since_the_start() -> None:

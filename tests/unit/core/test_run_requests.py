@@ -15,6 +15,7 @@ from donnie_tui.core.events import (
     Error,
     Outcome,
     Reset,
+    RunEnded,
     Spoke,
     Stamped,
     event_name,
@@ -442,6 +443,39 @@ def test_robots_do_not_start_together_while_one_of_them_runs(room: Callable[...,
     with pytest.raises(Busy) as busy:
         it.runs.start_together()
     assert busy.value.args == ("alice",)
+
+
+@pytest.mark.parametrize("is_together", [True, False])
+def test_a_start_waits_for_the_end_of_a_program_that_is_being_stopped(
+    room: Callable[..., Room], monkeypatch: pytest.MonkeyPatch, is_together: bool
+) -> None:
+    it, may_end = room(has_prompt=True), threading.Event()
+    session = it.team.chosen
+
+    def hang(stamped: Stamped) -> None:
+        if isinstance(stamped.event, RunEnded) and stamped.event.outcome is Outcome.STOPPED:
+            assert may_end.wait(TIMEOUT)
+
+    it.team.stream.subscribe(hang)
+    wait = session.wait_for_stop
+
+    def let_it_end() -> bool:
+        may_end.set()
+        return wait()
+
+    run = it.start("WHILE 1 == 1 DO\nEND WHILE", is_background=True)
+    it.until(lambda: bool(it.runs.frames))
+    monkeypatch.setattr(session, "wait_for_stop", let_it_end)
+    session.stop()
+    it.team.give("donnie", RunRequest("SPEAK 1"))
+    runs = (
+        it.runs.start_together()
+        if is_together
+        else {"donnie": it.runs.start_in_background(RunRequest("SPEAK 1"))}
+    )
+
+    assert run.is_over
+    assert runs["donnie"].wait(TIMEOUT)
 
 
 # --- pauses, steps and watched variables
