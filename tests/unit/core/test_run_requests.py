@@ -56,6 +56,8 @@ class Room(RunObserver):
         self.team = Team(names or ("donnie",), make_session, stream)
         self.events: list[Stamped] = []
         self.noticed: list[str] = []
+        self.changes: list[tuple[bool, bool]] = []
+        """At each: whether the program was held, and whether it had ended."""
         self._changed = threading.Condition()
         stream.subscribe(self.chronicle)
         stream.subscribe(self.events.append)
@@ -63,6 +65,7 @@ class Room(RunObserver):
         self.runs.observer = self
 
     def on_change(self) -> None:
+        self.changes.append((self.runs.is_held, self.runs.has_ended(self.robot)))
         with self._changed:
             self._changed.notify_all()
 
@@ -156,6 +159,17 @@ def test_a_whole_program_is_on_its_way_until_it_is_stopped(room: Callable[..., R
     assert (runs.is_steppable, runs.has_ended(None), runs.is_whole) == (False, True, is_whole)
     runs.sum_up(None)
     assert (runs.state, runs.is_busy) == (RunState.READY, False)
+
+
+def test_a_front_end_is_called_at_a_hold_and_at_the_end(room: Callable[..., Room]) -> None:
+    it = room()
+    run = it.hold("FW 1")
+    it.until(lambda: (True, False) in it.changes)
+    assert (False, True) not in it.changes
+    it.runs.continue_()
+    assert run.wait(TIMEOUT)
+
+    assert (False, True) in it.changes
 
 
 def test_only_a_held_program_has_expressions_that_are_worked_out(room: Callable[..., Room]) -> None:
@@ -899,6 +913,35 @@ def test_programs_in_the_background_get_one_verdict_when_all_have_ended(room: Ca
     assert it.runs.is_verdict_due
     it.runs.say_verdict()
     assert judge.asked == [(True, False)]
+
+
+@pytest.mark.parametrize("is_background", [True, False])
+def test_the_last_words_of_a_program_are_waited_for_before_it_is_judged(
+    room: Callable[..., Room], monkeypatch: pytest.MonkeyPatch, is_background: bool
+) -> None:
+    it, may_end = room(has_prompt=True), threading.Event()
+    judge = Judge(it)
+
+    def hang(stamped: Stamped) -> None:
+        if isinstance(stamped.event, RunEnded):
+            assert may_end.wait(TIMEOUT)
+
+    it.team.stream.subscribe(hang)
+    run = it.start("VAR a = 1", is_background=is_background)
+    it.until(lambda: it.runs.has_ended(None))
+    wait = run.wait
+
+    def let_it_end(_: float | None = None) -> bool:
+        may_end.set()
+        return wait(TIMEOUT)
+
+    monkeypatch.setattr(run, "wait", let_it_end)
+    if is_background:
+        it.runs.say_verdict()
+    else:
+        it.runs.sum_up(None)
+        assert it.answers == ["Done.", "Well."]
+    assert judge.asked == [(True, not is_background)]
 
 
 def test_a_front_end_that_handed_over_follows_no_run(room: Callable[..., Room]) -> None:
