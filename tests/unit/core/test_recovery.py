@@ -437,6 +437,30 @@ def test_texts_are_written_before_others_are_removed(tmp_path: Path) -> None:
     assert order == ["text", "last", "removed"]
 
 
+def test_copies_are_written_by_one_thread(tmp_path: Path) -> None:
+    begun, may_go_on = threading.Event(), threading.Event()
+
+    class Slow(UnsavedCopy):
+        def write(self) -> None:
+            begun.set()
+            assert may_go_on.wait(TIMEOUT)
+            super().write()
+
+    writer, before = CopyWriter(lambda _: None), {*threading.enumerate()}
+    for _ in range(2):
+        each = Slow(CopyFolder(str(tmp_path)))
+        each.want("FW 1")
+        writer.write([each])
+        assert begun.wait(TIMEOUT)
+    threads = [thread for thread in {*threading.enumerate()} - before if thread.name == "copies"]
+    may_go_on.set()
+    for thread in threads:
+        thread.join(TIMEOUT)
+
+    assert len(threads) == 1
+    assert len([*tmp_path.iterdir()]) == 2
+
+
 def test_a_writer_begins_again_after_it_has_written_everything(tmp_path: Path) -> None:
     writer, copy = CopyWriter(lambda _: None), UnsavedCopy(CopyFolder(str(tmp_path)))
     for text in ("FW 1", "FW 2"):

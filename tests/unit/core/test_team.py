@@ -11,10 +11,12 @@ from devices.ports.robot import Pace, Watcher
 from donnie_tui.core.events import TRANSIENT, Moved, Outcome, RunEnded, RunStarted, Stamped, as_line
 from donnie_tui.core.hub import Stream
 from donnie_tui.core.runner import Run, RunRequest
-from donnie_tui.core.session import Busy, Session, SessionSetup
+from donnie_tui.core.session import Busy, RunOptions, Session, SessionSetup
 from donnie_tui.core.team import Team
 from donnie_tui.core.transcript import printed_lines
 from donnie_tui.i18n.words import Words
+from language.compiler import compile_program
+from language.parser import parse
 from sim.world import World
 from sim.worldfile import load_text
 from tests.timeouts import TIMEOUT
@@ -326,3 +328,28 @@ def test_all_programs_are_stopped_and_waited_for_at_the_end() -> None:
     assert [each.name for each in hall.team.running] == ["Bob"]
     hall.team.close()
     assert runs[0].is_over
+
+
+def test_no_robot_waits_for_one_whose_run_was_given_up() -> None:
+    hall = Hall()
+    alice, bob = hall.team.session("alice"), hall.team.session("Bob")
+    assert hall.team._expect is not None
+    hall.team._expect(("alice", "Bob"))
+    alice.give_up(alice.claim("FW 1", "a.gd"))
+    run = bob.start("FW 1", "b.gd")
+
+    assert run.wait(TIMEOUT)
+
+
+def test_a_robot_that_others_drive_takes_no_turns() -> None:
+    hall = Hall()
+    endless = parse("WHILE 1 == 1 DO END WHILE").program
+    assert endless is not None
+    driver = compile_program(endless, terminal=False, hooked=False)
+    driven = hall.team.session("alice").start("", "player", RunOptions(driver=driver))
+    run = hall.team.session("Bob").start("FW 1", "b.gd")
+
+    assert run.wait(TIMEOUT)
+    assert not driven.is_over
+    hall.team.stop()
+    assert driven.wait(TIMEOUT)
