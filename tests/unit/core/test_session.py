@@ -582,6 +582,15 @@ def test_what_happens_before_the_first_run_of_a_robot_happens_at_zero() -> None:
     ]
 
 
+def test_another_robot_knows_nothing_of_the_first_one() -> None:
+    floor = Floor(terminal=True)
+    floor.run("VAR a = 1\nFW 2")
+    floor.session.change_robot(None)
+    assert (floor.session.variables, floor.session.pose) == ({}, Pose(0, 0, 0))
+    floor.run("STATE")
+    assert floor.printed[-1] == "No command executed, position [0,0,0]."
+
+
 def test_a_screen_can_ask_for_the_distances_the_world_and_the_pace() -> None:
     floor = Floor(("red", 0, 4))
     session = floor.session

@@ -420,3 +420,19 @@ def test_an_open_block_gets_the_end_that_is_expected(expected: tuple[str, ...], 
     open_block = of_kind(MistakeKind.MISSING_END, expected=expected, details={"opener": "IF"})
 
     assert Words().hint(open_block) == f"Write {closer} where it ends."
+
+
+def test_a_remark_without_advice_is_the_sentence_alone() -> None:
+    assert remark(of_kind(MistakeKind.DIVISION_BY_ZERO), Words()) == "I can't divide by zero."
+
+
+def test_a_code_without_a_sentence_of_its_own_has_that_of_its_kind() -> None:
+    assert Words().mistake(of_kind(SYNTAX, code="unheard-of", found="x")) == "I did not expect x here."
+    assert Words().mistake(of_kind(MistakeKind.DIVISION_BY_ZERO, code="x")) == "I can't divide by zero."
+
+
+@pytest.mark.parametrize(("details", "code"), [({"word": "POS"}, "-of"), ({}, "")])
+def test_a_wrong_argument_names_its_command_if_that_is_known(details: dict[str, str], code: str) -> None:
+    sentence = Words()(f"mistake-bad-argument{code}", found="x", word="POS")
+
+    assert Words().mistake(of_kind(MistakeKind.BAD_ARGUMENT, found="x", details=details)) == sentence
