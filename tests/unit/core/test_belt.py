@@ -191,6 +191,8 @@ def test_a_new_start_forgets_the_surroundings_and_a_rest_stays_on() -> None:
     display.distances = {Bearing.FRONT: 4}
     display.belt.update()
     assert display.news() == []
+    display.belt.switch(True)
+    assert display.news() == [(FRONT_ROW, FRONT_ROW)]
 
 
 def test_a_pulse_is_where_the_settings_have_that_direction() -> None:
