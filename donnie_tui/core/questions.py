@@ -68,7 +68,7 @@ class Asked(Struct, frozen=True):
             numbers = [COMPASS.index(each) * 45.0 for each in named if each is not None] + numbers
         tolerance = self.question.tolerance
         off = numbers[0] - right if numbers else inf
-        off = (off + 180) % 360 - 180 if ask == "direction" and numbers else off
+        off = (off + 180) % 360 - 180 if ask == "direction" else off
         return abs(off) <= (TOLERANCES.get(ask, 0.0) if tolerance is None else tolerance)
 
     @property

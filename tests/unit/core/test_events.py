@@ -8,24 +8,28 @@ from typing import get_args
 
 import pytest
 
-from devices.ports.robot import Grip, Pose, StoppedBy
+from devices.ports.robot import Grip, Met, Pose, Pushed, StoppedBy
 from donnie_tui.core import events
 from donnie_tui.core.events import (
     TRANSIENT,
     Announced,
     Answered,
     BeltShown,
+    Chimed,
     CueSounded,
     Driven,
     Error,
     Event,
     GripperUsed,
+    HowStarted,
     JsonLines,
+    LineFile,
     Link,
     Moved,
     Outcome,
     Passing,
     PlacedThing,
+    Pointed,
     Read,
     RecordedEvent,
     Reset,
@@ -34,6 +38,7 @@ from donnie_tui.core.events import (
     Scanned,
     SeenGroup,
     SeenMark,
+    Sensed,
     SoundSwitched,
     Spoke,
     Stamped,
@@ -43,7 +48,9 @@ from donnie_tui.core.events import (
     Waited,
     as_line,
     as_record,
+    begins_anew,
     event_name,
+    pose_of,
 )
 from tests.unit.core.values import HERE
 
@@ -184,7 +191,8 @@ def test_a_line_has_escapes_for_all_that_a_terminal_obeys() -> None:
 def test_transient_events_are_not_written() -> None:
     out = io.StringIO()
 
-    for event in (Passing(HERE), Answered("Saved."), Spoke("a")):
+    shown = Passing(HERE), Answered("Saved."), Sensed({}), Pointed("a wall"), Chimed("block")
+    for event in (*shown, Spoke("a")):
         JsonLines(out)(Stamped(1, 0.0, event))
 
     assert [json.loads(line)["event"] for line in out.getvalue().splitlines()] == ["spoke"]
@@ -203,3 +211,109 @@ def test_a_full_disk_is_reported_once_and_ends_the_writing() -> None:
         listener(Stamped(1, 0.0, Spoke("a")))
 
     assert [trouble.errno for trouble in troubles] == [28]
+
+
+def test_what_is_not_in_the_stream_is_in_a_whole_record() -> None:
+    met, pushed = Met("chair", "c", 0.5), (Pushed("box", "b", "red", 0.25),)
+    there = Pose(1.5, 2.5, 90.0)
+    moved = Moved("FW 3", 3, 2, StoppedBy.OBSTACLE, HERE, True, met, pushed, there)
+    error = Error("syntax", 3, 5, "What.", None, "FW", (9,), "few", "FW 1", "FW", 2)
+
+    assert as_record(Stamped(1, 0.0, moved))["true_pose"] == {"x": 1.5, "y": 2.5, "heading": 90.0}
+    whole = as_record(Stamped(1, 0.0, moved), whole=True)
+    assert list(whole)[-4:] == ["forward", "met", "pushed", "true_pose"]
+    assert (whole["met"], whole["forward"]) == ({"kind": "chair", "name": "c", "degrees": 0.5}, True)
+    assert "true_pose" not in as_record(Stamped(1, 0.0, CONTRACT[4][0]), whole=True)
+    assert list(as_record(Stamped(1, 0.0, error), whole=True).items())[-6:] == [
+        ("source_line", "FW"),
+        ("calls", [9]),
+        ("code", "few"),
+        ("meant", "FW 1"),
+        ("topic", "FW"),
+        ("mended_line", 2),
+    ]
+    things = as_record(Stamped(1, 0.0, ThingsMoved((PlacedThing("box", HERE, 7),))), whole=True)
+    assert things["places"] == [{"name": "box", "pose": POSE, "index": 7}]
+
+
+def test_numbers_have_six_decimals_and_no_negative_zero() -> None:
+    record = as_record(Stamped(1, 0.12345678, CueSounded("bump", -0.0000001, 1.2345674)))
+
+    assert (record["t"], record["steps"]) == (0.123457, 1.234567)
+    assert str(record["bearing"]) == "0.0"
+
+
+def started(**how: object) -> RunStarted:
+    given = {"text": "", "first_line": 1, "fresh": True, "terminal": False, "trace": False, "pose": HERE}
+    return RunStarted("p", "w", "donnie", 0, "0", HowStarted(**(given | how)))
+
+
+@pytest.mark.parametrize(
+    ("event", "begins"),
+    [
+        (Reset(HERE), True),
+        (started(), True),
+        (started(fresh=False), False),
+        (started(refused=True), False),
+        (started(refused=True, together=("a", "b")), True),
+        (started(refused=True, together=("a",)), False),
+        (started(fresh=False, together=("a", "b")), False),
+        (RunStarted("p", "w", "donnie", 0, "0"), False),
+        (RunEnded(Outcome.COMPLETED, HERE, {}, 1.0), False),
+    ],
+)
+def test_a_reset_or_a_fresh_run_that_is_not_refused_begins_anew(event: Event, begins: bool) -> None:
+    assert begins_anew(event) is begins
+
+
+@pytest.mark.parametrize(
+    ("event", "pose"),
+    [
+        (Moved("FW 3", 3, 2, None, HERE, True), HERE),
+        (Turned("TR 9", 9, 9, None, HERE, True), HERE),
+        (Driven("forward", HERE), HERE),
+        (RunEnded(Outcome.COMPLETED, HERE, {}, 1.0), HERE),
+        (Reset(HERE), HERE),
+        (started(), HERE),
+        (RunStarted("p", "w", "donnie", 0, "0"), None),
+        (Passing(HERE), None),
+        (Spoke("a"), None),
+    ],
+)
+def test_the_place_of_a_robot_is_in_its_movements_starts_and_ends(event: Event, pose: Pose | None) -> None:
+    assert pose_of(event) == pose
+
+
+def test_a_run_of_an_old_recording_was_in_english_and_alone() -> None:
+    how = started().how
+
+    assert how is not None
+    assert (how.language, how.detail, how.named, how.together) == ("en", "normal", False, ())
+    assert (how.is_together, how.begins_anew, how.refused) == (False, True, False)
+
+
+def test_a_file_of_lines_takes_more_until_it_is_closed_or_full() -> None:
+    class Counting(io.StringIO):
+        flushed = 0
+
+        def flush(self) -> None:
+            self.flushed += 1
+
+    out = Counting()
+    file, full = LineFile(out), LineFile(_Full())
+    file.write("a\n")
+    file.write("b\n")
+    full.write("a\n")
+
+    assert (out.getvalue(), out.flushed) == ("a\nb\n", 2)
+    assert (file.takes_more, full.takes_more) == (True, False)
+    out.close()
+    assert not file.takes_more
+    JsonLines(out)(Stamped(1, 0.0, Spoke("a")))
+
+
+def test_the_codes_that_events_share_are_those_of_the_contract() -> None:
+    document = Path("docs/events.md").read_text(encoding="utf-8")
+
+    for code in (events.BELT_LINK, events.INTERNAL, events.STANDING):
+        assert f"`{code}`" in document

@@ -23,6 +23,7 @@ ROOM = Inventory(
         item(1, "chair", "chair", "green", 10.0, 10.0, 2.0),
         item(2, "box", "box", "red", 0.0, 20.0, 1.0),
         item(3, "box 2", "box", "blue", -30.0, 0.0, 1.0),
+        item(4, "", "tin", "", 0.0, -53.0),
     ),
     radius=3.0,
     robots={"donnie": Pose(0.0, 0.0, 0.0)},
@@ -46,13 +47,13 @@ def asked(
         (asked("direction", "green chair"), ["45", "NE", "nordeste", "70 degrees"], ["80", "SO", "?"]),
         (asked("direction", "green chair"), ["to the north-east"], ["to the south"]),
         (asked("direction", "green chair", tolerance=10), ["40", "35", "55.0"], ["70", "34", "56"]),
-        (asked("direction", "green chair", tolerance=0), ["45", "45,0", "405"], ["44", "46"]),
+        (asked("direction", "green chair", tolerance=0), ["45", "45,0", "405", "NE"], ["44", "46"]),
         (asked("direction", "green chair"), ["15", "75", "N-E", "NE.", "NE 200"], ["14", "76", "S 45", ""]),
         # From 0, 5 the box at 0, 20 is straight north; 350 is only 10 degrees off.
         (asked("direction", "red box", "end"), ["0", "350", "norte", "N"], ["90"]),
         # From 0, 0 to the box's south side at 19, less the body's 3: 16; from 0, 5 it is 11.
         (asked("distance", "red box"), ["16", "15 steps", "18", "14", "17,9"], ["19", "13", "18,1", ""]),
-        (asked("distance", "red box", tolerance=0.5), ["16", "16.5"], ["17"]),
+        (asked("distance", "red box", tolerance=0.5), ["16", "16.5", "e 16"], ["17"]),
         (asked("distance", "red box", "end"), ["11"], ["16"]),
         # From -30, 10 the nearer box is the blue one, straight south; the red one is at 72 degrees.
         (asked("direction", "box", (-30, 10)), ["180"], ["72"]),
@@ -111,6 +112,7 @@ def test_an_answer_is_right_within_the_tolerance(question: Asked, right: list[st
             " 3 box, red.",
             "The order is 2 3 1.",
         ),
+        (asked("distance", "tin"), "From the start: how many steps to tin?", "It is 50 steps."),
         (asked("count", "box"), "How many of these are there: box?", "There are 2."),
         (asked("colour", "red box"), "Which color is the box?", "It is red."),
     ],
