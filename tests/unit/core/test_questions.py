@@ -123,6 +123,12 @@ def test_questions_and_right_answers_in_words(question: Asked, text: str, answer
     assert (question.text(words), question.right_answer(words)) == (text, answer)
 
 
+def test_the_start_is_where_the_robot_was_before_its_first_movement() -> None:
+    question = ChallengeQuestion("distance", "red box", "start")
+
+    assert Asked(question, track_of(ROOM, WAY[1:])).right_answer(Words()) == "It is 16 steps."
+
+
 @pytest.mark.parametrize(
     ("unsensed", "question"),
     [
