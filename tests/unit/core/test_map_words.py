@@ -598,6 +598,36 @@ def test_a_thing_is_in_the_direction_of_its_nearest_edge_and_the_nearest_comes_f
     )
 
 
+def test_a_thing_ahead_is_as_far_as_the_robot_could_go_until_it_touches() -> None:
+    """Its nearest corner is 1.87 steps from that of the robot; straight on it is 2.6 steps away."""
+    slanted = replace(thing("t", 0, 6), outlines=(((1.5, 2.0), (5.0, 8.5), (-5.0, 8.5)),))
+    pose = Pose(0, 0, 0)
+
+    assert (
+        around_in_words(MapGrid(at_steps(slanted), pose), pose, Words())[1] == "Ahead: table, red, 2 steps."
+    )
+
+
+def test_what_is_nearer_comes_first_also_if_it_is_a_wall() -> None:
+    pose, seen = Pose(2, 0, 0), room("..c..", "#####", ".....", things=(thing("c", 2, 2),))
+
+    assert around_in_words(MapGrid(seen, pose), pose, Words())[1:3] == (
+        ("Ahead: wall, 0 steps.", "Ahead: chair, red, 1 step.")
+    )
+
+
+def test_an_hour_between_the_quarters_is_named_for_a_thing_and_then_has_its_wall() -> None:
+    """From 2, 1 the nearest corner of the chair is at 18 degrees."""
+    pose = Pose(2, 1, 0)
+    said = around_in_words(MapGrid(ROOM, pose), pose, Words(), clock=True)
+    hours = [each.partition(",")[0] for each in said[1:]]
+
+    assert hours == [
+        *("12 o'clock: wall", "1 o'clock: chair", "1 o'clock: wall"),
+        *(f"{hour} o'clock: wall" for hour in (3, 6, 9)),
+    ]
+
+
 def test_a_held_thing_is_not_around_the_robot() -> None:
     pose = Pose(0, 0, 0)
     held, other = replace(thing("c", 0, 1), index=7), replace(thing("t", 0, 3), index=8)
