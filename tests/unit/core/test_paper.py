@@ -957,6 +957,25 @@ def test_the_line_of_the_scale_has_a_round_number_of_steps(width: int, steps: in
     assert bar_length(line) == pytest.approx(bar, abs=0.01)
 
 
+@pytest.mark.parametrize(
+    ("language", "scale", "robots"),
+    [
+        ("en", "line: 1 step, 5 cm", "1 more robot"),
+        ("pt", "linha: 1 passo, 5 cm", "mais 1 robô"),
+        ("es", "línea: 1 paso, 5 cm", "1 robot más"),
+    ],
+)
+def test_one_step_and_one_robot_are_no_more_than_one(language: str, scale: str, robots: str) -> None:
+    words = Words(language)
+    others = tuple(Thing("r", "donnie", "d", "red", 0, 0, 1, 1, is_robot=True) for _ in range(7))
+    floor = Picture(0, 0, 1, 1, 1, ("d",), others, has_walls=False)
+    plan = chart(floor, Pose(0, 0, 0), None, words)
+    root = ElementTree.fromstring(raised_picture("Map", plan, floor, [], words))
+
+    assert scale in printed_on(root)
+    assert robots in plan.legend.values()
+
+
 def test_a_sheet_is_upright_for_a_high_floor() -> None:
     assert floor_sheet(5, 20).get("viewBox") == "0 0 210 297"
     assert floor_sheet(20, 5).get("viewBox") == "0 0 297 210"
