@@ -135,6 +135,11 @@ def test_every_square_of_a_robot_has_its_letter() -> None:
     it = chart(Picture(0, 0, 11, 6, 1, rows, (body,), has_walls=False), Pose(0, 0, 0), None, Words())
 
     assert it.rows == tuple(row.replace("r", "o") for row in rows)
+    wide = Thing("other", "rover", "r", "red", 10, 9, 15, 13, is_robot=True)
+    rows = tuple("".join("r" if 3 <= x <= 17 and 3 <= y <= 15 else "." for x in range(21)) for y in range(19))
+    it = chart(Picture(0, 0, 21, 19, 1, rows, (wide,), has_walls=False), Pose(0, 0, 0), None, Words())
+
+    assert it.rows == tuple(row.replace("r", "o") for row in rows)
 
 
 def test_a_robot_without_a_name_is_called_by_its_kind() -> None:

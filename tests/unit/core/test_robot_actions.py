@@ -444,6 +444,16 @@ def test_walks_and_readings_of_a_robot_count_for_its_hints() -> None:
     assert hints == [("hint", "hint-no-nearer", {"steps": 3}), ("hint", "hint-no-wall", {})]
 
 
+def test_another_run_begins_the_hints_anew() -> None:
+    it = Actions(forward=lambda steps: WalkResult(steps, 0, StoppedBy.OBSTACLE, HERE))
+    for _ in range(2):
+        for _ in range(2):
+            it.actions.forward(5, "FW 5")
+        it.actions.begin_run()
+
+    assert [each for each in it.done if isinstance(each, tuple) and each[0] == "hint"] == []
+
+
 def test_a_program_waits_for_the_voice_after_its_sentence() -> None:
     it = Actions()
     it.actions._speech_wait = Part(wait=lambda goes_on: it.done.append(("waits", goes_on())))  # type: ignore[assignment]
