@@ -317,6 +317,18 @@ def test_a_thing_is_large_from_eight_whole_steps_on_either_side(
     assert things_in_words(of_things(table), Pose(0.0, 0.0, 0.0), Words()) == (said,)
 
 
+def test_the_nearest_thing_is_the_nearest_to_the_robot() -> None:
+    """At 10, 20: the box is 5 steps away, the ball 6, the table 7."""
+    things = [
+        Thing("", kind, kind[0], "red", x, y, 1.0, 1.0)
+        for kind, x, y in (("table", 10, 13), ("ball", 4, 20), ("box", 13, 24))
+    ]
+
+    assert things_in_words(of_things(*things), Pose(10.0, 20.0, 0.0), Words()) == (
+        *("Box, red: 3 right, 4 ahead.", "Ball, red: 6 left.", "Table, red: 7 behind."),
+    )
+
+
 def test_at_brief_a_thing_has_no_colour() -> None:
     table = Thing("", "table", "t", "red", 0.0, 20.0, 9.0, 1.0)
 
