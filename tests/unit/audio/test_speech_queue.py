@@ -310,3 +310,47 @@ def test_what_is_to_be_said_again_is_dropped_with_the_rest() -> None:
     tracker.clear()
     assert not tracker
     assert tracker.take() is None
+
+
+def test_half_a_second_counts_from_when_the_text_was_said_last() -> None:
+    queue = SpeechQueue()
+    moments = (100.0, 100.49, 100.5, 100.99, 101.0)
+    results = [queue.offer(utterance("Wall.", Urgency.ALERT), now) for now in moments]
+
+    queued, repeated = QueueResult.QUEUED, QueueResult.REPEATED
+    assert results == [queued, repeated, queued, repeated, queued]
+
+
+def test_the_last_sixty_four_texts_are_remembered() -> None:
+    queue = SpeechQueue()
+    first, again = utterance("first", Urgency.ANSWER), utterance("again", Urgency.ANSWER)
+    queue.offer(again, now=100.0)
+    queue.offer(first, now=100.5)
+    queue.offer(again, now=100.5)  # now it is newer than the first one
+    for number in range(62):
+        queue.offer(utterance(str(number), Urgency.ANSWER), now=100.6)
+    assert queue.offer(first, now=100.7) is QueueResult.REPEATED
+    queue.offer(utterance("one more", Urgency.ANSWER), now=100.7)
+
+    assert queue.offer(again, now=100.7) is QueueResult.REPEATED
+    assert queue.offer(first, now=100.7) is QueueResult.QUEUED
+
+
+def test_a_sentence_is_waiting_being_said_or_to_be_said_again() -> None:
+    numbers = iter(range(1, 9))
+    tracker = SentenceTracker(lambda: next(numbers))
+    assert not tracker
+    tracker.offer(utterance("Hello."), 0.0)
+    assert tracker
+    tracker.current = tracker.take()
+    assert tracker.current == SpokenSentence(1, utterance("Hello."), 1)
+    assert tracker
+    tracker.retry()
+    tracker.current = None
+    assert tracker
+    tracker.current = tracker.take()
+    assert tracker.current == SpokenSentence(2, utterance("Hello."), 2)
+    tracker.retry()  # twice is enough
+    tracker.current = None
+    assert not tracker
+    assert tracker.take() is None
