@@ -531,3 +531,92 @@ def test_closing_before_anything_was_said_starts_nothing(server: Server) -> None
     speaker.say(say("Too late."))
     speaker.close()
     assert server.connections == 0
+
+
+# --- each step alone
+
+
+def test_a_server_has_a_quarter_of_a_second_to_accept(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[object] = []
+    here, there = socket.socketpair()
+
+    def connect(place: object, timeout: float) -> socket.socket:
+        asked.append((place, timeout))
+        return here
+
+    monkeypatch.setattr(socket, "create_connection", connect)
+    assert is_reachable(SsipAddress(host="h", port=7))
+    assert asked == [(("h", 7), 0.25)]
+    assert here.fileno() == -1, "it is closed again"
+    there.close()
+    assert not is_reachable(None)
+
+
+def test_a_connected_socket_has_the_timeout(server: Server) -> None:
+    with contextlib.closing(server.address.connect(7.0)) as connected:
+        assert connected.gettimeout() == 7.0
+
+
+def test_an_owner_waits_until_there_is_something_to_say_or_no_more() -> None:
+    box, waited = Mailbox(), list[object]()
+    box._changed.wait_for = lambda is_over, *_: waited.append(bool(is_over()))  # type: ignore[method-assign]
+    assert box.wait_for_work()
+    box.offer(say("Hello."), 0.0)
+    assert box.wait_for_work()
+    box.close()
+    assert not box.wait_for_work()
+    assert waited == [False, True, True]
+
+
+@pytest.mark.parametrize("is_silenced", [False, True])
+def test_a_lost_sentence_is_put_back_unless_it_was_silenced(is_silenced: bool) -> None:
+    box = Mailbox()
+    box.offer(say("Hello."), 0.0)
+    assert box.take() == box.speaking == say("Hello.")
+    assert box.take() is None
+    if is_silenced:
+        box.silence()
+    box.put_back()
+
+    assert box.speaking is None
+    assert box.take_silence() is False
+    assert box.take() == (None if is_silenced else say("Hello."))
+
+
+def test_a_silence_is_taken_once_and_only_while_something_is_said() -> None:
+    box = Mailbox()
+    box.silence()
+    assert box.take_silence() is False
+    box.offer(say("One."), 0.0)
+    box.take()
+    box.silence()
+    assert not box.wait_until_quiet(0.0)
+    box.silence()
+    assert [box.take_silence(), box.take_silence()] == [True, False]
+    box.said()
+    assert box.wait_until_quiet(0.0)
+
+
+def test_a_speaker_starts_one_thread_and_waits_a_second_for_its_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    made: list[tuple[object, ...]] = []
+
+    class Thread:
+        def __init__(self, *, target: object, name: str, daemon: bool) -> None:
+            made.append((name, daemon))
+
+        def start(self) -> None:
+            made.append(("started",))
+
+        def join(self, seconds: float) -> None:
+            made.append(("joined", seconds))
+
+    monkeypatch.setattr(conversation.threading, "Thread", Thread)
+    speaker = SsipSpeaker(SsipAddress(path="/nowhere"), lambda _: None)
+    assert not speaker.is_speaking
+    for words in ("One.", "Two."):
+        speaker.say(say(words))
+    assert made == [("ssip", True), ("started",)]
+    speaker._mailbox.take()
+    assert speaker.is_speaking
+    speaker.close()
+    assert made[2:] == [("joined", 1.0)]
