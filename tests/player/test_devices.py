@@ -554,6 +554,8 @@ def test_the_simulation_is_reset(stations: Stations) -> None:
     client = Client(stations, WHEELS, (31, 0))
     client.ask(31, 0, 2, "redbox", 2.0, 1.0, 0.5)
     client.ask(31, 0, 2, "alice", 1.0, 1.0, 0.0)
+    client.command(31, 0, 3)  # saving has no effect
+    assert client.round()[4, 0, 1][:2] == pytest.approx((1, 1))
     client.command(31, 0, 2)
 
     assert client.round()[4, 0, 1][:2] == pytest.approx((-2, 0))

@@ -373,6 +373,7 @@ def test_a_thing_is_put_in_three_dimensions(stations: Stations) -> None:
 
     assert client.ask(31, 0, 4, "redbox", 1.0, 2.0, 0.0, 0.0, 0.0, 0.5, 0.0) == ()
     assert client.ask(31, 0, 1, "redbox", 0.0, 0.0, 0.0)[1:] == pytest.approx((1.0, 2.0, 0.5))
+    assert client.ask(31, 0, 3, "redbox", *(0.0,) * 7)[1:7] == pytest.approx((1, 2, 0, 0, 0, 0.5))
     assert client.ask(31, 0, 3, "nothing", *(0.0,) * 7) is None
     assert client.ask(31, 0, 3, "alice.head", *(0.0,) * 7)[1:4] == pytest.approx((0, 0, 0))
 

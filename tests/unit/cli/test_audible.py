@@ -69,6 +69,8 @@ def facts(**changes: object) -> KnownEnvironment:
         (Settings(sources=ASKED), facts(over_ssh=True), True),
         (Settings(), facts(stdout_is_terminal=False), False),
         (Settings(sources=ASKED), facts(stdout_is_terminal=False), True),
+        (Settings(sources=ASKED), facts(has_sound_device=False), False),
+        (Settings(sound="a.wav", sources=ASKED), HOME, False),
     ],
 )
 def test_cues_are_on_where_they_are_audible_or_asked_for(
@@ -394,6 +396,45 @@ def test_a_changed_setting_reaches_the_worker_and_only_another_channel_opens_a_n
     made.adjust(sound=True)
     assert made.worker.settings[-1].voice.words_per_minute == 100
     assert made.audible.has_cues
+
+
+@pytest.mark.parametrize(
+    ("changed", "voice"),
+    [
+        ({"rate": 300}, VoiceSettings(300, 50, 1.0, "some", frozenset({"words_per_minute"}))),
+        ({"pitch": 10}, VoiceSettings(180, 10, 1.0, "some", frozenset({"pitch"}))),
+        ({"volume": 30}, VoiceSettings(180, 50, 0.3, "some", frozenset({"volume"}))),
+        ({"punctuation": "all"}, VoiceSettings(180, 50, 1.0, "all", frozenset())),
+        ({"cues": {"bump": 5}}, None),
+    ],
+)
+def test_each_setting_of_the_voice_is_given_to_the_worker(
+    changed: dict[str, object], voice: VoiceSettings | None
+) -> None:
+    made = OneWorker(HOME, Settings(speech="tts"))
+    made.adjust(**changed)
+
+    assert made.worker.voices == ([] if voice is None else [voice])
+    assert made.worker.volumes == ([{"bump": 0.05}] if voice is None else [])
+    assert len(made.worker.settings) == 1
+    for name in ("speech", "speak", "sound"):  # these choose the voice anew
+        made.adjust(**{name: getattr(made.audible.settings, name)})
+    assert len(made.worker.settings) == 4
+
+
+@pytest.mark.parametrize(
+    ("settings", "workers"),
+    [
+        (Settings(speech="robot", sound=False), 1),
+        (Settings(speech="off", sound=False), 0),
+        (Settings(speech="off"), 1),
+        (Settings(speech="tts", sound=False), 1),
+        (Settings(speech="text", speak="robot", sound=False), 1),
+        (Settings(speech="text", sound=False), 0),
+    ],
+)
+def test_one_worker_is_for_answers_for_speak_and_for_cues(settings: Settings, workers: int) -> None:
+    assert len(OneWorker(HOME, settings).worker.settings) == workers
 
 
 def test_the_other_mode_chooses_its_voice_once() -> None:

@@ -13,8 +13,6 @@ import pytest
 from PIL import Image
 
 from devices.camera import (
-    LARGEST_FILE,
-    MOST_PICTURES,
     ORIGINAL_RANGES,
     Blob,
     CameraSweep,
@@ -281,7 +279,7 @@ def test_the_pictures_of_a_folder_follow_each_other_and_begin_again(tmp_path: Pa
 
 
 def test_a_folder_with_too_many_pictures_is_refused_before_one_is_read(tmp_path: Path) -> None:
-    for number in range(MOST_PICTURES):
+    for number in range(1000):
         (tmp_path / f"{number}.png").touch()
     problem = swept(camera(tmp_path)).problem
     assert problem is not None
@@ -290,7 +288,7 @@ def test_a_folder_with_too_many_pictures_is_refused_before_one_is_read(tmp_path:
     (tmp_path / "one_more.png").touch()
     problem = swept(camera(tmp_path)).problem
     assert problem is not None
-    assert (problem.code, problem.values["limit"]) == ("too-many-pictures", MOST_PICTURES)
+    assert (problem.code, problem.values["limit"]) == ("too-many-pictures", 1000)
 
 
 def test_a_name_that_is_a_number_with_a_sign_is_a_direction(tmp_path: Path) -> None:
@@ -337,7 +335,7 @@ def test_a_pipe_and_a_folder_are_no_pictures_and_nothing_waits(tmp_path: Path) -
 def test_a_jpeg_of_too_many_layers_is_a_fault(tmp_path: Path) -> None:
     save(tmp_path, {"a.jpg": drawn()})
     with (tmp_path / "a.jpg").open("ab") as file:
-        file.write(b"\xff\xda" * 101)
+        file.write(b"\xff\xda" * (101 - (tmp_path / "a.jpg").read_bytes().count(b"\xff\xda")))
 
     assert fault(tmp_path)[0] == "picture-too-large"
 
@@ -357,7 +355,7 @@ def test_a_picture_with_too_many_pixels_is_a_fault_before_it_is_decoded(tmp_path
 
 def test_a_file_with_too_many_bytes_is_a_fault(tmp_path: Path) -> None:
     with (tmp_path / "a.png").open("wb") as file:
-        file.truncate(LARGEST_FILE + 1)
+        file.truncate(20_000_001)
 
     assert fault(tmp_path)[0] == "picture-too-large"
 
@@ -499,8 +497,10 @@ def test_the_hues_of_a_range_go_from_its_least_to_its_most_and_through_0(
     assert do_overlap(second, first) is is_shared
 
 
-@pytest.mark.parametrize(("view", "directions"), [(44.0, 15), (45.0, 30), (60.0, 30)])
-def test_a_narrow_camera_looks_twice_as_often(view: float, directions: int) -> None:
+@pytest.mark.parametrize(("view", "directions"), [(44.0, 15), (45.0, 30), (60.0, 30), (None, 30)])
+def test_a_narrow_camera_looks_twice_as_often(view: float | None, directions: int) -> None:
+    """Of a camera whose view was not set it is that of the original robot's, 60 degrees."""
+    assert camera("/dev/null", view).view == (60 if view is None else view)
     assert camera("/dev/null", view).directions() == tuple(range(-90, 91, directions))
 
 
@@ -707,7 +707,7 @@ def test_a_picture_with_as_many_bytes_and_layers_as_allowed_is_read(tmp_path: Pa
     save(tmp_path, {"a.jpg": drawn((290, 200, 350, 260, GREEN))})
     data = (tmp_path / "a.jpg").read_bytes()
     data += b"\xff\xda" * (100 - data.count(b"\xff\xda"))
-    (tmp_path / "a.jpg").write_bytes(data.ljust(LARGEST_FILE, b"\0"))
+    (tmp_path / "a.jpg").write_bytes(data.ljust(20_000_000, b"\0"))
 
     assert seen(camera(tmp_path)) == [("green", 0)]
 
