@@ -430,7 +430,7 @@ def test_only_a_reason_of_the_system_is_named(
 class Server:
     """Answers requests at once, at the other end of a socket that stands in for a connection."""
 
-    def __init__(self, monkeypatch: pytest.MonkeyPatch, offered: list[tuple[int, int]]) -> None:
+    def __init__(self, monkeypatch: pytest.MonkeyPatch, offered: list[tuple[int, int]] | None) -> None:
         self.got: list[Sent] = []
         self.asked: list[tuple[Any, float]] = []
         self.refused: set[tuple[int, int]] = set()
@@ -467,7 +467,7 @@ class Server:
     def _replies(self, message: PlayerMessage) -> Iterator[PlayerMessage]:
         interface, index, _, subtype = _kind(message)
         ack, values = MessageType.ACK, values_of(message) or ()
-        if (interface, subtype) == (1, 1):
+        if (interface, subtype) == (1, 1) and self._offered is not None:
             yield PlayerMessage(1, 0, ack, 1, body_of(1, ack, 1, [(0, 0, *each) for each in self._offered]))
         elif (interface, subtype) == (1, 3) and values[2:4] not in self.refused:
             yield PlayerMessage(1, 0, ack, 3, body_of(1, ack, 3, 0, 0, *values[2:4], 1, "x"))
@@ -594,8 +594,37 @@ def test_the_data_of_what_was_opened_are_waited_for_but_not_those_of_silent_devi
     assert took[1] - took[0] == 1.0
 
 
-def test_a_port_without_wheels_is_left(monkeypatch: pytest.MonkeyPatch) -> None:
-    Server(monkeypatch, [(4, 1), (62, 0)])
+def test_the_first_place_of_the_wheels_is_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Five seconds at most; a server that lists nothing has no wheels."""
+    server = Server(monkeypatch, [(4, 0)])
+    (late,), server.data = server.data, []
+    pumps, pumped = list[float](), ServerLink._pump
+
+    def pump(link: ServerLink, limit: float = inf) -> None:
+        if link.shapes:
+            pumps.append(limit)
+        if len(pumps) == 3:
+            server._end.sendall(late.encoded())
+        pumped(link, limit)
+
+    monkeypatch.setattr(ServerLink, "_pump", pump)
+    monkeypatch.setattr(module, "monotonic", lambda: 100.0)
+    monkeypatch.setattr(module, "POLL", 0.0)
+    monkeypatch.setattr(module, "SETTLING", 0.0)
+    link = ServerLink("player://host:1")
+    link._factor = 2.0
+    link._open()
+    assert pumps == [110.0] * 3
+    assert link.wheels().x == 1.0
+    link._shut()
+
+
+@pytest.mark.parametrize("offered", [[(4, 1), (62, 0)], [], None])
+def test_a_port_without_wheels_is_left(
+    monkeypatch: pytest.MonkeyPatch, offered: list[tuple[int, int]] | None
+) -> None:
+    """None: it refuses to say what it has."""
+    Server(monkeypatch, offered)
     link = ServerLink("player://host:1")
     with pytest.raises(RobotProblem) as caught:
         link._open()

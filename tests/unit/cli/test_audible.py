@@ -11,6 +11,7 @@ from typing import Any, Self
 import pytest
 from msgspec.structs import replace
 
+from devices.audio.pronunciation import SignWords, SpokenLanguage
 from devices.audio.service import AudioSettings
 from devices.ports.audio import (
     AudioNotice,
@@ -605,3 +606,44 @@ def test_the_words_of_speak_can_have_another_voice(scope: VoiceScope, heard: lis
     floor.session.hub.publish(Announced("moved", "Moved."))
     floor.session.hub.publish(Spoke("Hi."))
     assert noting.said == heard
+
+
+# --- what languages bring
+
+
+def test_a_language_is_spoken_with_the_words_that_it_has(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without a name for a number's parts it names no signs."""
+    words: dict[tuple[str, ...], tuple[str, ...]] = {
+        ("voices",): ("xx-yy", "xx"), ("minus",): ("less", "minus"), ("point",): ("dot",),
+        ("degree",): ("grade",), ("degrees",): ("grades",), ("signs", "="): ("equals", "is"),
+        ("signs", "+"): (), ("punctuation", ","): ("comma",),
+    }  # fmt: skip
+    tables: dict[str, object] = {"spoken": {"digit_by_digit": True}}
+
+    def own_words(language: str, *entry: str) -> tuple[str, ...]:
+        assert (language, *entry[:2]) == ("xx", "words", "spoken")
+        return words.get(entry[2:], ())
+
+    def keys(language: str, *entry: str) -> list[str]:
+        return [each[1] for each in words if each[:1] == entry[2:] and len(each) == 2]
+
+    monkeypatch.setattr(audible, "languages", lambda: ["xx"])
+    monkeypatch.setattr(audible, "own_words", own_words)
+    monkeypatch.setattr(audible, "keys", keys)
+    monkeypatch.setattr(audible, "table", lambda *given: tables if given == ("xx", "words") else {})
+
+    def spoken() -> SpokenLanguage:
+        return audible.spoken_languages()["xx"]
+
+    signs = ({"=": "equals"}, {",": "comma"})
+    assert spoken() == SpokenLanguage(
+        ("xx-yy", "xx"), SignWords("less", "dot", "grade", "grades", True, *signs)
+    )
+    for tables["spoken"] in ({"digit_by_digit": "yes"}, {}, "nothing"):
+        assert spoken().signs == SignWords("less", "dot", "grade", "grades", False, *signs)
+    for name in ("minus", "point", "degree", "degrees"):
+        kept = words.pop((name,))
+        assert spoken().signs is None
+        words[name,] = kept
+    del words["voices",]
+    assert spoken().voices == ("xx",)
