@@ -330,18 +330,27 @@ def test_a_lost_server_is_connected_to_again_every_second(
     link, tries = linked.link, [False, True]
     waits = link._closed = Waits()  # type: ignore[assignment]
 
+    did: list[str] = []
+
     def pump() -> None:
-        raise OSError(104, "Connection reset by peer")
+        did.append("read")
+        if len(did) > 1:
+            raise OSError(104, "Connection reset by peer")
 
     def open_again() -> None:
+        did.append("open")
         if not tries.pop(0):
             raise RobotProblem("no-wheels")
         link.is_there = True
 
     monkeypatch.setattr(link, "_pump", pump)
     monkeypatch.setattr(link, "_open", open_again)
+    monkeypatch.setattr(link, "_look_after", lambda: did.append("look after"))
+    monkeypatch.setattr(link, "_shut", lambda: did.append("shut"))
     link._read()
+    monkeypatch.undo()
 
+    assert did == ["read", "look after", "read", "shut", "open", "shut", "open", "read", "shut"]
     assert waits.waits == [1.0, 1.0, 1.0]
     assert tries == []
     assert linked.notices == [

@@ -489,6 +489,13 @@ def test_typed_text_is_said_as_its_kind_says(
     assert heard == said
 
 
+@pytest.mark.parametrize(("echoes", "kind"), [(True, "words"), (False, "none")])
+def test_a_screen_reader_says_the_keys_itself(echoes: bool, kind: str) -> None:
+    voice: Any = SimpleNamespace(settings=Settings(key_echo="words"), echoes=echoes)
+
+    assert TypingEcho(voice, Words()).kind == kind
+
+
 # --- two voices
 
 
