@@ -17,7 +17,7 @@ from devices.player.codec import (
     body_of,
     values_of,
 )
-from devices.player.connection import MOST_REPLIES, MOST_WAITING, ClientConnection
+from devices.player.connection import ClientConnection
 from devices.ports.drive import BlobReading, ColourBlob, MetricPose
 from devices.ports.robot import Grip
 from donnie_tui.player.equipment import angle, service_of, towards
@@ -330,12 +330,12 @@ def test_the_newest_datum_takes_the_place_of_one_that_waits(stations: Stations) 
 def test_a_client_that_wants_all_data_gets_no_more_than_are_kept(stations: Stations) -> None:
     client = Client(stations, WHEELS)
     client.ask(1, 0, 10, -1, -1, -1, -1, 0)
-    for _ in range(MOST_WAITING + 100):
+    for _ in range(1024 + 100):
         stations.step()
     client.send(1, 0, REQUEST, 4)
 
     data = [each for each in client.take() if each.type == DATA]
-    assert MOST_WAITING <= len(data) <= MOST_WAITING + 1
+    assert 1024 <= len(data) <= 1024 + 1
 
 
 def test_rules_are_looked_at_in_their_order_and_an_equal_one_is_changed(stations: Stations) -> None:
@@ -351,12 +351,12 @@ def test_rules_are_looked_at_in_their_order_and_an_equal_one_is_changed(stations
 
 def test_a_client_that_only_asks_is_read_no_further(stations: Stations) -> None:
     client = Client(stations)
-    for _ in range(MOST_REPLIES):
+    for _ in range(256):
         assert not client.connection.is_behind
         client.send(1, 0, REQUEST, 1)
 
     assert client.connection.is_behind
-    assert len(client.take()) == MOST_REPLIES
+    assert len(client.take()) == 256
     assert not client.connection.is_behind
 
 

@@ -19,7 +19,7 @@ from devices.player.codec import (
     encode,
     values_of,
 )
-from devices.player.connection import MOST_RULES, MOST_WAITING, ClientConnection
+from devices.player.connection import ClientConnection
 from devices.ports.drive import RangerReading
 from donnie_tui.player.equipment import LONGEST_TEXT
 from donnie_tui.player.server import ServerProblem, Stations
@@ -341,12 +341,12 @@ def test_no_more_rules_and_openings_are_kept_than_are_allowed(stations: Stations
     """All are acknowledged or refused, and those that were there first still count."""
     client = Client(stations, WHEELS)
     client.ask(1, 0, 10, 4, 0, DATA, 1, 1)
-    for index in range(1, 2 * MOST_RULES):
+    for index in range(1, 128):
         assert client.ask(1, 0, 10, 62, index, DATA, 1, 2) == ()
-    assert len(client.connection._rules) == MOST_RULES
-    opened = [client.ask(1, 0, 3, 0, 0, 62, 0, 1, "") is not None for _ in range(MOST_WAITING + 5)]
+    assert len(client.connection._rules) == 64
+    opened = [client.ask(1, 0, 3, 0, 0, 62, 0, 1, "") is not None for _ in range(1029)]
 
-    assert opened == [True] * (MOST_WAITING - 1) + [False] * 6
+    assert opened == [True] * 1023 + [False] * 6
     assert set(client.round()) == {(4, 0, 1), (62, 0, 1), (62, 0, 3)}
 
 

@@ -156,6 +156,9 @@ def test_the_end_of_the_server_ends_the_reading(linked: Linked) -> None:
     linked.server.close()
     with pytest.raises(ConnectionResetError):
         linked.link._pump()
+    linked.link._shut()
+    with pytest.raises(ConnectionAbortedError):
+        linked.link._pump()
     linked.link.give_up()
     with pytest.raises(ConnectionAbortedError):
         linked.link._pump()

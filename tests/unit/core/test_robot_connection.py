@@ -13,12 +13,13 @@ import pytest
 from devices.board_simulator.robot import SimulatedSerialRobot
 from devices.port_exchange import NOT_NEEDED
 from devices.ports.robot import LinkNotice, Pace, Pose, RobotProblem, Watcher
-from devices.serial_ports import allow_only
+from devices.serial_ports import FoundPort, allow_only
 from donnie_tui.core.events import Event, Link, Stamped
 from donnie_tui.core.session import Busy
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.robot import connection as module
 from donnie_tui.robot.connection import Connection, Guard, make_measurable
+from donnie_tui.robot.search import Search
 from donnie_tui.settings.settings import Settings
 from donnie_tui.world.loading import inhabited_world
 from tests.floor import Floor
@@ -270,6 +271,23 @@ def test_a_changed_robot_begins_where_its_world_says(connected: Connected) -> No
     connected.connection.connect("double")
 
     assert connected.session.pose == connected.start != Pose(0, 3, 0)
+
+
+def test_the_devices_and_the_robots_to_choose_are_those_that_are_there(
+    connected: Connected, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(RealRobot, "mounted", ("an eye",), raising=False)
+    connected.connection.connect(f"serial:{PORT}")
+    assert connected.connection.mounted == ("an eye",)
+    assert [each.robot for each in connected.connection.options()] == ["sim", "double"]
+
+    board = FoundPort(PORT, PORT, is_board=True)
+    monkeypatch.setattr("devices.serial_ports.list_ports", lambda: (board,))
+    search = Search()
+    world = inhabited_world("corridor", connected.words)
+    other = Connection(Settings(), connected.words, world, connected.session, search=search)
+    assert [each.robot for each in other.options()] == ["sim", f"serial:{PORT}", "double"]
+    assert other.search is search
 
 
 def test_wheels_are_measured_at_a_simulated_board_or_at_a_port(monkeypatch: pytest.MonkeyPatch) -> None:

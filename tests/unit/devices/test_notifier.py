@@ -6,7 +6,7 @@ import threading
 
 import pytest
 
-from devices.serial_ports import MOST_PENDING, Notifier
+from devices.serial_ports import Notifier
 from tests.timeouts import TIMEOUT
 
 
@@ -38,12 +38,12 @@ def test_for_a_listener_that_hangs_a_limited_number_of_notices_is_kept() -> None
     notifier = Notifier("robot", listen)
     notifier.notify(0)
     assert has_begun.wait(TIMEOUT)
-    for number in range(1, 2 * MOST_PENDING):
+    for number in range(1, 512):
         notifier.notify(number)
     may_return.set()
     notifier.wait(TIMEOUT)
 
-    assert received == list(range(MOST_PENDING + 1))
+    assert received == list(range(257))
 
 
 def test_a_listener_that_fails_receives_the_next_notice(caplog: pytest.LogCaptureFixture) -> None:
