@@ -190,6 +190,22 @@ def test_a_step_is_begun_only_with_nearly_two_free_ones(
     assert len(driven.watcher.motions) == walked
 
 
+@pytest.mark.parametrize("sense", [1, -1])
+def test_what_was_too_short_is_made_up_for_by_a_walk_that_an_obstacle_ends(
+    driven: Driven, sense: int
+) -> None:
+    """The wall is 4.5 steps from the start, and the second walk begins at the end of the first step."""
+    driven.link.shapes[RobotPart.SONARS] = {1: (SONARS, ()), 5: (0.0, 0.0, 0.0, 0.0, 3.0)}
+    walk = driven.robot.forward if sense > 0 else driven.robot.backward
+    walk(1)
+    assert abs(driven.link.now.x) < STEP
+    setattr(driven.link, "ahead" if sense > 0 else "behind", 4.5 * STEP)
+    done = walk(5)
+
+    assert (done.walked, done.stopped_by) == (2, StoppedBy.OBSTACLE)
+    assert driven.robot.pose().x == pytest.approx(3 * sense, abs=0.002)
+
+
 @pytest.mark.parametrize("yaw", [30.0, 90.0, -120.0])
 def test_a_walk_is_as_long_in_every_direction_and_from_everywhere(driven: Driven, yaw: float) -> None:
     driven.link.now = WheelState(5.0, 1.0, -2.0, yaw, False, False)
@@ -346,6 +362,7 @@ def test_a_walk_waits_for_data_that_are_late_and_reports_each_place(driven: Driv
     done = driven.robot.forward(2)
 
     assert (done.walked, done.stopped_by) == (2, None)
+    assert driven.link.now.x == pytest.approx(2 * STEP, abs=0.001)
     assert passed[0] == 0.0  # the next ones follow after a twentieth of a second of this computer's
 
 

@@ -19,7 +19,7 @@ from donnie_tui.core.session import Busy
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.robot import connection as module
 from donnie_tui.robot.connection import Connection, Guard, make_measurable
-from donnie_tui.robot.search import Search
+from donnie_tui.robot.search import Search, Searchable
 from donnie_tui.settings.settings import Settings
 from donnie_tui.world.loading import inhabited_world
 from tests.floor import Floor
@@ -169,6 +169,24 @@ def test_a_robot_that_does_not_answer_is_left_for_the_simulator(
     assert connected.guards == [PORT, False]
     assert not connection.search.give_up()
     assert str(connected.floor.run("FW 2", fresh=True)).endswith("COMPLETED")
+
+
+def test_a_program_that_was_started_during_a_search_in_vain_has_stopped_by_its_end(
+    connected: Connected,
+) -> None:
+    session = connected.session
+
+    class Meanwhile(Search):
+        def connect(self, robot: Searchable) -> None:
+            session.start("WHILE 1 == 1 DO\nVAR a = 1\nEND WHILE", "a.gd")
+            super().connect(robot)
+
+    connected.on_made = lambda robot: setattr(robot, "problem", RobotProblem("no-answer", port=PORT))
+    connected.connection.search = Meanwhile()
+    assert connected.connection.connect(f"serial:{PORT}")[-1] == connected.words("connect-instead")
+
+    assert (session.run, connected.connection.robot) == (None, "sim")
+    assert connected.guards == [PORT, False]
 
 
 def test_without_a_board_the_simulator_is_used(connected: Connected) -> None:
