@@ -884,3 +884,22 @@ def test_a_camera_that_has_made_no_picture_sees_nothing(driven: Driven) -> None:
     driven.link.shapes[RobotPart.CAMERA] = {}
 
     assert driven.robot.scan() == ()
+
+
+@pytest.mark.parametrize(
+    ("x", "has_sonar", "has_eyes"), [(0.1, True, True), (0.6, True, False), (0.1, False, False)]
+)
+def test_without_a_camera_a_scan_needs_a_head_with_a_sonar(
+    driven: Driven, x: float, has_sonar: bool, has_eyes: bool
+) -> None:
+    link = driven.link
+    link.data[RobotPart.HEAD] = (x, 0.0, 0.0)
+    link.on_tick = lambda _: link.data.update({RobotPart.HEAD: (x, 0.0, link.commands[-1][4])})
+    if has_sonar:
+        link.shapes[RobotPart.HEAD_SONAR] = {}
+        link.data[RobotPart.HEAD_SONAR] = ((inf,),)
+    if has_eyes:
+        assert driven.robot.scan() == ()
+    else:
+        with pytest.raises(RobotProblem, match=r"^no-eyes$"):
+            driven.robot.scan()

@@ -10,15 +10,18 @@ from typing import Any
 
 import pytest
 
+from devices.board_simulator.floor import CHASSIS_2018, Chassis
 from devices.board_simulator.robot import SimulatedSerialRobot
 from devices.port_exchange import NOT_NEEDED
 from devices.ports.robot import LinkNotice, Pace, Pose, RobotProblem, Watcher
-from devices.serial_ports import FoundPort, allow_only
-from donnie_tui.core.events import Event, Link, Stamped
+from devices.serial_ports import FoundPort, SameBoard, allow_only
+from donnie_tui.core.events import Announced, BeltShown, Event, Link, Spoke, Stamped
 from donnie_tui.core.session import Busy
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.robot import connection as module
+from donnie_tui.robot.board_floor import place_of
 from donnie_tui.robot.connection import Connection, Guard, make_measurable
+from donnie_tui.robot.player_robot import PlayerRobot
 from donnie_tui.robot.search import Search, Searchable
 from donnie_tui.settings.settings import Settings
 from donnie_tui.world.loading import inhabited_world
@@ -306,6 +309,106 @@ def test_the_devices_and_the_robots_to_choose_are_those_that_are_there(
     other = Connection(Settings(), connected.words, world, connected.session, search=search)
     assert [each.robot for each in other.options()] == ["sim", f"serial:{PORT}", "double"]
     assert other.search is search
+
+
+@pytest.mark.parametrize(
+    ("profile", "chassis"), [("2018", CHASSIS_2018), ("auto", Chassis()), ("2016", Chassis())]
+)
+def test_a_simulated_board_is_that_of_its_profile_at_the_start_of_its_world(
+    monkeypatch: pytest.MonkeyPatch, profile: str, chassis: Chassis
+) -> None:
+    made = Connected(monkeypatch, Settings(profile=profile, camera="/dev/null"))
+    made.connection.connect("double")
+    robot = made.connection._now.robot
+
+    assert isinstance(robot, SimulatedSerialRobot)
+    assert robot.board.wheels.chassis == chassis
+    assert robot.board.wheels.place == place_of(made.start)
+    assert robot.camera is not None
+    assert robot.time() == 0.0
+    made.connection.close()
+
+
+def test_a_server_gets_the_words_and_the_belt_of_the_program_until_its_robot_is_left(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    made = Connected(monkeypatch, Settings(camera_view=75.0))
+    taken: list[object] = []
+    monkeypatch.setattr(PlayerRobot, "say", lambda _, text: taken.append(text))
+    monkeypatch.setattr(PlayerRobot, "show_belt", lambda _, levels: taken.append(levels))
+    robot: Any = made.connection._make_player("player://host:1", _Pace(), object())  # type: ignore[arg-type]
+    assert isinstance(robot, PlayerRobot)
+    assert (robot.port, robot.start, robot.chosen_view) == ("player://host:1", made.start, 75.0)
+    levels = (0, 0, 0, 3, *(0,) * 10)
+    events: tuple[Any, ...] = (
+        Spoke("hi"),
+        Announced("moved", "I walked."),
+        BeltShown(levels),
+        BeltShown(levels),
+    )
+    for event in events:
+        made.session.hub.publish(event)
+    assert taken == ["hi", levels]
+    for leave in robot.leave:
+        leave()
+    for event in (Spoke("ho"), BeltShown((3,) * 14)):
+        made.session.hub.publish(event)
+    assert taken == ["hi", levels]
+
+
+def test_robot_and_belt_have_no_port_in_common(monkeypatch: pytest.MonkeyPatch) -> None:
+    made = Connected(monkeypatch, Settings(belt=PORT))
+    said = made.connection.connect(f"serial:{PORT}")
+
+    assert said == (made.words("belt-same-port", port=PORT), made.words("connect-instead"))
+    assert (made.robots, made.guards) == ([], [])
+
+
+@pytest.mark.parametrize("is_given", [True, False])
+def test_a_robot_has_the_name_that_stays_and_its_camera(
+    monkeypatch: pytest.MonkeyPatch, is_given: bool
+) -> None:
+    made = Connected(monkeypatch, Settings(camera="/dev/null"))
+    board = FoundPort("/dev/x", "/dev/x-stable", is_board=True)
+    names: dict[str, Any] = {"found": lambda: (board,), "stable": lambda port: f"{port}-for-ever"}
+    monkeypatch.setattr("devices.serial_ports.list_ports", names["found"])
+    monkeypatch.setattr("devices.serial_ports.stable_name", names["stable"])
+    world = inhabited_world("corridor", made.words)
+    connection = Connection(
+        Settings(camera="/dev/null"), made.words, world, made.session, **(names if is_given else {})
+    )
+    assert connection.connect("serial") == ()
+    assert connection.robot == "serial:/dev/x-stable-for-ever"
+    assert made.made[0][0] == "/dev/x-stable-for-ever"
+    assert made.robots[0].camera is not None
+    connection.close()
+
+
+def test_a_robot_at_a_port_has_its_reset_its_measures_and_the_timeouts_of_the_computer(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setenv("DONNIE_ROBOT_TIMEOUTS", "4")
+    links: list[tuple[Any, ...]] = []
+    robots: list[tuple[Any, ...]] = []
+    monkeypatch.setattr(
+        "devices.serial_robot.link.SerialLink", lambda *given, **more: links.append((given, more)) or "link"
+    )
+    monkeypatch.setattr(
+        "devices.serial_robot.robot.SerialRobot",
+        lambda *given, **more: robots.append((given, more)) or "robot",
+    )
+    settings = Settings(reset_line="gpio:17", wheel_radius=0.03)
+    others: dict[str, Any] = {"watcher": object(), "start": Pose(1, 2, 3), "on_notice": object()}
+    slow, pace = object(), _Pace()
+    assert module._serial_robot(PORT, settings, pace, on_slow=slow, **others) == "robot"  # type: ignore[comparison-overlap]
+
+    [((port, limits, on_notice), more)] = links
+    assert (port, limits.silence, limits.first_answer, on_notice) == (PORT, 2.0, 24.0, others["on_notice"])
+    assert (more["reset"].pin, more["on_slow"]) == (17, slow)
+    assert isinstance(more["open_port"], SameBoard)
+    [((link, config), more)] = robots
+    assert (link, config.stall, config.wheel_radius) == ("link", 2.0, 0.03)
+    assert more == {"pace": pace, **others}
 
 
 def test_wheels_are_measured_at_a_simulated_board_or_at_a_port(monkeypatch: pytest.MonkeyPatch) -> None:
