@@ -695,6 +695,7 @@ def test_the_gripper_opens_closes_and_opens_again_if_there_is_nothing(
     link.on_tick = move
     assert driven.robot.grip() == GripResult(outcome)
     assert [each[1] for each in link.commands if each[0] is RobotPart.GRIPPER] == moves
+    assert link.ticks <= len(moves), "each is over with the datum that says so"
 
 
 @pytest.mark.parametrize(("beams", "outcome"), [(0b0100, Grip.RELEASED), (0, Grip.HOLDS_NOTHING)])

@@ -419,6 +419,11 @@ def test_wheels_are_measured_at_a_simulated_board_or_at_a_port(monkeypatch: pyte
     assert robot.speed == 9.0
     monkeypatch.setattr(module, "_serial_robot", lambda port, *_, **__: port)
     assert make_measurable(Settings(robot=f"serial:{PORT}"), Words(), _Pace(), lambda *_: None) == PORT
+    monkeypatch.setattr("devices.serial_ports.list_ports", tuple)
+    words = Words()
+    with pytest.raises(Unusable) as caught:
+        make_measurable(Settings(robot="serial"), words, _Pace(), lambda *_: None)
+    assert caught.value.sentence == f"{words('problem-no-board')} {words('remedy-calibrate')}"
 
 
 class _Pace:
