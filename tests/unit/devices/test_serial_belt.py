@@ -8,6 +8,8 @@ import tty
 from collections import deque
 from collections.abc import Callable, Iterator
 from time import monotonic
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
@@ -336,3 +338,145 @@ def test_a_port_on_which_no_belt_answers_is_reported(
         assert notices.wait_for(BeltNotice.UNANSWERED)
     finally:
         belt.close()
+
+
+# --- its thread, step by step
+
+
+class Waits:
+    """In place of a condition: records the waits and does not wait."""
+
+    def __init__(self) -> None:
+        self.waits: list[float] = []
+
+    def __enter__(self) -> None: ...
+
+    def __exit__(self, *_: object) -> None: ...
+
+    def wait(self, seconds: float) -> None:
+        self.waits.append(seconds)
+
+    def wait_for(self, _: object, seconds: float) -> None:
+        self.waits.append(seconds)
+
+    def notify(self) -> None: ...
+
+    def notify_all(self) -> None: ...
+
+
+class Stepped:
+    """A belt whose thread the test is; ``now`` is the time."""
+
+    def __init__(self, patch: pytest.MonkeyPatch, address: str = "belt") -> None:
+        self.now, self.joined = 100.0, list[float]()
+        self.opened: list[FakePort | Exception] = [FakePort()]
+        self.notices = Notices()
+        thread = SimpleNamespace(start=lambda: None, join=self.joined.append)
+        fake = SimpleNamespace(Thread=lambda **_: thread, Condition=Waits)
+        patch.setattr("devices.belt.threading", fake)
+        patch.setattr("devices.belt.monotonic", lambda: self.now)
+        self.belt = SerialBelt(address, self.notices, self._open)
+        self.condition: Any = self.belt._changed
+
+    def _open(self, address: str) -> Any:
+        opened = self.opened.pop(0)
+        if isinstance(opened, Exception):
+            raise opened
+        return opened
+
+    @property
+    def port(self) -> Any:
+        return self.belt._port
+
+    def waits(self) -> list[float]:
+        waits, self.condition.waits = self.condition.waits, []
+        return list(waits)
+
+    def polled(self) -> tuple[list[bytes], list[float]]:
+        """What one poll writes, and how long it rests then."""
+        written = len(self.port.written)
+        self.belt._poll()
+        return self.port.written[written:], self.waits()
+
+
+@pytest.mark.parametrize(("address", "seconds"), [("/dev/belt", 2.0), ("socket://belt:1", 0.0)])
+def test_only_a_device_of_this_machine_is_waited_for_two_seconds(
+    monkeypatch: pytest.MonkeyPatch, address: str, seconds: float
+) -> None:
+    assert Stepped(monkeypatch, address).waits() == [seconds]
+
+
+def test_a_belt_rests_until_something_is_due_and_half_a_second_at_most(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    made = Stepped(monkeypatch)
+    made.waits()
+    assert made.belt._open_first() is True
+    assert made.notices.wait_for(BeltNotice.FOUND)
+    assert made.polled() == ([b"Z!"], [])
+    made.now += 0.03
+    assert made.polled() == ([], [0.5])
+    made.belt.show(FRONT)
+    assert made.polled() == ([encode_frame(FRONT)], [])
+    made.now += 0.01
+    written, waits = made.polled()
+    assert (written, waits) == ([], [pytest.approx(0.03)])
+    made.port.unsent = 36
+    made.now += 1.0
+    assert made.polled() == ([], [0.01])  # it asks again soon, and writes no frame behind another
+
+
+def test_a_lost_belt_is_tried_again_every_second_and_begins_with_a_resync(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    made = Stepped(monkeypatch)
+    made.belt._open_first()
+    made.polled()
+    lost = made.port
+    made.belt._lose(OSError(5, "Input/output error"))
+    assert (lost.is_closed, made.port, made.belt._detector) == (True, None, None)
+    absent = PortProblem("belt", PortFault.ABSENT, "No such file or directory")
+    made.opened = [absent, OSError(5, "x"), FakePort()]
+    made.waits()
+    for _ in range(3):
+        made.belt._poll()
+    assert made.waits() == [1.0, 1.0, 1.0]
+    assert made.notices.wait_for(BeltNotice.FOUND, BeltNotice.LOST, BeltNotice.RESTORED)
+    assert not made.belt._is_opening
+    made.now += 1.0
+    assert made.polled() == ([b"Z!"], [])
+
+
+def test_a_closed_belt_is_done_after_its_last_pulse_and_ends_dark(monkeypatch: pytest.MonkeyPatch) -> None:
+    made = Stepped(monkeypatch)
+    made.belt._open_first()
+    made.polled()
+    made.now += 0.03
+    made.belt.show(FRONT)
+    made.polled()
+    port = made.port
+    made.belt.close()
+    assert made.joined == [1.0]
+    assert not made.belt._is_done()
+    made.now += 0.26
+    made.polled()
+    assert made.belt._is_done()
+    made.waits()
+    made.belt._rest()
+    assert made.waits() == []
+    made.belt._turn_off()
+    assert (port.written[-1], port.is_closed) == (encode_frame((0,) * 14), True)
+    made.belt._reopen()
+    assert made.waits() == []
+
+
+@pytest.mark.parametrize("problem", [PortProblem("belt", PortFault.ABSENT, "gone"), ValueError("odd")])
+def test_a_belt_that_opens_late_or_never_is_reported_with_the_reason(
+    monkeypatch: pytest.MonkeyPatch, problem: Exception
+) -> None:
+    made = Stepped(monkeypatch)
+    made.opened = [problem]
+
+    assert made.belt._open_first() is False
+    assert made.notices.wait_for(BeltNotice.MISSING)
+    assert made.notices.reason == ("gone" if isinstance(problem, PortProblem) else "odd")
