@@ -254,3 +254,24 @@ def test_a_place_is_a_glide_of_a_third_up_at_the_right_and_down_at_the_left(
 @pytest.mark.parametrize(("steps", "hertz"), [(0.0, 1760), (30.0, 880), (60.0, 440), (15.0, 880 * 2**0.5)])
 def test_the_distance_is_two_octaves_over_sixty_steps(steps: float, hertz: float) -> None:
     assert glide(tones_of("scan", 0.0, steps)[0]) == pytest.approx((hertz, hertz), abs=1)
+
+
+@pytest.mark.parametrize(
+    ("name", "ratio", "within"),
+    [("turn-right", 3 / 2, 1e-3), ("turn-left", 2 / 3, 1e-3), ("bump", 1 / 2, 5e-3)],
+)
+def test_a_turn_is_a_fifth_up_or_down_and_a_bump_an_octave_down(
+    name: str, ratio: float, within: float
+) -> None:
+    samples = render_cue(Cue(name, 1.0))
+    start, end = glide([*samples[1::2]])
+
+    assert end / start == pytest.approx(ratio, rel=within)
+
+
+def test_what_was_found_sounds_as_two_tones_a_fourth_apart() -> None:
+    first, second = tones_of("found")
+
+    assert [b / a for a, b in zip(glide(first), glide(second), strict=True)] == pytest.approx(
+        [4 / 3, 4 / 3], rel=5e-4
+    )

@@ -106,7 +106,7 @@ def test_a_worker_that_reads_nothing_has_a_thousand_unsent_requests_at_most(
 
 
 @pytest.mark.parametrize("has_log", [False, True])
-def test_a_worker_is_told_its_device_voice_parent_sounds_and_voices(
+def test_a_worker_is_given_its_device_voice_parent_sounds_and_voices(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, has_log: bool
 ) -> None:
     started: list[tuple[Any, ...]] = []
