@@ -11,7 +11,7 @@ from msgspec.structs import replace
 
 from donnie_tui.commands import world as world_commands
 from donnie_tui.commands.interaction import EnterWorld, SwitchMode
-from donnie_tui.i18n.words import Unusable
+from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.linear import app
 from donnie_tui.linear.console import Gone
 from donnie_tui.settings.settings import Settings
@@ -27,6 +27,7 @@ class Front:
         self.problems: dict[str, BaseException] = {}
         """By the world that can't be used."""
         self.waited: dict[str, Any] = {}
+        self.search: Any = None
         front = self
 
         class Console:
@@ -89,6 +90,7 @@ class Front:
 
     def assemble(self, settings: Settings, *, terminal: bool, search: Any) -> Any:
         self.did.append(f"assembled {settings.world}, {terminal}")
+        self.search = search
         if settings.world in self.problems:
             raise self.problems[settings.world]
         return self.donnie(settings.world, search)
@@ -252,8 +254,11 @@ def test_a_start_that_may_take_long_is_reported(
     it.run(replace(FLOOR, language="en", **changes))
 
     assert it.did[2 : 2 + len(said)] == said
+    assert f"assembled {changes.get('world', 'open_floor')}, True" in it.did
     assert it.waited["first"] == first
     assert callable(it.waited["give_up"])
     it.did.clear()
     it.waited["report"]()
-    assert it.did == ["end_prompt", f"{report}\n"]
+    it.search.on_slow()
+    assert it.did == ["end_prompt", f"{report}\n", f"{Words('en')('connect-waiting')}\n"]
+    assert it.search.give_up() is ("robot" in changes), "there is a robot to be looked for"

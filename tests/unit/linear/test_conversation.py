@@ -12,7 +12,10 @@ import pytest
 from donnie_tui.commands.interaction import EnterWorld, SwitchMode
 from donnie_tui.linear.console import Gone
 from donnie_tui.linear.conversation import Conversation
+from donnie_tui.linear.greeting import Greeting
+from donnie_tui.linear.line_editor import Act, KeyPress
 from tests.timeouts import TIMEOUT
+from tests.unit.linear import test_pace
 from tests.unit.linear.test_pace import conversation
 
 LEARNER: set[int] = {0, 1}
@@ -271,3 +274,83 @@ def test_no_program_is_lost_however_it_ends(
         happened.clear()
         assert talk._guarded(lambda: 3) == 3
         assert happened == ["trimmed"]
+
+
+# --- with a terminal that edits lines, and in a script
+
+
+def test_keys_are_said_and_words_completed_where_lines_are_edited(
+    talks: Callable[..., Any], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    greeting = Greeting()
+    greeting.terminal = object()  # type: ignore[assignment] # it is not used here
+    monkeypatch.setattr(test_pace, "Greeting", lambda: greeting)
+    with talks(LEARNER) as talk:
+        editing, said = talk.streams.editing, list[Any]()
+        assert editing is talk.streams.reader
+        assert editing.complete("REPEA") == ("REPEAT",)
+        monkeypatch.setattr(talk, "_key_echo", lambda key, before: said.append((key, before)))
+        audible, key = type(talk._donnie.outlets.audible), KeyPress(Act.TEXT, "a")
+        for echoes in (False, True):
+            monkeypatch.setattr(audible, "echoes", property(lambda _, echoes=echoes: echoes))
+            editing.on_key(key, "FW")
+        assert said == [(key, "FW")]
+        talk.take_again("FW 1")
+        assert (talk.ctx.past.lines, talk.ctx.program.lines) == (["FW 1"], ("FW 1",))
+    assert (tmp_path / "donnie" / "history").read_text() == "FW 1\n"
+    greeting.terminal = None
+    with talks(SCRIPT) as talk:
+        talk.take_again("FW 2")
+        assert (talk.streams.editing, talk.ctx.past.lines) == (None, ["FW 2"])
+    assert (tmp_path / "donnie" / "history").read_text() == "FW 1\n", "a script is not kept"
+
+
+def test_the_printed_greeting_is_said(talks: Callable[..., Any], monkeypatch: pytest.MonkeyPatch) -> None:
+    with talks(LEARNER) as talk:
+        without_talking(talk, monkeypatch)
+        said = list[str]()
+        audible: Any = Part(say_printed=lambda *lines: said.extend(lines), hush=bool)
+        monkeypatch.setattr(
+            talk, "_donnie", Part(notices=talk._donnie.notices, outlets=Part(audible=audible))
+        )
+        talk._greeting.lines = ("One.", "Two.")
+        talk.begin(None)
+
+        assert said == ["One.", "Two."]
+
+
+def test_a_copy_that_can_not_be_kept_is_answered_and_a_robot_that_drives_is_known(
+    talks: Callable[..., Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with talks(LEARNER) as talk:
+        talk.ctx.workspace.report_failure(Part(reason="the disk is full"))
+        (said,) = printed(talk)
+        assert "the disk is full" in said
+        connection = type(talk._donnie.connection)
+        monkeypatch.setattr(connection, "has_run_away", property(lambda _: True))
+        assert talk.console.has_run_away()
+        monkeypatch.setattr(connection, "has_run_away", property(lambda _: False))
+        assert [*talk.ctx.workspace.by_robot()] == [talk._donnie.session.name]
+
+
+def test_a_script_has_no_depth_in_its_prompt_and_reports_its_worst_line(
+    talks: Callable[..., Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with talks(SCRIPT) as talk:
+        asked = list[str]()
+
+        def read(prompt: str, *, shown: bool) -> str:
+            asked.append(prompt)
+            return "line"
+
+        def take(_: str) -> None:
+            talk.leaving.code = 0
+            talk.ctx.refuse(2)
+
+        monkeypatch.setattr(talk.prompter, "read", read)
+        monkeypatch.setattr(talk, "_take", take)
+        monkeypatch.setattr(talk.leaving, "say_goodbye", lambda: None)
+        talk.ctx.program.add("REPEAT 2 TIMES")
+
+        assert talk.begin(None) == 2
+        assert asked == ["> "]
