@@ -200,6 +200,7 @@ def test_the_console_knows_what_to_stop_and_what_to_keep(
             (said,) = printed(talk)
             assert "Ctrl+Z" in said
             assert talk.streams.is_attended is talk.streams.is_terminal is (terminals == LEARNER)
+            assert talk.streams.output.paced is (terminals == LEARNER)
 
 
 def test_a_closed_conversation_prints_and_copies_nothing_more(

@@ -9,6 +9,7 @@ import pytest
 
 from donnie_tui.commands.interaction import EnterWorld, Option, drive
 from donnie_tui.i18n.words import Words
+from donnie_tui.linear import conversation
 from donnie_tui.linear.conversation import LinearInteraction
 from donnie_tui.linear.reader import How, Typed
 
@@ -192,3 +193,29 @@ def test_another_world_is_entered_at_once_or_once_the_held_program_is_stopped() 
     it = Talk(is_following=True)
     drive(it.interaction.enter_world("maze"))
     assert it.leaving.world == "maze"
+
+
+@pytest.mark.parametrize(
+    ("named", "first", "may_be_left"),
+    [
+        ({}, 1.0, False),
+        ({"may_be_left": True}, 1.0, True),
+        ({"is_slow": True}, 10.0, False),
+    ],
+)
+def test_what_may_take_long_is_reported_after_a_second_or_ten_if_it_always_does(
+    monkeypatch: pytest.MonkeyPatch, named: dict[str, bool], first: float, may_be_left: bool
+) -> None:
+    it, given = Talk(), list[Any]()
+
+    def run(console: object, task: Any, report: Any, **how: Any) -> Any:
+        given.extend([console, how["first"], how["may_be_left"]])
+        report()
+        how["show"]()
+        return task()
+
+    monkeypatch.setattr(conversation, "run_in_background", run)
+
+    assert drive(it.interaction.background(lambda: 7, "It takes long.", **named)) == 7
+    assert given == [it.console, first, may_be_left]
+    assert (it.said, it.did) == (["It takes long."], ["shown"])
