@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
+import os
 from contextlib import ExitStack
 from pathlib import Path
 from types import SimpleNamespace as Part
 from typing import Any
 
 import pytest
+from msgspec.structs import replace
 
 from donnie_tui import bootstrap
 from donnie_tui.bootstrap import Donnie, Notices, assemble
-from donnie_tui.core.events import Announced, Answered
+from donnie_tui.core.events import Announced, Answered, RunStarted
 from donnie_tui.core.program_files import DocumentError
 from donnie_tui.i18n.words import Words
+from donnie_tui.process import disconnection
 from donnie_tui.process.confinement import Confinement, confine
 from donnie_tui.settings.settings import Settings, SettingSource, resolve
+from tests.timeouts import TIMEOUT
 
 
 class Session:
@@ -237,3 +241,74 @@ def test_the_colours_of_a_world_are_those_that_its_robot_sees() -> None:
     colours = bootstrap.colours_of_world(Settings(world="colour_garden"), Words("en"))
 
     assert {"red", "green", "blue"} <= {each.lower() for each in colours}
+
+
+# --- opened and closed
+
+
+FLOOR = Settings(world="open_floor", speech="off", sound=False)
+
+
+def test_what_was_opened_is_closed_if_a_session_can_not_be_made(monkeypatch: pytest.MonkeyPatch) -> None:
+    did = list[str]()
+
+    def fail(settings: Settings, closing: ExitStack, *_: object, **__: object) -> None:
+        closing.callback(did.append, "closed")
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(bootstrap, "_assembled", fail)
+    with pytest.raises(KeyboardInterrupt):
+        assemble(FLOOR, terminal=True)
+
+    assert did == ["closed"]
+
+
+@pytest.mark.parametrize("is_remote", [False, True])
+def test_a_network_is_watched_where_there_is_one_until_the_session_is_closed(
+    folders: Path, monkeypatch: pytest.MonkeyPatch, is_remote: bool
+) -> None:
+    did = list[Any]()
+
+    class Watch:
+        def __init__(self, on_lost: Any, environment: Any) -> None:
+            did.append((on_lost, environment is os.environ))
+
+        def close(self) -> None:
+            did.append("closed")
+
+    monkeypatch.setattr(disconnection, "NetworkWatch", Watch)
+    monkeypatch.setattr(bootstrap, "loaded", lambda: did.append("loaded"))
+    monkeypatch.delenv("SSH_CONNECTION", raising=False)
+    if is_remote:
+        monkeypatch.setenv("SSH_CONNECTION", "1.2.3.4 5 6.7.8.9 10")
+    donnie = assemble(FLOOR, terminal=True)
+    assert did == ([(donnie.stop_unreachable_robot, True)] if is_remote else []) + ["loaded"]
+    donnie.close()
+
+    assert did[1:] == (["loaded", "closed"] if is_remote else [])
+
+
+def test_a_challenge_has_the_seed_of_its_first_start(folders: Path) -> None:
+    donnie = assemble(replace(FLOOR, world="challenge:1", seed=99), terminal=True)
+    try:
+        seeds = list[int]()
+        donnie.session.hub.subscribe(
+            lambda stamped: seeds.extend(
+                [stamped.event.seed] if isinstance(stamped.event, RunStarted) else []
+            )
+        )
+        assert donnie.session.start("FW 1", "a.gd").wait(TIMEOUT)
+        donnie.session.hub.wait_until_delivered(TIMEOUT)
+        assert seeds == [donnie.world.rules.variant[0].seed]
+    finally:
+        donnie.close()
+
+
+def test_the_folders_of_a_workspace_are_those_of_the_account(folders: Path) -> None:
+    workspace = bootstrap.open_workspace(str(folders / "own"))
+    workspace.begin_with("bob")
+    workspace.replace("FW 1\n" * 6, None, in_file="")
+    workspace.write_copies()
+
+    assert [each.name for each in (folders / "own").iterdir()] == ["unsaved"]
+    assert len([*(folders / "own" / "unsaved").iterdir()]) == 1
