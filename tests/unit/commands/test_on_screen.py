@@ -455,6 +455,15 @@ FLAGS: dict[str, set[str]] = {
     "needs_name": {"turn"},
     "needs_terminal": {"linear", "open_log"},
     "is_godonnie": {"run", "help", "quit"},
+    "required": {
+        *("report", "change", "insert", "move", "replace", "translate", "find", "map_row", "map_column"),
+        *("robot", "put", "turn", "remove"),
+    },
+    "is_visual": {
+        *("zoom_in", "zoom_out", "whole_map", "picture", "names", "coordinates", "legend", "next_thing"),
+        *("previous_thing", "to_robot", "from_here", "to_there", "complete", "go_to", "filter", "recent"),
+        *("programs", "theme", "plain", "redraw", "change_keys", "keys_here", "open_log"),
+    },
 }
 
 

@@ -67,6 +67,9 @@ def test_an_unknown_word_after_a_command_is_its_value() -> None:
 
 def test_a_huge_program_is_not_searched() -> None:
     assert meant("LISTT", "x" * LARGEST_PROGRAM) is None
+    comment = "-- ".ljust(LARGEST_PROGRAM - len("LISTT"), "x")
+    assert meant("LISTT", comment) == "LIST"
+    assert meant("LISTT", f"{comment}x") is None
 
 
 @pytest.mark.parametrize(
