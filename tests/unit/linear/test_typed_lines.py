@@ -134,6 +134,20 @@ def test_a_mistake_in_an_open_block_is_reported(prompt: Callable[..., Prompt]) -
     assert "Line 2: FWD 1" in it.take("")
 
 
+@pytest.mark.parametrize(
+    ("lines", "opener"),
+    [(("REPEAT 2 TIMES", "SPEAK 1 +"), "REPEAT"), (("IF 1 == 1",), "IF"), (("REPEAT 2",), "REPEAT")],
+)
+def test_a_block_that_ends_within_a_line_is_only_open(
+    prompt: Callable[..., Prompt], lines: tuple[str, ...], opener: str
+) -> None:
+    it = prompt()
+    for line in lines:
+        it.take(line)
+
+    assert it.take("") == [f"{opener} in line 1 is still open."]
+
+
 def test_escape_runs_all_at_once(prompt: Callable[..., Prompt]) -> None:
     it = prompt()
     it.take("FW 1")

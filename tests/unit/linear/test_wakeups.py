@@ -274,12 +274,17 @@ def test_after_a_run_the_signals_mean_what_they_did_and_a_quit_ends_donnie(
     seen = list[object]()
     monkeypatch.setattr(watched.loop, "_sum_up", lambda _: seen.append("summed up"))
     monkeypatch.setattr(
-        watched.loop, "_print_pending", lambda: seen.append(console.stop_at_once) or watched.wait(0)
+        watched.loop,
+        "_print_pending",
+        lambda: seen.extend([console.stop_at_once, console.before_suspending]) or watched.wait(0),
     )
     type(run).outcome = Outcome.QUIT
+    watched.loop._was_suspended = True
     watched.loop.follow([(None, run)])
 
-    assert seen == [watched.loop._stop_at_once, "summed up"]
+    assert seen == [watched.loop._stop_at_once, watched.loop._stop_real_robot, "summed up"]
+    assert not watched.loop._was_suspended, "that was another run"
+    assert console.before_suspending is bool, "as the session does it"
     assert leaving.code == 0
     assert console.stop_at_once() is None
     assert watched.stops == []
@@ -287,4 +292,4 @@ def test_after_a_run_the_signals_mean_what_they_did_and_a_quit_ends_donnie(
     type(run).outcome = Outcome.STOPPED
     watched._is_over, leaving.code = False, None
     watched.loop.follow([(None, run)])
-    assert (seen[2:], leaving.code, len(watched.stops)) == ([], None, 1)
+    assert (seen[3:], leaving.code, len(watched.stops)) == ([], None, 1)
