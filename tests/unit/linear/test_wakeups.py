@@ -293,3 +293,37 @@ def test_after_a_run_the_signals_mean_what_they_did_and_a_quit_ends_donnie(
     watched._is_over, leaving.code = False, None
     watched.loop.follow([(None, run)])
     assert (seen[3:], leaving.code, len(watched.stops)) == ([], None, 1)
+
+
+@pytest.mark.parametrize(
+    ("is_held", "is_stopping", "leaving", "did"),
+    [
+        (False, False, None, ["print", "print"]),
+        (True, False, None, ["ask", "ask"]),
+        (True, True, None, ["print", "print"]),
+        (True, False, 15, ["stop"]),
+    ],
+)
+def test_a_run_is_followed_until_it_is_over_and_left_at_once_by_a_signal(
+    monkeypatch: pytest.MonkeyPatch, is_held: bool, is_stopping: bool, leaving: int | None, did: list[str]
+) -> None:
+    watched, happened, waited = Watched("", monkeypatch), list[str](), list[float]()
+    loop, console, runs = watched.loop, watched.console, watched.runs
+    runs.is_held, runs.has_ended, console.leaving = is_held, lambda _: True, leaving
+
+    def wait(seconds: float) -> bool:
+        """The third wait finds the end."""
+        waited.append(seconds)
+        return len(waited) == 3
+
+    for name, what in (("_print_pending", "print"), ("_take_while_held", "ask"), ("_stop", "stop")):
+        monkeypatch.setattr(loop, name, lambda what=what: happened.append(what))
+    monkeypatch.setattr(loop, "_sum_up", _ignored)
+    loop._stopping = is_stopping
+    run: Any = SimpleNamespace(is_over=False, wait=wait, outcome=Outcome.COMPLETED)
+    if leaving is not None:
+        waited.extend([0.0])  # the wait after the stop is not the end either
+    loop._follow(run)
+
+    assert happened == did
+    assert len(waited) == 3
