@@ -587,3 +587,15 @@ def test_a_text_that_changed_while_it_was_formatted_stays(
     monkeypatch.setattr(script.interaction, "background", meanwhile)
     assert script.answers_to("FORMAT") == ["The program was changed meanwhile, so I left it as it is."]
     assert script.ctx.program.lines == ("REPEAT 2 TIMES FW 1 END REPEAT", "FW 9")
+
+
+def test_the_level_is_said_where_it_is_another_one_also_after_the_last_line(
+    open_script: OpenScript,
+) -> None:
+    check_conversation(
+        open_script("REPEAT 2 TIMES", "FW 1", "FW 2"),
+        ("READ 3", ["Line 3, level 1: FW 2"]),
+        ("READ 2", ["Line 2: FW 1"]),
+        ("READ 3", ["Line 3: FW 2"]),
+        ("READ 1", ["Line 1, level 0: REPEAT 2 TIMES"]),
+    )
