@@ -244,3 +244,19 @@ def test_the_next_challenge_is_the_one_after_this_or_the_first(
     with pytest.raises(EnterWorld) as entered:
         open_script(world=world).type("NEXT CHALLENGE")
     assert entered.value.name == next_one
+
+
+@pytest.mark.parametrize(("turn", "sign"), [("TR 90", ">"), ("TL 90", "<"), ("TR 180", "v")])
+def test_a_path_that_ends_with_a_turn_shows_where_the_robot_faces(
+    open_script: OpenScript, turn: str, sign: str
+) -> None:
+    script = open_script()
+    script.answers_to("FW 3", turn)
+    path = script.answers_to("SHOW PATH")
+
+    assert path[1:4] == [
+        "North: 3 steps, to 0, 3.",
+        "3 steps in all.",
+        f"Picture, 40 by 18. The robot is {sign}",
+    ]
+    assert "." * 20 + sign + "." * 19 in path
