@@ -23,6 +23,7 @@ from donnie_tui.world.loading import (
     remarks,
     robot_put_in,
     scattered_by,
+    solution_of,
     started_at,
     with_robot,
 )
@@ -243,6 +244,121 @@ def test_a_seed_scatters_the_things_of_a_world_that_asks_for_it(tmp_path: Path) 
     assert inhabited_world(it.path, WORDS, seed=1).scene.models[0].pose.x != 0.95
 
 
+# --- challenges
+
+HEAD = 'format = 1\nworld = "first_room"\n[en]\ntitle = "T"\ntask = "Do."\n'
+NEAR_BALL, AT_PLACE = '[[goal]]\nat = "ball"\n', "[[goal]]\nat = [0, 5]\n"
+UNREAD = "What I can't read is checked after you correct it."
+NOT_TOML = "it.toml is not written as a challenge is. The guide for challenges shows how."
+NO_WORLD = "Line 2: it.toml asks for the world frist_room. Did you mean first_room?"
+
+
+def refused_challenge(folder: Path, text: str) -> tuple[str, ...]:
+    (folder / "it.toml").write_text(text, encoding="utf-8")
+    with pytest.raises(Unusable) as refused:
+        choose_challenge(str(folder / "it.toml"), WORDS)
+    return refused.value.sentences
+
+
+@pytest.mark.parametrize(
+    ("text", "sentences"),
+    [
+        (HEAD.replace("first", "frist") + NEAR_BALL, (NO_WORLD, UNREAD)),
+        (HEAD.replace("first", "frist") + AT_PLACE, (NO_WORLD,)),
+        (HEAD + AT_PLACE + "a = = 3\n", (f"Line 8: {NOT_TOML}", UNREAD)),
+        (HEAD + NEAR_BALL + "a = = 3\n", (f"Line 8: {NOT_TOML}", UNREAD)),
+        (HEAD + AT_PLACE + "wihtin = 3\n", ("Line 8: it.toml has the key wihtin. Did you mean within?",)),
+        (
+            HEAD + '[[goal]]\nat = "bal"\n',
+            ("Line 7: it.toml names bal, and its world has no such thing. Did you mean ball?",),
+        ),
+        ('words = ["FWW"]\n' + HEAD + AT_PLACE, ("Line 1: it.toml has FWW. Did you mean FW?",)),
+        ('required = ["FWW"]\n' + HEAD + AT_PLACE, ("Line 1: it.toml has FWW. Did you mean FW?",)),
+        ('words = ["FW"]\nrequired = ["pf"]\n' + HEAD + AT_PLACE.replace("[0, 5]", '"x"'),
+         ("Line 9: it.toml names x, and its world has no such thing. "
+          "Possible are ball, chair, sofa, table, west wall, east wall, north wall, south wall.",)),
+        (HEAD.replace('"first_room"', '"it.world"') + NEAR_BALL,
+         ("Error, {folder}/it.world, line 1, column 5: an opening parenthesis is never closed.", UNREAD)),
+        (HEAD.replace('"first_room"', '"it.world"') + AT_PLACE,
+         ("Error, {folder}/it.world, line 1, column 5: an opening parenthesis is never closed.",)),
+    ],
+)  # fmt: skip
+def test_a_challenge_that_can_not_be_used_says_each_reason(
+    text: str, sentences: tuple[str, ...], tmp_path: Path
+) -> None:
+    (tmp_path / "it.world").write_text("bad (")
+
+    assert refused_challenge(tmp_path, text) == tuple(each.format(folder=tmp_path) for each in sentences)
+
+
+@pytest.mark.parametrize(("count", "listed"), [(19, 19), (20, 20), (25, 20)])
+def test_of_many_mistakes_of_a_challenge_twenty_are_listed_in_the_order_of_their_lines(
+    count: int, listed: int, tmp_path: Path
+) -> None:
+    keys = "".join(f"q{at}z = 1\n" for at in range(count))
+    said = refused_challenge(tmp_path, keys + HEAD + AT_PLACE)
+
+    assert [each.partition(":")[0] for each in said[:listed]] == [f"Line {at + 1}" for at in range(listed)]
+    assert said[listed:] == (("Only the first 20 mistakes are listed.",) if count >= 20 else ())
+
+
+def test_the_goal_of_a_challenge_without_goals_is_its_solution_which_must_be_readable(tmp_path: Path) -> None:
+    (tmp_path / "it.solution.gd").write_text("FW 5")
+    (tmp_path / "it.toml").write_text(HEAD)
+    it = choose_challenge(str(tmp_path / "it.toml"), WORDS)
+    assert solution_of(it, WORDS) == {it.scene.robot_names[0]: "FW 5"}
+
+    (tmp_path / "it.solution.gd").unlink()
+    (tmp_path / "it.solution.gd").mkdir()
+    assert "it.solution.gd" in refused_challenge(tmp_path, HEAD)[0]
+
+
+def test_other_robots_have_a_solution_where_there_is_one(tmp_path: Path) -> None:
+    (tmp_path / "it.toml").write_text(HEAD.replace("first_room", "two_robots") + AT_PLACE)
+    it = choose_challenge(str(tmp_path / "it.toml"), WORDS)
+    for name, text in (("it.solution.gd", "FW 1"), ("it.bob.solution.gd", "FW 2")):
+        (tmp_path / name).write_text(text)
+
+    assert solution_of(it, WORDS) == {"alice": "FW 1", "bob": "FW 2"}
+    (tmp_path / "it.bob.solution.gd").unlink()
+    assert solution_of(it, WORDS) == {"alice": "FW 1"}
+    (tmp_path / "it.solution.gd").unlink()
+    with pytest.raises(Unusable):
+        solution_of(it, WORDS)
+
+
+@pytest.mark.parametrize("name", ["first_walk", "1", "The first walk", "the FIRST walk", "El primer paseo"])
+def test_a_challenge_that_ships_is_chosen_by_its_name_its_number_or_its_title(name: str) -> None:
+    chosen_one = choose_challenge(name, WORDS)
+    started = choose_world(f"challenge:{name}", WORDS)
+
+    assert chosen_one.challenge is not None
+    assert chosen_one.challenge.name == "first_walk"
+    assert started.challenge == chosen_one.challenge
+    assert started.rules == chosen_one.challenge.rules
+    assert (started.moves, started.before_moves is not None) == ({}, True)
+
+
+def test_a_wrong_name_is_answered_in_the_sentence_that_is_asked_for() -> None:
+    said = []
+    for attempt in (
+        lambda: choose_challenge("qqqqq", WORDS),
+        lambda: choose_challenge("qqqqq", WORDS, unknown="challenge-unknown-here"),
+        lambda: choose_world("challenge:qqqqq", WORDS),
+        lambda: choose_world("challenge:qqqqq", WORDS, unknown="world-unknown-here"),
+        lambda: choose_world("qqqqq", WORDS),
+        lambda: choose_world("qqqqq", WORDS, unknown="world-unknown-here"),
+    ):
+        with pytest.raises(Unusable) as refused:
+            attempt()
+        said.append(refused.value.sentences[0])
+
+    challenge, challenge_here, *others, world, world_here = said
+    assert others == [challenge, challenge_here]
+    assert len({challenge, challenge_here, world, world_here}) == 4
+    assert all("qqqqq" in each for each in said)
+
+
 # --- the start of a challenge
 
 TWO = BOB + 'bob ( name "ann" pose [ 1 0 0.5 0 ] )\n'
@@ -308,6 +424,9 @@ def test_the_places_of_things_are_reported_where_they_change(tmp_path: Path) -> 
     assert watch() is None
     world.ground.put(2, Placement(0.1, 0.3, 0, 90.0000000001))
     assert watch() == (PlacedThing(placed.name, Pose(2, 6, 0), 2),)
+    world.ground.put(2, world.scene.models[2].pose)
+    assert watch() == ()
+    assert watch() is None
 
 
 def test_a_scene_has_its_things_where_events_say_that_they_are() -> None:

@@ -815,6 +815,43 @@ def test_the_png_has_goals_as_boxes_and_says_what_the_legend_says() -> None:
     assert at(12, 9) == at(-12, 9) == (0, 0, 0)  # and has an edge
 
 
+def test_the_png_of_a_path_has_its_arrow_its_ring_its_texts_and_the_name_of_the_program() -> None:
+    it = alone(DrivenPath("", (Pose(0, 0, 90), Pose(9, 0, 90))))
+    image = Image.open(BytesIO(as_png(it))).convert("RGB")
+    violet, white = (0x7B, 0x2C, 0xBF), (255, 255, 255)
+    (x, y), (end, _) = it.at(0, 0), it.at(9, 0)
+    row = [image.getpixel((round(x) + right, round(y))) for right in range(-6, 8)]
+
+    assert Image.open(BytesIO(as_png(it))).info["Software"] == "donnie"
+    # the ring is 8 pixels wide with a border of 2, and the line begins beyond it
+    assert row == [white] * 2 + [violet] * 2 + [white] * 5 + [violet] * 5
+    assert [image.getpixel((round(end) + right, round(y) + 3)) for right in (-30, -12, 12, 32)] == [
+        *(white, violet, violet, white),  # within the arrow
+    ]
+    for left, base, text in texts(it):
+        ink = image.crop((round(left), round(base) - 12, round(left) + 8 * len(text), round(base) + 3))
+        assert min(ink.convert("L").tobytes()) < 0x40
+
+
+@pytest.mark.parametrize(
+    ("seconds", "place", "heading"),
+    [
+        (0.0, (0, 0), 0),
+        (0.2, (0, 2), 0),
+        (0.4, (0, 4), 0),
+        (0.5, (1, 4), 22.5),
+        (0.8, (4, 4), 90),
+        (0.9, (4, 4), 90),
+    ],
+)
+def test_a_dot_turns_evenly_on_its_way_and_stops_at_the_end(
+    seconds: float, place: tuple[float, float], heading: float
+) -> None:
+    it = alone(DrivenPath("", (Pose(0, 0, 0), Pose(0, 4, 0), Pose(4, 4, 90), Pose(4, 4, 90))))
+
+    assert [*driven_to(it, seconds)] == [(pytest.approx(it.at(*place), abs=0.11), pytest.approx(heading))]
+
+
 # --- crowds
 
 LONG_TITLE = "The world in which everything stands so close that the letters would touch each other " * 3
