@@ -1,5 +1,7 @@
 """World files that can't be used: each mistake has a code, a line, a column and what was expected."""
 
+import errno
+import os
 from pathlib import Path
 
 import pytest
@@ -343,3 +345,52 @@ def test_a_world_that_is_not_there_is_reported_with_a_near_one(tmp_path: Path) -
 
     garden = str(tmp_path / "garden.world")
     assert found == [garden, "", garden]
+
+
+def test_a_link_to_itself_is_reported_where_it_is_named(tmp_path: Path) -> None:
+    for name in ("loop.inc", "loop.world"):
+        (tmp_path / name).symlink_to(name)
+    (tmp_path / "top.world").write_text('\n include "loop.inc"')
+    found = []
+    for path in (tmp_path / "top.world", tmp_path / "loop.world"):
+        with pytest.raises(WorldError) as caught:
+            load_world(path)
+        error = caught.value
+        assert (error.code, error.details["reason"]) == (Code.FILE_UNREADABLE, os.strerror(errno.ELOOP))
+        found.append((Path(error.file).name, error.line, error.column, Path(str(error.details["path"])).name))
+
+    assert found == [("top.world", 2, 10, "loop.inc"), ("loop.world", 1, 1, "loop.world")]
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+def test_lines_may_end_as_on_any_system(end: str, tmp_path: Path) -> None:
+    (tmp_path / "top.world").write_bytes(f"model ( )  # a comment{end}{end}  model ( x ? )".encode())
+    with pytest.raises(WorldError) as caught:
+        load_world(tmp_path / "top.world")
+
+    assert (caught.value.line, caught.value.column) == (3, 13)
+
+
+def test_macros_nest_models_sixty_four_deep_at_most() -> None:
+    def nested(depth: int) -> str:
+        defined = "".join(f"define m{at} model ( m{at - 1}( ) )\n" for at in range(1, depth + 1))
+        return f"define m0 model ( )\n{defined}m{depth} ( )"
+
+    assert len(load_text(nested(64), Path("x.world")).models) == 65
+    with pytest.raises(WorldError) as caught:
+        load_text(nested(65), Path("x.world"))
+    assert (caught.value.code, caught.value.line, caught.value.details) == (
+        Code.NESTED_TOO_DEEP,
+        2,
+        {"limit": 64},
+    )
+
+
+def test_only_what_follows_an_include_on_its_line_is_remarked(tmp_path: Path) -> None:
+    (tmp_path / "a.inc").write_text("# nothing")
+    text = f'include "a.inc"\ninclude "a.inc" ; {"x" * 70}\n'
+    notes = load_text(text, tmp_path / "top.world").report.notes
+
+    assert [(each.line, each.column, each.details) for each in notes if each.code == "include-rest"] == [
+        (2, 9, {"found": "; " + "x" * 58}),
+    ]

@@ -1,6 +1,6 @@
 """Cameras that don't turn, marks, bumpers and the beams of a gripper."""
 
-from math import asin, atan, degrees, hypot
+from math import asin, atan, atan2, degrees, hypot
 
 import pytest
 
@@ -184,6 +184,34 @@ def test_of_two_cameras_the_nearer_one_counts_and_of_equal_ones_the_first() -> N
     assert found == [(angle, near, near / 5), (-angle, near, near / 5)]
 
 
+@pytest.mark.parametrize(
+    ("wall", "angle", "away"),
+    [
+        ("size [ 10 0.1 1 ] pose [ 0 0.55 0 0 ]", 90, 0.5),
+        ("size [ 10 0.1 1 ] pose [ 0 -0.55 0 0 ]", -90, 0.5),
+        ("size [ 0.1 2 1 ] pose [ 1.05 0 0 0 ]", 0, 1),
+        (
+            "size [ 0.1 2 1 ] pose [ -1.05 0.5 0 0 ]",
+            (degrees(atan2(1.5, -1)) + degrees(atan2(-0.5, -1)) + 360) / 2,
+            1,
+        ),
+        (
+            "size [ 0.1 2 1 ] pose [ -1.05 -0.5 0 0 ]",
+            -(degrees(atan2(1.5, -1)) + degrees(atan2(-0.5, -1)) + 360) / 2,
+            1,
+        ),
+    ],
+)
+def test_a_long_wall_is_seen_in_the_middle_of_what_shows_of_it_also_behind(
+    wall: str, angle: float, away: float
+) -> None:
+    it = Sensing(f'position( {BODY} blobfinder( fov 360 range 5 ) ) model( {wall} color "red" )')
+    (seen,) = it.senses.look(it.around, it.spot)
+
+    assert seen.degrees == pytest.approx(angle, abs=0.05)
+    assert seen.centimetres == round(100 * away)
+
+
 # --- marks
 
 
@@ -269,6 +297,16 @@ def test_a_thing_between_hides_a_mark() -> None:
     things = pole("door", 3, 0, more="fiducial_return 1") + pole("side", 3, 0.3, more="fiducial_return 2")
 
     assert [found[0] for found in marks(finder("", things + pole("post", 1, 0)))] == ["side"]
+
+
+def test_a_mark_counts_at_its_height_and_without_a_shape_at_its_place() -> None:
+    low = 'model( name "low" size [ 0.1 0.1 0.1 ] pose [ 2 0 0 0 ] fiducial_return 3 )'
+    aside = 'model( name "aside" size [ 0.1 0.1 1 ] origin [ 0 0.5 0 ] pose [ 2 0 0 0 ] fiducial_return 3 )'
+    robot = f"position( {BODY} fiducial( ) )"
+
+    assert [found[0] for found in marks(Sensing(robot + low))] == ["low"]
+    assert marks(Sensing("ignore_zloc 0 " + robot + low)) == []
+    assert [found[0] for found in marks(Sensing(robot + aside))] == ["aside"]
 
 
 def test_a_robot_does_not_find_its_own_mark() -> None:
