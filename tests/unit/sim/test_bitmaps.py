@@ -424,3 +424,69 @@ def test_the_borders_of_a_picture_full_of_dots_are_not_counted() -> None:
     row = b"\1\0" * 300
 
     assert count_outlines(Bitmap(600, 400, (row, bytes(600)) * 200)) is None
+
+
+@pytest.mark.parametrize(
+    ("rows", "is_cropped"),
+    [
+        *(
+            (("##", "##"), False),
+            (("#.", ".#"), False),
+            ((".#.", "###", ".#."), False),
+            (("..", ".."), False),
+        ),
+        *(((".#", ".#"), True), (("#.", "#."), True), (("..", "##"), True), (("##", ".."), True)),
+    ],
+)
+def test_a_margin_at_any_side_of_a_picture_is_cropped_and_remarked(
+    rows: tuple[str, ...], is_cropped: bool, tmp_path: Path
+) -> None:
+    (tmp_path / "it.pgm").write_bytes(
+        b"P5 %d %d 255\n" % (len(rows[0]), len(rows)) + b"".join(grey({"#": 0, ".": 255}, rows))
+    )
+    notes = load_text('\n model ( bitmap "it.pgm" )', tmp_path / "t.world").report.notes
+
+    found = [
+        (each.kind, each.line, each.column, each.details) for each in notes if each.code == "margin-cropped"
+    ]
+    assert found == ([(NoteKind.REPAIRED, 2, 10, {"path": "it.pgm"})] if is_cropped else [])
+
+
+def test_the_first_row_of_a_picture_is_in_the_north_and_a_picture_is_read_once(tmp_path: Path) -> None:
+    (tmp_path / "it.pgm").write_bytes(b"P5 2 2 255\n" + bytes([0, 0, 0, 255]))
+    text = 'model ( bitmap "it.pgm" size [ 2 2 1 ] ) '
+    scene = load_text(text * 2, tmp_path / "t.world")
+
+    boxes = [
+        tuple(side for axis in zip(*each.points, strict=True) for side in (min(axis), max(axis)))
+        for each in scene.models[0].polygons
+    ]
+    assert sorted(boxes) == [(-1, 0, -1, 0), (-1, 1, 0, 1)]
+    assert scene.models[0].polygons == scene.models[1].polygons
+    assert scene.report.pictures == (str(tmp_path / "it.pgm"),)
+
+
+@pytest.mark.parametrize(
+    ("mode", "level", "is_solid"),
+    [
+        *(("L", 127, True), ("L", 128, False), ("RGB", (127, 255, 255), True), ("RGB", (128, 0, 0), False)),
+        *(("RGBA", (127, 0, 0, 0), True), ("RGBA", (255, 0, 0, 255), False), ("1", 0, True), ("1", 1, False)),
+        *(("I;16", 127 * 256 + 255, True), ("I;16", 128 * 256, False), ("LA", (127, 0), True)),
+    ],
+)
+def test_a_pixel_is_solid_where_its_red_is_at_most_127(mode: str, level: object, is_solid: bool) -> None:
+    from PIL import Image
+
+    out = BytesIO()
+    Image.new(mode, (1, 1), level).save(out, "PNG")  # type: ignore[arg-type]
+
+    assert read_bitmap(out.getvalue()).rows == (bytes([is_solid]),)
+
+
+def test_a_picture_may_fill_all_the_room_that_is_left() -> None:
+    plan = b"P5 100 100 255\n" + bytes(10_000)
+    assert read_bitmap(plan, room=10_000).width == 100
+    with pytest.raises(OversizedBitmapError) as refused:
+        read_bitmap(plan, room=9_990)
+    assert (refused.value.given, refused.value.limit) == (MOST_PIXELS_OF_ALL + 10, MOST_PIXELS_OF_ALL)
+    assert str(refused.value) == "bitmaps-too-large"
