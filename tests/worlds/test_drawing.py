@@ -548,6 +548,14 @@ def test_names_and_colours_that_are_too_many_or_too_few_are_mistakes(
     assert mistakes_of(drawing)[:-1] == sentences
 
 
+def test_a_letter_that_is_said_to_be_nothing_is_a_mistake() -> None:
+    floor = FREE * 3 + FREE.replace("...", "b..", 1) + FREE * 3 + FREE.replace("......", ".....^", 1) + FREE * 3
+
+    for line in ("b", "b ="):
+        (mistake, _) = mistakes_of(f"{floor}\n{line}\n")
+        assert "The name of the thing is missing." in mistake
+
+
 def test_one_colour_is_for_all_things_and_several_are_used_in_turn() -> None:
     rows = "b....b\n......\n......\nb....b\n......\n......\n......\n......\n..^...\n......\n"
 

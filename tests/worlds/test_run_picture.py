@@ -636,7 +636,7 @@ def test_the_times_of_moved_things_are_those_of_the_robot_that_moved_them() -> N
         Stamped(1, 0.0, Moved("FW", 30, 30, None, Pose(80, 0, 90), True), "bob"),
         things("bob", (1, 5), (2, 40)),
         Stamped(1, 0.0, RunStarted("p", "", "", 0, "", replace(how, fresh=False)), "ana"),
-        Stamped(1, 0.0, Driven("forward", Pose(0, 17, 0)), "ana"),
+        Stamped(1, 0.0, Driven("forward", Pose(5, 12, 0)), "ana"),
         things("ana", (1, 9), (2, 40)),
         Stamped(1, 0.0, Reset(Pose(0, 0, 0)), "ana"),
         Stamped(1, 0.0, Driven("forward", Pose(0, 70, 0)), "ana"),
@@ -657,6 +657,19 @@ def test_the_times_of_moved_things_are_those_of_the_robot_that_moved_them() -> N
         (2, ((0, start), (0, start), (0, Pose(30, 0, 90)), (2.0, Pose(30, 0, 90)), (3.0, Pose(40, 0, 90)))),
         (3, ((0, start), (6.9, start), (7.0, Pose(1, 0, 90)))),
     ]
+
+
+def test_a_run_that_continues_begins_where_its_robot_is() -> None:
+    scene = load_text("position() model( size [ .1 .1 .1 ] )", Path("boxes.world"))
+    how = HowStarted("", 1, False, False, False, Pose(0, -8, 0))
+    begun = (
+        Stamped(1, 0.0, RunStarted("p", "", "", 0, "")),
+        Stamped(1, 0.0, RunStarted("p", "", "", 0, "", how)),
+    )
+    (box,) = moved_things((*begun, *leg(Pose(0, 12, 0), PlacedThing("", Pose(5, 0, 90), 1))), scene)
+
+    start = Pose(0, 0, 90)
+    assert box.moments == ((0, start), (1.5, start), (2.0, Pose(5, 0, 90)))
 
 
 def test_what_is_put_back_has_not_moved_and_the_rest_has() -> None:
@@ -850,6 +863,17 @@ def test_a_dot_turns_evenly_on_its_way_and_stops_at_the_end(
     it = alone(DrivenPath("", (Pose(0, 0, 0), Pose(0, 4, 0), Pose(4, 4, 90), Pose(4, 4, 90))))
 
     assert [*driven_to(it, seconds)] == [(pytest.approx(it.at(*place), abs=0.11), pytest.approx(heading))]
+
+
+def test_a_title_of_one_long_word_is_parted_and_stays_whole() -> None:
+    it = run_picture("W" * 60, (), (ALONE,), Words())
+    font = ImageFont.load_default(LETTER)
+
+    assert "".join(it.title_lines) == "W" * 60
+    assert len(it.title_lines) > 1
+    assert all(1.15 * font.getlength(each) <= 320 for each in it.title_lines)
+    assert len({len(each) for each in it.title_lines[:-1]}) == 1
+    assert 1.15 * font.getlength("W" * (len(it.title_lines[0]) + 2)) > 320  # no shorter than needed
 
 
 # --- crowds
