@@ -533,6 +533,8 @@ def test_a_robot_with_letters_around_it_comes_after_the_one_without() -> None:
     [
         (f"{ALONE.format('^')}\n^ ana, bob\n",
          ["Error, map.txt, line 7, column 1: 1 robot, 2 names. Write under the drawing: ^ alice, bob."]),
+        (FREE * 2 + "^....^....^..\n" + FREE * 2,
+         ["Error, map.txt, line 3, column 6: 3 robots, 0 names. Write under the drawing: ^ alice, bob."]),
         (ALONE.format("7"), ["Error, map.txt: There is no robot. Put ^, >, v or < where it is.",
                              "Error, map.txt, line 3, column 3: Nothing says what 7 is. "
                              "Write under the drawing: 7 chair green."]),
@@ -549,7 +551,9 @@ def test_names_and_colours_that_are_too_many_or_too_few_are_mistakes(
 
 
 def test_a_letter_that_is_said_to_be_nothing_is_a_mistake() -> None:
-    floor = FREE * 3 + FREE.replace("...", "b..", 1) + FREE * 3 + FREE.replace("......", ".....^", 1) + FREE * 3
+    floor = (
+        FREE * 3 + FREE.replace("...", "b..", 1) + FREE * 3 + FREE.replace("......", ".....^", 1) + FREE * 3
+    )
 
     for line in ("b", "b ="):
         (mistake, _) = mistakes_of(f"{floor}\n{line}\n")

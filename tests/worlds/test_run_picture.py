@@ -503,6 +503,22 @@ def test_the_letter_of_a_large_thing_is_in_its_middle() -> None:
     assert (it.at(0, 0), it.letters) == (pytest.approx((x + wide / 2, y - 14 / 3), abs=0.11), {0: "b"})
 
 
+@pytest.mark.parametrize(
+    ("wide", "high", "is_inside"),
+    [(0.7, 0.9, True), (0.6, 0.9, False), (0.7, 0.85, False), (0.3, 4, False), (4, 0.3, False), (4, 4, True)],
+)
+def test_a_letter_is_in_a_thing_that_is_three_pixels_wider_on_each_side_and_half_as_high_again(
+    wide: float, high: float, is_inside: bool
+) -> None:
+    """The letter is 14 high and, as it may be in other programs, 10 wide; a step is 24 pixels."""
+    shape = (box(-wide / 2, -high / 2, wide / 2, high / 2),)
+    there = Thing("", "box", "b", "red", 0, 0, wide, high, outlines=shape)
+    it = run_picture("T", (Drawing(shape, there, False),), (), Words())
+    (left, _), (middle, _) = it.labels[0], it.at(0, 0)
+
+    assert (left < middle) is is_inside
+
+
 AROUND = ("right", "left", "above", "below", "right, above", "right, below", "left, above", "left, below")
 
 
