@@ -80,6 +80,10 @@ def test_short_forms_stay_short_and_long_ones_long(canonical: str, pt: str, es: 
         ("red", "COLOR"),
         ("LIGADO", "SOUND"),
         ("td", "DISTANCE"),
+        ("x", "POS"),
+        ("verde", "COLOR"),
+        ("desligado", "SOUND"),
+        ("para  tras", "BW"),
     ],
 )
 def test_a_word_belongs_to_a_topic_of_help(word: str, topic: str) -> None:
@@ -227,3 +231,20 @@ def test_the_words_of_the_help_are_those_of_the_manual() -> None:
         **{"THEN": "IF", "ELSE": "IF", "DO": "FOR", "TIMES": "REPEAT"},
         **{f"END {each}": each for each in ("IF", "FOR", "REPEAT", "WHILE", "PROCEDURE")},
     }
+
+
+@pytest.mark.parametrize(
+    ("word", "is_on"), [("on", True), ("OFF", False), ("ligado", True), ("desligado", False), ("red", None)]
+)
+def test_a_switch_is_on_or_off(word: str, is_on: bool | None) -> None:
+    found = keywords.argument("SWITCH", word)
+
+    assert (found.value if found else None) is is_on
+
+
+def test_a_word_that_ends_a_block_needs_the_word_of_the_block() -> None:
+    assert {"end", "fim", "fin"} <= keywords.END_WORDS
+    assert all(" " not in each for each in keywords.END_WORDS)
+    assert not {"girar", "right", "para", "endif", "sound", "quit"} & keywords.END_WORDS
+    assert {"girar", "right", "para", "end"} <= keywords.FIRST_OF_SEVERAL
+    assert not {"fw", "sound", "turn"} & keywords.FIRST_OF_SEVERAL

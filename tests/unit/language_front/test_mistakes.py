@@ -815,6 +815,8 @@ def test_the_short_change_of_another_language_is_one_mistake(source: str, meant:
     only = the_mistake(source)
 
     assert (only.code, only.found, only.meant) == ("short-change", "i", meant)
+    assert only.meant_at is None
+    assert (only.meant_end is None) is (not meant)
     assert only.details["written"] == (meant or f"i = i {source[2]} 1")
 
 

@@ -495,6 +495,24 @@ TEXTS = [
     ("FW 1\nFW SCAN 1 10", ["2:4 syntax"]),
     ("REPEAT 2 TIMES\nLOOP 3\nEND REPEAT", ["2:1 unknown-command everyday -> REPEAT 3 TIMES"]),
     ("REPEAT 2 TIMES\nLOOP 3\nFW 1\nEND\nEND REPEAT", ["2:1 unknown-command everyday -> REPEAT 3 TIMES"]),
+    ("FW 1 ) ) = 3", ["1:6 syntax"]),
+    ("WHILE 1 < 2 b = 3\nFW 1\nEND WHILE", ["1:13 syntax"]),
+    ("IF 1 < 2 P [1] END IF", ["1:10 syntax"]),
+    ("REPEAT 2 GIRAR END REPEAT", ["1:10 syntax"]),
+    ("REPEAT 2 FWD FW 1 END REPEAT", ["1:10 syntax"]),
+    ("IF 1 == 1 THEN END ENDFOR", ["1:16 wrong-end -> END IF"]),
+    ("FWD 2\nFW $ ) 1", ["1:1 unknown-command -> FW", "2:4 unknown-character"]),
+    ("GIRRA DERECHA 90\nFW $ ) 1", ["1:1 unknown-command -> GIRAR DERECHA", "2:4 unknown-character"]),
+    ("REPEAT 2 TIMES\nEND\n  REPEAT 3 TIMES\nFW 1", ["2:1 wrong-end -> END REPEAT", "3:3 missing-end"]),
+    ("REPEAT 2 TIMES\nEND -- x\n\n REPEAT 3 TIMES\nFW 1", ["2:1 wrong-end -> END REPEAT", "4:2 missing-end"]),
+    (
+        "REPEAT 2 TIMES\nEND\nREPEAT 3 TIMES\n$ FW 1 2\nEND REPEAT",
+        ["2:1 wrong-end -> END REPEAT", "4:1 unknown-character"],
+    ),
+    (
+        "REPEAT 2 TIMES\n$ FW 1 2\nEND\nREPEAT 3 TIMES\nEND REPEAT",
+        ["2:1 unknown-character", "3:1 wrong-end -> END REPEAT"],
+    ),
 ]
 
 
