@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import dis
+
 import pytest
 
 from language.compiler import link
@@ -122,6 +124,59 @@ def test_the_code_calls_a_helper_only_where_the_numbers_need_it(source: str, hel
 )
 def test_the_numbers_of_an_earlier_batch_count(source: str, stored: dict[str, int], helpers: str) -> None:
     assert helpers_in(source, stored) == helpers
+
+
+def comparisons_in(source: str, stored: dict[str, int]) -> int:
+    program, *_ = link(read(source), Memory(stored, {}), terminal=True, hooked=False)
+    return program.code.co_code[::2].count(dis.opmap["COMPARE_OP"])
+
+
+MOST = LIMIT - 1
+
+
+@pytest.mark.parametrize(
+    ("source", "stored", "comparisons"),
+    [
+        # a quotient: none, with zero, or both numbers with zero
+        ("SPEAK a / 2", {"a": 7}, 0),
+        ("SPEAK (a + 0) / 2", {"a": 7}, 0),
+        ("SPEAK a * a / 2", {"a": 7}, 0),
+        ("SPEAK a / a", {"a": 7}, 0),
+        ("SPEAK a / 2 / 2", {"a": 7}, 0),
+        ("SPEAK a / 2", {"a": -7}, 1),
+        ("SPEAK -a / 2", {"a": 7}, 1),
+        ("SPEAK (a - 1) / 2", {"a": 7}, 1),
+        ("SPEAK (a + b) / 2", {"a": 7, "b": -1}, 1),
+        ("SPEAK (b + a) / 2", {"a": 7, "b": -1}, 1),
+        ("SPEAK a / 2 / 2", {"a": -7}, 2),
+        ("SPEAK DISTANCE F / 2", {}, 1),
+        ("SPEAK a / b", {"a": -7, "b": 1}, 2),
+        ("SPEAK a / b", {"a": 7, "b": -1}, 2),
+        ("SPEAK a / -2", {"a": 7}, 2),
+        ("SPEAK DISTANCE F / DISTANCE B", {}, 2),
+        # a result: none, or with a small number and with the limit, on one side or on both
+        ("SPEAK a + 1", {"a": 7}, 0),
+        ("SPEAK a + 1", {"a": MOST}, 2),
+        ("SPEAK a - 1", {"a": MOST}, 0),
+        ("SPEAK a + 1", {"a": -MOST}, 2),
+        ("SPEAK a - 1", {"a": -MOST}, 2),
+        ("SPEAK a + -1", {"a": -MOST}, 2),
+        ("SPEAK a - -1", {"a": -MOST}, 2),
+        ("SPEAK a + 0", {"a": -MOST}, 2),
+        ("SPEAK 1 + a", {"a": -MOST}, 4),
+        ("SPEAK a + a", {"a": MOST}, 2),
+        ("SPEAK a * a", {"a": MOST}, 2),
+        ("SPEAK a * 2", {"a": -MOST}, 4),
+        ("SPEAK a + b", {"a": MOST, "b": -1}, 4),
+        ("SPEAK a - b", {"a": MOST, "b": -1}, 4),
+        ("SPEAK a + 1 + 1", {"a": MOST}, 4),
+        ("SPEAK a / 3 + 1", {"a": MOST}, 2),
+    ],
+)
+def test_a_result_is_compared_only_with_the_numbers_that_it_may_pass(
+    source: str, stored: dict[str, int], comparisons: int
+) -> None:
+    assert comparisons_in(source, dict(stored)) == comparisons
 
 
 @pytest.mark.parametrize("make", BACK_ENDS.values(), ids=BACK_ENDS.keys())
