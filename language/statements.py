@@ -197,11 +197,9 @@ class ScopeCompiler:
         self._leave(site, [statement])
 
     def _general_loop(self, site: int, loop: syntax.For, body: list[py.Stmt]) -> py.Stmt:
-        known = set(self._declarations.known)
         outside, self._out = self._out, body
         self._assign(self._sites.new(loop.step), loop.step)
         self._out = outside
-        self._declarations.known = known
         test = self._expressions.test(loop.condition)
         return _loop_while(site, self._expressions.take_prelude(), test, body)
 
