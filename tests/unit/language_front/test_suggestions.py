@@ -59,6 +59,8 @@ def test_a_longer_word_may_have_more_wrong_letters(letters: int, edits: int) -> 
         ("abd", ["abc"], (), None),
         ("abc", ["abcd"], (), "abcd"),
         ("abcx", ["abcd"], (), "abcd"),
+        ("abcx", ["abc"], (), "abc"),
+        ("abx", ["abcd"], (), None),
         # the fewest edits, then a preferred one, then the same first letter, then the first
         ("horses", ["horse", "horsess"], (), "horse"),
         ("horse", ["morse", "horst"], (), "horst"),
