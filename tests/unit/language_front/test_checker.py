@@ -199,6 +199,8 @@ def test_a_variable_may_be_called_like_a_number() -> None:
         ("FW -two", "two", "number-word", "2", "2"),
         ("FW (two)", "two", "number-word", "2", "FW 2"),
         ("SPEAK two", "two", "number-word", "2", "SPEAK 2"),
+        ("VAR sevens FW seven", "seven", "", "sevens", None),
+        ("VAR hellos SPEAK hello", "hello", "", "hellos", None),
         ("VAR hello PROCEDURE P DO SPEAK helo END PROCEDURE", "helo", "", "", None),
         ("PROCEDURE P: hello DO SPEAK helo END PROCEDURE", "helo", "", "hello", None),
         ("FOR VAR Index = 0; indx < 2; index = 1 DO END FOR", "indx", "", "Index", None),

@@ -513,6 +513,11 @@ TEXTS = [
         "REPEAT 2 TIMES\n$ FW 1 2\nEND\nREPEAT 3 TIMES\nEND REPEAT",
         ["2:1 unknown-character", "3:1 wrong-end -> END REPEAT"],
     ),
+    ("IF 2,5 > 1 THEN FW 1 END IF", ["1:5 syntax whole-numbers"]),
+    ("WHILE 1 < 2,5 DO FW 1 END WHILE", ["1:12 syntax whole-numbers"]),
+    ("REPEAT 2 , 5 TIMES FW 1 END REPEAT", ["1:10 syntax"]),
+    ("REPEAT 3 TIMS x 1\nEND REPEAT", ["1:10 syntax -> TIMES", "1:15 unknown-command"]),
+    ("IF 1 < 2 THN x 1\nEND IF", ["1:10 syntax -> THEN", "1:14 unknown-command"]),
 ]
 
 
