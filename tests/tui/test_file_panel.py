@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import AsyncIterator, Sequence
+from collections.abc import AsyncIterator, Callable, Iterator, Sequence
 from contextlib import asynccontextmanager, nullcontext
 from pathlib import Path
 from typing import Any
 
 import pytest
+from textual._context import active_app
 from textual.app import App
 from textual.pilot import Pilot
+from textual.screen import Screen
 
+from donnie_tui.core.program_files import ProgramEntry, programs_in
 from donnie_tui.i18n.words import Words
-from donnie_tui.tui.screens.file_panel import FilePanel, Row
+from donnie_tui.tui.screens import file_panel
+from donnie_tui.tui.screens.file_panel import FilePanel, Folder, Row, _is_same
+from donnie_tui.tui.widgets.rows import DialogKeys
 
 
 @pytest.fixture(autouse=True)
@@ -276,3 +281,262 @@ def test_a_typed_folder_is_below_home_or_the_account(home: Path, tmp_path: Path)
     assert _below(home, "~/x/") == tmp_path / "x"
     assert _below(home, "/tmp/") == Path("/tmp")
     assert _below(home, "~no-such-account/") == home / "~no-such-account"
+
+
+# --- a panel that is not shown
+
+
+class Unshown:
+    """A panel whose folders are read at once, what it did, and what it said."""
+
+    def __init__(self, home: Path, text: str = "", *, is_new: bool = False) -> None:
+        self.done: list[Any] = []
+        self.said: list[str] = []
+        self.panel = panel = FilePanel(
+            "Which file?", text, list, Words("en"), self.said.append,
+            checking=lambda _: nullcontext(), is_new=is_new,
+        )  # fmt: skip
+        panel._home, panel._root = home, panel._folder(home)
+        for each in (panel._root, self.folder("sub"), self.folder("sub/deep"), self.folder("empty")):
+            each.entries = programs_in(each.path)
+        panel._root.is_open = True
+        panel._read = self.done.append  # type: ignore[assignment]
+        panel._show = lambda: self.done.append("shown")  # type: ignore[method-assign]
+        panel.dismiss = self.done.append  # type: ignore[assignment]
+
+    def folder(self, name: str) -> Folder:
+        return self.panel._folder(self.panel._home / name)
+
+    def type(self, text: str) -> None:
+        self.panel._line.value = text
+        self.panel._is_typed = True
+        self.done.clear()
+
+    def does(self, call: Any) -> list[Any]:
+        self.done.clear()
+        call()
+        return self.done
+
+
+@pytest.fixture
+def unshown(home: Path) -> Iterator[Callable[..., Unshown]]:
+    app = App[None]()
+    app._screen_stack.append(Screen[None]())
+    token = active_app.set(app)
+    yield lambda *given, **named: Unshown(home, *given, **named)
+    active_app.reset(token)
+
+
+@pytest.mark.parametrize(
+    ("typed", "folder", "name", "top"),
+    [
+        ("ca", "", "ca", ""),
+        ("sub/ca", "sub/", "ca", "sub"),
+        ("  sub/deep/", "sub/deep/", "", "sub/deep"),
+        ("/", "/", "", "/"),
+        ("", "", "", ""),
+    ],
+)
+async def test_what_is_typed_is_a_folder_that_is_shown_and_a_name_in_it(
+    unshown: Callable[..., Unshown], home: Path, typed: str, folder: str, name: str, top: str
+) -> None:
+    it = unshown()
+    it.panel._line.value = typed
+    assert (it.panel._typed, it.panel._top()) == (("", ""), it.panel._root), "the learner typed nothing yet"
+    it.type(typed)
+    assert (it.panel._typed, it.panel._top().path) == ((folder, name), home / top)
+    assert it.panel._top().name == (folder or "home/")
+    assert it.panel._top() is it.panel._folder(home / top)
+
+
+@pytest.mark.parametrize(
+    ("typed", "completed"),
+    [
+        ("a", "apple.gd"), ("APP", "apple.gd"), ("s", "sub/"), ("sub/c", "sub/cat.gd"),
+        ("sub/d", "sub/deep/"), ("", ""), ("sub/", ""), ("x", ""), ("pple", ""), ("nowhere/c", ""), ("empty/c", ""), ("o", "odd2.gd"),
+    ],
+)  # fmt: skip
+async def test_a_name_is_completed_by_the_first_that_begins_so_and_can_be_typed(
+    unshown: Callable[..., Unshown], home: Path, typed: str, completed: str
+) -> None:
+    it = unshown()
+    odd = [
+        ProgramEntry(home / f"odd{sign}.gd", f"odd{at}.gd", f"odd{at}.gd")
+        for at, sign in ((1, "\n"), (2, "2"))
+    ]
+    it.panel._root.entries = (*it.panel._root.entries, *odd)
+    assert it.panel._completed(typed) == completed
+    it.panel._root.entries = None
+    assert it.panel._completed("a") == ""
+
+
+@pytest.mark.parametrize(
+    ("typed", "opened", "fitting", "programs"),
+    [
+        ("", [], ["apple.gd", "bear.gd", "walk.gd", "empty/", "sub/"], ["apple.gd", "bear.gd", "walk.gd"]),
+        ("a", [], ["apple.gd", "bear.gd", "walk.gd"], ["apple.gd", "bear.gd", "walk.gd"]),
+        ("le pp", [], ["apple.gd"], ["apple.gd"]),
+        ("a x", [], [], []),
+        ("ub", [], ["sub/"], []),
+        ("cat", [], [], []),
+        ("cat", ["sub"], ["sub/"], ["sub/cat.gd"]),
+        ("dog", ["sub"], [], []),
+        ("dog", ["sub", "sub/deep"], ["sub/"], ["sub/deep/dog.gd"]),
+        (" ", ["sub"], ["apple.gd", "bear.gd", "walk.gd", "empty/", "sub/"],
+         ["apple.gd", "bear.gd", "sub/cat.gd", "walk.gd"]),
+    ],
+)  # fmt: skip
+async def test_typed_letters_leave_what_has_them_and_open_folders_with_such_programs(
+    unshown: Callable[..., Unshown], home: Path, typed: str, opened: list[str], fitting: list[str],
+    programs: list[str],
+) -> None:  # fmt: skip
+    it = unshown()
+    for each in opened:
+        it.folder(each).is_open = True
+    it.type(typed)
+    assert [each.name for each in it.panel._fitting(it.panel._root)] == fitting
+    assert it.panel._programs(it.panel._root) == {home / each for each in programs}
+    new = unshown(is_new=True)
+    new.type(typed)
+    assert len(new.panel._fitting(new.panel._root)) == 5, "a new name narrows nothing"
+
+
+@pytest.mark.parametrize(
+    ("is_new", "typed", "recent", "shown"),
+    [
+        (False, "", False, ["home/"]),
+        (False, "", True, ["Recent programs", "home/"]),
+        (False, "walk", True, ["Recent programs", "home/"]),
+        (False, "apple", True, ["home/"]),
+        (False, "sub/", True, ["sub/"]),
+        (True, "sub/new", True, ["Recent programs", "home/"]),
+        (True, "/tmp/new", True, ["/tmp/"]),
+    ],
+)
+async def test_recent_programs_are_above_the_folder_of_the_learner_and_a_new_name_leaves_its_tree(
+    unshown: Callable[..., Unshown], home: Path, is_new: bool, typed: str, recent: bool, shown: list[str]
+) -> None:
+    it = unshown(is_new=is_new)
+    entry = ProgramEntry(home / "walk.gd", "walk.gd", "walk.gd")
+    it.panel._recent.entries = (entry,) if recent else ()
+    it.type(typed)
+    assert [each.name for each in it.panel._shown] == shown
+
+
+@pytest.mark.parametrize(
+    ("path", "as_folder", "as_file", "where"),
+    [
+        ("", "", "", ""),
+        ("sub", "sub/", "sub", "sub/"),
+        ("sub/deep", "sub/deep/", "sub/deep", "sub/deep/"),
+        ("..", "{above}/", "{above}", "~"),
+        ("/", "/", "/", "/"),
+    ],
+)
+async def test_a_path_is_written_as_it_would_be_typed(
+    unshown: Callable[..., Unshown], home: Path, path: str, as_folder: str, as_file: str, where: str
+) -> None:
+    it, full = unshown(), (home / path).resolve()
+    above = str(home.parent)
+    assert it.panel._written(full, is_folder=True) == as_folder.format(above=above)
+    assert it.panel._written(full, is_folder=False) == as_file.format(above=above)
+    assert it.panel._where(full) == where
+
+
+async def test_a_row_is_taken_shown_further_left_for_the_folder_above_or_opened(
+    unshown: Callable[..., Unshown], home: Path
+) -> None:
+    it = unshown()
+    panel, sub = it.panel, it.folder("sub")
+    assert it.does(lambda: panel._take(Row("apple.gd", path=home / "apple.gd"))) == [home / "apple.gd"]
+    assert it.does(lambda: panel._take(Row("2 more", more=sub))) == ["shown"]
+    assert (sub.most, panel._root.most) == (1000, 500)
+    assert it.does(lambda: panel._take(Row("sub/", folder=sub))) == ["shown"]
+    assert (sub.is_open, it.said) == (True, [])
+    assert it.does(lambda: panel._take(Row("sub/", folder=sub))) == ["shown"]
+    assert not sub.is_open
+    unread = Folder(home / "unread", "unread/")
+    assert it.does(lambda: panel._take(Row("unread/", folder=unread))) == [unread, "shown"]
+    assert (unread.is_open, unread.is_reading) == (True, True)
+    assert it.does(lambda: panel._open(unread)) == [], "it is being read"
+    unread.is_reading, unread.entries, unread.problem = False, (), "why not"
+    assert it.does(lambda: panel._open(unread)) == [unread], "it is tried again"
+    assert it.does(lambda: panel._take(Row("I am reading this folder."))) == []
+    it.type("sub/")
+    assert it.does(lambda: panel._take(Row("../", above=home.parent))) == [
+        panel._folder(home.parent),
+        "shown",
+    ]
+    assert (panel._root.path, panel._line.value) == (home.parent, "")
+    it.type("a")
+    panel._take(Row("../", above=home))
+    assert panel._line.value == "a"
+
+
+async def test_a_new_name_goes_into_a_folder_that_is_opened_and_into_the_one_above(
+    unshown: Callable[..., Unshown], home: Path
+) -> None:
+    it = unshown("old.gd", is_new=True)
+    panel = it.panel
+    it.type("new")
+    for row, line in (
+        (Row("sub/", folder=it.folder("sub")), "sub/new"),
+        (Row("sub/", folder=it.folder("sub")), "sub/new"),  # it is closed
+        (Row("deep/", folder=it.folder("sub/deep")), "sub/deep/new"),
+        (Row("Recent programs", folder=panel._recent), "sub/deep/new"),
+        (Row("../", above=home.parent), f"{home.parent}/new"),
+        (Row("empty/", folder=it.folder("empty")), "empty/new"),
+    ):
+        panel._take(row)
+        assert (row.text, panel._line.value, panel._line.cursor_position) == (row.text, line, len(line))
+
+
+@pytest.mark.parametrize(("key", "done"), [("enter", "submitted"), ("tab", "completed"), ("escape", None)])
+async def test_clicks_on_the_keys_of_the_panel_do_what_they_say(
+    unshown: Callable[..., Unshown], key: str, done: str | None
+) -> None:
+    it = unshown()
+    it.panel._submit = lambda: it.done.append("submitted")  # type: ignore[method-assign]
+    it.panel.action_complete = lambda: it.done.append("completed")  # type: ignore[method-assign]
+    assert it.does(lambda: it.panel.on_dialog_keys_clicked(DialogKeys.Clicked(key))) == [done]
+
+
+async def test_folders_are_known_by_their_path_and_have_the_real_ones_above_them(
+    unshown: Callable[..., Unshown], home: Path
+) -> None:
+    it = unshown()
+    fresh = Folder(home, "home/")
+    assert (fresh.entries, fresh.problem, fresh.most, fresh.above) == (None, "", 500, None)
+    assert not (fresh.is_open or fresh.is_reading)
+    entry = ProgramEntry(home / "x", "x/", "x", real="/real/x")
+    above = Folder(home, "home/", frozenset({"/real"}))
+    made = it.panel._folder(home / "x", entry, above)
+    assert (made.name, made.inside) == ("x/", {"/real", "/real/x"})
+    assert it.panel._folder(home / "x") is made
+    assert (it.folder("sub").name, it.folder("sub").inside) == ("sub/", frozenset())
+    spoken = {Row("x/", folder=made): "x/, closed folder", Row("a", "b"): "a, b", Row("a"): "a"}
+    assert {row: it.panel._spoken(row) for row in spoken} == spoken
+    made.is_open = True
+    assert it.panel._spoken(Row("x/", folder=made)) == "x/, open folder"
+
+
+def test_rows_are_the_same_if_they_are_one_file_or_folder_or_ask_for_the_same(home: Path) -> None:
+    folder, other = Folder(home, "home/"), Folder(home, "home/")
+    rows = [
+        Row("a", path=home), Row("a", folder=folder), Row("a", folder=other), Row("a", more=folder),
+        Row("a", above=home), Row("a"),
+    ]  # fmt: skip
+    for at, row in enumerate(rows):
+        same = [_is_same(each, row) for each in rows]
+        assert same == [number == at for number in range(len(rows))]
+        assert not _is_same(None, row)
+    assert _is_same(Row("a", "remark", home), Row("b", path=home))
+
+
+def test_above_the_top_and_above_what_is_allowed_there_is_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert file_panel._folder_above(Path("/a/b")) == Path("/a")
+    assert file_panel._folder_above(Path("/")) is None
+    monkeypatch.setattr(file_panel, "is_allowed", lambda path: path != Path("/a"))
+    assert file_panel._folder_above(Path("/a/b")) is None
+    monkeypatch.setattr(Path, "cwd", lambda: (_ for _ in ()).throw(FileNotFoundError()))
+    assert file_panel._working_folder() == Path()
