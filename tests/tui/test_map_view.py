@@ -133,6 +133,53 @@ async def test_the_whole_floor_is_shown_as_near_as_it_fits(size, factor, zoom):
         assert (view.shows_all, view.zoom) == (True, zoom)
 
 
+async def test_a_zoom_says_whether_it_has_changed_the_map_and_else_leaves_it():
+    async with Mapped(40, 12).run_test(size=(60, 30)) as pilot:
+        view = pilot.app.view
+        assert view.grid is pilot.app.scene.grid
+        for zoom, has_changed, after in (
+            *((0, False, 0), (1, True, 1), (9, True, 3), (9, False, 3), (3, False, 3)),
+            *((-9, True, -5), (-6, False, -5), (2, True, 2)),
+        ):
+            assert (view.set_zoom(zoom), view.zoom, view.shows_all) == (has_changed, after, False)
+        view.set_zoom(0)
+        view.show_all(True)
+        assert (view.set_zoom(0), view.shows_all) == (False, True), "all of it is as near"
+        assert (view.set_zoom(1), view.shows_all) == (True, False)
+
+
+@pytest.mark.parametrize(
+    ("size", "places", "hidden"),
+    [
+        ((12, 10), [(0, 1), (10, 8)], [(), ()]),
+        ((11, 10), [(0, 1), (10, 1)], [("east",), ("west",)]),
+        ((12, 9), [(0, 1), (0, 8)], [("north",), ("south",)]),
+        ((11, 9), [(0, 8), (10, 1)], [("east", "south"), ("north", "west")]),
+    ],
+)
+async def test_a_side_is_hidden_where_a_column_or_a_row_is(size, places, hidden):
+    async with Mapped(*size).run_test(size=(60, 30)) as pilot:
+        view, scene = pilot.app.view, pilot.app.scene
+        await pilot.pause()
+        for place, sides in zip(places, hidden, strict=True):
+            view.update_cells(scene.move(Pose(*place, 0)))
+            await pilot.pause()
+            assert view.hidden == sides
+        posted = sum(isinstance(each, MapView.EdgesChanged) for each in pilot.app.posted)
+        assert posted >= len([each for each in hidden if each])
+
+
+async def test_at_the_beginning_of_a_run_its_cells_are_painted_and_no_change_paints_nothing(monkeypatch):
+    async with Mapped(40, 12).run_test(size=(60, 30)) as pilot:
+        view, painted = pilot.app.view, []
+        await pilot.pause()
+        monkeypatch.setattr(view, "refresh", lambda *regions, **_: painted.append([*map(tuple, regions)]))
+        view.begin([Cell(3, 3)])
+        assert painted == [[(6, 6, 2, 1)]]
+        view.update_cells(())
+        assert len(painted) == 1
+
+
 TOP = "      0         5         10"
 
 
