@@ -14,6 +14,7 @@ from donnie_tui.tui import app as application
 from donnie_tui.tui import themes
 from donnie_tui.tui.screens.dialogs import Chooser, Completions, Question
 from donnie_tui.tui.screens.pages import Help, KeyCapture, KeyMenu, Tour, TourPage, TourStrip
+from donnie_tui.tui.widgets.rows import BottomKeys, DialogKeys
 
 pytestmark = pytest.mark.slow
 
@@ -557,6 +558,70 @@ async def test_the_strip_of_a_tour_is_turned_by_a_click_and_reports_its_end():
         await pilot.click(strip._heading, offset=(9, 0))
         await pilot.pause()
         assert (pages, strip.title) == ([2, 3], "Three. Enter goes on, Esc leaves")
+
+
+PLAIN_PAGES = [
+    lambda said: Help("Title", "Esc goes back", ["one"], said),
+    lambda said: Tour([TourPage("Title", "Esc goes back", ("one",))], 0, lambda _: None, said),
+    lambda said: KeyMenu({"where": ("ctrl+k i",)}, Words("en"), said, is_plain=True),
+]
+
+
+@pytest.mark.parametrize("plain", [True, False])
+async def test_in_the_plain_layout_a_page_has_its_keys_in_its_title_and_the_whole_screen(plain):
+    async with Showing(plain=plain).run_test(size=(120, 24)) as pilot:
+        for make in PLAIN_PAGES:
+            dialog = make(lambda _: None)
+            await pilot.app.show(dialog)
+            await pilot.pause()
+            rows = shown(pilot)
+            assert len(dialog.query(BottomKeys)) == (0 if plain else 1)
+            titles = [row for row in rows if "Title" in row or Words("en")("menu-title") in row]
+            assert [row.rstrip().endswith("Esc goes back") for row in titles] == [plain]
+            panel = dialog._panel if isinstance(dialog, KeyMenu) else dialog._page
+            below = 0 if plain else 2 - isinstance(dialog, Tour)
+            assert panel.styles.height.value == (24 if plain else 24 - 1 - below - 1)
+
+
+async def test_clicks_on_the_keys_of_pages_do_what_they_say():
+    async with Showing().run_test(size=(70, 24)) as pilot:
+        app, done = pilot.app, []
+        tour = lambda: Tour(PAGES, 0, done.append, lambda _: None)  # noqa: E731
+        further = lambda: Help("Title", "Keys", ["one"], lambda _: None, lambda: done.append("on"))  # noqa: E731
+        menu = lambda: KeyMenu({"where": ("ctrl+k i",)}, Words("en"), lambda _: None)  # noqa: E731
+        for make, key, answer, did in (
+            (further, "f1", OPEN, ["on"]),
+            (further, "escape", None, []),
+            (lambda: Help("Title", "Keys", ["one"], lambda _: None), "f1", None, []),
+            (tour, "enter", OPEN, [1]),
+            (tour, "escape", None, []),
+            (menu, "enter", "where", []),
+            (menu, "escape", None, []),
+        ):
+            done.clear()
+            dialog = make()
+            await app.show(dialog)
+            await pilot.pause()
+            dialog.post_message(DialogKeys.Clicked(key))
+            await pilot.pause()
+            await pilot.pause()
+            assert (app.answer, done) == (answer, did), (type(dialog), key)
+        await app.show(tour())
+        await pilot.pause()
+        done.clear()
+        await pilot.click(app.screen.rows, offset=(3, 0))
+        await pilot.pause()
+        assert (done, app.answer) == ([1], OPEN), "a click on a page turns it"
+        await app.show(menu())
+        await pilot.pause()
+        await pilot.click(app.screen.rows, offset=(3, 0))
+        await pilot.pause()
+        assert app.answer == "where"
+        await app.show(KeyCapture("Which key?", "Esc goes back", "Then?", str, lambda _: None))
+        app.screen.post_message(DialogKeys.Clicked("escape"))
+        await pilot.pause()
+        await pilot.pause()
+        assert app.answer is None
 
 
 # --- keys after the menu key
