@@ -15,7 +15,7 @@ from donnie_tui.core.document import ANOTHER_PROGRAM, Document
 from donnie_tui.core.program_files import as_lines
 from donnie_tui.settings.settings import SPEEDS, THEMES
 from donnie_tui.tui import themes
-from donnie_tui.tui.highlighting import highlights
+from donnie_tui.tui.highlighting import LARGEST, LONGEST_LINE, highlights
 from donnie_tui.tui.screens.dialogs import Chooser
 from donnie_tui.tui.widgets.editor import Editor
 from donnie_tui.tui.widgets.rows import MOST_LINES as MOST_LOGGED
@@ -187,6 +187,37 @@ async def test_commands_numbers_texts_and_comments_look_different():
 
 def test_looks_are_counted_in_bytes():
     assert highlights('FALAR "é" FW')[0] == [(0, 5, "command"), (6, 10, "string"), (11, 13, "command")]
+
+
+LOOKS = {
+    "VAR x = (3 + 4) * 2": ["VAR command", "= operator", "3 number", "+ operator", "4 number", "* operator",
+                            "2 number"],
+    "IF x <= 3 DO END IF": ["IF command", "<= operator", "3 number", "DO command", "END IF command"],
+    "SPEAK COLOR red": ["SPEAK command", "COLOR command", "red argument"],
+    "SPEAK POS X": ["SPEAK command", "POS command", "X argument"],
+    "WALK [5, x]": ["5 number"],
+    "PROCEDURE W: n; m DO": ["PROCEDURE command", "DO command"],
+    "HELP fw": ["HELP command", "fw argument"],
+    '"x': ['"x string'],
+    "": [],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("source", LOOKS)
+def test_each_part_of_a_line_has_the_look_of_its_kind_and_names_and_brackets_have_none(source):
+    found = [f"{source[start:end]} {look}" for start, end, look in highlights(source).get(0, [])]
+    assert found == LOOKS[source]
+
+
+def test_a_huge_program_and_a_huge_line_have_no_looks():
+    line = "FW 1 -- "
+    longest = line + "x" * (LONGEST_LINE - len(line) - 1)
+    looks = [(0, 2, "command"), (3, 4, "number")]
+    found = highlights(f"{longest}\n{longest}x\nFW 1")
+    assert (found[0][:2], found.get(1, []), found[2]) == (looks, [], looks)
+    largest = "FW 1\n" * (LARGEST // 5)
+    assert len(highlights(largest)) == LARGEST // 5
+    assert highlights(f"{largest}\n") == {}
 
 
 def test_a_text_over_several_lines_is_looked_at_line_by_line():
