@@ -88,6 +88,23 @@ async def test_one_name_in_four_may_be_longer_than_its_column() -> None:
         assert made._row(few[1]) == "x abc"
 
 
+@pytest.mark.parametrize(
+    ("columns", "rows"), [((4, 6, 22), 0), ((4, 6), 2), ((4,), 3), ((), 4)], ids=["all", "two", "one", "none"]
+)
+def test_the_dropped_columns_need_their_rows_below_a_list_but_less_than_half(
+    columns: tuple[int, ...], rows: int
+) -> None:
+    """In twelve columns ten cells have room in a row, so that twenty need two."""
+    made = chooser([option("ab", "easy", "x" * 20), option("a", "easy", "x")])
+    made._columns = columns
+    dropped = [("ab", "easy", "x" * 20)[len(columns) :], ("a", "easy", "x")[len(columns) :]]
+    assert [made._dropped(each) for each in made._choices] == dropped
+    most = [made._rows_below(12, height) for height in (20, 6)]
+    assert most == [rows, min(2, rows)]
+    made._has_details = True
+    assert [made._rows_below(12, height) for height in (20, 6)] == [8, 2]
+
+
 # --- on a screen
 
 
