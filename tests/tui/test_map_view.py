@@ -180,6 +180,47 @@ async def test_at_the_beginning_of_a_run_its_cells_are_painted_and_no_change_pai
         assert len(painted) == 1
 
 
+async def test_the_explored_square_is_scrolled_into_sight_when_it_is_reached_and_with_the_focus():
+    """In squares of six by three the room takes 72 by 30 cells, and 40 by 12 are seen of it."""
+    async with Mapped(40, 12).run_test(size=(60, 30)) as pilot:
+        view = pilot.app.view
+        view.set_zoom(2)
+        view.focus()
+        await pilot.pause()
+
+        def is_in_sight() -> bool:
+            return view._window.contains_region(view._region_of(view._square))
+
+        for cell in (Cell(10, 8), Cell(0, 8), Cell(10, 0), Cell(10, 8)):
+            view.explore(lambda pointer, cell=cell: pointer.go(cell))
+            assert (is_in_sight(), view.pointer.cell) == (True, cell)
+        view.blur()
+        await pilot.pause()
+        view.restart()
+        assert (is_in_sight(), view.hidden) == (False, ("north", "east")), "where the robot is"
+        view.focus()
+        await pilot.pause()
+        assert is_in_sight()
+
+
+async def test_a_sign_at_the_edge_covers_no_thing_robot_or_goal():
+    """Of a thing at the same edge the letter stays."""
+    things = (
+        Thing("near", "box", "x", "blue", 6, 2, 1, 1, index=7),
+        Thing("far", "box", "x", "blue", 9, 2, 1, 1),
+    )
+    rows = [*FLOOR]
+    rows[7] = "#......x..x#"
+    picture = Picture(-1, 0, 12, 10, 1, tuple(rows), things, has_walls=True)
+    async with Mapped(8, 10, MapScene(picture, Pose(0, 2, 0))).run_test(size=(60, 30)) as pilot:
+        view = pilot.app.view
+        await pilot.pause()
+        assert view._marks == {(7, 7)}
+        assert pilot.app.rows[7] == "#^.....x"
+        view.update_cells(pilot.app.scene.place_things((PlacedThing("near", Pose(5, 3, 0), 7),)))
+        assert pilot.app.rows[7] == "#^.....+"
+
+
 TOP = "      0         5         10"
 
 
