@@ -192,6 +192,30 @@ def test_the_levels_of_gray_are_those_of_x11(name: str, level: int) -> None:
     assert rgb(name) == (level, level, level)
 
 
+@pytest.mark.parametrize(
+    ("name", "levels"),
+    [
+        ("SteelBlue", (70, 130, 180)),
+        ("tomato", (255, 99, 71)),
+        ("Light Goldenrod Yellow", (250, 250, 210)),
+        ("orange3", (205, 133, 0)),
+        ("orange5", None),
+        ("", None),
+    ],
+)
+def test_colours_have_the_levels_of_x11(name: str, levels: tuple[int, int, int] | None) -> None:
+    assert rgb(name) == levels
+
+
+def test_a_colour_is_the_same_as_another_of_its_levels_whatever_its_name() -> None:
+    middle = colour_of("", 0.5, 0.6, 0.7)
+
+    assert middle.same(colour_of("any", 0.5, 0.6, 0.7, 0.1))
+    assert middle.same(colour_of("", 0.503, 0.597, 0.703))
+    for levels in ((0.505, 0.6, 0.7), (0.5, 0.595, 0.7), (0.5, 0.6, 0.705)):
+        assert not middle.same(colour_of("", *levels))
+
+
 def test_cameras_distinguish_all_words_or_those_of_their_colours() -> None:
     red, blue, dark = (
         colour_of(each, *levels)
