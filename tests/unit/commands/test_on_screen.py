@@ -12,6 +12,7 @@ from devices.ports.robot import Pose
 from donnie_tui.commands.declarations import COMMANDS, When
 from donnie_tui.commands.interaction import SwitchMode
 from donnie_tui.commands.keys import KeyTable
+from donnie_tui.core.events import Chimed, Stamped
 from donnie_tui.core.map_scene import MapScale, MapScene
 from donnie_tui.core.map_words import Pointer
 from tests.timeouts import TIMEOUT
@@ -560,3 +561,54 @@ def test_a_free_name_is_proposed_for_a_new_program_and_its_own_for_another(open_
     assert [(each.value, each.is_current) for each in script.interaction.offered] == [
         *(("0", True), ("new", False)),
     ]
+
+
+def test_the_keys_are_changed_from_the_list_of_settings(open_script: OpenScript) -> None:
+    script = open_script(answers=["keys", None, None])
+    on_screen(script)
+
+    assert script.answers_to("SET") == []
+    assert script.interaction.asked.count("Settings") == 2
+    assert "RUN: F5, Esc. Runs the program." in script.interaction.asked
+
+
+@pytest.mark.parametrize(
+    ("key", "said"),
+    [
+        ("f5", ["Keys: F5 WHERE.", "WHERE: F5, Ctrl+K I.", "RUN: Esc."]),
+        ("ctrl+k i", ["Keys: Ctrl+K I WHERE.", "WHERE: Ctrl+K I."]),
+    ],
+)
+def test_of_a_changed_key_it_is_said_which_commands_have_which_keys_now(
+    open_script: OpenScript, key: str, said: list[str]
+) -> None:
+    script = open_script(answers=["where", None])
+    screen = on_screen(script)
+    screen.pressed = [key]
+    script.interaction.setting_changed = lambda _: screen.key_table.choose(  # type: ignore[method-assign]
+        script.ctx.preferences.value("keys")
+    )
+
+    assert script.answers_to("CHANGE KEYS") == said
+
+
+def test_a_cue_sounds_once_when_its_volume_is_changed(open_script: OpenScript) -> None:
+    script, chimed = open_script(), list[str]()
+
+    def note(stamped: Stamped) -> None:
+        if isinstance(stamped.event, Chimed):
+            chimed.append(stamped.event.name)
+
+    script.donnie.team.stream.subscribe(note)
+    assert script.answers_to("SET cue bump 60", "SET cue bump") == ["Set cue bump: 60."] * 2
+    assert chimed == ["bump"]
+
+
+def test_no_world_is_offered_on_a_screen_while_this_one_is_recorded(open_script: OpenScript) -> None:
+    for record in (None, "a.rec"):
+        script = open_script(record=record)
+        on_screen(script)
+        said = script.answers_to("WORLDS")
+
+        assert bool(script.interaction.offered) is (record is None)
+        assert any(each.startswith("I stay in this world: a.rec") for each in said) is (record is not None)

@@ -168,3 +168,27 @@ def test_directions_are_those_of_a_clock_only_where_no_side_is_named(open_script
 
     assert script.answers_to("SET clock on", "AROUND")[1:] == ["There is nothing within 10 steps.", *hours]
     assert not {*script.answers_to("AROUND north")} & {*hours}
+
+
+@pytest.mark.parametrize(
+    ("typed", "is_about_channels"),
+    [
+        ("SET speech off", True),
+        ("SET speak robot", True),
+        ("SET sound off", True),
+        ("SET volume 30", False),
+        ("SET clock on", False),
+    ],
+)
+def test_what_is_missing_of_the_voice_is_said_when_its_channel_changes(
+    open_script: OpenScript, monkeypatch: pytest.MonkeyPatch, typed: str, is_about_channels: bool
+) -> None:
+    script = open_script()
+    outlets = script.donnie.outlets
+    monkeypatch.setattr(
+        type(outlets),
+        "adjust_sound",
+        lambda self, **_: setattr(self.audible, "notices", ("There is no voice here.",)),
+    )
+
+    assert script.answers_to(typed)[1:] == ["There is no voice here."] * is_about_channels
