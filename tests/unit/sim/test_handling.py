@@ -62,6 +62,23 @@ def wall(left: float, bottom: float = -1, top: float = 1) -> tuple[float, float,
         ((CRATE, wall(0.24, 0.061)), STEP, {FIRST: STEP - WAY}),  # next to its way
         ((CRATE, wall(0.24, -1, -0.041)), STEP, {FIRST: STEP - WAY}),
         ((CRATE, wall(0.26)), STEP, {FIRST: STEP - WAY}),
+        ((CRATE, wall(0.24, 0), wall(0.245, -1, 0)), WAY + 0.01 - SKIN, {FIRST: 0.01 - SKIN}),
+        ((CRATE, wall(0.245, -1, 0), wall(0.24, 0)), WAY + 0.01 - SKIN, {FIRST: 0.01 - SKIN}),
+        (
+            # a third one, 5 mm after the second one, and a wall 2 mm after the third one
+            (
+                *(CRATE, (0.24, -0.04, 0.3, 0.06, "pushable 1")),
+                *((0.305, -0.04, 0.4, 0.06, "pushable 1"), wall(0.402)),
+            ),
+            WAY + 0.017 - 3 * SKIN,
+            {FIRST: 0.017 - 3 * SKIN, SECOND: 0.007 - 2 * SKIN, THIRD: 0.002 - SKIN},
+        ),
+        (
+            # the first two overlap, and so move together
+            (CRATE, (0.14, 0.04, 0.235, 0.2, "pushable 1"), wall(0.239, 0.1)),
+            WAY + 0.004 - SKIN,
+            {FIRST: 0.004 - SKIN, SECOND: 0.004 - SKIN},
+        ),
         ((CRATE, wall(0.12)), 0.02 - SKIN, {}),  # the wall comes first
         ((CRATE, wall(0.23)), WAY, {}),
         ((CRATE, wall(0.2)), WAY, {}),  # it stands in the wall
