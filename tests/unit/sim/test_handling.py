@@ -336,3 +336,26 @@ def test_a_robot_without_a_gripper_has_no_hand() -> None:
             command(Spot(0, 0, 0))
     with pytest.raises(RobotProblem, match="no-gripper"):
         without.release()
+
+
+@pytest.mark.parametrize("side", [1, -1])
+@pytest.mark.parametrize("order", [1, -1])
+@pytest.mark.parametrize(("metres", "taken"), [(0.0564, B), (0.0570, A)])
+def test_only_what_lies_between_the_paddles_counts_for_how_near_a_thing_is(
+    side: int, order: int, metres: float, taken: int
+) -> None:
+    """A slope from 0, 0.06 to 0.08, 0.03 beyond the middle comes as near as 0.0562 m, but above the paddle.
+
+    It crosses the paddle, at 0.05, at 80/3 mm: 0.0567 m from the middle.
+    """
+    slope = ((0, 3 if side > 0 else 0), (8, 0 if side > 0 else 3), (8, 3 if side > 0 else 0))
+    points = " ".join(f"point[{i}] [ {x} {y} ]" for i, (x, y) in enumerate(slope[::order]))
+    text = (
+        f"model( size [ 0.08 0.03 0.05 ] pose [ 0.19 {side * 0.045} 0 0 ] gripper_return 1"
+        f" block( points 3 {points} ) )\n"
+        f"model( size [ 0.05 0.05 0.05 ] pose [ {0.15 + metres + 0.025} 0 0 0 ] gripper_return 1 )"
+    )
+    it = hand(more=text)
+
+    assert it.grip(Spot(0, 0, 0)) is Grip.GRIPPED
+    assert it.held == taken

@@ -241,6 +241,14 @@ def test_a_mark_is_seen_with_its_number_its_bearing_and_its_distance() -> None:
     assert (seen.degrees, seen.steps) == pytest.approx((36.8699, 10), abs=0.01)
 
 
+def test_a_speed_may_change_at_any_time() -> None:
+    it = World(scene(TWO)).robot(pace=Unpaced(), speed=2.0)
+
+    for speed in (0.25, 5.0, None):
+        it.speed = speed
+        assert it.speed == speed
+
+
 @pytest.mark.parametrize("joined", [False, True])
 def test_waits_take_their_time_alone_and_in_company(joined: bool) -> None:
     world = World(scene(TWO))
