@@ -144,6 +144,9 @@ def test_others_may_be_met_that_are_within_the_guard_of_a_way(ground: Ground) ->
     assert not ground.may_meet_others(ALICE, 0, 0, (0, 0.7), 0.2)
     assert ground.may_meet_others(ALICE, 0, 0, (0, 0.75), 0.2)
     assert not ground.may_meet_others(ALICE, 0, 0, (2, 0), 0.2)
+    for there in ((3, 3.5), (3.5, 3), (2.5, 3.5)):  # bob is at 1, 3
+        assert not ground.may_meet_others(ALICE, 3, 3, there, 0.2)
+        assert ground.may_meet_others(ALICE, 3, 3, there, 1.9)
     ground.attach(BOX, ALICE)
     assert not ground.may_meet_others(ALICE, 0, 0, (0, 0.75), 0.2)
     assert ground.may_meet_others(BOB, 0, 0, (0, 0.75), 0.2)
