@@ -2,6 +2,7 @@
 
 import errno
 import os
+import select
 import threading
 from collections.abc import Callable
 from pathlib import Path
@@ -16,6 +17,7 @@ from donnie_tui.core.program_files import (
     FilesInUse,
     ProgressFile,
     RecentFiles,
+    as_lines,
     changed_since,
     decode,
     file_names,
@@ -184,6 +186,46 @@ def test_a_pipe_into_which_nothing_is_written_is_refused(
         read_to_the_end(tmp_path / "pipe")
 
     assert caught.value.code == "file-pipe-silent"
+
+
+def test_a_silent_pipe_is_waited_for_ten_seconds_and_closed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    os.mkfifo(tmp_path / "pipe")
+    asked: list[tuple[int, int, float]] = []
+
+    class Silent:
+        def register(self, pipe: int, events: int) -> None:
+            self.watched = pipe, events
+
+        def poll(self, milliseconds: float) -> list[object]:
+            asked.append((*self.watched, milliseconds))
+            return []
+
+    monkeypatch.setattr(select, "poll", Silent)
+    assert refused(lambda: read_to_the_end(tmp_path / "pipe")) == (
+        *("file-pipe-silent", str(tmp_path / "pipe"), ""),
+    )
+    ((pipe, events, milliseconds),) = asked
+    assert (events, milliseconds) == (select.POLLIN, 10_000)
+    with pytest.raises(OSError, match=os.strerror(errno.EBADF)):
+        os.fstat(pipe)
+
+
+def test_a_link_to_itself_is_not_replaced(tmp_path: Path) -> None:
+    link = tmp_path / "self.gd"
+    link.symlink_to("self.gd")
+
+    assert refused(lambda: write_program(link, "FW 1")) == (
+        *("file-unwritable", str(link), os.strerror(errno.ELOOP)),
+    )
+    assert link.is_symlink()
+
+
+def test_an_editor_shows_no_line_after_the_last_one() -> None:
+    assert [as_lines(each) for each in ("", "FW 1", "FW 1\r\nFW 2\r\n", "FW 1\n\n")] == [
+        *("", "FW 1", "FW 1\nFW 2", "FW 1\n"),
+    ]
 
 
 def test_a_device_or_a_pipe_is_not_replaced_by_a_file(tmp_path: Path) -> None:
@@ -451,6 +493,8 @@ def test_breakpoints_are_kept_within_their_limits(tmp_path: Path) -> None:
     assert file.read(program, 199) == frozenset(range(1, 200))
     assert file.read(None, 9) == frozenset()
     (tmp_path / "state" / "breakpoints").write_text(f"0 1 123456789 2\t{program}\n1 2\t\n3\n")
+    assert file.read(program, 10**10) == frozenset()
+    (tmp_path / "state" / "breakpoints").write_text(f"1 x 2\t{program}\n1 -2\t{program}\n")
     assert file.read(program, 10**10) == frozenset()
     (tmp_path / "state" / "breakpoints").write_text(f"0 1 12345678\t{program}\n")
     assert file.read(program, 10**10) == {1, 12345678}

@@ -159,6 +159,26 @@ def test_a_hint_comes_before_general_advice_where_it_is_about_this_mistake(
     assert (Words()(f"advice-{kind}") in said) is not is_hint
 
 
+@pytest.mark.parametrize("kind", ["missing-end", "wrong-end", "unknown-character", "undeclared-procedure"])
+def test_without_a_hint_the_general_advice_is_given(kind: str) -> None:
+    assert Words()(f"advice-{kind}") in explanation(kind, meant="P")
+
+
+@pytest.mark.parametrize(
+    ("meant", "example"), [("FW", "FW 5"), ("FW 3", "FW 5"), ("RIGHT TURN", "TR 90"), ("steps", None)]
+)
+def test_an_unknown_command_has_the_example_of_the_one_that_was_meant(
+    meant: str, example: str | None
+) -> None:
+    said = explanation("unknown-command", meant=meant)
+
+    assert [each for each in said if each.startswith("Example")] == (
+        [f"Example: {example}."] if example else []
+    )
+    procedure = explanation("unknown-command", code="procedure", meant=meant)
+    assert procedure[-1].startswith("Example: PROCEDURE ")
+
+
 def test_a_number_with_a_point_is_explained_only_where_the_point_is_wrong() -> None:
     numbers = (Words()("explain-whole-numbers"), Words()("advice-whole-numbers"))
     assert explanation("unknown-character", source_line="FW 2.5") == numbers
