@@ -174,3 +174,11 @@ def test_a_remark_has_its_place_if_it_has_a_line() -> None:
     assert world_note(red, words).startswith("Line 3, column 2, of a.world: ")
     assert "Did you mean red?" in world_note(red, words)  # as world files are English
     assert world_note(nowhere, words) == words("note-no-robot")
+
+
+def test_only_a_colour_is_offered_in_english() -> None:
+    colr = Note(
+        NoteKind.WARNING, "unknown-property", "a.world", 3, 2, {"name": "vermelho", "nearest": "color"}
+    )
+
+    assert "Did you mean color?" in world_note(colr, Words())
