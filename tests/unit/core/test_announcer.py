@@ -95,6 +95,10 @@ def test_a_cue_starts_before_its_sentence_and_comes_from_where_it_happened(
     assert answers_to(event)[0] == cue
 
 
+def test_the_start_of_a_run_of_an_older_recording_is_announced_by_nothing() -> None:
+    assert answers_to(RunStarted("a.gd", "w", "donnie", 0, "0", None)) == []
+
+
 def test_a_successful_movement_has_no_cue_at_its_end() -> None:
     assert [each for each in answers_to(walked(3, 3)) if isinstance(each, CueSounded)] == []
 

@@ -195,6 +195,28 @@ def test_the_log_has_every_printed_line() -> None:
     assert out.getvalue() == "a\nb\nI walked.\n"
 
 
+def test_a_full_disk_ends_the_log_and_is_reported_once() -> None:
+    problems, full = list[OSError](), OSError("disk full")
+    tried: list[str] = []
+
+    class Disk(io.StringIO):
+        def write(self, text: str) -> int:
+            tried.append(text)
+            raise full
+
+    log = TranscriptLog(Disk(), Words(), problems.append)
+    for text in ("a", "b"):
+        log(Stamped(1, 0.0, Spoke(text)))
+    assert (tried, problems) == (["a\n"], [full])
+    TranscriptLog(Disk(), Words())(Stamped(1, 0.0, Spoke("a")))  # it ends quietly
+
+    closed = io.StringIO()
+    log = TranscriptLog(closed, Words())
+    closed.close()
+    log(Stamped(1, 0.0, Spoke("a")))
+    assert closed.closed
+
+
 def test_a_new_log_gets_the_next_number(tmp_path: Path) -> None:
     assert next_log(tmp_path).name == "log_001.txt"
 
