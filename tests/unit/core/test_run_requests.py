@@ -445,6 +445,9 @@ def test_programs_that_were_given_start_together(room: Callable[..., Room]) -> N
     assert it.runs.has_ended("bob")
     assert sorted(it.answers) == ["alice: Done.", "bob: Done."]
     assert (it.runs.is_steppable, it.runs.is_whole) == (False, True)
+    assert it.runs.state is RunState.STOPPING
+    it.runs.sum_up("bob")
+    assert it.runs.state is RunState.READY
 
 
 def test_robots_do_not_start_together_while_one_of_them_runs(room: Callable[..., Room]) -> None:
