@@ -981,6 +981,35 @@ def test_one_step_and_one_robot_are_no_more_than_one(language: str, scale: str, 
     assert robots in plan.legend.values()
 
 
+def test_a_cell_of_a_coarse_floor_is_as_many_steps_on_the_sheet() -> None:
+    floor = Picture(0, 0, 6, 1, 2, ("." * 6,), (), has_walls=False)
+    plan = chart(floor, Pose(0, 0, 0), None, Words())
+    root = ElementTree.fromstring(raised_picture("Map", plan, floor, [], Words()))
+    (line,) = (each for each in root.iter(f"{SVG}path") if each.get("id") == "scale")
+
+    assert bar_length(line) == pytest.approx(227.5)  # 10 of 12 steps on 273 mm
+
+
+def test_a_sheet_has_no_text_but_its_title_its_description_and_its_print() -> None:
+    root = small_sheet()
+    spoken = {f"{SVG}title", f"{SVG}desc", f"{SVG}text"}
+
+    assert [each.text for each in root.iter() if each.tag not in spoken and (each.text or "").strip()] == []
+    assert [each.tail for each in root.iter() if (each.tail or "").strip()] == []
+    dashes = [each.get("stroke-dasharray") for each in root.iter() if each.get("stroke-dasharray")]
+    assert len(dashes) == 2
+    for line, gap in (map(float, (each or "").split()) for each in dashes):
+        assert line > gap >= 2 * LINE  # its ends swell, too
+
+
+def test_a_label_keeps_its_distance_from_the_ring_of_a_small_thing() -> None:
+    """The ring has 2.5 mm to each side; a U is dots 1, 3 and 6."""
+    corners = ((-0.05, -4.05), (0.05, -4.05), (0.05, -3.95), (-0.05, -3.95))
+    cup = Drawing((corners,), Thing("cup", "cup", "u", "red", 0, -4, 0.1, 0.1, index=1), False)
+
+    assert labels_of(small_sheet(cup))[1] == pytest.approx([(121.3, 187.6), (121.3, 192.6), (123.8, 192.6)])
+
+
 def test_a_sheet_is_upright_for_a_high_floor() -> None:
     assert floor_sheet(5, 20).get("viewBox") == "0 0 210 297"
     assert floor_sheet(20, 5).get("viewBox") == "0 0 297 210"
@@ -993,6 +1022,9 @@ def test_a_long_title_has_two_lines_and_no_third() -> None:
     root = floor_sheet(5, 20, title="a" * 24 + " " + "b" * 24 + " " + "c" * 24)
 
     assert [each for each in printed_on(root) if set(each) <= set("abc")] == ["a" * 24, "b" * 24]
+    lines = {each.text: each.get("y") for each in root.iter(f"{SVG}text")}
+    assert (lines["a" * 24], lines["b" * 24]) == ("20.36", "30.36")
+    assert printed_on(floor_sheet(5, 20, title="a" * 25))[:2] == ["a" * 24, "a"]
 
 
 @pytest.mark.parametrize(("count", "lines"), [(9, 9), (10, 10), (11, 10)])
@@ -1005,6 +1037,15 @@ def test_the_legend_of_a_sheet_has_ten_lines_at_most(count: int, lines: int) -> 
 
     assert len(said) == lines
     assert said[0] == "a  kind a, red"
+
+
+@pytest.mark.parametrize(("length", "rest"), [(33, [" red"]), (34, ["", "   red"])])
+def test_a_line_of_the_legend_has_three_cells_less_than_the_sheet(length: int, rest: list[str]) -> None:
+    """44 cells of 6.2 mm on 273; "k  " and ", red" are eight."""
+    thing = square_of(Thing("", "k" * length, "k", "red", 3, 3, 1, 1))
+    first, *others = rest
+
+    assert printed_on(floor_sheet(20, 5, thing))[3:-2] == [f"k  {'k' * length},{first}", *others]
 
 
 @pytest.mark.parametrize(("count", "labels"), [(60, 60), (61, 0)])

@@ -90,6 +90,12 @@ def test_a_page_has_one_section_after_the_other_and_a_table_only_for_rows() -> N
     assert tags.opened.count("table") == 1
 
 
+def test_the_rows_of_a_table_are_one_after_the_other() -> None:
+    table = Section("a", [], [("n",), (1,), (2,), (3,)])
+
+    assert Tags(as_html("t", "en", [table])).texts == ["t", "t", "a", "n", "1", "2", "3"]
+
+
 def test_a_table_is_valid_csv() -> None:
     assert list(csv.reader(as_csv([TABLE]).splitlines())) == [["name", "x"], ["a, b", "-3"]]
 
@@ -278,6 +284,21 @@ def test_steps_and_jumps_count_from_the_first_reading() -> None:
 
     assert (distance.steps, distance.jumps) == (6, (2,))
     assert speed.points[-2:] == ((9, 0), (11, 0))
+
+
+def test_a_clock_that_begins_anew_goes_on_where_the_last_run_ended() -> None:
+    line = RunStarted("typed", "w", "donnie", 0, "0", HowStarted("", 1, False, True, False, Pose(0, 0, 0)))
+    ended = at(5, RunEnded(Outcome.COMPLETED, Pose(0, 2, 0), {}, 5.0))
+    (distance,) = measured([at(0, line), ended, at(1, line), at(3, Read("distance", "front", 9))], Words())
+
+    assert distance.points == ((7, 9),)
+
+
+def test_a_walk_takes_as_long_as_it_is_since_the_last_movement() -> None:
+    """Whatever was read meanwhile: 10 steps in 10 seconds."""
+    distance, speed = measured([RUN[0], at(5, Read("distance", "front", 9)), walked(10, 10)], Words())
+
+    assert (distance.points, speed.points) == (((5, 9),), ((0, 1), (10, 1)))
 
 
 def test_only_readings_of_distances_are_measured_and_each_direction_alone() -> None:
