@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from devices.ports.robot import Pose
+from donnie_tui.core import map_grid
 from donnie_tui.core.map_grid import (
     LONGEST_TRAIL,
     Bounds,
@@ -250,7 +251,7 @@ def test_a_goal_at_the_edges_of_a_floor_without_walls_is_on_it() -> None:
     drawn.mark_goals([(1, -5, -5, 9, 9)])
 
     assert drawn.rows() == ("111", "1^1", "111")
-    assert Cell(-1, 0) not in drawn.goals
+    assert drawn.goals == {Cell(x, y): 1 for x in range(3) for y in range(3)}
     assert [drawn.floor_letter(Cell(*each)) for each in ((0, 0), (2, 2), (3, 0), (0, 3), (-1, 0))] == [
         "."
     ] * 5
@@ -260,9 +261,11 @@ def test_a_goal_at_the_edges_of_a_floor_without_walls_is_on_it() -> None:
 
 
 def test_of_things_of_a_letter_the_nearest_one_is_there() -> None:
-    tables = (Table("far", "t", 3, 2), Table("near", "t", 1.4, 2), Table("other", "u", 1, 2))
+    for x, y in ((2.5, 2), (1, 3.5)):
+        tables = (Table("far", "t", -1, 2), Table("far", "t", 1, -2), Table("near", "t", x, y))
+        tables += (Table("other", "u", 1, 2),)
 
-    assert grid(floor=Floor(ROOM.rows, things=tables)).thing(Cell(3, 3)).name == "near"
+        assert grid(floor=Floor(ROOM.rows, things=tables)).thing(Cell(3, 3)).name == "near"
 
 
 @pytest.mark.parametrize(
@@ -333,6 +336,17 @@ def test_bounds_are_widened_to_each_side_alone() -> None:
     assert bounds.part(Cell(2, 1), 3, 9) == Bounds(1, 0, 3, 2)
     assert bounds.part(Cell(0, 2), 3, 2) == Bounds(0, 1, 2, 2)
     assert bounds.part(Cell(4, 0), 4, 1) == Bounds(1, 0, 4, 0)
+
+
+def test_a_square_that_is_visited_again_is_forgotten_later(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(map_grid, "LONGEST_TRAIL", 4)
+    drawn = grid()
+    for x, y in ((2, 0), (0, 0)):
+        drawn.move(Pose(x, y, 0))
+    changed = drawn.move(Pose(0, 3, 0))
+
+    assert [drawn.kind(Cell(x, 1)) for x in (2, 3, 4)] == [Kind.START, Kind.TRAIL, Kind.FREE]
+    assert changed == {Cell(4, 1), *(Cell(2, y) for y in (1, 2, 3, 4))}
 
 
 # --- paths in words
