@@ -372,6 +372,14 @@ def test_a_leg_has_its_direction_its_length_and_its_end(end: tuple[float, float]
     assert said((0, 0), end)[1] == leg
 
 
+def test_a_leg_towards_one_of_eight_points_has_its_name_alone() -> None:
+    way = DrivenPath("", (Pose(0, 0, 0), Pose(3, 3, 0), Pose(3, -1, 0)))
+
+    assert path_in_words(way, Words("pt"))[1:3] == (
+        ("Nordeste: 4 passos, até 3, 3.", "Sul: 4 passos, até 3, -1.")
+    )
+
+
 def test_a_bend_of_less_than_a_degree_is_straight_on_and_a_turn_on_the_spot_is_no_leg() -> None:
     assert len(said((0, 0), (100, 0), (200, 1.6), (200, 1.6), (300, 1.6))) == 3
     assert len(said((0, 0), (100, 0), (200, 1.9))) == 4
