@@ -76,13 +76,16 @@ class RunView(RunObserver):
             self._stop_reminder()
 
     def on_state_changed(self) -> None:
-        """Put the cursor to the line of a described pause."""
+        """Put the cursor to the line of a described pause, unless the learner types meanwhile."""
         frames = self._runs.frames
+        if self._runs.state is RunState.RUNNING:
+            self._editor.is_edited = False
         if self._runs.is_held and frames:
             self.show_past()
             self._display.ask_distances()
             if self._runs.is_whole:
-                self._editor.go_to(frames[0].line)
+                if not self._editor.is_edited:
+                    self._editor.go_to(frames[0].line)
                 self._editor.begin_following()
             self._events.flush()
         self._display.update()

@@ -73,8 +73,9 @@ class View:
         self.session = Part(name="alice", pose=HERE)
         self.donnie = Part(session=self.session, chronicle=Part(timeline=lambda: "timeline"))
         self.ctx = Recorded("ctx", self.done, runs=self.runs, donnie=self.donnie, words=Words("en"))
-        parts = (Recorded(name, self.done, line_count=7) for name in ("events", "display", "editor"))
-        self.view = RunView(self.app, self.ctx, *parts)
+        self.editor = Recorded("editor", self.done, line_count=7)
+        events, display = Recorded("events", self.done), Recorded("display", self.done)
+        self.view = RunView(self.app, self.ctx, events, display, self.editor)
 
     def does(self, call: Callable[[], object]) -> list[Any]:
         self.done.clear()
@@ -156,6 +157,7 @@ def test_a_described_pause_puts_the_cursor_to_its_line(
     is_held: bool, frames: tuple[Any, ...], is_whole: bool, done: list[Any]
 ) -> None:
     it = View(is_held=is_held, frames=frames, is_whole=is_whole)
+    it.editor.is_edited = False
     assert it.does(it.view.on_state_changed) == [
         *(each if isinstance(each, tuple) else (each,) for each in done),
         ("display update",),

@@ -193,6 +193,22 @@ async def test_pause_holds_the_program_marks_its_line_and_goes_on(open_screen):
         await screen.reaches(RunState.RUNNING)
 
 
+async def test_a_pause_leaves_the_cursor_where_the_learner_types(open_screen):
+    async with open_screen(COMPUTING + "\nFW 1") as screen:
+        screen.main.editor.go_to(4, 5)
+        await screen.press("f5")
+        await screen.reaches(RunState.RUNNING)
+        await screen.press("2", "3")
+        await screen.press("f6")
+        await screen.shows("Paused at line ")
+        await screen.until(lambda: "> 1  " in screen.text or "> 2  " in screen.text, "the mark")
+        await screen.press("4")
+        assert screen.main.editor.text.endswith("END WHILE\nFW 1234")
+
+        await screen.press("f7")  # a step is followed again, also after an edit at the pause
+        await screen.until(lambda: screen.main.editor.line < 4, "the line of the step")
+
+
 async def test_reset_puts_the_robot_back_and_forgets_the_variables(open_screen):
     async with open_screen() as screen:
         await screen.type_line("VAR a = 3 FW a")

@@ -96,6 +96,8 @@ class Editor(TextArea):
         self.cursor_blink = False
         self.is_typed = False
         """Whether a key, and no command, made the last change of the text."""
+        self.is_edited = False
+        """Whether the text has changed since the program that runs was last at rest."""
         self._chosen_painted: tuple[Offset, Offset] | None = None
         """The place of the selection, while rows are painted."""
         self._marks: dict[int, str] = {}
@@ -203,6 +205,7 @@ class Editor(TextArea):
         end = (row, len(self.document.get_line(row))) if is_last else (row + 1, 0)
         self.delete((row, 0), end, maintain_selection_offset=False)
         self.move_cursor((row, 0))
+        self.is_edited = False
 
     def _untype_line(self, row: int) -> None:
         """Undo the typing of a line, so that UNDO on it undoes what was before."""
@@ -260,6 +263,7 @@ class Editor(TextArea):
     def begin_following(self) -> None:
         """Keep the line that runs in sight from now on, as long as the learner moves nothing."""
         self._followed, self._next_scroll = self._window, 0.0
+        self.is_edited = False
 
     def follow(self, line: int) -> None:
         """Scroll to the line that runs, from 1, if it is out of sight; seldom, so that it can be read.
@@ -336,7 +340,7 @@ class Editor(TextArea):
         first, last = (start[0], end[0]) if whole_lines else (start[0] + 1, end[0] + 1)
         before, was_empty = self.document.line_count, not self.text
         others = self._beyond(start[0]) if start[0] == end[0] else ()
-        self._is_editing = True
+        self._is_editing = self.is_edited = True
         try:
             result = super().edit(edit)
             self._choose_wrapping()
