@@ -56,10 +56,15 @@ async def run_program(ctx: Context, *, is_whole: bool, begin: Begin | None = Non
         return
     if await ctx.interaction.follow([(ctx.donnie.session.hub.robot, started)]):
         _note_run(ctx, started, is_whole=is_whole)
-        if ctx.attempt is not None and ctx.attempt.has_questions and ctx.interaction.is_attended:
-            from donnie_tui.commands.help import questions
+        await _ask_questions(ctx)
 
-            await questions(ctx, "")
+
+async def _ask_questions(ctx: Context) -> None:
+    """Ask the questions of the challenge after a run, where a person can answer."""
+    if ctx.attempt is not None and ctx.attempt.has_questions and ctx.interaction.is_attended:
+        from donnie_tui.commands.help import questions
+
+        await questions(ctx, "")
 
 
 async def run_alone(ctx: Context, line: str) -> None:
@@ -204,6 +209,7 @@ async def together(ctx: Context, _: str) -> None:
         for name, each in runs.items():
             if name in documents and not each.was_refused:
                 documents[name].batch_ran()
+        await _ask_questions(ctx)
 
 
 # --- while it runs

@@ -331,6 +331,23 @@ def test_questions_follow_a_program_that_solves_nothing_once(
     assert script.answers_to("RESULTS")[-1] == f"You answered {right} of 2 questions right."
 
 
+@pytest.mark.parametrize("word", ["RUN", "TOGETHER"])
+@pytest.mark.parametrize("is_attended", [True, False])
+def test_a_front_end_that_waits_for_a_program_asks_the_questions_after_it(
+    open_script: OpenScript, tmp_path: Path, word: str, is_attended: bool
+) -> None:
+    file = tmp_path / "it.toml"
+    file.write_text(ASKING)
+    script = open_script("FW 3", answers=["yellow", "1"], world=f"challenge:{file}")
+    script.interaction.until_over = script.rest
+    script.interaction.is_attended = is_attended
+
+    script.type(word)
+
+    asked = ["Which color is the ball?", "How many of these are there: ball?"]
+    assert script.interaction.asked == (asked if is_attended else [])
+
+
 def test_questions_that_are_left_keep_the_try(open_script: OpenScript, tmp_path: Path) -> None:
     file = tmp_path / "it.toml"
     file.write_text(ASKING)
