@@ -49,6 +49,8 @@ class RunView(RunObserver):
     # --- one run
 
     def on_change(self) -> None:
+        if self._runs.state is RunState.RUNNING:  # a step may be over before the message is handled
+            self._editor.is_edited = False
         self._app.post_message(RunStateChanged())
 
     def on_began(self, event: RunBegan) -> None:
@@ -78,8 +80,6 @@ class RunView(RunObserver):
     def on_state_changed(self) -> None:
         """Put the cursor to the line of a described pause, unless the learner types meanwhile."""
         frames = self._runs.frames
-        if self._runs.state is RunState.RUNNING:
-            self._editor.is_edited = False
         if self._runs.is_held and frames:
             self.show_past()
             self._display.ask_distances()
