@@ -19,7 +19,15 @@ from devices.wire.link_state import LinkConfig, LinkState
 from tests.board_on_pty import PtyBoard
 from tests.conftest import ROOT
 from tests.timeouts import TIMEOUT
-from tests.unit.devices.test_serial_link import FAR, HALF_A_FRAME, Notices, has_driven, started, until
+from tests.unit.devices.test_serial_link import (
+    FAR,
+    HALF_A_FRAME,
+    SLOW_MACHINE,
+    Notices,
+    has_driven,
+    started,
+    until,
+)
 
 
 @pytest.fixture
@@ -37,7 +45,7 @@ def link(pty_board: PtyBoard) -> Iterator[SerialLink]:
 
 
 def test_shutdown_sends_two_stops_last(pty_board: PtyBoard) -> None:
-    link = SerialLink(pty_board.path)
+    link = SerialLink(pty_board.path, SLOW_MACHINE)
     link.connect()
     link.drive(link.permit(), MotorDrive.FORWARD, FAR)
     assert has_driven(pty_board)
@@ -53,7 +61,9 @@ def test_shutdown_sends_a_stop_last_although_the_boards_buffer_had_no_room_for_i
     pty_board: PtyBoard,
 ) -> None:
     """By the link's own account the board reads nothing any more: after the first drive no frame fits."""
-    link = SerialLink(pty_board.path, LinkConfig(bytes_a_second=0.0, most_outstanding=56))
+    link = SerialLink(
+        pty_board.path, LinkConfig(silence=10.0, lease=5.0, bytes_a_second=0.0, most_outstanding=56)
+    )
     link.connect()
     link.drive(link.permit(), MotorDrive.FORWARD, FAR)
     assert has_driven(pty_board)
@@ -66,7 +76,7 @@ def test_shutdown_sends_a_stop_last_although_the_boards_buffer_had_no_room_for_i
 
 def test_shutdown_in_the_middle_of_half_a_frame_waits_until_the_wheels_stand(pty_board: PtyBoard) -> None:
     """The board takes the stops for the rest of a frame of fifty bytes."""
-    link = SerialLink(pty_board.path)
+    link = SerialLink(pty_board.path, SLOW_MACHINE)
     link.connect()
     link.drive(link.permit(), MotorDrive.FORWARD, FAR)
     assert has_driven(pty_board)
@@ -92,7 +102,13 @@ def test_shutdown_of_a_lost_link_ends(pty_board: PtyBoard) -> None:
 
 def test_a_thread_that_ends_leaves_no_motor_on(pty_board: PtyBoard, link: SerialLink) -> None:
     """Its drive is not renewed."""
-    driver = threading.Thread(target=lambda: link.drive(link.permit(), MotorDrive.LEFT, FAR))
+
+    def drive() -> None:  # a drive can be over before a busy machine has sent it
+        assert until(
+            lambda: link.drive(link.permit(), MotorDrive.LEFT, FAR) and pty_board.board.wheels.right != 0.0
+        )
+
+    driver = threading.Thread(target=drive)
     driver.start()
     driver.join()
 
