@@ -127,7 +127,7 @@ def test_a_suspended_run_stops_a_robot_after_half_a_frame(tmp_path: Path, robot:
     process.send_signal(signal.SIGTSTP)
 
     assert is_suspended(process.pid)
-    assert not robot.board.is_driving
+    assert until(lambda: not robot.board.is_driving)
     process.kill()
     process.communicate()
 
@@ -148,7 +148,7 @@ def test_the_linear_mode_stops_a_robot_after_half_a_frame(
 
     if number is signal.SIGTSTP:
         assert until(lambda: is_stopped(learner.pid))
-        assert not robot.board.is_driving
+        assert until(lambda: not robot.board.is_driving)
         os.kill(learner.pid, signal.SIGKILL)
     else:
         learner.leaves()
