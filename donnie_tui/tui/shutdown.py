@@ -96,7 +96,13 @@ class Shutdown:
                 self._readers = ReaderWatch()
 
     def end_watchdog(self) -> None:
-        """End the watchdog. Call it in the main thread, once nothing is written to the screen any more."""
+        """End the watchdog. Call it in the main thread, once nothing is written to the screen any more.
+
+        Textual's thread that reads keys ends too: at a terminal that is gone it would read nothing for ever,
+        since Textual ends it only after it could write.
+        """
+        if (ended := getattr(self._app._driver, "exit_event", None)) is not None:
+            ended.set()
         if self._readers is not None:
             self._readers.close()
         if self._watchdog is not None:

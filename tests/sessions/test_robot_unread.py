@@ -178,3 +178,16 @@ def test_a_signal_ends_a_stuck_screen(tmp_path: Path, robot: PtyBoard, number: s
     assert until(lambda: not robot.board.is_driving)
     assert until(lambda: not screen.isalive())
     assert until(lambda: robot.received.endswith(STOP))
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGQUIT], ids=lambda each: each.name)
+def test_a_stuck_screen_ends_although_its_terminal_is_closed_meanwhile(
+    tmp_path: Path, robot: PtyBoard, number: signal.Signals
+) -> None:
+    screen = unread_screen(tmp_path, robot)
+    screen.kill(number)
+    assert until(lambda: not robot.board.is_driving)
+    screen.ptyproc.fileobj.close()
+
+    assert until(lambda: not screen.isalive())
+    assert robot.received.endswith(STOP)
