@@ -98,7 +98,7 @@ def test_a_robot_that_clients_open_has_a_run_until_the_last_one_leaves(ticks: Ti
     assert isinstance(ended, RunEnded)
     assert (started.program, ended.outcome) == (CLIENTS, Outcome.COMPLETED)
     ticks.service.left("alice")
-    ticks.service.left("nobody")
+    ticks.service.left("carol")  # not a client
     assert ticks.service.opened("alice")
 
 
