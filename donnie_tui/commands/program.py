@@ -43,10 +43,7 @@ async def list_lines(ctx: Context, argument: str) -> None:
     given, lines = read_numbers(argument, most=2), ctx.program.lines
     begin = given[0] if given else 1
     end = min(given[-1] if given else len(lines), len(lines))
-    if 1 <= end < begin <= len(lines):
-        raise NotUnderstood
-    if not 1 <= begin <= end:
-        ctx.answer_no_line(begin if end else end)
+    if not _has_lines(ctx, begin, end):
         return
     rows = [
         ctx.words("numbered-line", line=number, text=lines[number - 1].strip())
@@ -206,10 +203,7 @@ async def move(ctx: Context, argument: str) -> None:
         return
     given, document = read_numbers(argument, least=2, most=3), ctx.program
     first, last, to = given[0], given[-2], given[-1]
-    if not _has_lines(ctx, first, last):
-        return
-    if not 1 <= to <= len(document.lines) + 1:
-        ctx.answer_no_line(to)
+    if not _has_lines(ctx, first, last, to):
         return
     if first <= to <= last + 1:
         raise GivenUp
@@ -226,10 +220,7 @@ async def copy(ctx: Context, argument: str) -> None:
     first = given[0] if given else max(1, ctx.program.place)
     last = given[1] if len(given) > 2 else first
     to = given[-1] if len(given) > 1 else last + 1
-    if not _has_lines(ctx, first, last):
-        return
-    if not 1 <= to <= len(lines) + 1:
-        ctx.answer_no_line(to)
+    if not _has_lines(ctx, first, last, to):
         return
     copied = lines[first - 1 : last]
     with _changing(ctx):
@@ -258,10 +249,12 @@ async def comment(ctx: Context, argument: str) -> None:
         ctx.say(*ctx.counted([_numbered(ctx, number) for number in range(first, last + 1)]))
 
 
-def _has_lines(ctx: Context, first: int, last: int) -> bool:
-    """Whether there are such lines; answers if there are none."""
+def _has_lines(ctx: Context, first: int, last: int, to: int = 1) -> bool:
+    """Whether there are such lines, and a line ``to`` or a place for it at the end; answers if not."""
     count = len(ctx.program.lines)
     wrong = next((each for each in (first, last) if not 1 <= each <= count), None)
+    if wrong is None and first <= last and not 1 <= to <= count + 1:
+        wrong = to
     if wrong is not None:
         ctx.answer_no_line(wrong)
         return False
