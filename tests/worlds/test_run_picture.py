@@ -48,6 +48,7 @@ from donnie_tui.world.run_picture import (
 )
 from sim.picture import Drawing, Thing, drawings
 from sim.worldfile import load_text, load_world
+from tests.unit.sim.test_picture import box
 from worlds.challenges import GoalPlace
 
 PATH = DrivenPath("", (Pose(0, 0, 0), Pose(0, 6, 0), Pose(18, 6, 90), Pose(18, -2, 180)))
@@ -475,10 +476,6 @@ def test_a_long_path_is_nine_hundred_pixels_long_or_high(far: Pose) -> None:
 
     assert it.scale == 9
     assert it.width == (948 if far.x else 368)
-
-
-def box(west: float, south: float, east: float, north: float) -> tuple[tuple[float, float], ...]:
-    return ((west, south), (east, south), (east, north), (west, north))
 
 
 def thing(side: float, colour: str = "red", letter: str = "b", index: int = 0, **more: bool) -> Drawing:
