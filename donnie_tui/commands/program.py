@@ -250,7 +250,7 @@ async def comment(ctx: Context, argument: str) -> None:
 
 
 def _has_lines(ctx: Context, first: int, last: int, to: int = 1) -> bool:
-    """Whether there are such lines, and a line ``to`` or a place for it at the end; answers if not."""
+    """Whether the program has these lines, and ``to`` is a line or the place after all; answers if not."""
     count = len(ctx.program.lines)
     wrong = next((each for each in (first, last) if not 1 <= each <= count), None)
     if wrong is None and first <= last and not 1 <= to <= count + 1:

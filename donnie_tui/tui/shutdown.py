@@ -98,8 +98,8 @@ class Shutdown:
     def end_watchdog(self) -> None:
         """End the watchdog. Call it in the main thread, once nothing is written to the screen any more.
 
-        Textual's thread that reads keys ends too: at a terminal that is gone it would read nothing for ever,
-        since Textual ends it only after it could write.
+        It also ends Textual's thread that reads keys: Textual itself ends it only after a last write, which a
+        closed terminal does not take.
         """
         if (ended := getattr(self._app._driver, "exit_event", None)) is not None:
             ended.set()

@@ -97,7 +97,7 @@ class Editor(TextArea):
         self.is_typed = False
         """Whether a key, and no command, made the last change of the text."""
         self.is_edited = False
-        """Whether the text has changed since the program that runs was last at rest."""
+        """Whether the text has changed since the program last began, paused or continued."""
         self._chosen_painted: tuple[Offset, Offset] | None = None
         """The place of the selection, while rows are painted."""
         self._marks: dict[int, str] = {}
