@@ -161,7 +161,7 @@ class Connection:
         return robot_options(self._settings, self._words, self._found or list_ports)
 
     def connect(self, robot: str) -> tuple[str, ...]:
-        """Change to a robot. Returns a sentence for each problem; the old robot stays if it fails.
+        """Change to a robot, or to the simulated one if that fails. Returns a sentence for each problem.
 
         Raises ``Busy`` while a program runs.
         """
@@ -169,7 +169,6 @@ class Connection:
             try:
                 self._change(robot)
             except (RobotProblem, Unusable) as problem:
-                self._change(SIMULATED)
                 return (*self._sentences_of(problem), self._words("connect-instead"))
             finally:
                 self.search.end()
@@ -181,7 +180,6 @@ class Connection:
             try:
                 self._change(robot)
             except RobotProblem as problem:
-                self._change(SIMULATED)
                 raise Unusable(" ".join(self._sentences_of(problem))) from None
             finally:
                 self.search.end()
