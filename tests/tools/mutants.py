@@ -121,8 +121,9 @@ def write_map(folder: Path, *tests: str) -> None:
     """Runs the tests under coverage, or those that are named."""
     folder.mkdir(parents=True)
     command = [
-        *_PYTEST, *_LEFT_OUT, "-n", "auto", "--dist", "worksteal", "-p", "tests.tools.mutants",
-        "--cov", "--cov-config", str(CONFIG), "--cov-context", "test", "--cov-report", "", *tests,
+        *_PYTEST, *_LEFT_OUT, "-n", str(2 * (os.cpu_count() or 1)), "--dist", "worksteal",
+        "-p", "tests.tools.mutants", "--cov", "--cov-config", str(CONFIG), "--cov-context", "test",
+        "--cov-report", "", *tests,
     ]  # fmt: skip
     environment = {
         **os.environ, "COVERAGE_FILE": str(folder / _COVERAGE), "MUTANTS_MAP": str(folder / _PASSED)
