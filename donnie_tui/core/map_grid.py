@@ -72,6 +72,9 @@ class Bounds(Struct, frozen=True):
     def height(self) -> int:
         return self.top - self.bottom + 1
 
+    def __contains__(self, cell: Cell) -> bool:
+        return self.around(cell) == self
+
     def around(self, cell: Cell) -> Bounds:
         """The same, widened so that the cell is inside."""
         return Bounds(
@@ -120,7 +123,7 @@ class MapGrid:
         cell, arrow = self.cell_of(pose), arrow_of(pose.heading)
         if (cell, arrow) == (self.robot, self._arrow):
             return frozenset()
-        walked = cells_between(self.robot, cell, LONGEST_TRAIL) if cell != self.robot else ()
+        walked = cells_between(self.robot, cell, LONGEST_TRAIL)
         forgotten = self._walk(walked)
         self.robot, self._arrow = cell, arrow
         self._bounds = self._bounds.around(cell)
@@ -141,11 +144,15 @@ class MapGrid:
 
     def cell_at(self, x: float, y: float) -> Cell:
         """The cell of a place in steps."""
-        picture = self.picture
-        return Cell(
-            _nearest((x - picture.left) / picture.cell),
-            _nearest((y - picture.bottom) / picture.cell),
-        )
+        return Cell(self.column_at(x), self.row_at(y))
+
+    def column_at(self, x: float) -> int:
+        """The column of cells that is ``x`` steps to the east."""
+        return _nearest((x - self.picture.left) / self.picture.cell)
+
+    def row_at(self, y: float) -> int:
+        """The row of cells that is ``y`` steps to the north."""
+        return _nearest((y - self.picture.bottom) / self.picture.cell)
 
     def place(self, cell: Cell) -> tuple[int, int]:
         """The middle of a cell in steps: x to the east, y to the north."""

@@ -85,36 +85,29 @@ def floor_in_words(
 
 def row_in_words(grid: MapGrid, y: int, wording: Wording) -> tuple[str, ...]:
     """The squares from west to east that are ``y`` steps to the north."""
-    bounds, cell = grid.bounds, grid.cell_at(0, y)
-    if not bounds.bottom <= cell.y <= bounds.top:
-        low, high = grid.place(Cell(0, bounds.bottom))[1], grid.place(Cell(0, bounds.top))[1]
-        return (wording("map-no-row", row=y, first=low, last=high),)
-    cells = [Cell(x, cell.y) for x in range(bounds.left, bounds.right + 1)]
+    bounds, row = grid.bounds, grid.row_at(y)
+    if not bounds.bottom <= row <= bounds.top:
+        ends = _places(grid, bounds)
+        return (wording("map-no-row", row=y, first=ends["bottom"], last=ends["top"]),)
+    cells = [Cell(x, row) for x in range(bounds.left, bounds.right + 1)]
     return tuple(_runs_in_words(grid, "map-row", y, cells, wording))
 
 
 def column_in_words(grid: MapGrid, x: int, wording: Wording) -> tuple[str, ...]:
     """The squares from south to north that are ``x`` steps to the east."""
-    bounds, cell = grid.bounds, grid.cell_at(x, 0)
-    if not bounds.left <= cell.x <= bounds.right:
-        low, high = grid.place(Cell(bounds.left, 0))[0], grid.place(Cell(bounds.right, 0))[0]
-        return (wording("map-no-column", column=x, first=low, last=high),)
-    cells = [Cell(cell.x, y) for y in range(bounds.bottom, bounds.top + 1)]
+    bounds, column = grid.bounds, grid.column_at(x)
+    if not bounds.left <= column <= bounds.right:
+        ends = _places(grid, bounds)
+        return (wording("map-no-column", column=x, first=ends["left"], last=ends["right"]),)
+    cells = [Cell(column, y) for y in range(bounds.bottom, bounds.top + 1)]
     return tuple(_runs_in_words(grid, "map-column", x, cells, wording))
 
 
 def square_in_words(grid: MapGrid, x: int, y: int, pose: Pose, wording: Wording) -> str:
     """What is at a place, and where that is from the robot."""
     cell = grid.cell_at(x, y)
-    what = _beyond(grid, wording) if _is_beyond(grid, cell) else square_content(grid, cell, wording)
+    what = square_content(grid, cell, wording) if cell in grid.bounds else _beyond(grid, wording)
     return wording("map-square", x=x, y=y, what=what, place=place_of(x, y, pose, wording))
-
-
-def _is_beyond(grid: MapGrid, cell: Cell) -> bool:
-    """Whether the cell is outside of the map. A trail counts as floor anywhere."""
-    bounds = grid.bounds
-    is_on_it = bounds.left <= cell.x <= bounds.right and bounds.bottom <= cell.y <= bounds.top
-    return not is_on_it and grid.kind(cell) is Kind.FREE
 
 
 def _beyond(grid: MapGrid, wording: Wording) -> str:
@@ -125,14 +118,12 @@ def _beyond(grid: MapGrid, wording: Wording) -> str:
 def square_content(grid: MapGrid, cell: Cell, wording: Wording) -> str:
     """What a square shows, the robot's trail and start included."""
     kind = grid.kind(cell)
-    thing = grid.thing(cell) if kind is Kind.THING else None
-    if thing is not None:
-        return specific_name_of(thing, wording)
     if kind is Kind.ROBOT:
         return _robot_words(grid, wording)
-    if kind is Kind.THING:
-        return grid.letter(cell)
-    return wording(f"cell-{kind.value}", number=grid.goals.get(cell, 0))
+    if kind is not Kind.THING:
+        return wording(f"cell-{kind.value}", number=grid.goals.get(cell))
+    thing = grid.thing(cell)
+    return grid.letter(cell) if thing is None else specific_name_of(thing, wording)
 
 
 def names_of_letters(picture: Picture, wording: Wording) -> dict[str, str]:
@@ -173,7 +164,7 @@ def picture_in_letters(grid: MapGrid, wording: Wording, free: str = FREE) -> tup
         wording("picture-letter", name=wording(f"colour-{each}"), letter=initials[each].lower())
         for each in shown_colours
     ]
-    goals = sorted({number for cell, number in grid.goals.items() if window.around(cell) == window})
+    goals = sorted({number for cell, number in grid.goals.items() if cell in window})
     letters = {
         number: next(grid.letter(cell) for cell in grid.goals if grid.goals[cell] == number)
         for number in goals
@@ -207,7 +198,7 @@ def _colours_in(grid: MapGrid, window: Bounds) -> dict[Cell, str]:
     return {
         cell: each.colour
         for cell, each in middles.items()
-        if window.around(cell) == window and grid.letter(cell) == each.letter
+        if cell in window and grid.letter(cell) == each.letter
     }
 
 
@@ -277,16 +268,25 @@ RANGE = 10
 class Face(Struct, frozen=True):
     """The directions into which the surroundings are divided, and their names."""
 
-    sectors: int
     first: float
     """The compass heading of the first one."""
     codes: tuple[str, ...]
     """The code of the sentence that names each sector; with ``{hour}`` for a clock face."""
-    named_when_free: tuple[int, ...]
+    every: int = 1
+    """Which of them are named when free: 1 for each, 3 for each third, from the first one on."""
+
+    @property
+    def width(self) -> float:
+        """Degrees of a sector."""
+        return 360 / len(self.codes)
 
     def heading(self, sector: int) -> float:
         """The compass heading of a sector's middle."""
-        return self.first + sector * 360 / self.sectors
+        return self.first + sector * self.width
+
+    def sector(self, heading: float) -> int:
+        """The sector of a compass heading."""
+        return round((heading - self.first) / self.width) % len(self.codes)
 
 
 def compass_point(typed: str) -> int | None:
@@ -324,30 +324,29 @@ def around_in_words(
     count = sum(map(len, sectors))
     lines = [wording("around-things" if count else "around-none", count=count, steps=RANGE)]
     lines += [wording("around-held", thing=_named(each, wording)) for each in things if each not in around]
-    for sector in range(face.sectors):
-        lines += _sector_in_words(room, face, sector, sectors[sector], wording)
+    for sector, found in enumerate(sectors):
+        lines += _sector_in_words(room, face, sector, found, wording)
     return tuple(lines)
 
 
 def _face(heading: float, detail: str, *, compass: int | None, clock: bool) -> Face:
     full = detail == "full"
     if clock:
-        return Face(12, heading, ("around-hour",) * 12, tuple(range(12)) if full else (0, 3, 6, 9))
-    step = 1 if full else 2
+        return Face(heading, ("around-hour",) * 12, 1 if full else 3)
     codes = [f"around-{each}" for each in SIDES]
     if compass is not None:
         codes = [f"compass-{each}" for each in (*COMPASS[compass:], *COMPASS[:compass])]
     first = heading if compass is None else compass * 45.0
-    return Face(8 // step, first, tuple(codes[::step]), tuple(range(8 // step)))
+    return Face(first, tuple(codes if full else codes[::2]))
 
 
 def _things_by_sector(things: Iterable[Thing], room: Room, face: Face) -> list[list[tuple[int, Thing]]]:
     """The things in range with their distances, the nearest first, by sector."""
-    found: list[list[tuple[int, Thing]]] = [[] for _ in range(face.sectors)]
+    found: list[list[tuple[int, Thing]]] = [[] for _ in face.codes]
     for thing in things:
         gap, heading = room.nearest(thing.outlines)
         if (steps := _in_range(room, gap)) is not None:
-            sector = round((heading - face.first) / (360 / face.sectors)) % face.sectors
+            sector = face.sector(heading)
             straight = _in_range(room, room.ahead(thing.outlines, face.heading(sector)))
             found[sector].append((steps if straight is None else straight, thing))
     return [sorted(each, key=lambda found: (found[0], found[1].name)) for each in found]
@@ -359,11 +358,12 @@ def _sector_in_words(
     where = wording(face.codes[sector], hour=sector or 12)
     wall, free = (_in_range(room, room.ahead(each, face.heading(sector))) for each in (room.walls, room.all))
     found = [(steps, _named(thing, wording)) for steps, thing in things]
-    if wall is not None and (found or sector in face.named_when_free):
+    is_named = sector % face.every == 0
+    if wall is not None and (found or is_named):
         found = sorted([*found, (wall, wording("cell-wall"))], key=lambda each: each[0])
     for steps, name in found:
         yield wording("around-thing", where=where, thing=name, steps=steps)
-    if not found and sector in face.named_when_free:
+    if not found and is_named:
         yield wording("around-free", where=where, steps=RANGE if free is None else free)
 
 
@@ -415,12 +415,13 @@ class Pointer(Struct):
 
     def _things_by_distance(self) -> list[Cell]:
         scene, pose = self.scene, self.scene.pose
-        cells = [scene.cell_at(each.x, each.y) for each in scene.things]
-        cells += scene.others.values()
-        distances = {
-            cell: hypot(scene.place(cell)[0] - pose.x, scene.place(cell)[1] - pose.y) for cell in cells
-        }
-        return sorted(distances, key=lambda cell: (distances[cell], cell))
+        cells = {*(scene.cell_at(each.x, each.y) for each in scene.things), *scene.others.values()}
+
+        def distance(cell: Cell) -> float:
+            x, y = scene.place(cell)
+            return hypot(x - pose.x, y - pose.y)
+
+        return sorted(cells, key=lambda cell: (distance(cell), cell))
 
     def mark(self) -> None:
         self.marked = self.here
@@ -450,7 +451,7 @@ def content(scene: MapScene, cell: Cell, wording: Wording) -> str:
     if kind is Kind.ROBOT and scene.grid.name:
         return scene.grid.name
     if kind is not Kind.THING:
-        return wording(f"cell-{kind.value}", number=scene.grid.goals.get(cell, 0))
+        return wording(f"cell-{kind.value}", number=scene.grid.goals.get(cell))
     if thing is None:
         return scene.letter(cell)
     return coloured_thing(thing, wording)
@@ -476,13 +477,14 @@ def legend(scene: MapScene, wording: Wording) -> tuple[str, ...]:
 
 def _in_their_colours(things: Sequence[Thing], wording: Wording) -> str:
     """ "box, red", or what they are called and each colour once: "flower: R red, B blue"."""
-    if len({each.colour for each in things}) == 1:
-        return coloured_thing(things[0], wording) if len(things) == 1 else _of_all(things[0], wording)
+    first, *others = things
+    if all(each.colour == first.colour for each in others):
+        return _of_all(first, wording) if others else coloured_thing(first, wording)
     initials = colour_initials(wording)
     shades = dict.fromkeys(
         f"{initials.get(each.colour, '')} {shade(each, wording)}".strip() for each in things
     )
-    return f"{name_of(things[0], wording)}: {', '.join(shades)}"
+    return f"{name_of(first, wording)}: {', '.join(shades)}"
 
 
 def _of_all(thing: Thing, wording: Wording) -> str:

@@ -403,6 +403,37 @@ def test_a_square_is_named_by_what_is_there(cell: Cell, said: str) -> None:
 
     assert content(it, cell, Words()) == said
     assert content(scene(), Cell(1, 1), Words()) == "Donnie"
+    it.move_other("", Pose(7, 4, 0))
+    assert content(it, Cell(7, 4), Words()) == "another robot"
+    nameless = MapScene(Picture(0, 0, 2, 1, 1, (".k",), (), has_walls=False), Pose(0, 0, 0))
+    assert content(nameless, Cell(1, 0), Words()) == "k"
+
+
+def test_the_nearest_of_things_and_robots_is_pointed_at_first_from_where_the_robot_is() -> None:
+    it = court()
+    it.move_other("carol", Pose(8, 1, 0))
+    it.move(Pose(8, 4, 0))
+    pointer, order = Pointer(it), []
+    for _ in range(4):
+        pointer.to_next_thing(True)
+        order.append(pointer.here)
+
+    bob, carol, chair, table = Cell(7, 3), Cell(8, 1), Cell(4, 3), Cell(2, 1)
+    assert order == [bob, carol, chair, table]
+
+
+def test_a_way_begins_at_the_marked_square_or_where_the_robot_is() -> None:
+    """As the robot looks: it faces east at 0, 1."""
+    it = scene()
+    it.move(Pose(0, 1, 90))
+    pointer = Pointer(it)
+    pointer.go(Cell(4, 3))
+    assert pointer.words(Words()) == "3, 3: free. 2 left, 3 ahead."
+    assert pointer.way(Words()) == "From 0, 1 to 3, 3: 2 left, 3 ahead."
+
+    pointer.mark()
+    pointer.move(-2, 4)
+    assert pointer.way(Words()) == "From 3, 3 to 1, 7: 4 left, 2 behind."
 
 
 def test_the_legend_has_the_names_that_are_true_of_all_things_of_a_letter() -> None:
@@ -410,6 +441,8 @@ def test_the_legend_has_the_names_that_are_true_of_all_things_of_a_letter() -> N
     it = MapScene(Picture(-1, 0, 10, 10, 1, ROWS, two, has_walls=True), Pose(0, 1, 0))
 
     assert legend(it, Words())[-1] == "c is chair, red."
+    assert legend(it, Words())[0].startswith("^ > v < is Donnie, looking north")
+    assert legend(court(), Words())[-1] == "t is tea, table, blue."
     assert legend(court(), Words())[0].startswith("^ > v < is alice, looking north")
     assert [line[0] for line in legend(court(), Words())[-3:]] == ["b", "c", "t"]
 

@@ -14,6 +14,7 @@ from devices.ports.robot import Bearing, Pose
 from donnie_tui.core.map_grid import FREE, MapGrid
 from donnie_tui.core.map_words import (
     RANGE,
+    Face,
     around_in_words,
     column_in_words,
     compass_point,
@@ -456,6 +457,43 @@ def test_a_trail_outside_of_the_walls_is_no_place_outside_of_the_world() -> None
     grid = driven((1, -3), (1, 1))
 
     assert square_in_words(grid, 1, -2, Pose(1, 1, 0), Words()) == "1, -2: trail. 3 behind."
+
+
+def test_a_trail_over_a_thing_is_a_trail_and_the_edge_of_an_open_floor_is_free() -> None:
+    grid = driven((3, 1), (3, 3), (3, 2))
+    floor = MapGrid(Picture(0, 0, 3, 3, 1, ("...",) * 3, (), False), Pose(1, 1, 0))
+
+    assert square_in_words(grid, 3, 3, Pose(3, 3, 0), Words()) == "3, 3: trail. here."
+    for x, y in ((0, 0), (2, 2), (0, 2), (2, 0)):
+        assert square_in_words(floor, x, y, Pose(x, y, 0), Words()) == f"{x}, {y}: free. here."
+
+
+def test_several_free_squares_have_their_plural_and_a_long_name_its_line() -> None:
+    grid = MapGrid(ROOM, Pose(1, 1, 0))
+    assert row_in_words(grid, 1, Words("pt")) == ("Linha 1, de 0: parede, Donnie, 4 livres, parede.",)
+
+    name = "a very long name of a kind of thing which no other thing has"
+    long = Thing("", name, "v", "red", 0, 0, 1, 1)
+    floor = MapGrid(Picture(0, 0, 3, 2, 1, ("...", "v.."), (long,), False), Pose(2, 1, 0))
+    assert row_in_words(floor, 0, Words()) == (f"Row 0, from 0: {name}.", "Row 0, from 1: 2 free.")
+
+
+@pytest.mark.parametrize(
+    ("first", "sectors", "headings", "before", "after"),
+    [
+        (0.0, 4, [0, 90, 180, 270], 314.9, 315.1),
+        (45.0, 8, [45, 90, 135, 180, 225, 270, 315, 360], 22.4, 22.6),
+        (10.0, 12, [10 + 30 * hour for hour in range(12)], 354.9, 355.1),
+    ],
+)
+def test_a_direction_reaches_half_way_to_the_next_one(
+    first: float, sectors: int, headings: list[float], before: float, after: float
+) -> None:
+    face = Face(first, ("around-hour",) * sectors)
+
+    assert [face.heading(each) for each in range(sectors)] == headings
+    assert [face.sector(each) for each in headings] == list(range(sectors))
+    assert (face.sector(before), face.sector(after)) == (sectors - 1, 0)
 
 
 def test_a_letter_without_a_thing_is_shown_as_it_is() -> None:
