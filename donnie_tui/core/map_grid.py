@@ -10,10 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from enum import Enum
 from itertools import islice, pairwise
-from math import atan2, degrees, floor, hypot
+from math import atan2, degrees, floor, hypot, remainder
 from typing import TYPE_CHECKING, NamedTuple
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from devices.ports.robot import Pose
 from donnie_tui.core.timeline import SAME_PLACE, DrivenPath, Trail, apart
@@ -296,9 +297,10 @@ def path_in_words(path: DrivenPath, wording: Wording, most: int | None = None) -
     length = 0.0
     for here, there in pairwise(path.pieces[-1]):
         length += apart(here, there)
-        if legs and (apart(here, there) <= SAME_PLACE or _is_straight_on(*legs[-1], there)):
+        is_still = apart(here, there) <= SAME_PLACE
+        if legs and (is_still or _is_straight_on(*legs[-1], there)):
             legs[-1] = legs[-1][0], there
-        elif apart(here, there) > SAME_PLACE:
+        elif not is_still:
             legs.append((here, there))
     if not legs and not path.has_gap:
         return (wording("trail-none"),)
@@ -320,13 +322,13 @@ def path_in_words(path: DrivenPath, wording: Wording, most: int | None = None) -
 
 
 def _is_straight_on(start: Pose, here: Pose, there: Pose) -> bool:
-    return abs((_bearing(start, here) - _bearing(here, there) + 180) % 360 - 180) < 1
+    return abs(remainder(_bearing(start, here) - _bearing(here, there), 360)) < 1
 
 
 def _leg(here: Pose, there: Pose, wording: Wording) -> str:
     bearing = round(_bearing(here, there)) % 360
     point = f"compass-{COMPASS[bearing // 45]}"
-    towards = facing(Pose(0, 0, bearing), wording) if bearing % 45 else wording(point)
+    towards = facing(replace(here, heading=bearing), wording) if bearing % 45 else wording(point)
     return wording("path-leg", steps=round(apart(here, there)), towards=towards, **_whole(there))
 
 

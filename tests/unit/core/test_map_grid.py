@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from devices.ports.robot import Pose
 from donnie_tui.core import map_grid
+from donnie_tui.core.events import Moved, Stamped
 from donnie_tui.core.map_grid import (
     LONGEST_TRAIL,
     Bounds,
@@ -21,7 +22,7 @@ from donnie_tui.core.map_grid import (
     path_in_words,
     place_in_words,
 )
-from donnie_tui.core.timeline import DrivenPath, Trail
+from donnie_tui.core.timeline import SAME_PLACE, DrivenPath, Trail
 from donnie_tui.i18n.words import Words
 
 
@@ -387,12 +388,21 @@ def test_a_bend_of_less_than_a_degree_is_straight_on_and_a_turn_on_the_spot_is_n
     assert said((0, 0), (0, 0.01), (0, 0)) == ["I have not moved yet."]
     assert said((0, 0), (0.005, 0), (5, 0))[1:] == ["East: 5 steps, to 5, 0.", "5 steps in all."]
     assert said((1.9, 0), (1.9, 2))[0] == "The path starts at 1, 0."
+    assert said((0, 0), (0, 3), (0, 7))[1:] == ["North: 7 steps, to 0, 7.", "7 steps in all."]
+    assert said((0, 0), (SAME_PLACE, 0)) == ["I have not moved yet."]
+
+
+def test_a_leg_ends_after_the_smallest_moves_that_follow_it() -> None:
+    assert said((0, 0), (5, 0.995), (5, 1.003))[1:] == [
+        *("79 degrees, near east: 5 steps, to 5, 1.", "5 steps in all.")
+    ]
 
 
 def test_of_more_legs_than_wanted_those_in_the_middle_are_left_out() -> None:
     stairs = [(at // 2, (at + 1) // 2) for at in range(8)]
 
-    assert len(said(*stairs, most=7)) == 9
+    assert said(*stairs, most=7) == said(*stairs, most=20) == said(*stairs)
+    assert len(said(*stairs)) == 9
     assert said(*stairs, most=4) == [
         "The path starts at 0, 0.",
         "North: 1 step, to 0, 1.",
@@ -429,3 +439,10 @@ def test_the_answer_to_where_has_the_last_move_at_full() -> None:
 
     assert place_in_words(Pose(1, 2, 90), Trail(), Words(), is_full=False) == (place,)
     assert more == ["I have not moved yet."]
+    driven = Trail()
+    for number, steps in enumerate((3, 5), 1):
+        moved = Moved(f"FW {steps}", steps, steps, None, Pose(0, steps, 0), True)
+        driven.on_event(Stamped(number, 0.0, moved))
+    assert place_in_words(Pose(1, 2, 90), driven, Words(), is_full=True) == (
+        (place, "FW 5: 5 steps, to 0, 5.")
+    )
