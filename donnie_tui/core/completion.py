@@ -15,7 +15,7 @@ import msgspec
 from donnie_tui.core.program_text import LONGEST_CHECKED, ProgramText
 from language import keywords
 from language.keywords import TERMINAL_OF_WORD, WORDS, folded_word
-from language.lexer import FRAGMENT, HELP, KIND, NAME, NUMBER, STRING, TAKES, Token, lex
+from language.lexer import FRAGMENT, HELP, KIND, NAME, NUMBER, TAKES, Token, lex
 from language.outline import ENDS, open_block, outline
 from language.parser import kinds_after
 from language.source import fold_name
@@ -110,9 +110,8 @@ def _start_of_word(text: str, at: int) -> int:
 
 
 def _is_inside_string(text: str, at: int) -> bool:
-    lexed = lex(text[text.rfind("\n", 0, at) + 1 : at])
-    is_text = bool(lexed.tokens) and lexed.tokens[-1][0] == STRING and lexed.open_quote is not None
-    return is_text or bool(lexed.comments)
+    lexed = lex(text[:at].rpartition("\n")[2])
+    return lexed.open_quote is not None or bool(lexed.comments)
 
 
 def _words(text: str, start: int, at: int, language: str, colours: Iterable[str] | None) -> Iterable[str]:
@@ -142,7 +141,7 @@ def _next_words(text: str, start: int, at: int, before: Sequence[Token], languag
     is_ended = block is not None and any(
         (each.line, each.depth, each.is_closed) == (block.line, block.depth, True) for each in outline(rest)
     )
-    may_end = bool(ends) and any(kind in ENDS for kind in kinds)
+    may_end = any(kind in ENDS for kind in kinds)
     if may_end and not is_ended:
         yield from ends
     names, commands = _names(text, start, before, kinds), _keywords(kinds, language)
@@ -153,16 +152,15 @@ def _next_words(text: str, start: int, at: int, before: Sequence[Token], languag
 
 def _second_words(before: str, tokens: Sequence[Token], language: str) -> Iterator[str]:
     """The second words: after END that of the open block, after RIGHT the word TURN."""
-    half = before[tokens[-1][1] :].split()
+    half = fold_name(before[tokens[-1][1] :].strip())
     kinds = kinds_after(tokens[:-1])
     block = open_block(before)
+    end = f"END {block.kind}" if block is not None else ""
     for each in _ranked():
-        words = each.spellings[language][0].split()
-        is_end = each.terminal.startswith("END_")
-        fits = block is not None and each.canonical == f"END {block.kind}" if is_end else True
-        begins_so = len(words) > 1 and [fold_name(words[0])] == [fold_name(part) for part in half]
-        if fits and begins_so and KIND[each.terminal] in kinds:
-            yield " ".join(words[1:])
+        first, *second = each.spellings[language][0].split()
+        fits = KIND[each.terminal] not in ENDS or each.canonical == end
+        if fits and fold_name(first) == half and KIND[each.terminal] in kinds:
+            yield from second
 
 
 def _keywords(kinds: frozenset[int], language: str) -> Iterator[str]:
@@ -198,7 +196,7 @@ def _names(text: str, typed_at: int, before: Sequence[Token], kinds: frozenset[i
     is_new = last in (_VAR, _PROCEDURE, _COLON) or (last == _COMMA and NUMBER not in kinds)
     if NAME not in kinds or is_new:
         return ()
-    procedures, variables = _declared([each for each in lex(text).tokens if each[1] != typed_at])
+    procedures, variables = _declared(lex(text).tokens)
     places = (variables | procedures) if NUMBER not in kinds and _VAR in kinds else variables
     nearest = sorted(places.values(), key=lambda place: (place > typed_at, -place))
     return tuple(_name_at(text, place) for place in nearest)
@@ -208,14 +206,14 @@ def _declared(tokens: Sequence[Token]) -> tuple[dict[str, int], dict[str, int]]:
     """Where procedures and variables, parameters among them, are declared, by folded name."""
     procedures: dict[str, int] = {}
     variables: dict[str, int] = {}
-    in_head = False
-    for number, (kind, start, _end, _line, _column, folded) in enumerate(tokens):
-        before = tokens[number - 1][0] if number else None
+    in_head, before = False, None
+    for kind, start, _end, _line, _column, folded in tokens:
         in_head = kind not in (_DO, _VAR) and (in_head or kind == _PROCEDURE)
         if kind == NAME and before == _PROCEDURE:
             procedures.setdefault(folded, start)
         elif kind == NAME and (before == _VAR or (in_head and before in (_COLON, _COMMA))):
             variables.setdefault(folded, start)
+        before = kind
     return procedures, variables
 
 

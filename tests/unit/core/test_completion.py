@@ -67,6 +67,14 @@ def test_the_likely_word_comes_first(text: str, language: str, first: str) -> No
         ("PROCEDURE sudden DO END PROCEDURE\nVAR sunny = 1\nSU", ("sunny", "sudden")),
         ("PROCEDURE ii DO END PROCEDURE\nFOR VAR i = 1; i < 5; i", ()),
         ("FW nea|\nVAR nearest", ("nearest",)),
+        ("PROCEDURE P: a, b DO\nEND PROCEDURE\nVAR side = 1\nP [1, si", ("side",)),
+        ("PROCEDURE sudden DO END PROCEDURE\nVAR sunny = 1\nSPEAK su", ("sunny",)),
+        ("P [1, sink]\nFW si", ()),
+        ("PROCEDURE P: a sink DO\nFW si", ()),
+        ("PROCEDURE scan DO\nSC", ("SCAN",)),
+        ("VAR scan = 1\nFW sc", ()),
+        ("sink\nVAR a = VAR\nFW si", ()),
+        ("REPEAT 3 TIMES\nIF \nEND ", ()),
         ("VAR above = 1\nVAR abandon = 1\nFW ab|\nVAR abc", ("abandon", "above", "abc")),
     ],
 )
@@ -80,7 +88,9 @@ def test_on_an_empty_line_the_commonest_commands_come_first(text: str) -> None:
     found = words(text)
 
     assert found[:8] == ("FW", "TR", "TL", "BW", "SPEAK", "REPEAT", "IF", "VAR")
-    assert found[8:13] == ("FOR", "WHILE", "PROCEDURE", "WAIT", "FORWARD")
+    assert found[8:12] == ("FOR", "WHILE", "PROCEDURE", "WAIT")
+    assert found[12:16] == ("FORWARD", "RIGHT TURN", "LEFT TURN", "BACKWARD")
+    assert [each for each in found if each in ("HELP", "RUN", "VIBRATE")] == ["VIBRATE", "HELP", "RUN"]
     assert not {"QUIT", "EXIT", "END IF", "ELSE", "THEN", "DO"} & set(found)
 
 
@@ -132,7 +142,15 @@ def test_the_list_has_the_likelier_of_words_numbers_and_signs_first(
     text: str, first: tuple[str, ...]
 ) -> None:
     """By the forms in the manual."""
-    assert completion(text, len(text), "en").listed[: len(first)] == first
+    listed = completion(text, len(text), "en").listed
+
+    assert listed[: len(first)] == first
+    assert len({*listed}) == len(listed)
+
+
+def test_a_list_for_letters_has_the_words_alone_and_after_an_unknown_name_both_of_its_signs() -> None:
+    assert completion("FW 1\nRE", 7, "en").listed == words("FW 1\nRE") != ()
+    assert completion("walk ", 5, "en").listed[:2] == ("=", "[")
 
 
 @pytest.mark.parametrize(
@@ -175,6 +193,8 @@ def test_a_semicolon_between_commands_is_listed_last(text: str) -> None:
         ("VAR a\n", "="),
         ("FW 1 ", "="),
         ("END ", ";"),
+        ("VAR ", ";"),
+        ("REPEAT ", ";"),
         ("RIGHT ", ";"),
     ],
 )
@@ -307,6 +327,7 @@ def entered(text: str, language: str = "en") -> tuple[str, str, str, bool]:
         ("REPEAT 4 TIMES|\nEND REPEAT\nREPEAT 2 TIMES", "en", ("", "  ", "", False)),
         ("PARA CRIAR i = 1; i < 5; i = i + 1 FAÇA|", "pt", ("", "  ", "FIM PARA", False)),
         ("IF 1 == 1 THEN\n  FW 1|\nEND IF", "en", ("  ", "  ", "", False)),
+        ("IF 1 == 1 THEN\n  REPEAT 4 TIMES|\n  END REPEAT", "en", ("  ", "    ", "", False)),
     ],
 )
 def test_after_enter_the_next_line_is_indented_and_a_block_has_its_end(text, language, expected) -> None:
