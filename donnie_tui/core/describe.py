@@ -72,7 +72,7 @@ def has_way_out(picture: Picture, pose: Pose) -> bool:
     while waiting:
         row, column = waiting.pop()
         left, right = rows[row].rfind(_WALL, 0, column) + 1, rows[row].find(_WALL, column)
-        if left == 0 or right < 0 or row in (0, picture.height - 1):
+        if left == 0 or right == -1 or row in (0, picture.height - 1):
             return True
         if (row, left) not in seen:
             seen.add((row, left))
@@ -130,17 +130,19 @@ def _sensor_phrase(device: Mounted, wording: Wording) -> str:
         name=device.name,
         where=_where(device.degrees, wording),
         width=round(device.width),
-        metres=f"{device.metres:.2f}".rstrip("0").rstrip("."),
+        metres=f"{round(device.metres, 2):g}",
     )
 
 
 def _where(degrees: float, wording: Wording) -> str:
     turned = round(degrees)
-    if turned == 0:
-        return wording("sensors-ahead")
     if abs(turned) == 180:
         return wording("sensors-behind")
-    return wording("sensors-right" if turned > 0 else "sensors-left", degrees=abs(turned))
+    if turned > 0:
+        return wording("sensors-right", degrees=turned)
+    if turned < 0:
+        return wording("sensors-left", degrees=-turned)
+    return wording("sensors-ahead")
 
 
 MOST_THINGS = 20

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from devices.ports.robot import Pose
-from donnie_tui.core.describe import describe, walls_in_words
+from donnie_tui.core.describe import _runs, describe, walls_in_words
 from donnie_tui.core.map_words import map_in_words
 from donnie_tui.i18n.words import Words
 from sim.picture import Picture, picture
@@ -43,6 +43,34 @@ def test_the_sides_are_those_of_the_compass_at_any_heading(heading: int) -> None
     (said,) = walls_in_words(seen, Pose(0, 0, heading), Words("es"))
 
     assert said.endswith(": 18 al norte.")
+
+
+def test_a_wall_is_seen_straight_on_alone() -> None:
+    """Posts of a step far away, which a robot would pass that drives one degree beside."""
+    posts = tuple(
+        ((x - 0.5, y - 0.5), (x + 0.5, y - 0.5), (x + 0.5, y + 0.5), (x - 0.5, y + 0.5))
+        for x, y in ((0, 90), (91, 0), (0, -92), (-93, 0))
+    )
+    body = ((-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5))
+    floor = Picture(-1, -1, 3, 3, 1, ("...",) * 3, (), True, posts, (body,))
+
+    assert walls_in_words(floor, Pose(0, 0, 0), Words()) == (
+        ("Walls from the robot, in steps: 89 north, 90 east, 91 south, 92 west.",)
+    )
+
+
+@pytest.mark.parametrize(
+    ("row", "left", "right", "runs"),
+    [
+        ("..#..", 0, 5, [0, 3]),
+        ("..#..", 1, 5, [1, 3]),
+        (".##.#", 2, 4, [3]),
+        (".....", 2, 5, [2]),
+        ("##", 0, 2, []),
+    ],
+)
+def test_a_run_of_free_squares_has_its_first_square(row: str, left: int, right: int, runs: list[int]) -> None:
+    assert list(_runs(row, left, right)) == runs
 
 
 def test_a_winding_way_out_is_found_and_a_closed_room_has_none() -> None:
