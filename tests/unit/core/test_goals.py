@@ -466,6 +466,8 @@ def test_the_end_of_a_solution_is_a_list_of_goals() -> None:
         Goal(thing="box", at=(3.0, 9.0)),
         Goal(said=("one", "2")),
     )
+    alone = Inventory((), 3.0, {"alice": START})
+    assert goals_of_end(alone, [Stamped(1, 0.0, walk(0, 7), "alice")]) == (Goal(at=(0.0, 7.0), within=0.5),)
 
 
 def test_a_thing_may_belong_to_another_thing() -> None:
@@ -739,8 +741,11 @@ def test_the_names_of_all_tables_are_looked_for() -> None:
             Goal(thing="box", at="sofa"),
             Goal(said="lamp"),
             Goal(counted="lamp"),
+            Goal(at=(0, 0), robot="dora"),
+            Goal(near="vase"),
+            Goal(thing="jar", at=(1, 1)),
         ),
-        never=Never(near=("rug",), touch=("box",)),
+        never=Never(near=("rug",), touch=("box", "mat")),
         variant=(Variant(things={"box": (1, 1), "bob": (2, 2), "bed": (3, 3)}),),
         question=(
             ChallengeQuestion("count", "cup"),
@@ -751,11 +756,15 @@ def test_the_names_of_all_tables_are_looked_for() -> None:
     )
 
     assert [*unknown_names(rules, HALL)] == [
+        ("never", "touch", "mat"),
         ("never", "near", "rug"),
         ("goal[1]", "visited", "lamp"),
         ("goal[2]", "robots", "carl"),
         ("goal[3]", "holds", "can"),
         ("goal[4]", "at", "sofa"),
+        ("goal[7]", "robot", "dora"),
+        ("goal[8]", "near", "vase"),
+        ("goal[9]", "thing", "jar"),
         ("variant[0]", "things", "bed"),
         ("question[0]", "of", "cup"),
         ("question[1]", "of", "pan"),
