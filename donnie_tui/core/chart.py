@@ -15,6 +15,7 @@ import re
 import textwrap
 import unicodedata
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import dropwhile
 from string import ascii_lowercase
 from typing import TYPE_CHECKING
 
@@ -96,8 +97,8 @@ def shrunk(rows: Sequence[str], across: int, down: int, strong: str = "") -> tup
 
 
 def _strongest(block: Iterable[str], strong: str) -> str:
-    def rank(letter: str) -> int:
-        return 3 if letter in strong else {FREE: 0, WALL: 1}.get(letter, 2)
+    def rank(letter: str) -> tuple[bool, bool, bool]:
+        return letter in strong, letter not in (FREE, WALL), letter == WALL
 
     return max("".join(block), key=rank)
 
@@ -249,8 +250,8 @@ def _cell(letter: str, language: str) -> str:
 
 def dots(cell: str) -> tuple[int, ...]:
     """The raised dots of a cell: 1, 2, 3 down the left column, 4, 5, 6 down the right one."""
-    pattern = ASCII.index(cell)
-    return tuple(dot for dot in range(1, 7) if pattern & 1 << (dot - 1))
+    pattern = f"{ASCII.index(cell):b}"
+    return tuple(dot for dot, bit in enumerate(reversed(pattern), 1) if bit == "1")
 
 
 _INITIAL = re.compile(r"((?:, |1 )\w) (?=\w)")
@@ -325,5 +326,4 @@ def _page(lines: list[str]) -> str:
 
 def _without_end(lines: list[str]) -> Iterator[str]:
     """The lines without the blank ones at the foot of the page."""
-    last = max((number for number, line in enumerate(lines) if line), default=-1)
-    yield from lines[: last + 1]
+    return reversed([*dropwhile(lambda line: not line, reversed(lines))])
