@@ -597,6 +597,15 @@ def test_a_trail_goes_over_the_place_that_a_thing_has_left() -> None:
     ]
 
 
+def test_large_squares_reach_as_far_as_the_cells_of_the_floor() -> None:
+    it = open_floor()
+    it.move(Pose(-14, -13, 0))
+
+    assert it.bounds == Bounds(-4, -3, 20, 20)
+    assert MapScale(it, 3).bounds == Bounds(-2, -1, 6, 6)
+    assert MapScale(it, 4).bounds == Bounds(-1, -1, 5, 5)
+
+
 @pytest.mark.parametrize(("columns", "rows", "factor"), [(10, 5, 2), (10, 10**6, 64), (1, 1, 64)])
 def test_no_square_is_larger_than_64_cells(columns: int, rows: int, factor: int) -> None:
     bounds = Bounds(0, 0, 9, 9) if factor == 2 else Bounds(0, 0, 10**6, 9)

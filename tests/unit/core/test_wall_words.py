@@ -46,7 +46,7 @@ def test_the_sides_are_those_of_the_compass_at_any_heading(heading: int) -> None
 
 
 def test_a_wall_is_seen_straight_on_alone() -> None:
-    """Posts of a step far away, which a robot would pass that drives one degree beside."""
+    """Posts of a step far away, which a robot would pass that drives one degree off."""
     posts = tuple(
         ((x - 0.5, y - 0.5), (x + 0.5, y - 0.5), (x + 0.5, y + 0.5), (x - 0.5, y + 0.5))
         for x, y in ((0, 90), (91, 0), (0, -92), (-93, 0))
