@@ -159,8 +159,8 @@ def _second_words(before: str, tokens: Sequence[Token], language: str) -> Iterat
     for each in _ranked():
         first, *second = each.spellings[language][0].split()
         fits = KIND[each.terminal] not in ENDS or each.canonical == end
-        if fits and fold_name(first) == half and KIND[each.terminal] in kinds:
-            yield from second
+        if second and fits and fold_name(first) == half and KIND[each.terminal] in kinds:
+            yield " ".join(second)
 
 
 def _keywords(kinds: frozenset[int], language: str) -> Iterator[str]:
