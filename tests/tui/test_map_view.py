@@ -263,6 +263,16 @@ async def test_numbers_of_a_far_view_are_steps_and_negative_ones_have_their_sign
         assert pilot.app.rows[0].split() == ["-5"]
 
 
+async def test_a_number_at_the_left_has_its_sign_and_all_its_digits_or_is_left_out():
+    """Four columns: the number to the right before a blank, or as long as all of them."""
+    async with Mapped(40, 12).run_test(size=(60, 30)) as pilot:
+        view = pilot.app.view
+        view.show_rulers(True)
+        for south, number in ((95, "-95 "), (100, "-100"), (995, "-995"), (1000, "    ")):
+            view.update_cells(pilot.app.scene.move(Pose(0, -south, 0)))
+            assert view._left_ruler(-south, 0).text == number
+
+
 async def test_what_lies_outside_has_a_sign_at_the_edge_and_the_sides_are_known():
     """In squares of six by three the room takes 72 by 30, and 40 by 12 are seen of it."""
     async with Mapped(40, 12).run_test(size=(60, 30)) as pilot:

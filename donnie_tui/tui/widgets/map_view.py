@@ -456,20 +456,21 @@ class MapView(PaintedRows, can_focus=True):
         places = [self._place(self._bounds.left, north - below)[1] for below in range(self._extent.stacked)]
         place = next((each for each in places if each % _EVERY == 0), 1)
         is_numbered = place % _EVERY == 0 and north >= self._bounds.bottom and not row
-        words = f"{place:>{RULER - 1}} " if is_numbered else " " * RULER
-        return Strip([Segment(words[-RULER:], self._look("ruler"))])
+        number = str(place) if is_numbered else ""
+        words = f"{number:>{RULER - 1}}" if len(number) <= RULER else ""
+        return Strip([Segment(words.ljust(RULER), self._look("ruler"))])
 
     def _top_ruler(self) -> Strip:
         first, last = self._visible_columns()
-        line = [" "] * (self.size.width + RULER)
+        line = [" "] * self.size.width
         for x in range(first, last):
             place = self._place(x, self._bounds.bottom)[0]
             at = (x - self._bounds.left) * self._extent.columns - self.scroll_offset.x + RULER
             if place % (_EVERY if self._extent.columns > 1 else 2 * _EVERY) == 0 and at >= RULER:
-                for index, letter in enumerate(str(place)):
-                    if at + index < self.size.width:
-                        line[at + index] = letter
-        return Strip([Segment("".join(line)[: self.size.width], self._look("ruler"))])
+                for column, letter in enumerate(str(place), at):
+                    if column < self.size.width:
+                        line[column] = letter
+        return Strip([Segment("".join(line), self._look("ruler"))])
 
     def _place(self, x: int, y: int) -> tuple[int, int]:
         assert self.scale is not None
