@@ -79,7 +79,6 @@ class Display:
         self._attempt, self._preferences = ctx.attempt, ctx.preferences
         self._donnie, self._words = ctx.donnie, ctx.words
         self._runs, self._workspace = ctx.runs, ctx.workspace
-        self._pose = ctx.donnie.session.pose
         self._readings: dict[tuple[str, str], Read] = {}
         self._distances: Mapping[Bearing, int] = {}
         self._offered: tuple[object, ...] = ()

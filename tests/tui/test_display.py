@@ -175,7 +175,7 @@ def test_a_small_screen_with_an_empty_program_says_how_to_begin(show: Callable[.
     assert shown.place.titles["program_pane"] == ("Program: new program",)
 
     shown.place.editor.text = ""
-    shown.display.look()
+    shown.display.looked()
     assert shown.place.titles["program_pane"] == ("F5 runs. F1 helps. LINEAR: text only",)
     assert keys(shown) == [
         *("run", "help", "examples", "challenge", "quit", "open", "show_variables", "ctrl+p")
@@ -429,13 +429,13 @@ def test_a_held_program_shows_its_line_and_its_keys(show: Callable[..., Shown]) 
         *("pause", "help", "quit", "stop", "step", "step_back", "step_over", "run_to", "show_variables"),
         "ctrl+p",
     ]
-    assert shown.place.offered[0].words == "Continue"
+    assert [each.words for each in shown.place.offered[:5]] == ["Continue", "Help", "Quit", "Stop", "Step"]
     shown.display.keep("Yes")
-    assert shown.place.said[0] == f" Yes. Line 2 of 3. {AT_START}"
-    assert shown.place.said[-1] == " Yes."
+    whole = (f" Yes. Line 2 of 3. {AT_START}", f" Line 2 of 3. {AT_START}")
+    assert shown.place.said == (whole[0], " Yes. Line 2 of 3.", " Yes.")
     shown.place.log_is_seen = True
     shown.display.say_status()
-    assert shown.place.said[-2:] == (" Line 2 of 3.", " Yes.")
+    assert shown.place.said == (*whole, " Line 2 of 3.", " Yes.")
 
     shown.script.answers_to("STEP BACK")
     shown.display.look()
@@ -558,9 +558,36 @@ def test_the_belt_is_shown_from_its_first_change_on(show: Callable[..., Shown]) 
     shown.display.receive(replace(NOTHING, belt=(0,) * 14))
     assert len(shown.place.inspected) > len(before)
     now = shown.place.inspected
-    shown.display.receive(NOTHING)
+    shown.place.inspected = ()
+    shown.display.receive(replace(NOTHING, poses=(Pose(0, 1, 0),)))
+    assert shown.place.inspected == (), "a step alone is none of its lines"
     shown.display.look()
     assert shown.place.inspected == now
+
+
+def test_the_variables_of_a_program_stay_after_its_end_but_are_not_those_of_the_past(
+    show: Callable[..., Shown],
+) -> None:
+    shown = show("open_floor", "FW 1", "VAR n = 5")
+    shown.script.interaction.until_over = shown.script.rest
+    shown.script.answers_to("AGAIN")
+    shown.display.look()
+    assert [each.split() for each in shown.place.inspected if each.endswith("5")] == [["n", "5"]]
+    shown.script.answers_to("STEP BACK")
+    shown.display.look()
+    assert not [each for each in shown.place.inspected if each.endswith("5")]
+
+
+@pytest.mark.parametrize(("width", "columns"), [(30, 29), (24, 23), (10, 23)])
+def test_a_chart_is_as_wide_as_the_inspector_but_for_a_column(
+    show: Callable[..., Shown], width: int, columns: int
+) -> None:
+    shown = show("open_floor")
+    shown.place.inspector.size.width = width
+    reads = tuple(Read("distance", "front", at % 2) for at in range(40))
+    shown.display.receive(replace(NOTHING, measured=reads, distances={Bearing.FRONT: 1}))
+
+    assert max(len(each) for each in shown.place.inspected if "|" in each) == columns
 
 
 def test_another_robot_that_is_read_about_changes_the_map_anew(show: Callable[..., Shown]) -> None:

@@ -273,6 +273,21 @@ async def test_a_number_at_the_left_has_its_sign_and_all_its_digits_or_is_left_o
             assert view._left_ruler(-south, 0).text == number
 
 
+async def test_the_signs_at_the_edges_change_while_another_square_than_the_robot_s_is_explored():
+    """Of 72 by 30 cells 40 by 12 are seen, from row 18 on: the chair is above them, both balls to the right.
+
+    The blue ball is six squares below the corner: its middle is in row 6 x 3 + 1, the second one seen.
+    """
+    async with Mapped(40, 12).run_test(size=(60, 30)) as pilot:
+        view = pilot.app.view
+        view.set_zoom(2)
+        view.focus()
+        await pilot.press("right", "right")
+        assert view._marks == {(21, 0), (27, 0), (39, 0), (39, 1)}
+        view.update_cells(pilot.app.scene.place_things((PlacedThing("chair", Pose(2, 2, 0), 3),)))
+        assert view._marks == {(39, 0), (39, 1)}
+
+
 async def test_what_lies_outside_has_a_sign_at_the_edge_and_the_sides_are_known():
     """In squares of six by three the room takes 72 by 30, and 40 by 12 are seen of it."""
     async with Mapped(40, 12).run_test(size=(60, 30)) as pilot:

@@ -133,9 +133,10 @@ class MapView(PaintedRows, can_focus=True):
         elif squares:
             self.refresh(*map(self._region_of, squares))
             self._write_names(squares)
-            self._mark_edges(squares)
             if self._followed == self.scale.robot:
                 self._follow(self.scale.robot)
+            else:
+                self._mark_edges()
 
     @property
     def grid(self) -> MapGrid | None:
@@ -172,9 +173,9 @@ class MapView(PaintedRows, can_focus=True):
         return True
 
     @property
-    def _square_size(self) -> tuple[int, Extent]:
+    def _square_size(self) -> tuple[int | None, Extent]:
         """The steps of a square, and its size on the screen."""
-        return self.scale.factor if self.scale is not None else 1, self._extent
+        return self.scale.factor if self.scale else None, self._extent
 
     def show_all(self, whole: bool) -> None:
         """Show the whole floor, or follow the robot at the zoom of before."""
@@ -256,14 +257,12 @@ class MapView(PaintedRows, can_focus=True):
         """The part of the widget that shows floor."""
         return self.size.region.shrink((self.rulers.y, 0, 0, self.rulers.x))
 
-    def _mark_edges(self, changed: frozenset[Cell] | None = None) -> None:
-        """Update the marks at the edges after a scroll, or if a changed square is outside."""
+    def _mark_edges(self) -> None:
+        """Update the marks at the edges."""
         if not self.hidden and not self._marks:
             return
         assert self.scale is not None
         window = self._window
-        if changed is not None and all(window.overlaps(self._region_of(each)) for each in changed):
-            return
         standing = self.scale.squares_of(self.scale.scene.standing) if self.hidden else frozenset()
         places = (self._region_of(square) for square in standing)
         middles = (
@@ -454,10 +453,9 @@ class MapView(PaintedRows, can_focus=True):
 
     def _left_ruler(self, north: int, row: int) -> Strip:
         places = [self._place(self._bounds.left, north - below)[1] for below in range(self._extent.stacked)]
-        place = next((each for each in places if each % _EVERY == 0), 1)
-        is_numbered = place % _EVERY == 0 and north >= self._bounds.bottom and not row
-        number = str(place) if is_numbered else ""
-        words = f"{number:>{RULER - 1}}" if len(number) <= RULER else ""
+        number = next((str(each) for each in places if each % _EVERY == 0), "")
+        has_room = north >= self._bounds.bottom and not row and len(number) <= RULER
+        words = f"{number:>{RULER - 1}}" if has_room else ""
         return Strip([Segment(words.ljust(RULER), self._look("ruler"))])
 
     def _top_ruler(self) -> Strip:

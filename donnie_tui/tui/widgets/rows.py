@@ -453,7 +453,7 @@ class TextRows(PaintedRows, WheelRows, can_focus=True):
         first = sum(self._heights[:line])
         self._read(first)
         if line < len(self._heights):
-            self._scroll_to_rows(first, min(self._heights[line], max(1, self.size.height)))
+            self._scroll_to_rows(first, min(self._heights[line], self.size.height))
 
     @property
     def is_read(self) -> bool:
