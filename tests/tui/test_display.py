@@ -269,6 +269,8 @@ def test_the_focus_on_the_tour_and_on_a_square_of_the_map_is_said(show: Callable
     assert shown.display.focus_sentence == "Map."
     shown.place.map.is_exploring = True
     assert shown.display.focus_sentence == "Map, 3, 2: free"
+    shown.place.map.has_focus = False
+    assert shown.display.focus_sentence == "Tour, page 1."
 
 
 WRONG = "Program, line 2 of 3: I do not know FWD."

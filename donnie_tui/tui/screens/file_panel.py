@@ -359,7 +359,7 @@ class FilePanel(Panel[str | Path | None]):
         """The shown programs of all open folders."""
         found = set()
         for each in self._fitting(folder):
-            below = self._folders.get(each.path) if each.real else None
+            below = self._folders.get(each.path)
             if not each.real:
                 found.add(each.path)
             elif below is not None and below.is_open:
