@@ -400,22 +400,22 @@ class StepNarrator:
         """The condition with its values at that time, since a procedure may have ended meanwhile."""
         if isinstance(self._before, If | While | For):
             condition, reads = self._before.condition, iter(self._reads)
-            variables = self._variables
+            variables: Mapping[str, int | None] = self._variables
             if isinstance(self._before, For):
                 if self._rounds[-1].count is None and not self._rounds[-1].has_gone_round:
                     return  # it began with the start or with the step
-                variables = {**variables, **dict(self._counted(self._before, reads))}
+                name, value = self._counted(self._before, reads)
+                variables = {**variables, name: value}
             left = self._value(condition.left, variables, reads)
             right = self._value(condition.right, variables, reads)
             if left is not None and right is not None:
                 yield self._condition_in_words(condition, left, right)
 
-    def _counted(self, loop: For, reads: Iterator[int]) -> Iterator[tuple[str, int]]:
-        """The loop's variable as set before the condition."""
+    def _counted(self, loop: For, reads: Iterator[int]) -> tuple[str, int | None]:
+        """The loop's variable, and its value as set before the condition, None if it is unknown."""
         made = loop.step if self._rounds[-1].has_gone_round else loop.start
         value = 0 if made.value is None else self._value(made.value, self._variables, reads)
-        if value is not None:
-            yield fold_name(made.name.name), value
+        return fold_name(made.name.name), value
 
     def _condition_in_words(self, condition: Condition, left: int, right: int) -> str:
         """The condition as written, with its values, and its result."""
@@ -431,7 +431,7 @@ class StepNarrator:
         return self._say("step-true" if is_true else "step-false", how=how)
 
     def _value(
-        self, expression: Expression, variables: Mapping[str, int], reads: Iterator[int]
+        self, expression: Expression, variables: Mapping[str, int | None], reads: Iterator[int]
     ) -> int | None:
         """The current value of an expression; None if it is unknown."""
         match expression:

@@ -231,6 +231,23 @@ def test_a_condition_whose_reading_is_not_known_is_not_printed(condition: str) -
     assert words.on_hold(2, 1, CALLS) == ("Line 2: FW 1",)
 
 
+@pytest.mark.parametrize(("is_read", "said"), [(True, ("9 is less than 5: false.",)), (False, ())])
+def test_the_condition_of_a_for_has_no_old_value_where_the_new_one_is_not_known(
+    is_read: bool, said: tuple[str, ...]
+) -> None:
+    """Its variable is 2 in the first round, and 7 more after it."""
+    program = parse("FOR VAR i = 2; i < 5; i = i + DISTANCE F DO\nFW 1\nEND FOR").program
+    words = StepNarrator(program, (), Words("en", "brief"))
+    first_round = (Frame("", 1, (("i", 2),)),)
+    words.on_hold(1, 1, CALLS)
+    words.on_hold(2, 1, first_round)
+    words.on_hold(1, 1, first_round)
+    if is_read:
+        words.on_read(Read("distance", "F", 7))
+
+    assert words.on_end() == said
+
+
 def test_a_for_without_a_start_value_begins_at_0() -> None:
     assert "0 is less than 1: true." in step_lines("FOR VAR i; i < 1; i = i + 1 DO\nEND FOR")
 
