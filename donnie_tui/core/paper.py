@@ -283,7 +283,7 @@ def _labels(
             each
             for each in _clear_places(box, len(text), near_lines, taken, sheet)
             if all(boxes_apart(each, other) > boxes_apart(each, box) + LINE for other in others)
-            and not any(_is_between(leg, each, box) for leg in driven)
+            and not any(is_between(leg, each, box) for leg in driven)
         )
         middles = ((each, ((each[0] + each[2]) / 2, (each[1] + each[3]) / 2)) for each in places)
         label = next(
@@ -377,7 +377,7 @@ def from_segment(box: Box, segment: Sequence[_Point]) -> float:
     return min(edges_apart((*start, *end), each) for each in edges(corners))
 
 
-def _is_between(line: _Segment, label: Box, box: Box) -> bool:
+def is_between(line: _Segment, label: Box, box: Box) -> bool:
     """Whether a line crosses the shortest way from the middle of a label to a box."""
     x, y = (label[0] + label[2]) / 2, (label[1] + label[3]) / 2
     nearest = min(max(x, box[0]), box[2]), min(max(y, box[1]), box[3])
@@ -511,8 +511,8 @@ def _patterns(items: Iterable[_Item]) -> Iterator[str]:
 
 def _round_number(most: float) -> int:
     """The largest of 1, 2, 5, 10, 20, 50 and so on that is not above ``most``, at least 1."""
-    numbers = (digit * 10**zeros for zeros in range(7) for digit in (1, 2, 5))
-    return max((each for each in numbers if each <= most), default=1)
+    first, *others = str(max(int(most), 1))
+    return max(each for each in (1, 2, 5) if each <= int(first)) * 10 ** len(others)
 
 
 def _written(text: str, cells: int, x: float, y: float, wording: Wording, gap: float = 0.0) -> Iterator[str]:

@@ -269,11 +269,9 @@ def _path(name: str) -> Path:
 
 
 def _make_newest(copy: Path, newest_first: list[Path]) -> None:
-    """Gives the copy the newest time: several may be left within one tick of the clock."""
-    copy.touch()
-    before = newest_first[0].stat().st_mtime_ns if newest_first else 0
-    if copy.stat().st_mtime_ns <= before:
-        os.utime(copy, ns=(before + 1, before + 1))
+    """Gives the copy a time that is later than that of any other."""
+    newest = 1 + max(each.stat().st_mtime_ns for each in (copy, *newest_first[:1]))
+    os.utime(copy, ns=(newest, newest))
 
 
 def _remove_oldest(newest_first: Iterable[Path]) -> None:

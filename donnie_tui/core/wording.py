@@ -121,9 +121,9 @@ def keys_of(*section: str) -> tuple[str, ...]:
 
 
 @cache
-def _meanings(section: tuple[str, ...]) -> Mapping[str, str]:
-    """The meanings by folded word. A word keeps the meaning of an earlier language in all later ones."""
-    found: dict[str, str] = {}
+def _meanings(section: tuple[str, ...]) -> Mapping[tuple[str, ...], str]:
+    """The meanings by folded words. A word keeps the meaning of an earlier language in all later ones."""
+    found: dict[tuple[str, ...], str] = {}
     for language in languages():
         for key in keys_of(*section):
             for word in locales.words(language, "words", *section, key):
@@ -131,8 +131,8 @@ def _meanings(section: tuple[str, ...]) -> Mapping[str, str]:
     return found
 
 
-def _folded(typed: str) -> str:
-    return " ".join(fold_name(typed).split())
+def _folded(typed: str) -> tuple[str, ...]:
+    return tuple(fold_name(typed).split())
 
 
 def language_named(typed: str) -> str | None:
@@ -214,7 +214,7 @@ def own_name(kind: str, name: str, wording: Wording) -> str:
     if not word or not name:
         return ""
     plain = {kind, word, *_COLOURS}
-    plain |= {_agreeing(each, gender, wording) for each in _COLOURS for gender in ("m", "f")}
+    plain |= {wording(f"colour-{each}{end}") for each in _COLOURS for end in ("", "-f")}
     return name if _words(name) - _words(" ".join(plain)) else ""
 
 
@@ -255,7 +255,7 @@ def with_colour(kind: str, name: str, colour: str, wording: Wording) -> str:
 def shade(thing: Thing, wording: Wording) -> str:
     """The colour alone, agreeing with the thing's noun."""
     known = not thing.is_robot and noun(thing.kind, wording)
-    gender = wording(f"gender-{thing.kind}") if known else "m"
+    gender = wording(f"gender-{thing.kind}") if known else ""
     return _agreeing(thing.colour, gender, wording)
 
 

@@ -29,7 +29,17 @@ from donnie_tui.core.chart import (
     with_marks,
     wrapped,
 )
-from donnie_tui.core.paper import A4, LINE, PRINT, Nearby, box_of, boxes_apart, from_segment, raised_picture
+from donnie_tui.core.paper import (
+    A4,
+    LINE,
+    PRINT,
+    Nearby,
+    box_of,
+    boxes_apart,
+    from_segment,
+    is_between,
+    raised_picture,
+)
 from donnie_tui.i18n.words import Words
 from sim.picture import Drawing, Picture, Thing, drawings, picture
 from sim.scene import Scene
@@ -911,6 +921,37 @@ def test_a_line_is_from_a_box_as_its_nearest_point_is(
     assert from_segment(BOX, line) == pytest.approx(apart)
 
 
+@pytest.mark.parametrize(
+    ("label", "way", "line", "is_crossed"),
+    [
+        ((40.0, 28.0, 44.0, 32.0), "right", ((35.0, 29.0), (35.0, 31.0)), True),
+        ((40.0, 28.0, 44.0, 32.0), "right", ((41.0, 29.0), (41.0, 31.0)), True),
+        ((40.0, 28.0, 44.0, 32.0), "right", ((43.0, 0.0), (43.0, 99.0)), False),
+        ((40.0, 28.0, 44.0, 32.0), "right", ((29.5, 0.0), (29.5, 99.0)), False),
+        ((40.0, 28.0, 44.0, 32.0), "right", ((35.0, 30.5), (35.0, 99.0)), False),
+        ((0.0, 28.0, 4.0, 32.0), "left", ((6.0, 29.0), (6.0, 31.0)), True),
+        ((0.0, 28.0, 4.0, 32.0), "left", ((1.0, 0.0), (1.0, 99.0)), False),
+        ((0.0, 28.0, 4.0, 32.0), "left", ((10.5, 0.0), (10.5, 99.0)), False),
+        ((18.0, 50.0, 22.0, 54.0), "below", ((19.0, 45.0), (21.0, 45.0)), True),
+        ((18.0, 50.0, 22.0, 54.0), "below", ((0.0, 53.0), (99.0, 53.0)), False),
+        ((18.0, 50.0, 22.0, 54.0), "below", ((0.0, 39.5), (99.0, 39.5)), False),
+        ((18.0, 6.0, 22.0, 10.0), "above", ((19.0, 15.0), (21.0, 15.0)), True),
+        ((18.0, 6.0, 22.0, 10.0), "above", ((0.0, 7.0), (99.0, 7.0)), False),
+        ((18.0, 6.0, 22.0, 10.0), "above", ((0.0, 20.5), (99.0, 20.5)), False),
+        ((40.0, 50.0, 44.0, 54.0), "at a corner", ((35.0, 46.0), (37.0, 46.0)), True),
+        ((40.0, 50.0, 44.0, 54.0), "at a corner", ((37.0, 46.0), (99.0, 46.0)), False),
+    ],
+)
+def test_a_line_is_between_a_label_and_a_box_if_it_crosses_the_shortest_way(
+    label: tuple[float, float, float, float],
+    way: str,
+    line: tuple[tuple[float, float], tuple[float, float]],
+    is_crossed: bool,
+) -> None:
+    """From the middle of the label: at the corner of 30, 40 from 42, 52, so at a height of 46 at 36."""
+    assert is_between(line, label, BOX) == is_crossed, way
+
+
 def test_what_is_near_a_box_is_found_and_what_is_far_is_not() -> None:
     """It looks into squares of 8 mm."""
     near, across, far = [(17.0, 1.0), (17.0, 2.0)], [(-30.0, 9.0), (60.0, 9.0)], [(50.0, 50.0), (51.0, 51.0)]
@@ -1123,6 +1164,17 @@ def test_the_key_has_its_samples_in_order_and_in_as_many_rows_as_they_need() -> 
     assert [x for x, _ in boxes] == [x for x, _ in expected]
     assert [float(y or 0) for _, y in boxes] == [float(first or 0) + 13 * number for _, number in expected]
     assert {number for _, number in expected} == {0, 1}
+
+
+@pytest.mark.parametrize(("colours", "key"), [(["gray"], []), (["gray", "red"], ["red", "gray"])])
+def test_gray_is_in_the_key_only_if_a_colour_is(colours: list[str], key: list[str]) -> None:
+    """Alone it needs none: an empty outline is no texture."""
+    things = [
+        square_of(Thing("", "crate", "c", colour, 3 + 5.0 * at, 3, 4, 4, index=at))
+        for at, colour in enumerate(colours)
+    ]
+
+    assert [each for each in printed_on(floor_sheet(12, 6, *things)) if each in colours] == key
 
 
 def test_a_robot_and_its_path_look_where_they_go() -> None:

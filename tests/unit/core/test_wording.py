@@ -1,11 +1,13 @@
 """Poses, everyday words, robots and things in words: whole numbers, eight directions, articles that agree."""
 
+from string import ascii_lowercase
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
 from devices.ports.robot import Pose
+from donnie_tui.core import wording
 from donnie_tui.core.wording import (
     all_of,
     called,
@@ -16,6 +18,7 @@ from donnie_tui.core.wording import (
     compass_point,
     facing,
     keys_of,
+    language_named,
     letters_of_several_colours,
     meant,
     name_of,
@@ -102,6 +105,34 @@ def test_an_everyday_word_of_any_language_has_one_meaning() -> None:
 )
 def test_a_language_has_a_name_in_each_language(language: str, spoken: str, name: str) -> None:
     assert name_of_language(language, spoken) == name
+
+
+@pytest.mark.parametrize(
+    ("names", "name"),
+    [
+        ({"pt": "ixo", "xx": "Xx", "en": "Ixish"}, "ixo"),
+        ({"xx": "Xx", "en": "Ixish"}, "Xx"),
+        ({"en": "Ixish"}, "Ixish"),
+        ({}, "xx"),
+    ],
+)
+def test_a_language_without_a_name_in_another_has_its_own_or_the_english_one_or_its_code(
+    names: dict[str, str], name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    known = {("xx", spoken): (each, "other") for spoken, each in names.items()}
+    monkeypatch.setattr(wording, "names_of", lambda *asked: known.get(asked, ()))
+
+    assert name_of_language("xx", "pt") == name
+
+
+@pytest.mark.parametrize(
+    ("typed", "language"),
+    [("Português", "pt"), (" PORTUGUES ", "pt"), ("inglês", "en"), ("pt_BR", "pt"), (" es ", "es"), ("x", None)],
+)
+def test_a_language_is_meant_by_its_name_in_any_language_or_by_a_code(
+    typed: str, language: str | None
+) -> None:
+    assert language_named(typed) == language
 
 
 # --- robots
@@ -230,6 +261,7 @@ def test_each_colour_has_a_letter_of_its_own() -> None:
     assert (taken["red"], taken["green"]) == ("E", "N")
     assert not {*taken.values()} & {*"RGB"}
     assert len({*plain.values()}) == len({*taken.values()}) == len(plain)
+    assert [colour_initials(EN, ascii_lowercase)[each] for each in ("red", "blue")] == ["R", "B"]  # none left
 
 
 def test_letters_stand_for_several_colours_where_the_things_differ() -> None:
