@@ -306,7 +306,7 @@ def moments_of(events: Iterable[Stamped]) -> array[float]:
     moments, now = array("d"), 0.0
     began: dict[str | None, float] = {}
     running: set[str | None] = set()
-    together = 0.0
+    together = now
     for stamped in events:
         if isinstance(stamped.event, RunStarted):
             how = stamped.event.how
@@ -470,8 +470,8 @@ class _GrowingPath(Struct):
         start = self.visits[: self.has_gap]
         visits, enough = _without_rounds(self.visits[self.has_gap :]), PLACES_KEPT * 3 // 4
         if len(visits) > enough:
-            done = min(self.simplified, len(visits) - 1)
-            visits = _without_rounds([*visits[:done], *_simplified(visits[done:])])
+            done, others = visits[: self.simplified], visits[self.simplified :]
+            visits = _without_rounds([*done, *_simplified(others)])
             self.simplified = len(visits) - 1
         if len(visits) > enough:
             start = start or visits[:1]

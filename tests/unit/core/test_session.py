@@ -8,6 +8,7 @@ import pytest
 
 from devices.ports.robot import Bearing, Pose
 from donnie_tui import __version__
+from donnie_tui.core import session as sessions
 from donnie_tui.core.events import (
     INTERNAL,
     TRANSIENT,
@@ -33,6 +34,7 @@ from donnie_tui.core.timeline import Chronicle, Timeline, Trail
 from donnie_tui.core.transcript import History
 from language.compiler import compile_program
 from language.parser import parse
+from language.syntax import Program
 from tests.floor import Floor
 from tests.timeouts import TIMEOUT
 
@@ -412,14 +414,18 @@ def test_check_reports_mistakes_or_otherwise_hints() -> None:
     assert session.check("FW 1") == ()
 
 
-def test_a_program_that_is_stopped_while_it_is_parsed_does_not_run() -> None:
-    floor = Floor()
+def test_a_program_that_is_stopped_while_it_is_parsed_is_not_compiled_and_does_not_run(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """To compile a long one takes seconds."""
+    floor, compiled = Floor(), list[Program]()
+    monkeypatch.setattr(sessions, "compile_program", lambda program, **_: compiled.append(program))
 
     run = floor.session.start("SPEAK 1", "a.gd", prepare=lambda control: control.stop())
 
     assert run.wait(TIMEOUT)
     assert run.outcome is Outcome.STOPPED
-    assert of(Spoke, floor) == []
+    assert (of(Spoke, floor), compiled) == ([], [])
 
 
 def test_a_stop_ends_a_history_that_is_being_printed() -> None:

@@ -127,7 +127,14 @@ def test_a_language_without_a_name_in_another_has_its_own_or_the_english_one_or_
 
 @pytest.mark.parametrize(
     ("typed", "language"),
-    [("Português", "pt"), (" PORTUGUES ", "pt"), ("inglês", "en"), ("pt_BR", "pt"), (" es ", "es"), ("x", None)],
+    [
+        ("Português", "pt"),
+        (" PORTUGUES ", "pt"),
+        ("inglês", "en"),
+        ("pt_BR", "pt"),
+        (" es ", "es"),
+        ("x", None),
+    ],
 )
 def test_a_language_is_meant_by_its_name_in_any_language_or_by_a_code(
     typed: str, language: str | None
