@@ -106,6 +106,18 @@ def in_state(state: RunState) -> Lesson:
     return lesson
 
 
+def test_a_run_that_was_started_elsewhere_counts_after_one_that_is_summed_up() -> None:
+    lesson = Lesson(speed=1.0)
+    lesson.start("FW 1")
+    lesson.ended()
+    elsewhere = lesson.team.chosen.start(ENDLESS, "other.gd")
+    states = [lesson.runs.state]
+    elsewhere.control.stop()
+    assert elsewhere.wait(TIMEOUT)
+
+    assert [*states, lesson.runs.state] == [RunState.RUNNING, RunState.READY]
+
+
 ASK: dict[Request, Callable[[RunController], object]] = {
     Request.START: lambda runs: runs.start(RunRequest(ENDLESS)),
     Request.PAUSE: RunController.pause,

@@ -64,6 +64,22 @@ def test_without_a_network_names_of_machines_can_not_be_looked_up() -> None:
     ]
 
 
+@pytest.mark.parametrize(
+    "reason",
+    [
+        "Name or service not known",  # glibc
+        "No address associated with hostname",
+        "nodename nor servname provided, or not known",  # macOS
+        "Name does not resolve",  # musl
+        "getaddrinfo failed",  # Windows
+    ],
+)
+def test_each_system_says_in_its_own_words_that_no_machine_has_a_name(reason: str) -> None:
+    assert (
+        Words()("problem-port-failed", port="x", reason=reason) == "I can't use x: no machine has that name."
+    )
+
+
 def test_a_missing_folder_is_named_when_a_file_can_not_be_written() -> None:
     reason = os.strerror(errno.ENOENT)
     found = [Words(each)("file-unwritable", path="a/b", reason=reason) for each in ("en", "pt", "es")]
