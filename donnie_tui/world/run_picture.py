@@ -579,7 +579,7 @@ def as_gif(it: RunPicture) -> bytes:
         pen = Draw(frame)
         for each, moved in it.moving:
             there, end = moved.at(seconds * number / (count - 1)), moved.end
-            for outline in _moved_outlines(each, end, there):
+            for outline in moved_outlines(each, end, there):
                 pen.polygon(
                     [it.at(*point) for point in outline], fill=fills[_fill(each)], outline=_darkest(base)
                 )
@@ -598,7 +598,7 @@ def as_gif(it: RunPicture) -> bytes:
     return out.getvalue()
 
 
-def _moved_outlines(drawing: Drawing, end: Pose, there: Pose) -> Iterable[list[_Point]]:
+def moved_outlines(drawing: Drawing, end: Pose, there: Pose) -> Iterable[list[_Point]]:
     """The outlines of what stands at ``end``, where it stood ``there``."""
     angle = radians(end.heading - there.heading)
     c, s = cos(angle), sin(angle)

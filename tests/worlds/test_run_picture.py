@@ -41,6 +41,7 @@ from donnie_tui.world.run_picture import (
     as_svg,
     driven_to,
     goals_on,
+    moved_outlines,
     moved_things,
     plot_as_png,
     run_picture,
@@ -573,6 +574,31 @@ def test_the_name_of_a_robot_is_next_to_its_start_where_room_is(taken: int) -> N
     assert it.marks == ((pytest.approx(left, abs=0.11), pytest.approx(y + 14 / 3 + down, abs=0.11), "bob"),)
 
 
+@pytest.mark.parametrize("east", [20, -20])
+def test_no_name_leaves_the_picture_on_a_side(east: int) -> None:
+    """The line is on one side of the start, and the name is longer than the 72 pixels on the other."""
+    name = "a robot with a name"
+    it = run_picture("T", (), (DrivenPath(name, (Pose(0, 0, 90), Pose(east, 0, 90))),), Words())
+    (x, y), length = it.at(0, 0), 1.15 * ImageFont.load_default(LETTER).getlength(name)
+    left = x + 8 if east > 0 else x - 8 - length
+
+    assert it.marks == ((pytest.approx(left, abs=0.11), pytest.approx(y + 14 / 3 - 14, abs=0.11), name),)
+
+
+@pytest.mark.parametrize("is_taken", [False, True])
+def test_no_number_of_a_goal_leaves_the_picture_above_or_below(is_taken: bool) -> None:
+    """900 pixels for 204 steps: each goal is 8.8 from an edge of the map, and its number needs 29.7."""
+    wall = (Drawing((box(-40, -195.5, 40, -195.4),), None, False),) if is_taken else ()
+    goals = ((1, 0.0, 0.0, 0.0, 0.0), (2, 0.0, -200.0, 0.0, -200.0))
+    it = run_picture("T", wall, (), Words(), goals)
+    below, above = it.at(0, 0)[1] + 10 + 5 + 11.2, it.at(0, -200)[1] - 10 - 5 - 3.5
+
+    assert [(text, base) for _, base, text in it.marks] == [
+        ("1", pytest.approx(below, abs=0.11)),
+        *([] if is_taken else [("2", pytest.approx(above, abs=0.11))]),
+    ]
+
+
 CORNERS = ("left, above", "right, above", "before, above", "after, above")
 CORNERS += tuple(each.replace("above", "below") for each in CORNERS)
 
@@ -626,6 +652,19 @@ def test_a_moved_thing_is_between_its_places_and_turns_the_short_way(seconds: fl
     assert (found.x, found.y, found.heading % 360) == (pose.x, pose.y, pose.heading % 360)
     assert (it.end, it.seconds) == (Pose(6, 4, 180), 6)
     assert MovedThing(0, it.moments[:1]).seconds == 0.1
+
+
+@pytest.mark.parametrize(
+    ("turned", "corner"), [(0, (4, 4)), (90, (3, -1)), (180, (-2, 0)), (270, (-1, 5)), (-90, (-1, 5))]
+)
+def test_the_outline_of_a_moved_thing_is_turned_around_its_place(
+    turned: float, corner: tuple[float, float]
+) -> None:
+    """Its corner is 3 to the east and 2 to the north of its place, which was 1, 2 then."""
+    it = Drawing((((13.0, 22.0), (10.0, 20.0)),), None, False)
+    ((there, place),) = moved_outlines(it, Pose(10, 20, 30), Pose(1, 2, 30 + turned))
+
+    assert (there, place) == (pytest.approx(corner), pytest.approx((1, 2)))
 
 
 def test_the_times_of_moved_things_are_those_of_the_robot_that_moved_them() -> None:
