@@ -329,6 +329,15 @@ def test_what_no_program_caused_is_left_out(code: str, result: Result) -> None:
     assert recheck([*events[:at], *more, *events[at:]], Hall().team, Words()).result is result
 
 
+def test_the_help_that_a_program_prints_is_compared() -> None:
+    hall = Hall()
+    run(hall, "alice", "HELP FW\nSPEAK 1")
+    events = recorded(hall)
+    assert any(isinstance(each.event, Announced) and each.event.code == "help" for each in events)
+
+    assert recheck(events, Hall().team, Words()) == Verdict(Result.SAME, len(events))
+
+
 def test_a_recording_that_begins_at_the_start_with_a_reset_gives_the_same_again() -> None:
     hall = Hall()
     hall.team.session("alice").reset()
