@@ -511,8 +511,9 @@ def _patterns(items: Iterable[_Item]) -> Iterator[str]:
 
 def _round_number(most: float) -> int:
     """The largest of 1, 2, 5, 10, 20, 50 and so on that is not above ``most``, at least 1."""
-    first, *others = str(max(int(most), 1))
-    return max(each for each in (1, 2, 5) if each <= int(first)) * 10 ** len(others)
+    digits = str(max(int(most), 1))
+    first = max(each for each in ("1", "2", "5") if each <= digits[0])
+    return int(first.ljust(len(digits), "0"))
 
 
 def _written(text: str, cells: int, x: float, y: float, wording: Wording, gap: float = 0.0) -> Iterator[str]:

@@ -346,6 +346,22 @@ def test_a_copy_that_can_not_be_made_names_its_folder_and_the_reason(tmp_path: P
     assert failed.value.reason in (os.strerror(errno.ENOTDIR), os.strerror(errno.EEXIST))
 
 
+def test_a_failure_without_a_number_is_said_in_its_own_words(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail() -> Path:
+        raise OSError("it is odd")
+
+    folder = CopyFolder(str(tmp_path))
+    monkeypatch.setattr(folder, "new_copy", fail)
+    copy = UnsavedCopy(folder)
+    copy.want("FW 1")
+    with pytest.raises(DocumentError) as failed:
+        copy.write()
+
+    assert failed.value.reason == "it is odd"
+
+
 @pytest.mark.parametrize("is_offered", [True, False])
 def test_a_copy_that_is_left_is_the_newest_one_and_not_written_again(
     tmp_path: Path, is_offered: bool
