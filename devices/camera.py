@@ -359,7 +359,7 @@ def do_overlap(one: ColourRange, other: ColourRange) -> bool:
 
 def _hues(limits: ColourRange) -> set[int]:
     low, high = limits[:2]
-    return {*range(low, high + 1)} if low <= high else {*range(low, 180), *range(high + 1)}
+    return {hue % 180 for hue in range(low, high + (1 if low <= high else 181))}
 
 
 # --- cameras
@@ -410,8 +410,6 @@ class VideoCamera:
             number = re.fullmatch(r"/dev/video(\d+)", self._name)
             linux = cv2.CAP_V4L2 if sys.platform.startswith("linux") else cv2.CAP_ANY
             capture = cv2.VideoCapture(int(number[1]) if number else self._name, linux)
-            if not capture.isOpened():
-                raise self._failed()
             capture.set(cv2.CAP_PROP_FRAME_WIDTH, _WIDTH)
             capture.set(cv2.CAP_PROP_FRAME_HEIGHT, _HEIGHT)
             self._capture = capture

@@ -98,8 +98,8 @@ class PlayerRobot(LinkedRobot[ServerLink]):
         """The devices that the server names."""
         found = []
         for part in (RobotPart.SONARS, RobotPart.HEAD_SONAR):
-            first, last, _, _, reach = (self._link.shape(part, 5) or (0.0,) * 5)[:5]
-            width = degrees(last - first)
+            config = self._link.shape(part, 5)
+            width, reach = (degrees(config[1] - config[0]), config[4]) if config else (0.0, 0.0)
             found += [Mounted(Device.RANGER, 0.0 - normal(each), width, reach) for each in self._yaws(part)]
         if RobotPart.CAMERA in self._link.shapes:
             found.append(Mounted(Device.EYES, 0.0, self.view, REACH))
@@ -264,8 +264,8 @@ class PlayerRobot(LinkedRobot[ServerLink]):
 
     def _touches(self, *, in_front: bool) -> bool:
         """Whether a bar on that side is pressed; where bars are unknown, the first two are in front."""
-        places = [each[0] for each in self._bars()] or [1.0, 1.0, -1.0, -1.0]
-        return any((places[each] >= 0.0) is in_front for each in self._pressed() if each < len(places))
+        sides = [each[0] >= 0.0 for each in self._bars()] or [True, True, False, False]
+        return any(sides[each] is in_front for each in self._pressed() if each < len(sides))
 
     # --- looking round
 

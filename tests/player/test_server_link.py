@@ -276,18 +276,19 @@ def test_a_robot_is_waited_for_until_it_stands_or_for_two_seconds_and_a_fifth(
 
     def later() -> float:
         looks.append(linked.now)
-        linked.now += 1.0
+        linked.now += 1.1
         return linked.now
 
+    linked.now = 0.0
     monkeypatch.setattr(module, "monotonic", later)
     if is_moving:
         linked.link._data[4, 0, 1] = (1.0, (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0))
     linked.link.wait_until_standing()
-    assert len(looks) == (4 if is_moving else 1)
+    assert len(looks) == (3 if is_moving else 1)
 
     linked.link.is_there = False
     linked.link.wait_until_standing()
-    assert len(looks) == (5 if is_moving else 2)
+    assert len(looks) == (4 if is_moving else 2)
 
 
 # --- losing and leaving
@@ -377,6 +378,43 @@ def test_data_are_waited_for_until_they_are_newer_or_the_server_is_lost(linked: 
     assert waits == [(False, module.POLL), (True, module.POLL), (True, module.POLL)]
 
 
+@pytest.mark.parametrize("is_lost", [True, False])
+def test_what_waits_for_data_is_woken_up_by_them_and_by_the_loss(
+    linked: Linked, monkeypatch: pytest.MonkeyPatch, is_lost: bool
+) -> None:
+    link, begun, states = linked.link, threading.Event(), list[WheelState | None]()
+    wheels = link.wheels
+
+    def looked() -> WheelState:
+        begun.set()  # under the lock, which the waiting thread leaves only to wait
+        return wheels()
+
+    monkeypatch.setattr(link, "wheels", looked)
+    monkeypatch.setattr(module, "POLL", None)
+    waiting = threading.Thread(target=lambda: states.append(link.wait_for_data(1.0)), daemon=True)
+    waiting.start()
+    assert begun.wait(TIMEOUT)
+    if is_lost:
+        link._lose("")
+    else:
+        linked.receives_wheels(2.0, 3.0, *(0.0,) * 5, 0)
+    waiting.join(TIMEOUT)
+
+    assert states == [None if is_lost else WheelState(2.0, 3.0, 0.0, 0.0, False, False)]
+
+
+def test_data_are_waited_for_a_tenth_of_a_second_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    made, asked = Linked(), list[float]()
+    monkeypatch.setattr(module.select, "select", lambda *sockets: asked.append(sockets[3]) or ([],))
+    made.link._pump()
+    made.link._changed.wait_for = lambda _, seconds: asked.append(seconds)  # type: ignore[method-assign]
+    made.link.wait_for_data(0.0)
+    made.link._shut()
+    made.server.close()
+
+    assert asked == [0.1, 0.1]
+
+
 def test_a_lost_server_needs_no_listener() -> None:
     link = ServerLink("player://host:1")
     assert not link.is_there
@@ -389,15 +427,15 @@ def test_a_lost_server_needs_no_listener() -> None:
 def test_a_connected_link_reads_in_a_thread_that_keeps_no_program_alive(
     linked: Linked, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    reading, threads = threading.Event(), list[bool]()
+    reading, threads = threading.Event(), list[threading.Thread]()
     monkeypatch.setattr(linked.link, "_open", lambda: None)
     monkeypatch.setattr(
-        linked.link, "_read", lambda: (threads.append(threading.current_thread().daemon), reading.set())
+        linked.link, "_read", lambda: (threads.append(threading.current_thread()), reading.set())
     )
     linked.link.connect()
 
     assert reading.wait(TIMEOUT)
-    assert threads == [True]
+    assert [(each.name, each.daemon) for each in threads] == [("server", True)]
 
 
 def test_the_reading_thread_ends_with_the_link(linked: Linked) -> None:
@@ -530,6 +568,7 @@ def test_a_link_asks_for_the_newest_data_opens_what_it_knows_and_asks_for_shapes
     server.refused = {(12, 0)}
     link = ServerLink("player://host:1234")
     link._data[3, 0, 1] = (1.0, (2, 0, 0))  # of before
+    link._reader.feed(banner("3"))  # half a message of before
     connected = opened(link, monkeypatch)
 
     assert server.asked == [(("host", 1234), 2.0)]
@@ -592,7 +631,7 @@ def test_the_data_of_what_was_opened_are_waited_for_but_not_those_of_silent_devi
 
     monkeypatch.setattr(ServerLink, "_pump", later)
     monkeypatch.setattr(module, "POLL", 0.0)
-    link._factor = 1.0
+    link._factor = 2.0
     took = []
     for has_come in (True, False):
         if has_come:
@@ -603,7 +642,7 @@ def test_the_data_of_what_was_opened_are_waited_for_but_not_those_of_silent_devi
         assert (link.is_there, bool(link.values(RobotPart.SONARS))) == (True, has_come)
         link._shut()
         server.data = server.data[:1]
-    assert took[1] - took[0] == 1.0
+    assert took[1] - took[0] == 2.0  # a second, where timeouts are twice as long
 
 
 def test_the_first_place_of_the_wheels_is_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -197,8 +197,12 @@ def test_robot_and_belt_have_ports_of_their_own() -> None:
         refuse_shared_port(belt_settings_of(robot, "/dev/ttyUSB7"), Words())
     refuse_shared_port(belt_settings_of("serial:/dev/ttyUSB7", None), Words())
 
+    team: Any = None
+    shared = belt_settings_of("serial:/dev/ttyUSB7", "/dev/ttyUSB7")
     with pytest.raises(Unusable, match="/dev/ttyUSB7"):
-        refuse_shared_port(belt_settings_of("serial:/dev/ttyUSB7", "/dev/ttyUSB7"), Words())
+        refuse_shared_port(shared, Words())
+    with pytest.raises(Unusable, match="/dev/ttyUSB7"):
+        connect_belt(shared, team, Words(), ExitStack())
 
 
 def test_only_the_chosen_robots_levels_are_shown_until_its_run_ends() -> None:

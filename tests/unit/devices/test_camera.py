@@ -135,9 +135,14 @@ def test_the_size_of_the_picture_does_not_matter(width: int) -> None:
     assert (found.left, found.right) == (pytest.approx(0.25, abs=0.02), pytest.approx(0.5, abs=0.02))
 
 
-def test_an_area_is_erased_by_two_pixels_and_widened_by_three() -> None:
-    """As in the original: one pixel is lost at the left and top, then one is won on all sides."""
-    (found,) = blobs_in(drawn((160, 120, 320, 240, GREEN), width=640, height=480), ORIGINAL_RANGES)
+@pytest.mark.parametrize("factor", [1, 2, 3])
+def test_an_area_is_erased_by_two_pixels_and_widened_by_three(factor: int) -> None:
+    """As in the original: one pixel is lost at the left and top, then one is won on all sides.
+
+    A larger picture is made as small as one of the original's before.
+    """
+    thing = (160 * factor, 120 * factor, 320 * factor, 240 * factor, GREEN)
+    (found,) = blobs_in(drawn(thing, width=640 * factor, height=480 * factor), ORIGINAL_RANGES)
 
     assert (found.left * 640, found.right * 640) == (160, 321)
     assert (found.top * 480, found.bottom * 480) == (120, 241)
@@ -151,11 +156,12 @@ def test_an_area_counts_from_five_hundred_pixels_on(width: int, is_found: bool) 
     assert bool(blobs_in(thing, ORIGINAL_RANGES)) is is_found
 
 
-@pytest.mark.parametrize("size", [(1, 1), (5000, 1), (1, 5000), (2, 3)])
-def test_a_picture_of_any_size_can_be_searched_and_measured(size: tuple[int, int]) -> None:
+@pytest.mark.parametrize(("size", "things"), [((1, 1), 0), ((5000, 1), 0), ((1, 5000), 0), ((2, 3), 1)])
+def test_a_picture_of_any_size_can_be_searched_and_measured(size: tuple[int, int], things: int) -> None:
+    """Height and width. What is one pixel high or wide, as a border, has no area."""
     picture = np.full((*size, 3), RED, np.uint8)
 
-    assert len(blobs_in(picture, ORIGINAL_RANGES)) <= 1
+    assert len(blobs_in(picture, ORIGINAL_RANGES)) == things
     assert measured_range(picture) is not None
 
 
@@ -378,6 +384,18 @@ def test_a_device_that_is_no_camera_is_a_fault() -> None:
     assert fault("/dev/null") == ("camera-failed", {"camera": "/dev/null"})
 
 
+def test_opencv_prints_nothing_and_gives_a_camera_three_seconds_unless_it_is_told_otherwise(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(os, "environ", {"OPENCV_LOG_LEVEL": "ERROR"})
+    camera("/dev/null").directions()
+
+    assert os.environ == {"OPENCV_LOG_LEVEL": "ERROR", "OPENCV_VIDEOIO_V4L_SELECT_TIMEOUT": "3"}
+    monkeypatch.setattr(os, "environ", {})
+    camera("/dev/null").directions()
+    assert os.environ["OPENCV_LOG_LEVEL"] == "SILENT"
+
+
 def test_without_the_extra_the_fault_says_what_to_install(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -396,9 +414,6 @@ class Device:
 
     def __init__(self, name: object, interface: int) -> None:
         Device.opened += 1
-
-    def isOpened(self) -> bool:
-        return True
 
     def set(self, what: int, value: float) -> bool:
         return True
@@ -427,6 +442,7 @@ def test_a_camera_of_the_computer_sees_and_may_be_unplugged_and_come_back(
     problem = swept(made).problem
     assert problem is not None
     assert (problem.code, problem.values) == ("camera-failed", {"camera": "/dev/null"})
+    assert Device.left == -1  # it isn't asked again: each answer of a camera that hangs takes seconds
 
     Device.left = 1000
     assert len(seen(made)) == 7
@@ -485,7 +501,7 @@ def test_ranges_that_share_a_hue_overlap() -> None:
     [
         *(((10, 20), (20, 30), True), ((10, 19), (20, 30), False), ((30, 30), (30, 30), True)),
         *(((170, 5), (5, 9), True), ((170, 5), (6, 169), False), ((170, 5), (150, 170), True)),
-        *(((170, 5), (0, 0), True), ((170, 5), (179, 179), True)),
+        *(((170, 5), (0, 0), True), ((170, 5), (179, 179), True), ((30, 30), (31, 31), False)),
     ],
 )
 def test_the_hues_of_a_range_go_from_its_least_to_its_most_and_through_0(
@@ -611,6 +627,27 @@ def test_one_colour_has_hues_of_at_most_forty(one: int, other: int, hues: tuple[
     assert (None if measured is None else measured[:2]) == hues
 
 
+@pytest.mark.parametrize("hue", range(0, 180, 10))
+def test_the_hues_of_a_colour_are_found_anywhere_in_their_circle(hue: int) -> None:
+    measured = measured_range(of_hsv((45, (hue, 255, 200)), (45, ((hue + 20) % 180, 255, 200))))
+
+    assert measured is not None
+    assert measured[:2] == ((hue - 6) % 180, (hue + 26) % 180)
+
+
+@pytest.mark.parametrize(("columns", "least", "most"), [(10, (54, 156, 95), 66), (11, (50, 119, 50), 70)])
+def test_a_tenth_of_the_pixels_may_be_other_ones_at_each_end(
+    columns: int, least: tuple[int, int, int], most: int
+) -> None:
+    """A tenth of a thousand pixels ends between two, of which the second counts nine times as much."""
+    middle = ((columns, (56, 159, 100)), (100 - 2 * columns, GRASS), (columns, (64, 239, 200)))
+    measured = measured_range(of_hsv((100, GREY), *middle, (100, GREY)))
+
+    assert measured is not None
+    assert (measured[0], measured[2], measured[4]) == pytest.approx(least, abs=2)
+    assert measured[1] == most
+
+
 @pytest.mark.parametrize(("columns", "is_measured"), [(59, False), (61, True)])
 def test_at_least_six_of_ten_pixels_have_a_hue(columns: int, is_measured: bool) -> None:
     picture = of_hsv((100, GREY), (columns, GRASS), (200 - columns, GREY))
@@ -632,9 +669,15 @@ def test_a_pale_or_dark_colour_has_a_least_saturation_and_value(
     assert (measured[3], measured[5]) == (255, 255)
 
 
-@pytest.mark.parametrize("pixel", [(60, 30, 200), (60, 200, 30)])
-def test_what_is_too_pale_or_too_dark_has_no_colour(pixel: tuple[int, int, int]) -> None:
-    assert measured_range(of_hsv((90, pixel))) is None
+@pytest.mark.parametrize(
+    ("pixel", "is_measured"),
+    [((215, 255, 215), True), ((216, 255, 216), False), ((0, 40, 0), True), ((0, 39, 0), False)],
+)
+def test_what_is_paler_or_darker_than_forty_has_no_colour(
+    pixel: tuple[int, int, int], is_measured: bool
+) -> None:
+    """The saturation of a pixel is 255 times the difference of its most and its least, by its most."""
+    assert (measured_range(np.full((30, 90, 3), pixel, np.uint8)) is not None) is is_measured
 
 
 def joined(*looks: tuple[float, tuple[Blob, ...]]) -> list[tuple[int, int]]:
