@@ -119,11 +119,12 @@ class Watcher:
 
 
 class Driven:
-    def __init__(self) -> None:
+    def __init__(self, start: Pose | None = None, now: WheelState | None = None) -> None:
         self.link, self.pace, self.watcher = Link(), Pace(), Watcher()
+        self.link.now = now or self.link.now
         link: Any = self.link
         self.robot = PlayerRobot(link, pace=self.pace, watcher=self.watcher)
-        self.robot.start = Pose(0, 0, 90)
+        self.robot.start = start or Pose(0, 0, 90)
         self.robot.connect()
 
 
@@ -339,6 +340,8 @@ def test_a_movement_ends_by_its_program_and_by_a_lost_server(driven: Driven, do:
     assert do(driven.robot).stopped_by is StoppedBy.LINK
     with pytest.raises(RobotProblem, match=r"^link-lost$"):
         do(driven.robot)
+    assert do(driven.robot).stopped_by is StoppedBy.LINK
+    driven.robot.reset()  # a new run knows nothing of the loss in the one before
     driven.link.on_tick = lambda _: None
     assert do(driven.robot).stopped_by is None
 
@@ -500,11 +503,8 @@ def test_wheels_that_begin_at_0_count_from_the_start_and_others_as_they_are() ->
         (0.0, 0.0, 0.0, (3, 4, 0)), (0.2, 0.0, 0.0, (4, 0, 90)), (0.0, 0.2, 0.0, (0, 4, 90)),
         (0.0, 0.0, 30.0, (0, 0, 60)),
     ):  # fmt: skip
-        it = Driven()
+        it = Driven(Pose(3, 4, 0), WheelState(0.0, x, y, yaw, False, False))
         assert it.link.commands == [("connect",)]
-        it.robot.start = Pose(3, 4, 0)
-        it.link.now = WheelState(0.0, x, y, yaw, False, False)
-        it.robot.connect()
         assert place(it.robot.pose()) == at
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import shutil
+import subprocess
 import sys
 import threading
 import wave
@@ -59,10 +61,32 @@ def test_commands_that_all_fail_are_no_player() -> None:
 
 
 @pytest.mark.parametrize("name", ["pw-play", "paplay", "aplay"])
-def test_the_command_that_works_is_chosen(commands: Path, name: str) -> None:
+def test_the_command_that_works_is_chosen(commands: Path, tmp_path: Path, name: str) -> None:
+    """It is tried with ten milliseconds of silence."""
     provide(commands, name, KEEP)
 
     assert found().name == name
+    assert played(tmp_path / f"{name}.wav") == (2, 22_050, array("h", [0, 0]) * 220)
+
+
+def test_a_command_that_hangs_is_tried_for_two_seconds(monkeypatch: pytest.MonkeyPatch) -> None:
+    did: list[object] = []
+
+    class Hanging:
+        def wait(self, seconds: float | None = None) -> int:
+            did.append(seconds)
+            if seconds is not None:
+                raise subprocess.TimeoutExpired("pw-play", seconds)
+            return -9
+
+        def kill(self) -> None:
+            did.append("kill")
+
+    monkeypatch.setattr(shutil, "which", lambda name: name if name == "pw-play" else None)
+    monkeypatch.setattr(subprocess, "Popen", lambda *_, **_options: Hanging())
+
+    assert find_command_player() is None
+    assert did == [2.0, "kill", None]
 
 
 def test_a_sentence_reaches_the_command_as_wav_and_its_end_is_reported(
