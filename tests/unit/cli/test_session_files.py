@@ -448,6 +448,8 @@ def test_what_donnie_writes_may_be_replaced_in_each_language(tmp_path: Path, lan
         ("--feedback", "a.txt", answer, True), ("--feedback", "a.txt", answer[1:], False),
         ("--brf", "a.brf", title, True), ("--brf", "a.BRL", title, True), ("--brf", "a.txt", title, False),
         ("--brf", "a.brf", title + "~", False), ("--brf", "a.brf", title + "\r\n\f", True),
+        ("--brf", "a.brf", title + " _", True), ("--brf", "a.brf", title + "`", False),
+        ("--brf", "a.brf", title + "\x1f", False), ("--brf", "a.brf", title + "\t", False),
     ):  # fmt: skip
         (tmp_path / name).write_text(content, encoding="utf-8", newline="")
         assert may_be_replaced(option, tmp_path / name) is may_be, (option, name)
