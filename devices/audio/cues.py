@@ -54,8 +54,8 @@ class _Tone(Struct, frozen=True):
     """Hertz; 0 is silence."""
     end: float
     seconds: float
-    partials: tuple[float, ...] = (1.0, 0.3)
-    """Strengths of the fundamental and its overtones."""
+    overtones: tuple[float, ...] = (0.3,)
+    """Their strengths, that of the fundamental being 1."""
 
 
 class _Recipe(Struct, frozen=True):
@@ -66,27 +66,25 @@ class _Recipe(Struct, frozen=True):
     """Distance becomes pitch, and bearing becomes a glide."""
 
 
-_HARSH = (1.0, 0.7, 0.5, 0.4, 0.3)
+_HARSH = (0.7, 0.5, 0.4, 0.3)
 _RECIPES: Mapping[str, _Recipe] = MappingProxyType(
     {
         "step-forward": _Recipe((_Tone(620, 780, 0.045),)),
         "step-back": _Recipe((_Tone(420, 330, 0.050),)),
         "turn-right": _Recipe((_Tone(700, 1050, 0.055),), bearing=_TURN_BEARING),
         "turn-left": _Recipe((_Tone(1050, 700, 0.055),), bearing=-_TURN_BEARING),
-        "obstacle": _Recipe((_Tone(440, 440, 0.120, (1.0, 0.5, 0.25)),), has_place=True),
+        "obstacle": _Recipe((_Tone(440, 440, 0.120, (0.5, 0.25)),), has_place=True),
         "bump": _Recipe((_Tone(140, 70, 0.180, _HARSH),)),
-        "scan": _Recipe((_Tone(880, 880, 0.090, (1.0,)),), has_place=True),
-        "belt": _Recipe((_Tone(330, 330, 0.060, (1.0,)),), has_place=True),
+        "scan": _Recipe((_Tone(880, 880, 0.090, ()),), has_place=True),
+        "belt": _Recipe((_Tone(330, 330, 0.060, ()),), has_place=True),
         "found": _Recipe((_Tone(660, 660, 0.100), _Tone(880, 880, 0.150)), has_place=True),
         "grip": _Recipe((_Tone(784, 523, 0.060), _Tone(523, 523, 0.090))),
         "release": _Recipe((_Tone(523, 523, 0.090), _Tone(523, 784, 0.060))),
-        "nothing": _Recipe((_Tone(294, 262, 0.110, (1.0,)),)),
+        "nothing": _Recipe((_Tone(294, 262, 0.110, ()),)),
         "done": _Recipe((_Tone(523, 523, 0.090), _Tone(659, 659, 0.090), _Tone(784, 784, 0.140))),
         "goal": _Recipe((_Tone(659, 784, 0.120),)),
         "solved": _Recipe((_Tone(523, 523, 0.080), _Tone(784, 784, 0.080), _Tone(1047, 1047, 0.180))),
-        "waiting": _Recipe(
-            (_Tone(494, 494, 0.070, (1.0,)), _Tone(0, 0, 0.060), _Tone(494, 494, 0.070, (1.0,)))
-        ),
+        "waiting": _Recipe((_Tone(494, 494, 0.070, ()), _Tone(0, 0, 0.060), _Tone(494, 494, 0.070, ()))),
         "block-opened": _Recipe((_Tone(392, 523, 0.080),), has_place=True),
         "block-closed": _Recipe((_Tone(523, 392, 0.080),), has_place=True),
         "error": _Recipe(
@@ -155,12 +153,13 @@ def _computed(name: str, steps: float | None, glide: float, behind: float) -> ar
 
 def _samples(tone: _Tone) -> array[float]:
     frames = round(tone.seconds * SAMPLE_RATE)
-    scale = _LOUDNESS / sum(tone.partials)
+    partials = (1.0, *tone.overtones)
+    scale = _LOUDNESS / sum(partials)
     phase = 0.0
     samples = array("d")
     for frame in range(frames):
         phase += math.tau * (tone.start + (tone.end - tone.start) * frame / frames) / SAMPLE_RATE
-        wave = sum(strength * math.sin(phase * (k + 1)) for k, strength in enumerate(tone.partials))
+        wave = sum(strength * math.sin(phase * (k + 1)) for k, strength in enumerate(partials))
         samples.append(scale * _envelope(frame, frames) * wave if tone.start else 0.0)
     return samples
 

@@ -322,9 +322,9 @@ class SlowReader:
             return self._waiting[0] if self._waiting else None
 
     def _write(self, data: bytes) -> None:
-        """Writes until all is done or the reader was given up."""
+        """Writes all. A line of which the reader has had a part is not cut off."""
         left = memoryview(data)
-        while left and self._problem is None:
+        while left:
             left = left[os.write(self._number, left) :]
             with self._changed:
                 self._changed.notify_all()

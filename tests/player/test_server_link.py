@@ -164,6 +164,13 @@ def test_the_end_of_the_server_ends_the_reading(linked: Linked) -> None:
         linked.link._pump()
 
 
+def test_a_link_that_is_given_up_reads_no_more(linked: Linked) -> None:
+    linked.link.give_up()
+
+    with pytest.raises(ConnectionAbortedError):
+        linked.link._pump()
+
+
 # --- commands
 
 

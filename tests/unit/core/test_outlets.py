@@ -29,10 +29,11 @@ from donnie_tui.core.events import (
     Stamped,
 )
 from donnie_tui.core.hub import Hub
-from donnie_tui.core.outlets import Cues, Voice, VoiceScope
+from donnie_tui.core.outlets import Cues, SpeechWait, Voice, VoiceScope
 from donnie_tui.core.transcript import UnfilteredTranscript
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.belt import ChosenBelt, connect_belt, refuse_shared_port
+from donnie_tui.outlets.files import Outlets
 
 
 class RecordingAudio:
@@ -150,6 +151,21 @@ def test_what_is_in_print_only_is_not_said(scope: VoiceScope) -> None:
     Voice(audio, Words(), scope)(Stamped(0, 0.0, Answered("quiet", in_print_only=True)))
 
     assert audio.heard == []
+
+
+def test_a_program_waits_for_the_voice_only_if_the_learner_wants_that() -> None:
+    settings = SimpleNamespace(wait_for_speech=False)
+    audible: Any = SimpleNamespace(
+        settings=settings, is_quiet_within=bool, adjust=lambda **changed: settings.__dict__.update(changed)
+    )
+    nothing: Any = None
+    outlets = Outlets(audible, nothing, nothing, SpeechWait())
+    found = []
+    for waits in (True, False):
+        outlets.adjust_sound(wait_for_speech=waits)
+        found.append(outlets.speech_wait.is_quiet_within)
+
+    assert found == [bool, None]
 
 
 # --- news of a belt
