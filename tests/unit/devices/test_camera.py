@@ -384,7 +384,7 @@ def test_a_device_that_is_no_camera_is_a_fault() -> None:
     assert fault("/dev/null") == ("camera-failed", {"camera": "/dev/null"})
 
 
-def test_opencv_prints_nothing_and_gives_a_camera_three_seconds_unless_it_is_told_otherwise(
+def test_opencv_prints_nothing_and_gives_a_camera_three_seconds_unless_the_settings_differ(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(os, "environ", {"OPENCV_LOG_LEVEL": "ERROR"})
