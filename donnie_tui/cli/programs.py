@@ -102,10 +102,10 @@ def by_robot(
 ) -> dict[str, _Given]:
     """What is given for each robot, by its name; what is for none is the first one's. Raises ``Unusable``."""
     found: dict[str, _Given] = {}
-    for robot, each in given:
-        name = names[0] if robot is None else robot_called(robot, names)
+    for typed, each in ((names[0] if robot is None else robot, each) for robot, each in given):
+        name = robot_called(typed, names)
         if name is None:
-            raise Unusable(no_such_robot(robot or "", names, MOST_NAMES, words))
+            raise Unusable(no_such_robot(typed, names, MOST_NAMES, words))
         if name in found:
             raise Unusable(words("robot-twice", name=name))
         found[name] = each

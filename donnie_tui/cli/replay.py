@@ -26,7 +26,7 @@ from donnie_tui.cli.streams import Guarded, Input, Output, let_sound, stopped_by
 from donnie_tui.core.events import Answered, Moved, RunStarted, Stamped, Turned, as_line
 from donnie_tui.core.hub import Hub, Stream
 from donnie_tui.core.map_scene import map_at, rows_of
-from donnie_tui.core.program_files import STANDARD_OUTPUT
+from donnie_tui.core.program_files import STANDARD_OUTPUT, reason_of
 from donnie_tui.core.recheck import Result, Verdict, recheck
 from donnie_tui.core.recording import LARGEST, Header, NoRecordingError, Recording
 from donnie_tui.core.timeline import Replay, Timeline, redone_in_words, undone_in_words
@@ -176,8 +176,7 @@ def _opened(name: str, words: Words, closing: ExitStack) -> Recording:
     except OutsideError as problem:
         raise Unusable(words(problem.code, path=name)) from None
     except (OSError, ValueError) as problem:
-        reason = getattr(problem, "strerror", None) or str(problem)
-        raise Unusable(words("file-unreadable", path=name, reason=reason)) from None
+        raise Unusable(words("file-unreadable", path=name, reason=reason_of(problem))) from None
 
 
 # --- files about the run

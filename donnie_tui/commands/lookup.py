@@ -23,9 +23,8 @@ if TYPE_CHECKING:
     from language.diagnostics import Diagnostic
     from language.parser import Parsed
 
-LONGEST_WORD = 24
-"""Characters of the longest word of a command, blanks included, with room to spare."""
-_MOST_WORDS = 3
+MOST_WORDS = 3
+"""Words of the longest word of a command."""
 _VALUES = {
     "report-file": ("help-values-report-file", "help-values-report-picture"),
     "new-thing": ("help-values-new-thing",),
@@ -55,8 +54,8 @@ def find(line: str, commands: tuple[Command, ...] = COMMANDS) -> tuple[Command, 
     command. A word that GoDonnie has too is GoDonnie's where something follows that the command does not
     take. Of two words that begin alike the longer one counts.
     """
-    words, by_word = line[: 4 * LONGEST_WORD].split(), _by_word(commands)
-    for length in range(min(_MOST_WORDS, len(words)), 0, -1):
+    words, by_word = line.split(), _by_word(commands)
+    for length in range(min(MOST_WORDS, len(words)), 0, -1):
         command = by_word.get(_folded(" ".join(words[:length])))
         if command is not None:
             following = line.strip().split(maxsplit=length)[length:]
@@ -194,7 +193,7 @@ def unknown_word(
     """
     from language import keywords
 
-    words = line[: _MOST_WORDS * LONGEST_WORD].split()[:_MOST_WORDS]
+    words = line.split()[:MOST_WORDS]
     if not words or not words[0].isalpha() or keywords.is_reserved(words[0]):
         return None
     if sum(map(len, lines)) + len(line) > LARGEST_PROGRAM or _is_name_in(words[0], lines):

@@ -143,7 +143,7 @@ def checked_path(path: Path) -> Path:
     except OutsideError as problem:
         raise DocumentError(problem.code, str(path)) from None
     except (OSError, ValueError) as problem:
-        raise DocumentError("file-unreadable", str(path), _reason(problem)) from None
+        raise DocumentError("file-unreadable", str(path), reason_of(problem)) from None
     return path
 
 
@@ -213,7 +213,7 @@ def programs_in(folder: Path, inside: Container[str] = ()) -> tuple[ProgramEntry
     except OutsideError as problem:
         raise DocumentError(problem.code, str(folder)) from None
     except (OSError, ValueError) as problem:
-        raise DocumentError("file-unreadable", str(folder), _reason(problem)) from None
+        raise DocumentError("file-unreadable", str(folder), reason_of(problem)) from None
     return tuple(sorted(found, key=_place))
 
 
@@ -260,7 +260,7 @@ def read_to_the_end(path: Path) -> str:
     except OutsideError as problem:
         raise DocumentError(problem.code, str(path)) from None
     except (OSError, ValueError) as problem:
-        raise DocumentError("file-unreadable", str(path), _reason(problem)) from None
+        raise DocumentError("file-unreadable", str(path), reason_of(problem)) from None
 
 
 def _open_pipe(path: Path) -> BinaryIO:
@@ -334,7 +334,7 @@ def write_program(path: Path, text: str) -> None:
     try:
         data = text.encode("utf-8")
     except ValueError as problem:
-        raise DocumentError("file-unwritable", str(path), _reason(problem)) from None
+        raise DocumentError("file-unwritable", str(path), reason_of(problem)) from None
     write_bytes(path, data)
 
 
@@ -357,7 +357,7 @@ def write_bytes(path: Path, data: bytes) -> None:
     except OutsideError as problem:
         raise DocumentError(problem.code, str(path)) from None
     except (OSError, ValueError) as problem:
-        raise DocumentError("file-unwritable", str(path), _reason(problem)) from None
+        raise DocumentError("file-unwritable", str(path), reason_of(problem)) from None
 
 
 def write_companion(path: Path, suffix: str, data: bytes) -> str:
@@ -429,7 +429,8 @@ def _mode(target: Path) -> int:
     return 0o666 & ~mask
 
 
-def _reason(problem: OSError | ValueError) -> str:
+def reason_of(problem: OSError | ValueError) -> str:
+    """Why a file can't be used, as the system says it."""
     if isinstance(problem, UnicodeError):
         return str(problem)
     if isinstance(problem, ValueError):  # a zero byte in the name

@@ -426,7 +426,7 @@ def remember(key: str, value: str | bool | float, environment: Mapping[str, str]
     """Write a setting into the file; other lines stay. Raises ``DocumentError``."""
     from pathlib import Path
 
-    from donnie_tui.core.program_files import DocumentError, write_program  # a start only reads
+    from donnie_tui.core.program_files import DocumentError, reason_of, write_program  # a start only reads
 
     path = Path(settings_file(environment))
     try:
@@ -436,8 +436,7 @@ def remember(key: str, value: str | bool | float, environment: Mapping[str, str]
     except FileNotFoundError:
         text = ""
     except (OSError, ValueError) as problem:
-        reason = getattr(problem, "strerror", None) or str(problem)
-        raise DocumentError("file-unwritable", str(path), reason) from None
+        raise DocumentError("file-unwritable", str(path), reason_of(problem)) from None
     write_program(path, with_setting(text, key, value))
 
 
