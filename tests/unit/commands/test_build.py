@@ -7,6 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 from PIL import Image
 
 from donnie_tui.commands.build import may_leave_built
@@ -17,6 +18,7 @@ from donnie_tui.i18n.words import Words
 from donnie_tui.world.loading import choose_world
 from language.parser import parse
 from sim.picture import picture
+from tests.timeouts import TIMEOUT
 from tests.unit.commands.scripted import Script
 
 OpenScript = Callable[..., Script]
@@ -175,6 +177,7 @@ def test_a_pushed_thing_is_moved_from_where_it_is(open_script: OpenScript) -> No
         ("TURN donnie 90", "Donnie is a robot. It moves by its program."),
         ("PUT box 4", "I did not understand. Type PUT box red 4 6."),
         ("PUT 4 6", "I did not understand. Type PUT box red 4 6."),
+        ("PUT ball 1 2 3 4", "I did not understand. Type PUT box red 4 6."),
         ("PUT box 4 6 AS", "A name begins with a letter: AS treasure."),
         ('PUT box 4 6 AS ""', "A name begins with a letter: AS treasure."),
         ("PUT box 4 6 AS .", "A name begins with a letter: AS treasure."),
@@ -346,6 +349,31 @@ def test_a_recorded_session_keeps_its_world(open_script: OpenScript, tmp_path: P
     script = open_script(world="first_room", record=str(tmp_path / "it.rec"))
 
     assert script.answers_to("PUT box 4 6")[0].endswith("is being recorded, so the world stays as it is.")
+
+
+@pytest.mark.parametrize("field", ["offers", "stands_in_for"])
+def test_a_configuration_file_keeps_its_world(
+    open_script: OpenScript, monkeypatch: pytest.MonkeyPatch, field: str
+) -> None:
+    script = open_script(world="first_room")
+    world = replace(script.donnie.world, **{field: ("a robot",)})
+    monkeypatch.setattr(type(script.donnie), "world", world)
+
+    assert script.answers_to("PUT box 4 6") == [
+        "This world comes from a configuration file. Enter the world file itself."
+    ]
+
+
+@pytest.mark.parametrize("robot", ["is_real", "is_board"])
+def test_around_a_real_robot_nothing_is_built(
+    open_script: OpenScript, monkeypatch: pytest.MonkeyPatch, robot: str
+) -> None:
+    script = open_script(world="first_room")
+    monkeypatch.setattr(type(script.donnie.connection), robot, True)
+
+    assert script.answers_to("PUT box 4 6") == [
+        "I build in a simulated world only. Type CONNECT for the simulated robot."
+    ]
 
 
 @pytest.mark.parametrize("robot", ["alice", "bob"])
@@ -625,6 +653,19 @@ def test_nothing_is_asked_about_a_world_that_is_saved_or_was_not_changed(open_sc
     script.type("SAVE WORLD mine")
 
     assert drive(may_leave_built(script.ctx))
+    assert script.interaction.asked == []
+
+
+def test_where_no_question_is_possible_a_changed_world_is_kept(open_script: OpenScript) -> None:
+    script = open_script(world="first_room")
+    script.interaction.is_attended = False
+    assert (drive(may_leave_built(script.ctx)), script.printed) == (True, [])
+    script.type("PUT box red 4 6")
+
+    assert drive(may_leave_built(script.ctx))
+    script.donnie.session.hub.wait_until_delivered(TIMEOUT)
+    kept = script.printed[-1].removeprefix("Your world is kept as ").removesuffix(".")
+    assert Path(kept).is_file()
     assert script.interaction.asked == []
 
 
