@@ -203,6 +203,18 @@ def test_the_console_knows_what_to_stop_and_what_to_keep(
             assert talk.streams.output.paced is (terminals == LEARNER)
 
 
+@pytest.mark.parametrize(
+    ("terminals", "sums_up"), [(LEARNER, True), ({0}, False), ({1}, False), (SCRIPT, False)]
+)
+def test_quick_movements_are_summed_up_where_a_learner_types_and_reads(
+    talks: Callable[..., Any], terminals: set[int], sums_up: bool
+) -> None:
+    with talks(terminals) as talk:
+        talk._donnie.session.speed = 5.0
+
+        assert talk._listener._summing_up._is_wanted() is sums_up
+
+
 def test_a_closed_conversation_prints_and_copies_nothing_more(
     talks: Callable[..., Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -15,6 +15,7 @@ from donnie_tui.commands import sound
 from donnie_tui.core.events import Outcome
 from donnie_tui.core.run_state import RunState
 from donnie_tui.linear.output import BackgroundRobots, OutputQueue
+from donnie_tui.linear.prompter import GRACE
 from donnie_tui.linear.reader import How, Typed
 from donnie_tui.linear.typed_lines import RunLoop, TypedLines
 from donnie_tui.settings.settings import Settings
@@ -560,7 +561,192 @@ def test_of_what_a_program_printed_before_it_was_held_the_last_block_is_printed(
     assert len(it.streams.queue) == 18
     assert [each for each in said if "left out" in each] == [f"{left} line was left out."] * left
     assert not it.loop._is_new_hold
+    it.streams.queue.put(["of a command"])
+    it.held("WHERE")
+    assert len(it.streams.queue) == 19, "only a program's lines are left out"
     it.held("STOP")
+
+
+@pytest.mark.parametrize(
+    ("ended", "interrupted", "leaving", "held", "stopping", "is_woken"),
+    [
+        (False, False, None, False, False, False),
+        (True, False, None, False, False, True),
+        (False, True, None, False, False, True),
+        (False, False, 15, False, False, True),
+        (False, False, None, True, False, True),
+        (False, False, None, True, True, False),
+        (False, False, None, False, True, False),
+        (False, True, None, True, True, True),
+    ],
+)
+def test_what_happened_while_keys_were_looked_for_is_no_reason_to_wait(
+    prompt: Callable[..., Prompt],
+    monkeypatch: pytest.MonkeyPatch,
+    ended: bool,
+    interrupted: bool,
+    leaving: int | None,
+    held: bool,
+    stopping: bool,
+    is_woken: bool,
+) -> None:
+    it = prompt()
+    monkeypatch.setattr(it.loop, "_runs", Part(has_ended=lambda _: ended, is_held=held))
+    monkeypatch.setattr(it.loop, "_console", Part(interrupted=interrupted, leaving=leaving))
+    it.loop._stopping = stopping
+
+    assert it.loop._is_woken() is is_woken
+
+
+@pytest.mark.parametrize(
+    ("ended", "interrupted", "woken_after", "waits"),
+    [
+        (False, False, 1.0, [GRACE]),
+        (False, False, 0.5, [GRACE, GRACE / 2, GRACE / 4]),
+        (True, False, 1.0, []),
+        (False, True, 1.0, []),
+    ],
+)
+def test_lines_that_follow_at_once_are_waited_for(
+    prompt: Callable[..., Prompt],
+    monkeypatch: pytest.MonkeyPatch,
+    ended: bool,
+    interrupted: bool,
+    woken_after: float,
+    waits: list[float],
+) -> None:
+    it, waited = prompt(), list[float]()
+    console = Part(now=lambda: it.time, interrupted=interrupted)
+
+    def wait(seconds: float) -> None:
+        waited.append(seconds)
+        it.time += seconds * woken_after
+        console.interrupted = len(waited) == 3
+
+    console.wait = wait
+    monkeypatch.setattr(it.loop, "_console", console)
+    monkeypatch.setattr(it.loop, "_runs", Part(has_ended=lambda _: ended))
+    it.loop._wait_for_more()
+
+    assert waited == pytest.approx(waits)
+
+
+@pytest.mark.parametrize(
+    ("live", "lines", "stopping", "ended", "due", "did", "left_out"),
+    [
+        (True, 1, False, False, 5.0, ["block"], 0),
+        (True, 1, True, False, 5.0, [], 0),
+        (False, 1, False, False, 5.0, ["grace", "block", "later"], 2),
+        (False, 1, False, True, 5.0, ["grace"], 0),
+        (False, 0, False, False, 0.0, ["report", "show", "later"], 0),
+        (False, 1, True, False, 0.0, ["report", "show", "later"], 0),
+        (False, 0, False, False, 5.0, ["wait 1.0 keys"], 0),
+        (False, 0, False, False, 0.5, ["wait 0.5 keys"], 0),
+        (False, 5, True, False, 5.0, ["wait 1.0 keys"], 2),
+        (False, 0, False, True, 5.0, [], 0),
+    ],
+)
+def test_a_block_is_printed_or_progress_reported_or_waited(
+    prompt: Callable[..., Prompt],
+    monkeypatch: pytest.MonkeyPatch,
+    live: bool,
+    lines: int,
+    stopping: bool,
+    ended: bool,
+    due: float,
+    did: list[str],
+    left_out: int,
+) -> None:
+    it = prompt()
+
+    def note(what: str, returns: int = 0) -> Callable[[], int]:
+        return lambda: it.did.append(what) or returns  # type: ignore[func-returns-value]
+
+    it.streams.queue.put([str(number) for number in range(lines)])
+    monkeypatch.setattr(it.loop, "_runs", Part(has_ended=lambda _: ended, is_held=False))
+    monkeypatch.setattr(it.loop, "_printer", Part(show_block=note("block", 2), show=note("show")))
+    it.streams.console.wait = lambda seconds, *, reading: it.did.append(
+        f"wait {seconds} {'keys' if reading else ''}"
+    )
+    for name, what in (
+        *(("_wait_for_more", "grace"), ("_report_progress", "report"), ("_expect_next_report", "later")),
+    ):
+        monkeypatch.setattr(it.loop, name, note(what))
+    monkeypatch.setattr(it.loop, "_take_live", lambda: live)
+    it.loop._stopping, it.loop._report_due = stopping, due
+    it.loop._print_pending()
+
+    assert (it.did, it.loop._left_out) == (did, left_out)
+
+
+@pytest.mark.parametrize(
+    ("leaving", "interrupts", "held", "stopping", "ends", "outcome", "did"),
+    [
+        (None, 0, False, False, "over", Outcome.COMPLETED, ["pending", "stand", "sum"]),
+        (None, 0, False, False, "over", Outcome.QUIT, ["pending", "stand", "sum"]),
+        (None, 0, False, False, "ended", Outcome.COMPLETED, ["pending", "waited 2.5", "stand", "sum"]),
+        (None, 1, False, False, "over", Outcome.COMPLETED, ["interrupt", "stand", "sum"]),
+        (None, 0, True, False, "over", Outcome.COMPLETED, ["ask", "stand", "sum"]),
+        (None, 0, True, True, "over", Outcome.STOPPED, ["pending", "stand", "sum"]),
+        (None, 2, True, True, "over", Outcome.STOPPED, ["interrupt", "interrupt", "stand", "sum"]),
+        (15, 0, True, False, "over", Outcome.STOPPED, ["stop", "waited 2.5", "stand"]),
+    ],
+)
+def test_a_run_is_followed_to_its_end_and_then_summed_up(
+    prompt: Callable[..., Prompt],
+    monkeypatch: pytest.MonkeyPatch,
+    leaving: int | None,
+    interrupts: int,
+    held: bool,
+    stopping: bool,
+    ends: str,
+    outcome: Outcome,
+    did: list[str],
+) -> None:
+    it, left = prompt(), [interrupts]
+    console = it.streams.console
+
+    def take_interrupt() -> bool:
+        left[0] -= 1
+        return left[0] >= 0
+
+    def act(what: str) -> Callable[[], None]:
+        def noted() -> None:
+            assert console.stop_at_once == it.loop._stop_at_once
+            assert console.before_suspending == it.loop._stop_real_robot
+            it.did.append(what)
+
+        return noted
+
+    def note(what: str) -> Callable[..., bool]:
+        return lambda *given: it.did.append(" ".join(map(str, (what, *given)))) or True  # type: ignore[func-returns-value]
+
+    class Running(Part):
+        @property
+        def is_over(self) -> bool:
+            return ends == "over" and bool(it.did)
+
+    console.leaving, console.take_interrupt, console.pressed_interrupt = (
+        leaving,
+        take_interrupt,
+        take_interrupt,
+    )
+    runs = Part(is_held=held, has_ended=lambda _: ends == "ended" and bool(it.did))
+    monkeypatch.setattr(it.loop, "_runs", runs)
+    donnie = Part(stop_real_robot=bool, team=Part(wait_for_stop=note("stand")))
+    monkeypatch.setattr(it.loop, "_ctx", Part(donnie=donnie))
+    for name, what in (("_take_while_held", "ask"), ("_print_pending", "pending"), ("_stop", "stop")):
+        monkeypatch.setattr(it.loop, name, act(what))
+    monkeypatch.setattr(it.loop, "_on_interrupt", note("interrupt"))
+    monkeypatch.setattr(it.loop, "_sum_up", lambda _: it.did.append("sum"))
+    it.loop._stopping, it.loop._was_suspended = stopping, True
+    it.loop._follow(Running(outcome=outcome, wait=note("waited")))  # type: ignore[arg-type]
+
+    assert it.did == did
+    assert it.leaving.code == (0 if outcome is Outcome.QUIT else None)
+    assert console.before_suspending is donnie.stop_real_robot
+    assert console.stop_at_once != it.loop._stop_at_once
+    assert (it.loop._was_suspended, it.loop._report_due) == (False, 3.0)
 
 
 def test_a_closed_loop_takes_no_more_changes(
