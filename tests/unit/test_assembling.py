@@ -13,6 +13,7 @@ from msgspec.structs import replace
 
 from donnie_tui import bootstrap
 from donnie_tui.bootstrap import Donnie, Notices, assemble
+from donnie_tui.core import team
 from donnie_tui.core.events import Announced, Answered, RunStarted
 from donnie_tui.core.program_files import DocumentError
 from donnie_tui.i18n.words import Words
@@ -312,3 +313,30 @@ def test_the_folders_of_a_workspace_are_those_of_the_account(folders: Path) -> N
 
     assert [each.name for each in (folders / "own").iterdir()] == ["unsaved"]
     assert len([*(folders / "own" / "unsaved").iterdir()]) == 1
+
+
+def test_a_program_that_keeps_its_turn_is_watched_unless_it_waits_for_its_voice(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    did = list[Any]()
+
+    class Monitor:
+        def __init__(self, *given: object, is_excused: Any) -> None:
+            did.append(given)
+            self.is_excused = is_excused
+
+        def watch(self) -> None:
+            did.append([bool(self.is_excused())])
+            speech_wait.waiting = 1
+            did.append([bool(self.is_excused())])
+
+        def close(self) -> None:
+            did.append("closed")
+
+    monkeypatch.setattr(team, "TurnMonitor", Monitor)
+    shared, speech_wait = Part(turn=lambda: None), Part(waiting=0)
+    with ExitStack() as closing:
+        bootstrap._announce_hold_ups("team", shared, "words", speech_wait, closing)  # type: ignore[arg-type]
+        assert did == [("team", shared.turn, "words"), [False], [True]]
+
+    assert did[-1] == "closed"

@@ -570,6 +570,32 @@ def test_a_program_ends_as_endless_where_all_is_as_it_was_before(text: str, roun
     assert round_ < judged.counts["commands"] <= round_ + 2
 
 
+@pytest.mark.parametrize(("most", "is_seen"), [(4, False), (5, True)])
+def test_so_many_situations_are_remembered(
+    monkeypatch: pytest.MonkeyPatch, most: int, is_seen: bool
+) -> None:
+    """The one after three turns is the second again, as the first is that before the loop.
+
+    A program that continues ends by its work.
+    """
+    monkeypatch.setattr(bootstrap, "MOST_SITUATIONS", most)
+    monkeypatch.setattr(bootstrap, "MOST_WORK", 60)
+    words, settings = Words("en"), Settings()
+    judge = bootstrap.Judge(choose_challenge("first_walk", words), words, settings)
+
+    (judged,) = judge.programs("WHILE 1 == 1 DO\nTR 120\nEND WHILE")
+    assert (judged.counts["commands"] < 6) is is_seen
+
+
+@pytest.mark.parametrize(("seconds", "codes"), [(3590, []), (3601, ["goal-endless"])])
+def test_a_program_that_takes_more_than_an_hour_counts_as_endless(seconds: int, codes: list[str]) -> None:
+    words, settings = Words("en"), Settings()
+    judge = bootstrap.Judge(choose_challenge("first_walk", words), words, settings)
+
+    judged = judge.programs(f"WAIT {seconds}\nFW 5")[-1]
+    assert [each.code for each in judged.shortfalls[:1]] == codes
+
+
 @pytest.mark.parametrize(
     "text",
     [
