@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import nullcontext
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -36,7 +37,7 @@ def leaving_of(done: list[str], leaving: int | None = None) -> Leaving:
         answer=done.append,
     )
     streams: Any = SimpleNamespace(console=SimpleNamespace(leaving=leaving), is_attended=True)
-    printer: Any = SimpleNamespace(show=lambda: None)
+    printer: Any = SimpleNamespace(show=lambda: done.append("shown"))
     prompter: Any = SimpleNamespace(copying=SimpleNamespace(cancel=lambda: None))
     unused: Any = None
     return Leaving(ctx, streams, printer, prompter, unused, set())
@@ -60,7 +61,11 @@ def test_a_signal_during_leaving_counts() -> None:
 
 @pytest.mark.parametrize(
     ("code", "happens"),
-    [(0, ["goodbye", "delivered", "drop copies", "keep", "speak"]), (143, ["delivered"]), (2, ["delivered"])],
+    [
+        (0, ["goodbye", "delivered", "shown", "drop copies", "keep", "speak"]),
+        (143, ["delivered", "shown"]),
+        (2, ["delivered", "shown"]),
+    ],
 )
 def test_a_goodbye_and_the_end_of_the_copies_come_with_code_0_only(code: int, happens: list[str]) -> None:
     done: list[str] = []
@@ -284,7 +289,82 @@ def test_where_the_input_ends_in_place_of_an_answer_all_is_kept() -> None:
     leaving.let_speak = lambda: done.append("speak")  # type: ignore[method-assign]
     leaving.code = 0
     leaving.say_goodbye()
-    assert done == ["goodbye", "delivered", "speak"], "the copies stay as they are"
+    assert done == ["goodbye", "delivered", "shown", "speak"], "the copies stay as they are"
+
+
+@pytest.mark.parametrize("is_saved", [True, False])
+def test_a_program_that_the_learner_wants_to_keep_is_saved_to_its_file(
+    monkeypatch: pytest.MonkeyPatch, is_saved: bool
+) -> None:
+    done: list[str] = []
+
+    async def save(_: object, name: str) -> bool:
+        done.append(f"saved {name}")
+        return is_saved
+
+    monkeypatch.setattr("donnie_tui.commands.files.save_document", save)
+    for path, name in ((Path("a.gd"), "a.gd"), (None, "")):
+        done.clear()
+        leaving = ending(Program(path=path), done, answers=True)
+        leaving._ctx.workspace.as_current = lambda _: nullcontext()  # type: ignore[method-assign,assignment,return-value]
+        leaving.leave(0)
+
+        assert done == [ASKED, f"saved {name}", *([] if is_saved else ["stays-unsaved"])]
+        assert leaving.code == (0 if is_saved else None)
+
+
+@pytest.mark.parametrize(
+    ("is_program_saved", "may_leave", "code", "done"),
+    [
+        (True, True, 0, ["world asked"]),
+        (True, False, None, ["world asked", "stays-unsaved"]),
+        (False, True, None, [ASKED, "stays-unsaved"]),
+    ],
+)
+def test_a_built_world_is_asked_about_after_the_programs(
+    monkeypatch: pytest.MonkeyPatch,
+    is_program_saved: bool,
+    may_leave: bool,
+    code: int | None,
+    done: list[str],
+) -> None:
+    happened: list[str] = []
+
+    async def ask(_: object) -> bool:
+        happened.append("world asked")
+        return may_leave
+
+    monkeypatch.setattr("donnie_tui.commands.build.may_leave_built", ask)
+    monkeypatch.setattr("donnie_tui.commands.build.keep_built", lambda _: happened.append("world kept"))
+    leaving = ending(Program(is_saved=is_program_saved), happened)
+    leaving._ctx.donnie.site.is_saved = False  # type: ignore[misc]
+    leaving.leave(0)
+    assert (happened, leaving.code) == (done, code)
+
+    happened.clear()
+    leaving._prompter.has_ended = True
+    leaving.leave(0)
+    if not is_program_saved:
+        assert happened == [ASKED, "keep", "world kept", "answer-rescued"]
+    elif not may_leave:
+        assert happened == ["world asked", "keep", "world kept"]
+
+
+@pytest.mark.parametrize(("was_opened", "is_failure"), [(True, False), (False, True)])
+def test_quit_is_a_program_and_no_failure_of_a_script_that_opened_another(
+    monkeypatch: pytest.MonkeyPatch, was_opened: bool, is_failure: bool
+) -> None:
+    done: list[str] = []
+
+    async def run(_: object, line: str) -> None:
+        done.append(line)
+
+    monkeypatch.setattr("donnie_tui.linear.leaving.run_alone", run)
+    leaving = ending(Program(waiting=1, is_saved=True, was_opened=was_opened), done, is_attended=False)
+    leaving.quit()
+
+    assert done == ["SAIR", *(["refused 1"] if is_failure else []), "lines-did-not-run 1 EXECUTAR"]
+    assert leaving.code == 0
 
 
 def test_robots_in_the_background_stop_only_when_nothing_keeps_the_learner() -> None:
@@ -348,7 +428,7 @@ def test_the_screen_gets_the_program_and_its_name_unless_a_signal_comes(tmp_path
         leaving.switch_to_screen()
     assert (switch.value.text, switch.value.name) == ("FW 1", str(tmp_path / "a.gd"))
     assert switch.value.donnie is leaving._ctx.donnie
-    assert done[1:] == ["runs stopped"]
+    assert done[1:] == ["runs stopped", "shown"]
     leaving._ctx.program.path = None
     with pytest.raises(SwitchMode) as switch:
         leaving.switch_to_screen()

@@ -253,6 +253,20 @@ def test_without_a_learner_lines_are_printed_without_prompt_and_pages() -> None:
     assert it.shown == [([str(number) for number in range(1, 8)], "")]
 
 
+@pytest.mark.parametrize(
+    ("page", "is_hurrying", "left"), [("rest", False, 2), ("ask", False, 0), ("ask", True, 2)]
+)
+def test_of_a_running_program_a_block_is_printed_and_with_pages_all(
+    page: str, is_hurrying: bool, left: int
+) -> None:
+    it = Front(*([""] * 6), page=page)
+    it.put(*(str(number) for number in range(20)))
+    it.printer.is_hurrying = is_hurrying
+    it.printer.show_block()
+
+    assert len(it.queue) == left
+
+
 # --- questions
 
 
@@ -424,6 +438,41 @@ def test_a_key_that_is_pressed_in_a_flood_leaves_the_rest_for_later() -> None:
     it.prompter.read("> ")
 
     assert it.front.shown == [(["line"], ""), (["line"], ""), ([], "> ")]
+
+
+def test_what_is_typed_already_leaves_the_rest_of_a_flood_for_later_unless_an_answer_waits() -> None:
+    it = Flooded(2)
+    it.front.editing.has_typed = True
+    it.prompter.read("> ")
+    assert it.front.shown == [(["line"], ""), ([], "> ")]
+
+    it = Flooded(1)
+    it.front.editing.has_typed = True
+    for lines in (["an answer"], []):
+        it.front.queue._first = lines
+        it.front.queue.take = lambda most=None: []  # type: ignore[method-assign]
+        it.blocks, it.background.floods = 1, True
+        assert it.prompter._show_flood() is not bool(lines)
+
+
+def test_no_flood_is_printed_by_blocks_where_a_signal_came_or_no_learner_types() -> None:
+    it = Flooded(2)
+    it.front.console.leaving = 15
+    it.prompter.read("> ")
+    assert it.front.shown == [(["line"], "> ")]
+
+    it = Flooded(2, is_attended=False)
+    it.prompter.read("> ")
+    assert it.front.shown == [(["line"], "")]
+
+
+@pytest.mark.parametrize("holds_back", [False, True])
+def test_robots_wait_as_before_once_a_line_was_read(holds_back: bool) -> None:
+    it = Asking("FW 1")
+    it.front.queue.holds_back = holds_back
+    it.prompter.read("> ")
+
+    assert it.front.queue.holds_back is holds_back
 
 
 def test_ctrl_c_in_a_flood_stops_the_robots() -> None:
