@@ -141,8 +141,8 @@ class EditingReader:
                 if choices:
                     return Typed(line.text, How.CHOICES, choices), echo + line.finish()
                 echo += completed
-                continue
-            echo += _changed(line, recall, key)
+            else:
+                echo += _changed(line, recall, key)
         return None, echo
 
     def _completed(self, line: EditLine) -> tuple[tuple[str, ...], str]:

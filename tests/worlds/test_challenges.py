@@ -571,9 +571,7 @@ def test_a_program_ends_as_endless_where_all_is_as_it_was_before(text: str, roun
 
 
 @pytest.mark.parametrize(("most", "is_seen"), [(4, False), (5, True)])
-def test_so_many_situations_are_remembered(
-    monkeypatch: pytest.MonkeyPatch, most: int, is_seen: bool
-) -> None:
+def test_so_many_situations_are_remembered(monkeypatch: pytest.MonkeyPatch, most: int, is_seen: bool) -> None:
     """The one after three turns is the second again, as the first is that before the loop.
 
     A program that continues ends by its work.

@@ -104,6 +104,26 @@ def test_control_z_suspends_where_that_is_possible_and_says_so_elsewhere(
     assert [console.take_news(), console.take_news()] == [not is_possible, False]
 
 
+@pytest.mark.parametrize("is_possible", [False, True])
+@pytest.mark.parametrize("is_writing", [False, True])
+def test_while_a_terminal_takes_no_output_a_signal_stops_the_robot_at_once(
+    is_writing: bool, is_possible: bool, console: Console, did: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(console_module, "can_suspend", lambda: is_possible)
+    monkeypatch.setattr(console._watchdog.deputy, "do", lambda task: task())
+    monkeypatch.setattr(console, "give_up", lambda: False)
+    console.before_suspending = lambda: did.append("robot stopped")
+    console.stop_at_once = lambda: did.append("program stopped")
+    console._is_writing = is_writing
+    console._on_signal(signal.SIGTSTP, None)
+    assert did == (["robot stopped"] if is_writing and is_possible else [])
+
+    did.clear()
+    for _ in range(2):
+        console._on_signal(signal.SIGINT, None)
+    assert did == (["program stopped"] if is_writing else []), "once"
+
+
 def test_keys_are_noticed_while_no_line_is_read_and_kept_for_it(
     console: Console, did: list[str], keyboard: int
 ) -> None:

@@ -220,6 +220,24 @@ def test_what_tab_completes_is_written() -> None:
     assert console.written == "repeat 2"
 
 
+def test_keys_that_were_typed_ahead_after_tab_are_done_with_it() -> None:
+    console: Any = Console(b"rep\t")
+    reader = editor(console)
+    reader.complete = lambda _: ("repeat",)
+    for more in (b"2\r", b""):
+        assert reader.take_ahead(lambda _: False) is None
+        console.type(more)
+
+    assert reader.read("> ") == Typed("repeat 2", How.ENTER)
+
+
+def test_a_signal_that_ends_donnie_ends_the_line_before_what_is_typed_after_it() -> None:
+    console: Any = Console(b"FW 1\r")
+    console.leaving = 15
+
+    assert editor(console).read("> ", "TR") == Typed("TR", How.CLOSED)
+
+
 def test_a_look_for_lines_typed_ahead_waits_for_none() -> None:
     console = Console()
 
