@@ -19,59 +19,38 @@ if TYPE_CHECKING:
     from random import Random
 
 
-def _named(kind: str, names: str) -> dict[str, str]:
-    return dict.fromkeys(names.split(), kind)
+def _names(text: str) -> frozenset[str]:
+    return frozenset(text.split())
 
 
-SIMULATED = {
-    **_named("tuple", "pose origin size color_rgba range colors point z paddle_size paddle_state noise"),
-    **_named(
-        "tuple", "odom_error velocity_bounds acceleration_bounds localization_origin bpose image scatter"
-    ),
-    **_named("number", "obstacle_return ranger_return blob_return fiducial_return gripper_return boundary"),
-    **_named("number", "fov samples colors_count points fiducial_key pushable mass ignore_zloc pan"),
-    **_named("number", "range_min range_max range_max_id range_noise range_noise_const angle_noise"),
-    **_named("number", "wheelbase bcount blength autosnatch"),
-    **_named("string", "name color bitmap unit_length unit_angle drive localization"),
-}
-"""What has an effect here, and its type."""
+_USED_TUPLES = _names(
+    "pose origin size color_rgba point z paddle_size noise odom_error velocity_bounds acceleration_bounds"
+    " localization_origin bpose image"
+)
+_UNUSED_TUPLES = _names("velocity pantilt rotate center watts_size provides requires axis scatter")
+_TUPLES = _USED_TUPLES | _UNUSED_TUPLES
+"""What must be a tuple."""
 
-QUIET = {
-    **_named("number", "gui_nose gui_grid gui_move gui_outline alwayson update_interval trail_length"),
-    **_named("number", "trail_interval debug map_resolution stack_children rebuild"),
-    **_named("string", "ctrl"),
-}
-"""What changes nothing that a learner could notice: read and kept, no remark."""
+_QUIET = _USED_TUPLES | _names(
+    "range fov colors paddle_state obstacle_return ranger_return blob_return fiducial_return gripper_return"
+    " boundary samples colors_count points fiducial_key pushable mass ignore_zloc pan range_min range_max"
+    " range_max_id range_noise range_noise_const angle_noise wheelbase bcount blength autosnatch name color"
+    " bitmap unit_length unit_angle drive localization gui_nose gui_grid gui_move gui_outline alwayson"
+    " update_interval trail_length trail_interval debug map_resolution stack_children rebuild ctrl"
+)
+"""What has an effect here, or changes nothing that a learner could notice: read and kept, no remark."""
 
-UNUSED = {
-    **_named("tuple", "velocity resolution pantilt rotate center watts_size provides requires axis"),
-    **_named("number", "scale interval interval_sim interval_real paused speedup quit_time"),
-    **_named("number", "object_return friction threads show_data show_follow"),
-    **_named("number", "show_clock show_clock_interval show_flags show_blocks show_bboxerr show_grid"),
-    **_named("number", "show_trails show_occupancy pcam_on energy_capacity joules joules_capacity"),
-    **_named("number", "watts watts_give watts_take kjoules max_speed max_position min_position"),
-    **_named("number", "start_position enabled break_beam period dutycycle sticky_return"),
-    **_named("number", "laser_return audio channel_count"),
-    **_named("string", "type plugin worldfile model alarm say texture mesh"),
-}
-"""Properties of Stage that this simulator does not use: read, kept, and noted in the load report."""
+_UNUSED = _UNUSED_TUPLES | _names(
+    "resolution type scale interval interval_sim interval_real paused speedup quit_time object_return"
+    " friction threads show_data show_follow show_clock show_clock_interval show_flags show_blocks"
+    " show_bboxerr show_grid show_trails show_occupancy pcam_on energy_capacity joules joules_capacity"
+    " watts watts_give watts_take kjoules max_speed max_position min_position start_position enabled"
+    " break_beam period dutycycle sticky_return laser_return audio channel_count plugin worldfile model alarm"
+    " say texture mesh"
+)
+"""What has no use in a model, such as other properties of Stage: noted in the load report."""
 
-_TWO_TYPES = {
-    "range": ("number", "tuple"),
-    "fov": ("number", "tuple"),
-    "resolution": ("number", "tuple"),
-    "type": ("number", "string"),
-    "paddle_state": ("string", "tuple"),
-    "colors": ("string", "tuple"),
-}
-_KNOWN = SIMULATED | QUIET | UNUSED
-
-
-def types_of(name: str) -> tuple[str, ...]:
-    """The types that the property may have; empty if it is unknown."""
-    if name in _TWO_TYPES:
-        return _TWO_TYPES[name]
-    return (_KNOWN[name],) if name in _KNOWN else ()
+_KNOWN = _QUIET | _UNUSED
 
 
 def nearest_property(name: str) -> str:
@@ -289,14 +268,13 @@ class ValueReader:
             self._check(_INDEXED.sub(r"\1", name) if name.endswith("]") else name, setting, quiet)
 
     def _check(self, name: str, setting: Setting, quiet: bool) -> None:
-        types = types_of(name)
-        if not types:
+        if name not in _KNOWN:
             self.note(
                 NoteKind.IGNORED, "unknown-property", setting, name=name[:60], nearest=nearest_property(name)
             )
-        elif types == ("tuple",) and not isinstance(setting.property.value, parser.Tuple):
-            raise mistake(Code.WRONG_TYPE, setting, types, name=name)
-        elif (name in UNUSED or name == "scatter") and not quiet:  # at the top level it counts
+        elif name in _TUPLES and not isinstance(setting.property.value, parser.Tuple):
+            raise mistake(Code.WRONG_TYPE, setting, ("tuple",), name=name)
+        elif name in _UNUSED and not quiet:  # at the top level some count
             self.note(NoteKind.IGNORED, "unused-property", setting, name=name)
 
     def _items(self, setting: Setting, least: int, most: int) -> tuple[parser.Value, ...]:

@@ -20,7 +20,10 @@ from sim.scene import (
     RangeNoise,
     Wheels,
 )
-from sim.worldfile import WorldError, load_text
+from sim.worldfile import Code, WorldError, load_text
+from sim.worldfile.entities import Setting
+from sim.worldfile.parser import Property, String, Tuple, Value
+from sim.worldfile.values import ValueReader
 
 PATH = Path("t.world")
 
@@ -376,6 +379,62 @@ def test_each_remark_has_its_kind_its_place_and_what_it_is_about(
 
     said = [(each.code, each.kind.value, each.column, *each.details.values()) for each in found]
     assert [each for each in said if each[0] != "no-robot"] == notes
+
+
+TUPLES = """
+    pose origin size color_rgba point point[7] z velocity paddle_size noise odom_error velocity_bounds bpose
+    acceleration_bounds localization_origin image scatter pantilt rotate center watts_size provides requires
+    axis
+"""
+NUMBERS_AND_TEXTS = """
+    name color bitmap boundary obstacle_return ranger_return blob_return fiducial_return fiducial_key pushable
+    gripper_return mass ignore_zloc unit_length unit_angle range fov samples range_min range_max range_max_id
+    range_noise range_noise_const angle_noise colors colors_count pan bcount blength blength[3] paddle_state
+    autosnatch drive localization wheelbase points resolution type scale interval_sim paused quit_time threads
+    gui_nose gui_grid gui_move gui_outline alwayson update_interval trail_length trail_interval debug
+    map_resolution stack_children rebuild ctrl interval interval_real speedup show_data show_follow show_clock
+    show_clock_interval show_flags show_blocks show_bboxerr show_grid show_trails show_occupancy pcam_on
+    object_return friction energy_capacity joules joules_capacity watts watts_give watts_take kjoules
+    max_speed max_position min_position start_position enabled break_beam period dutycycle sticky_return
+    laser_return audio channel_count plugin worldfile model alarm say texture mesh
+"""
+WITHOUT_USE = """
+    velocity pantilt rotate center watts_size provides requires axis scatter resolution type scale interval
+    interval_sim interval_real paused speedup quit_time object_return friction threads show_data show_follow
+    show_clock show_clock_interval show_flags show_blocks show_bboxerr show_grid show_trails show_occupancy
+    pcam_on energy_capacity joules joules_capacity watts watts_give watts_take kjoules max_speed max_position
+    min_position start_position enabled break_beam period dutycycle sticky_return laser_return audio
+    channel_count plugin worldfile model alarm say texture mesh
+"""
+"""In a model, of those of Stage and the drivers of Player."""
+
+
+def checked(name: str, value: Value, quiet: bool = False) -> list[str]:
+    """The remarks about a property, by their codes."""
+    reader = ValueReader()
+    reader.check({name: Setting("t.world", Property(1, 1, name, value))}, quiet)
+    return [each.code for each in reader.notes]
+
+
+@pytest.mark.parametrize("name", (TUPLES + NUMBERS_AND_TEXTS).split())
+def test_each_known_property_is_noted_if_nothing_uses_it(name: str) -> None:
+    codes = ["unused-property"] if name in WITHOUT_USE.split() else []
+
+    assert checked(name, Tuple(1, 1, ())) == codes
+    assert checked(name, Tuple(1, 1, ()), quiet=True) == []
+
+
+@pytest.mark.parametrize("name", TUPLES.split())
+def test_a_property_of_several_numbers_is_a_tuple(name: str) -> None:
+    with pytest.raises(WorldError) as error:
+        checked(name, String(1, 1, "1"))
+
+    assert (error.value.code, error.value.expected) == (Code.WRONG_TYPE, ("tuple",))
+
+
+@pytest.mark.parametrize("name", NUMBERS_AND_TEXTS.split())
+def test_a_property_of_one_value_may_be_written_plainly(name: str) -> None:
+    assert checked(name, String(1, 1, "1"), quiet=True) == []
 
 
 @pytest.mark.parametrize(
