@@ -136,9 +136,7 @@ def nearest_seen(
             continue
         part = _clipped((ax, ay, bx, by), left_a, left_b, right_a, right_b)
         if part is not None:
-            metres = hypot(*nearest_on_edge(part))
-            if metres < nearest:
-                nearest = metres
+            nearest = min(nearest, hypot(*nearest_on_edge(part)))
     return nearest
 
 
@@ -358,8 +356,6 @@ def at_radius(radius: float, edge: Edge) -> list[Point]:
 
 def overlapping(mine: Sequence[Point], other: Sequence[Point]) -> bool:
     """Whether two polygons share more than a border."""
-    if _are_apart(*zip(*mine, strict=True), *zip(*other, strict=True)):
-        return False
     if contains(other, *mine[0]) or contains(mine, *other[0]):
         return True
     others = edges(other)
@@ -370,18 +366,6 @@ def overlapping(mine: Sequence[Point], other: Sequence[Point]) -> bool:
             if sides[i - 1] * sides[i] < 0.0 and _divides(edge, (ax, ay, bx, by)):
                 return True
     return False
-
-
-def _are_apart(
-    xs: Sequence[float], ys: Sequence[float], its_xs: Sequence[float], its_ys: Sequence[float]
-) -> bool:
-    """Whether the boxes around two polygons have a gap between them: a quick look before an exact one."""
-    return (
-        min(xs) > max(its_xs) + HAIR
-        or min(its_xs) > max(xs) + HAIR
-        or min(ys) > max(its_ys) + HAIR
-        or min(its_ys) > max(ys) + HAIR
-    )
 
 
 def _divides(line: Edge, edge: Edge) -> bool:

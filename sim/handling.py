@@ -12,7 +12,7 @@ orientation.
 from __future__ import annotations
 
 from collections.abc import Container, Sequence
-from math import hypot, inf
+from math import hypot
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -40,8 +40,6 @@ from sim.rangers import Bar, Beams
 
 MOST = 20
 """Things that a robot can push at a time; one more acts like a wall."""
-SLACK = 1e-6
-"""Metres by which the search area is larger than rounding errors need."""
 
 
 class Advance(Struct, frozen=True):
@@ -58,18 +56,17 @@ class Pushing:
     def __init__(self, ground: Ground, mover: Mover) -> None:
         self._ground = ground
         self._mover = mover
-        self._asked: tuple[Spot, float, float] | None = None
-        self._when: Moment = (-1, (0.0, 0.0))
-        self._answer = Advance(0.0, ())
+        self._last: tuple[tuple[Spot, float, float], Moment, Advance] | None = None
+        """What was asked last, when, and the answer."""
 
     def advance(self, spot: Spot, angle: float, length: float) -> Advance:
         """Compute ``length`` metres (at most a step) to ``angle``; nothing moves yet."""
         asked, ground, root = (spot, angle, length), self._ground, self._mover.around.root
         # a tick asks before and after the others have had their turn
-        if asked != self._asked or not ground.is_unchanged(root, self._when):
-            self._when = ground.moment(root)
-            self._answer, self._asked = self._found(spot, angle, length), asked
-        return self._answer
+        last = self._last
+        if last is None or last[0] != asked or not ground.is_unchanged(root, last[1]):
+            last = self._last = asked, ground.moment(root), self._found(spot, angle, length)
+        return last[2]
 
     def _found(self, spot: Spot, angle: float, length: float) -> Advance:
         done, joined, waiting = 0.0, dict[int, _Joined](), list[_Joined]()
@@ -109,12 +106,14 @@ class Pushing:
         mine = [_seen(points, angle) for points in outlines]
         seen = ((part, _seen(part.points, angle)) for part in others)
         ahead = ((part, edges_, _least_gap(mine, edges_)) for part, edges_ in seen)
-        return _Joined(since, angle, outlines, mine, [each for each in ahead if each[2] < length])
+        return _Joined(
+            since, angle, outlines, mine, [each for each in ahead if each[2] - WIDEST_SKIN < length]
+        )
 
     def _in_the_way(self, root: int, outlines: list[tuple[Point, ...]], length: float) -> list[Part]:
         if not outlines:
             return []
-        reach = length + 2 * WIDEST_SKIN
+        reach = length + WIDEST_SKIN
         xs, ys = zip(*(point for points in outlines for point in points), strict=True)
         box = (min(xs) - reach, min(ys) - reach, max(xs) + reach, max(ys) + reach)
         floor = frozenset(part.rank for part in self._ground.around_start(root))
@@ -135,7 +134,7 @@ class _Joined:
         mine: list[tuple[Edge, ...]],
         ahead: list[tuple[Part, tuple[Edge, ...], float]],
     ) -> None:
-        """``since`` so many metres of the robot's way; the parts ``ahead``, none nearer than that.
+        """``since`` so many metres of the robot's way; the parts ``ahead``, each with its gap along the way.
 
         ``mine`` and the edges of the parts are seen along the way.
         """
@@ -154,15 +153,13 @@ class _Joined:
         moved = done - self.since
         outlines, mine = self._outlines, self._mine
         for part, others, gap in self._ahead:
-            if gap - moved > nearest.metres or part.root in joined:
+            if gap - WIDEST_SKIN - moved > nearest.metres or part.root in joined:
                 continue
             if moved and outlines is self._outlines:
                 outlines = self._moved(moved)
                 mine = [_seen(points, self._angle) for points in outlines]
-            apart = gap - moved + WIDEST_SKIN > SLACK
-            metres = min(
-                _gap(points, seen, part, others, apart) for points, seen in zip(outlines, mine, strict=True)
-            )
+            pairs, apart = zip(outlines, mine, strict=True), gap > moved
+            metres = min(_gap(points, seen, part, others, apart) for points, seen in pairs)
             if metres < nearest.metres:
                 nearest = Contact(metres, part)
         return nearest
@@ -173,14 +170,8 @@ class _Joined:
 
 
 def _least_gap(mine: Sequence[Sequence[Edge]], other: Sequence[Edge]) -> float:
-    """Metres along x up to which polygons surely don't touch the other one; infinity: they pass it by."""
-    low, high = min(edge[1] for edge in other), max(edge[1] for edge in other)
-    ends = [
-        max(edge[0] for edge in edges_)
-        for edges_ in mine
-        if min(edge[1] for edge in edges_) <= high + SLACK and max(edge[1] for edge in edges_) >= low - SLACK
-    ]
-    return min(edge[0] for edge in other) - max(ends) - WIDEST_SKIN - SLACK if ends else inf
+    """Metres along x up to which polygons surely don't touch the other one; below 0 where they might."""
+    return min(edge[0] for edge in other) - max(edge[0] for edges_ in mine for edge in edges_)
 
 
 def _shifted(points: tuple[Point, ...], by: Point) -> tuple[Point, ...]:
@@ -306,18 +297,19 @@ def _distance(part: Part, place: Spot, beams: Beams) -> float | None:
 def _clipped(points: tuple[Point, ...], zone: tuple[float, float, float, float]) -> tuple[Point, ...]:
     """The part of a polygon within left, bottom, right and top (Sutherland and Hodgman)."""
     left, bottom, right, top = zone
-    for axis, bound, sign in ((0, left, 1), (0, right, -1), (1, bottom, 1), (1, top, -1)):
-        points = tuple(_beyond(points, axis, bound, sign))
+    for axis, least, most in ((0, left, right), (1, bottom, top)):
+        points = tuple(_beyond(points, axis, least, is_least=True))
+        points = tuple(_beyond(points, axis, most, is_least=False))
     return points
 
 
-def _beyond(points: tuple[Point, ...], axis: int, bound: float, sign: int) -> list[Point]:
-    """The part of a polygon on one side of a line across an axis."""
+def _beyond(points: tuple[Point, ...], axis: int, bound: float, is_least: bool) -> list[Point]:
+    """The part of a polygon on one side of a line across an axis, which is the least or the most there."""
+    sides = [each[axis] - bound if is_least else bound - each[axis] for each in points]
     kept: list[Point] = []
-    for i, after in enumerate(points):
-        before = points[i - 1]
-        was, now = sign * (before[axis] - bound), sign * (after[axis] - bound)
-        if was < 0.0 < now or now < 0.0 < was:
+    for i, (after, now) in enumerate(zip(points, sides, strict=True)):
+        before, was = points[i - 1], sides[i - 1]
+        if (was < 0.0) != (now < 0.0):
             t = was / (was - now)
             kept.append((before[0] + t * (after[0] - before[0]), before[1] + t * (after[1] - before[1])))
         if now >= 0.0:

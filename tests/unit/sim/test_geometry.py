@@ -703,6 +703,9 @@ def test_a_raster_covers_the_squares_of_a_polygon_and_not_those_at_its_border() 
     # a triangle with corners at 0, 0 and 3, 0 and 0, 3: half its squares, by their middles and its edge
     triangle = ((0.0, 0.0), (3.0, 0.0), (0.0, 3.0))
     assert cells(triangle, 0.5) == {(x, y) for x in range(4) for y in range(4) if x + y <= 3}
+    assert cells(box[::-1], 0.5) == cells(box, 0.5)
+    large = ((-0.4, -0.4), (-0.4, 4.4), (3.4, 4.4), (3.4, -0.4))  # clockwise, with squares far from its sides
+    assert cells(large, 0.1) == {(x, y) for x in range(4) for y in range(5)}
     assert cells(box, 0.6) == {(x, y) for x in range(4) for y in range(4)}
     assert cells(box, 0.1) == {(1, 1), (2, 1), (1, 2), (2, 2)}
     beneath = ((-9.0, -9.0), (9.0, -9.0), (9.0, 0.4), (-9.0, 0.4))

@@ -92,6 +92,13 @@ def wall(left: float, bottom: float = -1, top: float = 1) -> tuple[float, float,
             WAY + 0.01 - SKIN + 0.005 - SKIN,
             {FIRST: 0.015 - 2 * SKIN, SECOND: 0.005 - SKIN},
         ),
+        (
+            # the first pushes the second, and then it meets a wall itself
+            (CRATE, (0.24, 0.05, 0.3, 0.2, "pushable 1"), wall(0.245, -1, 0)),
+            WAY + 0.015 - SKIN,
+            {FIRST: 0.015 - SKIN, SECOND: 0.005},
+        ),
+        ((CRATE, wall(0.248)), WAY + 0.018 - SKIN, {FIRST: 0.018 - SKIN}),
         ((CRATE, (0.14, 0.055, 0.3, 0.2, "pushable 1")), STEP, {FIRST: STEP - WAY, SECOND: STEP - WAY}),
         (
             (CRATE, (0.14, -0.2, 0.3, -0.045, "pushable 1")),  # the robot comes to it
@@ -196,6 +203,7 @@ A, B = 3, 4
         ((0.2, 0.065), (0.15, 0.071), B),  # the root of 0.025 and 0.04 squared is 0.0472 m, against 0.046
         ((0.2, 0.065), (0.15, 0.073), A),
         ((0.16, 0.01), (0.14, 0.06), A),  # around the middle
+        ((0.195, 0), (0.15, 0), B),  # an edge 2 cm away, and one 2.5 cm away around the middle
         ((0.24, 0), (0.24, 0.051), A),  # of equals the first
         ((0.272, 0), (0.15, 0.072), B),
         ((0.272, 0), (0.278, 0), A),
