@@ -14,7 +14,7 @@ from msgspec import Struct, field
 from msgspec.structs import replace
 
 from sim.colours import Colour
-from sim.geometry import Placement, Point, direction, placed, signed_area
+from sim.geometry import Placement, Point, placed, relative, signed_area
 
 
 class NoteKind(Enum):
@@ -76,8 +76,8 @@ class Blobfinder(Struct, frozen=True):
     fov: float
     colours: tuple[Colour, ...]
     """Empty: every colour."""
-    pan: float = 0.0
-    image: tuple[int, int] = (80, 60)
+    pan: float
+    image: tuple[int, int]
     """Pixels, across and down."""
 
 
@@ -112,12 +112,12 @@ class Camera(Struct, frozen=True):
 class Gripper(Struct, frozen=True):
     """Two paddles that close round a thing, and a lift. Proportions of the model's size, as in Stage."""
 
-    paddle_length: float = 0.66
-    paddle_width: float = 0.1
-    paddle_height: float = 0.4
-    closed: bool = False
-    lifted: bool = False
-    autosnatch: bool = False
+    paddle_length: float
+    paddle_width: float
+    paddle_height: float
+    closed: bool
+    lifted: bool
+    autosnatch: bool
     """Whether it closes by itself round what breaks a beam."""
 
 
@@ -322,7 +322,6 @@ def moved(scene: Scene, places: Mapping[int, Placement]) -> Scene:
 
 
 def _carried(model: Model, before: Placement, now: Placement) -> Model:
-    c, s = direction(-before.yaw)
-    dx, dy = model.pose.x - before.x, model.pose.y - before.y
-    inner = Placement(c * dx - s * dy, s * dx + c * dy, model.pose.z - now.z, model.pose.yaw - before.yaw)
-    return replace(model, pose=now.then(inner))
+    """It keeps its height."""
+    there = now.then(relative(model.pose, before))
+    return replace(model, pose=replace(there, z=model.pose.z))

@@ -367,8 +367,7 @@ def read_bumpers(read: ValueReader, settings: _Settings) -> Iterable[Bumper]:
 
 
 def read_gripper(read: ValueReader, settings: _Settings) -> Gripper:
-    usual = Gripper()
-    sizes = [usual.paddle_length, usual.paddle_width, usual.paddle_height]
+    sizes = [0.66, 0.1, 0.4]
     if (setting := settings.get("paddle_size")) is not None:
         sizes = [min(_LONGEST_PADDLE, max(_SHORTEST_PADDLE, each)) for each in read.numbers(setting, 3, 3)]
     closed, lifted = _paddle_state(read, settings)

@@ -5,7 +5,7 @@ from math import degrees
 import pytest
 
 from sim.geometry import Placement
-from sim.scene import Model, moved
+from sim.scene import Limits, Model, moved
 from tests.unit.sim.floors import BOX_ROBOT, scene
 
 
@@ -61,6 +61,8 @@ BLOCK = "block( points 4 point[0] [ 0 0 ] point[1] [ {0} 0 ] point[2] [ {0} {1} 
     ("more", "area"),
     [
         ("size [ 2 3 1 ]", 6.0),
+        ("size [ 2 3 1 ] boundary 1", 0.1),  # walls of a centimetre, 10 m of them
+        (f"size [ 2 3 1 ] boundary 1 {BLOCK.format(1, 1)}", 6.0),
         (f"size [ 2 3 1 ] {BLOCK.format(1, 1)}", 6.0),
         (f"size [ 2 3 1 ] {BLOCK.format(1, 1)} {BLOCK.format(1, 1)}", 12.0),
         (f"size [ 2 3 1 ] {BLOCK.format(2, 1)} {BLOCK.format(1, 1)}", 9.0),
@@ -121,6 +123,7 @@ def test_a_sensor_has_what_stage_gives_it() -> None:
 
     assert (sensor.minimum, sensor.maximum, sensor.samples) == (0, 5, 1)
     assert sensor.fov == pytest.approx(degrees(0.1))
-    assert sensor.pose == Placement()
+    assert (sensor.pose, sensor.size) == (Placement(0, 0, 0, 0), (0.02, 0.02, 0.02))
+    assert Limits() == Limits((-1, 1), (-1, 1), (-90, 90))
     noise = sensor.noise
     assert (noise.constant, noise.proportional, noise.angle) == (0, 0, 0)
