@@ -139,9 +139,9 @@ def units_of(scene: Scene) -> tuple[float, float]:
     return UNITS.get(str(length), 1.0), ANGLES.get(str(angle), 1.0)
 
 
-_LENGTHS = ("size", "range", "blength", "pose", "bpose", "velocity_bounds")
+_LENGTHS = ("size", "range", "blength")
 _FIRST_ANGLE = {"fov": 0, "pose": 3, "bpose": 3, "velocity_bounds": 6}
-"""Properties in lengths and angles, and at which of their numbers the angles begin."""
+"""Properties with angles, and at which of their numbers these begin: the others are lengths."""
 
 
 def in_units(text: str, metres: float, degrees: float) -> str:

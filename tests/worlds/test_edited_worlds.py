@@ -9,7 +9,7 @@ import pytest
 
 from sim.geometry import Placement
 from sim.worldfile import load_text, put_elsewhere, taken_out, written_models
-from sim.worldfile.edit import in_units, scattered, units_of
+from sim.worldfile.edit import in_units, scattered, self_contained, units_of
 
 PATH = Path("it.world")
 TEXT = """\
@@ -140,6 +140,20 @@ def test_a_model_of_an_included_file_is_not_written_here(tmp_path: Path) -> None
     assert there is None
     assert here is not None
     assert text[here.begin : here.end] == 'model( name "here" )'
+
+
+def test_only_what_is_included_or_drawn_is_written_into_a_world_elsewhere(tmp_path: Path) -> None:
+    here, there = tmp_path / "here", tmp_path / "there"
+    here.mkdir()
+    there.mkdir()
+    for name, text in (("part.inc", "model( )"), ("plan.png", "")):
+        (here / name).write_text(text, encoding="utf-8")
+    text = 'include "part.inc"\nmodel( bitmap "plan.png" name "part.inc" color "plan.png" )'
+
+    found = self_contained(text, here / "it.world", there / "it.world", (), lambda path: f"new-{path.name}")
+
+    expected = '\nmodel( )\n\nmodel( bitmap "new-plan.png" name "part.inc" color "plan.png" )'
+    assert found == expected
 
 
 # --- things that a seed scatters
