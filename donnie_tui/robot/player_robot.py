@@ -365,13 +365,7 @@ class PlayerRobot(LinkedRobot[ServerLink]):
                 self._link.command(belt, 1, place, LETTERS[level])
 
 
-ORIGINAL_SONARS = [
-    -float(each.value)
-    for each in (
-        *(Bearing.FRONT_RIGHT, Bearing.FRONT, Bearing.FRONT_LEFT),
-        *(Bearing.BACK_LEFT, Bearing.BACK, Bearing.BACK_RIGHT),
-    )
-]
+ORIGINAL_SONARS = [-45.0, 0.0, 45.0, 135.0, 180.0, -135.0]
 """The directions of sonars if the server doesn't report them."""
 WIDE, NARROW = 22.5, 7.5
 """Degrees from a bearing: of one of several sensors, and of a sample of one."""
