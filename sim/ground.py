@@ -289,7 +289,7 @@ class Ground:
         with self._lock:
             layout = self._layout or self._lay_out()
             roots = layout.moving.close_to(asker, (x + to_x) / 2, (y + to_y) / 2, reach)
-            return bool(roots) and layout.has_others(asker, roots)
+            return layout.has_others(asker, roots)
 
     def moment(self, asker: int) -> Moment:
         """A moment for ``is_unchanged``."""

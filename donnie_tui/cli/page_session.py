@@ -276,8 +276,7 @@ class PageSession(AppService):
 
     @property
     def _last_line(self) -> str:
-        lines = self._complaint.decode(errors="replace").strip().splitlines()
-        return lines[-1] if lines else ""
+        return self._complaint.decode(errors="replace").strip().rpartition("\n")[2]
 
 
 class _Size(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

@@ -62,7 +62,7 @@ class Builder:
         self._samples = 0
         self._sensors_made: dict[tuple[int, ...], RangeSensor] = {}
         """By the properties of the file that made them."""
-        self._sees_any_height = reader.number(world, "ignore_zloc", 1)
+        self._sees_any_height = reader.number(world, "ignore_zloc", True) != 0
 
     def build(self, entities: Iterable[Entity]) -> None:
         self._build(entities, Counter(model=1))  # Stage counts its invisible floor
