@@ -50,7 +50,7 @@ REPORT = FOLDER / "report.txt"
 CONFIG = Path(__file__).with_name("coverage.toml")
 MOST_SECONDS = 60.0
 """Of a processor, for the tests of a mutation: a busy machine runs as many of them."""
-_FEWEST_ANEW, _MOST_ANEW = 10, 60
+_FEWEST_ANEW, _MOST_ANEW = 10, 600
 """Tests a mutation in a new process, which makes anew what is made once and kept."""
 _TO_BEGIN = 0.05
 """Seconds of a test's setup and teardown, about."""
@@ -199,11 +199,10 @@ class Map:
         self._lock = threading.Lock()
 
     def tests_of(self, mutation: Mutation) -> tuple[set[str], bool]:
-        """The names of the tests that run that line, and whether it runs while it is imported."""
+        """The tests that run that line or use what it makes, by name, and whether an import runs it."""
         names = self._tests_at(mutation.path, mutation.line)
         is_imported = "" in names
-        if is_imported:
-            names |= {name for place in _uses_of(mutation) for name in self._tests_at(*place)}
+        names |= {name for place in _uses_of(mutation) for name in self._tests_at(*place)}
         if names <= {""}:  # any test of the module may notice
             names |= {name for line in self._by_line(mutation.path).values() for name in map(_test_of, line)}
         return names, is_imported
@@ -227,19 +226,47 @@ class Map:
 
 
 def _uses_of(mutation: Mutation) -> set[tuple[str, int]]:
-    """The lines that use what the mutated line makes while it is imported: a constant, a table, a field."""
-    names = set[str]()
-    body = list[ast.stmt](ast.parse(_source(mutation.path)).body)
-    while body:
-        match body.pop():
+    """The lines that use what the mutated line makes once and for all, also by way of other such things.
+
+    That is a constant, a table, a field, or what a function with a cache returns.
+    """
+    found = set[tuple[str, int]]()
+    waiting, names = [(mutation.path, mutation.line)], set[str]()
+    while waiting:
+        place = waiting.pop()
+        for name in _made_once(place[0]).get(place[1], frozenset()) - names:
+            names.add(name)
+            new = _places_by_name().get(name, set()) - found
+            found |= new
+            waiting += new
+    return found
+
+
+@cache
+def _made_once(path: str) -> dict[int, frozenset[str]]:
+    """For each line of a module: the names of what is made there once."""
+    found: dict[int, frozenset[str]] = {}
+    waiting = list[ast.stmt](ast.parse(_source(path)).body)
+    while waiting:
+        names = set[str]()
+        match waiting.pop():
             case ast.ClassDef(body=within):
-                body += within
-            case (ast.Assign() | ast.AnnAssign()) as each if (
-                each.lineno <= mutation.line <= (each.end_lineno or 0)
-            ):
+                waiting += within
+                continue
+            case ast.FunctionDef(name=name, decorator_list=decorators) as each:
+                if any(_CACHE.search(ast.unparse(decorator)) for decorator in decorators):
+                    names = {name}
+            case (ast.Assign() | ast.AnnAssign()) as each:
                 targets = each.targets if isinstance(each, ast.Assign) else [each.target]
-                names |= {node.id for one in targets for node in ast.walk(one) if isinstance(node, ast.Name)}
-    return {place for name in names for place in _places_by_name().get(name, ())}
+                names = {node.id for one in targets for node in ast.walk(one) if isinstance(node, ast.Name)}
+            case _:
+                continue
+        for line in range(each.lineno, (each.end_lineno or 0) + 1):
+            found[line] = frozenset(names)
+    return found
+
+
+_CACHE = re.compile("cache")
 
 
 @cache
