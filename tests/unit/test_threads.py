@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import threading
+from array import array
 from collections.abc import Callable
 from contextlib import suppress
 from io import BytesIO
@@ -11,6 +12,7 @@ from typing import Any
 
 import pytest
 
+from devices.audio.players import CommandPlayer
 from devices.audio.service import AudioService, AudioSettings
 from devices.audio.worker import AudioWorker
 from devices.belt import SerialBelt
@@ -48,6 +50,7 @@ def nothing(*_: object) -> None: ...
         (lambda: AudioWorker(nothing, "none", False, {}, {}).run(BytesIO()), ["voice"]),
         (lambda: AudioService(AudioSettings(), nothing).warm_up(), ["audio writer"]),
         (lambda: _PortOpening("/dev/robot", lambda _: pytest.fail()), ["opening /dev/robot"]),
+        (lambda: CommandPlayer("true", ("true",)).speak(array("h", [0]), nothing), ["player"]),
         (_slow_reader, ["slow reader"]),
         (_last_thread, ["deputy", "last"]),
         (lambda: _end_with(os.getpid()), ["hang-up"]),

@@ -39,6 +39,13 @@ def test_robots_and_what_can_be_pushed_or_gripped_may_move(ground: Ground) -> No
     assert ground.place(BOB) == ground.start(BOB) == Placement(1, 3, 0, 90)
 
 
+def test_a_part_of_another_thing_is_not_moved_by_itself() -> None:
+    text = "model( pushable 1 model( pushable 1 gripper_return 1 ) )"
+    ground = Ground(scene(text))
+
+    assert (ground.pushable, ground.grippable) == ({0}, frozenset())
+
+
 def test_what_has_moved_is_not_at_its_start(ground: Ground) -> None:
     ground.put(BOX, THERE)
     ground.put(BOB, THERE)
