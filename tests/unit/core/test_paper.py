@@ -34,6 +34,7 @@ from donnie_tui.core.paper import (
     LINE,
     PRINT,
     Nearby,
+    _extent,
     box_of,
     boxes_apart,
     from_segment,
@@ -131,6 +132,13 @@ def test_the_shared_letter_is_the_last_one_that_no_thing_has() -> None:
 
     assert it.robots[-1].letter == "y"
     assert set(it.legend) == {each.letter for each in it.robots} | {"z"}
+
+
+def test_an_endless_floor_ends_on_paper_at_the_outer_edges_of_the_cells_of_its_map() -> None:
+    """Five by three cells of four steps; the middle of the first is at -8, -4."""
+    floor = Picture(-8, -4, 5, 3, 4, (".....",) * 3, (), has_walls=False)
+
+    assert _extent(floor, ()) == (-10, -6, 10, 6)
 
 
 def test_a_robot_outside_of_the_map_is_in_the_legend_only() -> None:
