@@ -83,7 +83,7 @@ def asked(typed: str) -> tuple[str, str] | None:
     word, _blank, name = (each.strip() for each in typed.strip().partition(" "))
     what = meant(word, "reports")
     file = unquoted(typed.strip())
-    if what is None and (file == word or file != typed.strip()) and (suffix := Path(file).suffix.lower()):
+    if (file == word or file != typed.strip()) and (suffix := Path(file).suffix.lower()):
         about = meant(Path(file).stem, "reports")
         what, name = about if about is not None and suffix in suffixes_of(about) else "run", file
     if what is None or not (name or what in _PICTURES):
