@@ -489,6 +489,17 @@ def test_the_verdicts_are_a_table_and_a_text_for_each_pupil(tmp_path: Path) -> N
     assert "1 step south" in (answers / "rui.txt").read_text(encoding="utf-8")
 
 
+def test_a_program_that_can_not_be_judged_has_no_numbers_in_the_table(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("eva.gd").symlink_to("missing.gd")
+
+    assert main(["challenge", "check", "1", "eva.gd", "--lang", "en", "--json"]) == 2
+    (record,) = json.loads(capsys.readouterr().out)
+    assert {**record, "verdict": ""} == {"file": "eva.gd", "solved": None, "verdict": ""}
+
+
 def test_each_pupil_may_have_a_folder(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -12,7 +12,8 @@ FRONT, BACK, LEFT, RIGHT = Bearing.FRONT, Bearing.BACK, Bearing.FRONT_LEFT, Bear
 LARGEST = 9223372036854775807
 
 UNDERSTOOD = [
-    (parsing.read_switch, {" On ": True, "yes": True, "true": True, "1": True, "OFF": False, "0": False}),
+    (parsing.read_switch, {" On ": True, "yes": True, "true": True, "1": True}),
+    (parsing.read_switch, {"OFF": False, "no": False, " false ": False, "0": False}),
     (parsing.read_text, {"x": "x", " ": " "}),
     (parsing.read_line, {"": "", "x": "x"}),
     (parsing.read_language, {" pt_BR.UTF-8 ": "pt", "en": "en"}),

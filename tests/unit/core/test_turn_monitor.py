@@ -1,5 +1,6 @@
 """A robot that computes without end is reported once to the robots that wait for it."""
 
+import threading
 from pathlib import Path
 
 import pytest
@@ -121,8 +122,6 @@ def test_the_watching_thread_starts_and_ends_with_a_run() -> None:
     hall.turn_monitor = TurnMonitor(hall.team, lambda: hall.turn, Words(), now=lambda: float(next(ticks)))
     hall.turn_monitor.watch()
     hall.turn = ("alice", 0.0)
-    import threading
-
     said = threading.Event()
     hall.stream_of_all.subscribe(lambda each: said.set() if isinstance(each.event, Answered) else None)
     runs = hall.team.start_together({"alice": RunRequest(ENDLESS, "a.gd")})
@@ -131,3 +130,25 @@ def test_the_watching_thread_starts_and_ends_with_a_run() -> None:
     assert any(isinstance(each.event, RunStarted) for each in hall.heard)
     hall.stop(runs[0])
     hall.turn_monitor.close()
+
+
+def test_one_thread_watches_all_runs_and_none_begins_after_the_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    begun, real = list[threading.Thread](), threading.Thread.start
+    monkeypatch.setattr(
+        threading.Thread,
+        "start",
+        lambda thread: begun.append(thread) if thread.name == "turn monitor" else real(thread),
+    )
+
+    def begin(hall: Watched, robot: str) -> int:
+        hall.team.session(robot).hub.publish(RunStarted("a.gd", "hall", robot, 1, "0"))
+        hall.stream_of_all.wait_until_delivered(LONG_ENOUGH)
+        return len(begun)
+
+    one, other = Watched(), Watched()
+    one.turn_monitor.watch()
+    assert [begin(one, "alice"), begin(one, "Bob")] == [1, 1]
+
+    other.turn_monitor.watch()
+    other.turn_monitor.close()
+    assert begin(other, "alice") == 1

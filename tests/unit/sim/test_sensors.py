@@ -80,6 +80,13 @@ def test_a_sensor_serves_the_bearings_that_it_looks_to(
     assert {bearing for bearing in Bearing if senses.at(bearing)} == bearings
 
 
+def test_the_sensors_of_parts_are_known_by_their_names() -> None:
+    """A part without a sensor has none to ask, and Stage's own names are no learner's."""
+    parts = 'ranger( name "nose" sensor( fov 1 ) ) ranger( sensor( fov 1 ) ) model( name "hat" )'
+
+    assert list(senses_of(scene(f"position( {parts} )"), 0).by_name) == ["nose"]
+
+
 @pytest.mark.parametrize(
     ("bearing", "x", "y"),
     [
