@@ -102,7 +102,8 @@ def by_robot(
 ) -> dict[str, _Given]:
     """What is given for each robot, by its name; what is for none is the first one's. Raises ``Unusable``."""
     found: dict[str, _Given] = {}
-    for typed, each in ((names[0] if robot is None else robot, each) for robot, each in given):
+    for robot, each in given:
+        typed = names[0] if robot is None else robot
         name = robot_called(typed, names)
         if name is None:
             raise Unusable(no_such_robot(typed, names, MOST_NAMES, words))
