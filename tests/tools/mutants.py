@@ -254,7 +254,7 @@ def _made_once(path: str) -> dict[int, frozenset[str]]:
                 waiting += within
                 continue
             case ast.FunctionDef(name=name, decorator_list=decorators) as each:
-                if any(_CACHE.search(ast.unparse(decorator)) for decorator in decorators):
+                if any("cache" in ast.unparse(decorator) for decorator in decorators):
                     names = {name}
             case (ast.Assign() | ast.AnnAssign()) as each:
                 targets = each.targets if isinstance(each, ast.Assign) else [each.target]
@@ -264,9 +264,6 @@ def _made_once(path: str) -> dict[int, frozenset[str]]:
         for line in range(each.lineno, (each.end_lineno or 0) + 1):
             found[line] = frozenset(names)
     return found
-
-
-_CACHE = re.compile("cache")
 
 
 @cache
