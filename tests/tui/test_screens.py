@@ -13,6 +13,7 @@ from syrupy.assertion import SnapshotAssertion
 from syrupy.extensions.single_file import SingleFileSnapshotExtension, WriteMode
 
 from donnie_tui.robot.search import RobotOption
+from donnie_tui.tui.themes import CONTRAST, DARK, LIGHT
 
 F = TypeVar("F", bound=Callable[..., Any])
 SNAPSHOTS = Path(__file__).resolve().parents[2] / "snapshots"
@@ -29,26 +30,20 @@ RECTANGLE [5, 3]
 SPEAK "done\""""
 
 ONE_PANE, SMALL, LARGE, PROJECTOR = SIZES = (40, 12), (80, 24), (120, 40), (200, 60)
-THEMES = ("dark", "light", "contrast")
+THEMES = (DARK, LIGHT, CONTRAST)
 
 
 def by_size(size: tuple[int, int]) -> str:
     return f"{size[0]}x{size[1]}"
 
 
-def looks(*quick: tuple[int, int], sizes: tuple[tuple[int, int], ...] = SIZES) -> Callable[[F], F]:
-    """At each size in each theme. Only the default theme, at these sizes, is part of the quick check."""
+def looks(*sizes: tuple[int, int]) -> Callable[[F], F]:
+    """At each size. The quick check has the usual size of a terminal only."""
     each = [
-        pytest.param(
-            f"donnie-{theme}",
-            size,
-            id=f"{theme}-{by_size(size)}",
-            marks=() if theme == "dark" and size in quick else pytest.mark.slow,
-        )
-        for theme in THEMES
-        for size in sizes
+        pytest.param(size, id=by_size(size), marks=() if size == SMALL else pytest.mark.slow)
+        for size in sizes or SIZES
     ]
-    return pytest.mark.parametrize(("theme", "size"), each)
+    return pytest.mark.parametrize("size", each)
 
 
 class InOneFolder:
@@ -72,46 +67,45 @@ class Words(InOneFolder, SingleFileSnapshotExtension):
 
 @pytest.fixture
 def same(snapshot: SnapshotAssertion):
-    """``same(screen)``: the screen is as it was kept."""
+    """``same(screen)``: the screen is as it was kept: its text, and a picture in each theme."""
 
-    async def compare(screen) -> None:
+    async def compare(screen, themes: tuple[str, ...] = THEMES) -> None:
         await screen.painted()
         assert screen.text + "\n" == snapshot.use_extension(Words)
-        assert screen.app.export_screenshot() == snapshot.use_extension(Picture)
+        for theme in themes:
+            screen.app.theme = theme
+            await screen.painted()
+            assert screen.app.export_screenshot() == snapshot.use_extension(Picture)(name=theme)
 
     return compare
 
 
-@looks(*SIZES)
-async def test_the_start(open_screen, same, theme, size):
+@looks()
+async def test_the_start(open_screen, same, size):
     async with open_screen(size=size, world="living_room") as screen:
-        screen.app.theme = theme
         await same(screen)
 
 
-@looks(SMALL, LARGE)
-async def test_a_rectangle_was_walked(open_screen, same, theme, size):
+@looks()
+async def test_a_rectangle_was_walked(open_screen, same, size):
     async with open_screen(size=size, world="living_room") as screen:
-        screen.app.theme = theme
         await screen.run(RECTANGLE)
         await same(screen)
 
 
-@looks(ONE_PANE, SMALL, LARGE)
-async def test_a_pause_inside_a_procedure(open_screen, same, theme, size):
+@looks()
+async def test_a_pause_inside_a_procedure(open_screen, same, size):
     async with open_screen(RECTANGLE, size=size, world="living_room") as screen:
-        screen.app.theme = theme
         screen.main.editor.go_to(4)
         await screen.press("f10")
         await screen.shows("Line 4, level 2: FW height")
         await same(screen)
 
 
-@looks(*SIZES)
-async def test_what_a_line_computes(open_screen, same, theme, size):
+@looks()
+async def test_what_a_line_computes(open_screen, same, size):
     text = "VAR n = 3\nREPEAT 2 TIMES\nn = n * 2 + 1\nFW n\nEND REPEAT"
     async with open_screen(text, size=size, world="living_room") as screen:
-        screen.app.theme = theme
         for step in ("Line 1", "Line 2", "Line 3", "Line 4", "Line 2", "Line 3, "):
             count = len([line for line in screen.log if line.startswith(step)])
             await screen.press("f7")
@@ -126,10 +120,9 @@ async def test_what_a_line_computes(open_screen, same, theme, size):
         await same(screen)
 
 
-@looks(*SIZES)
-async def test_the_list_of_worlds(open_screen, same, theme, size):
+@looks()
+async def test_the_list_of_worlds(open_screen, same, size):
     async with open_screen(size=size, world="living_room") as screen:
-        screen.app.theme = theme
         screen.app.do("worlds")
         await screen.until(lambda: "Living room" in screen.text and "Worlds" in screen.text, "the list")
         await screen.press("down", "down")
@@ -137,10 +130,9 @@ async def test_the_list_of_worlds(open_screen, same, theme, size):
         await same(screen)
 
 
-@looks(*SIZES)
-async def test_a_mistake(open_screen, same, theme, size):
+@looks()
+async def test_a_mistake(open_screen, same, size):
     async with open_screen(RECTANGLE.replace("TR", "RIGTH"), world="living_room", size=size) as screen:
-        screen.app.theme = theme
         await screen.press("f5")
         await screen.shows("Error, line 3")
         await screen.idle()
@@ -148,10 +140,9 @@ async def test_a_mistake(open_screen, same, theme, size):
         await same(screen)
 
 
-@looks(SMALL, LARGE)
-async def test_the_variables(open_screen, same, theme, size):
+@looks()
+async def test_the_variables(open_screen, same, size):
     async with open_screen('VAR a = 5 VAR d = DISTANCE F SPEAK "ready"\nFW 1', size=size) as screen:
-        screen.app.theme = theme
         await screen.press("f7", "f9", "f9", "f9")
         await screen.shows("Line 2: FW 1")
         await screen.press("f4")
@@ -168,14 +159,14 @@ async def test_other_languages(open_screen, same, language):
     async with open_screen(text, language=language, world="living_room") as screen:
         await screen.press("f5")
         await screen.shows("terminou." if language == "pt" else "terminó.")
-        await same(screen)
+        await same(screen, themes=(screen.app.theme,))
 
 
 async def test_the_terminal_s_own_colours(open_screen, same, monkeypatch):
     monkeypatch.setenv("NO_COLOR", "1")
     async with open_screen(world="living_room") as screen:
         await screen.run(RECTANGLE)
-        await same(screen)
+        await same(screen, themes=(screen.app.theme,))
 
 
 async def opened(screen, *keys: str, typed: str = "") -> None:
@@ -220,11 +211,10 @@ WORDS = {"themes": "SET theme", "languages": "LANGUAGE", "typed": "TYPED", "robo
 """Lists that have no key."""
 
 
-@looks(ONE_PANE, SMALL, LARGE)
+@looks()
 @pytest.mark.parametrize("name", SCREENS)
-async def test_each_screen(open_screen, same, programs, name, theme, size):
+async def test_each_screen(open_screen, same, programs, name, size):
     async with open_screen(RECTANGLE, size=size, world="living_room") as screen:
-        screen.app.theme = theme
         screen.main.editor.move_cursor((2, 0))
         await opened(screen, *SCREENS[name])
         if name == "save":
@@ -233,10 +223,9 @@ async def test_each_screen(open_screen, same, programs, name, theme, size):
         await same(screen)
 
 
-@looks(*SIZES)
-async def test_the_programs_to_open(open_screen, same, programs, theme, size):
+@looks()
+async def test_the_programs_to_open(open_screen, same, programs, size):
     async with open_screen(RECTANGLE, size=size, world="living_room") as screen:
-        screen.app.theme = theme
         await opened(screen, "ctrl+o")
         await screen.until(lambda: screen.app.screen.files.last_line > 5, "the programs")
         await screen.press("down", "end", "right")
@@ -246,10 +235,9 @@ async def test_the_programs_to_open(open_screen, same, programs, theme, size):
         await same(screen)
 
 
-@looks(*SIZES)
-async def test_programs_that_fit_what_is_typed(open_screen, same, programs, theme, size):
+@looks()
+async def test_programs_that_fit_what_is_typed(open_screen, same, programs, size):
     async with open_screen(RECTANGLE, size=size, world="living_room") as screen:
-        screen.app.theme = theme
         await opened(screen, "ctrl+o")
         await screen.until(lambda: screen.app.screen.files.last_line > 5, "the programs")
         await screen.press("s")
@@ -262,10 +250,9 @@ async def test_programs_that_fit_what_is_typed(open_screen, same, programs, them
         await same(screen)
 
 
-@looks(ONE_PANE, SMALL)
-async def test_the_place_for_a_new_program(open_screen, same, programs, theme, size):
+@looks()
+async def test_the_place_for_a_new_program(open_screen, same, programs, size):
     async with open_screen(RECTANGLE, size=size, world="living_room") as screen:
-        screen.app.theme = theme
         await opened(screen, "ctrl+k", "s")
         await screen.until(lambda: "stairs.gd" in screen.text, "the folder")
         await screen.press("down", "end", "enter")
@@ -274,30 +261,27 @@ async def test_the_place_for_a_new_program(open_screen, same, programs, theme, s
         await same(screen)
 
 
-@looks(SMALL, LARGE)
+@looks()
 @pytest.mark.parametrize("name", WORDS)
-async def test_each_list(open_screen, same, name, theme, size):
+async def test_each_list(open_screen, same, name, size):
     async with open_screen(RECTANGLE, size=size, world="two_robots") as screen:
-        screen.app.theme = theme
         await screen.type_line("WHERE")
         await opened(screen, typed=WORDS[name])
         await same(screen)
 
 
-@looks(*SIZES)
-async def test_the_list_of_mistakes(open_screen, same, theme, size):
+@looks()
+async def test_the_list_of_mistakes(open_screen, same, size):
     text = "FW 1\nFWD 3\nREPEAT 2 TIMES\nFW 1\nEND REPEET\nSPEAK a"
     async with open_screen(text, size=size, world="living_room") as screen:
-        screen.app.theme = theme
         await screen.until(lambda: screen.main.editor.mistakes, "the marks")
         await opened(screen, typed="ERRORS")
         await same(screen)
 
 
-@looks(ONE_PANE, SMALL, LARGE)
-async def test_changing_a_key(open_screen, same, theme, size):
+@looks()
+async def test_changing_a_key(open_screen, same, size):
     async with open_screen("FW 1", size=size) as screen:
-        screen.app.theme = theme
         await screen.type_line("CHANGE KEYS")
         await screen.until(lambda: "RUN: F5, Esc" in screen.text, "the list")
         await screen.press(*"run:", "enter")
@@ -305,10 +289,9 @@ async def test_changing_a_key(open_screen, same, theme, size):
         await same(screen)
 
 
-@looks(SMALL, LARGE)
-async def test_the_map_with_names_rays_and_coordinates(open_screen, same, theme, size):
+@looks()
+async def test_the_map_with_names_rays_and_coordinates(open_screen, same, size):
     async with open_screen(size=size, world="living_room") as screen:
-        screen.app.theme = theme
         await screen.run("FW 3 TR 45 SPEAK DISTANCE F")
         await screen.press("ctrl+k", "c", "ctrl+k", "t")
         await screen.shows("Names on the map.")
@@ -318,11 +301,10 @@ async def test_the_map_with_names_rays_and_coordinates(open_screen, same, theme,
         await same(screen)
 
 
-@looks(*SIZES)
-async def test_two_robots_on_a_nearer_map(open_screen, same, theme, size):
+@looks()
+async def test_two_robots_on_a_nearer_map(open_screen, same, size):
     """The map: things, trails, headings; in 40 columns it has the screen to itself."""
     async with open_screen("FW 2\nTR 90\nFW 3", size=size, world="two_robots") as screen:
-        screen.app.theme = theme
         await screen.press("f5")
         await screen.shows("The program is done.")
         await screen.idle()
@@ -332,10 +314,9 @@ async def test_two_robots_on_a_nearer_map(open_screen, same, theme, size):
         await same(screen)
 
 
-@looks(*SIZES)
-async def test_the_map_as_a_picture(open_screen, same, theme, size):
+@looks()
+async def test_the_map_as_a_picture(open_screen, same, size):
     async with open_screen("FW 3 TR 90 FW 5", world="living_room", size=size) as screen:
-        screen.app.theme = theme
         await screen.press("f5")
         await screen.shows("The program is done.")
         await screen.idle()
@@ -346,10 +327,9 @@ async def test_the_map_as_a_picture(open_screen, same, theme, size):
         await same(screen)
 
 
-@looks(SMALL, LARGE)
-async def test_a_large_map_that_follows_the_robot(open_screen, same, theme, size):
+@looks()
+async def test_a_large_map_that_follows_the_robot(open_screen, same, size):
     async with open_screen(world="living_room", size=size) as screen:
-        screen.app.theme = theme
         await screen.press("ctrl+k", "a")
         await screen.shows("The map follows")
         if size == ONE_PANE:
@@ -358,21 +338,19 @@ async def test_a_large_map_that_follows_the_robot(open_screen, same, theme, size
         await same(screen)
 
 
-@looks(ONE_PANE, SMALL, LARGE)
-async def test_the_plain_layout(open_screen, same, theme, size):
+@looks()
+async def test_the_plain_layout(open_screen, same, size):
     async with open_screen("FW 3", size=size, world="living_room", plain=True) as screen:
-        screen.app.theme = theme
         await screen.press("f5")
         await screen.shows("The program is done.")
         await same(screen)
 
 
-@looks(SMALL, LARGE)
-async def test_mistakes_and_breakpoints_next_to_the_program(open_screen, same, theme, size):
+@looks()
+async def test_mistakes_and_breakpoints_next_to_the_program(open_screen, same, size):
     async with open_screen(
         "FW 1\nFWD 3\nREPEAT 2 TIMES\nFW 1\nEND REPEAT", world="living_room", size=size
     ) as screen:
-        screen.app.theme = theme
         screen.main.editor.go_to(4)
         await screen.press("ctrl+b")
         await screen.until(lambda: "!2" in screen.text, "the mark")
@@ -380,10 +358,9 @@ async def test_mistakes_and_breakpoints_next_to_the_program(open_screen, same, t
         await same(screen)
 
 
-@looks(*SIZES)
-async def test_the_tour(open_screen, same, theme, size):
+@looks()
+async def test_the_tour(open_screen, same, size):
     async with open_screen("FW 1", size=size, world="living_room") as screen:
-        screen.app.theme = theme
         await screen.type_line("TOUR")
         await screen.until(lambda: "Tour 1 of" in screen.text, "the tour")
         await screen.press("enter")
@@ -392,11 +369,10 @@ async def test_the_tour(open_screen, same, theme, size):
         await same(screen)
 
 
-@looks(*SIZES)
-async def test_charts_of_what_was_measured(open_screen, same, theme, size):
+@looks()
+async def test_charts_of_what_was_measured(open_screen, same, size):
     text = "REPEAT 6 TIMES\nFW 2\nSPEAK DISTANCE F\nEND REPEAT"
     async with open_screen(text, size=size, world="living_room") as screen:
-        screen.app.theme = theme
         await screen.press("f5")
         await screen.shows("The program is done.")
         await screen.idle()
@@ -407,10 +383,9 @@ async def test_charts_of_what_was_measured(open_screen, same, theme, size):
         await same(screen)
 
 
-@looks(*SIZES)
-async def test_looking_back(open_screen, same, theme, size):
+@looks()
+async def test_looking_back(open_screen, same, size):
     async with open_screen(RECTANGLE, size=size, world="living_room") as screen:
-        screen.app.theme = theme
         await screen.press("f5")
         await screen.shows("The program is done.")
         await screen.idle()
@@ -424,10 +399,9 @@ async def test_looking_back(open_screen, same, theme, size):
         await same(screen)
 
 
-@looks(ONE_PANE, SMALL)
-async def test_the_examples_for_an_empty_program(open_screen, same, theme, size):
+@looks()
+async def test_the_examples_for_an_empty_program(open_screen, same, size):
     async with open_screen(size=size, world="living_room") as screen:
-        screen.app.theme = theme
         await screen.press(*"EXAMPLES", "enter")
         await screen.until(lambda: "A square" in screen.text, "the list")
         await screen.until(lambda: not screen.main.editor.mistakes, "no mark of a half typed word")
@@ -436,11 +410,10 @@ async def test_the_examples_for_an_empty_program(open_screen, same, theme, size)
         await same(screen)
 
 
-@looks(ONE_PANE, SMALL)
-async def test_a_program_that_was_changed_while_it_runs(open_screen, same, theme, size):
+@looks()
+async def test_a_program_that_was_changed_while_it_runs(open_screen, same, size):
     text = "FW 1\nREPEAT 2 TIMES\n  WAIT 1000\nEND REPEAT"
     async with open_screen(text, size=size, world="living_room", speed=5.0) as screen:
-        screen.app.theme = theme
         await screen.press("f5")
         await screen.shows("Waiting 1000 seconds.")
         await screen.until(lambda: "Line 3 of 4, in REPEAT" in screen.status, "the line that runs")
@@ -451,11 +424,10 @@ async def test_a_program_that_was_changed_while_it_runs(open_screen, same, theme
         await same(screen)
 
 
-@looks(ONE_PANE, SMALL)
-async def test_a_log_in_which_a_word_was_found(open_screen, same, theme, size):
+@looks()
+async def test_a_log_in_which_a_word_was_found(open_screen, same, size):
     """With the marks, and the number of lines."""
     async with open_screen(size=size, world="living_room") as screen:
-        screen.app.theme = theme
         await screen.run(RECTANGLE)
         await screen.idle()
         await screen.type_line("FIND walked")
@@ -465,10 +437,9 @@ async def test_a_log_in_which_a_word_was_found(open_screen, same, theme, size):
         await same(screen)
 
 
-@looks(ONE_PANE, SMALL, sizes=(ONE_PANE, SMALL))
-async def test_a_word_that_is_offered_in_a_block_with_its_end(open_screen, same, theme, size):
+@looks(ONE_PANE, SMALL)
+async def test_a_word_that_is_offered_in_a_block_with_its_end(open_screen, same, size):
     async with open_screen(size=size, world="living_room") as screen:
-        screen.app.theme = theme
         await screen.press(
             *"REPEAT", "space", *"4", "space", *"TIMES", "enter", *"FW", "space", *"1", "enter"
         )
@@ -478,10 +449,9 @@ async def test_a_word_that_is_offered_in_a_block_with_its_end(open_screen, same,
         await same(screen)
 
 
-@looks(ONE_PANE, SMALL)
-async def test_the_kinds_of_lines_to_show(open_screen, same, theme, size):
+@looks()
+async def test_the_kinds_of_lines_to_show(open_screen, same, size):
     async with open_screen(size=size, world="living_room") as screen:
-        screen.app.theme = theme
         await screen.run(RECTANGLE)
         await screen.idle()
         await opened(screen, typed="FILTER")
@@ -489,10 +459,9 @@ async def test_the_kinds_of_lines_to_show(open_screen, same, theme, size):
         await same(screen)
 
 
-@looks(ONE_PANE, SMALL, sizes=(ONE_PANE, SMALL))
-async def test_a_log_of_one_kind(open_screen, same, theme, size):
+@looks(ONE_PANE, SMALL)
+async def test_a_log_of_one_kind(open_screen, same, size):
     async with open_screen(size=size, world="living_room") as screen:
-        screen.app.theme = theme
         await screen.run(RECTANGLE)
         await screen.idle()
         await opened(screen, typed="FILTER")
@@ -502,11 +471,10 @@ async def test_a_log_of_one_kind(open_screen, same, theme, size):
         await same(screen)
 
 
-@looks(ONE_PANE, SMALL)
-async def test_a_program_that_was_stopped(open_screen, same, theme, size):
+@looks()
+async def test_a_program_that_was_stopped(open_screen, same, size):
     text = "FW 1\nREPEAT 2 TIMES\n  WAIT 1000\nEND REPEAT"
     async with open_screen(text, size=size, world="living_room", speed=5.0) as screen:
-        screen.app.theme = theme
         await screen.press("f5")
         await screen.shows("Waiting 1000 seconds.")
         await screen.press("f8")
@@ -516,20 +484,18 @@ async def test_a_program_that_was_stopped(open_screen, same, theme, size):
         await same(screen)
 
 
-@looks(ONE_PANE, SMALL)
-async def test_the_list_of_challenges(open_screen, same, theme, size):
+@looks()
+async def test_the_list_of_challenges(open_screen, same, size):
     async with open_screen(size=size, world="living_room") as screen:
-        screen.app.theme = theme
         await opened(screen, typed="CHALLENGE")
         await screen.press("down", "down")
         await same(screen)
 
 
-@looks(ONE_PANE, SMALL)
-async def test_the_robots_to_connect_to(open_screen, same, monkeypatch, theme, size):
+@looks()
+async def test_the_robots_to_connect_to(open_screen, same, monkeypatch, size):
     """In use, not plugged in, and one to try: a port of this machine would be in the picture."""
     async with open_screen(size=size, world="living_room") as screen:
-        screen.app.theme = theme
         connection = screen.app.controller.donnie.connection
         first, *_, last = connection.options()
         board = RobotOption("serial:/dev/ttyACM9", "robot at /dev/ttyACM9")
@@ -538,11 +504,10 @@ async def test_the_robots_to_connect_to(open_screen, same, monkeypatch, theme, s
         await same(screen)
 
 
-@looks(ONE_PANE, SMALL, sizes=(ONE_PANE, SMALL))
+@looks(ONE_PANE, SMALL)
 @pytest.mark.parametrize("zoom", [pytest.param(2, id="4x2"), pytest.param(3, id="6x3")])
-async def test_the_largest_squares_of_the_map(open_screen, same, zoom, theme, size):
+async def test_the_largest_squares_of_the_map(open_screen, same, zoom, size):
     async with open_screen("TR 90 FW 4", size=size, world="first_room") as screen:
-        screen.app.theme = theme
         await screen.press("f5")
         await screen.shows("The program is done.")
         await screen.idle()
@@ -551,11 +516,10 @@ async def test_the_largest_squares_of_the_map(open_screen, same, zoom, theme, si
         await same(screen)
 
 
-@looks(*SIZES)
-async def test_a_challenge(open_screen, same, theme, size):
+@looks()
+async def test_a_challenge(open_screen, same, size):
     """The task, the goals and their places on the map."""
     async with open_screen("TR 90", size=size, world="challenge:to_the_ball") as screen:
-        screen.app.theme = theme
         await screen.press("f5")
         await screen.idle()
         await screen.until(lambda: "turned" in " ".join(screen.log), "the turn")
