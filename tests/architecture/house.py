@@ -37,6 +37,11 @@ def lines_of(path: str) -> int:
 
 @cache
 def tree_of(path: str) -> ast.Module:
+    """Kept, as several tests need it."""
+    return parsed(path)
+
+
+def parsed(path: str) -> ast.Module:
     """Collects no garbage during the parse.
 
     Python reports a finalizer that fails with a traceback, and 3.11 parses a line for it. A parse inside
