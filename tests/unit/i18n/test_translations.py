@@ -390,16 +390,17 @@ def test_a_file_beyond_a_limit_is_refused_with_the_cause(
     assert [str(each) for each in mistakes()] == [f"{added / name}:1: {what}"]
 
 
-@pytest.mark.parametrize("kept", [0, 3, 20, 40, 200])
-def test_compiled_sentences_that_are_cut_off_are_english(added: Path, kept: int) -> None:
+def test_compiled_sentences_that_are_cut_off_are_english(added: Path) -> None:
     main(["compile"])
     file = added / "compiled" / "messages.mo"
-    file.write_bytes(file.read_bytes()[:kept])
-    _forget()
+    whole = file.read_bytes()
+    for kept in (0, 3, 20, 40, 200):
+        file.write_bytes(whole[:kept])
+        _forget()
 
-    sentence = find("answer-stopped-at", CODE)
-    assert sentence is not None
-    assert sentence.language == "en"
+        sentence = find("answer-stopped-at", CODE)
+        assert sentence is not None, kept
+        assert sentence.language == "en", kept
 
 
 @pytest.mark.parametrize("encoding", [b"Content-Type: text/plain", b"charset=UTF-9", b"charset=ascii"])
@@ -418,16 +419,17 @@ def test_a_damaged_encoding_in_the_header_costs_no_sentence(added: Path, encodin
     assert sentence.text == accented("Done.")
 
 
-@pytest.mark.parametrize("encoding", [b"charset=UTF-9", b"charset:UTF-8"])
-def test_compiled_sentences_of_an_unknown_encoding_are_english(added: Path, encoding: bytes) -> None:
+def test_compiled_sentences_of_an_unknown_encoding_are_english(added: Path) -> None:
     main(["compile"])
     file = added / "compiled" / "messages.mo"
-    file.write_bytes(file.read_bytes().replace(b"charset=UTF-8", encoding))
-    _forget()
+    whole = file.read_bytes()
+    for encoding in (b"charset=UTF-9", b"charset:UTF-8"):
+        file.write_bytes(whole.replace(b"charset=UTF-8", encoding))
+        _forget()
 
-    sentence = find("run-done", CODE)
-    assert sentence is not None
-    assert sentence.text == "Done."
+        sentence = find("run-done", CODE)
+        assert sentence is not None, encoding
+        assert sentence.text == "Done.", encoding
 
 
 def test_a_sentence_with_a_mistake_is_english_in_a_session(added: Path) -> None:
