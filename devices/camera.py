@@ -33,10 +33,12 @@ ColourRange: TypeAlias = tuple[int, int, int, int, int, int]
 """The least and the most of hue (0 to 179), saturation and value (0 to 255), as OpenCV counts them. A least
 hue above the most leads through 0, where red is."""
 
+_MOST = 255
+"""Of a saturation or a value."""
 ORIGINAL_RANGES: Mapping[str, ColourRange] = {
-    "red": (121, 11, 32, 255, 87, 255),
-    "green": (56, 99, 169, 255, 17, 255),
-    "blue": (90, 120, 32, 255, 48, 255),
+    "red": (121, 11, 32, _MOST, 87, _MOST),
+    "green": (56, 99, 169, _MOST, 17, _MOST),
+    "blue": (90, 120, 32, _MOST, 48, _MOST),
 }
 """From GenericBlobfinder.cc of github.com/lsa-pucrs/donnie-assistive-robot-sw (driver/genericblobfinder).
 
@@ -346,9 +348,9 @@ def measured_range(picture: Picture) -> ColourRange | None:
         round(mean + first - hue_margin) % 180,
         round(mean + last + hue_margin) % 180,
         max(_COLOURFUL, round(saturation) - saturation_margin),
-        255,
+        _MOST,
         max(_BRIGHT, round(value) - value_margin),
-        255,
+        _MOST,
     )
 
 
@@ -469,9 +471,9 @@ class PictureFiles:
         return [os.path.join(self._path, each) for each in sorted(pictures, key=_in_order)]  # noqa: PTH118
 
 
-def _in_order(name: str) -> list[tuple[int, str]]:
-    """2.png comes before 10.png."""
-    return [(int(each), "") if each.isdecimal() else (0, each) for each in re.split(r"(\d+)", name.lower())]
+def _in_order(name: str) -> list[int | str]:
+    """2.png comes before 10.png. A text comes first, so equal places have equal types."""
+    return [int(each) if each.isdecimal() else each for each in re.split(r"(\d+)", name.lower())]
 
 
 def _direction(path: str) -> int | None:
@@ -501,7 +503,7 @@ def read_picture(path: str, files: FileAccess) -> Picture:
                     raise too_large
                 if image.format == "JPEG" and data.count(b"\xff\xda") > MOST_LAYERS:
                     raise too_large
-                image.draft("RGB", (_WIDTH, _HEIGHT))
+                image.draft(None, (_WIDTH, _HEIGHT))
                 upright = ImageOps.exif_transpose(image)  # as a phone was held
                 return np.asarray(upright.convert("RGB"), dtype=np.uint8)
     except Image.DecompressionBombError:

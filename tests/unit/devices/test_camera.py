@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+import struct
 import sys
+import zlib
 from math import atan, degrees, radians, tan
 from pathlib import Path
 
@@ -20,11 +22,13 @@ from devices.camera import (
     blobs_in,
     do_overlap,
     measured_range,
+    read_picture,
     things_in,
 )
 from devices.ports.robot import RobotProblem
 from devices.serial_ports import allow_only
 from devices.serial_robot.senses import coloured_sightings
+from donnie_tui.process.confinement import OutsideError
 from donnie_tui.robot.connection import make_camera
 from donnie_tui.settings.settings import Settings
 from tests.unit.devices.pictures import BLUE, GREEN, RED, drawn, save
@@ -214,12 +218,34 @@ def test_a_thing_in_neighbouring_pictures_is_one_thing(tmp_path: Path) -> None:
     assert seen(camera(folder)) == [("red", 15)]
 
 
-def test_a_thing_that_a_border_cuts_is_placed_by_the_picture_that_has_it_whole() -> None:
-    cut, whole = Blob("red", 0.9, 1.0, 0.4, 0.6), Blob("red", 0.37, 0.57, 0.4, 0.6)
+@pytest.mark.parametrize(
+    ("looks", "low", "high"),
+    [
+        ([(0.0, Blob("red", 0.875, 1.0)), (32.0, Blob("red", 0.25, 0.5))], 16, 32),
+        ([(0.0, Blob("red", 0.5, 0.75)), (32.0, Blob("red", 0.0, 0.125))], 0, 16),
+        ([(0.0, Blob("red", 0.75, 1.0)), (32.0, Blob("red", 0.0, 0.75))], 0, 48),
+    ],
+)
+def test_a_thing_that_a_border_cuts_is_placed_by_the_picture_that_has_it_whole(
+    looks: list[tuple[float, Blob]], low: float, high: float
+) -> None:
+    """By all where none has it whole. Pictures of 64 degrees: a sixteenth of one is four."""
+    (thing,) = things_in([(direction, (blob,)) for direction, blob in looks], 64, is_even=True)
 
-    (thing,) = things_in([(0, (cut,)), (30, (whole,))], 60)
+    assert (thing.low, thing.high) == (low, high)
 
-    assert thing.degrees == pytest.approx(28, abs=1)
+
+@pytest.mark.parametrize(("right", "degrees"), [(0.5625, [93]), (0.625, [])])
+def test_a_thing_counts_as_far_aside_as_the_head_may_look(right: float, degrees: list[float]) -> None:
+    """90 degrees, and three by which it may miss them. The middles are 3 and 6 degrees beyond."""
+    on_the_right, on_the_left = Blob("red", 0.5, right), Blob("red", 1 - right, 0.5)
+
+    assert [each.degrees for each in things_in([(90, (on_the_right,))], 96, is_even=True)] == degrees
+    assert [-each.degrees for each in things_in([(-90, (on_the_left,))], 96, is_even=True)] == degrees
+
+
+def test_a_blob_of_a_finder_without_rows_is_as_high_as_its_picture() -> None:
+    assert (Blob("red", 0.25, 0.5).top, Blob("red", 0.25, 0.5).bottom) == (0, 1)
 
 
 def test_a_thing_wider_than_a_picture_is_one_thing_in_the_middle_of_all() -> None:
@@ -269,6 +295,43 @@ def test_a_picture_is_what_is_straight_ahead(tmp_path: Path) -> None:
     assert seen(camera(folder / "a.png")) == [("green", 0)]
 
 
+@pytest.mark.parametrize("suffix", ["png", "jpg", "jpeg", "ppm", "bmp", "gif"])
+def test_pictures_of_the_usual_kinds_are_read(suffix: str, tmp_path: Path) -> None:
+    Image.fromarray(drawn((290, 200, 350, 260, GREEN))).save(tmp_path / f"a.{suffix}")
+
+    assert seen(camera(tmp_path)) == [("green", 0)]
+
+
+@pytest.mark.parametrize(("factor", "smaller"), [(1, 1), (2, 2), (3, 2)])
+def test_a_large_jpeg_is_decoded_about_as_large_as_a_picture_of_the_original(
+    factor: int, smaller: int, tmp_path: Path
+) -> None:
+    """A JPEG can be decoded at a half of its size, at a quarter or at an eighth."""
+    path = tmp_path / "a.jpg"
+    Image.new("RGB", (640 * factor, 480 * factor)).save(path)
+
+    assert read_picture(str(path), Bytes(path.read_bytes())).shape == (
+        480 * factor // smaller, 640 * factor // smaller, 3
+    )  # fmt: skip
+
+
+class Bytes:
+    """A file for ``read_picture``: its content, or the reason why it can't be read."""
+
+    def __init__(self, content: bytes | Exception) -> None:
+        self._content = content
+        self.most = 0
+
+    def names_in(self, folder: str) -> list[str]:
+        raise NotADirectoryError
+
+    def read(self, path: str, most: int) -> bytes:
+        self.most = most
+        if isinstance(self._content, Exception):
+            raise self._content
+        return self._content[:most]
+
+
 def test_the_pictures_of_a_folder_follow_each_other_and_begin_again(tmp_path: Path) -> None:
     folder = save(
         tmp_path / "p",
@@ -276,12 +339,16 @@ def test_the_pictures_of_a_folder_follow_each_other_and_begin_again(tmp_path: Pa
             "2.png": drawn((290, 200, 350, 260, GREEN)),
             "10.jpg": drawn((290, 200, 350, 260, BLUE)),
             "1.bmp": drawn((290, 200, 350, 260, RED)),
+            "B.png": drawn((290, 200, 350, 260, GREEN)),
+            "a.png": drawn((290, 200, 350, 260, RED)),
         },
     )
     (folder / "notes.txt").write_text("no picture")
     made = camera(folder)
 
-    assert [seen(made)[0][0] for _ in range(4)] == ["red", "green", "blue", "red"]
+    found = [seen(made)[0][0] for _ in range(6)]
+
+    assert found == ["red", "green", "blue", "red", "green", "red"]
 
 
 def test_a_folder_with_too_many_pictures_is_refused_before_one_is_read(tmp_path: Path) -> None:
@@ -316,6 +383,22 @@ def test_an_empty_folder_is_a_fault(tmp_path: Path) -> None:
 
 def test_a_missing_picture_is_a_fault(tmp_path: Path) -> None:
     assert fault(tmp_path / "a.png") == ("picture-missing", {"path": str(tmp_path / "a.png")})
+
+
+@pytest.mark.parametrize(
+    ("problem", "code", "values"),
+    [
+        (ValueError("embedded null byte"), "picture-unreadable", {"reason": "embedded null byte"}),
+        (PermissionError(13, "Permission denied"), "picture-unreadable", {"reason": "Permission denied"}),
+        (OutsideError("a.png"), "picture-outside", {"reason": "Permission denied"}),
+        (FileNotFoundError(2, "No such file"), "picture-missing", {}),
+    ],
+)
+def test_why_a_picture_can_not_be_read_is_said(problem: Exception, code: str, values: dict[str, str]) -> None:
+    with pytest.raises(RobotProblem) as raised:
+        read_picture("a.png", Bytes(problem))
+
+    assert (raised.value.code, raised.value.values) == (code, {"path": "a.png", **values})
 
 
 def test_a_name_that_no_file_can_have_is_a_fault() -> None:
@@ -353,21 +436,43 @@ def test_a_damaged_picture_is_a_fault(tmp_path: Path) -> None:
     assert fault(tmp_path)[0] == "no-picture"
 
 
-def test_a_picture_with_too_many_pixels_is_a_fault_before_it_is_decoded(tmp_path: Path) -> None:
-    cv2.imwrite(str(tmp_path / "a.png"), np.zeros((5001, 5000), np.uint8))
+def png_head(width: int, height: int) -> bytes:
+    """A PNG without its pixels."""
+    parts = (b"IHDR" + struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0), b"IDAT", b"IEND")
+    chunks = (struct.pack(">I", len(part) - 4) + part + struct.pack(">I", zlib.crc32(part)) for part in parts)
+    return b"\x89PNG\r\n\x1a\n" + b"".join(chunks)
 
-    assert fault(tmp_path) == ("picture-too-large", {"path": str(tmp_path / "a.png"), "limit": 25})
+
+@pytest.mark.parametrize(
+    ("width", "height", "code"),
+    [
+        (5000, 5000, "no-picture"),
+        (5001, 5000, "picture-too-large"),
+        (10_000, 10_000, "picture-too-large"),  # Pillow warns
+        (20_000, 20_000, "picture-too-large"),  # Pillow refuses
+    ],
+)
+def test_a_picture_with_too_many_pixels_is_a_fault_before_it_is_decoded(
+    width: int, height: int, code: str
+) -> None:
+    with pytest.raises(RobotProblem, match=f"^{code}$") as raised:
+        read_picture("a.png", Bytes(png_head(width, height)))
+
+    assert raised.value.values == {"path": "a.png"} | ({"limit": 25} if code == "picture-too-large" else {})
 
 
-def test_a_file_with_too_many_bytes_is_a_fault(tmp_path: Path) -> None:
-    with (tmp_path / "a.png").open("wb") as file:
-        file.truncate(20_000_001)
+def test_a_file_with_too_many_bytes_is_a_fault_and_not_read_to_its_end() -> None:
+    file = Bytes(bytes(20_000_002))
+    with pytest.raises(RobotProblem, match=r"^picture-too-large$"):
+        read_picture("a.png", file)
 
-    assert fault(tmp_path)[0] == "picture-too-large"
+    assert file.most == 20_000_001
 
 
 def test_a_camera_that_is_not_plugged_in_is_a_fault() -> None:
     assert fault("/dev/video-of-no-machine") == ("no-port", {"port": "/dev/video-of-no-machine"})
+    with pytest.raises(RobotProblem, match=r"^no-port$"):  # also where only one direction is looked at
+        camera("/dev/video-of-no-machine").look(0)
 
 
 def test_a_camera_that_opencv_stumbles_over_is_a_fault(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -520,8 +625,9 @@ def test_a_narrow_camera_looks_twice_as_often(view: float | None, directions: in
     assert camera("/dev/null", view).directions() == tuple(range(-90, 91, directions))
 
 
-def test_a_camera_that_may_not_be_used_is_a_fault(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(os, "access", lambda *_: False)
+@pytest.mark.parametrize("missing", [os.R_OK, os.W_OK])
+def test_a_camera_that_may_not_be_used_is_a_fault(missing: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(os, "access", lambda _, wanted: not wanted & missing)
 
     assert fault("/dev/null") == ("no-permission", {"port": "/dev/null"})
 
