@@ -17,6 +17,7 @@ from contextlib import suppress
 from enum import IntEnum
 from functools import lru_cache
 from itertools import chain, islice
+from string import digits
 from typing import Any
 
 from msgspec import Struct
@@ -219,9 +220,9 @@ class _Part(Struct, frozen=True):
 @lru_cache(maxsize=256)
 def _parts(form: str) -> tuple[_Part, ...]:
     parts = []
-    for group, counted, fixed in _PART.findall(form.replace(" ", "")):
+    for group, counted, fixed in _PART.findall(form):
         letters = group or fixed or "s"
-        width = len(letters.strip("0123456789"))
+        width = len(letters.strip(digits))
         parts.append(_Part(counted or ("[" if group else ""), struct.Struct(f">{letters}"), width))
     return tuple(parts)
 

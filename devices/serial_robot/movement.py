@@ -447,13 +447,11 @@ TURNED_BY_HAND = 8.0
 class WheelOdometry:
     """Dead reckoning from the start pose. Any thread may ask. Metres and radians inside."""
 
-    def __init__(self, config: RobotConfig) -> None:
+    def __init__(self, config: RobotConfig, telemetry: Telemetry, start: Pose) -> None:
         self._metres_a_count = 2 * pi * config.wheel_radius / config.counts_a_turn
         self._axle = config.axle_length
         self._lock = threading.Lock()
-        self._right = self._left = 0
-        self._x = self._y = 0.0
-        self._yaw = pi / 2
+        self.begin(telemetry, start)
 
     def begin(self, telemetry: Telemetry, start: Pose) -> None:
         """The robot is at ``start``, with the present counts."""

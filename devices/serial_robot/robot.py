@@ -65,7 +65,7 @@ class SerialRobot(LinkedRobot[RobotLink]):
         self._start_pose = start or Pose(0.0, 0.0, 0.0)
         self._config = config or RobotConfig()
         self._sensors = BoardSensors(self._config)
-        self._odometry = WheelOdometry(self._config)
+        self._odometry = WheelOdometry(self._config, link.telemetry, self._start_pose)
         self._began = link.now()
         self._heading = HeadingTracker(link.telemetry)
         self._overshoot = 0.0

@@ -295,6 +295,32 @@ def test_a_network_address_without_a_belt_is_reported_once_with_the_reason(notic
     assert notices.received == [BeltNotice.MISSING]
 
 
+def test_closing_does_not_wait_for_a_lost_belt_that_is_just_being_opened_again(
+    port: FakePort, notices: Notices, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("devices.belt.RETRY", 0.001)
+    second, is_asked, joined = FakePort(), threading.Event(), list[float]()
+    network = SlowNetwork(second)
+
+    def open_port(address: str) -> FakePort:
+        if not notices.received:
+            return port
+        is_asked.set()
+        return network(address)
+
+    belt = SerialBelt("nowhere", notices, open_port)
+    monkeypatch.setattr(belt._thread, "join", joined.append)
+    port.fault = OSError(5, "gone")
+    assert notices.wait_for(BeltNotice.LOST)
+    assert is_asked.wait(TIMEOUT)
+    belt.close()
+    assert joined == []
+
+    network.answer.set()
+    assert second.wait_for(lambda: second.is_closed)
+    assert second.written[-1] == encode_frame(OFF)
+
+
 def test_a_belt_that_opens_after_closing_is_turned_off_and_closed_in_silence(
     port: FakePort, notices: Notices
 ) -> None:

@@ -30,6 +30,17 @@ def test_the_back_sensor_stops_a_backward_walk() -> None:
     assert (real.robot.backward(9).walked, real.robot.forward(1).stopped_by) == (3, None)
 
 
+@pytest.mark.parametrize("overshot", [-20, 0, 20])
+def test_a_walk_that_may_not_begin_ends_wherever_the_last_one_ended(overshot: int) -> None:
+    """Also if that came too far: less than nothing of this walk is done then."""
+    real = Real(wall_ahead(-1), stops_at=20.0)
+    real.robot.forward(1)
+    real.robot.backward(1)
+    real.robot._overshoot = float(overshot)
+
+    assert real.robot.backward(2).stopped_by is StoppedBy.OBSTACLE
+
+
 def test_ranges_a_single_near_echo_is_no_obstacle() -> None:
     """A thing 2.6 metres away looks near once in a while."""
     sonars = Sonars(far=150.0)

@@ -106,8 +106,7 @@ def test_of_the_bumpers_the_nearest_to_the_way_has_met_something(
 
 def test_a_pose_follows_from_the_counts_since_the_start() -> None:
     """Seven steps ahead, a quarter of a turn to the right, and three steps back."""
-    odometry = WheelOdometry(CONFIG)
-    odometry.begin(counts(100, 200), Pose(2.0, -3.0, 90.0))
+    odometry = WheelOdometry(CONFIG, counts(100, 200), Pose(2.0, -3.0, 90.0))
     step = 0.05 / COUNT
     assert odometry.follow(counts(100, 200)) == Pose(2.0, -3.0, 90.0)
     ahead = round(7 * step)
@@ -122,8 +121,7 @@ def test_a_pose_follows_from_the_counts_since_the_start() -> None:
 
 
 def test_unequal_wheels_drive_along_the_chord_of_their_arc() -> None:
-    odometry = WheelOdometry(CONFIG)
-    odometry.begin(counts(0, 0), Pose(0.0, 0.0, 0.0))
+    odometry = WheelOdometry(CONFIG, counts(0, 0), Pose(0.0, 0.0, 0.0))
     pose = odometry.follow(counts(500, 300))
     turned, ahead = 200 * COUNT / 0.068, 400 * COUNT / 0.05
 
@@ -132,11 +130,26 @@ def test_unequal_wheels_drive_along_the_chord_of_their_arc() -> None:
 
 
 def test_a_heading_is_from_0_to_below_360() -> None:
-    odometry = WheelOdometry(CONFIG)
-    odometry.begin(counts(0, 0), Pose(0.0, 0.0, 0.0))
+    odometry = WheelOdometry(CONFIG, counts(0, 0), Pose(0.0, 0.0, 0.0))
 
-    assert str(odometry.follow(counts(0, 0))) == str(Pose(0.0, 0.0, 0.0))
     assert odometry.follow(counts(1, -1)).heading == pytest.approx(360 - degrees(2 * COUNT / 0.068), abs=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("start", "moved", "pose"),
+    [
+        (Pose(0.0, 0.0, 0.0), 0, "0.0 0.0 0.0"),
+        (Pose(0.0, 0.0, 0.0), -1, "0.0 -0.003 0.0"),  # never -0.0
+        (Pose(0.0, 0.0, 270.0), 1, "-0.003 0.0 270.0"),
+        (Pose(1.2346, -1.2346, 12.3456), 0, "1.235 -1.235 12.346"),
+        (Pose(0.0, 0.0, 359.9996), 0, "0.0 0.0 0.0"),
+    ],
+)
+def test_a_pose_is_in_thousandths_and_has_no_negative_zero(start: Pose, moved: int, pose: str) -> None:
+    """A count is 0.00293 steps."""
+    now = WheelOdometry(CONFIG, counts(0, 0), start).follow(counts(moved, moved))
+
+    assert f"{now.x} {now.y} {now.heading}" == pose
 
 
 @pytest.mark.parametrize(
@@ -286,6 +299,8 @@ def test_the_measures_of_a_robot_are_those_of_the_documentation() -> None:
     assert (CONFIG.wheel_radius, CONFIG.axle_length, CONFIG.counts_a_turn) == (0.021, 0.068, 900)
     assert (CONFIG.walk_coast, CONFIG.turn_coast) == (8, 5)
     assert (CONFIG.wrong_way, CONFIG.stall, CONFIG.farthest) == (60, 0.5, 2.0)
+    assert (CONFIG.stop_timeout, CONFIG.poll, CONFIG.diagonal_limit) == (1.0, 0.02, 0.05)
+    assert (CONFIG.head_pause, CONFIG.head_stride) == (0.6, 15)
     assert (CONFIG.head_sonar, CONFIG.front_bumpers, CONFIG.back_bumpers) == (6, {0, 1, 2}, {3, 4, 5})
     assert CONFIG.bumper_degrees == (45.0, 0.0, -45.0, 135.0, 180.0, -135.0)
     slower = CONFIG.slower(4.0)
