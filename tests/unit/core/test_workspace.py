@@ -190,6 +190,55 @@ def test_a_script_leaves_no_copy_but_of_what_it_recovered(tmp_path: Path) -> Non
     assert "FW 9" in offered(tmp_path)
 
 
+def test_a_script_leaves_nothing_of_the_programs_in_its_lines(tmp_path: Path) -> None:
+    (tmp_path / "kept-1.gd").write_text("FW 9\n")
+    workspace = workspace_in(tmp_path)
+    workspace.document.add("FW 1")
+    workspace.replace("", None)
+    workspace.document.add("FW 2")
+    workspace.leave_copies(everything=False)
+    workspace.write_copies()
+
+    assert offered(tmp_path) == ["FW 9"]
+    assert [each.name for each in tmp_path.glob("*.gd")] == ["kept-1.gd"]  # the next start offers it again
+
+
+def test_a_copy_that_the_learner_did_not_open_is_offered_no_more_but_recovered(tmp_path: Path) -> None:
+    for name in ("kept-1.gd", "kept-2.gd"):
+        (tmp_path / name).write_text(f"{name}\n")
+    workspace = workspace_in(tmp_path)
+    opened, left = recovered(workspace), {"kept-1.gd", "kept-2.gd"}
+    workspace.document.mark_saved()
+    workspace.leave_copies()
+    workspace.write_copies()
+
+    assert workspace_in(tmp_path).rescued() == []
+    assert offered(tmp_path) == [*(left - {*opened})]
+
+
+def test_nothing_is_written_after_the_end(tmp_path: Path) -> None:
+    workspace = workspace_in(tmp_path)
+    workspace.leave_copies()
+    workspace.write_copies()
+    workspace.document.add("FW 1")
+
+    assert not workspace.keep_copies()
+    workspace.write_copies()
+    assert texts(tmp_path) == []
+
+
+def test_programs_replaced_between_two_copies_are_offered_with_the_newest_first(tmp_path: Path) -> None:
+    workspace = workspace_in(tmp_path)
+    workspace.document.add("FW 1")
+    workspace.replace("", None)
+    workspace.document.add("FW 2")
+    workspace.put_away()
+    workspace.leave_copies()
+    workspace.write_copies()
+
+    assert offered(tmp_path) == ["FW 2", "FW 1"]
+
+
 def test_a_replaced_program_is_rescued_after_a_crash_whichever_is_the_current_one(tmp_path: Path) -> None:
     workspace = workspace_in(tmp_path)
     add_lines(workspace, "FW 1")
@@ -223,8 +272,9 @@ def test_no_program_that_was_put_away_is_lost_by_many_changes_after_it(tmp_path:
         assert workspace.put_away() == 61
     add_lines(workspace, *["TR 90"] * 60)
 
-    found = [recovered(workspace)[0] for _ in range(21)]
-    assert found == ["FW 20", "TR 90", *(f"FW {number}" for number in range(19, 0, -1))]
+    found = [recovered(workspace)[0] for _ in range(22)]
+    assert found[:21] == ["FW 20", "TR 90", *(f"FW {number}" for number in range(19, 0, -1))]
+    assert found[21] != "FW 0"
 
 
 def test_undo_restores_what_was_put_away_with_its_file(tmp_path: Path) -> None:
@@ -250,6 +300,33 @@ def test_the_programs_of_all_robots_are_put_away(tmp_path: Path) -> None:
 
     assert workspace.document.lines == ()
     assert {recovered(workspace), recovered(workspace)} == {("FW 1",), ("FW 2",)}
+
+
+def test_what_was_put_away_and_is_saved_since_is_not_recovered_again(tmp_path: Path) -> None:
+    workspace = workspace_in(tmp_path)
+    for line in ("FW 1", "FW 2"):
+        add_lines(workspace, line)
+        workspace.put_away()
+    assert recovered(workspace) == ("FW 2",)
+    for _ in range(60):  # more changes than UNDO knows
+        workspace.document.add("TR 90")
+    workspace.save(workspace.document, tmp_path / "walk.gd", workspace.document.text)
+    workspace.replace("", None)
+    workspace.keep_copies()
+    wait_for_copies()
+
+    assert texts(tmp_path) == ["FW 1\n"]
+
+
+def test_a_program_that_undo_restored_has_one_copy(tmp_path: Path) -> None:
+    workspace = workspace_in(tmp_path)
+    add_lines(workspace, "FW 1")
+    workspace.put_away()
+    workspace.document.undo()
+    workspace.keep_copies()
+    wait_for_copies()
+
+    assert texts(tmp_path) == ["FW 1\n"]
 
 
 # --- recovering
@@ -334,10 +411,13 @@ def test_a_line_typed_during_a_save_is_not_saved(tmp_path: Path) -> None:
     workspace.document.add("FW 1")
     text = workspace.document.text
     workspace.document.add("FW 2")
+    workspace.document.breakpoints = frozenset({1})
     workspace.save(workspace.document, tmp_path / "walk.gd", text)
 
     assert not workspace.document.is_saved
     assert workspace.document.saved_text == "FW 1\n"
+    workspace.open(tmp_path / "walk.gd", text)
+    assert workspace.document.breakpoints == frozenset()  # those are of other lines
 
 
 # --- several documents
