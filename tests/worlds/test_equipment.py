@@ -252,6 +252,7 @@ def test_a_shape_without_a_width_keeps_what_it_has() -> None:
         ("ranger ( sensor ( samples {} ) )", 10_000, "out-of-range"),
         ("model ( block ( points {} ) )", 2000, "too-few-points"),
         ("speedup {}", 10**12, "number-too-large"),
+        ('model ( mass "{}" )', 10**12, "number-too-large"),
         ("model ( pose [ {} 0 0 0 ] )", 10**5, "out-of-range"),
         ("model ( pose [ -{} 0 0 0 ] )", 10**5, "out-of-range"),
     ],
@@ -262,6 +263,11 @@ def test_a_number_may_be_as_large_as_its_limit_and_no_larger(form: str, most: in
     with pytest.raises(WorldError) as error:
         load_text(form.format(most + 1), PATH)
     assert (error.value.code.value, error.value.details["limit"]) == (code, most)
+
+
+@pytest.mark.parametrize("form", ["bumper ( bcount {} )", "model ( pose [ 0 0 0 {} ] )"])
+def test_no_number_is_infinite_in_quotes_either(form: str) -> None:
+    assert mistake(form.format('"1e999"'))[0] == "number-too-large"
 
 
 def test_all_sensors_of_a_world_together_have_two_million_samples_at_most() -> None:
