@@ -4,6 +4,8 @@ import pytest
 from textual import events
 from textual.geometry import Offset
 
+pytestmark = pytest.mark.slow
+
 
 async def test_a_click_on_a_key_of_the_bottom_line_presses_it(open_screen):
     async with open_screen() as screen:

@@ -8,6 +8,8 @@ from donnie_tui.core.run_state import RunState
 from donnie_tui.i18n.help import SCREEN_TOUR_PAGES
 from tests.tui.conftest import WAITING
 
+pytestmark = pytest.mark.slow
+
 
 async def touring(screen) -> None:  # type: ignore[no-untyped-def]
     screen.app.controller.do("tour")

@@ -20,6 +20,8 @@ from donnie_tui.tui.screens.main_screen import MainScreen
 from donnie_tui.tui.widgets.editor import Editor
 from donnie_tui.tui.widgets.map_view import MapView
 
+pytestmark = pytest.mark.slow
+
 
 class Clock:
     """Timers that go off when the time is put forward."""
