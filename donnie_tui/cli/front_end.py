@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import os
 import sys
-import threading
 from collections.abc import Mapping
 from contextlib import closing
 from importlib.util import find_spec
+from queue import SimpleQueue
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
@@ -157,7 +157,7 @@ def serve_clients(order: Order) -> int:
     settings = replace(order.settings, world=arguments.file, served=served)
     if arguments.linear or arguments.visual:
         return start(replace(order, settings=settings))
-    over = threading.Event()
+    signals: SimpleQueue[None] = SimpleQueue()  # its ``put`` takes no lock that ``get`` holds
 
     def show(stamped: Stamped) -> None:
         match stamped.event:
@@ -169,11 +169,11 @@ def serve_clients(order: Order) -> int:
 
     speaks = speaks_for_robots(settings.speech, DetectedEnvironment())
     settings = replace(settings, speech="robot" if speaks else "off")
-    with on_signals(over.set), closing(assemble(settings, terminal=False)) as donnie:
+    with on_signals(lambda: signals.put(None)), closing(assemble(settings, terminal=False)) as donnie:
         donnie.session.hub.subscribe(show)
         for notice in (*donnie.notices.about_devices, words("player-ending")):
             output.line(notice)
-        over.wait()
+        signals.get()
     return ExitCode.DONE
 
 

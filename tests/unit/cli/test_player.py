@@ -4,10 +4,16 @@ import signal
 import socket
 import subprocess
 import sys
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from types import FrameType
 
 import pytest
 
+from donnie_tui.cli import front_end
+from donnie_tui.cli.main import main
 from tests.free_ports import free_port
 from tests.player.room import CONFIGURATION, WORLD, write_room
 from tests.timeouts import TIMEOUT
@@ -31,6 +37,50 @@ def test_it_says_where_it_listens_and_a_signal_ends_it(tmp_path: Path) -> None:
 
     assert line == f"Programs can connect to 127.0.0.1, port {one}, {other}.\n"
     assert code == 0
+
+
+def test_a_signal_may_come_while_it_begins_to_wait(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its handler interrupts the main thread anywhere: it must need no lock that the wait holds."""
+    text = CONFIGURATION.replace("7665", str(free_port())).replace("7666", str(free_port()))
+    file = write_room(tmp_path, text)
+    handlers: list[Callable[[], None]] = []
+    are_stuck: list[bool] = []
+
+    @contextmanager
+    def taken(handler: Callable[[], None]) -> Iterator[None]:
+        """Begins to look at the main thread once the command takes signals."""
+        handlers.append(handler)
+        later = threading.Timer(0.5, handler)
+        later.start()
+        before = sys.gettrace()
+        sys.settrace(look)
+        try:
+            yield
+        finally:
+            sys.settrace(before)
+            later.cancel()
+
+    def look(frame: FrameType, _event: str, _argument: object) -> None:
+        if frame.f_code is threading.Condition.wait.__code__ and _is_of_the_command(frame):
+            handling = threading.Thread(target=handlers[0], daemon=True)
+            handling.start()
+            handling.join(5)
+            are_stuck.append(handling.is_alive())
+
+    monkeypatch.setattr(front_end, "on_signals", taken)
+
+    assert main(["player", str(file), "--lang", "en", "--speech", "off"]) == 0
+    assert len(handlers) == 1
+    assert not any(are_stuck)
+
+
+def _is_of_the_command(frame: FrameType | None) -> bool:
+    """Whether the command itself waits there, and not what it puts together."""
+    names: list[str] = []
+    while frame is not None and frame.f_code.co_name != "serve_clients":
+        names.append(frame.f_code.co_name)
+        frame = frame.f_back
+    return set(names) == {"wait"}
 
 
 def test_a_taken_port_is_named(tmp_path: Path) -> None:
