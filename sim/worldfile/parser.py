@@ -208,9 +208,14 @@ def _token(kind: str, word: str, file: str, line: int, column: int) -> WorldToke
         kind = word.upper()
     number = float(word) if kind == "NUMBER" else leading_number(word) if kind == "SIGNS" else 0.0
     kind = "NUMBER" if kind == "SIGNS" else kind
+    refuse_too_large(number, word, file, line, column)
+    return WorldToken(kind, word, line, column)
+
+
+def refuse_too_large(number: float, word: str, file: str, line: int, column: int) -> None:
+    """Raises ``WorldError`` for a number beyond ``LARGEST``, as ``word`` has it."""
     if not abs(number) <= LARGEST:
         raise WorldError(Code.NUMBER_TOO_LARGE, file, line, column, found=word[:40], limit=LARGEST)
-    return WorldToken(kind, word, line, column)
 
 
 def leading_number(text: str) -> float:

@@ -315,9 +315,7 @@ class ValueReader:
         if isinstance(value, parser.Number) and value.is_plain:
             return value.value
         number = parser.leading_number(value.text)
-        if abs(number) > parser.LARGEST:
-            place = (setting.file, value.line, value.column)
-            raise WorldError(Code.NUMBER_TOO_LARGE, *place, found=value.text[:40], limit=parser.LARGEST)
+        parser.refuse_too_large(number, value.text, setting.file, value.line, value.column)
         self._read_as(setting, value, _as_written(value), f"{number:g}")
         return number
 
