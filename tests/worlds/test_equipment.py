@@ -265,9 +265,10 @@ def test_a_number_may_be_as_large_as_its_limit_and_no_larger(form: str, most: in
     assert (error.value.code.value, error.value.details["limit"]) == (code, most)
 
 
+@pytest.mark.parametrize("number", ["1e999", "-1e999", '"1e999"', '"-1e999"'])
 @pytest.mark.parametrize("form", ["bumper ( bcount {} )", "model ( pose [ 0 0 0 {} ] )"])
-def test_no_number_is_infinite_in_quotes_either(form: str) -> None:
-    assert mistake(form.format('"1e999"'))[0] == "number-too-large"
+def test_no_number_is_infinite_in_quotes_or_without(form: str, number: str) -> None:
+    assert mistake(form.format(number))[0] == "number-too-large"
 
 
 def test_all_sensors_of_a_world_together_have_two_million_samples_at_most() -> None:
