@@ -239,13 +239,15 @@ def test_a_belt_a_sound_and_a_gripper_are_events(lesson: Lesson) -> None:
 
 def test_a_recording_replays_what_clients_did(tmp_path: Path) -> None:
     recording = tmp_path / "lesson.jsonl"
-    with closing(Lesson(tmp_path, str(recording))) as lesson, closing(Client(lesson.port)) as client:
-        assert client.open(4)
-        assert client.open(12)
-        client.drive(0.1)
-        lesson.wait_for(is_driven("forward"))
-        client.send(12, 0, 2, 1, "hello")
-        lesson.wait_for(lambda event: isinstance(event, Spoke))
+    with closing(Lesson(tmp_path, str(recording))) as lesson:
+        with closing(Client(lesson.port)) as client:
+            assert client.open(4)
+            assert client.open(12)
+            client.drive(0.1)
+            lesson.wait_for(is_driven("forward"))
+            client.send(12, 0, 2, 1, "hello")
+            lesson.wait_for(lambda event: isinstance(event, Spoke))
+        lesson.wait_for(lambda event: isinstance(event, RunEnded))
     replayed = subprocess.run(
         [sys.executable, "-m", "donnie_tui", "replay", str(recording), "--speed", "max", "--lang", "en"],
         capture_output=True,
