@@ -93,6 +93,10 @@ class ScreenDriver:
         """Wait until a line of the log has this text."""
         await self.until(lambda: any(text in line for line in self.log), text)
 
+    async def status_has(self, text: str) -> None:
+        """Wait until the status line has this text."""
+        await self.until(lambda: text in self.status, f"{text} in the status line")
+
     async def idle(self) -> None:
         await self.until(lambda: self.app.controller.ctx.runs.state is RunState.READY, "the end of the run")
 

@@ -136,21 +136,19 @@ async def test_while_a_square_is_explored_the_map_stays_with_it(open_screen):
 
         x, y = caret(screen)
         assert screen.main.map.region.contains(x, y)
-        assert "Map, -1, 0:" in screen.status
+        await screen.status_has("Map, -1, 0:")
 
 
 async def test_exploring_names_the_cell_and_home_goes_back_to_the_robot(open_screen):
     async with open_screen(world="living_room") as screen:
         screen.main.map.show_all(False)
         await screen.press("tab", "right")
-        await screen.pilot.pause()
-        assert screen.status.startswith(" Map, 1, 0: free.")
+        await screen.status_has(" Map, 1, 0: free.")
         burst(screen, *["left"] * 20)
         await screen.until(lambda: "wall." in screen.status, "the wall")
 
         await screen.press("home")
-        await screen.pilot.pause()
-        assert screen.status.startswith(" Map. Donnie at")
+        await screen.status_has(" Map. Donnie at")
 
 
 async def test_things_are_named_when_they_are_explored(open_screen):
@@ -159,9 +157,8 @@ async def test_things_are_named_when_they_are_explored(open_screen):
         screen.main.map.pointer.cell = screen.main.map.grid.cell_of(Pose(round(thing.x), round(thing.y), 0.0))
         screen.main.map.focus()
         await screen.press("left", "right")
-        await screen.pilot.pause()
 
-        assert f": {thing.name}, {thing.colour}. " in screen.status
+        await screen.status_has(f": {thing.name}, {thing.colour}. ")
 
 
 async def test_every_size_shows_the_focus_the_command_line_and_the_status(open_screen):
@@ -290,8 +287,7 @@ async def test_the_log_is_read_by_rows_and_follows_its_end_again(open_screen):
         await screen.run("FOR VAR i = 0; i < 40; i = i + 1 DO SPEAK i END FOR")
         screen.main.log_rows.focus()
         await screen.press("home")
-        await screen.pilot.pause()
-        assert screen.status.startswith(f" Log, line 1 of {screen.main.log_rows.row_count}.")
+        await screen.status_has(f" Log, line 1 of {screen.main.log_rows.row_count}.")
         await screen.type_line("SPEAK 99")
         await screen.shows("99")
         assert screen.main.log_rows.row == 0

@@ -98,7 +98,7 @@ async def test_a_robot_that_is_not_talked_to_stays_on_the_map_where_it_went(open
 
 async def test_lines_of_a_robot_have_its_name(open_screen):
     async with open_screen(WAITING, speed=1.0, world="two_robots") as screen:
-        assert "alice at 0, 0 facing north." in screen.status
+        await screen.status_has("alice at 0, 0 facing north.")
         await screen.type_line("ROBOT bob")
         await screen.shows("Now you talk to bob.")
         await screen.until(lambda: "bob at 0, 30 facing south." in screen.status, "the status line")

@@ -40,7 +40,7 @@ async def test_a_typed_command_goes_on_where_the_robot_stands_with_the_variables
         await screen.shows("I walked 3 steps forward.")
 
         await screen.shows("> FW a")
-        assert "Donnie at 0, 5 facing north." in screen.status
+        await screen.status_has("Donnie at 0, 5 facing north.")
 
 
 def way(screen):
@@ -59,7 +59,7 @@ async def test_a_program_that_cant_run_leaves_the_robot_its_trail_and_its_variab
         await screen.shows("I do not know FWD.")
         await screen.idle()
 
-        assert "Donnie at 0, 3 facing north." in screen.status
+        await screen.status_has("Donnie at 0, 3 facing north.")
         assert way(screen) == way_there
         assert "a is 3." not in screen.log
         await screen.type_line("SPEAK a")
@@ -218,7 +218,7 @@ async def test_reset_puts_the_robot_back_and_forgets_the_variables(open_screen):
         await screen.shows("I am back at the start.")
         await screen.until(lambda: "No variables." in screen.main.inspector.lines, "no variables")
 
-        assert "Donnie at 0, 0 facing north." in screen.status
+        await screen.status_has("Donnie at 0, 0 facing north.")
         assert "o" not in "".join(screen.map_rows())
 
 

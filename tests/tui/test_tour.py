@@ -70,7 +70,7 @@ async def test_it_is_a_strip_that_leaves_everything_usable(open_screen) -> None:
         await screen.painted()
         assert screen.app.screen is screen.main
         assert screen.main.tour.outer_size.height == 5
-        assert screen.status.startswith(" Tour 1 of")
+        await screen.status_has(" Tour 1 of")
 
         await turn_to(screen, 2)
         await screen.press("tab", "tab")

@@ -26,7 +26,7 @@ async def test_a_command_without_output_is_answered_with_done_in_the_status_line
         await screen.type_line("a = 5")
         await screen.until(lambda: screen.log.count("Pronto.") == 2, "the answer again")
 
-        assert screen.status.startswith(" Pronto.")
+        await screen.status_has(" Pronto.")
 
 
 async def test_the_status_line_keeps_what_is_wrong_until_the_next_answer(open_screen) -> None:  # type: ignore[no-untyped-def]
@@ -38,8 +38,8 @@ async def test_the_status_line_keeps_what_is_wrong_until_the_next_answer(open_sc
         ):
             await type_and_wait(screen, typed)
 
-            assert screen.status.startswith(f" {answers(screen)[0]}"), screen.log
-            assert wrong in screen.status
+            await screen.status_has(f" {answers(screen)[0]}")
+            await screen.status_has(wrong)
 
         await screen.type_line("VAR a = 3")
         await screen.until(lambda: screen.status.startswith(" Done."), "the answer")
