@@ -291,13 +291,7 @@ class Mover:
         there = spot.ahead(STEP, angle)
         if self.around.has_room(spot.x, spot.y, there.x, there.y, straight=True):
             return True
-        return self._is_free(spot, angle, STEP) and not self.is_blocked(spot, bearing)
-
-    def has_free_rest(self, spot: Spot, angle: float, length: float) -> bool:
-        """As ``has_free_step``, for the rest of a step before which the sensors were checked."""
-        middle = spot.ahead(length / 2, angle)
-        is_near = self._others.is_any_near(middle, self.walking_guard + length / 2)
-        return not is_near and self._is_free(spot, angle, length)
+        return self._is_free(spot, angle) and not self.is_blocked(spot, bearing)
 
     def has_free_turn(self, spot: Spot, degrees: int) -> bool:
         """As ``has_free_step``, for a turn."""
@@ -434,13 +428,13 @@ class Mover:
     def _touchable(self, spot: Spot, reach: float) -> list[Part]:
         return [part for part in self.around.near(spot.x, spot.y, reach) if part.solid]
 
-    def _is_free(self, spot: Spot, angle: float, length: float) -> bool:
-        """Whether the body reaches into nothing, and touches nothing on the next ``length`` metres."""
-        close = self._along_the_way(spot, angle, length)
+    def _is_free(self, spot: Spot, angle: float) -> bool:
+        """Whether the body reaches into nothing, and touches nothing on the next step."""
+        close = self._along_the_way(spot, angle, STEP)
         if self._reaches_into_any(spot, close):
             return False
-        ahead = [part for part in close if self._is_before(part, spot, angle, length)]
-        return self.contact_with_any(ahead, spot, angle, ()).metres >= length - TOUCHING
+        ahead = [part for part in close if self._is_before(part, spot, angle, STEP)]
+        return self.contact_with_any(ahead, spot, angle, ()).metres >= STEP - TOUCHING
 
     def _reaches_into_any(self, spot: Spot, close: Iterable[Part]) -> bool:
         if any(self._overlaps(spot, part) for part in close):

@@ -17,7 +17,6 @@ from math import ceil, inf, radians, sin
 
 from devices.ports.robot import STEP, Bearing, Motion, StoppedBy
 from sim.clock import Landing, Mark
-from sim.ground import Moment
 from sim.motion import TOUCHING
 from sim.vehicle import NEARLY, TICK, Course, Rate, Vehicle, Whereabouts, moving, turning
 
@@ -189,13 +188,13 @@ class Walk(Sweeping):
         self._angle = self._start.truth.yaw + self._turned
         self._done = 0.0
         """Steps, with fractions."""
-        self._must_push = False
-        self._is_clear = False
-        self._looked: Moment = (-1, (0.0, 0.0))
+        self._has_swept = False
+        """Whether the next step is in ticks: there is something to push, or another robot acts."""
+        self._looked = vehicle.moment
         """When the sensors were looked at before this step."""
 
     def _room(self) -> int:
-        return super()._room() if self._is_whole and not self._must_push else 0
+        return super()._room() if self._is_whole and not self._has_swept else 0
 
     @property
     def _is_whole(self) -> bool:
@@ -213,19 +212,18 @@ class Walk(Sweeping):
         self._whole = begun + (plan.steps if is_all else min(plan.steps, int(done + NEARLY)))
         vehicle.go_to(self._at(self._done))
         if not is_all:
-            self._come_to(self._done)
             return StoppedBy.USER if vehicle.clock.was_halted() else None
-        self._must_push = plan.steps < room
+        self._has_swept = True
         return plan.stopped_by
 
     def _tick(self) -> StoppedBy | None:
         vehicle = self._vehicle
-        self._is_clear = (self._is_clear or self._is_whole) and vehicle.is_clear()
-        if not self._is_clear and self._is_barred():
+        is_clear = vehicle.is_clear()
+        if not is_clear and self._is_barred():
             return StoppedBy.OBSTACLE
         following = self._next_stop()
         length = (following - self._done) * STEP
-        free = length if self._is_clear else vehicle.way(self._angle, length).metres
+        free = length if is_clear else vehicle.way(self._angle, length).metres
         if free < TOUCHING:
             return StoppedBy.COLLISION
         if not vehicle.clock.elapse_until(self._when(self._done + free / STEP)):
@@ -239,13 +237,8 @@ class Walk(Sweeping):
 
     def _free_to(self) -> int:
         """The next whole step."""
-        mover, here = self._vehicle.mover, self._vehicle.here.truth
-        if self._must_push:
-            return self._whole
-        if self._is_whole:
-            return self._whole + mover.has_free_step(here, self._bearing)
-        left = (self._whole + 1 - self._done) * STEP
-        return self._whole + mover.has_free_rest(here, self._angle, left)
+        vehicle = self._vehicle
+        return self._whole + vehicle.mover.has_free_step(vehicle.here.truth, self._bearing)
 
     def _stops(self, end: int) -> Sequence[float]:
         return self._course.stops(self._whole if self._is_whole else self._done, end)
@@ -261,7 +254,6 @@ class Walk(Sweeping):
         self._vehicle.go_to(self._at(self._done))
         if landing is Landing.HALTED:
             return StoppedBy.USER
-        self._is_clear = False
         length = (stops[count] - self._done) * STEP
         self._go(stops[count], length, length)
         return None
@@ -293,7 +285,7 @@ class Walk(Sweeping):
     def _go(self, following: float, length: float, free: float) -> None:
         """Go as far as was free before this robot's turn, and still is."""
         vehicle = self._vehicle
-        metres = free if self._is_clear and vehicle.is_clear() else self._push(free)
+        metres = self._push(free)
         has_come = metres >= length - TOUCHING
         self._done = following if has_come else self._done + metres / STEP
         if not has_come:
@@ -305,7 +297,7 @@ class Walk(Sweeping):
 
     def _arrive(self, whole: int) -> None:
         """Finish a step."""
-        self._whole, self._must_push = whole, False
+        self._whole, self._has_swept = whole, False
         self._report_progress()
 
 

@@ -277,8 +277,6 @@ def test_a_step_is_free_up_to_the_skin(face: float, is_free: bool, bearing: Bear
 
     assert it.has_free_step(HERE, bearing) is is_free
     assert it.has_free_step(HERE, Bearing.BACK if turned == 0 else Bearing.FRONT)
-    for rest in (0.05, 0.02):
-        assert it.has_free_rest(HERE, turned, rest) is (face - 0.1 - SKIN >= rest)
 
 
 @pytest.mark.parametrize("bearing", [Bearing.FRONT, Bearing.BACK])
@@ -296,7 +294,6 @@ def test_nothing_is_free_for_a_body_that_reaches_into_a_thing() -> None:
     it = mover(BLIND + box(0.08, -0.3, 0.2, 0.3))
 
     assert not it.has_free_step(HERE, Bearing.BACK)
-    assert not it.has_free_rest(HERE, 180, 0.01)
     assert not it.has_free_turn(HERE, 1)
     assert it.contact(HERE, 180, STEP).metres == inf
     assert it.contact(HERE, 0, STEP).metres == 0
@@ -468,7 +465,6 @@ def test_a_robot_goes_exactly_straight_between_posts(yaw: int, bearing: Bearing)
     for careful in (False, True):
         assert it.walk(spot, bearing, 12, careful=careful).steps == 12
     assert it.has_free_step(spot, bearing)
-    assert it.has_free_rest(spot, yaw + (0 if way > 0 else 180), STEP)
     far = spot.ahead(3 * STEP, yaw + (0 if way > 0 else 180))
     assert it.has_free_step(far, bearing)
 
@@ -518,12 +514,12 @@ def test_obstacles_before_a_sensor_are_solid_or_seen_and_give_no_way() -> None:
 def test_what_may_move_can_come_into_a_robot_that_was_free() -> None:
     it = mover(BLIND + box(1, 1, 1.1, 1.1, PUSHABLE) + wall(3))
     assert it.has_free_turn(HERE, 1)
-    assert it.has_free_rest(HERE, 0, 0.01)
+    assert it.has_free_step(HERE, Bearing.FRONT)
 
     it.around.ground.put(2, Placement(0.1, 0))
 
     assert not it.has_free_turn(HERE, 1)
-    assert not it.has_free_rest(HERE, 0, 0.01)
+    assert not it.has_free_step(HERE, Bearing.FRONT)
 
 
 @pytest.mark.parametrize(
