@@ -40,13 +40,12 @@ class Movement(ABC):
         self._whole = 0
         """Steps or degrees done."""
         self._reported = 0
-        self._began = 0.0
+        self._began = vehicle.clock.seconds
         """The robot's time at which it began; later by what it lost where less was free than expected."""
 
     def run(self) -> Going:
         """Play it. The clock has begun."""
         stopped_by = None
-        self._began = self._vehicle.clock.seconds
         while stopped_by is None and self._whole < self._asked:
             stopped_by = self._go_on()
         if stopped_by is not StoppedBy.USER:
@@ -209,7 +208,7 @@ class Walk(Sweeping):
         amount = plan.metres / STEP
         done, is_all = self._play(plan.steps, amount, lambda steps: self._at(begun + steps), room)
         self._done = begun + done
-        self._whole = begun + (plan.steps if is_all else min(plan.steps, int(done + NEARLY)))
+        self._whole = begun + min(plan.steps, int(done + NEARLY))
         vehicle.go_to(self._at(self._done))
         if not is_all:
             return StoppedBy.USER if vehicle.clock.was_halted() else None
@@ -241,7 +240,7 @@ class Walk(Sweeping):
         return self._whole + vehicle.mover.has_free_step(vehicle.here.truth, self._bearing)
 
     def _stops(self, end: int) -> Sequence[float]:
-        return self._course.stops(self._whole if self._is_whole else self._done, end)
+        return self._course.stops(self._done, end)
 
     def _land(self, end: int, landing: Landing, count: int) -> StoppedBy | None:
         if landing is Landing.WHOLE:
@@ -327,7 +326,7 @@ class Turn(Sweeping):
         vehicle, begun = self._vehicle, self._whole
         free = self._free(room)
         done, is_all = self._play(free, free, lambda degrees: self._at(begun + degrees), room)
-        self._whole = begun + (free if is_all else int(done + NEARLY))
+        self._whole = begun + int(done + NEARLY)
         vehicle.go_to(self._at(self._whole))
         if not is_all:
             self._come_to(self._whole)

@@ -547,6 +547,45 @@ def test_a_letter_is_further_away_where_the_nearer_places_are_taken(
     assert it.labels[0][0] == pytest.approx(it.at(0, 0)[0] + 10 + further, abs=0.11)
 
 
+@pytest.mark.parametrize(
+    ("lines", "right", "down", "place"),
+    [
+        ("goal", -36, 0, "left"),  # its eastern side, 12 pixels to the right
+        ("goal", 60, 0, "left"),
+        ("goal", 0, 48, "above"),
+        ("goal", 0, -48, "above"),
+        ("wall", 63, 0, "left"),
+        ("wall", 0, 56, "above"),
+        ("wall", 0, -53, "below"),
+        ("arrow", 24, 4, "left"),
+        ("arrow", 0, -24, "below"),
+    ],
+)
+def test_a_letter_is_on_no_side_of_a_goal_a_wall_or_an_arrow(
+    lines: str, right: int, down: int, place: str
+) -> None:
+    """Whose middle is so many pixels away from a thing of 6 pixels. Boxes are 96 wide and high.
+
+    The left side of the arrow leads from 20 pixels to the left and 24 down to 31 up; its base is 24 down.
+    """
+    x, y = right / 24, -down / 24
+    sides = x - 2, y - 2, x + 2, y + 2
+    walls = (Drawing((box(*sides),), None, False),) if lines == "wall" else ()
+    goals = ((1, *sides),) if lines == "goal" else ()
+    south = -20 if right else 20
+    paths = (DrivenPath("", (Pose(x, y + south, 0), Pose(x, y, 0))),) if lines == "arrow" else ()
+    it = run_picture("T", (thing(0.25), *walls), paths, Words(), goals)
+    x, y = it.at(0, 0)
+    length = ImageFont.load_default(LETTER).getlength("b")
+    expected = {
+        "left": (x - 7 - 1.15 * length, y + 14 / 3),
+        "above": (x - length / 2, y - 7 - 3.5),
+        "below": (x - length / 2, y + 7 + 11.2),
+    }
+
+    assert it.labels[0] == pytest.approx(expected[place], abs=0.11)
+
+
 def test_a_thing_in_a_wall_has_no_letter_and_one_on_a_carpet_has() -> None:
     on_wall = run_picture("T", (thing(0.5), Drawing((box(-9, -9, 9, 9),), None, False)), (), Words())
     carpet = thing(6, "blue", "c", 1)

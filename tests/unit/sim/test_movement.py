@@ -1,12 +1,15 @@
 """When movements report what, and where they end. A step takes a second, and 45 degrees do."""
 
+import threading
 from math import cos, degrees, radians, sin
 
 import pytest
 
 from devices.ports.robot import Motion, StoppedBy
+from sim.geometry import Placement
 from sim.robot import SimulatedRobot
 from sim.world import World
+from tests.timeouts import TIMEOUT
 from tests.unit.sim.company import Company
 from tests.unit.sim.floors import BOX_ROBOT, Diary, Unpaced, scene
 
@@ -100,16 +103,32 @@ def test_what_ends_at_a_wall_reports_its_whole_steps_and_degrees(speed: float | 
     assert at_side.time() == pytest.approx(36 / 45)
 
 
-def test_what_a_stop_ends_is_not_reported_and_the_next_command_begins_there() -> None:
-    it, diary = watched(BLIND, 1.0, stop_after=2.5)
+@pytest.mark.parametrize("seconds", [2.0, 2.5])
+@pytest.mark.parametrize("wall", ["", "model( size [ 0.2 4 1 ] pose [ 0.6 0 0 0 ] )"])
+def test_what_a_stop_ends_is_not_reported_and_the_next_command_begins_there(
+    wall: str, seconds: float
+) -> None:
+    """Before it comes to the wall, if there is one."""
+    it, diary = watched(BLIND + wall, 1.0, stop_after=seconds)
 
     walked = it.forward(9)
 
-    assert (walked.walked, walked.pose.x) == (2, pytest.approx(2.5))
+    assert (walked.walked, walked.stopped_by, walked.pose.x) == (2, StoppedBy.USER, pytest.approx(seconds))
     assert len(diary.progress) == 2
     it.speed = None
     assert it.forward(0).stopped_by is None
-    assert it.pose().x == pytest.approx(2.5)
+    assert it.pose().x == pytest.approx(seconds)
+
+
+@pytest.mark.parametrize(("stop_after", "done"), [(0.5, 22), (0.6, 26)])
+def test_a_stop_ends_a_turn_at_its_last_whole_degree(stop_after: float, done: int) -> None:
+    """After the report of 20 degrees it looks every 2.25 degrees, thus at 22.25 and 26.75 for the last time."""
+    it, diary = watched(BLIND, 1.0, stop_after)
+
+    turned = it.turn(-90)
+
+    assert (turned.turned, turned.stopped_by, turned.pose.heading) == (-done, StoppedBy.USER, 90 - done)
+    assert [pose.heading for _, pose, _ in diary.progress] == [80, 70]
 
 
 @pytest.mark.parametrize("speed", [1.0, 2.0])
@@ -204,14 +223,25 @@ def test_a_stop_ends_a_turn_of_a_car_between_two_degrees() -> None:
 
     assert (turned.turned, turned.stopped_by) == (12, StoppedBy.USER)
     assert [pose.heading for _, pose, _ in diary.progress] == [100]
+    ahead, aside, piece = sin(radians(12)), 1 - cos(radians(12)), 2 * sin(radians(0.5)) / 3
+    assert (turned.pose.x, turned.pose.y) == pytest.approx(
+        (
+            160 * (ahead + piece * cos(radians(12.5))),
+            -160 * (aside + piece * sin(radians(12.5))),
+        )
+    )
 
 
 # --- in company
 
 AHEAD = "model( size [ 0.2 4 1 ] pose [ 0.6 0 0 0 ] )\n"
 ASIDE = "model( size [ 4 0.2 1 ] pose [ 0 0.2 0 0 ] )\n"
+BLIND_TWO = BOX_ROBOT + 'blind( name "it" pose [ 0 0 0 0 ] ) blind( name "other" pose [ 0 30 0 0 ] )\n'
 CAR = 'drive "car" wheelbase 8'
 SOFT = "acceleration_bounds [ -0.025 0.025 0 0 0 0 -90 90 ]"
+SOFTER = "acceleration_bounds [ -0.025 0.025 0 0 0 0 -60 60 ]"
+"""Its first tick of 2 degrees begins at an odd one, 13."""
+SLOW = "velocity_bounds [ -0.05 0.05 0 0 0 0 -20 20 ]"
 
 
 @pytest.mark.parametrize("pause", [0.04, 2.5])
@@ -228,6 +258,7 @@ SOFT = "acceleration_bounds [ -0.025 0.025 0 0 0 0 -90 90 ]"
         ("", CRATE, 5, 0, 5, None, 5, [1, 2, 3, 4, 5]),
         (SOFT, "", 4, 0, 4, None, 6, [1, 2, 3, 4]),
         (SOFT, "", 0, -45, -45, None, 1.5, [80, 70, 60, 50, 45]),
+        (SOFTER, "", 0, -45, -45, None, 1.75, [80, 70, 60, 50, 45]),
         (CAR, "", 0, 11, 11, None, 11 / degrees(0.05 / 8), [100, 101]),
     ],
 )
@@ -269,6 +300,125 @@ def test_a_movement_in_company_is_as_long_as_alone(
     assert times == [pytest.approx(seconds)]
     poses = [pose for _, _, pose in log]  # type: ignore[misc]
     assert [round(pose.x if steps else pose.heading, 6) for pose in poses] == reports
+
+
+@pytest.mark.parametrize(
+    ("wheels", "steps", "angle", "passed"),
+    [
+        ("", 1, 0, [0.05 * (i + 1) for i in range(20)]),
+        (SLOW, 0, -5, [89, 88, 87, 86, 85]),
+        ("", 0, -20, [88, 84, 80, 76, 72]),  # each tick of 2 degrees is shorter than a slice
+        ('drive "car" wheelbase 0.5', 0, 3, [91, 92, 93]),
+    ],
+)
+def test_poses_on_the_way_are_shown_in_company_too(
+    wheels: str, steps: int, angle: int, passed: list[float]
+) -> None:
+    kind = f"define kind position ( size [ 0.2 0.1 0.1 ] {wheels} )\n"
+    company, ended = (
+        Company(scene(f'{kind}kind( name "it" ) kind( name "other" pose [ 30 0 0 0 ] )'), speed=1),
+        [],
+    )
+
+    def moves(robot: SimulatedRobot) -> None:
+        ended.append(robot.forward(steps) if steps else robot.turn(angle))
+
+    def waits(robot: SimulatedRobot) -> None:
+        while not ended:
+            robot.wait(0.04)
+
+    company.run({"it": moves, "other": waits})
+
+    assert [pose.x if steps else pose.heading for _, pose in company.passed] == pytest.approx(passed)
+
+
+@pytest.mark.parametrize(
+    ("steps", "angle", "moment", "thing", "is_halted", "done", "stopped_by", "end", "seconds", "reports"),
+    [
+        (4, 0, 1.33, None, True, 1, StoppedBy.USER, 1.3, 1.33, 1),
+        (4, 0, 1.33, (0.216, 0.0), True, 1, StoppedBy.USER, 1.3, 1.33, 1),
+        (4, 0, 1.33, (0.216, 0.0), False, 1, StoppedBy.COLLISION, 1.318, 1.35, 1),
+        (4, 0, 1.33, (0.2151, 0.0), False, 1, StoppedBy.COLLISION, 1.3, 1.35, 1),
+        (0, -45, 0.3, None, True, -12, StoppedBy.USER, 78, 0.3, 1),
+        (0, -45, 0.3, (0.08, 0.122), True, -12, StoppedBy.USER, 78, 0.3, 1),
+        (0, -45, 0.3, (0.08, 0.122), False, -13, StoppedBy.COLLISION, 77, 14 / 45, 2),
+        (0, -45, 0.3, (0.08, 0.1204), False, -12, StoppedBy.COLLISION, 78, 14 / 45, 2),
+    ],
+)
+def test_a_stop_or_a_thing_that_is_put_there_ends_a_movement_in_its_tick(
+    steps: int,
+    angle: int,
+    moment: float,
+    thing: tuple[float, float] | None,
+    is_halted: bool,
+    done: int,
+    stopped_by: StoppedBy,
+    end: float,
+    seconds: float,
+    reports: int,
+) -> None:
+    """A stop ends it after the last whole tick of 0.05 steps or 2 degrees.
+
+    The thing is 0.1 m wide. It leaves 1 mm of a tick of 2.5 mm, less a skin of 0.1 mm; or 1 degree of 2, as
+    the corner comes to 0.072 m after 13.5 degrees; or nothing.
+    """
+    box = "model( size [ 0.1 0.1 1 ] pose [ 5 5 0 0 ] gripper_return 1 )"
+    company = Company(scene(f"{BLIND_TWO}{box}"))
+    ground, (root,) = company.world.ground, company.world.ground.grippable
+    robots, ends, has_ended = dict[str, SimulatedRobot](), list[object](), threading.Event()
+
+    def moves(robot: SimulatedRobot) -> None:
+        robots["it"] = robot
+        if steps:
+            walked = robot.forward(steps)
+            ends.extend((walked.walked, walked.stopped_by, walked.pose.x))
+        else:
+            turned = robot.turn(angle)
+            ends.extend((turned.turned, turned.stopped_by, turned.pose.heading))
+        ends.append(robot.time())
+        has_ended.set()
+
+    def disturbs(robot: SimulatedRobot) -> None:
+        robot.wait(moment)
+        if thing:
+            ground.put(root, Placement(*thing))
+        if is_halted:
+            robots["it"].halt()
+            assert has_ended.wait(TIMEOUT)
+
+    log = company.run({"it": moves, "other": disturbs})
+
+    assert ends == [done, stopped_by, pytest.approx(end), pytest.approx(seconds)]
+    assert len(log) == reports
+
+
+@pytest.mark.parametrize(
+    ("gap", "is_disturbed", "walked", "end"),
+    [(0.196, False, 3, 3), (0.196, True, 2, 2.05), (0.22, False, 3, 3), (0.22, True, 3, 3)],
+)
+def test_the_sensors_end_a_step_only_if_a_robot_has_moved_since_its_beginning(
+    gap: float, is_disturbed: bool, walked: int, end: float
+) -> None:
+    """A sonar reads whole centimetres: 9.6 are two steps, and 9.35 after a tick are less than 1.95 steps."""
+    text = (
+        f'{BOX_ROBOT}box_robot( name "it" pose [ 0 0 0 0 ] ) blind( name "other" pose [ 0 30 0 0 ] )\n'
+        f'blind( name "ahead" pose [ {0.2 + gap} 0 0 0 ] )\n'
+    )
+    company, ends = Company(scene(text), speed=100.0), list[object]()
+
+    def walks(robot: SimulatedRobot) -> None:
+        moved = robot.forward(5)
+        ends.extend((moved.walked, moved.stopped_by, moved.pose.x))
+
+    def waits(robot: SimulatedRobot) -> None:
+        robot.wait(5)
+
+    def moves(robot: SimulatedRobot) -> None:
+        robot.forward(5)
+
+    company.run({"it": walks, "other": moves if is_disturbed else waits, "ahead": waits})
+
+    assert ends == [walked, StoppedBy.OBSTACLE, pytest.approx(end)]
 
 
 @pytest.mark.parametrize("speed", [None, 100.0])

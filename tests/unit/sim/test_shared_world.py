@@ -212,7 +212,13 @@ def test_the_others_can_be_stopped_while_a_program_computes_without_end() -> Non
     thread.join(TIMEOUT)
 
 
-def test_a_newcomer_gets_its_turn_during_another_robots_long_walk() -> None:
+@pytest.mark.parametrize(
+    ("steps", "angle", "answer"), [(10, 0, "alice walked 10 in 10.00"), (0, 450, "alice turned 450 in 10.02")]
+)
+def test_a_newcomer_gets_its_turn_during_another_robots_long_movement(
+    steps: int, angle: int, answer: str
+) -> None:
+    """At 1.55 s and 69.75 degrees: the last three quarters of a degree, a sixtieth of a second, are lost."""
     world, log = World(scene(APART)), list[str]()
     bob = world.robot("bob", pace=Unpaced(), speed=1.0)
     threads: list[threading.Thread] = []
@@ -238,14 +244,14 @@ def test_a_newcomer_gets_its_turn_during_another_robots_long_walk() -> None:
 
     alice = world.robot("alice", pace=Opening(), speed=1.0)
     alice.join()
-    moved = alice.forward(10)
-    log.append(f"alice walked {moved.walked} in {alice.time():.2f}")
+    said = f"walked {alice.forward(steps).walked}" if steps else f"turned {alice.turn(angle).turned}"
+    log.append(f"alice {said} in {alice.time():.2f}")
     alice.leave()
     threads[0].join(TIMEOUT)
 
     assert len(log) == 2
     assert log[0].startswith("bob came at 1.")
-    assert log[1] == "alice walked 10 in 10.00"
+    assert log[1] == answer
 
 
 def test_poses_are_reported_by_name_and_reset_returns_every_robot() -> None:
