@@ -277,9 +277,8 @@ class Walk(Sweeping):
         if self._is_whole:
             self._looked = vehicle.moment
             return mover.is_blocked(here, self._bearing)
-        if vehicle.is_unchanged(self._looked):
-            return False
-        return mover.is_met(here, self._bearing, self._whole + 1 - self._done)
+        rest = self._whole + 1 - self._done
+        return not vehicle.is_unchanged(self._looked) and mover.is_met(here, self._bearing, rest)
 
     def _go(self, following: float, length: float, free: float) -> None:
         """Go as far as was free before this robot's turn, and still is."""

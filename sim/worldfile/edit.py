@@ -103,9 +103,8 @@ def self_contained(
             new = f"\n{written(here.text_of(found), found)}\n" if is_include else f'"{picture(found)}"'
             parts += [text[end:begin], new]
             end = offset(token) + len(token.text) + 2
-            if is_include:  # what follows on its line and begins nothing has no effect
-                rest = REST.match(text, end)
-                end = rest.end() if rest else end
+            rest = REST.match(text, end)  # after an include: what begins nothing has no effect
+            end = rest.end() if rest else end
         return "".join((*parts, text[end:]))
 
     return written(text, path)

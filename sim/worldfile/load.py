@@ -172,8 +172,7 @@ def _scene(name: str, reader: FileReader, statements: Iterable[Placed]) -> Scene
     )
     report = LoadReport(tuple(dict.fromkeys(reader.files)), _counts(models), notes, tuple(reader.pictures))
     scene = Scene(name, models, robots, settings, report)
-    inside = tuple(standing_inside(scene))
-    return replace(scene, report=replace(report, notes=(*notes, *inside))) if inside else scene
+    return replace(scene, report=replace(report, notes=(*notes, *standing_inside(scene))))
 
 
 def _robots(models: tuple[Model, ...]) -> tuple[int, ...]:

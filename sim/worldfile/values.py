@@ -172,7 +172,7 @@ class ValueReader:
     def numbers(self, setting: Setting, least: int, most: int) -> tuple[float, ...]:
         """The numbers of a tuple as they stand there, without a unit; a lone number is a tuple of one."""
         value = setting.property.value
-        if isinstance(value, parser.Number) and least <= 1:
+        if isinstance(value, parser.Number):
             return (self._number(setting, value),)
         return tuple(self._number(setting, item) for item in self._items(setting, least, most))
 

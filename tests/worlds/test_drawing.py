@@ -365,19 +365,21 @@ def test_mistakes_in_the_legend_hide_none_in_the_drawing() -> None:
 
 
 @pytest.mark.parametrize(
-    ("language", "last"),
+    ("count", "language", "last"),
     [
-        ("en", ["And 5 more.", "25 mistakes. I wrote nothing."]),
-        ("pt", ["E mais 5.", "25 erros. Não escrevi nada."]),
-        ("es", ["Y 5 más.", "25 errores. No escribí nada."]),
+        (20, "en", ["20 mistakes. I wrote nothing."]),
+        (21, "en", ["And 1 more.", "21 mistakes. I wrote nothing."]),
+        (25, "en", ["And 5 more.", "25 mistakes. I wrote nothing."]),
+        (25, "pt", ["E mais 5.", "25 erros. Não escrevi nada."]),
+        (25, "es", ["Y 5 más.", "25 errores. No escribí nada."]),
     ],
 )
-def test_of_many_mistakes_the_first_20_are_listed(language: str, last: list[str]) -> None:
-    letters = "abcdefghijklmnopqrstuwxyz"  # v is a robot
+def test_of_many_mistakes_the_first_20_are_listed(count: int, language: str, last: list[str]) -> None:
+    letters = "abcdefghijklmnopqrstuwxyz"[:count]  # v is a robot
+    row = "." * count
     with pytest.raises(Unusable) as bad:
-        world_of(f"{letters}\n{'.' * 25}\n...^{'.' * 21}\n{'.' * 25}\n", "map.txt", Words(language))
+        world_of(f"{letters}\n{row}\n...^{row[4:]}\n{row}\n", "map.txt", Words(language))
 
-    assert len(bad.value.sentences) == 22
     assert [*bad.value.sentences[20:]] == last
 
 

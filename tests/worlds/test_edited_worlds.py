@@ -156,6 +156,27 @@ def test_only_what_is_included_or_drawn_is_written_into_a_world_elsewhere(tmp_pa
     assert found == expected
 
 
+@pytest.mark.parametrize(
+    ("after", "kept"),
+    [
+        (" ; no word\nmodel( )", "\nmodel( )"),
+        (";model( )", ""),
+        (' model( name "x" )', ' model( name "x" )'),
+        ("", ""),
+    ],
+)
+def test_what_follows_an_include_in_its_line_is_written_if_it_begins_a_word(
+    after: str, kept: str, tmp_path: Path
+) -> None:
+    (tmp_path / "part.inc").write_text("model( )", encoding="utf-8")
+    text = f'include "part.inc"{after}'
+    there = tmp_path / "there" / "it.world"
+
+    found = self_contained(text, tmp_path / "it.world", there, (), lambda path: path.name)
+
+    assert found == f"\nmodel( )\n{kept}"
+
+
 # --- things that a seed scatters
 
 ROOM = """define bob position ( size [ 0.2 0.1 0.1 ] ranger ( sensor ( ) ) )

@@ -15,6 +15,7 @@ from devices.ports.robot import Bearing
 from donnie_tui.core.recording import Header
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.files import bundle_of
+from donnie_tui.process.confinement import Confinement, confine
 from donnie_tui.settings.settings import Settings
 from donnie_tui.world import recorded
 from donnie_tui.world.loading import inhabited_world
@@ -301,6 +302,26 @@ def test_a_damaged_belt_of_a_recording_is_reported(change: dict[str, object]) ->
         with pytest.raises(Unusable) as refused:
             settings_of(Header("0", 7, "sim", belt, {}), Settings(), Words())
         assert str(refused.value) == Words()("bundle-damaged")
+
+
+@pytest.mark.parametrize("is_there", [False, True])
+def test_a_confined_session_unpacks_a_recording_in_its_own_folder(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, is_there: bool
+) -> None:
+    monkeypatch.chdir(tmp_path)  # as a confined session does
+    world = 'position( name "bob" )\n'
+    bundle = WorldBundle("x", "0/x.world", (("0/x.world", world.encode()),), ("bob",))
+    own_folder = tmp_path / ".donnie"
+    if is_there:
+        own_folder.mkdir()
+    confine(Confinement(str(tmp_path)))
+    try:
+        with unpacked(Header("0", 0, "sim", {}, bundle.as_record()), Words()) as there:
+            assert Path(there.path).is_relative_to(own_folder)
+            assert Path(there.path).read_text() == world
+    finally:
+        confine(None)
+    assert list(own_folder.iterdir()) == []
 
 
 def test_only_the_robots_that_were_offered_are_offered_again(tmp_path: Path) -> None:

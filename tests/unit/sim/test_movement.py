@@ -122,7 +122,7 @@ def test_what_a_stop_ends_is_not_reported_and_the_next_command_begins_there(
 
 @pytest.mark.parametrize(("stop_after", "done"), [(0.5, 22), (0.6, 26)])
 def test_a_stop_ends_a_turn_at_its_last_whole_degree(stop_after: float, done: int) -> None:
-    """After the report of 20 degrees it looks every 2.25 degrees, thus at 22.25 and 26.75 for the last time."""
+    """After the report of 20 degrees it looks every 2.25 degrees: last at 22.25 and 26.75."""
     it, diary = watched(BLIND, 1.0, stop_after)
 
     turned = it.turn(-90)
@@ -336,11 +336,11 @@ def test_poses_on_the_way_are_shown_in_company_too(
     ("steps", "angle", "moment", "thing", "is_halted", "done", "stopped_by", "end", "seconds", "reports"),
     [
         (4, 0, 1.33, None, True, 1, StoppedBy.USER, 1.3, 1.33, 1),
-        (4, 0, 1.33, (0.216, 0.0), True, 1, StoppedBy.USER, 1.3, 1.33, 1),
+        (4, 0, 1.33, (0.2151, 0.0), True, 1, StoppedBy.USER, 1.3, 1.33, 1),
         (4, 0, 1.33, (0.216, 0.0), False, 1, StoppedBy.COLLISION, 1.318, 1.35, 1),
         (4, 0, 1.33, (0.2151, 0.0), False, 1, StoppedBy.COLLISION, 1.3, 1.35, 1),
         (0, -45, 0.3, None, True, -12, StoppedBy.USER, 78, 0.3, 1),
-        (0, -45, 0.3, (0.08, 0.122), True, -12, StoppedBy.USER, 78, 0.3, 1),
+        (0, -45, 0.3, (0.08, 0.1204), True, -12, StoppedBy.USER, 78, 0.3, 1),
         (0, -45, 0.3, (0.08, 0.122), False, -13, StoppedBy.COLLISION, 77, 14 / 45, 2),
         (0, -45, 0.3, (0.08, 0.1204), False, -12, StoppedBy.COLLISION, 78, 14 / 45, 2),
     ],
@@ -411,7 +411,8 @@ def test_the_sensors_end_a_step_only_if_a_robot_has_moved_since_its_beginning(
         ends.extend((moved.walked, moved.stopped_by, moved.pose.x))
 
     def waits(robot: SimulatedRobot) -> None:
-        robot.wait(5)
+        while not ends:
+            robot.wait(0.04)
 
     def moves(robot: SimulatedRobot) -> None:
         robot.forward(5)
