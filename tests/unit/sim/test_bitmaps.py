@@ -17,7 +17,7 @@ from donnie_tui.i18n.words import Words
 from sim.geometry import signed_area
 from sim.scene import NoteKind, Scene
 from sim.world import World
-from sim.worldfile import Code, WorldError, load_text
+from sim.worldfile import Code, WorldError, floor_plans, load_text
 from sim.worldfile.floor_plans import (
     MOST_PIXELS,
     MOST_PIXELS_OF_ALL,
@@ -249,6 +249,39 @@ def test_a_plan_finer_than_the_grid_is_scaled_down_where_it_is_too_detailed(tmp_
         (note.code, note.details["centimetres"]) for note in coarse.report.notes if "path" in note.details
     ]
     assert notes == [("plan-coarse", "200")]
+
+
+@pytest.mark.parametrize(
+    ("size", "notes"),
+    [
+        ("0.08 0.5 1", [("plan-scaled", None)]),
+        ("0.5 0.08 1", [("plan-scaled", None)]),
+        ("-0.08 0.5 1", [("plan-scaled", None)]),
+        ("0.16 0.16 1", [("plan-coarse", "4")]),
+        ("1.6 -1.7 1", [("plan-coarse", "40")]),
+        ("-1.6 1.7 1", [("plan-coarse", "40")]),
+        ("0 0.5 1", [("plan-coarse", "0")]),
+    ],
+)
+def test_a_plan_of_too_many_rectangles_has_the_cells_of_the_grid_or_larger_ones(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, size: str, notes: list[tuple[str, str | None]]
+) -> None:
+    """16 dots in 16 pixels each way are one rectangle only in cells of four: a quarter of the shorter side.
+
+    A negative side mirrors the plan.
+    """
+    from PIL import Image
+
+    monkeypatch.setattr(floor_plans, "MOST_RECTANGLES", 4)
+    dots = Image.new("1", (16, 16), 1)
+    dots.putdata([not (x % 4 == 0 and y % 4 == 0) for y in range(16) for x in range(16)])
+    dots.save(tmp_path / "dots.png")
+
+    scene = load_text(f'model ( bitmap "dots.png" size [ {size} ] )', tmp_path / "a.world")
+
+    about_the_plan = [each for each in scene.report.notes if each.code.startswith("plan-")]
+    assert [(each.code, each.details.get("centimetres")) for each in about_the_plan] == notes
+    assert len(scene.models[0].polygons) == 1
 
 
 def test_a_wall_in_a_plan_with_too_many_details_stays_closed_and_a_wide_door_open(tmp_path: Path) -> None:
