@@ -237,6 +237,24 @@ def test_of_a_wall_and_a_robot_the_nearer_one_is_seen(ground: Ground) -> None:
         assert (gap, part.root if part else None) == (pytest.approx(metres), root)
 
 
+@pytest.mark.parametrize("sides", [(0.25, 0.5), (0.5, 0.25)])
+@pytest.mark.parametrize("first", ["", "pushable 1"])
+@pytest.mark.parametrize("second", ["", "pushable 1"])
+def test_of_things_that_are_equally_near_the_first_of_the_world_is_seen(
+    sides: tuple[float, float], first: str, second: str
+) -> None:
+    """Both faces are a metre away; the middle of the smaller one is nearer."""
+    boxes = (
+        f"model( size [ {side} {side} 1 ] pose [ {1 + side / 2} 0 0 0 ] {more} )\n"
+        for side, more in zip(sides, (first, second), strict=True)
+    )
+    ground = Ground(scene("position( )\n" + "".join(boxes)))
+
+    gap, part = ground.nearest(0, Wedge(0, 0, 0, (1, 0), direction(5), 5.0), None, frozenset())
+
+    assert (gap, part.root if part else None) == (1.0, 1)
+
+
 def test_the_first_hits_of_rays_are_in_their_order(ground: Ground) -> None:
     ends = [(4.0, 0.0), (0.0, 2.0), (-3.0, 0.0), (0.0, -4.0)]
 
