@@ -362,7 +362,7 @@ def test_a_stop_or_a_thing_that_is_put_there_ends_a_movement_in_its_tick(
     """A stop ends it after the last whole tick of 0.05 steps or 2 degrees.
 
     The thing is 0.1 m wide. It leaves 1 mm of a tick of 2.5 mm, less a skin of 0.1 mm; or 1 degree of 2, as
-    the corner comes to 0.072 m after 13.5 degrees; or nothing. A robot into which it reaches may turn out of it.
+    the corner comes to 0.072 m after 13.5 degrees; or nothing. A robot may turn out of a thing.
     """
     box = "model( size [ 0.1 0.1 1 ] pose [ 5 5 0 0 ] gripper_return 1 )"
     company = Company(scene(f"{BLIND_TWO}{box}"))
