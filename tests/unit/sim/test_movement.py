@@ -7,7 +7,9 @@ import pytest
 
 from devices.ports.robot import Motion, StoppedBy
 from sim.geometry import Placement
+from sim.movement import _turned
 from sim.robot import SimulatedRobot
+from sim.vehicle import Rate
 from sim.world import World
 from tests.timeouts import TIMEOUT
 from tests.unit.sim.company import Company
@@ -65,6 +67,25 @@ def test_a_long_turn_reports_every_so_many_degrees_and_its_last_one(angle: int, 
     assert [pose.heading for _, pose, _ in diary.progress] == [(90 - each) % 360 for each in reports]
     assert [seconds for *_, seconds in diary.progress] == pytest.approx([each / 45 for each in reports])
     assert {motion for motion, *_ in diary.progress} == {Motion.LEFT}
+
+
+@pytest.mark.parametrize(
+    ("rate", "begin", "end", "stops"),
+    [
+        (45.0, 0, 45, [*range(2, 45, 2), 45]),
+        (45.0, 3, 13, [5, 7, 9, 10, 12, 13]),
+        (20.0, 0, 3, [1, 2, 3]),
+        (0.1, 0, 2, [1, 2]),
+        (140.0, 8, 33, [10, 17, 20, 27, 30, 33]),
+        (900.0, 5, 23, [10, 20, 23]),
+        (45.0, 7, 7, []),
+    ],
+)
+def test_a_turn_is_divided_into_whole_degrees_of_a_tick_up_to_each_report(
+    rate: float, begin: int, end: int, stops: list[int]
+) -> None:
+    """A tick is a twentieth of a second, and at least a degree."""
+    assert _turned(Rate(rate).over(90), begin, end) == stops
 
 
 def test_the_times_of_reports_go_on_after_other_commands() -> None:
