@@ -98,7 +98,7 @@ def unpack(bundle: WorldBundle, folder: Path) -> tuple[Path, tuple[Path, ...]]:
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_bytes(data)
     except OSError as problem:
-        raise BundleError("bundle-unwritable", reason=problem.strerror or str(problem)) from None
+        raise BundleError("bundle-unwritable", reason=problem.strerror) from None
     places = sorted({int(name.parts[0]) for name in names}, key=lambda place: (place == 0, place))
     return folder.joinpath(*main.parts), tuple(folder / str(place) for place in places)
 
@@ -165,7 +165,7 @@ def _read(file: Path, room: int) -> bytes:
         with open_bytes(file) as stream:
             data = stream.read(room + 1)
     except OSError as problem:
-        raise BundleError("file-unreadable", path=str(file), reason=problem.strerror or "") from None
+        raise BundleError("file-unreadable", path=str(file), reason=problem.strerror) from None
     if len(data) > room:
         raise BundleError("bundle-too-large", limit=LARGEST // 1024**2)
     return data
@@ -174,9 +174,7 @@ def _read(file: Path, room: int) -> bytes:
 def _checked(name: str) -> PurePosixPath:
     path = PurePosixPath(name)
     parts = path.parts
-    is_inside = (
-        len(parts) > 1 and _PLACE.fullmatch(parts[0]) and not any(part in ("..", "/") for part in parts)
-    )
+    is_inside = len(parts) > 1 and _PLACE.fullmatch(parts[0]) and ".." not in parts
     if not is_inside or any(each in name for each in "\\:\0") or len(name) > 1000:
         raise BundleError("bundle-damaged")
     return path
