@@ -130,7 +130,7 @@ class Ramped:
         self._risen, fall = self._top / rate.up, self._top / rate.down
         """Seconds."""
         level = asked - self._rising - self._falling
-        self._falls = self._risen + (level / self._top if self._top and level > 0.0 else 0.0)
+        self._falls = self._risen + (level / self._top if level > 0.0 else 0.0)
         self._end = self._falls + fall
 
     def seconds(self, done: float, further: float) -> float:
