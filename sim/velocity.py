@@ -261,8 +261,8 @@ class RobotDrive:
         if self._has_moved:
             return
         before = self._speed
-        self._speed = after = self._gained(seconds)
-        mean = before if before == after else _mean(before, after)
+        self._speed = self._gained(seconds)
+        mean = _mean(before, self._speed)
         _, angle, chord = _chord(mean, seconds)
         vehicle = self._vehicle
         if chord > TOUCHING:
@@ -335,7 +335,7 @@ class RobotDrive:
     def _gained(self, seconds: float) -> Velocity:
         """The velocity after so many seconds."""
         speed, wanted, gains = self._speed, self._wanted, self._wheels.acceleration_bounds
-        if gains is None or speed == wanted:
+        if gains is None:
             return wanted
         return Velocity(
             speed.ahead + _within(gains.x, wanted.ahead - speed.ahead, seconds),
