@@ -415,6 +415,43 @@ def test_a_stop_or_a_thing_that_is_put_there_ends_a_movement_in_its_tick(
     assert len(log) == reports
 
 
+@pytest.mark.parametrize("pause", [0.04, 1.0, 2.5])
+@pytest.mark.parametrize("speed", [None, 100.0])
+@pytest.mark.parametrize(("steps", "angle", "done", "seconds"), [(5, 0, 2, 2.0), (0, -180, -20, 20 / 45)])
+def test_a_stop_at_a_report_ends_a_movement_there(
+    steps: int, angle: int, done: int, seconds: float, speed: float | None, pause: float
+) -> None:
+    company, robots, ends = (
+        Company(scene(BLIND_TWO), speed=speed),
+        dict[str, SimulatedRobot](),
+        list[object](),
+    )
+
+    class Log(list[object]):
+        def append(self, report: object) -> None:
+            super().append(report)
+            if len(self) == 2:
+                robots["it"].halt()
+
+    def moves(robot: SimulatedRobot) -> None:
+        robots["it"] = robot
+        if steps:
+            walked = robot.forward(steps)
+            ends.extend((walked.walked, walked.stopped_by, robot.time()))
+        else:
+            turned = robot.turn(angle)
+            ends.extend((turned.turned, turned.stopped_by, robot.time()))
+
+    def waits(robot: SimulatedRobot) -> None:
+        while not ends:
+            robot.wait(pause)
+
+    company.log = Log()
+    company.run({"it": moves, "other": waits})
+
+    assert ends == [done, StoppedBy.USER, pytest.approx(seconds)]
+
+
 @pytest.mark.parametrize(
     ("gap", "moved", "walked", "end"),
     [(0.196, 0, 3, 3), (0.196, 1, 3, 3), (0.196, 5, 2, 2.05), (0.22, 0, 3, 3), (0.22, 5, 3, 3)],
