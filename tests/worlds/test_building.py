@@ -200,8 +200,8 @@ class Furnished:
         described = Description(kind, (colour,) if colour else (), {}, name)
         return self._done(lambda: self.building.put(described, place))
 
-    def move(self, name: str, east: float = 0, north: float = 0, degrees: int = 0) -> str:
-        return self._done(lambda: self.building.move(self.building.find(name), east, north, degrees))
+    def move(self, name: str, *steps: float, **turn: int) -> str:
+        return self._done(lambda: self.building.move(self.building.find(name), *steps, **turn))
 
     def remove(self, name: str) -> str:
         return self._done(lambda: self.building.remove(self.building.find(name)))
@@ -262,6 +262,9 @@ def test_the_text_for_another_folder_is_that_of_the_world_where_a_file_of_it_is_
     assert it.building.text_at(tmp_path / "x.world") == it.site.text
     (tmp_path / "more.inc").unlink()
     assert it.building.text_at(tmp_path / "sub/x.world") == it.site.text
+    with pytest.raises(Unusable):
+        it.building.save(tmp_path / "sub/x.world")
+    assert list((tmp_path / "sub").iterdir()) == []
 
 
 def test_each_change_can_be_undone_and_a_new_one_forgets_those_that_were(tmp_path: Path) -> None:
@@ -481,8 +484,21 @@ def test_a_thing_is_turned_to_the_right_and_moved_from_where_it_is(
 ) -> None:
     it = Furnished(tmp_path, ANA + 'box( name "b" pose [ 1 1 0.5 30 ] )\n')
 
-    assert it.move("b", 2, -3, degrees) == "built-moved"
+    assert it.move("b", 2, -3, degrees=degrees) == "built-moved"
     assert f'box( name "b" pose [ 1.1 0.85 0.5 {yaw} ] )' in it.site.text
+
+
+@pytest.mark.parametrize(
+    ("steps", "turn", "pose"),
+    [((2, -3), {}, "1.1 0.85 0.5 30"), ((2,), {}, "1.1 1 0.5 30"), ((), {"degrees": 40}, "1 1 0.5 350")],
+)
+def test_a_thing_is_only_moved_or_only_turned(
+    steps: tuple[int, ...], turn: dict[str, int], pose: str, tmp_path: Path
+) -> None:
+    it = Furnished(tmp_path, ANA + 'box( name "b" pose [ 1 1 0.5 30 ] )\n')
+
+    assert it.move("b", *steps, **turn) == "built-moved"
+    assert f'box( name "b" pose [ {pose} ] )' in it.site.text
 
 
 def test_a_thing_of_an_included_file_can_not_be_changed(tmp_path: Path) -> None:
