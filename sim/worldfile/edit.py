@@ -64,7 +64,8 @@ def _models_of(text: str, file: str) -> dict[tuple[int, int], WrittenModel]:
                 depth += 1
             case "RPAR":
                 depth -= 1
-                if depth == 0 and first is not None:
+                if depth == 0:
+                    assert first is not None  # a world that begins with a bracket is refused before
                     begin, inside = offset(first), offset(token)
                     found[first.line, first.column] = WrittenModel(begin, inside + 1, inside, pose)
             case "LSQB" if depth == 1 and before is not None and before.text == "pose":

@@ -88,6 +88,7 @@ def test_a_pose_is_written_in_the_units_of_its_file() -> None:
         "model( pose [ 125 -50 200 1.5708 ] )"
     )
     assert units_of(load_text("model( )", PATH)) == (1, 1)
+    assert units_of(load_text('unit_length "mile" unit_angle "gon" model( )', PATH)) == (1, 1)
 
 
 @pytest.mark.parametrize(
@@ -177,6 +178,13 @@ def test_what_follows_an_include_in_its_line_is_written_if_it_begins_a_word(
     assert found == f"\nmodel( )\n{kept}"
 
 
+def test_a_file_that_is_gone_is_named_as_before(tmp_path: Path) -> None:
+    text = 'include "gone.inc"\nmodel( bitmap "gone.png" )'
+    there = tmp_path / "there" / "it.world"
+
+    assert self_contained(text, tmp_path / "it.world", there, (), lambda path: path.name) == text
+
+
 # --- things that a seed scatters
 
 ROOM = """define bob position ( size [ 0.2 0.1 0.1 ] ranger ( sensor ( ) ) )
@@ -186,8 +194,10 @@ define wall model ( )
 BOX = 'model ( name "{}" size [ {} {} 0.1 ] pose [ {} {} 0.3 30 ] )\n'
 
 
-def scattered_roots(things: str, seed: int, area: str = "-1 -1 1 1") -> dict[str, Placement]:
-    text = f"scatter [ {area} ]\n{ROOM}{things}"
+def scattered_roots(
+    things: str, seed: int, area: str = "-1 -1 1 1", room: str = ROOM
+) -> dict[str, Placement]:
+    text = f"scatter [ {area} ]\n{room}{things}"
     return roots(scattered(text, load_text(text, PATH), PATH, (), seed))
 
 
@@ -237,12 +247,20 @@ def test_a_part_of_a_thing_stays_with_it_and_an_included_thing_where_it_is(tmp_p
 
 
 @pytest.mark.parametrize("seed", range(1, 13))
-def test_scattered_things_leave_room_for_the_robot_and_a_straight_way_to_each(seed: int) -> None:
+@pytest.mark.parametrize("bob", [(0, 0), (1.5, -1)])
+def test_scattered_things_leave_room_for_the_robot_and_a_straight_way_to_each(
+    seed: int, bob: tuple[float, float]
+) -> None:
     """15 cm between things, and 30 more around the robot, whose half is 10 cm and which is in a corner."""
     halves = {"a": 0.05, "b": 0.05, "c": 0.1, "d": 0.15}
-    boxes = "".join(BOX.format(name, 2 * half, half, 0.5, 0.5) for name, half in halves.items())
-    found = scattered_roots(boxes, seed, "-0.3 -0.3 1.6 1.6")
-    places = {name: (found[name].x, found[name].y) for name in halves}
+    east, north = bob
+    room = ROOM.replace('"bob" )', f'"bob" pose [ {east} {north} 0 0 ] )')
+    boxes = "".join(
+        BOX.format(name, 2 * half, half, east + 0.5, north + 0.5) for name, half in halves.items()
+    )
+    area = f"{east - 0.3} {north - 0.3} {east + 1.6} {north + 1.6}"
+    found = scattered_roots(boxes, seed, area, room)
+    places = {name: (found[name].x - east, found[name].y - north) for name in halves}
 
     for name, (x, y) in places.items():
         half = halves[name]
