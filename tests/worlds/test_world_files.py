@@ -238,7 +238,7 @@ def test_an_unknown_colour_is_red_and_a_warning_with_the_nearest_name() -> None:
     scene = load('\nmodel ( color "gren" )')
 
     (note, _) = scene.report.notes
-    assert scene.models[0].colour.family == "red"
+    assert scene.models[0].colour == colour_of("red", 1.0, 0.0, 0.0)
     assert (note.kind, note.code, note.line, note.column) == (NoteKind.WARNING, "unknown-colour", 2, 9)
     assert note.details == {"name": "gren", "nearest": "green"}
 
