@@ -72,7 +72,7 @@ def _crc_of_byte(byte: int) -> int:
     return byte
 
 
-_CRC_TABLE = bytes(_crc_of_byte(byte) for byte in range(256))
+_CRC_TABLE = bytes(map(_crc_of_byte, bytes(range(256))))
 
 
 def checksum(data: bytes) -> int:
@@ -98,8 +98,8 @@ def drive_frame(drive: MotorDrive, wiring: Wiring = AS_ORIGINAL) -> bytes:
 
 def _drive_frame(drive: MotorDrive, right_sense: int, left_sense: int) -> bytes:
     right, right_speed, left, left_speed = drive.value
-    right = right if right_sense > 0 else _OPPOSITE.get(right, right)
-    left = left if left_sense > 0 else _OPPOSITE.get(left, left)
+    right = right if right_sense == 1 else _OPPOSITE.get(right, right)
+    left = left if left_sense == 1 else _OPPOSITE.get(left, left)
     return encode_frame(CommandKind.MOTOR.value, bytes((right, right_speed, left, left_speed)))
 
 

@@ -35,9 +35,11 @@ class Outbox:
         self._drive = MotorDrive.STOP
         self._stops = 0
         self._is_at_once = False
+        """Whether the next stop need not wait for the gap after the frame before it."""
         self._must_flush = self._must_configure = False
-        self._unread = 0.0
-        self._counted_at = self._free_at = self._quiet_until = -inf
+        self._all_read_at = -inf
+        """When the board has read all that was written, by an estimate."""
+        self._free_at = self._quiet_until = -inf
         self._repeat_at = inf
 
     @property
@@ -48,7 +50,7 @@ class Outbox:
     @property
     def has_stops(self) -> bool:
         """Whether a requested stop was not yet written as often as it must be."""
-        return self._stops > 0
+        return bool(self._stops)
 
     def flush(self) -> None:
         """Send zeros before anything else, to complete a half frame that the board may hold."""
@@ -65,7 +67,7 @@ class Outbox:
 
     def drive(self, drive: MotorDrive, now: float) -> None:
         """Make ``drive`` the drive command; it replaces stops that were not sent yet."""
-        if drive is not self._drive or self._stops:
+        if drive is not self._drive:
             self._drive, self._stops, self._is_at_once, self._repeat_at = drive, 0, False, now
 
     def repeat_soon(self) -> None:
@@ -88,17 +90,14 @@ class Outbox:
         """When to ask again; ``now`` at the earliest, infinity if nothing is to be repeated."""
         if self.is_empty:
             return max(now, self._repeat_at, self._free_at, self._quiet_until)
-        earliest = (
-            self._quiet_until if self._is_at_once and self._stops else max(self._free_at, self._quiet_until)
-        )
-        return max(now, earliest)
+        return max(now, self._quiet_until, -inf if self._is_at_once else self._free_at)
 
     def _wanted(self, now: float) -> bytes | None:
         if now < self._quiet_until:
             return None
         if self._must_flush:
             return FILLER
-        if self._stops and self._is_at_once and not self._must_configure:
+        if self._is_at_once and not self._must_configure:
             return STOP
         if now < self._free_at:
             return None
@@ -111,26 +110,25 @@ class Outbox:
         return next(iter(self._waiting.values()), None)
 
     def _fits(self, frame: bytes, now: float) -> bool:
-        """Whether the board's buffer has room for it, by an estimate of what the board has read."""
-        self._unread = max(0.0, self._unread - (now - self._counted_at) * self._config.bytes_a_second)
-        self._counted_at = now
-        return self._unread + len(frame) <= self._config.most_outstanding
+        """Whether the board's buffer has room for it."""
+        unread = max(0.0, self._all_read_at - now) * self._config.bytes_a_second
+        return unread + len(frame) <= self._config.most_outstanding
 
     def _sent(self, frame: bytes, now: float) -> None:
-        self._unread += len(frame)
+        self._all_read_at = max(self._all_read_at, now) + len(frame) / self._config.bytes_a_second
         self._free_at = now + self._config.gap
         if frame is FILLER:
             self._must_flush = False
             self._quiet_until = now + self._config.flush_pause
         elif frame is CONFIGURE:
             self._must_configure = False
-        elif frame is STOP and self._stops:
+        elif self._stops:
             self._stops, self._is_at_once = self._stops - 1, False
             self._repeat_at = now + self._config.repeat
         elif frame is drive_frame(self._drive, self.wiring):
             self._repeat_at = now + self._config.repeat
         else:
-            self._waiting.pop(frame[3], None)
+            del self._waiting[frame[3]]
 
 
 class _Stage(Enum):

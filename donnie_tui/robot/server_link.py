@@ -107,7 +107,8 @@ class ServerLink:
         self._closed = threading.Event()
         self._factor = timeout_factor()
         self._driven_until = inf
-        self._read_at = 0.0
+        self._read_at: float
+        """When something was read last, since the first reply."""
         self.permit = 0
         """The number of the last halt. Commands that began before it are not sent."""
         self.epoch = 0

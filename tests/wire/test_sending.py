@@ -5,6 +5,7 @@ Each test is named after its row of the table of weaknesses in docs/wire-protoco
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from itertools import pairwise
 from math import inf
 
@@ -121,6 +122,13 @@ def test_rate_of_each_kind_the_newest_frame_is_sent_when_it_is_time() -> None:
     assert (outbox.is_empty, outbox.next_at(6.0)) == (True, inf)
 
 
+@pytest.mark.parametrize("request_of", [Outbox.flush, Outbox.configure, Outbox.stop])
+def test_rate_an_outbox_with_one_request_is_not_empty(request_of: Callable[[Outbox], None]) -> None:
+    outbox = Outbox(EXACT)
+    request_of(outbox)
+    assert (outbox.is_empty, outbox.next_at(5.0)) == (False, 5.0)
+
+
 def test_rate_zeros_and_the_configuration_precede_a_stop() -> None:
     outbox = Outbox(EXACT)
     outbox.put(head_frame(10))
@@ -232,8 +240,10 @@ def test_stop_is_written_at_once_then_after_the_gap_and_then_repeated() -> None:
     outbox.put(head_frame(10))
     assert written(outbox, 1.0) == [head_frame(10)]
     outbox.stop()
+    outbox.stop()
     assert (outbox.has_stops, outbox.next_at(1.01)) == (True, 1.01)
     assert written(outbox, 1.03125, 1.09) == [STOP, None]
+    assert outbox.has_stops
     outbox.stop()  # two more, but the next one is not at once again
     assert outbox.next_at(1.04) == 1.09375
     assert written(outbox, 1.0937, 1.09375, 1.15, 1.15625) == [None, STOP, None, STOP]
