@@ -5,9 +5,12 @@ Each test is named after its row of the table of weaknesses in docs/wire-protoco
 
 from __future__ import annotations
 
+import pytest
+
 from devices.ports.robot import LinkNotice
 from devices.wire.frames import PING, encode_frame
-from devices.wire.telemetry import WheelCounter
+from devices.wire.link_state import LinkConfig
+from devices.wire.telemetry import RangeSample, Telemetry, TelemetryTracker, WheelCounter
 from tests.wire.bench import Bench, streaming
 
 # --- parse and garbage
@@ -121,6 +124,116 @@ def test_ranges_of_before_a_loss_are_forgotten() -> None:
 
     assert bench.notices == [LinkNotice.CONNECTED, LinkNotice.LOST]
     assert bench.link.telemetry.ranges == ()
+
+
+# --- everything that is known of a board
+
+FREE, PRESSED = (False,) * 6, (False, True, False, False, False, False)
+METRE = (100,) * 7
+
+
+def test_nothing_is_known_of_a_board_at_first() -> None:
+    assert TelemetryTracker(LinkConfig()).telemetry(0.0, 0) == Telemetry(
+        at=0.0, epoch=0, right=0, left=0, moved_at=0.0, both_moved_at=0.0, ranges=(), bumpers=FREE,
+        millivolts=None, frames=0, bad_frames=0,
+    )  # fmt: skip
+
+
+def test_what_the_frames_of_a_board_say_is_known() -> None:
+    tracker = TelemetryTracker(LinkConfig())
+    tracker.count_wheels(100, 200, 1.0)  # where they begin
+    tracker.count_wheels(110, 200, 2.0)
+    tracker.add_ranges(METRE, 2.5)
+    tracker.count_wheels(110, 197, 3.0)
+    tracker.add_bumpers(PRESSED)
+    tracker.add_bumpers(PRESSED)
+    tracker.millivolts, tracker.frames = 7400, 6
+
+    assert tracker.telemetry(4.0, 2) == Telemetry(
+        at=4.0, epoch=0, right=10, left=-3, moved_at=3.0, both_moved_at=2.0,
+        ranges=(RangeSample(2.5, 10, 0, METRE),), bumpers=PRESSED, millivolts=7400, frames=6, bad_frames=2,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("counts", "moved_at", "both_moved_at"),
+    [
+        ([(0, 0), (0, 0)], 0.0, 0.0),
+        ([(0, 0), (5, 0), (5, 0)], 1.0, 0.0),
+        ([(0, 0), (0, 5), (0, 5)], 1.0, 0.0),
+        ([(0, 0), (5, 5), (5, 5)], 1.0, 1.0),
+        ([(0, 0), (5, 5), (5, 9)], 2.0, 1.0),
+        ([(0, 0), (5, 5), (9, 5)], 2.0, 1.0),
+    ],
+)
+def test_it_is_known_when_a_wheel_and_when_both_have_last_counted(
+    counts: list[tuple[int, int]], moved_at: float, both_moved_at: float
+) -> None:
+    tracker = TelemetryTracker(LinkConfig())
+    for now, (right, left) in enumerate(counts):
+        tracker.count_wheels(right, left, float(now))
+
+    known = tracker.telemetry(9.0, 0)
+    assert (known.moved_at, known.both_moved_at) == (moved_at, both_moved_at)
+
+
+@pytest.mark.parametrize(
+    ("encoders", "counted"),
+    [((1, 1), "10 20"), ((-1, 1), "-10 20"), ((1, -1), "10 -20"), ((-1, -1), "-10 -20")],
+)
+def test_counts_are_whole_and_have_the_senses_of_the_encoders(
+    encoders: tuple[int, int], counted: str
+) -> None:
+    tracker = TelemetryTracker(LinkConfig())
+    tracker.encoders = encoders
+    tracker.count_wheels(0, 0, 1.0)
+    tracker.count_wheels(10, 20, 2.0)
+
+    known = tracker.telemetry(3.0, 0)
+    assert f"{known.right} {known.left}" == counted
+
+
+def test_after_a_restart_the_counts_go_on_and_all_else_is_forgotten() -> None:
+    """Also of the last frames: one more of its kind is no confirmation."""
+    tracker = TelemetryTracker(LinkConfig())
+    for counts in ((0, 0), (10, 20), (5000, 6000)):
+        tracker.count_wheels(*counts, 1.0)
+    tracker.add_ranges(METRE, 1.0)
+    for _ in range(2):
+        tracker.add_bumpers(PRESSED)
+    tracker.rebase()
+
+    assert tracker.telemetry(2.0, 0) == Telemetry(
+        at=2.0, epoch=1, right=10, left=20, moved_at=1.0, both_moved_at=1.0
+    )
+    tracker.add_bumpers(PRESSED)
+    tracker.count_wheels(5001, 6001, 3.0)
+    tracker.count_wheels(5003, 6004, 3.0)
+    known = tracker.telemetry(3.0, 0)
+    assert (known.bumpers, known.right, known.left) == (FREE, 12, 23)
+    tracker.rebase()
+    assert tracker.telemetry(4.0, 0).epoch == 2
+
+
+@pytest.mark.parametrize(
+    ("times", "remembered"),
+    [([1.0, 1.25, 1.4], [1.0, 1.25, 1.4]), ([1.0, 1.25, 1.5], [1.25, 1.5]), ([1.0, 1.25, 9.0], [9.0])],
+)
+def test_the_ranges_of_two_refreshes_are_remembered(times: list[float], remembered: list[float]) -> None:
+    tracker = TelemetryTracker(LinkConfig())
+    for at in times:
+        tracker.add_ranges(METRE, at)
+
+    assert [each.at for each in tracker.telemetry(9.0, 0).ranges] == remembered
+
+
+def test_of_a_board_that_reports_too_often_sixty_four_ranges_are_remembered() -> None:
+    tracker = TelemetryTracker(LinkConfig())
+    for number in range(70):
+        tracker.add_ranges((number,) * 7, 1.0)
+
+    kept = tracker.telemetry(1.0, 0).ranges
+    assert [each.centimetres[0] for each in kept] == [*range(6, 70)]
 
 
 # --- battery and ping
