@@ -11,6 +11,7 @@ import struct
 from collections import deque
 from dataclasses import dataclass, field
 from enum import Enum, auto
+from math import inf
 from random import Random
 from typing import Any
 
@@ -136,7 +137,8 @@ class SimulatedBoard:
         self._ranges = [0] * SONARS
         self._is_answered, self._has_moved = True, False
         self._lamps = 0b01
-        self._blink_at = 0.0
+        self._blink_at = inf
+        """When the lamp of the connection changes next; infinity while it is on."""
         self._encoder_data = self._encoder_frame = b""
 
     # --- one pass of the loop
@@ -214,7 +216,7 @@ class SimulatedBoard:
 
     def _send_ping(self, out: bytearray) -> None:
         self._ping_at += PING
-        if not self._is_answered and self._blink_at <= 0.0:
+        if not self._is_answered and self._blink_at == inf:
             self._blink_at = self._time + BLINK
             self.wheels.share = CRAWL if self.is_newer else 1.0
         self._is_answered = False
@@ -234,11 +236,11 @@ class SimulatedBoard:
         bits = self._lamps | self.vibrates_right << 2 | self.vibrates_left << 3 | self.is_buzzing << 4
         self._lamps ^= 0b01 if self.millivolts < LOW or not self._lamps & 0b01 else 0
         if self._is_answered:
-            self._lamps, self._blink_at = self._lamps | 0b10, 0.0
-        elif 0.0 < self._blink_at <= self._time:
+            self._blink_at = inf
+        if self._blink_at == inf:
+            self._lamps |= 0b10
+        elif self._blink_at <= self._time:
             self._lamps, self._blink_at = self._lamps ^ 0b10, self._time + BLINK
-        else:
-            self._lamps |= 0b10 if self._blink_at <= 0.0 else 0
         return bits
 
     def _bumper_bits(self) -> tuple[int, ...]:

@@ -96,7 +96,7 @@ class SimulatedWheels:
         self.is_left_stuck = self.is_right_stuck = False
         """The same fault of one wheel."""
         self.encoders = (1, 1)
-        """A fault where one is -1: the phases of the right or the left encoder are swapped."""
+        """A fault where one isn't 1: -1 if the phases of the right or the left encoder are swapped."""
         self.motors = (1, 1)
         """The same for the leads of a motor."""
         self.strengths = (1.0, 1.0)

@@ -140,6 +140,19 @@ def test_a_board_of_fewer_passes_reads_as_many_bytes_a_second(passes: int) -> No
     assert board.is_driving
 
 
+@pytest.mark.parametrize(
+    ("passes", "boot_loader", "first"), [(4, 1.0, 8), (4, 0.0, 4), (8, 0.0, 8), (8, 0.5, 12)]
+)
+def test_a_board_asks_for_its_configuration_a_second_after_its_boot_loader(
+    passes: int, boot_loader: float, first: int
+) -> None:
+    """In the pass that ends that second, and not before that time has passed."""
+    board = SimulatedBoard(boot_loader=boot_loader, passes=passes)
+    sent = [board.advance(0.5 / passes) for _ in range(2 * first)]
+
+    assert sent == [b""] * (2 * first - 1) + [encode_frame(0xC7, b"\x2b")]
+
+
 # --- what it obeys
 
 
@@ -324,6 +337,38 @@ def test_the_lamp_of_the_connection_blinks_until_a_ping_is_answered() -> None:
     board.receive(PING)
     board.advance(0.4)
     assert lamps(1.5) == {1}
+
+
+@pytest.mark.parametrize(
+    ("answered_at", "dark_at"),
+    [
+        (None, [1.5, 5.0, 6.0, 7.0, 8.0, 9.0]),
+        (2.0, [1.5, 7.0, 8.0, 9.0]),  # each answer is good for one ping
+        (4.5, [1.5, 9.0]),
+        (5.0, [1.5, 5.0, 9.0]),
+    ],
+)
+def test_the_lamp_of_the_connection_changes_every_half_second_from_an_overdue_ping_on(
+    answered_at: float | None, dark_at: list[float]
+) -> None:
+    """Two passes a second: pings at 2, 4, 6, 8 s, and a report in each pass, older than the lamp's change.
+
+    The lamp is on since the first report; the change half a second after an overdue ping is in the next one.
+    """
+    board = SimulatedBoard(boot_loader=0.0, passes=2)
+    board.advance(0.5)
+    board.receive(CONFIGURE)
+    board.advance(0.5)
+    dark = []
+    for now in (1.5 + each / 2 for each in range(17)):
+        if now - 0.5 == answered_at:
+            board.receive(PING)
+        (report,) = reports(board, 0.5, Outputs)
+        assert isinstance(report, Outputs)
+        if not report.bits & 0b10:
+            dark.append(now)
+
+    assert dark == dark_at
 
 
 def test_a_torn_count_is_old_and_new_and_comes_once() -> None:
