@@ -13,7 +13,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
-from enum import Enum
+from enum import Enum, auto
 from threading import Event
 from time import monotonic
 from typing import Protocol
@@ -95,9 +95,9 @@ BELT_ANSWER = 0.5
 class DeviceKind(Enum):
     """What is at a port."""
 
-    ROBOT = "robot"
-    BELT = "belt"
-    NOTHING = "nothing"
+    ROBOT = auto()
+    BELT = auto()
+    NOTHING = auto()
 
 
 class IdentifiedDevice(Struct, frozen=True):

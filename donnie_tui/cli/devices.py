@@ -117,7 +117,7 @@ def _lines(port: str, found: IdentifiedDevice, words: Words) -> tuple[str, ...]:
         case IdentifiedDevice(DeviceKind.BELT):
             return words("device-belt", port=port), words("devices-use-belt", port=port)
         case _:
-            return (words(f"device-{found.kind.value}", port=port),)
+            return (words("device-nothing", port=port),)
     return sentence, words("devices-use", port=port)
 
 

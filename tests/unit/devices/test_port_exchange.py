@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import runpy
 import struct
 from collections.abc import Callable
+from io import BytesIO
+from types import SimpleNamespace
 
 import pytest
 
+from devices import port_exchange
 from devices.belt import COMPLAINTS
 from devices.board_simulator.board import SimulatedBoard
 from devices.port_exchange import (
@@ -587,6 +591,24 @@ def test_a_port_that_disappears_during_an_exchange_is_a_problem(exchange: Callab
     with pytest.raises(PortProblem):
         exchange("port", opener(port))
     assert port.is_closed
+
+
+@pytest.mark.parametrize(("read", "opened"), [(b"", ["/dev/robot"]), (b"not needed", [])])
+def test_the_program_stops_its_robot_at_the_end_of_its_input_unless_it_is_not_needed(
+    monkeypatch: pytest.MonkeyPatch, read: bytes, opened: list[str]
+) -> None:
+    asked: list[str] = []
+
+    def open_port(address: str, *_: object, **__: object) -> None:
+        asked.append(address)
+        raise PortProblem(address, PortFault.UNUSABLE, "no")
+
+    monkeypatch.setattr("devices.serial_ports.SerialPort", open_port)
+    monkeypatch.setattr("sys.stdin", SimpleNamespace(buffer=BytesIO(read)))
+    monkeypatch.setattr("sys.argv", ["devices.port_exchange", "/dev/robot"])
+    runpy.run_path(port_exchange.__file__, run_name="__main__")
+
+    assert asked == opened
 
 
 @pytest.mark.parametrize("exchange", [identify, halt])

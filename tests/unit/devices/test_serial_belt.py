@@ -37,6 +37,7 @@ class FakePort:
 
     def __init__(self) -> None:
         self.written: list[bytes] = []
+        self.arrived: list[bytes] = []
         self.fault: Exception | None = None
         self.is_closed = False
         self._changed = threading.Condition()
@@ -51,7 +52,7 @@ class FakePort:
     def read(self) -> bytes:
         if self.fault:
             raise self.fault
-        return b""
+        return self.arrived.pop(0) if self.arrived else b""
 
     def close(self) -> None:
         with self._changed:
@@ -374,6 +375,7 @@ class Waits:
 
     def __init__(self) -> None:
         self.waits: list[float] = []
+        self.notified = 0
 
     def __enter__(self) -> None: ...
 
@@ -385,7 +387,8 @@ class Waits:
     def wait_for(self, _: object, seconds: float) -> None:
         self.waits.append(seconds)
 
-    def notify(self) -> None: ...
+    def notify(self) -> None:
+        self.notified += 1
 
     def notify_all(self) -> None: ...
 
@@ -396,6 +399,8 @@ class Stepped:
     def __init__(self, patch: pytest.MonkeyPatch, address: str = "belt") -> None:
         self.now, self.joined = 100.0, list[float]()
         self.opened: list[FakePort | Exception] = [FakePort()]
+        self.knew: list[bool] = []
+        """Whether it knew at each opening that it was opening its port."""
         self.notices = Notices()
         thread = SimpleNamespace(start=lambda: None, join=self.joined.append)
         fake = SimpleNamespace(Thread=lambda **_: thread, Condition=Waits)
@@ -405,6 +410,7 @@ class Stepped:
         self.condition: Any = self.belt._changed
 
     def _open(self, address: str) -> Any:
+        self.knew.append(self.belt._is_opening)
         opened = self.opened.pop(0)
         if isinstance(opened, Exception):
             raise opened
@@ -468,9 +474,57 @@ def test_a_lost_belt_is_tried_again_every_second_and_begins_with_a_resync(
         made.belt._poll()
     assert made.waits() == [1.0, 1.0, 1.0]
     assert made.notices.wait_for(BeltNotice.FOUND, BeltNotice.LOST, BeltNotice.RESTORED)
-    assert not made.belt._is_opening
+    assert (made.knew, made.belt._is_opening) == ([True] * 4, False)
     made.now += 1.0
     assert made.polled() == ([b"Z!"], [])
+
+
+def test_what_is_shown_and_the_end_wake_the_thread(monkeypatch: pytest.MonkeyPatch) -> None:
+    made = Stepped(monkeypatch)
+    woken = []
+    for do in (lambda: made.belt.show(FRONT), made.belt.close):
+        do()
+        woken.append(made.condition.notified)
+
+    assert woken == [1, 2]
+
+
+@pytest.mark.parametrize(
+    ("arrived", "written", "noticed"),
+    [
+        ([], {100.0: b"Z!", 103.0: b"Z!"}, {104.0: BeltNotice.UNANSWERED}),
+        ([b"E1\r", b"\n"], {100.0: b"Z!"}, {}),
+        ([b"\xaa\xbb\x34\x02"], {100.0: b"Z!", 103.0: b"Z!"}, {104.0: BeltNotice.UNANSWERED}),
+    ],
+    ids=["mute", "a belt", "a robot"],
+)
+def test_a_device_that_does_not_answer_is_asked_after_three_seconds_and_reported_after_four(
+    monkeypatch: pytest.MonkeyPatch,
+    arrived: list[bytes],
+    written: dict[float, bytes],
+    noticed: dict[float, BeltNotice],
+) -> None:
+    """The same after its port was lost and opened again."""
+    monkeypatch.setattr("devices.belt.ASKED_AGAIN", 3.0)
+    made = Stepped(monkeypatch)
+    notices: dict[float, BeltNotice] = {}
+    made.belt._notifier = SimpleNamespace(  # type: ignore[assignment]
+        notify=lambda notice, _: notices.update({made.now - later: notice})
+    )
+    later = 0.0
+    made.belt._open_first()
+    for later in (0.0, 100.0):
+        made.port.arrived = list(arrived)
+        notices.clear()
+        sent = {}
+        for moment in (100.0, 100.5, 102.0, 102.99, 103.0, 103.5, 104.0, 105.0):
+            made.now = moment + later
+            for data in made.polled()[0]:
+                sent[moment] = data
+        assert (sent, notices) == (written, noticed)
+        made.opened = [FakePort()]
+        made.belt._lose(OSError(5, "Input/output error"))
+        made.belt._poll()
 
 
 def test_a_closed_belt_is_done_after_its_last_pulse_and_ends_dark(monkeypatch: pytest.MonkeyPatch) -> None:
