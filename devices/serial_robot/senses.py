@@ -173,7 +173,7 @@ def _steps_to(thing: ColouredThing, measurements: Sequence[tuple[int, float | No
         return thing.metres / STEP
     across = [measured for degrees, measured in measurements if thing.low <= degrees <= thing.high]
     if not across:
-        nearest = min(measurements, key=lambda each: abs(each[0] - thing.degrees), default=(0, None))
-        across = [nearest[1]]
+        nearest_first = sorted(measurements, key=lambda each: abs(each[0] - thing.degrees))
+        across = [measured for _, measured in nearest_first[:1]]
     far = min((each for each in across if each is not None), default=inf)
     return FARTHEST if far == inf else far / CENTIMETRES_A_STEP

@@ -184,6 +184,28 @@ def test_only_what_is_new_wakes_the_thread() -> None:
     assert made.polled(at=101.5) == ["read", drive_frame(MotorDrive.FORWARD)]
 
 
+def test_an_error_that_nothing_foresees_is_logged_and_loses_the_link(
+    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    made, states = streaming(), list[LinkState]()
+
+    def wait() -> None:
+        states.append(made.link.state)
+        made.link._is_closing.set()
+
+    monkeypatch.setattr(made.link, "_wait", wait)
+    made.port.arrived = [KeyError("a driver")]
+    made.link._run()
+
+    (record,) = [each for each in caplog.records if each.levelname == "WARNING"]
+    assert record.getMessage() == "port failed"
+    assert record.exc_info is not None
+    assert record.exc_info[0] is KeyError
+    assert made.noticed() == [(LinkNotice.LOST, "'a driver'")]
+    assert (states, made.link.state) == ([LinkState.LOST], LinkState.CLOSED)
+    assert made.port.did[-1] == "closed"
+
+
 @pytest.mark.parametrize("is_gone", [False, True])
 def test_the_last_thing_that_is_written_is_a_stop(is_gone: bool) -> None:
     made = streaming()

@@ -27,7 +27,11 @@ def test_a_step_that_would_leave_less_than_one_free_is_not_begun(away: float, wa
 def test_the_back_sensor_stops_a_backward_walk() -> None:
     real = Real(wall_ahead(-4))
 
-    assert (real.robot.backward(9).walked, real.robot.forward(1).stopped_by) == (3, None)
+    back = real.robot.backward(9)
+
+    assert (back.walked, back.stopped_by) == (3, StoppedBy.OBSTACLE)
+    assert back.met == Met("something", "", 180.0)
+    assert real.robot.forward(1).stopped_by is None
 
 
 @pytest.mark.parametrize("overshot", [-20, 0, 20])

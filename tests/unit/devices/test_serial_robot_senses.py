@@ -80,6 +80,18 @@ def test_right_after_the_start_a_distance_waits_for_the_first_measurement() -> N
     assert Real(wall_ahead(7)).robot.distance(Bearing.FRONT) == 7
 
 
+@pytest.mark.parametrize(("stops_at", "seconds"), [(inf, 0.4), (0.0, 0.0)])
+def test_a_sonar_that_measures_nothing_is_waited_for_two_refreshes_or_until_a_stop(
+    stops_at: float, seconds: float
+) -> None:
+    real = Real(Sonars(far=256.0))
+    before = real.robot.time()
+    real.pace.stops_at = stops_at
+
+    assert real.robot.distance(Bearing.FRONT) == 60
+    assert real.robot.time() - before == pytest.approx(seconds)
+
+
 def test_a_sensor_that_is_not_fitted_is_reported_as_missing() -> None:
     real = Real(config=RobotConfig(sonars=(None, Bearing.FRONT, None, None, None, None)))
 
@@ -340,6 +352,9 @@ def test_neighbours_within_ten_centimetres_are_one_thing(
     [
         (ColouredThing("red", 0.0, -20.0, 20.0), 8.0),  # the nearest between its borders
         (ColouredThing("red", -15.0, -15.0, -15.0), 10.0),
+        (ColouredThing("red", -7.0, -15.0, 0.0), 10.0),  # its borders count
+        (ColouredThing("red", 7.0, 0.0, 15.0), 8.0),
+        (ColouredThing("red", 0.0, -14.9, 14.9), 12.0),
         (ColouredThing("red", 4.0, 3.0, 5.0), 12.0),  # the nearest direction
         (ColouredThing("red", 11.0, 10.0, 12.0), 8.0),
         (ColouredThing("red", 30.0, 29.0, 31.0), 60.0),

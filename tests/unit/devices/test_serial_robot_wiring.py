@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 from math import pi, radians
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 from msgspec.structs import replace
 
 from devices.board_simulator.board import SimulatedBoard
 from devices.board_simulator.floor import AxlePose
-from devices.ports.robot import STEP, LinkNotice, Met, StoppedBy
+from devices.ports.robot import STEP, LinkNotice, Met, Motion, Pose, StoppedBy
 from devices.serial_robot.config import RobotConfig, axle_length, wheel_radius
+from devices.serial_robot.movement import Progress
+from devices.serial_robot.robot import _mirrored, _overshoot_of
 from devices.serial_robot.senses import head_angle
 from devices.wire.frames import MotorDrive, Wiring, drive_frame, head_frame
 from tests.unit.devices.robots import NEAR, Real, Sonars, wall_ahead
@@ -143,6 +147,64 @@ def test_only_the_first_movement_finds_it_out_and_only_where_no_profile_was_chos
     moved.board.wheels.encoders = (-1, -1)
     assert moved.robot.forward(2).stopped_by is StoppedBy.WRONG_WAY
     assert LinkNotice.PROFILE_2018 not in moved.notices
+
+
+def ended(counts: float, stopped_by: StoppedBy | None) -> Any:
+    """A movement that came so far; its wheels were reversed if it ended by that."""
+    is_reversed = stopped_by is StoppedBy.WRONG_WAY
+    return SimpleNamespace(
+        run=lambda: None, counts=counts, units=0.0, stopped_by=stopped_by, is_reversed=is_reversed
+    )
+
+
+@pytest.mark.parametrize(
+    ("counts", "is_newer"),
+    [([], True), ([60.0], True), ([60.5], False), ([60.5, 0.0], False), ([0.0, 60.5], False)],
+)
+def test_a_movement_of_more_than_sixty_counts_shows_that_the_firmware_is_not_the_newer_one(
+    counts: list[float], is_newer: bool
+) -> None:
+    real = Real()
+    for each in (*counts, -60.0):
+        stopped_by = StoppedBy.USER if each >= 0 else StoppedBy.WRONG_WAY
+        real.robot._run(ended(each, stopped_by), Progress(Motion.FORWARD, 1, 1, lambda *_: None))
+
+    assert (LinkNotice.PROFILE_2018 in real.notices) is is_newer
+
+
+@pytest.mark.parametrize(
+    ("stopped_by", "counts", "overshoot"),
+    [
+        (None, 351.0, 10.0),
+        (None, 331.0, -10.0),
+        (StoppedBy.OBSTACLE, 351.0, 10.0),
+        (None, 441.0, 100.0),
+        (None, 441.5, 0.0),  # it was carried somewhere else
+        (None, 241.0, -100.0),
+        (None, 240.5, 0.0),
+        (StoppedBy.USER, 351.0, 0.0),
+        (StoppedBy.COLLISION, 351.0, 0.0),
+    ],
+)
+def test_the_next_walk_corrects_what_a_walk_that_ended_as_planned_came_too_far(
+    stopped_by: StoppedBy | None, counts: float, overshoot: float
+) -> None:
+    """341 counts are done."""
+    assert _overshoot_of(ended(counts, stopped_by), 341.0) == overshoot
+
+
+@pytest.mark.parametrize(
+    ("pose", "began", "mirrored"),
+    [
+        (Pose(3.0, -1.0, 20.0), Pose(1.0, 2.0, 10.0), Pose(-1.0, 5.0, 0.0)),
+        (Pose(0.0, 0.5, 300.0), Pose(0.0, 0.0, 350.0), Pose(0.0, -0.5, 40.0)),
+        (Pose(0.0, 0.0, 10.0), Pose(0.0, 0.0, 0.0), Pose(0.0, 0.0, 350.0)),
+    ],
+)
+def test_a_pose_that_was_counted_the_wrong_way_is_mirrored_at_the_beginning(
+    pose: Pose, began: Pose, mirrored: Pose
+) -> None:
+    assert _mirrored(pose, began) == mirrored
 
 
 def test_one_swapped_encoder_is_not_taken_for_the_newer_firmware() -> None:
