@@ -169,7 +169,7 @@ class DetectedEnvironment:
     def __init__(
         self,
         variables: Mapping[str, str] | None = None,
-        root: str = "/",
+        root: str = "",
         *,
         is_linear: bool = True,
         has_real_robot: bool = False,
@@ -227,7 +227,7 @@ def ssip_address(variables: Mapping[str, str]) -> SsipAddress | None:
     return find_address(variables)
 
 
-def find_screen_reader(variables: Mapping[str, str], root: str = "/") -> str | None:
+def find_screen_reader(variables: Mapping[str, str], root: str = "") -> str | None:
     """The name of a speaking screen reader that runs for this user, or None.
 
     A yes or a no in ``DONNIE_READER`` decides alone; no process is looked at then.
@@ -242,7 +242,7 @@ def find_screen_reader(variables: Mapping[str, str], root: str = "/") -> str | N
     return next(_running_readers(root), None)
 
 
-def has_voice(root: str = "/") -> bool:
+def has_voice(root: str) -> bool:
     """Whether pyttsx3 is installed and finds an espeak-ng library, the system's or the bundled one."""
     from importlib.util import find_spec
 
@@ -251,7 +251,7 @@ def has_voice(root: str = "/") -> bool:
     return find_spec("espeakng_loader") is not None or sys.platform != "linux" or _has_library(root)
 
 
-def has_sound_device(variables: Mapping[str, str], root: str = "/") -> bool:
+def has_sound_device(variables: Mapping[str, str], root: str) -> bool:
     """Whether a sound card or a sound server is plausible. True if only a trial could show it."""
     if sys.platform != "linux" or variables.get("PULSE_SERVER"):
         return True

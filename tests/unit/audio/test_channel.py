@@ -1,7 +1,9 @@
 """Which channel an utterance takes, and how the facts for that are found."""
 
 import os
+import sys
 from collections.abc import Mapping
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -116,7 +118,7 @@ def test_an_unknown_option_is_an_error() -> None:
 def fake_process(root: Path, number: int, *arguments: str, comm: str = "") -> None:
     folder = root / "proc" / str(number)
     folder.mkdir(parents=True)
-    (folder / "cmdline").write_bytes(b"".join(argument.encode() + b"\0" for argument in arguments))
+    (folder / "cmdline").write_bytes(b"".join(os.fsencode(argument) + b"\0" for argument in arguments))
     (folder / "comm").write_text(comm + "\n")
 
 
@@ -184,6 +186,60 @@ def test_speakup_with_a_synthesiser_is_a_reader(tmp_path: Path) -> None:
 
     synth.write_text("soft\n")
     assert find_screen_reader({}, str(tmp_path)) == "speakup"
+
+
+def test_the_files_of_the_system_are_looked_at(monkeypatch: pytest.MonkeyPatch) -> None:
+    looked: list[str] = []
+
+    def look(found: object, path: str) -> object:
+        looked.append(path)
+        return found
+
+    monkeypatch.setattr(sys, "platform", "linux")
+    monkeypatch.setattr("devices.audio.channel._read", partial(look, ""))
+    monkeypatch.setattr(os, "scandir", partial(look, ()))
+    assert DetectedEnvironment({}).screen_reader is None
+    assert find_screen_reader({}) is None
+    assert not DetectedEnvironment({}).has_sound_device
+
+    assert looked == ["/sys/accessibility/speakup/synth", "/proc"] * 2 + ["/dev/snd"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "found"),
+    [
+        (("emacs", "-q", "--load", "x", "y", "/usr/share/emacspeak/lisp/emacspeak-setup.el"), "emacspeak"),
+        (("emacs", "-q", "--load", "x", "y", "z", "/usr/share/emacspeak/lisp/a.el"), None),
+        (("emacs", "/home/emacspeak"), None),
+        (("python3", "-" * 4082, "/orca"), "orca"),
+        (("python3", "-" * 4083, "/orca"), None),  # it ends after the first 4096 bytes
+        (("python3", "/home/josé/orca"), "orca"),
+        (("python3", "/home/jos\udce9/orca"), "orca"),
+        (("python3", "a.py", "/usr/bin/orca"), None),
+        (("python3", "-u"), None),
+    ],
+)
+def test_the_beginning_of_a_command_line_names_the_reader(
+    tmp_path: Path, arguments: tuple[str, ...], found: str | None
+) -> None:
+    fake_process(tmp_path, 12, *arguments, comm="other")
+
+    assert find_screen_reader({}, str(tmp_path)) == found
+
+
+def test_a_process_that_has_ended_meanwhile_is_no_reader(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    fake_process(tmp_path, 12, "orca", comm="orca")
+    (tmp_path / "proc" / "13").mkdir()
+    (tmp_path / "proc" / "self").mkdir()
+    assert find_screen_reader({}, str(tmp_path)) == "orca"
+
+    def ended(_path: str) -> None:
+        raise FileNotFoundError
+
+    monkeypatch.setattr(os, "stat", ended)
+    assert find_screen_reader({}, str(tmp_path)) is None
 
 
 @pytest.mark.skipif("sys.platform != 'linux'", reason="sound cards are looked for on Linux")

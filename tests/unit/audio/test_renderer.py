@@ -184,6 +184,54 @@ def test_espeak_is_waited_for_and_each_setting_repeated_until_it_has_it(
     assert made.read[1:] == [("Hello.", 300, 0.5, 20)] * 2
 
 
+class Stubborn(Engine):
+    """It keeps its rate, volume and pitch, and is always busy once ``is_busy``."""
+
+    driver_name = "espeak"
+
+    def __init__(self, *working: str) -> None:
+        super().__init__(*working)
+        self._values["pitch"] = 50
+        self.tries: list[str] = []
+        self.is_busy = False
+
+    def setProperty(self, name: str, value: object) -> None:
+        if name == "voice":
+            super().setProperty(name, value)
+        else:
+            self.tries.append(name)
+
+
+@pytest.fixture
+def stubborn(monkeypatch: pytest.MonkeyPatch) -> Stubborn:
+    made = Stubborn("en")
+    monkeypatch.setattr(worker, "_make_espeak_findable", lambda _: None)
+    monkeypatch.setattr(worker, "_start_engine", lambda: made)
+    espeak = SimpleNamespace(IsPlaying=lambda: made.is_busy)
+    monkeypatch.setitem(sys.modules, "pyttsx3.drivers._espeak", espeak)
+    return made
+
+
+def test_a_setting_that_espeak_never_takes_is_tried_five_times_and_the_text_is_read_all_the_same(
+    stubborn: Stubborn,
+) -> None:
+    Renderer(VOICES).render("Hello.", "en", VoiceSettings(300, 20, 0.5))
+
+    assert stubborn.tries == ["rate"] * 5 + ["volume"] * 5 + ["pitch"] * 5
+    assert stubborn.read[-1] == ("Hello.", 180, 1.0, 50)
+
+
+def test_espeak_is_waited_for_a_second_at_most(stubborn: Stubborn) -> None:
+    """The settings are those that it has."""
+    renderer, waits = Renderer(VOICES), list[float]()
+    renderer._pause = SimpleNamespace(wait=waits.append)  # type: ignore[assignment]
+    stubborn.is_busy = True
+    renderer.render("Hello.", "en", VoiceSettings(180, 50, 1.0))
+
+    assert waits == [0.001] * 1000
+    assert stubborn.read[-1][0] == "Hello."
+
+
 @pytest.mark.parametrize("system", [True, False], ids=["the system has one", "the system has none"])
 @pytest.mark.parametrize("prefer_bundled", [True, False])
 @pytest.mark.parametrize("bundled", [True, False], ids=["one is bundled", "none is bundled"])
