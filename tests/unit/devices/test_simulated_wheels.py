@@ -86,6 +86,24 @@ def test_a_wheel_rolls_out_when_its_motor_is_off_and_then_stands() -> None:
     assert rolled(made, STOP, 10) == (after, after)
 
 
+def test_wheels_that_stand_ask_the_floor_nothing() -> None:
+    class Floor(EmptyFloor):
+        asked = 0
+
+        def is_free(self, place: AxlePose) -> bool:
+            self.asked += 1
+            return super().is_free(place)
+
+    floor = Floor()
+    made = SimulatedWheels(Chassis(), floor, AxlePose(), PASS)
+    assert not made.is_driven
+    for _ in range(5):
+        made.roll()
+    assert (made.right, made.left, made.place, floor.asked) == (0.0, 0.0, AxlePose(), 0)
+    rolled(made, FORWARD, 5)
+    assert floor.asked == 5
+
+
 @pytest.mark.parametrize(
     ("data", "rates"),
     [
