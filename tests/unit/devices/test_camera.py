@@ -861,6 +861,14 @@ def test_a_picture_with_as_many_bytes_and_layers_as_allowed_is_read(tmp_path: Pa
     assert seen(camera(tmp_path)) == [("green", 0)]
 
 
+def test_a_picture_that_is_no_jpeg_has_no_layers(tmp_path: Path) -> None:
+    save(tmp_path, {"a.png": drawn((290, 200, 350, 260, GREEN))})
+    with (tmp_path / "a.png").open("ab") as file:
+        file.write(b"\xff\xda" * 101)
+
+    assert seen(camera(tmp_path)) == [("green", 0)]
+
+
 def test_after_a_fault_a_sweep_looks_no_more_and_keeps_what_it_saw(tmp_path: Path) -> None:
     picture = drawn((290, 200, 350, 260, RED))
     folder = save(tmp_path / "p", {"-90.png": picture, "-0.png": picture, "+90.png": picture})
