@@ -327,6 +327,25 @@ def test_the_lamp_of_an_empty_battery_blinks(millivolts: int, lamps: set[int]) -
     assert {each.bits & 1 for each in shown if isinstance(each, Outputs)} == lamps
 
 
+@pytest.mark.parametrize(
+    ("empty_for", "lamps"), [(0, "111111"), (1, "101111"), (2, "101111"), (3, "101011"), (4, "101011")]
+)
+def test_the_lamp_of_the_battery_stays_on_once_it_is_charged(empty_for: int, lamps: str) -> None:
+    """In two passes a second, with a report in each, older than the lamp's change."""
+    board = SimulatedBoard(boot_loader=0.0, passes=2)
+    board.advance(0.5)
+    board.receive(CONFIGURE)
+    board.advance(0.5)
+    shown = ""
+    for number in range(len(lamps)):
+        board.millivolts = 7000 if number < empty_for else 8000
+        shown += "".join(
+            str(each.bits & 1) for each in reports(board, 0.5, Outputs) if isinstance(each, Outputs)
+        )
+
+    assert shown == lamps
+
+
 def test_the_lamp_of_the_connection_blinks_until_a_ping_is_answered() -> None:
     def lamps(seconds: float) -> set[int]:
         return {each.bits >> 1 & 1 for each in reports(board, seconds, Outputs) if isinstance(each, Outputs)}

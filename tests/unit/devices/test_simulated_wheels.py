@@ -161,6 +161,25 @@ def test_one_wheel_alone_leads_around_the_other_one() -> None:
     )
 
 
+def test_a_pass_leads_along_the_chord_of_its_arc() -> None:
+    made = SimulatedWheels(Chassis(), EmptyFloor(), AxlePose(0.0, 0.0, 0.0), 1.0)
+    made.is_left_stuck = True
+    right, left = rolled(made, FORWARD, 1)
+    ahead, turned = 340.5 * COUNT / 2, 340.5 * COUNT / 0.068
+
+    assert (right, left) == (340.5, 0.0)
+    assert made.place.yaw == pytest.approx(turned)
+    assert (made.place.x, made.place.y) == pytest.approx((ahead * cos(turned / 2), ahead * sin(turned / 2)))
+
+
+def test_a_wheel_has_its_speed_once_less_than_one_count_is_missing() -> None:
+    made = wheels(Chassis(walking=(2.0, 1.5)))
+    made._keeps = 0.5
+    counted = [rolled(made, FORWARD, 1) for _ in range(2)]
+
+    assert counted == [pytest.approx((0.001, 0.0015)), pytest.approx((0.003, 0.003))]
+
+
 @pytest.mark.parametrize(
     ("fault", "value", "right", "left", "ahead"),
     [
