@@ -384,10 +384,23 @@ def test_the_lamp_of_the_connection_changes_every_half_second_from_an_overdue_pi
             board.receive(PING)
         (report,) = reports(board, 0.5, Outputs)
         assert isinstance(report, Outputs)
+        assert report.bits & 0b01
         if not report.bits & 0b10:
             dark.append(now)
 
     assert dark == dark_at
+
+
+def test_the_lamp_of_the_connection_changes_no_sooner_than_in_half_a_second() -> None:
+    """Eight passes a second, and a report in each third: at 0.375 s, 0.75 s and so on. The lamp changes at
+    4.5, 5.25, 6, 6.75, 7.5 and 8.25 s, after the report."""
+    board = SimulatedBoard(boot_loader=0.0, passes=8)
+    board.advance(0.125)
+    board.receive(CONFIGURE)
+    seen = [each for each in Decoder().feed(board.advance(9.0 - 0.125)) if isinstance(each, Outputs)]
+
+    dark = [0.375 * number for number, each in enumerate(seen, start=1) if not each.bits & 0b10]
+    assert dark == [0.375, 4.875, 5.25, 6.375, 6.75, 7.875, 8.25]
 
 
 def test_a_torn_count_is_old_and_new_and_comes_once() -> None:
