@@ -134,6 +134,7 @@ def fake_process(root: Path, number: int, *arguments: str, comm: str = "") -> No
         (("python3", "game.py", "orca"), "python3", None),
         (("brltty",), "brltty", None),
         ((), "kthread", None),
+        ((), "speakup", None),  # a thread of the kernel, with a synthesiser or without
     ],
 )
 def test_a_screen_reader_is_found_by_its_program(

@@ -60,7 +60,7 @@ def test_shutdown_sends_two_stops_last(pty_board: PtyBoard) -> None:
 def test_shutdown_sends_a_stop_last_although_the_boards_buffer_had_no_room_for_it(
     pty_board: PtyBoard,
 ) -> None:
-    """By the link's own account the board reads next to nothing any more: after the first drive no frame fits."""
+    """By the link's own account the board reads next to nothing: after the first drive no frame fits."""
     link = SerialLink(
         pty_board.path, LinkConfig(silence=10.0, lease=5.0, bytes_a_second=1e-6, most_outstanding=56)
     )
