@@ -132,13 +132,12 @@ class SimulatedBoard:
         self._unread: deque[int] = deque()
         self._time = -self._boot_loader
         self._request_at = SETUP
-        self._ping_at, self._status_at, self._sensors_at = PING, 0.0, 0.0
-        self._shot_at, self._shot = 0.0, 0
+        self._ping_at, self._status_at, self._sensors_at, self._shot_at = PING, 0.0, 0.0, inf
+        self._shot = 0
         self._ranges = [0] * SONARS
         self._is_answered, self._has_moved = True, False
-        self._lamps = 0b01
-        self._blink_at = inf
-        """When the lamp of the connection changes next; infinity while it is on."""
+        self._lamps, self._blink_at = 0b01, inf
+        """When the lamp of the connection changes next; infinity while it stays on."""
         self._encoder_data = self._encoder_frame = b""
 
     # --- one pass of the loop
