@@ -153,6 +153,25 @@ def test_a_board_asks_for_its_configuration_a_second_after_its_boot_loader(
     assert sent == [b""] * (2 * first - 1) + [encode_frame(0xC7, b"\x2b")]
 
 
+@pytest.mark.parametrize(("seconds", "is_read"), [(0.0, False), (0.75, False), (1.0, True), (1.75, True)])
+def test_a_board_reads_nothing_until_its_boot_loader_has_ended(seconds: float, is_read: bool) -> None:
+    board = SimulatedBoard(boot_loader=1.0, passes=4)
+    board.advance(seconds)
+    board.receive(CONFIGURE)
+
+    assert (b"Checksum success!" in board.advance(1.0)) is is_read
+
+
+def test_a_board_that_is_configured_in_the_moment_of_its_first_request_makes_none() -> None:
+    board = SimulatedBoard(boot_loader=0.0, passes=4)
+    board.advance(0.75)
+    board.receive(CONFIGURE)
+    sent = board.advance(0.25)
+
+    assert b"Checksum success!" in sent
+    assert Decoder().feed(sent) == []
+
+
 # --- what it obeys
 
 
