@@ -337,6 +337,25 @@ def test_each_report_comes_as_often_as_the_firmware_sends_it() -> None:
     assert first[1:] == [Ranges((0,) * 7), Bumpers((False,) * 6), Power(8000)]
 
 
+def test_what_is_due_is_done_in_the_pass_that_ends_its_interval(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Here each interval is two passes."""
+    for interval in ("STATUS", "SENSORS", "SONAR_SHOT"):
+        monkeypatch.setattr(f"devices.board_simulator.board.{interval}", 0.5)
+    room = Room()
+    board = SimulatedBoard(room, boot_loader=0.0, passes=4)
+    board.advance(0.25)
+    board.receive(CONFIGURE)
+    board.advance(0.25)
+    done = []
+    for _ in range(5):
+        room.asked.clear()
+        kinds = {type(each) for each in Decoder().feed(board.advance(0.25))} - {Encoders}
+        done.append((kinds, [sonar for sonar, _ in room.asked]))
+
+    sent = {Outputs, Power, Ranges, Bumpers}
+    assert done == [(sent, []), (set(), [1, 4]), (sent, []), (set(), [2, 5]), (sent, [])]
+
+
 @pytest.mark.parametrize(("millivolts", "lamps"), [(7100, {1}), (7099, {0, 1})])
 def test_the_lamp_of_an_empty_battery_blinks(millivolts: int, lamps: set[int]) -> None:
     board = started(SimulatedBoard())
