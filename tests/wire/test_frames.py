@@ -133,10 +133,12 @@ METRE = (100,) * 7
 
 
 def test_nothing_is_known_of_a_board_at_first() -> None:
-    assert TelemetryTracker(LinkConfig()).telemetry(0.0, 0) == Telemetry(
+    known = TelemetryTracker(LinkConfig()).telemetry(0.0, 0)
+    assert known == Telemetry(
         at=0.0, epoch=0, right=0, left=0, moved_at=0.0, both_moved_at=0.0, ranges=(), bumpers=FREE,
         millivolts=None, frames=0, bad_frames=0,
     )  # fmt: skip
+    assert known == Telemetry()
 
 
 def test_what_the_frames_of_a_board_say_is_known() -> None:
