@@ -61,8 +61,7 @@ GIVEN_UP = 4.0
 
 _UPPER, _LOWER = COLUMNS, 3 * COLUMNS
 _COMPLAINT = ord("E")
-_KEPT = 16
-"""Of the bytes received before, so many may begin a complaint that the next ones end."""
+_LONGEST_COMPLAINT = max(map(len, COMPLAINTS))
 
 
 def encode_frame(levels: tuple[int, ...]) -> bytes:
@@ -88,6 +87,20 @@ MOTOR_PLACES = tuple(len(START) + cell for cell in motor_cells(bytes(range(CELLS
 def contains_complaint(received: bytes | bytearray) -> bool:
     """Whether a belt's board sent this: no other device does."""
     return any(each in received for each in COMPLAINTS)
+
+
+class ComplaintFinder:
+    """Finds a complaint in what a device sends, in any chunks."""
+
+    def __init__(self) -> None:
+        self.has_found = False
+        self._last = b""
+        """The bytes that may begin a complaint which the next ones end."""
+
+    def receive(self, received: bytes) -> None:
+        known = self._last + received
+        self.has_found = self.has_found or contains_complaint(known)
+        self._last = known[-_LONGEST_COMPLAINT:]
 
 
 class BeltSender:
@@ -183,18 +196,16 @@ class BeltDetector:
     def __init__(self, now: float) -> None:
         """``now``: when the port was opened."""
         self._began = now
-        self._received = b""
+        self._complaints = ComplaintFinder()
         self._has_asked = self._is_over = False
 
     def receive(self, received: bytes) -> None:
-        self._received += received
-        self._is_over |= contains_complaint(self._received)
-        self._received = self._received[-_KEPT:]
+        self._complaints.receive(received)
 
     def next(self, now: float) -> BeltCheck:
         """Each answer but NOTHING is given once."""
         waited = now - self._began
-        if self._is_over or waited < ASKED_AGAIN:
+        if self._complaints.has_found or self._is_over or waited < ASKED_AGAIN:
             return BeltCheck.NOTHING
         if not self._has_asked:
             self._has_asked = True

@@ -21,7 +21,7 @@ from typing import Protocol
 from msgspec import Struct
 
 from devices.belt import BAUD as BELT_BAUD
-from devices.belt import RESYNC, contains_complaint
+from devices.belt import RESYNC, ComplaintFinder
 from devices.serial_ports import GONE, PortFault, PortProblem, SerialPort, reason_of
 from devices.wire.frames import BAUD as ROBOT_BAUD
 from devices.wire.frames import CONFIGURE, FILLER, STOP, ConfigWanted, Decoder, Encoders, Power, Report
@@ -171,17 +171,15 @@ class BeltIdentification:
 
     def __init__(self, factor: float = 1.0) -> None:
         self._factor = factor
-        self._received = bytearray()
+        self._complaints = ComplaintFinder()
         self._until: float | None = None
 
     @property
     def is_belt(self) -> bool:
-        return contains_complaint(self._received)
+        return self._complaints.has_found
 
     def next(self, received: bytes, now: float) -> bytes:
-        self._received += received
-        if not self.is_belt:
-            del self._received[:-64]
+        self._complaints.receive(received)
         if self._until is None:
             self._until = now + BELT_ANSWER * self._factor
             return RESYNC
@@ -275,11 +273,11 @@ class EmergencyStop:
         """When the board last reported its wheels."""
 
     def next(self, received: bytes, now: float) -> bytes:
-        self._began = now if self._began is None else self._began
+        began = self._began = now if self._began is None else self._began
         for report in self._decoder.feed(received):
             self._take(report, now)
         if self._flushed_at is None:
-            return self._flush(now)
+            return self._flush(now, began)
         if now - self._flushed_at < FLUSH_PAUSE or now - self._sent_at < REPEAT:
             return b""
         if self._stops >= TWICE and not self._is_streaming:
@@ -297,9 +295,9 @@ class EmergencyStop:
         is_turning = self._still_since is not None and now - self._counted_at < FRESH
         return HaltOutcome.DRIVES if is_turning else HaltOutcome.UNCONFIRMED
 
-    def _flush(self, now: float) -> bytes:
+    def _flush(self, now: float, began: float) -> bytes:
         """Zeros, once a board streams, or has been silent for longer than a start takes."""
-        if not self._is_streaming and now - (self._began or 0.0) < SILENT:
+        if not self._is_streaming and now - began < SILENT:
             return b""
         self._flushed_at = self._sent_at = now
         return FILLER

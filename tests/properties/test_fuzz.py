@@ -45,8 +45,7 @@ class Forgetful(BeltDetector):
     """Searches only the end of a long chunk."""
 
     def receive(self, received: bytes) -> None:
-        self._received = (self._received + received)[-16:]
-        self._is_over |= contains_complaint(self._received)
+        super().receive(received[-16:])
 
 
 class Hasty(BeltDetector):

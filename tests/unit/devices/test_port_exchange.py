@@ -593,14 +593,17 @@ def test_a_port_that_disappears_during_an_exchange_is_a_problem(exchange: Callab
     assert port.is_closed
 
 
-@pytest.mark.parametrize(("read", "opened"), [(b"", ["/dev/robot"]), (b"not needed", [])])
+@pytest.mark.parametrize(
+    ("read", "opened"),
+    [(b"", [("/dev/robot", 115200, {"timeout": 0.02, "exclusive": True})]), (b"not needed", [])],
+)
 def test_the_program_stops_its_robot_at_the_end_of_its_input_unless_it_is_not_needed(
-    monkeypatch: pytest.MonkeyPatch, read: bytes, opened: list[str]
+    monkeypatch: pytest.MonkeyPatch, read: bytes, opened: list[object]
 ) -> None:
-    asked: list[str] = []
+    asked: list[object] = []
 
-    def open_port(address: str, *_: object, **__: object) -> None:
-        asked.append(address)
+    def open_port(address: str, baud: int, **how: object) -> None:
+        asked.append((address, baud, how))
         raise PortProblem(address, PortFault.UNUSABLE, "no")
 
     monkeypatch.setattr("devices.serial_ports.SerialPort", open_port)
