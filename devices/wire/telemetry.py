@@ -89,7 +89,8 @@ class WheelCounter:
 
 def unwrapped(difference: int) -> int:
     """The way between two raw counts, however they wrapped."""
-    return (difference + 32768) % 65536 - 32768
+    wrapped = difference % 65536
+    return wrapped - 65536 if wrapped >= 32768 else wrapped
 
 
 class TelemetryTracker:

@@ -10,7 +10,7 @@ import pytest
 from devices.ports.robot import LinkNotice
 from devices.wire.frames import PING, encode_frame
 from devices.wire.link_state import LinkConfig
-from devices.wire.telemetry import RangeSample, Telemetry, TelemetryTracker, WheelCounter
+from devices.wire.telemetry import RangeSample, Telemetry, TelemetryTracker, WheelCounter, unwrapped
 from tests.wire.bench import Bench, streaming
 
 # --- parse and garbage
@@ -61,6 +61,17 @@ def counted(*raw: int) -> int:
 def test_ticks_continue_where_the_boards_counter_wraps() -> None:
     assert counted(32760, 32767, -32768, -32710) == 66
     assert counted(-32760, -32768, 32767) == -9
+
+
+@pytest.mark.parametrize(
+    ("difference", "way"),
+    [
+        *((0, 0), (5, 5), (-5, -5), (32767, 32767), (32768, -32768), (-32768, -32768), (-32769, 32767)),
+        *((65535, -1), (-65535, 1), (65536, 0)),
+    ],
+)
+def test_ticks_that_wrapped_went_the_shorter_way(difference: int, way: int) -> None:
+    assert unwrapped(difference) == way
 
 
 def test_ticks_of_a_torn_frame_are_not_counted() -> None:
@@ -219,7 +230,12 @@ def test_after_a_restart_the_counts_go_on_and_all_else_is_forgotten() -> None:
 
 @pytest.mark.parametrize(
     ("times", "remembered"),
-    [([1.0, 1.25, 1.4], [1.0, 1.25, 1.4]), ([1.0, 1.25, 1.5], [1.25, 1.5]), ([1.0, 1.25, 9.0], [9.0])],
+    [
+        ([0.6, 0.8, 1.0], [0.6, 0.8, 1.0]),
+        ([0.59, 0.8, 1.0], [0.8, 1.0]),
+        ([1.0, 1.25, 1.5], [1.25, 1.5]),
+        ([1.0, 1.25, 9.0], [9.0]),
+    ],
 )
 def test_the_ranges_of_two_refreshes_are_remembered(times: list[float], remembered: list[float]) -> None:
     tracker = TelemetryTracker(LinkConfig())
