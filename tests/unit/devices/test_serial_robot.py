@@ -8,7 +8,7 @@ from math import degrees
 import pytest
 
 from devices.board_simulator.floor import AxlePose, Chassis
-from devices.ports.robot import STEP, Motion, StoppedBy, TurnResult, WalkResult
+from devices.ports.robot import STEP, Motion, Pose, StoppedBy, TurnResult, WalkResult
 from devices.serial_robot.config import RobotConfig
 from devices.wire.frames import MotorDrive
 from tests.unit.devices.robots import NEAR, Real
@@ -100,6 +100,14 @@ def test_a_moving_picture_gets_a_pose_after_a_twentieth_of_a_second() -> None:
     assert len(real.watcher.passed) == pytest.approx((real.robot.time() - began) / 0.06, rel=0.1)
     heights = [each.y for each in real.watcher.passed]
     assert heights == sorted(heights)
+
+
+def test_poses_for_a_moving_picture_are_a_twentieth_of_a_second_apart() -> None:
+    real = Real()
+    for now in (0.04, 0.05, 0.09, 0.1, 0.14, 0.2):
+        real.robot._report_passing(Pose(now, 0.0, 0.0), now)
+
+    assert [each.x for each in real.watcher.passed] == [0.05, 0.1, 0.2]
 
 
 UNEVEN = Chassis(walking=(340.5, 326.6), turning=(170.5, 162.0))

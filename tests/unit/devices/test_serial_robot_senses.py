@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import inf
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -20,6 +21,7 @@ from devices.serial_robot.senses import (
     sightings,
     to_steps,
 )
+from devices.wire.link_state import LinkState
 from devices.wire.telemetry import RangeSample, Telemetry
 from donnie_tui.robot.connection import make_camera
 from donnie_tui.settings.settings import Settings
@@ -34,6 +36,25 @@ def test_waiting_takes_the_robots_time_and_can_be_cut_short() -> None:
     assert real.robot.time() == pytest.approx(2.5)
     real.pace.stops_at = 3.0
     assert real.robot.wait(10) is False
+
+
+@pytest.mark.parametrize(
+    ("seconds", "waited"), [(0.0, 0.0), (-1.0, 0.0), (0.03, 0.03), (0.05, 0.05), (0.12, 0.12)]
+)
+def test_a_wait_takes_exactly_the_time_that_it_says(seconds: float, waited: float) -> None:
+    real = Real()
+    before = real.robot.time()
+
+    assert real.robot.wait(seconds) is True
+    assert real.robot.time() - before == pytest.approx(waited, abs=0.002)
+
+
+def test_a_halt_ends_a_wait() -> None:
+    real = Real()
+    real.pace.due = [(1.0, real.robot.halt)]
+
+    assert real.robot.wait(5.0) is False
+    assert real.robot.time() == pytest.approx(1.0, abs=0.1)
 
 
 @pytest.mark.parametrize(
@@ -136,6 +157,17 @@ def test_a_scan_reports_what_the_sonar_on_the_head_meets_without_a_colour() -> N
     ]
     real.link.advance(0.5)
     assert real.board.head == 90
+
+
+def test_a_robot_that_is_closed_gives_its_camera_back() -> None:
+    closed: list[bool] = []
+    real = Real()
+    real.robot.camera = SimpleNamespace(  # type: ignore[assignment]
+        close=lambda: closed.append(real.link.state is LinkState.CLOSED)
+    )
+    real.robot.close()
+    assert closed == [True]
+    Real().robot.close()
 
 
 def test_a_robot_without_a_camera_distinguishes_no_colours() -> None:
