@@ -442,16 +442,18 @@ class Trial:
 
     def _noticed(self, mutation: Mutation, names: list[str], is_imported: bool) -> str:
         """The first test that fails each time with the mutation, and passes without it."""
-        path = mutation.path
-        while names:
-            by = self._first_failure(path, names, is_imported)
-            if not by:  # what is made while tests are collected was made without the mutation
-                return self._noticed_anew(path, names if is_imported or by is None else names[:_FEWEST_ANEW])
+        path, left = mutation.path, names
+        while left:
+            by = self._first_failure(path, left, is_imported)
+            if not by:
+                is_imported |= by is None
+                break
             again = self._warm.has_no_end or self._first_failure(path, [by], is_imported)
             if again and self._passes_without(path, by, is_imported):
                 return by
-            names = names[names.index(by) + 1 :]
-        return ""
+            left = left[left.index(by) + 1 :]
+        # what is made while tests are collected was made without the mutation, for those before, too
+        return self._noticed_anew(path, names if is_imported else left[:_FEWEST_ANEW])
 
     def _noticed_anew(self, path: str, names: list[str]) -> str:
         """The same in new processes, which import everything."""
