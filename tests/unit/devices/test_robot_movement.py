@@ -34,7 +34,7 @@ class Wheels:
         self.stops = 0
         self.obeys = True
         self.on_sleep: Callable[[int], bool] = lambda _: True
-        """Called with the number of the sleep; returns whether the program goes on."""
+        """Called with the number of the sleep; returns whether the program continues."""
         self.sleeps = 0
 
     def now(self) -> float:
@@ -183,6 +183,47 @@ def test_why_a_movement_ends_early(change: Callable[[Moved, Wheels], None], stop
 
     assert (moved.movement.stopped_by, link.stops) == (stopped_by, 1)
     assert moved.units[:4] == [0.0, 0.1, 0.2, 0.3]
+
+
+def test_a_link_that_is_lost_just_before_a_command_has_ended_the_movement() -> None:
+    class Unplugged(Wheels):
+        def drive(self, permit: int, drive: MotorDrive, until: float) -> bool:
+            if len(self.until) == 2:
+                self.state, self.voided = LinkState.LOST, 1
+            return super().drive(permit, drive, until)
+
+    moved = Moved(Unplugged(10, 20, 30, 40))
+    moved.movement.run()
+
+    assert (moved.movement.stopped_by, moved.units) == (StoppedBy.LINK, [0.0, 0.1, 0.2, 0.3])
+
+
+def test_a_wheel_that_does_not_count_ends_a_movement_after_half_a_second() -> None:
+    """It counted last after an eighth of a second; one more look shows that it stands."""
+    link = Wheels(10)
+    moved = Moved(link)
+    moved.movement.run()
+
+    assert (moved.movement.stopped_by, link.time, len(link.until)) == (StoppedBy.STALL, 0.875, 6)
+    assert not moved.movement.is_reversed
+
+
+@pytest.mark.parametrize(
+    ("counts", "stopped_by", "is_reversed"),
+    [
+        ((-20, -59, 92), StoppedBy.OBSTACLE, False),
+        ((-20, -60), StoppedBy.WRONG_WAY, True),
+        ((50, -10), StoppedBy.WRONG_WAY, False),  # they came forward before
+    ],
+)
+def test_wheels_that_go_back_sixty_counts_end_a_movement(
+    counts: tuple[int, ...], stopped_by: StoppedBy, is_reversed: bool
+) -> None:
+    moved = Moved(Wheels(*counts))
+    moved.answers = [Clearance.FREE, *[Clearance.BLOCKED] * 9]
+    moved.movement.run()
+
+    assert (moved.movement.stopped_by, moved.movement.is_reversed) == (stopped_by, is_reversed)
 
 
 def test_a_program_that_is_stopped_ends_a_movement_and_waits_for_no_wheel() -> None:
