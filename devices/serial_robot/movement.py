@@ -355,7 +355,7 @@ class RobotMovement:
                 return None
             if self._is_blocked(telemetry, self._allowed - self.units):
                 return StoppedBy.OBSTACLE
-            if self._allow_more(telemetry) is Clearance.BLOCKED:
+            if not self._allow_more(telemetry):
                 return StoppedBy.OBSTACLE
             if not self._drive() and not self._is_lost():
                 return StoppedBy.USER
@@ -393,23 +393,20 @@ class RobotMovement:
         total = units * self._plan.unit
         return max(total - self._plan.coast, min(1.0, total))
 
-    def _stands(self) -> bool:
-        return self._link.driving_since is None
-
-    def _allow_more(self, telemetry: Telemetry) -> Clearance:
-        """Allow the next stride if it is time to, and the way is free."""
+    def _allow_more(self, telemetry: Telemetry) -> bool:
+        """Allow the next stride if it is time to, and the way is free. False once it is blocked, and all that
+        was allowed before is done."""
         left = self._allowed - self.units
         if self._allowed and left > RENEW_BEFORE * self._plan.stride:
-            return Clearance.FREE
+            return True
         clearance = self._clearance(telemetry, left)
         if clearance is Clearance.FREE:
             self._allowed = min(self._plan.amount, self._allowed + self._plan.stride)
-        elif clearance is Clearance.BLOCKED and not self._has_used_allowance():
-            return Clearance.DOUBTFUL
-        return clearance
+        return clearance is not Clearance.BLOCKED or not self._has_used_allowance()
 
     def _has_used_allowance(self) -> bool:
-        return self._stands() and (self._allowed == 0 or self.counts >= self._counts_until(self._allowed))
+        """The link has ended the drive then."""
+        return self._allowed == 0 or self.counts >= self._counts_until(self._allowed)
 
     def _drive(self) -> bool:
         """Turn the wheels as far as is allowed. False if another thread stopped them meanwhile."""
@@ -430,7 +427,8 @@ class RobotMovement:
         telemetry = self._link.telemetry
         if self._is_lost():
             return True
-        return self._stands() and telemetry.at - max(telemetry.moved_at, self._commanded_at) > STILL_AFTER
+        stands_for = telemetry.at - max(telemetry.moved_at, self._commanded_at)
+        return self._link.driving_since is None and stands_for > STILL_AFTER
 
     def _travelled(self) -> float:
         return travelled(self._plan.drive, self._link.telemetry.right, self._link.telemetry.left)

@@ -77,6 +77,8 @@ class Moved:
         self.answers: list[Clearance] = []
         """To the first questions; then the way is free."""
         self.bumped = self.blocked = False
+        self.watched: list[float] = []
+        """The units for which the way was watched."""
         self.units: list[float] = []
         self.movement = RobotMovement(
             plan,
@@ -84,10 +86,14 @@ class Moved:
             CONFIG,
             link,
             clearance=self._clearance,
-            is_blocked=lambda *_: self.blocked,
+            is_blocked=self._is_blocked,
             bumps=lambda _: self.bumped,
             on_poll=lambda _, units: self.units.append(units),
         )
+
+    def _is_blocked(self, _: Telemetry, left: float) -> bool:
+        self.watched.append(round(left, 6))
+        return self.blocked
 
     def _clearance(self, _: Telemetry, left: float) -> Clearance:
         self.asked.append(round(left, 6))
@@ -95,13 +101,15 @@ class Moved:
 
 
 def test_the_next_step_is_allowed_when_half_of_one_is_left() -> None:
-    """Each ends eight counts earlier, as the wheels roll on."""
+    """Each ends eight counts earlier, as the wheels roll on; at the end they are seen to stand."""
     link = Wheels(0, 49, 50, 149, 150, 249, 291, 292, 300)
     moved = Moved(link)
+    link.obeys = False
     moved.movement.run()
 
     assert link.until == [92, 92, 92, 192, 192, 292, 292, 292]
     assert moved.asked == [0, 0.5, 0.5, 0.09]
+    assert moved.watched == [0, 1, 0.51, 0.5, 0.51, 0.5, 0.51, 0.09]
     assert (moved.movement.stopped_by, moved.movement.units, link.stops) == (None, 3.0, 0)
     assert moved.units == [0, 0, 0.49, 0.5, 1.49, 1.5, 2.49, 2.91, 2.92, 3.0, 3.0]
 
@@ -127,6 +135,14 @@ def test_a_walk_whose_first_step_is_blocked_does_not_begin() -> None:
     assert (moved.movement.stopped_by, link.until, moved.units[0]) == (StoppedBy.OBSTACLE, [], 0.0)
 
 
+def test_the_way_of_a_turn_is_asked_for_again_when_half_of_it_is_left() -> None:
+    link = Wheels(176, 180, 355)
+    moved = Moved(link, MovementPlan(MotorDrive.FORWARD, 90, 4.0, stride=90, coast=5, carried=0.0))
+    moved.movement.run()
+
+    assert (moved.asked, link.until) == ([0, 45], [355.0] * 3)
+
+
 @pytest.mark.parametrize(
     ("unit", "amount", "stride", "coast", "carried", "until"),
     [
@@ -136,6 +152,7 @@ def test_a_walk_whose_first_step_is_blocked_does_not_begin() -> None:
         (0.5, 1, 1, 5, 0.0, 0.5),
         (100.0, 1, 1, 8, 10.0, 82.0),  # what the walk before came too far
         (100.0, 1, 1, 8, -10.0, 102.0),
+        (100.0, 1, 1, 8, -60.0, 152.0),
     ],
 )
 def test_a_movement_ends_before_its_end_by_what_the_wheels_roll_on(
