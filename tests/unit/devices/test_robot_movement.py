@@ -126,13 +126,15 @@ def test_a_step_that_is_doubtful_waits_and_one_that_is_blocked_ends_the_walk() -
     assert (moved.movement.stopped_by, moved.movement.units, link.stops) == (StoppedBy.OBSTACLE, 1.0, 1)
 
 
-def test_a_walk_whose_first_step_is_blocked_does_not_begin() -> None:
+@pytest.mark.parametrize("carried", [0.0, 20.0, -20.0])
+def test_a_walk_whose_first_step_is_blocked_does_not_begin(carried: float) -> None:
     link = Wheels()
-    moved = Moved(link)
+    moved = Moved(link, replace(WALK, carried=carried))
     moved.answers = [Clearance.BLOCKED]
     moved.movement.run()
 
-    assert (moved.movement.stopped_by, link.until, moved.units[0]) == (StoppedBy.OBSTACLE, [], 0.0)
+    assert (moved.movement.stopped_by, link.until) == (StoppedBy.OBSTACLE, [])
+    assert moved.units[0] == carried / 100
 
 
 def test_the_way_of_a_turn_is_asked_for_again_when_half_of_it_is_left() -> None:
