@@ -201,7 +201,8 @@ def test_an_error_that_nothing_foresees_is_logged_and_loses_the_link(
     assert record.getMessage() == "port failed"
     assert record.exc_info is not None
     assert record.exc_info[0] is KeyError
-    assert made.noticed() == [(LinkNotice.LOST, "'a driver'")]
+    made.link._notifier.wait(TIMEOUT)
+    assert made.notices == [(LinkNotice.LOST, "'a driver'")]
     assert (states, made.link.state) == ([LinkState.LOST], LinkState.CLOSED)
     assert made.port.did[-1] == "closed"
 
