@@ -42,7 +42,8 @@ MOST_OVERSHOOT = 100.0
 WATCHED = 0.75
 """Steps that must be free at the end of the step that is being walked. A step is only begun if one would be;
 the rest allows for the sonars' resolution."""
-_DIAGONALS = (Bearing.FRONT_RIGHT, Bearing.FRONT_LEFT)
+_DIAGONALS = {Bearing.FRONT_RIGHT: 45.0, Bearing.FRONT_LEFT: -45.0}
+"""In degrees from the front, positive to the right."""
 
 
 class SerialRobot(LinkedRobot[RobotLink]):
@@ -180,7 +181,7 @@ class SerialRobot(LinkedRobot[RobotLink]):
         if not is_forward:
             return 180.0
         close = self._close_diagonal(self._link.telemetry)
-        return 0.0 if close is None else (close.value + 180.0) % 360.0 - 180.0
+        return 0.0 if close is None else _DIAGONALS[close]
 
     def _movement(
         self,
