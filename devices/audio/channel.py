@@ -298,7 +298,7 @@ def _entries(folder: str) -> list[os.DirEntry[str]]:
 
 def _reader_in(process: str) -> str | None:
     """A reader is a program, a script that an interpreter runs, or Emacs with Emacspeak's files."""
-    arguments = _read(f"{process}/cmdline").rstrip("\0").split("\0")
+    arguments = _read(f"{process}/cmdline").split("\0")
     if arguments == [""]:  # a kernel thread, or a process that has just ended
         return None
     found = _READERS & {*_program_names(arguments)} or _READERS & {_read(f"{process}/comm").strip().lower()}

@@ -5,6 +5,7 @@ import sys
 from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import pytest
 from msgspec.structs import replace
@@ -226,6 +227,37 @@ def test_the_beginning_of_a_command_line_names_the_reader(
     fake_process(tmp_path, 12, *arguments, comm="other")
 
     assert find_screen_reader({}, str(tmp_path)) == found
+
+
+def test_only_numbered_folders_are_processes_and_their_files_are_closed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    fake_process(tmp_path, 12, "bash", comm="bash")
+    (tmp_path / "proc" / "12").rename(tmp_path / "proc" / "self")
+    (tmp_path / "proc" / "self" / "cmdline").write_bytes(b"orca\0")
+    fake_process(tmp_path, 13, "vim", comm="vim")
+    opened, closed = list[int](), list[int]()
+    open_file, close_file = os.open, os.close
+
+    def opening(path: str, *how: Any) -> int:
+        file = open_file(path, *how)
+        if str(path).startswith(str(tmp_path)):
+            opened.append(file)
+        return file
+
+    def closing(file: int) -> None:
+        if file in opened:
+            closed.append(file)
+        close_file(file)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "open", opening)
+        patch.setattr(os, "close", closing)
+        found = find_screen_reader({}, str(tmp_path))
+
+    assert found is None
+    assert len(opened) == 2
+    assert closed == opened
 
 
 def test_a_process_that_has_ended_meanwhile_is_no_reader(
