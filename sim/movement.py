@@ -283,7 +283,7 @@ class Walk(Sweeping):
     def _go(self, following: float, length: float, free: float) -> None:
         """Go as far as was free before this robot's turn, and still is."""
         vehicle = self._vehicle
-        metres = self._push(free)
+        metres = free if vehicle.is_clear() else self._push(free)
         has_come = metres >= length - TOUCHING
         self._done = following if has_come else self._done + metres / STEP
         if not has_come:
