@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from donnie_tui.bootstrap import progress
 from donnie_tui.commands.interaction import EnterWorld
 from donnie_tui.core.events import Chimed, CueSounded, RunEnded, Stamped
 from donnie_tui.core.program_files import Attempted
@@ -205,6 +206,100 @@ def test_results_count_a_try_that_is_not_written_yet(open_script: OpenScript) ->
         "The first walk: solved, 2 tries, 0 hints, 0 bumps.",
         "5 steps in 7 seconds. The shortest way takes 5.",
     ]
+
+
+def tried(
+    name: str, solved: bool, steps: int, bumps: int, hints: int, seconds: int, shortest: int, *answered: int
+) -> Attempted:
+    return Attempted("now", name, solved, 1, 1, 2, steps, bumps, hints, seconds, shortest, *answered)
+
+
+def test_results_of_each_challenge_are_those_of_its_tries_wherever_the_learner_is(
+    open_script: OpenScript,
+) -> None:
+    """The fewest steps that solved it, else the last try; the most hints, all bumps, the best answers."""
+    script = open_script()
+    for each in (
+        *(tried("first_walk", True, 9, 1, 2, 12, 6, 3, 2), tried("first_walk", True, 6, 0, 1, 7, 6, 3, 1)),
+        *(tried("first_walk", True, 8, 0, 0, 8, 6), tried("first_walk", False, 3, 4, 0, 99, 6)),
+        *(tried("to_the_ball", False, 3, 0, 0, 8, 0), tried("to_the_ball", False, 9, 0, 0, 1, 0)),
+        *(tried("maze", False, 3, 0, 0, 8, 9), tried("maze", False, 0, 0, 0, 0, 9)),
+        tried("of_a_file", True, 1, 2, 0, 1, 1),
+    ):
+        progress().add(each)
+
+    assert script.answers_to("RESULTS") == [
+        "2 of 4 solved.",
+        "The first walk: solved, 4 tries, 2 hints, 5 bumps.",
+        "6 steps in 7 seconds. The shortest way takes 6.",
+        "You answered 2 of 3 questions right.",
+        "To the ball: not yet, 2 tries, 0 hints, 0 bumps.",
+        "1 second.",
+        "The maze: not yet, 2 tries, 0 hints, 0 bumps.",
+        "of_a_file: solved, 1 try, 0 hints, 2 bumps.",
+        "1 step in 1 second. The shortest way takes 1.",
+    ]
+
+
+def test_hints_of_this_session_count_for_its_challenge_only(open_script: OpenScript) -> None:
+    script = open_script(world="challenge:to_the_ball")
+    progress().add(tried("first_walk", False, 3, 0, 0, 0, 0))
+    progress().add(tried("to_the_ball", False, 3, 0, 1, 0, 0))
+    script.answers_to("HINT", "HINT")
+
+    assert script.answers_to("RESULTS") == [
+        "0 of 2 solved.",
+        "The first walk: not yet, 1 try, 0 hints, 0 bumps.",
+        "To the ball: not yet, 1 try, 2 hints, 0 bumps.",
+    ]
+
+
+def test_the_challenge_that_is_chosen_from_the_list_is_entered(open_script: OpenScript) -> None:
+    script = open_script(answers=["maze"], world="challenge:to_the_ball")
+    progress().add(tried("first_walk", True, 5, 0, 0, 0, 0))
+
+    with pytest.raises(EnterWorld) as entered:
+        script.type("CHALLENGE")
+
+    assert entered.value.name == "challenge:maze"
+    assert script.interaction.asked[0] == "Which challenge?"
+    first, second, third, *others = script.interaction.offered
+    assert [each.text for each in (first, second, third)] == [
+        *("1. The first walk: solved", "2. To the ball", "3. There and back"),
+    ]
+    assert [each.value for each in (first, second)] == ["first_walk", "to_the_ball"]
+    assert [each.is_current for each in (first, second, third)] == [False, True, False]
+    assert len(others) + 3 == len(challenges.names())
+    assert second.detail is not None
+    assert [*second.detail(40, 5)][:2] == [
+        "Challenge: To the ball.",
+        "Walk to the yellow ball in the east.",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("world", "solved", "following"),
+    [
+        ("open_floor", (), "first_walk"),
+        ("open_floor", ("first_walk",), "to_the_ball"),
+        ("challenge:first_walk", ("to_the_ball",), "to_the_ball"),
+        (f"challenge:{challenges.names()[-1]}", (), ""),
+        ("open_floor", challenges.names(), ""),
+    ],
+)
+def test_the_next_challenge_is_the_one_after_this_or_the_first_unsolved(
+    open_script: OpenScript, world: str, solved: tuple[str, ...], following: str
+) -> None:
+    script = open_script(world=world)
+    for each in solved:
+        progress().add(tried(each, True, 5, 0, 0, 0, 0))
+
+    if following:
+        with pytest.raises(EnterWorld) as entered:
+            script.type("NEXT CHALLENGE")
+        assert entered.value.name == f"challenge:{following}"
+    else:
+        assert script.answers_to("NEXT CHALLENGE") == ["That was the last challenge."]
 
 
 def test_a_broken_line_of_the_results_is_left_out(open_script: OpenScript, tmp_path: Path) -> None:

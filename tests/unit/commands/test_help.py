@@ -50,18 +50,56 @@ def test_a_topic_lists_its_words_with_their_number(
         assert all(any(line.startswith(each) for line in said) for each in wanted)
 
 
-def test_a_topic_that_is_a_word_of_godonnie_is_explained_first_and_listed_once(
-    open_script: OpenScript,
+@pytest.mark.parametrize(
+    ("language", "typed", "first"),
+    [
+        ("en", "HELP MOVING", ["12 words for moving:"]),
+        (
+            *("en", "HELP SOUND"),
+            [
+                *("SOUND: Turns voice and sounds on or off.", "You write: SOUND ON, OFF."),
+                *("Example: SOUND OFF.", "9 words for sound and the belt:"),
+            ],
+        ),
+        (
+            *("en", "HELP TURN"),  # the command that turns a thing; no word of this topic
+            [
+                *("TURN treasure 90: Turns a thing.", "You write: TURN thing degrees."),
+                *("Example: TURN treasure 90.", "12 words for moving:"),
+            ],
+        ),
+        (
+            *("en", "HELP EDIT"),
+            [
+                *("CHANGE 3: Edits line 3.", "You write: CHANGE line.", "Example: CHANGE 3."),
+                "10 words for editing the program:",
+            ],
+        ),
+        (
+            *("pt", "AJUDA ANDAR"),
+            [
+                *("PF: Anda para frente, em passos.", "Escreve-se: PF valor, ou PARA FRENTE valor."),
+                *("Exemplo: PF 5.", "11 palavras para andar e girar:"),
+            ],
+        ),
+        (
+            *("es", "AYUDA MIRAR"),
+            [
+                *("MIRAR: Dice qué hay al frente y al lado.", "Se escribe: MIRAR."),
+                *("Ejemplo: MIRAR.", "12 palabras para mirar alrededor:"),
+            ],
+        ),
+        ("es", "AYUDA MOVERSE", ["12 palabras para moverse y girar:"]),
+    ],
+)
+def test_a_topic_that_is_also_a_word_is_explained_first_and_listed_once(
+    language: str, typed: str, first: list[str], open_script: OpenScript
 ) -> None:
-    said = open_script().answers_to("HELP SOUND")
+    said = open_script(language=language).answers_to(typed)
 
-    assert said[:4] == [
-        "SOUND: Turns voice and sounds on or off.",
-        "You write: SOUND ON, OFF.",
-        "Example: SOUND OFF.",
-        "9 words for sound and the belt:",
-    ]
-    assert not any(line.startswith("SOUND") for line in said[4:])
+    assert said[: len(first)] == first
+    assert len(said) == len(first) + int(first[-1].split()[0])
+    assert first[0] not in said[1:]
 
 
 @pytest.mark.parametrize("language", languages())
@@ -187,6 +225,7 @@ def test_the_words_of_each_topic_are_listed_in_their_order(
             ["FW: Walks forward, in steps.", "You write: FW value, or FORWARD value.", "Example: FW 5."],
         ),
         ("MANUAL 9", ["I do not know 9. HELP lists the commands."]),
+        ("MANUAL 0", ["I do not know 0. HELP lists the commands."]),
         (
             "HELP KEYS",
             [
@@ -226,3 +265,30 @@ def test_the_tour_turns_its_pages_with_enter_and_begins_again_at_its_end(open_sc
     script.donnie.session.hub.wait_until_delivered(TIMEOUT)
     assert not script.printed[-1].startswith("Page")
     assert script.answers_to("TOUR")[-1] == "Page 1 of 9. Try it; Enter alone continues."
+
+
+@pytest.mark.parametrize(
+    ("typed", "title"), [("MANUAL 1", "A program"), ("MANUAL 8", "Mistakes"), ("MANUAL FW", "FW")]
+)
+def test_what_the_manual_shows_has_its_title(open_script: OpenScript, typed: str, title: str) -> None:
+    script = open_script()
+
+    assert script.answers_to(typed)
+    assert script.interaction.asked == [title]
+
+
+@pytest.mark.parametrize(("detail", "is_named"), [("brief", False), ("normal", True)])
+def test_the_manual_names_the_document_unless_its_path_is_too_wide(
+    open_script: OpenScript, detail: str, is_named: bool
+) -> None:
+    script = open_script()
+    script.type(f"DETAIL {detail}")
+
+    assert len(script.answers_to("MANUAL")) == 9 + is_named
+
+
+def test_the_tour_names_the_robot_that_it_moves_where_there_are_several(open_script: OpenScript) -> None:
+    said = open_script(world="two_robots").answers_to("TOUR")
+    alone = open_script().answers_to("TOUR")
+
+    assert said == ["Now you talk to alice.", *alone]

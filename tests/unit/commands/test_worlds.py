@@ -234,18 +234,6 @@ def test_challenges_are_offered_by_number_with_their_task_and_the_present_one_is
     assert offered[0].detail(40, 10) == ("Challenge: The first walk.", "Walk 5 steps to the north.")
 
 
-@pytest.mark.parametrize(
-    ("world", "next_one"),
-    [("open_floor", "challenge:first_walk"), ("challenge:1", "challenge:to_the_ball")],
-)
-def test_the_next_challenge_is_the_one_after_this_or_the_first(
-    open_script: OpenScript, world: str, next_one: str
-) -> None:
-    with pytest.raises(EnterWorld) as entered:
-        open_script(world=world).type("NEXT CHALLENGE")
-    assert entered.value.name == next_one
-
-
 @pytest.mark.parametrize(("turn", "sign"), [("TR 90", ">"), ("TL 90", "<"), ("TR 180", "v")])
 def test_a_path_that_ends_with_a_turn_shows_where_the_robot_faces(
     open_script: OpenScript, turn: str, sign: str
