@@ -146,6 +146,13 @@ def test_the_task_is_said_again_also_that_of_a_world(open_script: OpenScript) ->
     assert world.answers_to("GOALS", "HINT") == ["No challenge here. Type CHALLENGE."] * 2
 
 
+def test_a_world_without_words_has_no_task(open_script: OpenScript, tmp_path: Path) -> None:
+    file = tmp_path / "mine.world"
+    file.write_text('include "donnie.inc"\ndonnie( pose [ 0 0 0 90 ] )\n')
+
+    assert open_script(world=str(file)).answers_to("TASK") == ["No challenge here. Type CHALLENGE."]
+
+
 def test_the_list_says_which_are_solved_and_results_count_tries(open_script: OpenScript) -> None:
     script = open_script(world="challenge:first_walk")
     script.answers_to("HINT", "FW 4", "FW 1")
@@ -441,6 +448,26 @@ def test_a_front_end_that_waits_for_a_program_asks_the_questions_after_it(
 
     asked = ["Which color is the ball?", "How many of these are there: ball?"]
     assert script.interaction.asked == (asked if is_attended else [])
+
+
+def test_while_its_questions_are_asked_none_are_due(open_script: OpenScript, tmp_path: Path) -> None:
+    """A screen asks them after each program that ended; of two that ran together, only after the first."""
+    file = tmp_path / "it.toml"
+    file.write_text(ASKING)
+    script, due = open_script(world=f"challenge:{file}"), list[bool]()
+    attempt = script.ctx.attempt
+    assert attempt is not None
+
+    async def ask(*_: object) -> str:
+        due.append(attempt.has_questions)
+        return "1"
+
+    script.interaction.ask = ask  # type: ignore[method-assign]
+    script.answers_to("FW 3")
+    assert attempt.has_questions
+    script.answers_to("QUESTIONS")
+
+    assert due == [False, False]
 
 
 def test_questions_that_are_left_keep_the_try(open_script: OpenScript, tmp_path: Path) -> None:
