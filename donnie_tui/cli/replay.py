@@ -80,13 +80,7 @@ def _usable(recording: Recording, words: Words) -> Header:
 def _print_verdict(order: Order, recording: Recording, header: Header, verdict: Verdict) -> None:
     words, line = order.words, order.output.line
     count = len(recording.events)
-    at = (
-        recording.line_of(verdict.index)
-        if verdict.index < count
-        else recording.line_of(count - 1) + 1
-        if count
-        else 1
-    )
+    at = recording.line_of(verdict.index)
     line(words(f"recheck-{verdict.result.value}", line=at, count=count))
     if verdict.result is not Result.DIFFERENT:
         return

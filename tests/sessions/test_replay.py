@@ -232,47 +232,6 @@ def test_a_replay_writes_the_events_of_the_run(here: Here) -> None:
     assert (here.folder / "b.jsonl").read_text(encoding="utf-8").splitlines() == run.out
 
 
-@pytest.mark.parametrize(
-    "option", ["--world=maze", "--robot=double", "--seed=3", "--belt=/dev/null", "--record=b.rec"]
-)
-def test_an_option_without_effect_is_refused(here: Here, option: str) -> None:
-    here.record("SPEAK 1")
-
-    name = option.partition("=")[0]
-    sentence = f"A replay shows what has happened: {name} does nothing here."
-    assert here.replay(option, code=2, err=[sentence]) == []
-    assert not (here.folder / "b.rec").exists()
-
-
-@pytest.mark.parametrize(
-    "options",
-    [
-        ("--check", "--map"),
-        ("--check", "--step"),
-        ("--check", "--backwards"),
-        ("--check", "--speed", "2"),
-        ("--check", "--from", "2"),
-        ("--check", "--events", "b.jsonl"),
-        ("--check", "--svg", "a.svg"),
-        ("--check", "--challenge", "first_steps"),
-        ("--step", "--events", "-"),
-        ("--step", "--report", "run"),
-        ("--backwards", "--challenge", "first_steps"),
-        ("--challenge=first_steps", "--map"),
-        ("--challenge=first_steps", "--from", "1"),
-        ("--challenge=first_steps", "--speed", "2"),
-        ("--svg=a.svg", "--events", "-"),
-        ("--backwards", "--events", "-"),
-    ],
-    ids=" ".join,
-)
-def test_two_directions_at_once_are_refused(here: Here, options: tuple[str, ...]) -> None:
-    here.record("SPEAK 1")
-
-    one, other = (each.partition("=")[0] for each in options[:2])
-    assert here.replay(*options, code=2, err=[f"{other} and {one} do not go together."]) == []
-
-
 def test_a_replay_never_overwrites_its_recording(here: Here) -> None:
     here.record("SPEAK 1")
 
