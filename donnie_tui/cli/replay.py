@@ -137,7 +137,8 @@ def _refuse_what_has_no_meaning(order: Order) -> None:
     fixed = next((each for each in FIXED if each in given), None)
     if fixed is not None:
         raise Unusable(words("replay-fixed", option=f"--{fixed}"))
-    ways = ("--check", arguments.check), ("--step", arguments.step), ("--backwards", arguments.backwards)
+    is_played_backwards = arguments.backwards and not arguments.step  # a step has both directions
+    ways = ("--check", arguments.check), ("--step", arguments.step), ("--backwards", is_played_backwards)
     chosen = [option for option, is_chosen in ways if is_chosen]
     files = [option for option, name in _files(order) if name is not None]
     if arguments.challenge is not None and not files:
@@ -152,7 +153,7 @@ def _refuse_what_has_no_meaning(order: Order) -> None:
         chosen += [option for option, is_given in others if is_given]
     if "events" in given:
         chosen.append("--events")
-    if len(chosen) > 1 and chosen != ["--step", "--backwards"]:
+    if len(chosen) > 1:
         raise Unusable(words("options-not-together", option=chosen[1], other=chosen[0]))
 
 

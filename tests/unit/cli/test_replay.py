@@ -155,6 +155,7 @@ def test_a_difference_from_another_version_says_so(here: Here) -> None:
         (("--check", "--challenge", "first_walk"), "--challenge", "--check"),
         (("--check", "--step", "--backwards"), "--step", "--check"),
         (("--step", "--events", "-"), "--events", "--step"),
+        (("--step", "--backwards", "--events", "-"), "--events", "--step"),
         (("--step", "--report", "run"), "--report", "--step"),
         (("--backwards", "--challenge", "first_walk"), "--challenge", "--backwards"),
         (("--backwards", "--png", "a.png"), "--png", "--backwards"),
