@@ -466,13 +466,11 @@ class ReplayMap:
 
     def lines(self, timeline: Timeline, robot: str | None) -> tuple[str, ...]:
         """The map at this position, from north to south; empty if the place of the robot is unknown."""
-        if not timeline.trail(robot):
-            return ()
         scene = map_at(timeline, self._picture(robot), robot)
-        rows = rows_of(scene, self._words) if scene is not None else ()
-        if robot is None or not rows:
-            return rows
-        return (self._words("replay-map-of", robot=printable(robot)), *rows)
+        if scene is None:
+            return ()
+        title = () if robot is None else (self._words("replay-map-of", robot=printable(robot)),)
+        return (*title, *rows_of(scene, self._words))
 
     def _picture(self, robot: str | None) -> Picture:
         from sim.picture import picture

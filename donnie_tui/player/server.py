@@ -29,7 +29,6 @@ class ServerProblem(Exception):
     """The code of a sentence, and its parameters."""
 
     def __init__(self, code: str, **values: str | int) -> None:
-        super().__init__(code)
         self.code, self.values = code, values
 
 

@@ -138,7 +138,7 @@ def _begin(work: Callable[[Any], Any]) -> None:
 
     def end_with_parent() -> None:
         parent.join()
-        os._exit(1)
+        os.kill(os.getpid(), signal.SIGKILL)
 
     threading.Thread(target=end_with_parent, daemon=True).start()
 

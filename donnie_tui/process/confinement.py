@@ -28,9 +28,10 @@ OWN_FOLDER = ".donnie"
 IS_POSSIBLE = hasattr(os, "O_NOFOLLOW") and os.open in os.supports_dir_fd
 """Whether this system can open a file below an open folder."""
 
-_FOLDER = getattr(os, "O_DIRECTORY", 0)
-_NO_LINK = getattr(os, "O_NOFOLLOW", 0)
-_PASSING = getattr(os, "O_PATH", os.O_RDONLY) | _FOLDER | _NO_LINK
+_FOLDER = os.O_DIRECTORY if hasattr(os, "O_DIRECTORY") else os.O_RDONLY
+"""Flags to read a folder."""
+_NO_LINK = os.O_NOFOLLOW if hasattr(os, "O_NOFOLLOW") else os.O_RDONLY
+_PASSING = (os.O_PATH if hasattr(os, "O_PATH") else os.O_RDONLY) | _FOLDER | _NO_LINK
 """Flags to open a folder on the way; if possible without the permission to list it."""
 _CHANGING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
 
@@ -175,7 +176,7 @@ def open_descriptor(path: AnyPath, flags: int, permissions: int = 0o666) -> int:
     """As ``os.open``, for every file that a learner can name. Raises ``OSError``."""
     if _confinement is None:
         return os.open(path, flags, permissions)
-    return _confinement.open(path, flags | getattr(os, "O_CLOEXEC", 0), permissions)
+    return _confinement.open(path, flags, permissions)
 
 
 def open_bytes(path: AnyPath, mode: str = "rb") -> BinaryIO:
@@ -189,7 +190,7 @@ def open_bytes(path: AnyPath, mode: str = "rb") -> BinaryIO:
 
 
 def _open_without_waiting(path: AnyPath, flags: int) -> int:
-    number = open_descriptor(path, flags | getattr(os, "O_NONBLOCK", 0))
+    number = open_descriptor(path, flags | os.O_NONBLOCK if hasattr(os, "O_NONBLOCK") else flags)
     if stat.S_ISFIFO(os.fstat(number).st_mode):
         os.close(number)
         raise OSError(errno.EINVAL, "is a pipe", os.fspath(path))
@@ -218,7 +219,7 @@ def folder_items(path: AnyPath) -> list[tuple[str, bool, bool]]:
     Leaves out hidden ones, and those that a confined session must not use. Raises ``OSError``.
     """
     check_name(path)
-    number = None if _confinement is None else open_descriptor(path, os.O_RDONLY | _FOLDER)
+    number = None if _confinement is None else open_descriptor(path, _FOLDER)
     found = []
     try:
         with os.scandir(os.fspath(path) if number is None else number) as items:
@@ -247,7 +248,7 @@ class OpenFolder:
         self._number = None
         if _confinement is not None:
             check_own(path)
-            self._number = _confinement.open(path, os.O_RDONLY | _FOLDER, 0)
+            self._number = open_descriptor(path, _FOLDER)
 
     def open_new(self, name: str) -> int:
         """A file that did not exist before, open for writing by its owner only. Raises ``OSError``."""

@@ -312,6 +312,25 @@ def test_a_pipe_that_no_one_writes_into_is_refused_and_not_waited_for(
     os.close(reader)
 
 
+@pytest.mark.parametrize("is_confined", [True, False])
+def test_a_file_to_read_is_opened_without_waiting_and_read_with_it(
+    folder: Path, is_confined: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if not is_confined:
+        confine(None)
+    flags = list[int]()
+
+    def opened(path: str, given: int) -> int:
+        flags.append(given)
+        return open_descriptor(path, given)
+
+    monkeypatch.setattr(confinement, "open_descriptor", opened)
+    with open_bytes(folder / "mine.gd") as file:
+        assert os.get_blocking(file.fileno())
+        assert not os.get_inheritable(file.fileno())
+    assert [each & os.O_NONBLOCK for each in flags] == [os.O_NONBLOCK]
+
+
 def test_an_unconfined_process_opens_what_it_is_given(folder: Path, tmp_path: Path) -> None:
     confine(None)
 

@@ -12,6 +12,9 @@ import subprocess
 import sys
 from pathlib import Path
 
+from tests.conftest import ROOT
+from tests.timeouts import TIMEOUT
+
 START = """\
 import json, os, signal
 from donnie_tui.process import in_processes
@@ -23,6 +26,31 @@ def work(number):
     return number * number
 print(json.dumps([*in_processes(work, range(8), 2, "died")]))
 """
+ONE_OF_MANY = """\
+from pathlib import Path
+import time
+def mark(name):
+    Path(name).touch(exist_ok=False)
+def is_marked(name):
+    return Path(name).exists()
+def until_marked(name):
+    while not is_marked(name):
+        time.sleep(0.001)
+def work(number):
+    if number == 0 and not is_marked("begun"):
+        mark("begun")
+        signal.pause()
+    if number == 1 and not is_marked("died twice"):
+        until_marked("begun")
+        mark("died twice" if is_marked("died") else "died")
+        os.kill(os.getpid(), signal.SIGKILL)
+    if number in (2, 3):
+        Path(str(number)).touch()
+        until_marked(str(5 - number))
+    return number
+print(json.dumps([*in_processes(work, range(4), 2, "died")]))
+"""
+"""A 0 that waits while 1 dies; 1 dies again later, and not when it is alone; 2 and 3 need each other."""
 WITHOUT_END = """\
 def work(number):
     print(os.getpid(), flush=True)
@@ -50,15 +78,22 @@ except KeyboardInterrupt:
 """Ctrl+C reaches all of them while both copies work; a byte for each lets it end its work."""
 
 
-def begun(script: str) -> subprocess.Popen[str]:
+def begun(script: str, folder: Path | None = None) -> subprocess.Popen[str]:
     command = [sys.executable, "-c", START + script]
-    return subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    return subprocess.Popen(command, stdout=subprocess.PIPE, text=True, cwd=folder, env=environment)
 
 
 def test_outcomes_are_in_order_and_only_what_ends_its_process_lacks_one() -> None:
     out, _ = begun(TOGETHER).communicate()
 
     assert json.loads(out) == [0, 1, 4, "died", "died", 25, 36, 49]
+
+
+def test_only_the_first_without_an_outcome_is_alone_after_an_end(tmp_path: Path) -> None:
+    out, _ = begun(ONE_OF_MANY, tmp_path).communicate(timeout=TIMEOUT)
+
+    assert json.loads(out) == [0, 1, 2, 3]
 
 
 def test_copies_end_with_the_process_that_began_them() -> None:

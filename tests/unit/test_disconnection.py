@@ -15,7 +15,13 @@ from pathlib import Path
 import pytest
 
 from donnie_tui.process import disconnection
-from donnie_tui.process.disconnection import NetworkWatch, ReaderWatch, attempts, parent_of
+from donnie_tui.process.disconnection import (
+    NetworkWatch,
+    ReaderWatch,
+    attempts,
+    parent_of,
+    ssh_connections_of,
+)
 from donnie_tui.process.signals import TakenSignals, is_hung_up
 from tests.timeouts import TIMEOUT
 
@@ -108,6 +114,54 @@ def test_a_network_that_did_not_answer_four_times_is_lost(
     with closing(NetworkWatch(lost.set, by_ssh)):
         assert second.wait(TIMEOUT), "it looks again"
     assert lost.is_set() == is_lost
+
+
+@pytest.mark.skipif(sys.byteorder != "little", reason="the ends are those of a little-endian machine")
+@pytest.mark.parametrize(
+    ("words", "ends"),
+    [
+        (
+            "10.77.0.2 42475 10.77.0.1 22",
+            (
+                ("01004D0A:0016", "02004D0A:A5EB"),
+                ("0000000000000000FFFF000001004D0A:0016", "0000000000000000FFFF000002004D0A:A5EB"),
+            ),
+        ),
+        (
+            "fe80::1%eth0 1 2001:db8::2 65535",
+            (("B80D0120000000000000000002000000:FFFF", "000080FE000000000000000001000000:0001"),),
+        ),
+        ("", ()),
+        ("10.77.0.2 42475 10.77.0.1", ()),
+        ("10.77.0.2 42475 10.77.0.1 22 7", ()),
+        ("10.77.0.2 port 10.77.0.1 22", ()),
+        ("here 42475 10.77.0.1 22", ()),
+        ("10.77.0.2 42475 ::1 22", ()),  # of two versions
+    ],
+)
+def test_the_ends_of_the_connection_are_written_as_in_the_tables(
+    words: str, ends: tuple[tuple[str, str], ...]
+) -> None:
+    assert ssh_connections_of({"SSH_CONNECTION": words}) == ends
+
+
+@pytest.mark.parametrize("changed", [{}, {"TMUX": "x"}, {"STY": "x"}, {"SSH_CONNECTION": ""}])
+def test_a_network_is_watched_unless_its_loss_ends_nothing(
+    changed: dict[str, str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(disconnection, "TABLES", ("/missing", os.devnull))
+    environment = {"SSH_CONNECTION": "10.0.0.2 1 10.0.0.1 2", **changed}
+    with closing(NetworkWatch(pytest.fail, environment)):
+        assert [each.daemon for each in threading.enumerate() if each.name == "network"] == (
+            [] if changed else [True]
+        )
+
+
+def test_standard_output_and_errors_are_watched(monkeypatch: pytest.MonkeyPatch) -> None:
+    looked_at = list[int]()
+    monkeypatch.setattr(disconnection, "_has_reader", looked_at.append)
+    with closing(ReaderWatch()):
+        assert looked_at == [1, 2]
 
 
 def test_without_a_table_of_the_kernel_nothing_is_watched(monkeypatch: pytest.MonkeyPatch) -> None:
