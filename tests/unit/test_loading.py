@@ -101,7 +101,7 @@ def test_msgspec_still_writes_schemas() -> None:
     done = printed(
         "from donnie_tui.__main__ import _load_libraries\n"
         "_load_libraries()\n"
-        "import sys, msgspec, msgspec.json\n"
+        "import argparse, sys, msgspec, msgspec.json\n"
         "rare = ('typing_extensions', 'msgspec.inspect', 'msgspec._json_schema', 'inspect', 'gettext')\n"
         "print([each for each in rare if each in sys.modules])\n"
         "print(msgspec.json.schema(int), msgspec.inspect.type_info(bool))\n"
