@@ -646,6 +646,23 @@ async def test_the_selection_has_its_colours():
             assert found == chosen
 
 
+async def test_the_selection_of_a_row_that_scrolls_has_its_colours_where_it_is(monkeypatch):
+    monkeypatch.setattr(module, "LONGEST_WRAPPED", 50)
+    text = "0123456789" * 6
+    async with Writing(text).run_test() as pilot:
+        editor = pilot.app.editor
+        colour = themes.looks(themes.DARK)["selected"].bgcolor
+        for first, last in (((0, 50), (0, 53)), ((0, 3), (0, 53)), ((0, 3), (0, 6))):
+            editor.selection = Selection(first, last)
+            await pilot.pause()
+            hidden = int(editor.scroll_offset.x)
+            row = [each for each in editor.render_line(0) if each.style]
+            assert hidden
+            assert "".join(each.text for each in row if each.style.bgcolor == colour) == (
+                text[max(first[1], hidden) : last[1] + 1]  # the cursor has it, too
+            )
+
+
 async def test_a_change_and_a_new_place_of_the_cursor_are_posted_to_the_application():
     async with Writing("FW 1").run_test() as pilot:
         await pilot.pause()

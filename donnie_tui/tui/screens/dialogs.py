@@ -290,10 +290,6 @@ class _Detail(TextRows, can_focus=False):
     class Resized(Message):
         """The size for the details has changed."""
 
-    @property
-    def is_read(self) -> bool:
-        return False
-
     def on_resize(self) -> None:
         super().on_resize()
         self.post_message(self.Resized())
