@@ -141,7 +141,7 @@ class PageSession(AppService):
         task.cancel()
 
     def _hang_up(self) -> None:
-        _send(self._process, getattr(signal, "SIGHUP", signal.SIGTERM))
+        _send(self._process, signal.SIGHUP if hasattr(signal, "SIGHUP") else signal.SIGTERM)
 
     def _lose(self) -> None:
         """Give up a page that takes no output, and release everything that waits for it."""

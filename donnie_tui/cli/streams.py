@@ -241,13 +241,12 @@ def stopped_by_suspension(
             stopped.set()
         suspend()
 
-    number = getattr(signal, "SIGTSTP", None)
-    if number is None or signal.getsignal(number) is signal.SIG_IGN:
+    if not hasattr(signal, "SIGTSTP") or signal.getsignal(signal.SIGTSTP) is signal.SIG_IGN:
         yield stopped
         return
     with (
         closing(Deputy()) as deputy,
-        TakenSignals({number: lambda *_: deputy.see_done(rest, _LONGEST_REST)}),
+        TakenSignals({signal.SIGTSTP: lambda *_: deputy.see_done(rest, _LONGEST_REST)}),
     ):
         yield stopped
 

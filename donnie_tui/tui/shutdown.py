@@ -198,13 +198,13 @@ LEAVE = 2.0
 LONGEST_REST = 2.0
 """Seconds that the main thread waits before a suspension; it may hold a lock that the stop needs."""
 
-BACK = getattr(signal, "SIGCONT", -1)
+BACK: int = signal.SIGCONT if hasattr(signal, "SIGCONT") else -1
 """The signal that the process continues; other programs may have written over the screen."""
 
-REST = getattr(signal, "SIGTSTP", -2)
+REST: int = signal.SIGTSTP if hasattr(signal, "SIGTSTP") else -2
 """The signal of Ctrl+Z in other programs; passed on where it can't suspend the process."""
 
-_HANGING_UP = getattr(signal, "SIGHUP", signal.SIGTERM)
+_HANGING_UP = signal.SIGHUP if hasattr(signal, "SIGHUP") else signal.SIGTERM
 """Handled as if it had come: the terminal is gone if the thread that writes to it has ended."""
 
 

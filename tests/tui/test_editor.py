@@ -658,8 +658,11 @@ async def test_the_selection_of_a_row_that_scrolls_has_its_colours_where_it_is(m
             hidden = int(editor.scroll_offset.x)
             row = [each for each in editor.render_line(0) if each.style]
             assert hidden
-            assert "".join(each.text for each in row if each.style.bgcolor == colour) == (
-                text[max(first[1], hidden) : last[1] + 1]  # the cursor has it, too
+            assert (
+                "".join(each.text for each in row if each.style.bgcolor == colour)
+                == (
+                    text[max(first[1], hidden) : last[1] + 1]  # the cursor has it, too
+                )
             )
 
 

@@ -1,5 +1,6 @@
 """The thread that waits for signals and watches the output, without a screen."""
 
+import asyncio
 import signal
 import termios
 import threading
@@ -209,6 +210,122 @@ def test_the_readers_of_a_page_are_no_longer_watched_at_the_end():
     it._readers = SimpleNamespace(close=lambda: done.append("readers"))
     it.end_watchdog()
     assert done == ["readers", "end"]
+
+
+def test_at_the_end_the_thread_that_reads_keys_ends_too():
+    _done, it = closing(None)
+    it._app._driver = SimpleNamespace(exit_event=threading.Event())
+    it.end_watchdog()
+    assert it._app._driver.exit_event.is_set()
+
+
+class Ending:
+    """In place of the end of the process: its tasks, and the code with which it would end."""
+
+    def __init__(self, monkeypatch):
+        self.did = []
+        monkeypatch.setattr(shutdown, "end_process", self._end)
+        monkeypatch.setattr(shutdown, "give_back", lambda driver: self.did.append(f"given back: {driver}"))
+        session = SimpleNamespace(
+            keep_text=lambda: self.did.append("keep"),
+            close=lambda: self.did.append("close"),
+            stop_real_robot=lambda: self.did.append("stop"),
+        )
+        self.shutdown = Shutdown(
+            SimpleNamespace(_driver="driver"), session, Path(), stop_all=int, repaint=int, after_keys=int
+        )
+
+    def _end(self, code, tasks):
+        for each in tasks:
+            each()
+        self.did.append(code())
+
+
+def test_a_screen_that_does_not_leave_ends_with_its_text_kept_and_the_terminal_given_back(monkeypatch):
+    it = Ending(monkeypatch)
+    it.shutdown._part(signal.SIGTERM)
+    assert it.did == ["stop", "keep", "close", "given back: driver", 143]
+
+
+def test_a_session_that_does_not_end_stops_its_robot_and_ends(monkeypatch):
+    it = Ending(monkeypatch)
+    it.shutdown._part_from_session(signal.SIGTERM)
+    assert it.did == ["stop", 143]
+
+
+class Begun:
+    """A shutdown that has begun, with what it gave to its watchdog."""
+
+    def __init__(self, monkeypatch, *, is_main_thread=True, is_page=False):
+        self.given, self.did, self.is_driving = {}, [], False
+        monkeypatch.setattr(shutdown, "ScreenWatchdog", self._watchdog)
+        monkeypatch.setattr(shutdown, "ReaderWatch", lambda: "readers")
+        monkeypatch.setattr(shutdown, "is_page", lambda: is_page)
+        self.is_main_thread = is_main_thread
+        session = SimpleNamespace(
+            halt="halt", stop_real_robot=lambda: self.is_driving, say=self.did.append, left=None
+        )
+        self.app = SimpleNamespace(_driver=None)
+        self.shutdown = Shutdown(
+            self.app,
+            session,
+            Path(),
+            stop_all=int,
+            repaint=lambda: self.did.append("repaint"),
+            after_keys=int,
+        )
+        self.shutdown.begin()
+
+    def _watchdog(self, **given):
+        self.given = given
+        return SimpleNamespace(begin=self._begin, left=(15, 1.5))
+
+    def _begin(self):
+        if not self.is_main_thread:
+            raise ValueError
+
+
+async def test_the_watchdog_notifies_the_screen_in_its_own_thread(monkeypatch):
+    it = Begun(monkeypatch)
+    assert (it.shutdown.left, it.shutdown._readers) == ((15, 1.5), None)
+    assert it.given["halt"] == "halt"
+    assert it.given["part"] == it.shutdown._part
+    it.given["notify"](signal.SIGCONT)
+    assert it.did == []
+    await asyncio.sleep(0)
+    assert it.did == ["repaint"]
+
+
+async def test_a_stuck_terminal_is_mentioned_if_that_stopped_a_robot(monkeypatch):
+    it = Begun(monkeypatch)
+    for it.is_driving, said in ((False, []), (True, ["stuck-stopped"])):
+        assert it.given["before_rest"]() is it.is_driving
+        it.given["on_stuck"]()
+        await asyncio.sleep(0)
+        assert it.did == said
+
+
+async def test_the_thread_that_writes_is_that_of_the_driver_of_now(monkeypatch):
+    it = Begun(monkeypatch)
+    assert it.given["writer"]() is None
+    it.app._driver = SimpleNamespace(_writer_thread="thread")
+    assert it.given["writer"]() == "thread"
+
+
+async def test_a_page_watches_its_readers_too(monkeypatch):
+    assert Begun(monkeypatch, is_page=True).shutdown._readers == "readers"
+
+
+async def test_outside_of_the_main_thread_nothing_is_watched(monkeypatch):
+    it = Begun(monkeypatch, is_main_thread=False, is_page=True)
+    assert (it.shutdown.left, it.shutdown._readers) == (None, None)
+
+
+def test_a_signal_after_the_end_of_the_loop_is_ignored(monkeypatch):
+    async def begin():
+        return Begun(monkeypatch)
+
+    asyncio.run(begin()).given["notify"](signal.SIGCONT)
 
 
 # --- what a signal does in the screen's thread
