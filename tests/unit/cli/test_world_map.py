@@ -1,4 +1,4 @@
-"""The legend of ``donnie world --map``: which colours and names are listed for a letter."""
+"""What ``donnie world`` prints: the legend of the map, its scale, and the text of the JSON."""
 
 from __future__ import annotations
 
@@ -82,3 +82,22 @@ def test_the_legend_names_what_the_map_shows_each_once_and_in_the_order_of_lette
     )
     room.scene.robot_names = ()
     assert _legend(room, seen, {"."}, {}, Words()) == (". is free floor.", "There is no robot.")
+
+
+@pytest.mark.parametrize(("columns", "scale"), [(80, []), (81, ["Each letter is 2 by 2 steps."])])
+def test_a_map_whose_letters_are_several_steps_says_so(
+    columns: int, scale: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    seen: Any = Part(rows=("." * columns,), things=[], width=columns, cell=1)
+    room: Any = Part(scene=Part(robots=(), robot_names=()), start=lambda: None)
+    monkeypatch.setattr("sim.picture.picture", lambda _scene: seen)
+
+    assert world._map(room, Words())[1:] == ("", *scale, ". is free floor.", "There is no robot.")
+
+
+def test_the_json_has_letters_as_they_are_and_escapes_for_what_a_terminal_obeys(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(world, "records", lambda _scene: [{"name": "é\x1b\x9b\n日"}])
+
+    assert world._json(Part(scene=None)) == '[\n {\n  "name": "é\\u001b\\u009b\\n日"\n }\n]'  # type: ignore[arg-type]
