@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
+from pathlib import Path
 from types import SimpleNamespace as Part
 from typing import Any
 
@@ -12,8 +13,10 @@ import pytest
 from donnie_tui.cli import run as run_module
 from donnie_tui.cli.options import ExitCode
 from donnie_tui.core.events import Answered, Outcome, Spoke, Stamped
+from donnie_tui.core.runner import RunRequest
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.settings.settings import SettingSource
+from donnie_tui.world import loading
 
 
 class Ended(Exception):
@@ -199,3 +202,149 @@ def test_a_signal_ends_the_search_or_else_the_start(monkeypatch: pytest.MonkeyPa
     with pytest.raises(KeyboardInterrupt):
         it.make()
     assert it.did == ["search given up"]
+
+
+# --- which programs and which files
+
+
+@pytest.fixture
+def lessons(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("sub").mkdir()
+    Path("a.gd").write_text("FW 1\n")
+    Path("sub", "b.gd").write_text("FW 2\n")
+
+
+@pytest.mark.usefixtures("lessons")
+def test_each_program_is_called_as_its_file_without_the_folder() -> None:
+    ana, rui = RunRequest("FW 1\n", "a.gd"), RunRequest("FW 2\n", "b.gd")
+
+    assert run_module.read_programs(["a.gd"], Words()) == ((None, ana),)
+    assert run_module.read_programs(["ana=a.gd", "rui=sub/b.gd"], Words()) == (("ana", ana), ("rui", rui))
+
+
+@pytest.mark.usefixtures("lessons")
+@pytest.mark.parametrize(
+    ("given", "sentence"),
+    [
+        (["ana=a.gd", "sub/b.gd"], "Which robot runs sub/b.gd? Write ROBOT=sub/b.gd."),
+        (["-", "-"], "Which robot runs -? Write ROBOT=-."),
+        (["ana=-", "rui=-"], "Only one robot can take its program from standard input."),
+        (["c.gd"], "There is no file c.gd."),
+    ],
+)
+def test_programs_that_can_not_be_read_or_belong_to_no_robot_are_refused(
+    given: list[str], sentence: str
+) -> None:
+    with pytest.raises(Unusable) as refused:
+        run_module.read_programs(given, Words())
+    assert refused.value.sentence == sentence
+
+
+@pytest.mark.parametrize(
+    ("arguments", "files"),
+    [
+        ({}, []),
+        ({"file": "a.gd"}, ["a.gd"]),
+        ({"file": None, "run": None}, []),
+        ({"file": ["ana=a.gd", "b.gd"]}, ["ana=a.gd", "a.gd", "b.gd"]),
+        ({"file": "a.gd", "run": "x=y=z"}, ["a.gd", "x=y=z", "y=z"]),
+    ],
+)
+def test_no_file_that_may_be_a_program_is_written(arguments: dict[str, Any], files: list[str]) -> None:
+    order: Any = Part(invocation=Part(arguments=Part(**arguments)))
+
+    assert [*run_module._programs(order)] == files
+
+
+@pytest.mark.usefixtures("lessons")
+@pytest.mark.parametrize(
+    ("command", "arguments", "world", "outputs", "files"),
+    [
+        ("run", {}, "my.world", ["a.gd"], ("my.world", "my.inc")),
+        ("run", {"name": None}, "my.world", ["new", "a.gd"], ("my.world", "my.inc")),
+        ("world", {"name": ["your.world"]}, "my.world", ["a.gd"], ("your.world", "your.inc")),
+        ("world", {"name": []}, "my.world", ["a.gd"], ("my.world", "my.inc")),
+        ("run", {}, "my.world", ["new", "sub"], ()),
+        ("run", {}, "my.world", [], ()),
+        ("run", {}, "maze", ["a.gd"], ()),
+        ("replay", {}, "my.world", ["a.gd"], ()),
+    ],
+)
+def test_the_files_of_a_world_are_looked_for_only_where_one_of_them_may_be_replaced(
+    command: str,
+    arguments: dict[str, Any],
+    world: str,
+    outputs: list[str],
+    files: tuple[str, ...],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(loading, "choose_world", lambda name, _words, folders: (name, folders))
+    monkeypatch.setattr(loading, "files_of", lambda world: (f"{world[0].partition('.')[0]}.{world[1]}",))
+    order: Any = Part(
+        invocation=Part(command=command, arguments=Part(**arguments)),
+        settings=Part(world=world, include_folders="inc"),
+        words=Words(),
+    )
+
+    found = run_module._files_of_world(order, tuple(("--record", Path(each)) for each in outputs))
+    assert found == files
+
+
+# --- the whole command
+
+
+@pytest.mark.parametrize(
+    ("has_run_away", "lost", "code", "expected"),
+    [
+        (False, [], ExitCode.DONE, ExitCode.DONE),
+        (False, [], ExitCode.STOPPED, ExitCode.STOPPED),
+        (True, [], ExitCode.STOPPED, ExitCode.FAILED),
+        (True, ["a.rec"], ExitCode.DONE, ExitCode.UNUSABLE),
+    ],
+)
+@pytest.mark.parametrize(("events", "with_words"), [(None, True), ("-", False), ("b.jsonl", True)])
+def test_a_run_ends_with_its_code_unless_the_robot_or_a_file_was_lost(
+    has_run_away: bool,
+    lost: list[str],
+    code: ExitCode,
+    expected: ExitCode,
+    events: str | None,
+    with_words: bool,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    did = list[Any]()
+    donnie: Any = Part(
+        team=Part(names=("ana",)),
+        session=Part(hub=Part(subscribe=did.append)),
+        connection=Part(has_run_away=has_run_away),
+        outlets=Part(written=Part(lost=lost)),
+        close=lambda: did.append("closed"),
+    )
+    program = RunRequest("FW 1", "a.gd")
+    monkeypatch.setattr(run_module, "read_programs", lambda files, _words: ((None, program),))
+    monkeypatch.setattr(run_module, "_assembled", lambda _order: donnie)
+    monkeypatch.setattr(run_module, "_print_notices", lambda *_: did.append("notices"))
+    monkeypatch.setattr(run_module, "_printer", lambda *_, with_words: ("printer", with_words))
+    monkeypatch.setattr(run_module, "_run_to_the_end", lambda *given: did.append(given[1:]) or code)
+    order: Any = Part(
+        words=Words(),
+        output="output",
+        settings=Part(events=events),
+        invocation=Part(arguments=Part(run="a.gd", file=["a.gd"], trace=True, challenge=None)),
+    )
+
+    for command, trace in ((run_module.run, True), (run_module.run_original, False)):
+        did.clear()
+        assert command(order) is expected
+        assert did == [
+            *("notices", ("printer", with_words), ({"ana": program}, "output", trace)),
+            "closed",
+        ]
+
+
+def test_a_run_with_a_challenge_is_only_judged(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("donnie_tui.cli.programs.check_challenge", lambda *given: given[1:])
+    order: Any = Part(invocation=Part(arguments=Part(challenge="1", file=["a.gd"])))
+
+    assert run_module.run(order) == ("1", ["a.gd"])
