@@ -94,6 +94,9 @@ def test_each_stream_of_the_process_may_be_a_terminal(terminal: str, monkeypatch
         ("0", None),
         ("65536", None),
         ("0000000080", None),
+        ("8x", None),
+        ("-8", None),
+        ("", None),
     ],
 )
 def test_a_number_of_an_option_has_limits_and_at_most_nine_digits(typed: str, number: int | None) -> None:
@@ -132,3 +135,13 @@ def test_what_serves_pages_is_installed_by_uv_where_there_is_no_pip_and_from_the
     monkeypatch.setattr(front_end, "__file__", str(tmp_path / "site" / "donnie_tui" / "cli" / "front_end.py"))
     uv = ["uv", "pip", "install", "--python", sys.executable]
     assert shlex.split(front_end._installing()) == [*uv, "donnie-tui[serve]"]
+
+
+def test_what_serves_pages_is_installed_by_pip_for_a_checkout(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    (tmp_path / "pyproject.toml").touch()
+    monkeypatch.setattr(front_end, "find_spec", lambda name: name == "pip" or None)
+    monkeypatch.setattr(front_end, "__file__", str(tmp_path / "donnie_tui" / "cli" / "front_end.py"))
+    pip = [sys.executable, "-m", "pip", "install"]
+    assert shlex.split(front_end._installing()) == [*pip, "--editable", f"{tmp_path.resolve()}[serve]"]

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from types import SimpleNamespace as Part
 from typing import Any
@@ -83,6 +84,25 @@ def test_a_run_is_waited_for_in_steps_until_it_ends() -> None:
     run_module._await_end(it.runs[0], threading.Event(), it.donnie)
 
     assert (it.runs[0].waits, it.did) == ([0.5] * 4, [])
+
+
+@pytest.mark.parametrize("has_stopped", [True, False])
+def test_what_a_suspension_did_is_a_complaint(has_stopped: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    it, stopped = Running(Outcome.COMPLETED), threading.Event()
+
+    @contextmanager
+    def suspended(stop: Callable[[], bool], refuse: Callable[[], object]) -> Iterator[threading.Event]:
+        assert stop is it.donnie.stop_real_robot
+        refuse()
+        if has_stopped:
+            stopped.set()
+        yield stopped
+
+    monkeypatch.setattr(run_module, "stopped_by_suspension", suspended)
+    run_module._run_to_the_end(it.donnie, {}, it.output, trace=True)
+
+    refused, said = Words()("suspend-impossible"), Words()("suspended-stopped")
+    assert it.did == [refused, ({}, True, False), *[said] * has_stopped, "is silent", "closed"]
 
 
 @pytest.mark.parametrize(("has_run_away", "code"), [(False, 130), (True, 1)])
