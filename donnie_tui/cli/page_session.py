@@ -172,7 +172,7 @@ class PageSession(AppService):
         match message:
             case ["stdin", str(typed)]:
                 self._last_key = asyncio.get_running_loop().time()
-                await self._pass_on(b"D", typed.encode(errors="replace"))
+                await self._pass_on(b"D", typed.encode())  # the decoder refuses half a character
             case ["resize", _Size(width=width, height=height)]:
                 self._size = size_of(width, height)
                 await self._report_size()
@@ -265,10 +265,9 @@ class PageSession(AppService):
         if not done:
             sending.cancel()
             self._lose()
-        elif sending.exception() is not None and not isinstance(
-            sending.exception(), (ConnectionError, RuntimeError)
-        ):
-            sending.result()
+        else:
+            with suppress(ConnectionError, RuntimeError):
+                sending.result()
 
     async def _read_complaints(self, errors: asyncio.StreamReader) -> None:
         while data := await errors.read(4096):
