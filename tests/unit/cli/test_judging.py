@@ -154,7 +154,7 @@ def faults(monkeypatch: pytest.MonkeyPatch, sentences: int = 2, **texts: Any) ->
 
 @pytest.mark.parametrize("where", ["title", "task", "hint"])
 @pytest.mark.parametrize(("length", "is_long"), [(80, False), (81, True)])
-def test_a_line_to_hear_has_eighty_characters_at_most(
+def test_a_spoken_line_has_eighty_characters_at_most(
     where: str, length: int, is_long: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     line = "x" * length
