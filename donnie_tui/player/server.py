@@ -109,11 +109,9 @@ class Stations:
             return None
         kind, has = MOUNTED[interface]
         for model in self._parts(driver.model):
-            if has(model) and model.index not in given:
+            robot = self._scene.models[model.root].spoken_name
+            if has(model) and model.index not in given and robot in self._loop.drives:
                 given.add(model.index)
-                robot = self._scene.models[model.root].spoken_name
-                if robot not in self._loop.drives:
-                    break
                 return kind(self._fitting(driver, address, robot), model)
         raise ServerProblem("player-no-model", what=f"{interface}:{address.index}")
 

@@ -295,6 +295,15 @@ def test_a_ranger_without_sensors_is_none(tmp_path: Path) -> None:
     assert refused.value.values == {"what": "ranger:1"}
 
 
+def test_a_camera_on_a_thing_that_is_no_robot_is_not_offered(tmp_path: Path) -> None:
+    world = WORLD.replace("pushable 1 )", "pushable 1 blobfinder ( ) )")
+    text = f'{CONFIGURATION}driver ( name "stage" model "redbox" provides [ "7667:blobfinder:3" ] )'
+
+    with pytest.raises(ServerProblem) as refused:
+        stations_of(write_room(tmp_path, text, world))
+    assert (refused.value.code, refused.value.values) == ("player-no-model", {"what": "blobfinder:3"})
+
+
 def test_a_mark_beyond_where_it_can_be_read_is_0(tmp_path: Path) -> None:
     far = WORLD.replace("range_max_id 5", "range_max_id 1.5")
     client = Client(stations_of(write_room(tmp_path, world=far)), (10, 0))
