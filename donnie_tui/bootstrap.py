@@ -267,12 +267,12 @@ def _assembled(
     team = make_team(settings, words, world, terminal, speech_wait=speech_wait, shared=shared)
     connection = Connection(settings, words, world, team.chosen, search=search)
     closing.callback(connection.close)
-    closing.callback(team.close)
     if team.has_several:
         _announce_hold_ups(team, shared, words, speech_wait, closing)
     chronicle = Chronicle()
     team.chosen.hub.subscribe(chronicle)
     written = _written(settings, team.chosen, words, world, out, closing)
+    closing.callback(team.close)  # before its files: the last event of a stopped run is written
     audible = make_audible(settings, team.chosen, words, closing, is_linear=is_linear)
     outlets = Outlets(audible, BeltAnnouncer(team, words, belt_settings(settings)), written, speech_wait)
     belt_news = connect_belt(settings, team, words, closing)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import os
+import threading
 from contextlib import ExitStack
 from pathlib import Path
 from types import SimpleNamespace as Part
@@ -14,7 +16,7 @@ from msgspec.structs import replace
 from donnie_tui import bootstrap
 from donnie_tui.bootstrap import Donnie, Notices, assemble
 from donnie_tui.core import team
-from donnie_tui.core.events import Announced, Answered, RunStarted
+from donnie_tui.core.events import Announced, Answered, RunEnded, RunStarted, Stamped
 from donnie_tui.core.program_files import DocumentError
 from donnie_tui.i18n.words import Words
 from donnie_tui.process import disconnection
@@ -62,6 +64,32 @@ def test_a_session_is_stopped_before_it_is_closed() -> None:
     it.donnie.close()
 
     assert it.did == ["stopped", "closed"]
+
+
+def test_a_recording_has_the_end_of_a_run_that_is_stopped_by_closing(
+    folders: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The run ends as late as it may: once closing waits for it."""
+    waits, close = threading.Event(), team.Team.close
+
+    def wait_for_the_run(robots: team.Team) -> None:
+        waits.set()
+        close(robots, TIMEOUT)
+
+    def end_late(stamped: Stamped) -> None:
+        if isinstance(stamped.event, RunEnded):
+            waits.wait(TIMEOUT)
+
+    monkeypatch.setattr(team.Team, "close", wait_for_the_run)
+    files = {"record": "lesson.jsonl", "events": "events.jsonl"}
+    donnie = assemble(Settings(world="open_floor", speech="off", sound=False, **files), terminal=True)
+    donnie.session.hub.subscribe_to_own(end_late)
+    donnie.session.start("WAIT 1000", "typed").wait_until_read(TIMEOUT)
+    donnie.close()
+
+    for name in files.values():
+        last = json.loads((folders / name).read_text().splitlines()[-1])
+        assert (last["event"], last["outcome"]) == ("run_ended", "stopped")
 
 
 def test_answers_are_published_one_by_one() -> None:
