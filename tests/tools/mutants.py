@@ -441,19 +441,22 @@ class Trial:
         return sorted(turns, key=lambda name: (turns[name], self._seconds[name], name))
 
     def _noticed(self, mutation: Mutation, names: list[str], is_imported: bool) -> str:
-        """The first test that fails each time with the mutation, and passes without it."""
+        """The first test that fails each time with the mutation, and passes without it.
+
+        A module that runs once more leaves what the tests have made of it as it was, and makes its classes a
+        second time, for which tests fail without the mutation too: new processes try all tests again.
+        """
         path, left = mutation.path, names
+        by: str | None = None
         while left:
             by = self._first_failure(path, left, is_imported)
             if not by:
-                is_imported |= by is None
                 break
             again = self._warm.has_no_end or self._first_failure(path, [by], is_imported)
             if again and self._passes_without(path, by, is_imported):
                 return by
             left = left[left.index(by) + 1 :]
-        # what is made while tests are collected was made without the mutation, for those before, too
-        return self._noticed_anew(path, names if is_imported else left[:_FEWEST_ANEW])
+        return self._noticed_anew(path, names if is_imported or by is None else left[:_FEWEST_ANEW])
 
     def _noticed_anew(self, path: str, names: list[str]) -> str:
         """The same in new processes, which import everything."""
