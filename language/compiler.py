@@ -381,7 +381,7 @@ def warm_up(units: tuple[Unit, ...]) -> None:
         function = FunctionType(unit.code, globals_)
         for _ in range(_ENTRIES):
             with suppress(_Left):
-                function(NO_CALLS, *[0] * (unit.code.co_argcount - 1))
+                function(NO_CALLS, *repeat(None, unit.code.co_argcount - 1))
 
 
 def _leave_at_once(*_place: int) -> NoReturn:

@@ -27,12 +27,12 @@ MOST_BLOCKS = 200
 
 MOST_PARENTHESES = 200
 
-_SHALLOW = 200
-"""A stack with fewer states than this can't be nested too deeply."""
-
 _LPAR, _RPAR = KIND["LPAR"], KIND["RPAR"]
+_AFTER_LAST = (0,)
+"""What follows the last token: a kind without a place."""
 _SPEAK = KIND["SPEAK"]
 """Fits wherever a statement may begin."""
+_CLOSERS = ENDS.keys() | {END_WORD}
 _BEGIN_COMMANDS = OPENERS.keys() | {KIND[name] for name in ("VAR", "ASSIGN", *TAKE_EXPRESSION)}
 
 _Reduction = tuple[int, int, Callable[..., Any] | None]
@@ -88,12 +88,11 @@ def _tree(lexed: Lexed) -> tuple[Any, ...] | None:
     Any: reductions make all types of nodes.
     """
     actions, gotos, is_deep = ACTIONS, GOTOS, False
-    end: Token = (0, 0, 0, 0, 0, "")
     states = [START]
     parts: list[Any] = []
     state = START
     reduce = _reductions(lexed.source)
-    for token in (*lexed.tokens, end):
+    for token in (*lexed.tokens, _AFTER_LAST):
         kind = token[0]
         action = actions[state][kind]
         while action < 0:
@@ -115,7 +114,7 @@ def _tree(lexed: Lexed) -> tuple[Any, ...] | None:
                 state = gotos[state][nonterminal]
                 states.append(state)
             else:
-                is_deep = is_deep or len(states) > _SHALLOW
+                is_deep = is_deep or len(states) > MOST_BLOCKS  # each level has a state at least
                 built = build(*parts[-count:])
                 del parts[-count:], states[-count:]
                 parts.append(built)
@@ -146,9 +145,11 @@ def kinds_after(tokens: Sequence[Token]) -> frozenset[int]:
     states = [START]
     for token in tokens:
         following = _following(states, token[0])
-        while following is None and len(states) > 1 and _following(states, _SPEAK) is None:
-            states.pop()
-        states = following or _following(states, token[0]) or states
+        if following is None:
+            while _following(states, _SPEAK) is None:
+                states.pop()
+            following = _following(states, token[0])
+        states = following or states
     return frozenset(kind for kind in range(1, len(TERMINALS)) if _following(states, kind))
 
 
@@ -190,41 +191,30 @@ def _unseen_colours(lexed: Lexed, colours: frozenset[str] | None) -> tuple[Diagn
 
 def _nested_too_deeply(tokens: list[Token]) -> tuple[Diagnostic, ...]:
     """The first block and the first parenthesis that are too deep."""
-    kinds = [token[0] for token in tokens]
-    found = []
-    if sum(map(kinds.count, OPENERS)) > MOST_BLOCKS:
-        found += _too_deep_block(tokens)
-    if kinds.count(_LPAR) > MOST_PARENTHESES:
-        found += _too_deep_parenthesis(tokens)
-    return tuple(found)
+    return (
+        *_too_deep(tokens, OPENERS, _CLOSERS, (), "blocks", MOST_BLOCKS),
+        *_too_deep(tokens, (_LPAR,), (_RPAR,), _BEGIN_COMMANDS, "parentheses", MOST_PARENTHESES),
+    )
 
 
-def _too_deep_block(tokens: list[Token]) -> list[Diagnostic]:
-    depth = 0
-    for token in tokens:
-        if token[0] in OPENERS:
-            depth += 1
-            if depth > MOST_BLOCKS:
-                return [_too_deep(token, "blocks", MOST_BLOCKS)]
-        elif token[0] in ENDS or token[0] == END_WORD:
-            depth = max(0, depth - 1)
-    return []
-
-
-def _too_deep_parenthesis(tokens: list[Token]) -> list[Diagnostic]:
+def _too_deep(
+    tokens: list[Token],
+    openers: Collection[int],
+    closers: Collection[int],
+    reset: Collection[int],
+    code: str,
+    limit: int,
+) -> list[Diagnostic]:
+    """A mistake at the first opener in more than ``limit`` others. A kind in ``reset`` is in none."""
     depth = 0
     for token in tokens:
         kind = token[0]
-        if kind == _LPAR:
+        if kind in openers:
             depth += 1
-            if depth > MOST_PARENTHESES:
-                return [_too_deep(token, "parentheses", MOST_PARENTHESES)]
-        elif kind == _RPAR:
+            if depth > limit:
+                return [Diagnostic(MistakeKind.TOO_DEEP, span_of(token), code, details={"limit": limit})]
+        elif kind in closers:
             depth = max(0, depth - 1)
-        elif kind in _BEGIN_COMMANDS:
+        elif kind in reset:
             depth = 0
     return []
-
-
-def _too_deep(token: Token, code: str, limit: int) -> Diagnostic:
-    return Diagnostic(MistakeKind.TOO_DEEP, span_of(token), code, details={"limit": limit})

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import dis
+import sys
+from collections import Counter
+from types import CodeType, FrameType
 
 import pytest
 
-from language.compiler import link
+from language.compiler import link, warm_up
 from language.diagnostics import ActionRefused, MistakeKind
 from language.numbers import (
     LARGEST_DIGITS,
@@ -371,3 +374,24 @@ def test_the_bits_of_a_number_of_an_earlier_batch_count_in_the_program_only() ->
     assert 101 <= sizes.bits(0, "b") < 111
     assert 101 <= sizes.bits(0, "a") < 111
     assert sizes.bits(1, "a") < 10
+
+
+@pytest.mark.parametrize("is_hooked", [True, False])
+def test_each_unit_is_entered_eight_times_and_does_nothing(is_hooked: bool) -> None:
+    """As often as CPython 3.11 needs before it specializes the code."""
+    source = "PROCEDURE P: a, b, c DO WHILE a < b DO P [a, b, c] END WHILE END PROCEDURE\nPROCEDURE Q DO\n"
+    source += "SPEAK 1 END PROCEDURE\nVAR n = 3 P [1, 2, n] Q []"
+    units = link(read(source), Memory({}, {}), terminal=True, hooked=is_hooked)
+    entered = Counter[CodeType]()
+
+    def note(frame: FrameType, event: str, _: object) -> None:
+        entered[frame.f_code] += event == "call"
+
+    before = sys.getprofile()
+    sys.setprofile(note)
+    try:
+        warm_up(units)
+    finally:
+        sys.setprofile(before)
+
+    assert {unit.name: entered[unit.code] for unit in units} == {"": 8, "p": 8, "q": 8}
