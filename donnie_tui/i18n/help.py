@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import count, takewhile
 from textwrap import wrap
 from types import MappingProxyType
 
@@ -180,7 +181,7 @@ def _unknown(topic: str, words: Wording) -> tuple[str, ...]:
     known = {word.lower(): word for word in keywords.all_words()}
     import difflib
 
-    near = difflib.get_close_matches(shown.lower(), known, n=1, cutoff=0.7)
+    near = difflib.get_close_matches(shown.lower(), known, cutoff=0.7)
     if near:
         return (words("help-unknown-near", topic=shown, near=known[near[0]]),)
     return (words("help-unknown", topic=shown, help=_spelled("HELP", words)),)
@@ -228,7 +229,6 @@ TOUR_PAGES = 9
 STEP_PAGE = 8
 """The page of the linear mode's tour on which the learner steps through a program."""
 SCREEN_TOUR_PAGES = 9
-_MOST_LINES = 6
 
 
 def tour_page(number: int, words: Wording) -> tuple[str, ...]:
@@ -242,5 +242,5 @@ def screen_tour_page(number: int, words: Wording, keys: Mapping[str, str]) -> tu
 
 
 def _tour_lines(page: str, words: Wording, keys: Mapping[str, str] = MappingProxyType({})) -> tuple[str, ...]:
-    codes = (f"{page}-{line}" for line in range(1, _MOST_LINES + 1))
-    return tuple(words(each, **keys) for each in codes if words.knows(each))
+    codes = takewhile(words.knows, (f"{page}-{line}" for line in count(1)))
+    return tuple(words(each, **keys) for each in codes)

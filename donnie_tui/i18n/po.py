@@ -246,6 +246,8 @@ def compiled(entries: Iterable[Entry], list_key: str, *, is_english: bool) -> by
     entries = tuple(entries)
     texts = {each.context: each.sentence if is_english else each.text for each in entries}
     fields = {name.strip().lower(): value for name, value in header(entries).items()}
+    if "plural-forms" in fields:  # gettext finds no rule after a blank
+        fields["plural-forms"] = "".join(fields["plural-forms"].split())
     fields["content-type"] = "text/plain; charset=UTF-8"  # as the file was read
     texts[""] = "".join(f"{name}: {value}\n" for name, value in fields.items())
     texts[list_key] = "\n".join(context for context, text in texts.items() if context and text)

@@ -148,9 +148,6 @@ _BEGINNINGS = {"capital": str.upper, "small": str.lower}
 _GROUPED = "grouped"
 """A large number with blanks between its thousands."""
 
-_LAST_FORM = 9
-"""Higher than the index of any plural form."""
-
 
 class Sentence(NamedTuple):
     """A text and its language, which is English for a missing translation."""
@@ -243,14 +240,14 @@ class _Place:
 def _form_of(value: object, language: str) -> int:
     """The index of the plural form for a number; the last form for a fraction."""
     if not isinstance(value, int | float) or value != int(value):
-        return _LAST_FORM
+        return -1
     return _plural_rule(language)(abs(int(value)))
 
 
 @cache
 def _plural_rule(language: str) -> Callable[[int], int]:
     forms = _translations(language).info().get("plural-forms", "")
-    return c2py(forms.partition("plural=")[2].rstrip("; ") or "n != 1")
+    return c2py(forms.partition("plural=")[2].partition(";")[0] or "n != 1")
 
 
 @cache

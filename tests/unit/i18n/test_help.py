@@ -87,6 +87,13 @@ def test_the_answer_to_an_unknown_topic_is_one_short_line(topic: str) -> None:
     assert len(line) <= 80
 
 
+@pytest.mark.parametrize(("length", "shown"), [(30, 30), (31, 30)])
+def test_an_unknown_topic_is_shown_up_to_thirty_characters(length: int, shown: int) -> None:
+    (line,) = Words("en").help("z" * length)
+
+    assert line == Words("en")("help-unknown", topic="z" * shown, help="HELP")
+
+
 FORMS = {
     "FW": "FW value, or FORWARD value",
     "BW": "BW value, or BACKWARD value",

@@ -270,6 +270,23 @@ def test_a_compiled_file_begins_as_gettexts_manual_says() -> None:
     assert (read.gettext("a"), read.gettext("*")) == ("b", "a")
 
 
+@pytest.mark.parametrize(
+    ("rule", "compiled"),
+    [
+        ("nplurals=2; plural=(n != 1);", "nplurals=2;plural=(n!=1);"),
+        ("nplurals = 3 ; plural = n == 1 ? 0 : 2", "nplurals=3;plural=n==1?0:2"),
+    ],
+)
+def test_blanks_around_the_equals_signs_of_a_plural_rule_are_left_out(rule: str, compiled: str) -> None:
+    """As ``number_of_forms`` allows them; gettext looks for ``plural=``."""
+    entries = (Entry("", "", f"Plural-Forms: {rule}\n"), Entry("a", "b", "c"))
+    read = GNUTranslations(BytesIO(po.compiled(entries, "*", is_english=False)))
+
+    assert po.number_of_forms(rule) == int(compiled[9])
+    assert read.info()["plural-forms"] == compiled
+    assert read.gettext("a") == "c"
+
+
 def test_a_compiled_file_is_gettexts_with_the_codes_as_keys() -> None:
     entries = (
         Entry("", "", "Content-Type: text/plain; charset=UTF-8\n"),
