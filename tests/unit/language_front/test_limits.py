@@ -108,6 +108,8 @@ def test_what_stands_one_after_the_other_is_not_too_deep(source: str) -> None:
         ("FW ) ) " + "SPEAK " + "(" * (MOST_PARENTHESES + 1), "parentheses"),
         ("FW (1) + " + "(" * (MOST_PARENTHESES + 1), "parentheses"),
         ("FW ( ( SPEAK " + "(" * (MOST_PARENTHESES + 1), "parentheses"),
+        (REPEAT * MOST_BLOCKS + END + " " + REPEAT * 2 + END * 201, "blocks"),
+        ("SPEAK " + "(" * MOST_PARENTHESES + "1) + ((", "parentheses"),
     ],
     ids=lambda source: f"{source[:20]!r}",
 )
