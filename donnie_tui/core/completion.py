@@ -6,9 +6,11 @@ After the first line of a block the next one is indented, and the END is there a
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cache
 from itertools import chain
+from typing import TypeAlias
 
 import msgspec
 
@@ -103,10 +105,7 @@ def _listed(before: str, words: tuple[str, ...]) -> Iterator[str]:
 
 
 def _start_of_word(text: str, at: int) -> int:
-    start = at
-    while start > 0 and (text[start - 1].isalnum() or text[start - 1] == "_"):
-        start -= 1
-    return start
+    return at - len(re.split(r"\W", text[:at].rpartition("\n")[2])[-1])
 
 
 def _is_inside_string(text: str, at: int) -> bool:
@@ -198,30 +197,27 @@ def _names(text: str, typed_at: int, before: Sequence[Token], kinds: frozenset[i
         return ()
     procedures, variables = _declared(lex(text).tokens)
     places = (variables | procedures) if NUMBER not in kinds and _VAR in kinds else variables
-    nearest = sorted(places.values(), key=lambda place: (place > typed_at, -place))
-    return tuple(_name_at(text, place) for place in nearest)
+    nearest = sorted(places.values(), key=lambda place: (place[0] > typed_at, -place[0]))
+    return tuple(text[start:end] for start, end in nearest)
 
 
-def _declared(tokens: Sequence[Token]) -> tuple[dict[str, int], dict[str, int]]:
+_Place: TypeAlias = tuple[int, int]
+"""Where a name begins and ends."""
+
+
+def _declared(tokens: Sequence[Token]) -> tuple[dict[str, _Place], dict[str, _Place]]:
     """Where procedures and variables, parameters among them, are declared, by folded name."""
-    procedures: dict[str, int] = {}
-    variables: dict[str, int] = {}
+    procedures: dict[str, _Place] = {}
+    variables: dict[str, _Place] = {}
     in_head, before = False, None
-    for kind, start, _end, _line, _column, folded in tokens:
+    for kind, start, end, _line, _column, folded in tokens:
         in_head = kind not in (_DO, _VAR) and (in_head or kind == _PROCEDURE)
         if kind == NAME and before == _PROCEDURE:
-            procedures.setdefault(folded, start)
+            procedures.setdefault(folded, (start, end))
         elif kind == NAME and (before == _VAR or (in_head and before in (_COLON, _COMMA))):
-            variables.setdefault(folded, start)
+            variables.setdefault(folded, (start, end))
         before = kind
     return procedures, variables
-
-
-def _name_at(text: str, start: int) -> str:
-    end = start
-    while end < len(text) and (text[end].isalnum() or text[end] == "_"):
-        end += 1
-    return text[start:end]
 
 
 def _as_typed(word: str, typed: str) -> str:

@@ -67,6 +67,7 @@ def test_the_likely_word_comes_first(text: str, language: str, first: str) -> No
         ("PROCEDURE sudden DO END PROCEDURE\nVAR sunny = 1\nSU", ("sunny", "sudden")),
         ("PROCEDURE ii DO END PROCEDURE\nFOR VAR i = 1; i < 5; i", ()),
         ("FW nea|\nVAR nearest", ("nearest",)),
+        ("VAR ac\u0327a\u0303o = 1\nFW a", ("ac\u0327a\u0303o",)),  # as some keyboards write accents
         ("PROCEDURE P: a, b DO\nEND PROCEDURE\nVAR side = 1\nP [1, si", ("side",)),
         ("PROCEDURE sudden DO END PROCEDURE\nVAR sunny = 1\nSPEAK su", ("sunny",)),
         ("P [1, sink]\nFW si", ()),
