@@ -80,7 +80,7 @@ _BEFORE_NAMES = frozenset(
 _FIRST_THAT_DECIDES = FOR
 _OVERLAY = 1
 """The combining class of strokes through a sign."""
-_BLANK, _NEWLINE, _TEXT, _COMMENT, _OPEN, _STRANGE, _ALSO_NAME = -1, -2, -3, -4, -5, -6, -7
+_BLANK, _NEWLINE, _TEXT, _COMMENT, _OPEN, _STRANGE, _ALSO_NAME = range(-7, 0)
 
 _SIGNS = {
     "=": "ASSIGN",
@@ -105,8 +105,6 @@ _MARKED_SIGN = rf"(?:[=<>]=|<>|[=<>+\-*/()\[\],:;]){MARK}+"
 _OTHER_COMMENT_MARKS = ("//", "#")
 """What begins a comment in other programming languages: first in its line, or between two blanks."""
 _OTHER_COMMENT = r"(?:(?<![^\r\n])(?://|#)|(?<=\s)(?://|#)(?!\S))[^\r\n]*"
-_NO_PLACE = -1
-"""Of a mistake that spoils no command."""
 
 _QUOTES = "\u201c\u201d\u201e\u201f"
 _OTHER_STRINGS = rf"|[{_QUOTES}][^{_QUOTES}]*[{_QUOTES}]|\u2018[^\u2018\u2019\r\n]*\u2019"
@@ -237,7 +235,8 @@ class _Lexer:
         self._margin = -1
         self._tokens: list[Token] = []
         self._comments: list[Comment] = []
-        self._flaws: list[tuple[MistakeKind, int, int, int, int, int]] = []
+        self._flaws: list[tuple[MistakeKind, int, int, int, int, int | None]] = []
+        """The last of each is as in ``Lexed.flaws``, None for a mistake that spoils no command."""
         self._colours: list[int] = []
         self._open_quote: int | None = None
         self.position = 0
@@ -347,7 +346,7 @@ class _Lexer:
             self._unreadable_word(piece, start, end)
         elif piece.startswith(_OTHER_COMMENT_MARKS) and re.compile(_OTHER_COMMENT).match(self._folded, start):
             mark_end = start + (2 if piece[0] == "/" else 1)
-            place = (self._line, start - self._margin, _NO_PLACE)
+            place = (self._line, start - self._margin, None)
             self._flaws.append((MistakeKind.UNKNOWN_CHARACTER, start, mark_end, *place))
         else:
             self._flaw(MistakeKind.UNKNOWN_CHARACTER, start, end)
@@ -406,7 +405,7 @@ class _Lexer:
             tokens,
             self._comments,
             [self._diagnostic(*flaw[:-1]) for flaw in self._flaws],
-            [flaw[-1] for flaw in self._flaws if flaw[-1] != _NO_PLACE],
+            [index for *_, index in self._flaws if index is not None],
             [tokens[index] for index in self._colours],
             self._open_quote,
             self._first_line,

@@ -28,7 +28,7 @@ MOST_BLOCKS = 200
 MOST_PARENTHESES = 200
 
 _LPAR, _RPAR = KIND["LPAR"], KIND["RPAR"]
-_AFTER_LAST = (0,)
+_AFTER_LAST: Any = (0,)
 """What follows the last token: a kind without a place."""
 _SPEAK = KIND["SPEAK"]
 """Fits wherever a statement may begin."""
