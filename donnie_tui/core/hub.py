@@ -39,9 +39,13 @@ LONGEST_TURN = 0.5
 LAST_WORD = 2.0
 """Seconds that a run waits at its end until all its events were delivered."""
 
-_NO_THREAD = 0
-_HANDED_OVER = -1
-"""A placeholder for the delivering thread until that thread is known."""
+
+class _NoThread(Enum):
+    """In place of the number of a thread."""
+
+    NONE = auto()
+    HANDED_OVER = auto()
+    """The thread that delivers is about to begin."""
 
 
 class _End(Enum):
@@ -79,11 +83,11 @@ class Stream:
         self._queued = self._delivered = 0
         self._awaited = 0
         """How many threads wait for something to be delivered."""
-        self._deliverer = _NO_THREAD
+        self._deliverer: int | _NoThread = _NoThread.NONE
         """The thread that delivers."""
-        self._hangs_at = -1
+        self._hangs_at: int | None = None
         """The number of delivered events when a program last gave up waiting for its event."""
-        self._last_own: float = 0
+        self._last_own: float
         """The last event that the delivering thread must deliver."""
         self._gates: tuple[Gate, ...] = ()
         self._seq = 0
@@ -160,7 +164,7 @@ class Stream:
         """Queues an event, under the lock. Returns whether the caller must deliver it."""
         self._queued += 1
         self._waiting.append((self._queued, stamped, own))
-        if self._deliverer == _NO_THREAD:
+        if self._deliverer is _NoThread.NONE:
             self._deliverer, self._last_own = threading.get_ident(), self._queued
             return True
         if self._delivers_here():
@@ -177,7 +181,7 @@ class Stream:
             except BaseException:
                 with self._lock:
                     self._delivered += 1
-                    self._deliverer = _NO_THREAD
+                    self._deliverer = _NoThread.NONE
                 raise
             self._delivered += 1
         if entry is _End.OTHERS_WAIT:
@@ -189,11 +193,11 @@ class Stream:
             if self._awaited:
                 self._moved.notify_all()
             if not self._waiting:
-                self._deliverer = _NO_THREAD
+                self._deliverer = _NoThread.NONE
                 return _End.NOTHING_WAITS
             number, stamped, own = self._waiting[0]
             if number > self._last_own:
-                self._deliverer = _HANDED_OVER
+                self._deliverer = _NoThread.HANDED_OVER
                 return _End.OTHERS_WAIT
             self._waiting.popleft()
             return stamped, own.all + self._listeners.all
@@ -228,7 +232,7 @@ class Hub:
         self.robot = robot
         self._stream = stream or Stream()
         self._own = self._stream.listeners()
-        self._program = _NO_THREAD
+        self._program: int | _NoThread = _NoThread.NONE
         """The thread of the program that may have to wait."""
 
     def subscribe(self, listener: Listener) -> Leave:
@@ -259,7 +263,7 @@ class Hub:
         self._program = threading.get_ident()
 
     def stop_holding_back(self) -> None:
-        self._program = _NO_THREAD
+        self._program = _NoThread.NONE
 
     def wait_until_delivered(self, seconds: float = LAST_WORD) -> None:
         """Returns once all published events were delivered, or after so many seconds."""

@@ -941,10 +941,11 @@ def test_undo_restores_the_room_that_a_program_takes(monkeypatch: pytest.MonkeyP
         program.add("x")
 
 
-def test_a_long_program_pauses_at_each_line(monkeypatch: pytest.MonkeyPatch) -> None:
-    program = typed("FW 1", "--")
+@pytest.mark.parametrize(("characters", "paused_at"), [(100_000, None), (100_001, 2)])
+def test_a_program_of_more_than_100_000_characters_pauses_at_each_line(
+    characters: int, paused_at: int | None
+) -> None:
+    program = typed("FW 1", "--".ljust(characters - len("FW 1\n\n")))
 
-    monkeypatch.setattr(document, "LONGEST_PARSED", len("FW 1\n--\n"))
-    assert program.pausing_line(2, parse) is None
-    monkeypatch.setattr(document, "LONGEST_PARSED", len("FW 1\n--\n") - 1)
-    assert program.pausing_line(2, parse) == 2
+    assert len(program.text) == characters
+    assert program.pausing_line(2, parse) == paused_at

@@ -154,6 +154,15 @@ def test_of_long_programs_fewer_changes_can_be_undone(monkeypatch: pytest.Monkey
     assert history.undo(lambda _: version("")) == version("a" * 9)
 
 
+@pytest.mark.parametrize(("lines", "kept"), [(500_000, 2), (500_001, 1)])
+def test_a_million_lines_are_kept_for_undoing(lines: int, kept: int) -> None:
+    history, long = UndoHistory(), Version(["FW 1"] * lines, 0, 0)
+    for each in (long, Version(["FW 1"] * 500_000, 0, 0)):
+        history.add(each)
+
+    assert sum(history.undo(lambda _: version("")) is not None for _ in range(3)) == kept
+
+
 def test_of_long_undone_programs_fewer_can_be_redone(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(editing, "MOST_LINES_KEPT", 6)
     history = UndoHistory()

@@ -6,7 +6,7 @@ from collections.abc import Callable
 import pytest
 
 from donnie_tui.core.events import Answered, CueSounded, Event, Passing, Spoke, Stamped
-from donnie_tui.core.hub import MOST_WAITING, Hub, Stream
+from donnie_tui.core.hub import Hub, Stream
 from tests.timeouts import TIMEOUT
 from tests.unit.core.values import HERE
 
@@ -312,7 +312,7 @@ def test_a_listener_that_hangs_forever_slows_a_program_but_does_not_stop_it() ->
 
     def program() -> None:
         bob.hold_back_here()
-        for _ in range(MOST_WAITING + 2):
+        for _ in range(10_002):
             bob.publish(Spoke("b"))
 
     running = in_thread(program)
@@ -320,6 +320,23 @@ def test_a_listener_that_hangs_forever_slows_a_program_but_does_not_stop_it() ->
 
     assert not running.is_alive()
     blocked.let_go()
+
+
+@pytest.mark.parametrize(
+    ("waiting", "place", "waits"),
+    [(10_000, 0, []), (10_001, 0, [0.05]), (10_000, 1, [0.5]), (10_001, 1, [0.5, 0.05])],
+)
+def test_a_program_waits_half_a_second_for_its_event_and_a_twentieth_for_ten_thousand_others(
+    monkeypatch: pytest.MonkeyPatch, waiting: int, place: int, waits: list[float]
+) -> None:
+    stream, waited = Stream(), list[float]()
+    monkeypatch.setattr(stream, "_wait_for", lambda _, seconds: waited.append(seconds))
+    stream._waiting.extend([(1, Stamped(1, 0.0, Spoke("a")), stream.listeners())] * waiting)
+    stream.wait_for_room(None, place)
+
+    assert waited == waits
+    Hub(lambda: 0.0, stream=stream).wait_until_delivered()
+    assert waited == [*waits, 2.0]
 
 
 def test_a_recorded_event_is_passed_on_as_it_is_and_takes_no_number() -> None:

@@ -236,6 +236,18 @@ def test_a_name_without_room_to_the_east_is_written_to_the_west_and_hides_no_oth
     assert by_row == {2: "..... chair c.", 1: "." * 14, 0: "d.... chair cc"}
 
 
+def test_three_hundred_things_have_their_names() -> None:
+    chairs = [Thing("", "chair", "c", "red", 0, y, 1, 1, index=y) for y in range(301)]
+    floor = Picture(0, 0, 9, 301, 1, ("c........",) * 301, tuple(chairs), has_walls=False)
+
+    assert len({cell.y for cell in labels(MapScale(MapScene(floor, Pose(8, 0, 0))), 1, Words())}) == 300
+
+
+@pytest.mark.parametrize(("steps", "cells"), [(99, 99), (100, 100), (101, 100)])
+def test_a_ray_has_a_hundred_cells_at_most(steps: int, cells: int) -> None:
+    assert len(scene().look_along(Read("distance", "front", steps))) == cells
+
+
 def test_the_names_of_other_robots_are_written_too() -> None:
     it = scene()
     it.move_other("bob", Pose(2, 3, 90))
