@@ -135,6 +135,15 @@ def test_a_world_where_the_learner_is_or_that_is_not_there_is_not_entered(open_s
     assert "nowhere" in answer
 
 
+def test_trail_says_the_last_five_moves(open_script: OpenScript) -> None:
+    script = open_script()
+    script.answers_to(*(f"TR {degrees}" for degrees in range(1, 7)))
+
+    assert [each.partition(":")[0] for each in script.answers_to("TRAIL")] == [
+        f"TR {degrees}" for degrees in range(2, 7)
+    ]
+
+
 def test_place_moves_and_path_are_those_of_the_moment_that_is_looked_back_at(open_script: OpenScript) -> None:
     script = open_script("FW 3", "TR 90", "FW 2")
     script.interaction.until_over = script.rest
