@@ -470,6 +470,28 @@ def test_a_list_of_programs_has_a_hundred_thousand_bytes_at_most(
     assert len(RecentFiles(str(kept)).paths()) == count
 
 
+@pytest.mark.parametrize(("size", "count"), [(10_000_000, 1), (10_000_001, 0)])
+def test_what_was_done_for_challenges_has_ten_million_bytes_at_most(
+    tmp_path: Path, size: int, count: int
+) -> None:
+    kept = tmp_path / "progress"
+    ProgressFile(str(kept)).add(TRY)
+    kept.write_text(kept.read_text().ljust(size, "x"))
+
+    assert ProgressFile(str(kept)).attempts() == (TRY,) * count
+
+
+@pytest.mark.parametrize(("size", "lines"), [(400_000, {3}), (400_001, set())])
+def test_breakpoints_have_four_hundred_thousand_bytes_at_most(
+    tmp_path: Path, size: int, lines: set[int]
+) -> None:
+    program, kept = tmp_path / "a.gd", tmp_path / "breakpoints"
+    BreakpointFile(str(kept)).write(program, {3})
+    kept.write_text(kept.read_text().ljust(size, "x"))
+
+    assert BreakpointFile(str(kept)).read(program, 9) == lines
+
+
 def test_two_names_are_one_file_if_they_lead_to_it(tmp_path: Path) -> None:
     one, other, link, missing = (tmp_path / each for each in ("one.gd", "other.gd", "link.gd", "missing.gd"))
     for each in (one, other):
