@@ -227,6 +227,11 @@ def test_no_more_than_fifty_words_are_offered() -> None:
     assert words(f"{many}SPEAK a") == tuple(f"a{number}" for number in range(59, 9, -1))
 
 
+@pytest.mark.parametrize(("characters", "found"), [(50_000, ("REPEAT",)), (50_001, ())])
+def test_up_to_50_000_characters_are_read(characters: int, found: tuple[str, ...]) -> None:
+    assert words("--".ljust(characters - len("\nREP")) + "\nREP") == found
+
+
 def test_a_long_program_gets_no_suggestions_and_no_ends(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tested, "LONGEST_CHECKED", 16)
     assert words("REPEAT 4 TIMES F")

@@ -192,6 +192,14 @@ def test_of_long_lines_only_the_beginning_is_compared(monkeypatch: pytest.Monkey
     assert max(compared) <= 100_000
 
 
+@pytest.mark.parametrize(("same", "number"), [(180, 1), (179, None)])
+def test_three_hundred_characters_of_a_line_are_compared(same: int, number: int | None) -> None:
+    """180 of 300 are alike enough, 180 of 301 are not."""
+    line, other = ("x" * same + each * (300 - same) for each in "ab")
+
+    assert corrected_line(line + "c", {1: [other + "d"]}, 2, is_next=True, is_refused=True) == number
+
+
 # --- blocks, line by line
 
 

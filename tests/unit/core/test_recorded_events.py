@@ -265,6 +265,15 @@ def test_before_its_first_event_a_recording_begins_at_line_one() -> None:
 # --- limits of a line and of a header
 
 
+def test_a_recording_has_the_limits_of_the_documentation() -> None:
+    row = "| recording | 4 GiB, 5 million events, 16 MiB a line, 12 brackets in each other |"
+    limits = (recording.LARGEST, recording.MOST_EVENTS, recording.LONGEST_LINE, recording.DEEPEST)
+
+    assert row in Path("docs/reliability.md").read_text(encoding="utf-8").splitlines()
+    assert limits == (2**32, 5_000_000, 2**24, 12)
+    assert recording.LONGEST_HEADER == 2 * 32 * 2**20, "a world of 32 MiB with escapes"
+
+
 @pytest.mark.parametrize(("depth", "is_event"), [(12, True), (13, False)])
 def test_a_line_has_twelve_brackets_in_each_other_at_most(depth: int, is_event: bool) -> None:
     """Those of the line itself are the first; fields that are unknown are ignored."""

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from donnie_tui.core.program_files import DocumentError
-from donnie_tui.core.recovery import MOST_COPIES, CopyFolder, CopyWriter, UnsavedCopy, read_copy
+from donnie_tui.core.recovery import CopyFolder, CopyWriter, UnsavedCopy, read_copy
 from tests.timeouts import TIMEOUT
 
 
@@ -153,13 +153,10 @@ def test_a_copy_of_a_crash_is_offered_before_a_later_discarded_program(tmp_path:
 def test_only_the_newest_discarded_program_is_kept_and_copies_of_crashes_stay(tmp_path: Path) -> None:
     with process("donnie") as crashed:
         copy_of(crashed, tmp_path)
-    for number in range(MOST_COPIES + 5):
+    for number in range(25):
         leave_one(tmp_path, f"FW {number}")
 
-    assert texts_offered(tmp_path) == [
-        "FW 1",
-        *(f"FW {MOST_COPIES + 4 - back}" for back in range(MOST_COPIES)),
-    ]
+    assert texts_offered(tmp_path) == ["FW 1", *(f"FW {number}" for number in range(24, 4, -1))]
 
 
 def test_a_program_that_is_saved_leaves_no_copy(tmp_path: Path) -> None:
@@ -172,10 +169,10 @@ def test_a_program_that_is_saved_leaves_no_copy(tmp_path: Path) -> None:
 
 
 def test_copies_do_not_pile_up(tmp_path: Path) -> None:
-    for number in range(MOST_COPIES + 5):
+    for number in range(25):
         write_copy(tmp_path / "deep" / "folder", f"FW {number}")
 
-    assert len(list((tmp_path / "deep" / "folder").iterdir())) == MOST_COPIES
+    assert len(list((tmp_path / "deep" / "folder").iterdir())) == 20
 
 
 def test_a_folder_that_cannot_be_made_is_a_document_error(tmp_path: Path) -> None:

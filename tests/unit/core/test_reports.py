@@ -406,6 +406,8 @@ def test_an_axis_has_room_for_nine_signs_and_a_plot_of_nothing_is_a_second_long(
         return plotted("t", [Series("a", ((0, 0), (1, value)), "speed")], "", "s").texts[2].text
 
     assert [on_axis(each) for each in (0.25, 123456789, 1234567890)] == ["1", "123456789", "1.23e+09"]
+    # a float rounds, the digits of a number of 300 or more are cut
+    assert [on_axis(10**digits - 1) for digits in (299, 300)] == ["1.00e+299", "9.99e+299"]
     assert [each.text for each in plotted("t", [], "", "s").texts] == ["0", "0.5", "1", "s"]
     assert plotted("t", [Series("a", ((3, 0),), "distance")], "", "s").curves == (((96, 130),),)
 

@@ -14,7 +14,6 @@ from donnie_tui.core.events import Answered, Spoke, Stamped
 from donnie_tui.core.hub import Stream
 from donnie_tui.core.run_controller import RunController
 from donnie_tui.core.run_state import (
-    MOST_FRAMES,
     TRANSITIONS,
     NothingRuns,
     NothingToRun,
@@ -425,11 +424,11 @@ def test_the_calls_of_the_newest_events_of_a_run_are_kept() -> None:
     """Those of its robot; of many open calls the innermost ones."""
     session: Any = SimpleNamespace(hub=SimpleNamespace(robot="bob"), run=None)
     record = RunRecord(session, RunRequest(""), narrator("bob"))
-    for seq in range(1, MOST_FRAMES + 1):
+    for seq in range(1, 2_001):
         assert record.has_room_for_frames
         record.keep_frames(seq, [Frame("P", seq, ())] * 25)
     assert not record.has_room_for_frames
-    record.keep_frames(MOST_FRAMES + 1, [Frame("P", 7, ())])
+    record.keep_frames(2_001, [Frame("P", 7, ())])
 
     def at(*events: tuple[int, str]) -> tuple[Frame, ...] | None:
         return record.frames_at(Timeline([Stamped(seq, 0.0, Spoke("x"), robot) for seq, robot in events]))
@@ -437,5 +436,5 @@ def test_the_calls_of_the_newest_events_of_a_run_are_kept() -> None:
     assert at((1, "bob")) is None
     assert at((2, "bob")) == (Frame("P", 2, ()),) * 20
     assert at((5, "alice"), (3, "bob"), (2, "bob")) == (Frame("P", 3, ()),) * 20
-    assert at((MOST_FRAMES + 1, "bob")) == (Frame("P", 7, ()),)
+    assert at((2_001, "bob")) == (Frame("P", 7, ()),)
     assert at() is None

@@ -4,7 +4,7 @@ import pytest
 from msgspec import structs
 
 from donnie_tui.core.events import INTERNAL, Error, RunStarted, Spoke, Stamped
-from donnie_tui.core.run_state import MOST_KEPT, RunErrors, line_of
+from donnie_tui.core.run_state import RunErrors, line_of
 from donnie_tui.i18n.words import Words
 
 SAY = Words("en")
@@ -51,10 +51,10 @@ def test_an_internal_fault_is_explained_and_has_no_line() -> None:
 
 def test_the_newest_mistakes_are_remembered() -> None:
     errors = RunErrors()
-    for line in range(MOST_KEPT + 5):
+    for line in range(205):
         errors.add(Error("robot", line, 1, "m", None))
 
-    assert [each.line for each in errors.all] == list(range(5, MOST_KEPT + 5))
+    assert [each.line for each in errors.all] == list(range(5, 205))
 
 
 def test_a_run_of_the_own_robot_begins_without_mistakes_and_another_changes_nothing() -> None:
