@@ -460,6 +460,15 @@ def test_a_replay_that_is_stopped_in_a_wait_stays_before_what_comes_next() -> No
     assert (timeline.at, len(undone)) == (3, 2)
 
 
+def test_fifty_thousand_events_are_kept_to_step_back() -> None:
+    chronicle = Chronicle()
+    for seq in range(1, 50_002):
+        chronicle(Stamped(seq, 0.0, Spoke("a")))
+    kept = chronicle.timeline().events
+
+    assert (len(kept), kept[0].seq, kept[-1].seq) == (50_000, 2, 50_001)
+
+
 def test_the_moves_up_to_a_position_include_those_that_are_forgotten() -> None:
     chronicle = Chronicle(most=2)
     for at in range(1, 6):
