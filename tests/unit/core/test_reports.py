@@ -25,6 +25,8 @@ from donnie_tui.core.events import (
 )
 from donnie_tui.core.reports import (
     PLOT_LETTER,
+    Plot,
+    PlotText,
     Section,
     Series,
     Subject,
@@ -35,6 +37,7 @@ from donnie_tui.core.reports import (
     in_sentences,
     measured,
     measured_in_words,
+    plot_as_svg,
     plotted,
     refusal,
     report,
@@ -684,6 +687,31 @@ def test_a_file_alone_is_about_what_its_name_means_else_about_the_run(
 )
 def test_a_wrong_word_gets_the_list_of_what_can_be_reported(language: str, typed: str, sentence: str) -> None:
     assert refusal(typed, Words(language)) == sentence
+
+
+def test_a_plot_as_svg_has_its_lines_dots_and_words_in_their_places() -> None:
+    axis, curve = ((0.0, 1.0), (0.0, 9.5), (9.0, 9.5)), ((1.0, 2.0), (3.5, 4.0))
+    words = (PlotText(7.0, 8.5, "a < 3", "end"),)
+    svg = plot_as_svg(Plot("t & u", "a: 1 to 3", 100.0, 50.0, (axis,), (curve,), ((5.0, 6.0),), words))
+    whole = ElementTree.fromstring(svg)
+
+    assert svg.endswith("</svg>\n")
+    assert whole.attrib == {
+        **{"role": "img", "width": "100", "height": "50", "viewBox": "0 0 100 50"},
+        **{"font-family": "sans-serif", "font-size": "14"},
+    }
+    assert [(each.tag.partition("}")[2], each.text, each.attrib) for each in whole] == [
+        ("title", "t & u", {}),
+        ("desc", "a: 1 to 3", {}),
+        ("rect", None, {"width": "100", "height": "50", "fill": "white"}),
+        ("path", None, {"d": "M0 1L0 9.5L9 9.5", "fill": "none", "stroke": "black"}),
+        (
+            *("polyline", None),
+            {"points": "1,2 3.5,4", "fill": "none", "stroke": "black", "stroke-width": "2"},
+        ),
+        ("circle", None, {"cx": "5", "cy": "6", "r": "3"}),
+        ("text", "a < 3", {"x": "7", "y": "8.5", "text-anchor": "end"}),
+    ]
 
 
 def test_no_word_of_a_plot_touches_another_and_all_is_on_it() -> None:
