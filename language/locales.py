@@ -9,6 +9,7 @@ from __future__ import annotations
 
 # ruff: noqa: PTH113, PTH116, PTH120, PTH123, PTH208 -- pathlib is slow to load
 import os
+from math import inf
 
 ENGLISH = "en"
 """What is missing in a language is taken from here."""
@@ -29,8 +30,6 @@ LARGEST = 1_000_000
 
 MOST_DOTS = 200
 """In a line of TOML: a key of thousands of parts takes Python's own reader minutes."""
-
-_LAST_RANK = 100
 
 _folders: dict[str, str] = {}
 _tables: dict[tuple[str, str], dict[str, object]] = {}
@@ -72,9 +71,9 @@ def languages() -> tuple[str, ...]:
     return tuple(sorted(folders(), key=lambda language: (_rank(language), language)))
 
 
-def _rank(language: str) -> int:
+def _rank(language: str) -> float:
     rank = table(language, "keywords").get("rank")
-    return rank if isinstance(rank, int) else _LAST_RANK
+    return rank if isinstance(rank, int) else inf
 
 
 def language_of_locale(locale: str) -> str | None:

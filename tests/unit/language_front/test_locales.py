@@ -97,7 +97,7 @@ def test_the_code_of_a_language_is_small_letters(own_folder: Path, name: str, is
 
 
 def test_a_language_of_ones_own_is_behind_the_ones_with_a_rank(own_folder: Path) -> None:
-    for name, rank in (("ab", ""), ("zz", "rank = 0\n"), ("ba", 'rank = "first"\n'), ("ac", "rank = 99\n")):
+    for name, rank in (("ab", ""), ("zz", "rank = 0\n"), ("ba", 'rank = "first"\n'), ("ac", "rank = 999\n")):
         (own_folder / name).mkdir()
         (own_folder / name / "keywords.toml").write_text(rank)
 
