@@ -9,7 +9,6 @@ from __future__ import annotations
 
 # ruff: noqa: PTH113, PTH116, PTH120, PTH123, PTH208 -- pathlib is slow to load
 import os
-from math import inf
 
 ENGLISH = "en"
 """What is missing in a language is taken from here."""
@@ -73,7 +72,7 @@ def languages() -> tuple[str, ...]:
 
 def _rank(language: str) -> float:
     rank = table(language, "keywords").get("rank")
-    return rank if isinstance(rank, int) else inf
+    return rank if isinstance(rank, int) else float("inf")
 
 
 def language_of_locale(locale: str) -> str | None:

@@ -6,7 +6,6 @@ tokens (kind, start, end, line, column, folded text). A span reaches from the fi
 
 from __future__ import annotations
 
-import sys
 from typing import Any
 
 from msgspec.structs import replace
@@ -20,8 +19,8 @@ from language.syntax import Binary, Condition, Direction, Name, Negative, Number
 MOST_LEVELS = 200
 """Of an expression: signs and operators in each other. Recursive functions may walk the tree."""
 
-_CHUNK = sys.int_info.str_digits_check_threshold
-"""Digits that Python converts at once, whatever its limit is."""
+_CHUNK = 500
+"""Digits that Python converts at once, whatever its own limit is."""
 
 _DIRECTIONS = {KIND["FW"]: Direction.FORWARD, KIND["BW"]: Direction.BACKWARD}
 _SIDES = {KIND["TR"]: Side.RIGHT, KIND["TL"]: Side.LEFT}
@@ -81,7 +80,8 @@ class TreeBuilder:
     @staticmethod
     def number(token: Token) -> NumberLiteral:
         _, start, end, line, column, digits = token
-        return NumberLiteral(Span(start, end, line, column), _value_of(digits))
+        value = int(digits) if end - start < _CHUNK else _long(digits)
+        return NumberLiteral(Span(start, end, line, column), value)
 
     @staticmethod
     def name(token: Token) -> Name:
@@ -304,7 +304,7 @@ def _between(left: Any, right: Any) -> Span:
     return Span(first.start, right.span.end, first.line, first.column)
 
 
-def _value_of(digits: str) -> int:
+def _long(digits: str) -> int:
     value = 0
     for start in range(0, len(digits), _CHUNK):
         chunk = digits[start : start + _CHUNK]
