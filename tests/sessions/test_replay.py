@@ -120,6 +120,7 @@ def test_a_step_by_step_replay_begins_where_the_options_say(here: Here) -> None:
         "This is the end.",
     ]
     last = len((here.folder / "a.rec").read_bytes().splitlines()) - 1  # after the header
+    assert here.replay("--from", str(last)) == []
     for number in (0, last + 1):
         there_is_none = f"There is no event {number}. The last one is {last}."
         assert here.replay("--from", str(number), code=2, err=[there_is_none]) == []

@@ -167,7 +167,17 @@ def test_a_reader_can_be_declared_in_the_environment(tmp_path: Path) -> None:
     assert find_screen_reader({"DONNIE_READER": "1"}, str(tmp_path)) == "DONNIE_READER"
 
 
-@pytest.mark.parametrize(("answer", "found"), [("0", None), ("Off", None), ("", "orca"), ("maybe", "orca")])
+@pytest.mark.parametrize(
+    ("answer", "found"),
+    [
+        ("0", None),
+        ("Off", None),
+        ("no", None),
+        ("FALSE", None),
+        ("", "orca"),
+        ("maybe", "orca"),
+    ],
+)
 def test_a_running_reader_can_be_denied_in_the_environment(
     answer: str, found: str | None, tmp_path: Path
 ) -> None:

@@ -131,6 +131,13 @@ def test_a_trace_receives_every_statement_with_its_place_and_depth(make: Make) -
     assert traced == [(1, 1, 0), (2, 1, 0), (3, 3, 0), (2, 16, 1), (3, 8, 0), (3, 8, 0)]
 
 
+def test_a_program_without_hooks_can_not_be_traced() -> None:
+    program = compile_program(read("SPEAK 1"), hooked=False)
+
+    with pytest.raises(ValueError, match=r"^only a program that was compiled with hooks can be traced$"):
+        program.run(Recorder(), ExecutionControl(), Memory(), trace=lambda *_: None)
+
+
 @steppable
 def test_a_traced_program_can_be_stepped(make: Make) -> None:
     control = ExecutionControl()

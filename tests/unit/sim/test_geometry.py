@@ -569,6 +569,13 @@ def test_a_cross_overlaps_though_no_corner_is_inside() -> None:
     assert geometry.overlapping(tall, wide)
 
 
+def test_a_tip_that_touches_an_edge_overlaps_with_nothing() -> None:
+    tip = ((0.0, 2.0), (0.5, 1.0), (1.0, 2.0))
+
+    assert not geometry.overlapping(tip, UNIT)
+    assert not geometry.overlapping(UNIT, tip)
+
+
 @pytest.mark.parametrize(
     ("edge", "part"),
     [
