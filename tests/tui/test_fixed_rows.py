@@ -251,6 +251,18 @@ async def test_a_click_on_what_a_dialog_says_of_enter_and_esc_presses_it(width, 
         assert pressed == clicked
 
 
+@pytest.mark.parametrize(
+    ("name", "key"), [("Esc", "escape"), ("Enter", "enter"), ("F1", "f1"), ("Tab", "tab"), ("Up", "")]
+)
+async def test_a_click_presses_the_key_that_its_words_name(name, key):
+    keys = DialogKeys(f"{name} does it")
+    async with Row(keys, 60).run_test(size=(60, 4)) as pilot:
+        keys.on_click(click(keys, 3))
+        await pilot.pause()
+
+        assert [each.key for each in pilot.app.posted] == [key] * bool(key)
+
+
 async def test_a_click_next_to_a_row_is_none_and_one_on_a_key_goes_no_further():
     for widget in (KeyLine(id="keys"), Slider(), DialogKeys(WORDS)):
         async with Row(widget, 30).run_test(size=(60, 4)) as pilot:
