@@ -84,6 +84,14 @@ def test_squares_are_two_columns_wide_where_the_floor_fits_so(
     assert fitting == [of_letters, of_blocks]
 
 
+def test_a_square_is_twice_as_many_columns_wide_as_it_has_rows() -> None:
+    """As a letter is about twice as high as wide. One letter a square is the farthest zoom of letters."""
+    farthest, *nearer = Letters.extents
+    assert farthest == ONE
+    for each in (*nearer, *Blocks.extents):
+        assert each.columns * each.stacked == 2 * each.rows
+
+
 # --- blocks
 
 STACKED = Extent(1, 1, 2)

@@ -30,7 +30,13 @@ pytest.importorskip("textual_serve")
 from aiohttp import ClientSession, ClientWebSocketResponse, WSMsgType, WSServerHandshakeError  # noqa: E402
 
 from donnie_tui.cli.page_server import Gate, PageServer  # noqa: E402
-from donnie_tui.cli.page_session import IDLE_CODE, PageLimits, as_reason, size_of  # noqa: E402
+from donnie_tui.cli.page_session import (  # noqa: E402
+    IDLE_CODE,
+    PageLimits,
+    _kill_group,
+    as_reason,
+    size_of,
+)
 
 NEVER = 10**6
 """Seconds."""
@@ -822,3 +828,17 @@ async def test_a_page_has_the_size_that_its_socket_asks_for(serving: Any, client
             headers = {**served.cookie, "Origin": served.origin}
             async with client.ws_connect(f"{served.origin}/ws{query}", headers=headers) as page:
                 assert await until_closed(page) == (4001, size)
+
+
+async def test_with_the_session_of_a_page_what_it_has_started_is_killed() -> None:
+    """The inner process keeps the pipe open as long as it lives."""
+    shell = await asyncio.create_subprocess_exec(
+        *("/bin/sh", "-c", "sleep 1000 & echo; wait"), stdout=asyncio.subprocess.PIPE, start_new_session=True
+    )
+    assert shell.stdout is not None
+    await shell.stdout.readline()
+
+    _kill_group(shell)
+
+    assert await asyncio.wait_for(shell.stdout.read(), TIMEOUT) == b""
+    assert await shell.wait() == -signal.SIGKILL
