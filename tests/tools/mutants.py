@@ -93,7 +93,9 @@ def _options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--count", type=int, default=150)
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
+    parser.add_argument(
+        "--jobs", type=int, default=3 * (os.cpu_count() or 1), help="at a time; tests often wait"
+    )
     parser.add_argument(
         "--seconds", type=float, default=MOST_SECONDS, help="of a processor, for the tests of a mutation"
     )
