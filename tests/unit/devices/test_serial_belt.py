@@ -301,11 +301,11 @@ def test_closing_does_not_wait_for_a_lost_belt_that_is_just_being_opened_again(
 ) -> None:
     monkeypatch.setattr("devices.belt.RETRY", 0.001)
     second, is_asked, joined = FakePort(), threading.Event(), list[float]()
-    network = SlowNetwork(second)
+    network, at_once = SlowNetwork(second), [port]
 
     def open_port(address: str) -> FakePort:
-        if not notices.received:
-            return port
+        if at_once:
+            return at_once.pop()
         is_asked.set()
         return network(address)
 
