@@ -49,12 +49,12 @@ def _is_compiled() -> bool:
     )
 
 
-# of the marks that a run of the check asks for, the words that each file has which uses them
+# words of which each file with such tests has one
 _WORDS = {"slow": ("slow",), "hypothesis and not slow": ("hypothesis", "given")}
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
-    """Leave out files without a test of the wanted kind: reading all takes each worker nine seconds."""
+    """Leave out files without a test of the wanted kind: to read all, each worker needs nine seconds."""
     words = _WORDS.get(config.option.markexpr, ())
     if not words or collection_path.suffix != ".py":
         return None

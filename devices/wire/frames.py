@@ -72,7 +72,7 @@ def _crc_of_byte(byte: int) -> int:
     return byte
 
 
-_CRC_TABLE = bytes(map(_crc_of_byte, bytes(range(256))))
+_CRC_TABLE = bytes(_crc_of_byte(byte) for byte in range(256))
 
 
 def checksum(data: bytes) -> int:

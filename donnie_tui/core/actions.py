@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from itertools import groupby, takewhile
-from math import copysign
 from typing import Protocol, TypeAlias, TypeGuard
 
 from devices.ports.robot import Bearing, GripResult, Motion, Pose, Robot, RobotProblem, Sighting, StoppedBy
@@ -406,7 +405,7 @@ def _group(angle: int, several: list[Sighting]) -> SeenGroup:
 def _to_five(degrees: float) -> int:
     """The nearest multiple of five; halves round away from straight ahead."""
     fives = int(abs(degrees) / 5 + 0.5)
-    return int(copysign(5 * fives, degrees))
+    return 5 * fives if degrees > 0 else -5 * fives
 
 
 HINT_AFTER_WALKS = 3

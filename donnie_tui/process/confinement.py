@@ -28,10 +28,10 @@ OWN_FOLDER = ".donnie"
 IS_POSSIBLE = hasattr(os, "O_NOFOLLOW") and os.open in os.supports_dir_fd
 """Whether this system can open a file below an open folder."""
 
-_FOLDER = os.O_DIRECTORY if hasattr(os, "O_DIRECTORY") else os.O_RDONLY
+_FOLDER = getattr(os, "O_DIRECTORY", 0)
 """Flags to read a folder."""
-_NO_LINK = os.O_NOFOLLOW if hasattr(os, "O_NOFOLLOW") else os.O_RDONLY
-_PASSING = (os.O_PATH if hasattr(os, "O_PATH") else os.O_RDONLY) | _FOLDER | _NO_LINK
+_NO_LINK = getattr(os, "O_NOFOLLOW", 0)
+_PASSING = getattr(os, "O_PATH", os.O_RDONLY) | _FOLDER | _NO_LINK
 """Flags to open a folder on the way; if possible without the permission to list it."""
 _CHANGING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
 
@@ -190,7 +190,7 @@ def open_bytes(path: AnyPath, mode: str = "rb") -> BinaryIO:
 
 
 def _open_without_waiting(path: AnyPath, flags: int) -> int:
-    number = open_descriptor(path, flags | os.O_NONBLOCK if hasattr(os, "O_NONBLOCK") else flags)
+    number = open_descriptor(path, flags | getattr(os, "O_NONBLOCK", 0))
     if stat.S_ISFIFO(os.fstat(number).st_mode):
         os.close(number)
         raise OSError(errno.EINVAL, "is a pipe", os.fspath(path))

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from statistics import median
 
-from tests.architecture.house import functions, lines_of, modules, places_of_public_classes
+from tests.architecture.house import functions, lines_of, modules, places_of_public_classes, tracked
+from tests.conftest import ROOT
 
 MOST_MODULES = 249
 MOST_SMALL_MODULES = 29
@@ -39,3 +40,11 @@ def test_no_function_has_more_than_eight_parameters() -> None:
     more = [place for place, parameters in functions() if parameters > MOST_PARAMETERS]
 
     assert len(more) <= MOST_FUNCTIONS_WITH_MORE, more
+
+
+def test_only_files_of_tests_mark_tests_as_slow() -> None:
+    """The slow check reads only the files that have the word."""
+    others = [path for path in tracked("tests/*.py") if not path.rpartition("/")[2].startswith("test_")]
+
+    assert "tests/conftest.py" in others
+    assert [path for path in others if ".mark." + "slow" in (ROOT / path).read_text("utf-8")] == []
