@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import ctypes
 import sys
+import time
 from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
@@ -29,7 +30,7 @@ PLACES = {
 def loop() -> None:
     """Handlers of signals run, and nothing comes of it."""
     while True:
-        pass
+        time.sleep(0.001)
 
 
 def call() -> None:
