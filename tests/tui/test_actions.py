@@ -140,15 +140,27 @@ def pressed(key: str) -> str:
     return key.removeprefix("shift+").upper() if key.startswith("shift+") and len(key) == 7 else key
 
 
-async def test_every_action_is_chosen_from_the_palette_by_its_word(open_screen, record_commands):
+async def test_the_word_of_every_action_makes_it_the_first_row_of_the_palette(open_screen):
+    async with open_screen("FW 1") as screen:
+        await screen.press("ctrl+p")
+        await screen.until(lambda: getattr(screen.app.focused, "id", None) == "narrowing", "the palette")
+        palette, typed = screen.app.screen, screen.app.focused
+        for name, action in LISTED.items():
+            typed.value = word_of(action, "en")
+            await screen.until(lambda name=name: palette._fitting[0].value == name, f"{name}, the first row")
+
+
+async def test_the_first_row_of_the_palette_is_done(open_screen, record_commands):
+    """Also if the word and Enter come in one burst."""
+    names = ["run", "save_as", "map_row", "quit"]
     async with open_screen("FW 1") as screen:
         done = record_commands(screen)
-        for name, action in LISTED.items():
+        for name in names:
             before = len(done)
-            burst(screen, "ctrl+p", *letters(word_of(action, "en")), "enter")
+            burst(screen, "ctrl+p", *letters(word_of(LISTED[name], "en")), "enter")
             await screen.until(lambda before=before: len(done) > before, f"{name}, chosen")
 
-        assert done == list(LISTED)
+        assert done == names
         assert screen.main.editor.text == "FW 1"
 
 
