@@ -24,6 +24,7 @@ from tests.unit.devices.test_serial_link import (
     HALF_A_FRAME,
     SLOW_MACHINE,
     Notices,
+    can_drive,
     has_driven,
     started,
     until,
@@ -47,8 +48,7 @@ def link(pty_board: PtyBoard) -> Iterator[SerialLink]:
 def test_shutdown_sends_two_stops_last(pty_board: PtyBoard) -> None:
     link = SerialLink(pty_board.path, SLOW_MACHINE)
     link.connect()
-    link.drive(link.permit(), MotorDrive.FORWARD, FAR)
-    assert has_driven(pty_board)
+    assert can_drive(link, pty_board)
 
     link.close()
 
@@ -65,8 +65,7 @@ def test_shutdown_sends_a_stop_last_although_the_boards_buffer_had_no_room_for_i
         pty_board.path, LinkConfig(silence=10.0, lease=5.0, bytes_a_second=1e-6, most_outstanding=56)
     )
     link.connect()
-    link.drive(link.permit(), MotorDrive.FORWARD, FAR)
-    assert has_driven(pty_board)
+    assert can_drive(link, pty_board)
 
     link.close()
 
@@ -78,8 +77,7 @@ def test_shutdown_in_the_middle_of_half_a_frame_waits_until_the_wheels_stand(pty
     """The board takes the stops for the rest of a frame of fifty bytes."""
     link = SerialLink(pty_board.path, SLOW_MACHINE)
     link.connect()
-    link.drive(link.permit(), MotorDrive.FORWARD, FAR)
-    assert has_driven(pty_board)
+    assert can_drive(link, pty_board)
     pty_board.disturb(HALF_A_FRAME)
 
     link.close()
@@ -103,12 +101,7 @@ def test_shutdown_of_a_lost_link_ends(pty_board: PtyBoard) -> None:
 def test_a_thread_that_ends_leaves_no_motor_on(pty_board: PtyBoard, link: SerialLink) -> None:
     """Its drive is not renewed."""
 
-    def drive() -> None:  # a drive can be over before a busy machine has sent it
-        assert until(
-            lambda: link.drive(link.permit(), MotorDrive.LEFT, FAR) and pty_board.board.wheels.right != 0.0
-        )
-
-    driver = threading.Thread(target=drive)
+    driver = threading.Thread(target=can_drive, args=(link, pty_board))
     driver.start()
     driver.join()
 
