@@ -57,8 +57,12 @@ class ScreenDriver:
         raise AssertionError(f"never happened: {what or condition}; the log: {self.log}")
 
     async def painted(self) -> None:
-        """Wait until nothing is left to paint: Textual paints after the message that changed something."""
-        screen = self.app.screen
+        """Wait until nothing is left to paint: Textual paints after the message that changed something.
+
+        The mistakes in a typed text are marked a moment after its last letter.
+        """
+        controller, screen = self.app.controller, self.app.screen
+        await self.until(lambda: controller is None or controller.assistant._checking is None, "the marks")
         for _ in range(2):
             await self.pilot.pause()
             await self.until(
