@@ -31,6 +31,7 @@ from devices.wire.link_state import LinkConfig
 from sim.world import World
 from tests.board_on_pty import PtyBoard
 from tests.player.room import ServedRoom, SteppedRobot
+from tests.sessions.real_robot import until
 from tests.unit.devices.robots import Real, Sonars, wall_ahead
 from tests.unit.sim.floors import IDEAL, scene
 from tests.walled_floor import WalledFloor
@@ -97,6 +98,7 @@ def on_a_device_path(closing: ExitStack, pace: Pace, progress: Progress) -> Robo
     robot = SerialRobot(link, RobotConfig(stall=10.0, stop_timeout=5.0), pace=pace, watcher=progress)
     robot.connect()
     closing.callback(robot.close)
+    assert until(lambda: robot.known_distances().keys() == {*Bearing})  # commands wait less
     return robot
 
 

@@ -39,7 +39,7 @@ def hang_ups() -> Iterator[threading.Event]:
         yield heard
 
 
-def is_heard(hang_ups: threading.Event) -> bool:
+def has_come(hang_ups: threading.Event) -> bool:
     """Wait in short parts: the handler of a signal that comes just before a wait runs only after it."""
     return any(hang_ups.wait(0.01) for _ in range(TIMEOUT * 100))
 
@@ -55,7 +55,7 @@ def test_an_output_without_a_reader_is_a_hang_up(
     with closing(ReaderWatch()):
         assert len(readers()) == 1
         os.close(ends[lost])
-        assert is_heard(hang_ups)
+        assert has_come(hang_ups)
 
     for each in (ends[1 - lost], *outputs):
         os.close(each)
@@ -223,7 +223,7 @@ def test_our_copy_of_the_other_end_is_closed_and_the_end_of_its_owner_is_a_hang_
 
     owner.communicate()
 
-    assert is_heard(hang_ups)
+    assert has_come(hang_ups)
     os.close(terminal)
 
 
@@ -233,7 +233,7 @@ def test_an_owner_that_has_ended_just_now_is_a_hang_up(hang_ups: threading.Event
     owner.wait()
     disconnection._end_with(owner.pid)
 
-    assert is_heard(hang_ups)
+    assert has_come(hang_ups)
 
 
 @ON_LINUX
