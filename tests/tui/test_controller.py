@@ -25,6 +25,7 @@ from donnie_tui.settings.settings import Settings
 from donnie_tui.tui import controller as module
 from donnie_tui.tui.controller import EditorAssistant, ScreenController, ScreenKeyEcho, ScreenState
 from donnie_tui.tui.event_queue import CALM, FRAME, NOTHING, EventsQueued, LogLine, RunBegan
+from tests.timeouts import TIMEOUT
 from tests.tui.test_display import Place
 from tests.tui.test_run_view import Recorded, Timers
 from tests.unit.commands.scripted import Script
@@ -143,7 +144,7 @@ def test_settings_count_from_the_start_and_events_reach_the_screen_until_it_is_l
     it.controller._unsubscribe()
     it.controller._unsubscribe = lambda: None
     it.posted.clear()
-    it.ctx.runs.start(RunRequest("FW 1")).wait(60)
+    it.ctx.runs.start(RunRequest("FW 1")).wait(TIMEOUT)
     it.said()
     assert [each for each in it.posted if isinstance(each, RunBegan)] == []
 

@@ -64,7 +64,7 @@ def test_a_signal_may_come_while_it_begins_to_wait(tmp_path: Path, monkeypatch: 
         if frame.f_code is threading.Condition.wait.__code__ and _is_of_the_command(frame):
             handling = threading.Thread(target=handlers[0], daemon=True)
             handling.start()
-            handling.join(5)
+            handling.join(TIMEOUT)
             are_stuck.append(handling.is_alive())
 
     monkeypatch.setattr(front_end, "on_signals", taken)
