@@ -559,7 +559,7 @@ NOWHERE = PlayerMessage(4, 0, MessageType.DATA, 1, body_of(4, 1, 1, *(float("nan
 def test_a_server_that_is_none_is_said_to_be(
     monkeypatch: pytest.MonkeyPatch, messages: list[PlayerMessage], code: str, options: dict[str, object]
 ) -> None:
-    monkeypatch.setattr(module, "ANSWERING", 0.02)
+    monkeypatch.setattr(module, "ANSWERING", 0.02 if code == "no-answer" else TIMEOUT)
     found = ""
     with closing(PlayedServer(messages, **options)) as server:  # type: ignore[arg-type]
         robot = PlayerRobot(ServerLink(f"player://{HOST}:{server.port}"), pace=Pace())

@@ -178,11 +178,10 @@ def test_no_more_clients_than_are_allowed(tmp_path: Path, monkeypatch: pytest.Mo
 
 
 def test_a_client_that_says_nothing_is_sent_away(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(module, "SILENCE", 0.3)
-
     async def story(room: Room) -> None:
         silent, speaking = await Client.connected(room.port), await Client.connected(room.port)
         await speaking.ask(5, 2)
+        monkeypatch.setattr(module, "SILENCE", 0.3)
         assert await silent.is_at_its_end()
         assert (await speaking.ask(1)).type == MessageType.ACK
 
