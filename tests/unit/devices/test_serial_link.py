@@ -292,7 +292,7 @@ def test_a_listener_that_hangs_does_not_hold_up_the_link(pty_board: PtyBoard) ->
 
     assert until(lambda: not pty_board.board.is_driving)  # the drive was not renewed
     link.close()
-    assert link.state is LinkState.CLOSED
+    assert until(lambda: link.state is LinkState.CLOSED)
     may_return.set()
 
 

@@ -55,7 +55,7 @@ def test_shutdown_sends_two_stops_last(pty_board: PtyBoard) -> None:
 
     assert until(lambda: not pty_board.board.is_driving)
     assert until(lambda: pty_board.received.endswith(STOP + STOP))
-    assert link.state is LinkState.CLOSED
+    assert until(lambda: link.state is LinkState.CLOSED)
 
 
 def test_shutdown_sends_a_stop_last_although_the_boards_buffer_had_no_room_for_it(
@@ -94,7 +94,7 @@ def test_shutdown_of_a_lost_link_ends(pty_board: PtyBoard) -> None:
 
     link.close()
 
-    assert link.state is LinkState.CLOSED
+    assert until(lambda: link.state is LinkState.CLOSED)
 
 
 def test_a_thread_that_ends_leaves_no_motor_on(pty_board: PtyBoard, link: SerialLink) -> None:
