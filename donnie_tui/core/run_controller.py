@@ -89,7 +89,7 @@ class RunController:
         self.watched: list[str] = []
         """The variables that WATCH named, as they were typed."""
         self.past: Timeline | None = None
-        """The position of STEP BACK; None in the present."""
+        """The position of STEP BACK; None in the present, to which an event of any thread returns."""
         self.judge: Callable[[bool, bool], tuple[str, ...]] | None = None
         """Returns the verdict about a run that ended by itself, in a challenge.
 
@@ -159,26 +159,26 @@ class RunController:
     @property
     def frames(self) -> tuple[Frame, ...]:
         """The call stack, innermost first, as it is or as STEP BACK left it; empty when nothing runs."""
-        return self._session.frames if self.past is None else self._past_frames or ()
+        past = self.past
+        return self._session.frames if past is None else self._frames_at(past) or ()
 
-    @property
-    def _past_frames(self) -> tuple[Frame, ...] | None:
-        record, past = self._record, self.past
-        if record is None or past is None:
-            return None
-        held = self._stepping.frames_at(past) if self._stepping is not None else None
-        return held if held is not None else record.frames_at(past)
+    def _frames_at(self, past: Timeline) -> tuple[Frame, ...] | None:
+        record, stepping = self._record, self._stepping
+        held = stepping.frames_at(past) if stepping is not None else None
+        return record.frames_at(past) if held is None and record is not None else held
 
     @property
     def _stepping(self) -> Stepping | None:
-        return self._record.narrator.stepping if self._record is not None else None
+        record = self._record
+        return record.narrator.stepping if record is not None else None
 
     @property
     def past_steps(self) -> tuple[int, int] | None:
         """The number of steps before the moment of STEP BACK and in all, or None in the present."""
-        if self.past is None:
+        past, stepping = self.past, self._stepping
+        if past is None:
             return None
-        return self.past.steps if self._stepping is None else self._stepping.counted(self.past)
+        return past.steps if stepping is None else stepping.counted(past)
 
     @property
     def worked_out(self) -> tuple[tuple[str, ...], ...]:
@@ -186,14 +186,16 @@ class RunController:
 
         Empty unless the program is held, or was held at that moment of the past.
         """
-        if self._stepping is None or (self.past is None and not self.is_held):
+        past, stepping = self.past, self._stepping
+        if stepping is None or (past is None and not self.is_held):
             return ()
-        return self._stepping.worked_out(self.past)
+        return stepping.worked_out(past)
 
     @property
     def knows_variables(self) -> bool:
         """False at a moment of the past without kept variables."""
-        return self.past is None or self._past_frames is not None
+        past = self.past
+        return past is None or self._frames_at(past) is not None
 
     # --- starting
 
@@ -329,8 +331,8 @@ class RunController:
         self._go_on(Request.STEP, lambda control: control.run_to(line))
 
     def _go_on(self, request: Request, ask: Begin, *, is_step: bool = False) -> None:
-        if is_step and self.past is not None:
-            self._answer(*self._step_forward())
+        if is_step and (past := self.past) is not None:
+            self._answer(*self._step_forward(past))
             return
         self.require(request)
         record, run = self._record, self._session.run
@@ -345,14 +347,15 @@ class RunController:
     def step_back(self) -> tuple[str, ...]:
         """The sentences for what happened last, undone on ``past``; the robot stays where it is."""
         self.require(Request.STEP_BACK)
-        is_first_step = self.past is None
-        past = self.past or self._chronicle.timeline()
+        past = self.past
+        is_first_step = past is None
+        past = past or self._chronicle.timeline()
         if not past.steps[1]:
             return (self._words("undone-start"),)  # nothing has happened
         self.past = past
         begun = (self._words("looking-back"),) if is_first_step else ()
-        if self._stepping is not None:
-            undone = self._stepping.step_back(past, self._session.variables, is_first_step=is_first_step)
+        if (stepping := self._stepping) is not None:
+            undone = stepping.step_back(past, self._session.variables, is_first_step=is_first_step)
             return (*begun, *undone)
         from donnie_tui.core.stepping import undo_event
 
@@ -367,19 +370,20 @@ class RunController:
         here = self.past_steps
         is_back = here is not None and here[0] > step
         while here is not None and (here[0] > step if is_back else here[0] < step):
-            sentences = self.step_back() if is_back else self._step_forward()
+            past = self.past
+            if past is None:
+                break
+            sentences = self.step_back() if is_back else self._step_forward(past)
             before, here = here, self.past_steps
             if here == before:
                 break
         return sentences
 
-    def _step_forward(self) -> tuple[str, ...]:
+    def _step_forward(self, past: Timeline) -> tuple[str, ...]:
         """The sentences for one step from the past to the present, which ends the way back."""
-        past = self.past
-        assert past is not None, "only on the way back"
-        if self._stepping is not None:
-            sentences = self._stepping.step_forward(past)
-            is_present = self._stepping.is_present(past)
+        if (stepping := self._stepping) is not None:
+            sentences = stepping.step_forward(past)
+            is_present = stepping.is_present(past)
         else:
             from donnie_tui.core.stepping import redo_event
 

@@ -2,7 +2,7 @@
 
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from itertools import product
 from types import SimpleNamespace
 from typing import Any
@@ -310,6 +310,63 @@ def test_steps_are_undone_in_words_until_something_happens() -> None:
     lesson.runs.step()
     lesson.ended()
     assert lesson.runs.step_back() != ()
+
+
+@pytest.fixture
+def looking_back() -> Iterator[RunController]:
+    """One step back from the third line."""
+    lesson = Lesson()
+    lesson.start("FW 1\nFW 3 - 1\nFW 3", begin=ExecutionControl.step)
+    for _ in range(2):
+        lesson.held()
+        lesson.runs.step()
+    lesson.held()
+    lesson.runs.step_back()
+    yield lesson.runs
+    lesson.team.close()
+
+
+def end_way_back_after(reads: int, runs: RunController, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let an event of another thread, such as another robot's, come after so many looks at the position."""
+    positions = iter([runs.past] * reads)
+    fading = property(lambda _: next(positions, None), lambda *_: None)
+    monkeypatch.setattr(RunController, "past", fading, raising=False)
+
+
+@pytest.mark.parametrize(
+    ("asked", "answer"),
+    [
+        (lambda runs: runs.past_steps, (2, 3)),
+        (lambda runs: [each.line for each in runs.frames], [2]),
+        (lambda runs: runs.worked_out, (("3 - 1", "2"),)),
+        (lambda runs: runs.knows_variables, True),
+    ],
+    ids=["steps", "frames", "worked out", "variables"],
+)
+def test_an_event_of_another_thread_may_end_the_way_back_while_it_is_shown(
+    looking_back: RunController,
+    monkeypatch: pytest.MonkeyPatch,
+    asked: Callable[[RunController], object],
+    answer: object,
+) -> None:
+    end_way_back_after(1, looking_back, monkeypatch)
+
+    assert asked(looking_back) == answer
+
+
+@pytest.mark.parametrize("reads", [1, 2, 3])
+@pytest.mark.parametrize("request_", [RunController.step, lambda runs: runs.look_at(9)], ids=["step", "look"])
+def test_an_event_of_another_thread_may_end_the_way_back_before_a_step(
+    looking_back: RunController,
+    monkeypatch: pytest.MonkeyPatch,
+    request_: Callable[[RunController], object],
+    reads: int,
+) -> None:
+    """What was asked is done from the moment that was last seen, or not at all."""
+    end_way_back_after(reads, looking_back, monkeypatch)
+    request_(looking_back)
+
+    assert looking_back.is_held
 
 
 def test_calls_and_variables_go_back_with_the_steps() -> None:
