@@ -105,6 +105,16 @@ def in_state(state: RunState) -> Lesson:
     return lesson
 
 
+def held_at_third_line(text: str) -> Lesson:
+    lesson = Lesson()
+    lesson.start(text, begin=ExecutionControl.step)
+    for _ in range(2):
+        lesson.held()
+        lesson.runs.step()
+    lesson.held()
+    return lesson
+
+
 def test_a_run_that_was_started_elsewhere_counts_after_one_that_is_summed_up() -> None:
     lesson = Lesson(speed=1.0)
     lesson.start("FW 1")
@@ -286,12 +296,7 @@ def test_breakpoints_hold_a_run_also_those_that_are_set_meanwhile() -> None:
 
 
 def test_steps_are_undone_in_words_until_something_happens() -> None:
-    lesson = Lesson()
-    lesson.start("FW 1\nFW 2\nFW 3", begin=ExecutionControl.step)
-    for _ in range(2):
-        lesson.held()
-        lesson.runs.step()
-    lesson.held()
+    lesson = held_at_third_line("FW 1\nFW 2\nFW 3")
 
     assert lesson.runs.step_back()[-1] == "Line 2: FW 2"
     assert lesson.runs.past is not None
@@ -315,12 +320,7 @@ def test_steps_are_undone_in_words_until_something_happens() -> None:
 @pytest.fixture
 def looking_back() -> Iterator[RunController]:
     """One step back from the third line."""
-    lesson = Lesson()
-    lesson.start("FW 1\nFW 3 - 1\nFW 3", begin=ExecutionControl.step)
-    for _ in range(2):
-        lesson.held()
-        lesson.runs.step()
-    lesson.held()
+    lesson = held_at_third_line("FW 1\nFW 3 - 1\nFW 3")
     lesson.runs.step_back()
     yield lesson.runs
     lesson.team.close()
@@ -370,12 +370,7 @@ def test_an_event_of_another_thread_may_end_the_way_back_before_a_step(
 
 
 def test_calls_and_variables_go_back_with_the_steps() -> None:
-    lesson = Lesson()
-    lesson.start("VAR x = 1\nx = 2\nFW x", begin=ExecutionControl.step)
-    for _ in range(2):
-        lesson.held()
-        lesson.runs.step()
-    lesson.held()
+    lesson = held_at_third_line("VAR x = 1\nx = 2\nFW x")
 
     assert lesson.runs.frames[0].variables == (("x", 2),)
     lesson.runs.step_back()
