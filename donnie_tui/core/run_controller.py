@@ -89,7 +89,7 @@ class RunController:
         self.watched: list[str] = []
         """The variables that WATCH named, as they were typed."""
         self.past: Timeline | None = None
-        """The position of STEP BACK; None in the present, to which an event of any thread returns."""
+        """The position of STEP BACK; None in the present. An event of any thread sets it to None."""
         self.judge: Callable[[bool, bool], tuple[str, ...]] | None = None
         """Returns the verdict about a run that ended by itself, in a challenge.
 

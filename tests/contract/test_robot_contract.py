@@ -98,7 +98,7 @@ def on_a_device_path(closing: ExitStack, pace: Pace, progress: Progress) -> Robo
     robot = SerialRobot(link, RobotConfig(stall=10.0, stop_timeout=5.0), pace=pace, watcher=progress)
     robot.connect()
     closing.callback(robot.close)
-    assert until(lambda: robot.known_distances().keys() == {*Bearing})  # commands wait less
+    assert until(lambda: robot.known_distances().keys() == {*Bearing})  # a busy board is late
     return robot
 
 

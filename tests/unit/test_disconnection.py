@@ -23,6 +23,7 @@ from donnie_tui.process.disconnection import (
     ssh_connections_of,
 )
 from donnie_tui.process.signals import TakenSignals, is_hung_up
+from tests.sessions.real_robot import until
 from tests.timeouts import TIMEOUT
 
 ON_LINUX = pytest.mark.skipif(sys.platform != "linux", reason="another system says it in no file")
@@ -34,14 +35,10 @@ def readers() -> list[threading.Thread]:
 
 @pytest.fixture
 def hang_ups() -> Iterator[threading.Event]:
+    """Look at it again and again: a handler does not run during a wait that its signal just preceded."""
     heard = threading.Event()
     with TakenSignals({signal.SIGHUP: lambda *_: heard.set()}):
         yield heard
-
-
-def has_come(hang_ups: threading.Event) -> bool:
-    """Wait in short parts: the handler of a signal that comes just before a wait runs only after it."""
-    return any(hang_ups.wait(0.01) for _ in range(TIMEOUT * 100))
 
 
 @pytest.mark.parametrize("lost", [0, 1])
@@ -55,7 +52,7 @@ def test_an_output_without_a_reader_is_a_hang_up(
     with closing(ReaderWatch()):
         assert len(readers()) == 1
         os.close(ends[lost])
-        assert has_come(hang_ups)
+        assert until(hang_ups.is_set)
 
     for each in (ends[1 - lost], *outputs):
         os.close(each)
@@ -223,7 +220,7 @@ def test_our_copy_of_the_other_end_is_closed_and_the_end_of_its_owner_is_a_hang_
 
     owner.communicate()
 
-    assert has_come(hang_ups)
+    assert until(hang_ups.is_set)
     os.close(terminal)
 
 
@@ -233,7 +230,7 @@ def test_an_owner_that_has_ended_just_now_is_a_hang_up(hang_ups: threading.Event
     owner.wait()
     disconnection._end_with(owner.pid)
 
-    assert has_come(hang_ups)
+    assert until(hang_ups.is_set)
 
 
 @ON_LINUX

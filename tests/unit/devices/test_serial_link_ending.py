@@ -64,7 +64,7 @@ def test_shutdown_sends_a_stop_last_although_the_boards_buffer_had_no_room_for_i
     link = SerialLink(pty_board.path, SLOW_MACHINE)
     link.connect()
     assert can_drive(link, pty_board)
-    link._connection._outbox._all_read_at = inf  # by its own account
+    link._connection._outbox._all_read_at = inf  # it believes that the board reads nothing
 
     link.close()
 
