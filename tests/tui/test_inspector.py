@@ -298,15 +298,16 @@ def test_what_never_changed_has_no_chart():
 async def test_distances_and_variables_are_charts_over_time(open_screen):
     text = "VAR a = 0\nREPEAT 4 TIMES\na = a + 1\nFW 5\nSPEAK DISTANCE F\nEND REPEAT"
     async with open_screen(text, world="living_room", size=(120, 40)) as screen:
-        screen.main.editor.go_to(5)
-        for round_ in (1, 2, 3, 4):
+        for line, value in ((2, 0), (5, 1), (5, 2), (5, 3), (5, 4)):
+            screen.main.editor.go_to(line)
             await screen.press("f10")
             await screen.until(
-                lambda value=str(round_): (
+                lambda value=str(value): (
                     value in screen.main.inspector.lines[1].replace("*", " ").split()[1:2]
                 ),
                 "it",
             )
+            await screen.reaches(RunState.PAUSED)
         await screen.press("f6")
         await screen.shows("The program is done.")
         await screen.idle()
@@ -314,7 +315,7 @@ async def test_distances_and_variables_are_charts_over_time(open_screen):
         of_a = lines.index("a over time:") + 1
         of_distance = next(at for at, line in enumerate(lines) if "over time" in line and at != of_a - 1) + 1
 
-        assert [line.rstrip() for line in lines[of_a : of_a + 4]] == ["4|   *", " |  *", " | *", "1|*"]
+        assert [line.rstrip() for line in lines[of_a : of_a + 4]] == ["4|    *", " |  **", " | *", "0|*"]
         assert [line.partition("|")[2] for line in lines[of_distance : of_distance + 4]] == [
             "*",
             " *",
