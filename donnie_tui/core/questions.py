@@ -7,7 +7,6 @@ thing. Things count where they are at the end of the run.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 from math import inf
 
 from msgspec import Struct
@@ -16,7 +15,16 @@ from msgspec.structs import replace
 from devices.ports.robot import Pose
 from donnie_tui.core.describe import target_in_words
 from donnie_tui.core.goals import Inventory, Track, gap_to, in_steps
-from donnie_tui.core.wording import COMPASS, Wording, called, coloured, compass_point, meant, the_coloured
+from donnie_tui.core.wording import (
+    COMPASS,
+    Wording,
+    called,
+    coloured,
+    compass_point,
+    meant,
+    the_called,
+    the_coloured,
+)
 from language import keywords
 from language.suggestions import number_in_digits
 from sim.picture import Thing
@@ -25,7 +33,6 @@ from worlds.challenges import Avoided, ChallengeQuestion, Unsensed
 TOLERANCES = {"direction": 30.0, "distance": 2.0}
 """Degrees and steps that an answer may be off by where the challenge doesn't say; else nothing."""
 _NUMBER = re.compile(r"\d+(?:[.,]\d+)?")
-_WithColour = Callable[[str, str, str, Wording], str]
 
 
 class Asked(Struct, frozen=True):
@@ -38,7 +45,8 @@ class Asked(Struct, frozen=True):
         """The question in words."""
         ask, names = self.question.ask, self.question.things
         listed = "; ".join(f"{at} {self._called(name, wording)}" for at, name in enumerate(names, start=1))
-        target = self._called(names[0], wording, coloured if ask == "count" else the_coloured)
+        in_the_template = ask in ("count", "colour")  # which is a list, or has the article
+        target = (self._called if in_the_template else self._the)(names[0], wording)
         origin = self._origin_in_words(wording)
         return wording(f"question-{ask}", origin=origin, target=target, things=listed)
 
@@ -88,12 +96,22 @@ class Asked(Struct, frozen=True):
     def _item(self, name: str) -> Thing:
         return self.track.end.called(name)[0]
 
-    def _called(self, name: str, wording: Wording, with_colour: _WithColour = coloured) -> str:
-        """A thing, with its colour where the question names it and does not ask for it."""
+    def _called(self, name: str, wording: Wording) -> str:
+        """A thing in a list, with its colour where the question names it and does not ask for it."""
         item = self._item(name)
-        if self.question.ask == "colour" or not item.colour or item.colour not in name:
-            return called(item.kind, item.name, wording)
-        return with_colour(item.kind, item.name, item.colour, wording)
+        if self._has_colour(item, name):
+            return coloured(item.kind, item.name, item.colour, wording)
+        return called(item.kind, item.name, wording)
+
+    def _the(self, name: str, wording: Wording) -> str:
+        """The same in a sentence."""
+        item = self._item(name)
+        if self._has_colour(item, name):
+            return the_coloured(item.kind, item.name, item.colour, wording)
+        return the_called(item.kind, item.name, wording)
+
+    def _has_colour(self, item: Thing, name: str) -> bool:
+        return self.question.ask != "colour" and bool(item.colour) and item.colour in name
 
     def _way_to(self, name: str) -> tuple[float, float]:
         """How far and in which direction a thing is: from the robot's body, or from a place or thing."""
@@ -110,7 +128,7 @@ class Asked(Struct, frozen=True):
             return wording(f"question-from-{origin}")
         if not isinstance(origin, str):
             return wording("question-from", origin=target_in_words(origin, self.track.end, wording))
-        return wording("question-from", origin=self._called(origin, wording, the_coloured))
+        return wording("question-from", origin=self._the(origin, wording))
 
 
 def unsensed_question(asked: Unsensed, room: Inventory, wording: Wording) -> str:

@@ -205,6 +205,15 @@ def called(kind: str, name: str, wording: Wording) -> str:
     return noun(kind, wording) or name or kind
 
 
+def the_called(kind: str, name: str, wording: Wording) -> str:
+    """The same in a sentence, with its article: "the chair", "a cadeira"; a foreign name has none."""
+    word = noun(kind, wording)
+    if not word:
+        return name or kind
+    article = wording(f"article-{wording(f'gender-{kind}')}")
+    return wording("the-one-colour", the=article, name=word)
+
+
 def own_name(kind: str, name: str, wording: Wording) -> str:
     """The author's name for a thing, if it says more than kind, colour and a number; else empty.
 

@@ -113,6 +113,12 @@ def test_an_answer_is_right_within_the_tolerance(question: Asked, right: list[st
             "The order is 2 3 1.",
         ),
         (asked("distance", "tin"), "From the start: how many steps to tin?", "It is 50 steps."),
+        (asked("distance", "chair"), "From the start: how many steps to the chair?", "It is 8 steps."),
+        (
+            asked("direction", "red box", "chair"),
+            "From the chair: in which direction is the red box?",
+            "It is to the northwest, 315 degrees.",
+        ),
         (asked("count", "box"), "How many of these are there: box?", "There are 2."),
         (asked("colour", "red box"), "Which color is the box?", "It is red."),
     ],
@@ -121,6 +127,17 @@ def test_questions_and_right_answers_in_words(question: Asked, text: str, answer
     words = Words("en")
 
     assert (question.text(words), question.right_answer(words)) == (text, answer)
+
+
+@pytest.mark.parametrize(
+    ("language", "text"),
+    [
+        ("pt", "Do ponto de partida: quantos passos até a cadeira?"),
+        ("es", "Desde el punto de partida: ¿cuántos pasos hasta la silla?"),
+    ],
+)
+def test_a_thing_in_a_question_has_the_article_of_its_gender(language: str, text: str) -> None:
+    assert asked("distance", "chair").text(Words(language)) == text
 
 
 def test_the_start_is_where_the_robot_was_before_its_first_movement() -> None:
