@@ -110,6 +110,14 @@ class ValueReader:
         setting = settings.get(name)
         return default if setting is None else self._number(setting, self._first(setting, "number"))
 
+    def at_least_zero(self, settings: Mapping[str, Setting], name: str, default: float) -> float:
+        """A number; a negative one counts as zero."""
+        value = self.number(settings, name, default)
+        if value < 0:
+            item = self._first(settings[name], "number")
+            self._read_as(settings[name], item, _as_written(item), "0")
+        return max(0.0, value)
+
     def length(self, settings: Mapping[str, Setting], name: str, default: float) -> float:
         setting = settings.get(name)
         return default if setting is None else self._length(setting, self._first(setting, "number"))
@@ -133,7 +141,7 @@ class ValueReader:
         sides = [self._length(setting, item) for item in items]
         for side, item in zip(sides, items, strict=False):
             if side < 0:
-                self._read_as(setting, item, _as_written(item), f"{-side / self.metres:g}")
+                self._read_as(setting, item, _as_written(item), f"{-side / self.metres:.10g}")
         return sides[0], sides[1], abs(sides[2]) if len(sides) > 2 else default[2]
 
     def place(self, settings: Mapping[str, Setting], name: str) -> Placement:
@@ -166,7 +174,7 @@ class ValueReader:
         items = self._items(setting, first + 2, 1000)[first : first + 2]
         if tuple(self._number(setting, item) * unit for item in items) != used:
             found = " ".join(map(_as_written, items))
-            self._read_as(setting, items[0], found, " ".join(f"{each / unit:g}" for each in used))
+            self._read_as(setting, items[0], found, " ".join(f"{each / unit:.10g}" for each in used))
         return used
 
     def numbers(self, setting: Setting, least: int, most: int) -> tuple[float, ...]:
@@ -316,7 +324,7 @@ class ValueReader:
             return value.value
         number = parser.leading_number(value.text)
         parser.refuse_too_large(number, value.text, setting.file, value.line, value.column)
-        self._read_as(setting, value, _as_written(value), f"{number:g}")
+        self._read_as(setting, value, _as_written(value), f"{number:.10g}")
         return number
 
     def _string(self, setting: Setting, value: parser.Value) -> str:
