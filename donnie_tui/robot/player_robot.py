@@ -114,10 +114,13 @@ class PlayerRobot(LinkedRobot[ServerLink]):
         east, north = cos(radians(first.yaw)) * sense, sin(radians(first.yaw)) * sense
         extra, self._owed_way = self._owed_way * sense, 0.0
         length, begun, gone = steps * STEP + extra, 0, 0.0
+        before, last_left, gain = first, 0.0, GAIN
         reason: StoppedBy | None = None
 
         def advance(now: WheelState) -> StoppedBy | bool:
-            nonlocal length, begun, gone, reason
+            nonlocal length, begun, gone, reason, before, last_left, gain
+            creeps = hypot(now.x - before.x, now.y - before.y) < NEAR_WAY + SLOWEST * (now.time - before.time)
+            before = now
             gone = (now.x - first.x) * east + (now.y - first.y) * north - extra
             report.reached(gone / STEP, self.pose())
             if self._touches(in_front=sense > 0) or (now.is_stalled and now.time > first.time):
@@ -131,9 +134,12 @@ class PlayerRobot(LinkedRobot[ServerLink]):
             left = length - extra - gone
             if reason is None and free < begun * STEP - gone + WATCHED * STEP:
                 return StoppedBy.OBSTACLE
-            if abs(left) < NEAR_WAY or (reason and left < NEAR_WAY):
+            if (creeps and abs(left) < NEAR_WAY) or (reason and left < NEAR_WAY):
                 return reason or True
-            speed = min(FASTEST, max(SLOWEST, GAIN * abs(left)))
+            if left * last_left < 0.0:  # too far: data or speeds come late
+                gain /= 2
+            last_left = left
+            speed = min(FASTEST, max(SLOWEST, gain * abs(left)))
             self._link.drive(permit, speed * sense * (1 if left > 0 else -1))
             return False
 

@@ -27,7 +27,7 @@ def command(name: str, *arguments: str) -> list[str]:
 @contextmanager
 def donnie_player(port: int) -> Iterator[list[str]]:
     """What it printed, once it has ended."""
-    arguments, printed = command("donnie_player", "--port", str(port), "--speed", "5"), list[str]()
+    arguments, printed = command("donnie_player", "--port", str(port)), list[str]()
     process = subprocess.Popen(arguments, stdout=subprocess.PIPE, text=True)
     assert process.stdout is not None
     assert process.stdout.readline() == f"Programs can connect to {HOST}, port {port}.\n"

@@ -3,19 +3,21 @@
 import socket
 import struct
 import threading
+from collections import deque
 from collections.abc import Callable, Iterator
 from contextlib import closing, suppress
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 
 from devices.player.codec import BANNER_SIZE, MessageReader, MessageType, PlayerMessage, banner, body_of
-from devices.ports.robot import Bearing, Grip, LinkNotice, Motion, Pose, RobotProblem, StoppedBy
+from devices.ports.robot import STEP, Bearing, Grip, LinkNotice, Motion, Pose, RobotProblem, StoppedBy
 from donnie_tui.bootstrap import assemble
 from donnie_tui.core.events import BeltShown, GripperUsed, Spoke
 from donnie_tui.robot import server_link as module
 from donnie_tui.robot.player_robot import STUCK, PlayerRobot
-from donnie_tui.robot.server_link import RobotPart, ServerLink
+from donnie_tui.robot.server_link import RobotPart, ServerLink, WheelState
 from donnie_tui.settings.settings import Settings
 from sim.sensors import Device
 from tests.player.recordings import sides
@@ -127,6 +129,48 @@ def test_a_walk_ends_within_a_fiftieth_of_a_step_of_where_it_should(driven: Driv
     assert driven.robot.pose().x == pytest.approx(8, abs=1e-6)
     assert driven.robot.pose().heading == pytest.approx(90, abs=0.01)
     assert driven.reports.motions == [Motion.FORWARD] * 8
+
+
+class LateLink(ServerLink):
+    """Wheels that get each speed some data too late, ``per_datum`` seconds each; there is no server."""
+
+    def __init__(self, late: int, per_datum: float) -> None:
+        super().__init__(f"player://{HOST}:1")
+        self._speeds, self._per_datum = deque([0.0] * (late + 1)), per_datum
+        self._now = WheelState(0.0, 0.0, 0.0, 0.0, False, False)
+        self.is_there = True  # type: ignore[misc]
+
+    def wheels(self) -> WheelState:
+        return self._now
+
+    def drive(self, permit: int, speed: float, turn: float = 0.0) -> None:
+        self._speeds[-1] = speed
+
+    def wait_for_data(self, after: float) -> WheelState | None:
+        self._now = replace(
+            self._now,
+            time=self._now.time + self._per_datum,
+            x=self._now.x + self._speeds[0] * self._per_datum,
+        )
+        self._speeds.append(self._speeds[-1])
+        self._speeds.popleft()
+        return self._now
+
+
+@pytest.mark.parametrize(
+    ("late", "per_datum"), [(0, 0.1), (3, 0.02), (2, 0.05), (4, 0.05), (2, 0.1), (10, 0.1)]
+)
+@pytest.mark.parametrize("steps", range(1, 6))
+def test_a_walk_does_not_end_where_the_robot_crosses_its_goal(
+    steps: int, late: int, per_datum: float
+) -> None:
+    """A busy machine's data are late: it is off by at most a millimetre and 6 mm/s for as long."""
+    link = LateLink(late, per_datum)
+
+    assert PlayerRobot(link, pace=Pace()).forward(steps).walked == steps
+    for _ in range(late + 1):
+        link.wait_for_data(0.0)
+    assert link.wheels().x == pytest.approx(steps * STEP, abs=0.001 + 0.006 * (late + 2) * per_datum)
 
 
 def test_turns_add_up(driven: Driven) -> None:
