@@ -89,7 +89,7 @@ def test_a_file_of_another_kind_is_not_replaced(line: str, capsys: pytest.Captur
     capsys.readouterr()
 
     assert main([*line.split(), "--speech", "off"]) == 2, line
-    assert "which is something else. Give another name." in capsys.readouterr().err
+    assert "which is another kind of file. Give another name." in capsys.readouterr().err
     assert {each: each.read_bytes() for each in kept} == kept
 
 
@@ -137,7 +137,7 @@ def test_a_file_of_the_same_kind_that_donnie_did_not_write_is_not_replaced(
     Path(name).write_bytes(content)
 
     assert main([*line.format(name).split(), "--speech", "off"]) == 2
-    assert "which is something else. Give another name." in capsys.readouterr().err
+    assert "which is another kind of file. Give another name." in capsys.readouterr().err
     assert Path(name).read_bytes() == content
 
 
@@ -175,7 +175,7 @@ def test_an_answer_replaces_no_file_of_the_teacher(
 
     assert main([*CHECK, "progs", "--feedback", "fb", "--csv", "t.csv"]) == 2
 
-    said = "--feedback would overwrite fb/two.txt, which is something else. Give another name.\n"
+    said = "--feedback would overwrite fb/two.txt, which is another kind of file. Give another name.\n"
     assert capsys.readouterr() == ("", said)
     assert [each.name for each in answers.iterdir()] == ["two.txt"]
     assert (answers / "two.txt").read_text() == notes

@@ -82,7 +82,7 @@ def test_a_typed_number_goes_to_that_event_and_words_to_the_ends(here: Here) -> 
     said = here.replay("--step", typed="18\n0\n19\nEND\nSTART\n٣\n1" + "0" * 30 + "\nBACK\nBACK\n")
 
     assert said == [
-        "18 events. Enter steps on, BACK steps back.",
+        "18 events. Enter steps forward, BACK steps back.",
         *("Event 18 of 18.", "Position 0, 2. Facing east."),
         "Event 0 of 18.",
         *("Event 18 of 18.", "Position 0, 2. Facing east."),
@@ -369,8 +369,8 @@ def test_a_table_of_distances_and_speed_is_written_with_its_sentences(here: Here
             ("--report", "map m.png"),
             "A report of map can't end in .png. It can in .html, .htm, .csv, .txt.",
         ),
-        (("--report", "run mine.csv"), "--report would overwrite mine.csv, which is something else."),
-        (("--csv", "mine.csv"), "--csv would overwrite mine.csv, which is something else."),
+        (("--report", "run mine.csv"), "--report would overwrite mine.csv, which is another kind of file."),
+        (("--csv", "mine.csv"), "--csv would overwrite mine.csv, which is another kind of file."),
         (("--csv", "a.rec"), "--csv would overwrite a.rec, which is read here."),
         (("--csv", "d.csv", "--step"), "--csv and --step do not go together."),
         (("--svg", "-", "--csv", "-"), "--svg and --csv can't both write -. Give two names."),

@@ -416,7 +416,7 @@ def test_own_sounds_are_named_with_those_that_can_not_be_used(tmp_path: Path) ->
 
     lines = said(doctor.look_at_own_sounds(tmp_path))
     assert lines[0] == "1 sound of your own: bump."
-    assert "Problem: your sound quack.wav is called like no cue." in lines
+    assert "Problem: no cue is called quack.wav, so your sound is not used." in lines
     assert said(doctor.look_at_own_sounds(tmp_path / "none")) == []
 
 

@@ -364,7 +364,7 @@ def test_a_place_is_said_of_each_robot_that_has_begun(here: Here) -> None:
 def test_nothing_is_read_after_the_word_that_leaves(here: Here) -> None:
     write(here, *TURN)
 
-    assert here.replay("--step", typed="QUIT\nNEXT\n") == ["4 events. Enter steps on, BACK steps back."]
+    assert here.replay("--step", typed="QUIT\nNEXT\n") == ["4 events. Enter steps forward, BACK steps back."]
     assert sys.stdin.read() == "NEXT\n"
 
 
@@ -381,7 +381,7 @@ def test_at_a_terminal_each_line_has_a_prompt(here: Here, monkeypatch: pytest.Mo
     monkeypatch.setattr(Input, "is_terminal", True)
 
     said = here.replay("--step", typed="NEXT\n")
-    assert said == ["4 events. Enter steps on, BACK steps back.", "> Start of a.gd.", "> "]
+    assert said == ["4 events. Enter steps forward, BACK steps back.", "> Start of a.gd.", "> "]
 
 
 def test_ctrl_c_at_the_prompt_ends_the_replay(here: Here, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -221,7 +221,7 @@ def test_a_world_is_entered_by_its_name_and_from_the_list(open_script: OpenScrip
 def test_a_recorded_world_is_not_left(open_script: OpenScript) -> None:
     script = open_script(record="a.rec")
     stays = (
-        "I stay in this world: a.rec is being written, and another world would begin it again. "
+        "I stay in this world: a.rec is being written, and another world would overwrite it. "
         "Leave with QUIT, then start donnie with --world."
     )
 
