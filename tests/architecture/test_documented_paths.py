@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 
@@ -52,6 +53,17 @@ def test_every_path_that_a_document_names_exists(document: str) -> None:
     missing = {each for each in named_paths(document) if not exists(each)}
 
     assert not missing
+
+
+TEST_FILE = re.compile(r"\btest_\w+\.py\b")
+
+
+@pytest.mark.parametrize("document", DOCUMENTS)
+def test_every_test_file_that_a_document_names_exists(document: str) -> None:
+    """Also without its folder."""
+    known = {Path(each).name for each in tracked("tests")}
+
+    assert {*TEST_FILE.findall((ROOT / document).read_text(encoding="utf-8"))} - known == set()
 
 
 PLACED = re.compile(r"`([A-Za-z_.]+)` in\s+`([\w/]+\.py)`")
