@@ -5,7 +5,7 @@ when the program that drives the robot has ended, however it ended. Then the gua
 read ``NOT_NEEDED`` before; if the port is gone, it waits a minute for the port to return.
 
 An exchange is a state machine without I/O: bytes and times in, bytes out. The clock is a parameter, too, so a
-test's port can have its own. ``factor`` makes the deadlines so many times as long, on a slow computer.
+test's port can have its own. ``factor`` makes the deadlines that many times as long, on a slow computer.
 """
 
 from __future__ import annotations

@@ -102,7 +102,7 @@ def _undeclared_variables(scopes: tuple[Scope, ...]) -> Iterator[Diagnostic]:
 
 
 def _wrong_calls(scopes: tuple[Scope, ...]) -> Iterator[Diagnostic]:
-    """Calls of procedures that are declared nowhere, or never with so many parameters."""
+    """Calls of procedures that are declared nowhere, or never with that many parameters."""
     from language.suggestions import undeclared_procedure  # only whole programs need it
 
     program = scopes[0].program

@@ -54,7 +54,7 @@ class Glide:
         way: Edge,
         guard: float,
     ) -> None:
-        """``times``: the robot's at the end of each tick; ``places`` gives the place after so many ticks.
+        """``times``: the robot's at the end of each tick; ``places`` gives the place after that many ticks.
 
         ``way``: of the robot's centre. ``guard``: metres from there in which nothing may come.
         """

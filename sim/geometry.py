@@ -24,7 +24,7 @@ Edge = tuple[float, float, float, float]
 """x and y of both ends."""
 
 HAIR = 1e-9
-"""Metres that computing errs, at most."""
+"""The largest rounding error, in metres."""
 _QUARTERS = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))
 
 

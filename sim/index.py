@@ -22,11 +22,11 @@ Entry = tuple[float, float, float, float, Part]
 """A box, and the part of which it holds all or an edge."""
 
 MARGIN = 1e-9
-"""Metres by which boxes are taken larger, for what computing errs."""
+"""Metres added to each side of a box, for rounding errors."""
 LEAST, MOST = 0.25, 2.0
 """Metres of a square's side."""
 FEW = 40
-"""So many parts, about, are looked for around a place at first."""
+"""About how many parts the first search around a place looks for."""
 NO_ROOT = -1
 """The asker of a query that belongs to no root."""
 VIEWED_FROM = 1.0
@@ -75,7 +75,7 @@ class StillParts:
         return found
 
     def reach_of(self, count: int) -> float:
-        """The radius around a place with about so many parts."""
+        """The radius around a place with about that many parts."""
         squares = max(1, len(self._squares))
         return self._side * sqrt(count * squares / max(1, len(self._entries))) / 2
 

@@ -190,7 +190,7 @@ WIDEST_SKIN = 0.005
 TURN_SKIN = 0.02
 """Degrees that it keeps when it turns."""
 TOUCHING = 1e-9
-"""Metres that don't count: a way that is shorter is none, one that lacks less is whole."""
+"""Tolerance in metres: a shorter way is none, and one that is short by less is complete."""
 STEPS_A_QUESTION = 100
 """Steps that need a closer look, between two questions whether to go on: some hundredths of a second."""
 

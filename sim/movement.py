@@ -90,7 +90,7 @@ class Sweeping(Movement):
         return self._tick() if landed is None else self._land(end, *landed)
 
     def _glide(self, end: int) -> tuple[Landing, int] | None:
-        """Go on to so many steps or degrees, see ``Vehicle.glide``."""
+        """Go on to that many steps or degrees, see ``Vehicle.glide``."""
         return self._vehicle.glide(
             self._at(end),
             self._when(end),
@@ -106,7 +106,7 @@ class Sweeping(Movement):
 
     @abstractmethod
     def _at(self, done: float) -> Whereabouts:
-        """The place after so many steps or degrees."""
+        """The place after that many steps or degrees."""
 
     @abstractmethod
     def _free_to(self) -> int:
@@ -374,7 +374,7 @@ class Turn(Sweeping):
         return None
 
     def _turn_on(self, wanted: int) -> None:
-        """Turns on by so many degrees, of which perhaps fewer are free now."""
+        """Turns on by that many degrees, of which perhaps fewer are free now."""
         done = self._free(wanted)
         self._whole += done
         if done < wanted:

@@ -34,7 +34,7 @@ class Rays(Generic[Owner]):
         self.distance: Callable[[float, float, float], float] = (
             self._distance_by_method if library is None else _direct_distance(library, space)
         )
-        """Metres from a place to the nearest shape, at most so many; below 0 inside of one."""
+        """Metres from a place to the nearest shape, at most that many; below 0 inside of one."""
 
     def own(self, shape: pymunk.Shape, owner: Owner) -> None:
         """Rays that hit ``shape`` return ``owner`` from now on."""

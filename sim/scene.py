@@ -63,7 +63,7 @@ class RangeSensor(Struct, frozen=True):
     fov: float = 5.729577951308232
     """Degrees; the default is Stage's tenth of a radian."""
     samples: int = 1
-    """1: a cone, covered whole. More: so many thin rays, spread evenly over the field of view."""
+    """1: a cone, covered whole. More: that many thin rays, spread evenly over the field of view."""
     noise: RangeNoise = field(default_factory=RangeNoise)
     size: tuple[float, float, float] = (0.02, 0.02, 0.02)
     """Metres ahead, across and up; it looks from the middle of its height."""

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 
 TICK = 1 / 20
-"""Seconds of robot time at most in which a robot that others may disturb takes the world to stand still."""
+"""The longest tick in seconds of robot time: in it a robot that others may disturb sees nothing move."""
 NEARLY = 1e-6
 """Steps or degrees by which a sum of fractions may miss whole ones."""
 _MOST_KEPT = 200
@@ -252,11 +252,11 @@ class Odometry(Struct, frozen=True):
         return self.along == 0.0 and self.turn == 0.0
 
     def ahead(self, belief: Spot, metres: float, turned: float) -> Spot:
-        """The belief after so many metres in the direction ``turned`` from the front."""
+        """The belief after that many metres in the direction ``turned`` from the front."""
         return belief.ahead(metres * (1.0 + self.along), belief.yaw + turned)
 
     def turned(self, belief: Spot, degrees: float) -> Spot:
-        """The belief after so many degrees counter-clockwise."""
+        """The belief after that many degrees counter-clockwise."""
         return Spot(belief.x, belief.y, (belief.yaw + degrees * (1.0 + self.turn)) % 360.0)
 
 
@@ -427,8 +427,8 @@ class Vehicle:
     ) -> tuple[Landing, int] | None:
         """Go straight on to a place, or turn there, until the time ``last``; ``guard`` as for ``Glide``.
 
-        ``times``: at the end of each tick; ``at``: where so many ticks lead. Answers how it ended, and after
-        how many ticks if not as a whole; None, and nothing has happened, where it must not begin.
+        ``times``: at the end of each tick; ``at``: where that many ticks lead. Answers how it ended, and
+        after how many ticks if not as a whole; None, and nothing has happened, where it must not begin.
         """
         ground, root, here = self._ground, self._root, self.here.truth
         way = here.x, here.y, there.truth.x, there.truth.y
@@ -445,7 +445,7 @@ class Vehicle:
         return landing, glide.count or 0
 
     def way(self, angle: float, length: float) -> Advance:
-        """Compute so many metres (at most a step) to ``angle``, from here."""
+        """Compute that many metres (at most a step) to ``angle``, from here."""
         return self._pushing.advance(self.here.truth, angle, length)
 
     def grip(self) -> Grip:
@@ -474,6 +474,6 @@ class Vehicle:
             self.watcher.passing(pose_of(self.here.truth))
 
     def report(self, motion: Motion) -> None:
-        """Reports one more whole step, or so many degrees."""
+        """Reports one more whole step, or that many degrees."""
         if self.watcher is not None:
             self.watcher.progressed(motion, pose_of(self.here.belief))

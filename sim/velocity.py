@@ -135,7 +135,7 @@ class RobotDrive:
         self._wheels = model.wheels or Wheels()
         self._bounds = self._wheels.velocity_bounds or Limits()
         self._counted = None if self._wheels.localization is Localization.GPS else Spot(0.0, 0.0, 0.0)
-        """Where it believes to be, if it counts its wheels' turns."""
+        """Where it believes it is, if it counts its wheels' turns."""
         self._mounted: dict[int, _Mounted] = {}
         for each in scene.tree(model.index):
             head = _head_of(each, scene)
@@ -203,7 +203,7 @@ class RobotDrive:
         return tuple(each for it, spot in self._at(part) for each in it.marks(around, spot, yaw_of))
 
     def turn_head(self, part: int, degrees: float) -> None:
-        """A part with wheels of its own looks so far from its start now, and all that is mounted on it."""
+        """Set how many degrees a head is turned from its start, with everything mounted on it."""
         self._turned[part] = degrees
 
     def grip(self) -> GripResult:
@@ -333,7 +333,7 @@ class RobotDrive:
         return Velocity(ahead, left, turn)
 
     def _gained(self, seconds: float) -> Velocity:
-        """The velocity after so many seconds."""
+        """The velocity after that many seconds."""
         speed, wanted, gains = self._speed, self._wanted, self._wheels.acceleration_bounds
         if gains is None:
             return wanted
@@ -378,7 +378,7 @@ def _mean(one: Velocity, other: Velocity) -> Velocity:
 
 
 def _chord(speed: Velocity, seconds: float) -> tuple[float, float, float]:
-    """Of the arc that is driven: its length, where its chord leads, in degrees from the front, and that."""
+    """The length of the driven arc; the direction of its chord, in degrees from the front, and its length."""
     turn = speed.turn * seconds
     half = radians(turn / 2)
     if speed.left:

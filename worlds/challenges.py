@@ -207,7 +207,7 @@ class ChallengeText(Struct, frozen=True, forbid_unknown_fields=True):
 
     title: str
     task: str
-    """At most five short sentences, a line each."""
+    """Short sentences, a line each. The title and they, with limits and words, are at most five lines."""
     hint: tuple[ChallengeHint, ...] = ()
 
     @property

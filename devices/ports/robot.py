@@ -231,7 +231,7 @@ class Robot(Protocol):
         """Robot time in seconds since the robot was made or last reset."""
 
     def pose(self) -> Pose:
-        """Where it believes to be."""
+        """Where it believes it is."""
 
     def true_pose(self) -> Pose | None:
         """Where it is, if the world knows and the robot believes something else, now or later."""

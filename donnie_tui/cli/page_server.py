@@ -301,7 +301,7 @@ class PageServer:
         )
         try:
             is_socket = bool(page.can_prepare(request))
-        except ValueError:  # a header has what ASCII has not
+        except ValueError:  # a header has non-ASCII characters
             is_socket = False
         if not is_socket:
             return web.Response(status=web.HTTPBadRequest.status_code)

@@ -100,7 +100,7 @@ _Given = TypeVar("_Given")
 def by_robot(
     given: Sequence[tuple[str | None, _Given]], names: Sequence[str], words: Words
 ) -> dict[str, _Given]:
-    """What is given for each robot, by its name; what is for none is the first one's. Raises ``Unusable``."""
+    """What is given for each robot, by name; without a name it is for the first. Raises ``Unusable``."""
     found: dict[str, _Given] = {}
     for robot, each in given:
         typed = names[0] if robot is None else robot

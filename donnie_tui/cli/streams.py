@@ -174,7 +174,7 @@ _MOMENT = 0.05
 """Seconds until a signal also ends the voice."""
 
 _LONGEST_REST = 2.5
-"""Seconds that the main thread waits for a rest to begin; it may hold what the stop before it needs."""
+"""Seconds that the main thread waits before a suspension; it may hold a lock that the stop needs."""
 
 _LONGEST_SPEECH = 2400
 """Moments that the voice may speak after the end: two minutes."""

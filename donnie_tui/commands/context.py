@@ -190,7 +190,7 @@ class Attempt:
     MOST_EVENTS = 100_000
     """An endless program publishes more events; the oldest are dropped."""
     MOST_LIVE = 500
-    """After so many events goals have no cue until the end, since each judgment reads all events before."""
+    """After that many events goals have no cue until the end, since each judgment reads all events before."""
 
     def __init__(self, donnie: Donnie, preferences: Preferences) -> None:
         self._judge = Judge(donnie.world, donnie.words, preferences.settings)

@@ -78,7 +78,7 @@ class Option(Struct, frozen=True):
     columns: tuple[str, ...] = ()
     """``text`` in columns, if a list has room for them; no option has more than the first."""
     detail: Callable[[int, int], Sequence[str]] | None = None
-    """Returns details for so many columns and rows, if a list has room for them."""
+    """Returns details for that many columns and rows, if a list has room for them."""
 
 
 class Interaction(Protocol):
@@ -153,7 +153,7 @@ class Interaction(Protocol):
         """
 
     async def wait(self, seconds: float) -> bool:
-        """Wait for so many seconds. Returns whether the learner interrupted."""
+        """Wait for that many seconds. Returns whether the learner interrupted."""
 
     def continue_on_enter(self, more: Callable[[], Coroutine[Any, Any, None]]) -> None:
         """Run ``more`` if the next line is empty."""
@@ -383,7 +383,7 @@ _MOST_CHARACTERS = 8
 
 
 def numbers_in(typed: str, *, most: int) -> tuple[int, ...] | None:
-    """Read at most so many whole numbers, with blanks or commas between them."""
+    """Read at most that many whole numbers, with blanks or commas between them."""
     words = typed.replace(",", " ").split()
     if len(words) > most or not all(map(_is_whole, words)):
         return None

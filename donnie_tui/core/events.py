@@ -115,7 +115,7 @@ class Moved(_Event, frozen=True):
     """What stopped it, where that is known."""
     pushed: tuple[Pushed, ...] = ()
     true_pose: Pose | None = None
-    """Where the robot is, if its odometry has errors: ``pose`` is then where it believes to be."""
+    """Where the robot is, if its odometry has errors: ``pose`` is then where it believes it is."""
 
 
 class Turned(_Event, frozen=True):
@@ -133,7 +133,7 @@ class Turned(_Event, frozen=True):
     met: Met | None = None
     pushed: tuple[Pushed, ...] = ()
     true_pose: Pose | None = None
-    """Where the robot is, if its odometry has errors: ``pose`` is then where it believes to be."""
+    """Where the robot is, if its odometry has errors: ``pose`` is then where it believes it is."""
 
 
 STANDING = "standing"

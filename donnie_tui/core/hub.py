@@ -141,7 +141,7 @@ class Stream:
             gate(robot)
 
     def wait_until_delivered(self, seconds: float) -> None:
-        """Returns once all published events were delivered, or after so many seconds."""
+        """Returns once all published events were delivered, or after that many seconds."""
         if self._delivers_here():
             return
         until = self._queued
@@ -266,5 +266,5 @@ class Hub:
         self._program = _NoThread.NONE
 
     def wait_until_delivered(self, seconds: float = LAST_WORD) -> None:
-        """Returns once all published events were delivered, or after so many seconds."""
+        """Returns once all published events were delivered, or after that many seconds."""
         self._stream.wait_until_delivered(seconds)

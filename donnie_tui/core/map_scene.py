@@ -149,7 +149,7 @@ class MapScene:
         return self.grid.marked | self._rays
 
     def _place_of(self, right: float, ahead: float) -> Cell:
-        """The cell at so many steps to the right and ahead of the robot."""
+        """The cell at that many steps to the right and ahead of the robot."""
         angle = radians(self._pose.heading)
         east = right * cos(angle) + ahead * sin(angle)
         north = ahead * cos(angle) - right * sin(angle)
@@ -385,7 +385,7 @@ class MapScale:
 
 
 def factor_for(bounds: Bounds, columns: int, rows: int) -> int:
-    """The smallest factor with which the whole floor is seen in so many columns and rows."""
+    """The smallest factor with which the whole floor is seen in that many columns and rows."""
     factor = 1
     while factor < LARGEST and (bounds.width > columns * factor or bounds.height > rows * factor):
         factor += 1
@@ -393,7 +393,7 @@ def factor_for(bounds: Bounds, columns: int, rows: int) -> int:
 
 
 def floor_rows(scene: MapScene, columns: int, rows: int) -> tuple[str, ...]:
-    """The whole floor in letters, two columns a square, in so many columns and rows."""
+    """The whole floor in letters, two columns a square, in that many columns and rows."""
     scale = MapScale(scene, factor_for(scene.bounds, columns // 2, rows))
     bounds = scale.bounds
     return tuple(

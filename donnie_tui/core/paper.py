@@ -58,7 +58,7 @@ MOST_LABELS = 60
 PRINT = 3.2
 """The height of printed letters."""
 MOST_SPREAD = 2.0
-"""Half of it parts print from its braille, which a quarter of a millimetre does where there is no room."""
+"""Half of it separates print from its braille; where there is no room, a quarter of a millimetre does."""
 PALE = "#b4b4b4"
 """A grey that heat does not raise."""
 DASHES = "4 3"
@@ -463,7 +463,7 @@ def _key_rows(items: Iterable[_Item], width: float, wording: Wording) -> list[li
 def _legend_block(
     legend: Sequence[str], items: Sequence[_Item], sheet: _Sheet, wording: Wording
 ) -> Iterator[str]:
-    """The legend and the key at the foot of the sheet, and a line that shows how long so many steps are."""
+    """The legend and the key at the foot of the sheet, and a line that shows how long that many steps are."""
     rows = _key_rows(items, sheet.width, wording)
     row_height, gap = ROW + sheet.spread, sheet.spread / 2
     top = sheet.height - MARGIN - row_height * (len(legend) + 2) - KEY_ROW * len(rows)

@@ -177,7 +177,7 @@ def line_in_words(line: ProgramLine, before: ProgramLine | None, wording: Wordin
 
 
 def no_such_line(count: int, number: int, wording: Wording) -> str:
-    """The program, of so many lines, has no such line."""
+    """The program, of that many lines, has no such line."""
     return wording("answer-no-line", line=number, last=count) if count else wording("no-lines")
 
 

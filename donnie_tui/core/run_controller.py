@@ -362,7 +362,7 @@ class RunController:
         return (*begun, undo_event(past, self._words))
 
     def look_at(self, step: int) -> tuple[str, ...]:
-        """Go back or forward to the moment after so many steps; the sentences of the last one on the way.
+        """Go back or forward to the moment after that many steps; the sentences of the last one on the way.
 
         A step that did several things is undone at once, so this may go past that moment.
         """

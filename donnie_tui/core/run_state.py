@@ -308,7 +308,7 @@ class RunErrors:
         return self.all[self._at] if self.all else None
 
     def go(self, by: int, wording: Wording) -> tuple[Error | None, tuple[str, ...]]:
-        """Moves by so many mistakes; returns the mistake and the sentences, or None and a sentence."""
+        """Moves by that many mistakes; returns the mistake and the sentences, or None and a sentence."""
         if not self.all:
             return None, self._none(wording)
         wanted = self._at + by

@@ -63,7 +63,7 @@ _LEADING_ON = ("step-forward", "step-back", "turn-right", "turn-left", "waiting"
 
 
 class _Place(Struct, frozen=True):
-    """The place of a robot after so many events."""
+    """The place of a robot after that many events."""
 
     at: int
     pose: Pose

@@ -12,9 +12,9 @@ newline of Enter is held back until there is an answer, and no more than a scree
 takes a write of nothing but digits for something typed and keeps silent: such a block ends with a full stop.
 
 Fenrir compares the screen before and after with ``difflib``, which looks first for the longest part of both.
-That must be what has moved up (``OnScreen``). If an answer is printed again that is still on the screen, it
-may be the answer, which is then silent, and the lines above it are said. With fewer lines at once more stays
-than is new.
+That must be the lines that moved up (``OnScreen``). If an answer that is still on the screen is printed
+again, ``difflib`` may find the answer instead: then Fenrir is silent about it and says the lines above. With
+fewer lines at once, more lines stay than are new.
 """
 
 from __future__ import annotations
@@ -103,7 +103,7 @@ class OutputQueue:
             self._changed.wait_for(lambda: self._has_room(robot))
 
     def take(self, most: int | None = None) -> list[str]:
-        """The lines that wait, so many of them at most."""
+        """The lines that wait, that many of them at most."""
         with self._changed:
             lines = self._first[:most]
             self._first = self._first[len(lines) :]
@@ -374,7 +374,7 @@ class OnScreen:
         """The line of the cursor; what is typed after it is taken to be the same each time."""
 
     def add(self, lines: Sequence[str], prompt: str, rows: int) -> None:
-        """Add the lines and the prompt that were printed on a screen of so many rows."""
+        """Add the lines and the prompt that were printed on a screen of that many rows."""
         self._lines += self._new_lines(lines)
         self._prompt = prompt
         while len(self._lines) > rows:

@@ -51,7 +51,7 @@ class PromptStyle(Enum):
 
 
 def prompt_text(settings: Settings, depth: int) -> str:
-    """The prompt of a line inside so many blocks."""
+    """The prompt of a line inside that many blocks."""
     level = str(depth) if depth else ""
     match PromptStyle(settings.prompt):
         case PromptStyle.NONE:

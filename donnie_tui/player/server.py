@@ -163,7 +163,7 @@ class PlayerServer:
         self.clients: set[ClientProtocol] = set()
 
     async def run(self, speed: Callable[[], float | None], on_start: Callable[[], object]) -> None:
-        """``speed``: how often faster than real time; None as fast as possible. Raises ``ServerProblem``."""
+        """``speed``: a multiple of real time; None: as fast as possible. Raises ``ServerProblem``."""
         loop = asyncio.get_running_loop()
         servers: list[asyncio.Server] = []
         try:

@@ -178,7 +178,7 @@ _AGAIN = 0.5
 
 
 def timeout_factor() -> float:
-    """DONNIE_ROBOT_TIMEOUTS makes all timeouts so many times as long, on a slow or busy computer."""
+    """DONNIE_ROBOT_TIMEOUTS makes all timeouts that many times as long, on a slow or busy computer."""
     try:
         factor = float(os.environ.get("DONNIE_ROBOT_TIMEOUTS", ""))
     except ValueError:

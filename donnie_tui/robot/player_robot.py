@@ -22,8 +22,7 @@ Advance: TypeAlias = Callable[[WheelState], StoppedBy | bool]
 """Takes a datum; True once it is over, or why it can't go on."""
 
 FASTEST, GAIN, SLOWEST = STEP, 4.0, 0.006
-"""Metres a second: a step a second, as the original; the speed near the end, a second, of what is left; and
-the least of it."""
+"""Metres a second: a step a second, as the original; near the end, for each metre that is left; at least."""
 NEAR_WAY, NEAR_TURN, NEAR_HEAD = 0.001, 0.5, 0.7
 """Metres and degrees: a robot that is so near to its goal has reached it."""
 LARGEST_TURN = 170.0
@@ -31,8 +30,8 @@ LARGEST_TURN = 170.0
 NEXT_STEP, WATCHED = 1.8, 0.75
 """Steps that must be free to begin one, and beyond the one that is walked."""
 STUCK, GAP = 3.0, 1.0
-"""Seconds without progress after which a movement ends, and between two data from which on the program was
-held meanwhile, and the robot stood."""
+"""Seconds without progress that end a movement; and between two data that show that the program was held,
+and the robot stood."""
 VIEW, REACH = 60.0, 5.0
 """Degrees and metres: no request asks for a blobfinder's view; this is that of the original's."""
 NARROWEST, WIDEST = 20.0, 150.0

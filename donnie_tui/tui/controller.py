@@ -170,7 +170,7 @@ class ScreenController:
         self.display.update()
 
     def look_at(self, step: int) -> None:
-        """Show the moment of the run after so many steps."""
+        """Show the moment of the run after that many steps."""
         self._end_answer()
         sentences = self.ctx.runs.look_at(step)
         if not sentences and not step:

@@ -142,7 +142,7 @@ class Histories:
                     self.add(name, value)
 
     def charts(self, columns: int, words: Wording) -> tuple[str, ...]:
-        """Charts of some changed values, as letters in so many columns, the highest value above."""
+        """Charts of some changed values, as letters in that many columns, the highest value above."""
         changing = [
             (name, values)
             for name, values in self._series.items()

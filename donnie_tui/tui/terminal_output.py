@@ -30,7 +30,7 @@ from textual.geometry import Offset, Region
 from textual.strip import Strip
 
 _GAP = 16
-"""Writing so many equal cells between two changed ones costs less than moving the cursor."""
+"""Writing that many equal cells between two changed ones costs less than moving the cursor."""
 _MOST_TYPED = 2
 """Rows that a typed letter may change: its own, and the status line."""
 _FIRST_COMBINING = "\u0300"

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from worlds.words import About
 
 CHALLENGE = "challenge:"
-"""What a challenge's name follows where it is given in place of a world's."""
+"""The prefix of a challenge's name that is given in place of a world's."""
 _INSIDE = "starts-inside"
 _SLIPS = frozenset(
     {"unknown-property", "unknown-colour", "unknown-model", "unknown-word", "second-define", "missing-point"}

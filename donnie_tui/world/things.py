@@ -50,7 +50,7 @@ KINDS = {
 MOST_STEPS = 1000
 """From 0 0: where something may stand on a floor without end."""
 _SHRINK, _MOST_SHRUNK = 0.03, 0.005
-"""By how much what is put is taken smaller than it is: part of its size, and metres."""
+"""How much a thing is shrunk to see whether it overlaps others: part of its size, and at most metres."""
 Changed: TypeAlias = tuple[str, Thing]
 """What happened, as the code of a sentence, and the thing as it is afterwards; or was, if it is gone."""
 
@@ -200,7 +200,7 @@ class Building:
     # --- what is there
 
     def _everything(self) -> list[Thing]:
-        """All but robots, where they are now, and but walls that are none to their author."""
+        """All things where they are now, except robots, and what only the map shows as walls."""
         shown = all_things(self._shared.scene_now())
         return [it for it in shown if not it.is_robot and (it.letter != WALL_LETTER or it.kind == WALL)]
 

@@ -326,7 +326,7 @@ class TokenReader:
             self.head = None
 
     def borders_ahead(self, at: int, most: int) -> list[int]:
-        """The kinds of so many opening words and ENDs at most, from the token ``at`` on."""
+        """The kinds of that many opening words and ENDs at most, from the token ``at`` on."""
         first = bisect_left(self._borders, at - len(self.tokens))
         return self._kinds_of_borders[first : first + most]
 

@@ -295,7 +295,7 @@ def boundary_walls(size: tuple[float, float, float], origin: Placement) -> tuple
 def has_default_block(entity: Entity, walled: bool) -> bool:
     """Whether a model without blocks is a box.
 
-    What only looks has no body, what has walls is just these, and what has a picture is its dark pixels.
+    A sensor has no body, a model with a boundary is its walls, and one with a picture is its dark pixels.
     """
     return (
         entity.type not in ("ranger", "blobfinder", "fiducial")

@@ -68,7 +68,7 @@ class FileReader:
                 yield Placed(str(path), replace(statement, body=body))
 
     def find(self, name: str, including: Path) -> Path | None:
-        """The file that ``name`` means in ``including``, or None; WorldError-free, but may lie outside.
+        """The file that ``name`` means in ``including``, or None; it may be outside. Raises nothing.
 
         A name that only leads outside is answered alike whether there is such a file or not. In the allowed
         folders a file is found by its bare name, too, as Stage finds it in those of ``STAGEPATH``.

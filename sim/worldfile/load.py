@@ -241,7 +241,7 @@ def _whole(text: str, most: int) -> int | None:
 
 
 _TYPES = frozenset({"driver", "interface"})
-"""The second is read over."""
+"""The second is skipped."""
 _STAGE = "stage"
 _ON_WHEELS = frozenset({"position2d", "position", "position3d"})
 _SERIAL = re.compile(r"(?i)/dev/\S+|COM[0-9]+|\\\\\.\\COM[0-9]+")

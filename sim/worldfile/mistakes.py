@@ -19,7 +19,7 @@ MOST_FILES = 300
 LONGEST = 200_000
 """Bytes of each that are searched."""
 NEAR = 0.7
-"""How much alike names must be, of 1."""
+"""The least similarity of two names, from 0 to 1."""
 
 
 def near_name(name: str, known: Iterable[str]) -> str:

@@ -268,7 +268,7 @@ def parse(text: str, file: str) -> tuple[Statement, ...]:
             mistake = _unexpected(problem, file)
             try:
                 rest = tuple(tokens(text, file)) if not wrong else tuple(words)
-            except WorldError:  # behind it is another one, which no define can hide
+            except WorldError:  # after it is another one, which no define can hide
                 raise mistake from None
             around = _define_around(rest, mistake)
             if around is None or len(wrong) == MOST_WRONG:

@@ -42,7 +42,7 @@ MOST_SEEN = 8
 
 
 _HIGH = 20
-"""With so many rows, the titles of the panes stay visible above a panel."""
+"""With that many rows, the titles of the panes stay visible above a panel."""
 
 T = TypeVar("T")
 
@@ -253,7 +253,7 @@ class _Answers(_Rows):
         return self.is_chosen
 
     def offer(self, most: int) -> None:
-        """Show at most so many rows."""
+        """Show at most that many rows."""
         self.show(self._answers)
         self.styles.height = min(len(self._answers), most)
 
@@ -300,14 +300,14 @@ _LEAST_PANEL, _DETAIL, _MOST_DETAIL = 56, 40, 90
 LEAST_REST = 8
 """Columns left next to a panel, if any are."""
 _LEAST_BOTH = 6
-"""With so many rows, the details may be below the list, if there is no room next to it."""
+"""With that many rows, the details may be below the list, if there is no room next to it."""
 _DETAIL_ROWS, _LOW, _LEAST_TYPED = 16, 12, 12
 """The least rows of the details; the rows below which the input line is next to the title, and the least
 columns of it there."""
 
 
 _COLUMN_GAP, _FEW = 2, 4
-"""Blanks between columns; one choice in so many may have a name longer than its column."""
+"""Blanks between columns; one choice in that many may have a name longer than its column."""
 
 
 def _columns(choices: Sequence[Option]) -> tuple[int, ...]:

@@ -40,7 +40,7 @@ class Painter(Protocol):
     """From the farthest to the nearest zoom."""
 
     def fitting(self, floor: Size, room: Size) -> int:
-        """The index of the extent that shows a floor of so many squares at zoom 0."""
+        """The index of the extent that shows a floor of that many squares at zoom 0."""
 
     def paint(self, scale: MapScale, square: Cell, extent: Extent, row: int, look: Look) -> Segment:
         """Paint a row of a square, of the upper one if they are stacked."""

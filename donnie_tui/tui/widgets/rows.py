@@ -188,7 +188,7 @@ class Slider(FixedLine):
     """The position of STEP BACK in the run. A click goes there; at the ends it goes a step."""
 
     class Moved(Message):
-        """The learner moved the slider to the moment after so many steps."""
+        """The learner moved the slider to the moment after that many steps."""
 
         def __init__(self, step: int) -> None:
             super().__init__()
@@ -331,7 +331,7 @@ class WheelRows(ScrollView):
     """
 
     def choose_further(self, rows: int) -> None:
-        """Choose the row so many further down, or up, as far as there are rows."""
+        """Choose the row that many further down, or up, as far as there are rows."""
         raise NotImplementedError
 
     def on_mouse_scroll_up(self, event: MouseScrollUp) -> None:
