@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, TypeAlias, TypeVar
 from donnie_tui.commands.context import FAILED, UNUSABLE, Context
 from donnie_tui.commands.declarations import BY_NAME, Command, When
 from donnie_tui.commands.interaction import GivenUp, NotUnderstood
-from donnie_tui.commands.lookup import find, not_understood, typed_form, unknown_word, word_of
+from donnie_tui.commands.lookup import not_understood, typed_form, unknown_word, word_of
 from donnie_tui.core.run_state import RunState
 from donnie_tui.i18n.words import Unusable
 
@@ -131,14 +131,6 @@ def say_in_words(ctx: Context, name: str) -> None:
         ctx.answer("only-on-screen")
     else:
         ctx.answer("type-command", word=typed_form(command, ctx.words))
-
-
-async def take_line(ctx: Context, line: str) -> bool:
-    """Run the command in a typed line, or answer a misspelt command. False if it is GoDonnie."""
-    found = find(line)
-    if found is not None:
-        await perform(ctx, *found)
-    return found is not None or says_slip(ctx, line)
 
 
 def says_slip(ctx: Context, line: str) -> bool:

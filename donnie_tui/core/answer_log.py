@@ -38,8 +38,6 @@ class AnswerLog:
     def __init__(self) -> None:
         self._answers: deque[deque[str]] = deque(maxlen=KEPT)
         self._goes_on = False
-        self._said_again: deque[str] = deque()
-        """Repeated lines, which are not stored a second time when they are printed."""
 
     def add(self, lines: Sequence[str]) -> None:
         if lines:
@@ -52,9 +50,6 @@ class AnswerLog:
 
     def add_line(self, line: str) -> None:
         """Adds one line to the current answer."""
-        if self._said_again and line == self._said_again[0]:
-            self._said_again.popleft()
-            return
         if self._goes_on:
             self._answers[-1].append(line)
         else:
@@ -64,18 +59,11 @@ class AnswerLog:
     def end_answer(self) -> None:
         """Ends the current answer; the next line begins another one."""
         self._goes_on = False
-        self._said_again.clear()
 
     @property
     def has_begun(self) -> bool:
         """Whether anything was printed since the last answer ended."""
         return self._goes_on
-
-    def again(self, which: int = 1) -> tuple[str, ...]:
-        """As ``last``, for printing line by line without storing it a second time."""
-        lines = self.last(which)
-        self._said_again = deque(lines)
-        return lines
 
     def last(self, which: int = 1) -> tuple[str, ...]:
         """The ``which``-th last answer, empty if there is none."""

@@ -7,7 +7,7 @@ cells are forgotten first.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from enum import Enum
 from itertools import islice, pairwise
 from math import atan2, degrees, floor, hypot, remainder
@@ -87,6 +87,13 @@ class Bounds(Struct, frozen=True):
         left, right = _part(self.left, self.right, cell.x, widest)
         bottom, top = _part(self.bottom, self.top, cell.y, highest)
         return Bounds(left, bottom, right, top)
+
+    def rows(self, letter: Callable[[Cell], str]) -> tuple[str, ...]:
+        """The letters of each square, the northern row first."""
+        columns = range(self.left, self.right + 1)
+        return tuple(
+            "".join(letter(Cell(x, y)) for x in columns) for y in range(self.top, self.bottom - 1, -1)
+        )
 
 
 def _part(first: int, last: int, middle: int, most: int) -> tuple[int, int]:
@@ -234,11 +241,7 @@ class MapGrid:
 
     def rows(self) -> tuple[str, ...]:
         """The whole map, the northern row first."""
-        bounds = self._bounds
-        return tuple(
-            "".join(self.letter(Cell(x, y)) for x in range(bounds.left, bounds.right + 1))
-            for y in range(bounds.top, bounds.bottom - 1, -1)
-        )
+        return self._bounds.rows(self.letter)
 
 
 def floor_size(picture: Picture) -> tuple[int, int]:

@@ -395,11 +395,7 @@ def factor_for(bounds: Bounds, columns: int, rows: int) -> int:
 def floor_rows(scene: MapScene, columns: int, rows: int) -> tuple[str, ...]:
     """The whole floor in letters, two columns a square, in that many columns and rows."""
     scale = MapScale(scene, factor_for(scene.bounds, columns // 2, rows))
-    bounds = scale.bounds
-    return tuple(
-        "".join(_in_two_columns(*scale.shown(Cell(x, y))) for x in range(bounds.left, bounds.right + 1))
-        for y in range(bounds.top, bounds.bottom - 1, -1)
-    )
+    return scale.bounds.rows(lambda cell: _in_two_columns(*scale.shown(cell)))
 
 
 def _in_two_columns(letter: str, look: str) -> str:
@@ -503,7 +499,4 @@ def rows_of(scene: MapScene, wording: Wording) -> tuple[str, ...]:
             else letter
         )
 
-    return tuple(
-        "".join(shown(Cell(x, y)) for x in range(part.left, part.right + 1))
-        for y in range(part.top, part.bottom - 1, -1)
-    )
+    return part.rows(shown)

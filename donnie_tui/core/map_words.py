@@ -142,10 +142,7 @@ def picture_in_letters(grid: MapGrid, wording: Wording, free: str = FREE) -> tup
     ``free`` is shown for a free square: a full stop, or a letter for those who read braille.
     """
     window = grid.bounds.part(grid.robot, WIDEST, HIGHEST)
-    rows = [
-        "".join(grid.letter(Cell(x, y)) for x in range(window.left, window.right + 1))
-        for y in range(window.top, window.bottom - 1, -1)
-    ]
+    rows = window.rows(grid.letter)
     shown = set("".join(rows)) - {TRAIL, START}
     names = names_of_letters(grid.picture, wording)
     shown_as = _braille_letters(names) | {FREE: free, START: _START}

@@ -152,19 +152,8 @@ def unquoted(name: str) -> str:
     return name.strip().strip("\"'“”")
 
 
-def exists(path: Path) -> bool:
-    """Whether there is a file or a folder. False for a name that is too long to be looked for."""
-    try:
-        return path.exists()
-    except OSError:
-        return False
-
-
-def is_folder(path: Path) -> bool:
-    try:
-        return path.is_dir()
-    except OSError:
-        return False
+exists, is_folder = os.path.exists, os.path.isdir
+"""False for a name that is too long to be looked for, where those of ``Path`` raise ``OSError``."""
 
 
 def is_same_file(one: Path, other: Path) -> bool:

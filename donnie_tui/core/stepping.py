@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
+from operator import add, eq, ge, gt, le, lt, mul, ne, sub
 
 from msgspec import Struct
 
@@ -237,14 +238,15 @@ def _seq(timeline: Timeline) -> int:
     return timeline.now.seq if timeline.now is not None else 0
 
 
-_COMPARISONS = {
-    "==": "equal",
-    "<>": "different",
-    "<": "less",
-    ">": "greater",
-    "<=": "less-or-equal",
-    ">=": "greater-or-equal",
+_COMPARISONS: Mapping[str, tuple[str, Callable[[int, int], bool]]] = {
+    "==": ("equal", eq),
+    "<>": ("different", ne),
+    "<": ("less", lt),
+    ">": ("greater", gt),
+    "<=": ("less-or-equal", le),
+    ">=": ("greater-or-equal", ge),
 }
+_OPERATORS: Mapping[str, Callable[[int, int], int]] = {"+": add, "-": sub, "*": mul, "/": divide}
 
 
 class _Round(Struct):
@@ -419,16 +421,9 @@ class StepNarrator:
 
     def _condition_in_words(self, condition: Condition, left: int, right: int) -> str:
         """The condition as written, with its values, and its result."""
-        is_true = {
-            "==": left == right,
-            "<>": left != right,
-            "<": left < right,
-            ">": left > right,
-            "<=": left <= right,
-            ">=": left >= right,
-        }[condition.comparator]
-        how = self._say(f"comparison-{_COMPARISONS[condition.comparator]}", left=left, right=right)
-        return self._say("step-true" if is_true else "step-false", how=how)
+        name, compare = _COMPARISONS[condition.comparator]
+        how = self._say(f"comparison-{name}", left=left, right=right)
+        return self._say("step-true" if compare(left, right) else "step-false", how=how)
 
     def _value(
         self, expression: Expression, variables: Mapping[str, int | None], reads: Iterator[int]
@@ -452,15 +447,7 @@ class StepNarrator:
 
 def _computed(operator: str, left: int, right: int) -> int | None:
     try:
-        match operator:
-            case "+":
-                return left + right
-            case "-":
-                return left - right
-            case "*":
-                return left * right
-            case _:
-                return divide(left, right)
+        return _OPERATORS[operator](left, right)
     except (LanguageError, ZeroDivisionError):
         return None
 

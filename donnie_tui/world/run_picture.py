@@ -468,7 +468,7 @@ def as_svg(it: RunPicture) -> str:
             *(_svg_goal(each) for each in goals_on(it)),
             *(line for number, path in enumerate(it.paths) for line in _svg_path(it, path, number)),
             *(line for each in it.moving for line in _svg_moving(it, *each)),
-            *(_svg_text(*each) for each in _texts(it, it.standing)),
+            *(_svg_text(*each) for each in texts(it, it.standing)),
             "</svg>\n",
         )
     )
@@ -663,7 +663,7 @@ def _draw_run(it: RunPicture, draw: ImageDraw, shown: Sequence[Drawing]) -> None
         x, y = it.at(path.poses[0].x, path.poses[0].y)
         draw.ellipse((x - 4, y - 4, x + 4, y + 4), fill="white", outline=colour, width=2)
         draw.polygon(arrow(it, path), fill=colour)
-    for x, y, text in _texts(it, shown):
+    for x, y, text in texts(it, shown):
         _write(draw, (x, y), text, "ls")
 
 
@@ -697,15 +697,11 @@ def plot_as_png(plot: Plot) -> bytes:
     return _png(image, plot.about)
 
 
-def texts(it: RunPicture) -> Iterable[tuple[float, float, str]]:
+def texts(it: RunPicture, shown: Sequence[Drawing]) -> Iterable[tuple[float, float, str]]:
     """The title, a letter on each thing or next to a small one, robots, the numbers of goals, and the legend.
 
     Left end and base line of each.
     """
-    return _texts(it, it.drawings)
-
-
-def _texts(it: RunPicture, shown: Sequence[Drawing]) -> Iterable[tuple[float, float, str]]:
     for number, line in enumerate(it.title_lines):
         yield MARGIN, MARGIN + LINE * number, line
     for each in shown:

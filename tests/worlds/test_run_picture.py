@@ -172,10 +172,10 @@ def test_a_robot_that_only_turned_has_a_place_and_no_moving_dot() -> None:
 def test_a_robot_that_stood_still_is_drawn_and_one_that_drove_is_the_arrow_of_its_path() -> None:
     paths = DrivenPath("alice", (Pose(0, 0, 0), Pose(0, 6, 0)))
 
-    letters = [text for _, _, text in texts(drawn("two_robots", paths)) if len(text) <= 2]
+    letters = [text for _, _, text in texts_on(drawn("two_robots", paths)) if len(text) <= 2]
 
     assert len(letters) == 3  # bob and two boxes
-    assert "alice" in [text for _, _, text in texts(drawn("two_robots", paths))]
+    assert "alice" in [text for _, _, text in texts_on(drawn("two_robots", paths))]
     assert "alice: The path starts at 0, 0. North: 6 steps, to 0, 6. 6 steps in all." in " ".join(
         drawn("two_robots", paths).legend
     )
@@ -195,14 +195,14 @@ def test_goals_are_dashed_boxes_with_their_numbers_and_a_place_has_all_of_them()
     assert (x, y) == pytest.approx(it.at(-5, 5), abs=0.2)
     assert (width, height) == pytest.approx((10 * it.scale, 10 * it.scale), abs=0.2)
     assert (small[0] + small[2] / 2, small[1] + small[3] / 2) == pytest.approx(it.at(-8, 8), abs=0.2)
-    assert [text for _, _, text in texts(it) if text in ("1", "2", "3", "2, 3")] == ["1", "2, 3"]
+    assert [text for _, _, text in texts_on(it) if text in ("1", "2", "3", "2, 3")] == ["1", "2, 3"]
     assert [each for each in it.legend if each.startswith("goal")] == ["goal 1", "goal 2", "goal 3"]
 
 
 def test_things_that_differ_in_colour_only_have_the_initial_of_the_colour() -> None:
     it = drawn("colour_garden")
 
-    assert sorted(text for _, _, text in texts(it) if len(text) == 2) == [
+    assert sorted(text for _, _, text in texts_on(it) if len(text) == 2) == [
         *("fB", "fB", "fB", "fO", "fR", "fR", "fY", "fY", "fY", "fY"),
     ]
     assert {"fB: flower, blue", "fY: flower, yellow", "s: stone, gray"} < {*it.legend}
@@ -426,8 +426,8 @@ def test_a_path_begins_at_a_ring_with_the_name_of_its_robot() -> None:
     assert ring not in ((255, 255, 255), (0, 0, 0))
     assert [pixel(*each) for each in ((-4, 0), (0, 4), (0, -4), (0, -60))] == [ring] * 4
     assert pixel(0, 0) == pixel(6, 0) == pixel(0, 6) == (255, 255, 255)
-    assert [each for each in texts(it) if each[2] == "bob"] == [(x + 8, round(y + LETTER / 3, 1), "bob")]
-    assert not [each for each in texts(alone()) if not each[2]]
+    assert [each for each in texts_on(it) if each[2] == "bob"] == [(x + 8, round(y + LETTER / 3, 1), "bob")]
+    assert not [each for each in texts_on(alone()) if not each[2]]
 
 
 # --- where everything has its place
@@ -435,7 +435,7 @@ def test_a_path_begins_at_a_ring_with_the_name_of_its_robot() -> None:
 
 def test_a_picture_has_two_steps_around_its_path_a_margin_and_its_texts_above_and_below() -> None:
     it = alone()
-    title, *legend = texts(it)
+    title, *legend = texts_on(it)
 
     assert it.top == 48
     assert it.at(0, 10) == (24 + 48, 48 + 48)
@@ -451,7 +451,7 @@ def test_a_title_of_several_lines_moves_the_map_down() -> None:
 
     assert more > 0
     assert (two.top, two.height) == (one.top + 20 * more, one.height + 20 * more)
-    assert [text[:2] for text in texts(two)][: more + 1] == [(24, 24 + 20 * at) for at in range(more + 1)]
+    assert [text[:2] for text in texts_on(two)][: more + 1] == [(24, 24 + 20 * at) for at in range(more + 1)]
 
 
 @pytest.mark.parametrize(
@@ -932,7 +932,7 @@ def test_the_png_of_a_path_has_its_arrow_its_ring_its_texts_and_the_name_of_the_
     assert [image.getpixel((round(end) + right, round(y) + 3)) for right in (-30, -12, 12, 32)] == [
         *(white, violet, violet, white),  # within the arrow
     ]
-    for left, base, text in texts(it):
+    for left, base, text in texts_on(it):
         ink = image.crop((round(left), round(base) - 12, round(left) + 8 * len(text), round(base) + 3))
         assert min(ink.convert("L").tobytes()) < 0x40
 
@@ -1006,9 +1006,13 @@ def crowd(seed: int) -> RunPicture:
     return run_picture(TITLES[seed % 3], drawings(scene), paths, Words(), goals)
 
 
+def texts_on(it: RunPicture) -> list[tuple[float, float, str]]:
+    return list(texts(it, it.drawings))
+
+
 def boxes_of_texts(it: RunPicture) -> list[tuple[float, float, float, float]]:
     font = ImageFont.load_default(LETTER)
-    boxes = [(font.getbbox(text, anchor="ls"), x, y) for x, y, text in texts(it)]
+    boxes = [(font.getbbox(text, anchor="ls"), x, y) for x, y, text in texts_on(it)]
     return [(x + box[0], y + box[1], x + box[2], y + box[3]) for box, x, y in boxes]
 
 
@@ -1041,7 +1045,7 @@ def test_no_text_of_a_crowd_touches_another_or_a_path(seed: int) -> None:
 @pytest.mark.parametrize("title", TITLES)
 def test_a_long_title_is_wrapped_and_whole(title: str) -> None:
     it = run_picture(title, drawings(load_text("position()", Path("a.world"))), (ALONE,), Words())
-    lines = [text for x, y, text in texts(it) if y < it.top]
+    lines = [text for x, y, text in texts_on(it) if y < it.top]
 
     assert "".join(lines).replace(" ", "") == title.replace(" ", "")
     assert (len(lines) > 1) == (len(title) > 100)

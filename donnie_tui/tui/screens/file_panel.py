@@ -49,7 +49,6 @@ MOST_SHOWN = 500
 """Rows of a folder; its last row shows as many more."""
 _WIDTH, _HEIGHT = 80, 26
 """Columns and rows of the panel, at most."""
-_FAR = 10**6
 
 
 class Folder:

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from donnie_tui.bootstrap import Donnie, open_workspace
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.declarations import BY_NAME, When
-from donnie_tui.commands.dispatch import perform, take_line
+from donnie_tui.commands.dispatch import perform, says_slip
 from donnie_tui.commands.interaction import EnterWorld, Option, SwitchMode, drive
+from donnie_tui.commands.lookup import find
 from donnie_tui.commands.preferences import Preferences
 from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.events import Stamped
@@ -179,7 +180,10 @@ class Script(RunObserver):
 
     def type(self, line: str) -> bool:
         """Type a line. False if it is GoDonnie."""
-        is_command = drive(take_line(self.ctx, line))
+        found = find(line)
+        if found is not None:
+            drive(perform(self.ctx, *found))
+        is_command = found is not None or says_slip(self.ctx, line)
         self.donnie.session.hub.wait_until_delivered(TIMEOUT)
         return is_command
 

@@ -62,26 +62,6 @@ def test_an_answer_that_is_printed_in_pieces_is_one_answer() -> None:
     assert [made.last(), made.last(2)] == [("a", "b", "c"), ()]
 
 
-def test_a_repeated_answer_is_not_remembered_twice() -> None:
-    made = log(("a", "b"), ("c",))
-    for line in (*made.again(2), "d"):
-        made.add_line(line)
-
-    assert [made.last(), made.last(2), made.last(3)] == [("d",), ("c",), ("a", "b")]
-
-
-def test_only_the_lines_that_are_repeated_are_not_remembered_again() -> None:
-    made = log(("a", "b"), ("c",))
-    assert made.again() == ("c",)
-    made.add_line("x")
-    assert made.last() == ("x",)
-
-    made.again(3)
-    made.end_answer()
-    made.add_line("a")
-    assert made.last() == ("a",)
-
-
 def test_an_answer_has_begun_from_its_first_line_to_its_end() -> None:
     made = log(("before",))
     begun = [made.has_begun]
