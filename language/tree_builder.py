@@ -13,7 +13,7 @@ from msgspec.structs import replace
 from devices.ports.robot import Bearing
 from language import syntax
 from language.keywords import argument
-from language.lexer import KIND, Token
+from language.lexer import KIND, Token, span_of
 from language.syntax import Binary, Condition, Direction, Name, Negative, NumberLiteral, Side, Span
 
 MOST_LEVELS = 200
@@ -167,7 +167,7 @@ class TreeBuilder:
         said = self._source[string[1] + 1 : string[2] - 1]
         if "\r" in said:
             said = said.replace("\r\n", "\n").replace("\r", "\n")
-        return syntax.SpeakCommand(_tokens_span(word, string), syntax.TextLiteral(_token_span(string), said))
+        return syntax.SpeakCommand(_tokens_span(word, string), syntax.TextLiteral(span_of(string), said))
 
     @staticmethod
     def sound(word: Token, switch: Token) -> syntax.SoundCommand:
@@ -183,27 +183,27 @@ class TreeBuilder:
 
     @staticmethod
     def scan(word: Token) -> syntax.ScanCommand:
-        return syntax.ScanCommand(_token_span(word))
+        return syntax.ScanCommand(span_of(word))
 
     @staticmethod
     def state(word: Token) -> syntax.StateCommand:
-        return syntax.StateCommand(_token_span(word))
+        return syntax.StateCommand(span_of(word))
 
     @staticmethod
     def history(word: Token) -> syntax.HistoryCommand:
-        return syntax.HistoryCommand(_token_span(word))
+        return syntax.HistoryCommand(span_of(word))
 
     @staticmethod
     def grip(word: Token) -> syntax.GripCommand:
-        return syntax.GripCommand(_token_span(word))
+        return syntax.GripCommand(span_of(word))
 
     @staticmethod
     def release(word: Token) -> syntax.ReleaseCommand:
-        return syntax.ReleaseCommand(_token_span(word))
+        return syntax.ReleaseCommand(span_of(word))
 
     @staticmethod
     def pose(word: Token) -> syntax.PoseCommand:
-        return syntax.PoseCommand(_token_span(word))
+        return syntax.PoseCommand(span_of(word))
 
     @staticmethod
     def unused(sensor: Any) -> syntax.UnusedSensor:
@@ -227,11 +227,11 @@ class TreeBuilder:
 
     @staticmethod
     def quit_(word: Token) -> syntax.QuitCommand:
-        return syntax.QuitCommand(_token_span(word))
+        return syntax.QuitCommand(span_of(word))
 
     @staticmethod
     def run(word: Token) -> syntax.RunCommand:
-        return syntax.RunCommand(_token_span(word))
+        return syntax.RunCommand(span_of(word))
 
     # --- blocks --------------------------------------------------------------------------------------
 
@@ -277,7 +277,7 @@ class TreeBuilder:
 
 
 def _name(token: Token) -> Name:
-    return Name(_token_span(token), token[5])
+    return Name(span_of(token), token[5])
 
 
 def _value(terminal: str, token: Token) -> Any:
@@ -285,10 +285,6 @@ def _value(terminal: str, token: Token) -> Any:
     found = argument(terminal, token[5])
     assert found is not None, "the lexer makes that terminal of such a word only"
     return found.value
-
-
-def _token_span(token: Token) -> Span:
-    return Span(token[1], token[2], token[3], token[4])
 
 
 def _tokens_span(first: Token, last: Token) -> Span:

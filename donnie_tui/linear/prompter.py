@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from enum import Enum
 
 from msgspec import Struct
 
@@ -32,34 +31,12 @@ SOON = 1.0
 """Seconds between two copies while lines come without a pause."""
 
 
-class PageBreak(Enum):
-    """What is between two screenfuls of an answer."""
-
-    REST = "rest"
-    ASK = "ask"
-    OFF = "off"
-
-
-class PromptStyle(Enum):
-    """What is printed before the line that is typed."""
-
-    SHORT = "short"
-    NONE = "none"
-    WORD = "word"
-    ANSWER = "answer"
-    """The last line of the answer, so that the cursor of a braille display stays on it."""
-
-
 def prompt_text(settings: Settings, depth: int) -> str:
     """The prompt of a line inside that many blocks."""
     level = str(depth) if depth else ""
-    match PromptStyle(settings.prompt):
-        case PromptStyle.NONE:
-            return ""
-        case PromptStyle.WORD:
-            return f"{f'Donnie {level}'.strip()}{PROMPT}"
-        case _:
-            return f"{level}{PROMPT}"
+    if settings.prompt == "none":
+        return ""
+    return f"{f'Donnie {level}'.strip() if settings.prompt == 'word' else level}{PROMPT}"
 
 
 class Streams(Struct, frozen=True):
@@ -100,13 +77,13 @@ class Streams(Struct, frozen=True):
         """Lines of a page, after which the learner is asked for more; 0 without pages."""
         if self.settings().hold == ON:
             return 1
-        return self.output.block_size if PageBreak(self.settings().page) is PageBreak.ASK else 0
+        return self.output.block_size if self.settings().page == "ask" else 0
 
     def apply_settings(self) -> None:
         """Let the terminal and the output behave as the settings say."""
         if self.editing is not None:
             self.console.edit(self.settings().editor == OWN_EDITOR)
-        self.output.paced = self.is_terminal and PageBreak(self.settings().page) is PageBreak.REST
+        self.output.paced = self.is_terminal and self.settings().page == "rest"
 
     def end_line(self, typed: Typed) -> None:
         """Hold the newline of Enter back until there is an answer, if the terminal has not printed it."""
@@ -164,7 +141,7 @@ class Printer:
                 lines = []
             if self._typed_early is not None:
                 return 0
-        is_answer = PromptStyle(self._streams.settings().prompt) is PromptStyle.ANSWER
+        is_answer = self._streams.settings().prompt == "answer"
         if is_answer and prompt.endswith(PROMPT) and lines:
             prompt = self.prompt = f"{lines.pop()} "
         return self._streams.output.show(lines, prompt, to_the_end=self.is_hurrying)

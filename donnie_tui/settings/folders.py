@@ -66,15 +66,8 @@ def own_sounds(environment: Mapping[str, str], platform: str = sys.platform) -> 
     return Path(account_settings_file(environment, platform)).parent / "sounds"
 
 
-def state_folder(environment: Mapping[str, str], platform: str = sys.platform) -> Path:
-    """The state folder: histories, texts to recover."""
-    from pathlib import Path
-
-    return Path(state_path(environment, platform))
-
-
 def state_path(environment: Mapping[str, str], platform: str = sys.platform) -> str:
-    """The state folder as text."""
+    """The state folder: histories, texts to recover."""
     return _own_folder or _folder(environment, platform, "XDG_STATE_HOME", ".local/state")
 
 

@@ -19,7 +19,7 @@ from textual.screen import Screen
 
 from donnie_tui.commands.keys import PALETTE, KeyTable
 from donnie_tui.i18n.first_words import early
-from donnie_tui.settings.folders import UNSAVED, state_folder
+from donnie_tui.settings.folders import UNSAVED, state_path
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui.environment import is_page, is_plain, may_need_linear
 from donnie_tui.tui.keyboard import STOPS, Dialogs, Keyboard, bindings
@@ -67,7 +67,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         super().__init__(settings)
         self._settings, self._file, self._text, self._restored = settings, file, text, restored
         self._language = settings.language
-        self._state_folder = Path(folder or state_folder(os.environ))
+        self._state_folder = Path(folder or state_path(os.environ))
         self.main_screen = MainScreen(
             self.size,
             plain=is_plain(settings),

@@ -10,7 +10,7 @@ from __future__ import annotations
 import base64
 import os
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from math import isfinite
 from pathlib import Path, PurePosixPath
@@ -226,39 +226,24 @@ def _ships(bundle: WorldBundle) -> bool:
     return bundle.name in worlds.names()
 
 
+class _Belt(Struct):
+    """As a recording has it: the degrees of each direction are text."""
+
+    steps: tuple[int, int, int]
+    columns: dict[str, tuple[int, ...]]
+
+
 def settings_of(header: Header, settings: Settings, words: Words) -> Settings:
     """The settings with those of the recording that matter. Raises ``Unusable``."""
     try:
-        strong, medium, weak = (_number(each) for each in _list(header.belt["steps"]))
-        columns = {
-            Bearing(int(bearing)): tuple(_number(each) for each in _list(those))
-            for bearing, those in _columns(header).items()
-        }
-    except (KeyError, ValueError, TypeError):
+        belt = convert(header.belt, _Belt)
+        columns = {Bearing(int(bearing)): those for bearing, those in belt.columns.items()}
+    except (ValidationError, ValueError):
         raise Unusable(words("bundle-damaged")) from None
     return replace(
         settings,
         seed=header.seed,
         speed=None,
-        belt_steps=(strong, medium, weak),
+        belt_steps=belt.steps,
         belt_columns=columns,
     )
-
-
-def _columns(header: Header) -> Mapping[str, object]:
-    columns = header.belt["columns"]
-    if not isinstance(columns, dict):
-        raise TypeError
-    return columns
-
-
-def _list(value: object) -> list[object]:
-    if not isinstance(value, list):
-        raise TypeError
-    return value
-
-
-def _number(value: object) -> int:
-    if type(value) is not int:
-        raise TypeError
-    return value

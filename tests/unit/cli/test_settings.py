@@ -11,7 +11,7 @@ import pytest
 from donnie_tui.core.program_files import DocumentError
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import folders
-from donnie_tui.settings.folders import settings_file, state_folder
+from donnie_tui.settings.folders import settings_file, state_path
 from donnie_tui.settings.parsing import PORT_WANTED, colours_text, read_settings, remember, with_setting
 from donnie_tui.settings.settings import (
     BY_KEY,
@@ -260,7 +260,7 @@ def test_a_whole_machine_has_settings_too(platform: str, path: str) -> None:
     ],
 )
 def test_state_has_a_folder_of_its_own(platform: str, environment: dict[str, str], state: str) -> None:
-    assert state_folder(environment, platform) == Path(state)
+    assert Path(state_path(environment, platform)) == Path(state)
 
 
 def test_a_confined_session_keeps_settings_and_state_in_its_folder_but_has_the_sounds_of_its_account() -> (
