@@ -1,7 +1,7 @@
 """Voice and cues through one audio worker process. What the rest of Donnie uses:
 
-audio = AudioService(AudioSettings(), on_notice) starts nothing speaker, cues = make_speaker(audio),
-make_cue_player(audio) audio.warm_up() after the first prompt or frame audio.close() leaves nothing running
+``AudioService(AudioSettings(), on_notice)`` starts nothing. It is a ``Speaker`` and a ``CuePlayer``. Call
+``warm_up`` after the first prompt or frame; ``close`` leaves nothing running.
 
 Every call takes a lock for microseconds, notes what is wanted and returns: also without a device, with a
 server that hangs, a dead worker or a full queue. One writer thread starts and kills the worker and calls the
@@ -31,16 +31,7 @@ from devices.audio.supervisor import (
     WorkerState,
     WorkerSupervisor,
 )
-from devices.ports.audio import (
-    AudioNotice,
-    Cue,
-    CuePlayer,
-    SilentCuePlayer,
-    SilentSpeaker,
-    Speaker,
-    Utterance,
-    VoiceSettings,
-)
+from devices.ports.audio import AudioNotice, Cue, Utterance, VoiceSettings
 
 _AWAY = 0.5
 """Seconds that the writer may oversleep before its process counts as suspended."""
@@ -263,47 +254,3 @@ class AudioService:
             if generation == self._generation:
                 self._supervisor.ended(monotonic())
                 self._changed.notify_all()
-
-
-def make_speaker(audio: AudioService | None) -> Speaker:
-    """Donnie's own voice; silent if ``audio`` is None."""
-    return SilentSpeaker() if audio is None else _WorkerSpeaker(audio)
-
-
-def make_cue_player(audio: AudioService | None) -> CuePlayer:
-    """Cues; silent if ``audio`` is None."""
-    return SilentCuePlayer() if audio is None else _WorkerCuePlayer(audio)
-
-
-class _WorkerSpeaker:
-    """Speaks through the worker."""
-
-    def __init__(self, audio: AudioService) -> None:
-        self._audio = audio
-
-    def say(self, utterance: Utterance) -> None:
-        self._audio.say(utterance)
-
-    def silence(self) -> None:
-        self._audio.silence_speech()
-
-    def close(self) -> None:
-        """Be silent. The owner of the audio service closes the worker, because the cues may still need it."""
-        self._audio.silence_speech()
-
-
-class _WorkerCuePlayer:
-    """Plays through the worker."""
-
-    def __init__(self, audio: AudioService) -> None:
-        self._audio = audio
-
-    def play(self, cue: Cue) -> None:
-        self._audio.play(cue)
-
-    def silence(self) -> None:
-        self._audio.silence_cues()
-
-    def close(self) -> None:
-        """Be silent. The owner of the audio service closes the worker."""
-        self._audio.silence_cues()

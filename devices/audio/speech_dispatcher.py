@@ -60,7 +60,7 @@ class SsipSpeaker:
         if self._thread is None:
             self._start()
 
-    def silence(self) -> None:
+    def silence_speech(self) -> None:
         self._mailbox.silence()
 
     def set_voice(self, voice: VoiceSettings) -> None:

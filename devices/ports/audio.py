@@ -1,4 +1,4 @@
-"""The ports for voice and sound, their silent implementations, and the notices about them.
+"""The ports for voice and sound, and the notices about them.
 
 Every method returns at once.
 """
@@ -101,10 +101,8 @@ class Speaker(Protocol):
 
     def say(self, utterance: Utterance) -> None: ...
 
-    def silence(self) -> None:
+    def silence_speech(self) -> None:
         """Stop speaking, and drop the utterances that wait."""
-
-    def close(self) -> None: ...
 
 
 class CuePlayer(Protocol):
@@ -112,9 +110,7 @@ class CuePlayer(Protocol):
 
     def play(self, cue: Cue) -> None: ...
 
-    def silence(self) -> None: ...
-
-    def close(self) -> None: ...
+    def silence_cues(self) -> None: ...
 
 
 class NoticeCode(Enum):
@@ -145,29 +141,3 @@ class AudioNotice(Struct, frozen=True):
     code: NoticeCode
     language: str = ""
     """``en``, ``pt`` or ``es``, where the code is about one."""
-
-
-class SilentCuePlayer:
-    """A ``CuePlayer`` without a sound device. Every cue has its printed sentence."""
-
-    def play(self, cue: Cue) -> None:
-        """Plays nothing."""
-
-    def silence(self) -> None:
-        """Has no effect."""
-
-    def close(self) -> None:
-        """Has no effect."""
-
-
-class SilentSpeaker:
-    """A ``Speaker`` without a voice. Every utterance is printed."""
-
-    def say(self, utterance: Utterance) -> None:
-        """Says nothing."""
-
-    def silence(self) -> None:
-        """Has no effect."""
-
-    def close(self) -> None:
-        """Has no effect."""

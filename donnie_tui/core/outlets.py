@@ -81,7 +81,7 @@ class Voice:
     def _switch(self, on: bool) -> None:
         self._on = on
         if not on:
-            self._speaker.silence()
+            self._speaker.silence_speech()
 
     def _say(self, stamped: Stamped) -> None:
         for line in printed_lines(stamped, self._wording):
@@ -100,7 +100,7 @@ class Cues:
             case SoundSwitched(on=on):
                 self._on = on
                 if not on:
-                    self._player.silence()
+                    self._player.silence_cues()
             case CueSounded() | Chimed() as cue if self._on:
                 self._player.play(Cue(cue.name, cue.bearing, cue.steps))
             case _:

@@ -11,13 +11,11 @@ from collections.abc import Callable, Mapping
 from contextlib import ExitStack
 from typing import TYPE_CHECKING, Protocol
 
-from msgspec import Struct
 from msgspec.structs import replace
 
 from devices.audio.channel import (
     Channel,
     ChannelReason,
-    ChosenChannel,
     DetectedEnvironment,
     SpeakPlace,
     choose_channel,
@@ -95,21 +93,64 @@ class Audible:
             is_linear=self._is_linear, has_real_robot=self._settings.robot.startswith("serial")
         )
         self.choice = choose_channel(self._settings.speech, self._facts, self._settings.speak)
-        made = _AudioAssembler(
-            self._settings,
-            self._session,
-            self._words,
-            self._own,
-            self.choice,
-            is_on=self._is_on,
-            transcript_filter=lambda: self._reporting,
-        )
-        self._made = made.make(self._facts)
+        has_cues = wants_cues(self._settings, self._facts)
+        speaks = self.choice.channel is Channel.TTS or self.choice.speak is not SpeakPlace.HERE
+        self._speakers: list[Speaker] = []
+        self._voiced: list[_Voiced] = []
+        self._audio = self._worker() if speaks or has_cues else None
+        self._connect_voices()
+        self._cue_player: CuePlayer | None = self._audio if has_cues else None
+        if self._cue_player is not None:
+            self._own.callback(self._session.hub.subscribe(Cues(self._cue_player, is_on=self._is_on)))
         notice = NOTICE_FOR.get(self.choice.reason)
         self.notices: tuple[str, ...] = (self._words(notice),) if notice else ()
         """Sentences about requested devices that are not possible."""
         self.decided: str | None = DECIDED_FOR.get(self.choice.reason)
         """The code of the sentence about the automatic choice of the voice."""
+
+    def _connect_voices(self) -> None:
+        at_robot_only = self.choice.speak is SpeakPlace.ROBOT
+        if self.choice.channel is Channel.SSIP:
+            self._voice(self._ssip(), VoiceScope.ANSWERS if at_robot_only else VoiceScope.ALL)
+        if self._audio is not None and self.choice.channel is Channel.TTS:
+            self._voice(self._audio, VoiceScope.ALL)
+        if self._audio is not None and self.choice.speak is not SpeakPlace.HERE:
+            self._voice(self._audio, VoiceScope.PROGRAM)
+
+    def _voice(self, speaker: Speaker, scope: VoiceScope) -> None:
+        self._speakers.append(speaker)
+        voice = Voice(
+            speaker, self._words, scope, is_on=self._is_on, transcript_filter=lambda: self._reporting
+        )
+        self._own.callback(self._session.hub.subscribe(voice))
+
+    def _worker(self) -> AudioService:
+        from devices.audio.service import AudioService, AudioSettings
+
+        settings = AudioSettings(
+            voice_of(self._settings),
+            cue_volumes(self._settings),
+            sounds=own_sounds(os.environ),
+            languages=spoken_languages(),
+        )
+        audio = AudioService(settings, self._report)
+        self._own.callback(audio.close)
+        self._voiced.append(audio)
+        return audio
+
+    def _ssip(self) -> Speaker:
+        from devices.audio.speech_dispatcher import SsipSpeaker
+
+        address = ssip_address(os.environ)
+        assert address is not None  # it was reached when the channel was chosen
+        speaker = SsipSpeaker(address, self._report, voice_of(self._settings), spoken_languages())
+        self._own.callback(speaker.close)
+        self._voiced.append(speaker)
+        return speaker
+
+    def _report(self, notice: AudioNotice) -> None:
+        language = name_of_language(notice.language, self._words.language) if notice.language else ""
+        self._session.hub.publish(Answered(self._words(notice.code.value, language=language)))
 
     def close(self) -> None:
         """Be silent for good."""
@@ -143,14 +184,14 @@ class Audible:
     @property
     def has_cues(self) -> bool:
         """Whether cues are audible now."""
-        return self._made.cue_player is not None and self._is_on and not self._is_mute
+        return self._cue_player is not None and self._is_on and not self._is_mute
 
     @property
     def why_no_cues(self) -> str:
         """The code of the sentence that says why no cue sounds now, and what to do."""
         if self._is_mute:
             return "cues-no-device"
-        if self._made.cue_player is not None:
+        if self._cue_player is not None:
             return "cues-switched-off"
         is_missing = bool(self._settings.sound) and not self._facts.has_sound_device
         return "cues-no-device" if is_missing else "cues-silent"
@@ -163,34 +204,34 @@ class Audible:
 
     def is_quiet_within(self, seconds: float) -> bool:
         """Wait until everything was said, that many seconds at most; False if that was not enough."""
-        return all(each.wait_until_quiet(seconds) for each in self._made.voiced)
+        return all(each.wait_until_quiet(seconds) for each in self._voiced)
 
     def is_still_within(self, seconds: float) -> bool:
         """As ``is_quiet_within``, for utterances and cues."""
-        audio = self._made.audio
+        audio = self._audio
         return self.is_quiet_within(seconds) and (audio is None or audio.wait_until_silent(seconds))
 
     def hush(self) -> None:
         """Stop all utterances so far."""
         self.hushed += 1
-        for each in self._made.speakers:
-            each.silence()
+        for each in self._speakers:
+            each.silence_speech()
 
     def hush_all(self) -> None:
         """Stop all utterances and cues."""
         self.hush()
-        if self._made.cue_player is not None:
-            self._made.cue_player.silence()
+        if self._cue_player is not None:
+            self._cue_player.silence_cues()
 
     def say_printed(self, *lines: str) -> None:
         """Speak the lines that were printed before there was a voice, such as the greeting."""
-        for each in self._made.speakers[:1] if self.speaks and self._is_on else ():
+        for each in self._speakers[:1] if self.speaks and self._is_on else ():
             for line in lines:
                 each.say(Utterance(line, Urgency.ANSWER, self._words.language))
 
     def echo(self, text: str) -> None:
         """Speak typed text."""
-        for each in self._made.speakers[:1]:
+        for each in self._speakers[:1]:
             each.say(Utterance(text, Urgency.PROGRESS, self._words.language))
 
     # --- changing
@@ -202,10 +243,10 @@ class Audible:
         if changed.keys() & _OF_THE_CHANNEL:
             self._make_anew()
         elif changed.keys() & _OF_THE_VOICE:
-            for each in self._made.voiced:
+            for each in self._voiced:
                 each.set_voice(voice_of(self._settings))
-        elif self._made.audio is not None:
-            self._made.audio.set_cue_volumes(cue_volumes(self._settings))
+        elif self._audio is not None:
+            self._audio.set_cue_volumes(cue_volumes(self._settings))
 
     def move_to(self, *, is_linear: bool) -> None:
         """Close the voice before the other mode chooses its own."""
@@ -216,7 +257,7 @@ class Audible:
     @property
     def _is_mute(self) -> bool:
         """Whether a device was looked for, and there is none that works."""
-        return self._made.audio is not None and self._made.audio.is_mute
+        return self._audio is not None and self._audio.is_mute
 
     def _make_anew(self) -> None:
         self._own.close()
@@ -253,99 +294,6 @@ def voice_of(settings: Settings) -> VoiceSettings:
 def cue_volumes(settings: Settings) -> dict[str, float]:
     """0 to 1 by the name of a cue."""
     return {name: percent / 100 for name, percent in settings.cues.items()}
-
-
-class _SoundOutputs(Struct, frozen=True):
-    """The voice and the cues, as far as there are any."""
-
-    speakers: tuple[Speaker, ...]
-    voiced: tuple[_Voiced, ...]
-    cue_player: CuePlayer | None
-    audio: AudioService | None
-
-
-class _AudioAssembler:
-    """Connects the chosen voice and cues with the stream."""
-
-    def __init__(
-        self,
-        settings: Settings,
-        session: HasHub,
-        words: Words,
-        closing: ExitStack,
-        choice: ChosenChannel,
-        *,
-        is_on: bool,
-        transcript_filter: Callable[[], TranscriptFilter],
-    ) -> None:
-        self._reporting = transcript_filter
-        self._settings, self._session, self._words = settings, session, words
-        self._closing, self._choice, self._is_on = closing, choice, is_on
-        self._speakers: list[Speaker] = []
-        self._voiced: list[_Voiced] = []
-
-    def make(self, facts: DetectedEnvironment) -> _SoundOutputs:
-        cues = wants_cues(self._settings, facts)
-        speaks = self._choice.channel is Channel.TTS or self._choice.speak is not SpeakPlace.HERE
-        audio = self._worker() if speaks or cues else None
-        self._connect_voices(audio)
-        player = self._cue_player(audio) if audio is not None and cues else None
-        return _SoundOutputs(tuple(self._speakers), tuple(self._voiced), player, audio)
-
-    def _connect_voices(self, audio: AudioService | None) -> None:
-        match self._choice.channel:
-            case Channel.TTS:
-                self._voice(self._own_voice(audio), VoiceScope.ALL)
-            case Channel.SSIP:
-                at_robot_only = self._choice.speak is SpeakPlace.ROBOT
-                self._voice(self._ssip(), VoiceScope.ANSWERS if at_robot_only else VoiceScope.ALL)
-        if self._choice.speak is not SpeakPlace.HERE:
-            self._voice(self._own_voice(audio), VoiceScope.PROGRAM)
-
-    def _own_voice(self, audio: AudioService | None) -> Speaker:
-        from devices.audio.service import make_speaker
-
-        return make_speaker(audio)
-
-    def _voice(self, speaker: Speaker, scope: VoiceScope) -> None:
-        self._speakers.append(speaker)
-        voice = Voice(speaker, self._words, scope, is_on=self._is_on, transcript_filter=self._reporting)
-        self._closing.callback(self._session.hub.subscribe(voice))
-
-    def _worker(self) -> AudioService:
-        from devices.audio.service import AudioService, AudioSettings
-
-        settings = AudioSettings(
-            voice_of(self._settings),
-            cue_volumes(self._settings),
-            sounds=own_sounds(os.environ),
-            languages=spoken_languages(),
-        )
-        audio = AudioService(settings, self._report)
-        self._closing.callback(audio.close)
-        self._voiced.append(audio)
-        return audio
-
-    def _ssip(self) -> Speaker:
-        from devices.audio.speech_dispatcher import SsipSpeaker
-
-        address = ssip_address(os.environ)
-        assert address is not None  # it was reached when the channel was chosen
-        speaker = SsipSpeaker(address, self._report, voice_of(self._settings), spoken_languages())
-        self._closing.callback(speaker.close)
-        self._voiced.append(speaker)
-        return speaker
-
-    def _cue_player(self, audio: AudioService) -> CuePlayer:
-        from devices.audio.service import make_cue_player
-
-        player = make_cue_player(audio)
-        self._closing.callback(self._session.hub.subscribe(Cues(player, is_on=self._is_on)))
-        return player
-
-    def _report(self, notice: AudioNotice) -> None:
-        language = name_of_language(notice.language, self._words.language) if notice.language else ""
-        self._session.hub.publish(Answered(self._words(notice.code.value, language=language)))
 
 
 def spoken_languages() -> Mapping[str, SpokenLanguage]:

@@ -21,15 +21,13 @@ import pytest
 from devices.audio import process, worker
 from devices.audio.cues import CUE_NAMES
 from devices.audio.process import AudioResponse, Say, Silence, Silenced, SpeechStarted, to_line
-from devices.audio.service import AudioService, AudioSettings, make_cue_player, make_speaker
+from devices.audio.service import AudioService, AudioSettings
 from devices.audio.supervisor import WorkerState
 from devices.audio.worker import AudioWorker
 from devices.ports.audio import (
     AudioNotice,
     Cue,
     NoticeCode,
-    SilentCuePlayer,
-    SilentSpeaker,
     Urgency,
     Utterance,
     VoiceSettings,
@@ -87,7 +85,7 @@ def warm(service: AudioService) -> int:
 
 
 def say(service: AudioService, text: str, language: str = "en") -> None:
-    make_speaker(service).say(Utterance(text, Urgency.PROGRAM, language))
+    service.say(Utterance(text, Urgency.PROGRAM, language))
 
 
 def test_three_sentences_in_three_languages_are_spoken_to_their_end() -> None:
@@ -102,9 +100,8 @@ def test_three_sentences_in_three_languages_are_spoken_to_their_end() -> None:
 def test_every_cue_is_accepted_and_an_unknown_one_is_ignored() -> None:
     with audio() as (service, notices):
         pid = warm(service)
-        player = make_cue_player(service)
         for name in (*CUE_NAMES, "trumpet"):
-            player.play(Cue(name, 45.0, 3.0))
+            service.play(Cue(name, 45.0, 3.0))
         say(service, "A.")  # no silence before it: a busy worker that is silenced late is replaced
 
         assert service.wait_until_quiet(TIMEOUT)
@@ -116,7 +113,7 @@ def test_silence_drops_all_sentences_and_keeps_the_worker_ready() -> None:
         warm(service)
         for number in range(1000):
             say(service, f"A sentence that would take a while, number {number}.")
-        make_speaker(service).silence()
+        service.silence_speech()
         assert service.is_quiet
 
         say(service, "B.")
@@ -140,7 +137,7 @@ def test_a_frozen_worker_blocks_no_caller_and_is_replaced() -> None:
         os.kill(pid, signal.SIGSTOP)
         for number in range(2000):
             say(service, f"{number}.")
-            make_cue_player(service).play(Cue("bump"))
+            service.play(Cue("bump"))
 
         assert eventually(lambda: service.worker_pid not in (None, pid))
         assert group_of(pid) == set()
@@ -152,7 +149,7 @@ def test_a_frozen_worker_that_should_be_silent_is_killed() -> None:
         say(service, "A sentence that takes a while to say.")
         assert eventually(lambda: service.is_speaking)
         os.kill(pid, signal.SIGSTOP)
-        make_speaker(service).silence()
+        service.silence_speech()
 
         assert eventually(lambda: service.worker_pid not in (None, pid))
         assert group_of(pid) == set()
@@ -204,8 +201,8 @@ def test_after_closing_nothing_runs_and_every_method_may_still_be_called() -> No
 
         assert group_of(pid) == set()
         say(service, "Hello.")
-        make_cue_player(service).play(Cue("bump"))
-        make_speaker(service).silence()
+        service.play(Cue("bump"))
+        service.silence_speech()
         service.warm_up()
         service.close()
         assert (service.worker_pid, service.is_quiet, notices) == (None, True, [])
@@ -216,11 +213,6 @@ def test_closing_before_anything_was_played_starts_nothing() -> None:
         service.close()
 
         assert service.worker_pid is None
-
-
-def test_without_a_worker_speaker_and_cue_player_are_silent() -> None:
-    assert isinstance(make_speaker(None), SilentSpeaker)
-    assert isinstance(make_cue_player(None), SilentCuePlayer)
 
 
 RENDER = """
@@ -286,14 +278,14 @@ def test_after_every_kind_of_trouble_the_worker_speaks_again() -> None:
         for number in range(1000):
             say(service, f"{number}.")
             if number % 10 == 0:
-                make_speaker(service).silence()
+                service.silence_speech()
         os.killpg(pid, signal.SIGKILL)
         assert eventually(lambda: service.worker_pid not in (None, pid))
         frozen = warm(service)
         os.kill(frozen, signal.SIGSTOP)
         say(service, "It is frozen.")
         assert eventually(lambda: service.is_speaking)
-        make_speaker(service).silence()
+        service.silence_speech()
         assert eventually(lambda: service.worker_pid not in (None, frozen))
 
         say(service, "Heard.")

@@ -11,7 +11,7 @@ import pytest
 
 from devices.audio import cues
 from devices.audio.cues import CUE_NAMES, SAMPLE_RATE, pitch_of_level, render_cue, seconds_of
-from devices.ports.audio import Cue, CuePlayer, SilentCuePlayer
+from devices.ports.audio import Cue
 
 TICKS = ("step-forward", "step-back", "turn-right", "turn-left")
 OF_GRIPPER = ("grip", "release", "nothing")
@@ -156,14 +156,6 @@ def test_a_deeper_block_sounds_higher() -> None:
     assert steps == sorted(steps, reverse=True)
     assert steps[-1] >= 0
     assert pitch_of_level(100) == 0
-
-
-def test_the_silent_player_accepts_every_cue() -> None:
-    player: CuePlayer = SilentCuePlayer()
-    player.play(Cue("trumpet", math.nan))
-    player.silence()
-    player.close()
-    player.play(Cue("bump"))
 
 
 # --- the tones

@@ -21,14 +21,12 @@ from devices.audio.process import (
     VoiceReady,
 )
 from devices.audio.pronunciation import SpokenLanguage
-from devices.audio.service import AudioService, AudioSettings, make_cue_player, make_speaker
+from devices.audio.service import AudioService, AudioSettings
 from devices.audio.supervisor import WorkerState
 from devices.ports.audio import (
     AudioNotice,
     Cue,
     NoticeCode,
-    SilentCuePlayer,
-    SilentSpeaker,
     Urgency,
     Utterance,
     VoiceSettings,
@@ -180,29 +178,6 @@ def test_cues_and_silences_are_sent(service: Service) -> None:
     audio.silence_speech()
     silence = worker.next(Silence)
     assert (silence.speech, silence.cues) == (True, False)
-
-
-def test_a_voice_and_cues_are_those_of_the_service(service: Service) -> None:
-    speaker, cues = make_speaker(service.audio), make_cue_player(service.audio)
-    speaker.say(Utterance("Hello.", Urgency.ANSWER, "en"))
-    worker = service.worker()
-    worker.is_ready()
-    worker.next(Say)
-    for do in (speaker.silence, speaker.close):
-        do()
-        silence = worker.next(Silence)
-        assert (silence.speech, silence.cues) == (True, False)
-        speaker.say(Utterance(f"{do}", Urgency.ANSWER, "en"))
-        worker.next(Say)
-    for do in (cues.silence, cues.close):
-        cues.play(Cue("found"))
-        worker.next(PlayCue)
-        do()
-        silence = worker.next(Silence)
-        assert (silence.speech, silence.cues) == (False, True)
-    assert worker.killed == 0
-    assert isinstance(make_speaker(None), SilentSpeaker)
-    assert isinstance(make_cue_player(None), SilentCuePlayer)
 
 
 def test_a_worker_that_ends_is_replaced_and_what_it_sends_later_is_ignored(service: Service) -> None:

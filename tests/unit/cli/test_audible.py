@@ -16,7 +16,6 @@ from devices.audio.service import AudioSettings
 from devices.ports.audio import (
     AudioNotice,
     NoticeCode,
-    SilentSpeaker,
     Urgency,
     Utterance,
     VoiceSettings,
@@ -42,7 +41,7 @@ HOME = KnownEnvironment(
 ASKED = {"sound": SettingSource.OPTION}
 
 
-class Noting(SilentSpeaker):
+class Noting:
     """Records what it is to say, and how often it is silenced."""
 
     def __init__(self) -> None:
@@ -52,8 +51,11 @@ class Noting(SilentSpeaker):
     def say(self, utterance: Utterance) -> None:
         self.said.append(utterance.text)
 
-    def silence(self) -> None:
+    def silence_speech(self) -> None:
         self.silenced += 1
+
+    def close(self) -> None:
+        """Nothing is held."""
 
 
 def facts(**changes: object) -> KnownEnvironment:
@@ -125,7 +127,9 @@ def test_a_default_voice_is_announced_with_the_word_that_changes_it(
 ) -> None:
     """The greeting says which voice was chosen without a question."""
     monkeypatch.setattr(audible, "DetectedEnvironment", lambda **_: around)
-    monkeypatch.setattr(audible._AudioAssembler, "make", lambda *_: SimpleNamespace())
+    monkeypatch.setattr("devices.audio.service.AudioService", lambda *_: Noting())
+    monkeypatch.setattr("devices.audio.speech_dispatcher.SsipSpeaker", lambda *_: Noting())
+    monkeypatch.setattr(audible, "ssip_address", lambda _: "somewhere")
     with ExitStack() as closing:
         decided = make_audible(
             Settings(speech=speech, sound=False), Floor().session, Words(), closing
@@ -507,8 +511,7 @@ class TwoVoices:
         monkeypatch.setattr(audible, "DetectedEnvironment", lambda **_: facts(has_ssip=True))
         monkeypatch.setattr(audible, "ssip_address", lambda _: "somewhere")
         monkeypatch.setattr("devices.audio.speech_dispatcher.SsipSpeaker", lambda *_: self.server)
-        monkeypatch.setattr("devices.audio.service.AudioService", lambda *_: Noting())
-        monkeypatch.setattr("devices.audio.service.make_speaker", lambda _: self.own)
+        monkeypatch.setattr("devices.audio.service.AudioService", lambda *_: self.own)
 
 
 @pytest.mark.parametrize(

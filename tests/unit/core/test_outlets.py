@@ -50,10 +50,10 @@ class RecordingAudio:
     def play(self, cue: Cue) -> None:
         self.heard.append(cue.name)
 
-    def silence(self) -> None:
+    def silence_speech(self) -> None:
         self.heard.append("(hush)")
 
-    def close(self) -> None: ...
+    silence_cues = silence_speech
 
 
 def test_sound_off_ends_the_voice_and_later_announcements_are_only_printed() -> None:

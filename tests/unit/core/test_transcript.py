@@ -120,11 +120,10 @@ class Diary:
     def play(self, cue: Cue) -> None:
         self.played.append(cue)
 
-    def silence(self) -> None:
+    def silence_speech(self) -> None:
         self.silenced += 1
 
-    def close(self) -> None:
-        """Nothing is held."""
+    silence_cues = silence_speech
 
 
 def listening(language: str = "en") -> tuple[Diary, Voice, Cues]:

@@ -258,7 +258,7 @@ def test_silence_cancels_the_sentence_and_drops_the_others(tmp_path: Path) -> No
     speaker.say(say("Second."))
     assert server.wait_for(texts=1)
     assert not speaker.wait_until_quiet(0)
-    speaker.silence()
+    speaker.silence_speech()
     assert server.wait_for(command="CANCEL SELF")
     assert speaker.wait_until_quiet(10)
     assert server.texts == ["First."]
