@@ -158,7 +158,7 @@ class BoardConnection:
         if self.state is LinkState.LOST and now >= self._deadline:
             self._deadline = now + self._config.first_answer
             return [PortAction.REOPEN]
-        if self._stopping.must_force(now, self._received_at, self._tracker.moved_at):
+        if self._stopping.must_force(now, self._tracker.counted_at, self._tracker.changed_at):
             done.append(PortAction.RESET)
         self._report_runaway()
         return done + self._due(now)

@@ -186,12 +186,12 @@ class StopSequence:
         if not self.is_over:
             self._stage, self._since = _Stage.STOP_SENT, now
 
-    def must_force(self, now: float, received_at: float, moved_at: float) -> bool:
+    def must_force(self, now: float, counted_at: float, changed_at: float) -> bool:
         """Check the wheels and repeat what is due. True, once, if the robot must be stopped by force now.
 
-        ``received_at`` and ``moved_at``: when the last frame came, and when a wheel last counted.
+        ``counted_at`` and ``changed_at``: when the wheels' counts came last, and when they last changed.
         """
-        if self.is_over or self._stands(now, received_at, moved_at):
+        if self.is_over or self._stands(now, counted_at, changed_at):
             self._stage = _Stage.STANDING
             return False
         if now >= self._again_at:
@@ -200,7 +200,7 @@ class StopSequence:
         if self.has_failed or now - self._since < self._config.runaway:
             return False
         if self._stage in (_Stage.FORCED, _Stage.UNKNOWN):
-            is_turning = now - moved_at < max(self._config.still, self._config.runaway / 2)
+            is_turning = now - changed_at < max(self._config.still, self._config.runaway / 2)
             self._stage = _Stage.FAILED if is_turning else _Stage.UNKNOWN
             return False
         self._since = now
@@ -220,7 +220,7 @@ class StopSequence:
         runaway = inf if self.is_exhausted else self._since + self._config.runaway
         return min(self._again_at, runaway)
 
-    def _stands(self, now: float, received_at: float, moved_at: float) -> bool:
-        """Frames have come since the stop, and no count for a while."""
+    def _stands(self, now: float, counted_at: float, changed_at: float) -> bool:
+        """Counts have come since the stop, and have been the same for a while."""
         still = self._config.still
-        return received_at - self._since >= still and now - moved_at >= still and now - received_at < still
+        return counted_at - self._since >= still and now - changed_at >= still and now - counted_at < still

@@ -106,6 +106,9 @@ class TelemetryTracker:
         """The senses of the two counts, right and left."""
         self.millivolts: int | None = None
         self.moved_at = 0.0
+        self.counted_at = self.changed_at = 0.0
+        """When the wheels' counts came last, and when they last differed from those before, or had none."""
+        self._counts: tuple[int, int] | None = None
         self._right_moved_at = self._left_moved_at = 0.0
         self.frames = 0
 
@@ -121,11 +124,15 @@ class TelemetryTracker:
         """The board restarted, or the link was lost: forget what may have changed meanwhile."""
         self._right.rebase()
         self._left.rebase()
+        self._counts = None
         self._ranges.clear()
         self._last_bumpers = self._bumpers = (False,) * BUMPERS
         self._epoch += 1
 
     def count_wheels(self, right: int, left: int, now: float) -> None:
+        self.counted_at = now
+        if self._counts != (right, left):
+            self._counts, self.changed_at = (right, left), now
         if self._right.count(right * self.encoders[0]):
             self.moved_at = self._right_moved_at = now
         if self._left.count(left * self.encoders[1]):

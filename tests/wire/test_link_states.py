@@ -212,6 +212,52 @@ def test_a_drive_to_where_the_wheels_are_already_ends_the_one_before() -> None:
     assert connection.is_standing
 
 
+@pytest.mark.parametrize(
+    ("frame", "stands"),
+    [
+        (battery_at(8000), False),  # says nothing of the wheels
+        (wheels_at(400, 400), False),  # so far at once that a second frame must confirm it
+        (wheels_at(110, 110), False),
+        (wheels_at(100, 100), True),
+    ],
+)
+def test_wheels_that_were_not_seen_for_a_while_stand_only_if_their_counts_are_the_same(
+    frame: bytes, stands: bool
+) -> None:
+    """After a pause of the link, such as that of a network, shorter than a lost one."""
+    connection = streaming()
+    assert connection.drive(connection.permit, MotorDrive.FORWARD, FAR, 3.0)
+    written(connection, 3.0)
+    connection.received(wheels_at(50, 50), 3.1)
+    connection.received(wheels_at(100, 100), 3.2)
+    connection.stop(3.2)
+    written(connection, 3.2, 3.21, 3.22)
+    connection.received(frame, 3.5)
+    written(connection, 3.5)
+
+    assert connection.is_standing is stands
+
+
+def test_the_first_counts_after_a_loss_are_no_sign_that_the_wheels_stand() -> None:
+    """They only say where the wheels are; the next ones say whether they turn."""
+    connection = streaming()
+    assert connection.drive(connection.permit, MotorDrive.FORWARD, FAR, 3.0)
+    connection.received(wheels_at(50, 50), 3.1)
+    connection.actions(3.7)
+    assert connection.state is LinkState.LOST
+    connection.received(battery_at(8000), 4.0)
+    for now in range(400, 420):
+        connection.actions(now / 100)
+    stands = []
+    for now in (4.25, 4.3, 4.375):
+        connection.received(wheels_at(500, 500), now)
+        connection.actions(now)
+        assert connection.state is LinkState.STREAMING
+        stands.append(connection._stopping.is_over)
+
+    assert stands == [False, False, True]
+
+
 def test_a_board_that_restarts_stands_and_has_six_seconds_to_answer() -> None:
     connection = streaming()
     connection.drive(connection.permit, MotorDrive.FORWARD, 100.0, 3.0)
