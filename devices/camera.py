@@ -71,7 +71,7 @@ MOST_LAYERS = 100
 _FORMATS = ("PNG", "JPEG", "PPM", "BMP", "GIF")
 _SUFFIXES = (".png", ".jpg", ".jpeg", ".ppm", ".bmp", ".gif")
 _SILENCE = {"OPENCV_LOG_LEVEL": "SILENT", "OPENCV_VIDEOIO_V4L_SELECT_TIMEOUT": "3"}
-"""Nothing but Donnie writes on the screen; and a camera that hangs is given up after that many seconds."""
+"""Nothing but Donnie writes on the screen; and a camera that hangs is given up after three seconds."""
 
 
 class Blob(Struct, frozen=True):

@@ -134,7 +134,7 @@ class _Joined:
         mine: list[tuple[Edge, ...]],
         ahead: list[tuple[Part, tuple[Edge, ...], float]],
     ) -> None:
-        """``since`` as many metres of the robot's way; the parts ``ahead``, each with its gap along the way.
+        """``since``: metres of the robot's way where it begins; ``ahead``: parts, each with its gap.
 
         ``mine`` and the edges of the parts are seen along the way.
         """

@@ -59,7 +59,7 @@ class Progress:
     def __init__(
         self, motion: Motion, amount: int, every: int, report: Callable[[Motion, Pose], None]
     ) -> None:
-        """``amount``: steps or degrees of the movement, of which ``every`` that many are reported."""
+        """``amount``: steps or degrees of the movement. After each ``every`` of them comes a report."""
         self._motion, self._amount, self._every, self._report = motion, amount, every, report
         self._reported = 0
 

@@ -103,7 +103,7 @@ class OutputQueue:
             self._changed.wait_for(lambda: self._has_room(robot))
 
     def take(self, most: int | None = None) -> list[str]:
-        """The lines that wait, that many of them at most."""
+        """The first lines that wait, at most that many."""
         with self._changed:
             lines = self._first[:most]
             self._first = self._first[len(lines) :]
