@@ -82,7 +82,7 @@ class Controlled:
 
     def said(self) -> list[str]:
         """All lines that were printed so far."""
-        self.donnie.session.hub.wait_until_delivered(60)
+        self.donnie.session.hub.wait_until_delivered(TIMEOUT)
         return self.script.printed
 
     def begin(self, **given: Any) -> Any:

@@ -78,7 +78,7 @@ def test_events_of_many_threads_have_one_order_without_gaps() -> None:
         thread.start()
     for thread in threads:
         thread.join()
-    hub.wait_until_delivered(30.0)
+    hub.wait_until_delivered(TIMEOUT)
 
     assert first == second == list(range(1, 1201))
 
@@ -171,7 +171,7 @@ def test_a_listener_that_hangs_holds_no_other_robot() -> None:
     assert blocked.heard == []
     blocked.let_go()
     first.join(TIMEOUT)
-    stream.wait_until_delivered(20)
+    stream.wait_until_delivered(TIMEOUT)
     assert blocked.heard == list(range(1, 302))
 
 
@@ -187,7 +187,7 @@ def test_no_thread_delivers_the_events_of_others_without_end() -> None:
     bob.publish(Spoke("b"))
     blocked.let_go()
     first.join(TIMEOUT)
-    stream.wait_until_delivered(20)
+    stream.wait_until_delivered(TIMEOUT)
 
     assert deliverers[0] == first.ident
     assert not {first.ident, threading.get_ident()} & set(deliverers[1:])
@@ -298,7 +298,7 @@ def test_an_answer_to_a_program_comes_before_its_next_event(
     blocked.let_go()
     running.join(TIMEOUT)
     other.join(TIMEOUT)
-    hub.wait_until_delivered(20)
+    hub.wait_until_delivered(TIMEOUT)
 
     assert heard == [Answered("Speed 2."), Spoke("first"), Spoke("answer"), Spoke("next")]
 

@@ -148,7 +148,10 @@ def test_the_table_has_the_result_of_each_request_in_each_state(state: RunState,
     else:
         ASK[request_](lesson.runs)
 
-    assert lesson.runs.state is (after or state)
+    possible = {after or state}
+    if (after, request_) == (RunState.RUNNING, Request.PAUSE):  # the program may have come to a hold already
+        possible.add(TRANSITIONS[after, Request.HOLD])
+    assert lesson.runs.state in possible
     lesson.team.close()
 
 
