@@ -7,7 +7,9 @@ thing. Things count where they are at the end of the run.
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from math import inf
+from typing import TypeAlias
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -33,6 +35,10 @@ from worlds.challenges import Avoided, ChallengeQuestion, Unsensed
 TOLERANCES = {"direction": 30.0, "distance": 2.0}
 """Degrees and steps that an answer may be off by where the challenge doesn't say; else nothing."""
 _NUMBER = re.compile(r"\d+(?:[.,]\d+)?")
+_Naming: TypeAlias = tuple[Callable[[str, str, Wording], str], Callable[[str, str, str, Wording], str]]
+_LISTED: _Naming = called, coloured
+_THE: _Naming = the_called, the_coloured
+"""How a sentence has a thing, without its colour and with it; ``_LISTED`` has no article."""
 
 
 class Asked(Struct, frozen=True):
@@ -45,8 +51,8 @@ class Asked(Struct, frozen=True):
         """The question in words."""
         ask, names = self.question.ask, self.question.things
         listed = "; ".join(f"{at} {self._called(name, wording)}" for at, name in enumerate(names, start=1))
-        in_the_template = ask in ("count", "colour")  # which is a list, or has the article
-        target = (self._called if in_the_template else self._the)(names[0], wording)
+        how = _LISTED if ask in ("count", "colour") else _THE  # the question about a colour has the article
+        target = self._called(names[0], wording, how)
         origin = self._origin_in_words(wording)
         return wording(f"question-{ask}", origin=origin, target=target, things=listed)
 
@@ -96,22 +102,12 @@ class Asked(Struct, frozen=True):
     def _item(self, name: str) -> Thing:
         return self.track.end.called(name)[0]
 
-    def _called(self, name: str, wording: Wording) -> str:
-        """A thing in a list, with its colour where the question names it and does not ask for it."""
-        item = self._item(name)
-        if self._has_colour(item, name):
-            return coloured(item.kind, item.name, item.colour, wording)
-        return called(item.kind, item.name, wording)
-
-    def _the(self, name: str, wording: Wording) -> str:
-        """The same in a sentence."""
-        item = self._item(name)
-        if self._has_colour(item, name):
-            return the_coloured(item.kind, item.name, item.colour, wording)
-        return the_called(item.kind, item.name, wording)
-
-    def _has_colour(self, item: Thing, name: str) -> bool:
-        return self.question.ask != "colour" and bool(item.colour) and item.colour in name
+    def _called(self, name: str, wording: Wording, how: _Naming = _LISTED) -> str:
+        """A thing, with its colour where the question names it and does not ask for it."""
+        item, (plain, with_colour) = self._item(name), how
+        if self.question.ask == "colour" or not item.colour or item.colour not in name:
+            return plain(item.kind, item.name, wording)
+        return with_colour(item.kind, item.name, item.colour, wording)
 
     def _way_to(self, name: str) -> tuple[float, float]:
         """How far and in which direction a thing is: from the robot's body, or from a place or thing."""
@@ -128,7 +124,7 @@ class Asked(Struct, frozen=True):
             return wording(f"question-from-{origin}")
         if not isinstance(origin, str):
             return wording("question-from", origin=target_in_words(origin, self.track.end, wording))
-        return wording("question-from", origin=self._the(origin, wording))
+        return wording("question-from", origin=self._called(origin, wording, _THE))
 
 
 def unsensed_question(asked: Unsensed, room: Inventory, wording: Wording) -> str:
