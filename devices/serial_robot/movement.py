@@ -427,7 +427,7 @@ class RobotMovement:
         telemetry = self._link.telemetry
         if self._is_lost():
             return True
-        stands_for = telemetry.at - max(telemetry.moved_at, self._commanded_at)
+        stands_for = telemetry.counted_at - max(telemetry.changed_at, self._commanded_at)
         return self._link.driving_since is None and stands_for > STILL_AFTER
 
     def _travelled(self) -> float:

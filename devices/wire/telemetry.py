@@ -44,8 +44,10 @@ class Telemetry(Struct, frozen=True):
     right: int = 0
     left: int = 0
     """Counts of the wheels since the link was first open; they neither wrap nor jump."""
-    moved_at: float = 0.0
-    """When a wheel last counted."""
+    counted_at: float = 0.0
+    """When the wheels' counts came last."""
+    changed_at: float = 0.0
+    """When they last differed from those before, or had none before."""
     both_moved_at: float = 0.0
     """Of the two wheels' last counts, the time of the older one: since then one wheel has not counted."""
     ranges: tuple[RangeSample, ...] = ()
@@ -105,9 +107,8 @@ class TelemetryTracker:
         self.encoders = AS_ORIGINAL.encoders
         """The senses of the two counts, right and left."""
         self.millivolts: int | None = None
-        self.moved_at = 0.0
         self.counted_at = self.changed_at = 0.0
-        """When the wheels' counts came last, and when they last differed from those before, or had none."""
+        """As in ``Telemetry``."""
         self._counts: tuple[int, int] | None = None
         self._right_moved_at = self._left_moved_at = 0.0
         self.frames = 0
@@ -134,9 +135,9 @@ class TelemetryTracker:
         if self._counts != (right, left):
             self._counts, self.changed_at = (right, left), now
         if self._right.count(right * self.encoders[0]):
-            self.moved_at = self._right_moved_at = now
+            self._right_moved_at = now
         if self._left.count(left * self.encoders[1]):
-            self.moved_at = self._left_moved_at = now
+            self._left_moved_at = now
 
     def add_ranges(self, centimetres: tuple[int, ...], now: float) -> None:
         while self._ranges and self._ranges[0].at < now - REMEMBERED:
@@ -154,7 +155,8 @@ class TelemetryTracker:
             epoch=self._epoch,
             right=self.right,
             left=self.left,
-            moved_at=self.moved_at,
+            counted_at=self.counted_at,
+            changed_at=self.changed_at,
             both_moved_at=min(self._right_moved_at, self._left_moved_at),
             ranges=tuple(self._ranges),
             bumpers=self._bumpers,

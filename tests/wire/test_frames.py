@@ -146,8 +146,8 @@ METRE = (100,) * 7
 def test_nothing_is_known_of_a_board_at_first() -> None:
     known = TelemetryTracker(LinkConfig()).telemetry(0.0, 0)
     assert known == Telemetry(
-        at=0.0, epoch=0, right=0, left=0, moved_at=0.0, both_moved_at=0.0, ranges=(), bumpers=FREE,
-        millivolts=None, frames=0, bad_frames=0,
+        at=0.0, epoch=0, right=0, left=0, counted_at=0.0, changed_at=0.0, both_moved_at=0.0, ranges=(),
+        bumpers=FREE, millivolts=None, frames=0, bad_frames=0,
     )  # fmt: skip
     assert known == Telemetry()
 
@@ -163,13 +163,13 @@ def test_what_the_frames_of_a_board_say_is_known() -> None:
     tracker.millivolts, tracker.frames = 7400, 6
 
     assert tracker.telemetry(4.0, 2) == Telemetry(
-        at=4.0, epoch=0, right=10, left=-3, moved_at=3.0, both_moved_at=2.0,
+        at=4.0, epoch=0, right=10, left=-3, counted_at=3.0, changed_at=3.0, both_moved_at=2.0,
         ranges=(RangeSample(2.5, 10, 0, METRE),), bumpers=PRESSED, millivolts=7400, frames=6, bad_frames=2,
     )  # fmt: skip
 
 
 @pytest.mark.parametrize(
-    ("counts", "moved_at", "both_moved_at"),
+    ("counts", "changed_at", "both_moved_at"),
     [
         ([(0, 0), (0, 0)], 0.0, 0.0),
         ([(0, 0), (5, 0), (5, 0)], 1.0, 0.0),
@@ -180,14 +180,14 @@ def test_what_the_frames_of_a_board_say_is_known() -> None:
     ],
 )
 def test_it_is_known_when_a_wheel_and_when_both_have_last_counted(
-    counts: list[tuple[int, int]], moved_at: float, both_moved_at: float
+    counts: list[tuple[int, int]], changed_at: float, both_moved_at: float
 ) -> None:
     tracker = TelemetryTracker(LinkConfig())
     for now, (right, left) in enumerate(counts):
         tracker.count_wheels(right, left, float(now))
 
     known = tracker.telemetry(9.0, 0)
-    assert (known.moved_at, known.both_moved_at) == (moved_at, both_moved_at)
+    assert (known.changed_at, known.both_moved_at) == (changed_at, both_moved_at)
 
 
 @pytest.mark.parametrize(
@@ -217,7 +217,7 @@ def test_after_a_restart_the_counts_go_on_and_all_else_is_forgotten() -> None:
     tracker.rebase()
 
     assert tracker.telemetry(2.0, 0) == Telemetry(
-        at=2.0, epoch=1, right=10, left=20, moved_at=1.0, both_moved_at=1.0
+        at=2.0, epoch=1, right=10, left=20, counted_at=1.0, changed_at=1.0, both_moved_at=1.0
     )
     tracker.add_bumpers(PRESSED)
     tracker.count_wheels(5001, 6001, 3.0)

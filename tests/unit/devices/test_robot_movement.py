@@ -60,9 +60,15 @@ class Wheels:
         assert seconds == 0.125
         self.time, self.sleeps = self.time + seconds, self.sleeps + 1
         count = self.counts.pop(0) if self.counts else self.telemetry.right
-        moved_at = self.time if count != self.telemetry.right else self.telemetry.moved_at
+        moved_at = self.time if count != self.telemetry.right else self.telemetry.changed_at
         self.telemetry = replace(
-            self.telemetry, at=self.time, right=count, left=count, moved_at=moved_at, both_moved_at=moved_at
+            self.telemetry,
+            at=self.time,
+            right=count,
+            left=count,
+            counted_at=self.time,
+            changed_at=moved_at,
+            both_moved_at=moved_at,
         )
         if self.until and count >= self.until[-1]:
             self.driving_since = None
@@ -288,7 +294,7 @@ def test_a_wheel_is_stuck_that_has_not_counted_for_half_a_second_of_a_drive(
 
 
 @pytest.mark.parametrize(
-    ("state", "since", "at", "moved_at", "is_still"),
+    ("state", "since", "counted_at", "changed_at", "is_still"),
     [
         (LinkState.STREAMING, None, 0.06, 0.0, False),
         (LinkState.STREAMING, None, 0.07, 0.0, True),
@@ -299,11 +305,12 @@ def test_a_wheel_is_stuck_that_has_not_counted_for_half_a_second_of_a_drive(
     ],
 )
 def test_wheels_are_still_that_were_stopped_and_count_no_more(
-    state: LinkState, since: float | None, at: float, moved_at: float, is_still: bool
+    state: LinkState, since: float | None, counted_at: float, changed_at: float, is_still: bool
 ) -> None:
+    """Other frames, such as the last one here, say nothing of them."""
     link = Wheels()
     moved = Moved(link)
     link.state, link.driving_since = state, since
-    link.telemetry = Telemetry(at=at, moved_at=moved_at)
+    link.telemetry = Telemetry(at=9.0, counted_at=counted_at, changed_at=changed_at)
 
     assert moved.movement._is_still() is is_still
