@@ -22,7 +22,7 @@ Advance: TypeAlias = Callable[[WheelState], StoppedBy | bool]
 """Takes a datum; True once it is over, or why it can't go on."""
 
 FASTEST, GAIN, SLOWEST = STEP, 4.0, 0.006
-"""Metres a second: a step a second, as the original; near the end, for each metre that is left; at least."""
+"""Metres a second: at most, as the original; near the end, for each metre that is left; at least."""
 NEAR_WAY, NEAR_TURN, NEAR_HEAD = 0.001, 0.5, 0.7
 """Metres and degrees: a robot that is so near to its goal has reached it."""
 LARGEST_TURN = 170.0

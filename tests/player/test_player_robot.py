@@ -132,7 +132,7 @@ def test_a_walk_ends_within_a_fiftieth_of_a_step_of_where_it_should(driven: Driv
 
 
 class LateLink(ServerLink):
-    """Wheels that get each speed some data too late, ``per_datum`` seconds each; there is no server."""
+    """Wheels that obey each speed ``late`` data later. A datum comes every ``per_datum`` seconds."""
 
     def __init__(self, late: int, per_datum: float) -> None:
         super().__init__(f"player://{HOST}:1")
@@ -164,7 +164,7 @@ class LateLink(ServerLink):
 def test_a_walk_does_not_end_where_the_robot_crosses_its_goal(
     steps: int, late: int, per_datum: float
 ) -> None:
-    """A busy machine's data are late: it is off by at most a millimetre and 6 mm/s for as long."""
+    """On a busy machine data come late: the robot may be off by 1 mm, and by 6 mm a second of delay."""
     link = LateLink(late, per_datum)
 
     assert PlayerRobot(link, pace=Pace()).forward(steps).walked == steps
