@@ -263,6 +263,7 @@ def understand(arguments: list[str], words: Words) -> Invocation:
     _refuse_second_limit(rest)
     try:
         parsed = parser_of(command, words).parse_args(rest)
+        _refuse_empty(command, parsed)
         if command == "challenge" and len(parsed.what) == 1 and parsed.what[0] not in CHALLENGE_ORDERS:
             (name,) = parsed.what
             rest.remove(name)
@@ -285,6 +286,20 @@ def _refuse_second_limit(arguments: list[str]) -> None:
     for each in (CONFINED.option, DEVICES.option):
         if sum(given == each or given.startswith(f"{each}=") for given in arguments) > 1:
             raise WrongUsage("usage-twice", each)
+
+
+def _refuse_empty(command: str, parsed: argparse.Namespace) -> None:
+    """Raises ``WrongUsage`` for an empty value, which a shell gives for a variable that is not set."""
+    own = {each.dest or each.names[0].lstrip("-"): each for each in SUBCOMMANDS[command].options}
+    for name, value in vars(parsed).items():
+        if value != "" and not (isinstance(value, list) and "" in value):
+            continue
+        if name not in own:
+            raise WrongUsage("usage-without-value", BY_KEY[name].option)
+        option = own[name].names[0]
+        if option.startswith("-"):
+            raise WrongUsage("usage-without-value", option)
+        raise WrongUsage("usage-missing", own[name].metavar or option)
 
 
 def _refuse_misspelt(typed: str) -> None:

@@ -24,7 +24,7 @@ from msgspec import Struct
 from msgspec.structs import astuple, replace
 
 from donnie_tui.bootstrap import Judge
-from donnie_tui.cli.options import ExitCode, Order
+from donnie_tui.cli.options import ExitCode, Order, WrongUsage
 from donnie_tui.cli.streams import Output
 from donnie_tui.core.describe import task_in_words, verdict_in_words
 from donnie_tui.core.events import RunStarted, Stamped
@@ -87,10 +87,15 @@ def path_given(name: str, words: Words) -> Path:
 
 
 def robot_and_file(argument: str) -> tuple[str | None, str]:
-    """``ROBOT=FILE``, or a file of exactly that name for no robot in particular."""
+    """``ROBOT=FILE``, or a file of exactly that name for no robot in particular.
+
+    Raises ``WrongUsage`` for a robot without a file.
+    """
     robot, equals, file = argument.partition("=")
     if not (robot and equals) or exists(Path(argument)):
         return None, argument
+    if not file:
+        raise WrongUsage("usage-missing", f"{robot}=FILE")
     return robot, file
 
 

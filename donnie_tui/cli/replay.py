@@ -212,8 +212,6 @@ def _wanted(order: Order) -> Iterator[_Wanted]:
     for option, given in _files(order):
         if given is None:
             continue
-        if not given:
-            raise Unusable(order.words("usage-without-value", what=option))
         if option != "--report":
             yield _Wanted(option, *_FORMS[option], given)
         elif (found := asked(given)) is None or refusal(given, order.words):

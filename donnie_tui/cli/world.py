@@ -180,9 +180,9 @@ def _lines(arguments: object, world: ChosenWorld, words: Words) -> tuple[str, ..
     if getattr(arguments, "report", False):
         return _report(world.scene, words)
     if (path := getattr(arguments, "svg", None)) is not None:
-        return (_written("--svg", path, _raised_picture(world, words), words),)
+        return (_written(path, _raised_picture(world, words), words),)
     if (path := getattr(arguments, "brf", None)) is not None:
-        return (_written("--brf", path, _braille_pages(world, words), words),)
+        return (_written(path, _braille_pages(world, words), words),)
     return _words(world, words)
 
 
@@ -319,10 +319,8 @@ def _raised_picture(world: ChosenWorld, words: Words) -> str:
     return on_swell_paper(world, (), (), words)
 
 
-def _written(option: str, path: str, text: str, words: Words) -> str:
+def _written(path: str, text: str, words: Words) -> str:
     """Write a file whole or not at all. Raises ``Unusable``."""
-    if not path:
-        raise Unusable(words("usage-without-value", what=option))
     with as_unusable(words):
         write_program(Path(path), text)
     return words("paper-written", path=path)

@@ -295,6 +295,29 @@ def test_a_wrong_line_is_reported_with_what_is_wrong(line: str, code: str, what:
     assert (wrong.value.code, wrong.value.what, wrong.value.near) == (code, what, near)
 
 
+@pytest.mark.parametrize(
+    ("arguments", "code", "what"),
+    [
+        ([""], "usage-missing", "FILE"),
+        (["run", "a.gd", ""], "usage-missing", "FILE"),
+        (["challenge", ""], "usage-missing", "NAME"),
+        (["calibrate", ""], "usage-missing", "colour"),
+        (["-f", ""], "usage-without-value", "-f"),
+        (["--world=", "a.gd"], "usage-without-value", "--world"),
+        (["--allow", "a", "--allow", ""], "usage-without-value", "--allow"),
+        (["world", "a", "--from", ""], "usage-without-value", "--from"),
+        (["replay", "a", "--svg", ""], "usage-without-value", "--svg"),
+    ],
+)
+def test_an_empty_value_as_of_a_variable_that_is_not_set_is_missing(
+    arguments: list[str], code: str, what: str
+) -> None:
+    with pytest.raises(WrongUsage) as wrong:
+        understand(arguments, Words())
+
+    assert (wrong.value.code, wrong.value.what) == (code, what)
+
+
 def test_a_file_that_is_nearly_called_as_a_command_is_opened(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

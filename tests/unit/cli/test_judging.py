@@ -11,6 +11,7 @@ import pytest
 
 from donnie_tui.cli import programs
 from donnie_tui.cli.options import ExitCode
+from donnie_tui.cli.options import WrongUsage
 from donnie_tui.cli.programs import by_robot, robot_and_file
 from donnie_tui.i18n.words import Unusable, Words
 
@@ -34,6 +35,12 @@ def test_a_file_may_be_named_after_its_robot(
     Path("rui=there.gd").touch()
 
     assert robot_and_file(argument) == found
+
+
+def test_a_robot_without_its_file_is_reported() -> None:
+    with pytest.raises(WrongUsage, match="usage-missing") as wrong:
+        robot_and_file("ana=")
+    assert wrong.value.what == "ana=FILE"
 
 
 NAMES = ("ana", "bia", "eva", "ivo", "leo", "rui")
