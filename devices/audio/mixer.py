@@ -291,6 +291,15 @@ _CHUNK = SAMPLE_RATE
 """Frames that are mixed at once."""
 
 
+def new_wav(out: str | BinaryIO) -> wave.Wave_write:
+    """A WAV file without samples: stereo, 16 bits, at ``SAMPLE_RATE``. Raises ``OSError``."""
+    file = wave.open(out, "wb")  # noqa: SIM115 -- the caller closes it
+    file.setnchannels(2)
+    file.setsampwidth(2)
+    file.setframerate(SAMPLE_RATE)
+    return file
+
+
 class WavCueWriter:
     """Writes cues into a WAV file, each at its robot time: the same bytes for the same run.
 
@@ -301,10 +310,7 @@ class WavCueWriter:
     def __init__(self, out: BinaryIO) -> None:
         """``out`` is closed with the writer."""
         self._out = out  # given only the name, wave prints a complaint if it can't open the file
-        self._file = wave.open(self._out, "wb")  # noqa: SIM115 -- ``close`` closes it
-        self._file.setnchannels(2)
-        self._file.setsampwidth(2)
-        self._file.setframerate(SAMPLE_RATE)
+        self._file = new_wav(self._out)
         self._mixer, self._scheduler = Mixer(), CueScheduler()
 
     @property

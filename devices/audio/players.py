@@ -17,7 +17,6 @@ import sys
 import tempfile
 import threading
 import time
-import wave
 from array import array
 from collections.abc import Callable, Generator, Iterable, Iterator
 from contextlib import contextmanager
@@ -26,7 +25,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from devices.audio.cues import SAMPLE_RATE
-from devices.audio.mixer import MOST_SIMULTANEOUS, NEVER_DROPPED, Mixer, in_stereo
+from devices.audio.mixer import MOST_SIMULTANEOUS, NEVER_DROPPED, Mixer, in_stereo, new_wav
 from devices.audio.process import CAN_DIE_WITH_PARENT, die_with_parent
 
 AUTO_DEVICE = "auto"
@@ -240,26 +239,24 @@ def _run(command: tuple[str, ...], descriptors: tuple[int, ...]) -> subprocess.P
 
 
 @contextmanager
-def _as_file(stereo: array[int]) -> Iterator[tuple[str, tuple[int, ...]]]:
-    """A path to the sound as a WAV file, and the descriptors that a child needs to open it."""
+def scratch_file() -> Iterator[tuple[str, tuple[int, ...]]]:
+    """A path for one WAV file, in memory where the system allows that, so that nothing is left behind, and
+    the descriptors that a child needs to open it."""
     if hasattr(os, "memfd_create"):
         descriptor = os.memfd_create("donnie-sound")
         try:
-            path = f"/proc/self/fd/{descriptor}"
-            _write_wav(path, stereo)
-            yield path, (descriptor,)
+            yield f"/proc/self/fd/{descriptor}", (descriptor,)
         finally:
             os.close(descriptor)
     else:
         with tempfile.TemporaryDirectory(prefix="donnie-sound-") as folder:
-            file = Path(folder, "sound.wav")
-            _write_wav(str(file), stereo)
-            yield str(file), ()
+            yield str(Path(folder, "sound.wav")), ()
 
 
-def _write_wav(path: str, stereo: array[int]) -> None:
-    with wave.open(path, "wb") as file:
-        file.setnchannels(2)
-        file.setsampwidth(2)
-        file.setframerate(SAMPLE_RATE)
-        file.writeframes(stereo.tobytes())
+@contextmanager
+def _as_file(stereo: array[int]) -> Iterator[tuple[str, tuple[int, ...]]]:
+    """A file with the sound, as ``scratch_file`` gives it."""
+    with scratch_file() as (path, descriptors):
+        with new_wav(path) as file:
+            file.writeframes(stereo.tobytes())
+        yield path, descriptors

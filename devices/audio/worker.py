@@ -19,11 +19,9 @@ import os
 import queue
 import signal
 import sys
-import tempfile
 import threading
 from array import array
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -38,7 +36,7 @@ from devices.audio.cues import (
     read_mono,
     render_cue,
 )
-from devices.audio.players import Player, open_player
+from devices.audio.players import Player, open_player, scratch_file
 from devices.audio.process import (
     CAN_DIE_WITH_PARENT,
     AudioResponse,
@@ -121,7 +119,7 @@ class Renderer:
 
     def _rendered(self, text: str) -> array[int]:
         self._wait_until_idle()
-        with _scratch_file() as path:
+        with scratch_file() as (path, _):
             self._engine.save_to_file(text, path)
             self._engine.runAndWait()
             return _samples(path)
@@ -223,20 +221,6 @@ def _tags_of(voice: InstalledVoice) -> frozenset[str]:
 def _is_complete(voice: InstalledVoice) -> bool:
     """espeak-ng lists MBROLA voices even where their data, a separate package, are missing."""
     return not voice.identifier.lower().startswith("mb/")
-
-
-@contextmanager
-def _scratch_file() -> Iterator[str]:
-    """A path for one WAV file: in memory where the system allows that, so nothing is left behind."""
-    if hasattr(os, "memfd_create"):
-        descriptor = os.memfd_create("donnie-voice")
-        try:
-            yield f"/proc/self/fd/{descriptor}"
-        finally:
-            os.close(descriptor)
-    else:
-        with tempfile.TemporaryDirectory(prefix="donnie-voice-") as folder:
-            yield str(Path(folder, "voice.wav"))
 
 
 class AudioWorker:

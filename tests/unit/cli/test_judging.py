@@ -10,8 +10,7 @@ from typing import Any
 import pytest
 
 from donnie_tui.cli import programs
-from donnie_tui.cli.options import ExitCode
-from donnie_tui.cli.options import WrongUsage
+from donnie_tui.cli.options import ExitCode, WrongUsage
 from donnie_tui.cli.programs import by_robot, robot_and_file
 from donnie_tui.i18n.words import Unusable, Words
 
