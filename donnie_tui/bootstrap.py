@@ -191,18 +191,20 @@ class Donnie(Struct, frozen=True):
             self._shared.get_ready()
 
     def stop_real_robot(self) -> bool:
-        """Stop a real robot before a suspension, in which its board would drive on. True if it drove.
+        """Stop a real robot before a suspension, in which its board would drive on. True if it had a program
+        that was not stopped before.
 
-        Returns once the robot stands, or every attempt has failed; also if it was stopped before.
+        Returns once the robot stands, or every attempt has failed.
         """
-        is_running = self.connection.is_real and bool(self.team.running)
-        if is_running:
+        is_first = self.connection.is_real and self.team.has_unstopped_run
+        if self.connection.is_real:
             self.team.stop()
         self.connection.wait_until_standing()
-        return is_running
+        return is_first
 
     def stop_unreachable_robot(self) -> None:
-        """Stop a real robot that the learner can't follow, and say so when the connection is back."""
+        """Stop a real robot that the learner can't follow. Once the connection is back, the learner finds one
+        sentence about it."""
         if self.stop_real_robot():
             self.session.hub.publish(Announced("link", self.words("network-stopped")))
 

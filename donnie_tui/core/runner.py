@@ -17,7 +17,7 @@ from donnie_tui.core.events import INTERNAL, TYPED, Announced, Error, Outcome, R
 from donnie_tui.core.hub import Hub
 from donnie_tui.core.wording import Wording
 from language import keywords
-from language.control import ExecutionControl
+from language.control import ControlState, ExecutionControl
 from language.diagnostics import MOST_MISTAKES, Diagnostic, MistakeKind, ProgramError, QuitRequested, Stopped
 from language.runtime import Actions, Frame, Memory, Runnable
 
@@ -121,6 +121,11 @@ class Run:
     @property
     def is_over(self) -> bool:
         return self._over.is_set()
+
+    @property
+    def is_ending(self) -> bool:
+        """Whether it was stopped, or has come to its end."""
+        return self.control.state in (ControlState.STOPPING, ControlState.ENDED)
 
     @property
     def was_refused(self) -> bool:

@@ -331,8 +331,7 @@ class Session:
     def wait_for_stop(self) -> bool:
         """Waits some moments at most for a stopped program to end. Returns whether no program runs."""
         run = self._run
-        is_ending = run is not None and run.control.state in (ControlState.STOPPING, ControlState.ENDED)
-        return run is None or not is_ending or run.wait(LONGEST_STOP)
+        return run is None or not run.is_ending or run.wait(LONGEST_STOP)
 
     def wait_until_acting(self, seconds: float) -> None:
         """Waits for the robot's first movement or wait, or the program's end, or until the time is over."""

@@ -97,6 +97,12 @@ class Team:
         """The sessions whose programs run."""
         return tuple(each for each in self.sessions if each.run is not None)
 
+    @property
+    def has_unstopped_run(self) -> bool:
+        """Whether a program runs that is not being stopped."""
+        runs = (each.run for each in self.sessions)
+        return any(run is not None and not run.is_ending for run in runs)
+
     # --- their programs
 
     def start_together(

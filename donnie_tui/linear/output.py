@@ -34,7 +34,6 @@ from donnie_tui.core.events import TRANSIENT, Announced, Answered, Error, Stampe
 from donnie_tui.core.transcript import SummaryFilter, printed_lines
 from donnie_tui.linear.console import Console
 from donnie_tui.linear.greeting import PROMPT
-from language.control import ControlState
 from language.source import printable
 
 CAPACITY = 500
@@ -51,7 +50,6 @@ FEWEST = 2
 """Least lines printed at once; if not even these are said, the answer is one line over and over."""
 URGENT = ("link",)
 """Codes of announcements that are printed in the middle of a line that is being typed."""
-_ENDING = (ControlState.STOPPING, ControlState.ENDED)
 
 
 class OutputQueue:
@@ -169,8 +167,7 @@ class BackgroundRobots:
     @property
     def is_running(self) -> bool:
         """Whether a robot runs that is not being stopped."""
-        runs = (session.run for session in self._ctx.donnie.team.running)
-        return any(run is not None and run.control.state not in _ENDING for run in runs)
+        return self._ctx.donnie.team.has_unstopped_run
 
     @property
     def floods(self) -> bool:
@@ -264,7 +261,7 @@ class Listener:
     @property
     def _is_stopping(self) -> bool:
         run = self._donnie.session.run
-        return run is not None and run.control.state in _ENDING
+        return run is not None and run.is_ending
 
 
 def _is_urgent(event: object) -> bool:

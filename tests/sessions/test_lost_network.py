@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 from threading import Event
 from threading import enumerate as threads
 
 import pytest
 
-from donnie_tui.core.events import Announced, Stamped
+from donnie_tui.core.events import Announced, Moved, Stamped
 from donnie_tui.core.session import RunOptions
 from donnie_tui.process import disconnection
 from donnie_tui.process.disconnection import attempts, ssh_connections_of
@@ -60,18 +61,41 @@ def test_a_local_session_has_no_connection(said: str) -> None:
     assert ssh_connections_of({"SSH_CONNECTION": said}) == ()
 
 
-def test_a_robot_of_an_unreachable_learner_is_stopped_and_that_is_reported(
+class Looks:
+    """Counts the looks at the network."""
+
+    def __init__(self) -> None:
+        self.count = 0
+
+    def attempts(self, rows: Iterable[str], ends: tuple[tuple[str, str], ...]) -> int:
+        self.count += 1
+        return attempts(rows, ends)
+
+    def wait_for_more(self) -> None:
+        """Wait until what followed one more look is over, and another has begun."""
+        enough = self.count + 3
+        assert until(lambda: self.count >= enough)
+
+
+def is_moved(stamped: Stamped) -> bool:
+    return isinstance(stamped.event, Moved)
+
+
+def test_a_robot_of_an_unreachable_learner_is_stopped_and_that_is_reported_once(
     tmp_path: Path, robot: PtyBoard, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     file = tmp_path / "tcp"
     file.write_text(table(0), encoding="ascii")
+    looks = Looks()
     monkeypatch.setattr(disconnection, "TABLES", (file, tmp_path / "missing"))
     monkeypatch.setattr(disconnection, "LOOK", 0.01)
+    monkeypatch.setattr(disconnection, "attempts", looks.attempts)
     for name in ("TMUX", "STY"):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setenv("SSH_CONNECTION", BY_SSH["SSH_CONNECTION"])
     donnie, heard = assembled(robot), list[Stamped]()
     donnie.session.hub.subscribe(heard.append)
+    donnie.session.hub.subscribe(lambda stamped: looks.wait_for_more() if is_moved(stamped) else None)
     try:
         run = donnie.session.start("FW 100", "test.gd", RunOptions(hooked=False))
         assert until(lambda: robot.board.is_driving)
@@ -79,8 +103,10 @@ def test_a_robot_of_an_unreachable_learner_is_stopped_and_that_is_reported(
 
         assert until(lambda: not robot.board.is_driving)
         assert run.wait(TIMEOUT)
+        looks.wait_for_more()
+        donnie.session.hub.wait_until_delivered(TIMEOUT)
         said = Announced("link", "The network did not answer, so I stopped the robot.")
-        assert until(lambda: [each.event for each in heard].count(said) == 1)
+        assert [each.event for each in heard].count(said) == 1
     finally:
         donnie.close()
 

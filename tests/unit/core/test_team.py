@@ -69,6 +69,18 @@ class Hall:
 
 
 @pytest.mark.slow
+def test_a_program_that_is_being_stopped_no_longer_counts_as_running() -> None:
+    hall = Hall(speed=1.0)
+    assert not hall.team.has_unstopped_run
+
+    hall.team.start_together({name: RunRequest("WAIT 1000", "w.gd") for name in ("alice", "Bob")})
+    hall.team.session("alice").stop()
+    assert hall.team.has_unstopped_run
+    hall.team.stop()
+    assert not hall.team.has_unstopped_run
+    hall.team.close(TIMEOUT)
+
+
 def test_robots_that_start_together_write_the_same_bytes_every_time_at_any_speed() -> None:
     streams = set()
     for number in range(60):

@@ -11,19 +11,16 @@ from devices.ports.robot import Pose
 from donnie_tui.core.events import Announced, Answered, Error, Event, Moved, Passing, Spoke, Stamped
 from donnie_tui.i18n.words import Words
 from donnie_tui.linear.output import LARGEST_BLOCK, URGENT, BackgroundRobots, Listener, OutputQueue
-from language.control import ControlState
 
 HERE = Pose(0, 0, 0)
 URGENT_NEWS = Announced(min(URGENT), "urgent")
 
 
 class Listening:
-    def __init__(
-        self, *, is_paced: bool = False, state: ControlState | None = None, known: bool = False
-    ) -> None:
+    def __init__(self, *, is_paced: bool = False, is_ending: bool | None = None, known: bool = False) -> None:
         self.did: list[Any] = []
         self.queue = OutputQueue(lambda: self.did.append("queued"))
-        run = None if state is None else Part(control=Part(state=state))
+        run = None if is_ending is None else Part(is_ending=is_ending)
         team = Part(running=())
         session = Part(
             run=run,
@@ -98,18 +95,13 @@ def test_an_answer_at_once_or_in_a_flood_comes_before_all_that_wait() -> None:
     assert it.receive(Answered("a"))[0][0] == "0"
 
 
-@pytest.mark.parametrize(
-    ("state", "is_first"),
-    [(None, False), (ControlState.RUNNING, False), (ControlState.STOPPING, True)],
-)
-def test_urgent_news_come_first_while_a_program_is_stopped(
-    state: ControlState | None, is_first: bool
-) -> None:
-    it = Listening(state=state)
+@pytest.mark.parametrize("is_ending", [None, False, True])
+def test_urgent_news_come_first_while_a_program_is_stopped(is_ending: bool | None) -> None:
+    it = Listening(is_ending=is_ending)
     it.queue.put(["first"])
 
     printed, _ = it.receive(URGENT_NEWS)
-    assert printed == (["urgent", "first"] if is_first else ["first", "urgent"])
+    assert printed == (["urgent", "first"] if is_ending else ["first", "urgent"])
     assert it.console.has_news
 
 
@@ -157,23 +149,6 @@ def test_closing_leaves_the_events_and_the_voice() -> None:
 
 
 # --- robots in the background
-
-
-@pytest.mark.parametrize(
-    ("states", "is_running"),
-    [
-        ((), False), ((None,), False), ((ControlState.RUNNING,), True), ((ControlState.STOPPING,), False),
-        ((ControlState.STOPPING, ControlState.PAUSED), True),
-    ],
-)  # fmt: skip
-def test_a_robot_that_is_being_stopped_does_not_run(
-    states: tuple[ControlState | None, ...], is_running: bool
-) -> None:
-    it = Listening()
-    it.donnie.team.running = [
-        Part(run=None if state is None else Part(control=Part(state=state))) for state in states
-    ]
-    assert it.background.is_running == is_running
 
 
 def test_after_a_stop_a_block_is_printed_and_the_rest_is_counted() -> None:
