@@ -251,3 +251,30 @@ class Robot(Protocol):
 
     def halt(self) -> None:
         """Turn the motors off. From any thread, at any time; never raises."""
+
+
+class Gripping(Protocol):
+    """What a robot has too that may have a gripper."""
+
+    def grip(self) -> GripResult:
+        """Take what is between the paddles or just in front of them. Raises ``RobotProblem``."""
+
+    def release(self) -> GripResult: ...
+
+
+class NamedRangers(Protocol):
+    """What a robot has too whose world may name its distance sensors."""
+
+    @property
+    def ranger_names(self) -> tuple[str, ...]: ...
+
+    def named_distance(self, name: str) -> int:
+        """As ``Robot.distance``, by one of these names."""
+
+
+class KnowsItsWorld(Protocol):
+    """What a robot has too that is simulated."""
+
+    @property
+    def is_in_the_open(self) -> bool:
+        """Whether its world has nothing that a distance sensor could find."""

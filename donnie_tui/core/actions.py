@@ -9,9 +9,21 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from itertools import groupby, takewhile
-from typing import Protocol, TypeAlias, TypeGuard
+from typing import TypeAlias, TypeGuard
 
-from devices.ports.robot import Bearing, GripResult, Motion, Pose, Robot, RobotProblem, Sighting, StoppedBy
+from devices.ports.robot import (
+    Bearing,
+    Gripping,
+    GripResult,
+    KnowsItsWorld,
+    Motion,
+    NamedRangers,
+    Pose,
+    Robot,
+    RobotProblem,
+    Sighting,
+    StoppedBy,
+)
 from donnie_tui.core.belt import BeltDisplay
 from donnie_tui.core.events import (
     CueSounded,
@@ -41,27 +53,8 @@ MovedThings: TypeAlias = Callable[[], tuple[PlacedThing, ...] | None]
 """Returns the things that are not at their start; None if nothing changed since the last call."""
 
 
-class NamedRangers(Protocol):
-    """A robot whose world names some of its distance sensors."""
-
-    @property
-    def ranger_names(self) -> tuple[str, ...]: ...
-
-    def named_distance(self, name: str) -> int:
-        """As ``Robot.distance``, by one of these names."""
-
-
 def _names_rangers(robot: object) -> TypeGuard[NamedRangers]:
     return hasattr(robot, "named_distance")
-
-
-class Gripping(Protocol):
-    """A robot that may have a gripper."""
-
-    def grip(self) -> GripResult:
-        """Takes what is between the paddles or just in front of them. Raises ``RobotProblem``."""
-
-    def release(self) -> GripResult: ...
 
 
 def _has_gripper(robot: object) -> TypeGuard[Gripping]:
@@ -414,15 +407,7 @@ HINT_AFTER_READINGS = 200
 """Readings of one distance."""
 
 
-class _Simulated(Protocol):
-    """A robot that knows its world."""
-
-    @property
-    def is_in_the_open(self) -> bool:
-        """Whether its world has nothing that a distance sensor could find."""
-
-
-def _knows_its_world(robot: object) -> TypeGuard[_Simulated]:
+def _knows_its_world(robot: object) -> TypeGuard[KnowsItsWorld]:
     return hasattr(robot, "is_in_the_open")
 
 
