@@ -50,6 +50,8 @@ class Command(Struct, frozen=True, eq=False):
     """Of a visual command: the command that says the same in words."""
     needs_name: bool = False
     """Whether the word is a beginner's for the robot where a number follows it: TURN 90."""
+    is_live: bool = False
+    """Whether the linear mode carries it out at once while a program runs; other lines wait for the end."""
     needs_terminal: bool = False
     """Whether a page in a browser can't do it; it is not offered there."""
 
@@ -59,8 +61,8 @@ _HELD, _ALWAYS = When.HELD, When.ALWAYS
 COMMANDS = (
     Command("run", "run", _HELD, keys=("f5", "escape"), is_godonnie=True),
     Command("again", "run", keys=("ctrl+k shift+a",)),
-    Command("stop", "run", _ALWAYS, keys=("f8",)),
-    Command("pause", "run", _ALWAYS, keys=("f6",)),
+    Command("stop", "run", _ALWAYS, keys=("f8",), is_live=True),
+    Command("pause", "run", _ALWAYS, keys=("f6",), is_live=True),
     Command("continue_", "run", _ALWAYS, keys=("ctrl+k shift+c",)),
     Command("step", "run", _HELD, keys=("f7",)),
     Command("step_over", "run", _HELD, keys=("f9",)),
@@ -68,9 +70,9 @@ COMMANDS = (
     Command("run_to", "run", _HELD, keys=("f10",), argument="line", at_cursor=True),
     Command("break_", "run", _ALWAYS, keys=("ctrl+b",), argument="line", at_cursor=True),
     Command("watch", "run", _ALWAYS, keys=("ctrl+k shift+w",), argument="variable"),
-    Command("slower", "run", _ALWAYS, keys=("f11",)),
-    Command("faster", "run", _ALWAYS, keys=("f12",)),
-    Command("speed", "run", _ALWAYS, keys=("ctrl+k f11",), argument="speed", asked_by_key=True),
+    Command("slower", "run", _ALWAYS, keys=("f11",), is_live=True),
+    Command("faster", "run", _ALWAYS, keys=("f12",), is_live=True),
+    Command("speed", "run", _ALWAYS, keys=("ctrl+k f11",), argument="speed", asked_by_key=True, is_live=True),
     Command("reset", "run", keys=("ctrl+r",)),
     Command("open", "files", keys=("ctrl+o", "f3"), argument="file"),
     Command("examples", "files", keys=("ctrl+k 9",), argument="count"),
@@ -150,7 +152,7 @@ COMMANDS = (
         "find", "read", _ALWAYS, keys=("ctrl+k shift+f",), argument="word", required=True, asked_by_key=True
     ),
     Command("typed", "read", _ALWAYS, keys=("ctrl+k shift+y",), argument="count"),
-    Command("quiet", "sound", _ALWAYS, keys=("ctrl+k shift+q",)),
+    Command("quiet", "sound", _ALWAYS, keys=("ctrl+k shift+q",), is_live=True),
     Command("cues", "sound", _ALWAYS, keys=("ctrl+k asterisk",), argument="cue"),
     Command("where", "world", _ALWAYS, keys=("ctrl+k i",)),
     Command("around", "world", _ALWAYS, keys=("ctrl+k j",), argument="compass", is_about_now=True),
@@ -178,11 +180,11 @@ COMMANDS = (
     Command("map_picture", "world", _ALWAYS, keys=("ctrl+k number_sign",), is_about_now=True),
     Command("trail", "world", _ALWAYS, keys=("ctrl+k 6",), argument="count"),
     Command("sensors", "world", _ALWAYS, keys=("ctrl+k shift+s",), is_about_now=True),
-    Command("robots", "robots", _ALWAYS, keys=("ctrl+k shift+r",)),
+    Command("robots", "robots", _ALWAYS, keys=("ctrl+k shift+r",), is_live=True),
     Command("robot", "robots", _ALWAYS, keys=("ctrl+k at",), argument="robot", required=True),
     Command("start", "run", keys=("ctrl+k slash",)),
     Command("together", "run", keys=("ctrl+k shift+j",)),
-    Command("stop_all", "run", _ALWAYS, keys=("ctrl+k full_stop",)),
+    Command("stop_all", "run", _ALWAYS, keys=("ctrl+k full_stop",), is_live=True),
     Command("connect", "robots", keys=("ctrl+k shift+o",), argument="count"),
     Command("feel", "sound", _ALWAYS, keys=("ctrl+k ampersand",), argument="switch"),
     Command("world", "world", _ALWAYS, keys=("ctrl+k 8",), argument="world"),

@@ -2,7 +2,7 @@
 
 The main thread follows a run: it prints what the program says, takes commands meanwhile, and asks while the
 program is held. The program's thread never prints. Keys that are pressed meanwhile wait, except a whole line
-that is a command for the running program (PAUSE, STOP, SLOWER, FASTER, SPEED). Ctrl+C stops the robot first.
+that is a command for the running program (``Command.is_live``). Ctrl+C stops the robot first.
 A run that has printed nothing for a while reports that it is still there.
 """
 
@@ -41,8 +41,6 @@ LAST_LINES = 3
 """Lines of a stopped program that are still printed; the number of those left out is printed, too."""
 LONGEST_QUOTE = 30
 """Characters of a refused line that its answer repeats."""
-_LIVE = ("stop", "stop_all", "robots", "pause", "slower", "faster", "speed", "quiet")
-"""Commands that are run while a program runs, also before lines that wait to be read."""
 
 
 class TypedLines:
@@ -347,8 +345,10 @@ class RunLoop(RunObserver):
     def _is_live(self, line: str) -> bool:
         """Whether it is for the running program; CONTINUE is if no prompt asks for it."""
         found = find(line)
-        name = found[0].name if found is not None else ""
-        return name in _LIVE or (name == "continue_" and not self._runs.is_steppable)
+        if found is None:
+            return False
+        command, _ = found
+        return command.is_live or (command.name == "continue_" and not self._runs.is_steppable)
 
     def _take_while_held(self) -> None:
         """Ask how the program is to continue, or perform any other command."""

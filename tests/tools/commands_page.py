@@ -50,8 +50,10 @@ def document() -> str:
         "# Commands",
         "",
         "What a learner can type besides GoDonnie, in the linear mode and in the command line of the full",
-        "screen, with its keys there. It can be typed at any time where nothing else is said. The page is",
-        "made by `python -m tests.tools.commands_page`.",
+        "screen, with its keys there. It can be typed at any time where nothing else is said. While a",
+        "program runs, the linear mode carries out only those at once that say so, and CONTINUE after",
+        "PAUSE; other lines wait until the program ends or is held. The page is made by",
+        "`python -m tests.tools.commands_page`.",
     ]
     words = Words(ENGLISH)
     for module, title in _TITLES.items():
@@ -68,8 +70,9 @@ def entry(command: Command, words: Words) -> list[str]:
     example = f", such as {typed_form(command, words)}" if command.argument else ""
     purpose = words(f"action-{command.name}")
     screen = " Full screen only." if command.is_visual else ""
+    live = " At once while a program runs." if command.is_live else ""
     word = word_of(command, ENGLISH)
-    lines = [f"- **{word}**{example}{keys}: {purpose}{screen}{_WHEN[command.when]}"]
+    lines = [f"- **{word}**{example}{keys}: {purpose}{screen}{_WHEN[command.when]}{live}"]
     form = next(iter(help_of(word, words)[1:2]), "")
     if command.argument and form:
         lines.append(f"  {form}")

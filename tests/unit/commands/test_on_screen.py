@@ -453,6 +453,7 @@ FLAGS: dict[str, set[str]] = {
     },
     "at_cursor": {"run_to", "break_"},
     "is_about_now": {"around", "map", "map_row", "map_column", "map_picture", "sensors"},
+    "is_live": {"stop", "stop_all", "robots", "pause", "slower", "faster", "speed", "quiet"},
     "needs_name": {"turn"},
     "needs_terminal": {"linear", "open_log"},
     "is_godonnie": {"run", "help", "quit"},
