@@ -112,7 +112,7 @@ def describe_world(order: Order) -> int:
     """Describe a world in the requested form, else in words; ``new`` and a file make a world."""
     arguments, words = order.invocation.arguments, order.words
     match arguments.name:
-        case ["new", file] if file and arguments.drawing != "":
+        case ["new", file]:
             return _new_world(order, file)
         case [name] if name != "new" and arguments.drawing is None:
             pass

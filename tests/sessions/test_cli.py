@@ -464,7 +464,7 @@ def test_without_a_drawing_a_new_world_is_an_empty_room_around_the_robot(printed
 @pytest.mark.parametrize(
     "arguments",
     [
-        *(("new",), ("new", ""), ("new", "a", "b"), ("a", "b"), ("new", "x", "--from", "")),
+        *(("new",), ("new", "a", "b"), ("a", "b")),
         *(("open_floor", "--from", "d.txt"), ("--from", "d.txt")),
     ],
     ids=" ".join,

@@ -34,7 +34,7 @@ class Session:
         closing.callback(self.did.append, "closed")
         hub = Part(publish=self.did.append)
         self.team: Any = Part(
-            running=["bob"] if is_running else [],
+            has_unstopped_run=is_running,
             stop=lambda: self.did.append("stopped"),
             chosen=Part(hub=hub, name="bob"),
             chosen_name="bob",
@@ -104,11 +104,11 @@ def test_answers_are_published_one_by_one() -> None:
     ("is_real", "is_running", "did", "was_driving"),
     [
         (True, True, ["stopped", "stands"], True),
-        (True, False, ["stands"], False),
+        (True, False, ["stopped", "stands"], False),
         (False, True, ["stands"], False),
     ],
 )
-def test_only_a_real_robot_that_runs_is_stopped_before_a_suspension(
+def test_only_a_real_robot_is_stopped_and_it_is_reported_if_its_program_ran(
     is_real: bool, is_running: bool, did: list[str], was_driving: bool
 ) -> None:
     it = Session(is_real=is_real, is_running=is_running)

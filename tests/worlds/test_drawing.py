@@ -678,8 +678,7 @@ def test_a_file_that_is_no_drawing_writes_nothing(
 @pytest.mark.parametrize(
     "arguments",
     [
-        *(["new"], ["new", ""], ["new", "x", "--from", ""]),
-        *(["new", "--from", "map.txt"], ["first_room", "--from", "map.txt"], ["a", "b"]),
+        *(["new"], ["new", "--from", "map.txt"], ["first_room", "--from", "map.txt"], ["a", "b"]),
     ],
 )
 def test_a_wrong_use_says_how_it_is_typed(
