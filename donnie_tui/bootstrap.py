@@ -1,4 +1,4 @@
-"""The only place that names concrete classes: a session with its world, its robot and its outlets.
+"""Puts a session together: its world, its robot, its outlets, and what listens to its events.
 
 Heavy modules are imported where they are used, so that a command loads no more than it needs.
 """

@@ -1,4 +1,4 @@
-"""The worlds that come with Donnie: files that Stage can load too, each with words in three languages.
+"""The worlds that come with Donnie: files that Stage can load too, each with words in several languages.
 
 Data only: reading a world's file is the simulator's business. ``scenes`` holds the scenarios, ``manual`` the
 worlds of the manual's chapter on world files, step by step. The words are read in ``worlds.words``.

@@ -24,7 +24,7 @@ _COUNTERCLOCKWISE_FROM_FRONT_RIGHT = (
 
 
 class RobotConfig(Struct, frozen=True):
-    """Lengths in metres, angles in degrees, times in seconds. A calibration writes the first three."""
+    """Lengths in metres, angles in degrees, times in seconds. A calibration writes the first two."""
 
     wheel_radius: float = 0.021
     axle_length: float = 0.068

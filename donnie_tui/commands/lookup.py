@@ -29,7 +29,7 @@ _VALUES = {
     "report-file": ("help-values-report-file", "help-values-report-picture"),
     "new-thing": ("help-values-new-thing",),
 }
-"""What HELP says about arguments."""
+"""The sentences with which HELP lists the words that an argument can be."""
 LARGEST_PROGRAM = 20_000
 """Characters of a program that is searched for one name."""
 

@@ -1,4 +1,4 @@
-"""Whether a run met the goals of a challenge, and what is missing: a pure function of its events.
+"""Whether a run met the goals of a challenge, and what is missing: the same events have the same verdict.
 
 A distance to a thing is between the robot's body and the thing's box, so that 0 is touching. A distance to a
 place is between the robot's middle and the place. All are in steps.

@@ -8,7 +8,7 @@ what others queue meanwhile, so that no publisher works for others without end. 
 event was delivered, by any thread. So the answers to an event come before the program's next event, and a run
 is the same whatever other threads publish.
 
-A program that publishes faster than the listeners read waits after its event (``gates``), outside of any
+A program that publishes faster than the listeners read waits after its event (``add_gate``), outside of any
 delivery: that stops no other thread.
 
 In a world of several robots, each has a channel into the one stream.

@@ -4,7 +4,7 @@
 sentences of a hold: the statement that is next, the round of a loop, the result of a condition. It computes a
 condition again, from the variables and from the sensor readings since the last hold.
 
-If the program ran on between two holds, STEP BACK undoes event by event, with the sentences of ``replay``.
+If the program ran on between two holds, STEP BACK undoes event by event, with the sentences of ``timeline``.
 Memory is bounded: the newest holds are kept, and only the first events of a long step are listed.
 """
 

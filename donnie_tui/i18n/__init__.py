@@ -1,1 +1,1 @@
-"""Codes become sentences here, in English, Portuguese and Spanish, and nowhere else."""
+"""Codes become sentences here, in each language that has a folder in ``locales``, and nowhere else."""

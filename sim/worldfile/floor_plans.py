@@ -1,7 +1,7 @@
 """Pictures that a world names as floor plans: found, read once each, and made into polygons.
 
-Stage's rule: a pixel is solid when its red channel is at most 127; alpha does not count. No other module
-knows Pillow.
+Stage's rule: a pixel is solid when its red channel is at most 127; alpha does not count. No other module of
+``sim`` knows Pillow.
 
 Stage counts the polygons that it makes of a picture: it follows the borders of the dark pixels until each is
 closed. Where two dark pixels touch at a corner only, it follows the border that it sorts first, so that some
