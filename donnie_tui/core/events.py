@@ -410,7 +410,7 @@ def _plain(value: object, whole: bool) -> object:
             return {key: _plain(each, whole) for key, each in value.items()}
         case tuple():
             return [_plain(each, whole) for each in value]
-        case Pose() | Met() | Pushed() | SeenGroup() | SeenMark() | PlacedThing() | HowStarted():
+        case Struct():
             return _fields(value, whole)
         case _:
             return value
