@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from language.locales import languages
 from tests.unit.commands.scripted import Script
 
 OpenScript = Callable[..., Script]
@@ -92,7 +93,7 @@ def test_all_settings_are_listed_with_their_values(open_script: OpenScript) -> N
 @pytest.mark.parametrize(
     ("typed", "options", "current"),
     [
-        ("LANGUAGE", ("en", "pt", "es"), "en"),
+        ("LANGUAGE", languages(), "en"),
         ("DETAIL", ("brief", "normal", "full"), "normal"),
         ("SET clock", ("on", "off"), "off"),
         ("SET enter", ("waits", "runs"), "waits"),
