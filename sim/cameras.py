@@ -13,6 +13,7 @@ from math import dist, hypot
 
 from msgspec import Struct
 
+from devices.ports.robot import CENTIMETRES_A_STEP
 from sim.colours import Colour
 from sim.geometry import (
     HAIR,
@@ -26,7 +27,7 @@ from sim.geometry import (
     seen_from,
 )
 from sim.parts import Part
-from sim.rangers import CENTIMETRES_A_STEP, Around, Height, at_height, first_hits
+from sim.rangers import Around, Height, at_height, first_hits
 from sim.scene import FiducialFinder
 
 HALF_CIRCLE = 90.0

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 from msgspec.structs import replace
 
-from devices.ports.robot import STEP, Bearing, Met, StoppedBy
+from devices.ports.robot import CENTIMETRES_A_STEP, STEP, Bearing, Met, StoppedBy
 from sim.geometry import (
     Edge,
     Point,
@@ -39,7 +39,7 @@ from sim.geometry import (
 from sim.ground import Ground
 from sim.index import Box
 from sim.parts import Body, Outline, Part, Sighted, body_of
-from sim.rangers import CENTIMETRES_A_STEP, Around, Height, Ranger
+from sim.rangers import Around, Height, Ranger
 from sim.scene import Scene
 from sim.sensors import Senses, senses_of
 

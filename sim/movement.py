@@ -15,7 +15,7 @@ from collections.abc import Callable, Sequence
 from functools import lru_cache
 from math import ceil, inf, radians, sin
 
-from devices.ports.robot import STEP, Bearing, Motion, StoppedBy
+from devices.ports.robot import DEGREES_A_REPORT, STEP, Bearing, Motion, StoppedBy
 from sim.clock import Landing, Mark
 from sim.motion import TOUCHING
 from sim.vehicle import NEARLY, TICK, Course, Rate, Vehicle, Whereabouts, moving, turning
@@ -299,7 +299,6 @@ class Walk(Sweeping):
         self._report_progress()
 
 
-DEGREES_A_REPORT = 10
 MOST_GLIDED = 360
 """Degrees of a turn that no watcher sees, in one glide."""
 

@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Protocol
 
 from msgspec import Struct
 
-from devices.ports.robot import STEP
 from sim.geometry import (
     Edge,
     Point,
@@ -87,7 +86,6 @@ def _first(
 
 NARROW = 45.0
 """Degrees to either side, up to which a cone is one ``Wedge``."""
-CENTIMETRES_A_STEP = round(STEP * 100)
 NO_NOISE = RangeNoise()
 
 

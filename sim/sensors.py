@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from devices.ports.robot import STEP, Bearing, RobotProblem
+from devices.ports.robot import CENTIMETRES_A_STEP, STEP, Bearing, RobotProblem
 from sim.cameras import HALF_CIRCLE, Eyes, Found, MarkFinder, Seen, View
 from sim.geometry import Placement, Spot, normal, seen_from
-from sim.rangers import CENTIMETRES_A_STEP, Around, Bar, Beams, Cone, Fan, Height, Ranger, fan_angles
+from sim.rangers import Around, Bar, Beams, Cone, Fan, Height, Ranger, fan_angles
 from sim.scene import Model, RangeSensor, Scene
 
 if TYPE_CHECKING:

@@ -21,6 +21,11 @@ write files or are for tests."""
 STEP = 0.05
 """Metres in a step (the manual gives none; GoDonnie's specification fixes it)."""
 
+CENTIMETRES_A_STEP = round(STEP * 100)
+
+DEGREES_A_REPORT = 10
+"""Degrees of a turn after which a robot reports its progress."""
+
 FARTHEST = 60
 """Steps that a sensor reports when nothing is within its range (manual, section 8)."""
 

@@ -16,6 +16,7 @@ from typing import Generic, Protocol, TypeVar
 from msgspec import Struct
 
 from devices.ports.robot import (
+    DEGREES_A_REPORT,
     STEP,
     Met,
     Motion,
@@ -100,7 +101,6 @@ def met_something(stopped_by: StoppedBy | None, way: float, sides: Iterable[floa
     return Met("something", "", way if stopped_by is StoppedBy.OBSTACLE else nearest)
 
 
-DEGREES_A_REPORT = 10
 PASSING_INTERVAL = 0.05
 """Seconds between two poses that are reported for a moving picture."""
 

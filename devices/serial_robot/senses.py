@@ -11,11 +11,10 @@ from enum import Enum, auto
 from math import inf
 
 from devices.camera import ColouredThing
-from devices.ports.robot import FARTHEST, STEP, Bearing, Sighting
+from devices.ports.robot import CENTIMETRES_A_STEP, FARTHEST, STEP, Bearing, Sighting
 from devices.serial_robot.config import RobotConfig
 from devices.wire.telemetry import REMEMBERED, RangeSample, Telemetry
 
-CENTIMETRES_A_STEP = round(STEP * 100)
 ROUNDED_OFF = 1
 """Centimetres by which a sonar may report too little: it rounds down to a whole centimetre."""
 NO_ECHO = 141

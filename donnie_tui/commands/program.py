@@ -16,6 +16,7 @@ from donnie_tui.commands.interaction import (
     replacement,
 )
 from donnie_tui.core.document import ANOTHER_PROGRAM, Document, ProgramTooLong
+from donnie_tui.core.editing import joined
 from donnie_tui.core.program_text import (
     LineMistake,
     fixed,
@@ -224,7 +225,7 @@ async def copy(ctx: Context, argument: str) -> None:
         return
     copied = lines[first - 1 : last]
     with _changing(ctx):
-        ctx.program.rewrite(_text_of([*lines[: to - 1], *copied, *lines[to - 1 :]]))
+        ctx.program.rewrite(joined([*lines[: to - 1], *copied, *lines[to - 1 :]]))
         ctx.program.place = to + len(copied) - 1
         ctx.say(*(_numbered(ctx, number) for number in range(to, to + len(copied))))
 
@@ -242,9 +243,7 @@ async def comment(ctx: Context, argument: str) -> None:
         raise GivenUp
     change = _uncommented if all(each.lstrip().startswith(_COMMENT) for each in written) else _commented
     with _changing(ctx):
-        ctx.program.rewrite(
-            _text_of([*lines[: first - 1], *(change(each) for each in chosen), *lines[last:]])
-        )
+        ctx.program.rewrite(joined([*lines[: first - 1], *(change(each) for each in chosen), *lines[last:]]))
         ctx.program.place = last
         ctx.say(*ctx.counted([_numbered(ctx, number) for number in range(first, last + 1)]))
 
@@ -261,10 +260,6 @@ def _has_lines(ctx: Context, first: int, last: int, to: int = 1) -> bool:
     if first > last:
         raise NotUnderstood
     return True
-
-
-def _text_of(lines: list[str]) -> str:
-    return "".join(f"{line}\n" for line in lines)
 
 
 def _commented(line: str) -> str:
