@@ -61,6 +61,7 @@ async def perform(ctx: Context, command: Command, argument: str | None) -> None:
         say_in_words(ctx, command.in_words)
         return
     if not is_possible(ctx, command):
+        ctx.refuse(FAILED)
         ctx.answer_of_robot("screen-busy")
         return
     if command.is_about_now:
@@ -68,6 +69,7 @@ async def perform(ctx: Context, command: Command, argument: str | None) -> None:
     try:
         await attempt(ctx, _run(ctx, command, argument))
     except NotUnderstood as slip:
+        ctx.refuse(FAILED)
         ctx.say(not_understood(command, ctx.words, slip.meant))
 
 

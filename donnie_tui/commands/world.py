@@ -8,7 +8,7 @@ from msgspec.structs import replace
 
 from devices.ports.robot import Pose
 from donnie_tui.bootstrap import Donnie, task_on_arrival
-from donnie_tui.commands.context import Context
+from donnie_tui.commands.context import UNUSABLE, Context
 from donnie_tui.commands.declarations import BY_NAME
 from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import MapPane, NotUnderstood, Option, Screen, read_count, read_numbers
@@ -381,6 +381,7 @@ def world_to_enter(ctx: Context, typed: str) -> str | None:
         found = choose_world(name, ctx.words, folders, unknown="world-unknown-here")
         with_robot(found, ctx.words, allowed_folders(folders))
     except Unusable as unusable:
+        ctx.refuse(UNUSABLE)
         ctx.say(*map(printable, unusable.sentences))
         return None
     return name

@@ -63,6 +63,10 @@ class PortStation:
                         client.publish(key, subtype, body)
 
 
+_MOST_NAMES = 10
+"""Robots that are named where a model is unknown."""
+
+
 class Stations:
     """All ports of a configuration, and the world that they share."""
 
@@ -113,7 +117,12 @@ class Stations:
             if has(model) and model.index not in given and robot in self._loop.drives:
                 given.add(model.index)
                 return kind(self._fitting(driver, address, robot), model)
-        raise ServerProblem("player-no-model", what=f"{interface}:{address.index}")
+        what = f"{interface}:{address.index}"
+        if driver.model and not self._parts(driver.model):
+            known = [each.name for each in self._scene.models if each.wheels and each.parent is None]
+            names = ", ".join(filter(None, known[:_MOST_NAMES]))
+            raise ServerProblem("player-unknown-model", name=driver.model[:60], what=what, names=names)
+        raise ServerProblem("player-no-model", what=what)
 
     def _fitting(self, driver: Driver, address: Address, robot: str) -> DeviceContext:
         interface = Interface[address.interface.upper()]

@@ -63,7 +63,8 @@ def remarks(world: ChosenWorld, words: Wording) -> tuple[str, ...]:
         return listed
     import shlex
 
-    return (*listed, words("world-remarks", count=others, path=shlex.quote(world.path)))
+    chosen, *_ = *world.scene.report.files, world.path  # a configuration comes before its world
+    return (*listed, words("world-remarks", count=others, path=shlex.quote(chosen)))
 
 
 def _bad_words(world: ChosenWorld, words: Wording) -> tuple[str, ...]:

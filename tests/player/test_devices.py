@@ -361,18 +361,26 @@ def test_a_client_that_only_asks_is_read_no_further(stations: Stations) -> None:
 
 
 @pytest.mark.parametrize(
-    ("change", "code", "what"),
+    ("change", "code", "values"),
     [
-        (lambda text: text.replace("ranger:1", "ranger:0"), "player-address-twice", "7665:ranger:0"),
-        (lambda text: text.replace('model "bob"', 'model "joe"'), "player-no-model", "position2d:0"),
+        (
+            lambda text: text.replace("ranger:1", "ranger:0"),
+            "player-address-twice",
+            {"what": "7665:ranger:0"},
+        ),
+        (
+            lambda text: text.replace('model "bob"', 'model "joe"'),
+            "player-unknown-model",
+            {"name": "joe", "what": "position2d:0", "names": "alice, bob"},
+        ),
     ],
 )
 def test_a_configuration_that_does_not_fit_its_world_is_refused(
-    tmp_path: Path, change: Callable[[str], str], code: str, what: str
+    tmp_path: Path, change: Callable[[str], str], code: str, values: dict[str, str]
 ) -> None:
     with pytest.raises(ServerProblem) as refused:
         stations_of(write_room(tmp_path, change(CONFIGURATION)))
-    assert (refused.value.code, refused.value.values) == (code, {"what": what})
+    assert (refused.value.code, refused.value.values) == (code, values)
 
 
 def test_the_default_port_is_that_of_addresses_without_one(tmp_path: Path) -> None:
