@@ -154,8 +154,15 @@ def _totals(codes: Sequence[int], words: Words) -> str:
 
 def programs_in(name: str) -> tuple[str, ...]:
     """The files of a folder that are named as programs are, by name; of anything else only itself."""
-    found = _entries(name, lambda each: each.suffix.lower() == ".gd" and each.is_file())
+    found = _entries(
+        name, lambda each: each.suffix.lower() == ".gd" and (each.is_file() or _leads_nowhere(each))
+    )
     return (name,) if found is None else found
+
+
+def _leads_nowhere(path: Path) -> bool:
+    """Whether it is a link to something that is not there, which reading will report."""
+    return path.is_symlink() and not path.exists()
 
 
 def folders_in(name: str) -> tuple[str, ...]:
@@ -287,6 +294,7 @@ def _judge(order: Order, name: str) -> Judge:
 
 def check_challenge(order: Order, name: str, files: Sequence[str]) -> int:
     """Judge programs; 1 if one does not solve the challenge, 2 if one can't be read."""
+    _refuse_without_effect(order)
     judge = _judge(order, name)
     pupils = _pupils(judge, files)
     if not pupils:
@@ -312,8 +320,28 @@ def check_challenge(order: Order, name: str, files: Sequence[str]) -> int:
     if is_json:
         order.output.text(f"{msgspec.json.format(msgspec.json.encode(records), indent=2).decode()}\n")
     elif len(records) > 1:
-        line(order.words("challenge-total", programs=len(records), solved=solved.count(True)))
+        line(
+            order.words(
+                "challenge-total",
+                programs=sum(bool(each.files) for each in pupils),
+                solved=solved.count(True),
+            )
+        )
     return max(_CODES[each] for each in solved)
+
+
+def _refuse_without_effect(order: Order) -> None:
+    """Raises ``Unusable`` for an option of a run that judging doesn't have: its world and starts are the
+    challenge's, and there may be several runs."""
+    given, arguments = order.invocation.options, order.invocation.arguments
+    without_effect = [f"--{each}" for each in ("world", "robot", "belt", "record", "events") if each in given]
+    if "sound" in given and isinstance(order.settings.sound, str):
+        without_effect.append("--sound")
+    if getattr(arguments, "trace", False):
+        without_effect.append("--trace")
+    if without_effect:
+        judging = "--challenge" if order.invocation.command == "run" else "challenge check"
+        raise Unusable(order.words("options-not-together", option=without_effect[0], other=judging))
 
 
 _CODES = {True: ExitCode.DONE, False: ExitCode.FAILED, None: ExitCode.UNUSABLE}
@@ -560,13 +588,15 @@ def _pupils(judge: Judge, given: Sequence[str]) -> tuple[_Pupil, ...]:
 
 
 def _in_folder(judge: Judge, name: str) -> Iterator[_Pupil]:
-    """Those of a folder, or of a file alone."""
+    """Those of a folder, or of a file alone. A folder in it without programs is a pupil's without any."""
     is_of_one, first = bool(_files_of_robots(judge, name)), next(iter(judge.room.robots))
     for folder in (name,) if is_of_one else (*folders_in(name), name):
         if own := _files_of_robots(judge, folder):
             yield _Pupil(folder, own)
         else:
             programs = programs_in(folder)
+            if not programs and folder != name and not Path(folder).name.startswith("."):
+                yield _Pupil(folder, {})
             yield from (_Pupil(each, {first: each}, "" if folder == name else folder) for each in programs)
 
 
@@ -602,6 +632,8 @@ def _records(judge: Judge, pupils: Sequence[_Pupil]) -> Iterator[_Record]:
 def _read(judge: Judge, pupil: _Pupil) -> _Texts | str:
     """The programs, or why they can't be read. Refuses links, which could lead to any other file."""
     texts = list[tuple[str, str]]()
+    if not pupil.files:
+        return judge.words("check-no-programs", path=pupil.name)
     try:
         for robot, file in pupil.files.items():
             if pupil.given and part_below(real_path(pupil.given), real_path(file)) is None:

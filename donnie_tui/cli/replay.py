@@ -321,7 +321,7 @@ def _subjects(
             robot=robot if len(timeline.robots) > 1 else None,
         )
 
-    return tuple(map(about, timeline.robots)), drawn.legend
+    return tuple(map(about, timeline.robots)), drawn.sentences
 
 
 # --- showing

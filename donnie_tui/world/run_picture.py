@@ -176,6 +176,7 @@ class RunPicture(Struct, frozen=True):
     width: float
     height: float
     legend: tuple[str, ...]
+    """Its lines, as wide as the picture at most."""
     letters: Mapping[int, str]
     """The letters of each thing by its index; a second one is the initial of its colour, if needed."""
     title_lines: tuple[str, ...] = ()
@@ -185,6 +186,8 @@ class RunPicture(Struct, frozen=True):
     """The names of robots and the numbers of goals that have a place: left end, base line, text."""
     goals: tuple[GoalPlace, ...] = ()
     moved: tuple[MovedThing, ...] = ()
+    sentences: tuple[str, ...] = ()
+    """Those of the legend."""
 
     @property
     def moving(self) -> tuple[tuple[Drawing, MovedThing], ...]:
@@ -255,12 +258,13 @@ def run_picture(
         moved=tuple(moved),
     )
     marks, labels = _placed(bare)
-    said = _legend(things, letters, goals, paths, wording)
+    said = list(_legend(things, letters, goals, paths, wording))
     bare_things = sum(each.index not in labels for each in things)
-    without = [wording("picture-without-letters", count=bare_things)] if bare_things else []
-    legend = tuple(part for line in (*said, *without) for part in _wrapped(line, room))
+    if bare_things:
+        said.append(wording("picture-without-letters", count=bare_things))
+    legend = tuple(part for line in said for part in _wrapped(line, room))
     height = round(bare.height + bare.top - 2 * MARGIN + LINE * len(legend))
-    return replace(bare, height=height, legend=legend, labels=labels, marks=marks)
+    return replace(bare, height=height, legend=legend, sentences=tuple(said), labels=labels, marks=marks)
 
 
 _WIDER = 1.15

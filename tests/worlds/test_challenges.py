@@ -429,7 +429,8 @@ PUPILS = {
     "caio.gd": (b"\xff\xfe\x00", "caio.gd is no text in UTF-8."),
     "endless.gd": (
         b"VAR A = 1\nWHILE A > 0 DO\nEND WHILE",
-        "endless.gd: 0 of 1 goal. The program does not come to an end. You stopped 5 steps south of 0, 5.",
+        "endless.gd: 0 of 1 goal. The program takes too long or never ends. "
+        "You stopped 5 steps south of 0, 5.",
     ),
     "misspelt.gd": (
         b"FWW 3",
@@ -519,6 +520,49 @@ def test_each_pupil_may_have_a_folder(
         ],
     )
     assert sorted(each.name for each in Path("answers").iterdir()) == ["ana-first.txt", "joão-first.txt"]
+
+
+def test_work_that_is_not_there_is_named_and_not_judged(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    for pupil in ("ana", "eva", ".git"):
+        Path("class", pupil).mkdir(parents=True)
+    Path("class", "ana", "first.gd").write_text("FW 5")
+    Path("class", "eva", "notes.txt").write_text("FW 5")
+    Path("class", "rui.gd").symlink_to("missing.gd")
+
+    code = main(["challenge", "check", "1", "class", "--lang", "en"])
+
+    assert (code, capsys.readouterr().out.splitlines()) == (
+        2,
+        [
+            "ana/first.gd: Solved, in 1 command.",
+            "There are no programs in class/eva. The name of a program ends in .gd.",
+            "There is no file class/rui.gd.",
+            "2 programs. 1 solved.",
+        ],
+    )
+
+
+@pytest.mark.parametrize(
+    "option", ["--events=e", "--record=r", "--sound=wav:w", "--world=maze", "--robot=sim"]
+)
+@pytest.mark.parametrize("command", ["run p.gd --challenge 1", "challenge check 1 p.gd"])
+def test_an_option_without_effect_on_judging_is_refused(
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    command: str,
+    option: str,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("p.gd").write_text("FW 5")
+
+    assert main([*command.split(), option, "--lang", "en"]) == 2
+    judging = "--challenge" if command.startswith("run") else "challenge check"
+    said = f"{option.partition('=')[0]} and {judging} do not go together.\n"
+    assert capsys.readouterr() == ("", said)
 
 
 @pytest.mark.parametrize(("statements", "codes"), [(20_000, []), (20_001, ["goal-endless"])])
@@ -1020,6 +1064,7 @@ def test_a_pupil_hands_in_a_program_for_each_robot(
     (tmp_path / "class" / "tom.gd").write_text("FW 10")
     (tmp_path / "class" / "empty").mkdir()
     ana = tmp_path / "class" / "ana"
+    empty = f"There are no programs in {tmp_path}/class/empty. The name of a program ends in .gd."
     said = {
         "ana": "Solved, in 3 commands.",
         "rui": "0 of 2 goals. alice and bob come no nearer than 11 steps. Missing: say hello.",
@@ -1027,9 +1072,9 @@ def test_a_pupil_hands_in_a_program_for_each_robot(
     }
     answers = ["--feedback", str(tmp_path / "answers"), "--csv", str(tmp_path / "t.csv"), "--lang", "en"]
 
-    assert main(["challenge", "check", str(file), str(tmp_path / "class"), *answers]) == 1
-    lines = [f"{name}: {verdict}" for name, verdict in said.items()]
-    assert capsys.readouterr().out.splitlines() == [*lines, "3 programs. 1 solved."]
+    assert main(["challenge", "check", str(file), str(tmp_path / "class"), *answers]) == 2
+    ana_said, *others = (f"{name}: {verdict}" for name, verdict in said.items())
+    assert capsys.readouterr().out.splitlines() == [ana_said, empty, *others, "3 programs. 1 solved."]
     assert (tmp_path / "answers" / "rui.txt").read_text().endswith(f".\n{said['rui']}\n")
     assert main(["challenge", "check", str(file), str(ana), "--lang", "en"]) == 0
     programs = [f"alice={ana}/alice.gd", f"bob={ana}/Bob.gd"]
@@ -1152,8 +1197,9 @@ def test_no_program_of_a_folder_stops_the_rest(tmp_path: Path, capsys: pytest.Ca
 
     assert main(["challenge", "check", "first_walk", str(tmp_path), "--lang", "en"]) == 2
 
-    endless = "0 of 1 goal. The program does not come to an end. You stopped 5 steps south of 0, 5."
+    endless = "0 of 1 goal. The program takes too long or never ends. You stopped 5 steps south of 0, 5."
     assert capsys.readouterr().out.replace(f"{tmp_path}/", "").splitlines() == [
+        "There are no programs in folder.gd. The name of a program ends in .gd.",
         "big.gd is too large, at most 8 megabytes.",
         f"computes.gd: {endless}",
         "empty.gd: 0 of 1 goal. You stopped 5 steps south of 0, 5.",
