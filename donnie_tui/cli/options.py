@@ -209,6 +209,10 @@ class Invocation(Struct, frozen=True):
     arguments: argparse.Namespace
 
 
+_RECORDING = ("", "run", "replay", "player")
+"""The commands that write a recording, events or cues; the others write none though a setting asks for it."""
+
+
 class Order(Struct, frozen=True):
     """A command with everything that it needs."""
 
@@ -223,7 +227,8 @@ class Order(Struct, frozen=True):
     @property
     def outputs(self) -> tuple[tuple[str, str], ...]:
         """The options that name a file to be written, and the files."""
-        return (*_written_as_it_happens(self.settings), *_pages(self.invocation))
+        written = _written_as_it_happens(self.settings) if self.invocation.command in _RECORDING else ()
+        return (*written, *_pages(self.invocation))
 
 
 def _written_as_it_happens(settings: Settings) -> Iterator[tuple[str, str]]:
@@ -262,13 +267,13 @@ def understand(arguments: list[str], words: Words) -> Invocation:
     rest = arguments[:first] + arguments[first + 1 :] if command and first is not None else arguments
     _refuse_second_limit(rest)
     try:
-        parsed = parser_of(command, words).parse_args(rest)
+        parsed = _parsed(command, rest, words)
         _refuse_empty(command, parsed)
         if command == "challenge" and len(parsed.what) == 1 and parsed.what[0] not in CHALLENGE_ORDERS:
             (name,) = parsed.what
             rest.remove(name)
             command, typed, rest = "", "", [*rest, "--world", f"challenge:{name}"]
-            parsed = parser_of("", words).parse_args(rest)
+            parsed = _parsed("", rest, words)
     except WrongUsage:
         if not command:
             _refuse_misspelt(typed)
@@ -279,6 +284,14 @@ def understand(arguments: list[str], words: Words) -> Invocation:
     if ALLOW in options:
         options[ALLOW] = os.pathsep.join(options[ALLOW])
     return Invocation(command, options, parsed)
+
+
+def _parsed(command: str, arguments: list[str], words: Words) -> argparse.Namespace:
+    """Options may stand between the words; not where help is printed or after ``--``, which argparse would
+    spoil."""
+    parser = parser_of(command, words)
+    is_plain = any(each in arguments for each in (*_HELP, "--"))
+    return parser.parse_args(arguments) if is_plain else parser.parse_intermixed_args(arguments)
 
 
 def _refuse_second_limit(arguments: list[str]) -> None:
@@ -363,6 +376,7 @@ _PROBLEMS = (
 """The errors of argparse, each with the code of its sentence."""
 
 _LONGEST_QUOTE = 40
+_HELP = ("-h", "-H", "--help")
 
 
 class _Parser(argparse.ArgumentParser):
@@ -430,7 +444,7 @@ def parser_of(command: str, sentence: Words) -> argparse.ArgumentParser:
     for key, metavar in COMMON.items():
         action = "append" if key == ALLOW else "store"
         common.add_argument(BY_KEY[key].option, metavar=metavar, action=action, help=f"option-{key}")
-    common.add_argument("-h", "-H", "--help", action="help", help="option-help")
+    common.add_argument(*_HELP, action="help", help="option-help")
     return parser
 
 

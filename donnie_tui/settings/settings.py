@@ -328,7 +328,7 @@ def resolve(
     for each in KEYS:
         for source, shown_name, given in _given(each, options, environment, file):
             try:
-                values[each.name] = each.read(given)
+                values[each.name] = each.read(_checked(given))
             except ValueError:
                 notices.append(_complain(each, source, shown_name, given))
             else:
@@ -430,9 +430,9 @@ def language_of(environment: Mapping[str, str]) -> str:
 
 def _given(
     each: Key, options: Mapping[str, str], environment: Mapping[str, str], file: Mapping[str, object]
-) -> list[tuple[SettingSource, str, str]]:
-    """The sources that have the key, strongest first: the source, the key's name there, and the text."""
-    given: list[tuple[SettingSource, str, str]] = []
+) -> list[tuple[SettingSource, str, object]]:
+    """The sources that have the key, strongest first: the source, the key's name there, and the value."""
+    given: list[tuple[SettingSource, str, object]] = []
     if each.key in options:
         given.append((SettingSource.OPTION, each.option, options[each.key]))
     if environment.get(each.variable):
@@ -442,18 +442,26 @@ def _given(
     return given
 
 
-def _as_text(value: object) -> str:
+def _as_text(value: object) -> object:
+    """The value of a settings file as the command line has it; a list or a date as it is."""
     if isinstance(value, bool):
         return "on" if value else "off"
-    return str(value) if isinstance(value, str | int | float) else repr(type(value))
+    return str(value) if isinstance(value, str | int | float) else value
 
 
-def _complain(each: Key, source: SettingSource, shown_name: str, given: str) -> Notice:
+def _checked(given: object) -> str:
+    """Raises ``ValueError`` for anything but a text."""
+    if not isinstance(given, str):
+        raise ValueError(given)
+    return given
+
+
+def _complain(each: Key, source: SettingSource, shown_name: str, given: object) -> Notice:
     if source is SettingSource.OPTION:
-        raise BadOption(each.key, given, each.wanted)
+        raise BadOption(each.key, str(given), each.wanted)
     code = "setting-not-understood" if source is SettingSource.FILE else "variable-not-understood"
     code += "-example" if each.is_example else "-values" if each.has_named_values else ""
-    return Notice(code, {"name": shown_name, "value": given[:40], "wanted": each.wanted})
+    return Notice(code, {"name": shown_name, "value": str(given)[:40], "wanted": each.wanted})
 
 
 def _unknown(key: str) -> Notice:

@@ -592,6 +592,14 @@ def test_an_unknown_name_of_the_file_is_cut_and_true_and_false_are_on_and_off() 
     assert [each.values["value"] for each in notices] == ["on"]
 
 
+@pytest.mark.parametrize("key", ["record", "world", "allow", "speed"])
+def test_a_list_in_the_file_is_reported_and_not_used(key: str) -> None:
+    settings, (notice,) = resolve({}, {}, {key: ["x", "y"]})
+
+    assert settings == resolve({}, {}, {})[0]
+    assert notice.values["value"] == "['x', 'y']"
+
+
 # --- what a teacher allows
 
 
