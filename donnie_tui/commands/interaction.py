@@ -98,7 +98,7 @@ class Interaction(Protocol):
         text: str = "",
         accepts: Callable[[str], str | None] | None = None,
     ) -> str | None:
-        """Ask for a line that begins with ``text``; None if the learner cancels.
+        """Ask for a line, which begins with ``text`` where it is seen; None if the learner cancels.
 
         ``accepts`` returns what is wrong with a line, and the question is asked again.
         """

@@ -302,11 +302,10 @@ class LinearInteraction:
     async def ask(
         self,
         question: str,
-        text: str = "",
+        text: str = "",  # noqa: ARG002 -- here it would stand unheard before what is typed
         accepts: Callable[[str], str | None] | None = None,
     ) -> str | None:
         prompter = self._conversation.prompter
-        prompter.offered = text
         answer = prompter.ask(question)
         while answer and accepts is not None and (problem := accepts(answer)) is not None:
             answer = prompter.ask(problem)
