@@ -56,7 +56,12 @@ def handler_of(command: Command) -> Handler:
 
 
 async def perform(ctx: Context, command: Command, argument: str | None) -> None:
-    """Run a command. ``argument`` is None if a key or the palette asked for it."""
+    """Run a command. ``argument`` is None if a key or the palette asked for it.
+
+    The key of PAUSE is that of CONTINUE too; the word PAUSE never lets the robot move.
+    """
+    if argument is None and command.name == "pause" and ctx.runs.state is RunState.PAUSED:
+        command = BY_NAME["continue_"]
     if ctx.screen is None and command.is_visual:
         say_in_words(ctx, command.in_words)
         return

@@ -240,11 +240,9 @@ async def stop_all(ctx: Context, _: str) -> None:
 
 @handles("pause")
 async def pause(ctx: Context, _: str) -> None:
-    """Hold the program, which says where it is; a second time, let it continue."""
+    """Hold the program, which says where it is. Its key lets a held one continue, see ``perform``."""
     try:
-        if ctx.runs.state is RunState.PAUSED:
-            await continue_(ctx, "")
-        elif not ctx.runs.pause():
+        if ctx.runs.state is RunState.PAUSED or not ctx.runs.pause():
             ctx.answer_of_robot("program-paused")
     except NothingRuns:
         ctx.answer("answer-nothing-runs")

@@ -510,6 +510,21 @@ def test_what_is_not_possible_now_says_so(open_script: OpenScript, name: str) ->
     script.rest()
 
 
+def test_the_word_pause_lets_no_robot_move_and_its_key_continues(open_script: OpenScript) -> None:
+    script = open_script("WAIT 1000", "FW 1", speed=1000.0)
+    on_screen(script)
+    script.type("STEP")
+    script.rest()
+    for _ in range(2):
+        script.type("PAUSE")
+        assert script.printed[-1] == "Paused. Type CONTINUE to go on."
+    assert script.ctx.runs.is_held
+
+    script.press("pause")
+    script.rest()
+    assert "I walked 1 step forward." in script.printed
+
+
 def test_the_settings_are_listed_with_name_value_and_purpose_and_the_last_one_is_marked(
     open_script: OpenScript,
 ) -> None:
