@@ -199,9 +199,9 @@ def _run_to_the_end(donnie: Donnie, programs: Mapping[str, RunRequest], output: 
         started = donnie.team.start_together(programs, RunOptions(trace=trace, hooked=False))
         for each in started:
             _await_end(each, stopped, donnie)
-        if rested.is_set():
-            output.complaint(donnie.words("suspended-stopped"))
         let_sound(donnie.outlets.audible.is_still_within, stopped)
+    if rested.is_set():  # known for certain only now: a stop may take longer than the run that it ends
+        output.complaint(donnie.words("suspended-stopped"))
     return max(ExitCode.FAILED if each.outcome is None else _CODE_OF[each.outcome] for each in started)
 
 
