@@ -155,19 +155,27 @@ def after_greeting(recorder: Recorder, learner: Learner) -> Learner:
 
 
 def test_the_cue_of_the_programs_end_sounds_to_its_end(recorder: Recorder, tmp_path: Path) -> None:
-    """Its cue is longer than what is left to do; only a stop shortens it."""
+    """Its cue is longer than what is left to do; only a stop shortens it.
+
+    Five runs, as the recorder of a busy machine loses some sound, while a cue that is cut is cut each time.
+    """
     (tmp_path / "a.gd").write_text("TR 10")
+    # the last part of the cue fades, and may be below what counts as loud
+    assert any((loud_chunks(recorder, tmp_path) + 1) * CHUNK / RATE >= seconds_of("done") for _ in range(5))
+
+
+def loud_chunks(recorder: Recorder, folder: Path) -> int:
+    """How many chunks of a run are loud."""
     options = ("--speech", "off", "--sound", "on", "--speed", "max")
     command = (sys.executable, "-m", "donnie_tui", "run", "a.gd", *options)
-    with subprocess.Popen(command, cwd=tmp_path, env={**os.environ, "PYTHONPATH": str(ROOT)}) as run:
+    with subprocess.Popen(command, cwd=folder, env={**os.environ, "PYTHONPATH": str(ROOT)}) as run:
         assert recorder.first_sound()
         loud, silent = 1, 0
         while run.poll() is None or silent < 10:  # on a busy machine another cue may sound long before
             silent = 0 if max(recorder.next_chunk()) > LOUD else silent + 1
             loud += not silent
     assert run.returncode == 0
-    # its last part fades, and may be below what counts as loud
-    assert (loud + 1) * CHUNK / RATE >= seconds_of("done")
+    return loud
 
 
 # --- the sound server hangs, or is gone
