@@ -429,8 +429,7 @@ PUPILS = {
     "caio.gd": (b"\xff\xfe\x00", "caio.gd is no text in UTF-8."),
     "endless.gd": (
         b"VAR A = 1\nWHILE A > 0 DO\nEND WHILE",
-        "endless.gd: 0 of 1 goal. The program takes too long or never ends. "
-        "You stopped 5 steps south of 0, 5.",
+        "endless.gd: 0 of 1 goal. The program ends too late or never. You stopped 5 steps south of 0, 5.",
     ),
     "misspelt.gd": (
         b"FWW 3",
@@ -1197,7 +1196,7 @@ def test_no_program_of_a_folder_stops_the_rest(tmp_path: Path, capsys: pytest.Ca
 
     assert main(["challenge", "check", "first_walk", str(tmp_path), "--lang", "en"]) == 2
 
-    endless = "0 of 1 goal. The program takes too long or never ends. You stopped 5 steps south of 0, 5."
+    endless = "0 of 1 goal. The program ends too late or never. You stopped 5 steps south of 0, 5."
     assert capsys.readouterr().out.replace(f"{tmp_path}/", "").splitlines() == [
         "There are no programs in folder.gd. The name of a program ends in .gd.",
         "big.gd is too large, at most 8 megabytes.",
