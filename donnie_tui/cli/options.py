@@ -209,7 +209,7 @@ class Invocation(Struct, frozen=True):
     arguments: argparse.Namespace
 
 
-_RECORDING = ("", "run", "replay", "player")
+_RECORDING = ("", "run", "replay", "player", "serve")
 """The commands that write a recording, events or cues; the others write none though a setting asks for it."""
 
 
@@ -290,8 +290,10 @@ def _parsed(command: str, arguments: list[str], words: Words) -> argparse.Namesp
     """Options may stand between the words; not where help is printed or after ``--``, which argparse would
     spoil."""
     parser = parser_of(command, words)
-    is_plain = any(each in arguments for each in (*_HELP, "--"))
-    return parser.parse_args(arguments) if is_plain else parser.parse_intermixed_args(arguments)
+    if any(each in arguments for each in (*_HELP, "--")):
+        return parser.parse_args(arguments)
+    parser.usage = ""  # argparse would make it from sentences, which takes time, and nothing prints it
+    return parser.parse_intermixed_args(arguments)
 
 
 def _refuse_second_limit(arguments: list[str]) -> None:

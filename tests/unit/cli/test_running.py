@@ -102,7 +102,7 @@ def test_what_a_suspension_did_is_a_complaint(has_stopped: bool, monkeypatch: py
     run_module._run_to_the_end(it.donnie, {}, it.output, trace=True)
 
     refused, said = Words()("suspend-impossible"), Words()("suspended-stopped")
-    assert it.did == [refused, ({}, True, False), *[said] * has_stopped, "is silent", "closed"]
+    assert it.did == [refused, ({}, True, False), "is silent", "closed", *[said] * has_stopped]
 
 
 @pytest.mark.parametrize(("has_run_away", "code"), [(False, 130), (True, 1)])
