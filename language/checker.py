@@ -64,7 +64,7 @@ def _negative_steps(program: Program) -> Iterator[Diagnostic]:
 
 
 def _language_of(program: Program) -> str:
-    return language_of(lex(program.source).tokens)
+    return language_of(lex(program.source).tokens, program.source)
 
 
 def _sensor(sensor: syntax.Sensor, language: str) -> tuple[str, str]:

@@ -273,6 +273,21 @@ def languages_of(text: str) -> frozenset[str]:
 
 
 @cache
+def _languages_by_colour() -> dict[str, frozenset[str]]:
+    found: dict[str, set[str]] = {}
+    for argument in (each for each in ARGUMENTS if each.terminal == "COLOUR"):
+        for language, spellings in argument.spellings.items():
+            for one in spellings:
+                found.setdefault(fold_name(one), set()).add(language)
+    return {folded: frozenset(languages) for folded, languages in found.items()}
+
+
+def languages_of_colour(folded: str) -> frozenset[str]:
+    """The languages in which a colour has this folded word; empty for any other word."""
+    return _languages_by_colour().get(folded, frozenset())
+
+
+@cache
 def _written_differently() -> dict[str, dict[str, set[str]]]:
     """The keywords that languages write with different accents: folded word, spelling, languages."""
     found: dict[str, dict[str, set[str]]] = {}

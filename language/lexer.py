@@ -28,6 +28,7 @@ from language.keywords import (
     argument,
     languages_by_accents,
     languages_of,
+    languages_of_colour,
 )
 from language.locales import languages
 from language.source import COMMENT_MARK, DASHES, MARK, UNSEEN, column, fold, line_breaks, widthless
@@ -209,9 +210,10 @@ def languages_in(tokens: Iterable[Token], source: str = "") -> frozenset[str]:
 def language_of(tokens: Iterable[Token], source: str = "") -> str:
     """The language of most keywords that do not belong to all languages; English if there are none.
 
-    The accents in ``source``, if given, decide between languages with as many keywords: DISTÂNCIA is
-    Portuguese, DISTANCIA is Spanish. Only words that languages write differently count. So a program whose
-    other words were written anew, such as by the formatter, stays in its language.
+    The accents in ``source``, if given, and the words of colours decide between languages with as many
+    keywords: DISTÂNCIA is Portuguese, DISTANCIA and COLOR azul are Spanish. Only words that languages write
+    differently count. So a program whose other words were written anew, such as by the formatter, stays in
+    its language.
     """
     tokens = [token for token in tokens if token[5][:1].isalpha()]
     votes = {language: [0, 0] for language in languages()}
@@ -219,7 +221,8 @@ def language_of(tokens: Iterable[Token], source: str = "") -> str:
         for language in languages_of(word):  # a word of all languages counts alike for each
             votes[language][0] += count
     for token in tokens if source else ():
-        for language in languages_by_accents(token[5], source[token[1] : token[2]]):
+        typed = source[token[1] : token[2]]
+        for language in languages_by_accents(token[5], typed) or languages_of_colour(token[5]):
             votes[language][1] += 1
     return max(votes, key=votes.__getitem__)
 

@@ -373,7 +373,7 @@ def _sensor_meant(program: Program, name: Name) -> str:
     """DISTANSIA without a direction after it, and without an assignment."""
     if re.match(r"\s*=(?!=)", program.source[name.span.end :]):
         return ""
-    found = nearest_keyword(name.name, SENSORS, language_of(lex(program.source).tokens))
+    found = nearest_keyword(name.name, SENSORS, language_of(lex(program.source).tokens, program.source))
     return found.text if found and not found.complete else ""
 
 

@@ -44,6 +44,8 @@ def test_a_command_that_does_nothing_has_a_hint_with_a_suggestion(source: str, m
         ("DISTANCE f", "DISTANCE", "SPEAK", "DISTANCE F"),
         ("PF 1 POS y", "POS", "FALAR", "POS Y"),
         ("PF 1 COR verde", "COLOR", "FALAR", "COR VERDE"),
+        ("DISTANCIA F", "DISTANCE", "HABLAR", "DISTANCIA F"),
+        ("COLOR azul", "COLOR", "HABLAR", "COLOR AZUL"),
     ],
 )
 def test_the_hint_about_a_value_names_its_sensor(source: str, word: str, speak: str, value: str) -> None:

@@ -258,6 +258,8 @@ def test_a_hyphen_or_a_minus_sign_is_a_sign(sign: str) -> None:
         ("AV 1 PF 1 DISTANCIA F", "es", "es pt"),
         ("DISTANCIA F", "es", "es"),
         ("DISTÂNCIA F", "pt", "pt"),
+        ("COLOR azul", "es", "es"),
+        ("COLOR blue", "en", "en"),
         ("AV 1 DISTÂNCIA F", "es", "es"),
         ("AV 1 AV 1 FW 1 FW 1 FW 1 PF 1", "en", "en es pt"),
         ('SPEAK "pf"', "en", "en"),
