@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from msgspec.structs import asdict
 
 from donnie_tui.bootstrap import progress
-from donnie_tui.commands.context import Context
+from donnie_tui.commands.context import FAILED, Context
 from donnie_tui.commands.declarations import BY_NAME, COMMANDS
 from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import Option, count_in
@@ -136,6 +136,9 @@ async def manual(ctx: Context, argument: str) -> None:
         chapter = CHAPTERS[number - 1]
         lines = chapter_lines(ctx.words, chapter)
         await ctx.interaction.show_pages(ctx.words(f"manual-{chapter}"), lines)
+    elif number is not None and argument:
+        ctx.refuse(FAILED)
+        ctx.answer("manual-chapters", count=len(CHAPTERS))
     elif argument:
         await ctx.interaction.show_pages(argument, ctx.words.help(argument))
     elif ctx.screen is not None:

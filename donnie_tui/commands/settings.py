@@ -9,7 +9,7 @@ from devices.ports.audio import CUES
 from donnie_tui.commands.context import FAILED, Context
 from donnie_tui.commands.declarations import BY_NAME, COMMANDS
 from donnie_tui.commands.dispatch import handles
-from donnie_tui.commands.interaction import NotUnderstood, Option
+from donnie_tui.commands.interaction import Option
 from donnie_tui.commands.lookup import word_of
 from donnie_tui.commands.preferences import BY_NAME as BY_KEY
 from donnie_tui.commands.preferences import (
@@ -43,10 +43,17 @@ async def choose(ctx: Context, argument: str, key: str) -> None:
     if not argument:
         await _choose_from_list(ctx, preference)
         return
-    value = value_typed(preference, argument, ctx.words)
+    _change_to_typed(ctx, preference, argument)
+
+
+def _change_to_typed(ctx: Context, preference: Preference, typed: str) -> None:
+    """Apply a typed value, or say which are possible."""
+    value = value_typed(preference, typed, ctx.words)
     if value is None:
-        raise NotUnderstood
-    change(ctx, key, value)
+        ctx.refuse(FAILED)
+        say_with_values(ctx, preference)
+    else:
+        change(ctx, preference.key, value)
 
 
 @handles("plain")
@@ -83,12 +90,7 @@ async def set_value(ctx: Context, argument: str) -> None:
     elif preference.key == "cues":
         await _set_cue(ctx, typed.strip())
     elif typed.strip():
-        value = value_typed(preference, typed.strip(), ctx.words)
-        if value is None:
-            ctx.refuse(FAILED)
-            say_with_values(ctx, preference)
-        else:
-            change(ctx, preference.key, value)
+        _change_to_typed(ctx, preference, typed.strip())
     else:
         await _ask_for_value(ctx, preference)
 

@@ -16,7 +16,14 @@ from msgspec.structs import replace
 import worlds
 from devices.ports.robot import STEP, Pose
 from donnie_tui.core.events import PlacedThing
-from donnie_tui.core.program_files import DocumentError, checked_path, exists, read_program, read_to_the_end
+from donnie_tui.core.program_files import (
+    SUFFIX,
+    DocumentError,
+    checked_path,
+    exists,
+    read_program,
+    read_to_the_end,
+)
 from donnie_tui.core.wording import Wording
 from donnie_tui.i18n.words import NotAllowed, Unusable, Words, as_unusable
 from sim.compiled_scene import read_scene
@@ -321,6 +328,8 @@ def _in_a_file(name: str, words: Words, folders: tuple[str, ...], unknown: str) 
     _refuse_outside(path, words)
     if not ("/" in name or "\\" in name or path.suffix or exists(path)):
         raise Unusable(_unknown_world(name, words, unknown))
+    if path.suffix.lower() == SUFFIX:
+        raise Unusable(words("world-is-program", path=path))
     if path.suffix.lower() == ".cfg":
         return _configured(path, words, folders)
     return ChosenWorld(path.name, str(path), _load(str(path), words, folders), ships=False)

@@ -535,8 +535,8 @@ def test_a_list_of_more_than_eighteen_lines_begins_with_their_number(
 
 
 MORE_HELP = {
-    "MANUAL 99": ["I do not know 99. HELP lists the commands."],
-    "MANUAL 9": ["I do not know 9. HELP lists the commands."],
+    "MANUAL 99": ["8 chapters. MANUAL 1 reads the first."],
+    "MANUAL 9": ["8 chapters. MANUAL 1 reads the first."],
     "MANUAL FW": ["FW: Walks forward, in steps.", "You write: FW value, or FORWARD value.", "Example: FW 5."],
     "HELP SET volume": ["Set volume: 100.", "Choose a number, 0 to 100."],
     "HELP zzz": ["I do not know zzz. HELP lists the commands."],

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 from msgspec.structs import replace
@@ -27,6 +28,13 @@ FLOOR = [
     *("This is the world open_floor: Open floor.", "An open floor without walls.", "There are no things."),
 ]
 WALK = ["Challenge: The first walk. World: First room.", "Walk 5 steps to the north."]
+
+
+def test_a_program_is_no_world(open_script: OpenScript, tmp_path: Path) -> None:
+    file = tmp_path / "walk.gd"
+    file.write_text("FW 1")
+
+    assert open_script().answers_to(f"WORLD {file}") == [f"{file} is a program, not a world."]
 
 
 def test_a_world_is_described_on_arrival_and_the_program_stays(open_script: OpenScript) -> None:
