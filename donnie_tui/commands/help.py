@@ -255,7 +255,8 @@ async def hint(ctx: Context, _: str) -> None:
 
 @handles("questions")
 async def questions(ctx: Context, _: str) -> None:
-    """Ask the questions of the challenge about its world; an empty answer leaves them."""
+    """Ask the questions of the challenge about its world. An empty answer leaves them, and so does a command,
+    which is carried out."""
     attempt = _attempt(ctx)
     if attempt.unsensed:
         await _ask_about_goals(ctx, attempt)
@@ -266,12 +267,16 @@ async def questions(ctx: Context, _: str) -> None:
         ctx.answer("questions-none")
         return
     attempt.has_questions = False
+    command = ""
     try:
         for each in asked:
             typed = await ctx.interaction.ask(each.text(ctx.words))
             if typed is None:
                 break
             is_right = each.is_right(typed)
+            if not is_right and find(typed) is not None:
+                command = typed
+                break
             right += is_right
             ctx.answer("question-right" if is_right else "question-wrong", text=each.right_answer(ctx.words))
         else:
@@ -279,6 +284,8 @@ async def questions(ctx: Context, _: str) -> None:
         ctx.answer("questions-done", right=right, questions=len(asked))
     finally:
         attempt.keep_try(len(asked), right)
+    if command:
+        await ctx.interaction.type_again(command)
 
 
 async def _ask_about_goals(ctx: Context, attempt: Attempt) -> None:

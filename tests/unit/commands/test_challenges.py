@@ -470,6 +470,16 @@ def test_while_its_questions_are_asked_none_are_due(open_script: OpenScript, tmp
     assert due == [False, False]
 
 
+def test_a_command_is_no_answer_but_leaves_the_questions(open_script: OpenScript, tmp_path: Path) -> None:
+    file = tmp_path / "it.toml"
+    file.write_text(ASKING)
+    script = open_script(answers=["yellow", "STOP", "1"], world=f"challenge:{file}")
+
+    script.answers_to("FW 3")
+    assert script.answers_to("QUESTIONS") == ["Right.", "You answered 1 of 2 questions right."]
+    assert script.interaction.asked[-1] == "> STOP"
+
+
 def test_questions_that_are_left_keep_the_try(open_script: OpenScript, tmp_path: Path) -> None:
     file = tmp_path / "it.toml"
     file.write_text(ASKING)
