@@ -398,7 +398,8 @@ def _read_equals_sign(reader: TokenReader) -> None:
     if is_turned:
         token = (ASSIGN, start, following[2], line, column, text + following[5])
     meant = f"{following[5]}=" if is_turned else "=="
-    reader.report(MistakeKind.SYNTAX, token, "single-equals", ("comparison",), meant)
+    code = "" if is_turned else "single-equals"
+    reader.report(MistakeKind.SYNTAX, token, code, ("comparison",), meant)
     reader.mark_flaw()
     reader.automaton.feed(COMPARATOR)
     reader.at += 2 if is_turned else 1
