@@ -80,7 +80,7 @@ _CALL_PUNCTUATION = (LPAR, *(KIND[name] for name in ("COLON", "COMMA", "RPAR")))
 """May separate the values of a call without brackets."""
 
 
-_SPEAK = KIND["SPEAK"]
+_SPEAK, _COLON = KIND["SPEAK"], KIND["COLON"]
 _TAKE_VALUE = frozenset(KIND[name] for name in TAKE_EXPRESSION)
 _TAKE_MORE = _TAKE_VALUE | OPENERS.keys() | {VAR}
 """The words after which something else than a direction, an axis, a colour or a switch must come."""
@@ -444,28 +444,29 @@ def _report_end_of_head(reader: TokenReader, details: dict[str, str | int]) -> N
     reader.report(MistakeKind.SYNTAX, token, code, expected, meant, details)
 
 
-# --- what other programming languages write: i++, i += 2, RANDOM 5 ------------------------------------
+# --- what other programming languages write: i++, i += 2, i := 2, RANDOM 5 ----------------------------------
 
 
 def _changes_shortly(reader: TokenReader, at: int) -> bool:
-    """Whether ``i++`` or ``i += 2`` is there, with its name at that index."""
+    """Whether ``i++``, ``i += 2`` or ``i := 2`` is there, with its name at that index."""
     sign = reader.tokens[at + 1]
-    if sign[0] not in (SIGN, _SCALE):
+    if sign[0] not in (SIGN, _SCALE, _COLON):
         return False
     last = reader.tokens[at + 2]
     return sign[2] == last[1] and (last[0] == ASSIGN or (sign[0] == SIGN and last[5] == sign[5]))
 
 
 def _read_short_change(reader: TokenReader) -> None:
-    """Report ``i++`` or ``i += 2`` after its name with the assignment, and read it as one."""
+    """Report ``i++``, ``i += 2`` or ``i := 2`` after its name with the assignment, and read it as one."""
     reader.at -= 1
     name, sign, last, value, after = (*reader.tokens[reader.at : reader.at + 5], reader.tokens[-1])[:5]
     typed, amount, width = reader.typed(name), "1", 3
     if last[0] == ASSIGN:
         is_plain = value[0] in (NUMBER, NAME) and after[0] not in (SIGN, _SCALE)
         amount, width = (reader.typed(value), 4) if is_plain else ("", 3)
-    meant = f"{typed} = {typed} {sign[5]} {amount}" if amount else ""
-    details: dict[str, str | int] = {"written": meant or f"{typed} = {typed} {sign[5]} 1"}
+    start = f"{typed} =" if sign[0] == _COLON else f"{typed} = {typed} {sign[5]}"
+    meant = f"{start} {amount}" if amount else ""
+    details: dict[str, str | int] = {"written": meant or f"{start} 1"}
     reader.report(MistakeKind.SYNTAX, name, "short-change", ("=",), meant, details, width)
     reader.at += 1
     reader.mark_flaw()

@@ -806,6 +806,7 @@ def test_a_mistake_after_the_comment_of_another_language_is_found() -> None:
         ("i += 2 * 3", ""),
         ("i -= n + 1", ""),
         ("i++ ++", "i = i + 1"),
+        ("VAR i\ni := 2\nFW i", "i = 2"),
         ("i++ i = 3\nFW i", "i = i + 1"),
         ("FOR VAR i = 0; i < 3; i++ DO\nFW i\nEND FOR", "i = i + 1"),
         ("FOR VAR i = 0; i < 3; i += 2 DO\nFW i\nEND FOR", "i = i + 2"),
