@@ -27,11 +27,12 @@ from donnie_tui.cli.streams import is_terminal
 from donnie_tui.core.program_files import exists
 from donnie_tui.core.wording import name_of_language
 from donnie_tui.i18n.translations import missing_in, mistakes
-from donnie_tui.i18n.words import Words
+from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.audible import spoken_languages, wants_cues
 from donnie_tui.process.confinement import confinement
 from donnie_tui.settings.folders import own_sounds, settings_file
 from donnie_tui.settings.settings import KEYS, Settings, SettingSource
+from donnie_tui.world.loading import choose_world
 from language import keywords
 from language.locales import languages
 
@@ -98,6 +99,7 @@ def examine(
     yield from look_at_reset(settings)
     yield from look_at_camera(settings)
     yield from look_at_settings(settings, environment)
+    yield from look_at_world(settings)
 
 
 # --- packages
@@ -321,9 +323,21 @@ def look_at_settings(settings: Settings, environment: Mapping[str, str]) -> Iter
             )
 
 
+def look_at_world(settings: Settings) -> Iterator[Finding]:
+    """Why the chosen world can't be used, if that is so: Donnie would not start."""
+    if settings.source_of("world") is SettingSource.DEFAULT:
+        return
+    try:
+        choose_world(settings.world, Words(settings.language), settings.include_folders)
+    except Unusable as unusable:
+        yield amiss("doctor-world", reason=unusable.sentence)
+
+
 def _short(value: object) -> str:
     if isinstance(value, bool):
         return "on" if value else "off"
+    if isinstance(value, tuple):
+        value = os.pathsep.join(map(str, value))
     if isinstance(value, Mapping):
         value = ", ".join(f"{name} {each}" for name, each in value.items())
     return "max" if value is None else str(value)[:40]

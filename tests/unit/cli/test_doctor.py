@@ -33,6 +33,7 @@ from donnie_tui.cli.doctor import (
     look_at_settings,
     look_at_speech,
     look_at_terminal,
+    look_at_world,
 )
 from donnie_tui.cli.options import Invocation, Order
 from donnie_tui.cli.streams import Output
@@ -208,6 +209,17 @@ def test_the_winning_source_of_a_setting_is_reported(tmp_path: Path) -> None:
     assert "cues is step-forward 0, bump 50, from the settings file." in lines
     assert lines[0].startswith("No settings file yet")
     assert not any(line.startswith("world ") for line in lines)
+
+
+def test_a_chosen_world_in_which_donnie_can_not_start_is_a_problem() -> None:
+    settings, _ = resolve({}, {}, {"world": "mase", "allow": f"/a{os.pathsep}/b"})
+    assert said(look_at_world(settings)) == [
+        "Problem: Donnie can't start in the chosen world: There is no world mase. Did you mean maze?",
+        "Remedy: choose another one, with --world or with world in the settings.",
+    ]
+    assert f"allow is /a{os.pathsep}/b, from the settings file." in said(look_at_settings(settings, {}))
+    for world in ({}, {"world": "maze"}):
+        assert said(look_at_world(resolve({}, {}, world)[0])) == []
 
 
 def test_an_unreadable_settings_folder_has_no_file(tmp_path: Path) -> None:
