@@ -480,7 +480,9 @@ class _Reader:
             if isinstance(part, ChallengeQuestion) and not part.is_complete:
                 self._note("challenge-value", table, "of", what="of")
             if isinstance(part, Goal) and not part.kind and self._is_whole:
-                self._note("challenge-goal", table, what=", ".join(KINDS))
+                is_thing_alone = [each for each in KINDS if getattr(part, each) is not None] == ["thing"]
+                code, what = ("missing", "goal.at") if is_thing_alone else ("goal", ", ".join(KINDS))
+                self._note(f"challenge-{code}", table, what=what)
         if not (rules.goal or self.mistakes or os.path.lexists(found.solution())):
             self._note("challenge-solution", what=found.solution().name)
 

@@ -330,6 +330,7 @@ def test_a_file_that_is_no_text_or_not_there_is_one_mistake(tmp_path: Path) -> N
         ("after = [\n'it',\n'nowhere',\n\"none\"]\n" + HEAD + GOAL,
          [("challenge-unknown", 3, "nowhere"), ("challenge-unknown", 4, "none")]),
         (HEAD, [("challenge-solution", 0, "it.solution.gd")]),
+        (HEAD + "[[goal]]\nthing = 'ball'\n", [("challenge-missing", 6, "goal.at")]),
         (HEAD + "[[goal]]\n", [("challenge-goal", 6, ", ".join(challenges.KINDS))]),
         (HEAD + "[[goal]]\nwithin = 'x'\n" + GOAL, [("challenge-value", 7, "within")]),
     ],
