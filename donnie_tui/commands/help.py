@@ -136,7 +136,7 @@ async def manual(ctx: Context, argument: str) -> None:
         chapter = CHAPTERS[number - 1]
         lines = chapter_lines(ctx.words, chapter)
         await ctx.interaction.show_pages(ctx.words(f"manual-{chapter}"), lines)
-    elif number is not None and argument:
+    elif argument.isdecimal():
         ctx.refuse(FAILED)
         ctx.answer("manual-chapters", count=len(CHAPTERS))
     elif argument:

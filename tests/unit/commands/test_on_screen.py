@@ -154,7 +154,7 @@ CONVERSATIONS: dict[str, tuple[tuple[str, Said, Said, Said], ...]] = {
         ("REDRAW", ["The screen is drawn again."], ["repaint"], []),
         ("PLAIN", ["Plain layout: on."], [], []),
         ("THEME light", ["Look: light."], [], []),
-        ("THEME zzz", ["I did not understand. Type THEME light."], [], []),
+        ("THEME zzz", ["Look: light.", "Choose: dark, light, contrast, terminal."], [], []),
         ("THEME", ["Look: light."], [], ["Look", "dark", "light", "high contrast", "the terminal's own"]),
         ("DETAIL", ["Detail: normal."], [], ["Detail", "brief", "normal", "full"]),
         ("SET prompt", ["Only in the linear mode: type LINEAR."], [], []),
