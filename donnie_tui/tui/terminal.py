@@ -20,7 +20,7 @@ from rich.console import Console, RenderableType
 from rich.segment import Segment
 from textual.app import App
 from textual.color import Color
-from textual.events import Resize
+from textual.events import InputEvent, Resize
 from textual.filter import LineFilter
 from textual.geometry import Offset, Size
 from textual.message import Message
@@ -117,6 +117,7 @@ class TerminalApp(App[int], inherit_bindings=False):
         super().__init__(ansi_color=True if "NO_COLOR" in os.environ else None)  # the filters ask at once
         take_any_bytes(self.driver_class)
         self._kept_input: list[Message] = []
+        self._keeps_input = False
         self.animation_level = "none"
         for name in themes.NAMES:
             self.register_theme(themes.theme(name))
@@ -156,13 +157,22 @@ class TerminalApp(App[int], inherit_bindings=False):
     # --- the input
 
     def keep_input(self) -> None:
-        """Stop reading the terminal; its input is kept."""
+        """Stop reading the terminal; its input is kept, also what was read and is not handled yet."""
         driver: Any = self._driver
         if driver is None:
             return
-        driver.send_message = self._kept_input.append
+        self._keeps_input = True
         if hasattr(driver, "attrs_before"):
+            _stop_reading(driver)
             driver.disable_input = partial(_stop_reading, driver)
+        driver.send_message = self._kept_input.append
+
+    def post_message(self, message: Message) -> bool:
+        """As Textual's, which drops what arrives while the screen closes: input is kept for the next one."""
+        is_taken = super().post_message(message)
+        if not is_taken and self._keeps_input and isinstance(message, InputEvent):
+            self._kept_input.append(message)
+        return is_taken
 
     def messages_not_taken(self) -> list[Message]:
         """The messages that were not handled, in order, after the screen has closed."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from contextlib import contextmanager
+from threading import Event
 from types import ModuleType
 from types import SimpleNamespace as Part
 from typing import Any
@@ -152,7 +153,9 @@ def test_styles_are_read_again_only_where_the_theme_has_changed(
 def test_what_is_typed_from_then_on_is_kept(app: TerminalApp, is_terminal: bool) -> None:
     app._driver = None
     app.keep_input()
-    driver = Part(send_message=None, disable_input="own", _key_thread=None)
+    driver = Part(send_message=None, disable_input="own", exit_event=Event(), did=[])
+    driver._key_thread = Part(join=lambda: driver.did.append(("read", driver.send_message)))
+    driver._disable_mouse_support = lambda: driver.did.append("no mouse")
     if is_terminal:
         driver.attrs_before = []
     app._driver = driver  # type: ignore[assignment]
@@ -160,10 +163,28 @@ def test_what_is_typed_from_then_on_is_kept(app: TerminalApp, is_terminal: bool)
     driver.send_message("typed")
     assert app._kept_input == ["typed"]
     if is_terminal:
-        assert (driver.disable_input.func, driver.disable_input.args) == (terminal._stop_reading, (driver,))
+        assert driver.did == ["no mouse", ("read", None)], "what was read before comes first"
+        driver.disable_input()
+        assert driver.did == ["no mouse", ("read", None)]
     else:
         assert driver.disable_input == "own"
     app._driver = None
+
+
+async def test_what_was_read_just_before_and_arrives_while_the_screen_closes_is_kept(
+    app: TerminalApp,
+) -> None:
+    key, other = Key("e", "e"), Resize(Size(1, 1), Size(1, 1))
+    app._closing = True
+    assert not app.post_message(key)
+    assert app.messages_not_taken() == []
+
+    app._driver = Part(send_message=None)  # type: ignore[assignment]
+    app.keep_input()
+    for each in (key, other):
+        assert not app.post_message(each)
+    app._driver = None
+    assert app.messages_not_taken() == [key]
 
 
 async def test_messages_that_were_not_handled_come_in_their_order_once_nothing_is_read_any_more(
