@@ -118,9 +118,11 @@ class Stations:
                 given.add(model.index)
                 return kind(self._fitting(driver, address, robot), model)
         what = f"{interface}:{address.index}"
-        if driver.model and not self._parts(driver.model):
-            known = [each.name for each in self._scene.models if each.wheels and each.parent is None]
-            names = ", ".join(filter(None, known[:_MOST_NAMES]))
+        known = [
+            each.name for each in self._scene.models if each.wheels and each.parent is None and each.name
+        ]
+        if driver.model and known and not self._parts(driver.model):
+            names = ", ".join(known[:_MOST_NAMES])
             raise ServerProblem("player-unknown-model", name=driver.model[:60], what=what, names=names)
         raise ServerProblem("player-no-model", what=what)
 
