@@ -72,7 +72,7 @@ def test_what_something_else_wrote_over_the_screen_goes_away_when_it_is_painted_
 def test_a_process_that_goes_on_paints_the_whole_screen(terminal):
     donnie = terminal(is_job=True)
     donnie.process.send_signal(signal.SIGTSTP)
-    # read meanwhile: a process whose output nobody reads may not come to its suspension
+    # read meanwhile: a process may wait with its suspension until its output was read
     donnie.until(lambda: os.waitpid(donnie.process.pid, os.WUNTRACED | os.WNOHANG)[0], "the suspension")
     before = written_over(donnie)
     donnie.process.send_signal(signal.SIGCONT)
