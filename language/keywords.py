@@ -9,7 +9,7 @@ names in all other places. So are the words in ``ALSO_NAMES`` where no command m
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from types import MappingProxyType
 from unicodedata import normalize
@@ -259,9 +259,14 @@ def topic_at(line: str, column: int) -> str:
 
 @cache
 def _languages_by_word() -> dict[str, frozenset[str]]:
+    return _languages_by_spelling(each.spellings for each in WORDS)
+
+
+def _languages_by_spelling(words: Iterable[Mapping[str, Sequence[str]]]) -> dict[str, frozenset[str]]:
+    """The languages of each folded spelling."""
     found: dict[str, set[str]] = {}
-    for each in WORDS:
-        for language, spellings in each.spellings.items():
+    for each in words:
+        for language, spellings in each.items():
             for one in spellings:
                 found.setdefault(folded_word(one), set()).add(language)
     return {folded: frozenset(languages) for folded, languages in found.items()}
@@ -274,12 +279,7 @@ def languages_of(text: str) -> frozenset[str]:
 
 @cache
 def _languages_by_colour() -> dict[str, frozenset[str]]:
-    found: dict[str, set[str]] = {}
-    for argument in (each for each in ARGUMENTS if each.terminal == "COLOUR"):
-        for language, spellings in argument.spellings.items():
-            for one in spellings:
-                found.setdefault(fold_name(one), set()).add(language)
-    return {folded: frozenset(languages) for folded, languages in found.items()}
+    return _languages_by_spelling(each.spellings for each in ARGUMENTS if each.terminal == "COLOUR")
 
 
 def languages_of_colour(folded: str) -> frozenset[str]:

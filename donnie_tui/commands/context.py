@@ -110,7 +110,7 @@ class Context:
         for unsubscribe in self._unsubscribe:
             unsubscribe()
 
-    def refuse(self, code: int) -> None:
+    def refuse(self, code: int = FAILED) -> None:
         """Note that a line of a script was refused: the script ends with this exit code or a higher one."""
         self.script_code = max(self.script_code, code)
 

@@ -11,7 +11,7 @@ from functools import partial, update_wrapper
 from importlib import import_module
 from typing import TYPE_CHECKING, TypeAlias, TypeVar
 
-from donnie_tui.commands.context import FAILED, UNUSABLE, Context
+from donnie_tui.commands.context import UNUSABLE, Context
 from donnie_tui.commands.declarations import BY_NAME, Command, When
 from donnie_tui.commands.interaction import GivenUp, NotUnderstood
 from donnie_tui.commands.lookup import not_understood, typed_form, unknown_word, word_of
@@ -66,7 +66,7 @@ async def perform(ctx: Context, command: Command, argument: str | None) -> None:
         say_in_words(ctx, command.in_words)
         return
     if not is_possible(ctx, command):
-        ctx.refuse(FAILED)
+        ctx.refuse()
         ctx.answer_of_robot("screen-busy")
         return
     if command.is_about_now:
@@ -74,7 +74,7 @@ async def perform(ctx: Context, command: Command, argument: str | None) -> None:
     try:
         await attempt(ctx, _run(ctx, command, argument))
     except NotUnderstood as slip:
-        ctx.refuse(FAILED)
+        ctx.refuse()
         ctx.say(not_understood(command, ctx.words, slip.meant))
 
 
@@ -144,6 +144,6 @@ def says_slip(ctx: Context, line: str) -> bool:
     """Answer a misspelt command with the right word. Returns whether the line begins with one."""
     unknown = unknown_word(line, ctx.program.lines, ctx.words.language, ctx.donnie.session.parse)
     if unknown is not None:
-        ctx.refuse(FAILED)
+        ctx.refuse()
         ctx.answer("help-unknown-near", topic=unknown.word, near=unknown.meant)
     return unknown is not None

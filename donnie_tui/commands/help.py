@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from msgspec.structs import asdict
 
 from donnie_tui.bootstrap import progress
-from donnie_tui.commands.context import FAILED, Context
+from donnie_tui.commands.context import Context
 from donnie_tui.commands.declarations import BY_NAME, COMMANDS
 from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import Option, count_in
@@ -137,7 +137,7 @@ async def manual(ctx: Context, argument: str) -> None:
         lines = chapter_lines(ctx.words, chapter)
         await ctx.interaction.show_pages(ctx.words(f"manual-{chapter}"), lines)
     elif argument.isdecimal():
-        ctx.refuse(FAILED)
+        ctx.refuse()
         ctx.answer("manual-chapters", count=len(CHAPTERS))
     elif argument:
         await ctx.interaction.show_pages(argument, ctx.words.help(argument))

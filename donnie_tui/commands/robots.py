@@ -6,7 +6,7 @@ import os
 from functools import partial
 from pathlib import Path
 
-from donnie_tui.commands.context import FAILED, Context
+from donnie_tui.commands.context import Context
 from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import Option, count_in
 from donnie_tui.core.program_files import DocumentError, exists
@@ -132,7 +132,7 @@ def _connect_to(ctx: Context, number: int) -> None:
     """Connect the robot of that number, in its own thread. Answers are printed at once."""
     connection, options = ctx.donnie.connection, ctx.donnie.connection.options()
     if not 1 <= number <= len(options):
-        ctx.refuse(FAILED)
+        ctx.refuse()
         ctx.answer("connect-unknown", number=number)
         return
     robot = options[number - 1].robot

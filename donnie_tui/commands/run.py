@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from donnie_tui.commands.context import FAILED, Context
+from donnie_tui.commands.context import Context
 from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import NotUnderstood, read_numbers
 from donnie_tui.core.events import TYPED, Error, Outcome
@@ -371,7 +371,7 @@ async def speed(ctx: Context, argument: str) -> None:
         try:
             ctx.donnie.session.speed = read_speed(fold_name(argument))
         except ValueError:
-            ctx.refuse(FAILED)
+            ctx.refuse()
             ctx.answer("screen-bad-speed", slowest=SLOWEST, fastest=FASTEST)
             return
     _say_speed(ctx)

@@ -6,7 +6,7 @@ A change at a prompt or on the screen is kept in the settings file; a change by 
 from __future__ import annotations
 
 from devices.ports.audio import CUES
-from donnie_tui.commands.context import FAILED, Context
+from donnie_tui.commands.context import Context
 from donnie_tui.commands.declarations import BY_NAME, COMMANDS
 from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import Option
@@ -50,7 +50,7 @@ def _change_to_typed(ctx: Context, preference: Preference, typed: str) -> None:
     """Apply a typed value, or say which are possible."""
     value = value_typed(preference, typed, ctx.words)
     if value is None:
-        ctx.refuse(FAILED)
+        ctx.refuse()
         say_with_values(ctx, preference)
     else:
         change(ctx, preference.key, value)
@@ -83,7 +83,7 @@ async def set_value(ctx: Context, argument: str) -> None:
         return
     preference = find_preference(name, ctx.words)
     if preference is None:
-        ctx.refuse(FAILED)
+        ctx.refuse()
         ctx.answer("screen-no-setting", name=printable(name[:LONGEST_NAME]))
     elif preference.where is (Where.LINEAR if ctx.screen is not None else Where.SCREEN):
         ctx.answer(_only_in_other_mode(ctx))
@@ -203,7 +203,7 @@ async def _set_cue(ctx: Context, argument: str) -> None:
     word, _, typed = argument.partition(" ")
     cue = cue_meant(word) if word else None
     if word and cue is None:
-        ctx.refuse(FAILED)
+        ctx.refuse()
         ctx.answer("cues-unknown", name=printable(word[:LONGEST_NAME]))
     elif cue is None:
         await _choose_cues(ctx)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from devices.ports.audio import CUES
 from donnie_tui.bootstrap import Donnie
-from donnie_tui.commands.context import FAILED, Context
+from donnie_tui.commands.context import Context
 from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import NotUnderstood, switched
 from donnie_tui.core.events import Answered, Chimed
@@ -36,7 +36,7 @@ async def cues(ctx: Context, argument: str) -> None:
     """Play each cue, or one by its name, and say its name and meaning. A key ends it."""
     audible, name = ctx.donnie.outlets.audible, cue_meant(argument)
     if argument and name is None:
-        ctx.refuse(FAILED)
+        ctx.refuse()
         ctx.answer("cues-unknown", name=argument[:LONGEST_NAME])
         return
     hushed = audible.hushed
