@@ -259,7 +259,7 @@ class Robot(Protocol):
 
 
 class Gripping(Protocol):
-    """What a robot has too that may have a gripper."""
+    """The methods of robots that may have a gripper."""
 
     def grip(self) -> GripResult:
         """Take what is between the paddles or just in front of them. Raises ``RobotProblem``."""
@@ -268,7 +268,7 @@ class Gripping(Protocol):
 
 
 class NamedRangers(Protocol):
-    """What a robot has too whose world may name its distance sensors."""
+    """The methods of robots whose worlds may name their distance sensors."""
 
     @property
     def ranger_names(self) -> tuple[str, ...]: ...
@@ -278,7 +278,7 @@ class NamedRangers(Protocol):
 
 
 class KnowsItsWorld(Protocol):
-    """What a robot has too that is simulated."""
+    """The methods of simulated robots."""
 
     @property
     def is_in_the_open(self) -> bool:

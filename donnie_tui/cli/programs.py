@@ -588,7 +588,8 @@ def _pupils(judge: Judge, given: Sequence[str]) -> tuple[_Pupil, ...]:
 
 
 def _in_folder(judge: Judge, name: str) -> Iterator[_Pupil]:
-    """Those of a folder, or of a file alone. A folder in it without programs is a pupil's without any."""
+    """Those of a folder, or of a file alone. A folder in it without programs is that of a pupil who handed in
+    nothing."""
     is_of_one, first = bool(_files_of_robots(judge, name)), next(iter(judge.room.robots))
     for folder in (name,) if is_of_one else (*folders_in(name), name):
         if own := _files_of_robots(judge, folder):

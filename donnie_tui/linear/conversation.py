@@ -302,7 +302,7 @@ class LinearInteraction:
     async def ask(
         self,
         question: str,
-        text: str = "",  # noqa: ARG002 -- here it would stand unheard before what is typed
+        text: str = "",  # noqa: ARG002 -- a screen reader would not say it
         accepts: Callable[[str], str | None] | None = None,
     ) -> str | None:
         prompter = self._conversation.prompter
