@@ -104,9 +104,14 @@ class WakingSignals(TakenSignals, Nudges):
     """The signals also wake the waiting thread, with their numbers."""
 
     def __init__(self, handlers: Mapping[int, Handler]) -> None:
-        TakenSignals.__init__(self, handlers)
         Nudges.__init__(self)
-        self._fd_before = signal.set_wakeup_fd(self._writing, warn_on_full_buffer=False)
+        try:
+            # before the handlers: else a signal in between would be handled, and its number lost
+            self._fd_before = signal.set_wakeup_fd(self._writing, warn_on_full_buffer=False)
+        except ValueError:
+            self.close()
+            raise
+        TakenSignals.__init__(self, handlers)
 
     def give_back(self) -> None:
         if self._are_taken:

@@ -7,6 +7,7 @@ import os
 import select
 import signal
 import threading
+from collections.abc import Callable
 
 import pytest
 
@@ -57,6 +58,49 @@ def test_signals_and_nudges_wake_the_waiting_thread_and_the_wakeup_is_restored()
     assert outer.numbers() == b"", "a handler that was given back is not woken"
     for each in (inner, outer):
         each.close()
+
+
+def test_no_signal_is_lost_while_the_signals_are_taken(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Else Donnie would not end with its reader, if that ends while Donnie begins."""
+    heard, sent = list[int](), 0
+
+    def then_signal(task: Callable[..., object]) -> Callable[..., object]:
+        def do(*values: object, **named: object) -> object:
+            nonlocal sent
+            done = task(*values, **named)
+            signal.raise_signal(signal.SIGUSR1)
+            sent += 1
+            return done
+
+        return do
+
+    before = signal.signal(signal.SIGUSR1, lambda number, _: heard.append(number))
+    with monkeypatch.context() as patched:
+        for module, name in ((os, "pipe"), (signal, "set_wakeup_fd"), (signal, "signal")):
+            patched.setattr(module, name, then_signal(getattr(module, name)))
+        taken = WakingSignals({signal.SIGUSR1: lambda *_: None})
+
+    assert sent >= 3
+    assert len(heard) + len(taken.numbers()) >= sent
+    taken.give_back()
+    taken.close()
+    signal.signal(signal.SIGUSR1, before)
+
+
+def test_nothing_is_left_open_where_signals_cannot_be_taken() -> None:
+    opened: list[set[str]] = []
+
+    def take() -> None:
+        before = set(os.listdir("/dev/fd"))  # noqa: PTH208 -- numbers, not files
+        with pytest.raises(ValueError, match="main thread"):
+            WakingSignals({signal.SIGTERM: lambda *_: None})
+        opened.append(set(os.listdir("/dev/fd")) - before)  # noqa: PTH208 -- as above
+
+    thread = threading.Thread(target=take)
+    thread.start()
+    thread.join()
+
+    assert opened == [set()]
 
 
 @pytest.mark.skipif(not hasattr(fcntl, "F_SETPIPE_SZ"), reason="only Linux changes the size of a pipe")
