@@ -234,6 +234,20 @@ def test_an_owner_that_has_ended_just_now_is_a_hang_up(hang_ups: threading.Event
 
 
 @ON_LINUX
+def test_where_hang_ups_are_still_ignored_the_end_of_the_owner_terminates() -> None:
+    owner = subprocess.Popen(["true"])
+    owner.wait()
+    terminated = threading.Event()
+    before = signal.signal(signal.SIGHUP, signal.SIG_IGN)
+    try:
+        with TakenSignals({signal.SIGTERM: lambda *_: terminated.set()}):
+            disconnection._end_with(owner.pid)
+            assert until(terminated.is_set)
+    finally:
+        signal.signal(signal.SIGHUP, before)
+
+
+@ON_LINUX
 @pytest.mark.parametrize(("terminal", "keeper"), [(None, 7), ("/dev/pts/of-no-one", 7), ("", None)])
 def test_without_another_end_or_its_owner_nothing_is_watched(
     terminal: str | None, keeper: int | None, monkeypatch: pytest.MonkeyPatch
