@@ -18,12 +18,12 @@ from msgspec.structs import replace
 from devices.ports.robot import Pace, Watcher
 from donnie_tui.core.events import Announced, Answered, Outcome, Read, Scanned, Stamped
 from donnie_tui.core.hub import Stream
-from donnie_tui.core.outlets import SpeechWait
 from donnie_tui.core.program_files import DocumentError, FilesInUse, ProgressFile, write_program
 from donnie_tui.core.runner import Run, RunRequest
 from donnie_tui.core.session import ResettableRobot, RunOptions, Session, SessionSetup
 from donnie_tui.core.team import Team
 from donnie_tui.core.timeline import Chronicle
+from donnie_tui.core.voice import SpeechWait
 from donnie_tui.core.workspace import Workspace
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.audible import Audible, make_audible

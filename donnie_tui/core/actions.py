@@ -42,8 +42,8 @@ from donnie_tui.core.events import (
     Waited,
 )
 from donnie_tui.core.hub import Hub
-from donnie_tui.core.outlets import SpeechWait
 from donnie_tui.core.transcript import History, SentencePublisher
+from donnie_tui.core.voice import SpeechWait
 from donnie_tui.core.wording import compass_heading, whole_steps
 from language.diagnostics import ActionRefused, MistakeKind
 from language.source import fold_name

@@ -21,9 +21,9 @@ from donnie_tui.core.announcer import Announcer
 from donnie_tui.core.belt import BeltDisplay, BeltSettings
 from donnie_tui.core.events import HowStarted, Outcome, Reset, RunStarted, Sensed
 from donnie_tui.core.hub import Hub, Stream
-from donnie_tui.core.outlets import SpeechWait
 from donnie_tui.core.runner import Readable, Run, Stage, takes_turns
 from donnie_tui.core.transcript import SentencePublisher
+from donnie_tui.core.voice import SpeechWait
 from donnie_tui.core.wording import Wording
 from language.compiler import compile_program
 from language.control import ControlState, ExecutionControl

@@ -25,8 +25,8 @@ from devices.ports.audio import CuePlayer, Speaker, Urgency, Utterance
 from donnie_tui.core.answer_log import spelled
 from donnie_tui.core.events import Answered, SoundSwitched, Stamped
 from donnie_tui.core.hub import HasHub
-from donnie_tui.core.outlets import Cues, Voice, VoiceScope
 from donnie_tui.core.transcript import TranscriptFilter, UnfilteredTranscript
+from donnie_tui.core.voice import Cues, Voice, VoiceScope
 from donnie_tui.core.wording import Wording, name_of_language
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.folders import own_sounds

@@ -25,7 +25,7 @@ from devices.ports.audio import Cue
 from donnie_tui import __version__
 from donnie_tui.core.events import Answered, CueSounded, RunEnded, SoundSwitched, Stamped
 from donnie_tui.core.hub import Hub
-from donnie_tui.core.outlets import SpeechWait
+from donnie_tui.core.voice import SpeechWait
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.audible import Audible
 from donnie_tui.outlets.belt import BeltAnnouncer, belt_settings

@@ -22,8 +22,8 @@ from devices.ports.audio import (
 )
 from donnie_tui.commands.preferences import find_preference, value_typed
 from donnie_tui.core.events import Announced, Answered, Chimed, Event, SoundSwitched, Spoke, Stamped
-from donnie_tui.core.outlets import Voice, VoiceScope
 from donnie_tui.core.transcript import printed_lines
+from donnie_tui.core.voice import Voice, VoiceScope
 from donnie_tui.i18n.words import Words
 from donnie_tui.outlets import audible
 from donnie_tui.outlets.audible import TypingEcho, make_audible, wants_cues

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from donnie_tui.core.outlets import LONGEST, SLICE, SpeechWait
+from donnie_tui.core.voice import LONGEST, SLICE, SpeechWait
 
 
 def test_a_program_without_a_voice_does_not_wait() -> None:

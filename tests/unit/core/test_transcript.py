@@ -24,7 +24,6 @@ from donnie_tui.core.events import (
     Turned,
     Waited,
 )
-from donnie_tui.core.outlets import Cues, Voice
 from donnie_tui.core.transcript import (
     LONGEST_SOURCE,
     MOST_MOVEMENTS,
@@ -35,6 +34,7 @@ from donnie_tui.core.transcript import (
     printed_lines,
     with_robot_name,
 )
+from donnie_tui.core.voice import Cues, Voice
 from donnie_tui.i18n.words import Words
 
 

@@ -29,8 +29,8 @@ from donnie_tui.core.events import (
     Stamped,
 )
 from donnie_tui.core.hub import Hub
-from donnie_tui.core.outlets import Cues, SpeechWait, Voice, VoiceScope
 from donnie_tui.core.transcript import UnfilteredTranscript
+from donnie_tui.core.voice import Cues, SpeechWait, Voice, VoiceScope
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.belt import ChosenBelt, connect_belt, refuse_shared_port
 from donnie_tui.outlets.files import Outlets
