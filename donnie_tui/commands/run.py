@@ -62,7 +62,7 @@ async def run_program(ctx: Context, *, is_whole: bool, begin: Begin | None = Non
 async def _ask_questions(ctx: Context) -> None:
     """Ask the questions of the challenge after a run, where a person can answer."""
     if ctx.attempt is not None and ctx.attempt.has_questions and ctx.interaction.is_attended:
-        from donnie_tui.commands.help import questions
+        from donnie_tui.commands.challenges import questions
 
         await questions(ctx, "")
 

@@ -34,6 +34,7 @@ _TITLES = {
     "build": "Furnishing a world",
     "robots": "The robots",
     "settings": "Settings",
+    "challenges": "Challenges",
     "help": "Help, and the ways out",
 }
 """The sections, by the modules of the handlers."""
